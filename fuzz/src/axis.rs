@@ -162,7 +162,7 @@ struct Compiled {
     of: Vec<(&'static str, boon::SchemaIndex)>,
 }
 
-static COMPILED: LazyLock<Option<Compiled>> = LazyLock::new(|| compiled(&answers::schema()));
+static COMPILED: LazyLock<Option<Compiled>> = LazyLock::new(|| compiled(&answers::schema(&questions::list::records())));
 
 fn compiled(schema: &Value) -> Option<Compiled> {
     let mut found = Compiled { schemas: boon::Schemas::new(), of: Vec::new() };

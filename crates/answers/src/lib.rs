@@ -65,7 +65,7 @@ pub use mount::{Joint, JointCase, Mount, MountValue, Pilot};
 pub use number::Number;
 pub use provenance::Grade;
 pub use reference::reference;
-pub use schema::{Answered, Axes, VERSION, schema};
+pub use schema::{Answered, Axes, Record, VERSION, schema};
 pub use sheet::{CatalogueCell, NoteBy, Sheet, SheetNote, SheetSection, SheetValue};
 pub use sizing::{CheckId, Direction, Part, Verdict};
 pub use units::Units;

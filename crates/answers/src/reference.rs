@@ -1,13 +1,13 @@
 //! The reference page of the answers, made from their schema.
 
-use crate::schema::{VERSION, schema};
+use crate::schema::VERSION;
 use serde_json::Value;
 use std::fmt::Write as _;
 
-/// The page in Markdown: each command with its record, then every record with its fields, and every set of words.
+/// The page in Markdown, from the schema of the answers: each command with its record, then every record with its fields, and
+/// every set of words.
 #[must_use]
-pub fn reference() -> String {
-    let schema = schema();
+pub fn reference(schema: &Value) -> String {
     let mut page = format!(
         "# Answers\n\n\
          What `--json` writes, field by field, version {VERSION}. This page is made from the records of the program, as is the\n\

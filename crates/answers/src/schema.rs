@@ -1,11 +1,6 @@
 //! The JSON Schema of every answer, and the reference page made from it.
 
-use crate::{
-    Battery, Bearings, CatalogueCell, CodeFaults, CodeReading, CommissionAnswer, CommissionWritten, Comparison,
-    Completion, Curves, Difference, Errata, Explanations, ExportWritten, Faults, FilesWritten, Fit, Glossary, Inertia,
-    Judgement, Licences, ListedCode, Motion, Mount, PlotWritten, Recorded, ReportWritten, Sheet, Sizing, Table,
-    Torsion, Upkeep, Wiring, WiringCheck,
-};
+use crate::Fit;
 use schemars::{JsonSchema, SchemaGenerator, generate::SchemaSettings};
 use serde::Serialize;
 use serde_json::{Map, Value};
@@ -48,60 +43,29 @@ impl<T> Answered<T> {
     }
 }
 
-/// A command and the record that it answers with.
-struct CommandRecord {
-    command: &'static str,
+/// A record that answers a command: the name of the command, and the schema of the record.
+#[derive(Clone, Copy, Debug)]
+pub struct Record {
+    /// The command, with the option that makes another answer of it.
+    pub command: &'static str,
     schema: fn(&mut SchemaGenerator) -> schemars::Schema,
 }
 
-const fn one<T: JsonSchema>(command: &'static str) -> CommandRecord {
-    CommandRecord { command, schema: SchemaGenerator::subschema_for::<T> }
+impl Record {
+    /// The record `T` as the answer of a command.
+    #[must_use]
+    pub const fn of<T: JsonSchema>(command: &'static str) -> Self {
+        Self { command, schema: SchemaGenerator::subschema_for::<T> }
+    }
 }
 
-/// Every command with an answer, in the order of the reference page.
-const ENTRIES: &[CommandRecord] = &[
-    one::<Answered<Sizing>>("size"),
-    one::<Answered<Judgement>>("check"),
-    one::<Answered<Explanations>>("explain"),
-    one::<Answered<Comparison>>("compare"),
-    one::<Answered<Difference>>("diff"),
-    one::<Answered<Bearings>>("bearing"),
-    one::<Motion>("moves"),
-    one::<Curves>("curve"),
-    one::<Torsion>("torsion"),
-    one::<Battery>("battery"),
-    one::<Mount>("mount"),
-    one::<Upkeep>("upkeep"),
-    one::<Inertia>("inertia"),
-    one::<CommissionAnswer>("commission"),
-    one::<Recorded>("commission --record"),
-    one::<Vec<CommissionWritten>>("commission --out"),
-    one::<Glossary>("glossary"),
-    one::<Licences>("licences"),
-    one::<FilesWritten>("new --out"),
-    one::<ReportWritten>("report"),
-    one::<ExportWritten>("export --out"),
-    one::<Table>("export --table"),
-    one::<PlotWritten>("plot"),
-    one::<CodeReading>("code parse"),
-    one::<Vec<ListedCode>>("code list"),
-    one::<Completion>("code complete"),
-    one::<Sheet>("data"),
-    one::<Wiring>("wiring"),
-    one::<WiringCheck>("wiring --check"),
-    one::<Errata>("errata"),
-    one::<Vec<CatalogueCell>>("catalogue export"),
-    one::<CodeFaults>("faults of a code"),
-    one::<Faults>("faults"),
-];
-
-/// The JSON Schema of the answers: each command's under `properties`, the records that they share under `$defs`.
+/// The JSON Schema of answers: each command's under `properties`, the records that they share under `$defs`.
 #[must_use]
-pub fn schema() -> Value {
+pub fn schema(records: &[Record]) -> Value {
     let mut generator = SchemaSettings::draft2020_12().into_generator();
     let mut properties = Map::new();
-    for entry in ENTRIES {
-        properties.insert(entry.command.to_owned(), (entry.schema)(&mut generator).into());
+    for record in records {
+        properties.insert(record.command.to_owned(), (record.schema)(&mut generator).into());
     }
     let definitions = generator.take_definitions(true);
     let mut root = Map::new();

@@ -10,7 +10,7 @@ use clap::Command;
 use quantities::Language;
 use questions::list::{self, Entry};
 
-/// How the terminal shows the answer to a question, and what its command has beside the arguments of the question.
+/// How the terminal shows the answer to a question, and the options of its command beside the arguments of the question.
 pub(crate) struct Layout {
     entry: &'static Entry,
     pub(crate) show: Show,

@@ -43,7 +43,7 @@ fn answer(matches: &ArgMatches, language: Language) -> Result<Answer, Unanswered
     Ok(Answer::none())
 }
 
-/// A server that listens: on the port that is asked for, else on the usual one or, where that is taken, on a free one.
+/// A server that listens: on the requested port, else on the usual one or, where that is taken, on a free one.
 fn bound(matches: &ArgMatches, language: Language) -> Result<Server, Unanswered> {
     let port = matches.get_one::<u16>("port").copied();
     let options = Options {

@@ -69,6 +69,8 @@ pub enum Fault {
         path: String,
         /// Why.
         error: QuantityError,
+        /// Further dimensions that may stand there.
+        also: Vec<Dimension>,
     },
     /// A plain number outside its bounds.
     NumberOutOfRange {

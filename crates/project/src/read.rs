@@ -2,13 +2,13 @@
 
 use crate::bodies::BodySection;
 use crate::inputs::Input;
-use crate::key::{Column, Key, Kind, Variants, example};
+use crate::key::{Key, Kind, Variants, example};
 use crate::section::{Fields, Section};
 use crate::stated::Head;
 use crate::tolerance::{TOLERANCES_MOST, Tolerance};
 use crate::value::{Cell, Choice, Row};
 use crate::{Diagnostic, Expected, Fault, Hint, Range};
-use quantities::{Dimension, HalfWidth, Reading, is_unseen};
+use quantities::{Dimension, HalfWidth, QuantityError, Reading, is_unseen};
 use std::ops::Range as Span;
 use toml::Spanned;
 use toml::de::{DeArray, DeTable, DeValue};
@@ -192,7 +192,8 @@ impl<'t> Reader<'t> {
     pub(crate) fn quantity_of(&mut self, found: &Found<'_, '_>) -> Option<f64> {
         match (found.key.kind, found.value) {
             (Kind::Quantity(dimension, range), DeValue::String(text)) => {
-                self.quantity(text, found.span.clone(), (dimension, range), found.path)
+                let place = (found.path, found.path);
+                self.quantity((text, found.span.clone()), (&[dimension], range), place).map(|(_, si)| si)
             }
             (Kind::Quantity(dimension, _), DeValue::Integer(_) | DeValue::Float(_)) => {
                 self.bare_number(found, dimension)
@@ -205,8 +206,7 @@ impl<'t> Reader<'t> {
     pub(crate) fn along(&mut self, found: &Found<'_, '_>) -> Option<(Dimension, f64)> {
         match (found.key.kind, found.value) {
             (Kind::Along(turning, line, range), DeValue::String(text)) => {
-                let dimension = one_of(&[turning, line], text)?;
-                self.quantity(text, found.span.clone(), (dimension, range), found.path).map(|si| (dimension, si))
+                self.quantity((text, found.span.clone()), (&[turning, line], range), (found.path, found.path))
             }
             (Kind::Along(dimension, ..), DeValue::Integer(_) | DeValue::Float(_)) => self.bare_number(found, dimension),
             _ => self.wrong_type(found),
@@ -303,25 +303,27 @@ impl<'t> Reader<'t> {
         }
     }
 
+    /// A quantity of one of several dimensions, in SI; a unit of none is reported against the one that is nearest. `path` is
+    /// that of the key, `place` that of the value.
     fn quantity(
         &mut self,
-        text: &str,
-        span: Span<usize>,
-        (dimension, range): (Dimension, Range),
-        path: &str,
-    ) -> Option<f64> {
+        (text, span): (&str, Span<usize>),
+        (dimensions, range): (&[Dimension], Range),
+        (path, place): (&str, &str),
+    ) -> Option<Cell> {
+        let dimension = one_of(dimensions, text)?;
         match quantities::parse_toleranced(dimension, text) {
             Err(error) => {
                 let inner = self.inside(&span, text, error.span());
-                self.fault(inner, Fault::Quantity { path: path.to_owned(), error }, None);
+                let also = dimensions.iter().copied().filter(|other| *other != dimension).collect();
+                self.fault(inner, Fault::Quantity { path: path.to_owned(), error, also }, None);
                 None
             }
             Ok((reading, half)) => {
-                let fine = range.holds(dimension, reading.si);
                 if !self.is_plausible(reading.si, &span, text, path) {
                     return None;
                 }
-                if !fine {
+                if !range.holds(dimension, reading.si) {
                     let (path, written) = (path.to_owned(), text.to_owned());
                     let fault = match range {
                         Range::Any => Fault::BelowAbsoluteZero { path, written },
@@ -330,9 +332,9 @@ impl<'t> Reader<'t> {
                     self.fault(span, fault, None);
                     return None;
                 }
-                self.tolerance(&reading, half, &span, text, path, (dimension, range))?;
-                self.input(path, &span, Some((reading.value, reading.unit)));
-                Some(reading.si)
+                self.tolerance(&reading, half, &span, text, place, (dimension, range))?;
+                self.input(place, &span, Some((reading.value, reading.unit)));
+                Some((dimension, reading.si))
             }
         }
     }
@@ -526,50 +528,31 @@ impl<'t> Reader<'t> {
             };
             let row: Vec<Option<Cell>> = (1..)
                 .zip(parts.into_iter().zip(columns))
-                .map(|(number, ((text, span), column))| self.part(column, text, span, path, (index + 1, number)))
+                .map(|(number, (part, column))| {
+                    let place = format!("{path}[{}][{number}]", index + 1);
+                    self.quantity(part, (column, Range::Any), (path, &place))
+                })
                 .collect();
             let row = row.into_iter().collect::<Option<Vec<Cell>>>().and_then(|row| P::of(&row));
             rows.extend(row.map(|row| (row, item.span())));
         }
         Some(rows)
     }
-
-    fn part(
-        &mut self,
-        dimensions: Column,
-        text: &str,
-        span: Span<usize>,
-        path: &str,
-        (row, column): (usize, usize),
-    ) -> Option<Cell> {
-        let dimension = one_of(dimensions, text)?;
-        match quantities::parse_toleranced(dimension, text) {
-            Ok((reading, half)) => {
-                if !self.is_plausible(reading.si, &span, text, path) {
-                    return None;
-                }
-                let path = format!("{path}[{row}][{column}]");
-                self.tolerance(&reading, half, &span, text, &path, (dimension, Range::Any))?;
-                self.input(&path, &span, Some((reading.value, reading.unit)));
-                Some((dimension, reading.si))
-            }
-            Err(error) => {
-                let inner = self.inside(&span, text, error.span());
-                self.fault(inner, Fault::Quantity { path: path.to_owned(), error }, None);
-                None
-            }
-        }
-    }
 }
 
-/// Which of several quantities a text states; the first where it states none of them.
+/// Which of several quantities a text states: where it states none of them, the one with a unit that is spelt nearly so, else
+/// the first.
 fn one_of(dimensions: &[Dimension], text: &str) -> Option<Dimension> {
     if let [only] = dimensions {
         return Some(*only);
     }
     let nominal = quantities::without_tolerance(text);
-    let stated = dimensions.iter().find(|each| quantities::parse(**each, nominal).is_ok());
-    stated.or(dimensions.first()).copied()
+    let distance = |dimension: &Dimension| match quantities::parse(*dimension, nominal) {
+        Ok(_) => 0,
+        Err(QuantityError::UnitUnknown { nearest: None, .. } | QuantityError::WrongQuantity { .. }) => 2,
+        Err(_) => 1,
+    };
+    dimensions.iter().copied().min_by_key(distance)
 }
 
 /// A key within a table.

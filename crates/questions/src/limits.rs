@@ -7,7 +7,7 @@ use quantities::unit::{KILOGRAM, MILLIMETRE};
 use quantities::{Measure, Unit};
 use sizing::{Amount, Verdict};
 
-/// A limit that the project asks for, and what it would have to be.
+/// A limit that the project requires, and the value that would be met.
 #[derive(Clone, Debug)]
 pub struct NeededLimit {
     /// Its key: `requirements.torsion_max`.

@@ -46,6 +46,7 @@ pub mod upkeep_calendar;
 pub mod wiring;
 pub mod wiring_check;
 
+pub use answers::Record;
 pub use argument::{AXIS, Argument, CODE, FILE, Form, Kind, LANG};
 pub use asked::{Answer, Asked, Axis, Source, media};
 pub use cost::Cost;
@@ -92,6 +93,26 @@ pub const LIST: &[&Entry] = &[
     &licences::ENTRY,
     &schema::ENTRY,
 ];
+
+/// What a command answers that wrote a file, and what any answers that cannot.
+const OTHERS: [Record; 7] = [
+    Record::of::<Vec<answers::CommissionWritten>>("commission --out"),
+    Record::of::<answers::FilesWritten>("new --out"),
+    Record::of::<answers::ReportWritten>("report"),
+    Record::of::<answers::ExportWritten>("export --out"),
+    Record::of::<answers::PlotWritten>("plot"),
+    Record::of::<answers::CodeFaults>("faults of a code"),
+    Record::of::<answers::Faults>("faults"),
+];
+
+/// Every record with the command that it answers.
+pub fn records() -> Vec<Record> {
+    let of_entries = LIST.iter().filter_map(|entry| match entry.gives {
+        Gives::Record(record) | Gives::RecordOr(record, _) => Some(record),
+        Gives::Json | Gives::Media(_) => None,
+    });
+    of_entries.chain(OTHERS).collect()
+}
 
 /// The function that answers a question.
 pub type Function = fn(&Asked<'_>) -> Result<Answer, Unanswered>;
@@ -195,10 +216,10 @@ pub enum Reads {
 /// What a question is answered with.
 #[derive(Clone, Copy, Debug)]
 pub enum Gives {
-    /// The record of a command, by its name in the schema of the answers.
-    Record(&'static str),
-    /// The same, and bytes of these media types where the arguments request them.
-    RecordOr(&'static str, &'static [&'static str]),
+    /// A record.
+    Record(Record),
+    /// A record, and bytes of these media types where the arguments request them.
+    RecordOr(Record, &'static [&'static str]),
     /// JSON that describes its own form.
     Json,
     /// Bytes of these media types.

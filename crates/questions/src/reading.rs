@@ -39,11 +39,11 @@ pub fn read_all(text: &str, files: &dyn Files) -> Result<Vec<Project>, Vec<Diagn
 pub enum Unread {
     /// Every fault of the file, each with its place, in the order of the file.
     Faults(Vec<Diagnostic>),
-    /// The best of several ratios was not sought: nobody waits any longer, or it takes longer than is waited unasked.
+    /// The best of several ratios was not sought: the call was cancelled, or it takes longer than the usual time.
     Refused(Refusal),
 }
 
-/// Reads as [`read_all`] does, for somebody who may stop it: among several ratios of a stage the best is sought, and the
+/// Reads as [`read_all`] does, and can be cancelled: among several ratios of a stage the best is sought, and the
 /// catalogue judged for each.
 ///
 /// # Errors
@@ -72,7 +72,7 @@ pub(crate) fn schema(language: Language) -> Value {
 /// The project with the ratio that gives the best actuator of the catalogue, by the rule of the ranking: a smaller actuator
 /// first, then the wider margin. Of equals the first in the file.
 ///
-/// Each ratio is judged by itself, because it changes the axis and not the actuator: all that is told of the axis (demand,
+/// Each ratio is judged by itself, because it changes the axis and not the actuator: all that is reported of the axis (demand,
 /// motion, checks, report) is then of one ratio, and each candidate of the ranking is judged under the same.
 ///
 /// # Errors

@@ -36,7 +36,7 @@ impl std::fmt::Display for CandidateId {
 pub enum Objection {
     /// A requirement of the project is not met.
     Unmet(Unmet),
-    /// With the options asked for, the code breaks a rule of the ordering tables.
+    /// With the requested options, the code breaks a rule of the ordering tables.
     Rule(BrokenRule),
 }
 
@@ -140,7 +140,7 @@ pub enum Refusal {
     NotAsked(CheckId),
     /// So many samples of the tolerances cost more than is done where no time is named.
     TooManySamples {
-        /// Asked for.
+        /// Requested.
         asked: usize,
         /// At most, for this axis and these actuators.
         most: usize,
@@ -177,7 +177,7 @@ pub enum Refusal {
         /// Bytes that are allowed.
         most: u64,
     },
-    /// Whoever asked does not wait any longer.
+    /// The call was cancelled.
     Stopped,
 }
 
@@ -197,8 +197,8 @@ pub fn size(project: &Project) -> Sizing<'_> {
     finished(size_watched(project, usize::MAX, &Unwatched))
 }
 
-/// The same for somebody who may stop it and tells the first `told` in full: of the others is known what a place in the
-/// ranking hangs on ([`Depth::Ranking`]).
+/// The same, but it can be cancelled, and only the first `told` are judged in full: the others only as far as their place in
+/// the ranking requires ([`Depth::Ranking`]).
 ///
 /// # Errors
 /// Where it was stopped.
@@ -214,7 +214,7 @@ pub(crate) fn size_watched<'p, W: Watch>(project: &'p Project, told: usize, watc
     };
     let mut candidates = Vec::with_capacity(actuators.len());
     in_parallel(&parts, begin)?.into_iter().for_each(|part| candidates.extend(part));
-    // Where a limit is asked for the order hangs on it.
+    // Where the project limits it, the order depends on it.
     let is_limited = project.axis.asked.regeneration_power_max.is_some();
     if is_long && is_limited {
         complete(project, &mut candidates, watch)?;
@@ -291,7 +291,7 @@ fn by_drivetrain(actuators: &[(OrderCode, Parameters)]) -> Vec<&[(OrderCode, Par
     parts
 }
 
-/// Each actuator as a candidate, with the options that the project asks for.
+/// Each actuator as a candidate, with the options that the project requires.
 fn judged<'p, W: Watch>(
     judging: &mut Judging<'p>,
     actuators: &'p [(OrderCode, Parameters)],
@@ -371,13 +371,13 @@ pub fn course_seen(project: &Project, candidate: &Candidate<'_>, window: Option<
     Course::seen(&project.axis, candidate.parameters, window)
 }
 
-/// How far the axis of a project may be changed until a candidate just fits, as far as that is sought unasked.
+/// How far the axis of a project may be changed until a candidate just fits, within the usual effort.
 #[must_use]
 pub fn reserve_of(project: &Project, candidate: &Candidate<'_>) -> Reserve {
     finished(reserve_of_watched(project, candidate, SAMPLES_ANEW, &Unwatched))
 }
 
-/// The same for somebody who may stop it, with the samples whose load the steps of the search may find anew.
+/// The same, but it can be cancelled, with the samples whose load the steps of the search may find anew.
 ///
 /// # Errors
 /// Where it was stopped.

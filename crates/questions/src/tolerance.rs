@@ -35,7 +35,7 @@ pub struct Sampling {
     pub seed: u64,
 }
 
-/// How tolerances shall be sampled, as it was asked for.
+/// How tolerances shall be sampled, as the call states it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Draw {
     /// How many samples; `None` for as many as some seconds allow, [`SAMPLES_USUAL`] at most.
@@ -54,8 +54,8 @@ impl Draw {
     /// The samples for a project and some actuators.
     ///
     /// # Errors
-    /// [`Refusal::TooManySamples`] where they are more than is done without a word about the time they may take; with a
-    /// limit of time [`SAMPLES_MOST`] may be asked for.
+    /// [`Refusal::TooManySamples`] where they take longer than the usual time and the call states no time limit; with one
+    /// [`SAMPLES_MOST`] are permitted.
     pub fn sampling(self, project: &Project, actuators: usize, in_time: bool) -> Result<Sampling, Refusal> {
         let most = if in_time { SAMPLES_MOST } else { work::samples_most(project, actuators) };
         let samples = self.samples.unwrap_or_else(|| work::samples_usual(project, actuators));
@@ -65,7 +65,7 @@ impl Draw {
         Ok(Sampling { samples, seed: self.seed })
     }
 
-    /// Whether that takes no longer than somebody who types would wait unasked.
+    /// Whether that is quick enough to be repeated with every key.
     #[must_use]
     pub fn is_quick(self, project: &Project, actuators: usize) -> bool {
         let sampling = self.sampling(project, actuators, false);
@@ -163,13 +163,13 @@ impl Assessment {
 /// docs/theory/tolerances.md
 /// # Valid
 /// corners are the extremes where the utilisation is monotone in each quantity; a sample that is worse than
-/// every corner is told instead
+/// every corner is reported instead
 #[must_use]
 pub fn assess(project: &Project, candidates: &[&Candidate<'_>], sampling: Sampling) -> Vec<Assessment> {
     finished(assess_watched(project, candidates, sampling, &Unwatched))
 }
 
-/// The same for somebody who may stop it.
+/// The same, but it can be cancelled.
 ///
 /// # Errors
 /// Where it was stopped.

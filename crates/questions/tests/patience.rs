@@ -66,7 +66,7 @@ fn the_choice_among_ratios_is_cancelled_too() {
     patience.cancel();
     assert_eq!(read(&patience).unwrap_err(), Unread::Refused(Refusal::Stopped));
     assert!((1..=50).contains(&patience.progress().0), "a step or two of each thread, and no other ratio");
-    // A fault of the file is told all the same.
+    // A fault of the file is reported all the same.
     let wrong = text.replace("0.7 s", "0.7 m");
     assert!(matches!(questions::read_all_watched(&wrong, &NoFiles, &patience), Err(Unread::Faults(_))));
 }

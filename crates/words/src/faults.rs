@@ -1,6 +1,7 @@
 //! Words about the faults of what the user wrote.
 
-use super::{bodies, either, motion, quantity_fault, quantity_hint, recording};
+use super::quantity::hint_of_several;
+use super::{bodies, either, motion, quantity_fault, recording};
 use crate::geometry::geometry;
 use actuator::{BatteryFault, CurveFault};
 use mechanism::{BodyError, TableFault};
@@ -116,7 +117,7 @@ pub fn fault_text(fault: &Fault, language: Language) -> String {
                 format!("`{path}`: Zahl ohne Einheit; erwartet: {name}"),
             )
         }
-        Fault::Quantity { path, error } => format!("`{path}`: {}", quantity_fault(error, language)),
+        Fault::Quantity { path, error, .. } => format!("`{path}`: {}", quantity_fault(error, language)),
         #[allow(clippy::float_cmp, reason = "bounds that are written equal")]
         Fault::NumberOutOfRange { path, low, high } if low == high => {
             e(format!("`{path}` must be {low}"), format!("`{path}` muss {low} sein"))
@@ -306,7 +307,7 @@ pub fn fault_text(fault: &Fault, language: Language) -> String {
 fn own_hint(fault: &Fault, language: Language) -> Option<String> {
     let example = |line: &str| Some(hint_text(&Hint::Example(line.to_owned()), language));
     match fault {
-        Fault::Quantity { error, .. } => quantity_hint(error, language),
+        Fault::Quantity { error, also, .. } => hint_of_several(error, also, language),
         Fault::Code(error) => match error.nearest() {
             Some(near) => Some(hint_text(&Hint::DidYouMean(near.to_owned()), language)),
             None if error.expected().is_empty() => None,

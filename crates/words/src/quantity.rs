@@ -111,6 +111,26 @@ pub fn quantity_hint(error: &QuantityError, language: Language) -> Option<String
     }
 }
 
+/// The same where a quantity of further dimensions may stand.
+pub(crate) fn hint_of_several(error: &QuantityError, also: &[Dimension], language: Language) -> Option<String> {
+    let hint = quantity_hint(error, language)?;
+    let names_units = match error {
+        QuantityError::Empty { .. }
+        | QuantityError::NumberMissing { .. }
+        | QuantityError::UnitMissing { .. }
+        | QuantityError::UnitUnknown { .. }
+        | QuantityError::WrongQuantity { .. } => true,
+        QuantityError::NumberUnreadable { .. }
+        | QuantityError::DecimalComma { .. }
+        | QuantityError::NotFinite { .. }
+        | QuantityError::ToleranceMissing { .. }
+        | QuantityError::ToleranceNegative { .. }
+        | QuantityError::ToleranceOfOffsetScale { .. } => false,
+    };
+    let others = also.iter().filter(|_| names_units).map(|dimension| units(*dimension, language));
+    Some(std::iter::once(hint).chain(others).collect::<Vec<_>>().join("; "))
+}
+
 /// The valid units of a quantity.
 fn units(dimension: Dimension, language: Language) -> String {
     let names: Vec<&str> = dimension.units().iter().map(|unit| unit.ascii).collect();

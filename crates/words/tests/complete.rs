@@ -364,7 +364,11 @@ fn other_faults() -> Vec<Fault> {
         Fault::More { count: 1 },
         Fault::More { count: 2 },
         Fault::BareNumber { path: path(), dimension: Dimension::Torque },
-        Fault::Quantity { path: path(), error: QuantityError::UnitMissing { span: 0..1, expected: Dimension::Torque } },
+        Fault::Quantity {
+            path: path(),
+            error: QuantityError::UnitMissing { span: 0..1, expected: Dimension::Torque },
+            also: vec![Dimension::Angle],
+        },
         Fault::NumberOutOfRange { path: path(), low: 0.0, high: 1.0 },
         Fault::NumberOutOfRange { path: path(), low: 1.0, high: 1.0 },
         Fault::QuantityOutOfRange { path: path(), written: word(), positive: true },

@@ -3,7 +3,7 @@
 use super::{ROOT, entries, method, parameters};
 use quantities::Language;
 use questions::list::media::JSON;
-use questions::list::{Argument, Entry, Gives, Kind, LANG, Reads};
+use questions::list::{Argument, Entry, Gives, Kind, LANG, Reads, records};
 use serde::Serialize;
 use serde_json::{Map, Value};
 use std::collections::BTreeMap;
@@ -138,7 +138,7 @@ const PLACE: &str = "#/components/schemas/";
 
 /// The whole interface, described in a language.
 pub(super) fn document(language: Language) -> Document {
-    let answers = moved(answers::schema());
+    let answers = moved(answers::schema(&records()));
     let mut paths: Map<String, Value> = Map::new();
     for entry in entries() {
         let operations = paths.entry(format!("{ROOT}{}", entry.path)).or_insert_with(|| Value::Object(Map::new()));
@@ -183,7 +183,7 @@ fn operation(entry: &Entry, answers: &Value, language: Language) -> Operation {
         .chain((entry.reads != Reads::Nothing).then_some(["413", "415"]).into_iter().flatten())
     {
         let schema = match answers.get("properties").and_then(|all| all.get("faults of a code")) {
-            // What is wrong with a code may be told as a record of its own.
+            // What is wrong with a code may be reported as a record of its own.
             Some(codes) if of_code && status == "422" => {
                 let both = [serde_json::to_value(Schema::shared("Faults")).unwrap_or_default(), codes.clone()];
                 Schema::Whole(Value::Object(Map::from_iter([("anyOf".to_owned(), Value::Array(both.into()))])))
@@ -211,10 +211,10 @@ fn answer(entry: &Entry, answers: &Value) -> BTreeMap<&'static str, Content> {
     let bytes =
         |types: &[&'static str]| types.iter().map(|media| (*media, Content { schema: Schema::Any {} })).collect();
     match entry.gives {
-        Gives::Record(name) => one(record(name)),
-        Gives::RecordOr(name, types) => {
+        Gives::Record(its) => one(record(its.command)),
+        Gives::RecordOr(its, types) => {
             let mut both: BTreeMap<&'static str, Content> = bytes(types);
-            both.extend(one(record(name)));
+            both.extend(one(record(its.command)));
             both
         }
         Gives::Json => one(Schema::Any {}),

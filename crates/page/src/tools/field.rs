@@ -87,7 +87,7 @@ impl Field {
         Some(Self::new(argument.name, &about, entry))
     }
 
-    /// A field; what stands behind the first stop of its text is told below it.
+    /// A field; the text behind its first full stop stands below it.
     pub(super) fn new(name: &str, about: &str, entry: FieldEntry) -> Self {
         let stop = [about.find("; "), about.find(": ")].into_iter().flatten().min();
         let (label, told) = match stop.and_then(|stop| about.split_at_checked(stop)) {

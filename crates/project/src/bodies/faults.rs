@@ -171,7 +171,7 @@ impl<'t> Faults<'t> {
             let inner = error.span();
             pair.value_span.start + inner.start..pair.value_span.start + inner.end
         };
-        self.fault(span, Fault::Quantity { path: pair.key.to_owned(), error }, None);
+        self.fault(span, Fault::Quantity { path: pair.key.to_owned(), error, also: Vec::new() }, None);
         None
     }
 

@@ -1,7 +1,7 @@
 //! `battery`: the life of the battery of a buffered encoder.
 
 use super::given::{arguments, one, some};
-use super::{Answer, Argument, Asked, Entry, Gives, Reads, Unanswered};
+use super::{Answer, Argument, Asked, Entry, Gives, Reads, Record, Unanswered};
 use crate::answer;
 use crate::chapters::{battery, read_hours, read_quantity};
 use actuator::BatteryLife;
@@ -27,7 +27,7 @@ pub const ENTRY: Entry = Entry {
     about: help::battery,
     reads: Reads::Nothing,
     arguments: Args::ARGUMENTS,
-    gives: Gives::Record("battery"),
+    gives: Gives::Record(Record::of::<answers::Battery>("battery")),
     writes: &[],
     example: "--hours-per-day 10",
     answer: Some(|asked| Ok(Answer::record(&answer::battery(&found(asked)?)))),

@@ -1,7 +1,7 @@
 //! `bearing PROJECT`: the output bearing of every size under the loads of a project.
 
 use super::given::{arguments, text};
-use super::{AXIS, Cost, Entry, Gives, Reads, Unanswered};
+use super::{AXIS, Cost, Entry, Gives, Reads, Record, Unanswered};
 use crate::answer;
 pub use crate::chapters::{bearing_checks, bearing_of_each_size};
 use crate::sizing_use::Candidate;
@@ -26,7 +26,7 @@ pub const ENTRY: Entry = Entry {
     about: help::bearing,
     reads: Reads::Project,
     arguments: Args::ARGUMENTS,
-    gives: Gives::Record("bearing"),
+    gives: Gives::Record(Record::of::<answers::Answered<answers::Bearings>>("bearing")),
     writes: &[],
     example: "axis.toml",
     answer: Some(|asked| {

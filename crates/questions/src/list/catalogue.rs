@@ -1,7 +1,7 @@
 //! `catalogue export`: every cell of the maker's tables.
 
 use super::given::{arguments, word};
-use super::{Answer, Argument, Entry, Gives, Kind, Reads, media};
+use super::{Answer, Argument, Entry, Gives, Kind, Reads, Record, media};
 use crate::answer;
 pub use crate::export::export_csv;
 use words::help;
@@ -23,7 +23,7 @@ pub const ENTRY: Entry = Entry {
     about: help::catalogue_export,
     reads: Reads::Nothing,
     arguments: Args::ARGUMENTS,
-    gives: Gives::RecordOr("catalogue export", &[media::CSV]),
+    gives: Gives::RecordOr(Record::of::<Vec<answers::CatalogueCell>>("catalogue export"), &[media::CSV]),
     writes: &[],
     example: "--format csv",
     answer: Some(|asked| {

@@ -2,7 +2,7 @@
 
 use super::given::{arguments, number, some_code_among, text};
 use super::size::{SAMPLES, SEED, draw};
-use super::{AXIS, Cost, Entry, Gives, Reads, argument};
+use super::{AXIS, Cost, Entry, Gives, Reads, Record, argument};
 use crate::answer;
 use crate::patience::{Patience, Stopped};
 use crate::sizing_use::{Candidate, Refusal, check, check_own, reserve_of_watched};
@@ -34,7 +34,7 @@ pub const ENTRY: Entry = Entry {
     about: help::check,
     reads: Reads::Project,
     arguments: Args::ARGUMENTS,
-    gives: Gives::Record("check"),
+    gives: Gives::Record(Record::of::<answers::Answered<answers::Judgement>>("check")),
     writes: &[],
     example: "axis.toml --code CHA-25A-50-H-C1024",
     answer: Some(|asked| {
@@ -125,8 +125,8 @@ pub fn scatter(
     Ok(assessed.into_iter().next())
 }
 
-/// How far one thing may be changed until a candidate just fits: whatever it costs for somebody who has said how long it may
-/// take, else as far as that is sought unasked.
+/// How far one thing may be changed until a candidate just fits: in full where the call states a time limit, else within the
+/// usual effort.
 ///
 /// # Errors
 /// [`Refusal::Stopped`].
@@ -137,7 +137,7 @@ pub fn reserve_within(project: &Project, candidate: &Candidate<'_>, patience: &P
     reserve_of_watched(project, candidate, usize::MAX, patience).map_err(|Stopped| Refusal::Stopped)
 }
 
-/// The same as far as it is sought unasked.
+/// The same within the usual effort.
 ///
 /// # Errors
 /// [`Refusal::Stopped`].

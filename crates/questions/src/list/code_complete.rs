@@ -1,7 +1,7 @@
 //! `code complete CODE`: what a partial code may become.
 
 use super::given::{arguments, pattern};
-use super::{Answer, Argument, CODE, Entry, Gives, Kind, Reads, Unanswered};
+use super::{Answer, Argument, CODE, Entry, Gives, Kind, Reads, Record, Unanswered};
 use crate::answer;
 pub use crate::codes::completion;
 use crate::codes::list_codes;
@@ -24,7 +24,7 @@ pub const ENTRY: Entry = Entry {
     about: help::code_complete,
     reads: Reads::Nothing,
     arguments: Args::ARGUMENTS,
-    gives: Gives::Record("code complete"),
+    gives: Gives::Record(Record::of::<answers::Completion>("code complete")),
     writes: &[],
     example: "CHA-14A-100-N",
     answer: Some(|asked| {

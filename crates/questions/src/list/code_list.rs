@@ -1,7 +1,7 @@
 //! `code list`: the valid codes.
 
 use super::given::{arguments, flag, pattern};
-use super::{Answer, Argument, Entry, Form, Gives, Reads};
+use super::{Answer, Argument, Entry, Form, Gives, Reads, Record};
 use crate::answer;
 pub use crate::codes::{list_codes, read_pattern};
 pub use configurator::Availability;
@@ -27,7 +27,7 @@ pub const ENTRY: Entry = Entry {
     about: help::code_list,
     reads: Reads::Nothing,
     arguments: Args::ARGUMENTS,
-    gives: Gives::Record("code list"),
+    gives: Gives::Record(Record::of::<Vec<answers::ListedCode>>("code list")),
     writes: &[],
     example: "CHA-20A-*-H --available",
     answer: Some(|asked| {

@@ -1,7 +1,7 @@
 //! `code parse CODE`: what an ordering code says, field by field.
 
 use super::given::{arguments, text};
-use super::{Answer, Asked, CODE, Entry, Gives, Reads, Unanswered};
+use super::{Answer, Asked, CODE, Entry, Gives, Reads, Record, Unanswered};
 use crate::answer;
 pub use crate::codes::explain_code;
 use crate::codes::{CodeReading, read_code};
@@ -23,7 +23,7 @@ pub const ENTRY: Entry = Entry {
     about: help::code_parse,
     reads: Reads::Nothing,
     arguments: Args::ARGUMENTS,
-    gives: Gives::Record("code parse"),
+    gives: Gives::Record(Record::of::<answers::CodeReading>("code parse")),
     writes: &[],
     example: "CHA-20A-100-H-C1024-B",
     answer: Some(|asked| Ok(Answer::record(&answer::code_reading(&reading(asked)?, asked.language)))),

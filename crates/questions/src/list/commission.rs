@@ -1,7 +1,7 @@
 //! `commission CODE`: values for the drive, and check-lists.
 
 use super::given::{arguments, code, some, word};
-use super::{Answer, Argument, Asked, CODE, Entry, Gives, Kind, Reads, Unanswered};
+use super::{Answer, Argument, Asked, CODE, Entry, Gives, Kind, Reads, Record, Unanswered};
 use crate::answer;
 use crate::chapters::read_quantity;
 pub use crate::commission::{Commissioning, DriveForm, commission, usual_ambient};
@@ -36,7 +36,7 @@ pub const ENTRY: Entry = Entry {
     about: help::commission,
     reads: Reads::Nothing,
     arguments: Args::ARGUMENTS,
-    gives: Gives::Record("commission"),
+    gives: Gives::Record(Record::of::<answers::CommissionAnswer>("commission")),
     writes: &[],
     example: "CHA-25A-100-H-M512P-B --for sinamics",
     answer: Some(|asked| {

@@ -1,7 +1,7 @@
 //! `commission CODE --record FILE`: measured values, judged.
 
 use super::given::{arguments, code};
-use super::{Answer, Asked, CODE, Entry, Gives, Reads, Unanswered, commission};
+use super::{Answer, Asked, CODE, Entry, Gives, Reads, Record, Unanswered, commission};
 use crate::answer;
 pub use crate::commission::{judge, measured};
 use answers::{Fit, Recorded};
@@ -23,7 +23,7 @@ pub const ENTRY: Entry = Entry {
     about: requests::measured_judged,
     reads: Reads::Measured,
     arguments: Args::ARGUMENTS,
-    gives: Gives::Record("commission --record"),
+    gives: Gives::Record(Record::of::<answers::Recorded>("commission --record")),
     writes: &[],
     example: "",
     answer: Some(|asked| {

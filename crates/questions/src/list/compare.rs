@@ -1,7 +1,7 @@
 //! `compare PROJECT`: several actuators side by side.
 
 use super::given::{arguments, codes, text};
-use super::{AXIS, Asked, Axis, Cost, Entry, Gives, Reads, Unanswered, argument};
+use super::{AXIS, Asked, Axis, Cost, Entry, Gives, Reads, Record, Unanswered, argument};
 use crate::answer;
 pub use crate::compare::{CheckRow, Comparison, DatumRow, compare};
 use crate::sizing_use::{Candidate, Refusal};
@@ -29,7 +29,7 @@ pub const ENTRY: Entry = Entry {
     about: help::compare,
     reads: Reads::Project,
     arguments: Args::ARGUMENTS,
-    gives: Gives::Record("compare"),
+    gives: Gives::Record(Record::of::<answers::Answered<answers::Comparison>>("compare")),
     writes: &[],
     example: "axis.toml --code CHA-25A-50-H-C1024 --code CHA-32A-50-H-C1024",
     answer: Some(|asked| {

@@ -11,7 +11,7 @@ use sizing::INSTANTS_MOST;
 pub enum Cost {
     /// The catalogue ranked.
     Ranking {
-        /// How many are told in full.
+        /// How many are reported in full.
         told: usize,
         /// How the tolerances of the best of them are judged.
         draw: Draw,
@@ -28,7 +28,7 @@ pub enum Cost {
 }
 
 impl Cost {
-    /// How long an answer takes at most, about, on one core, where nobody has said how long it may take \[s\].
+    /// How long an answer takes at most, about, on one core, where the call states no time limit \[s\].
     const fn seconds(self) -> usize {
         match self {
             Self::Ranking { .. } | Self::Check { .. } => 5,
@@ -46,7 +46,7 @@ impl Cost {
         }
     }
 
-    /// So many axes are answered within it whose cycles are nothing: what is told of each takes time and memory.
+    /// So many axes with cycles of no length are answered within it: the record of each takes time and memory.
     #[allow(clippy::cast_precision_loss, reason = "the catalogue has no more")]
     fn axes(self) -> f64 {
         match self {
@@ -80,7 +80,7 @@ impl Cost {
         if share > 1.0 { Err(Refusal::TooManyRatios { ratios, seconds: self.seconds() }) } else { Ok(()) }
     }
 
-    /// Whether an answer about some axes takes no longer than is waited unasked.
+    /// Whether an answer about some axes stays within the usual time.
     ///
     /// # Errors
     /// [`Refusal::TooLong`] for recordings, [`Refusal::TooManyAxes`] for several axes that take longer together. What a single

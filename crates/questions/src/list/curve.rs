@@ -1,7 +1,7 @@
 //! `curve CODE`: the curves of the torque-speed plane.
 
 use super::given::{arguments, code, some};
-use super::{Answer, Argument, Asked, CODE, Entry, Form, Gives, PICTURE, Reads, Unanswered};
+use super::{Answer, Argument, Asked, CODE, Entry, Form, Gives, PICTURE, Reads, Record, Unanswered};
 use crate::answer;
 use crate::chapters::{curves, read_quantity};
 use crate::plane::{Plane, plane_of};
@@ -29,7 +29,7 @@ pub const ENTRY: Entry = Entry {
     about: help::curve,
     reads: Reads::Nothing,
     arguments: Args::ARGUMENTS,
-    gives: Gives::Record("curve"),
+    gives: Gives::Record(Record::of::<answers::Curves>("curve")),
     writes: &PICTURE,
     example: "CHA-20A-100-H-C1024 --voltage \"220 V\"",
     answer: Some(|asked| {

@@ -1,7 +1,7 @@
 //! `data CODE`: the data sheet of an actuator.
 
 use super::given::{arguments, code};
-use super::{Answer, Asked, CODE, Entry, Gives, Reads, Unanswered};
+use super::{Answer, Asked, CODE, Entry, Gives, Reads, Record, Unanswered};
 use crate::answer;
 pub use crate::sheet::{Sheet, SheetMarks, SheetNote, SheetSection, sheet};
 use crate::sizing_use::Refusal;
@@ -23,7 +23,7 @@ pub const ENTRY: Entry = Entry {
     about: help::data,
     reads: Reads::Nothing,
     arguments: Args::ARGUMENTS,
-    gives: Gives::Record("data"),
+    gives: Gives::Record(Record::of::<answers::Sheet>("data")),
     writes: &[],
     example: "CHA-20A-100-H-C1024",
     answer: Some(|asked| Ok(Answer::record(&answer::sheet(&found(asked)?, asked.language)))),

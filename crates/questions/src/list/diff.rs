@@ -1,7 +1,7 @@
 //! `diff OLD NEW`: what another revision of a project does to an actuator.
 
 use super::given::{arguments, some_code, text};
-use super::{AXIS, Asked, Axis, Cost, Entry, Gives, Reads, Unanswered, argument};
+use super::{AXIS, Asked, Axis, Cost, Entry, Gives, Reads, Record, Unanswered, argument};
 use crate::answer;
 pub use crate::compare::{CheckChange, Difference, difference};
 use crate::subject::paired;
@@ -27,7 +27,7 @@ pub const ENTRY: Entry = Entry {
     about: help::diff,
     reads: Reads::TwoProjects,
     arguments: Args::ARGUMENTS,
-    gives: Gives::Record("diff"),
+    gives: Gives::Record(Record::of::<answers::Answered<answers::Difference>>("diff")),
     writes: &[],
     example: "before.toml after.toml",
     answer: Some(|asked| {

@@ -1,7 +1,7 @@
 //! `errata`: what is wrong or in doubt in the print, and what is used.
 
 use super::given::{arguments, text};
-use super::{Answer, Argument, Asked, Entry, Form, Gives, Reads, Unanswered};
+use super::{Answer, Argument, Asked, Entry, Form, Gives, Reads, Record, Unanswered};
 use crate::answer;
 use crate::errata::ErrataFound;
 pub use crate::errata::{ErrataRefusal, errata_about};
@@ -25,7 +25,7 @@ pub const ENTRY: Entry = Entry {
     about: help::errata,
     reads: Reads::Nothing,
     arguments: Args::ARGUMENTS,
-    gives: Gives::Record("errata"),
+    gives: Gives::Record(Record::of::<answers::Errata>("errata")),
     writes: &[],
     example: "CHA-25A-50-H-M512P",
     answer: Some(|asked| Ok(Answer::record(&answer::errata(&found(asked)?, asked.language)))),

@@ -1,7 +1,7 @@
 //! `explain PROJECT`: how value and limit of the checks of an actuator came about.
 
 use super::given::{arguments, some_code_among, text, word};
-use super::{AXIS, Argument, Cost, Entry, Gives, Kind, Reads, argument};
+use super::{AXIS, Argument, Cost, Entry, Gives, Kind, Reads, Record, argument};
 use crate::answer;
 pub use crate::explain::derivation;
 use crate::patience::{Patience, Stopped};
@@ -37,7 +37,7 @@ pub const ENTRY: Entry = Entry {
     about: help::explain,
     reads: Reads::Project,
     arguments: Args::ARGUMENTS,
-    gives: Gives::Record("explain"),
+    gives: Gives::Record(Record::of::<answers::Answered<answers::Explanations>>("explain")),
     writes: &[],
     example: "axis.toml --code CHA-25A-50-H-C1024 --check continuous_torque",
     answer: Some(|asked| {
@@ -67,7 +67,7 @@ pub struct Explanation<'p> {
     pub project: &'p Project,
     /// The actuator.
     pub candidate: Candidate<'p>,
-    /// The check asked for; `None` for all.
+    /// The requested check; `None` for all.
     wanted: Option<CheckId>,
 }
 
@@ -94,7 +94,7 @@ pub fn explanation<'p>(
 }
 
 impl Explanation<'_> {
-    /// The checks asked for.
+    /// The requested checks.
     #[must_use]
     pub fn checks(&self) -> Vec<&Check> {
         let asked = |check: &&Check| self.wanted.is_none_or(|id| check.id == id);

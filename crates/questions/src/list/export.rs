@@ -1,7 +1,9 @@
 //! `export PROJECT`: the results as a workbook or one table; a face writes it.
 
 use super::given::{arguments, count, label, some_code, text};
-use super::{AXIS, Argument, Asked, Axis, Cost, Entry, Gives, Kind, OutputFile, Reads, Unanswered, argument, media};
+use super::{
+    AXIS, Argument, Asked, Axis, Cost, Entry, Gives, Kind, OutputFile, Reads, Record, Unanswered, argument, media,
+};
 use order_code::OrderCode;
 use words::{help, help::values, requests, terminal};
 
@@ -40,7 +42,7 @@ pub const ENTRY: Entry = Entry {
     about: help::export,
     reads: Reads::Project,
     arguments: Args::ARGUMENTS,
-    gives: Gives::RecordOr("export --table", &[media::XLSX, media::CSV, media::PARQUET]),
+    gives: Gives::RecordOr(Record::of::<answers::Table>("export --table"), &[media::XLSX, media::CSV, media::PARQUET]),
     writes: &[OutputFile::of("out", &[media::XLSX, media::CSV, media::JSON, media::PARQUET], help::export_out)],
     example: "axis.toml --out axis.xlsx",
     answer: None,

@@ -1,7 +1,7 @@
 //! `glossary`: words and symbols with their meaning.
 
 use super::given::{arguments, text};
-use super::{Answer, Argument, Asked, Entry, Form, Gives, Reads, Unanswered};
+use super::{Answer, Argument, Asked, Entry, Form, Gives, Reads, Record, Unanswered};
 use crate::answer::not_in_glossary;
 pub use crate::glossary::{glossary, meaning_of_symbol, meaning_of_word};
 use answers::Glossary;
@@ -23,7 +23,7 @@ pub const ENTRY: Entry = Entry {
     about: help::glossary,
     reads: Reads::Nothing,
     arguments: Args::ARGUMENTS,
-    gives: Gives::Record("glossary"),
+    gives: Gives::Record(Record::of::<answers::Glossary>("glossary")),
     writes: &[],
     example: "T_rms",
     answer: Some(|asked| Ok(Answer::record(&found(asked)?))),

@@ -1,7 +1,7 @@
 //! `inertia BODY…`: the moment of inertia of solid bodies.
 
 use super::given::{arguments, lines};
-use super::{Answer, Argument, Asked, Entry, Form, Gives, Reads, Unanswered};
+use super::{Answer, Argument, Asked, Entry, Form, Gives, Reads, Record, Unanswered};
 use crate::answer;
 use project::{InertiaAnswer, inertia};
 use words::{help, help::values, told};
@@ -21,7 +21,7 @@ pub const ENTRY: Entry = Entry {
     about: help::inertia,
     reads: Reads::Nothing,
     arguments: Args::ARGUMENTS,
-    gives: Gives::Record("inertia"),
+    gives: Gives::Record(Record::of::<answers::Inertia>("inertia")),
     writes: &[],
     example: "\"disc diameter=200mm length=20mm density=7850kg/m^3\"",
     answer: Some(|asked| Ok(Answer::record(&answer::inertia(&found(asked)?)))),

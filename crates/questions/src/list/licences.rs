@@ -1,7 +1,7 @@
 //! `licences`: whose work the program is, and under which terms.
 
 use super::given::arguments;
-use super::{Answer, Entry, Gives, Reads};
+use super::{Answer, Entry, Gives, Reads, Record};
 pub use crate::licences::licences;
 use words::help;
 
@@ -18,7 +18,7 @@ pub const ENTRY: Entry = Entry {
     about: help::licences,
     reads: Reads::Nothing,
     arguments: Args::ARGUMENTS,
-    gives: Gives::Record("licences"),
+    gives: Gives::Record(Record::of::<answers::Licences>("licences")),
     writes: &[],
     example: "",
     answer: Some(|_| Ok(Answer::record(&licences()))),

@@ -1,7 +1,7 @@
 //! `mount CODE`: how an actuator is mounted, under the limits of the manual.
 
 use super::given::{arguments, code_among, some};
-use super::{Answer, Argument, Asked, CODE, Entry, Gives, Reads, Unanswered};
+use super::{Answer, Argument, Asked, CODE, Entry, Gives, Reads, Record, Unanswered};
 use crate::answer;
 use crate::mount::read_bore;
 pub use crate::mount::{joint_loads, mount};
@@ -40,7 +40,7 @@ pub const ENTRY: Entry = Entry {
     about: help::mount,
     reads: Reads::Nothing,
     arguments: Args::ARGUMENTS,
-    gives: Gives::Record("mount"),
+    gives: Gives::Record(Record::of::<answers::Mount>("mount")),
     writes: &[],
     example: "CHA-25A-100-H-M512P-B --bore K7",
     answer: Some(|asked| found(asked).map(|found| mounted(&found))),

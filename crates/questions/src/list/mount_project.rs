@@ -2,7 +2,7 @@
 
 use super::given::{arguments, code_among, some, text};
 use super::mount::{BORE, BORE_HOUSING, BORE_LOAD, bores, mounted};
-use super::{AXIS, Asked, CODE, Cost, Entry, Gives, Reads, Unanswered};
+use super::{AXIS, Asked, CODE, Cost, Entry, Gives, Reads, Record, Unanswered};
 use crate::mount::{joint_loads, read_bore};
 use answers::Mount;
 use installation::fit::Bore;
@@ -33,7 +33,7 @@ pub const ENTRY: Entry = Entry {
     about: requests::mounted_in_project,
     reads: Reads::Project,
     arguments: Args::ARGUMENTS,
-    gives: Gives::Record("mount"),
+    gives: Gives::Record(Record::of::<answers::Mount>("mount")),
     writes: &[],
     example: "",
     answer: Some(|asked| found(asked).map(|found| mounted(&found))),

@@ -1,7 +1,7 @@
 //! `moves PROJECT`: the motion of an axis, every segment with what follows from it.
 
 use super::given::{arguments, text};
-use super::{AXIS, Answer, Cost, Entry, Gives, Reads};
+use super::{AXIS, Answer, Cost, Entry, Gives, Reads, Record};
 use crate::answer;
 use crate::moves::moves;
 use words::requests;
@@ -21,7 +21,7 @@ pub const ENTRY: Entry = Entry {
     about: requests::moves,
     reads: Reads::Project,
     arguments: Args::ARGUMENTS,
-    gives: Gives::Record("moves"),
+    gives: Gives::Record(Record::of::<answers::Motion>("moves")),
     writes: &[],
     example: "axis.toml",
     answer: Some(|asked| {

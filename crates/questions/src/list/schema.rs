@@ -1,7 +1,7 @@
 //! `schema`: the JSON Schema of the project file, or of the answers.
 
 use super::given::{arguments, flag};
-use super::{Answer, Argument, Entry, Gives, Reads};
+use super::{Answer, Argument, Entry, Gives, Reads, records};
 use crate::reading::schema;
 use words::help;
 
@@ -25,6 +25,10 @@ pub const ENTRY: Entry = Entry {
     example: "",
     answer: Some(|asked| {
         let of_answers = Args::read(&asked.given)?.answers;
-        Ok(if of_answers { Answer::record(&answers::schema()) } else { Answer::record(&schema(asked.language)) })
+        Ok(if of_answers {
+            Answer::record(&answers::schema(&records()))
+        } else {
+            Answer::record(&schema(asked.language))
+        })
     }),
 };

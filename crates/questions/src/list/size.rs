@@ -1,7 +1,7 @@
 //! `size PROJECT`: the whole catalogue ranked for an axis.
 
 use super::given::{arguments, count, flag, number, text};
-use super::{AXIS, Argument, Cost, Entry, Gives, Kind, OutputFile, Reads, argument, media};
+use super::{AXIS, Argument, Cost, Entry, Gives, Kind, OutputFile, Reads, Record, argument, media};
 use crate::answer;
 use crate::patience::{Patience, Stopped};
 use crate::sizing_use::{Candidate, CandidateId, Refusal, Sizing, size_watched};
@@ -38,7 +38,7 @@ pub const ENTRY: Entry = Entry {
     about: help::size,
     reads: Reads::Project,
     arguments: Args::ARGUMENTS,
-    gives: Gives::Record("size"),
+    gives: Gives::Record(Record::of::<answers::Answered<answers::Sizing>>("size")),
     writes: &[OutputFile::of("report", &[media::PDF], help::size_report)],
     example: "axis.toml --top 5",
     answer: Some(|asked| {
@@ -92,7 +92,7 @@ pub struct Ranking<'p> {
     pub project: &'p Project,
     /// Every candidate, best first, and the project's own actuator.
     pub sizing: Sizing<'p>,
-    /// How many are told in full.
+    /// How many are reported in full.
     pub top: usize,
     /// The tolerances judged for the first of those and for the project's own actuator; empty without tolerances.
     pub assessed: Vec<(CandidateId, Assessment)>,
@@ -114,8 +114,8 @@ pub fn ranking<'p>(project: &'p Project, top: usize, draw: Draw, patience: &Pati
     Ok(Ranking { project, sizing, top, assessed })
 }
 
-/// The catalogue judged and ranked for an axis, without its tolerances, for somebody who may stop it. The first `told` are
-/// judged by every check where they fit; of the others is left out how much energy comes back, unless a limit is asked for.
+/// The catalogue judged and ranked for an axis, without its tolerances; it can be cancelled. The first `told` are
+/// judged by every check where they fit; for the others the returned energy is omitted, unless the project limits it.
 ///
 /// # Errors
 /// [`Refusal::Stopped`].

@@ -1,7 +1,7 @@
 //! `torsion CODE`: the torsion of a gear under a torque, or the torque of an angle.
 
 use super::given::{arguments, code, text};
-use super::{Answer, Argument, Asked, CODE, Entry, Form, Gives, Reads, Unanswered};
+use super::{Answer, Argument, Asked, CODE, Entry, Form, Gives, Reads, Record, Unanswered};
 use crate::answer;
 use crate::sizing_use::Refusal;
 use crate::torsion::{TorsionAnswer, read_twist, torsion};
@@ -28,7 +28,7 @@ pub const ENTRY: Entry = Entry {
     about: help::torsion,
     reads: Reads::Nothing,
     arguments: Args::ARGUMENTS,
-    gives: Gives::Record("torsion"),
+    gives: Gives::Record(Record::of::<answers::Torsion>("torsion")),
     writes: &[],
     example: "CHA-20A-100-H-C1024 --torque \"60 N m\"",
     answer: Some(|asked| {

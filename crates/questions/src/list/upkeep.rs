@@ -1,7 +1,7 @@
 //! `upkeep CODE`: what is to be done with an actuator, and by when.
 
 use super::given::{arguments, code_among, one, some};
-use super::{Answer, Argument, Asked, CODE, Entry, Gives, Kind, Reads, Unanswered};
+use super::{Answer, Argument, Asked, CODE, Entry, Gives, Kind, Reads, Record, Unanswered};
 use crate::answer;
 use crate::chapters::read_hours;
 use crate::sheet::sheet;
@@ -50,7 +50,7 @@ pub const ENTRY: Entry = Entry {
     about: help::upkeep,
     reads: Reads::Nothing,
     arguments: Args::ARGUMENTS,
-    gives: Gives::Record("upkeep"),
+    gives: Gives::Record(Record::of::<answers::Upkeep>("upkeep")),
     writes: &[],
     example: "CHA-14A-50-E-M128S --delivered 2026-03-01 --storage \"6 months\" --hours-per-day 10",
     answer: Some(|asked| {

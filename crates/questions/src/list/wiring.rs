@@ -1,7 +1,7 @@
 //! `wiring CODE`: connectors, pins and cables.
 
 use super::given::{arguments, code, some};
-use super::{Answer, Argument, Asked, CODE, Entry, Gives, PICTURE, Reads, Unanswered};
+use super::{Answer, Argument, Asked, CODE, Entry, Gives, PICTURE, Reads, Record, Unanswered};
 use crate::answer;
 use crate::sizing_use::Refusal;
 use crate::wiring::{cable_length, cross_section};
@@ -31,7 +31,7 @@ pub const ENTRY: Entry = Entry {
     about: help::wiring,
     reads: Reads::Nothing,
     arguments: Args::ARGUMENTS,
-    gives: Gives::Record("wiring"),
+    gives: Gives::Record(Record::of::<answers::Wiring>("wiring")),
     writes: &PICTURE,
     example: "CHA-25A-100-H-M512P-B --check pins.csv",
     answer: Some(|asked| Ok(Answer::record(&found(asked)?.1))),

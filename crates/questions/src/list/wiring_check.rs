@@ -1,7 +1,7 @@
 //! `wiring CODE --check FILE`: a list of pins compared with the print.
 
 use super::given::{arguments, code};
-use super::{Answer, Asked, CODE, Entry, Gives, Reads, Unanswered};
+use super::{Answer, Asked, CODE, Entry, Gives, Reads, Record, Unanswered};
 use crate::answer;
 use crate::sizing_use::Refusal;
 use crate::wiring::read_list;
@@ -25,7 +25,7 @@ pub const ENTRY: Entry = Entry {
     about: requests::pins_compared,
     reads: Reads::Pins,
     arguments: Args::ARGUMENTS,
-    gives: Gives::Record("wiring --check"),
+    gives: Gives::Record(Record::of::<answers::WiringCheck>("wiring --check")),
     writes: &[],
     example: "",
     answer: Some(|asked| {
