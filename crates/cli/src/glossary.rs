@@ -1,9 +1,11 @@
-//! `glossary`: words and symbols with their meaning.
+//! `glossary` and `units`: words and symbols with their meaning, units with their spellings.
 
 use crate::answer::Answer;
 use crate::call::Call;
 use crate::table::{Align, Table, paragraph};
-use questions::list::{Asked, Unanswered, glossary};
+use answers::Number;
+use quantities::format_significant;
+use questions::list::{Asked, Unanswered, glossary, units};
 use words::{own_and_foreign, symbol_shown, terminal, terms};
 
 /// `antrieb glossary [TERM]`
@@ -47,6 +49,31 @@ pub(crate) fn glossary(call: &Call<'_>, asked: &Asked<'_>) -> Result<Answer, Una
             let name = if shown == each.symbol { shown } else { format!("{shown} ({})", each.symbol) };
             let [own, foreign] = both(&each.en, &each.de);
             table.row([name, own, foreign]);
+        }
+        parts.push(table.render());
+    }
+    Ok(Answer::data(parts.join("\n")))
+}
+
+/// `antrieb units [QUANTITY]`
+pub(crate) fn units(call: &Call<'_>, asked: &Asked<'_>) -> Result<Answer, Unanswered> {
+    let language = call.language;
+    // A value in SI has no rounding but that of its unit: as many digits as its exact definition needs.
+    let shown = |number: Number| format_significant(number.written().unwrap_or_default(), 12, language);
+    let mut parts = Vec::new();
+    for measured in units::found(asked)?.quantities {
+        let heads = [measured.quantity.as_str(), terminal::also_written(language), terminal::in_si(language)];
+        let mut table = Table::new(heads.map(|head| (head, Align::Left)));
+        for unit in &measured.units {
+            let mut also: Vec<&str> = [&unit.symbol, &unit.json].into_iter().map(String::as_str).collect();
+            also.extend(unit.also.iter().map(String::as_str));
+            also.retain(|spelling| *spelling != unit.unit);
+            also.dedup();
+            let mut si = format!("{} {}", shown(unit.si), measured.si_unit);
+            if unit.zero.written() != Some(0.0) {
+                si.push_str(&format!(" + {} {}", shown(unit.zero), measured.si_unit));
+            }
+            table.row([unit.unit.clone(), also.join(", "), si]);
         }
         parts.push(table.render());
     }

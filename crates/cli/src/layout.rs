@@ -47,6 +47,7 @@ const LAYOUTS: &[Layout] = &[
     shown(&list::torsion::ENTRY, data::torsion),
     shown(&list::inertia::ENTRY, inertia::inertia).with(own::shapes),
     shown(&list::glossary::ENTRY, glossary::glossary),
+    shown(&list::units::ENTRY, glossary::units),
     shown(&list::licences::ENTRY, licences::licences),
 ];
 

@@ -182,6 +182,8 @@ fn everything_else_is_answered_with_the_bytes_of_the_command() {
     same(&["schema"], "schema", &[], None);
     same(&["schema", "--answers"], "schema", &[("answers", "true")], None);
     same(&["licences"], "licences", &[], None);
+    same(&["units"], "units", &[], None);
+    same(&["units", "rpm"], "units", &[("quantity", "rpm")], None);
     let csv = run_with(&["catalogue", "export", "--format", "csv"], b"").out;
     assert_eq!(asked("catalogue", &[("format", "csv")], None).body, csv.into_bytes());
     let project = run_with(&["new", "arm", "--lang", "de"], b"").out;

@@ -41,6 +41,7 @@ pub mod report;
 pub mod schema;
 pub mod size;
 pub mod torsion;
+pub mod units;
 pub mod upkeep;
 pub mod upkeep_calendar;
 pub mod wiring;
@@ -90,6 +91,7 @@ pub const LIST: &[&Entry] = &[
     &upkeep_calendar::ENTRY,
     &new::ENTRY,
     &glossary::ENTRY,
+    &units::ENTRY,
     &licences::ENTRY,
     &schema::ENTRY,
 ];

@@ -193,6 +193,12 @@ texts! {
     glossary_term =
         "Symbol, name or word, for example T_rms; all without it"
         | "Zeichen, Name oder Wort, zum Beispiel T_rms; ohne Angabe alle";
+    units =
+        "Units that are read, every spelling and its value in SI"
+        | "Einheiten, die gelesen werden, jede Schreibweise und ihr Wert in SI";
+    units_quantity =
+        "Quantity or unit, for example torque or rpm; all without it"
+        | "Größe oder Einheit, zum Beispiel Drehmoment oder rpm; ohne Angabe alle";
     licences =
         "Licences of antrieb and of all that is built into it, fonts included"
         | "Lizenzen von antrieb und von allem, was darin steckt, auch der Schriften";

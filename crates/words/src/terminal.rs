@@ -68,6 +68,11 @@ texts! {
     nothing_in_the_glossary(wanted) =
         "the glossary has nothing about `{wanted}`"
         | "das Glossar enthält nichts zu „{wanted}“";
+    no_such_unit(wanted) =
+        "`{wanted}` is neither a quantity nor a unit"
+        | "„{wanted}“ ist weder eine Größe noch eine Einheit";
+    also_written = "also written" | "auch geschrieben";
+    in_si = "in SI";
     no_actuator_fits = "no actuator of the catalogue fits" | "kein Antrieb des Katalogs ist geeignet";
     ratio_of_the_stage = "ratio of the stage" | "Übersetzung der Stufe";
     own_actuator_of_the_project = "own actuator of the project" | "eigener Antrieb des Projekts";

@@ -28,6 +28,7 @@ texts! {
     old = "OLD" | "ALT";
     pattern = "PATTERN" | "MUSTER";
     project = "PROJECT" | "PROJEKT";
+    quantity = "QUANTITY" | "MESSGRÖSSE";
     size = "SIZE" | "GRÖSSE";
     temperature = "TEMPERATURE" | "TEMPERATUR";
     term = "TERM" | "BEGRIFF";
