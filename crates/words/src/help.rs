@@ -198,7 +198,7 @@ texts! {
         | "Einheiten, die gelesen werden, jede Schreibweise und ihr Wert in SI";
     units_quantity =
         "Quantity or unit, for example torque or rpm; all without it"
-        | "Größe oder Einheit, zum Beispiel Drehmoment oder rpm; ohne Angabe alle";
+        | "Größe oder Einheit, zum Beispiel Drehmoment oder 1/min; ohne Angabe alle";
     licences =
         "Licences of antrieb and of all that is built into it, fonts included"
         | "Lizenzen von antrieb und von allem, was darin steckt, auch der Schriften";
