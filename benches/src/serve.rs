@@ -8,7 +8,7 @@ use page::{Call, Entry, Folder, Method, SaveFault, Shell};
 use project::{Files, NoFiles};
 use quantities::Language;
 use questions::Patience;
-use server::{Limits, Options, Server};
+use server::{Access, Limits, Options, Server};
 use std::hint::black_box;
 use std::io::{BufRead, BufReader, Read, Write};
 use std::net::{SocketAddr, TcpStream};
@@ -179,6 +179,7 @@ fn main() -> ExitCode {
     let options = Options {
         folder: ".".into(),
         listen: None,
+        access: Access::Anyone,
         port: 0,
         memory: 1 << 20,
         language: Language::default(),

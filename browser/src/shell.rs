@@ -11,7 +11,7 @@ use std::sync::atomic::{AtomicBool, Ordering};
 /// The page as it is served.
 pub(crate) enum Shell {
     /// By `antrieb serve`, with a folder of the disk.
-    Server { process: Child, address: String, folder: tempfile::TempDir },
+    Server { process: Child, address: String, token: String, folder: tempfile::TempDir },
     /// As a static folder, by a host that knows nothing but files.
     Site { address: String, folder: PathBuf, is_up: Arc<AtomicBool> },
 }
@@ -30,7 +30,8 @@ impl Shell {
         let mut line = String::new();
         let output = process.stdout.take().ok_or("no output of the program")?;
         BufReader::new(output).read_line(&mut line).map_err(|error| error.to_string())?;
-        Ok(Self::Server { process, address: line.trim().to_owned(), folder })
+        let (address, token) = line.trim().split_once("?token=").ok_or("no token in the address")?;
+        Ok(Self::Server { process, address: address.to_owned(), token: token.to_owned(), folder })
     }
 
     /// Serves a static folder.
@@ -58,8 +59,11 @@ impl Shell {
 
     /// The address of the page with a query.
     pub(crate) fn at(&self, query: &str) -> String {
-        let (Self::Server { address, .. } | Self::Site { address, .. }) = self;
-        format!("{address}?{query}")
+        match self {
+            // Each browser begins without the cookie.
+            Self::Server { address, token, .. } => format!("{address}?token={token}&{query}"),
+            Self::Site { address, .. } => format!("{address}?{query}"),
+        }
     }
 
     /// The folder on the disk, where there is one.

@@ -34,7 +34,7 @@ pub(crate) fn run(root: &Path) -> Result<(), Error> {
     fs::create_dir_all(&folder).map_err(|source| Error::File { path: folder.clone(), source })?;
     let mut command = Command::new(program);
     command
-        .args(["serve", "--port", "0"])
+        .args(["serve", "--port", "0", "--no-token"])
         .arg(&folder)
         .stdin(Stdio::null())
         .stdout(Stdio::piped())

@@ -5,7 +5,7 @@ use crate::fault::{memory, unanswered};
 use clap::ArgMatches;
 use quantities::Language;
 use questions::list::Unanswered;
-use server::{Limits, Options, Server};
+use server::{Access, Limits, Options, Server};
 use std::io::Write;
 use std::net::IpAddr;
 use std::path::PathBuf;
@@ -30,8 +30,14 @@ fn answer(matches: &ArgMatches, language: Language) -> Result<Answer, Unanswered
         return Err(Unanswered::message(file_trouble(&error, language)));
     }
     let mut talk = anstream::stderr();
-    if server.asks_for_a_token() {
-        let _ = writeln!(talk, "{}", serving::reachable(&server.address(), language));
+    let warning = match (server.is_reachable_from_elsewhere(), server.access()) {
+        (false, Access::WithToken) => None,
+        (true, Access::WithToken) => Some(serving::reachable(&server.address(), language)),
+        (false, Access::Anyone) => Some(serving::open_to_the_machine(language).to_owned()),
+        (true, Access::Anyone) => Some(serving::open_to_the_network(&server.address(), language)),
+    };
+    if let Some(warning) = warning {
+        let _ = writeln!(talk, "{warning}");
     }
     if matches.get_flag("open")
         && let Err(error) = opener::open_browser(&url)
@@ -49,6 +55,7 @@ fn bound(matches: &ArgMatches, language: Language) -> Result<Server, Unanswered>
     let options = Options {
         folder: matches.get_one::<PathBuf>("folder").cloned().unwrap_or_else(|| PathBuf::from(".")),
         listen: listen(matches, language)?,
+        access: if matches.get_flag("no-token") { Access::Anyone } else { Access::WithToken },
         port: port.unwrap_or(USUAL_PORT),
         memory: memory::allowed(matches, language)?,
         language,

@@ -13,6 +13,7 @@ use std::time::Duration;
 struct Started {
     child: Child,
     address: String,
+    token: String,
 }
 
 impl Started {
@@ -29,9 +30,9 @@ impl Started {
             .unwrap();
         let mut line = String::new();
         BufReader::new(child.stdout.as_mut().unwrap()).read_line(&mut line).unwrap();
-        let address = line.strip_prefix("http://").and_then(|rest| rest.strip_suffix("/\n"));
-        let address = address.unwrap_or_else(|| panic!("{line:?}")).to_owned();
-        Self { child, address }
+        let parts = line.strip_prefix("http://").and_then(|rest| rest.trim_end().split_once("/?token="));
+        let (address, token) = parts.unwrap_or_else(|| panic!("{line:?}"));
+        Self { child, address: address.to_owned(), token: token.to_owned() }
     }
 
     /// Head and body of an answer.
@@ -39,7 +40,10 @@ impl Started {
         let mut stream = TcpStream::connect(&self.address).unwrap();
         stream.set_read_timeout(Some(Duration::from_secs(120))).unwrap();
         let (address, length) = (&self.address, body.len());
-        let head = format!("{line} HTTP/1.1\r\nhost: {address}\r\nconnection: close\r\ncontent-length: {length}\r\n");
+        let token = &self.token;
+        let head = format!(
+            "{line} HTTP/1.1\r\nhost: {address}\r\nauthorization: Bearer {token}\r\nconnection: close\r\ncontent-length: {length}\r\n"
+        );
         stream.write_all(&[format!("{head}{headers}\r\n").as_bytes(), body].concat()).unwrap();
         let mut answer = Vec::new();
         stream.read_to_end(&mut answer).unwrap();

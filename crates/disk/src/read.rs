@@ -1,6 +1,6 @@
 //! Files that are read: so much of them, and of those that a project names only where they may lie.
 
-use project::{Files, Grant, NoRegularFile, Reach};
+use project::{Files, Grant, Reach, Unopened, is_recording_name};
 use std::fs::File;
 use std::io::{Error, ErrorKind, Read, Result};
 use std::path::{Path, PathBuf};
@@ -62,18 +62,34 @@ fn regular(path: &Path) -> Result<u64> {
         return Err(ErrorKind::IsADirectory.into());
     }
     if !about.is_file() {
-        return Err(Error::other(NoRegularFile));
+        return Err(Error::other(Unopened::NoRegularFile));
     }
     Ok(about.len())
 }
 
+impl Beside {
+    /// The regular file of a recording. For others than the user of this machine only what is named as a recording is opened:
+    /// a project cannot read a hidden file, a key or a note, nor by a link.
+    fn recording(&self, name: &str) -> Result<PathBuf> {
+        let path = self.regular(name)?;
+        if self.links == Links::Inside {
+            let folder = self.folder.canonicalize()?;
+            let real = path.strip_prefix(&folder).ok().and_then(Path::to_str).map(|path| path.replace('\\', "/"));
+            if !is_recording_name(name) || !real.is_some_and(|real| is_recording_name(&real)) {
+                return Err(Error::other(Unopened::NoRecordingName));
+            }
+        }
+        Ok(path)
+    }
+}
+
 impl Files for Beside {
     fn open(&self, name: &str) -> Result<Box<dyn Read>> {
-        Ok(Box::new(File::open(self.regular(name)?)?))
+        Ok(Box::new(File::open(self.recording(name)?)?))
     }
 
     fn size(&self, name: &str) -> Option<u64> {
-        regular(&self.regular(name).ok()?).ok()
+        regular(&self.recording(name).ok()?).ok()
     }
 
     fn grant(&self) -> Grant {

@@ -1,12 +1,10 @@
 //! Names of files in a working folder, the same wherever it lies.
 
+use project::RECORDINGS;
 use quantities::is_unseen;
 
 /// Bytes of a name, as most file systems have it.
 const NAME_MOST: usize = 255;
-
-/// Endings of recordings.
-const RECORDED: [&str; 3] = ["csv", "txt", "parquet"];
 
 /// So many recordings may have one name and a number behind it.
 const LIKE_MOST: usize = 100;
@@ -21,7 +19,7 @@ pub fn is_project_name(name: &str) -> bool {
 #[must_use]
 pub fn recording_names(name: &str) -> Option<impl Iterator<Item = String> + use<'_>> {
     let (stem, ending) = name.rsplit_once('.')?;
-    if !RECORDED.contains(&ending.to_ascii_lowercase().as_str()) || !is_plain(stem) || name.len() > NAME_MOST - 4 {
+    if !RECORDINGS.contains(&ending.to_ascii_lowercase().as_str()) || !is_plain(stem) || name.len() > NAME_MOST - 4 {
         return None;
     }
     let like = move |turn| if turn == 1 { name.to_owned() } else { format!("{stem}-{turn}.{ending}") };

@@ -511,33 +511,43 @@ pub enum Expected {
     Tables,
 }
 
-/// What is no regular file: a pipe, a device, a socket. It is the inner error of what [`Files::open`](crate::Files::open)
-/// gives, since the system has no kind for it.
+/// Why a file is not opened though the system would: the inner error of what [`Files::open`](crate::Files::open) returns, since the
+/// system has no kind for it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct NoRegularFile;
+pub enum Unopened {
+    /// It is no regular file: a pipe, a device, a socket.
+    NoRegularFile,
+    /// Its name is not that of a recording ([`is_recording_name`](crate::is_recording_name)).
+    NoRecordingName,
+}
 
-impl std::fmt::Display for NoRegularFile {
+impl std::fmt::Display for Unopened {
     fn fmt(&self, formatter: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        formatter.write_str("this is no regular file")
+        formatter.write_str(match self {
+            Self::NoRegularFile => "this is no regular file",
+            Self::NoRecordingName => "this is no name of a recording",
+        })
     }
 }
 
-impl std::error::Error for NoRegularFile {}
+impl std::error::Error for Unopened {}
 
 /// Why a file cannot be opened or read.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct FileTrouble {
     /// The kind of trouble.
     pub kind: std::io::ErrorKind,
-    /// Whether it is [`NoRegularFile`].
-    pub no_regular_file: bool,
+    /// Why it is not opened though the system would.
+    pub unopened: Option<Unopened>,
+    /// The number of the system's error.
+    pub code: Option<i32>,
     /// What the system says.
     pub system: String,
 }
 
 impl From<&std::io::Error> for FileTrouble {
     fn from(error: &std::io::Error) -> Self {
-        let no_regular_file = error.get_ref().is_some_and(|inner| inner.is::<NoRegularFile>());
-        Self { kind: error.kind(), no_regular_file, system: error.to_string() }
+        let unopened = error.get_ref().and_then(|inner| inner.downcast_ref()).copied();
+        Self { kind: error.kind(), unopened, code: error.raw_os_error(), system: error.to_string() }
     }
 }

@@ -83,6 +83,7 @@ pub(crate) fn recording(fault: &recording::Fault) -> &'static str {
         Fault::Ragged { .. } => "recording_ragged",
         Fault::ColumnUnknown { .. } => "recording_column_unknown",
         Fault::ColumnTwice { .. } => "recording_column_twice",
+        Fault::NoTable => "recording_no_table",
         Fault::TimeMissing { .. } => "recording_time_missing",
         Fault::CourseMissing { .. } => "recording_course_missing",
         Fault::Ambiguous { .. } => "recording_columns_ambiguous",

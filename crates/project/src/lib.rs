@@ -54,14 +54,14 @@ pub use bodies::{BODY_SHAPES, BodyAnswer, BodyKind, BodyShape, InertiaAnswer, in
 pub use curves::OwnCatalogue;
 pub use diagnostic::{Diagnostic, place};
 pub use edit::{Edit, EditFault, Written, edit, edit_measured, key_at, measured_key_at, stretch, written};
-pub use fault::{Expected, Fault, FileTrouble, Hint, NoRegularFile, Range};
+pub use fault::{Expected, Fault, FileTrouble, Hint, Range, Unopened};
 pub use inputs::{Input, InputChange, input_changes, inputs};
 pub use key::{Column, Key, Kind, Variants, example};
 pub use label::input_label;
 pub use measured::{MEASURED_FORMAT, MEASURED_KEYS, MeasuredKey, MeasuredLine, measured, measured_lines};
 pub use motion::SegmentLaw;
 pub use own::OwnActuator;
-pub use recorded::{Files, Grant, NoFiles, Reach, RecordingRead};
+pub use recorded::{Files, Grant, NoFiles, RECORDINGS, Reach, RecordingRead, is_recording_name};
 pub use roles::Within;
 pub use root::KEYS;
 pub use schema::{SchemaText, schema};

@@ -10,7 +10,7 @@ use crate::value::Value;
 use crate::{Fault, Hint};
 use ::motion::{Recorded, RecordedFault, Samples, Treatment};
 use quantities::{Dimension, Measure, Unit};
-use recording::{Along, Bytes, ColumnSpec, FILE_BYTES_MAX, Layout, Limit, MEMORY_USUAL, Memory, Recording};
+use recording::{Along, Bytes, ColumnSpec, FILE_BYTES_MAX, Layout, Limit, MEMORY_USUAL, Memory, Packing, Recording};
 use std::io::Read;
 use std::sync::Arc;
 
@@ -123,6 +123,30 @@ impl Reach {
     }
 }
 
+/// The endings of recordings, and those of packed ones behind them.
+pub const RECORDINGS: [&str; 3] = ["csv", "txt", "parquet"];
+const PACKED: [&str; 2] = ["gz", "zst"];
+
+/// Whether a path is that of a recording: with one of their endings, `run.csv`, `run.csv.gz`, and no hidden part.
+#[must_use]
+pub fn is_recording_name(name: &str) -> bool {
+    let lower = name.to_ascii_lowercase();
+    let (plain, _) = unpacked(&lower);
+    let ending = plain.rsplit_once('.').map(|(_, ending)| ending);
+    ending.is_some_and(|ending| RECORDINGS.contains(&ending))
+        && !name.split(['/', '\\']).any(|part| part.starts_with('.'))
+}
+
+/// A name without the ending of a packed text, and that ending.
+fn unpacked(name: &str) -> (&str, Option<Packing>) {
+    let packed = |ending: &str| name.strip_suffix(ending)?.strip_suffix('.');
+    match PACKED.map(packed) {
+        [Some(plain), _] => (plain, Some(Packing::Gzip)),
+        [_, Some(plain)] => (plain, Some(Packing::Zstd)),
+        [None, None] => (name, None),
+    }
+}
+
 /// No files at all: a project that refers to one is refused.
 #[derive(Clone, Copy, Debug)]
 pub struct NoFiles;
@@ -217,8 +241,14 @@ impl<'f> Recordings<'f> {
         if let Some(size) = size.filter(|size| *size > FILE_BYTES_MAX) {
             return Err(Trouble::Content(vec![beyond(size)]));
         }
-        if !name.to_ascii_lowercase().ends_with(".parquet") {
+        let lower = name.to_ascii_lowercase();
+        let (plain, packing) = unpacked(&lower);
+        if !plain.ends_with(".parquet") || packing.is_some() {
             let source = self.files.open(name).map_err(Trouble::File)?;
+            let source = match packing {
+                Some(packing) => recording::unpacked(source, packing).map_err(Trouble::File)?,
+                None => source,
+            };
             return recording::read_csv_within(source, layout, &mut self.memory).map_err(Trouble::Content);
         }
         // The bytes of the file are held while it is read, and no more than there is memory for.

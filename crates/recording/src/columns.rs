@@ -1,8 +1,9 @@
 //! Which column is what, and in which unit.
 
-use crate::faults::{Fault, Faults, excerpt};
+use crate::faults::{Fault, Faults, NearColumn, excerpt};
 use crate::layout::{Layout, Role};
 use crate::limits::NAMES_MAX;
+use crate::names::{Named, Sureness};
 use crate::series::{Along, ColumnRead, KnownBy};
 use quantities::{Dimension, Unit, seen};
 
@@ -11,54 +12,45 @@ use quantities::{Dimension, Unit, seen};
 pub(crate) struct Heading {
     /// As written.
     pub(crate) written: String,
-    /// Without the unit.
-    pub(crate) bare: String,
-    /// The unit, if the name carries one.
-    pub(crate) unit: Option<String>,
+    /// Without the unit that is marked as one.
+    pub(crate) named: Named,
 }
 
 impl Heading {
-    /// Takes the unit off a name: `q [deg]`, `q (deg)`, `n / 1/min`, `n in 1/min`, and `q/deg` where what follows is a
-    /// unit. No other spelling is a unit: `t_s` is a name.
     pub(crate) fn new(written: &str) -> Self {
         let written = written.trim();
-        let (bare, unit) = match split(written) {
-            Some((bare, unit)) => (bare.trim_end(), Some(unit.trim().to_owned())),
-            None => (written, None),
-        };
-        Self { written: written.to_owned(), bare: bare.to_owned(), unit }
+        Self { written: written.to_owned(), named: Named::marked(written) }
     }
 
-    fn is_named(&self, name: &str) -> bool {
-        self.written == name || self.bare == name
+    /// The ways in which it can be read for a role: a unit behind an underscore may be part of the name.
+    fn readings(&self, role: Role) -> impl Iterator<Item = Named> {
+        self.named.for_role(role).into_iter().chain([self.named.clone()])
     }
 
-    fn is_named_like(&self, name: &str) -> bool {
-        self.written.to_lowercase() == name.to_lowercase() || self.bare.to_lowercase() == name.to_lowercase()
+    /// As a name of a layout writes it.
+    fn is_named(&self, name: &str, role: Role) -> Option<Pick> {
+        let same = |one: &str| one == name || one.to_lowercase() == name.to_lowercase();
+        let reading = self.readings(role).find(|reading| same(&reading.bare) || same(&self.written))?;
+        let exact = self.written == name || reading.bare == name;
+        Some(Pick { index: 0, unit: reading.unit, sureness: if exact { Sureness::Plain } else { Sureness::Measured } })
     }
 }
 
-fn split(written: &str) -> Option<(&str, &str)> {
-    for (open, close) in [('[', ']'), ('(', ')')] {
-        if let Some((bare, unit)) = written.strip_suffix(close).and_then(|inner| inner.split_once(open))
-            && !bare.is_empty()
-        {
-            // `n / (1/min)` is a fraction in brackets, not a name that ends with a stroke.
-            return Some((bare.trim_end().strip_suffix('/').unwrap_or(bare), unit));
-        }
-    }
-    if let Some(parts) = [" / ", " in "].iter().find_map(|by| written.split_once(by)) {
-        return Some(parts);
-    }
-    written.split_once('/').filter(|(bare, unit)| !bare.is_empty() && Unit::of(unit).is_some())
+/// The column of a role.
+#[derive(Clone, Debug)]
+pub(crate) struct Pick {
+    pub(crate) index: usize,
+    /// The unit that its name states.
+    pub(crate) unit: Option<String>,
+    sureness: Sureness,
 }
 
 /// The column of every role, in the order of [`Role::ALL`].
-pub(crate) type Picks = [Option<usize>; 4];
+pub(crate) type Picks = [Option<Pick>; 4];
 
 /// Finds the column of every role. Missing and ambiguous ones are reported.
 pub(crate) fn pick(headings: &[Heading], layout: &Layout, faults: &mut Faults) -> Picks {
-    let mut picks: Picks = [None; 4];
+    let mut picks: Picks = [const { None }; 4];
     let mut failed = [false; 4];
     // One more than is shown says that there are more.
     let names = || headings.iter().take(NAMES_MAX + 1).map(|heading| excerpt(&heading.written)).collect::<Vec<_>>();
@@ -67,12 +59,8 @@ pub(crate) fn pick(headings: &[Heading], layout: &Layout, faults: &mut Faults) -
     for ((role, slot), failed) in Role::ALL.into_iter().zip(&mut picks).zip(&mut failed) {
         let spec = layout.column(role);
         let Some(name) = spec.name.as_deref().map(str::trim).filter(|_| !spec.unused) else { continue };
-        let mut found = indices(headings, |heading| heading.is_named(name));
-        if found.is_empty() {
-            found = indices(headings, |heading| heading.is_named_like(name));
-        }
         *failed = true;
-        match found.as_slice() {
+        match surest(headings, &[], |heading| heading.is_named(name, role)).as_slice() {
             [] => faults.push(Fault::ColumnUnknown {
                 role,
                 name: excerpt(name),
@@ -80,11 +68,11 @@ pub(crate) fn pick(headings: &[Heading], layout: &Layout, faults: &mut Faults) -
                 headers: names(),
             }),
             [one] => {
-                if let Some((_, other)) = taken.iter().find(|(index, _)| index == one) {
+                if let Some((_, other)) = taken.iter().find(|(index, _)| *index == one.index) {
                     faults.push(Fault::ColumnTwice { column: excerpt(name), roles: [*other, role] });
                 } else {
-                    taken.push((*one, role));
-                    *slot = Some(*one);
+                    taken.push((one.index, role));
+                    *slot = Some(one.clone());
                     *failed = false;
                 }
             }
@@ -95,42 +83,83 @@ pub(crate) fn pick(headings: &[Heading], layout: &Layout, faults: &mut Faults) -
         if layout.column(role).unused || slot.is_some() || *failed {
             continue;
         }
-        let mut found =
-            indices(headings, |heading| role.names().iter().any(|name| heading.bare.to_lowercase() == **name));
-        found.retain(|index| taken.iter().all(|(other, _)| other != index));
-        match found.as_slice() {
+        let usual = |heading: &Heading| {
+            let reading =
+                |reading: Named| Some(Pick { index: 0, sureness: reading.sureness(role)?, unit: reading.unit });
+            heading.readings(role).find_map(reading)
+        };
+        match surest(headings, &taken, usual).as_slice() {
             [] => {}
-            [one] => *slot = Some(*one),
+            [one] => *slot = Some(one.clone()),
             several => {
                 *failed = true;
                 faults.push(Fault::Ambiguous { role, columns: chosen_names(headings, several) });
             }
         }
     }
-    let [time, position, speed, _] = picks;
     let [time_failed, position_failed, speed_failed, _] = failed;
-    if time.is_none() && !time_failed {
-        faults.push(Fault::TimeMissing { headers: names() });
+    let missing = |role: Role| picks.iter().zip(Role::ALL).any(|(pick, of)| of == role && pick.is_none());
+    let near = |roles: &[Role]| {
+        let used = |index: usize| picks.iter().flatten().any(|pick| pick.index == index);
+        roles.iter().filter_map(|role| proposed(headings, *role, used)).collect()
+    };
+    if missing(Role::Time) && !time_failed {
+        faults.push(Fault::TimeMissing { headers: names(), near: near(&[Role::Time]) });
     }
-    if position.is_none() && speed.is_none() && !position_failed && !speed_failed {
-        faults.push(Fault::CourseMissing { headers: names() });
+    if missing(Role::Position) && missing(Role::Speed) && !position_failed && !speed_failed {
+        faults.push(Fault::CourseMissing { headers: names(), near: near(&[Role::Position, Role::Speed]) });
     }
     picks
 }
 
-fn indices(headings: &[Heading], matches: impl Fn(&Heading) -> bool) -> Vec<usize> {
-    headings.iter().enumerate().filter(|(_, heading)| matches(heading)).map(|(index, _)| index).collect()
+/// The columns that are named most surely, of those that have no role.
+fn surest(headings: &[Heading], taken: &[(usize, Role)], pick: impl Fn(&Heading) -> Option<Pick>) -> Vec<Pick> {
+    let free = headings.iter().enumerate().filter(|(index, _)| taken.iter().all(|(other, _)| other != index));
+    let mut found: Vec<Pick> = free.filter_map(|(index, heading)| Some(Pick { index, ..pick(heading)? })).collect();
+    let best = found.iter().map(|pick| pick.sureness).min();
+    found.retain(|pick| Some(pick.sureness) == best);
+    found
 }
 
-fn chosen_names(headings: &[Heading], indices: &[usize]) -> Vec<String> {
-    let chosen = indices.iter().take(NAMES_MAX + 1).filter_map(|index| headings.get(*index));
+/// The column that probably has a role: the only one with a unit of it, else the one whose name is nearest to one of its names
+/// or holds one.
+fn proposed(headings: &[Heading], role: Role, is_used: impl Fn(usize) -> bool) -> Option<NearColumn> {
+    let free = || headings.iter().enumerate().filter(|(index, _)| !is_used(*index)).map(|(_, heading)| heading);
+    let has_unit = |heading: &&Heading| {
+        let of_role = |unit: &str| role.dimensions().iter().any(|of| Unit::of_dimension(*of, unit).is_some());
+        heading.readings(role).any(|reading| reading.unit.as_deref().is_some_and(of_role))
+    };
+    let with_unit: Vec<&Heading> = free().filter(has_unit).collect();
+    let by_name = || {
+        // Short names are near to anything.
+        let names = || role.names().iter().filter(|name| name.len() >= 3);
+        let distance = |heading: &Heading| {
+            let small = heading.named.bare.to_lowercase();
+            let to = |name: &&str| if small.contains(*name) { 1 } else { strsim::damerau_levenshtein(&small, name) };
+            names().map(|name| (to(name), name.len())).filter(|(distance, length)| *distance <= length / 3).min()
+        };
+        let near = free()
+            .filter(|heading| heading.written.len() <= LONGEST)
+            .filter_map(|heading| Some((distance(heading)?, heading)));
+        near.min_by_key(|(distance, _)| *distance).map(|(_, heading)| heading)
+    };
+    let found = match with_unit.as_slice() {
+        [one] => *one,
+        _ => by_name()?,
+    };
+    Some(NearColumn { role, column: excerpt(&found.written), has_unit: has_unit(&found) })
+}
+
+/// Longer names are not typing errors; the distance costs the product of both lengths.
+const LONGEST: usize = 64;
+
+fn chosen_names(headings: &[Heading], picks: &[Pick]) -> Vec<String> {
+    let chosen = picks.iter().take(NAMES_MAX + 1).filter_map(|pick| headings.get(pick.index));
     chosen.map(|heading| excerpt(&heading.written)).collect()
 }
 
 /// The column whose name is nearest to one that does not exist.
 fn nearest(headings: &[Heading], name: &str) -> Option<String> {
-    // Longer names are not typing errors; the distance costs the product of both lengths.
-    const LONGEST: usize = 64;
     if name.len() > LONGEST {
         return None;
     }
@@ -138,10 +167,10 @@ fn nearest(headings: &[Heading], name: &str) -> Option<String> {
     let length = wanted.chars().count();
     headings
         .iter()
-        .filter(|heading| heading.written.len() <= LONGEST && !heading.bare.is_empty())
+        .filter(|heading| heading.written.len() <= LONGEST && !heading.named.bare.is_empty())
         .map(|heading| {
             let to = |known: &str| strsim::damerau_levenshtein(&wanted, &known.to_lowercase());
-            (to(&heading.bare).min(to(&heading.written)), heading)
+            (to(&heading.named.bare).min(to(&heading.written)), heading)
         })
         .filter(|(distance, _)| *distance <= 1 + length / 3 && *distance < length)
         .min_by_key(|(distance, _)| *distance)
@@ -226,30 +255,5 @@ pub(crate) fn check_course(columns: &[ColumnRead], faults: &mut Faults) {
     {
         let (position, speed): (Dimension, Dimension) = (position.dimension, speed.dimension);
         faults.push(Fault::CourseMixed { position, speed });
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn a_name_carries_its_unit_in_these_ways_only() {
-        for (written, bare, unit) in [
-            ("time [s]", "time", Some("s")),
-            ("q(deg)", "q", Some("deg")),
-            ("n / 1/min", "n", Some("1/min")),
-            ("n / (1/min)", "n", Some("1/min")),
-            ("n [1/min]", "n", Some("1/min")),
-            ("n in 1/min", "n", Some("1/min")),
-            ("t/s", "t", Some("s")),
-            ("v/vmax", "v/vmax", None),
-            ("t_s", "t_s", None),
-            ("(deg)", "(deg)", None),
-            ("M", "M", None),
-        ] {
-            let heading = Heading::new(written);
-            assert_eq!((heading.bare.as_str(), heading.unit.as_deref()), (bare, unit), "{written}");
-        }
     }
 }

@@ -1,6 +1,6 @@
 //! Reading CSV.
 
-use crate::columns::{Heading, Picks, Said, decide, pick};
+use crate::columns::{Heading, Pick, Picks, Said, decide, pick};
 use crate::encoding;
 use crate::faults::{Fault, Faults, excerpt};
 use crate::gather::{Gather, Sample, check_window};
@@ -66,24 +66,40 @@ fn read(source: impl Read, layout: &Layout, memory: &mut Memory, faults: &mut Fa
 
     let mut more = advance(&mut lines, faults)?;
     let mut units = None;
+    let mut is_table = false;
     if more {
-        units = cells.all(lines.line(), lines.number(), faults).and_then(|row| unit_row(&row, &picks));
+        let second = cells.all(lines.line(), lines.number(), faults);
+        is_table = second.as_deref().is_some_and(holds_number);
+        units = second.and_then(|row| unit_row(&row, &picks));
         if let Some(row) = &units {
             is_utf8 &= std::str::from_utf8(lines.line()).is_ok();
             if row.len() != headings.len() {
                 let (line, found, expected) = (lines.number(), row.len(), headings.len());
                 faults.push(Fault::Ragged { line, found, expected });
             }
+        }
+        // A row that is no numbers may be one of units of columns that are not found.
+        if units.is_some() || !is_table && !faults.none() {
             more = advance(&mut lines, faults)?;
         }
+        if !is_table {
+            is_table = more && cells.all(lines.line(), lines.number(), faults).as_deref().is_some_and(holds_number);
+        }
+    }
+    // Whatever stands in a file that is no table is not repeated: it may be a note or a key.
+    if !is_table && !faults.none() {
+        *faults = Faults::default();
+        faults.push(Fault::NoTable);
+        return None;
     }
     let mut columns = Vec::new();
     let mut wanted = Wanted { fields: headings.len(), ..Wanted::default() };
-    for (role, index) in Role::ALL.into_iter().zip(picks) {
-        let Some((index, heading)) = index.and_then(|index| Some((index, headings.get(index)?))) else { continue };
+    for (role, picked) in Role::ALL.into_iter().zip(picks) {
+        let Some(Pick { index, unit, .. }) = picked else { continue };
+        let Some(heading) = headings.get(index) else { continue };
         let in_row = units.as_ref().and_then(|row| row.get(index)).filter(|text| !text.is_empty());
         let said = [
-            heading.unit.clone().map(|text| (KnownBy::Header, Said::Text(text))),
+            unit.map(|text| (KnownBy::Header, Said::Text(text))),
             in_row.map(|text| (KnownBy::UnitRow, Said::Text(text.clone()))),
             layout.column(role).unit.map(|unit| (KnownBy::Layout, Said::Unit(unit))),
         ];
@@ -122,11 +138,16 @@ fn delimiter(header: &[u8]) -> u8 {
 fn unit_row(row: &[Vec<u8>], picks: &Picks) -> Option<Vec<String>> {
     let texts: Vec<String> = row.iter().map(|cell| unbracketed(&encoding::text(cell))).collect();
     let mut used =
-        picks.iter().flatten().filter_map(|index| texts.get(*index)).filter(|text| !text.is_empty()).peekable();
+        picks.iter().flatten().filter_map(|pick| texts.get(pick.index)).filter(|text| !text.is_empty()).peekable();
     // A missing value of the first sample is no unit.
     let missing = |text: &str| ["na", "n/a", "null", "none", "-"].contains(&text.to_lowercase().as_str());
     let any = used.peek().is_some();
     (any && used.all(|text| !Decimals::is_number(text) && !missing(text))).then_some(texts)
+}
+
+/// Whether a cell of a row is a number.
+fn holds_number(row: &[Vec<u8>]) -> bool {
+    row.iter().any(|cell| Decimals::is_number(&encoding::text(cell)))
 }
 
 fn unbracketed(text: &str) -> String {
@@ -193,15 +214,30 @@ fn row(
 
 fn told(bad: Bad, line: u64, column: &str, cell: &[u8]) -> Fault {
     let (at, column) = (crate::FileRow::Line(line), column.to_owned());
-    let text = excerpt(String::from_utf8_lossy(cell).trim());
+    let Some(text) = shown(String::from_utf8_lossy(cell).trim()) else {
+        let is_empty = matches!(bad, Bad::Missing);
+        return if is_empty {
+            Fault::ValueMissing { at, column }
+        } else {
+            Fault::ValueUnreadable { at, column, text: None }
+        };
+    };
     match bad {
         Bad::Unreadable | Bad::Mixed(_) if is_grouped(&text) => Fault::ThousandsGrouped { at, column, text },
         Bad::Missing => Fault::ValueMissing { at, column },
-        Bad::Unreadable => Fault::ValueUnreadable { at, column, text },
+        Bad::Unreadable => Fault::ValueUnreadable { at, column, text: Some(text) },
         Bad::NotFinite => Fault::ValueNotFinite { at, column, text },
         Bad::Implausible => Fault::ValueImplausible { at, column, text },
         Bad::Mixed(decided) => Fault::DecimalMixed { line, column, text, decided },
     }
+}
+
+/// A cell as a fault shows it: what is written like a number or a time of day, else nothing, since it may be any text.
+fn shown(cell: &str) -> Option<String> {
+    let may_stand = |sign: char| sign.is_ascii_digit() || "+-.,:/'’ eE\u{a0}\u{202f}".contains(sign);
+    let is_number = cell.chars().all(may_stand) && cell.contains(|sign: char| sign.is_ascii_digit());
+    let is_word = ["nan", "inf", "infinity"].contains(&cell.trim_start_matches(['+', '-']).to_lowercase().as_str());
+    (is_number || is_word).then(|| excerpt(cell))
 }
 
 /// Splits lines into cells.
@@ -293,7 +329,7 @@ pub struct Preview {
 /// So many columns are shown.
 const SHOWN_MOST: usize = 32;
 
-/// The header of a CSV and so many rows under it; `None` where it has no header.
+/// The header of a CSV and so many rows under it; `None` where no number stands under its first line.
 pub fn preview_csv(source: impl Read, rows: usize) -> Option<Preview> {
     let mut lines = Lines::new(source);
     let mut faults = Faults::default();
@@ -307,11 +343,13 @@ pub fn preview_csv(source: impl Read, rows: usize) -> Option<Preview> {
     };
     let headings = shown(&lines)?;
     let mut preview = Preview { headings, rows: Vec::new() };
-    while preview.rows.len() < rows && lines.advance().unwrap_or(false) {
+    while preview.rows.len() < rows.max(2) && lines.advance().unwrap_or(false) {
         let Some(row) = shown(&lines) else { break };
         preview.rows.push(row);
     }
-    Some(preview)
+    let is_table = preview.rows.iter().take(2).flatten().any(|cell| Decimals::is_number(cell));
+    preview.rows.truncate(rows);
+    is_table.then_some(preview)
 }
 
 #[cfg(test)]

@@ -43,6 +43,17 @@ impl fmt::Display for Stamp {
     }
 }
 
+/// A column that probably has a role.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct NearColumn {
+    /// The role.
+    pub role: Role,
+    /// The column as the file names it.
+    pub column: String,
+    /// Whether it states a unit of the role.
+    pub has_unit: bool,
+}
+
 /// What is wrong with a Parquet file.
 #[derive(Clone, Debug, PartialEq, Eq, Error)]
 pub enum Damage {
@@ -145,17 +156,24 @@ pub enum Fault {
         /// Both roles.
         roles: [Role; 2],
     },
+    /// It is no table: no number stands in the lines under the first.
+    #[error("no numbers stand under the first line")]
+    NoTable,
     /// No column of time is found.
     #[error("no column of time is found")]
     TimeMissing {
         /// The columns of the file.
         headers: Vec<String>,
+        /// The column that it probably is.
+        near: Vec<NearColumn>,
     },
     /// Neither a column of position nor one of speed is found.
     #[error("neither a column of position nor one of speed is found")]
     CourseMissing {
         /// The columns of the file.
         headers: Vec<String>,
+        /// The columns that they probably are.
+        near: Vec<NearColumn>,
     },
     /// Several columns could have a role.
     #[error("several columns could be the {role:?}")]
@@ -234,14 +252,14 @@ pub enum Fault {
         column: String,
     },
     /// A cell is no number.
-    #[error("{at}: \"{text}\" in \"{column}\" is no number")]
+    #[error("{at}: the value of \"{column}\" is no number")]
     ValueUnreadable {
         /// Where.
         at: FileRow,
         /// The column.
         column: String,
-        /// The cell as written.
-        text: String,
+        /// The cell as written, if it is written like a number: other text of a file is not repeated.
+        text: Option<String>,
     },
     /// A number is infinite, not a number, or too large to be held in SI.
     #[error("{at}: \"{text}\" in \"{column}\" is no finite number")]

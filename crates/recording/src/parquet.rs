@@ -77,15 +77,16 @@ fn read(file: &Bytes, layout: &Layout, memory: &mut Memory, faults: &mut Faults)
 
     let mut columns = Vec::new();
     let mut used: Vec<Used<'_>> = Vec::new();
-    for (role, index) in Role::ALL.into_iter().zip(picks) {
-        let Some(index) = index else { continue };
+    for (role, picked) in Role::ALL.into_iter().zip(picks) {
+        let Some(picked) = picked else { continue };
+        let index = picked.index;
         let Some((heading, column)) = headings.get(index).zip(footer.columns.get(index)) else { continue };
         let Some(kind) = kind(column) else {
             faults.push(Fault::ColumnType { column: excerpt(&heading.written), found: type_name(column) });
             continue;
         };
         let said = [
-            heading.unit.clone().map(|text| (KnownBy::Header, Said::Text(text))),
+            picked.unit.clone().map(|text| (KnownBy::Header, Said::Text(text))),
             kind.time.map(|unit| (KnownBy::Metadata, Said::Unit(unit))),
             metadata_unit(&footer, heading).map(|text| (KnownBy::Metadata, Said::Text(text))),
             layout.column(role).unit.map(|unit| (KnownBy::Layout, Said::Unit(unit))),
@@ -118,7 +119,7 @@ fn read(file: &Bytes, layout: &Layout, memory: &mut Memory, faults: &mut Faults)
 
 /// The unit that the metadata of the file state for a column.
 fn metadata_unit(footer: &Footer<'_>, heading: &Heading) -> Option<String> {
-    let keys = [&heading.written, &heading.bare].map(|name| [format!("{name}.unit"), format!("unit:{name}")]);
+    let keys = [&heading.written, &heading.named.bare].map(|name| [format!("{name}.unit"), format!("unit:{name}")]);
     let (_, unit) = footer.units.iter().find(|(key, _)| keys.as_flattened().contains(key))?;
     Some(unit.trim().to_owned())
 }

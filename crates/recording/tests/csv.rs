@@ -142,7 +142,9 @@ fn a_column_has_one_role() {
 #[test]
 fn missing_roles_are_told_with_the_headers() {
     let found = faults("a,b\n1,2\n");
-    let [Fault::TimeMissing { headers }, Fault::CourseMissing { .. }] = found.as_slice() else { panic!("{found:?}") };
+    let [Fault::TimeMissing { headers, .. }, Fault::CourseMissing { .. }] = found.as_slice() else {
+        panic!("{found:?}")
+    };
     assert_eq!(headers, &["a", "b"]);
     assert_eq!(faults(""), [Fault::NoHeader]);
     assert_eq!(faults("# nothing\n\n"), [Fault::NoHeader]);
@@ -209,7 +211,7 @@ fn every_bad_cell_is_told_with_its_line() {
         faults(text),
         [
             Fault::ValueMissing { at: at(4), column: column() },
-            Fault::ValueUnreadable { at: at(5), column: column(), text: String::from("x1") },
+            Fault::ValueUnreadable { at: at(5), column: column(), text: None },
             Fault::ValueNotFinite { at: at(6), column: column(), text: String::from("nan") },
             Fault::ValueNotFinite { at: at(7), column: column(), text: String::from("1e999") },
             Fault::Ragged { line: 8, found: 3, expected: 2 },
@@ -218,8 +220,8 @@ fn every_bad_cell_is_told_with_its_line() {
             Fault::QuoteOpen { line: 11 },
         ]
     );
-    let long = faults(&format!("t [s],q [deg]\n0,{}\n", "x".repeat(500)));
-    let [Fault::ValueUnreadable { text, .. }] = long.as_slice() else { panic!("{long:?}") };
+    let long = faults(&format!("t [s],q [deg]\n0,{}\n", "1x".repeat(250).replace('x', "-")));
+    let [Fault::ValueUnreadable { text: Some(text), .. }] = long.as_slice() else { panic!("{long:?}") };
     assert_eq!(text.chars().count(), 41);
 }
 
@@ -437,4 +439,75 @@ fn files_of_python_are_read() {
             assert!((torque[k] - (3.0 + 2.0 * phase.sin())).abs() < 1e-9);
         }
     }
+}
+
+/// Headings as loggers, oscilloscopes and spreadsheets write them.
+#[test]
+fn headings_are_recognised_as_they_come() {
+    for (text, named) in [
+        ("time_s,position_deg\n0,0\n1,90\n2,180\n", ["time_s", "position_deg"]),
+        ("t[ms];Winkel (°)\n0;0\n1000;90\n2000;180\n", ["t[ms]", "Winkel (°)"]),
+        ("Zeit (s)\tpos / °\n0\t0\n1\t90\n2\t180\n", ["Zeit (s)", "pos / °"]),
+        ("Zeit;Ist-Winkel\n[ms];[deg]\n0;0,0\n1000;90,0\n2000;180,0\n", ["Zeit", "Ist-Winkel"]),
+        (
+            "MAIN.t_s,Axis1.SetPos [deg],Axis1.ActPos [deg]\n0,7,0\n1,7,90\n2,7,180\n",
+            ["MAIN.t_s", "Axis1.ActPos [deg]"],
+        ),
+        ("t_s,joint_1/q_rev\n0,0\n1,0.25\n2,0.5\n", ["t_s", "joint_1/q_rev"]),
+    ] {
+        let recording = read(text);
+        let names: Vec<&str> = recording.columns.iter().map(|column| column.name.as_str()).collect();
+        assert_eq!(names, named, "{text}");
+        assert_eq!(*recording.time_s, [0.0, 1.0, 2.0], "{text}");
+        assert!((position(&recording)[1] - std::f64::consts::FRAC_PI_2).abs() < 1e-15, "{text}");
+    }
+    // Latin-1 and UTF-16, as spreadsheets write them.
+    let german = "Zeit (s);Ist-Lage [°];Größe\n0;0;ä\n1;90;ö\n2;180;ü\n";
+    let latin: Vec<u8> = german.chars().map(|sign| u8::try_from(u32::from(sign)).unwrap()).collect();
+    let wide: Vec<u8> = german.encode_utf16().flat_map(u16::to_le_bytes).collect();
+    for bytes in [latin, wide] {
+        let recording = read_csv(bytes.as_slice(), &Layout::default()).unwrap();
+        assert_eq!(recording.columns[1].name, "Ist-Lage [°]");
+    }
+}
+
+/// Two joints: which one is meant is not guessed.
+#[test]
+fn several_columns_of_one_sureness_are_ambiguous() {
+    let found = faults("t [s],q1 [deg],q2 [deg]\n0,0,0\n1,1,1\n2,2,2\n");
+    assert!(matches!(found.as_slice(), [Fault::Ambiguous { role: Role::Position, columns }] if columns.len() == 2));
+    let layout = Layout { position: named("q2"), ..Layout::default() };
+    let recording = read_csv(&b"t [s],q1 [deg],q2_deg\n0,0,0\n1,1,2\n2,2,4\n"[..], &layout).unwrap();
+    assert!((position(&recording)[2] - 4f64.to_radians()).abs() < 1e-15);
+}
+
+#[test]
+fn a_near_miss_is_proposed() {
+    let found = faults("Zeitstempel,Positon,M [Nm]\n0,0,1\n1,1,1\n2,2,1\n");
+    let [Fault::TimeMissing { near: time, .. }, Fault::CourseMissing { near: course, .. }] = found.as_slice() else {
+        panic!("{found:?}")
+    };
+    assert!(time.len() == 1 && time[0].column == "Zeitstempel" && !time[0].has_unit, "{time:?}");
+    assert!(course[0].column == "Positon" && course[0].role == Role::Position, "{course:?}");
+    let found = faults("Channel 1 [ms],Channel 2 [deg]\n0,0\n1,1\n2,2\n");
+    let [Fault::TimeMissing { near: time, .. }, Fault::CourseMissing { near: course, .. }] = found.as_slice() else {
+        panic!("{found:?}")
+    };
+    assert!(time[0].column == "Channel 1 [ms]" && time[0].has_unit && course[0].has_unit, "{found:?}");
+}
+
+/// What is no table of numbers may be a note or a key: none of it is repeated.
+#[test]
+fn the_content_of_what_is_no_table_is_not_repeated() {
+    for text in [
+        "hunter2\n",
+        "hunter2",
+        "user;secret\nme;hunter2\nyou;hunter2\n",
+        "a secret, long\nand hunter2, longer\nline\n",
+    ] {
+        assert_eq!(faults(text), [Fault::NoTable], "{text}");
+        assert_eq!(recording::preview_csv(text.as_bytes(), 3), None, "{text}");
+    }
+    let found = faults("t [s],q [deg]\n0,hunter2\n1,2\n2,3\n");
+    assert!(!format!("{found:?}").contains("hunter2"), "{found:?}");
 }

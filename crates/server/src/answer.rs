@@ -4,6 +4,7 @@ use crate::body::{Bodies, Held, NoBody, read};
 use crate::folder::Workplace;
 use crate::gate::{Barred, admit, preferred};
 use crate::limits::Limits;
+use crate::serve::Place;
 use crate::token::{IN_QUERY, Token};
 use bytes::Bytes;
 use http_body_util::Full;
@@ -114,14 +115,17 @@ impl Desk {
     }
 
     /// Answers a request, whatever it is.
-    pub(crate) async fn answer(&self, request: Request<Incoming>) -> Response<Full<Bytes>> {
+    pub(crate) async fn answer(&self, request: Request<Incoming>, place: &Place) -> Response<Full<Bytes>> {
         let (parts, body) = request.into_parts();
         let reply = match self.let_in(&parts) {
             Err(reply) => reply,
             Ok((path, language)) => {
                 let most = if path == page::RECORDING { self.limits.recording_bytes } else { self.limits.body_bytes };
                 match read(body, most, &self.bodies, &self.limits).await {
-                    Ok(body) => self.respond(Question { parts, path, body, language }).await,
+                    Ok(body) => {
+                        place.busy();
+                        self.respond(Question { parts, path, body, language }).await
+                    }
                     Err(why) => self.no_body(why, most, language),
                 }
             }
@@ -141,12 +145,15 @@ impl Desk {
             Err(Barred::Site) => return barred(403, requests::foreign_site(language)),
             Ok(()) => {}
         }
-        if let Some(token) = self.token.as_ref().filter(|token| !token.is_in(&parts.headers)) {
-            return Err(introduced(parts, token).unwrap_or_else(|| {
+        if let Some(token) = &self.token {
+            if let Some(reply) = introduced(parts, token) {
+                return Err(reply);
+            }
+            if !token.is_in(&parts.headers) {
                 let mut reply = page::misdirected(401, requests::token_missing(language), None);
                 reply.headers.push(("www-authenticate", "Bearer".to_owned()));
-                reply
-            }));
+                return Err(reply);
+            }
         }
         match parts.method {
             Method::GET | Method::HEAD | Method::POST => Ok((path, language)),

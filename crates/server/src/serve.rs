@@ -8,16 +8,17 @@ use hyper::server::conn::http1;
 use hyper::service::service_fn;
 use hyper_util::rt::{TokioIo, TokioTimer};
 use quantities::Language;
+use std::collections::BTreeMap;
 use std::convert::Infallible;
 use std::future::Future;
 use std::io;
 use std::net::{IpAddr, Ipv4Addr, SocketAddr, TcpListener};
 use std::path::PathBuf;
 use std::pin::pin;
-use std::sync::Arc;
+use std::sync::{Arc, Mutex, PoisonError};
 use std::time::Duration;
 use tokio::net::TcpStream;
-use tokio::sync::{OwnedSemaphorePermit, Semaphore, watch};
+use tokio::sync::{Notify, OwnedSemaphorePermit, Semaphore, watch};
 use words::{file_trouble, serving};
 
 /// Longest duration of a connection, so that slow clients do not keep a slot.
@@ -26,13 +27,25 @@ const CONNECTION_TIME: Duration = Duration::from_secs(600);
 /// After a connection could not be taken, such as for want of handles: long enough for another to end.
 const PAUSE: Duration = Duration::from_millis(50);
 
+/// Who is answered.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Access {
+    /// A client that sends the token, which is new at each start.
+    #[default]
+    WithToken,
+    /// Every client that reaches the address: on the loopback all users and programs of the machine.
+    Anyone,
+}
+
 /// Where and for whom is served.
 #[derive(Clone, Debug)]
 pub struct Options {
     /// The folder that is worked in.
     pub folder: PathBuf,
-    /// The address to listen on; none for the loopback. Any other requires a token.
+    /// The address to listen on; none for the loopback.
     pub listen: Option<IpAddr>,
+    /// Who is answered.
+    pub access: Access,
     /// The port; 0 takes a free one.
     pub port: u16,
     /// Bytes of memory for the recordings of one project.
@@ -101,8 +114,11 @@ impl Server {
         let listener = TcpListener::bind(asked).map_err(unbound)?;
         listener.set_nonblocking(true).map_err(unbound)?;
         let address = listener.local_addr().map_err(unbound)?;
-        // Who can reach the loopback is on this machine already.
-        let token = if ip.is_loopback() { None } else { Some(Token::new().map_err(Unserved::Token)?) };
+        // The loopback is no exception: every user of the machine reaches it.
+        let token = match options.access {
+            Access::WithToken => Some(Token::new(address.port()).map_err(Unserved::Token)?),
+            Access::Anyone => None,
+        };
         let workplace = Workplace::new(folder, options.memory, options.limits.answer_time, options.press);
         Ok(Self { listener, desk: Desk::new(address, token, options.language, options.limits, workplace, respond) })
     }
@@ -127,10 +143,16 @@ impl Server {
         }
     }
 
-    /// Whether requests need a token.
+    /// Whether other machines reach it.
     #[must_use]
-    pub const fn asks_for_a_token(&self) -> bool {
-        self.desk.token.is_some()
+    pub const fn is_reachable_from_elsewhere(&self) -> bool {
+        !self.desk.address.ip().is_loopback()
+    }
+
+    /// Who is answered.
+    #[must_use]
+    pub const fn access(&self) -> Access {
+        if self.desk.token.is_some() { Access::WithToken } else { Access::Anyone }
     }
 
     /// Serves until the program is terminated.
@@ -165,21 +187,88 @@ impl Server {
     }
 }
 
+/// The connections on which no request is being answered: idle ones, and those whose request is not complete. When every place
+/// is taken a new connection takes the place of the one that has waited longest, so that half-sent requests do not hold others.
+#[derive(Debug, Default)]
+pub(crate) struct Idle(Mutex<(u64, BTreeMap<u64, Arc<Notify>>)>);
+
+impl Idle {
+    fn closes_longest(&self) {
+        let (_, idle) = &mut *self.0.lock().unwrap_or_else(PoisonError::into_inner);
+        if let Some((_, close)) = idle.pop_first() {
+            close.notify_one();
+        }
+    }
+}
+
+/// A connection in the list of idle ones.
+#[derive(Debug)]
+pub(crate) struct Place {
+    all: Arc<Idle>,
+    close: Arc<Notify>,
+    /// Its number while it is idle.
+    number: Mutex<Option<u64>>,
+}
+
+impl Place {
+    fn new(all: &Arc<Idle>) -> Self {
+        let place = Self { all: Arc::clone(all), close: Arc::default(), number: Mutex::default() };
+        place.idle();
+        place
+    }
+
+    fn idle(&self) {
+        let (next, idle) = &mut *self.all.0.lock().unwrap_or_else(PoisonError::into_inner);
+        *next += 1;
+        let _ = idle.insert(*next, Arc::clone(&self.close));
+        *self.number.lock().unwrap_or_else(PoisonError::into_inner) = Some(*next);
+    }
+
+    /// A request is complete: its answer is not interrupted.
+    pub(crate) fn busy(&self) {
+        if let Some(number) = self.number.lock().unwrap_or_else(PoisonError::into_inner).take() {
+            let _ = self.all.0.lock().unwrap_or_else(PoisonError::into_inner).1.remove(&number);
+        }
+    }
+
+    /// Completes when a new connection takes the place of this one.
+    async fn closed(&self) {
+        loop {
+            self.close.notified().await;
+            // A request may have become complete meanwhile.
+            if self.number.lock().unwrap_or_else(PoisonError::into_inner).is_some() {
+                return;
+            }
+        }
+    }
+}
+
+impl Drop for Place {
+    fn drop(&mut self) {
+        self.busy();
+    }
+}
+
 /// Takes connections until the end comes.
 async fn serve(listener: tokio::net::TcpListener, desk: Arc<Desk>, end: impl Future<Output = ()>) {
     let (tell, told) = watch::channel(());
     let most = desk.limits.connections.max(1);
     let connections = Arc::new(Semaphore::new(most));
+    let idle = Arc::<Idle>::default();
     let mut end = pin!(end);
     loop {
         let next = async {
-            let place = Arc::clone(&connections).acquire_owned().await;
-            (place, listener.accept().await)
+            let taken = listener.accept().await;
+            if connections.available_permits() == 0 {
+                idle.closes_longest();
+            }
+            (Arc::clone(&connections).acquire_owned().await, taken)
         };
         tokio::select! {
             () = &mut end => break,
             (place, taken) = next => match (place, taken) {
                 (Ok(place), Ok((stream, _))) => {
+                    let place = (place, Place::new(&idle));
                     drop(tokio::spawn(connection(stream, Arc::clone(&desk), told.clone(), place)));
                 }
                 _ => tokio::time::sleep(PAUSE).await,
@@ -192,13 +281,24 @@ async fn serve(listener: tokio::net::TcpListener, desk: Arc<Desk>, end: impl Fut
 }
 
 /// Serves one connection: request by request until it ends, or the server does.
-async fn connection(stream: TcpStream, desk: Arc<Desk>, mut told: watch::Receiver<()>, _place: OwnedSemaphorePermit) {
+async fn connection(
+    stream: TcpStream,
+    desk: Arc<Desk>,
+    mut told: watch::Receiver<()>,
+    (_permit, place): (OwnedSemaphorePermit, Place),
+) {
     // Responses are small and latency matters; without this option it is slower.
     let _ = stream.set_nodelay(true);
     let limits = desk.limits;
+    let place = Arc::new(place);
+    let own = Arc::clone(&place);
     let service = service_fn(move |request| {
-        let desk = Arc::clone(&desk);
-        async move { Ok::<_, Infallible>(desk.answer(request).await) }
+        let (desk, place) = (Arc::clone(&desk), Arc::clone(&own));
+        async move {
+            let answer = desk.answer(request, &place).await;
+            place.idle();
+            Ok::<_, Infallible>(answer)
+        }
     });
     let connection = http1::Builder::new()
         .timer(TokioTimer::new())
@@ -211,6 +311,7 @@ async fn connection(stream: TcpStream, desk: Arc<Desk>, mut told: watch::Receive
         // Errors of a connection are not reported: the client has disconnected.
         _ = &mut connection => return,
         _ = told.changed() => {}
+        () = place.closed() => return,
         () = tokio::time::sleep(CONNECTION_TIME) => {}
     }
     connection.as_mut().graceful_shutdown();

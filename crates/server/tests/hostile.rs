@@ -2,7 +2,7 @@
 #![allow(missing_docs, clippy::unwrap_used, clippy::indexing_slicing, clippy::panic, reason = "a test fails loudly")]
 
 use quantities::Language;
-use server::{Limits, Options, Server};
+use server::{Access, Limits, Options, Server};
 use std::io::{BufRead, BufReader, Read, Write};
 use std::net::{SocketAddr, TcpStream};
 use std::path::Path;
@@ -30,6 +30,7 @@ impl Up {
         let options = Options {
             folder,
             listen: None,
+            access: Access::Anyone,
             port: 0,
             memory: 64 << 20,
             language: Language::default(),
@@ -249,6 +250,26 @@ fn slow_ones_keep_nobody_waiting() {
     up.is_up();
 }
 
+/// More half-sent requests than there are connections: a new client takes the place of the one that has waited longest.
+#[test]
+fn half_sent_requests_hold_no_place() {
+    let up = Up::new(Limits { connections: 64, ..Limits::default() });
+    let head = format!("POST /api/v1/size HTTP/1.1\r\nhost: {}\r\n", up.address);
+    let mut halves = Vec::new();
+    for index in 0..200 {
+        let mut stream = up.connect();
+        let rest = ["x: y", "content-length: 500\r\n\r\nformat", ""][index % 3];
+        // A place may be lost before the half is sent.
+        let _ = write!(stream, "{head}{rest}");
+        halves.push(stream);
+    }
+    for _ in 0..3 {
+        let begun = Instant::now();
+        up.is_up();
+        assert!(begun.elapsed() < Duration::from_secs(1), "{:?}", begun.elapsed());
+    }
+}
+
 /// Numbers that look like chance and are the same on every run.
 struct Chance(u64);
 
@@ -327,6 +348,25 @@ fn a_project_opens_nothing_outside_of_the_folder() {
     let moves = |name: &str| up.ask("POST /api/v1/moves", "", recorded_from(name).as_bytes());
     assert_eq!(status(&moves("robot-joint.csv")), 200);
     let far = outside.join("far.csv").display().to_string();
+    // No recording, whoever sends the token: the answer holds no word of the file.
+    for name in [".env", ".env.csv", ".ssh/run.csv", "notes.md", "keys.pem", "id_rsa", "hidden.csv", "sub/.a/run.csv"] {
+        let path = inside.join(name);
+        std::fs::create_dir_all(path.parent().unwrap()).unwrap();
+        if name == "hidden.csv" {
+            symlink(inside.join(".env"), path).unwrap();
+        } else {
+            std::fs::write(path, "password,hunter2\nthe secret,42\n").unwrap();
+        }
+        let answer = moves(name);
+        assert_eq!(status(&answer), 422, "{name}: {answer}");
+        assert!(!answer.contains("hunter2") && !answer.contains("secret"), "{name}: {answer}");
+    }
+    for text in ["hunter2\n", "password hunter2\nthe secret 42\n", "user;secret\nme;hunter2\nyou;hunter2\n"] {
+        std::fs::write(inside.join("notes.txt"), text).unwrap();
+        let answer = moves("notes.txt");
+        assert!(status(&answer) == 422 && answer.contains("notes.txt"), "{answer}");
+        assert!(!answer.contains("hunter2") && !answer.contains("secret"), "{text}: {answer}");
+    }
     for name in [
         "../far.csv",
         "link.csv",

@@ -5,7 +5,7 @@ use super::{bodies, either, motion, quantity_fault, recording};
 use crate::geometry::geometry;
 use actuator::{BatteryFault, CurveFault};
 use mechanism::{BodyError, TableFault};
-use project::{Column, Diagnostic, Expected, Fault, FileTrouble, Hint, Range};
+use project::{Column, Diagnostic, Expected, Fault, FileTrouble, Hint, Range, Unopened};
 use quantities::unit::DEGREE;
 use quantities::{Language, Unit, format_number, format_significant};
 use std::ops::Range as Span;
@@ -509,25 +509,64 @@ pub fn file_trouble(error: &std::io::Error, language: Language) -> String {
 
 pub(crate) fn trouble_text(trouble: &FileTrouble, language: Language) -> String {
     use std::io::ErrorKind;
-    let (en, de) = match trouble.kind {
-        _ if trouble.no_regular_file => (
+    let (en, de) = match (trouble.unopened, trouble.kind, trouble.code) {
+        (Some(Unopened::NoRegularFile), ..) => (
             "this is a pipe, a device or a socket, not a regular file",
             "das ist eine Pipe, ein Gerät oder ein Socket, keine gewöhnliche Datei",
         ),
-        ErrorKind::NotFound => ("there is no such file", "diese Datei gibt es nicht"),
-        ErrorKind::PermissionDenied => ("permission denied", "kein Zugriff"),
-        ErrorKind::IsADirectory => ("this is a folder, not a file", "das ist ein Ordner, keine Datei"),
-        ErrorKind::FileTooLarge => ("the file is too large", "die Datei ist zu groß"),
-        ErrorKind::Unsupported => {
+        (Some(Unopened::NoRecordingName), ..) => (
+            "only recordings are opened here: names that end with .csv, .txt or .parquet (or .csv.gz, .txt.zst), none of whose parts begins with a dot",
+            "hier werden nur Aufzeichnungen geöffnet: Namen, die auf .csv, .txt oder .parquet (oder .csv.gz, .txt.zst) enden und von denen kein Teil mit einem Punkt beginnt",
+        ),
+        (_, ErrorKind::NotFound, _) => ("there is no such file", "diese Datei gibt es nicht"),
+        (_, ErrorKind::PermissionDenied, _) => ("permission denied", "kein Zugriff"),
+        (_, ErrorKind::IsADirectory, _) => ("this is a folder, not a file", "das ist ein Ordner, keine Datei"),
+        (_, ErrorKind::NotADirectory, _) => {
+            ("a part of the path is a file, not a folder", "ein Teil des Pfads ist eine Datei, kein Ordner")
+        }
+        (_, ErrorKind::FileTooLarge, _) => ("the file is too large", "die Datei ist zu groß"),
+        (_, ErrorKind::Unsupported, _) => {
             ("files cannot be read from here", "von hier aus können keine Dateien gelesen werden")
         }
-        ErrorKind::StorageFull => ("no space is left on the device", "auf dem Datenträger ist kein Platz mehr"),
-        ErrorKind::QuotaExceeded => {
+        (_, ErrorKind::StorageFull, _) => ("no space is left on the device", "auf dem Datenträger ist kein Platz mehr"),
+        (_, ErrorKind::QuotaExceeded, _) => {
             ("the quota of the disk is used up", "das Kontingent des Datenträgers ist erschöpft")
         }
-        ErrorKind::ReadOnlyFilesystem => ("the file system is read-only", "das Dateisystem ist schreibgeschützt"),
-        ErrorKind::InvalidFilename => ("no file can have such a name", "so kann keine Datei heißen"),
-        _ => return trouble.system.clone(),
+        (_, ErrorKind::ReadOnlyFilesystem, _) => {
+            ("the file system is read-only", "das Dateisystem ist schreibgeschützt")
+        }
+        (_, ErrorKind::InvalidFilename, _) => ("no file can have such a name", "so kann keine Datei heißen"),
+        (_, ErrorKind::AlreadyExists, _) => ("the file exists already", "die Datei gibt es schon"),
+        (_, ErrorKind::BrokenPipe, _) => {
+            ("the reader of the output has closed it", "der Leser der Ausgabe hat sie geschlossen")
+        }
+        (_, ErrorKind::TimedOut, _) => ("the time is over", "die Zeit ist abgelaufen"),
+        (_, ErrorKind::Interrupted, _) => ("it was interrupted", "es wurde unterbrochen"),
+        (_, ErrorKind::UnexpectedEof, _) => ("the file ends too early", "die Datei endet zu früh"),
+        (_, ErrorKind::InvalidData, _) => ("the data are damaged", "die Daten sind beschädigt"),
+        (_, ErrorKind::InvalidInput, _) => ("the system refuses this input", "das System weist diese Eingabe zurück"),
+        (_, ErrorKind::WouldBlock, _) => ("the source has no data at present", "die Quelle hat zurzeit keine Daten"),
+        (_, ErrorKind::OutOfMemory, _) => ("there is not enough memory", "der Speicher reicht nicht"),
+        (_, ErrorKind::ResourceBusy | ErrorKind::ExecutableFileBusy, _) => {
+            ("another program uses it", "ein anderes Programm benutzt sie")
+        }
+        (_, ErrorKind::AddrInUse, _) => ("the address is in use", "die Adresse ist belegt"),
+        (_, ErrorKind::AddrNotAvailable, _) => {
+            ("this machine does not have the address", "diese Maschine hat die Adresse nicht")
+        }
+        // Numbers of POSIX systems, for which the library has no kind.
+        (_, _, Some(5)) if cfg!(unix) => ("the device reports an error", "das Gerät meldet einen Fehler"),
+        (_, _, Some(9)) if cfg!(unix) => ("it is closed", "sie ist geschlossen"),
+        (_, _, Some(23 | 24)) if cfg!(unix) => ("too many files are open", "zu viele Dateien sind offen"),
+        (_, _, Some(40 | 62)) if cfg!(unix) => ("links lead in a circle", "Verknüpfungen führen im Kreis"),
+        (_, _, Some(code)) => {
+            return either(
+                language,
+                trouble.system.clone(),
+                format!("Fehler {code} des Betriebssystems („{}“)", trouble.system),
+            );
+        }
+        (_, _, None) => return either(language, trouble.system.clone(), format!("„{}“", trouble.system)),
     };
     either(language, en, de)
 }

@@ -181,8 +181,11 @@ texts! {
         | "Port; 0 nimmt einen freien (8377, oder ein freier, wo der belegt ist)";
     serve_open = "Open the browser" | "Den Browser öffnen";
     serve_listen(one, all) =
-        "Address to listen on instead of this machine alone, such as {one}, or {all} for every one; then the printed address holds a token, without which nothing is answered"
-        | "Adresse, auf der statt nur auf dieser Maschine gelauscht wird, etwa {one}, oder {all} für jede; dann enthält die ausgegebene Adresse ein Token, ohne das nichts beantwortet wird";
+        "Address to listen on instead of this machine alone, such as {one}, or {all} for every one"
+        | "Adresse, auf der statt nur auf dieser Maschine gelauscht wird, etwa {one}, oder {all} für jede";
+    serve_no_token =
+        "Answer without the token of the printed address: every user and program of this machine can then read and write the projects of the folder"
+        | "Auch ohne das Token der ausgegebenen Adresse antworten: jeder Benutzer und jedes Programm dieser Maschine kann dann die Projekte des Ordners lesen und schreiben";
     new = "A commented project file to fill in" | "Eine kommentierte Projektdatei zum Ausfüllen";
     new_out =
         "Project file to write, with an example recording beside it for kind recording"
@@ -198,7 +201,7 @@ texts! {
         | "Einheiten, die gelesen werden, jede Schreibweise und ihr Wert in SI";
     units_quantity =
         "Quantity or unit, for example torque or rpm; all without it"
-        | "Größe oder Einheit, zum Beispiel Drehmoment oder 1/min; ohne Angabe alle";
+        | "Größe oder Einheit, zum Beispiel Drehmoment oder Nm; ohne Angabe alle";
     licences =
         "Licences of antrieb and of all that is built into it, fonts included"
         | "Lizenzen von antrieb und von allem, was darin steckt, auch der Schriften";

@@ -6,7 +6,7 @@ use super::either;
 use beyond::{beyond, damage};
 use quantities::unit::SECOND;
 use quantities::{Dimension, Language, Measure, Time, Unit, format_significant};
-use recording::{Encoding, Fault, FileRow, GAP_FACTOR, KnownBy, MAGNITUDE_MAX, Role, STEP_MIN_S, Stamp};
+use recording::{Encoding, Fault, FileRow, GAP_FACTOR, KnownBy, MAGNITUDE_MAX, NearColumn, Role, STEP_MIN_S, Stamp};
 
 /// What is wrong with a recording, and what to do about it.
 pub(super) fn fault(fault: &Fault, language: Language) -> (String, Option<String>) {
@@ -134,17 +134,28 @@ pub(super) fn fault(fault: &Fault, language: Language) -> (String, Option<String
                 None,
             )
         }
-        Fault::TimeMissing { headers } => (
-            either(language, "no column of time is found", "es gibt keine Spalte für die Zeit"),
-            Some(columns_and_names(headers, "time", &[Role::Time], language)),
+        Fault::NoTable => (
+            either(
+                language,
+                "this is no table of numbers: no number stands under the first line",
+                "das ist keine Tabelle aus Zahlen: unter der ersten Zeile steht keine Zahl",
+            ),
+            t(
+                "the first line names the columns, for example time [s];q [deg], and a row of numbers follows",
+                "die erste Zeile nennt die Spalten, zum Beispiel time [s];q [deg], dann folgt eine Zeile mit Zahlen",
+            ),
         ),
-        Fault::CourseMissing { headers } => (
+        Fault::TimeMissing { headers, near } => (
+            either(language, "no column of time is found", "es gibt keine Spalte für die Zeit"),
+            Some(columns_and_names(headers, near, "time", &[Role::Time], language)),
+        ),
+        Fault::CourseMissing { headers, near } => (
             either(
                 language,
                 "neither a column of position nor one of speed is found",
                 "es gibt weder eine Spalte für die Position noch eine für die Geschwindigkeit",
             ),
-            Some(columns_and_names(headers, "position or speed", &[Role::Position, Role::Speed], language)),
+            Some(columns_and_names(headers, near, "position or speed", &[Role::Position, Role::Speed], language)),
         ),
         Fault::Ambiguous { role, columns } => {
             let list = list(columns, language);
@@ -240,10 +251,16 @@ pub(super) fn fault(fault: &Fault, language: Language) -> (String, Option<String
             None,
         ),
         Fault::ValueUnreadable { at, column, text } => (
-            e(
-                format!("{}: {} in {} is not a number", place(*at, language), q(text), q(column)),
-                format!("{}: {} in {} ist keine Zahl", place(*at, language), q(text), q(column)),
-            ),
+            match text {
+                Some(text) => e(
+                    format!("{}: {} in {} is not a number", place(*at, language), q(text), q(column)),
+                    format!("{}: {} in {} ist keine Zahl", place(*at, language), q(text), q(column)),
+                ),
+                None => e(
+                    format!("{}: the value of {} is not a number", place(*at, language), q(column)),
+                    format!("{}: der Wert von {} ist keine Zahl", place(*at, language), q(column)),
+                ),
+            },
             None,
         ),
         Fault::ValueNotFinite { at, column, text } => (
@@ -468,7 +485,29 @@ fn columns(headers: &[String], language: Language) -> String {
     either(language, format!("the columns are {list}"), format!("die Spalten sind {list}"))
 }
 
-fn columns_and_names(headers: &[String], keys: &str, roles: &[Role], language: Language) -> String {
+/// The lines that name the columns which were probably meant, or the columns and the names that are recognised.
+fn columns_and_names(
+    headers: &[String],
+    near: &[NearColumn],
+    keys: &str,
+    roles: &[Role],
+    language: Language,
+) -> String {
+    if !near.is_empty() {
+        let table = |pairs: Vec<String>| format!("{{ {} }}", pairs.join(", "));
+        let pair = |near: &NearColumn, value: &str| format!("{} = {}", role_key(near.role), toml_text(value));
+        let names = table(near.iter().map(|near| pair(near, &near.column)).collect());
+        let usual =
+            |near: &NearColumn| near.role.dimensions().first()?.units().first().map(|unit| pair(near, unit.ascii));
+        let units: Vec<String> = near.iter().filter(|near| !near.has_unit).filter_map(usual).collect();
+        let units = if units.is_empty() { String::new() } else { format!("; units = {}", table(units)) };
+        let columns = columns(headers, language);
+        return either(
+            language,
+            format!("{columns}; to be stated in the project where they are meant: columns = {names}{units}"),
+            format!("{columns}; im Projekt anzugeben, wenn diese gemeint sind: columns = {names}{units}"),
+        );
+    }
     let names: Vec<&str> = roles.iter().flat_map(|role| role.names()).copied().collect();
     let (columns, names) = (columns(headers, language), names.join(", "));
     let keys_de = keys.replace(" or ", " oder ");
@@ -477,6 +516,15 @@ fn columns_and_names(headers: &[String], keys: &str, roles: &[Role], language: L
         format!("{columns}; recognised are {names}, another one is named under {keys}"),
         format!("{columns}; erkannt werden {names}, eine andere wird unter {keys_de} genannt"),
     )
+}
+
+/// A text as TOML writes it.
+fn toml_text(text: &str) -> String {
+    if text.contains(['"', '\\']) && !text.contains('\'') {
+        format!("'{text}'")
+    } else {
+        format!("\"{}\"", text.replace('\\', "\\\\").replace('"', "\\\""))
+    }
 }
 
 #[cfg(test)]
@@ -494,11 +542,14 @@ mod tests {
         let text = "t [s];q [deg]\n0;1,5\n1;x\n0,5;2\n";
         assert_eq!(
             told(text, Language::En),
-            ["line 3: \"x\" in \"q [deg]\" is not a number", "line 4: time runs backwards, 0.5 s follows 1 s",]
+            ["line 3: the value of \"q [deg]\" is not a number", "line 4: time runs backwards, 0.5 s follows 1 s",]
         );
         assert_eq!(
             told(text, Language::De),
-            ["Zeile 3: „x“ in „q [deg]“ ist keine Zahl", "Zeile 4: die Zeit läuft rückwärts, 0,5 s folgt auf 1 s",]
+            [
+                "Zeile 3: der Wert von „q [deg]“ ist keine Zahl",
+                "Zeile 4: die Zeit läuft rückwärts, 0,5 s folgt auf 1 s",
+            ]
         );
     }
 

@@ -79,7 +79,8 @@ mod tests {
 
     #[test]
     fn every_trouble_has_its_sentence_in_both_languages() {
-        let system = |kind| SaveTrouble::System(FileTrouble { kind, no_regular_file: false, system: "x".to_owned() });
+        let system =
+            |kind| SaveTrouble::System(FileTrouble { kind, unopened: None, code: None, system: "x".to_owned() });
         let all = [
             SaveTrouble::Exists,
             SaveTrouble::WriteProtected,

@@ -19,6 +19,12 @@ texts! {
     reachable(address) =
         "reachable in the network at {address}, without encryption; anyone with the token in the address can read and write the project files of the folder"
         | "im Netz erreichbar unter {address}, unverschlüsselt; wer das Token aus der Adresse kennt, kann die Projektdateien des Ordners lesen und schreiben";
+    open_to_the_machine =
+        "without a token: every user and program of this machine can read and write the project files of the folder"
+        | "ohne Token: jeder Benutzer und jedes Programm dieser Maschine kann die Projektdateien des Ordners lesen und schreiben";
+    open_to_the_network(address) =
+        "without a token and without encryption at {address}: anyone in the network can read and write the project files of the folder"
+        | "ohne Token und unverschlüsselt unter {address}: jeder im Netz kann die Projektdateien des Ordners lesen und schreiben";
     no_browser(trouble) = "no browser could be opened: {trouble}" | "es ließ sich kein Browser öffnen: {trouble}";
     no_listening_address(written) =
         "\"{written}\" is no address of this machine to listen on"

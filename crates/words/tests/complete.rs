@@ -5,7 +5,7 @@ use configurator::{BrokenRule, Rule, Unmet};
 use mechanism::{BodyError, Geometry, TableFault};
 use motion::{MoveFault, Needed, PointsFault, RecordedFault};
 use order_code::{Brake, CodeError, Field};
-use project::{Assumption, BODY_SHAPES, Expected, Fault, FileTrouble, Hint, Range, SegmentLaw};
+use project::{Assumption, BODY_SHAPES, Expected, Fault, FileTrouble, Hint, Range, SegmentLaw, Unopened};
 use provenance::{Grade, Source};
 use quantities::unit::{KILOGRAM, MILLIMETRE, NEWTON_METRE, SECOND};
 use quantities::{Dimension, Language, Measure, QuantityError};
@@ -330,9 +330,13 @@ fn other_faults() -> Vec<Fault> {
         ErrorKind::ReadOnlyFilesystem,
         ErrorKind::InvalidFilename,
     ];
+    let trouble = |unopened, code| Fault::File {
+        name: word(),
+        trouble: FileTrouble { kind: ErrorKind::Other, unopened, code, system: word() },
+    };
     all.extend(kinds.map(|kind| Fault::File {
         name: word(),
-        trouble: FileTrouble { kind, no_regular_file: false, system: word() },
+        trouble: FileTrouble { kind, unopened: None, code: None, system: word() },
     }));
     all.extend(
         [
@@ -350,10 +354,11 @@ fn other_faults() -> Vec<Fault> {
     all.extend([
         Fault::FileTooLarge { bytes: 2, most: 1 },
         Fault::FileOutOfReach { name: word() },
-        Fault::File {
-            name: word(),
-            trouble: FileTrouble { kind: ErrorKind::Other, no_regular_file: true, system: word() },
-        },
+        trouble(Some(Unopened::NoRegularFile), None),
+        trouble(Some(Unopened::NoRecordingName), None),
+        trouble(None, Some(24)),
+        trouble(None, Some(40)),
+        trouble(None, Some(9999)),
         Fault::Syntax { message: word() },
         Fault::MissingKey { path: path(), list: false },
         Fault::MissingKey { path: path(), list: true },

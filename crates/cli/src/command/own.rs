@@ -111,6 +111,7 @@ pub(super) fn serve(language: Language) -> Command {
                 .value_name(values::address(language))
                 .help(help::serve_listen(&one, &all, language)),
         )
+        .arg(Arg::new("no-token").long("no-token").action(ArgAction::SetTrue).help(help::serve_no_token(language)))
         .arg(memory(language))
 }
 

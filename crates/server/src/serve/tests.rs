@@ -25,11 +25,16 @@ impl Drop for Up {
     }
 }
 
-fn up(respond: Respond, listen: Option<IpAddr>, limits: Limits) -> Up {
+fn up(respond: Respond, access: Access, limits: Limits) -> Up {
+    listening(respond, None, access, limits)
+}
+
+fn listening(respond: Respond, listen: Option<IpAddr>, access: Access, limits: Limits) -> Up {
     let folder = tempfile::tempdir().unwrap();
     let options = Options {
         folder: folder.path().to_owned(),
         listen,
+        access,
         port: 0,
         memory: 1 << 20,
         language: Language::default(),
@@ -57,7 +62,11 @@ impl Up {
     /// What comes back for a request with further headers.
     fn ask(&self, line: &str, headers: &str) -> String {
         let mut stream = self.connect();
-        let host = format!("127.0.0.1:{}", self.address.port());
+        let host = if self.address.ip().is_unspecified() {
+            format!("127.0.0.1:{}", self.address.port())
+        } else {
+            self.address.to_string()
+        };
         write!(stream, "{line} HTTP/1.1\r\nhost: {host}\r\nconnection: close\r\n{headers}\r\n").unwrap();
         let mut answer = String::new();
         let _ = stream.read_to_string(&mut answer);
@@ -85,7 +94,7 @@ fn panics(call: &Call<'_>, _: &dyn Shell, _: &Patience) -> Reply {
 /// Internal errors are not disclosed, and the next request is answered.
 #[test]
 fn a_fault_inside_is_an_answer_without_detail() {
-    let up = up(panics, None, Limits::default());
+    let up = up(panics, Access::Anyone, Limits::default());
     let answer = up.ask("GET /panics", "");
     assert!(answer.starts_with("HTTP/1.1 500 "), "{answer}");
     assert!(answer.contains("failed inside") && !answer.contains("secret"), "{answer}");
@@ -115,13 +124,14 @@ fn work_that_nobody_waits_for_ends() {
         }
         STOPPED.load(Ordering::SeqCst)
     };
-    let up_short = up(endless, None, short());
+    let up_short = up(endless, Access::Anyone, short());
     let answer = up_short.ask("GET /long", "");
     assert!(answer.starts_with("HTTP/1.1 503 ") && answer.contains("not answered within"), "{answer}");
     assert_eq!(waited(1), 1, "the time is over");
     drop(up_short);
     // The client goes, long before the time is over.
-    let up_long = up(endless, None, Limits { answer_time: Duration::from_secs(60), computed: 1, ..Limits::default() });
+    let up_long =
+        up(endless, Access::Anyone, Limits { answer_time: Duration::from_secs(60), computed: 1, ..Limits::default() });
     let mut stream = up_long.connect();
     write!(stream, "GET /long HTTP/1.1\r\nhost: 127.0.0.1:{}\r\n\r\n", up_long.address.port()).unwrap();
     std::thread::sleep(Duration::from_millis(200));
@@ -146,7 +156,7 @@ fn slow(_: &Call<'_>, _: &dyn Shell, _: &Patience) -> Reply {
 #[test]
 fn so_many_are_computed_so_many_wait_and_the_rest_is_told_to_come_again() {
     let limits = Limits { computed: 2, waiting: 3, ..Limits::default() };
-    let up = up(slow, None, limits);
+    let up = up(slow, Access::Anyone, limits);
     let held = GATE.lock().unwrap();
     let answers: Vec<String> = std::thread::scope(|scope| {
         let asked: Vec<_> = (0..12).map(|_| scope.spawn(|| up.ask("GET /", ""))).collect();
@@ -166,7 +176,7 @@ fn so_many_are_computed_so_many_wait_and_the_rest_is_told_to_come_again() {
 
 #[test]
 fn slow_heads_and_slow_bodies_are_not_waited_for() {
-    let up = up(panics, None, short());
+    let up = up(panics, Access::Anyone, short());
     let mut stream = up.connect();
     write!(stream, "GET / HTTP/1.1\r\nhost: ").unwrap();
     let (begun, mut answer) = (Instant::now(), String::new());
@@ -177,8 +187,15 @@ fn slow_heads_and_slow_bodies_are_not_waited_for() {
 }
 
 #[test]
-fn beyond_the_loopback_a_token_is_needed() {
-    let up = up(panics, Some(IpAddr::V4(Ipv4Addr::UNSPECIFIED)), Limits::default());
+fn on_every_address_a_token_is_needed() {
+    for listen in ["127.0.0.1", "127.0.0.2", "0.0.0.0"] {
+        needs_a_token(listen.parse().unwrap());
+    }
+}
+
+fn needs_a_token(listen: IpAddr) {
+    let up = listening(panics, Some(listen), Access::default(), Limits::default());
+    let name = format!("antrieb_token_{}", up.address.port());
     let (_, token) = up.url.split_once("/?token=").unwrap();
     assert!(up.ask("GET /", "").starts_with("HTTP/1.1 401 "));
     assert!(up.ask("GET /health", "").starts_with("HTTP/1.1 401 "));
@@ -186,11 +203,13 @@ fn beyond_the_loopback_a_token_is_needed() {
     assert!(up.ask(&format!("POST /?token={token}"), "").starts_with("HTTP/1.1 401 "));
     let shown = up.ask(&format!("GET //evil.example/?a=b&token={token}"), "");
     assert!(shown.starts_with("HTTP/1.1 303 ") && shown.contains("location: /evil.example/?a=b\r\n"), "{shown}");
-    let cookie = format!("set-cookie: antrieb_token={token}; Path=/; HttpOnly; SameSite=Strict\r\n");
+    let cookie = format!("set-cookie: {name}={token}; Path=/; HttpOnly; SameSite=Strict\r\n");
     assert!(shown.contains(&cookie), "{shown}");
-    assert!(up.ask("GET /", &format!("cookie: antrieb_token={token}\r\n")).starts_with("HTTP/1.1 200 "));
+    assert!(up.ask("GET /", &format!("cookie: {name}={token}\r\n")).starts_with("HTTP/1.1 200 "));
     assert!(up.ask("GET /", &format!("authorization: Bearer {token}\r\n")).starts_with("HTTP/1.1 200 "));
-    assert!(up.ask("GET /", "cookie: antrieb_token=\r\n").starts_with("HTTP/1.1 401 "));
+    assert!(up.ask("GET /", &format!("cookie: {name}=\r\n")).starts_with("HTTP/1.1 401 "));
+    let again = up.ask(&format!("GET /?token={token}"), &format!("cookie: {name}={token}\r\n"));
+    assert!(again.starts_with("HTTP/1.1 303 "), "the token does not stay in the address: {again}");
 }
 
 static FINISHED: AtomicBool = AtomicBool::new(false);
@@ -203,7 +222,7 @@ fn takes_a_while(_: &Call<'_>, _: &dyn Shell, _: &Patience) -> Reply {
 
 #[test]
 fn what_has_begun_is_finished_when_the_end_comes() {
-    let up = up(takes_a_while, None, Limits::default());
+    let up = up(takes_a_while, Access::Anyone, Limits::default());
     let mut stream = up.connect();
     write!(stream, "GET / HTTP/1.1\r\nhost: 127.0.0.1:{}\r\n\r\n", up.address.port()).unwrap();
     std::thread::sleep(Duration::from_millis(100));
@@ -232,12 +251,12 @@ fn named(call: &Call<'_>, shell: &dyn Shell, patience: &Patience) -> Reply {
 /// A named work returns its partial state on a timeout; it is cancelled by its name while all workers are busy.
 #[test]
 fn a_work_with_a_name_is_followed_and_cancelled() {
-    let up_short = up(named, None, short());
+    let up_short = up(named, Access::Anyone, short());
     let answer = up_short.ask("GET /long", "x-work: a-1\r\n");
     assert!(answer.starts_with("HTTP/1.1 200 ") && answer.ends_with("late"), "{answer}");
     assert!(up_short.ask("GET /long", "x-work: ../a\r\n").starts_with("HTTP/1.1 503 "), "no name of a work");
     drop(up_short);
-    let up_long = up(named, None, Limits { computed: 1, waiting: 1, ..Limits::default() });
+    let up_long = up(named, Access::Anyone, Limits { computed: 1, waiting: 1, ..Limits::default() });
     assert!(up_long.ask("GET /progress?work=a-1", "").starts_with("HTTP/1.1 404 "));
     std::thread::scope(|scope| {
         let long = scope.spawn(|| up_long.ask("GET /long", "x-work: a-1\r\n"));

@@ -1,0 +1,217 @@
+//! The names of columns as loggers write them: `time_s`, `Ist-Lage [mm]`, `Axis1.ActPos`.
+
+use crate::layout::Role;
+use quantities::Unit;
+
+/// What behind or before the name of a quantity says that it was measured.
+pub(crate) const MEASURED: &[&str] =
+    &["act", "actual", "ist", "meas", "measured", "mess", "gemessen", "fbk", "feedback", "istwert", "real"];
+/// What says that it was commanded: such a column is used where none was measured, as of a planned motion.
+pub(crate) const COMMANDED: &[&str] = &[
+    "set",
+    "setpoint",
+    "soll",
+    "sollwert",
+    "cmd",
+    "command",
+    "commanded",
+    "ref",
+    "reference",
+    "target",
+    "desired",
+    "demand",
+];
+/// What says nothing about the quantity.
+const FILLING: &[&str] = &["axis", "ax", "achse", "joint", "gelenk", "value", "val", "wert"];
+
+/// How surely a name names a quantity; the surest is used.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub(crate) enum Sureness {
+    /// The name alone, its unit stated or not.
+    Plain,
+    /// With a prefix, a number, or a word that says that it was measured.
+    Measured,
+    /// With a word that says that it was commanded.
+    Commanded,
+}
+
+/// A name without its unit, and that unit.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(crate) struct Named {
+    pub(crate) bare: String,
+    pub(crate) unit: Option<String>,
+}
+
+impl Named {
+    /// Takes off the unit that stands in brackets or behind a stroke: `q [deg]`, `q(deg)`, `q {deg}`, `n / 1/min`, `n in 1/min`,
+    /// `q/deg`.
+    pub(crate) fn marked(written: &str) -> Self {
+        let written = written.trim();
+        match split(written) {
+            Some((bare, unit)) => Self { bare: bare.trim_end().to_owned(), unit: Some(unit.trim().to_owned()) },
+            None => Self { bare: written.to_owned(), unit: None },
+        }
+    }
+
+    /// Takes off a unit of a role behind an underscore, `time_s`, `vel_mm_s`, `n_1_min`, where none is marked.
+    pub(crate) fn for_role(&self, role: Role) -> Option<Self> {
+        if self.unit.is_some() {
+            return None;
+        }
+        // The longest unit has three parts: `10_m_s`.
+        let strokes: Vec<usize> = self.bare.match_indices('_').map(|(at, _)| at).collect();
+        strokes.iter().rev().take(3).rev().find_map(|at| {
+            let (bare, unit) = (self.bare.get(..*at)?, self.bare.get(at + 1..)?);
+            let unit = unit_of(role, unit)?;
+            (!bare.is_empty()).then(|| Self { bare: bare.to_owned(), unit: Some(unit.ascii.to_owned()) })
+        })
+    }
+
+    /// How surely it names the quantity of a role.
+    pub(crate) fn sureness(&self, role: Role) -> Option<Sureness> {
+        let is_name = |name: &str| role.names().contains(&name);
+        if is_name(&self.bare.to_lowercase()) {
+            return Some(Sureness::Plain);
+        }
+        // Beyond a name that stands for itself a wrong unit says that it is another quantity.
+        if self
+            .unit
+            .as_deref()
+            .is_some_and(|unit| role.dimensions().iter().all(|of| Unit::of_dimension(*of, unit).is_none()))
+        {
+            return None;
+        }
+        let own = self.bare.rsplit(['.', ':', '!', '|', '\\', '/']).find(|part| !part.trim().is_empty())?;
+        let words = words(own);
+        let is_commanded = words.iter().any(|word| COMMANDED.contains(&word.as_str()));
+        let core: String = words
+            .iter()
+            .map(String::as_str)
+            .filter(|word| ![MEASURED, COMMANDED, FILLING].iter().any(|list| list.contains(word)))
+            .filter(|word| !word.bytes().all(|byte| byte.is_ascii_digit()))
+            .collect();
+        is_name(&core).then_some(if is_commanded { Sureness::Commanded } else { Sureness::Measured })
+    }
+}
+
+fn split(written: &str) -> Option<(&str, &str)> {
+    for (open, close) in [('[', ']'), ('(', ')'), ('{', '}')] {
+        if let Some((bare, unit)) = written.strip_suffix(close).and_then(|inner| inner.split_once(open))
+            && !bare.is_empty()
+        {
+            // `n / (1/min)` is a fraction in brackets, not a name that ends with a stroke.
+            return Some((bare.trim_end().strip_suffix('/').unwrap_or(bare), unit));
+        }
+    }
+    if let Some(parts) = [" / ", " in "].iter().find_map(|by| written.split_once(by)) {
+        return Some(parts);
+    }
+    written.split_once('/').filter(|(bare, unit)| !bare.is_empty() && Unit::of(unit).is_some())
+}
+
+/// A unit of a role, spelt with underscores for strokes or spaces; in small letters where that is one unit only.
+fn unit_of(role: Role, written: &str) -> Option<&'static Unit> {
+    let spellings = [written.replace('_', "/").replace("/per/", "/"), written.replace('_', "")];
+    let known = |spelling: &String| role.dimensions().iter().find_map(|of| Unit::of_dimension(*of, spelling));
+    if let Some(unit) = spellings.iter().find_map(known) {
+        return Some(unit);
+    }
+    let small = |unit: &&Unit| unit.spellings().any(|each| spellings.contains(&each.to_lowercase().replace(' ', "")));
+    let mut found = role.dimensions().iter().flat_map(|of| of.units()).filter(small);
+    found.next().filter(|_| found.next().is_none())
+}
+
+/// The words of a name in small letters: parted by other signs, between a small letter and a capital one, and before digits.
+fn words(name: &str) -> Vec<String> {
+    let mut words = vec![String::new()];
+    let mut before = ' ';
+    for sign in name.chars() {
+        let is_new = before.is_lowercase() && sign.is_uppercase() || before.is_alphabetic() && sign.is_ascii_digit();
+        if is_new || !sign.is_alphanumeric() {
+            words.push(String::new());
+        }
+        if let Some(word) = words.last_mut().filter(|_| sign.is_alphanumeric()) {
+            word.extend(sign.to_lowercase());
+        }
+        before = sign;
+    }
+    words.retain(|word| !word.is_empty());
+    words
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_name_carries_its_unit_in_these_ways_only() {
+        for (written, bare, unit) in [
+            ("time [s]", "time", Some("s")),
+            ("q(deg)", "q", Some("deg")),
+            ("q {deg}", "q", Some("deg")),
+            ("n / 1/min", "n", Some("1/min")),
+            ("n / (1/min)", "n", Some("1/min")),
+            ("n [1/min]", "n", Some("1/min")),
+            ("n in 1/min", "n", Some("1/min")),
+            ("pos / °", "pos", Some("°")),
+            ("t/s", "t", Some("s")),
+            ("v/vmax", "v/vmax", None),
+            ("(deg)", "(deg)", None),
+            ("M", "M", None),
+        ] {
+            let named = Named::marked(written);
+            assert_eq!((named.bare.as_str(), named.unit.as_deref()), (bare, unit), "{written}");
+        }
+    }
+
+    #[test]
+    fn a_unit_of_the_role_may_stand_behind_an_underscore() {
+        for (written, role, bare, unit) in [
+            ("time_s", Role::Time, "time", "s"),
+            ("t_ms", Role::Time, "t", "ms"),
+            ("position_deg", Role::Position, "position", "deg"),
+            ("ist_weg_mm", Role::Position, "ist_weg", "mm"),
+            ("v_m_s", Role::Speed, "v", "m/s"),
+            ("omega_rad_per_s", Role::Speed, "omega", "rad/s"),
+            ("n_1_min", Role::Speed, "n", "1/min"),
+            ("n_rpm", Role::Speed, "n", "1/min"),
+            ("torque_nm", Role::Torque, "torque", "N m"),
+            ("M_N_m", Role::Torque, "M", "N m"),
+        ] {
+            let named = Named::marked(written).for_role(role).unwrap();
+            assert_eq!((named.bare.as_str(), named.unit.as_deref()), (bare, Some(unit)), "{written}");
+        }
+        // Millinewton or meganewton: in small letters it is both.
+        for (written, role) in
+            [("time_s", Role::Speed), ("F_mn", Role::Torque), ("q_soll", Role::Position), ("_s", Role::Time)]
+        {
+            assert_eq!(Named::marked(written).for_role(role), None, "{written}");
+        }
+    }
+
+    #[test]
+    fn prefixes_numbers_and_words_of_measuring_are_no_part_of_a_name() {
+        let of = |written: &str, role| Named::marked(written).sureness(role);
+        use Sureness::{Commanded, Measured, Plain};
+        for (written, role, expected) in [
+            ("Winkel", Role::Position, Some(Plain)),
+            ("Ist-Lage [mm]", Role::Position, Some(Measured)),
+            ("Axis1.ActPos", Role::Position, Some(Measured)),
+            ("Position actual value", Role::Position, Some(Measured)),
+            ("PosIst", Role::Position, Some(Measured)),
+            ("q1", Role::Position, Some(Measured)),
+            ("MAIN.axis.SetPos", Role::Position, Some(Commanded)),
+            ("soll_drehzahl", Role::Speed, Some(Commanded)),
+            ("/joint_2/effort", Role::Torque, Some(Measured)),
+            ("TimeStamp", Role::Time, Some(Plain)),
+            // Another quantity, or one at another place.
+            ("position error", Role::Position, None),
+            ("Motor position", Role::Position, None),
+            ("ActPos [N]", Role::Position, None),
+            ("positions", Role::Position, None),
+            ("lag", Role::Position, None),
+        ] {
+            assert_eq!(of(written, role), expected, "{written}");
+        }
+    }
+}
