@@ -251,7 +251,7 @@ impl Model<'_> {
         let running = self.friction.current(speed).si();
         work.found("I_f", &AMPERE, running, what, &Source::Model { name: "current" }, Grade::Estimated);
         let text = if let Some((_, voltage)) = &self.motor {
-            let supply = Source::Project { key: "requirements.supply".into() };
+            let supply = Source::Model { name: "voltage" };
             work.figure("U_M", &VOLT, voltage.si(), &supply, Grade::Computed);
             let what = Finding::CurrentWithinVoltage;
             work.found("I_U", &AMPERE, self.current_of_voltage(speed), what, &SHORT_TIME, Grade::Estimated);

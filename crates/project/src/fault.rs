@@ -254,6 +254,8 @@ pub enum Fault {
     Points(PointsFault),
     /// A point of a cam table in other quantities than the first one.
     UnlikeFirstPoint,
+    /// Both the DC link and the mains are stated.
+    SupplyAndMains,
     /// The speed of a master beside points over the time.
     MasterOfTimes,
     /// A motion over too many revolutions under a load that depends on the position.
@@ -407,6 +409,7 @@ impl Fault {
                 PointsFault::Uneven => "points_uneven",
             },
             Self::UnlikeFirstPoint => "unlike_first_point",
+            Self::SupplyAndMains => "supply_and_mains",
             Self::MasterOfTimes => "master_of_times",
             Self::Instants(_) => "too_many_instants",
             Self::UnknownUnit { .. } => "unknown_unit",

@@ -5,7 +5,7 @@ use crate::mechanism::OnFlange;
 use crate::motion::Segment;
 use crate::read::Reader;
 use crate::root::AxisSection;
-use crate::section::section;
+use crate::section::{Section, section};
 use crate::stated::Field;
 use crate::value::choices;
 use crate::{Assumption, Fault, Hint};
@@ -110,16 +110,6 @@ impl Bearing {
         ]
     }
 
-    /// What the loads of the mechanism do; `None` where they do not count.
-    fn derived(&self) -> Option<Derived> {
-        self.mechanism.value().filter(|derived| *derived != Derived::Ignore)
-    }
-
-    /// Whether the file says that the mechanism does not load the flange.
-    fn ignores(&self) -> bool {
-        self.mechanism.value() == Some(Derived::Ignore)
-    }
-
     /// The keys that have an effect on the loads of a stage.
     fn of_stage(&self, kind: StageKind) -> Vec<&dyn Field> {
         let mut fields: Vec<&dyn Field> = vec![&self.overhang, &self.flange_share];
@@ -138,31 +128,39 @@ fn own(segment: &Segment) -> Option<&FlangeLoads> {
     segment.bearing.get()
 }
 
-/// The loads on the flange and what is required of the bearing.
-pub(crate) fn duty(axis: &AxisSection, mechanism: &Mechanism, reader: &mut Reader<'_>) -> Option<BearingDuty> {
+/// What the loads of the mechanism do, as the file says or by default: where it states no load, those of the mechanism act, if it
+/// describes the masses and forces from which they follow. Stated loads are taken as all of them. `None` where those of the
+/// mechanism do not count.
+fn how(axis: &AxisSection) -> Option<Derived> {
     let section = axis.parts.bearing.get();
+    let stated = section.and_then(|section| section.mechanism.value());
+    let by_default = || {
+        let states = section.is_some_and(|section| section.loads.states_load())
+            || axis.segments().iter().any(|one| own(one).is_some());
+        let loads = axis.parts.stage.is_given() || axis.driven().is_some_and(|driven| driven.on_flange().is_some());
+        (!states && loads).then_some(Derived::Add)
+    };
+    stated.or_else(by_default).filter(|derived| *derived != Derived::Ignore)
+}
+
+/// The loads on the flange and what is required of the bearing.
+pub(crate) fn duty(axis: &AxisSection, mechanism: &Mechanism, reader: &mut Reader<'_>) -> BearingDuty {
+    let absent = Bearing::absent(axis.head());
+    let section = axis.parts.bearing.get().unwrap_or(&absent);
     let own: Vec<Option<&FlangeLoads>> = axis.segments().iter().map(own).collect();
-    if section.is_none() && own.iter().all(Option::is_none) {
-        return None;
-    }
-    let how = section.and_then(Bearing::derived);
-    let derived = section.zip(how).and_then(|(section, how)| {
+    let how = how(axis);
+    let derived = how.and_then(|how| {
         let mounting = mounting(axis, section, (mechanism, how), reader)?;
         let acts = own.iter().map(|own| how == Derived::Add || own.is_none()).collect();
         Some(DerivedLoads { mounting, acts })
     });
-    if let (Some(section), None) = (section, how) {
+    if how.is_none() {
         for field in section.geometry().into_iter().filter(|field| field.is_given()) {
             let hint = Hint::Example("mechanism = \"add\"".to_owned());
             reader.fault(field.span(), Fault::WithoutEffect { key: field.name() }, Some(hint));
         }
     }
-    // A table that only requires something of the bearing states no load.
-    let silent = section.is_some_and(|section| section.ignores() && !section.loads.states_load());
-    if how.is_none() && own.iter().all(Option::is_none) && silent {
-        return None;
-    }
-    let common = section.map(|section| &section.loads);
+    let common = axis.parts.bearing.get().map(|section| &section.loads);
     let none = || FlangeLoad {
         radial_force: Force::from_si(0.0),
         radial_distance: Length::from_si(0.0),
@@ -170,14 +168,15 @@ pub(crate) fn duty(axis: &AxisSection, mechanism: &Mechanism, reader: &mut Reade
         axial_distance: Length::from_si(0.0),
     };
     let requirements = axis.parts.requirements.get();
-    Some(BearingDuty {
+    BearingDuty {
+        has_loads: derived.is_some() || section.loads.states_load() || own.iter().any(Option::is_some),
         loads: own.into_iter().map(|own| own.or(common).map_or_else(none, FlangeLoads::build)).collect(),
         derived,
-        load_factor: section.and_then(|section| section.load_factor.value()),
-        operating_condition: section.and_then(|section| section.operating_condition.value()),
+        load_factor: section.load_factor.value(),
+        operating_condition: section.operating_condition.value(),
         life_min: requirements.and_then(|section| section.bearing_life_min.value()),
         tilt_max: requirements.and_then(|section| section.tilt_angle_max.value()),
-    })
+    }
 }
 
 /// Faults of the stated loads, which need no mechanism: a force needs the distance at which it acts.
@@ -253,17 +252,18 @@ fn mounting(
 
 /// Defaults about the loads on the flange that the file leaves open.
 pub(crate) fn assumptions(axis: &AxisSection, found: &mut Vec<Assumption>) {
-    let section = axis.parts.bearing.get();
+    let absent = Bearing::absent(axis.head());
+    let section = axis.parts.bearing.get().unwrap_or(&absent);
     let has_own = axis.segments().iter().any(|segment| own(segment).is_some());
-    let states = section.is_some_and(|section| section.loads.states_load());
-    if section.is_none_or(|section| section.ignores() && !states) && !has_own {
-        found.push(Assumption::NoFlangeLoads);
+    let states = section.loads.states_load();
+    if how(axis).is_none() {
+        found.push(match (has_own, states) {
+            (true, _) => Assumption::FlangeMomentsAligned,
+            (false, true) => Assumption::FlangeLoadsConstant,
+            (false, false) => Assumption::NoFlangeLoads,
+        });
         return;
     }
-    let Some(section) = section.filter(|section| section.derived().is_some()) else {
-        found.push(if has_own { Assumption::FlangeMomentsAligned } else { Assumption::FlangeLoadsConstant });
-        return;
-    };
     found.push(Assumption::FlangeLoadsOfMechanism);
     if has_own || states {
         found.push(Assumption::FlangeLoadsAddUp);

@@ -98,6 +98,10 @@ pub enum Assumption {
     ModulationReserve,
     /// No DC link voltage is given: the terminal voltage is not checked.
     NoSupply,
+    /// The DC link is that of a three-phase rectifier without control.
+    Rectifier,
+    /// The same, and the mains vary by 10 %.
+    RectifierAndDeviation,
     /// I_0 of the user's actuator is taken to include the no-load starting current.
     OwnStallCurrentIncludesFriction,
     /// No loads on the flange are given: the output bearing is not judged.
@@ -160,12 +164,14 @@ pub enum Assumption {
 
 impl Assumption {
     /// Every one, in their order.
-    pub const ALL: [Self; 35] = [
+    pub const ALL: [Self; 37] = [
         Self::NoFriction,
         Self::AmbientWithinRange,
         Self::CoolingPlate,
         Self::ModulationReserve,
         Self::NoSupply,
+        Self::Rectifier,
+        Self::RectifierAndDeviation,
         Self::OwnStallCurrentIncludesFriction,
         Self::NoFlangeLoads,
         Self::FlangeLoadsConstant,
@@ -357,7 +363,7 @@ fn assumptions(root: &AxisSection, toleranced: bool) -> Vec<Assumption> {
     if root.parts.actuator.get().is_some_and(|own| own.stall_current.is_given()) {
         found.push(Assumption::OwnStallCurrentIncludesFriction);
     }
-    found.extend(required.supply.note().or_else(|| required.modulation_reserve.note()));
+    found.extend(required.link_notes());
     if let Some(stage) = root.parts.stage.get() {
         stage.assumptions(&mut found);
     }
@@ -376,7 +382,7 @@ struct Draft {
     mechanism: Mechanism,
     motion: Motion,
     extras: Vec<Extra>,
-    bearing: Option<BearingDuty>,
+    bearing: BearingDuty,
 }
 
 /// Everything that may be wrong with an axis is reported here; [`finish`] only computes.
@@ -396,6 +402,7 @@ fn prepare(root: &AxisSection, reader: &mut Reader<'_>) -> Option<Draft> {
     let motion = motion.geared(mechanism.stage_ratio());
     if let Some(required) = root.parts.requirements.get() {
         required.battery(reader);
+        required.check(reader);
     }
     Some(Draft { mechanism, motion, extras, bearing })
 }
@@ -414,7 +421,7 @@ fn finish(root: &AxisSection, draft: Draft) -> Axis {
     if let Some(drive) = root.parts.drive.get() {
         drive.apply(&mut axis);
     }
-    axis.bearing = draft.bearing;
+    axis.bearing = Some(draft.bearing);
     axis
 }
 

@@ -10,9 +10,13 @@ use actuator::BatteryFault;
 use configurator::Requirements;
 use order_code::{Feedback, Option1, Option2, Series};
 use quantities::{
-    Angle, ElectricCurrent, ElectricPotential, Frequency, Length, Mass, Power, ThermodynamicTemperature, Time, Torque,
+    Angle, EffectiveVoltage, ElectricCurrent, ElectricPotential, Frequency, Length, Mass, Power,
+    ThermodynamicTemperature, Time, Torque,
 };
-use sizing::{Asked, Axis, SpecialApplication};
+use sizing::{Asked, Axis, SpecialApplication, Supply, SupplyFrom};
+
+/// By this share of their nominal voltage mains vary unless the user says otherwise (IEC 60038: ± 10 %).
+const MAINS_DEVIATION: f64 = 0.1;
 
 /// Share of U_DC/√2 that a drive can use unless the user says otherwise: room for dead times and current control.
 const MODULATION_RESERVE: f64 = 0.9;
@@ -26,6 +30,8 @@ section! {
         length_max: Length => positive, example("200 mm");
         mass_max: Mass => positive, example("10 kg");
         supply: ElectricPotential => positive, noted(Assumption::NoSupply);
+        mains: EffectiveVoltage => positive;
+        mains_deviation: f64 = MAINS_DEVIATION => within(0.0, 0.5), example("0.1");
         modulation_reserve: f64 = MODULATION_RESERVE => within(0.5, 1.0), example("0.9"), noted(Assumption::ModulationReserve);
         ambient: ThermodynamicTemperature => noted(Assumption::AmbientWithinRange);
         bearing_life_min: Time => positive, example("20000 h");
@@ -123,14 +129,38 @@ impl RequirementsSection {
             hollow_shaft_min: self.hollow_shaft_min.value(),
             length_max: self.length_max.value(),
             mass_max: self.mass_max.value(),
-            supply: self.supply.value(),
+            supply: self.link().map(|supply| supply.least()),
+        }
+    }
+
+    /// The DC link.
+    fn link(&self) -> Option<Supply> {
+        let of_mains = |nominal| SupplyFrom::Mains { nominal, deviation: self.mains_deviation() };
+        let from = self.supply.value().map(SupplyFrom::DcLink).or_else(|| self.mains.value().map(of_mains))?;
+        Some(Supply { reserve: self.modulation_reserve(), from })
+    }
+
+    /// What holds of the DC link without a statement.
+    pub(crate) fn link_notes(&self) -> Vec<Assumption> {
+        if !self.mains.is_given() {
+            return self.supply.note().or_else(|| self.modulation_reserve.note()).into_iter().collect();
+        }
+        let deviation = self.mains_deviation.is_given();
+        let rectifier = if deviation { Assumption::Rectifier } else { Assumption::RectifierAndDeviation };
+        std::iter::once(rectifier).chain(self.modulation_reserve.note()).collect()
+    }
+
+    /// Reports what contradicts.
+    pub(crate) fn check(&self, reader: &mut Reader<'_>) {
+        if self.supply.is_given() && self.mains.is_given() {
+            reader.fault(self.mains.span(), Fault::SupplyAndMains, None);
         }
     }
 
     /// What the checks are judged by.
     pub(crate) fn apply(&self, axis: &mut Axis) {
         axis.ambient = self.ambient.value();
-        axis.supply = self.supply.value().map(|supply| (supply, self.modulation_reserve()));
+        axis.supply = self.link();
         axis.asked = Asked {
             gear_life_min: self.gear_life_min.value(),
             torsion_max: self.torsion_max.value(),

@@ -9,10 +9,10 @@ use actuator::CurvePoint;
 use mechanism::TablePoint;
 use quantities::unit::ONE;
 use quantities::{
-    Acceleration, Angle, AngularAcceleration, AngularJerk, AngularVelocity, Dimension, ElectricCurrent,
-    ElectricPotential, ElectricalResistance, Force, Frequency, Inductance, Jerk, Length, Mass, MassDensity, Measure,
-    MomentOfInertia, NoLoadCurrentConstant, Power, ThermodynamicTemperature, Time, Torque, TorqueConstant,
-    TorsionalStiffness, Unit, Velocity, ViscousFriction, VoltageConstant,
+    Acceleration, Angle, AngularAcceleration, AngularJerk, AngularVelocity, Dimension, EffectiveVoltage,
+    ElectricCurrent, ElectricPotential, ElectricalResistance, Force, Frequency, Inductance, Jerk, Lead, Length, Mass,
+    MassDensity, Measure, MomentOfInertia, NoLoadCurrentConstant, Power, ThermodynamicTemperature, Time, Torque,
+    TorqueConstant, TorsionalStiffness, Unit, Velocity, ViscousFriction, VoltageConstant,
 };
 use std::marker::PhantomData;
 use std::ops::Range as Span;
@@ -101,7 +101,7 @@ macro_rules! quantities {
 }
 
 quantities! {
-    Angle AngularVelocity ElectricCurrent ElectricPotential ElectricalResistance Force Frequency Inductance Length Mass
+    Angle AngularVelocity EffectiveVoltage ElectricCurrent ElectricPotential ElectricalResistance Force Frequency Inductance Lead Length Mass
     MassDensity MomentOfInertia NoLoadCurrentConstant Power ThermodynamicTemperature Time Torque TorqueConstant
     TorsionalStiffness ViscousFriction VoltageConstant
 }

@@ -61,6 +61,8 @@ dimensions! {
     Time: a "time", eine "Zeit", "0.1 s";
     /// Length, SI unit m.
     Length: a "length", eine "Länge", "50 mm";
+    /// Travel of a nut per revolution, SI unit m.
+    Lead: a "lead", eine "Steigung", "10 mm";
     /// Area, SI unit m²: the cross-section of a wire.
     Area: an "area", eine "Fläche", "0.75 mm^2";
     /// Mass, SI unit kg.
@@ -73,6 +75,8 @@ dimensions! {
     Current: an "electric current", ein "Strom", "2.1 A";
     /// Voltage, SI unit V.
     Voltage: a "voltage", eine "Spannung", "560 V";
+    /// Effective voltage between two lines of an alternating current, SI unit V: never one of a DC link.
+    EffectiveVoltage: an "effective voltage", eine "Effektivspannung", "400 V";
     /// Electrical resistance, SI unit Ω.
     Resistance: a "resistance", ein "Widerstand", "5.9 ohm";
     /// Electrical resistivity, SI unit Ω m.

@@ -36,8 +36,8 @@ pub use dimension::Dimension;
 pub use error::QuantityError;
 pub use format::{format_number, format_significant, parse_german};
 pub use measure::{
-    Measure, NoLoadCurrentConstant, TiltingStiffness, TorqueConstant, TorsionalStiffness, ViscousFriction,
-    VoltageConstant,
+    EffectiveVoltage, Lead, Measure, NoLoadCurrentConstant, TiltingStiffness, TorqueConstant, TorsionalStiffness,
+    ViscousFriction, VoltageConstant,
 };
 pub use parse::{Reading, parse, parse_as};
 pub use seen::{is_unseen, seen};

@@ -98,6 +98,10 @@ macro_rules! newtypes {
 }
 
 newtypes! {
+    /// Travel per revolution \[m\].
+    Lead,
+    /// Effective voltage between two lines \[V\].
+    EffectiveVoltage,
     /// Torque per current \[Nm/A\].
     TorqueConstant,
     /// Voltage per angular velocity [V/(rad/s)].

@@ -81,6 +81,17 @@ macro_rules! back {
     };
 }
 
+/// One pound, 0.45359237 kg exactly (international yard and pound agreement of 1959).
+const POUND_KG: f64 = 0.453_592_37;
+/// One inch, 25.4 mm exactly (the same).
+const INCH_M: f64 = 0.0254;
+/// One foot, twelve inches.
+const FOOT_M: f64 = 12.0 * INCH_M;
+/// Ounces of a pound.
+const OUNCES: f64 = 16.0;
+/// One pound-force, a pound under standard gravity, 9.80665 m/s² (CGPM 1901). `uom` rounds it to seven digits.
+const POUND_FORCE_N: f64 = POUND_KG * 9.806_65;
+
 /// One revolution per minute, 2π/60 rad/s, as `uom` has it.
 fn per_minute() -> f64 {
     uom::si::f64::AngularVelocity::new::<angular_velocity::revolution_per_minute>(1.0).value
@@ -103,6 +114,9 @@ units! {
         MILLINEWTON_METRE: "mN m", "mNm", "mNm", [], (is millinewton_meter);
         NEWTON_CENTIMETRE: "N cm", "Ncm", "Ncm", [], (is newton_centimeter);
         NEWTON_MILLIMETRE: "N mm", "Nmm", "Nmm", [], (is newton_millimeter);
+        POUND_FORCE_INCH: "lbf in", "lbf in", "lbf in", ["in lbf", "lbf-in", "in-lbf"], (times POUND_FORCE_N * INCH_M);
+        POUND_FORCE_FOOT: "lbf ft", "lbf ft", "lbf ft", ["ft lbf", "lbf-ft", "ft-lbf"], (times POUND_FORCE_N * FOOT_M);
+        OUNCE_FORCE_INCH: "ozf in", "ozf in", "ozf in", ["in ozf", "ozf-in"], (times POUND_FORCE_N / OUNCES * INCH_M);
     }
     AngularVelocity [AngularVelocity angular_velocity] {
         ///
@@ -110,11 +124,11 @@ units! {
         REVOLUTION_PER_MINUTE: "1/min", "min⁻¹", "1/min",
             ["min^-1", "rpm", "rev/min", "U/min", "r/min"],
             (is revolution_per_minute);
-        RADIAN_PER_SECOND: "rad/s", "rad/s", "rad/s", [], (is radian_per_second);
-        DEGREE_PER_SECOND: "deg/s", "°/s", "deg/s", [], (is degree_per_second);
+        RADIAN_PER_SECOND: "rad/s", "rad/s", "rad/s", ["rad/sec"], (is radian_per_second);
+        DEGREE_PER_SECOND: "deg/s", "°/s", "deg/s", ["deg/sec"], (is degree_per_second);
         ///
         /// Never written 1/s, which some read as rad/s.
-        REVOLUTION_PER_SECOND: "rev/s", "rev/s", "rev/s", ["U/s", "r/s"], (is revolution_per_second);
+        REVOLUTION_PER_SECOND: "rev/s", "rev/s", "rev/s", ["U/s", "r/s", "rps", "rev/sec"], (is revolution_per_second);
     }
     AngularAcceleration [AngularAcceleration angular_acceleration] {
         RADIAN_PER_SECOND_SQUARED: "rad/s^2", "rad/s²", "rad/s^2", [], (is radian_per_second_squared);
@@ -135,9 +149,16 @@ units! {
         ///
         /// 10⁻³ kg × 10⁻⁴ m².
         GRAM_SQUARE_CENTIMETRE: "g cm^2", "gcm²", "gcm^2", [], (over 1e7);
+        POUND_SQUARE_INCH: "lb in^2", "lb in²", "lb in^2", ["lbm in^2"], (times POUND_KG * INCH_M * INCH_M);
+        POUND_SQUARE_FOOT: "lb ft^2", "lb ft²", "lb ft^2", ["lbm ft^2"], (times POUND_KG * FOOT_M * FOOT_M);
+        OUNCE_SQUARE_INCH: "oz in^2", "oz in²", "oz in^2", [], (times POUND_KG / OUNCES * INCH_M * INCH_M);
+        ///
+        /// 1 lbf in per 1 rad/s².
+        POUND_FORCE_INCH_SECOND_SQUARED: "lbf in s^2", "lbf in s²", "lbf in s^2", ["in lbf s^2"],
+            (times POUND_FORCE_N * INCH_M);
     }
     Time [Time time] {
-        SECOND: "s", "s", "s", [], (is second);
+        SECOND: "s", "s", "s", ["sec"], (is second);
         MILLISECOND: "ms", "ms", "ms", [], (is millisecond);
         MICROSECOND: "us", "µs", "us", [], (is microsecond);
         NANOSECOND: "ns", "ns", "ns", [], (is nanosecond);
@@ -154,6 +175,14 @@ units! {
         CENTIMETRE: "cm", "cm", "cm", [], (is centimeter);
         MICROMETRE: "um", "µm", "um", [], (is micrometer);
         KILOMETRE: "km", "km", "km", [], (is kilometer);
+        INCH: "in", "in", "in", ["inch"], (times INCH_M);
+        FOOT: "ft", "ft", "ft", ["foot"], (times FOOT_M);
+    }
+    Lead [] {
+        MILLIMETRE_PER_REVOLUTION: "mm", "mm", "mm", ["mm/rev", "mm/U", "mm/r"], (over 1e3);
+        METRE_PER_REVOLUTION: "m", "m", "m", ["m/rev", "m/U", "m/r"], (si);
+        CENTIMETRE_PER_REVOLUTION: "cm", "cm", "cm", ["cm/rev", "cm/U", "cm/r"], (over 1e2);
+        INCH_PER_REVOLUTION: "in", "in", "in", ["in/rev", "inch/rev", "inch", "in/r"], (times INCH_M);
     }
     Area [Area area] {
         SQUARE_MILLIMETRE: "mm^2", "mm²", "mm^2", [], (is square_millimeter);
@@ -166,6 +195,8 @@ units! {
         ///
         /// 1000 kg.
         TONNE: "t", "t", "t", [], (is ton);
+        POUND: "lb", "lb", "lb", ["lbm", "lbs"], (times POUND_KG);
+        OUNCE: "oz", "oz", "oz", [], (times POUND_KG / OUNCES);
     }
     MassDensity [MassDensity mass_density] {
         KILOGRAM_PER_CUBIC_METRE: "kg/m^3", "kg/m³", "kg/m^3", [], (is kilogram_per_cubic_meter);
@@ -173,12 +204,16 @@ units! {
         ///
         /// 1 kg per 10⁻³ m³.
         KILOGRAM_PER_CUBIC_DECIMETRE: "kg/dm^3", "kg/dm³", "kg/dm^3", ["kg/l", "kg/L"], (times 1e3);
+        POUND_PER_CUBIC_INCH: "lb/in^3", "lb/in³", "lb/in^3", [], (times POUND_KG / (INCH_M * INCH_M * INCH_M));
+        POUND_PER_CUBIC_FOOT: "lb/ft^3", "lb/ft³", "lb/ft^3", [], (times POUND_KG / (FOOT_M * FOOT_M * FOOT_M));
     }
     Force [Force force] {
         NEWTON: "N", "N", "N", [], (is newton);
         KILONEWTON: "kN", "kN", "kN", [], (is kilonewton);
         MEGANEWTON: "MN", "MN", "MN", [], (is meganewton);
         MILLINEWTON: "mN", "mN", "mN", [], (is millinewton);
+        POUND_FORCE: "lbf", "lbf", "lbf", [], (times POUND_FORCE_N);
+        OUNCE_FORCE: "ozf", "ozf", "ozf", [], (times POUND_FORCE_N / OUNCES);
     }
     Current [ElectricCurrent electric_current] {
         AMPERE: "A", "A", "A", ["Aeff", "A_eff", "Arms", "A_rms"], (is ampere);
@@ -186,9 +221,14 @@ units! {
         MICROAMPERE: "uA", "µA", "uA", [], (is microampere);
     }
     Voltage [ElectricPotential electric_potential] {
-        VOLT: "V", "V", "V", ["VDC", "VAC", "Veff", "V_eff", "Vrms", "V_rms"], (is volt);
+        VOLT: "V", "V", "V", ["VDC", "Vdc"], (is volt);
         MILLIVOLT: "mV", "mV", "mV", [], (is millivolt);
         KILOVOLT: "kV", "kV", "kV", [], (is kilovolt);
+    }
+    EffectiveVoltage [] {
+        ///
+        /// Of an alternating voltage; of a DC link it is [`VOLT`].
+        EFFECTIVE_VOLT: "V", "V", "V", ["VAC", "Vac", "Veff", "V_eff", "Vrms", "V_rms", "V~"], (si);
     }
     Resistance [ElectricalResistance electrical_resistance] {
         OHM: "ohm", "Ω", "ohm", ["Ohm"], (is ohm);
@@ -228,6 +268,7 @@ units! {
         ///
         /// The only unit with an offset: 0 °C is 273.15 K.
         DEGREE_CELSIUS: "degC", "°C", "degC", [], (is degree_celsius);
+        DEGREE_FAHRENHEIT: "degF", "°F", "degF", [], (is degree_fahrenheit);
         KELVIN: "K", "K", "K", [], (is kelvin);
     }
     TemperatureInterval [TemperatureInterval temperature_interval] {
@@ -244,20 +285,31 @@ units! {
         KILOPASCAL: "kPa", "kPa", "kPa", [], (is kilopascal);
         MEGAPASCAL: "MPa", "MPa", "MPa", ["N/mm^2"], (is megapascal);
         BAR: "bar", "bar", "bar", [], (is bar);
+        POUND_FORCE_PER_SQUARE_INCH: "psi", "psi", "psi", [], (times POUND_FORCE_N / (INCH_M * INCH_M));
     }
     Velocity [Velocity velocity] {
         METRE_PER_SECOND: "m/s", "m/s", "m/s", [], (is meter_per_second);
         MILLIMETRE_PER_SECOND: "mm/s", "mm/s", "mm/s", [], (is millimeter_per_second);
         METRE_PER_MINUTE: "m/min", "m/min", "m/min", [], (over 60.0);
+        MILLIMETRE_PER_MINUTE: "mm/min", "mm/min", "mm/min", [], (over 60e3);
+        INCH_PER_SECOND: "in/s", "in/s", "in/s", ["in/sec", "ips"], (times INCH_M);
+        FOOT_PER_SECOND: "ft/s", "ft/s", "ft/s", ["ft/sec"], (times FOOT_M);
+        INCH_PER_MINUTE: "in/min", "in/min", "in/min", ["ipm"], (times INCH_M / 60.0);
+        FOOT_PER_MINUTE: "ft/min", "ft/min", "ft/min", ["fpm"], (times FOOT_M / 60.0);
     }
     Acceleration [Acceleration acceleration] {
         METRE_PER_SECOND_SQUARED: "m/s^2", "m/s²", "m/s^2", [], (is meter_per_second_squared);
         ///
         /// Standard gravity, 9.80665 m/s² (CGPM 1901); of a mass, `g` is [`GRAM`].
         STANDARD_GRAVITY: "g", "g", "g", [], (is standard_gravity);
+        MILLIMETRE_PER_SECOND_SQUARED: "mm/s^2", "mm/s²", "mm/s^2", [], (over 1e3);
+        INCH_PER_SECOND_SQUARED: "in/s^2", "in/s²", "in/s^2", [], (times INCH_M);
+        FOOT_PER_SECOND_SQUARED: "ft/s^2", "ft/s²", "ft/s^2", [], (times FOOT_M);
     }
     Jerk [Jerk jerk] {
         METRE_PER_SECOND_CUBED: "m/s^3", "m/s³", "m/s^3", [], (is meter_per_second_cubed);
+        MILLIMETRE_PER_SECOND_CUBED: "mm/s^3", "mm/s³", "mm/s^3", [], (over 1e3);
+        INCH_PER_SECOND_CUBED: "in/s^3", "in/s³", "in/s^3", [], (times INCH_M);
     }
     Ratio [Ratio ratio] {
         PERCENT: "%", "%", "%", [], (is percent);
@@ -292,6 +344,9 @@ units! {
         ///
         /// Of a shaft; of a bearing it is [`NEWTON_METRE_PER_ARCMINUTE`].
         TORSIONAL_NEWTON_METRE_PER_ARCMINUTE: "N m/arcmin", "Nm/arcmin", "Nm/arcmin", [], (over arcminute());
+        TORSIONAL_POUND_FORCE_INCH_PER_ARCMINUTE: "lbf in/arcmin", "lbf in/arcmin", "lbf in/arcmin", [],
+            (times POUND_FORCE_N * INCH_M / arcminute());
+        POUND_FORCE_INCH_PER_RADIAN: "lbf in/rad", "lbf in/rad", "lbf in/rad", [], (times POUND_FORCE_N * INCH_M);
     }
     TiltingStiffness [] {
         ///

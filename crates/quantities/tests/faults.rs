@@ -121,7 +121,7 @@ fn a_misspelt_unit_brings_the_nearest_one() {
         (Dimension::AngularVelocity, "40/min", Some("1/min")),
         (Dimension::MomentOfInertia, "1 kgm^3", Some("kg m^2")),
         (Dimension::Temperature, "40 C", None),
-        (Dimension::Time, "5 sec", Some("s")),
+        (Dimension::Time, "5 secs", Some("s")),
         (Dimension::Torque, "5 q", None),
         (Dimension::Torque, "5 furlong", None),
     ] {

@@ -46,7 +46,16 @@ fn spellings_as_people_write_them() {
         (MomentOfInertia, &["g cm^2", "gcm²"], "g cm^2"),
         (MomentOfInertia, &["10^-4 kgm^2", "10⁻⁴ kgm²", "10⁻⁴·kg·m²"], "10^-4 kg m^2"),
         (Current, &["A", "Aeff", "Arms"], "A"),
-        (Voltage, &["V", "VDC", "V DC", "Veff"], "V"),
+        (Voltage, &["V", "VDC", "V DC"], "V"),
+        (EffectiveVoltage, &["V", "VAC", "V AC", "Veff", "V_eff", "Vrms", "V~"], "V"),
+        (Lead, &["mm", "mm/rev", "mm/U"], "mm"),
+        (Lead, &["in/rev"], "in"),
+        (Torque, &["lbf in", "lbf·in", "in lbf", "in-lbf"], "lbf in"),
+        (MomentOfInertia, &["lb in^2", "lb·in²"], "lb in^2"),
+        (Mass, &["lb", "lbs"], "lb"),
+        (Temperature, &["degF", "°F"], "degF"),
+        (AngularVelocity, &["rev/s", "rps", "U/s"], "rev/s"),
+        (Time, &["s", "sec"], "s"),
         (Resistance, &["ohm", "Ohm", "Ω", "\u{2126}"], "ohm"),
         (Resistance, &["Mohm", "MΩ"], "Mohm"),
         (Resistance, &["mohm", "mΩ"], "mohm"),
@@ -107,4 +116,54 @@ fn what_is_ambiguous_or_no_unit_is_refused() {
     let far_apart = format!("N{}x", " ".repeat(50));
     assert_eq!(Unit::of(&far_apart), None);
     assert_eq!(Unit::of(&"N".repeat(100_000)), None);
+}
+
+/// A spelling that says what a value is never stands for another quantity: effective and DC voltage, mass and force, gauge of a
+/// temperature, revolutions and radians.
+#[test]
+fn a_spelling_does_not_change_its_meaning() {
+    use Dimension::*;
+    for (dimension, spellings) in [
+        (Voltage, &["VAC", "V AC", "Veff", "V_eff", "Vrms", "V_rms", "Vpp", "Vpk", "V~"][..]),
+        (EffectiveVoltage, &["VDC", "V DC", "Vpp", "Vpk"]),
+        (Current, &["Apk", "App", "A_peak", "ADC"]),
+        (Force, &["lb", "lbs", "kg", "oz"]),
+        (Mass, &["lbf", "ozf", "kgf", "kp"]),
+        (Torque, &["lb in", "oz in", "kg m", "ft lb", "kgf m"]),
+        (Temperature, &["C", "F", "deg", "°", "R"]),
+        (TemperatureInterval, &["degC", "degF"]),
+        (AngularVelocity, &["1/s", "Hz", "s^-1", "deg/min"]),
+        (Angle, &["U", "r", "min", "sec", "m", "'"]),
+        (Length, &["mm/rev", "in/rev", "mil", "thou"]),
+        (Lead, &["mm/rad", "rev/mm", "1/in"]),
+        (Power, &["hp", "PS", "VA"]),
+    ] {
+        for spelling in spellings {
+            assert_eq!(meaning(dimension, spelling), None, "{spelling} as {dimension:?}");
+        }
+    }
+}
+
+/// Factors by definition, against NIST SP 811 (2008), appendix B.8.
+#[test]
+fn units_of_inch_and_pound_have_the_factors_of_nist() {
+    for (dimension, text, si) in [
+        (Dimension::Torque, "1 lbf in", 1.129_848e-1),
+        (Dimension::Torque, "1 lbf ft", 1.355_818),
+        (Dimension::Torque, "1 ozf in", 7.061_552e-3),
+        (Dimension::MomentOfInertia, "1 lb in^2", 2.926_397e-4),
+        (Dimension::MomentOfInertia, "1 lb ft^2", 4.214_011e-2),
+        (Dimension::Force, "1 lbf", 4.448_222),
+        (Dimension::Mass, "1 lb", 4.535_924e-1),
+        (Dimension::Mass, "1 oz", 2.834_952e-2),
+        (Dimension::Pressure, "1 psi", 6.894_757e3),
+        (Dimension::MassDensity, "1 lb/in^3", 2.767_990e4),
+        (Dimension::MassDensity, "1 lb/ft^3", 1.601_846e1),
+        (Dimension::Velocity, "1 ft/min", 5.08e-3),
+        (Dimension::Temperature, "212 degF", 373.15),
+        (Dimension::Lead, "0.5 in/rev", 0.0127),
+    ] {
+        let found = parse(dimension, text).unwrap().si;
+        assert!((found - si).abs() <= 5e-7 * si, "{text}: {found}");
+    }
 }

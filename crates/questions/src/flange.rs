@@ -4,12 +4,11 @@ use crate::sizing_use::Candidate;
 use project::Project;
 use sizing::FlangeSample;
 
-/// The loads on the output bearing of a candidate at instants over the cycle; `None` where the project names none.
+/// The loads on the output bearing of a candidate at instants over the cycle; `None` where they are not known.
 ///
 /// Loads that are stated are constant within a segment, of which both ends are returned.
 #[must_use]
 pub fn flange_course(project: &Project, candidate: &Candidate<'_>) -> Option<Vec<FlangeSample>> {
-    project.axis.bearing.as_ref()?;
     let offset = candidate.parameters.output_bearing.offset.known().map(|offset| offset.value);
-    Some(project.axis.flange_course(offset))
+    Some(project.axis.flange_course(offset)).filter(|course| !course.is_empty())
 }

@@ -181,7 +181,7 @@ fn a_misspelt_unit_has_a_neighbour_in_either_kind() {
         let [Fault::UnitUnknown { nearest, .. }] = found.as_slice() else { panic!("{found:?}") };
         assert_eq!(nearest.map(|unit| unit.ascii), Some(near));
     }
-    let found = faults("t,q\nsec,Grad\n0,1\n");
+    let found = faults("t,q\nsecs,Grad\n0,1\n");
     assert!(matches!(found.as_slice(), [Fault::UnitUnknown { by: KnownBy::UnitRow, .. }, Fault::UnitUnknown { .. }]));
 }
 

@@ -262,6 +262,7 @@ fn what_is_missing_leaves_no_heading_without_content() {
     for check in &mut dossier.judgement.candidate.checks {
         check.notes.clear();
     }
+    dossier.judgement.candidate.open_questions = 0;
     dossier.judgement.candidate.demand = None;
     dossier.judgement.assumptions.clear();
     dossier.sizing.ranking.clear();

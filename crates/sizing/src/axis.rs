@@ -4,6 +4,7 @@ use crate::brake_times::{BrakeTimes, carried};
 use crate::flange::{DerivedLoads, Known};
 use crate::list::Asked;
 use crate::resonance::{self, Held};
+use crate::supply::Supply;
 use actuator::FlangeLoad;
 use mechanism::{Endless, Extra, Mechanism};
 use motion::{Closing, ManualMove, Motion};
@@ -42,6 +43,8 @@ impl OperatingCondition {
 /// What the output bearing has to bear, and what is asked of it.
 #[derive(Clone, Debug, PartialEq)]
 pub struct BearingDuty {
+    /// Whether loads are known: where neither the user states any nor the mechanism describes them, no check is made.
+    pub has_loads: bool,
     /// Forces on the flange in each segment of the motion, as the user states them.
     pub loads: Vec<FlangeLoad>,
     /// Those that follow from the mechanism besides.
@@ -149,8 +152,8 @@ pub struct Axis {
     pub ambient: Option<ThermodynamicTemperature>,
     /// Loads on the output bearing, if the user gave any.
     pub bearing: Option<BearingDuty>,
-    /// DC link voltage, and the share of U_DC/√2 that the drive can use.
-    pub supply: Option<(ElectricPotential, f64)>,
+    /// The DC link.
+    pub supply: Option<Supply>,
     /// What else is asked.
     pub asked: Asked,
     pub(crate) brake_times: Option<BrakeTimes>,
@@ -247,8 +250,7 @@ impl Axis {
     /// What the supply gives at the motor terminals, rms; `None` where the project names no supply.
     #[must_use]
     pub fn terminal_voltage(&self) -> Option<ElectricPotential> {
-        self.supply
-            .map(|(supply, reserve)| ElectricPotential::from_si(supply.si() / std::f64::consts::SQRT_2 * reserve))
+        self.supply.as_ref().map(Supply::terminal_voltage)
     }
 
     /// The speeds that the cycle holds; only gears of known stiffness need them.

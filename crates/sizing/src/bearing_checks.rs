@@ -97,7 +97,8 @@ fn force<Q: Measure>(
     work: &mut Workings,
 ) -> Check {
     let (axis, duty) = (borne.axis, borne.duty);
-    match limit.and_then(|limit| duty.forces_known(axis).map(|()| limit)) {
+    let known = if duty.has_loads { duty.forces_known(axis) } else { Err(Missing { symbol: names.2 }) };
+    match limit.and_then(|limit| known.map(|()| limit)) {
         Ok(limit) => {
             let peak = of(borne.loads());
             let source = if duty.derived.is_some() { DERIVED } else { Source::Project { key: names.2.into() } };

@@ -1,6 +1,7 @@
 use super::*;
 use crate::judge::{Depth, judge};
 use crate::notes::Note;
+use crate::{Supply, SupplyFrom};
 use actuator::{Brake, Drivetrain, Feedback, FeedbackSide, Gear, ScrewJoint};
 use mechanism::{Extra, Mechanism};
 use motion::{Closing, Given, Hold, Law, ManualMove, Motion, SegmentSpec};
@@ -170,7 +171,7 @@ fn the_dc_link_may_rise_above_its_stationary_limit_for_a_while() {
         (560.0, Some(200.0), Verdict::Advice, 760.0),
         (700.0, Some(200.0), Verdict::Fail, 700.0),
     ] {
-        axis.supply = Some((volt(supply), 0.9));
+        axis.supply = Some(Supply { reserve: 0.9, from: SupplyFrom::DcLink(volt(supply)) });
         axis.asked.dc_link_rise = rise.map(volt);
         let found = of(&axis);
         assert_eq!((found.verdict, found.value.unwrap().si), (verdict, value));

@@ -6,6 +6,7 @@ use crate::comparison::{AT_THE_LIMIT, Comparison, cite, not_checked};
 use crate::electrics::Electrics;
 use crate::list::Case;
 use crate::notes::{Note, Notes};
+use crate::supply::Edge;
 use crate::workings;
 use actuator::{
     FrictionAt, HeatModel, LossMeans, Losses, MotorCurrent, MotorVoltage, OperatingPoint, Parameters, Settled,
@@ -377,7 +378,7 @@ impl Sought for Overcurrent<'_> {
 pub(crate) fn voltage(case: &Case<'_>, work: &mut Workings) -> Check {
     let Case { axis, actuator, electrics, currents, .. } = *case;
     let id = CheckId::Voltage;
-    let Some((supply, reserve)) = axis.supply else {
+    let Some(supply) = axis.supply else {
         return not_checked(id, Missing { symbol: "requirements.supply" });
     };
     let found = electrics.voltage.as_ref().and_then(|motor| Ok((motor, currents?)));
@@ -393,13 +394,13 @@ pub(crate) fn voltage(case: &Case<'_>, work: &mut Workings) -> Check {
     let current = ElectricCurrent::from_si(currents.in_state(&at, friction));
     motor.explain(actuator, AngularVelocity::from_si(at.speed_rad_s), current, work);
     let model = Source::Model { name: "voltage" };
-    let limit = supply.si() / std::f64::consts::SQRT_2 * reserve;
+    let limit = supply.terminal_voltage().si();
     if work.is_on() {
         work.formula("U", &VOLT, worst, "U_LL", &model);
         work.value("U");
         let key = |key: &'static str| Source::Project { key: key.into() };
-        work.figure("U_DC", &VOLT, supply.si(), &key("requirements.supply"), Grade::Printed);
-        work.figure("m", &ONE, reserve, &key("requirements.modulation_reserve"), Grade::Printed);
+        supply.explain(Edge::Low, work);
+        work.figure("m", &ONE, supply.reserve, &key("requirements.modulation_reserve"), Grade::Printed);
         work.formula("U_M", &VOLT, limit, "U_DC/sqrt(2)*m", &model);
         work.limit("U_M");
     }
@@ -410,8 +411,8 @@ pub(crate) fn voltage(case: &Case<'_>, work: &mut Workings) -> Check {
         value_source: Source::Model { name: "voltage" },
         at: Some(Time::from_si(at.time_s)),
         limit,
-        limit_source: &Source::Project { key: "requirements.supply".into() },
-        grade: motor.grade.worst(currents.grade),
+        limit_source: &supply.source(),
+        grade: motor.grade.worst(currents.grade).worst(supply.grade()),
         errata: &[],
         notes: currents.notes.clone(),
     }

@@ -6,6 +6,7 @@ use crate::comparison::{Asking, Comparison, Edges, not_checked};
 use crate::currents::Currents;
 use crate::list::Case;
 use crate::notes::Note;
+use crate::supply::Edge;
 use crate::workings;
 use actuator::{ContinuousLimit, Drivetrain, ShortTime};
 use derivation::{Finding, Workings};
@@ -20,12 +21,12 @@ use trace::{Extent, Node, Panel, Sought};
 pub(crate) fn dc_link(axis: &Axis, actuator: &Drivetrain, work: &mut Workings) -> Check {
     let (id, rise) = (CheckId::DcLink, axis.asked.dc_link_rise);
     let supply = axis.supply.ok_or(Missing { symbol: "requirements.supply" });
-    let (supply, limit) = match supply.and_then(|(supply, _)| Ok((supply, actuator.dc_link_max.require("U_DCmax")?))) {
+    let (link, limit) = match supply.and_then(|supply| Ok((supply, actuator.dc_link_max.require("U_DCmax")?))) {
         Ok(found) => found,
         Err(missing) => return not_checked(id, missing),
     };
-    let source = Source::Project { key: "requirements.supply".into() };
-    work.figure("U_DC", &VOLT, supply.si(), &source, Grade::Printed);
+    let (source, supply) = (link.source(), link.at(Edge::High));
+    link.explain(Edge::High, work);
     // A supply that is too high is the fault, whatever comes on top of it.
     let top =
         rise.map(|rise| supply + rise).filter(|top| supply.si() <= limit.value.si() && top.si() > limit.value.si());
@@ -41,7 +42,8 @@ pub(crate) fn dc_link(axis: &Axis, actuator: &Drivetrain, work: &mut Workings) -
         }
         _ => {
             work.value("U_DC");
-            Comparison::with(id, &VOLT, supply.si(), source, limit).answer(Verdict::Fail)
+            let comparison = Comparison::with(id, &VOLT, supply.si(), source, limit);
+            Comparison { grade: comparison.grade.worst(link.grade()), ..comparison }.answer(Verdict::Fail)
         }
     };
     work.given("U_DCmax", &VOLT, limit);

@@ -514,8 +514,10 @@ fn told(axis: &Axis, power: &CyclePower<'_>, balance: &Balance, work: &mut Worki
     let mut check = against_asked(id, &WATT, mean, permitted, Source::Model { name: "energy" });
     check.grade = Some(grade);
     let notes = &mut check.notes;
-    if let (Some(rise), Some((supply, _))) = (axis.asked.dc_link_rise, axis.supply) {
-        let (low, high) = (supply.si(), supply.si() + rise.si());
+    if let (Some(rise), Some(supply)) = (axis.asked.dc_link_rise, axis.supply) {
+        // The lower the voltage, the less a capacitor holds within the same rise.
+        let low = supply.least().si();
+        let high = low + rise.si();
         notes.push(Note::Capacitor {
             energy: Energy::from_si(balance.bank.most),
             capacitance_f: 2.0 * balance.bank.most / (high * high - low * low),

@@ -70,6 +70,9 @@ impl Known {
 impl BearingDuty {
     /// What is missing before the forces on the flange are known.
     pub(crate) fn forces_known(&self, axis: &Axis) -> Result<(), Missing> {
+        if !self.has_loads {
+            return Err(Missing { symbol: "bearing.radial_force" });
+        }
         let missing = self.derived.as_ref().and_then(|derived| axis.mechanism.missing_for_forces(&derived.mounting));
         missing.map_or(Ok(()), |symbol| Err(Missing { symbol }))
     }
@@ -106,7 +109,9 @@ impl Axis {
     /// bearing. Within a segment of constant loads only its ends are returned.
     #[must_use]
     pub fn flange_course(&self, offset: Option<Length>) -> Vec<FlangeSample> {
-        let Some(duty) = &self.bearing else { return Vec::new() };
+        let Some(duty) = self.bearing.as_ref().filter(|duty| duty.forces_known(self).is_ok()) else {
+            return Vec::new();
+        };
         match &duty.derived {
             Some(derived) => {
                 let mut walk = Walk::of(self, duty, derived, offset.unwrap_or_else(|| Length::from_si(0.0)), 3.0);

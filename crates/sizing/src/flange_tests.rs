@@ -45,6 +45,7 @@ fn axis(mechanism: Mechanism, specs: &[SegmentSpec], extras: Vec<Extra>, own: Fl
     let motion = Motion::new(specs, Some(Angle::from_si(0.3)), Closing::SingleMove).unwrap();
     let mut axis = Axis::new(mechanism, motion, extras);
     axis.bearing = Some(BearingDuty {
+        has_loads: true,
         loads: vec![own; specs.len()],
         derived: Some(DerivedLoads { mounting: mounting(), acts: vec![true; specs.len()] }),
         load_factor: Some(1.2),

@@ -33,16 +33,24 @@ pub fn assumption_text(assumption: Assumption, language: Language) -> String {
             "der Regler stellt 90 % von U_DC/√2 an den Motorklemmen (requirements.modulation_reserve)",
         ),
         Assumption::NoSupply => (
-            "no DC link voltage given (requirements.supply): the terminal voltage is not checked",
-            "keine Zwischenkreisspannung angegeben (requirements.supply): die Klemmenspannung ist nicht geprüft",
+            "no voltage given (requirements.supply for the DC link, or requirements.mains): the terminal voltage is not checked",
+            "keine Spannung angegeben (requirements.supply für den Zwischenkreis oder requirements.mains): die Klemmenspannung ist nicht geprüft",
+        ),
+        Assumption::Rectifier => (
+            "the DC link is that of a three-phase rectifier without control: 1.35 times the lowest mains under load, √2 times the highest without load",
+            "der Zwischenkreis ist der eines ungesteuerten Drehstromgleichrichters: unter Last das 1,35-fache der niedrigsten, ohne Last das √2-fache der höchsten Netzspannung",
+        ),
+        Assumption::RectifierAndDeviation => (
+            "the mains vary by ± 10 % (requirements.mains_deviation), and the DC link is that of a three-phase rectifier without control: 1.35 times the lowest mains under load, √2 times the highest without load",
+            "das Netz schwankt um ± 10 % (requirements.mains_deviation), und der Zwischenkreis ist der eines ungesteuerten Drehstromgleichrichters: unter Last das 1,35-fache der niedrigsten, ohne Last das √2-fache der höchsten Netzspannung",
         ),
         Assumption::OwnStallCurrentIncludesFriction => (
             "I_0 of the own actuator taken to include its no-load starting current I_NLS",
             "I_0 des eigenen Antriebs enthält annahmegemäß den lastfreien Anlaufstrom I_NLS",
         ),
         Assumption::NoFlangeLoads => (
-            "no loads on the flange given ([bearing]): the output bearing is not checked",
-            "keine Lasten am Flansch angegeben ([bearing]): das Abtriebslager ist nicht geprüft",
+            "no loads on the flange are known ([bearing]): the output bearing is not checked",
+            "keine Lasten am Flansch bekannt ([bearing]): das Abtriebslager ist nicht geprüft",
         ),
         Assumption::FlangeMomentsAligned => (
             "radial and axial moment on the flange taken in the same direction",
@@ -84,8 +92,8 @@ pub fn assumption_text(assumption: Assumption, language: Language) -> String {
             "Drehzahl und Beschleunigung sind Differenzen der aufgezeichneten Lage, ungeglättet: ihr Rauschen erhöht das Moment",
         ),
         Assumption::FlangeLoadsConstant => (
-            "loads on the flange taken as constant over the cycle, radial and axial moment in the same direction",
-            "Lasten am Flansch über den Zyklus konstant, Momente aus Radial- und Axialkraft gleichgerichtet",
+            "the stated loads on the flange are all of them, constant over the cycle, radial and axial moment in the same direction; those of the mechanism do not count besides (mechanism = \"add\" adds them)",
+            "die angegebenen Lasten am Flansch sind alle, über den Zyklus konstant, Momente aus Radial- und Axialkraft gleichgerichtet; die des Mechanismus zählen nicht dazu (mechanism = \"add\" nimmt sie auf)",
         ),
         Assumption::FlangeLoadsOfMechanism => (
             "loads on the flange follow from masses, motion and process forces of the mechanism at every instant",

@@ -399,6 +399,8 @@ const TERMS: &[(&str, &str, &str)] = &[
     ("U", "terminal voltage", "Klemmenspannung"),
     ("u_d", "voltage across the flux", "Spannung in Flussrichtung"),
     ("U_DC", "DC link voltage", "Zwischenkreisspannung"),
+    ("d_U", "deviation of the mains", "Abweichung der Netzspannung"),
+    ("U_mains", "mains, effective between two lines", "Netzspannung, effektiv zwischen zwei Leitern"),
     ("U_LL", "terminal voltage, fundamental, rms", "Klemmenspannung, Grundwelle, effektiv"),
     ("U_M", "available terminal voltage", "verfügbare Klemmenspannung"),
     ("U_top", "DC link voltage with its rise", "Zwischenkreisspannung mit Anstieg"),

@@ -217,6 +217,10 @@ pub fn fault_text(fault: &Fault, language: Language) -> String {
             "a point states the same quantities as the first one: times or angles of the master, angles or lengths",
             "ein Punkt nennt dieselben Größen wie der erste: Zeiten oder Winkel des Leitantriebs, Winkel oder Längen",
         ),
+        Fault::SupplyAndMains => t(
+            "`supply` and `mains` are both stated: the DC link follows from one of them",
+            "`supply` und `mains` sind beide angegeben: der Zwischenkreis folgt aus einem von beiden",
+        ),
         Fault::MasterOfTimes => t(
             "`master_speed` has no effect: the points are stated over the time",
             "`master_speed` hat keine Wirkung: die Punkte sind über der Zeit angegeben",

@@ -391,6 +391,14 @@ pub const fn about_text(about: About, language: Language) -> &'static str {
         About::Requirements(RequirementsName::length_max) => ("largest length of the actuator", "größte Länge des Antriebs"),
         About::Requirements(RequirementsName::mass_max) => ("largest mass of the actuator", "größte Masse des Antriebs"),
         About::Requirements(RequirementsName::supply) => ("DC link voltage; the terminal voltage is not checked without it", "Zwischenkreisspannung; ohne Angabe ist die Klemmenspannung nicht geprüft"),
+        About::Requirements(RequirementsName::mains) => (
+            "three-phase mains in place of the DC link, effective between two lines; the edge that is worse for it counts in each check",
+            "Drehstromnetz anstelle des Zwischenkreises, effektiv zwischen zwei Leitern; in jedem Nachweis zählt der ungünstigere Rand",
+        ),
+        About::Requirements(RequirementsName::mains_deviation) => (
+            "share by which the mains vary in both directions",
+            "Anteil, um den das Netz nach beiden Seiten schwankt",
+        ),
         About::Requirements(RequirementsName::modulation_reserve) => (
             "share of U_DC/√2 that the drive can give as fundamental",
             "Anteil von U_DC/√2, den der Regler als Grundwelle stellen kann",

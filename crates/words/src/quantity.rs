@@ -98,6 +98,14 @@ pub fn quantity_hint(error: &QuantityError, language: Language) -> Option<String
                 (Some(unit), Language::De) => format!("gemeint ist vielleicht „{}“; {units}", unit.ascii),
             })
         }
+        QuantityError::WrongQuantity { measures: Dimension::EffectiveVoltage, expected: Dimension::Voltage, .. } => {
+            Some(match language {
+                Language::En => "a DC voltage is stated, \"560 V\"; for the mains of a rectifier there is [requirements] mains = \"400 V\""
+                    .to_owned(),
+                Language::De => "angegeben wird eine Gleichspannung, „560 V“; für das Netz eines Gleichrichters gibt es [requirements] mains = \"400 V\""
+                    .to_owned(),
+            })
+        }
         QuantityError::WrongQuantity { expected, .. } => Some(units(*expected, language)),
         QuantityError::ToleranceNegative { .. } => None,
         QuantityError::ToleranceMissing { .. } => Some(match language {

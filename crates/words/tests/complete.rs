@@ -390,6 +390,7 @@ fn other_faults() -> Vec<Fault> {
         Fault::Points(PointsFault::Uneven),
         Fault::UnlikeFirstPoint,
         Fault::MasterOfTimes,
+        Fault::SupplyAndMains,
         Fault::NotARow { path: path(), columns: &[&[Dimension::Angle], &[Dimension::Torque]] },
         Fault::RatioCount { most: 16 },
         Fault::RatioAndRatios,

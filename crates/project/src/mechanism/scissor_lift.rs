@@ -8,14 +8,14 @@ use crate::read::Reader;
 use crate::section::section;
 use crate::stated::{Field, Stated};
 use mechanism::Kind;
-use quantities::{Angle, Force, Length, Mass, MomentOfInertia};
+use quantities::{Lead, Measure, Angle, Force, Length, Mass, MomentOfInertia};
 
 section! {
     /// A scissor lift with a screw at the lower end of an arm.
     ScissorLift, ScissorLiftName of About::Mechanism, MechanismName::ScissorLift {
         stages: u32 => whole(1, 32), needed, example("2");
         arm_length: Length => positive, needed, example("1.2 m");
-        lead: Length => positive, needed, example("10 mm");
+        lead: Lead => positive, needed, example("10 mm");
         arm_angle: Angle => needed, example("20 deg");
         mass: Mass => not_negative, needed;
         arm_mass: Mass => not_negative, example("60 kg");
@@ -31,7 +31,7 @@ impl Driven for ScissorLift {
         let lift = mechanism::ScissorLift {
             stages: self.stages.value()?,
             arm_length: self.arm_length.value()?,
-            lead: self.lead.value()?,
+            lead: Length::from_si(self.lead.value()?.si()),
             angle: self.arm_angle.value()?,
             mass: self.mass.value()?,
             arm_mass: self.arm_mass.or_zero(),

@@ -8,12 +8,12 @@ use crate::read::Reader;
 use crate::section::section;
 use crate::stated::{Field, Stated};
 use mechanism::{Kind, LinearKind};
-use quantities::{Force, Length, Measure};
+use quantities::{Force, Lead, Measure};
 
 section! {
     /// A screw that moves a slide.
     Screw, ScrewName of About::Mechanism, MechanismName::Screw {
-        lead: Length => positive, needed, example("10 mm");
+        lead: Lead => positive, needed, example("10 mm");
         ..slide: Slide;
         ..counterweight: Counterweight;
         ..guide: Guide;

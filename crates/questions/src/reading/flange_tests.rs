@@ -95,8 +95,10 @@ fn stated_loads_add_replace_or_stand_alone() {
     assert!((added - derived - 500.0).abs() < 1e-6, "{added} {derived}");
     assert!((radial("mechanism = \"replace\"\noverhang = \"45 mm\"") - 500.0).abs() < 1e-12);
     assert!((radial("mechanism = \"ignore\"") - 500.0).abs() < 1e-12 && (radial("") - 500.0).abs() < 1e-12);
+    // Without a word the loads of the mechanism act; where it says that they do not count none are known.
+    assert_eq!(value(&read(&text("", "", "overhang = \"45 mm\"")), CheckId::BearingRadial), derived);
     let alone = read(&text("", "", "mechanism = \"ignore\""));
-    assert!(checks(&alone).iter().all(|check| check.id != CheckId::BearingRadial), "no loads are known");
+    assert_eq!(of(&alone, CheckId::BearingRadial).missing, Some("bearing.radial_force"));
 }
 
 #[test]
@@ -125,8 +127,8 @@ fn faults_of_the_geometry_are_told_at_once() {
     assert_eq!(found.len(), 4, "{found:?}");
     assert!(found.iter().any(|message| message == "`belt_tension` has no effect on this load"), "{found:?}");
     assert!(found.iter().any(|message| message == "`bearing.flange_share` must be a number from 0 to 1"));
-    let found = messages(&text("", "", "overhang = \"45 mm\""));
-    assert_eq!(found, ["`overhang` has no effect on this load"]);
+    let found = messages(&text("", "", "overhang = \"45 mm\"\nradial_force = \"5 N\"\nradial_distance = \"1 mm\""));
+    assert_eq!(found, ["`overhang` has no effect on this load"], "stated loads are all of them");
     let found = messages(&text("", "", "mechanism = \"replace\"\nradial_force = \"5 N\"\nradial_distance = \"1 mm\""));
     assert!(found[0].contains("would replace the loads"), "{found:?}");
     let belt = "format = 1\n[mechanism.belt]\npulley_diameter = \"120 mm\"\nmass = \"18 kg\"\n[[motion]]\nlaw = \"dwell\"\n\
@@ -179,4 +181,43 @@ fn static_safety_takes_the_largest_loads_together() {
     let found = of(&read(&text), CheckId::BearingStatic);
     assert!((found.value.unwrap().si - expected).abs() < 1e-9, "{:?}", found.value);
     assert!(matches!(size(&read(&text)).candidates.first().unwrap().id, CandidateId::Code(_)));
+}
+
+/// The output bearing is never left out: each of its checks is made or names the key that is missing.
+#[test]
+fn every_load_has_its_five_bearing_checks() {
+    let five = [
+        CheckId::BearingAxial,
+        CheckId::BearingRadial,
+        CheckId::BearingTiltingMoment,
+        CheckId::BearingLife,
+        CheckId::BearingStatic,
+    ];
+    let motion = "[[motion]]\nlaw = \"polynomial_5\"\ndistance = \"90 deg\"\ntime = \"1 s\"\n[[motion]]\nlaw = \"polynomial_5\"\n\
+        distance = \"-90 deg\"\ntime = \"1 s\"\n";
+    for (load, known) in [
+        ("[load]\ninertia = \"1 kg m^2\"\n", [false, false]),
+        (
+            "[mechanism.arm]\ninertia = \"1 kg m^2\"\nmass = \"9 kg\"\ncentre_distance = \"200 mm\"\naxis_tilt = \"90 deg\"\n",
+            [true, true],
+        ),
+        ("[mechanism.turntable]\nbodies = [\"disc mass=9kg d=300mm\"]\n", [true, true]),
+        ("[mechanism.belt]\npulley_diameter = \"80 mm\"\nmass = \"9 kg\"\n", [false, false]),
+        ("[mechanism.screw]\nlead = \"10 mm\"\nmass = \"9 kg\"\n", [false, false]),
+        (
+            "[mechanism.slider_crank]\ncrank = \"60 mm\"\nrod = \"240 mm\"\nmass = \"9 kg\"\nstart_angle = \"10 deg\"\n",
+            [true, true],
+        ),
+    ] {
+        let project = read(&format!("format = 1\n{load}{motion}"));
+        let found = checks(&project);
+        for id in five {
+            let check = found.iter().find(|check| check.id == id).unwrap_or_else(|| panic!("{load}: no {id:?}"));
+            assert_eq!(check.value.is_none(), check.missing.is_some(), "{load} {id:?}");
+            let place = usize::from(id != CheckId::BearingAxial);
+            if matches!(id, CheckId::BearingAxial | CheckId::BearingRadial) {
+                assert_eq!(check.value.is_some(), known[place], "{load} {id:?} {:?}", check.missing);
+            }
+        }
+    }
 }

@@ -55,7 +55,9 @@ fn a_ratio_of_one_is_no_stage() {
     for stage in ["[stage]\nkind = \"gear\"\nratio = 1.0\n", "[stage]\nkind = \"coupling\"\n"] {
         let through = checks(&arm(stage));
         assert_eq!(plain.len(), through.len());
-        for (a, b) in plain.iter().zip(&through) {
+        // Teeth push on the flange otherwise than the load itself.
+        let at_flange = |id: CheckId| id.part() == sizing::Part::OutputBearing;
+        for (a, b) in plain.iter().zip(&through).filter(|(a, _)| !at_flange(a.id)) {
             let same = |a: Option<sizing::Amount>, b: Option<sizing::Amount>| match (a, b) {
                 (Some(a), Some(b)) => (a.si - b.si).abs() <= 1e-12 * a.si.abs(),
                 (None, None) => true,
