@@ -13,7 +13,7 @@ use quantities::{Language, Measure, Torque, format_significant};
 use questions::Candidate;
 use questions::list::{Asked, Cost, Unanswered, battery, bearing, curve, new};
 use std::path::Path;
-use words::{check_title, curve_title, grade_word, source_text, terminal, terms, verdict_word};
+use words::{check_title, curve_title, grade_word, source_text, terminal, terms};
 
 /// `antrieb curve CODE`
 pub(crate) fn curve(call: &Call<'_>, asked: &Asked<'_>) -> Result<Answer, Unanswered> {
@@ -81,7 +81,7 @@ fn bearing_text(sizes: &[(Size, Candidate<'_>)], language: Language) -> String {
             table.row([
                 size.to_string(),
                 check_title(check.id, language),
-                verdict_word(check.verdict, language),
+                questions::texts::verdict_text(check, language),
                 figure(check.value),
                 figure(check.limit),
                 unit.to_owned(),

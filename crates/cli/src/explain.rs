@@ -9,10 +9,10 @@ use project::Project;
 use quantities::Language;
 use questions::list::explain::derivation;
 use questions::list::{Asked, Cost, Unanswered, explain};
-use questions::texts::{node_amount, trust};
+use questions::texts::{node_amount, trust, verdict_text};
 use questions::{Candidate, Check};
 use std::fmt::Write as _;
-use words::{assumption_text, check_missing, check_title, note_text, symbol_shown, terminal, terms, verdict_word};
+use words::{assumption_text, check_missing, check_title, note_text, symbol_shown, terminal, terms};
 
 /// `antrieb explain PROJECT --code CODE [--check ID]`
 pub(crate) fn explain(call: &Call<'_>, asked: &Asked<'_>) -> Result<Answer, Unanswered> {
@@ -41,7 +41,7 @@ fn derivations(project: &Project, candidate: &Candidate<'_>, checks: &[&Check], 
 }
 
 fn heading(check: &Check, language: Language) -> String {
-    let mut line = format!("{}, {}", check_title(check.id, language), verdict_word(check.verdict, language));
+    let mut line = format!("{}, {}", check_title(check.id, language), verdict_text(check, language));
     if let Some(share) = check.utilisation {
         let share = quantities::format_number(share * 100.0, 1, language);
         let _ = write!(line, ", {share} %");

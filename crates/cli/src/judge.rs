@@ -13,7 +13,8 @@ use questions::list::check::Verification;
 use questions::list::size::Ranking;
 use questions::list::{Asked, Unanswered, check, size};
 use questions::texts::{
-    by_importance, demand_figures, figure_text, objection_text, percent, reason, shown, standing_text, unit_text,
+    by_importance, counts_text, demand_figures, figure_text, margin_text, objection_text, percent, reason, shown,
+    standing_text, unit_text, verdict_text,
 };
 use questions::{Candidate, Check, Demand, Objection, Reserve, Sizing, Verdict};
 use std::fmt::Write as _;
@@ -66,7 +67,10 @@ fn sizing_text(found: &Ranking<'_>, of_nearest: Option<&Reserve>, all: bool, lan
     let fitting = sizing.candidates.iter().filter(|candidate| candidate.fits()).count();
     let name = if sizing.name.is_empty() { terms::axis(language) } else { sizing.name };
     let _ = match sizing.answer() {
-        Some(best) => writeln!(out, "{name}: {}", paint(&best.id.to_string(), Verdict::Pass)),
+        Some(best) => {
+            let colour = if best.leaves_load_unheld() { Verdict::Fail } else { Verdict::Pass };
+            writeln!(out, "{name}: {}: {}", best.id, paint(&standing_text(best, language), colour))
+        }
         None => writeln!(out, "{name}: {}", paint(terminal::no_actuator_fits(language), Verdict::Fail)),
     };
     let judged = terminal::judged(fitting, &total, language);
@@ -136,7 +140,7 @@ fn ranking_table(sizing: &Sizing<'_>, top: usize, language: Language) -> Table {
             .checks
             .iter()
             .filter(|check| check.verdict == Verdict::Advice)
-            .map(|check| format!("{}: {}", verdict_word(check.verdict, language), check_title(check.id, language)))
+            .map(|check| format!("{}: {}", verdict_text(check, language), check_title(check.id, language)))
             .collect();
         if !candidate.on_request.is_empty() {
             remarks.push(terms::on_request(language).to_owned());
@@ -277,6 +281,7 @@ fn candidate_text(candidate: &Candidate<'_>, language: Language) -> String {
     let mut out = String::new();
     let colour = match (candidate.fits(), candidate.open_questions()) {
         (false, _) => Verdict::Fail,
+        (true, _) if candidate.leaves_load_unheld() => Verdict::Fail,
         (true, 0) => Verdict::Pass,
         (true, _) => Verdict::NotChecked,
     };
@@ -284,6 +289,11 @@ fn candidate_text(candidate: &Candidate<'_>, language: Language) -> String {
     let long = candidate.id.to_string().chars().count() + standing.chars().count() + 2 > width();
     let between = if long { "\n  " } else { " " };
     let _ = writeln!(out, "{}:{between}{}", candidate.id, paint(&standing, colour));
+    out.push_str(&labelled(terminal::checks(language), &counts_text(candidate, language)));
+    let keys: Vec<&str> = candidate.keys_to_state().into_iter().map(|(key, _)| key).collect();
+    if !keys.is_empty() {
+        out.push_str(&labelled(terminal::to_state(language), &keys.join(", ")));
+    }
     if !candidate.on_request.is_empty() {
         let _ = writeln!(out, "{}", terms::on_request_only(language));
     }
@@ -308,11 +318,11 @@ fn candidate_text(candidate: &Candidate<'_>, language: Language) -> String {
         };
         table.row([
             check_title(check.id, language),
-            verdict_word(check.verdict, language),
+            verdict_text(check, language),
             figure_text(check.value, language),
             figure_text(check.limit, language),
             unit_text(check.value).to_owned(),
-            percent(check.utilisation, language),
+            margin_text(check, language),
             check.at.map_or_else(|| "–".into(), |at| format_significant(at.si(), 3, language)),
             source,
         ]);

@@ -10,12 +10,12 @@ use project::Project;
 use quantities::{Language, Measure, format_significant};
 use questions::list::check::reserve_unasked;
 use questions::texts::{
-    by_importance, demand_figures, figure_text, objection_text, percent, reserve_lines, standing_text, unit_text,
+    by_importance, counts_text, demand_figures, figure_text, margin_share, margin_text, objection_text, reserve_lines,
+    standing_text, unit_text, verdict_text,
 };
 use questions::{Candidate, Check, Patience, Verdict};
 use words::{
-    assumption_text, capitalised, check_missing, check_title, grade_word, note_text, page, source_text, terminal,
-    terms, verdict_word,
+    assumption_text, capitalised, check_missing, check_title, grade_word, note_text, page, source_text, terminal, terms,
 };
 
 /// Width of the pictures in the page, in pixels.
@@ -67,12 +67,18 @@ pub(crate) fn verdict_class(verdict: Verdict) -> &'static str {
 fn head(candidate: &Candidate<'_>, language: Language) -> Markup {
     let class = match (candidate.fits(), candidate.open_questions()) {
         (false, _) => "fail",
+        (true, _) if candidate.leaves_load_unheld() => "fail",
         (true, 0) => "pass",
         (true, _) => "unchecked",
     };
     html! {
         p id="standing" role="status" aria-live="polite" class={ "standing " (class) } {
             strong { (candidate.id) } ": " (standing_text(candidate, language))
+        }
+        p.counts { (counts_text(candidate, language)) }
+        @let keys = candidate.keys_to_state();
+        @if !keys.is_empty() {
+            p.counts { (capitalised(terminal::to_state(language))) ": " @for (place, (key, _)) in keys.iter().enumerate() { @if place > 0 { ", " } code { (key) } } }
         }
         @for objection in &candidate.objections { p.fail { (objection_text(candidate, objection, language)) } }
     }
@@ -162,19 +168,19 @@ fn checks(candidate: &Candidate<'_>, worst: &[overlay::Worst<'_>], language: Lan
 fn row(check: &Check, worst: &[overlay::Worst<'_>], language: Language) -> Markup {
     let l = language;
     let missing = check.missing.map(|symbol| check_missing(symbol, l));
-    let share = check.utilisation.map(|share| (share * 100.0).clamp(0.0, 150.0));
+    let share = margin_share(check).map(|share| (share * 100.0).clamp(0.0, 150.0));
     html! {
         tr id={ "check-" (check.id.id()) } class=(verdict_class(check.verdict)) {
             th scope="row" {
                 button.plain type="button" title=(page::how_it_came_about(l)) hx-post="/explain" hx-target="#detail" hx-swap="innerHTML"
                     hx-vals=(vals(&[("check", check.id.id())])) { (capitalised(&check_title(check.id, l))) }
             }
-            td { span.verdict { (verdict_word(check.verdict, l)) } }
+            td { span.verdict { (verdict_text(check, l)) } }
             td.number { (figure_text(check.value, l)) }
             td.number { (figure_text(check.limit, l)) }
             td { (unit_text(check.value)) }
             td.number {
-                (percent(check.utilisation, l))
+                (margin_text(check, l))
                 @if let Some(share) = share { svg.bar viewBox="0 0 150 8" aria-hidden="true" { rect x="0" y="0" width=(share) height="8" {} path d="M100 0V8" {} } }
                 @if let Some(at) = check.at {
                     " " button.small type="button" data-instant=(at.si()) title=(page::jump_to_worst(l)) {

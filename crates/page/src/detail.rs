@@ -7,9 +7,9 @@ use maud::{Markup, html};
 use quantities::{Language, format_significant};
 use questions::list::compare::{CheckRow, Comparison, DatumRow};
 use questions::list::explain::derivation;
-use questions::texts::{figure_text, node_amount, percent, trust};
+use questions::texts::{figure_text, node_amount, percent, trust, verdict_text};
 use questions::{Candidate, Check, Verdict, answer};
-use words::{capitalised, check_missing, check_title, figure_term, note_text, page, terminal, terms, verdict_word};
+use words::{capitalised, check_missing, check_title, figure_term, note_text, page, terminal, terms};
 
 /// A heading with a way to close what stands below it.
 pub(crate) fn frame(title: &str, inside: &Markup, language: Language) -> Markup {
@@ -29,7 +29,7 @@ pub(crate) fn explained(candidate: &Candidate<'_>, check: &Check, language: Lang
     let found = derivation(check, language);
     let title = format!("{}: {}", candidate.id, check_title(check.id, language));
     let inside = html! {
-        p class=(verdict_class(check.verdict)) { (capitalised(&verdict_word(check.verdict, language))) @if check.utilisation.is_some() { ", " (percent(check.utilisation, language)) " %" } }
+        p class=(verdict_class(check.verdict)) { (capitalised(&verdict_text(check, language))) @if check.utilisation.is_some() { ", " (percent(check.utilisation, language)) " %" } }
         @if let Some(missing) = check.missing { p.unchecked { (page::to_be_checked_state(language)) " " (check_missing(missing, language)) } }
         @for note in check.notes.iter() { p { (note_text(note, language)) } }
         @for (word, root) in sides(language).into_iter().zip([&found.value, &found.limit]) {
@@ -92,7 +92,7 @@ fn check_row(row: &CheckRow, language: Language) -> Markup {
                 @match check {
                     Some(check) => td.number class=(verdict_class(check.verdict)) {
                         (figure_text(check.value, language)) " "
-                        @if check.verdict == Verdict::NotChecked { (verdict_word(check.verdict, language)) } @else { "(" (percent(check.utilisation, language)) " %)" }
+                        @if check.verdict == Verdict::NotChecked { (verdict_text(check, language)) } @else { "(" (percent(check.utilisation, language)) " %)" }
                         @if row.better == Some(place) { " *" }
                     },
                     None => td { "–" },

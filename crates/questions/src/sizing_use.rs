@@ -12,6 +12,7 @@ use sizing::{
     Watch, energies, finished, reserve_watched,
 };
 use std::sync::Arc;
+use words::Counts;
 
 /// What a candidate is called.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -76,12 +77,50 @@ impl Candidate<'_> {
         self.judgement.worst_failure()
     }
 
+    /// How many checks came to which verdict.
+    #[must_use]
+    pub fn counts(&self) -> Counts {
+        let mut counts = Counts::default();
+        for check in &self.judgement.checks {
+            let of = match check.verdict {
+                Verdict::Pass => &mut counts.passed,
+                Verdict::Advice => &mut counts.advised,
+                Verdict::Fail => &mut counts.failed,
+                Verdict::NotChecked if check.value.is_none() => &mut counts.not_checked,
+                Verdict::NotChecked => &mut counts.without_limit,
+            };
+            *of += 1;
+        }
+        let open = |objection: &&Objection| matches!(objection, Objection::Unmet(Unmet::NotKnown { .. }));
+        counts.requirements_open = self.objections.iter().filter(open).count();
+        counts
+    }
+
     /// How many questions could not be answered for want of a datum: checks without a value, requirements left open.
     #[must_use]
     pub fn open_questions(&self) -> usize {
-        let checks = self.not_checked().filter(|check| check.value.is_none()).count();
-        let open = |objection: &&Objection| matches!(objection, Objection::Unmet(Unmet::NotKnown { .. }));
-        checks + self.objections.iter().filter(open).count()
+        let counts = self.counts();
+        counts.not_checked + counts.requirements_open
+    }
+
+    /// The keys of the project that are missing, each with the number of checks that need it; in the order of the checks.
+    #[must_use]
+    pub fn keys_to_state(&self) -> Vec<(&'static str, usize)> {
+        let mut keys: Vec<(&'static str, usize)> = Vec::new();
+        let open = self.not_checked().filter(|check| check.value.is_none());
+        for key in open.filter_map(|check| check.missing).filter(|missing| missing.contains('.')) {
+            match keys.iter_mut().find(|(known, _)| *known == key) {
+                Some((_, count)) => *count += 1,
+                None => keys.push((key, 1)),
+            }
+        }
+        keys
+    }
+
+    /// Whether the load hangs and nothing holds it without power.
+    #[must_use]
+    pub const fn leaves_load_unheld(&self) -> bool {
+        !self.standing.holds
     }
 
     /// The checks that could not be answered.

@@ -21,10 +21,38 @@ use quantities::{Language, Measure, Time, Unit, format_number, format_significan
 use sizing::{Amount, Check, Checks, Demand, Reserve, SAMPLES_ANEW, Unsought, Verdict};
 use words::{check_title, describe_rule, encoding_guess, grade_word, source_text, symbol_term, terminal, unmet_text};
 
-/// Whether a candidate fits, and how many questions about it could not be answered.
+/// Whether a candidate fits, what is missing, and whether a hanging load is left without a hold.
 #[must_use]
 pub fn standing_text(candidate: &Candidate<'_>, language: Language) -> String {
-    words::standing_text(candidate.fits(), candidate.open_questions(), language)
+    words::standing_text(candidate.fits(), candidate.leaves_load_unheld(), &candidate.counts(), language)
+}
+
+/// How many of its checks came to which verdict.
+#[must_use]
+pub fn counts_text(candidate: &Candidate<'_>, language: Language) -> String {
+    words::counts_text(&candidate.counts(), language)
+}
+
+/// The verdict of a check in a word: with a value and without a limit it is only shown.
+#[must_use]
+pub fn verdict_text(check: &Check, language: Language) -> String {
+    if check.verdict == Verdict::NotChecked && check.value.is_some() {
+        return words::without_limit(language);
+    }
+    words::verdict_word(check.verdict, language)
+}
+
+/// The utilisation of a check that is a margin, in percent: that of a class of voltage or of a recommendation is none, and does
+/// not count in the utilisation of the actuator.
+#[must_use]
+pub fn margin_text(check: &Check, language: Language) -> String {
+    percent(margin_share(check), language)
+}
+
+/// The same as a number.
+#[must_use]
+pub fn margin_share(check: &Check) -> Option<f64> {
+    check.utilisation.filter(|_| check.id.has_margin() || check.verdict == Verdict::Fail)
 }
 
 /// A value in its unit, four digits.

@@ -8,6 +8,7 @@ use crate::demand::{Demand, ManualDemand};
 use crate::electrics::Electrics;
 use crate::energy;
 use crate::list::{Answer, Case, Stage};
+use crate::notes::Note;
 use crate::watch::Watch;
 use actuator::{Drivetrain, Parameters};
 use derivation::Workings;
@@ -50,6 +51,14 @@ impl Judgement {
     #[must_use]
     pub fn utilisation(&self) -> f64 {
         self.checks.shared().map(|shared| shared.utilisation).fold(utilisation(&self.checks.own), f64::max)
+    }
+
+    /// Whether the load hangs and nothing holds it without power.
+    #[must_use]
+    pub fn leaves_load_unheld(&self) -> bool {
+        let held = |check: &&Check| check.id == CheckId::BrakeHolding;
+        let found = self.checks.own.iter().find(held);
+        found.is_some_and(|check| check.notes.iter().any(|note| *note == Note::NothingHoldsWithoutPower))
     }
 
     /// Adds the energy that comes back to a judgement that left it out, at its place; see [`energies`].

@@ -8,6 +8,8 @@ use std::cmp::Ordering;
 pub struct Standing {
     /// Whether nothing speaks against the candidate: no failing check and no unmet requirement.
     pub fits: bool,
+    /// Whether something holds the load without power, or nothing has to.
+    pub holds: bool,
     /// Frame size; the smaller is preferred.
     pub size: u16,
     /// Largest utilisation of a limit.
@@ -22,6 +24,7 @@ impl Standing {
     pub fn of(judgement: &Judgement, requirements_met: bool, size: u16, mass_kg: Option<f64>) -> Self {
         Self {
             fits: judgement.fits() && requirements_met,
+            holds: !judgement.leaves_load_unheld(),
             size,
             utilisation: judgement.utilisation(),
             mass_kg: mass_kg.unwrap_or(f64::INFINITY),
@@ -29,7 +32,8 @@ impl Standing {
     }
 }
 
-/// The stated rule: what fits before what does not; among what fits, what keeps within every limit before what lies inside
+/// The stated rule: what fits before what does not; among what fits, what holds a hanging load without power before what does
+/// not, then what keeps within every limit before what lies inside
 /// the band of an estimate, whose utilisation is above one; then the smaller frame size; then the lower utilisation, that is
 /// the larger margin; then the lower mass. Among those that do not fit, the one that misses by least comes first, then
 /// the smaller frame size: what every check would pass misses by nothing.
@@ -43,7 +47,11 @@ pub fn rank(a: &Standing, b: &Standing) -> Ordering {
 /// The rule as what is compared one after the other: made once for each of many that are put in order.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub struct RankKey {
-    class: Class,
+    unfit: bool,
+    /// Whether nothing holds a hanging load without power; the order of what does not fit takes no notice of it.
+    unheld: bool,
+    /// Whether it lies inside the band of an estimate.
+    inside_band: bool,
     /// By how much it misses; nothing of what fits.
     miss: u64,
     size: u16,
@@ -51,24 +59,20 @@ pub struct RankKey {
     mass: u64,
 }
 
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-enum Class {
-    WithinLimits,
-    InsideBand,
-    Unfit,
-}
-
 impl RankKey {
     /// That of a candidate.
     #[must_use]
     pub fn of(standing: &Standing) -> Self {
-        let Standing { fits, size, utilisation, mass_kg } = *standing;
-        let (class, miss) = match fits {
-            true if utilisation > 1.0 => (Class::InsideBand, 0),
-            true => (Class::WithinLimits, 0),
-            false => (Class::Unfit, in_order(utilisation.max(1.0))),
-        };
-        Self { class, miss, size, utilisation: in_order(utilisation), mass: in_order(mass_kg) }
+        let Standing { fits, holds, size, utilisation, mass_kg } = *standing;
+        Self {
+            unfit: !fits,
+            unheld: fits && !holds,
+            inside_band: fits && utilisation > 1.0,
+            miss: if fits { 0 } else { in_order(utilisation.max(1.0)) },
+            size,
+            utilisation: in_order(utilisation),
+            mass: in_order(mass_kg),
+        }
     }
 }
 
@@ -84,7 +88,7 @@ mod tests {
     use super::*;
 
     fn standing(fits: bool, size: u16, utilisation: f64, mass_kg: f64) -> Standing {
-        Standing { fits, size, utilisation, mass_kg }
+        Standing { fits, holds: true, size, utilisation, mass_kg }
     }
 
     #[test]

@@ -103,23 +103,107 @@ pub fn verdict_count(verdict: Verdict, count: usize, language: Language) -> Stri
     }
 }
 
-/// Whether a candidate fits, and how many questions about it could not be answered: nothing else in the house words this.
-#[must_use]
-pub fn standing_text(fits: bool, open_questions: usize, language: Language) -> String {
-    match (fits, open_questions) {
-        (false, _) => either(language, "does not fit", "nicht geeignet"),
-        (true, 0) => either(language, "fits", "geeignet"),
-        (true, 1) => either(
-            language,
-            "nothing speaks against it; 1 question not answered",
-            "nichts spricht dagegen; 1 Frage nicht beantwortet",
-        ),
-        (true, open) => either(
-            language,
-            format!("nothing speaks against it; {open} questions not answered"),
-            format!("nichts spricht dagegen; {open} Fragen nicht beantwortet"),
-        ),
+/// What came out of the checks of a candidate.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Counts {
+    /// Passed.
+    pub passed: usize,
+    /// Passed with an advice.
+    pub advised: usize,
+    /// Failed.
+    pub failed: usize,
+    /// Not checked: a datum is missing.
+    pub not_checked: usize,
+    /// Only shown: the project states no limit.
+    pub without_limit: usize,
+    /// Requirements of the project for which a datum is missing.
+    pub requirements_open: usize,
+}
+
+impl Counts {
+    /// All checks.
+    #[must_use]
+    pub const fn checks(&self) -> usize {
+        self.passed + self.advised + self.failed + self.not_checked + self.without_limit
     }
+}
+
+/// Whether a candidate fits, what is missing, and whether a hanging load is left without a hold: nothing else words this.
+#[must_use]
+pub fn standing_text(fits: bool, unheld: bool, counts: &Counts, language: Language) -> String {
+    let (all, missing) = (counts.checks(), counts.not_checked);
+    let mut text = match (fits, counts.failed) {
+        (true, _) => either(language, "fits", "geeignet"),
+        (false, 0) => either(language, "does not fit", "nicht geeignet"),
+        (false, 1) => either(
+            language,
+            format!("does not fit: 1 of {all} checks fails"),
+            format!("nicht geeignet: 1 von {all} Nachweisen nicht erfüllt"),
+        ),
+        (false, failed) => either(
+            language,
+            format!("does not fit: {failed} of {all} checks fail"),
+            format!("nicht geeignet: {failed} von {all} Nachweisen nicht erfüllt"),
+        ),
+    };
+    if !fits {
+        return text;
+    }
+    if unheld {
+        text += &either(
+            language,
+            ", but the load hangs and nothing holds it without power",
+            ", aber die Last hängt und ohne Strom hält sie nichts",
+        );
+    }
+    text += &match missing {
+        0 => String::new(),
+        1 => either(
+            language,
+            format!("; 1 of {all} checks needs data"),
+            format!("; bei 1 von {all} Nachweisen fehlen Angaben"),
+        ),
+        _ => either(
+            language,
+            format!("; {missing} of {all} checks need data"),
+            format!("; bei {missing} von {all} Nachweisen fehlen Angaben"),
+        ),
+    };
+    text += &match counts.requirements_open {
+        0 => String::new(),
+        1 => either(language, "; 1 requirement needs data", "; bei 1 Anforderung fehlen Angaben"),
+        open => either(
+            language,
+            format!("; {open} requirements need data"),
+            format!("; bei {open} Anforderungen fehlen Angaben"),
+        ),
+    };
+    text
+}
+
+/// How many checks came to which verdict, in one line.
+#[must_use]
+pub fn counts_text(counts: &Counts, language: Language) -> String {
+    let mut parts = Vec::new();
+    let mut add = |count: usize, verdict| {
+        if count > 0 {
+            parts.push(verdict_count(verdict, count, language));
+        }
+    };
+    add(counts.failed, Verdict::Fail);
+    add(counts.passed, Verdict::Pass);
+    add(counts.advised, Verdict::Advice);
+    add(counts.not_checked, Verdict::NotChecked);
+    if counts.without_limit > 0 {
+        parts.push(format!("{} {}", counts.without_limit, without_limit(language)));
+    }
+    parts.join(", ")
+}
+
+/// The verdict of a check that has a value: without a limit of the project it is only shown.
+#[must_use]
+pub fn without_limit(language: Language) -> String {
+    either(language, "no limit stated", "ohne Grenze")
 }
 
 /// The field's word for a symbol, from the glossary; the symbol itself where the glossary has none.

@@ -53,6 +53,8 @@ texts! {
     axis_is_only_in(name, file) = "axis \"{name}\" is only in {file}" | "Achse „{name}“ gibt es nur in {file}";
     no_erratum = "no erratum" | "kein Druckfehler";
     as_printed = "as printed" | "wie im Druck";
+    checks = "checks" | "Nachweise";
+    to_state = "to be stated" | "anzugeben";
     see_above = "see above" | "siehe oben";
     rows = "rows" | "Zeilen";
     export_is_of_one_axis(names) =

@@ -40,7 +40,11 @@ fn checks_and_verdicts() {
         differ("curve", |language| words::curve_title(&kind, language));
     }
     for (fits, open) in [(true, 0), (true, 1), (true, 2), (false, 0)] {
-        differ("standing", |language| words::standing_text(fits, open, language));
+        for (unheld, failed) in [(false, 0), (true, 0), (false, 1), (false, 2)] {
+            let counts =
+                words::Counts { failed, not_checked: open, requirements_open: open, ..words::Counts::default() };
+            differ("standing", |language| words::standing_text(fits, unheld, &counts, language));
+        }
     }
     differ("ranking", words::ranking_rule);
 }

@@ -9,11 +9,9 @@ use order_code::Size;
 use project::{Edit, Project, edit, key_at, written};
 use quantities::Language;
 use questions::list::bearing::{bearing_checks, bearing_of_each_size};
-use questions::texts::{figure_text, percent, unit_text};
+use questions::texts::{figure_text, margin_text, percent, unit_text, verdict_text};
 use questions::{Candidate, Unread, Verdict, read_all_watched, read_code};
-use words::{
-    about_text, capitalised, check_title, grade_word, page, short_label, source_text, terminal, terms, verdict_word,
-};
+use words::{about_text, capitalised, check_title, grade_word, page, short_label, source_text, terminal, terms};
 
 /// The keys of the form, with their initial values.
 const KEYS: [(&str, &str); 8] = [
@@ -108,9 +106,9 @@ fn of_size(size: Size, candidate: &Candidate<'_>, is_open: bool, language: Langu
                 thead { tr { @for head in heads { th scope="col" { (crate::tip::of_word(head, l)) } } } }
                 tbody { @for check in bearing_checks(candidate) { tr class=(verdict_class(check.verdict)) {
                     th scope="row" { (capitalised(&check_title(check.id, l))) }
-                    td { span.verdict { (verdict_word(check.verdict, l)) } }
+                    td { span.verdict { (verdict_text(check, l)) } }
                     td.number { (figure_text(check.value, l)) } td.number { (figure_text(check.limit, l)) }
-                    td { (unit_text(check.value)) } td.number { (percent(check.utilisation, l)) }
+                    td { (unit_text(check.value)) } td.number { (margin_text(check, l)) }
                     td.small {
                         @if let (Some(source), Some(grade)) = (&check.limit_source, check.grade) { (grade_word(grade, l)) ", " (source_text(source, l)) }
                         @if let Some(missing) = check.missing { (page::to_be_checked_state(l)) " " (words::check_missing(missing, l)) }

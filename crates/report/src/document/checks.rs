@@ -153,7 +153,12 @@ fn row(check: &Check, notes: Vec<usize>, travel: Option<Number>, shown: &Shown) 
         relation: both.map_or("", |(value, limit)| check.direction.relation(passes, value.0, limit.0)),
         utilisation: check.utilisation.and_then(Number::written),
         margin: *check.verdict == Verdict::Fail || check.margin,
-        percent: check.utilisation.map(|share| shown.share(share)).unwrap_or_default(),
+        // That of a recommendation or of a voltage class is no margin and is not shown as one.
+        percent: check
+            .utilisation
+            .filter(|_| *check.verdict == Verdict::Fail || check.margin)
+            .map(|share| shown.share(share))
+            .unwrap_or_default(),
         at: check.at.map(|at| shown.figure(at, "s")).unwrap_or_default(),
         grade: check.grade.map_or("", |grade| shown.grade(*grade)),
         sources: once(&check.sources),
