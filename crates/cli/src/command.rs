@@ -37,7 +37,23 @@ pub(crate) fn language_of(arguments: impl Iterator<Item = OsString>) -> Language
 
 /// Whether JSON is requested, even if the rest of the call is faulty.
 pub(crate) fn json_of(arguments: &[OsString]) -> bool {
-    arguments.iter().skip(1).take_while(|argument| *argument != "--").any(|argument| argument == "--json")
+    let is_json =
+        |argument: &OsString| argument.to_str().is_some_and(|text| text == "--json" || text.starts_with("--json="));
+    arguments.iter().skip(1).take_while(|argument| *argument != "--").any(is_json)
+}
+
+/// The arguments with `--json=1` as the flag that it means, and without `--json=0`.
+fn with_plain_flag(arguments: impl Iterator<Item = OsString>) -> Vec<OsString> {
+    let mut options = true;
+    let plain = |argument: OsString| {
+        options &= argument != "--";
+        match argument.to_str().filter(|_| options) {
+            Some("--json=1" | "--json=true") => Some("--json".into()),
+            Some("--json=0" | "--json=false") => None,
+            _ => Some(argument),
+        }
+    };
+    arguments.filter_map(plain).collect()
 }
 
 fn deadline(language: Language) -> Arg {
@@ -117,7 +133,7 @@ fn last(entry: &Entry) -> &'static str {
 
 /// The arguments with `help COMMAND` as `COMMAND --help`, wherever options for all commands stand.
 pub(crate) fn with_help_asked(arguments: impl Iterator<Item = OsString>) -> Vec<OsString> {
-    let mut arguments: Vec<OsString> = arguments.collect();
+    let mut arguments = with_plain_flag(arguments);
     let mut index = 1;
     while let Some(argument) = arguments.get(index).and_then(|argument| argument.to_str()) {
         match argument {

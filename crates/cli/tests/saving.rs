@@ -310,3 +310,40 @@ fn the_clock_is_looked_at_for_a_delivery_in_the_future_only() {
     let ahead = run::run(&["upkeep", "CHA-14A-50-E-M128S", "--delivered", "2190-01-01", "--today", "2190-01-01"]);
     assert_eq!(ahead.code, 0, "{}", ahead.err);
 }
+
+/// A limit of the size of files ends no program by its signal: the write is refused, and no temporary file stays.
+#[cfg(unix)]
+#[test]
+fn a_limit_of_the_size_leaves_nothing_behind() {
+    let folder = tempfile::tempdir().unwrap();
+    let out = folder.path().join("ranking.xlsx");
+    let program = env!("CARGO_BIN_EXE_antrieb");
+    let line = format!("ulimit -f 1; exec {program} export examples/indexing-table.toml --out {}", out.display());
+    let found = std::process::Command::new("bash").args(["-c", &line]).current_dir(run::root()).output().unwrap();
+    let said = String::from_utf8_lossy(&found.stderr);
+    assert_eq!(found.status.code(), Some(2), "{said}");
+    let left: Vec<_> = std::fs::read_dir(folder.path()).unwrap().flatten().map(|entry| entry.file_name()).collect();
+    assert!(left.is_empty(), "{left:?}: {said}");
+}
+
+/// An answer that goes nowhere is no answer; one that the caller throws away is.
+#[cfg(unix)]
+#[test]
+fn a_closed_standard_output_is_a_fault() {
+    let program = env!("CARGO_BIN_EXE_antrieb");
+    for (to, code) in [(">&-", 2), (">/dev/null", 0)] {
+        let line = format!("exec {program} code parse CHA-25A-100-H-C1024 {to}");
+        let found = std::process::Command::new("bash").args(["-c", &line]).output().unwrap();
+        assert_eq!(found.status.code(), Some(code), "{to}: {}", String::from_utf8_lossy(&found.stderr));
+    }
+}
+
+/// `--json=1` is `--json`, and a faulty call answers JSON too.
+#[test]
+fn a_flag_with_a_value_is_the_flag() {
+    let plain = run::run(&["code", "parse", "CHA-25A-100-H-C1024", "--json"]).out;
+    assert_eq!(run::run(&["code", "parse", "CHA-25A-100-H-C1024", "--json=1"]).out, plain);
+    assert!(!run::run(&["code", "parse", "CHA-25A-100-H-C1024", "--json=0"]).out.starts_with('{'));
+    let faulty = run::run(&["size", "--json=yes", "x"]);
+    assert!(faulty.code == 2 && faulty.out.contains("\"errors\""), "{}{}", faulty.out, faulty.err);
+}

@@ -32,6 +32,8 @@ struct Destination<'p> {
 /// # Errors
 /// The first file that cannot be written, and why.
 pub fn save(files: &[(&Path, &[u8])], inputs: &[PathBuf], force: bool) -> Result<(), Unwritten> {
+    #[cfg(unix)]
+    crate::unfinished::refuse_large_files();
     let places = places(files.iter().map(|(path, _)| *path), inputs, force)?;
     places.iter().filter_map(|place| place.target.parent()).for_each(left::clear);
     let unfinished = Unfinished;

@@ -56,3 +56,17 @@ pub fn end_on_signals() {
         }));
     });
 }
+
+/// From now on a file that grows beyond the limit of the process (`ulimit -f`) is refused as an error of the write. Without this
+/// the signal for it ends the program and leaves the temporary file.
+#[cfg(unix)]
+pub(crate) fn refuse_large_files() {
+    use std::sync::atomic::AtomicBool;
+    use std::sync::{Arc, Once};
+
+    static REFUSED: Once = Once::new();
+    // Where no handler can be set the signal ends the program as before.
+    REFUSED.call_once(|| {
+        drop(signal_hook::flag::register(signal_hook::consts::SIGXFSZ, Arc::new(AtomicBool::new(false))))
+    });
+}

@@ -13,14 +13,8 @@ use words::{Usage, UsageHint, usage_hint, usage_text};
 pub(crate) fn refused(error: &clap::Error, as_json: bool, language: Language) -> Answer {
     let (usage, hint) = (usage_of(error), hint_of(error));
     let (message, hint) = (usage_text(&usage, language), hint.map(|hint| usage_hint(&hint, language)));
-    let talk = if library::is_its_own(language) {
-        // The library speaks this language, with the usage of the command.
-        let lines = error.render().to_string();
-        lines.split('\n').map(seen).collect::<Vec<_>>().join("\n")
-    } else {
-        let hint = hint.as_ref().map(|hint| format!("  {hint}\n")).unwrap_or_default();
-        format!("{}: {message}\n{hint}\n{}\n", library::error(language), library::more(language))
-    };
+    let shown = hint.as_ref().map(|hint| format!("  {hint}\n")).unwrap_or_default();
+    let talk = format!("{}: {message}\n{shown}\n{}\n", library::error(language), library::more(language));
     let option = match error.get(ContextKind::InvalidArg) {
         Some(ContextValue::String(name)) => name.strip_prefix("--").map(|name| {
             let end = name.find(|sign: char| !sign.is_ascii_alphanumeric() && sign != '-').unwrap_or(name.len());

@@ -1,4 +1,4 @@
-//! What the library of the command line says of itself: the English is its own, word for word, and the German ours.
+//! Words around the library of the command line: of its usage lines and headings the English is its own, word for word.
 
 use crate::texts::texts;
 use quantities::Language;
@@ -6,15 +6,9 @@ use quantities::Language;
 /// The language that the library speaks.
 pub const LANGUAGE: Language = Language::En;
 
-/// Whether the library speaks a language itself.
-#[must_use]
-pub fn is_its_own(language: Language) -> bool {
-    language == LANGUAGE
-}
-
 texts! {
     error = "error" | "Fehler";
-    more = "For more information, try '--help'." | "Mehr dazu: antrieb --help --lang de";
+    more = "More: antrieb --help" | "Mehr dazu: antrieb --help --lang de";
     options_in_usage = "[OPTIONS]" | "[OPTIONEN]";
     command_in_usage = "<COMMAND>" | "<BEFEHL>";
     name_of_a_page = "NAME" | "BEZEICHNUNG";
