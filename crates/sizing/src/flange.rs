@@ -306,7 +306,8 @@ impl<'a> Walk<'a> {
     fn piece(&mut self, piece: &Piece) {
         let parts = self.parts(piece, piece.duration_s);
         let turn = std::f64::consts::TAU * self.axis.mechanism.stage_ratio() / piece.speed_rad_s.abs();
-        if piece.speed_degree() == Some(0) && piece.duration_s > 2.0 * turn && self.samples.is_none() {
+        let repeats = piece.speed_degree() == Some(0) && self.turns_with_the_load(piece.segment);
+        if repeats && piece.duration_s > 2.0 * turn && self.samples.is_none() {
             // At constant speed every revolution is the first one.
             let whole = (piece.duration_s / turn).floor();
             self.panels(piece, (0.0, turn), whole, (parts / whole).ceil());
@@ -332,9 +333,18 @@ impl<'a> Walk<'a> {
         let phase = if amplitude == 0.0 { 0.0 } else { frequency * duration / PANEL_PHASE };
         let speed = [0.0, 0.25, 0.5, 0.75, 1.0].map(|u| piece.at(u * piece.duration_s).speed_rad_s.abs());
         let angle = speed.into_iter().fold(0.0, f64::max) * duration / self.axis.mechanism.stage_ratio();
+        // What does not depend on the position is as smooth as the law.
+        let angle = if self.turns_with_the_load(piece.segment) { angle } else { 0.0 };
         let fine = angle / PANEL_ANGLE;
         let turning = if fine > PANELS_FINE { PANELS_FINE.max(angle / std::f64::consts::TAU) } else { fine };
         phase.max(turning).max(1.0).ceil()
+    }
+
+    /// Whether the loads change with the angle of the load at the same speed and acceleration: under an unbalanced load, a crank, a
+    /// table, and where a payload hangs beside the axis.
+    fn turns_with_the_load(&self, segment: usize) -> bool {
+        let payload = self.axis.extras.get(segment).is_some_and(|extra| extra.mass.si() != 0.0);
+        self.axis.mechanism.depends_on_position() || payload && self.axis.mechanism.stage.is_none()
     }
 
     /// Instants inside the piece at which a force along a line changes its sign.

@@ -7,7 +7,7 @@ use super::short::Straight;
 use super::{BLOCK, Block, BlockPanels, Carried, Extent, GROUP, Gram, Group, Kept, Node, Run, Share, Trace};
 use mechanism::{Endless, Extra, Load, Loading, Mechanism, Output};
 use motion::{Motion, Piece, Placed, Runs, State};
-use numeric::{lobatto, root_steps, roots_between};
+use numeric::{lobatto, root, root_steps, roots_between};
 use quantities::{Angle, Measure};
 use std::f64::consts::TAU;
 use std::sync::{Arc, OnceLock};
@@ -47,6 +47,12 @@ const PANEL_PHASE: f64 = std::f64::consts::FRAC_PI_4;
 
 /// Instants of one cycle at most, recordings apart: beyond, it is refused.
 pub const INSTANTS_MOST: f64 = 130_000.0;
+
+/// Between kinks that lie close together the load is smoother than over a whole panel: where a panel is shorter than this share of
+/// one, and the load turns by less than this angle, nine nodes integrate to 10⁻¹².
+const SHORT: f64 = 0.25;
+const SHORT_TURN: f64 = 0.1;
+const NODES_BETWEEN_KINKS: usize = 9;
 
 /// A panel of so many nodes holds signals that are straight over time.
 const STRAIGHT: usize = 4;
@@ -209,8 +215,13 @@ impl<'a> Builder<'a> {
         let (runs, loading) = (piece.runs(), self.mechanism.loading(extra));
         let cuts = self.cuts(piece, &loading, &runs);
         let nodes = nodes_per_panel(self.mechanism, piece);
+        let short = SHORT * piece.duration_s / parts(self.mechanism, piece).max(1.0);
+        let turned = |from: f64, to: f64| (piece.at(to).position_rad - piece.at(from).position_rad).abs();
+        let near = SHORT_TURN * self.mechanism.stage_ratio().abs();
         for pair in cuts.windows(2) {
             if let [from, to] = pair {
+                let between = self.kinked && to - from <= short && turned(*from, *to) <= near;
+                let nodes = if between { NODES_BETWEEN_KINKS.min(nodes) } else { nodes };
                 self.panel(piece, &loading, (*from, *to, runs.direction(0.5 * (from + to))), nodes);
                 // What repeats is one block.
                 if self.times == 1.0 && self.nodes.len() - self.blocked.0 >= BLOCK {
@@ -278,7 +289,7 @@ impl<'a> Builder<'a> {
             let state = piece.states();
             let at = |t: f64| output(&state(t), runs.direction(t));
             let looked = |output: Output| (output, loading.at(&output));
-            let (kinks, mut seen, mut values) = (self.mechanism.kinks(), Vec::new(), Vec::new());
+            let (mut seen, mut values) = (Vec::new(), Vec::new());
             let mut k = 0.0;
             while k < spans {
                 let from = k * span;
@@ -299,12 +310,10 @@ impl<'a> Builder<'a> {
                 if self.mechanism.stage.is_some() {
                     search(&|(_, load)| load.stage_nm);
                 }
-                for kink in &kinks {
-                    search(&|(output, _)| wrapped(output.position_rad / self.mechanism.stage_ratio() - kink));
-                }
                 k += 1.0;
             }
         }
+        self.kink_cuts(piece, runs, &mut cuts);
         cuts.push(piece.duration_s);
         cuts.sort_by(f64::total_cmp);
         cuts.dedup_by(|a, b| (*a - *b).abs() <= 1e-12 * piece.duration_s);
@@ -325,6 +334,31 @@ impl<'a> Builder<'a> {
             }
         }
         fine
+    }
+
+    /// The instants at which the position passes a kink of the load. Between two reversals the position is monotone, so each kink
+    /// in between is passed once: the work grows with what is passed, not with all kinks.
+    fn kink_cuts(&self, piece: &Piece, runs: &Runs, cuts: &mut Vec<f64>) {
+        if !self.kinked {
+            return;
+        }
+        let (state, ratio) = (piece.states(), self.mechanism.stage_ratio());
+        let at = |t: f64| state(t).position_rad / ratio;
+        let mut ends = runs.reversals();
+        ends.push(piece.duration_s);
+        let mut from = 0.0;
+        for to in ends {
+            let (a, b) = (at(from), at(to));
+            // Each root bounds the next one: the position is monotone.
+            let mut low = (from, a);
+            passed(&self.mechanism.kinks(), self.mechanism.endless(), a, b, &mut |kink| {
+                let beyond = |t: f64| at(t) - kink;
+                let found = root(&beyond, (low.0, low.1 - kink), (to, b - kink), 0.0);
+                cuts.push(found);
+                low = (found, kink);
+            });
+            from = to;
+        }
     }
 
     fn panel(&mut self, piece: &Piece, loading: &Loading<'_>, (from, to, direction): (f64, f64, f64), nodes: usize) {
@@ -411,9 +445,35 @@ fn extremes(piece: &Piece) -> [f64; 2] {
         .fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], q| [low.min(q), high.max(q)])
 }
 
+/// So many passes of a kink within recordings cost as much as an instant that is kept.
+const RECORDED_PASSES: f64 = 8.0;
+
 /// How many instants each piece is looked at, by segment: panels times nodes, one revolution standing for all of those at
-/// constant speed. What cuts at reversals and kinks add is not counted.
+/// constant speed, and the panels between the kinks of the load that are passed, those of recordings too. What cuts at
+/// reversals add is not counted.
 pub fn instants(mechanism: &Mechanism, motion: &Motion) -> Vec<(usize, f64)> {
+    let (kinks, ratio) = (mechanism.kinks(), mechanism.stage_ratio());
+    let at_kinks = |piece: &Piece, share: f64| {
+        if kinks.is_empty() {
+            return 0.0;
+        }
+        let at = |t: f64| piece.at(t).position_rad / ratio;
+        let mut ends = piece.reversals();
+        ends.push(share * piece.duration_s);
+        let (mut from, mut found) = (at(0.0), 0.0);
+        for to in ends.into_iter().map(at) {
+            found += passes(mechanism, &kinks, from, to);
+            from = to;
+        }
+        found * NODES_BETWEEN_KINKS as f64
+    };
+    let of_recording = |placed: &Placed| {
+        let positions = placed.recorded.position_rad();
+        let pairs = positions.iter().zip(positions.iter().skip(1));
+        let passed = pairs.map(|(a, b)| passes(mechanism, &kinks, a / ratio, b / ratio)).sum::<f64>();
+        (placed.segment, passed / RECORDED_PASSES)
+    };
+    let recorded = motion.recordings().iter().filter(|_| !kinks.is_empty()).map(of_recording);
     let of = |piece: &Piece| {
         if piece.is_rest() {
             return 2.0;
@@ -421,11 +481,13 @@ pub fn instants(mechanism: &Mechanism, motion: &Motion) -> Vec<(usize, f64)> {
         let nodes = nodes_per_panel(mechanism, piece) as f64;
         match whole_revolutions(mechanism, piece) {
             // The one that stands for them, and what is left over.
-            Some(times) => nodes * (2.0 * parts(mechanism, piece) / times).max(1.0),
-            None => nodes * parts(mechanism, piece).max(1.0),
+            Some(times) => {
+                nodes * (2.0 * parts(mechanism, piece) / times).max(1.0) + at_kinks(piece, (2.0 / times).min(1.0))
+            }
+            None => nodes * parts(mechanism, piece).max(1.0) + at_kinks(piece, 1.0),
         }
     };
-    motion.pieces().iter().map(|piece| (piece.segment, of(piece))).collect()
+    motion.pieces().iter().map(|piece| (piece.segment, of(piece))).chain(recorded).collect()
 }
 
 /// Equal parts of a piece that a smooth integrand needs.
@@ -505,8 +567,32 @@ const fn output(state: &State, direction: f64) -> Output {
     }
 }
 
-/// An angle brought to ±180°, for kinks that repeat with each revolution; its own jump is no kink.
-fn wrapped(angle: f64) -> f64 {
-    // The sine has the same roots at whole revolutions, and those at half ones cut a panel where nothing happens.
-    (0.5 * angle).sin() * (0.5 * angle).cos()
+/// The kinks of a load, in rising order, strictly between two positions, in the order in which they are passed; those of a load
+/// that repeats with each revolution at every revolution.
+pub(crate) fn passed(kinks: &[f64], endless: Endless, from: f64, to: f64, look: &mut dyn FnMut(f64)) {
+    let (low, high) = (from.min(to), from.max(to));
+    let turns =
+        |end: f64, kink: f64| if endless == Endless::EachRevolution { ((end - kink) / TAU).floor() } else { 0.0 };
+    let (Some(first), Some(last)) = (kinks.first(), kinks.last()) else { return };
+    let (begin, end) = (turns(low, *last), turns(high, *first));
+    let count = (end - begin).max(0.0) as usize;
+    let mut turn = |n: usize| {
+        let offset = TAU * (begin + n as f64);
+        let inside = |kink: &&f64| (low..high).contains(&(**kink + offset)) && **kink + offset > low;
+        if to >= from {
+            kinks.iter().filter(inside).for_each(|kink| look(kink + offset));
+        } else {
+            kinks.iter().rev().filter(inside).for_each(|kink| look(kink + offset));
+        }
+    };
+    if to >= from { (0..=count).for_each(&mut turn) } else { (0..=count).rev().for_each(&mut turn) }
+}
+
+/// How many kinks are passed between two positions, about.
+fn passes(mechanism: &Mechanism, kinks: &[f64], from: f64, to: f64) -> f64 {
+    if mechanism.endless() == Endless::EachRevolution {
+        return (to - from).abs() / TAU * kinks.len() as f64;
+    }
+    let (low, high) = (from.min(to), from.max(to));
+    kinks.iter().filter(|kink| (low..high).contains(*kink)).count() as f64
 }

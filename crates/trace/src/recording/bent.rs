@@ -1,12 +1,12 @@
 //! An interval of a recording whose load depends on the position or has losses: cut where the losses change sides and at
 //! the corners of the load, with as many nodes as it turns far.
 
+use super::super::build::passed;
 use super::{NODES, Node, Panel, Strip, parts};
 use mechanism::{Extra, Output};
 use motion::Interval;
 use numeric::{lobatto, root};
 use quantities::{Measure, Torque};
-use std::f64::consts::{PI, TAU};
 
 /// An interval turns so far at most for 3, 5 and 9 nodes \[rad\]; beyond 16 are taken. By the error of the rule for cos³.
 const TURNED: [(f64, usize); 3] = [(0.01, 3), (0.1, 5), (0.5, 9)];
@@ -70,17 +70,19 @@ impl Strip {
 
     /// Where the position passes a corner of the load.
     fn corners(&self, interval: &Interval, (from, to): (f64, f64), cuts: &mut Vec<f64>) {
+        if self.kinks.is_empty() {
+            return;
+        }
         let ratio = self.mechanism.stage_ratio();
-        for kink in &self.kinks {
-            let beyond = |u: f64| {
-                let angle = interval.at(u).0 / ratio - kink;
-                angle - TAU * (angle / TAU).round()
-            };
-            // Opposite the corner the angle jumps by a turn.
-            let near = |u: f64| beyond(u).abs() < 0.5 * PI;
-            if near(from) && near(to) {
-                crossings(&beyond, from, to, cuts);
-            }
+        let at = |u: f64| interval.at(u).0 / ratio;
+        // Within an interval the speed is straight over time: the position is monotone where it does not change its sign, and a part
+        // of an interval ends there. At its ends and in the middle it is looked at.
+        let middle = 0.5 * (from + to);
+        for (low, high) in [(from, middle), (middle, to)] {
+            passed(&self.kinks, self.mechanism.endless(), at(low), at(high), &mut |kink| {
+                let beyond = |u: f64| at(u) - kink;
+                cuts.push(root(beyond, (low, beyond(low)), (high, beyond(high)), CLOSE * (high - low)));
+            });
         }
     }
 
