@@ -128,6 +128,9 @@ pub struct Sizing {
     pub rejected: Vec<Rejection>,
     /// The project's own actuator.
     pub own: Option<Assessed>,
+    /// Where nothing fits: values of the gearing with which an actuator would, one change at a time.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub would_fit_with: Vec<WouldFit>,
     /// What was assumed, in words.
     pub assumptions: Vec<String>,
     /// The stage between actuator and mechanism; only where the project has one.
@@ -135,6 +138,21 @@ pub struct Sizing {
     pub stage: Option<Stage>,
     /// The motion as it came out.
     pub motion: Motion,
+}
+
+/// A value with which an actuator would fit.
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
+pub struct WouldFit {
+    /// The key of the project.
+    pub key: String,
+    /// Whether the project states it; else it would be added.
+    pub stated: bool,
+    /// The value nearest to the stated one, rounded towards what fits.
+    pub value: Number,
+    /// Its unit; `1` for a ratio.
+    pub unit: &'static str,
+    /// The best ordering code with it.
+    pub code: String,
 }
 
 /// An actuator that fits, with its place.

@@ -56,7 +56,7 @@ pub use glossary::{Glossary, GlossarySymbol, GlossaryTerm, GlossaryWord};
 pub use id::{Availability, Fit, Id, Identified};
 pub use judged::{
     Assessed, Candidate, Influence, Judgement, NeededLimit, NotSought, Quantiles, Ranked, Rejection, Reserve, Sizing,
-    Stage, StageRatio, Tolerance, ToleratedValue, WorstCorner,
+    Stage, StageRatio, Tolerance, ToleratedValue, WorstCorner, WouldFit,
 };
 pub use laid_out::{Block, Chapter, Column, Grid, Hazard, Picture, Task};
 pub use licences::{LicenceText, Licences};

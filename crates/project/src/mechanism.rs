@@ -124,6 +124,11 @@ pub(crate) trait Driven: Fields {
         None
     }
 
+    /// The key from which follows how far the load moves with a turn, if a single one does.
+    fn gearing(&self) -> Option<&dyn Field> {
+        self.travel()
+    }
+
     /// Its solid bodies; `None` where it turns something else.
     fn bodies(&self) -> Option<&[BodySection]> {
         None

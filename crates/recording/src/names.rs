@@ -189,6 +189,22 @@ mod tests {
         }
     }
 
+    /// Both guides name every word that is recognised.
+    #[test]
+    fn the_guides_name_every_word() {
+        for page in ["guide", "anleitung"] {
+            let path = format!("{}/../../docs/{page}/recordings.md", env!("CARGO_MANIFEST_DIR"));
+            let text = std::fs::read_to_string(path).unwrap();
+            let listed = |words: &[&str]| words.iter().map(|word| format!("`{word}`")).collect::<Vec<_>>().join(" ");
+            for role in Role::ALL {
+                assert!(text.contains(&format!("| {} |", listed(role.names()))), "{page} {role:?}");
+            }
+            for words in [MEASURED, COMMANDED, FILLING] {
+                assert!(text.contains(&listed(words)), "{page}: {words:?}");
+            }
+        }
+    }
+
     #[test]
     fn prefixes_numbers_and_words_of_measuring_are_no_part_of_a_name() {
         let of = |written: &str, role| Named::marked(written).sureness(role);

@@ -113,6 +113,8 @@ texts! {
         | "--code gilt für eine Achse, und das Projekt hat mehrere; sie mit --axis nennen: {names}";
     fits_up_to = "fits up to, one at a time" | "geeignet bis zu, je für sich";
     checks_pass_up_to = "all checks pass up to, one at a time" | "alle Nachweise sind erfüllt bis zu, je für sich";
+    would_fit_with_other_gearing = "would fit with another gearing, one of" | "wäre geeignet mit anderer Übersetzung, einer von";
+    a_stage(ratio) = "a stage of ratio {ratio}" | "eine Stufe mit der Übersetzung {ratio}";
     would_fit_with_one_of = "would fit with one of" | "wäre geeignet mit einem von";
     checks_would_pass_with_one_of = "all checks would pass with one of" | "alle Nachweise wären erfüllt mit einem von";
     would_fit_with_this_asked_for = "would fit if only this were required" | "wäre geeignet, wenn nur dies gefordert wäre";

@@ -57,6 +57,10 @@ impl Driven for ScissorLift {
         Some(&self.process.process_force)
     }
 
+    fn gearing(&self) -> Option<&dyn Field> {
+        Some(&self.lead)
+    }
+
     fn on_flange(&self) -> Option<OnFlange<'_>> {
         Some(OnFlange::Shaft)
     }

@@ -61,6 +61,10 @@ impl Driven for SliderCrank {
         Some(&self.process.process_force)
     }
 
+    fn gearing(&self) -> Option<&dyn Field> {
+        Some(&self.crank)
+    }
+
     fn on_flange(&self) -> Option<OnFlange<'_>> {
         Some(OnFlange::Wheel)
     }

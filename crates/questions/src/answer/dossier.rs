@@ -41,7 +41,7 @@ pub fn dossier(
     let inputs = inputs_of_axis(text, place);
     Dossier {
         judgement: judgement(project, chosen, found, assessment, language),
-        sizing: sizing(ranked, project, &[], usize::MAX, language),
+        sizing: sizing(ranked, project, &[], &[], usize::MAX, language),
         rejections: rejections(ranked, language),
         mechanism: mechanism(project, &inputs, language),
         inputs: tables(&inputs, language),

@@ -3,12 +3,13 @@
 use super::check::{assumptions, check, demand};
 use super::motion;
 use crate::limits::{NeededLimit, limits_needed};
+use crate::mends::Mend;
 use crate::sizing_use::{Candidate, CandidateId, Objection, Sizing};
 use crate::texts::unsought_text;
 use crate::tolerance::{Assessment, Place};
 use answers::{
     Assessed, Fit, Id, Influence, Judgement, NotSought, Number, Quantiles, Ranked, Rejection, Stage, StageRatio,
-    Tolerance, ToleratedValue, Units, WorstCorner,
+    Tolerance, ToleratedValue, Units, WorstCorner, WouldFit,
 };
 use order_code::Field;
 use project::{ALL_CORNERS_MOST, Project};
@@ -105,6 +106,7 @@ pub fn sizing(
     sizing: &Sizing<'_>,
     project: &Project,
     assessed: &[(CandidateId, Assessment)],
+    mends: &[Mend],
     top: usize,
     language: Language,
 ) -> answers::Sizing {
@@ -123,9 +125,20 @@ pub fn sizing(
         ranking: fitting().take(top).map(|(index, each)| Ranked { of: judged(each), rank: index + 1 }).collect(),
         rejected: sizing.candidates.iter().filter(|each| !each.fits()).map(|each| rejection(each, language)).collect(),
         own: sizing.own.as_ref().map(judged),
+        would_fit_with: mends.iter().map(would_fit).collect(),
         assumptions: assumptions(sizing.assumptions, language),
         stage: stage(project),
         motion: motion(&crate::moves(project), language),
+    }
+}
+
+fn would_fit(mend: &Mend) -> WouldFit {
+    WouldFit {
+        key: mend.path.clone(),
+        stated: mend.is_stated,
+        value: Number::in_unit(mend.si, mend.unit),
+        unit: mend.unit.json,
+        code: mend.code.clone(),
     }
 }
 

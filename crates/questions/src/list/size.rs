@@ -3,6 +3,7 @@
 use super::given::{arguments, count, flag, number, text};
 use super::{AXIS, Argument, Cost, Entry, Gives, Kind, OutputFile, Reads, Record, argument, media};
 use crate::answer;
+use crate::mends::{Mend, mends};
 use crate::patience::{Patience, Stopped};
 use crate::sizing_use::{Candidate, CandidateId, Refusal, Sizing, size_watched};
 use crate::tolerance::{Assessment, Draw, SAMPLES_MOST, SEED_USUAL, assess_watched};
@@ -94,6 +95,8 @@ pub struct Ranking<'p> {
     pub sizing: Sizing<'p>,
     /// How many are reported in full.
     pub top: usize,
+    /// Where nothing fits: what would let an actuator fit.
+    pub mends: Vec<Mend>,
     /// The tolerances judged for the first of those and for the project's own actuator; empty without tolerances.
     pub assessed: Vec<(CandidateId, Assessment)>,
 }
@@ -111,7 +114,9 @@ pub fn ranking<'p>(project: &'p Project, top: usize, draw: Draw, patience: &Pati
     // Without tolerances there is no assessment, and so no pair.
     let found = assess_watched(project, &chosen, sampling, patience).map_err(|Stopped| Refusal::Stopped)?;
     let assessed = chosen.iter().map(|candidate| candidate.id.clone()).zip(found).collect();
-    Ok(Ranking { project, sizing, top, assessed })
+    let mends =
+        if sizing.fits() { Vec::new() } else { mends(project, patience).map_err(|Stopped| Refusal::Stopped)? };
+    Ok(Ranking { project, sizing, top, mends, assessed })
 }
 
 /// The catalogue judged and ranked for an axis, without its tolerances; it can be cancelled. The first `told` are
@@ -133,6 +138,6 @@ impl Ranking<'_> {
     /// The record of it.
     #[must_use]
     pub fn record(&self, language: Language) -> answers::Sizing {
-        answer::sizing(&self.sizing, self.project, &self.assessed, self.top, language)
+        answer::sizing(&self.sizing, self.project, &self.assessed, &self.mends, self.top, language)
     }
 }
