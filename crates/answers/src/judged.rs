@@ -129,7 +129,7 @@ pub struct Sizing {
     /// The project's own actuator.
     pub own: Option<Assessed>,
     /// Where nothing fits: values of the gearing with which an actuator would, one change at a time.
-    #[serde(skip_serializing_if = "Vec::is_empty")]
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub would_fit_with: Vec<WouldFit>,
     /// What was assumed, in words.
     pub assumptions: Vec<String>,

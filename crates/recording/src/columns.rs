@@ -22,15 +22,26 @@ impl Heading {
         Self { written: written.to_owned(), named: Named::marked(written) }
     }
 
-    /// The ways in which it can be read for a role: a unit behind an underscore may be part of the name.
-    fn readings(&self, role: Role) -> impl Iterator<Item = Named> {
-        self.named.for_role(role).into_iter().chain([self.named.clone()])
+    /// As one of the usual names of a role: a unit behind an underscore may be part of the name.
+    fn usual(&self, role: Role) -> Option<Pick> {
+        let pick =
+            |reading: &Named| Some(Pick { index: 0, sureness: reading.sureness(role)?, unit: reading.unit.clone() });
+        let is_usual = |bare: &str| Named { bare: bare.to_owned(), unit: None }.sureness(role).is_some();
+        pick(&self.named).or_else(|| pick(&self.named.for_role(role, is_usual)?))
+    }
+
+    /// Whether its name states a unit of a role.
+    fn has_unit_of(&self, role: Role) -> bool {
+        let of_role = |unit: &String| role.dimensions().iter().any(|of| Unit::of_dimension(*of, unit).is_some());
+        self.named.unit.as_ref().is_some_and(of_role) || self.named.for_role(role, |_| true).is_some()
     }
 
     /// As a name of a layout writes it.
     fn is_named(&self, name: &str, role: Role) -> Option<Pick> {
         let same = |one: &str| one == name || one.to_lowercase() == name.to_lowercase();
-        let reading = self.readings(role).find(|reading| same(&reading.bare) || same(&self.written))?;
+        let with_unit = self.named.for_role(role, |bare| same(bare) || same(&self.written));
+        let reading =
+            with_unit.or_else(|| (same(&self.named.bare) || same(&self.written)).then(|| self.named.clone()))?;
         let exact = self.written == name || reading.bare == name;
         Some(Pick { index: 0, unit: reading.unit, sureness: if exact { Sureness::Plain } else { Sureness::Measured } })
     }
@@ -83,12 +94,7 @@ pub(crate) fn pick(headings: &[Heading], layout: &Layout, faults: &mut Faults) -
         if layout.column(role).unused || slot.is_some() || *failed {
             continue;
         }
-        let usual = |heading: &Heading| {
-            let reading =
-                |reading: Named| Some(Pick { index: 0, sureness: reading.sureness(role)?, unit: reading.unit });
-            heading.readings(role).find_map(reading)
-        };
-        match surest(headings, &taken, usual).as_slice() {
+        match surest(headings, &taken, |heading| heading.usual(role)).as_slice() {
             [] => {}
             [one] => *slot = Some(one.clone()),
             several => {
@@ -124,11 +130,15 @@ fn surest(headings: &[Heading], taken: &[(usize, Role)], pick: impl Fn(&Heading)
 /// The column that probably has a role: the only one with a unit of it, else the one whose name is nearest to one of its names
 /// or holds one.
 fn proposed(headings: &[Heading], role: Role, is_used: impl Fn(usize) -> bool) -> Option<NearColumn> {
-    let free = || headings.iter().enumerate().filter(|(index, _)| !is_used(*index)).map(|(_, heading)| heading);
-    let has_unit = |heading: &&Heading| {
-        let of_role = |unit: &str| role.dimensions().iter().any(|of| Unit::of_dimension(*of, unit).is_some());
-        heading.readings(role).any(|reading| reading.unit.as_deref().is_some_and(of_role))
+    let free = || {
+        headings
+            .iter()
+            .take(PROPOSED_FROM)
+            .enumerate()
+            .filter(|(index, _)| !is_used(*index))
+            .map(|(_, heading)| heading)
     };
+    let has_unit = |heading: &&Heading| heading.has_unit_of(role);
     let with_unit: Vec<&Heading> = free().filter(has_unit).collect();
     let by_name = || {
         // Short names are near to anything.
@@ -149,6 +159,9 @@ fn proposed(headings: &[Heading], role: Role, is_used: impl Fn(usize) -> bool) -
     };
     Some(NearColumn { role, column: excerpt(&found.written), has_unit: has_unit(&found) })
 }
+
+/// A column is proposed out of so many of the first.
+const PROPOSED_FROM: usize = 256;
 
 /// Longer names are not typing errors; the distance costs the product of both lengths.
 const LONGEST: usize = 64;

@@ -24,6 +24,9 @@ pub(crate) const COMMANDED: &[&str] = &[
 /// What says nothing about the quantity.
 const FILLING: &[&str] = &["axis", "ax", "achse", "joint", "gelenk", "value", "val", "wert"];
 
+/// Longer names are none of a quantity: what is done for each of many columns stays small.
+const NAME_BYTES: usize = 64;
+
 /// How surely a name names a quantity; the surest is used.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub(crate) enum Sureness {
@@ -53,22 +56,26 @@ impl Named {
         }
     }
 
-    /// Takes off a unit of a role behind an underscore, `time_s`, `vel_mm_s`, `n_1_min`, where none is marked.
-    pub(crate) fn for_role(&self, role: Role) -> Option<Self> {
-        if self.unit.is_some() {
+    /// Takes off a unit of a role behind an underscore, `time_s`, `vel_mm_s`, `n_1_min`, where none is marked; `fits` says of a name
+    /// whether it is looked for, which is cheaper than to look for units.
+    pub(crate) fn for_role(&self, role: Role, fits: impl Fn(&str) -> bool) -> Option<Self> {
+        if self.unit.is_some() || self.bare.len() > NAME_BYTES {
             return None;
         }
         // The longest unit has three parts: `10_m_s`.
         let strokes: Vec<usize> = self.bare.match_indices('_').map(|(at, _)| at).collect();
         strokes.iter().rev().take(3).rev().find_map(|at| {
             let (bare, unit) = (self.bare.get(..*at)?, self.bare.get(at + 1..)?);
-            let unit = unit_of(role, unit)?;
-            (!bare.is_empty()).then(|| Self { bare: bare.to_owned(), unit: Some(unit.ascii.to_owned()) })
+            let unit = (!bare.is_empty() && fits(bare)).then(|| unit_of(role, unit)).flatten()?;
+            Some(Self { bare: bare.to_owned(), unit: Some(unit.ascii.to_owned()) })
         })
     }
 
     /// How surely it names the quantity of a role.
     pub(crate) fn sureness(&self, role: Role) -> Option<Sureness> {
+        if self.bare.len() > NAME_BYTES {
+            return None;
+        }
         let is_name = |name: &str| role.names().contains(&name);
         if is_name(&self.bare.to_lowercase()) {
             return Some(Sureness::Plain);
@@ -178,14 +185,14 @@ mod tests {
             ("torque_nm", Role::Torque, "torque", "N m"),
             ("M_N_m", Role::Torque, "M", "N m"),
         ] {
-            let named = Named::marked(written).for_role(role).unwrap();
+            let named = Named::marked(written).for_role(role, |_| true).unwrap();
             assert_eq!((named.bare.as_str(), named.unit.as_deref()), (bare, Some(unit)), "{written}");
         }
         // Millinewton or meganewton: in small letters it is both.
         for (written, role) in
             [("time_s", Role::Speed), ("F_mn", Role::Torque), ("q_soll", Role::Position), ("_s", Role::Time)]
         {
-            assert_eq!(Named::marked(written).for_role(role), None, "{written}");
+            assert_eq!(Named::marked(written).for_role(role, |_| true), None, "{written}");
         }
     }
 

@@ -160,9 +160,12 @@ const PANEL_ANGLE: f64 = std::f64::consts::FRAC_PI_6;
 /// A panel covers at most this phase of the harmonic of its law.
 const PANEL_PHASE: f64 = std::f64::consts::FRAC_PI_4;
 
-/// From so many panels of one piece on, two thousand revolutions, a panel may grow to a whole revolution, over which
-/// sixteen nodes still integrate to 10⁻⁶.
+/// So many panels of one piece at most, two thousand revolutions at changing speed. Beyond, a panel grows: up to a whole revolution
+/// sixteen nodes still integrate to 10⁻⁶, over several they are samples of what repeats, whose mean errs by some 10⁻³.
 const PANELS_FINE: f64 = 24_000.0;
+
+/// So many panels of the intervals of a recording at most, beside one for each interval; beyond, they grow likewise.
+const PANELS_RECORDED: f64 = 200_000.0;
 
 /// Nodes of a panel.
 const NODES: usize = 16;
@@ -336,7 +339,7 @@ impl<'a> Walk<'a> {
         // What does not depend on the position is as smooth as the law.
         let angle = if self.turns_with_the_load(piece.segment) { angle } else { 0.0 };
         let fine = angle / PANEL_ANGLE;
-        let turning = if fine > PANELS_FINE { PANELS_FINE.max(angle / std::f64::consts::TAU) } else { fine };
+        let turning = fine.min(PANELS_FINE);
         phase.max(turning).max(1.0).ceil()
     }
 
@@ -418,16 +421,24 @@ impl<'a> Walk<'a> {
     fn recording(&mut self, placed: &motion::Placed) {
         // A picture of a long recording needs no more instants than that.
         let stride = if self.samples.is_some() { placed.intervals().div_ceil(SAMPLES_SHOWN).max(1) } else { 1 };
-        for interval in (0..placed.intervals()).step_by(stride).filter_map(|index| placed.interval(index)) {
+        let ratio = self.axis.mechanism.stage_ratio();
+        let turned = |interval: &motion::Interval| {
+            let [first, last] = interval.speed_rad_s;
+            first.abs().max(last.abs()) * interval.duration_s / ratio
+        };
+        let intervals = || (0..placed.intervals()).step_by(stride).filter_map(|index| placed.interval(index));
+        let all: f64 = intervals().map(|interval| turned(&interval) / PANEL_ANGLE).sum();
+        let panel = PANEL_ANGLE * (all / PANELS_RECORDED).max(1.0);
+        for interval in intervals() {
             let acceleration = interval.acceleration_rad_s2();
             let [first, last] = interval.speed_rad_s;
             let zero = if first * last < 0.0 { first / (first - last) } else { 1.0 };
-            let angle = first.abs().max(last.abs()) * interval.duration_s / self.axis.mechanism.stage_ratio();
+            let angle = turned(&interval);
             let nodes = if angle < INTERVAL_ANGLE { 3 } else { NODES };
             let ends = [(0.0, zero, if first == 0.0 { last } else { first }), (zero, 1.0, last)];
             for (from, to, speed) in ends.into_iter().filter(|(from, to, _)| to > from) {
                 let sense = if speed == 0.0 { 0.0 } else { speed.signum() };
-                let count = (angle / PANEL_ANGLE).ceil().max(1.0);
+                let count = (angle / panel).ceil().max(1.0);
                 let mut k = 0.0;
                 while k < count {
                     let (start, length) = (from + k * (to - from) / count, (to - from) / count);

@@ -578,11 +578,13 @@ pub(crate) fn passed(kinks: &[f64], endless: Endless, from: f64, to: f64, look: 
     let count = (end - begin).max(0.0) as usize;
     let mut turn = |n: usize| {
         let offset = TAU * (begin + n as f64);
-        let inside = |kink: &&f64| (low..high).contains(&(**kink + offset)) && **kink + offset > low;
+        let first = kinks.partition_point(|kink| kink + offset <= low);
+        let inside = kinks.get(first..).unwrap_or_default();
+        let inside = inside.get(..inside.partition_point(|kink| kink + offset < high)).unwrap_or_default();
         if to >= from {
-            kinks.iter().filter(inside).for_each(|kink| look(kink + offset));
+            inside.iter().for_each(|kink| look(kink + offset));
         } else {
-            kinks.iter().rev().filter(inside).for_each(|kink| look(kink + offset));
+            inside.iter().rev().for_each(|kink| look(kink + offset));
         }
     };
     if to >= from { (0..=count).for_each(&mut turn) } else { (0..=count).rev().for_each(&mut turn) }
@@ -594,5 +596,6 @@ fn passes(mechanism: &Mechanism, kinks: &[f64], from: f64, to: f64) -> f64 {
         return (to - from).abs() / TAU * kinks.len() as f64;
     }
     let (low, high) = (from.min(to), from.max(to));
-    kinks.iter().filter(|kink| (low..high).contains(*kink)).count() as f64
+    let below = |end: f64| kinks.partition_point(|kink| *kink < end);
+    below(high).saturating_sub(below(low)) as f64
 }
