@@ -92,6 +92,12 @@ impl Axis {
     pub(crate) fn derived_loads(&self, offset: Length, exponent: f64) -> Option<CycleLoads> {
         let duty = self.bearing.as_ref()?;
         let derived = duty.derived.as_ref()?;
+        if duty.moment_known(self).is_err() {
+            // Without the moment there is no life: the peaks of the forces are all, for every bearing alike.
+            let find =
+                || Walk { only_forces: true, ..Walk::of(self, duty, derived, Length::from_si(0.0), 3.0) }.loads();
+            return Some(self.flange_known.get([u64::MAX; 2], find));
+        }
         let key = [offset.si().to_bits(), exponent.to_bits()];
         Some(self.flange_known.get(key, || Walk::of(self, duty, derived, offset, exponent).loads()))
     }
@@ -197,6 +203,8 @@ struct Walk<'a> {
     loads: CycleLoads,
     sums: Sums,
     samples: Option<Vec<FlangeSample>>,
+    /// Whether neither moment nor averages are found.
+    only_forces: bool,
 }
 
 /// F_r, F_a and M at one instant, and M of the mechanism alone.
@@ -213,6 +221,7 @@ impl<'a> Walk<'a> {
             loads: CycleLoads::default(),
             sums: Sums::default(),
             samples: None,
+            only_forces: false,
         }
     }
 
@@ -261,7 +270,7 @@ impl<'a> Walk<'a> {
             FlangeForces::default()
         };
         let [radial, axial, by_radial, by_axial] = self.stated(segment);
-        let moment = forces.moment(self.offset);
+        let moment = if self.only_forces { 0.0 } else { forces.moment(self.offset) };
         ([forces.radial() + radial, forces.axial() + axial, moment + by_radial + by_axial], moment)
     }
 
@@ -280,9 +289,9 @@ impl<'a> Walk<'a> {
         self.loads.radial.see(radial, time);
         self.loads.axial.see(axial, time);
         self.loads.moment.see(moment, time);
-        if weight > 0.0 {
+        if weight > 0.0 && !self.only_forces {
             let [_, _, by_radial, by_axial] = self.stated(segment);
-            let add = |value: f64| weight * self.power(value);
+            let add = |value: f64| if value == 0.0 { 0.0 } else { weight * self.power(value) };
             let (forces, moments) = ([radial, axial].map(add), [of_mechanism, by_radial, by_axial].map(add));
             self.sums.travelled += weight;
             self.sums.forces.iter_mut().zip(forces).for_each(|(sum, part)| *sum += part);
