@@ -92,7 +92,7 @@ impl Axis {
     pub(crate) fn derived_loads(&self, offset: Length, exponent: f64) -> Option<CycleLoads> {
         let duty = self.bearing.as_ref()?;
         let derived = duty.derived.as_ref()?;
-        if duty.moment_known(self).is_err() {
+        if duty.forces_known(self).is_ok() && duty.moment_known(self).is_err() {
             // Without the moment there is no life: the peaks of the forces are all, for every bearing alike.
             let find =
                 || Walk { only_forces: true, ..Walk::of(self, duty, derived, Length::from_si(0.0), 3.0) }.loads();
