@@ -445,6 +445,9 @@ fn extremes(piece: &Piece) -> [f64; 2] {
         .fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], q| [low.min(q), high.max(q)])
 }
 
+/// An instant between kinks costs so much of another one: no root is sought there.
+const BETWEEN_KINKS: f64 = 0.25;
+
 /// So many passes of a kink within recordings cost as much as an instant that is kept.
 const RECORDED_PASSES: f64 = 8.0;
 
@@ -465,14 +468,9 @@ pub fn instants(mechanism: &Mechanism, motion: &Motion) -> Vec<(usize, f64)> {
             found += passes(mechanism, &kinks, from, to);
             from = to;
         }
-        found * NODES_BETWEEN_KINKS as f64
+        found * NODES_BETWEEN_KINKS as f64 * BETWEEN_KINKS
     };
-    let of_recording = |placed: &Placed| {
-        let positions = placed.recorded.position_rad();
-        let pairs = positions.iter().zip(positions.iter().skip(1));
-        let passed = pairs.map(|(a, b)| passes(mechanism, &kinks, a / ratio, b / ratio)).sum::<f64>();
-        (placed.segment, passed / RECORDED_PASSES)
-    };
+    let of_recording = |placed: &Placed| (placed.segment, recorded_passes(mechanism, &kinks, placed) / RECORDED_PASSES);
     let recorded = motion.recordings().iter().filter(|_| !kinks.is_empty()).map(of_recording);
     let of = |piece: &Piece| {
         if piece.is_rest() {
@@ -588,6 +586,16 @@ pub(crate) fn passed(kinks: &[f64], endless: Endless, from: f64, to: f64, look: 
         }
     };
     if to >= from { (0..=count).for_each(&mut turn) } else { (0..=count).rev().for_each(&mut turn) }
+}
+
+/// How many kinks a recording passes.
+pub(crate) fn recorded_passes(mechanism: &Mechanism, kinks: &[f64], placed: &Placed) -> f64 {
+    if kinks.is_empty() {
+        return 0.0;
+    }
+    let (positions, ratio) = (placed.recorded.position_rad(), mechanism.stage_ratio());
+    let pairs = positions.iter().zip(positions.iter().skip(1));
+    pairs.map(|(a, b)| passes(mechanism, kinks, a / ratio, b / ratio)).sum()
 }
 
 /// How many kinks are passed between two positions, about.

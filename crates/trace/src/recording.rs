@@ -14,6 +14,7 @@ use view::View;
 pub use cells::{Cell, Inside};
 pub use sweep::{Ramps, Swept};
 
+use super::build::recorded_passes;
 use super::cubes::Moments;
 use super::gains::{GainTables, LagBlock, Products};
 use super::{Block, BlockPanels, Extent, Kept, Node, Panel};
@@ -155,7 +156,7 @@ impl Strip {
 
     /// Its samples where their load is found anew for another load, and for another pace.
     pub(super) fn found_anew(&self) -> [usize; 2] {
-        let samples = self.placed.recorded.len();
+        let samples = self.placed.recorded.len() + self.kinks_passed();
         match &self.plain {
             None => [samples; 2],
             Some(_) if self.straight().is_none() && !self.is_weight_alone() => [samples, 0],
@@ -163,9 +164,14 @@ impl Strip {
         }
     }
 
+    /// How many kinks of the load it passes: each parts an interval as a sample does.
+    fn kinks_passed(&self) -> usize {
+        recorded_passes(&self.mechanism, &self.kinks, &self.placed) as usize
+    }
+
     /// What it costs, in samples under a load that makes every interval a straight one: others take about twice as long.
     pub(super) fn cost(&self) -> usize {
-        let samples = self.placed.recorded.len();
+        let samples = self.placed.recorded.len() + self.kinks_passed();
         if self.straight().is_some() { samples } else { 2 * samples }
     }
 
