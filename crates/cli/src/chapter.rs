@@ -5,7 +5,7 @@ use crate::call::Call;
 use crate::fault::path_text;
 use crate::plot;
 use crate::save::Desk;
-use crate::table::{Align, Table};
+use crate::table::{Align, Table, labelled};
 use answers::FilesWritten;
 use order_code::Size;
 use quantities::unit::{NEWTON_METRE, REVOLUTION_PER_MINUTE, VOLT};
@@ -89,7 +89,12 @@ fn bearing_text(sizes: &[(Size, Candidate<'_>)], language: Language) -> String {
             ]);
         }
     }
-    table.render()
+    let mut keys: Vec<&str> = Vec::new();
+    for check in sizes.iter().flat_map(|(_, candidate)| questions::list::bearing::bearing_checks(candidate)) {
+        keys.extend(check.missing.filter(|key| key.contains('.') && !keys.contains(key)));
+    }
+    let open = if keys.is_empty() { String::new() } else { labelled(terminal::to_state(language), &keys.join(", ")) };
+    table.render() + &open
 }
 
 /// `antrieb battery`

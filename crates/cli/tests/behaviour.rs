@@ -315,8 +315,10 @@ fn the_chapters_alone() {
     assert_eq!(run(&["curve", "CHA-58A-50-H-RES"]).code, 2, "no data");
     assert_eq!(run(&["curve", "CHA-20A-50-H-C1024", "--voltage", "220"]).code, 2, "no unit");
     assert_eq!(run(&["bearing", "examples/turntable.toml"]).code, 0);
-    let without = run(&["bearing", "examples/belt-axis.toml"]);
-    assert!(without.code == 2 && without.err.contains("[bearing] is missing"));
+    let open = run(&["bearing", "examples/belt-axis.toml"]);
+    assert!(open.code == 0 && open.out.contains("bearing.belt_tension"), "{}{}", open.out, open.err);
+    let without = run(&["bearing", "examples/cam-motion.toml"]);
+    assert!(without.code == 2 && without.err.contains("[bearing] is missing"), "{}", without.err);
     for kind in ["manual", "table", "arm", "screw", "belt"] {
         let template = run(&["new", kind]);
         assert_eq!(template.code, 0);

@@ -348,7 +348,7 @@ fn a_project_opens_nothing_outside_of_the_folder() {
     let moves = |name: &str| up.ask("POST /api/v1/moves", "", recorded_from(name).as_bytes());
     assert_eq!(status(&moves("robot-joint.csv")), 200);
     let far = outside.join("far.csv").display().to_string();
-    // No recording, whoever sends the token: the answer holds no word of the file.
+    // No recording, though the request has the token: the answer holds no word of the file.
     for name in [".env", ".env.csv", ".ssh/run.csv", "notes.md", "keys.pem", "id_rsa", "hidden.csv", "sub/.a/run.csv"] {
         let path = inside.join(name);
         std::fs::create_dir_all(path.parent().unwrap()).unwrap();

@@ -170,6 +170,9 @@ const PANEL_PHASE: f64 = std::f64::consts::FRAC_PI_4;
 /// sixteen nodes still integrate to 10⁻⁶, over several they are samples of what repeats, whose mean errs by some 10⁻³.
 const PANELS_FINE: f64 = 24_000.0;
 
+/// So many panels of one piece at most where the loads do not depend on the position.
+const PANELS_OF_A_LAW: f64 = 64.0;
+
 /// So many panels of the intervals of a recording at most, beside one for each interval; beyond, they grow likewise.
 const PANELS_RECORDED: f64 = 200_000.0;
 
@@ -345,10 +348,9 @@ impl<'a> Walk<'a> {
         let phase = if amplitude == 0.0 { 0.0 } else { frequency * duration / PANEL_PHASE };
         let speed = [0.0, 0.25, 0.5, 0.75, 1.0].map(|u| piece.at(u * piece.duration_s).speed_rad_s.abs());
         let angle = speed.into_iter().fold(0.0, f64::max) * duration / self.axis.mechanism.stage_ratio();
-        // What does not depend on the position is as smooth as the law.
-        let angle = if self.turns_with_the_load(piece.segment) { angle } else { 0.0 };
-        let fine = angle / PANEL_ANGLE;
-        let turning = fine.min(PANELS_FINE);
+        // What does not depend on the position is as smooth as the law, but for the corner where one of two bounds becomes the larger.
+        let most = if self.turns_with_the_load(piece.segment) { PANELS_FINE } else { PANELS_OF_A_LAW };
+        let turning = (angle / PANEL_ANGLE).min(most);
         phase.max(turning).max(1.0).ceil()
     }
 

@@ -11,6 +11,7 @@ mod cubes;
 mod form;
 mod gains;
 mod halves;
+mod kinks;
 mod lags;
 mod near;
 mod panel;

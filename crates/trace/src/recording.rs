@@ -14,9 +14,9 @@ use view::View;
 pub use cells::{Cell, Inside};
 pub use sweep::{Ramps, Swept};
 
-use super::build::recorded_passes;
 use super::cubes::Moments;
 use super::gains::{GainTables, LagBlock, Products};
+use super::kinks::recorded_passes;
 use super::{Block, BlockPanels, Extent, Kept, Node, Panel};
 use cells::Cells;
 use lagging::LagPart;

@@ -198,10 +198,10 @@ fn every_load_has_its_five_bearing_checks() {
     for (load, known) in [
         ("[load]\ninertia = \"1 kg m^2\"\n", [false, false]),
         (
-            "[mechanism.arm]\ninertia = \"1 kg m^2\"\nmass = \"9 kg\"\ncentre_distance = \"200 mm\"\naxis_tilt = \"90 deg\"\n",
+            "[mechanism.arm]\ninertia = \"1 kg m^2\"\nmass = \"9 kg\"\ncentre_distance = \"200 mm\"\naxis_tilt = \"90 deg\"\nstart_angle = \"0 deg\"\n",
             [true, true],
         ),
-        ("[mechanism.turntable]\nbodies = [\"disc mass=9kg d=300mm\"]\n", [true, true]),
+        ("[mechanism.turntable]\nbodies = [\"disc mass=9kg diameter=300mm length=20mm\"]\n", [true, true]),
         ("[mechanism.belt]\npulley_diameter = \"80 mm\"\nmass = \"9 kg\"\n", [false, false]),
         ("[mechanism.screw]\nlead = \"10 mm\"\nmass = \"9 kg\"\n", [false, false]),
         (

@@ -1,7 +1,7 @@
 //! An interval of a recording whose load depends on the position or has losses: cut where the losses change sides and at
 //! the corners of the load, with as many nodes as it turns far.
 
-use super::super::build::passed;
+use super::super::kinks::passed;
 use super::{NODES, Node, Panel, Strip, parts};
 use mechanism::{Extra, Output};
 use motion::Interval;

@@ -1,0 +1,48 @@
+//! The kinks of a load over the position: where a motion passes them, and how many it passes.
+
+use mechanism::{Endless, Mechanism};
+use motion::Placed;
+use std::f64::consts::TAU;
+
+/// The kinks of a load, in rising order, strictly between two positions, in the order in which they are passed; those of a load
+/// that repeats with each revolution at every revolution.
+pub(crate) fn passed(kinks: &[f64], endless: Endless, from: f64, to: f64, look: &mut dyn FnMut(f64)) {
+    let (low, high) = (from.min(to), from.max(to));
+    let turns =
+        |end: f64, kink: f64| if endless == Endless::EachRevolution { ((end - kink) / TAU).floor() } else { 0.0 };
+    let (Some(first), Some(last)) = (kinks.first(), kinks.last()) else { return };
+    let (begin, end) = (turns(low, *last), turns(high, *first));
+    let count = (end - begin).max(0.0) as usize;
+    let mut turn = |n: usize| {
+        let offset = TAU * (begin + n as f64);
+        let first = kinks.partition_point(|kink| kink + offset <= low);
+        let inside = kinks.get(first..).unwrap_or_default();
+        let inside = inside.get(..inside.partition_point(|kink| kink + offset < high)).unwrap_or_default();
+        if to >= from {
+            inside.iter().for_each(|kink| look(kink + offset));
+        } else {
+            inside.iter().rev().for_each(|kink| look(kink + offset));
+        }
+    };
+    if to >= from { (0..=count).for_each(&mut turn) } else { (0..=count).rev().for_each(&mut turn) }
+}
+
+/// How many kinks a recording passes.
+pub(crate) fn recorded_passes(mechanism: &Mechanism, kinks: &[f64], placed: &Placed) -> f64 {
+    if kinks.is_empty() {
+        return 0.0;
+    }
+    let (positions, ratio) = (placed.recorded.position_rad(), mechanism.stage_ratio());
+    let pairs = positions.iter().zip(positions.iter().skip(1));
+    pairs.map(|(a, b)| passes(mechanism, kinks, a / ratio, b / ratio)).sum()
+}
+
+/// How many kinks are passed between two positions, about.
+pub(crate) fn passes(mechanism: &Mechanism, kinks: &[f64], from: f64, to: f64) -> f64 {
+    if mechanism.endless() == Endless::EachRevolution {
+        return (to - from).abs() / TAU * kinks.len() as f64;
+    }
+    let (low, high) = (from.min(to), from.max(to));
+    let below = |end: f64| kinks.partition_point(|kink| *kink < end);
+    below(high).saturating_sub(below(low)) as f64
+}
