@@ -483,12 +483,12 @@ fn several_columns_of_one_sureness_are_ambiguous() {
 
 #[test]
 fn a_near_miss_is_proposed() {
-    let found = faults("Zeitstempel,Positon,M [Nm]\n0,0,1\n1,1,1\n2,2,1\n");
+    let found = faults("Zeitstempel,angel,M [Nm]\n0,0,1\n1,1,1\n2,2,1\n");
     let [Fault::TimeMissing { near: time, .. }, Fault::CourseMissing { near: course, .. }] = found.as_slice() else {
         panic!("{found:?}")
     };
     assert!(time.len() == 1 && time[0].column == "Zeitstempel" && !time[0].has_unit, "{time:?}");
-    assert!(course[0].column == "Positon" && course[0].role == Role::Position, "{course:?}");
+    assert!(course[0].column == "angel" && course[0].role == Role::Position, "{course:?}");
     let found = faults("Channel 1 [ms],Channel 2 [deg]\n0,0\n1,1\n2,2\n");
     let [Fault::TimeMissing { near: time, .. }, Fault::CourseMissing { near: course, .. }] = found.as_slice() else {
         panic!("{found:?}")
