@@ -58,7 +58,7 @@ impl Judgement {
     pub fn leaves_load_unheld(&self) -> bool {
         let held = |check: &&Check| check.id == CheckId::BrakeHolding;
         let found = self.checks.own.iter().find(held);
-        found.is_some_and(|check| check.notes.iter().any(|note| *note == Note::NothingHoldsWithoutPower))
+        found.is_some_and(|check| check.notes.contains(&Note::NothingHoldsWithoutPower))
     }
 
     /// Adds the energy that comes back to a judgement that left it out, at its place; see [`energies`].

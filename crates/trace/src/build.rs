@@ -354,7 +354,7 @@ impl<'a> Builder<'a> {
             let mut low = (from, a);
             passed(&self.mechanism.kinks(), self.mechanism.endless(), a, b, &mut |kink| {
                 let beyond = |t: f64| at(t) - kink;
-                let found = root(&beyond, (low.0, low.1 - kink), (to, b - kink), 0.0);
+                let found = root(beyond, (low.0, low.1 - kink), (to, b - kink), 0.0);
                 cuts.push(found);
                 low = (found, kink);
             });
