@@ -43,7 +43,7 @@ pub fn verdict_text(check: &Check, language: Language) -> String {
 }
 
 /// The utilisation of a check that is a margin, in percent: that of a class of voltage or of a recommendation is none, and does
-/// not count in the utilisation of the actuator.
+/// not count in the utilisation of the actuator; where it fails or advises it says why.
 #[must_use]
 pub fn margin_text(check: &Check, language: Language) -> String {
     percent(margin_share(check), language)
@@ -52,7 +52,8 @@ pub fn margin_text(check: &Check, language: Language) -> String {
 /// The same as a number.
 #[must_use]
 pub fn margin_share(check: &Check) -> Option<f64> {
-    check.utilisation.filter(|_| check.id.has_margin() || check.verdict == Verdict::Fail)
+    let says_why = matches!(check.verdict, Verdict::Fail | Verdict::Advice);
+    check.utilisation.filter(|_| check.id.has_margin() || says_why)
 }
 
 /// A value in its unit, four digits.

@@ -164,7 +164,7 @@ fn every_number_of_a_check_stands_in_the_report_as_it_is_in_the_answer(sample: S
             numbers += 1;
         }
         // What is no margin has no share in the report.
-        let is_margin = check.margin || *check.verdict == answers::Verdict::Fail;
+        let is_margin = check.margin || matches!(*check.verdict, answers::Verdict::Fail | answers::Verdict::Advice);
         if let Some(share) =
             check.utilisation.filter(|_| is_margin).and_then(|share| share.written()).filter(|share| *share >= 0.0005)
         {

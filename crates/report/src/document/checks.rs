@@ -156,7 +156,7 @@ fn row(check: &Check, notes: Vec<usize>, travel: Option<Number>, shown: &Shown) 
         // That of a recommendation or of a voltage class is no margin and is not shown as one.
         percent: check
             .utilisation
-            .filter(|_| *check.verdict == Verdict::Fail || check.margin)
+            .filter(|_| matches!(*check.verdict, Verdict::Fail | Verdict::Advice) || check.margin)
             .map(|share| shown.share(share))
             .unwrap_or_default(),
         at: check.at.map(|at| shown.figure(at, "s")).unwrap_or_default(),
