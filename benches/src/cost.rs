@@ -1,0 +1,197 @@
+//! The cost generator: what can be multiplied is multiplied (points of a table, moves, samples, tolerances, ratios, axes), and each
+//! product is put to `size` and `check` as a process. An answer keeps what `docs/reference/limits.md` promises, some five seconds of
+//! one core and half a gigabyte, or the work is refused before it begins. A promise that is broken by more than a factor of two fails.
+//!
+//! Baseline: numbers sorted, by which the seconds of another machine are ours.
+#![allow(
+    clippy::expect_used,
+    clippy::panic,
+    clippy::print_stdout,
+    reason = "a bench fails loudly and prints what it measured"
+)]
+
+use benches::{binary, sort, timed};
+use std::fmt::Write as _;
+use std::path::Path;
+use std::process::{Command, ExitCode, Stdio};
+use std::time::{Duration, Instant};
+
+/// Seconds of one core, and bytes, that an answer takes at most.
+const PROMISED: (f64, f64) = (5.0, 500e6);
+
+/// By so much a promise may be missed: processes beside this one share caches and memory.
+const SLACK: f64 = 2.0;
+
+/// So many numbers are sorted, which took this time where the promise was measured.
+const SORTED: (usize, f64) = (4_000_000, 0.16);
+
+/// A project with the recording that it names.
+struct Case {
+    name: String,
+    project: String,
+    recording: Option<usize>,
+}
+
+/// What a process took.
+struct Taken {
+    seconds: f64,
+    bytes: f64,
+    code: i32,
+}
+
+const CODE: &str = "CHA-40A-50-H-C1024";
+const SUPPLY: &str = "[requirements]\nsupply = \"560 V\"\n";
+
+/// A load whose inertia and torque are straight between so many points of a revolution.
+fn table(points: usize) -> String {
+    let mut text = String::from("[mechanism.table]\nstart_angle = \"170 deg\"\npoints = [");
+    for k in 0..=points {
+        let angle = 360.0 * k as f64 / points as f64;
+        let (inertia, torque) = (1.2 + 0.4 * (3.0 * angle).to_radians().sin(), 8.0 * (2.0 * angle).to_radians().cos());
+        write!(text, "[\"{angle:.6} deg\", \"{inertia:.6} kg m^2\", \"{torque:.6} N m\"], ")
+            .expect("a string takes all");
+    }
+    text + "]\n"
+}
+
+fn load(kind: &str, points: usize, tolerance: &str) -> String {
+    match kind {
+        "table" => table(points),
+        "arm" => format!(
+            "[mechanism.arm]\ninertia = \"1 kg m^2{tolerance}\"\nmass = \"6 kg\"\ncentre_distance = \"220 mm\"\n\
+             axis_tilt = \"90 deg\"\nstart_angle = \"0 deg\"\nefficiency = 0.95\n"
+        ),
+        _ => format!("[load]\ninertia = \"1 kg m^2{tolerance}\"\nfriction_torque = \"5 N m\"\n"),
+    }
+}
+
+/// Moves to and fro, each of another duration so that none repeats.
+fn moves(count: usize) -> String {
+    let one = |k: usize| {
+        let distance = if k.is_multiple_of(2) { 150 } else { -150 };
+        let time = 2.0 + 1e-3 * k as f64;
+        format!("[[motion]]\nlaw = \"modified_sine\"\ndistance = \"{distance} deg\"\ntime = \"{time} s\"\n")
+    };
+    (0..count).map(one).collect()
+}
+
+const RECORDED: &str = "[[motion]]\nlaw = \"recorded\"\nfile = \"run.csv\"\nsmoothing = \"20 ms\"\n";
+
+fn cases() -> Vec<Case> {
+    let mut all = Vec::new();
+    let mut add = |name: String, body: String, recording: Option<usize>| {
+        let single = if recording.is_some() { "[axis]\nsingle_move = true\n" } else { "" };
+        all.push(Case { name, project: format!("format = 1\n{single}{body}{SUPPLY}"), recording });
+    };
+    for points in [36, 360, 3600, 9900] {
+        for count in [2, 20, 100, 1000] {
+            add(format!("table of {points} points × {count} moves"), load("table", points, "") + &moves(count), None);
+        }
+        for samples in [10_000, 100_000, 1_000_000] {
+            let body = load("table", points, "") + RECORDED;
+            add(format!("table of {points} points × {samples} samples"), body, Some(samples));
+        }
+    }
+    for kind in ["arm", "load"] {
+        for count in [20, 200, 1000] {
+            add(format!("{kind} × {count} moves"), load(kind, 0, "") + &moves(count), None);
+            let toleranced = load(kind, 0, " ± 10 %") + &moves(count);
+            add(format!("{kind} with a tolerance × {count} moves"), toleranced, None);
+            if kind == "load" {
+                let stage = "[stage]\nkind = \"gear\"\nratios = [1.5, 2, 3, 4]\nefficiency = 0.95\n";
+                add(format!("{kind} × {count} moves × 4 ratios"), load(kind, 0, "") + stage + &moves(count), None);
+            }
+        }
+        add(format!("{kind} × 1000000 samples"), load(kind, 0, "") + RECORDED, Some(1_000_000));
+        add(format!("{kind} with a tolerance × 100000 samples"), load(kind, 0, " ± 10 %") + RECORDED, Some(100_000));
+    }
+    all
+}
+
+/// Swings of 150° with the noise of an encoder.
+fn recording(samples: usize) -> String {
+    let mut text = String::from("t [s],q [deg]\n");
+    let mut state = 0x9e37_79b9_7f4a_7c15_u64;
+    for k in 0..samples {
+        state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+        let noise = 0.01 * ((state >> 33) as f64 / f64::from(u32::MAX >> 1) - 0.5);
+        let time = k as f64 * 1e-3;
+        let last = (samples - 1) as f64 * 1e-3;
+        let turns = (last / 7.0).round().max(1.0);
+        let angle = 75.0 * (1.0 - (std::f64::consts::TAU * turns * time / last).cos()) + noise;
+        writeln!(text, "{time:.3},{angle:.6}").expect("a string takes all");
+    }
+    text
+}
+
+/// Runs a process: its time on all cores together and the most memory that it held, as the system shows them while it runs.
+fn taken(binary: &Path, arguments: &[&str]) -> Option<Taken> {
+    let began = Instant::now();
+    let mut child = Command::new(binary).args(arguments).stdout(Stdio::null()).stderr(Stdio::null()).spawn().ok()?;
+    let at = |name: &str| format!("/proc/{}/{name}", child.id());
+    let (status, stat) = (at("status"), at("stat"));
+    let (mut bytes, mut ticks) = (0.0_f64, 0.0_f64);
+    let code = loop {
+        if let Some(status) = child.try_wait().ok()? {
+            break status.code().unwrap_or(-1);
+        }
+        let text = std::fs::read_to_string(&status).unwrap_or_default();
+        let held = text.lines().find_map(|line| line.strip_prefix("VmHWM:")?.trim().strip_suffix(" kB")?.parse().ok());
+        bytes = held.map_or(bytes, |kilobytes: f64| bytes.max(kilobytes * 1024.0));
+        let text = std::fs::read_to_string(&stat).unwrap_or_default();
+        let fields =
+            text.rsplit_once(')').map(|(_, rest)| rest.split_whitespace().collect::<Vec<_>>()).unwrap_or_default();
+        let of = |place: usize| fields.get(place).and_then(|field| field.parse::<f64>().ok()).unwrap_or(0.0);
+        ticks = ticks.max(of(11) + of(12));
+        // A broken promise is not waited out.
+        if began.elapsed() > Duration::from_secs(120) {
+            let _ = child.kill();
+            let _ = child.wait();
+            break -1;
+        }
+        std::thread::sleep(Duration::from_millis(5));
+    };
+    Some(Taken { seconds: ticks / 100.0, bytes, code })
+}
+
+fn main() -> ExitCode {
+    let binary = binary().expect("the release binary is built");
+    let folder = std::env::temp_dir().join(format!("antrieb-cost-{}", std::process::id()));
+    std::fs::create_dir_all(&folder).expect("a folder for the cases");
+    sort(SORTED.0);
+    let slower = (timed(|| sort(SORTED.0)).as_secs_f64() / SORTED.1).max(1.0);
+    let (mut found, mut written) = (Vec::new(), None);
+    for case in cases() {
+        let path = folder.join("case.toml");
+        std::fs::write(&path, &case.project).expect("the project is written");
+        if let Some(samples) = case.recording.filter(|samples| written != Some(*samples)) {
+            std::fs::write(folder.join("run.csv"), recording(samples)).expect("the recording is written");
+            written = Some(samples);
+        }
+        let path = path.to_str().expect("a folder with a name");
+        for arguments in [vec!["size", path], vec!["check", path, "--code", CODE]] {
+            let Some(taken) = taken(&binary, &arguments) else { continue };
+            found.push((format!("{} {}", arguments.first().copied().unwrap_or_default(), case.name), taken));
+        }
+    }
+    let _ = std::fs::remove_dir_all(&folder);
+    let share = |taken: &Taken| (taken.seconds / slower / PROMISED.0).max(taken.bytes / PROMISED.1);
+    found.sort_by(|a, b| share(&b.1).total_cmp(&share(&a.1)));
+    println!("{} runs; the ten that come nearest to what is promised, or beyond:", found.len());
+    for (name, taken) in found.iter().take(10) {
+        let (seconds, megabytes) = (taken.seconds / slower, taken.bytes / 1e6);
+        println!("  {seconds:6.2} s {megabytes:6.0} MB  code {}  {name}", taken.code);
+    }
+    let refused = found.iter().filter(|(_, taken)| taken.code == 2).count();
+    println!("  {refused} refused before the work began");
+    let broken: Vec<&str> = found
+        .iter()
+        .filter(|(_, taken)| share(taken) > SLACK || !(0..=2).contains(&taken.code))
+        .map(|(name, _)| name.as_str())
+        .collect();
+    if broken.is_empty() {
+        return ExitCode::SUCCESS;
+    }
+    println!("  broken: {}", broken.join("; "));
+    ExitCode::FAILURE
+}
