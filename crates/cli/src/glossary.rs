@@ -59,7 +59,11 @@ pub(crate) fn glossary(call: &Call<'_>, asked: &Asked<'_>) -> Result<Answer, Una
 pub(crate) fn units(call: &Call<'_>, asked: &Asked<'_>) -> Result<Answer, Unanswered> {
     let language = call.language;
     // A value in SI has no rounding but that of its unit: as many digits as its exact definition needs.
-    let shown = |number: Number| format_significant(number.written().unwrap_or_default(), 12, language);
+    let shown = |number: Number| {
+        let text = format_significant(number.written().unwrap_or_default(), 12, language);
+        let has_fraction = text.contains(['.', ',']) && !text.contains(['e', '·']);
+        if has_fraction { text.trim_end_matches('0').trim_end_matches(['.', ',']).to_owned() } else { text }
+    };
     let mut parts = Vec::new();
     for measured in units::found(asked)?.quantities {
         let heads = [measured.quantity.as_str(), terminal::also_written(language), terminal::in_si(language)];

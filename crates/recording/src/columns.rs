@@ -14,12 +14,14 @@ pub(crate) struct Heading {
     pub(crate) written: String,
     /// Without the unit that is marked as one.
     pub(crate) named: Named,
+    /// The text under it in a line that may be a row of units.
+    pub(crate) below: Option<String>,
 }
 
 impl Heading {
     pub(crate) fn new(written: &str) -> Self {
         let written = written.trim();
-        Self { written: written.to_owned(), named: Named::marked(written) }
+        Self { written: written.to_owned(), named: Named::marked(written), below: None }
     }
 
     /// As one of the usual names of a role: a unit behind an underscore may be part of the name.
@@ -33,7 +35,8 @@ impl Heading {
     /// Whether its name states a unit of a role.
     fn has_unit_of(&self, role: Role) -> bool {
         let of_role = |unit: &String| role.dimensions().iter().any(|of| Unit::of_dimension(*of, unit).is_some());
-        self.named.unit.as_ref().is_some_and(of_role) || self.named.for_role(role, |_| true).is_some()
+        [&self.named.unit, &self.below].into_iter().flatten().any(of_role)
+            || self.named.for_role(role, |_| true).is_some()
     }
 
     /// As a name of a layout writes it.

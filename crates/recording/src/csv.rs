@@ -61,14 +61,17 @@ fn read(source: impl Read, layout: &Layout, memory: &mut Memory, faults: &mut Fa
         return None;
     }
     let mut is_utf8 = std::str::from_utf8(lines.line()).is_ok();
-    let headings: Vec<Heading> = header.iter().map(|cell| Heading::new(&encoding::text(cell))).collect();
+    let mut headings: Vec<Heading> = header.iter().map(|cell| Heading::new(&encoding::text(cell))).collect();
+    let mut more = advance(&mut lines, faults)?;
+    let second = if more { cells.all(lines.line(), lines.number(), faults) } else { None };
+    for (heading, cell) in headings.iter_mut().zip(second.iter().flatten()) {
+        heading.below = Some(unbracketed(&encoding::text(cell)));
+    }
     let picks = pick(&headings, layout, faults);
 
-    let mut more = advance(&mut lines, faults)?;
     let mut units = None;
     let mut is_table = false;
     if more {
-        let second = cells.all(lines.line(), lines.number(), faults);
         is_table = second.as_deref().is_some_and(holds_number);
         units = second.and_then(|row| unit_row(&row, &picks));
         if let Some(row) = &units {

@@ -489,6 +489,9 @@ fn a_near_miss_is_proposed() {
     };
     assert!(time.len() == 1 && time[0].column == "Zeitstempel" && !time[0].has_unit, "{time:?}");
     assert!(course[0].column == "angel" && course[0].role == Role::Position, "{course:?}");
+    let found = faults("Zeitstempel;Weg\nms;mm\n0;0\n1;1\n2;2\n");
+    let [Fault::TimeMissing { near, .. }] = found.as_slice() else { panic!("{found:?}") };
+    assert!(near[0].has_unit, "the row of units states it");
     let found = faults("Channel 1 [ms],Channel 2 [deg]\n0,0\n1,1\n2,2\n");
     let [Fault::TimeMissing { near: time, .. }, Fault::CourseMissing { near: course, .. }] = found.as_slice() else {
         panic!("{found:?}")

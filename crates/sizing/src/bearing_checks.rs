@@ -277,7 +277,7 @@ pub(crate) fn life(borne: &Borne<'_>, work: &mut Workings) -> Check {
         let pitch = bearing.pitch_diameter.require("d_p")?;
         let rating = bearing.dynamic_rating.require("C")?;
         let kind = bearing.kind.require("bearing_type")?;
-        let load_factor = duty.load_factor.ok_or(Missing { symbol: "f_w" })?;
+        let load_factor = duty.load_factor.ok_or(Missing { symbol: "bearing.load_factor" })?;
         duty.moment_known(axis)?;
         let mean = MeanLoad::of(axis, duty, offset.value, kind.value.life_exponent());
         let equivalent = actuator::dynamic_equivalent_load(&mean.load, mean.moment(), pitch.value);

@@ -497,9 +497,8 @@ fn columns_and_names(
         let table = |pairs: Vec<String>| format!("{{ {} }}", pairs.join(", "));
         let pair = |near: &NearColumn, value: &str| format!("{} = {}", role_key(near.role), toml_text(value));
         let names = table(near.iter().map(|near| pair(near, &near.column)).collect());
-        let usual =
-            |near: &NearColumn| near.role.dimensions().first()?.units().first().map(|unit| pair(near, unit.ascii));
-        let units: Vec<String> = near.iter().filter(|near| !near.has_unit).filter_map(usual).collect();
+        // The unit is left open: nothing in the file says it.
+        let units: Vec<String> = near.iter().filter(|near| !near.has_unit).map(|near| pair(near, "…")).collect();
         let units = if units.is_empty() { String::new() } else { format!("; units = {}", table(units)) };
         let columns = columns(headers, language);
         return either(
