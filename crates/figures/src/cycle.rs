@@ -26,27 +26,43 @@ const LIMIT_NEAR: f64 = 0.2;
 /// Beyond the last thing in a panel.
 const ROOM: f64 = 1.12;
 
+/// Which quantities of a cycle are drawn.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum CyclePanels {
+    /// All of them, one below the other.
+    All,
+    /// Position, speed, acceleration and torque.
+    Motion,
+    /// Current, temperatures and I²t.
+    Heat,
+    /// Speed, torque and power.
+    Energy,
+}
+
 /// Angle, speed, acceleration, torque, current, power, temperatures and I²t over the cycle.
 #[must_use]
 pub fn cycle(project: &Project, candidate: &Candidate<'_>, language: Language) -> Drawing {
-    cycle_with(project, candidate, (None, 1.0), language)
+    cycle_with(project, candidate, CyclePanels::All, (None, 1.0), language)
 }
 
-/// The same between two instants \[s\], drawn anew with what can be seen there, and with a position high enough to be pulled at.
+/// Some of its quantities between two instants \[s\], drawn anew with what can be seen there, and with a position high enough
+/// to be pulled at.
 #[must_use]
 pub fn cycle_within(
     project: &Project,
     candidate: &Candidate<'_>,
+    panels: CyclePanels,
     window: Option<(f64, f64)>,
     language: Language,
 ) -> Drawing {
-    cycle_with(project, candidate, (window, POSITION_HIGH), language)
+    cycle_with(project, candidate, panels, (window, POSITION_HIGH), language)
 }
 
 /// Position, speed and acceleration are those along the line, where the axis has one.
 fn cycle_with(
     project: &Project,
     candidate: &Candidate<'_>,
+    shown: CyclePanels,
     (window, position): (Option<(f64, f64)>, f64),
     language: Language,
 ) -> Drawing {
@@ -58,8 +74,10 @@ fn cycle_with(
     });
     let moves = questions::moves(project);
     let along = (!moves.turns).then_some(moves.per_output);
-    let signals = vec![
-        match along {
+    use CyclePanels::{All, Energy, Heat, Motion};
+    let is_in = |views: &[CyclePanels]| shown == All || views.contains(&shown);
+    let signals = [
+        is_in(&[Motion]).then(|| match along {
             Some(factor) => {
                 let axis = Axis::new("x", MILLIMETRE.symbol).name(pictures::position_along_the_line(language));
                 signal(&course, axis, &MILLIMETRE, |sample| Some(factor * sample.position_rad))
@@ -68,23 +86,25 @@ fn cycle_with(
                 let axis = Axis::new("φ", "°").name(pictures::angle_at_the_output(language));
                 signal(&course, axis, &DEGREE, |sample| Some(sample.position_rad))
             }
-        },
-        along.and_then(|factor| {
+        }),
+        along.filter(|_| is_in(&[Motion])).map(|factor| {
             let axis = Axis::new("v", METRE_PER_SECOND.symbol).name(pictures::speed_along_the_line(language));
             signal(&course, axis, &METRE_PER_SECOND, |sample| Some(factor * sample.speed_rad_s))
         }),
-        limited(
-            signal(
-                &course,
-                Axis::new("n", REVOLUTION_PER_MINUTE.symbol).name(pictures::output_speed(language)),
-                &REVOLUTION_PER_MINUTE,
-                |sample| Some(sample.speed_rad_s),
-            ),
-            limit_of(candidate, CheckId::PeakSpeed),
-            "n_max",
-            language,
-        ),
-        match along {
+        is_in(&[Motion, Energy]).then(|| {
+            limited(
+                signal(
+                    &course,
+                    Axis::new("n", REVOLUTION_PER_MINUTE.symbol).name(pictures::output_speed(language)),
+                    &REVOLUTION_PER_MINUTE,
+                    |sample| Some(sample.speed_rad_s),
+                ),
+                limit_of(candidate, CheckId::PeakSpeed),
+                "n_max",
+                language,
+            )
+        }),
+        is_in(&[Motion]).then(|| match along {
             Some(factor) => {
                 let name = pictures::acceleration_along_the_line(language);
                 let axis = Axis::new("a", METRE_PER_SECOND_SQUARED.symbol).name(name);
@@ -95,35 +115,41 @@ fn cycle_with(
                 let axis = Axis::new("α", RADIAN_PER_SECOND_SQUARED.symbol).name(name);
                 signal(&course, axis, &RADIAN_PER_SECOND_SQUARED, |sample| Some(sample.acceleration_rad_s2))
             }
-        },
-        limited(
+        }),
+        is_in(&[Motion, Energy]).then(|| {
+            limited(
+                signal(
+                    &course,
+                    Axis::new("T", NEWTON_METRE.symbol).name(pictures::output_torque(language)),
+                    &NEWTON_METRE,
+                    |sample| Some(sample.torque_nm),
+                ),
+                limit_of(candidate, CheckId::PeakTorque),
+                "T_max",
+                language,
+            )
+        }),
+        is_in(&[Heat]).then(|| {
+            limited(
+                signal(
+                    &course,
+                    Axis::new("I", AMPERE.symbol).name(pictures::motor_current_rms(language)),
+                    &AMPERE,
+                    |sample| sample.current_a,
+                ),
+                limit_of(candidate, CheckId::PeakCurrent),
+                "I_max",
+                language,
+            )
+        }),
+        is_in(&[Energy]).then(|| {
             signal(
                 &course,
-                Axis::new("T", NEWTON_METRE.symbol).name(pictures::output_torque(language)),
-                &NEWTON_METRE,
-                |sample| Some(sample.torque_nm),
-            ),
-            limit_of(candidate, CheckId::PeakTorque),
-            "T_max",
-            language,
-        ),
-        limited(
-            signal(
-                &course,
-                Axis::new("I", AMPERE.symbol).name(pictures::motor_current_rms(language)),
-                &AMPERE,
-                |sample| sample.current_a,
-            ),
-            limit_of(candidate, CheckId::PeakCurrent),
-            "I_max",
-            language,
-        ),
-        signal(
-            &course,
-            Axis::new("P", WATT.symbol).name(pictures::power_at_the_motor_terminals(language)),
-            &WATT,
-            |sample| sample.power_w,
-        ),
+                Axis::new("P", WATT.symbol).name(pictures::power_at_the_motor_terminals(language)),
+                &WATT,
+                |sample| sample.power_w,
+            )
+        }),
     ];
     let overload = limited(
         signal(&course, Axis::new("I²t", PERCENT.symbol).name(pictures::overload(language)), &PERCENT, |sample| {
@@ -133,12 +159,15 @@ fn cycle_with(
         "",
         language,
     );
-    let mut panels: Vec<Panel> = signals.into_iter().flatten().map(Signal::panel).collect();
+    let mut panels: Vec<Panel> = signals.into_iter().flatten().flatten().map(Signal::panel).collect();
+    let position = if is_in(&[Motion]) { position } else { 1.0 };
     if let Some(first) = panels.first_mut() {
         *first = first.clone().weight(position);
     }
-    panels.extend(temperatures(&course, candidate, language));
-    panels.extend(overload.map(Signal::panel));
+    if is_in(&[Heat]) {
+        panels.extend(temperatures(&course, candidate, language));
+        panels.extend(overload.map(Signal::panel));
+    }
     let mut height = FRAME_MM + (position - 1.0) * PANEL_MM;
     let mut chart = StackedChart::new(time_axis(window, language));
     for (from, to, name) in segments(project, language) {

@@ -130,6 +130,47 @@ impl Drawing {
         Style::new(size).theme(theme).language(language).id(&self.figure.id().replace('_', "-"))
     }
 
+    /// The curves of the figure as a table with tabulators, in the numbers of a language: one below the other, each with
+    /// the heads of its two columns; side by side where they share their first column. Empty where the figure has none.
+    #[must_use]
+    pub fn curves(&self, language: Language) -> String {
+        let (x, lines) = match &self.chart {
+            Chart::Xy(chart) => chart.lines(),
+            Chart::Stacked(chart) => chart.lines(),
+            Chart::Bars(_) | Chart::Map(_) | Chart::Face(_) => return String::new(),
+        };
+        let head = |axis: &plot::Axis, label: &str| {
+            let (symbol, unit) = axis.sign();
+            let name = if label.is_empty() { symbol.to_owned() } else { format!("{symbol} {label}") };
+            if unit.is_empty() { name } else { format!("{name} [{unit}]") }
+        };
+        // Every digit of a number, with the mark of the language.
+        let number = |value: f64| match language {
+            Language::En => value.to_string(),
+            Language::De => value.to_string().replace('.', ","),
+        };
+        let Some((_, first)) = lines.first() else { return String::new() };
+        let places = |line: &plot::Line| line.points().iter().map(|point| point.0.to_bits()).collect::<Vec<_>>();
+        let shared = lines.iter().all(|(_, line)| places(line) == places(first));
+        let mut out = String::new();
+        let blocks: Vec<&[(&plot::Axis, &plot::Line)]> = if shared { vec![&lines] } else { lines.chunks(1).collect() };
+        for block in blocks {
+            let heads = block.iter().map(|(y, line)| head(y, &line.label_text()));
+            out += &[head(x, "")].into_iter().chain(heads).collect::<Vec<_>>().join("\t");
+            out.push('\n');
+            let Some((_, first)) = block.first() else { continue };
+            for (row, (at, _)) in first.points().iter().enumerate() {
+                let cells = block
+                    .iter()
+                    .map(|(_, line)| line.points().get(row).map_or_else(String::new, |point| number(point.1)));
+                out += &[number(*at)].into_iter().chain(cells).collect::<Vec<_>>().join("\t");
+                out.push('\n');
+            }
+            out.push('\n');
+        }
+        out
+    }
+
     /// Draws the figure; its language is that of the style's numbers too.
     #[must_use]
     pub fn render(&self, style: &Style) -> Picture {

@@ -15,7 +15,7 @@ mod torsion;
 mod utilisation;
 
 pub use bearing::{bearing_load, bearing_load_within};
-pub use cycle::{cycle, cycle_within};
+pub use cycle::{CyclePanels, cycle, cycle_within};
 pub use drawing::{Drawing, Figure, side_mm};
 pub use face::{mating_face, mating_face_beside_pins};
 pub use fault::NoFigure;
@@ -42,7 +42,7 @@ pub fn draw_within(
     language: Language,
 ) -> Result<Drawing, NoFigure> {
     match figure {
-        Figure::Cycle => Ok(cycle_within(project, candidate, window, language)),
+        Figure::Cycle => Ok(cycle_within(project, candidate, CyclePanels::All, window, language)),
         Figure::BearingLoad => bearing_load_within(project, candidate, window, language),
         other => draw(other, project, candidate, By::Mass, patience, language),
     }

@@ -1,5 +1,5 @@
 // The folder: a file that another has changed since it was opened is noticed, and whose is kept is asked.
-import { loaded } from './page.js';
+import { loaded, tell } from './page.js';
 const $ = (selector) => document.querySelector(selector);
 const known = () => $('#state [name=known]');
 
@@ -26,12 +26,12 @@ async function load(name) {
   const query = new URLSearchParams({ file: name, lang: document.documentElement.lang });
   const reply = await fetch(`/text?${query}`);
   const text = await reply.text();
-  if (!reply.ok) { $('#told').textContent = text; return; }
+  if (!reply.ok) { tell(text); return; }
   known().value = `${reply.headers.get('x-version') ?? ''} ${name}`;
   $('#file').value = name;
   loaded(text);
   $('#disk').replaceChildren();
-  $('#told').textContent = '';
+  tell('');
 }
 document.addEventListener('click', (event) => {
   const button = event.target.closest?.('[data-disk]');
@@ -39,7 +39,7 @@ document.addEventListener('click', (event) => {
   else if (button?.dataset.disk === 'mine') {
     known().value = button.dataset.known;
     $('#disk').replaceChildren();
-    $('#told').textContent = '';
+    tell('');
     $('#save')?.focus();
   }
 });

@@ -5,7 +5,15 @@ import './waiting.js';
 const $ = (selector) => document.querySelector(selector);
 const all = (selector) => [...document.querySelectorAll(selector)];
 const text = () => $('#text');
-const tell = (words) => { const told = $('#told'); if (told) told.textContent = words; };
+let quiet = 0;
+// A message stays until it is read: some seconds, longer where it is long.
+export function tell(words) {
+  const status = $('#status');
+  if (!status) return;
+  status.textContent = words;
+  clearTimeout(quiet);
+  if (words) quiet = setTimeout(() => { if (status.textContent === words) status.textContent = ''; }, 4000 + 60 * words.length);
+}
 
 // Requests wait for each other; each takes the text as the one before it left it.
 let answered = null;
@@ -45,8 +53,35 @@ function buttons() {
   const set = (id, is) => { const button = $(id); if (button) button.disabled = is; };
   set('#undo', past.length === 0);
   set('#redo', future.length === 0);
-  document.title = document.title.replace(/^• /, '');
-  if (last !== null && last !== saved) document.title = '• ' + document.title;
+  const changed = last !== null && last !== saved;
+  document.title = (changed ? '• ' : '') + titled();
+  const state = $('#file-state');
+  if (state) { state.className = changed ? 'changed' : 'saved'; state.textContent = known() || changed ? state.dataset[changed ? 'changed' : 'saved'] : ''; }
+  if (text()) keepDraft(changed);
+}
+const known = () => ($('#state [name=known]')?.value ?? '').trim() !== '';
+const titled = () => [$('#verdict strong.code')?.textContent, $('#file')?.value, 'antrieb'].filter(Boolean).join(' – ');
+
+// What is not saved is kept by the browser, by the name of its file, until it is saved.
+const DRAFT = 'antrieb-draft ';
+const fileName = () => $('#file')?.value || 'axis.toml';
+function keepDraft(changed) {
+  try {
+    if (changed) localStorage.setItem(DRAFT + fileName(), JSON.stringify({ text: last, base: saved, at: Date.now() }));
+    else if (past.length || future.length) localStorage.removeItem(DRAFT + fileName());
+  } catch { /* a browser that keeps nothing */ }
+}
+function draft() {
+  const place = $('#draft');
+  if (!place || !text()) return;
+  let found;
+  try { found = JSON.parse(localStorage.getItem(DRAFT + fileName()) ?? 'null'); } catch { return; }
+  if (!found || found.text === text().defaultValue || found.base !== text().defaultValue) return;
+  const kind = performance.getEntriesByType('navigation')[0]?.type;
+  if (kind === 'reload' || kind === 'back_forward') { put(found.text); tell(place.dataset.restored); return; }
+  const button = (words, then) => Object.assign(document.createElement('button'), { type: 'button', textContent: words, onclick: () => { place.replaceChildren(); then(); } });
+  place.replaceChildren(`${place.dataset.text} ${fileName()}, ${new Date(found.at).toLocaleString(document.documentElement.lang)} `,
+    button(place.dataset.restore, () => put(found.text)), ' ', button(place.dataset.discard, () => localStorage.removeItem(DRAFT + fileName())));
 }
 function put(value) {
   const field = text();
@@ -90,8 +125,25 @@ document.addEventListener('htmx:after:swap', () => {
   for (const [id, open] of folds) { const fold = document.getElementById(id); if (fold) fold.open = open; }
   right();
   const head = $('#detail-title');
-  if (head && head.dataset.seen === undefined) { head.dataset.seen = ''; head.focus(); head.scrollIntoView({ block: 'nearest' }); }
+  if (head && head.dataset.seen === undefined) { head.dataset.seen = ''; head.focus(); }
+  const begin = $('#begin-title');
+  if (begin && begin.dataset.seen === undefined) { begin.dataset.seen = ''; $('#begin input[type=text]')?.focus(); $('#begin input[type=text]')?.select(); begin.closest('form').scrollIntoView({ block: 'nearest' }); }
 });
+// The drawer gives the focus back to where it was opened.
+let opener = null;
+document.addEventListener('htmx:before:request', (event) => {
+  const { ctx } = event.detail;
+  if (ctx.target?.id === 'detail' && !$('#detail').contains(ctx.sourceElement)) opener = ctx.sourceElement.id || ctx.sourceElement;
+});
+export function shut() {
+  const drawer = $('#detail');
+  if (!drawer?.firstElementChild) return false;
+  drawer.replaceChildren();
+  const to = typeof opener === 'string' ? document.getElementById(opener) : opener?.isConnected ? opener : null;
+  (to?.closest('details.menu:not([open])')?.querySelector('summary') ?? to ?? $('#tools'))?.focus();
+  opener = null;
+  return true;
+}
 addEventListener('antrieb:pulled', note);
 
 // A sign in a drawing and its row point at each other.
@@ -136,7 +188,25 @@ document.addEventListener('htmx:response:error', (event) => {
   try { message = JSON.parse(words).errors.map((each) => each.message).join('; '); } catch { /* a plain sentence */ }
   tell(message);
 });
-document.addEventListener('htmx:error', () => tell($('#told')?.dataset.noAnswer ?? ''));
+// No answer: what was typed is sent again as soon as antrieb answers.
+let unsent = null;
+function gone(event) {
+  const source = event.detail?.ctx?.sourceElement;
+  if (source?.id) unsent = source.id;
+  tell($('#status')?.dataset.noAnswer ?? '');
+  document.documentElement.dataset.away = '';
+}
+export const isAway = () => document.documentElement.dataset.away !== undefined;
+export function back() {
+  if (!isAway()) return;
+  delete document.documentElement.dataset.away;
+  tell($('#status')?.dataset.answers ?? '');
+  const source = unsent && document.getElementById(unsent);
+  unsent = null;
+  source?.dispatchEvent(new Event('change', { bubbles: true }));
+}
+export const away = () => { if (!isAway()) gone({}); };
+document.addEventListener('htmx:error', gone);
 
 // A law chosen by its picture is chosen in the plain menu.
 document.addEventListener('change', (event) => {
@@ -148,7 +218,9 @@ document.addEventListener('change', (event) => {
 });
 
 const fields = () => new URLSearchParams(new FormData($('#state')));
-async function send(path) { return fetch(path, { method: 'POST', body: fields() }); }
+async function send(path) {
+  try { return await fetch(path, { method: 'POST', body: fields() }); } catch { away(); return undefined; }
+}
 function keep(blob, name) {
   const link = document.createElement('a');
   link.href = URL.createObjectURL(blob);
@@ -204,8 +276,11 @@ addEventListener('paste', (event) => {
 });
 async function save() {
   const reply = await send('/save');
+  if (!reply) return;
   const words = await reply.text();
   if (reply.ok) {
+    $('#file').value = reply.headers.get('x-file') ?? $('#file').value;
+    $('#file-name').textContent = $('#file').value;
     $('#state [name=known]').value = `${reply.headers.get('x-version') ?? ''} ${$('#file').value}`;
     saved = last;
     buttons();
@@ -241,11 +316,18 @@ function begin(value, name) {
   document.body.append(form);
   form.requestSubmit();
 }
+// The address of the page itself, without what a project was begun with.
+function home() {
+  const address = new URL(location.href);
+  const query = new URLSearchParams();
+  for (const name of ['lang', 'token']) if (address.searchParams.has(name)) query.set(name, address.searchParams.get(name));
+  return `${address.pathname}${query.size ? '?' + query : ''}`;
+}
 // A link holds the text behind its mark, which no browser sends.
 async function link() {
   const packed = await new Response(new Blob([text().value]).stream().pipeThrough(new CompressionStream('deflate-raw'))).arrayBuffer();
   const code = btoa(String.fromCharCode(...new Uint8Array(packed))).replaceAll('+', '-').replaceAll('/', '_').replaceAll('=', '');
-  history.replaceState(null, '', '#p=' + code);
+  history.replaceState(null, '', `${home()}#p=${code}`);
   await navigator.clipboard?.writeText(location.href).catch(() => {});
   tell(location.href.length > 200 ? location.href.slice(0, 200) + '…' : location.href);
 }
@@ -267,7 +349,7 @@ document.addEventListener('click', (event) => {
   else if (of('api')) download(of('api').dataset.api, of('api').dataset.name);
   else if (of('project')) project();
   else if (of('recording')) choose('.csv,.txt,.parquet', (file) => record(file, file.name));
-  else if (of('close')) { const id = of('close').dataset.close; document.getElementById(id).replaceChildren(); $('#checks-title')?.scrollIntoView({ block: 'nearest' }); }
+  else if (of('close')) shut();
   else if (of('instant')) { lead(of('instant')); jump(Number(of('instant').dataset.instant)); }
   else if (of('into')) { const field = document.getElementById(of('into').dataset.into); field.value = event.target.closest('button').value; field.dispatchEvent(new Event('change', { bubbles: true })); }
 });
@@ -289,5 +371,17 @@ addEventListener('keydown', (event) => {
   else if (event.key === 'y' && !typing) { event.preventDefault(); step(future, past); }
 });
 addEventListener('beforeunload', (event) => { if (last !== null && last !== saved) event.preventDefault(); });
+document.addEventListener('input', (event) => { if (event.target.id === 'file') { $('#file-name').textContent = event.target.value; } });
+// The versions of this session, the last first: undo leads to them too.
+document.addEventListener('click', (event) => {
+  if (!event.target.closest?.('[data-versions]')) return;
+  const all = [...past, last];
+  htmx.ajax('POST', '/versions', { source: $('#versions'), target: '#detail', swap: 'innerHTML', values: { version: all.slice(-20) } });
+});
+document.addEventListener('click', (event) => {
+  const chosen = event.target.closest?.('[data-version]');
+  if (chosen) put(chosen.parentElement.querySelector('textarea').value);
+});
 // A module runs when the page is there.
 right();
+draft();

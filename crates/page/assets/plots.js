@@ -2,7 +2,7 @@
 const $ = (selector) => document.querySelector(selector);
 const all = (selector) => [...document.querySelectorAll(selector)];
 const SVG = 'http://www.w3.org/2000/svg';
-const OVER_TIME = ['#plot-cycle', '#plot-bearing-load'];
+const OVER_TIME = ['#plot-cycle', '#plot-heat', '#plot-energy', '#plot-bearing-load'];
 const panels = (figure) => [...figure.querySelectorAll('g.plane[data-x-min]')];
 const overTime = () => OVER_TIME.map($).filter((figure) => figure && panels(figure).length > 0);
 const numbers = (panel) => Object.fromEntries(['left', 'right', 'top', 'bottom', 'xMin', 'xMax', 'yMin', 'yMax'].map((key) => [key, Number(panel.dataset[key])]));
@@ -16,19 +16,33 @@ const first = () => { const figure = overTime()[0]; return figure && numbers(pan
 let instant = 0;
 export function cursor() {
   const range = $('#instant');
-  const cycle = $('#plot-cycle');
   const p = first();
-  if (!range || !cycle || !p) return;
+  if (!range || !p) return;
   const time = p.xMin + (p.xMax - p.xMin) * Number(range.value) / 1000;
   instant = time;
   for (const figure of overTime()) for (const panel of panels(figure)) line(panel, time);
-  const values = read(cycle, time);
+  const values = read(overTime()[0], time);
   const format = new Intl.NumberFormat(document.documentElement.lang, { maximumSignificantDigits: 4, signDisplay: 'negative' });
   const shown = (value) => format.format(value).replace('-', '\u2212');
-  const told = [`t ${shown(time)} s`, ...values.map((each) => `${each.symbol} ${each.label ? each.label + ' ' : ''}${shown(each.value)} ${each.unit}`)].join(' · ');
-  $('#instant-values').textContent = told;
-  range.setAttribute('aria-valuetext', told);
+  const all = [{ symbol: 't', value: time, unit: 's' }, ...values];
+  const place = $('#instant-values');
+  while (place.childElementCount < all.length) place.append(cell());
+  while (place.childElementCount > all.length) place.lastChild.remove();
+  all.forEach(({ symbol, label, value, unit }, number) => {
+    const [name, amount, of] = place.children[number].children;
+    name.textContent = label ? `${symbol} ${label}` : symbol;
+    amount.textContent = shown(value);
+    of.textContent = unit;
+  });
+  range.setAttribute('aria-valuetext', place.innerText.replace(/\s+/g, ' ').trim());
   point(values);
+  const angle = values.find((each) => each.symbol === 'φ' || each.symbol === 'x');
+  dispatchEvent(new CustomEvent('antrieb:instant', { detail: { time, position: angle?.value, symbol: angle?.symbol } }));
+}
+function cell() {
+  const span = document.createElement('span');
+  span.append(document.createElement('i'), document.createElement('b'), document.createElement('i'));
+  return span;
 }
 function line(panel, time) {
   const p = numbers(panel);
@@ -93,6 +107,28 @@ function point(values) {
 }
 document.addEventListener('input', (event) => { if (event.target.id === 'instant') cursor(); });
 
+// The instant runs through what is shown, once round in as much time as it takes, at least in two seconds.
+let playing = null;
+function play() {
+  const button = $('#play');
+  if (playing) { cancelAnimationFrame(playing.frame); playing = null; button?.setAttribute('aria-pressed', 'false'); return; }
+  const p = first();
+  if (!p) return;
+  playing = { from: performance.now() - Math.max(2, p.xMax - p.xMin) * 1000 * Number($('#instant').value) / 1000 };
+  button.setAttribute('aria-pressed', 'true');
+  const step = (now) => {
+    const range = $('#instant');
+    const q = first();
+    if (!playing || !range || !q) { playing = null; $('#play')?.setAttribute('aria-pressed', 'false'); return; }
+    const long = Math.max(2, q.xMax - q.xMin) * 1000;
+    range.value = 1000 * (((now - playing.from) % long) / long);
+    cursor();
+    playing.frame = requestAnimationFrame(step);
+  };
+  playing.frame = requestAnimationFrame(step);
+}
+document.addEventListener('click', (event) => { if (event.target.closest?.('[data-play]')) play(); });
+
 // To an instant; where it lies outside of what is shown, the whole cycle is shown again.
 let wanted = null;
 export function jump(time) {
@@ -122,21 +158,16 @@ export function overlay() {
   for (const figure of overTime()) {
     const box = figure.querySelector('.frame > svg').viewBox.baseVal;
     const p = numbers(panels(figure)[0]);
-    let until = -Infinity, row = 0, rows = 1;
+    let until = -Infinity;
     for (const mark of figure.querySelectorAll('.marks-row .mark-number')) {
       const time = Number(mark.dataset.instant);
       mark.hidden = time < p.xMin || time > p.xMax;
       if (mark.hidden) continue;
-      const x = xOf(p, time) / box.width;
-      // What would cover the one before stands a row lower.
-      row = x - until < 26 / width(figure) ? row + 1 : 0;
+      // What would cover the one before stands beside it.
+      const x = Math.max(xOf(p, time) / box.width, until + 23 / width(figure));
       until = x;
-      rows = Math.max(rows, row + 1);
       mark.style.left = `${100 * x}%`;
-      mark.style.top = `${row * 26}px`;
     }
-    const place = figure.querySelector('.marks-row');
-    if (place) place.style.height = `${rows * 26}px`;
   }
   for (const grip of all('.grip')) if (held()?.grip !== grip) put(grip, Number(grip.dataset.time), Number(grip.dataset.way));
   if (wanted !== null) { const time = wanted; wanted = null; const p = first(); if (p && time >= p.xMin && time <= p.xMax) jump(time); }

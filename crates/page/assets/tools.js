@@ -34,7 +34,7 @@ function open() {
 function line(number) {
   const field = $('#text');
   if (!field) return;
-  $('#text-pane').open = true;
+  document.documentElement.dataset.left = 'text';
   const lines = field.value.split('\n');
   const begin = lines.slice(0, number - 1).reduce((sum, each) => sum + each.length + 1, 0);
   field.focus();

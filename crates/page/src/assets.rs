@@ -4,6 +4,7 @@ use crate::call::Reply;
 
 const CSS: &str = include_str!("../assets/page.css");
 const SCRIPT: &str = include_str!("../assets/page.js");
+const PANES: &str = include_str!("../assets/panes.js");
 const PLOTS: &str = include_str!("../assets/plots.js");
 const WAITING: &str = include_str!("../assets/waiting.js");
 const FOLDER: &str = include_str!("../assets/folder.js");
@@ -11,7 +12,8 @@ const TOOLS: &str = include_str!("../assets/tools.js");
 const HTMX: &str = include_str!("../assets/htmx.min.js");
 
 /// The names of all files of the page, below `/assets/`.
-pub const ASSETS: [&str; 7] = ["page.css", "page.js", "plots.js", "waiting.js", "folder.js", "tools.js", "htmx.min.js"];
+pub const ASSETS: [&str; 8] =
+    ["page.css", "page.js", "panes.js", "plots.js", "waiting.js", "folder.js", "tools.js", "htmx.min.js"];
 
 /// A file of the page.
 pub(crate) fn asset(name: &str) -> Reply {
@@ -19,6 +21,7 @@ pub(crate) fn asset(name: &str) -> Reply {
     match name {
         "page.css" => Reply::of(200, "text/css; charset=utf-8", CSS),
         "page.js" => Reply::of(200, JAVASCRIPT, SCRIPT),
+        "panes.js" => Reply::of(200, JAVASCRIPT, PANES),
         "plots.js" => Reply::of(200, JAVASCRIPT, PLOTS),
         "waiting.js" => Reply::of(200, JAVASCRIPT, WAITING),
         "folder.js" => Reply::of(200, JAVASCRIPT, FOLDER),
@@ -47,7 +50,8 @@ mod tests {
     /// Files that a browser fetches before the first page, and their uncompressed size.
     #[test]
     fn the_page_stays_light() {
-        let weight: usize = [CSS, SCRIPT, FOLDER, TOOLS, PLOTS, WAITING, HTMX].iter().map(|file| file.len()).sum();
+        let weight: usize =
+            [CSS, SCRIPT, PANES, FOLDER, TOOLS, PLOTS, WAITING, HTMX].iter().map(|file| file.len()).sum();
         assert!(weight < 105_000, "{weight}");
     }
 }

@@ -1,6 +1,6 @@
 //! All axes of a project together: what is chosen for each, whether it fits, and what they add up to.
 
-use crate::demand::verdict_class;
+use crate::checks::verdict_class;
 use crate::form::vals;
 use crate::frame::chosen;
 use crate::state::{Held, State};

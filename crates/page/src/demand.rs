@@ -1,27 +1,20 @@
-//! The middle column: what the axis demands of the actuator that is looked at, over time and in the plane.
+//! The middle pane: what the axis demands of the actuator that is looked at, one view of it at a time.
 
 use crate::call::Shell;
 use crate::form::vals;
-use crate::state::State;
+use crate::state::{State, View};
 use crate::{overlay, tolerances};
-use figures::{Figure, Size, Style, draw_within};
+use figures::{CyclePanels, Drawing, Figure, NoFigure, Size, Style, cycle_within, draw_within};
 use maud::{Markup, PreEscaped, html};
 use project::Project;
-use quantities::{Language, Measure, format_significant};
+use quantities::unit::WATT;
+use quantities::{Language, format_number};
 use questions::list::check::reserve_unasked;
-use questions::texts::{
-    by_importance, counts_text, demand_figures, figure_text, margin_share, margin_text, objection_text, reserve_lines,
-    standing_text, unit_text, verdict_text,
-};
-use questions::{Candidate, Check, Patience, Verdict};
-use words::{
-    assumption_text, capitalised, check_missing, check_title, grade_word, note_text, page, source_text, terminal, terms,
-};
+use questions::texts::{demand_figures, reserve_lines};
+use questions::{Candidate, Patience, power_over_cycle};
+use words::{capitalised, page};
 
-/// Width of the pictures in the page, in pixels.
-const WIDTH: f64 = 640.0;
-
-/// The column, of a candidate judged with every check.
+/// The pane, of a candidate judged with every check.
 pub(crate) fn column(
     state: &State,
     project: &Project,
@@ -32,63 +25,67 @@ pub(crate) fn column(
 ) -> Markup {
     let l = state.language;
     html! {
-        section id="demands" class=[is_old.then_some("old")] aria-labelledby="demands-title" {
-            h2 id="demands-title" { (page::what_it_demands(l)) }
-            (stopped(&html! {}))
-            @if is_old { p.advice role="status" { (page::result_is_old(l)) } }
+        section.pane id="demands" class=[is_old.then_some("old")] aria-labelledby="demands-title" {
+            h2.unseen id="demands-title" { (page::what_it_demands(l)) }
+            (views(state, project, candidate))
             @if let Some(candidate) = candidate {
-                (head(candidate, l))
-                @let none = html! {};
-                @let worst = overlay::worst(candidate);
-                @let held = if is_old { html! {} } else { overlay::grips(state, project) };
                 (sums(project, candidate, patience, l))
-                (tolerances::place(state, project, candidate, shell))
-                (overlay::controls(project, state.window.is_some(), l))
-                (picture((state, patience), project, candidate, Figure::Cycle, &overlay::marks(&worst, "", l), &held))
-                (picture((state, patience), project, candidate, Figure::TorqueSpeed, &none, &none))
-                (checks(candidate, &worst, l))
-                (picture((state, patience), project, candidate, Figure::BearingLoad, &overlay::marks(&worst, "b", l), &none))
-                (picture((state, patience), project, candidate, Figure::Torsion, &none, &none))
-                (assumptions(project, l))
+                (view(state, project, candidate, is_old, shell, patience))
+            } @else { p { (page::no_result_yet(l)) } }
+        }
+    }
+}
+
+/// The pane without a result.
+pub(crate) fn nothing(language: Language) -> Markup {
+    html! {
+        section.pane id="demands" aria-labelledby="demands-title" {
+            h2 id="demands-title" { (page::what_it_demands(language)) }
+            p { (page::no_result_yet(language)) }
+        }
+    }
+}
+
+/// Where it says that the last work ended before it was done; else nothing stands there.
+pub(crate) fn stopped(what: &Markup) -> Markup {
+    html! { p.advice id="stopped" role="status" { (what) } }
+}
+
+/// The tabs of the pane.
+fn views(state: &State, project: &Project, candidate: Option<&Candidate<'_>>) -> Markup {
+    let l = state.language;
+    let title = |view: View| match view {
+        View::Cycle => page::view_cycle(l),
+        View::TorqueSpeed => page::view_torque_speed(l),
+        View::Heat => page::view_heat(l),
+        View::Energy => page::view_energy(l),
+        View::Bearing => page::view_bearing(l),
+        View::ErrorBudget => page::view_error_budget(l),
+    };
+    let has = |view: View| match view {
+        View::Bearing => candidate.is_none_or(|candidate| questions::flange_course(project, candidate).is_some()),
+        View::Cycle | View::TorqueSpeed | View::Heat | View::Energy | View::ErrorBudget => true,
+    };
+    html! {
+        div.views role="tablist" aria-label=(page::what_it_demands(l)) {
+            @for view in View::ALL {
+                button type="button" role="tab" id={ "view-" (view.id()) } aria-selected=(view == state.view) aria-controls="view"
+                    tabindex=(if view == state.view { "0" } else { "-1" }) class=[(!has(view)).then_some("empty")]
+                    hx-post="/work" hx-vals=(vals(&[("view", view.id())])) { (title(view)) }
             }
         }
     }
 }
 
-pub(crate) fn verdict_class(verdict: Verdict) -> &'static str {
-    match verdict {
-        Verdict::Pass => "pass",
-        Verdict::Fail => "fail",
-        Verdict::Advice => "advice",
-        Verdict::NotChecked => "unchecked",
-    }
-}
-
-fn head(candidate: &Candidate<'_>, language: Language) -> Markup {
-    let class = match (candidate.fits(), candidate.open_questions()) {
-        (false, _) => "fail",
-        (true, _) if candidate.leaves_load_unheld() => "fail",
-        (true, 0) => "pass",
-        (true, _) => "unchecked",
-    };
-    html! {
-        p id="standing" role="status" aria-live="polite" class={ "standing " (class) } {
-            strong { (candidate.id) } ": " (standing_text(candidate, language))
-        }
-        p.counts { (counts_text(candidate, language)) }
-        @let keys = candidate.keys_to_state();
-        @if !keys.is_empty() {
-            p.counts { (capitalised(terminal::to_state(language))) ": " @for (place, (key, _)) in keys.iter().enumerate() { @if place > 0 { ", " } code { (key) } } }
-        }
-        @for objection in &candidate.objections { p.fail { (objection_text(candidate, objection, language)) } }
-    }
-}
-
 fn sums(project: &Project, candidate: &Candidate<'_>, patience: &Patience, language: Language) -> Markup {
     // Only if that is quick: the page answers while the user types.
-    let reserve = reserve_unasked(project, candidate, patience).unwrap_or_default();
+    let reserve = if candidate.fits() {
+        reserve_unasked(project, candidate, patience).unwrap_or_default()
+    } else {
+        Default::default()
+    };
     html! {
-        section aria-label=(page::sums(language)) {
+        section.demand aria-label=(page::sums(language)) {
             @if let Some(demand) = &candidate.judgement.demand {
                 dl.sums {
                     @for (symbol, value, unit) in demand_figures(demand, language) {
@@ -97,121 +94,114 @@ fn sums(project: &Project, candidate: &Candidate<'_>, patience: &Patience, langu
                 }
             }
             @for (head, parts) in reserve_lines(&reserve, candidate, language) {
-                p { (capitalised(head)) ": " @for (place, part) in parts.iter().enumerate() { @if place > 0 { "; " } (part) } }
+                p.reserve { (capitalised(head)) ": " @for (place, part) in parts.iter().enumerate() { @if place > 0 { "; " } (part) } }
             }
         }
     }
 }
 
-/// What is said where the last work ended before it was done; nothing else stands there.
-pub(crate) fn stopped(what: &Markup) -> Markup {
-    html! { p.advice id="stopped" role="status" { (what) } }
-}
-
-/// The column without a result.
-pub(crate) fn nothing(language: Language, why: &Markup) -> Markup {
-    html! {
-        section id="demands" aria-labelledby="demands-title" {
-            h2 id="demands-title" { (page::what_it_demands(language)) }
-            (stopped(why))
-            p { (page::no_result_yet(language)) }
-        }
-    }
-}
-
-/// A picture, drawn for the page, with what stands above it and what lies over it; nothing where there is nothing to draw.
-fn picture(
-    (state, patience): (&State, &Patience),
+/// What is shown below the tabs.
+fn view(
+    state: &State,
     project: &Project,
     candidate: &Candidate<'_>,
-    figure: Figure,
-    above: &Markup,
-    over: &Markup,
+    is_old: bool,
+    shell: &dyn Shell,
+    patience: &Patience,
 ) -> Markup {
-    let Ok(drawing) = draw_within(figure, project, candidate, state.window, patience, state.language) else {
-        return html! {};
-    };
-    let (width, height) = drawing.size_mm;
-    let size = Size::pixels(WIDTH, WIDTH * height / width);
-    let name = figure.id().replace('_', "-");
-    let style = Style::new(size).theme(state.theme).language(state.language).id(&name);
+    let l = state.language;
+    let none = html! {};
+    let worst = overlay::worst(candidate);
+    let marks = overlay::marks(&worst, l);
+    let is_narrowed = state.window.is_some();
+    let drawn = drawing(state, project, candidate, patience);
     html! {
-        figure.plot id={ "plot-" (name) } data-figure=(figure.id()) {
+        div id="view" role="tabpanel" aria-labelledby={ "view-" (state.view.id()) } {
+            @match state.view {
+                View::Cycle => {
+                    @let grips = if is_old { html! {} } else { overlay::grips(state, project) };
+                    (overlay::controls(project, is_narrowed, l))
+                    (picture(state, "cycle", drawn, &marks, &grips))
+                }
+                View::TorqueSpeed => (picture(state, "torque-speed", drawn, &none, &none)),
+                View::Heat => {
+                    (overlay::controls(project, is_narrowed, l))
+                    (picture(state, "heat", drawn, &marks, &none))
+                }
+                View::Energy => {
+                    (overlay::controls(project, is_narrowed, l))
+                    (power(project, candidate, l))
+                    (picture(state, "energy", drawn, &marks, &none))
+                }
+                View::Bearing => {
+                    (overlay::controls(project, is_narrowed, l))
+                    (picture(state, "bearing-load", drawn, &marks, &none))
+                }
+                View::ErrorBudget => {
+                    (tolerances::place(state, project, candidate, shell))
+                    (picture(state, "torsion", drawn, &none, &none))
+                }
+            }
+        }
+    }
+}
+
+/// The figure of the view.
+///
+/// # Errors
+/// [`NoFigure`] where there is nothing to draw.
+pub(crate) fn drawing(
+    state: &State,
+    project: &Project,
+    candidate: &Candidate<'_>,
+    patience: &Patience,
+) -> Result<Drawing, NoFigure> {
+    let l = state.language;
+    let over_time = |panels| Ok(cycle_within(project, candidate, panels, state.window, l));
+    let figure = |figure| draw_within(figure, project, candidate, state.window, patience, l);
+    match state.view {
+        View::Cycle => over_time(CyclePanels::Motion),
+        View::Heat => over_time(CyclePanels::Heat),
+        View::Energy => over_time(CyclePanels::Energy),
+        View::TorqueSpeed => figure(Figure::TorqueSpeed),
+        View::Bearing => figure(Figure::BearingLoad),
+        View::ErrorBudget => figure(Figure::Torsion),
+    }
+}
+
+/// The largest powers of the cycle.
+fn power(project: &Project, candidate: &Candidate<'_>, language: Language) -> Markup {
+    let number = |watts: f64| format!("{} {}", format_number(watts, 0, language), WATT.symbol);
+    html! { @if let Some(power) = power_over_cycle(project, candidate) {
+        dl.sums {
+            div { dt { (capitalised(page::power_taken(language))) } dd { (number(power.taken_w)) } }
+            div { dt { (capitalised(page::power_returned(language))) } dd { (number(power.returned_w)) } }
+        }
+    } }
+}
+
+/// A picture as large as the pane leaves room, with what stands above it and what lies over it; where there is nothing to
+/// draw, why not.
+fn picture(state: &State, name: &str, drawing: Result<Drawing, NoFigure>, above: &Markup, over: &Markup) -> Markup {
+    let l = state.language;
+    let drawing = match drawing {
+        Ok(drawing) => drawing,
+        Err(why) => return html! { p.empty { (capitalised(&why.message(None, l))) } },
+    };
+    let (width, height) = state.room;
+    let style = Style::new(Size::pixels(width, height)).theme(state.theme).language(l).id(name);
+    html! {
+        figure.plot id={ "plot-" (name) } data-figure=(drawing.figure.id()) data-width=(width) data-height=(height) {
             (above)
             div.frame { (PreEscaped(drawing.render(&style).into_svg())) (over) }
-            figcaption { (drawing.caption) }
-        }
-    }
-}
-
-/// The heads of a table of checks.
-pub(crate) fn check_heads(language: Language) -> [&'static str; 6] {
-    let l = language;
-    [terms::check(l), terms::verdict(l), terms::value(l), terms::limit(l), terms::unit(l), terms::utilisation_short(l)]
-}
-
-fn checks(candidate: &Candidate<'_>, worst: &[overlay::Worst<'_>], language: Language) -> Markup {
-    let l = language;
-    html! {
-        section aria-labelledby="checks-title" {
-            h3 id="checks-title" { (page::checks_of(&candidate.id, l)) }
-            div.wide tabindex="0" role="region" aria-labelledby="checks-title" {
-                table.checks {
-                    thead { tr { @for head in check_heads(l) { th scope="col" { (crate::tip::of_word(head, l)) } } } }
-                    tbody { @for check in by_importance(&candidate.judgement.checks) { (row(check, worst, l)) } }
+            figcaption {
+                span.caption { (drawing.caption) }
+                span.plot-tools {
+                    button.small type="button" data-full="" aria-pressed="false" title=(page::full_window(l)) aria-label=(page::full_window(l)) { svg.icon viewBox="0 0 14 14" width="14" height="14" aria-hidden="true" { path d="M1 5V1H5M9 1H13V5M13 9V13H9M5 13H1V9" {} } }
+                    button.small type="button" data-copy="svg" { (page::copy_svg(l)) }
+                    button.small type="button" data-copy="data" { (page::copy_data(l)) }
                 }
             }
         }
     }
-}
-
-fn row(check: &Check, worst: &[overlay::Worst<'_>], language: Language) -> Markup {
-    let l = language;
-    let missing = check.missing.map(|symbol| check_missing(symbol, l));
-    let share = margin_share(check).map(|share| (share * 100.0).clamp(0.0, 150.0));
-    html! {
-        tr id={ "check-" (check.id.id()) } class=(verdict_class(check.verdict)) {
-            th scope="row" {
-                button.plain type="button" title=(page::how_it_came_about(l)) hx-post="/explain" hx-target="#detail" hx-swap="innerHTML"
-                    hx-vals=(vals(&[("check", check.id.id())])) { (capitalised(&check_title(check.id, l))) }
-            }
-            td { span.verdict { (verdict_text(check, l)) } }
-            td.number { (figure_text(check.value, l)) }
-            td.number { (figure_text(check.limit, l)) }
-            td { (unit_text(check.value)) }
-            td.number {
-                (margin_text(check, l))
-                @if let Some(share) = share { svg.bar viewBox="0 0 150 8" aria-hidden="true" { rect x="0" y="0" width=(share) height="8" {} path d="M100 0V8" {} } }
-                @if let Some(at) = check.at {
-                    " " button.small type="button" data-instant=(at.si()) title=(page::jump_to_worst(l)) {
-                        @if let Some(number) = overlay::number(worst, check) { span.mark-number { (number) } " " }
-                        (page::worst_instant(&format_significant(at.si(), 3, l), l))
-                    }
-                }
-            }
-        }
-        @if check.verdict == Verdict::NotChecked || check.verdict == Verdict::Advice {
-            tr.told class=(verdict_class(check.verdict)) { td colspan="6" {
-                @if let Some(missing) = missing { (page::to_be_checked_state(l)) " " (missing) " " }
-                @for note in check.notes.iter() { (note_text(note, l)) " " }
-                @if let (Some(source), Some(grade)) = (&check.limit_source, check.grade) { (grade_word(grade, l)) ", " (source_text(source, l)) }
-            } }
-        }
-    }
-}
-
-fn assumptions(project: &Project, language: Language) -> Markup {
-    html! {
-        @if !project.assumptions.is_empty() {
-            details id="assumptions" open {
-                summary { (capitalised(terms::assumptions(language))) }
-                ul { @for assumption in &project.assumptions { li { (assumption_text(*assumption, language)) } } }
-            }
-        }
-    }
-}
-
-/// What the terminal calls the two sides of a check.
-pub(crate) fn sides(language: Language) -> [&'static str; 2] {
-    [terminal::asked(language), terminal::permitted(language)]
 }

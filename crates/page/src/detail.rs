@@ -1,7 +1,7 @@
 //! How a number came about, and actuators side by side: what opens beside the columns.
 
 use crate::chapters::symbol;
-use crate::demand::{sides, verdict_class};
+use crate::checks::{sides, verdict_class};
 use answers::Node;
 use maud::{Markup, html};
 use quantities::{Language, format_significant};

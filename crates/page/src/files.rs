@@ -2,6 +2,8 @@
 
 use crate::call::{Call, Entry, Reply, SaveFault, Shell, Storage};
 use crate::frame;
+use crate::head::USUAL_NAME;
+use crate::names::project_name;
 use crate::start::BEGINS;
 use crate::state::State;
 use maud::{Markup, html};
@@ -14,7 +16,7 @@ use words::{file_trouble, page, upkeep};
 
 /// The requested way to begin.
 pub(crate) fn place(call: &Call<'_>) -> usize {
-    call.field("kind").and_then(|kind| kind.parse().ok()).unwrap_or(usize::MAX)
+    call.field("kind").or_else(|| call.field("begin")).and_then(|kind| kind.parse().ok()).unwrap_or(usize::MAX)
 }
 
 /// The page with a project that was begun with a few figures.
@@ -72,29 +74,34 @@ fn with_record(call: &Call<'_>, name: &str, shell: &dyn Shell, patience: &Patien
     Reply::of(200, crate::HTML, frame::whole(&inner, shell, patience).into_string())
 }
 
-/// Saves the text in the folder; a file that changed since it was opened is left as it is.
+/// Saves the text in the folder; a file that changed since it was opened is left as it is, one that is gone is written anew.
 pub(crate) fn saved(call: &Call<'_>, shell: &dyn Shell) -> Reply {
     let state = State::of(call);
     let l = state.language;
     let Some(folder) = shell.folder() else { return Reply::text(404, page::no_such_page(l)) };
+    let name = project_name(&state.file);
     // Of a file with another name no version is known.
-    let opened = state.known.split_once(' ').filter(|(_, name)| *name == state.file);
-    match folder.save(&state.file, state.text.as_bytes(), opened.map(|(version, _)| version)) {
+    let opened = state.known.split_once(' ').filter(|(_, known)| *known == name).map(|(version, _)| version);
+    let is_gone = || folder.read(&name).is_err_and(|error| error.kind() == ErrorKind::NotFound);
+    let opened = opened.filter(|_| !is_gone());
+    match folder.save(&name, state.text.as_bytes(), opened) {
         Ok(()) => {
-            let told = match folder.place() {
-                Storage::Disk => page::saved(&state.file, l),
-                Storage::Browser => page::kept_in_browser(&state.file, &page::project_file(l), l),
+            let text = match folder.place() {
+                Storage::Disk => page::saved(&name, l),
+                Storage::Browser => page::kept_in_browser(&name, &page::project_file(l), l),
             };
-            let mut reply = Reply::text(200, &told);
+            let mut reply = Reply::text(200, &text);
             reply.headers.push(("x-version", shell.version(state.text.as_bytes())));
+            reply.headers.push(("x-file", name));
             reply
         }
+        Err(SaveFault::Changed) if opened.is_none() => Reply::text(409, &page::name_is_taken(&name, l)),
         Err(SaveFault::Changed) => {
-            let told = match folder.place() {
-                Storage::Disk => page::changed_on_disk(&state.file, l),
-                Storage::Browser => page::changed_in_browser(&state.file, l),
+            let text = match folder.place() {
+                Storage::Disk => page::changed_on_disk(&name, l),
+                Storage::Browser => page::changed_in_browser(&name, l),
             };
-            Reply::text(409, &told)
+            Reply::text(409, &text)
         }
         Err(SaveFault::Name) => Reply::text(422, &page::no_such_name(&state.file, l)),
         Err(SaveFault::Disk(error)) => Reply::text(409, &file_trouble(&error, l)),
@@ -117,9 +124,6 @@ pub(crate) fn example(call: &Call<'_>, shell: &dyn Shell, patience: &Patience) -
     }
     with_text(call, &text, USUAL_NAME, "", shell, patience)
 }
-
-/// What an example is called before it is saved.
-const USUAL_NAME: &str = "axis.toml";
 
 /// The project files of the folder, and the way to one from elsewhere.
 pub(crate) fn listed(call: &Call<'_>, shell: &dyn Shell) -> Markup {

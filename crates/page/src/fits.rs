@@ -1,13 +1,15 @@
-//! The right column: what fits, best first, and what keeps the others out.
+//! The right pane: what fits, best first, with all checks of the one that is looked at; what keeps the others out; the map.
 
+use crate::checks;
 use crate::form::vals;
-use crate::state::{Filter, MARKED_MOST, State};
+use crate::state::{Filter, List, MARKED_MOST, Sort, State};
+use crate::verdict::Outcome;
 use figures::{By, Size, Style, candidate_map};
 use maud::{Markup, PreEscaped, html};
-use quantities::unit::{KILOGRAM, MILLIMETRE, NEWTON_METRE};
+use quantities::unit::{KILOGRAM, MILLIMETRE};
 use quantities::{Language, Measure, format_number};
-use questions::texts::{percent, reason, shown};
-use questions::{Candidate, CandidateId, Sizing};
+use questions::texts::{percent, reason};
+use questions::{Candidate, CandidateId, Sizing, Verdict};
 use words::{capitalised, check_title, page, ranking_rule, terminal, terms};
 
 /// So many of what fits stand before a fold.
@@ -16,40 +18,39 @@ const BEST_SHOWN: usize = 12;
 /// Number of rejected actuators listed by name; the others are counted.
 const REJECTED_SHOWN: usize = 40;
 
-/// The column.
-pub(crate) fn column(
-    state: &State,
-    sizing: Option<&Sizing<'_>>,
-    looked_at: Option<&CandidateId>,
-    is_old: bool,
-) -> Markup {
+/// The pane.
+pub(crate) fn column(state: &State, found: &Outcome<'_, '_>, is_old: bool) -> Markup {
     let l = state.language;
     html! {
-        section id="fits" class=[is_old.then_some("old")] aria-labelledby="fits-title" {
-            h2 id="fits-title" { (page::what_fits(l)) }
-            @if let Some(sizing) = sizing {
-                (answer(sizing, l))
-                (filters(state, sizing))
-                (ranking(state, sizing, looked_at))
-                (rejected(state, sizing, looked_at))
-                (map(state, sizing, looked_at))
-            } @else {
-                p { (page::no_result_yet(l)) }
-            }
+        section.pane id="fits" class=[is_old.then_some("old")] aria-labelledby="fits-title" {
+            h2.unseen id="fits-title" { (page::what_fits(l)) }
+            @if let Some(sizing) = found.sizing {
+                (lists(state, sizing))
+                @match state.list {
+                    List::Ranking => (ranking(state, sizing, found.candidate)),
+                    List::Rejected => (rejected(state, sizing, found.candidate)),
+                    List::Map => (map(state, sizing, found.candidate.map(|candidate| &candidate.id))),
+                }
+            } @else { p { (page::no_result_yet(l)) } }
         }
     }
 }
 
-fn answer(sizing: &Sizing<'_>, language: Language) -> Markup {
+/// The tabs of the pane.
+fn lists(state: &State, sizing: &Sizing<'_>) -> Markup {
+    let l = state.language;
     let fitting = sizing.candidates.iter().filter(|each| each.fits()).count();
-    let judged = terminal::judged(fitting, &sizing.candidates.len(), language);
+    let title = |list: List| match list {
+        List::Ranking => format!("{} ({fitting})", page::what_fits(l)),
+        List::Rejected => format!("{} ({})", page::why_not(l), sizing.candidates.len() - fitting),
+        List::Map => page::map(l).to_owned(),
+    };
     html! {
-        p id="answer" role="status" aria-live="polite" {
-            @match sizing.answer() {
-                Some(best) => { strong.pass { (best.id) } }
-                None => { strong.fail { (capitalised(terminal::no_actuator_fits(language))) } }
+        div.views role="tablist" aria-label=(page::what_fits(l)) {
+            @for list in List::ALL {
+                button type="button" role="tab" id={ "list-" (list.id()) } aria-selected=(list == state.list)
+                    tabindex=(if list == state.list { "0" } else { "-1" }) hx-post="/work" hx-vals=(vals(&[("list", list.id())])) { (title(list)) }
             }
-            br; (judged)
         }
     }
 }
@@ -138,90 +139,167 @@ impl Filter {
     }
 }
 
-fn ranking(state: &State, sizing: &Sizing<'_>, looked_at: Option<&CandidateId>) -> Markup {
+/// The order in which the ranking is shown.
+fn sorted<'s, 'p>(state: &State, mut found: Vec<(usize, &'s Candidate<'p>)>) -> Vec<(usize, &'s Candidate<'p>)> {
+    let by: fn(&Candidate<'_>) -> Option<f64> = match state.sort {
+        Sort::Rank => return found,
+        Sort::Utilisation => |each| Some(each.standing.utilisation),
+        Sort::Mass => |each| each.parameters.mass.known().map(|mass| mass.value.si()),
+        Sort::Length => |each| each.parameters.length.known().map(|length| length.value.si()),
+        // The largest first.
+        Sort::Bore => |each| each.parameters.hollow_shaft.known().map(|bore| -bore.value.si()),
+    };
+    // What is not known stands last.
+    found.sort_by(|(_, a), (_, b)| by(a).unwrap_or(f64::INFINITY).total_cmp(&by(b).unwrap_or(f64::INFINITY)));
+    found
+}
+
+fn ranking(state: &State, sizing: &Sizing<'_>, looked_at: Option<&Candidate<'_>>) -> Markup {
     let l = state.language;
     let fitting: Vec<&Candidate<'_>> = sizing.candidates.iter().filter(|each| each.fits()).collect();
-    let shown_ones: Vec<(usize, &&Candidate<'_>)> =
-        fitting.iter().enumerate().filter(|(_, each)| state.filter.holds(each)).collect();
-    let (first, rest) = shown_ones.split_at(shown_ones.len().min(BEST_SHOWN));
+    let shown: Vec<(usize, &Candidate<'_>)> = fitting
+        .iter()
+        .enumerate()
+        .filter(|(_, each)| state.filter.holds(each))
+        .map(|(place, each)| (place, *each))
+        .collect();
+    let count = shown.len();
+    let all = sorted(state, shown);
+    // The one that is looked at is always among them.
+    let is_it = |each: &Candidate<'_>| looked_at.is_some_and(|candidate| candidate.id == each.id);
+    let (first, rest) = all.split_at(all.len().min(BEST_SHOWN));
+    let below: Vec<_> = rest.iter().filter(|(_, each)| is_it(each)).copied().collect();
+    let own = sizing.own.as_ref();
     html! {
-        @if let Some(own) = &sizing.own {
-            h3 { (capitalised(terms::own_actuator(l))) }
-            p class=(if own.fits() { "pass" } else { "fail" }) { (own.id) ": " @if own.fits() { (terms::fits(l)) } @else { (terms::does_not_fit(l)) ", " (reason(own, l)) } }
+        (filters(state, sizing))
+        @if fitting.is_empty() { p.fail { strong { (capitalised(terminal::no_actuator_fits(l))) } } }
+        @if own.is_some() || !first.is_empty() {
+            table.ranking {
+                (heads(state))
+                @if let Some(own) = own { (row(state, None, own, looked_at)) }
+                @for (place, candidate) in first.iter().chain(&below) { (row(state, Some(place + 1), candidate, looked_at)) }
+            }
         }
-        h3 id="ranking-title" { (page::ranking(l)) }
-        p.small { (ranking_rule(l)) " " (page::shown_of(&shown_ones.len(), &fitting.len(), l)) }
-        @if state.marked.len() >= 2 {
-            button type="button" hx-post="/compare" hx-target="#detail" hx-swap="innerHTML" { (page::side_by_side(l)) }
-        } @else { p.small { (page::compare_told(l)) } }
-        ol.ranking aria-labelledby="ranking-title" {
-            @for (place, candidate) in first { (ranked(state, place + 1, candidate, looked_at)) }
+        @if looked_at.is_some_and(|candidate| !candidate.fits() && own.is_none_or(|own| own.id != candidate.id)) && state.unfolded {
+            @if let Some(candidate) = looked_at { h3 { (candidate.id) } (checks::of(candidate, &state.prefix, l)) }
         }
-        @if !rest.is_empty() {
+        @if rest.len() > below.len() {
             details id="ranking-rest" {
-                summary { (page::more_fitting(rest.len(), l)) }
-                ol.ranking aria-labelledby="ranking-title" {
-                    @for (place, candidate) in rest { (ranked(state, place + 1, candidate, looked_at)) }
+                summary { (page::more_fitting(rest.len() - below.len(), l)) }
+                p.codes { @for (_, candidate) in rest.iter().filter(|(_, each)| !is_it(each)) { (look_at(&candidate.id.to_string(), l)) " " } }
+            }
+        }
+        p.small { (ranking_rule(l)) ". " (page::shown_of(&count, &fitting.len(), l)) }
+        @if state.marked.len() >= 2 {
+            button type="button" id="compare" hx-post="/compare" hx-target="#detail" hx-swap="innerHTML" { (page::side_by_side(l)) }
+        } @else { p.small { (page::compare_told(l)) } }
+    }
+}
+
+fn look_at(name: &str, language: Language) -> Markup {
+    html! { button.plain type="button" title=(page::look_at(&name, language)) hx-post="/work" hx-vals=(vals(&[("code", name)])) { (name) } }
+}
+
+fn heads(state: &State) -> Markup {
+    let l = state.language;
+    let head = |sort: Sort, title: &str, unit: &str| {
+        let is_it = state.sort == sort;
+        html! {
+            th.number scope="col" aria-sort=[is_it.then_some(if sort == Sort::Bore { "descending" } else { "ascending" })] {
+                button.sort type="button" hx-post="/work" hx-vals=(vals(&[("sort", sort.id())])) title=(page::sort_by(&title, l)) {
+                    (title) @if !unit.is_empty() { " " span.unit { (unit) } }
                 }
             }
         }
+    };
+    html! {
+        thead { tr {
+            (head(Sort::Rank, "#", ""))
+            th scope="col" { (capitalised(terms::ordering_code(l))) }
+            (head(Sort::Utilisation, &capitalised(terms::utilisation_short(l)), ""))
+            (head(Sort::Mass, "m", KILOGRAM.symbol))
+            (head(Sort::Length, "L", MILLIMETRE.symbol))
+            (head(Sort::Bore, "d", MILLIMETRE.symbol))
+            th.number scope="col" title=(capitalised(terms::advice(l))) { "!" }
+            th.number scope="col" title=(capitalised(terms::not_checked(l))) { "?" }
+        } }
     }
 }
 
-fn ranked(state: &State, rank: usize, candidate: &Candidate<'_>, looked_at: Option<&CandidateId>) -> Markup {
+fn row(state: &State, rank: Option<usize>, candidate: &Candidate<'_>, looked_at: Option<&Candidate<'_>>) -> Markup {
     let l = state.language;
     let name = candidate.id.to_string();
     let share = candidate.standing.utilisation;
-    let mass = candidate.parameters.mass.known().map(|mass| format_number(KILOGRAM.from_si(mass.value.si()), 1, l));
-    let torque = candidate.judgement.demand.map(|demand| shown(demand.torque_rms.si(), &NEWTON_METRE, l));
-    let tightest = candidate.judgement.tightest().map(|check| check_title(check.id, l)).unwrap_or_default();
-    let advice = candidate.judgement.checks.iter().filter(|check| check.verdict == questions::Verdict::Advice).count();
+    let known = &candidate.parameters;
+    let number = |value: Option<f64>, digits: usize| {
+        value.map_or_else(|| "–".to_owned(), |value| format_number(value, digits, l))
+    };
+    let mass = number(known.mass.known().map(|found| KILOGRAM.from_si(found.value.si())), 1);
+    let length = number(known.length.known().map(|found| MILLIMETRE.from_si(found.value.si())), 0);
+    let bore = number(known.hollow_shaft.known().map(|found| MILLIMETRE.from_si(found.value.si())), 0);
+    let tightest =
+        candidate.judgement.tightest().map(|check| capitalised(&check_title(check.id, l))).unwrap_or_default();
+    let advice = candidate.judgement.checks.iter().filter(|check| check.verdict == Verdict::Advice).count();
     let open = candidate.open_questions();
     let is_marked = |code: &order_code::OrderCode| state.marked.contains(code);
+    let it = looked_at.filter(|it| it.id == candidate.id);
+    let unfolded = it.is_some() && state.unfolded;
     html! {
-        li id={ "r-" (name) } aria-current=[(looked_at == Some(&candidate.id)).then_some("true")] {
-            span.rank { (rank) "." }
-            @if let CandidateId::Code(code) = &candidate.id {
-                input type="checkbox" name="mark" form="state" value=(name) id={ "m-" (name) } aria-label=(page::mark(&name, l))
-                    checked[is_marked(code)] data-checked=(is_marked(code)) disabled[!is_marked(code) && state.marked.len() >= MARKED_MOST]
-                    hx-post="/work" hx-trigger="change";
+        tbody id={ "r-" (name) } aria-current=[it.map(|_| "true")] {
+            tr {
+                td.number.rank { @match rank { Some(rank) => (rank), None => "–" } }
+                td.code {
+                    button.fold type="button" aria-expanded=(unfolded) aria-label=(page::checks_of(&name, l)) hx-post="/work"
+                        hx-vals=(vals(&[("code", &name), ("unfolded", if unfolded { "false" } else { "true" })])) { @if unfolded { "▾" } @else { "▸" } }
+                    @if let CandidateId::Code(code) = &candidate.id {
+                        input type="checkbox" name="mark" form="state" value=(name) id={ "m-" (name) } aria-label=(page::mark(&name, l))
+                            checked[is_marked(code)] data-checked=(is_marked(code)) disabled[!is_marked(code) && state.marked.len() >= MARKED_MOST]
+                            hx-post="/work" hx-trigger="change";
+                    }
+                    (look_at(&name, l))
+                    @if !candidate.on_request.is_empty() { " " span.small { (terms::on_request(l)) } }
+                    @if candidate.leaves_load_unheld() { " " span.fail.small { (page::load_hangs(l)) } }
+                }
+                td.number title=(tightest) {
+                    svg.bar viewBox="0 0 150 8" preserveAspectRatio="none" aria-hidden="true" { rect x="0" y="0" width=((share * 100.0).clamp(0.0, 150.0)) height="8" {} path d="M100 0V8" {} }
+                    " " (percent(Some(share), l))
+                }
+                td.number { (mass) } td.number { (length) } td.number { (bore) }
+                td.number.advice { @if advice > 0 { (advice) } }
+                td.number.unchecked { @if open > 0 { (open) } }
             }
-            button.plain type="button" title=(page::look_at(&name, l)) hx-post="/work" hx-vals=(vals(&[("code", &name)])) { (name) }
-            span.with-bar {
-                svg.bar viewBox="0 0 150 8" preserveAspectRatio="none" aria-hidden="true" { rect x="0" y="0" width=((share * 100.0).clamp(0.0, 150.0)) height="8" {} path d="M100 0V8" {} }
-                (percent(Some(share), l)) " %"
-            }
-            span.more-of {
-                span { (tightest) }
-                @if let Some(torque) = torque { span { "T" sub { "rms" } " " (torque) " Nm" } }
-                @if let Some(mass) = mass { span { (mass) " kg" } }
-                @if !candidate.on_request.is_empty() { span { (terms::on_request(l)) } }
-                @if advice > 0 { span.advice { (terms::advice(l)) ": " (advice) } }
-                @if open > 0 { span.unchecked { (terms::not_checked(l)) ": " (open) } }
-            }
+            @if let Some(it) = it.filter(|_| unfolded) { tr.unfolded { td colspan="8" { (checks::of(it, &state.prefix, l)) } } }
         }
     }
 }
 
-/// The rejected actuators by rising excess, each with the failed check; their details list changes that would admit them.
-fn rejected(state: &State, sizing: &Sizing<'_>, looked_at: Option<&CandidateId>) -> Markup {
+/// The rejected actuators by rising excess, each with the failed check; the checks of the one that is looked at below it.
+fn rejected(state: &State, sizing: &Sizing<'_>, looked_at: Option<&Candidate<'_>>) -> Markup {
     let l = state.language;
     let all: Vec<&Candidate<'_>> = sizing.candidates.iter().filter(|each| !each.fits()).collect();
-    if all.is_empty() {
-        return html! {};
-    }
     let found: Vec<&&Candidate<'_>> = all.iter().filter(|each| state.filter.holds(each)).collect();
+    let is_it = |each: &Candidate<'_>| looked_at.filter(|it| it.id == each.id);
+    let (first, rest) = found.split_at(found.len().min(REJECTED_SHOWN));
+    let below = rest.iter().filter(|each| is_it(each).is_some());
     html! {
-        details id="rejected" open[all.len() == sizing.candidates.len()] {
-            summary { (terminal::rejected_count(&all.len(), l)) }
-            p.small { (page::shown_of(&found.len().min(REJECTED_SHOWN), &all.len(), l)) }
-            ul.rejected {
-                @for candidate in found.iter().take(REJECTED_SHOWN) {
-                    @let name = candidate.id.to_string();
-                    li id={ "r-" (name) } aria-current=[(looked_at == Some(&candidate.id)).then_some("true")] {
-                        button.plain type="button" title=(page::what_would_let_it_in(l)) hx-post="/work" hx-vals=(vals(&[("code", &name)])) { (name) }
-                        span.fail { (reason(candidate, l)) }
+        (filters(state, sizing))
+        p.small { (page::shown_of(&first.len(), &all.len(), l)) }
+        table.rejected {
+            thead { tr { th scope="col" { (capitalised(terms::ordering_code(l))) } th scope="col" { (page::why_not(l)) } } }
+            @for candidate in first.iter().chain(below) {
+                @let name = candidate.id.to_string();
+                @let it = is_it(candidate);
+                @let unfolded = it.is_some() && state.unfolded;
+                tbody id={ "r-" (name) } aria-current=[it.map(|_| "true")] {
+                    tr {
+                        td.code {
+                            button.fold type="button" aria-expanded=(unfolded) aria-label=(page::checks_of(&name, l)) hx-post="/work"
+                                hx-vals=(vals(&[("code", &name), ("unfolded", if unfolded { "false" } else { "true" })])) { @if unfolded { "▾" } @else { "▸" } }
+                            button.plain type="button" title=(page::what_would_let_it_in(l)) hx-post="/work" hx-vals=(vals(&[("code", &name)])) { (name) }
+                        }
+                        td.fail { (reason(candidate, l)) }
                     }
+                    @if let Some(it) = it.filter(|_| unfolded) { tr.unfolded { td colspan="2" { (checks::of(it, &state.prefix, l)) } } }
                 }
             }
         }

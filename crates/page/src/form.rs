@@ -2,13 +2,13 @@
 
 use crate::call::Shell;
 use crate::state::{Held, State};
-use crate::{laws, recorded, sketch};
-use maud::{Markup, html};
+use crate::{laws, recorded, sketch, value};
+use maud::{Markup, PreEscaped, html};
 use project::{Files, KEYS, Key, Kind, SegmentLaw, Variants, example};
-use quantities::{Language, format_significant};
+use quantities::{Dimension, Language, format_significant};
 use questions::texts::recording_text;
 use questions::{ColumnRole, moves};
-use words::{about_text, capitalised, key_word, page, short_label, table_of_project, terms};
+use words::{about_text, assumption_text, capitalised, key_word, page, short_label, table_of_project, terms};
 
 /// What is needed to draw a row.
 pub(crate) struct Form<'f> {
@@ -46,55 +46,75 @@ pub(crate) fn column(state: &State, held: &Held, shell: &dyn Shell) -> Markup {
         }
     };
     html! {
-        section id="moves" aria-labelledby="moves-title" {
-            h2 id="moves-title" { (page::what_moves(l)) }
-            (faults(held, &fields.0, (state.axis, form.prefix), l))
-            (fields)
+        section.pane id="moves" aria-labelledby="moves-title" {
+            h2.unseen id="moves-title" { (page::what_moves(l)) }
+            div.views role="tablist" aria-label=(page::what_moves(l)) {
+                @for (name, title) in [("form", page::what_moves(l)), ("text", page::text_of_the_file(l))] {
+                    button type="button" role="tab" id={ "left-" (name) } data-left=(name) aria-controls={ "left-pane-" (name) } hx-morph-skip="" { (title) }
+                }
+            }
+            div id="left-pane-form" role="tabpanel" aria-labelledby="left-form" { (fields) (assumptions(state, held)) }
+            div id="left-pane-text" role="tabpanel" aria-labelledby="left-text" { (text(state)) }
         }
     }
 }
 
-/// Number of faults shown at once.
-const TOLD_MOST: usize = 20;
-
-/// All faults of the text, each leading to its field, to the axis that has it, or to its line in the text.
-fn faults(held: &Held, fields: &str, (shown, prefix): (usize, &str), language: Language) -> Markup {
-    let has = |id: &str| fields.contains(&format!("id=\"{id}\""));
-    // The field; of what has none the table around it.
-    let place = |path: &str| {
-        // What stands outside of the axis that is shown has no field.
-        let inside = path.strip_prefix(prefix)?;
-        let is_load = |path: &str| matches!(path.strip_prefix(prefix), Some("load" | "mechanism"));
-        let of = |path: &str| {
-            let id = if is_load(path) { String::from("mechanism") } else { id(path) };
-            [id.clone(), format!("{id}-t"), format!("{id}-e")].into_iter().find(|id| has(id))
-        };
-        let other = inside.starts_with("mechanism.").then(|| format!("{prefix}mechanism"));
-        of(path).or_else(|| of(&other?))
-    };
-    let axis = |path: &str| -> Option<usize> {
-        let place: usize = path.strip_prefix("axis[")?.split(']').next()?.parse().ok()?;
-        place.checked_sub(1).filter(|place| *place != shown && *place < held.projects.len())
-    };
+/// The text of the project file.
+fn text(state: &State) -> Markup {
+    let l = state.language;
     html! {
-        div id="faults" role="status" {
-            @if !held.faults.is_empty() {
-                p.fault { strong { (page::faults(held.faults.len(), language)) } }
-                ul {
-                    @for (path, told) in held.faults.iter().take(TOLD_MOST) {
-                        li {
-                            @let at = page::at_line(&told.line, &told.column, language);
-                            @match (path.as_deref().and_then(place), path.as_deref().and_then(axis)) {
-                                (Some(id), _) => a href={ "#" (id) } { (at) },
-                                (None, Some(axis)) => button.plain type="button" hx-post="/work" hx-vals=(vals(&[("axis", &axis.to_string()), ("code", "")])) { (at) },
-                                (None, None) => a href="#text-pane" data-line=(told.line) { (at) },
-                            }
-                            ": " (told.message)
-                            @if let Some(hint) = &told.hint { " – " (hint) }
-                        }
-                    }
-                }
+        label.small for="text" { (page::text_told(l)) }
+        textarea id="text" name="text" form="state" rows="24" spellcheck="false" hx-post="/work" hx-trigger="input changed delay:200ms, change" { (PreEscaped(escaped(&state.text))) }
+    }
+}
+
+/// A text as the content of a field: its first end of line is one that HTML does not leave out.
+pub(crate) fn escaped(text: &str) -> String {
+    let mut out = String::with_capacity(text.len() + 1);
+    if text.starts_with('\n') {
+        out.push('\n');
+    }
+    for sign in text.chars() {
+        match sign {
+            '&' => out.push_str("&amp;"),
+            '<' => out.push_str("&lt;"),
+            '>' => out.push_str("&gt;"),
+            _ => out.push(sign),
+        }
+    }
+    out
+}
+
+/// What was assumed for what the project does not state.
+fn assumptions(state: &State, held: &Held) -> Markup {
+    let l = state.language;
+    let found = held.projects.get(state.axis).map(|project| project.assumptions.as_slice()).unwrap_or_default();
+    html! {
+        @if !found.is_empty() {
+            details id="assumptions" {
+                summary { (capitalised(terms::assumptions(l))) " (" (found.len()) ")" }
+                ul { @for assumption in found { li { (assumption_text(*assumption, l)) } } }
             }
+        }
+    }
+}
+
+/// What a key of a mechanism says something about.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Group {
+    Geometry,
+    Masses,
+    Forces,
+}
+
+impl Group {
+    /// By what the key measures; what is no quantity stands with forces and losses, as an efficiency does.
+    fn of(key: &Key) -> Self {
+        match value::dimensions(key).first() {
+            Some(Dimension::Length | Dimension::Angle) => Self::Geometry,
+            Some(Dimension::Mass | Dimension::MomentOfInertia | Dimension::MassDensity) => Self::Masses,
+            None if matches!(key.kind, Kind::Bodies) => Self::Masses,
+            _ => Self::Forces,
         }
     }
 }
@@ -226,15 +246,34 @@ impl Form<'_> {
         // A short table needs no fold.
         let all = folded.len() <= 4;
         html! {
-            div.rows {
-                @for key in keys.iter().filter(|key| all || first(key)) { (self.any(key, &format!("{path}.{}", key.name), None)) }
-            }
+            (self.grouped(keys.iter().filter(|key| all || first(key)).collect(), path))
             @if !all && !folded.is_empty() {
                 details.more id={ (id(path)) "-m" } open[shown.is_empty()] {
                     summary { (page::further(folded.len(), self.language)) }
-                    div.rows { @for key in folded { (self.any(key, &format!("{path}.{}", key.name), None)) } }
+                    (self.grouped(folded, path))
                 }
             }
+        }
+    }
+
+    /// Rows, of a mechanism under what a person knows of it: geometry, masses, forces and losses.
+    fn grouped(&self, keys: Vec<&Key>, path: &str) -> Markup {
+        let l = self.language;
+        let of_load =
+            path.strip_prefix(self.prefix).is_some_and(|path| path.starts_with("mechanism.") || path == "load");
+        let groups = [
+            (Group::Geometry, page::group_geometry(l)),
+            (Group::Masses, page::group_masses(l)),
+            (Group::Forces, page::group_forces(l)),
+        ];
+        let of = |group: Group| keys.iter().filter(move |key| Group::of(key) == group);
+        let row = |key: &Key| self.any(key, &format!("{path}.{}", key.name), None);
+        html! {
+            @if of_load && groups.iter().filter(|(group, _)| of(*group).next().is_some()).count() > 1 {
+                @for (group, title) in groups {
+                    @if of(group).next().is_some() { div.group { h4 { (title) } div.rows { @for key in of(group) { (row(key)) } } } }
+                }
+            } @else { div.rows { @for key in &keys { (row(key)) } } }
         }
     }
 
@@ -379,8 +418,9 @@ impl Form<'_> {
                             aria-invalid=[wrong.then_some("true")] aria-describedby=[wrong.then_some(&described)]
                             hx-post="/work" hx-trigger="input changed delay:120ms, change" hx-vals=(vals(&[("path", path)])) { (value) }
                     },
-                    _ => {
-                        input id=(id) name="value" type="text" value=(value) placeholder=(ghost) autocomplete="off" spellcheck="false"
+                    Kind::Quantity(..) | Kind::Along(..) => (value::field(key, (&id, path, &label), value, placeholder.filter(|_| value.is_empty()), (wrong, &described), l)),
+                    Kind::Number(..) | Kind::Numbers(..) | Kind::Integer(..) | Kind::Text | Kind::Table(_) | Kind::OneOrMany(..) | Kind::Variants(_) => {
+                        input id=(id) name="value" type="text" value=(value::number(key, value, l)) placeholder=(ghost) autocomplete="off" spellcheck="false"
                             aria-invalid=[wrong.then_some("true")] aria-describedby=[wrong.then_some(&described)]
                             hx-post="/work" hx-trigger="input changed delay:60ms, change" hx-vals=(vals(&[("path", path)]));
                     },

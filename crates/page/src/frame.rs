@@ -1,7 +1,9 @@
-//! The whole page: head, bars, columns, text, and where one begins.
+//! The whole page: head, verdict, three panes, and where one begins.
 
 use crate::call::{Call, Reply, Shell};
+use crate::head::{self, USUAL_NAME};
 use crate::state::{ALL_AXES, Held, State};
+use crate::verdict::{self, Outcome};
 use crate::{axes, demand, detail, fits, form, laws, tools, waiting};
 use figures::Theme;
 use maud::{DOCTYPE, Markup, PreEscaped, html};
@@ -10,9 +12,8 @@ use quantities::Language;
 use questions::list::compare::compare;
 use questions::list::new::{Template, template, template_kinds};
 use questions::list::size::sized;
-use questions::list::{export, report, size};
 use questions::{Candidate, CandidateId, CheckId, Patience, Refusal, check, check_own, explain, explain_own};
-use words::{capitalised, check_title, page, terms};
+use words::{check_title, page};
 
 /// The sign of the page in a browser.
 pub const ICON: &str = "data:image/svg+xml,%3Csvg xmlns='http://www.w3.org/2000/svg' viewBox='0 0 16 16'%3E%3Ccircle cx='8' cy='8' r='6' fill='none' stroke='%231d5fa8' stroke-width='3'/%3E%3C/svg%3E";
@@ -21,7 +22,7 @@ pub const ICON: &str = "data:image/svg+xml,%3Csvg xmlns='http://www.w3.org/2000/
 pub(crate) fn whole(call: &Call<'_>, shell: &dyn Shell, patience: &Patience) -> Markup {
     let mut state = State::of(call);
     if let Some(kind) = call.field("new").filter(|_| state.text.is_empty())
-        && let Some(found) = template(&kind, "axis.toml", state.language)
+        && let Some(found) = template(&kind, USUAL_NAME, state.language)
     {
         state.text = found.text;
     }
@@ -39,6 +40,7 @@ pub(crate) fn whole(call: &Call<'_>, shell: &dyn Shell, patience: &Patience) -> 
                 link rel="stylesheet" href="/assets/page.css";
                 script src="/assets/htmx.min.js" defer {}
                 script type="module" src="/assets/page.js" {}
+                script type="module" src="/assets/panes.js" {}
                 script type="module" src="/assets/folder.js" {}
                 script type="module" src="/assets/tools.js" {}
             }
@@ -47,11 +49,11 @@ pub(crate) fn whole(call: &Call<'_>, shell: &dyn Shell, patience: &Patience) -> 
                 a.skip href="#standing" { (page::skip_to_result(l)) }
                 @match work(&mut state, shell, patience) {
                     Ok(page) => { (page) }
-                    Err((held, why)) => { (unfinished(&state, &held, shell, &waiting::stopped(&why, false, Some("/work"), shell, patience, l))) }
+                    Err((held, why)) => { (unfinished(&state, &held, shell, &waiting::stopped(&why, false, Some("/work"), shell, patience, l), patience)) }
                 }
                 (waiting::place(l))
                 aside id="detail" aria-live="polite" { @if call.field("tool").is_some() { (tools::pane(call, shell, patience)) } }
-                footer { p.small { (page::computed_here(l)) } }
+                dialog id="palette" aria-label=(page::find(l)) {}
             }
         }
     }
@@ -70,7 +72,6 @@ pub(crate) fn worked(call: &Call<'_>, shell: &dyn Shell, patience: &Patience) ->
     let parts = html! {
         (part("#state", state_of(&state)))
         (part("#moves", form::column(&state, &held, shell)))
-        (part("#text-pane", text(&state)))
         (part("#stopped", demand::stopped(&waiting::stopped(&why, true, Some("/work"), shell, patience, l))))
     };
     let mut reply = Reply::of(200, crate::HTML, parts.into_string());
@@ -92,7 +93,7 @@ fn work(state: &mut State, shell: &dyn Shell, patience: &Patience) -> Result<Mar
     }
     if state.all_axes && held.projects.len() > 1 {
         return match axes::together(state, &held, patience) {
-            Ok(summary) => Ok(page_of(state, &held, shell, &html! { main.together { (summary) } })),
+            Ok(summary) => Ok(page_of(state, &held, shell, &html! {}, &html! { main.together { (summary) } })),
             Err(refusal) => Err((Box::new(held), refusal)),
         };
     }
@@ -105,38 +106,59 @@ fn work(state: &mut State, shell: &dyn Shell, patience: &Patience) -> Result<Mar
         state.choose_nearest(sizing);
     }
     let looked_at = project.and_then(|project| looked_at(state, project, sizing.as_ref()?.candidates.first()));
-    let id = looked_at.as_ref().map(|candidate| candidate.id.clone());
-    let columns = html! {
-        main {
-            (form::column(state, &held, shell))
-            @match project {
-                Some(project) => (demand::column(state, project, looked_at.as_ref(), held.is_old, shell, patience)),
-                None => (demand::nothing(state.language, &html! {})),
-            }
-            (fits::column(state, sizing.as_ref(), id.as_ref(), held.is_old))
-        }
+    let found = Outcome { project, sizing: sizing.as_ref(), candidate: looked_at.as_ref() };
+    let moves = form::column(state, &held, shell);
+    let bar = verdict::bar(state, &held, &found, &moves.0, patience);
+    let demands = match project {
+        Some(project) => demand::column(state, project, looked_at.as_ref(), held.is_old, shell, patience),
+        None => demand::nothing(state.language),
     };
-    Ok(page_of(state, &held, shell, &columns))
+    let panes = panes(&moves, &demands, &fits::column(state, &found, held.is_old), state.language);
+    Ok(page_of(state, &held, shell, &bar, &panes))
 }
 
-fn page_of(state: &State, held: &Held, shell: &dyn Shell, main: &Markup) -> Markup {
+/// The three panes with the borders between them.
+fn panes(moves: &Markup, demands: &Markup, fits: &Markup, language: Language) -> Markup {
+    let l = language;
+    let border = |id: &str, of: &str, label: &str| {
+        html! { div.border id=(id) role="separator" tabindex="0" aria-orientation="vertical" aria-label=(label) aria-controls=(of) aria-valuemin="0" aria-valuemax="100" aria-valuenow="25" hx-morph-skip="" {} }
+    };
+    html! {
+        nav.pane-tabs aria-label=(page::panes(l)) {
+            @for (place, title) in [page::what_moves(l), page::what_it_demands(l), page::what_fits(l)].into_iter().enumerate() {
+                button type="button" data-pane=(place + 1) { (title) }
+            }
+        }
+        main id="panes" {
+            (moves)
+            (border("border-1", "moves", page::border_left(l)))
+            (demands)
+            (border("border-2", "fits", page::border_right(l)))
+            (fits)
+        }
+    }
+}
+
+fn page_of(state: &State, held: &Held, shell: &dyn Shell, bar: &Markup, main: &Markup) -> Markup {
     html! {
         div id="work" {
-            (bar(state, shell))
+            (head::of_project(state, held, shell))
+            (head::messages(state.language))
             (state_of(state))
-            (tabs(state, held))
+            (bar)
             (main)
-            (text(state))
         }
     }
 }
 
 /// The page about a project whose first result could not be waited for.
-fn unfinished(state: &State, held: &Held, shell: &dyn Shell, why: &Markup) -> Markup {
-    let columns = html! {
-        main { (form::column(state, held, shell)) (demand::nothing(state.language, why)) (fits::column(state, None, None, true)) }
-    };
-    page_of(state, held, shell, &columns)
+fn unfinished(state: &State, held: &Held, shell: &dyn Shell, why: &Markup, patience: &Patience) -> Markup {
+    let none = Outcome { project: None, sizing: None, candidate: None };
+    let moves = form::column(state, held, shell);
+    let bar = html! { (verdict::bar(state, held, &none, &moves.0, patience)) };
+    let panes =
+        panes(&moves, &html! { (demand::nothing(state.language)) }, &fits::column(state, &none, true), state.language);
+    page_of(state, held, shell, &html! { (bar) (demand::stopped(why)) }, &panes)
 }
 
 /// The selected actuator: the requested one, else the project's own, else the best, with every check.
@@ -162,46 +184,12 @@ pub(crate) fn chosen<'p>(project: &'p Project, best: Option<&Candidate<'_>>) -> 
     }
 }
 
-fn bar(state: &State, shell: &dyn Shell) -> Markup {
-    let (has_folder, writes_report) = (shell.folder().is_some(), shell.report().is_some());
-    let l = state.language;
-    let other = Language::ALL.into_iter().find(|other| *other != l).unwrap_or(l);
-    let dark = state.theme == Theme::Dark;
-    html! {
-        header {
-            h1 { "antrieb" }
-            nav.bar aria-label=(page::title(l)) {
-                a.button href={ "/?lang=" (l.id()) } data-leaves="" { (page::new_project(l)) }
-                @if has_folder {
-                    button type="button" id="open" hx-get="/files" hx-target="#detail" hx-swap="innerHTML" hx-include="#state [name=lang]" { (page::open(l)) }
-                } @else { button type="button" id="open" data-open="" { (page::open(l)) } }
-                label.inline { span { (page::save_as(l)) } input id="file" name="file" form="state" type="text" size="18" value=(if state.file.is_empty() { "axis.toml" } else { &state.file }); }
-                button type="button" id="save" data-save="" { (page::save(l)) }
-                button type="button" id="undo" data-undo="" disabled { (page::undo(l)) }
-                button type="button" id="redo" data-redo="" disabled { (page::redo(l)) }
-                @if writes_report { button type="button" id="report" data-api=(report::ENTRY.path) data-name="antrieb.pdf" { (page::report_pdf(l)) } }
-                button type="button" id="workbook" data-api=(export::ENTRY.path) data-name="antrieb.xlsx" { (page::workbook(l)) }
-                button type="button" id="data" data-api=(size::ENTRY.path) data-name="antrieb.json" { (page::data_json(l)) }
-                button type="button" id="project" data-project="" { (page::project_file(l)) }
-                button type="button" id="link" data-link="" { (page::link_to_this(l)) }
-                button type="button" id="tools" hx-post="/tools" hx-target="#detail" hx-swap="innerHTML" { (page::tools(l)) }
-                button type="button" id="language" hx-post="/" hx-target="body" hx-swap="outerMorph" hx-vals=(form::vals(&[("lang", other.id())])) lang=(other.id()) { (page::other_language(l)) }
-                button type="button" id="theme" aria-pressed=(dark) hx-post="/" hx-target="body" hx-swap="outerMorph"
-                    hx-vals=(form::vals(&[("theme", if dark { "light" } else { "dark" })])) { (page::dark(l)) }
-            }
-            @if !writes_report { p.small { (page::report_elsewhere(l)) } }
-            p id="told" role="status" hx-morph-skip="" data-no-answer=(page::no_answer(l)) {}
-            div id="disk" role="alert" hx-morph-skip="" {}
-        }
-    }
-}
-
 /// What every request carries.
 fn state_of(state: &State) -> Markup {
     let code = state.code.map(|code| code.to_string()).unwrap_or_default();
     html! {
         form id="state" hidden {
-            textarea name="good" { (PreEscaped(escaped(&state.good))) }
+            textarea name="good" { (PreEscaped(form::escaped(&state.good))) }
             input type="hidden" name="axis" value=(if state.all_axes { String::from(ALL_AXES) } else { state.axis.to_string() });
             input type="hidden" name="from" value=[state.window.map(|window| window.0)];
             input type="hidden" name="until" value=[state.window.map(|window| window.1)];
@@ -209,51 +197,12 @@ fn state_of(state: &State) -> Markup {
             input type="hidden" name="lang" value=(state.language.id());
             input type="hidden" name="theme" value=(if state.theme == Theme::Dark { "dark" } else { "light" });
             input type="hidden" name="known" value=(state.known);
-        }
-    }
-}
-
-/// A text as the content of a field: its first end of line is one that HTML does not leave out.
-fn escaped(text: &str) -> String {
-    let mut out = String::with_capacity(text.len() + 1);
-    if text.starts_with('\n') {
-        out.push('\n');
-    }
-    for sign in text.chars() {
-        match sign {
-            '&' => out.push_str("&amp;"),
-            '<' => out.push_str("&lt;"),
-            '>' => out.push_str("&gt;"),
-            _ => out.push(sign),
-        }
-    }
-    out
-}
-
-fn tabs(state: &State, held: &Held) -> Markup {
-    let l = state.language;
-    html! {
-        @if held.projects.len() > 1 {
-            nav.tabs aria-label=(capitalised(terms::axis(l))) {
-                @for (place, project) in held.projects.iter().enumerate() {
-                    button type="button" id={ "axis-" (place) } data-axis=(project.name)
-                        aria-current=[(place == state.axis && !state.all_axes).then_some("page")]
-                        hx-post="/work" hx-vals=(form::vals(&[("axis", &place.to_string()), ("code", ""), ("from", ""), ("until", "")])) { (project.name) }
-                }
-                button type="button" id="axis-all" aria-current=[state.all_axes.then_some("page")]
-                    hx-post="/work" hx-vals=(form::vals(&[("axis", ALL_AXES), ("code", "")])) { (page::all_axes(l)) }
-            }
-        }
-    }
-}
-
-fn text(state: &State) -> Markup {
-    let l = state.language;
-    html! {
-        details id="text-pane" {
-            summary { (page::text_of_the_file(l)) }
-            label.small for="text" { (page::text_told(l)) }
-            textarea id="text" name="text" form="state" rows="24" spellcheck="false" hx-post="/work" hx-trigger="input changed delay:200ms, change" { (PreEscaped(escaped(&state.text))) }
+            input type="hidden" name="view" value=(state.view.id());
+            input type="hidden" name="list" value=(state.list.id());
+            input type="hidden" name="sort" value=(state.sort.id());
+            input type="hidden" name="unfolded" value=(state.unfolded);
+            input type="hidden" name="width" value=(state.room.0);
+            input type="hidden" name="height" value=(state.room.1);
         }
     }
 }
@@ -263,40 +212,72 @@ fn start(state: &State, shell: &dyn Shell) -> Markup {
     let l = state.language;
     html! {
         div id="work" {
+            (head::of_start(state))
+            (head::messages(l))
             (state_of(state))
-            header { h1 { "antrieb" } nav.bar aria-label=(page::title(l)) {
-                button type="button" id="tools" hx-post="/tools" hx-target="#detail" hx-swap="innerHTML" { (page::tools(l)) }
-                @for other in Language::ALL { @if other != l { a.button href={ "/?lang=" (other.id()) } lang=(other.id()) { (page::other_language(l)) } } }
-            } p id="told" role="status" hx-morph-skip="" data-no-answer=(page::no_answer(l)) {} }
             main.start {
                 section aria-labelledby="start-title" {
                     h2 id="start-title" { (page::what_do_you_move(l)) }
                     p { (page::start_told(l)) }
-                    (crate::start::tiles(l))
+                    div.begin {
+                        (crate::start::tiles(l))
+                        div id="begin" aria-live="polite" {}
+                    }
                 }
                 section aria-labelledby="example-title" {
                     h2 id="example-title" { (page::or_an_example(l)) }
-                    ul.plain { @for kind in template_kinds() {
-                        @if let Some(found) = template(kind, "axis.toml", l) { li { (example(kind, &found, l)) } }
-                    } }
+                    ul.cards { @for (kind, found) in examples(l) { li { (example(kind, &found, l)) } } }
                 }
                 section aria-labelledby="file-title" {
                     h2 id="file-title" { (page::or_a_file(l)) }
                     button type="button" data-open="" { (page::open(l)) }
                     (crate::files::in_folder(shell, l))
                 }
+                p.small { (page::computed_here(l)) }
             }
         }
     }
+}
+
+/// The examples, each once: several names may lead to the same.
+fn examples(language: Language) -> Vec<(&'static str, Template)> {
+    let mut found: Vec<(&'static str, Template)> = Vec::new();
+    for kind in template_kinds() {
+        let Some(one) = template(kind, USUAL_NAME, language) else { continue };
+        if found.iter().all(|(_, known)| known.text != one.text) {
+            found.push((kind, one));
+        }
+    }
+    found
 }
 
 /// An example; one with a recording puts it into the folder, which a link may not.
 fn example(kind: &str, found: &Template, language: Language) -> Markup {
     let about = crate::start::about(&found.text, kind);
     let l = language.id();
+    let drawing = crate::sketch::still(crate::start::mechanism_of(&found.text).as_deref());
+    let inside = html! { span.sketch aria-hidden="true" { (drawing) } span { (about) @if found.recording.is_none() { br; span.small hx-get={ "/example?kind=" (kind) "&lang=" (l) } hx-trigger="load" hx-target="this" hx-swap="innerHTML" hx-include="unset" hx-sync="this" {} } } };
     html! {
-        @if found.recording.is_none() { a href={ "/?new=" (kind) "&lang=" (l) } { (about) } }
-        @else { form method="post" action={ "/example?kind=" (kind) "&lang=" (l) } { button.plain type="submit" { (about) } } }
+        @if found.recording.is_none() { a.card href={ "/?new=" (kind) "&lang=" (l) } { (inside) } }
+        @else { form method="post" action={ "/example?kind=" (kind) "&lang=" (l) } { button.card type="submit" { (inside) } } }
+    }
+}
+
+/// The curves of the picture that is shown, as a table.
+pub(crate) fn curves(call: &Call<'_>, shell: &dyn Shell, patience: &Patience) -> Reply {
+    let mut state = State::of(call);
+    let held = state.hold(shell.files(), patience);
+    let Some(project) = held.projects.get(state.axis) else {
+        return Reply::text(404, page::no_result_yet(state.language));
+    };
+    let sizing = if state.code.is_none() { sized(project, 0, patience).ok() } else { None };
+    let best = sizing.as_ref().and_then(|sizing| sizing.candidates.first());
+    let Some(candidate) = looked_at(&state, project, best) else {
+        return Reply::text(404, page::no_result_yet(state.language));
+    };
+    match demand::drawing(&state, project, &candidate, patience) {
+        Ok(drawing) => Reply::text(200, &drawing.curves(state.language)),
+        Err(why) => Reply::text(404, &why.message(None, state.language)),
     }
 }
 

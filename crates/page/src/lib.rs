@@ -11,12 +11,15 @@ mod assets;
 mod axes;
 mod call;
 mod chapters;
+mod checks;
 mod demand;
 mod detail;
 mod files;
+mod find;
 mod fits;
 mod form;
 mod frame;
+mod head;
 mod laws;
 mod names;
 mod overlay;
@@ -27,6 +30,9 @@ mod state;
 mod tip;
 mod tolerances;
 mod tools;
+mod value;
+mod verdict;
+mod versions;
 mod waiting;
 
 pub use api::{methods, misdirected, wrong_method};
@@ -53,9 +59,9 @@ pub fn respond(call: &Call<'_>, shell: &dyn Shell, patience: &Patience) -> Reply
     match (call.method, call.path) {
         (Method::Get, "/health") => Reply::text(200, "ok\n"),
         (Method::Get, "/") if call.field("open").is_some() => files::opened(call, shell, patience),
+        (Method::Get, "/") if call.field("begin").is_some() => files::begun(call, shell, patience),
         (_, "/") => html(frame::whole(call, shell, patience)),
         (Method::Get, "/begin") => html(start::asked(files::place(call), call.language())),
-        (Method::Post, "/begin") => files::begun(call, shell, patience),
         (Method::Post, "/work") => frame::worked(call, shell, patience),
         (Method::Post, "/tolerances") => html(tolerances::judged(call, shell, patience)),
         (Method::Get, PROGRESS) => waiting::progress(call, shell),
@@ -63,6 +69,11 @@ pub fn respond(call: &Call<'_>, shell: &dyn Shell, patience: &Patience) -> Reply
         (Method::Post, "/explain") => html(frame::explained(call, shell, patience)),
         (Method::Post, "/compare") => html(frame::compared(call, shell, patience)),
         (Method::Post, "/tools") => html(tools::pane(call, shell, patience)),
+        (Method::Get, "/find") => html(find::found(call)),
+        (Method::Get, "/keys") => html(find::keyboard(call)),
+        (Method::Post, "/versions") => html(versions::listed(call)),
+        (Method::Post, "/curves") => frame::curves(call, shell, patience),
+        (Method::Get, "/example") => html(start::example_verdict(call, shell, patience)),
         (Method::Get, "/files") => html(files::listed(call, shell)),
         (Method::Get, "/watch") => files::watched(call, shell),
         (Method::Get, "/text") => files::text(call, shell),

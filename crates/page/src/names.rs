@@ -15,6 +15,12 @@ pub fn is_project_name(name: &str) -> bool {
     name.len() <= NAME_MOST && name.strip_suffix(".toml").is_some_and(is_plain)
 }
 
+/// The name of a project file as it was typed: without spaces around it, each one inside as a hyphen, and with its ending.
+pub(crate) fn project_name(typed: &str) -> String {
+    let name = typed.split_whitespace().collect::<Vec<_>>().join("-");
+    if name.is_empty() || name.ends_with(".toml") { name } else { format!("{name}.toml") }
+}
+
 /// The names that a recording may have in the folder, its own first; none where it is no name of a recording.
 #[must_use]
 pub fn recording_names(name: &str) -> Option<impl Iterator<Item = String> + use<'_>> {

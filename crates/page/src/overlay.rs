@@ -1,7 +1,7 @@
 //! What lies over the pictures: the instant, marks of the worst instants, ends of segments to pull at. A script puts each
 //! where its numbers belong; it has them from here.
 
-use crate::demand::verdict_class;
+use crate::checks::verdict_class;
 use crate::state::State;
 use maud::{Markup, html};
 use project::Project;
@@ -15,17 +15,20 @@ pub(crate) fn controls(project: &Project, is_narrowed: bool, language: Language)
     let l = language;
     html! {
         div.cursor {
-            label for="instant" { (page::instant_on_the_axis(l)) }
-            input id="instant" type="range" min="0" max="1000" value="0" step="1" data-until=(project.axis.motion.duration().si()) aria-describedby="instant-told" aria-keyshortcuts="+ - 0";
-            span.zoom role="group" aria-label=(page::time_shown(l)) {
-                button type="button" id="zoom-in" data-zoom="in" aria-label=(page::zoom_in(l)) title=(page::zoom_in(l)) { "+" }
-                button type="button" id="zoom-out" data-zoom="out" aria-label=(page::zoom_out(l)) title=(page::zoom_out(l)) disabled[!is_narrowed] { "−" }
-                button type="button" id="zoom-back" data-zoom="back" aria-label=(page::window_back(l)) title=(page::window_back(l)) disabled[!is_narrowed] { "◂" }
-                button type="button" id="zoom-on" data-zoom="on" aria-label=(page::window_on(l)) title=(page::window_on(l)) disabled[!is_narrowed] { "▸" }
-                button type="button" id="zoom-whole" data-zoom="whole" disabled[!is_narrowed] { (page::whole_cycle(l)) }
+            div.cursor-line-of {
+                button.icon type="button" id="play" data-play="" aria-pressed="false" aria-label=(page::play(l)) title=(page::play(l)) { "▶" }
+                label.unseen for="instant" { (page::instant_on_the_axis(l)) }
+                input id="instant" type="range" min="0" max="1000" value="0" step="1" title=(page::instant_on_the_axis(l)) data-until=(project.axis.motion.duration().si()) aria-describedby="instant-about" aria-keyshortcuts="+ - 0";
+                span.zoom role="group" aria-label=(page::time_shown(l)) {
+                    button type="button" id="zoom-in" data-zoom="in" aria-label=(page::zoom_in(l)) title=(page::zoom_in(l)) { "+" }
+                    button type="button" id="zoom-out" data-zoom="out" aria-label=(page::zoom_out(l)) title=(page::zoom_out(l)) disabled[!is_narrowed] { "−" }
+                    button type="button" id="zoom-back" data-zoom="back" aria-label=(page::window_back(l)) title=(page::window_back(l)) disabled[!is_narrowed] { "◂" }
+                    button type="button" id="zoom-on" data-zoom="on" aria-label=(page::window_on(l)) title=(page::window_on(l)) disabled[!is_narrowed] { "▸" }
+                    button type="button" id="zoom-whole" data-zoom="whole" disabled[!is_narrowed] { (page::whole_cycle(l)) }
+                }
             }
             output id="instant-values" for="instant" {}
-            p.small id="instant-told" { (page::cursor_told(l)) }
+            span.unseen id="instant-about" { (page::cursor_told(l)) }
         }
     }
 }
@@ -56,8 +59,8 @@ pub(crate) fn number(worst: &[Worst<'_>], check: &Check) -> Option<usize> {
     Some(place + 1)
 }
 
-/// The marks over a picture; `of` identifies the picture.
-pub(crate) fn marks(worst: &[Worst<'_>], of: &str, language: Language) -> Markup {
+/// The marks over a picture.
+pub(crate) fn marks(worst: &[Worst<'_>], language: Language) -> Markup {
     let l = language;
     html! {
         @if !worst.is_empty() {
@@ -67,7 +70,7 @@ pub(crate) fn marks(worst: &[Worst<'_>], of: &str, language: Language) -> Markup
                     @let first = each.checks.first().map(|check| check.id.id()).unwrap_or_default();
                     @let told = format!("{}: {}", page::worst_instant(&format_significant(each.at_s, 3, l), l), names);
                     @let class = each.checks.first().map(|check| verdict_class(check.verdict)).unwrap_or_default();
-                    button type="button" class={ "mark-number " (class) } id={ "mark-" (of) (place) } data-instant=(each.at_s) data-row={ "check-" (first) }
+                    button type="button" class={ "mark-number " (class) } id={ "mark-" (place) } data-instant=(each.at_s) data-row={ "check-" (first) }
                         title=(told) aria-label={ (place + 1) ": " (told) } { (place + 1) }
                 }
             }

@@ -1,10 +1,14 @@
 //! Where one begins: a mechanism, at most six figures, a first answer.
 
+use crate::call::{Call, Shell};
 use crate::sketch;
 use maud::{Markup, html};
 use project::{Edit, KEYS, Kind, edit, key_at};
-use quantities::Language;
-use words::{about_text, capitalised, page, short_label};
+use quantities::{Language, Measure, format_significant};
+use questions::list::new::template;
+use questions::list::size::sized;
+use questions::{Patience, read_all_watched};
+use words::{about_text, capitalised, page, short_label, terminal};
 
 /// A way to begin: the mechanism, and the keys to fill in with typical values; those after
 /// the sixth are set without a field.
@@ -259,7 +263,7 @@ pub(crate) fn tiles(language: Language) -> Markup {
     html! {
         ul.tiles { @for (place, begin) in BEGINS.iter().enumerate() {
             @let title = title(begin.mechanism, language);
-            li { button.tile type="button" hx-get={ "/begin?kind=" (place) "&lang=" (language.id()) } hx-target="#detail" hx-swap="innerHTML" hx-include="unset" {
+            li { button.tile type="button" hx-get={ "/begin?kind=" (place) "&lang=" (language.id()) } hx-target="#begin" hx-swap="innerHTML" hx-include="unset" {
                 span.sketch aria-hidden="true" { (sketch::still(begin.mechanism)) }
                 span { (title) }
             } }
@@ -270,18 +274,52 @@ pub(crate) fn tiles(language: Language) -> Markup {
 /// The few figures of a way to begin.
 pub(crate) fn asked(place: usize, language: Language) -> Markup {
     let Some(begin) = BEGINS.get(place) else { return html! {} };
-    let inside = html! {
-        form.rows method="post" action={ "/begin?kind=" (place) "&lang=" (language.id()) } {
+    html! {
+        form.begin-form.rows method="get" action="/" aria-labelledby="begin-title" {
+            h3 id="begin-title" tabindex="-1" { (title(begin.mechanism, language)) }
+            span.sketch { (sketch::of(begin.mechanism, None, "b", &title(begin.mechanism, language), language)) }
+            p.small { (page::usual_values(language)) }
             @for (path, value) in begin.asked {
                 div.row {
                     label for={ "b-" (crate::form::id(path)) } { (key_at(path).map(|key| capitalised(&short_label(about_text(key.about, language)))).unwrap_or_default()) @if path.starts_with("motion[2]") { " (" (words::law_text(project::SegmentLaw::Dwell, language)) ")" } }
                     input id={ "b-" (crate::form::id(path)) } name=(path) type="text" value=(value) autocomplete="off" spellcheck="false";
                 }
             }
-            button type="submit" { (page::first_answer(language)) }
+            input type="hidden" name="begin" value=(place);
+            input type="hidden" name="lang" value=(language.id());
+            button.primary type="submit" { (page::first_answer(language)) }
         }
+    }
+}
+
+/// What comes out of an example, for its card.
+pub(crate) fn example_verdict(call: &Call<'_>, shell: &dyn Shell, patience: &Patience) -> Markup {
+    let l = call.language();
+    let kind = call.field("kind").unwrap_or_default();
+    let Some(found) = template(&kind, crate::head::USUAL_NAME, l).filter(|found| found.recording.is_none()) else {
+        return html! {};
     };
-    crate::detail::frame(&title(begin.mechanism, language), &inside, language)
+    let Ok(projects) = read_all_watched(&found.text, shell.files(), patience) else { return html! {} };
+    let Some((project, sizing)) =
+        projects.first().and_then(|project| Some((project, sized(project, 0, patience).ok()?)))
+    else {
+        return html! {};
+    };
+    let cycle = format_significant(project.axis.motion.duration().si(), 3, l);
+    html! {
+        @match sizing.answer() {
+            Some(best) => span class=(crate::verdict::class(best)) { (best.id) },
+            None => span.fail { (capitalised(terminal::no_actuator_fits(l))) },
+        }
+        " " span.small { (page::cycle_of(&cycle, l)) }
+    }
+}
+
+/// The mechanism of a project's text.
+pub(crate) fn mechanism_of(text: &str) -> Option<String> {
+    project::written(text)?
+        .iter()
+        .find_map(|key| key.path.strip_prefix("mechanism.")?.split('.').next().map(str::to_owned))
 }
 
 /// The first line of an example: what it is.

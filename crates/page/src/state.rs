@@ -4,9 +4,10 @@
 
 use crate::call::Call;
 use crate::form::tolerance_of;
+use crate::value::{in_unit, stated, with_point};
 use figures::{By, MapPoint, Theme, nearest};
 use order_code::OrderCode;
-use project::{Diagnostic, Edit, Files, Key, Project, Written, edit, stretch, written};
+use project::{Diagnostic, Edit, Files, Key, Kind, Project, Written, edit, key_at, stretch, written};
 use quantities::Language;
 use questions::{CandidateId, Draw, Patience, Refusal, SAMPLES_MOST, Sizing, Unread, read_all_watched, read_code};
 use words::{Told, told};
@@ -41,6 +42,121 @@ pub(crate) struct State {
     pub(crate) filter: Filter,
     /// How many samples of the tolerances are judged; as many as some seconds allow without it.
     pub(crate) samples: Option<usize>,
+    /// What the middle pane shows.
+    pub(crate) view: View,
+    /// What the right pane shows.
+    pub(crate) list: List,
+    /// The column by which the ranking is sorted, where it is not the order of the ranking itself.
+    pub(crate) sort: Sort,
+    /// Whether the actuator that is looked at shows its checks.
+    pub(crate) unfolded: bool,
+    /// Width and height that the pictures of the middle pane may take \[px\].
+    pub(crate) room: (f64, f64),
+}
+
+/// The tabs of the middle pane.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub(crate) enum View {
+    #[default]
+    Cycle,
+    TorqueSpeed,
+    Heat,
+    Energy,
+    Bearing,
+    ErrorBudget,
+}
+
+impl View {
+    pub(crate) const ALL: [Self; 6] =
+        [Self::Cycle, Self::TorqueSpeed, Self::Heat, Self::Energy, Self::Bearing, Self::ErrorBudget];
+
+    pub(crate) const fn id(self) -> &'static str {
+        match self {
+            Self::Cycle => "cycle",
+            Self::TorqueSpeed => "torque_speed",
+            Self::Heat => "heat",
+            Self::Energy => "energy",
+            Self::Bearing => "bearing",
+            Self::ErrorBudget => "error_budget",
+        }
+    }
+
+    fn of(id: &str) -> Self {
+        Self::ALL.into_iter().find(|each| each.id() == id).unwrap_or_default()
+    }
+}
+
+/// The tabs of the right pane.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub(crate) enum List {
+    #[default]
+    Ranking,
+    Rejected,
+    Map,
+}
+
+impl List {
+    pub(crate) const ALL: [Self; 3] = [Self::Ranking, Self::Rejected, Self::Map];
+
+    pub(crate) const fn id(self) -> &'static str {
+        match self {
+            Self::Ranking => "ranking",
+            Self::Rejected => "rejected",
+            Self::Map => "map",
+        }
+    }
+
+    fn of(id: &str) -> Self {
+        Self::ALL.into_iter().find(|each| each.id() == id).unwrap_or_default()
+    }
+}
+
+/// The columns by which the ranking can be sorted.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub(crate) enum Sort {
+    #[default]
+    Rank,
+    Utilisation,
+    Mass,
+    Length,
+    Bore,
+}
+
+impl Sort {
+    pub(crate) const ALL: [Self; 5] = [Self::Rank, Self::Utilisation, Self::Mass, Self::Length, Self::Bore];
+
+    pub(crate) const fn id(self) -> &'static str {
+        match self {
+            Self::Rank => "rank",
+            Self::Utilisation => "utilisation",
+            Self::Mass => "mass",
+            Self::Length => "length",
+            Self::Bore => "bore",
+        }
+    }
+
+    fn of(id: &str) -> Self {
+        Self::ALL.into_iter().find(|each| each.id() == id).unwrap_or_default()
+    }
+}
+
+/// The size of the pictures before the page has said how large its middle pane is \[px\].
+const ROOM: (f64, f64) = (560.0, 470.0);
+
+/// The sides that a picture may have \[px\].
+const SIDES: [std::ops::RangeInclusive<f64>; 2] = [280.0..=3000.0, 260.0..=2400.0];
+
+/// The size that the page asks for, within what a picture can be.
+fn room(width: &str, height: &str) -> (f64, f64) {
+    let [wide, high] = SIDES;
+    let side = |typed: &str, sides: std::ops::RangeInclusive<f64>, usual: f64| {
+        typed
+            .parse::<f64>()
+            .ok()
+            .filter(|side| side.is_finite())
+            .map_or(usual, |side| side.clamp(*sides.start(), *sides.end()))
+    };
+    (side(width, wide, ROOM.0), side(height, high, ROOM.1))
 }
 
 /// What the ranking is narrowed to; figures as they were typed.
@@ -100,6 +216,11 @@ impl State {
                 mass_kg: field("f_mass"),
                 voltage_v: field("f_voltage"),
             },
+            view: View::of(&field("view")),
+            list: List::of(&field("list")),
+            sort: Sort::of(&field("sort")),
+            unfolded: field("unfolded") == "true",
+            room: room(&field("width"), &field("height")),
             samples: field("samples").trim().parse().ok().filter(|samples| (1..=SAMPLES_MOST).contains(samples)),
         };
         state.change(call);
@@ -121,6 +242,7 @@ impl State {
 
     /// Carries out what the request changes, in its order; what has no place in the text changes nothing.
     fn change(&mut self, call: &Call<'_>) {
+        let language = self.language;
         let text = &mut self.text;
         let mut apply = |path: &str, change: Edit<'_>| {
             if let Ok(changed) = edit(text, path, change) {
@@ -144,7 +266,24 @@ impl State {
             }
         }
         if let (Some(path), Some(value)) = (call.field("path"), call.field("value")) {
+            let value = match call.field("unit") {
+                Some(unit) => stated(&value, &unit, language),
+                None if key_at(&path).is_some_and(|key| matches!(key.kind, Kind::Number(..))) => {
+                    with_point(&value, language)
+                }
+                None => value.into_owned(),
+            };
+            // The tolerance has a field of its own.
+            let kept = call
+                .field("kept")
+                .filter(|kept| !kept.is_empty() && !value.is_empty() && tolerance_of(&value).1.is_empty());
+            let value = kept.map_or_else(|| value.clone(), |kept| format!("{value} ± {kept}"));
             apply(&path, Edit::Value(&value));
+        }
+        if let (Some(path), Some(unit), Some(was)) = (call.field("path"), call.field("in_unit"), call.field("was"))
+            && !was.is_empty()
+        {
+            apply(&path, Edit::Value(&in_unit(&was, &unit)));
         }
         if let (Some(path), Some(nominal), Some(band)) = (call.field("path"), call.field("nominal"), call.field("band"))
         {

@@ -170,6 +170,18 @@ pub struct Line {
 labelled!(Line);
 
 impl Line {
+    /// Its points (x, y).
+    #[must_use]
+    pub fn points(&self) -> &[(f64, f64)] {
+        &self.points
+    }
+
+    /// What stands at the line, without its layout.
+    #[must_use]
+    pub fn label_text(&self) -> String {
+        self.label.plain()
+    }
+
     /// A line through points (x, y).
     #[must_use]
     pub fn new(points: impl IntoIterator<Item = (f64, f64)>) -> Self {

@@ -36,8 +36,9 @@ impl Axis {
         }
     }
 
-    /// Symbol and unit, as passed to a script.
-    pub(crate) fn sign(&self) -> (&str, &str) {
+    /// Symbol and unit.
+    #[must_use]
+    pub fn sign(&self) -> (&str, &str) {
         (&self.symbol, &self.unit)
     }
 

@@ -23,6 +23,23 @@ pub struct StackedChart {
     panels: Vec<Panel>,
 }
 
+impl StackedChart {
+    /// The axis that all panels share, and every line with the axis of its panel, from top to bottom.
+    #[must_use]
+    pub fn lines(&self) -> (&Axis, Vec<(&Axis, &crate::Line)>) {
+        let lines = self.panels.iter().flat_map(|panel| lines_of(&panel.items).map(|line| (&panel.y, line)));
+        (&self.x, lines.collect())
+    }
+}
+
+/// The lines among what is drawn.
+pub(crate) fn lines_of(items: &[Item]) -> impl Iterator<Item = &crate::Line> {
+    items.iter().filter_map(|item| match item {
+        Item::Line(line) => Some(line),
+        Item::Area(_) | Item::Markers(_) | Item::Reference(_) | Item::Note(_) => None,
+    })
+}
+
 /// One panel: a y axis and what is drawn over it. A limit is a [`Reference`](crate::Reference).
 #[derive(Clone, Debug, PartialEq)]
 pub struct Panel {

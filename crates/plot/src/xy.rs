@@ -35,6 +35,12 @@ pub struct XyChart {
 }
 
 impl XyChart {
+    /// Both axes, and every line with the axis of its values.
+    #[must_use]
+    pub fn lines(&self) -> (&Axis, Vec<(&Axis, &crate::Line)>) {
+        (&self.x, crate::stacked::lines_of(&self.items).map(|line| (&self.y, line)).collect())
+    }
+
     /// An empty chart.
     #[must_use]
     pub fn new(x: Axis, y: Axis) -> Self {

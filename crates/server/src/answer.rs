@@ -4,14 +4,15 @@ use crate::body::{Bodies, Held, NoBody, read};
 use crate::folder::Workplace;
 use crate::gate::{Barred, admit, preferred};
 use crate::limits::Limits;
+use crate::pack::sent;
 use crate::serve::Place;
 use crate::token::{IN_QUERY, Token};
 use bytes::Bytes;
 use http_body_util::Full;
 use hyper::body::Incoming;
-use hyper::header::{CONTENT_TYPE, HeaderName, HeaderValue};
+use hyper::header::CONTENT_TYPE;
 use hyper::http::request::Parts;
-use hyper::{Method, Request, Response, StatusCode};
+use hyper::{Method, Request, Response};
 use page::{Call, Reply, Shell};
 use percent_encoding::percent_decode_str;
 use quantities::Language;
@@ -55,9 +56,6 @@ const HEADERS: [(&str, &str); 7] = [
     ("cross-origin-resource-policy", "same-origin"),
     ("permissions-policy", "camera=(), geolocation=(), microphone=()"),
 ];
-
-/// Of what the page says nothing, nothing is kept.
-const CACHE_CONTROL: &str = "cache-control";
 
 /// What is answered at once, however many questions wait: that the server is up, how far a work is, that it ends.
 const AT_ONCE: [&str; 3] = ["/health", page::PROGRESS, page::CANCEL];
@@ -117,6 +115,7 @@ impl Desk {
     /// Answers a request, whatever it is.
     pub(crate) async fn answer(&self, request: Request<Incoming>, place: &Place) -> Response<Full<Bytes>> {
         let (parts, body) = request.into_parts();
+        let (asked, headers) = (parts.uri.path().to_owned(), parts.headers.clone());
         let reply = match self.let_in(&parts) {
             Err(reply) => reply,
             Ok((path, language)) => {
@@ -130,7 +129,7 @@ impl Desk {
                 }
             }
         };
-        sent(reply)
+        sent(reply, &asked, &headers, &HEADERS)
     }
 
     /// The path and the language of a request that may ask.
@@ -262,23 +261,4 @@ fn introduced(parts: &Parts, token: &Token) -> Option<Reply> {
     let mut reply = Reply::text(303, "");
     reply.headers = vec![("location", place), ("set-cookie", token.cookie())];
     Some(reply)
-}
-
-/// A reply as it goes out.
-fn sent(reply: Reply) -> Response<Full<Bytes>> {
-    let mut response = Response::new(Full::new(Bytes::from(reply.body)));
-    *response.status_mut() = StatusCode::from_u16(reply.status).unwrap_or(StatusCode::INTERNAL_SERVER_ERROR);
-    let headers = response.headers_mut();
-    headers.insert(CONTENT_TYPE, HeaderValue::from_static(reply.media));
-    for (name, value) in HEADERS {
-        headers.insert(HeaderName::from_static(name), HeaderValue::from_static(value));
-    }
-    headers.insert(HeaderName::from_static(CACHE_CONTROL), HeaderValue::from_static("no-store"));
-    for (name, value) in reply.headers {
-        // What is no header is left out: nothing of it can end the headers.
-        if let (Ok(name), Ok(value)) = (HeaderName::try_from(name), HeaderValue::try_from(value)) {
-            headers.insert(name, value);
-        }
-    }
-    response
 }

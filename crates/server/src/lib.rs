@@ -9,6 +9,7 @@ mod body;
 mod folder;
 mod gate;
 mod limits;
+mod pack;
 mod serve;
 mod token;
 

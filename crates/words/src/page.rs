@@ -28,7 +28,7 @@ texts! {
     link_to_this = "Link to this state" | "Link auf diesen Stand";
     other_language = "Deutsch" | "English";
     dark = "Dark" | "Dunkel";
-    text_of_the_file = "Project file as text (TOML)" | "Projektdatei als Text (TOML)";
+    text_of_the_file = "File (TOML)" | "Datei (TOML)";
     text_told =
         "The same file as every other way of using antrieb; what is changed here moves the page, and the other way round."
         | "Dieselbe Datei wie auf allen anderen Wegen zu antrieb; was hier geändert wird, bewegt die Seite, und umgekehrt.";
@@ -214,4 +214,58 @@ texts! {
     unit_of(name) = "Unit of {name}" | "Einheit von {name}";
     first_rows = "First rows of the file" | "Erste Zeilen der Datei";
     map_told = "A click on a point looks at this actuator." | "Ein Klick auf einen Punkt zeigt diesen Antrieb.";
+    file = "File" | "Datei";
+    export = "Export" | "Ausgabe";
+    changed = "changed" | "geändert";
+    saved_state = "saved" | "gespeichert";
+    versions = "Versions of this session" | "Stände dieser Sitzung";
+    picture_shown = "Picture shown (SVG)" | "Gezeigtes Bild (SVG)";
+    find = "Find a key, check, code or term" | "Angabe, Nachweis, Bestellbezeichnung oder Begriff suchen";
+    keyboard = "Keyboard" | "Tastatur";
+    answers_again = "antrieb answers again." | "antrieb antwortet wieder.";
+    draft_found = "There is unsaved work on this file:" | "Zu dieser Datei gibt es ungespeicherte Änderungen:";
+    restore_draft = "Restore" | "Wiederherstellen";
+    discard_draft = "Discard" | "Verwerfen";
+    draft_restored =
+        "The unsaved work was restored; undo leads back." | "Die ungespeicherten Änderungen sind wieder da; Rückgängig führt zurück.";
+    tightest = "Tightest:" | "Engster Nachweis:";
+    panes = "Panes" | "Bereiche";
+    border_left = "Width of the left pane" | "Breite des linken Bereichs";
+    border_right = "Width of the right pane" | "Breite des rechten Bereichs";
+    view_cycle = "Cycle" | "Zyklus";
+    view_torque_speed = "Torque and speed" | "Drehmoment und Drehzahl";
+    view_heat = "Heat" | "Erwärmung";
+    view_energy = "Energy" | "Energie";
+    view_bearing = "Bearing" | "Lager";
+    view_error_budget = "Error budget" | "Fehlerbudget";
+    play = "Play" | "Abspielen";
+    full_window = "Picture in the full window" | "Bild im ganzen Fenster";
+    copy_svg = "Copy SVG" | "SVG kopieren";
+    copy_data = "Copy data" | "Daten kopieren";
+    without_limit_head = "Shown without a limit" | "Ohne Grenze gezeigt";
+    why_not = "Why not" | "Warum nicht";
+    map = "Map" | "Karte";
+    sort_by(column) = "Sort by {column}" | "Nach {column} ordnen";
+    load_hangs = "load not held" | "Last ungehalten";
+    usual_values =
+        "The values are usual ones, offered as a start; replace them by yours."
+        | "Die Werte sind übliche Anfangswerte; durch eigene ersetzen.";
+    nothing_found = "Nothing found" | "Nichts gefunden";
+    key_panes = "What moves, what it demands, what fits" | "Was sich bewegt, was es verlangt, was geeignet ist";
+    key_escape = "Close what is open" | "Offenes schließen";
+    key_zoom = "At the instant: less time, more time, whole cycle" | "Am Zeitpunkt: weniger Zeit, mehr Zeit, ganzer Zyklus";
+    key_arrows =
+        "Instant, end of a segment, border, next tab" | "Zeitpunkt, Ende eines Abschnitts, Trennlinie, nächster Reiter";
+    no_versions = "Nothing was changed yet." | "Noch wurde nichts geändert.";
+    this_version = "This is what is open now." | "Das ist der offene Stand.";
+    first_version = "The beginning" | "Der Anfang";
+    back_to_version = "Back to this version" | "Zurück zu diesem Stand";
+    only_layout = "Only comments or layout" | "Nur Kommentare oder Gestaltung";
+    cycle_of(time) = "cycle {time} s" | "Zyklus {time} s";
+    name_is_taken(name) =
+        "A file named {name} is there already; it was left as it is. Open it, or save under another name."
+        | "Eine Datei namens {name} gibt es schon; sie blieb, wie sie ist. Öffnen oder unter anderem Namen speichern.";
+    group_geometry = "Geometry" | "Geometrie";
+    group_masses = "Masses" | "Massen";
+    group_forces = "Forces, friction, efficiency" | "Kräfte, Reibung, Wirkungsgrad";
 }

@@ -7,7 +7,26 @@ use order_code::Brake;
 use provenance::{CellRef, Grade, MANUAL, Source};
 use quantities::unit::{KILOGRAM, MILLIMETRE, MINUTE, VOLT};
 use quantities::{Language, Measure, Time, Unit, format_number, format_significant};
-use sizing::{CheckId, Verdict};
+use sizing::{CheckId, Part, Verdict};
+
+/// What a part of the actuator is called above its checks.
+#[must_use]
+pub const fn part_title(part: Part, language: Language) -> &'static str {
+    let (en, de) = match part {
+        Part::Drive => ("Drive", "Antrieb"),
+        Part::Thermal => ("Heat", "Erwärmung"),
+        Part::Energy => ("Energy", "Energie"),
+        Part::Gear => ("Gear", "Getriebe"),
+        Part::OutputBearing => ("Output bearing", "Abtriebslager"),
+        Part::Brake => ("Brake", "Bremse"),
+        Part::Feedback => ("Feedback", "Messsystem"),
+        Part::Screws => ("Screw joints", "Schraubenverbindungen"),
+    };
+    match language {
+        Language::En => en,
+        Language::De => de,
+    }
+}
 
 /// The title of a check.
 #[must_use]

@@ -2,7 +2,7 @@
 
 use super::field::{Field, Trouble, at_their_fields};
 use super::{GOOD, MARK, Scene, fields_of};
-use crate::demand::{check_heads, verdict_class};
+use crate::checks::{check_heads, verdict_class};
 use crate::state::placed;
 use maud::{Markup, html};
 use order_code::Size;

@@ -3,7 +3,7 @@
 use super::code::incomplete;
 use super::field::{Field, Trouble};
 use super::{GOOD, MARK, Scene};
-use crate::demand::verdict_class;
+use crate::checks::verdict_class;
 use crate::form::vals;
 use crate::state::placed;
 use maud::{Markup, html};

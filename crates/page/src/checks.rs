@@ -1,0 +1,138 @@
+//! All checks of one actuator, by the part that they are about, with bars, limits, grades and sources.
+
+use crate::form::{id, vals};
+use crate::overlay;
+use maud::{Markup, html};
+use project::{Key, example, key_at};
+use quantities::{Language, Measure, format_significant};
+use questions::texts::{by_importance, figure_text, margin_share, margin_text, unit_text, verdict_text};
+use questions::{Candidate, Check, Part, Verdict};
+use words::{
+    about_text, capitalised, check_missing, check_title, grade_word, note_text, page, part_title, short_label,
+    source_text, terminal, terms,
+};
+
+pub(crate) fn verdict_class(verdict: Verdict) -> &'static str {
+    match verdict {
+        Verdict::Pass => "pass",
+        Verdict::Fail => "fail",
+        Verdict::Advice => "advice",
+        Verdict::NotChecked => "unchecked",
+    }
+}
+
+/// The class of a check: one that has a value and no limit is shown and not judged.
+fn class(check: &Check) -> &'static str {
+    if is_without_limit(check) { "no-limit" } else { verdict_class(check.verdict) }
+}
+
+fn is_without_limit(check: &Check) -> bool {
+    check.verdict == Verdict::NotChecked && check.value.is_some()
+}
+
+/// The checks: by part in the order of a report, within each by importance; those without a limit behind a fold.
+pub(crate) fn of(candidate: &Candidate<'_>, prefix: &str, language: Language) -> Markup {
+    let l = language;
+    let worst = overlay::worst(candidate);
+    let all = by_importance(&candidate.judgement.checks);
+    let of_part =
+        |part: Part| all.iter().filter(move |check| check.id.part() == part && !is_without_limit(check)).copied();
+    let without: Vec<&Check> = all.iter().filter(|check| is_without_limit(check)).copied().collect();
+    html! {
+        div id="checks" {
+            h3.unseen id="checks-title" { (page::checks_of(&candidate.id, l)) }
+            table.checks aria-labelledby="checks-title" {
+                thead { tr {
+                    th scope="col" { (capitalised(terms::check(l))) }
+                    th.number scope="col" { (capitalised(terms::value(l))) }
+                    th.number scope="col" { (capitalised(terms::limit(l))) }
+                    th scope="col" { (capitalised(terms::unit(l))) }
+                    th.number scope="col" { (crate::tip::of_word(terms::utilisation_short(l), l)) }
+                } }
+                @for part in Part::ALL {
+                    @if of_part(*part).next().is_some() {
+                        tbody {
+                            tr.part { th colspan="5" scope="rowgroup" { (part_title(*part, l)) } }
+                            @for check in of_part(*part) { (row(check, &worst, prefix, l)) }
+                        }
+                    }
+                }
+                @if !without.is_empty() {
+                    tbody {
+                        tr.part { th colspan="5" scope="rowgroup" { (page::without_limit_head(l)) } }
+                        @for check in without { (row(check, &worst, prefix, l)) }
+                    }
+                }
+            }
+        }
+    }
+}
+
+fn row(check: &Check, worst: &[overlay::Worst<'_>], prefix: &str, language: Language) -> Markup {
+    let l = language;
+    let share = margin_share(check).map(|share| (share * 100.0).clamp(0.0, 150.0));
+    let class = class(check);
+    html! {
+        tr id={ "check-" (check.id.id()) } class=(class) {
+            th scope="row" {
+                span.verdict title=(verdict_text(check, l)) { span.unseen { (verdict_text(check, l)) ": " } }
+                button.plain type="button" title=(page::how_it_came_about(l)) hx-post="/explain" hx-target="#detail" hx-swap="innerHTML"
+                    hx-vals=(vals(&[("check", check.id.id())])) { (capitalised(&check_title(check.id, l))) }
+            }
+            td.number { (figure_text(check.value, l)) }
+            td.number { (figure_text(check.limit, l)) }
+            td { (unit_text(check.value.or(check.limit))) }
+            td.number {
+                @if let Some(share) = share { svg.bar viewBox="0 0 150 8" preserveAspectRatio="none" aria-hidden="true" { rect x="0" y="0" width=(share) height="8" {} path d="M100 0V8" {} } " " }
+                (margin_text(check, l))
+                @if let Some(at) = check.at {
+                    " " button.mark-number type="button" class=(class) data-instant=(at.si()) title={ (page::jump_to_worst(l)) ": " (page::worst_instant(&format_significant(at.si(), 3, l), l)) } aria-label={ (page::jump_to_worst(l)) ": " (page::worst_instant(&format_significant(at.si(), 3, l), l)) } {
+                        (overlay::number(worst, check).map_or_else(String::new, |number| number.to_string()))
+                    }
+                }
+            }
+        }
+        tr.about class=(class) { td colspan="5" { (about(check, prefix, l)) } }
+    }
+}
+
+/// What is missing with a field to state it, remarks, and where the limit comes from.
+fn about(check: &Check, prefix: &str, language: Language) -> Markup {
+    let l = language;
+    let key =
+        check.missing.filter(|_| check.verdict == Verdict::NotChecked).and_then(|path| Some((path, key_at(path)?)));
+    html! {
+        @if let Some(missing) = check.missing.filter(|_| key.is_none() || !is_without_limit(check)) { span { (page::to_be_checked_state(l)) " " (check_missing(missing, l)) } }
+        @if let Some((path, key)) = key { (field(path, key, prefix, check, l)) }
+        // What passes says more in its explanation.
+        @if check.verdict != Verdict::Pass { @for note in check.notes.iter() { span { (capitalised(&note_text(note, l))) "." } " " } }
+        @if let (Some(source), Some(grade)) = (&check.limit_source, check.grade) { span.source { (grade_word(grade, l)) ", " (source_text(source, l)) } }
+    }
+}
+
+/// A field for a key that the project does not state.
+fn field(path: &str, key: &Key, prefix: &str, check: &Check, language: Language) -> Markup {
+    let l = language;
+    let path = format!("{prefix}{path}");
+    let own = format!("s-{}-{}", check.id.id(), id(&path));
+    let sample = example(key).unwrap_or_default();
+    let sample = sample.split_once("= ").map_or("", |(_, value)| value.trim_matches('"')).to_owned();
+    html! {
+        label.state for=(own) title=(path) {
+            span { (capitalised(&short_label(about_text(key.about, l)))) }
+            input id=(own) name="value" type="text" size="10" placeholder=(page::for_example(&sample, l)) autocomplete="off" spellcheck="false"
+                hx-post="/work" hx-trigger="change" hx-vals=(vals(&[("path", &path)]));
+        }
+    }
+}
+
+/// The heads of a table of checks beside a calculator.
+pub(crate) fn check_heads(language: Language) -> [&'static str; 6] {
+    let l = language;
+    [terms::check(l), terms::verdict(l), terms::value(l), terms::limit(l), terms::unit(l), terms::utilisation_short(l)]
+}
+
+/// What the terminal calls the two sides of a check.
+pub(crate) fn sides(language: Language) -> [&'static str; 2] {
+    [terminal::asked(language), terminal::permitted(language)]
+}

@@ -1,0 +1,143 @@
+//! What the palette finds: keys of the project file, checks, ordering codes, terms of the glossary; and the keys of the
+//! keyboard.
+
+use crate::call::Call;
+use crate::form::id;
+use maud::{Markup, html};
+use project::{KEYS, Key, Kind};
+use quantities::Language;
+use questions::CheckId;
+use questions::list::code_list::list_codes;
+use questions::list::glossary::glossary;
+use words::{about_text, capitalised, check_title, page, part_title, short_label, terms};
+
+/// So many of a kind are shown.
+const SHOWN: usize = 8;
+
+/// Something found.
+struct Found {
+    kind: &'static str,
+    value: String,
+    title: String,
+    about: String,
+}
+
+/// What is found for the words that were typed.
+pub(crate) fn found(call: &Call<'_>) -> Markup {
+    let l = call.language();
+    let typed = call.field("q").unwrap_or_default().trim().to_lowercase();
+    if typed.is_empty() {
+        return html! {};
+    }
+    let all = [keys(&typed, l), checks(&typed, l), codes(&typed, l), glossary_terms(&typed, l)];
+    html! {
+        @if all.iter().all(Vec::is_empty) { p { (page::nothing_found(l)) } }
+        ul { @for one in all.iter().flatten() {
+            li { button type="button" data-found=(one.kind) value=(one.value) { span { (one.title) } span.kind { (one.about) } } }
+        } }
+    }
+}
+
+/// Whether every word that was typed occurs in one of the texts.
+fn holds(typed: &str, texts: &[&str]) -> bool {
+    let texts: Vec<String> = texts.iter().map(|text| text.to_lowercase()).collect();
+    typed.split_whitespace().all(|word| texts.iter().any(|text| text.contains(word)))
+}
+
+/// The keys of the project file whose path or name holds the words.
+fn keys(typed: &str, language: Language) -> Vec<Found> {
+    let mut found = Vec::new();
+    walk(KEYS, "", &mut |path, key| {
+        let about = about_text(key.about, language);
+        if found.len() < SHOWN && holds(typed, &[path, about]) {
+            let title = capitalised(&short_label(about));
+            found.push(Found { kind: "key", value: id(path), title, about: path.to_owned() });
+        }
+    });
+    found
+}
+
+/// Every key below these with its path; of a list the first entry stands for all.
+fn walk(keys: &'static [Key], above: &str, each: &mut impl FnMut(&str, &'static Key)) {
+    for key in keys {
+        let path = if above.is_empty() { key.name.to_owned() } else { format!("{above}.{}", key.name) };
+        match key.kind {
+            Kind::Table(inside) => walk(inside, &path, each),
+            Kind::Variants(variants) => walk(variants.keys, &format!("{path}[1]"), each),
+            // The axes hold the tables that stand at the root too.
+            Kind::OneOrMany(one, _) => walk(one, &path, each),
+            Kind::Quantity(..)
+            | Kind::Along(..)
+            | Kind::Number(..)
+            | Kind::Numbers(..)
+            | Kind::Integer(..)
+            | Kind::Bool
+            | Kind::Text
+            | Kind::OneOf(_)
+            | Kind::ListOf(_)
+            | Kind::Rows(_)
+            | Kind::Bodies => each(&path, key),
+        }
+    }
+}
+
+fn checks(typed: &str, language: Language) -> Vec<Found> {
+    let of = |id: &CheckId| {
+        let title = capitalised(&check_title(*id, language));
+        let part = part_title(id.part(), language);
+        let about = format!("{}, {part}", capitalised(terms::check(language)));
+        holds(typed, &[&title, id.id(), part]).then(|| Found { kind: "check", value: id.id().to_owned(), title, about })
+    };
+    CheckId::ALL.iter().filter_map(of).take(SHOWN).collect()
+}
+
+fn codes(typed: &str, language: Language) -> Vec<Found> {
+    // Nearly every word with a letter occurs in a code.
+    if typed.len() < 3 || !typed.contains(|sign: char| sign.is_ascii_digit()) {
+        return Vec::new();
+    }
+    let found = list_codes(None).into_iter().map(|(code, _)| code.to_string()).filter(|code| holds(typed, &[code]));
+    let about = capitalised(terms::ordering_code(language));
+    found
+        .take(SHOWN)
+        .map(|code| Found { kind: "code", value: code.clone(), title: code, about: about.clone() })
+        .collect()
+}
+
+fn glossary_terms(typed: &str, language: Language) -> Vec<Found> {
+    let Ok(found) = glossary(Some(typed), language) else { return Vec::new() };
+    let chosen = |en: String, de: String| match language {
+        Language::En => en,
+        Language::De => de,
+    };
+    let words = found.words.into_iter().map(|word| (chosen(word.en, word.de), word.meaning));
+    let terms = found.terms.into_iter().map(|term| (term.symbol, chosen(term.en, term.de)));
+    let of = |(title, about): (String, String)| Found {
+        kind: "term",
+        value: title.clone(),
+        title: capitalised(&title),
+        about,
+    };
+    words.chain(terms).take(SHOWN).map(of).collect()
+}
+
+/// The keys that the page listens to.
+pub(crate) fn keyboard(call: &Call<'_>) -> Markup {
+    let l = call.language();
+    let rows = [
+        ("1 2 3", page::key_panes(l)),
+        ("/", page::find(l)),
+        ("?", page::keyboard(l)),
+        ("Ctrl+S", page::save(l)),
+        ("Ctrl+Z", page::undo(l)),
+        ("Ctrl+Y", page::redo(l)),
+        ("Esc", page::key_escape(l)),
+        ("+ − 0", page::key_zoom(l)),
+        ("← →", page::key_arrows(l)),
+    ];
+    html! {
+        h2 { (page::keyboard(l)) }
+        table { tbody { @for (key, about) in rows { tr { th scope="row" { kbd { (key) } } td { (about) } } } } }
+        form method="dialog" { button type="submit" { (page::close(l)) } }
+    }
+}

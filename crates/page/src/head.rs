@@ -1,0 +1,138 @@
+//! The one row at the top: the axes, the file, and the menus.
+
+use crate::call::Shell;
+use crate::form::vals;
+use crate::state::{ALL_AXES, Held, State};
+use figures::Theme;
+use maud::{Markup, html};
+use quantities::Language;
+use questions::list::{export, report, size};
+use words::{capitalised, page, terms};
+
+/// What a project is called before it has a name.
+pub(crate) const USUAL_NAME: &str = "axis.toml";
+
+/// The row above a project.
+pub(crate) fn of_project(state: &State, held: &Held, shell: &dyn Shell) -> Markup {
+    let l = state.language;
+    let file = if state.file.is_empty() { USUAL_NAME } else { &state.file };
+    html! {
+        header id="head" {
+            (brand(l))
+            (axes(state, held))
+            span.file {
+                span id="file-name" title=(page::save_as(l)) { (file) }
+                " " span id="file-state" data-changed=(page::changed(l)) data-saved=(page::saved_state(l)) hx-morph-skip="" {}
+            }
+            nav.bar aria-label=(page::title(l)) {
+                button.icon type="button" id="undo" data-undo="" disabled aria-label=(page::undo(l)) title={ (page::undo(l)) " (Ctrl+Z)" } { "↶" }
+                button.icon type="button" id="redo" data-redo="" disabled aria-label=(page::redo(l)) title={ (page::redo(l)) " (Ctrl+Y)" } { "↷" }
+                (menu("menu-file", page::file(l), &file_items(file, shell, l)))
+                (menu("menu-export", page::export(l), &export_items(shell, l)))
+                (tools(l))
+                button.icon type="button" id="find" data-find="" aria-label=(page::find(l)) title={ (page::find(l)) " (/)" } { "⌕" }
+                (language(state))
+                (theme(state))
+                button.icon type="button" id="keys" data-keys="" aria-label=(page::keyboard(l)) title={ (page::keyboard(l)) " (?)" } { "?" }
+            }
+        }
+    }
+}
+
+/// The row where a project begins.
+pub(crate) fn of_start(state: &State) -> Markup {
+    html! {
+        header id="head" {
+            (brand(state.language))
+            span.file {}
+            nav.bar aria-label=(page::title(state.language)) {
+                (tools(state.language))
+                @for other in Language::ALL { @if other != state.language {
+                    a.button href={ "/?lang=" (other.id()) } lang=(other.id()) { (page::other_language(state.language)) }
+                } }
+            }
+        }
+    }
+}
+
+/// Where messages stand: of what was done, and of the file in the folder.
+pub(crate) fn messages(language: Language) -> Markup {
+    html! {
+        p id="status" role="status" hx-morph-skip="" data-no-answer=(page::no_answer(language)) data-answers=(page::answers_again(language)) {}
+        div id="disk" role="alert" hx-morph-skip="" {}
+        div id="draft" role="alert" hx-morph-skip="" data-text=(page::draft_found(language)) data-restore=(page::restore_draft(language)) data-discard=(page::discard_draft(language)) data-restored=(page::draft_restored(language)) {}
+    }
+}
+
+fn brand(language: Language) -> Markup {
+    html! { h1 { a.brand href={ "/?lang=" (language.id()) } data-leaves="" title=(page::new_project(language)) { "antrieb" } } }
+}
+
+fn tools(language: Language) -> Markup {
+    html! { button type="button" id="tools" hx-post="/tools" hx-target="#detail" hx-swap="innerHTML" { (page::tools(language)) } }
+}
+
+fn language(state: &State) -> Markup {
+    let other = Language::ALL.into_iter().find(|other| *other != state.language).unwrap_or(state.language);
+    html! {
+        button type="button" id="language" hx-post="/" hx-target="body" hx-swap="outerMorph" hx-vals=(vals(&[("lang", other.id())]))
+            lang=(other.id()) { (page::other_language(state.language)) }
+    }
+}
+
+fn theme(state: &State) -> Markup {
+    let dark = state.theme == Theme::Dark;
+    html! {
+        button.icon type="button" id="theme" aria-pressed=(dark) aria-label=(page::dark(state.language)) title=(page::dark(state.language))
+            hx-post="/" hx-target="body" hx-swap="outerMorph" hx-vals=(vals(&[("theme", if dark { "light" } else { "dark" })])) { "◐" }
+    }
+}
+
+fn menu(id: &str, title: &str, items: &Markup) -> Markup {
+    html! { details.menu id=(id) { summary { (title) } div.items { (items) } } }
+}
+
+fn file_items(file: &str, shell: &dyn Shell, language: Language) -> Markup {
+    let l = language;
+    html! {
+        a.button href={ "/?lang=" (l.id()) } data-leaves="" { (page::new_project(l)) }
+        @if shell.folder().is_some() {
+            button type="button" id="open" hx-get="/files" hx-target="#detail" hx-swap="innerHTML" hx-include="#state [name=lang]" { (page::open(l)) }
+        } @else { button type="button" id="open" data-open="" { (page::open(l)) } }
+        label.field for="file" { span { (page::save_as(l)) } input id="file" name="file" form="state" type="text" size="18" value=(file) autocomplete="off" spellcheck="false"; }
+        button type="button" id="save" data-save="" { (page::save(l)) span.key { "Ctrl+S" } }
+        button type="button" id="project" data-project="" { (page::project_file(l)) }
+        button type="button" id="link" data-link="" { (page::link_to_this(l)) }
+        button type="button" id="versions" data-versions="" { (page::versions(l)) }
+    }
+}
+
+fn export_items(shell: &dyn Shell, language: Language) -> Markup {
+    let l = language;
+    html! {
+        @if shell.report().is_some() {
+            button type="button" id="report" data-api=(report::ENTRY.path) data-name="antrieb.pdf" { (page::report_pdf(l)) }
+        } @else { p.small { (page::report_elsewhere(l)) } }
+        button type="button" id="workbook" data-api=(export::ENTRY.path) data-name="antrieb.xlsx" { (page::workbook(l)) }
+        button type="button" id="data" data-api=(size::ENTRY.path) data-name="antrieb.json" { (page::data_json(l)) }
+        button type="button" id="picture" data-picture="" { (page::picture_shown(l)) }
+    }
+}
+
+/// The axes of a project with several.
+fn axes(state: &State, held: &Held) -> Markup {
+    let l = state.language;
+    html! {
+        @if held.projects.len() > 1 {
+            nav.tabs aria-label=(capitalised(terms::axis(l))) {
+                @for (place, project) in held.projects.iter().enumerate() {
+                    button type="button" id={ "axis-" (place) } data-axis=(project.name)
+                        aria-current=[(place == state.axis && !state.all_axes).then_some("page")]
+                        hx-post="/work" hx-vals=(vals(&[("axis", &place.to_string()), ("code", ""), ("from", ""), ("until", "")])) { (project.name) }
+                }
+                button type="button" id="axis-all" aria-current=[state.all_axes.then_some("page")]
+                    hx-post="/work" hx-vals=(vals(&[("axis", ALL_AXES), ("code", "")])) { (page::all_axes(l)) }
+            }
+        }
+    }
+}

@@ -1,0 +1,184 @@
+//! The field of a quantity: a number in the language of the page, and its unit as a choice beside it.
+//!
+//! The project file keeps what was written: a number without a unit takes the unit that stands beside it; a number with a
+//! unit is taken as it is; another unit chosen beside it states the same value in that unit.
+
+use crate::form::{tolerance_of, vals};
+use maud::{Markup, html};
+use project::{Key, Kind, example};
+use quantities::{Dimension, Language, Unit, parse};
+use words::page;
+
+/// A quantity as the field shows it.
+struct Shown {
+    /// The number, or the whole text where it is not one number with one unit.
+    number: String,
+    unit: &'static Unit,
+}
+
+/// The dimensions that a key may have; none for what is no quantity.
+pub(crate) fn dimensions(key: &Key) -> Vec<Dimension> {
+    match key.kind {
+        Kind::Quantity(dimension, _) => vec![dimension],
+        Kind::Along(turning, line, _) => vec![line, turning],
+        Kind::Number(..)
+        | Kind::Numbers(..)
+        | Kind::Integer(..)
+        | Kind::Bool
+        | Kind::Text
+        | Kind::OneOf(_)
+        | Kind::ListOf(_)
+        | Kind::Rows(_)
+        | Kind::Table(_)
+        | Kind::OneOrMany(..)
+        | Kind::Bodies
+        | Kind::Variants(_) => Vec::new(),
+    }
+}
+
+/// The units that may be chosen: of a ratio none.
+fn units(dimensions: &[Dimension]) -> Vec<&'static Unit> {
+    dimensions.iter().flat_map(|dimension| dimension.units()).collect()
+}
+
+/// A text as number and unit, where it is that.
+fn taken_apart(text: &str, dimensions: &[Dimension]) -> Option<(String, &'static Unit)> {
+    let reading = dimensions.iter().find_map(|dimension| parse(*dimension, text).ok())?;
+    let number: String = text.trim().chars().take_while(|sign| is_of_number(*sign)).collect();
+    // A letter of a unit may look like an exponent: the number is what is read as one.
+    let number =
+        (1..=number.len()).rev().filter_map(|end| number.get(..end)).find(|part| part.trim().parse::<f64>().is_ok())?;
+    Some((number.trim().to_owned(), reading.unit))
+}
+
+fn is_of_number(sign: char) -> bool {
+    sign.is_ascii_digit() || matches!(sign, '+' | '-' | '.' | 'e' | 'E')
+}
+
+/// A number as a language writes it.
+fn written(number: &str, language: Language) -> String {
+    number.replace('.', &language.decimal_mark().to_string())
+}
+
+/// The value of a key as its field shows it: a plain number as the language writes it.
+pub(crate) fn number(key: &Key, value: &str, language: Language) -> String {
+    let is_number = matches!(key.kind, Kind::Number(..)) && value.parse::<f64>().is_ok();
+    if is_number { written(value, language) } else { value.to_owned() }
+}
+
+/// What was typed with the decimal point of the project file, where the language has a comma and the number has one.
+pub(crate) fn with_point(typed: &str, language: Language) -> String {
+    let head: String = typed.trim_start().chars().take_while(|sign| is_of_number(*sign) || *sign == ',').collect();
+    let is_number =
+        head.matches(',').count() == 1 && !head.contains('.') && head.chars().any(|sign| sign.is_ascii_digit());
+    if language.decimal_mark() == ',' && is_number { typed.replacen(',', ".", 1) } else { typed.to_owned() }
+}
+
+/// What is stated by what was typed beside a unit: with a unit of its own as it is, a number alone with the unit beside it.
+pub(crate) fn stated(typed: &str, unit: &str, language: Language) -> String {
+    let typed = with_point(typed, language);
+    if typed.trim().parse::<f64>().is_ok() && !unit.is_empty() { format!("{} {unit}", typed.trim()) } else { typed }
+}
+
+/// The same value in another unit, with its tolerance; as it was where it cannot be stated so.
+pub(crate) fn in_unit(text: &str, unit: &str) -> String {
+    let (nominal, band) = tolerance_of(text);
+    let Some(unit) = Unit::of(unit) else { return text.to_owned() };
+    let other = |text: &str, is_difference: bool| {
+        let reading = parse(unit.dimension, text).ok()?;
+        let zero = if is_difference { [reading.unit.to_si(0.0), unit.to_si(0.0)] } else { [0.0; 2] };
+        let value = unit.from_si(reading.si - zero[0] + zero[1]);
+        // Rounding of the conversion is no figure of the user.
+        let short = format!("{value:.12e}").parse::<f64>().unwrap_or(value);
+        Some(format!("{short} {}", unit.ascii))
+    };
+    let Some(nominal) = other(nominal, false) else { return text.to_owned() };
+    if band.is_empty() {
+        return nominal;
+    }
+    let band = if band.ends_with('%') { Some(band.to_owned()) } else { other(band, true) };
+    band.map_or_else(|| text.to_owned(), |band| format!("{nominal} ± {band}"))
+}
+
+/// What a field holds, or what it would.
+fn shown(text: &str, dimensions: &[Dimension], language: Language) -> Option<Shown> {
+    let (nominal, _) = tolerance_of(text);
+    let (number, unit) = taken_apart(nominal, dimensions)?;
+    Some(Shown { number: written(&number, language), unit })
+}
+
+/// The field of a quantity; `follows` is what it would be without an entry.
+pub(crate) fn field(
+    key: &Key,
+    (id, path, label): (&str, &str, &str),
+    value: &str,
+    follows: Option<&str>,
+    (wrong, described): (bool, &str),
+    language: Language,
+) -> Markup {
+    let l = language;
+    let dimensions = dimensions(key);
+    let units = units(&dimensions);
+    let line = example(key).unwrap_or_default();
+    let sample = line.split_once("= ").map_or("", |(_, value)| value.trim_matches('"'));
+    let held = shown(value, &dimensions, l);
+    let ghost = shown(follows.unwrap_or(sample), &dimensions, l);
+    let unit = held.as_ref().or(ghost.as_ref()).map_or("", |shown| shown.unit.ascii);
+    let (nominal, _) = tolerance_of(value);
+    let number = held.map_or_else(|| nominal.to_owned(), |shown| shown.number);
+    let number_of = |text: &str| ghost.as_ref().map_or_else(|| text.to_owned(), |shown| shown.number.clone());
+    let placeholder = match follows {
+        Some(follows) => format!("= {}", number_of(follows)),
+        None => page::for_example(&number_of(sample), l),
+    };
+    let title = follows.filter(|_| value.is_empty()).map(|follows| page::follows(&follows, l));
+    let (_, band) = tolerance_of(value);
+    html! {
+        span.quantity {
+            input id=(id) name="value" type="text" value=(number) placeholder=(placeholder) title=[title] autocomplete="off" spellcheck="false" inputmode="decimal"
+                aria-invalid=[wrong.then_some("true")] aria-describedby=[wrong.then_some(described)]
+                hx-post="/work" hx-trigger="input changed delay:60ms, change" hx-vals=(vals(&[("path", path), ("unit", unit), ("kept", band)]));
+            @if units.len() > 1 {
+                select id={ (id) "-u" } name="in_unit" data-chosen=(unit) aria-label=(page::unit_of(&label, l)) title=(page::unit_of(&label, l))
+                    hx-post="/work" hx-trigger="change" hx-vals=(vals(&[("path", path), ("was", value)])) {
+                    @for each in &units { option value=(each.ascii) selected[each.ascii == unit] { (each.symbol) } }
+                }
+            } @else if let Some(only) = units.first() { span.unit { (only.symbol) } }
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_number_takes_the_unit_beside_it() {
+        assert_eq!(stated("60", "kg", Language::En), "60 kg");
+        assert_eq!(stated("0,5", "kg", Language::De), "0.5 kg");
+        assert_eq!(stated("0,5 t", "kg", Language::De), "0.5 t");
+        assert_eq!(stated("1,300", "mm", Language::En), "1,300");
+        assert_eq!(stated("", "mm", Language::En), "");
+        assert_eq!(stated("60 lb", "kg", Language::En), "60 lb");
+        assert_eq!(stated("1.000,5", "mm", Language::De), "1.000,5");
+    }
+
+    #[test]
+    fn another_unit_states_the_same_value() {
+        assert_eq!(in_unit("40 mm", "m"), "0.04 m");
+        assert_eq!(in_unit("40 mm ± 5 %", "m"), "0.04 m ± 5 %");
+        assert_eq!(in_unit("40 mm ± 2 mm", "m"), "0.04 m ± 0.002 m");
+        assert_eq!(in_unit("1 in", "mm"), "25.4 mm");
+        assert_eq!(in_unit("40 mm", "kg"), "40 mm");
+        assert_eq!(in_unit("20 degC ± 5 K", "K"), "293.15 K ± 5 K");
+        assert_eq!(in_unit("fast", "mm"), "fast");
+    }
+
+    #[test]
+    fn an_exponent_is_no_unit() {
+        let length = [Dimension::Length];
+        let found = taken_apart("1e-3 m", &length).map(|(number, unit)| (number, unit.ascii));
+        assert_eq!(found, Some(("1e-3".to_owned(), "m")));
+        assert!(taken_apart("3", &length).is_none());
+    }
+}

@@ -1,0 +1,146 @@
+//! The bar under the head that is always in sight: whether it fits, by what it is bounded, what is open, and the faults of the
+//! text.
+
+use crate::form::{self, vals};
+use crate::state::{Held, List, State};
+use maud::{Markup, html};
+use project::{Project, key_at};
+use quantities::Language;
+use questions::list::check::reserve_unasked;
+use questions::texts::{objection_text, percent, reserve_lines, standing_text};
+use questions::{Candidate, Patience, Sizing, Verdict};
+use words::{about_text, capitalised, check_title, page, short_label, terminal, terms, verdict_count, without_limit};
+
+/// Number of faults shown at once.
+const FAULTS_SHOWN: usize = 20;
+
+/// What came out of the work that a request asked for.
+pub(crate) struct Outcome<'o, 'p> {
+    pub(crate) project: Option<&'o Project>,
+    pub(crate) sizing: Option<&'o Sizing<'p>>,
+    pub(crate) candidate: Option<&'o Candidate<'p>>,
+}
+
+/// The class of a candidate as a whole.
+pub(crate) fn class(candidate: &Candidate<'_>) -> &'static str {
+    match (candidate.fits(), candidate.open_questions()) {
+        (false, _) => "fail",
+        (true, _) if candidate.leaves_load_unheld() => "fail",
+        (true, 0) => "pass",
+        (true, _) => "unchecked",
+    }
+}
+
+/// The bar.
+pub(crate) fn bar(state: &State, held: &Held, found: &Outcome<'_, '_>, fields: &str, patience: &Patience) -> Markup {
+    let l = state.language;
+    let class = found.candidate.map_or("none", class);
+    html! {
+        section id="verdict" class={ (class) @if held.is_old { " old" } } aria-label=(capitalised(terms::verdict(l))) {
+            @match found.candidate {
+                Some(candidate) => { (line(candidate, found.sizing, l)) (below(found, candidate, patience, l)) },
+                None => p id="standing" role="status" { (page::no_result_yet(l)) },
+            }
+            (faults(state, held, fields, l))
+            (crate::demand::stopped(&html! {}))
+            @if held.is_old { p.advice id="is-old" role="status" { (page::result_is_old(l)) } }
+        }
+    }
+}
+
+fn line(candidate: &Candidate<'_>, sizing: Option<&Sizing<'_>>, language: Language) -> Markup {
+    let l = language;
+    let counts = candidate.counts();
+    let list = if candidate.fits() { List::Ranking } else { List::Rejected };
+    let shown = vals(&[("unfolded", "true"), ("list", list.id())]);
+    let count = |class: &str, count: usize, text: String| {
+        html! { @if count > 0 {
+            button.count type="button" class=(class) data-goto={ "#checks tr." (class) } hx-post="/work" hx-vals=(shown) { (text) }
+        } }
+    };
+    let of = |verdict, count| verdict_count(verdict, count, l);
+    html! {
+        p id="standing" role="status" aria-live="polite" { strong.code { (candidate.id) } ": " (standing_text(candidate, l)) }
+        @if let Some(tightest) = candidate.judgement.tightest() {
+            button.count type="button" id="tightest" data-goto={ "#check-" (tightest.id.id()) } hx-post="/work" hx-vals=(shown) {
+                (page::tightest(l)) " " (check_title(tightest.id, l)) " " strong { (percent(tightest.utilisation, l)) " %" }
+            }
+        }
+        span.counts role="group" aria-label=(capitalised(terms::checks(l))) {
+            (count("fail", counts.failed, of(Verdict::Fail, counts.failed)))
+            (count("pass", counts.passed, of(Verdict::Pass, counts.passed)))
+            (count("advice", counts.advised, of(Verdict::Advice, counts.advised)))
+            (count("unchecked", counts.not_checked, of(Verdict::NotChecked, counts.not_checked)))
+            (count("no-limit", counts.without_limit, format!("{} {}", counts.without_limit, without_limit(l))))
+        }
+        @if let Some(sizing) = sizing {
+            @let fitting = sizing.candidates.iter().filter(|each| each.fits()).count();
+            span id="answer" { (terminal::judged(fitting, &sizing.candidates.len(), l)) }
+        }
+    }
+}
+
+/// What speaks against it, what would let it fit, and what is to be stated to have the rest checked.
+fn below(found: &Outcome<'_, '_>, candidate: &Candidate<'_>, patience: &Patience, language: Language) -> Markup {
+    let l = language;
+    let keys = candidate.keys_to_state();
+    let reserve = match found.project {
+        Some(project) if !candidate.fits() => reserve_unasked(project, candidate, patience).unwrap_or_default(),
+        _ => questions::Reserve::default(),
+    };
+    html! {
+        @for objection in &candidate.objections { p.below.fail { (objection_text(candidate, objection, l)) } }
+        @for (head, parts) in reserve_lines(&reserve, candidate, l) {
+            p.below.would { (capitalised(head)) ": " @for (place, part) in parts.iter().enumerate() { @if place > 0 { "; " } (part) } }
+        }
+        @if !keys.is_empty() {
+            p.below.open { (page::to_be_checked_state(l)) " " @for (place, (key, _)) in keys.iter().enumerate() {
+                @if place > 0 { ", " }
+                a href={ "#" (form::id(key)) } title=(key) { (key_at(key).map_or_else(|| (*key).to_owned(), |known| short_label(about_text(known.about, l)))) }
+            } }
+        }
+    }
+}
+
+/// All faults of the text, each leading to its field, to the axis that has it, or to its line in the text.
+fn faults(state: &State, held: &Held, fields: &str, language: Language) -> Markup {
+    let prefix = state.prefix.as_str();
+    let has = |id: &str| fields.contains(&format!("id=\"{id}\""));
+    // The field; of what has none the table around it.
+    let place = |path: &str| {
+        // What stands outside of the axis that is shown has no field.
+        let inside = path.strip_prefix(prefix)?;
+        let is_load = |path: &str| matches!(path.strip_prefix(prefix), Some("load" | "mechanism"));
+        let of = |path: &str| {
+            let id = if is_load(path) { String::from("mechanism") } else { form::id(path) };
+            [id.clone(), format!("{id}-t"), format!("{id}-e")].into_iter().find(|id| has(id))
+        };
+        let other = inside.starts_with("mechanism.").then(|| format!("{prefix}mechanism"));
+        of(path).or_else(|| of(&other?))
+    };
+    let axis = |path: &str| -> Option<usize> {
+        let place: usize = path.strip_prefix("axis[")?.split(']').next()?.parse().ok()?;
+        place.checked_sub(1).filter(|place| *place != state.axis && *place < held.projects.len())
+    };
+    html! {
+        div id="faults" role="status" {
+            @if !held.faults.is_empty() {
+                strong.fault { (page::faults(held.faults.len(), language)) }
+                ul {
+                    @for (path, fault) in held.faults.iter().take(FAULTS_SHOWN) {
+                        li {
+                            @let at = page::at_line(&fault.line, &fault.column, language);
+                            @match (path.as_deref().and_then(place), path.as_deref().and_then(axis)) {
+                                (Some(id), _) => a href={ "#" (id) } { (at) },
+                                (None, Some(axis)) => button.plain type="button" hx-post="/work" hx-vals=(vals(&[("axis", &axis.to_string()), ("code", "")])) { (at) },
+                                (None, None) => a href="#text" data-line=(fault.line) { (at) },
+                            }
+                            ": " (fault.message)
+                            @if let Some(hint) = &fault.hint { " – " (hint) }
+                        }
+                    }
+                }
+            }
+        }
+    }
+}

@@ -1,0 +1,141 @@
+//! How a reply goes out: packed where the client reads that, and once where it is kept by its hash.
+
+use bytes::Bytes;
+use flate2::Compression;
+use flate2::write::GzEncoder;
+use http_body_util::Full;
+use hyper::header::{
+    ACCEPT_ENCODING, CACHE_CONTROL, CONTENT_ENCODING, CONTENT_TYPE, ETAG, HeaderMap, HeaderName, HeaderValue,
+    IF_NONE_MATCH, VARY,
+};
+use hyper::{Response, StatusCode};
+use page::Reply;
+use std::io::Write;
+
+/// Below so many bytes packing saves nothing.
+const LEAST: usize = 1400;
+
+/// Files of the page: kept by the browser, which asks whether they are the same.
+const ASSETS: &str = "/assets/";
+
+/// A reply to a request for a path with these headers, with headers of its own and those that every reply has.
+pub(crate) fn sent(
+    reply: Reply,
+    path: &str,
+    asked: &HeaderMap,
+    always: &[(&'static str, &'static str)],
+) -> Response<Full<Bytes>> {
+    let is_asset = path.starts_with(ASSETS) && reply.status == 200;
+    let tag = is_asset.then(|| format!("\"{}\"", blake3::hash(&reply.body).to_hex()));
+    let is_known = tag.as_deref().is_some_and(|tag| has(asked, &IF_NONE_MATCH, tag));
+    let is_text = reply.media.starts_with("text/") || reply.media.contains("json") || reply.media.contains("svg");
+    let packed =
+        (is_text && !is_known && reply.body.len() >= LEAST && reads_gzip(asked)).then(|| packed(&reply.body)).flatten();
+    let is_packed = packed.is_some();
+    let body = if is_known { Vec::new() } else { packed.unwrap_or(reply.body) };
+    let mut response = Response::new(Full::new(Bytes::from(body)));
+    let status = if is_known { 304 } else { reply.status };
+    *response.status_mut() = StatusCode::from_u16(status).unwrap_or(StatusCode::INTERNAL_SERVER_ERROR);
+    let headers = response.headers_mut();
+    headers.insert(CONTENT_TYPE, HeaderValue::from_static(reply.media));
+    for (name, value) in always {
+        headers.insert(HeaderName::from_static(name), HeaderValue::from_static(value));
+    }
+    let kept = if is_asset { "private, no-cache" } else { "no-store" };
+    headers.insert(CACHE_CONTROL, HeaderValue::from_static(kept));
+    if is_text {
+        headers.insert(VARY, HeaderValue::from_static("accept-encoding"));
+    }
+    if is_packed {
+        headers.insert(CONTENT_ENCODING, HeaderValue::from_static("gzip"));
+    }
+    if let Some(tag) = tag.and_then(|tag| HeaderValue::try_from(tag).ok()) {
+        headers.insert(ETAG, tag);
+    }
+    for (name, value) in reply.headers {
+        // What is no header is left out: nothing of it can end the headers.
+        if let (Ok(name), Ok(value)) = (HeaderName::try_from(name), HeaderValue::try_from(value)) {
+            headers.insert(name, value);
+        }
+    }
+    response
+}
+
+/// Whether a header lists a value.
+fn has(headers: &HeaderMap, name: &HeaderName, wanted: &str) -> bool {
+    let values = headers.get_all(name).iter().filter_map(|value| value.to_str().ok());
+    values.flat_map(|value| value.split(',')).any(|value| value.trim().trim_start_matches("W/") == wanted)
+}
+
+/// Whether the client reads gzip: named, and not with a weight of zero.
+fn reads_gzip(headers: &HeaderMap) -> bool {
+    let values = headers.get_all(ACCEPT_ENCODING).iter().filter_map(|value| value.to_str().ok());
+    values.flat_map(|value| value.split(',')).any(|value| {
+        let mut parts = value.split(';').map(str::trim);
+        let is_gzip = parts.next().is_some_and(|name| name.eq_ignore_ascii_case("gzip"));
+        let is_refused =
+            parts.any(|part| part.strip_prefix("q=").is_some_and(|weight| weight.trim().parse() == Ok(0.0_f64)));
+        is_gzip && !is_refused
+    })
+}
+
+/// Packed, quickly rather than well: the way is short.
+fn packed(body: &[u8]) -> Option<Vec<u8>> {
+    let mut packer = GzEncoder::new(Vec::with_capacity(body.len() / 3), Compression::fast());
+    packer.write_all(body).ok()?;
+    packer.finish().ok()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use flate2::read::GzDecoder;
+    use http_body_util::BodyExt;
+    use std::io::Read;
+
+    fn asked(pairs: &[(HeaderName, &'static str)]) -> HeaderMap {
+        pairs.iter().map(|(name, value)| (name.clone(), HeaderValue::from_static(value))).collect()
+    }
+
+    async fn body(response: Response<Full<Bytes>>) -> Vec<u8> {
+        response.into_body().collect().await.map(|body| body.to_bytes().to_vec()).unwrap_or_default()
+    }
+
+    #[tokio::test]
+    async fn what_a_client_reads_packed_is_the_same_bytes() {
+        let text = "a line of the page\n".repeat(400);
+        let reply = || Reply::text(200, &text);
+        let plain = sent(reply(), "/work", &asked(&[]), &[]);
+        assert!(plain.headers().get(CONTENT_ENCODING).is_none());
+        assert_eq!(body(plain).await, text.as_bytes());
+        let refused = sent(reply(), "/work", &asked(&[(ACCEPT_ENCODING, "gzip;q=0, br")]), &[]);
+        assert!(refused.headers().get(CONTENT_ENCODING).is_none());
+        let short = sent(Reply::text(200, "short"), "/work", &asked(&[(ACCEPT_ENCODING, "gzip")]), &[]);
+        assert!(short.headers().get(CONTENT_ENCODING).is_none());
+        let packed = sent(reply(), "/work", &asked(&[(ACCEPT_ENCODING, "br, gzip;q=0.8")]), &[]);
+        assert_eq!(packed.headers().get(CONTENT_ENCODING).map(HeaderValue::as_bytes), Some(&b"gzip"[..]));
+        let bytes = body(packed).await;
+        assert!(bytes.len() * 10 < text.len(), "{}", bytes.len());
+        let mut read = String::new();
+        assert!(GzDecoder::new(bytes.as_slice()).read_to_string(&mut read).is_ok());
+        assert_eq!(read, text);
+    }
+
+    #[tokio::test]
+    async fn a_file_of_the_page_that_the_browser_has_is_not_sent_again() {
+        let reply = || Reply::text(200, "body { margin: 0 }");
+        let first = sent(reply(), "/assets/page.css", &asked(&[]), &[]);
+        let tag = first.headers().get(ETAG).cloned();
+        let mut headers = HeaderMap::new();
+        headers.extend(tag.map(|tag| (IF_NONE_MATCH, tag)));
+        assert!(!headers.is_empty());
+        let again = sent(reply(), "/assets/page.css", &headers, &[]);
+        assert_eq!(again.status(), 304);
+        assert!(body(again).await.is_empty());
+        let other = sent(Reply::text(200, "body { margin: 1px }"), "/assets/page.css", &headers, &[]);
+        assert_eq!(other.status(), 200);
+        // Nothing else is kept.
+        let page = sent(reply(), "/work", &headers, &[]);
+        assert_eq!(page.headers().get(CACHE_CONTROL).map(HeaderValue::as_bytes), Some(&b"no-store"[..]));
+    }
+}
