@@ -12,8 +12,9 @@ use std::rc::Rc;
 use tokio::runtime::Runtime;
 
 /// Options of a test browser: headless, for a small machine, without network requests of its own.
-const ARGUMENTS: [&str; 10] = [
+const ARGUMENTS: [&str; 11] = [
     "--headless=new",
+    "--window-size=1440,987",
     "--no-sandbox",
     "--disable-dev-shm-usage",
     "--disable-gpu",

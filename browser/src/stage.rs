@@ -35,8 +35,17 @@ impl Stage<'_> {
     pub(crate) fn ready(&self) -> Told {
         self.tab.there("#standing")?;
         self.listens()?;
-        // The script has run: it shows the values at the instant.
+        // The script has run: it shows the values at the instant, and the picture is as large as its pane.
         self.tab.until("document.querySelector('#instant-values')?.textContent !== ''")
+    }
+
+    /// Shows the checks of the actuator that is looked at.
+    pub(crate) fn unfold(&self) -> Told {
+        self.tab.there("tbody[aria-current] button.fold")?;
+        if self.tab.eval("document.querySelector('#checks') === null")? == Value::Bool(true) {
+            self.tab.click("tbody[aria-current] button.fold")?;
+        }
+        self.tab.there("#checks")
     }
 
     fn listens(&self) -> Told {
@@ -93,7 +102,7 @@ impl Stage<'_> {
             }
             std::thread::sleep(Duration::from_millis(50));
         }
-        Err(format!("{button} gave no file with the ending {ending}: {}", self.tab.text("#told").unwrap_or_default()))
+        Err(format!("{button} gave no file with the ending {ending}: {}", self.tab.text("#status").unwrap_or_default()))
     }
 
     /// The console has no error, and no resource was blocked.

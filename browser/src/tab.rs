@@ -18,6 +18,7 @@ const PATIENCE: Duration = Duration::from_secs(30);
 pub(crate) mod key {
     pub(crate) const TAB: char = '\u{e004}';
     pub(crate) const ENTER: char = '\u{e007}';
+    pub(crate) const ESCAPE: char = '\u{e00c}';
     pub(crate) const SPACE: char = ' ';
     pub(crate) const END: char = '\u{e010}';
     pub(crate) const RIGHT: char = '\u{e014}';
@@ -38,6 +39,11 @@ fn told(error: impl std::fmt::Display) -> String {
 pub(crate) fn expect(holds: bool, what: impl FnOnce() -> String) -> Told {
     if holds { Ok(()) } else { Err(what()) }
 }
+
+/// What is in a pane that a narrow window hides, or behind the other face of the left one, is brought to sight first.
+const SHOWN: &str = "const pane = found.closest('.pane'); \
+    if (pane && getComputedStyle(pane).display === 'none') document.querySelector(`[data-pane=\"${{ moves: 1, demands: 2, fits: 3 }[pane.id]}\"]`)?.click(); \
+    if (found.id === 'text') document.querySelector('[data-left=text]')?.click(); else if (found.closest('#left-pane-form')) document.querySelector('[data-left=form]')?.click();";
 
 impl Tab {
     pub(crate) fn new(client: Client, runtime: Rc<Runtime>) -> Told<Self> {
@@ -146,9 +152,11 @@ impl Tab {
         self.there(selector)?;
         // Folds are opened as a person would who looks for what is inside.
         self.run(
-            "const found = document.querySelector(arguments_[0]); \
+            &format!(
+                "const found = document.querySelector(arguments_[0]); {SHOWN} \
              for (let fold = found.closest('details'); fold; fold = fold.parentElement.closest('details')) if (!found.matches('summary')) fold.open = true; \
-             found.scrollIntoView({ block: 'center' });",
+             found.scrollIntoView({{ block: 'center' }});"
+            ),
             vec![json!(selector)],
         )?;
         self.runtime.block_on(async {
@@ -161,9 +169,11 @@ impl Tab {
     pub(crate) fn fill(&self, selector: &str, text: &str) -> Told {
         self.there(selector)?;
         self.run(
-            "const field = document.querySelector(arguments_[0]); \
-             for (let fold = field.closest('details'); fold; fold = fold.parentElement.closest('details')) fold.open = true; \
-             field.focus(); field.select();",
+            &format!(
+                "const found = document.querySelector(arguments_[0]); {SHOWN} \
+             for (let fold = found.closest('details'); fold; fold = fold.parentElement.closest('details')) fold.open = true; \
+             found.focus(); found.select();"
+            ),
             vec![json!(selector)],
         )?;
         self.keys(text)?;

@@ -11,9 +11,9 @@ pub(crate) fn with_figures(stage: &Stage<'_>) -> Told {
     let tab = &stage.tab;
     stage.start("en")?;
     tab.click(".tiles li:nth-child(5) .tile")?;
-    tab.there("#detail form")?;
+    tab.there("#begin form")?;
     tab.fill("#b-f-mechanism-belt-mass", "25 kg")?;
-    tab.click("#detail form button[type=submit]")?;
+    tab.click("#begin form button[type=submit]")?;
     stage.ready()?;
     tab.says("#text", "25 kg")
 }

@@ -1,7 +1,7 @@
 //! How it looks and whom it shuts out.
 
 use crate::stage::Stage;
-use crate::tab::{Told, expect};
+use crate::tab::{Told, expect, key};
 
 /// Narrow, usual, wide, and twice as large.
 pub(crate) fn widths(stage: &Stage<'_>) -> Told {
@@ -14,6 +14,7 @@ pub(crate) fn widths(stage: &Stage<'_>) -> Told {
             stage.no_sideways_scroll(&what("start"))?;
             stage.example("belt", language)?;
             stage.no_sideways_scroll(&what("main"))?;
+            stage.unfold()?;
             tab.click("#check-peak_torque button.plain")?;
             tab.there("#detail .formula")?;
             stage.no_sideways_scroll(&what("detail"))?;
@@ -32,13 +33,15 @@ pub(crate) fn accessibility(stage: &Stage<'_>) -> Told {
     for look in ["light", "dark"] {
         let what = |page: &str| format!("{page}, {look}");
         stage.accessible(&what("main"))?;
+        stage.unfold()?;
         tab.click("#check-peak_torque button.plain")?;
         tab.there("#detail .formula")?;
         stage.accessible(&what("detail"))?;
         tab.click("#tools")?;
         tab.there("#detail [name=about], #detail input")?;
         stage.accessible(&what("tools"))?;
-        stage.change("#f-mechanism-belt-mass", "60")?;
+        tab.keys(&key::ESCAPE.to_string())?;
+        stage.change("#f-mechanism-belt-mass", "sixty")?;
         stage.accessible(&what("fault"))?;
         stage.change("#f-mechanism-belt-mass", "60 kg")?;
         if look == "light" {

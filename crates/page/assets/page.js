@@ -26,6 +26,7 @@ document.addEventListener('htmx:before:request', (event) => {
   // A field that is left tells once more what was answered while it was typed.
   if (source.id && body.has('path') && base(source) === undefined && answered?.asked === asked && answered.text === text().value) { event.preventDefault(); return; }
   event.detail.ctx.asked = asked;
+  for (const [id, open] of folds) if (open && id.startsWith('f-')) body.append('fold', id);
   // A pull at the end of a segment begins at the text that was there when it began.
   if (base(source) !== undefined) body.set('text', base(source));
   else if (source !== text()) body.set('text', text().value);
@@ -117,7 +118,8 @@ const folds = new Map();
 document.addEventListener('click', (event) => {
   const fold = event.target.closest?.('summary')?.parentElement;
   if (fold?.id) folds.set(fold.id, !fold.open);
-});
+}, true);
+export const opened = (ids) => { for (const id of ids) folds.set(id, true); };
 document.addEventListener('htmx:before:morph:attr', (event) => {
   if (event.detail.attrName === 'open' && folds.has(event.target.id)) event.preventDefault();
 });

@@ -1,5 +1,5 @@
 // The frame: borders that move, the room of the pictures, menus, the drawer, the palette and the keys.
-import { back, away, isAway, shut, tell } from './page.js';
+import { back, away, isAway, opened, shut, tell } from './page.js';
 
 const $ = (selector) => document.querySelector(selector);
 const all = (selector) => [...document.querySelectorAll(selector)];
@@ -105,11 +105,21 @@ document.addEventListener('htmx:before:request', (event) => {
 document.addEventListener('click', (event) => {
   const link = event.target.closest?.('a[href^="#"]');
   const name = link?.getAttribute('href').slice(1);
-  const field = name && document.getElementById(name);
-  if (!field) return;
+  if (!name || !(document.getElementById(name) || name.startsWith('f-'))) return;
   event.preventDefault();
-  reveal(field);
+  lead(name);
 });
+// To a field by its id; where its fold was not fetched yet, after that.
+function lead(name) {
+  const field = document.getElementById(name) ?? $(`#fields [id^="f-"][id$="${CSS.escape(name.slice(1))}"]`);
+  if (field) { reveal(field); return; }
+  const table = name.replace(/-[^-]*$/, '');
+  if (sought === name || !$('#state')) { sought = null; left('text'); $('#text')?.focus(); return; }
+  sought = name;
+  opened([`${table}-t`, `${table}-m`]);
+  htmx.ajax('POST', '/work', { source: $('#state') }).then(() => { lead(name); sought = null; });
+}
+let sought = null;
 function reveal(field) {
   if (field.id === 'text') left('text'); else if (field.closest('#left-pane-form')) left('form');
   if (field.closest('#moves') && matchMedia('(max-width: 860px)').matches) root.dataset.pane = '1';
@@ -120,6 +130,14 @@ function reveal(field) {
   setTimeout(() => row.classList.remove('flash'), 1600);
   field.focus({ preventScroll: true });
 }
+
+// The units of a field stand once in the page; they are put into it when it is looked at.
+for (const kind of ['focusin', 'pointerdown']) document.addEventListener(kind, (event) => {
+  const select = event.target.closest?.('select[data-units]');
+  const list = select && $('#units').content.getElementById(select.dataset.units);
+  if (!list || select.options.length >= list.options.length) return;
+  for (const option of list.options) if (option.value !== select.dataset.chosen) select.add(new Option(option.textContent, option.value));
+});
 
 // Menus close when something of them was chosen, or elsewhere was clicked.
 document.addEventListener('click', (event) => {
@@ -168,7 +186,7 @@ function save(text, name) {
 function picture() { const figure = $('#demands figure.plot'); if (figure) save(source(figure), `${figure.id.replace('plot-', '')}.svg`); }
 
 // The palette: keys, checks, codes, terms.
-let sought = 0;
+let typed = 0;
 function palette() {
   const dialog = $('#palette');
   if (!dialog || dialog.open) return;
@@ -180,8 +198,8 @@ function palette() {
   list.setAttribute('aria-live', 'polite');
   dialog.append(field, list);
   field.addEventListener('input', () => {
-    clearTimeout(sought);
-    sought = setTimeout(async () => {
+    clearTimeout(typed);
+    typed = setTimeout(async () => {
       const query = new URLSearchParams({ q: field.value, lang: root.lang });
       const reply = await fetch(`/find?${query}`).catch(() => null);
       if (reply?.ok) list.innerHTML = await reply.text();
@@ -212,7 +230,7 @@ document.addEventListener('click', (event) => {
   if (!found) return;
   $('#palette').close();
   const [kind, name] = [found.dataset.found, found.value];
-  if (kind === 'key') { const field = document.getElementById(name); if (field) reveal(field); else { left('text'); $('#text')?.focus(); } }
+  if (kind === 'key') lead(name);
   else if (kind === 'check') { going = `#check-${name}`; if ($(going)) goOn(); else htmx.ajax('POST', '/work', { source: $('#tightest') ?? $('#state'), values: { unfolded: 'true' } }); }
   else if (kind === 'code' && $('#text')) htmx.ajax('POST', '/work', { source: $('#state'), values: { code: name } });
   else htmx.ajax('POST', '/tools', { source: $('#tools'), target: '#detail', swap: 'innerHTML', values: { tool: kind === 'code' ? 'code' : 'glossary', about: name, asked: kind === 'code' ? 'code' : 'glossary' } });

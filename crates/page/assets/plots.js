@@ -22,16 +22,15 @@ export function cursor() {
   instant = time;
   for (const figure of overTime()) for (const panel of panels(figure)) line(panel, time);
   const values = read(overTime()[0], time);
-  const format = new Intl.NumberFormat(document.documentElement.lang, { maximumSignificantDigits: 4, signDisplay: 'negative' });
-  const shown = (value) => format.format(value).replace('-', '\u2212');
-  const all = [{ symbol: 't', value: time, unit: 's' }, ...values];
+  const shown = (value, digits) => new Intl.NumberFormat(document.documentElement.lang, { maximumSignificantDigits: 4, maximumFractionDigits: digits, roundingPriority: 'lessPrecision', signDisplay: 'negative' }).format(value).replace('-', '\u2212');
+  const all = [{ symbol: 't', value: time, unit: 's', digits: 4 }, ...values];
   const place = $('#instant-values');
   while (place.childElementCount < all.length) place.append(cell());
   while (place.childElementCount > all.length) place.lastChild.remove();
-  all.forEach(({ symbol, label, value, unit }, number) => {
+  all.forEach(({ symbol, label, value, unit, digits }, number) => {
     const [name, amount, of] = place.children[number].children;
     name.textContent = label ? `${symbol} ${label}` : symbol;
-    amount.textContent = shown(value);
+    amount.textContent = shown(value, digits);
     of.textContent = unit;
   });
   range.setAttribute('aria-valuetext', place.innerText.replace(/\s+/g, ' ').trim());
@@ -67,23 +66,50 @@ function points(path) {
   }
   return known;
 }
+// The curves as they were computed are fetched once the cursor is used: a line tells only what a pixel can tell.
+let exact = null;
+async function fetchCurves(figure) {
+  const of = figure.querySelector('svg');
+  if (exact?.of === of) return;
+  exact = { of, columns: null };
+  const body = new URLSearchParams(new FormData($('#state')));
+  body.set('lang', 'en');
+  const reply = await fetch('/curves', { method: 'POST', body }).catch(() => null);
+  if (!reply?.ok || exact.of !== of) return;
+  exact.columns = [];
+  for (const block of (await reply.text()).split('\n\n').filter((each) => each.trim())) {
+    const rows = block.trim().split('\n').slice(1).map((row) => row.split('\t').map(Number));
+    const x = rows.map((row) => row[0]);
+    for (let column = 1; column < (rows[0]?.length ?? 0); column++) exact.columns.push({ x, y: rows.map((row) => row[column]) });
+  }
+  cursor();
+}
+for (const kind of ['input', 'focusin', 'pointerdown']) document.addEventListener(kind, (event) => {
+  const figure = overTime()[0];
+  if (figure && (event.target.id === 'instant' || event.target.closest?.('figure.plot, [data-play], [data-instant]'))) fetchCurves(figure);
+});
+function at(x, y, place) {
+  let low = 0, high = x.length - 1;
+  while (high - low > 1) { const middle = (low + high) >> 1; if (x[middle] <= place) low = middle; else high = middle; }
+  const share = x[high] > x[low] ? Math.min(1, Math.max(0, (place - x[low]) / (x[high] - x[low]))) : 0;
+  return y[low] + share * (y[high] - y[low]);
+}
 function read(figure, time) {
   const found = [];
+  let number = 0;
+  const columns = exact?.of === figure.querySelector('svg') ? exact.columns : null;
   for (const panel of panels(figure)) {
     const p = numbers(panel);
     const { symbol, unit } = panel.dataset;
-    const at = xOf(p, time);
     for (const curve of panel.querySelectorAll('g.line')) {
       const path = curve.querySelector('path');
       if (!path) continue;
-      const { x, y } = points(path);
-      let low = 0, high = x.length - 1;
-      while (high - low > 1) { const middle = (low + high) >> 1; if (x[middle] <= at) low = middle; else high = middle; }
-      const share = x[high] > x[low] ? Math.min(1, Math.max(0, (at - x[low]) / (x[high] - x[low]))) : 0;
-      const value = atY(p, y[low] + share * (y[high] - y[low]));
-      // A line is drawn to a hundredth of a pixel: no more digits are told.
-      const step = (p.yMax - p.yMin) / (p.bottom - p.top) / 20;
-      found.push({ symbol, label: curve.dataset.label ?? '', unit, value: Math.round(value / step) * step + 0 });
+      const column = columns?.[number++];
+      const { x, y } = column ?? points(path);
+      const value = column ? at(x, y, time) : atY(p, at(x, y, xOf(p, time)));
+      // A line is drawn to a hundredth of a pixel, a curve thinned to a fine part of its range: no more digits than that.
+      const step = (p.yMax - p.yMin) / (column ? 2e4 : (p.bottom - p.top) * 20);
+      found.push({ symbol, label: curve.dataset.label ?? '', unit, value: Math.round(value / step) * step + 0, digits: Math.max(0, Math.min(6, 1 - Math.ceil(Math.log10(step)))) });
     }
   }
   return found;
@@ -164,7 +190,7 @@ export function overlay() {
       mark.hidden = time < p.xMin || time > p.xMax;
       if (mark.hidden) continue;
       // What would cover the one before stands beside it.
-      const x = Math.max(xOf(p, time) / box.width, until + 23 / width(figure));
+      const x = Math.max(xOf(p, time) / box.width, until + 25 / width(figure));
       until = x;
       mark.style.left = `${100 * x}%`;
     }

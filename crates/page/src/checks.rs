@@ -86,13 +86,13 @@ fn row(check: &Check, worst: &[overlay::Worst<'_>], prefix: &str, language: Lang
                 @if let Some(share) = share { svg.bar viewBox="0 0 150 8" preserveAspectRatio="none" aria-hidden="true" { rect x="0" y="0" width=(share) height="8" {} path d="M100 0V8" {} } " " }
                 (margin_text(check, l))
                 @if let Some(at) = check.at {
-                    " " button.mark-number type="button" class=(class) data-instant=(at.si()) title={ (page::jump_to_worst(l)) ": " (page::worst_instant(&format_significant(at.si(), 3, l), l)) } aria-label={ (page::jump_to_worst(l)) ": " (page::worst_instant(&format_significant(at.si(), 3, l), l)) } {
+                    " " button type="button" class={ "mark-number " (class) } data-instant=(at.si()) title={ (page::jump_to_worst(l)) ": " (page::worst_instant(&format_significant(at.si(), 3, l), l)) } aria-label={ (page::jump_to_worst(l)) ": " (page::worst_instant(&format_significant(at.si(), 3, l), l)) } {
                         (overlay::number(worst, check).map_or_else(String::new, |number| number.to_string()))
                     }
                 }
             }
         }
-        tr.about class=(class) { td colspan="5" { (about(check, prefix, l)) } }
+        tr class={ "about " (class) } { td colspan="5" { (about(check, prefix, l)) } }
     }
 }
 

@@ -25,7 +25,7 @@ pub(crate) fn column(
 ) -> Markup {
     let l = state.language;
     html! {
-        section.pane id="demands" class=[is_old.then_some("old")] aria-labelledby="demands-title" {
+        section id="demands" class=(if is_old { "pane old" } else { "pane" }) aria-labelledby="demands-title" {
             h2.unseen id="demands-title" { (page::what_it_demands(l)) }
             (views(state, project, candidate))
             @if let Some(candidate) = candidate {

@@ -90,7 +90,7 @@ fn check_row(row: &CheckRow, language: Language) -> Markup {
             td { (unit.map_or("", |figure| figure.unit.symbol)) }
             @for (place, check) in row.checks.iter().enumerate() {
                 @match check {
-                    Some(check) => td.number class=(verdict_class(check.verdict)) {
+                    Some(check) => td class={ "number " (verdict_class(check.verdict)) } {
                         (figure_text(check.value, language)) " "
                         @if check.verdict == Verdict::NotChecked { (verdict_text(check, language)) } @else { "(" (percent(check.utilisation, language)) " %)" }
                         @if row.better == Some(place) { " *" }

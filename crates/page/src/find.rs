@@ -58,7 +58,7 @@ fn keys(typed: &str, language: Language) -> Vec<Found> {
 }
 
 /// Every key below these with its path; of a list the first entry stands for all.
-fn walk(keys: &'static [Key], above: &str, each: &mut impl FnMut(&str, &'static Key)) {
+pub(crate) fn walk(keys: &'static [Key], above: &str, each: &mut impl FnMut(&str, &'static Key)) {
     for key in keys {
         let path = if above.is_empty() { key.name.to_owned() } else { format!("{above}.{}", key.name) };
         match key.kind {

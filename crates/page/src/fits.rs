@@ -22,7 +22,7 @@ const REJECTED_SHOWN: usize = 40;
 pub(crate) fn column(state: &State, found: &Outcome<'_, '_>, is_old: bool) -> Markup {
     let l = state.language;
     html! {
-        section.pane id="fits" class=[is_old.then_some("old")] aria-labelledby="fits-title" {
+        section id="fits" class=(if is_old { "pane old" } else { "pane" }) aria-labelledby="fits-title" {
             h2.unseen id="fits-title" { (page::what_fits(l)) }
             @if let Some(sizing) = found.sizing {
                 (lists(state, sizing))
@@ -172,7 +172,6 @@ fn ranking(state: &State, sizing: &Sizing<'_>, looked_at: Option<&Candidate<'_>>
     let own = sizing.own.as_ref();
     html! {
         (filters(state, sizing))
-        @if fitting.is_empty() { p.fail { strong { (capitalised(terminal::no_actuator_fits(l))) } } }
         @if own.is_some() || !first.is_empty() {
             table.ranking {
                 (heads(state))
@@ -189,7 +188,7 @@ fn ranking(state: &State, sizing: &Sizing<'_>, looked_at: Option<&Candidate<'_>>
                 p.codes { @for (_, candidate) in rest.iter().filter(|(_, each)| !is_it(each)) { (look_at(&candidate.id.to_string(), l)) " " } }
             }
         }
-        p.small { (ranking_rule(l)) ". " (page::shown_of(&count, &fitting.len(), l)) }
+        p.small { span id="answer" { @if fitting.is_empty() { strong.fail { (capitalised(terminal::no_actuator_fits(l))) } ". " } (capitalised(&terminal::judged(fitting.len(), &sizing.candidates.len(), l))) } ". " (page::shown_of(&count, &fitting.len(), l)) ". " (capitalised(&ranking_rule(l))) "." }
         @if state.marked.len() >= 2 {
             button type="button" id="compare" hx-post="/compare" hx-target="#detail" hx-swap="innerHTML" { (page::side_by_side(l)) }
         } @else { p.small { (page::compare_told(l)) } }

@@ -19,6 +19,8 @@ pub(crate) struct Form<'f> {
     /// What followed for each segment.
     solved: Vec<Followed>,
     pub(crate) files: &'f dyn Files,
+    /// The folds that are open although nothing is stated in them.
+    folds: &'f [String],
 }
 
 /// What followed for a segment of the motion.
@@ -35,7 +37,7 @@ pub(crate) struct Followed {
 /// The column.
 pub(crate) fn column(state: &State, held: &Held, shell: &dyn Shell) -> Markup {
     let (language, prefix, solved) = (state.language, state.prefix.as_str(), solved(state, held));
-    let form = Form { held, language, prefix, solved, files: shell.files() };
+    let form = Form { held, language, prefix, solved, files: shell.files(), folds: &state.folds };
     let l = state.language;
     let fields = html! {
         fieldset id="fields" disabled[!held.has_places] {
@@ -111,7 +113,7 @@ impl Group {
     /// By what the key measures; what is no quantity stands with forces and losses, as an efficiency does.
     fn of(key: &Key) -> Self {
         match value::dimensions(key).first() {
-            Some(Dimension::Length | Dimension::Angle) => Self::Geometry,
+            Some(Dimension::Length | Dimension::Lead | Dimension::Angle) => Self::Geometry,
             Some(Dimension::Mass | Dimension::MomentOfInertia | Dimension::MassDensity) => Self::Masses,
             None if matches!(key.kind, Kind::Bodies) => Self::Masses,
             _ => Self::Forces,
@@ -200,7 +202,7 @@ impl Form<'_> {
             fieldset id="mechanism" {
                 legend { (page::mechanism(l)) }
                 div.row {
-                    label for="kind" { (page::what_it_is(l)) }
+                    label.unseen for="kind" { (page::what_it_is(l)) }
                     select id="kind" name="do" data-chosen=(chosen.map_or_else(|| format!("gone {path}"), |kind| take(kind.name))) hx-post="/work" hx-trigger="change" {
                         option value=(format!("gone {path}")) selected[chosen.is_none()] { (page::load_at_the_output(l)) }
                         @for kind in kinds {
@@ -228,14 +230,24 @@ impl Form<'_> {
         let title = capitalised(table_of_project(key.name, l).unwrap_or_else(|| about_text(key.about, l)));
         match key.kind {
             Kind::Table(keys) => html! {
-                details id={ (id(path)) "-t" } open[self.is_there(path)] {
-                    summary { (title) }
+                (self.fold(&format!("{}-t", id(path)), &title, self.is_there(path), "", || html! {
                     (self.fault_at(path))
                     (self.rows(keys, path))
-                }
+                }))
             },
             Kind::Variants(variants) => self.list(key, variants, path, &title),
             _ => html! {},
+        }
+    }
+
+    /// What may be folded away: what is inside is sent once the fold is opened, for most of a form is never looked at.
+    fn fold(&self, id: &str, title: &str, is_open: bool, class: &str, inside: impl Fn() -> Markup) -> Markup {
+        let is_shown = is_open || self.folds.iter().any(|open| open == id);
+        html! {
+            details id=(id) class=[(!class.is_empty()).then_some(class)] open[is_open] {
+                @if is_shown { summary { (title) } (inside()) }
+                @else { summary hx-post="/work" hx-vals=(vals(&[("fold", id)])) { (title) } }
+            }
         }
     }
 
@@ -248,10 +260,7 @@ impl Form<'_> {
         html! {
             (self.grouped(keys.iter().filter(|key| all || first(key)).collect(), path))
             @if !all && !folded.is_empty() {
-                details.more id={ (id(path)) "-m" } open[shown.is_empty()] {
-                    summary { (page::further(folded.len(), self.language)) }
-                    (self.grouped(folded, path))
-                }
+                (self.fold(&format!("{}-m", id(path)), &page::further(folded.len(), self.language), shown.is_empty(), "more", || self.grouped(folded.clone(), path)))
             }
         }
     }
@@ -347,10 +356,9 @@ impl Form<'_> {
                 @if kind == "recorded" { (recorded::columns(self, path, solved)) }
                 @let folded: Vec<&&Key> = shared.iter().filter(|key| !stated(key)).collect();
                 @if !folded.is_empty() {
-                    details.more id={ (id(path)) "-m" } {
-                        summary { (page::further(folded.len(), l)) }
-                        div.rows { @for key in folded { (self.any(key, &format!("{path}.{}", key.name), None)) } }
-                    }
+                    (self.fold(&format!("{}-m", id(path)), &page::further(folded.len(), l), false, "more", || html! {
+                        div.rows { @for key in &folded { (self.any(key, &format!("{path}.{}", key.name), None)) } }
+                    }))
                 }
                 div.tools {
                     @if place < count {

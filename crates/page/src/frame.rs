@@ -46,6 +46,7 @@ pub(crate) fn whole(call: &Call<'_>, shell: &dyn Shell, patience: &Patience) -> 
             }
             body hx-target:inherited="#work" hx-swap:inherited="outerMorph" hx-include:inherited="#state, [form=state]" hx-sync:inherited="#work:queue all" {
                 (laws::symbols(laws::words()))
+                template id="units" { (crate::value::lists()) }
                 a.skip href="#standing" { (page::skip_to_result(l)) }
                 @match work(&mut state, shell, patience) {
                     Ok(page) => { (page) }

@@ -50,6 +50,8 @@ pub(crate) struct State {
     pub(crate) sort: Sort,
     /// Whether the actuator that is looked at shows its checks.
     pub(crate) unfolded: bool,
+    /// The folds of the form that are open although nothing is stated in them, by their ids.
+    pub(crate) folds: Vec<String>,
     /// Width and height that the pictures of the middle pane may take \[px\].
     pub(crate) room: (f64, f64),
 }
@@ -140,6 +142,9 @@ impl Sort {
     }
 }
 
+/// So many folds of the form are open at most.
+const FOLDS_MOST: usize = 200;
+
 /// The size of the pictures before the page has said how large its middle pane is \[px\].
 const ROOM: (f64, f64) = (560.0, 470.0);
 
@@ -220,6 +225,12 @@ impl State {
             list: List::of(&field("list")),
             sort: Sort::of(&field("sort")),
             unfolded: field("unfolded") == "true",
+            folds: call
+                .fields()
+                .filter(|(key, _)| key == "fold")
+                .map(|(_, id)| id.into_owned())
+                .take(FOLDS_MOST)
+                .collect(),
             room: room(&field("width"), &field("height")),
             samples: field("samples").trim().parse().ok().filter(|samples| (1..=SAMPLES_MOST).contains(samples)),
         };

@@ -5,7 +5,7 @@
 
 use crate::form::{tolerance_of, vals};
 use maud::{Markup, html};
-use project::{Key, Kind, example};
+use project::{KEYS, Key, Kind, example};
 use quantities::{Dimension, Language, Unit, parse};
 use words::page;
 
@@ -39,6 +39,26 @@ pub(crate) fn dimensions(key: &Key) -> Vec<Dimension> {
 /// The units that may be chosen: of a ratio none.
 fn units(dimensions: &[Dimension]) -> Vec<&'static Unit> {
     dimensions.iter().flat_map(|dimension| dimension.units()).collect()
+}
+
+/// The name of the list of units of these dimensions.
+fn list_id(dimensions: &[Dimension]) -> String {
+    let names: Vec<String> = dimensions.iter().map(|dimension| format!("{dimension:?}")).collect();
+    format!("units-{}", names.join("-"))
+}
+
+/// The lists of units, once for all fields of the page.
+pub(crate) fn lists() -> Markup {
+    let mut all: Vec<Vec<Dimension>> = Vec::new();
+    crate::find::walk(KEYS, "", &mut |_, key| {
+        let dimensions = dimensions(key);
+        if units(&dimensions).len() > 1 && !all.contains(&dimensions) {
+            all.push(dimensions);
+        }
+    });
+    html! { @for dimensions in &all {
+        datalist id=(list_id(dimensions)) { @for unit in units(dimensions) { option value=(unit.ascii) { (unit.symbol) } } }
+    } }
 }
 
 /// A text as number and unit, where it is that.
@@ -139,9 +159,10 @@ pub(crate) fn field(
                 aria-invalid=[wrong.then_some("true")] aria-describedby=[wrong.then_some(described)]
                 hx-post="/work" hx-trigger="input changed delay:60ms, change" hx-vals=(vals(&[("path", path), ("unit", unit), ("kept", band)]));
             @if units.len() > 1 {
-                select id={ (id) "-u" } name="in_unit" data-chosen=(unit) aria-label=(page::unit_of(&label, l)) title=(page::unit_of(&label, l))
+                // The others stand once in the page.
+                select id={ (id) "-u" } name="in_unit" data-chosen=(unit) data-units=(list_id(&dimensions)) aria-label=(page::unit_of(&label, l)) title=(page::unit_of(&label, l))
                     hx-post="/work" hx-trigger="change" hx-vals=(vals(&[("path", path), ("was", value)])) {
-                    @for each in &units { option value=(each.ascii) selected[each.ascii == unit] { (each.symbol) } }
+                    option value=(unit) selected { (Unit::of(unit).map_or(unit, |unit| unit.symbol)) }
                 }
             } @else if let Some(only) = units.first() { span.unit { (only.symbol) } }
         }

@@ -9,7 +9,7 @@ use quantities::Language;
 use questions::list::check::reserve_unasked;
 use questions::texts::{objection_text, percent, reserve_lines, standing_text};
 use questions::{Candidate, Patience, Sizing, Verdict};
-use words::{about_text, capitalised, check_title, page, short_label, terminal, terms, verdict_count, without_limit};
+use words::{about_text, capitalised, check_title, page, short_label, terms, verdict_count, without_limit};
 
 /// Number of faults shown at once.
 const FAULTS_SHOWN: usize = 20;
@@ -38,7 +38,7 @@ pub(crate) fn bar(state: &State, held: &Held, found: &Outcome<'_, '_>, fields: &
     html! {
         section id="verdict" class={ (class) @if held.is_old { " old" } } aria-label=(capitalised(terms::verdict(l))) {
             @match found.candidate {
-                Some(candidate) => { (line(candidate, found.sizing, l)) (below(found, candidate, patience, l)) },
+                Some(candidate) => { (line(candidate, l)) (below(found, candidate, patience, l)) },
                 None => p id="standing" role="status" { (page::no_result_yet(l)) },
             }
             (faults(state, held, fields, l))
@@ -48,14 +48,14 @@ pub(crate) fn bar(state: &State, held: &Held, found: &Outcome<'_, '_>, fields: &
     }
 }
 
-fn line(candidate: &Candidate<'_>, sizing: Option<&Sizing<'_>>, language: Language) -> Markup {
+fn line(candidate: &Candidate<'_>, language: Language) -> Markup {
     let l = language;
     let counts = candidate.counts();
     let list = if candidate.fits() { List::Ranking } else { List::Rejected };
     let shown = vals(&[("unfolded", "true"), ("list", list.id())]);
     let count = |class: &str, count: usize, text: String| {
         html! { @if count > 0 {
-            button.count type="button" class=(class) data-goto={ "#checks tr." (class) } hx-post="/work" hx-vals=(shown) { (text) }
+            button type="button" class={ "count " (class) } data-goto={ "#checks tr." (class) } hx-post="/work" hx-vals=(shown) { (text) }
         } }
     };
     let of = |verdict, count| verdict_count(verdict, count, l);
@@ -72,10 +72,6 @@ fn line(candidate: &Candidate<'_>, sizing: Option<&Sizing<'_>>, language: Langua
             (count("advice", counts.advised, of(Verdict::Advice, counts.advised)))
             (count("unchecked", counts.not_checked, of(Verdict::NotChecked, counts.not_checked)))
             (count("no-limit", counts.without_limit, format!("{} {}", counts.without_limit, without_limit(l))))
-        }
-        @if let Some(sizing) = sizing {
-            @let fitting = sizing.candidates.iter().filter(|each| each.fits()).count();
-            span id="answer" { (terminal::judged(fitting, &sizing.candidates.len(), l)) }
         }
     }
 }

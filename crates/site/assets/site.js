@@ -252,9 +252,15 @@
   // A form that would be sent to a server: the page that it asks for is a page of its own.
   addEventListener('submit', (event) => {
     const url = new URL(event.target.action, location.href);
-    if (event.defaultPrevented || event.target.method !== 'post') return;
-    event.preventDefault();
+    if (event.defaultPrevented || event.target.method === 'dialog') return;
     const fields = [...new FormData(event.target, event.submitter)];
+    if (event.target.method === 'get') {
+      if (event.target.getAttribute('action') !== '/') return;
+      event.preventDefault();
+      location.assign(`${location.pathname}?${new URLSearchParams(fields)}`);
+      return;
+    }
+    event.preventDefault();
     sessionStorage.setItem(FORM, JSON.stringify({ path: url.pathname, query: url.search.slice(1), fields }));
     location.assign(location.pathname + '?post');
   });

@@ -233,7 +233,7 @@ texts! {
     border_left = "Width of the left pane" | "Breite des linken Bereichs";
     border_right = "Width of the right pane" | "Breite des rechten Bereichs";
     view_cycle = "Cycle" | "Zyklus";
-    view_torque_speed = "Torque and speed" | "Drehmoment und Drehzahl";
+    view_torque_speed = "Torque-speed" | "Kennfeld";
     view_heat = "Heat" | "Erwärmung";
     view_energy = "Energy" | "Energie";
     view_bearing = "Bearing" | "Lager";
