@@ -80,7 +80,7 @@ function show(pane) {
 }
 function left(name) {
   if (name) root.dataset.left = name;
-  for (const tab of all('[data-left]')) tab.setAttribute('aria-selected', String(tab.dataset.left === (root.dataset.left ?? 'form')));
+  for (const tab of all('button[data-left]')) tab.setAttribute('aria-selected', String(tab.dataset.left === (root.dataset.left ?? 'form')));
 }
 
 // A count or a check in the bar leads to its row, which may have to be fetched first.
