@@ -136,10 +136,10 @@ mod tests {
                 for (language, text) in [(Language::En, fact.en), (Language::De, fact.de)] {
                     let text = serde_json::to_string(text).unwrap();
                     let holds = codes.iter().filter(|(code, _)| fact.is_shown(*topic, code));
-                    let told = |code: &OrderCode| {
+                    let named = |code: &OrderCode| {
                         said(*topic, code, language).is_some_and(|said| said.contains(text.trim_matches('"')))
                     };
-                    assert!(holds.map(|(code, _)| code).any(told), "{}: not said on {topic:?}, {language:?}", fact.id);
+                    assert!(holds.map(|(code, _)| code).any(named), "{}: not said on {topic:?}, {language:?}", fact.id);
                 }
             }
         }

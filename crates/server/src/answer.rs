@@ -4,7 +4,7 @@ use crate::body::{Bodies, Held, NoBody, read};
 use crate::folder::Workplace;
 use crate::gate::{Barred, admit, preferred};
 use crate::limits::Limits;
-use crate::serve::Place;
+use crate::serve::IdleSlot;
 use crate::token::{IN_QUERY, Token};
 use bytes::Bytes;
 use http_body_util::Full;
@@ -115,7 +115,7 @@ impl Desk {
     }
 
     /// Answers a request, whatever it is.
-    pub(crate) async fn answer(&self, request: Request<Incoming>, place: &Place) -> Response<Full<Bytes>> {
+    pub(crate) async fn answer(&self, request: Request<Incoming>, place: &IdleSlot) -> Response<Full<Bytes>> {
         let (parts, body) = request.into_parts();
         let reply = match self.let_in(&parts) {
             Err(reply) => reply,

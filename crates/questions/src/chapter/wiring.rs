@@ -131,7 +131,7 @@ fn dropped(chapter: &mut Chapter, drops: &VoltageDrops, language: Language) {
         Column::wide(terms::verdict(language)),
     ];
     chapter.grid(columns, drops.circuits.iter().map(row).collect());
-    let told = |label: &str, text: &str| format!("{}: {text}", capitalised(label));
-    chapter.text(told(terms::assumptions(language), drops.assumptions));
-    chapter.text(told(terms::source(language), &drops.resistivity_source));
+    let line = |label: &str, text: &str| format!("{}: {text}", capitalised(label));
+    chapter.text(line(terms::assumptions(language), drops.assumptions));
+    chapter.text(line(terms::source(language), &drops.resistivity_source));
 }
