@@ -129,7 +129,7 @@ impl Engine {
         artifact.push(prefix);
         command
             .arg(artifact)
-            .arg(format!("-timeout={}", target.case_seconds))
+            .arg(format!("-timeout={}", super::CASE_SECONDS))
             .arg(format!("-max_len={}", target.bytes));
         // The program itself takes some memory besides that of the case.
         command.arg(format!("-rss_limit_mb={}", target.memory_mb + 512)).current_dir(&self.work);
