@@ -4,7 +4,7 @@
 #![allow(clippy::print_stdout, clippy::expect_used, reason = "a bench prints what it measured")]
 
 use benches::{Gates, against};
-use mechanism::{Joint, Kind, Mechanism};
+use mechanism::{Joint, Mechanism, MechanismKind};
 use motion::{Closing, Motion, Recorded, Samples, SegmentSpec, Treatment};
 use quantities::{Measure, MomentOfInertia, Torque};
 use std::hint::black_box;
@@ -31,7 +31,7 @@ fn main() -> ExitCode {
     let recorded = Arc::new(Recorded::new(samples(), Treatment::default()).expect("the samples are a motion"));
     let motion = Motion::new(&[SegmentSpec::Recorded(Arc::clone(&recorded))], None, Closing::SingleMove)
         .expect("one recording is a motion");
-    let joint = Kind::Joint(Joint { inertia: None, holding_torque: None });
+    let joint = MechanismKind::Joint(Joint { inertia: None, holding_torque: None });
     let joint = Mechanism { kind: joint, ..Mechanism::direct(MomentOfInertia::from_si(0.0), Torque::from_si(0.0)) };
     let direct = Mechanism::direct(MomentOfInertia::from_si(0.4), Torque::from_si(2.0));
     let sum = |values: &[f64]| values.iter().sum::<f64>();

@@ -4,7 +4,7 @@
 #![allow(clippy::expect_used, clippy::print_stdout, reason = "a bench fails loudly and tells what it found")]
 
 use benches::{Gates, against, milliseconds, timed};
-use page::{Call, Entry, Folder, Method, SaveFault, Shell};
+use page::{Call, FileEntry, Folder, Method, SaveFault, Shell};
 use project::{Files, NoFiles};
 use quantities::Language;
 use questions::Patience;
@@ -38,7 +38,7 @@ impl Shell for Alone {
 
 /// An empty folder that takes nothing: that there is one is seen in the page.
 impl Folder for Alone {
-    fn list(&self) -> std::io::Result<Vec<Entry>> {
+    fn list(&self) -> std::io::Result<Vec<FileEntry>> {
         Ok(Vec::new())
     }
 
@@ -155,7 +155,7 @@ fn crowd(question: &Question, address: SocketAddr) -> bool {
     println!("{CLIENTS} clients for {seconds:.0} s: {answered} answers, {rate:.0} a second, {failed} errors");
     match grown {
         Some(grown) => println!("  {grown:.0} MB more at the most (at most {CROWD_MEMORY_MB:.0} MB)"),
-        None => println!("  memory is told by Linux only"),
+        None => println!("  memory is known by Linux only"),
     }
     failed == 0 && answered > CLIENTS && grown.is_none_or(|grown| grown <= CROWD_MEMORY_MB)
 }

@@ -1,7 +1,7 @@
 //! Where a way through the page begins, and the steps that many of them share.
 
 use crate::shell::Shell;
-use crate::tab::{Tab, Told, expect};
+use crate::tab::{Tab, Worded, expect};
 use serde_json::{Value, json};
 use std::path::{Path, PathBuf};
 use std::time::{Duration, Instant};
@@ -19,20 +19,20 @@ const RULES: [&str; 5] = ["wcag2a", "wcag2aa", "wcag21a", "wcag21aa", "wcag22aa"
 
 impl Stage<'_> {
     /// Opens the page where one begins.
-    pub(crate) fn start(&self, language: &str) -> Told {
+    pub(crate) fn start(&self, language: &str) -> Worded {
         self.tab.open(&self.shell.at(&format!("lang={language}")))?;
         self.tab.there("#start-title")?;
         self.listens()
     }
 
     /// Opens an example.
-    pub(crate) fn example(&self, kind: &str, language: &str) -> Told {
+    pub(crate) fn example(&self, kind: &str, language: &str) -> Worded {
         self.tab.open(&self.shell.at(&format!("new={kind}&lang={language}")))?;
         self.ready()
     }
 
     /// Waits until the page with a project has its answer and listens to its keys.
-    pub(crate) fn ready(&self) -> Told {
+    pub(crate) fn ready(&self) -> Worded {
         self.tab.there("#standing")?;
         self.listens()?;
         // The script has run: it shows the values at the instant, and the picture is as large as its pane.
@@ -40,7 +40,7 @@ impl Stage<'_> {
     }
 
     /// Shows the checks of the actuator that is looked at.
-    pub(crate) fn unfold(&self) -> Told {
+    pub(crate) fn unfold(&self) -> Worded {
         self.tab.there("tbody[aria-current] button.fold")?;
         if self.tab.eval("document.querySelector('#checks') === null")? == Value::Bool(true) {
             self.tab.click("tbody[aria-current] button.fold")?;
@@ -48,12 +48,12 @@ impl Stage<'_> {
         self.tab.there("#checks")
     }
 
-    fn listens(&self) -> Told {
+    fn listens(&self) -> Worded {
         self.tab.until("typeof htmx === 'object' && document.readyState === 'complete' && (document.documentElement.dataset.ready !== undefined || !document.querySelector('script[src*=\"site.js\"]'))")
     }
 
     /// Changes a value of the project by its path and waits until the page has answered.
-    pub(crate) fn change(&self, field: &str, value: &str) -> Told {
+    pub(crate) fn change(&self, field: &str, value: &str) -> Worded {
         let mark = "document.querySelector('#work').dataset.before = ''; \
             addEventListener('htmx:after:swap', () => { document.documentElement.dataset.answered = String(Number(document.documentElement.dataset.answered ?? 0) + 1); }, { once: true });";
         let before = self
@@ -64,7 +64,7 @@ impl Stage<'_> {
     }
 
     /// No rule of accessibility is broken by what is in sight.
-    pub(crate) fn accessible(&self, what: &str) -> Told {
+    pub(crate) fn accessible(&self, what: &str) -> Worded {
         self.tab
             .run(&format!("{}\nreturn null;", self.axe.replace("module.exports", "void 0")), Vec::new())
             .or_else(|_| self.tab.run("(0, eval)(arguments_[0]);", vec![json!(self.axe)]))?;
@@ -79,7 +79,7 @@ impl Stage<'_> {
     }
 
     /// The page is no wider than the window.
-    pub(crate) fn no_sideways_scroll(&self, what: &str) -> Told {
+    pub(crate) fn no_sideways_scroll(&self, what: &str) -> Worded {
         let script = "const wide = [...document.querySelectorAll('body *')].filter((each) => each.getBoundingClientRect().right > innerWidth + 1 && !each.closest('svg')).slice(0, 3).map((each) => each.tagName + '#' + each.id + '.' + each.className); \
             return [document.documentElement.scrollWidth, innerWidth, wide];";
         let found = self.tab.run(script, Vec::new())?;
@@ -87,7 +87,7 @@ impl Stage<'_> {
     }
 
     /// Presses a button that downloads, and gives the file when it is whole.
-    pub(crate) fn download(&self, button: &str, ending: &str) -> Told<PathBuf> {
+    pub(crate) fn download(&self, button: &str, ending: &str) -> Worded<PathBuf> {
         let all = || -> Vec<PathBuf> {
             std::fs::read_dir(self.downloads).into_iter().flatten().flatten().map(|entry| entry.path()).collect()
         };
@@ -106,7 +106,7 @@ impl Stage<'_> {
     }
 
     /// The console has no error, and no resource was blocked.
-    pub(crate) fn no_fault_in_the_console(&self) -> Told {
+    pub(crate) fn no_fault_in_the_console(&self) -> Worded {
         let mut faults = self.tab.faults()?;
         // Error responses are listed there too; the scenarios check the page's message.
         faults.retain(|fault| !fault.contains("the server responded with a status of 4"));

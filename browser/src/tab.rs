@@ -9,7 +9,7 @@ use std::time::{Duration, Instant};
 use tokio::runtime::Runtime;
 
 /// A failure in words.
-pub(crate) type Told<T = ()> = Result<T, String>;
+pub(crate) type Worded<T = ()> = Result<T, String>;
 
 /// So long something may take on a machine that has others to serve.
 const PATIENCE: Duration = Duration::from_secs(30);
@@ -36,7 +36,7 @@ fn told(error: impl std::fmt::Display) -> String {
 }
 
 /// An expectation in words.
-pub(crate) fn expect(holds: bool, what: impl FnOnce() -> String) -> Told {
+pub(crate) fn expect(holds: bool, what: impl FnOnce() -> String) -> Worded {
     if holds { Ok(()) } else { Err(what()) }
 }
 
@@ -46,7 +46,7 @@ const SHOWN: &str = "const pane = found.closest('.pane'); \
     if (found.id === 'text') document.querySelector('[data-left=text]')?.click(); else if (found.closest('#left-pane-form')) document.querySelector('[data-left=form]')?.click();";
 
 impl Tab {
-    pub(crate) fn new(client: Client, runtime: Rc<Runtime>) -> Told<Self> {
+    pub(crate) fn new(client: Client, runtime: Rc<Runtime>) -> Worded<Self> {
         let patience = TimeoutConfiguration::new(Some(4 * PATIENCE), Some(4 * PATIENCE), None);
         runtime.block_on(client.update_timeouts(patience)).map_err(told)?;
         Ok(Self { client, runtime })
@@ -58,16 +58,16 @@ impl Tab {
     }
 
     /// Opens an address.
-    pub(crate) fn open(&self, address: &str) -> Told {
+    pub(crate) fn open(&self, address: &str) -> Worded {
         self.runtime.block_on(self.client.goto(address)).map_err(told)
     }
 
-    pub(crate) fn reload(&self) -> Told {
+    pub(crate) fn reload(&self) -> Worded {
         self.runtime.block_on(self.client.refresh()).map_err(told)
     }
 
     /// A further tab, which is looked at from now on; gives the one before.
-    pub(crate) fn another(&self) -> Told<WindowHandle> {
+    pub(crate) fn another(&self) -> Worded<WindowHandle> {
         self.runtime.block_on(async {
             let before = self.client.window().await.map_err(told)?;
             let new = self.client.new_window(true).await.map_err(told)?;
@@ -77,7 +77,7 @@ impl Tab {
     }
 
     /// Closes the tab and looks at another.
-    pub(crate) fn back_to(&self, before: WindowHandle) -> Told {
+    pub(crate) fn back_to(&self, before: WindowHandle) -> Worded {
         self.runtime.block_on(async {
             self.client.close_window().await.map_err(told)?;
             self.client.switch_to_window(before).await.map_err(told)
@@ -85,7 +85,7 @@ impl Tab {
     }
 
     /// What a script gives that is the body of a function; it may wait for promises.
-    pub(crate) fn run(&self, script: &str, arguments: Vec<Value>) -> Told<Value> {
+    pub(crate) fn run(&self, script: &str, arguments: Vec<Value>) -> Worded<Value> {
         let script = format!(
             "const done = arguments[arguments.length - 1]; const given = arguments; \
              (async (...arguments_) => {{ {script} }})(...given).then((value) => done({{ value: value ?? null }}), (error) => done({{ error: String(error) }}));"
@@ -98,12 +98,12 @@ impl Tab {
     }
 
     /// The value of an expression.
-    pub(crate) fn eval(&self, expression: &str) -> Told<Value> {
+    pub(crate) fn eval(&self, expression: &str) -> Worded<Value> {
         self.run(&format!("return {expression};"), Vec::new())
     }
 
     /// Waits until an expression is true.
-    pub(crate) fn until(&self, expression: &str) -> Told {
+    pub(crate) fn until(&self, expression: &str) -> Worded {
         let begin = Instant::now();
         loop {
             // While a page is being loaded there is nothing to ask.
@@ -124,31 +124,31 @@ impl Tab {
     }
 
     /// Waits until something is there.
-    pub(crate) fn there(&self, selector: &str) -> Told {
+    pub(crate) fn there(&self, selector: &str) -> Worded {
         self.until(&format!("document.querySelector({})", json!(selector)))
     }
 
     /// Waits until a text is in something.
-    pub(crate) fn says(&self, selector: &str, text: &str) -> Told {
+    pub(crate) fn says(&self, selector: &str, text: &str) -> Worded {
         self.until(&format!("document.querySelector({})?.textContent.includes({})", json!(selector), json!(text)))
     }
 
     /// Waits until a field has a value.
-    pub(crate) fn holds(&self, selector: &str, value: &str) -> Told {
+    pub(crate) fn holds(&self, selector: &str, value: &str) -> Worded {
         self.until(&format!("document.querySelector({})?.value === {}", json!(selector), json!(value)))
     }
 
-    pub(crate) fn text(&self, selector: &str) -> Told<String> {
+    pub(crate) fn text(&self, selector: &str) -> Worded<String> {
         let found = self.run("return document.querySelector(arguments_[0])?.textContent;", vec![json!(selector)])?;
         found.as_str().map(str::to_owned).ok_or_else(|| format!("no {selector}"))
     }
 
-    pub(crate) fn value(&self, selector: &str) -> Told<String> {
+    pub(crate) fn value(&self, selector: &str) -> Worded<String> {
         let found = self.run("return document.querySelector(arguments_[0])?.value;", vec![json!(selector)])?;
         found.as_str().map(str::to_owned).ok_or_else(|| format!("no {selector}"))
     }
 
-    pub(crate) fn click(&self, selector: &str) -> Told {
+    pub(crate) fn click(&self, selector: &str) -> Worded {
         self.there(selector)?;
         // Folds are opened as a person would who looks for what is inside.
         self.run(
@@ -166,7 +166,7 @@ impl Tab {
     }
 
     /// Puts a text in the place of what a field holds, and leaves the field.
-    pub(crate) fn fill(&self, selector: &str, text: &str) -> Told {
+    pub(crate) fn fill(&self, selector: &str, text: &str) -> Worded {
         self.there(selector)?;
         self.run(
             &format!(
@@ -182,7 +182,7 @@ impl Tab {
     }
 
     /// Presses keys one after the other.
-    pub(crate) fn keys(&self, keys: &str) -> Told {
+    pub(crate) fn keys(&self, keys: &str) -> Worded {
         let mut actions = KeyActions::new("keys".to_owned());
         for key in keys.chars() {
             actions = actions.then(KeyAction::Down { value: key }).then(KeyAction::Up { value: key });
@@ -191,7 +191,7 @@ impl Tab {
     }
 
     /// Presses a key while another is held.
-    pub(crate) fn chord(&self, held: char, key: char) -> Told {
+    pub(crate) fn chord(&self, held: char, key: char) -> Worded {
         let actions = KeyActions::new("keys".to_owned())
             .then(KeyAction::Down { value: held })
             .then(KeyAction::Down { value: key })
@@ -201,7 +201,7 @@ impl Tab {
     }
 
     /// Takes something with the pointer and lets it go so many pixels further.
-    pub(crate) fn drag(&self, selector: &str, (x, y): (i64, i64)) -> Told {
+    pub(crate) fn drag(&self, selector: &str, (x, y): (i64, i64)) -> Worded {
         self.there(selector)?;
         self.run("document.querySelector(arguments_[0]).scrollIntoView({ block: 'center' });", vec![json!(selector)])?;
         self.runtime.block_on(async {
@@ -219,7 +219,7 @@ impl Tab {
     }
 
     /// Presses the tabulator until something has the focus.
-    pub(crate) fn tab_to(&self, selector: &str) -> Told {
+    pub(crate) fn tab_to(&self, selector: &str) -> Worded {
         for _ in 0..400 {
             self.keys(&key::TAB.to_string())?;
             if self.eval(&format!("document.activeElement.matches({})", json!(selector)))? == Value::Bool(true) {
@@ -230,7 +230,7 @@ impl Tab {
     }
 
     /// Pastes a text into the page.
-    pub(crate) fn paste(&self, text: &str) -> Told {
+    pub(crate) fn paste(&self, text: &str) -> Worded {
         self.run(
             "const held = new DataTransfer(); held.setData('text/plain', arguments_[0]); \
              document.body.dispatchEvent(new ClipboardEvent('paste', { clipboardData: held, bubbles: true, cancelable: true }));",
@@ -240,7 +240,7 @@ impl Tab {
     }
 
     /// Gives a file to the next chooser that the page opens.
-    pub(crate) fn will_choose(&self, name: &str, text: &str) -> Told {
+    pub(crate) fn will_choose(&self, name: &str, text: &str) -> Worded {
         self.run(
             "const [name, text] = arguments_; const click = HTMLInputElement.prototype.click; \
              HTMLInputElement.prototype.click = function () { \
@@ -254,20 +254,20 @@ impl Tab {
     }
 
     /// A size of the page in its own pixels, and how many of the screen's there are to each.
-    pub(crate) fn sized(&self, width: u32, height: u32, scale: f64) -> Told {
+    pub(crate) fn sized(&self, width: u32, height: u32, scale: f64) -> Worded {
         let metrics = json!({ "width": width, "height": height, "deviceScaleFactor": scale, "mobile": false });
         self.command("Emulation.setDeviceMetricsOverride", metrics)
     }
 
     /// Takes the network away, or gives it back.
-    pub(crate) fn offline(&self, is: bool) -> Told {
+    pub(crate) fn offline(&self, is: bool) -> Worded {
         self.command("Network.enable", json!({}))?;
         let network = json!({ "offline": is, "latency": 0, "downloadThroughput": -1, "uploadThroughput": -1 });
         self.command("Network.emulateNetworkConditions", network)
     }
 
     /// New errors in the console since the last call.
-    pub(crate) fn faults(&self) -> Told<Vec<String>> {
+    pub(crate) fn faults(&self) -> Worded<Vec<String>> {
         let log = Log;
         let answer = self.runtime.block_on(self.client.issue_cmd(log)).map_err(told)?;
         let severe = |entry: &&Value| entry.get("level").and_then(Value::as_str) == Some("SEVERE");
@@ -276,11 +276,11 @@ impl Tab {
     }
 
     /// A picture of the page as it is seen.
-    pub(crate) fn picture(&self) -> Told<Vec<u8>> {
+    pub(crate) fn picture(&self) -> Worded<Vec<u8>> {
         self.runtime.block_on(self.client.screenshot()).map_err(told)
     }
 
-    fn command(&self, name: &'static str, arguments: Value) -> Told {
+    fn command(&self, name: &'static str, arguments: Value) -> Worded {
         let command = OfTheBrowser { name, arguments };
         self.runtime.block_on(self.client.issue_cmd(command)).map(drop).map_err(told)
     }

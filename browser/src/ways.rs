@@ -10,13 +10,13 @@ mod times;
 
 use crate::shell::Shell;
 use crate::stage::Stage;
-use crate::tab::Told;
+use crate::tab::Worded;
 
 /// One way.
 pub(crate) struct Way {
     pub(crate) name: &'static str,
     shells: Shells,
-    pub(crate) go: fn(&Stage<'_>) -> Told,
+    pub(crate) go: fn(&Stage<'_>) -> Worded,
 }
 
 /// Which shells it is gone with.
@@ -28,15 +28,15 @@ enum Shells {
 }
 
 impl Way {
-    const fn both(name: &'static str, go: fn(&Stage<'_>) -> Told) -> Self {
+    const fn both(name: &'static str, go: fn(&Stage<'_>) -> Worded) -> Self {
         Self { name, shells: Shells::Both, go }
     }
 
-    const fn server(name: &'static str, go: fn(&Stage<'_>) -> Told) -> Self {
+    const fn server(name: &'static str, go: fn(&Stage<'_>) -> Worded) -> Self {
         Self { name, shells: Shells::Server, go }
     }
 
-    const fn site(name: &'static str, go: fn(&Stage<'_>) -> Told) -> Self {
+    const fn site(name: &'static str, go: fn(&Stage<'_>) -> Worded) -> Self {
         Self { name, shells: Shells::Site, go }
     }
 

@@ -7,7 +7,7 @@ use project::{Diagnostic, Project, inputs, place};
 use quantities::{Language, is_unseen, seen};
 use questions::{answer, project_fingerprint};
 use std::ops::Range;
-use words::{Told, told};
+use words::{Worded, worded};
 
 /// A project that is mostly valid, with edits in a share of the cases; or any text.
 pub fn run(data: &[u8]) {
@@ -74,18 +74,18 @@ pub fn read(
 
 /// Holds the words of faults to their promises, also as they are shown within the text; their ids and places.
 fn wording(text: &str, faults: &[Diagnostic], language: Language) -> Vec<(&'static str, Range<usize>)> {
-    let told = told(faults, language);
-    for fault in &told {
+    let worded = worded(faults, language);
+    for fault in &worded {
         tells(&fault.message);
         fault.hint.iter().for_each(|hint| tells(hint));
     }
-    let _ = answer::faults("project.toml", &told);
-    excerpts(text, &told);
-    told.into_iter().map(|fault| (fault.id, fault.span)).collect()
+    let _ = answer::faults("project.toml", &worded);
+    excerpts(text, &worded);
+    worded.into_iter().map(|fault| (fault.id, fault.span)).collect()
 }
 
 /// Each fault as it is shown within the text: nothing in it acts on a terminal but its colours.
-fn excerpts(text: &str, faults: &[Told]) {
+fn excerpts(text: &str, faults: &[Worded]) {
     // All of them cost as much as the rest of the case, and are as the first and the last.
     let ends = faults.iter().take(1).chain(faults.last());
     for fault in ends {

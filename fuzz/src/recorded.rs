@@ -144,11 +144,11 @@ fn hold(text: &str, file: &[u8], past: fn(&[Diagnostic]) -> bool) {
     };
     let Some(projects) = read(text, read_it) else { return };
     if one_in(2, file) {
-        projects.iter().for_each(told);
+        projects.iter().for_each(words_all);
     }
 }
 
-fn told(project: &Project) {
+fn words_all(project: &Project) {
     for language in [quantities::Language::En, quantities::Language::De] {
         let _ = answer::motion(&moves(project), language);
     }

@@ -3,7 +3,7 @@
 use crate::draft;
 use crate::text::{any_edits, mutate};
 use arbitrary::{Result, Unstructured};
-use page::{Call, Entry, Folder, Method, Reply, SaveFault, Shell, respond};
+use page::{Call, FileEntry, Folder, Method, Reply, SaveFault, Shell, respond};
 use project::Files;
 use quantities::Language;
 use questions::Patience;
@@ -159,7 +159,7 @@ pub fn run(data: &[u8]) {
         let value: Value = serde_json::from_slice(&reply.body).unwrap_or_default();
         let errors = value.get("errors").and_then(Value::as_array).is_some_and(|errors| !errors.is_empty());
         assert!(value.is_object() || value.is_array(), "{}: no JSON", what());
-        assert_eq!(reply.status >= 400, errors, "{}: errors without their status, or without being told", what());
+        assert_eq!(reply.status >= 400, errors, "{}: errors without their status, or without being reported", what());
     } else if reply.status >= 400 {
         // Whether a work is there is all that is asked of it.
         assert!(!reply.body.is_empty() || asked.path == "/progress", "{}", what());
@@ -307,9 +307,9 @@ impl Memory {
 }
 
 impl Folder for Memory {
-    fn list(&self) -> io::Result<Vec<Entry>> {
+    fn list(&self) -> io::Result<Vec<FileEntry>> {
         let named = |name: &&String| name.ends_with(".toml");
-        let entry = |name: &String| Entry { name: name.clone(), modified_s: 0 };
+        let entry = |name: &String| FileEntry { name: name.clone(), modified_s: 0 };
         Ok(self.0.borrow().keys().filter(named).map(entry).collect())
     }
 

@@ -31,8 +31,8 @@ fn most_drafts_are_valid_and_all_kinds_are_among_them() {
                 read.push_str(&text);
             }
             Err(faults) => {
-                let told = words::told(&faults, quantities::Language::En);
-                refusals.extend(told.into_iter().map(|fault| fault.message));
+                let worded = words::worded(&faults, quantities::Language::En);
+                refusals.extend(worded.into_iter().map(|fault| fault.message));
             }
         }
     }

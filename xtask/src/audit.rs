@@ -178,8 +178,8 @@ impl fmt::Display for Report {
 
 /// The unexplained deviations that a check finds in a view.
 #[cfg(test)]
-fn told(check: Check, view: &View) -> Vec<String> {
-    tally("under test", check, view).told()
+fn findings_of(check: Check, view: &View) -> Vec<String> {
+    tally("under test", check, view).findings()
 }
 
 #[cfg(test)]
@@ -201,6 +201,6 @@ mod tests {
     #[test]
     fn a_check_that_compares_nothing_does_not_pass() {
         let idle = tally("idle", |_, _| {}, &View::of(Reading::Printed));
-        assert_eq!(idle.told(), ["idle (printed): cannot be checked: the check found nothing to compare"]);
+        assert_eq!(idle.findings(), ["idle (printed): cannot be checked: the check found nothing to compare"]);
     }
 }

@@ -64,8 +64,8 @@ pub(crate) struct Workspace {
 
 impl Workspace {
     pub(crate) fn ask(root: &Path) -> Result<Self, Error> {
-        let told = metadata(root, |command| command.no_deps())?;
-        Ok(Self { packages: told.packages, target: told.target_directory.into_std_path_buf() })
+        let found = metadata(root, |command| command.no_deps())?;
+        Ok(Self { packages: found.packages, target: found.target_directory.into_std_path_buf() })
     }
 
     /// A step that needs a package fails without it; it is never skipped.

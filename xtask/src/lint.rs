@@ -48,7 +48,7 @@ mod tests {
     use std::process::Command;
 
     /// What clippy says to one line of a library under the bans of a folder.
-    fn told(bans: &str, line: &str) -> String {
+    fn printed(bans: &str, line: &str) -> String {
         let root = crate::root();
         let folder = std::env::temp_dir().join(format!("antrieb-bans-{}-{bans}", std::process::id()));
         std::fs::create_dir_all(&folder).unwrap();
@@ -75,17 +75,17 @@ mod tests {
             ("use std::time as t; fn f(_: t::Instant) {}", "type `std::time::Instant`"),
             ("fn f(_: std::collections::HashMap<u8, u8>) {}", "type `std::collections::HashMap`"),
         ] {
-            let told = told("outside-world", line);
-            assert!(told.contains(&format!("disallowed {what}")), "{line}: {told}");
+            let printed = printed("outside-world", line);
+            assert!(printed.contains(&format!("disallowed {what}")), "{line}: {printed}");
         }
         let fine =
             "const A: &str = env!(\"PATH\"); fn f() { std::thread::scope(|_| ()); } fn g(_: std::time::Duration) {}";
-        assert_eq!(told("outside-world", fine), "");
+        assert_eq!(printed("outside-world", fine), "");
     }
 
     #[test]
     fn the_lowest_layers_have_no_threads() {
-        let told = told("threads", "fn f() { std::thread::scope(|_| ()); }");
-        assert!(told.contains("disallowed method `std::thread::scope`"), "{told}");
+        let printed = printed("threads", "fn f() { std::thread::scope(|_| ()); }");
+        assert!(printed.contains("disallowed method `std::thread::scope`"), "{printed}");
     }
 }

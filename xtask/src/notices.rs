@@ -68,11 +68,11 @@ pub(crate) fn check(root: &Path) -> Result<(), Error> {
 fn text(root: &Path) -> Result<String, Error> {
     let platforms: Vec<String> =
         SYSTEMS.iter().flat_map(|system| ["--filter-platform".to_owned(), (*system).to_owned()]).collect();
-    let told = metadata(root, |command| command.other_options(platforms))?;
+    let metadata_found = metadata(root, |command| command.other_options(platforms))?;
     let mut taken = TAKEN.iter().filter_map(|name| Licensee::parse(name).ok()).collect::<Vec<_>>();
     taken.dedup();
     let mut crates = Vec::new();
-    for package in linked(&told) {
+    for package in linked(&metadata_found) {
         let licences = elected(package, &taken)?;
         crates.push((package, licences));
     }
@@ -102,13 +102,18 @@ the crates below, with the licence that is taken where they offer several, fonts
 Without the typesetting engine (`--no-default-features`) a part of them is in the program; the list is that of the whole.\n";
 
 /// The crates whose code is in the program, by name: normal dependencies, no macros, no build scripts, nothing of tests.
-fn linked(told: &Metadata) -> Vec<&Package> {
-    let packages: BTreeMap<&PackageId, &Package> = told.packages.iter().map(|package| (&package.id, package)).collect();
-    let nodes = told.resolve.iter().flat_map(|resolve| &resolve.nodes);
+fn linked(metadata_found: &Metadata) -> Vec<&Package> {
+    let packages: BTreeMap<&PackageId, &Package> =
+        metadata_found.packages.iter().map(|package| (&package.id, package)).collect();
+    let nodes = metadata_found.resolve.iter().flat_map(|resolve| &resolve.nodes);
     let nodes: BTreeMap<&PackageId, _> = nodes.map(|node| (&node.id, node)).collect();
     let mut seen: BTreeSet<&PackageId> = BTreeSet::new();
-    let mut open: Vec<&PackageId> =
-        told.packages.iter().filter(|package| package.name == ROOT_PACKAGE).map(|package| &package.id).collect();
+    let mut open: Vec<&PackageId> = metadata_found
+        .packages
+        .iter()
+        .filter(|package| package.name == ROOT_PACKAGE)
+        .map(|package| &package.id)
+        .collect();
     while let Some(id) = open.pop() {
         let Some(package) = packages.get(id) else { continue };
         let at_build = package.targets.iter().any(|target| target.kind.contains(&TargetKind::ProcMacro));

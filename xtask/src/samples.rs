@@ -52,8 +52,8 @@ fn every(root: &Path, rewrite: bool) -> Result<(), Error> {
                 sample.shown.clone().filter_map(|at| lines.get(at)).map(|line| line.trim_end()).collect();
             let answers = answers(&desk, &program, &sample.words)?;
             // A terminal shows talk and answer in either order.
-            let told = answers.iter().map(|answer| (answer, departures(&shown, answer)));
-            let Some((answer, found)) = told.min_by_key(|(_, found)| found.len()) else { continue };
+            let pairs = answers.iter().map(|answer| (answer, departures(&shown, answer)));
+            let Some((answer, found)) = pairs.min_by_key(|(_, found)| found.len()) else { continue };
             for Departure { at, instead } in found.into_iter().rev() {
                 let place = sample.shown.start + at.start..sample.shown.start + at.end;
                 let given = instead.and_then(|range| answer.get(range));

@@ -42,7 +42,7 @@ pub fn run(root: &Path) -> Result<(), Error> {
     let mut write = cargo(root, &["run", "--quiet", "--package", "site", "--"]);
     must_succeed(write.arg(&engine).arg(&interface).arg(root.join("THIRD-PARTY.md")).arg(&folder))?;
     println!("site: {}", folder.display());
-    let told = |path: &Path| -> Result<usize, Error> {
+    let length = |path: &Path| -> Result<usize, Error> {
         let bytes = fs::read(path).map_err(|source| Error::File { path: path.to_path_buf(), source })?;
         let packed = packed(&bytes);
         let name = path.file_name().unwrap_or_default().to_string_lossy();
@@ -50,8 +50,8 @@ pub fn run(root: &Path) -> Result<(), Error> {
         Ok(packed)
     };
     // The larger one is fetched when something is downloaded.
-    told(&interface)?;
-    let packed = told(&engine)?;
+    length(&interface)?;
+    let packed = length(&engine)?;
     if packed > ENGINE_MOST { Err(Error::Heavy { bytes: packed, most: ENGINE_MOST }) } else { Ok(()) }
 }
 
@@ -91,8 +91,8 @@ fn target_ready(root: &Path) -> Result<(), Error> {
 fn has_target(root: &Path) -> bool {
     let compiler = std::env::var_os("RUSTC").unwrap_or_else(|| "rustc".into());
     let mut command = Command::new(compiler);
-    let told = command.args(["--print", "target-libdir", "--target", TARGET]).current_dir(root).output();
-    told.is_ok_and(|told| Path::new(String::from_utf8_lossy(&told.stdout).trim()).is_dir())
+    let length = command.args(["--print", "target-libdir", "--target", TARGET]).current_dir(root).output();
+    length.is_ok_and(|length| Path::new(String::from_utf8_lossy(&length.stdout).trim()).is_dir())
 }
 
 #[cfg(test)]

@@ -7,7 +7,7 @@ use std::path::Path;
 use std::process::{Command, Stdio};
 
 use crate::Error;
-use crate::cargo::{cargo, spelled};
+use crate::cargo::{cargo, must_succeed, spelled};
 use crate::ci::is_ci;
 use crate::tools::NEXTEST;
 
@@ -31,6 +31,18 @@ pub fn run(root: &Path) -> Result<(), Error> {
     }
     println!("tests: {closing}");
     closing.verdict()
+}
+
+/// So many saves are ended by each signal in a night.
+const KILLS: &str = "1000";
+
+/// The campaign of a night against a program that saves: ended at any instant by each signal, no file is lost.
+///
+/// # Errors
+/// A save that left a part of a file.
+pub(crate) fn kills(root: &Path) -> Result<(), Error> {
+    let mut command = cargo(root, &["test", "--package", "antrieb", "--test", "saving", "at_any_instant"]);
+    must_succeed(command.args(["--", "--nocapture", "--test-threads", "1"]).env("ANTRIEB_SAVE_RUNS", KILLS))
 }
 
 /// What every run of the tests has: no snapshot is rewritten, and none asks cargo where the workspace is.

@@ -85,11 +85,11 @@ impl Base {
     }
 
     /// The check of `root`, or of what a file says that cargo would tell of it.
-    fn command(&self, root: &Path, told: Option<&Path>) -> Result<Command, Error> {
+    fn command(&self, root: &Path, listing: Option<&Path>) -> Result<Command, Error> {
         let mut command = DENY.command(root)?;
         command.args(["--color", "never", "--locked", "--workspace", "--config"]).arg(self.folder.join("deny.toml"));
-        if let Some(told) = told {
-            command.arg("--metadata-path").arg(told);
+        if let Some(listing) = listing {
+            command.arg("--metadata-path").arg(listing);
         }
         command.args(["check", "--hide-inclusion-graph", "advisories"]);
         command.env("GIT_CONFIG_COUNT", "1").env("GIT_CONFIG_VALUE_0", ADDRESS);
@@ -99,8 +99,8 @@ impl Base {
 
     /// The check finds the yanked version of [`PROOF`] where a lock file has it.
     fn proven(&self, root: &Path) -> Result<(), Error> {
-        let told = self.drafted()?;
-        let mut command = self.command(root, Some(&told))?;
+        let listing = self.drafted()?;
+        let mut command = self.command(root, Some(&listing))?;
         let found: Output =
             command.output().map_err(|source| Error::NotStarted { command: spelled(&command), source })?;
         let said = String::from_utf8_lossy(&found.stderr);
@@ -123,8 +123,8 @@ impl Base {
         )?;
         write(&package.join("src/lib.rs"), "")?;
         let mut command = cargo(&package, &["metadata", "--format-version", "1", "--offline"]);
-        let told = command.output().map_err(|source| Error::NotStarted { command: spelled(&command), source })?;
-        let text = String::from_utf8_lossy(&told.stdout).into_owned();
+        let listing = command.output().map_err(|source| Error::NotStarted { command: spelled(&command), source })?;
+        let text = String::from_utf8_lossy(&listing.stdout).into_owned();
         let all = MetadataCommand::parse(&text).map_err(|source| Error::Metadata { source: Box::new(source) })?;
         let known = all.packages.iter().find(|package| package.name == name);
         let known = known.map(|package| package.version.to_string()).ok_or(Error::NoPackage { name })?;

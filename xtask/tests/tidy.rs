@@ -3,6 +3,6 @@
 #[test]
 fn the_tree_is_tidy() {
     let findings = xtask::tidy::findings(&xtask::root());
-    let told: Vec<String> = findings.iter().map(ToString::to_string).collect();
-    assert!(told.is_empty(), "{} findings:\n{}", told.len(), told.join("\n"));
+    let listed: Vec<String> = findings.iter().map(ToString::to_string).collect();
+    assert!(listed.is_empty(), "{} findings:\n{}", listed.len(), listed.join("\n"));
 }

@@ -1,13 +1,13 @@
 //! To a first answer.
 
 use crate::stage::Stage;
-use crate::tab::Told;
+use crate::tab::Worded;
 use serde_json::json;
 
 const PROJECT: &str = "# a table\nformat = 1\n[load]\ninertia = \"1.3 kg m^2\"\n[[motion]]\nlaw = \"trapezoid\"\ndistance = \"48 deg\"\ntime = \"1.3 s\"\n[requirements]\nsupply = \"560 V\"\n";
 
 /// A drawing, a few figures, an answer.
-pub(crate) fn with_figures(stage: &Stage<'_>) -> Told {
+pub(crate) fn with_figures(stage: &Stage<'_>) -> Worded {
     let tab = &stage.tab;
     stage.start("en")?;
     tab.click(".tiles li:nth-child(5) .tile")?;
@@ -19,7 +19,7 @@ pub(crate) fn with_figures(stage: &Stage<'_>) -> Told {
 }
 
 /// An example from the list.
-pub(crate) fn with_an_example(stage: &Stage<'_>) -> Told {
+pub(crate) fn with_an_example(stage: &Stage<'_>) -> Worded {
     let tab = &stage.tab;
     stage.start("de")?;
     tab.says("h2", "Was wollen Sie bewegen?")?;
@@ -32,7 +32,7 @@ pub(crate) fn with_an_example(stage: &Stage<'_>) -> Told {
 }
 
 /// A project file of the disk.
-pub(crate) fn with_a_file(stage: &Stage<'_>) -> Told {
+pub(crate) fn with_a_file(stage: &Stage<'_>) -> Worded {
     let tab = &stage.tab;
     stage.start("en")?;
     tab.will_choose("turntable.toml", PROJECT)?;
@@ -43,7 +43,7 @@ pub(crate) fn with_a_file(stage: &Stage<'_>) -> Told {
 }
 
 /// A link that holds the whole project behind its mark.
-pub(crate) fn with_a_link(stage: &Stage<'_>) -> Told {
+pub(crate) fn with_a_link(stage: &Stage<'_>) -> Worded {
     let tab = &stage.tab;
     stage.example("belt", "en")?;
     stage.change("#f-mechanism-belt-mass", "21 kg")?;

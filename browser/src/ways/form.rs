@@ -1,9 +1,9 @@
 //! The form and its answer.
 
 use crate::stage::Stage;
-use crate::tab::{Told, expect, key};
+use crate::tab::{Worded, expect, key};
 
-pub(crate) fn a_value_changes_the_verdict(stage: &Stage<'_>) -> Told {
+pub(crate) fn a_value_changes_the_verdict(stage: &Stage<'_>) -> Worded {
     let tab = &stage.tab;
     stage.example("belt", "en")?;
     let before = tab.text("#answer")?;
@@ -15,7 +15,7 @@ pub(crate) fn a_value_changes_the_verdict(stage: &Stage<'_>) -> Told {
     tab.says("#answer", "No actuator")
 }
 
-pub(crate) fn a_fault_stands_at_its_field(stage: &Stage<'_>) -> Told {
+pub(crate) fn a_fault_stands_at_its_field(stage: &Stage<'_>) -> Worded {
     let tab = &stage.tab;
     stage.example("belt", "en")?;
     let before = tab.text("#standing")?;
@@ -29,7 +29,7 @@ pub(crate) fn a_fault_stands_at_its_field(stage: &Stage<'_>) -> Told {
     tab.until("!document.querySelector('#demands.old') && !document.querySelector('[aria-invalid]')")
 }
 
-pub(crate) fn undo_and_redo(stage: &Stage<'_>) -> Told {
+pub(crate) fn undo_and_redo(stage: &Stage<'_>) -> Worded {
     let tab = &stage.tab;
     stage.example("belt", "en")?;
     let before = tab.value("#f-mechanism-belt-mass")?;
@@ -41,7 +41,7 @@ pub(crate) fn undo_and_redo(stage: &Stage<'_>) -> Told {
     tab.says("#text", "44 kg")
 }
 
-pub(crate) fn a_number_is_explained(stage: &Stage<'_>) -> Told {
+pub(crate) fn a_number_is_explained(stage: &Stage<'_>) -> Worded {
     let tab = &stage.tab;
     stage.example("belt", "en")?;
     stage.unfold()?;
@@ -54,7 +54,7 @@ pub(crate) fn a_number_is_explained(stage: &Stage<'_>) -> Told {
     tab.until("document.activeElement.closest('#check-peak_torque') !== null")
 }
 
-pub(crate) fn language_and_dark(stage: &Stage<'_>) -> Told {
+pub(crate) fn language_and_dark(stage: &Stage<'_>) -> Worded {
     let tab = &stage.tab;
     stage.example("belt", "en")?;
     stage.change("#f-mechanism-belt-mass", "44 kg")?;
@@ -69,7 +69,7 @@ pub(crate) fn language_and_dark(stage: &Stage<'_>) -> Told {
     tab.says("#text", "44 kg")
 }
 
-pub(crate) fn compare(stage: &Stage<'_>) -> Told {
+pub(crate) fn compare(stage: &Stage<'_>) -> Worded {
     let tab = &stage.tab;
     stage.example("belt", "en")?;
     let marks = tab.eval("[...document.querySelectorAll('input[name=mark]')].slice(0, 2).map((mark) => mark.id)")?;
@@ -86,7 +86,7 @@ pub(crate) fn compare(stage: &Stage<'_>) -> Told {
 }
 
 /// From the example to a changed verdict and through the plots, without a pointer.
-pub(crate) fn by_keyboard(stage: &Stage<'_>) -> Told {
+pub(crate) fn by_keyboard(stage: &Stage<'_>) -> Worded {
     let tab = &stage.tab;
     stage.start("en")?;
     tab.tab_to("a[href*=\"new=belt\"]")?;

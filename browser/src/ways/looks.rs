@@ -1,10 +1,10 @@
 //! How it looks and whom it shuts out.
 
 use crate::stage::Stage;
-use crate::tab::{Told, expect, key};
+use crate::tab::{Worded, expect, key};
 
 /// Narrow, usual, wide, and twice as large.
-pub(crate) fn widths(stage: &Stage<'_>) -> Told {
+pub(crate) fn widths(stage: &Stage<'_>) -> Worded {
     let tab = &stage.tab;
     for language in ["en", "de"] {
         for (width, height, scale) in [(375, 800, 1.0), (1280, 800, 1.0), (1920, 1080, 1.0), (640, 400, 2.0)] {
@@ -24,7 +24,7 @@ pub(crate) fn widths(stage: &Stage<'_>) -> Told {
 }
 
 /// Start, main, a fault, detail, compare and tools, in light and dark.
-pub(crate) fn accessibility(stage: &Stage<'_>) -> Told {
+pub(crate) fn accessibility(stage: &Stage<'_>) -> Worded {
     let tab = &stage.tab;
     tab.sized(1280, 900, 1.0)?;
     stage.start("en")?;

@@ -1,10 +1,10 @@
 //! What is done in the pictures, and the tools beside the project.
 
 use crate::stage::Stage;
-use crate::tab::{Told, expect, key};
+use crate::tab::{Worded, expect, key};
 
 /// The end of a segment pulled by the pointer is one step back.
-pub(crate) fn an_end_is_pulled(stage: &Stage<'_>) -> Told {
+pub(crate) fn an_end_is_pulled(stage: &Stage<'_>) -> Worded {
     let tab = &stage.tab;
     stage.example("belt", "en")?;
     let before = tab.value("#text")?;
@@ -21,7 +21,7 @@ pub(crate) fn an_end_is_pulled(stage: &Stage<'_>) -> Told {
 }
 
 /// The same by keys.
-pub(crate) fn an_end_is_pulled_by_keys(stage: &Stage<'_>) -> Told {
+pub(crate) fn an_end_is_pulled_by_keys(stage: &Stage<'_>) -> Worded {
     let tab = &stage.tab;
     stage.example("belt", "en")?;
     let spoken = "document.querySelector('#grip-1').getAttribute('aria-valuetext')";
@@ -34,7 +34,7 @@ pub(crate) fn an_end_is_pulled_by_keys(stage: &Stage<'_>) -> Told {
 }
 
 /// The pictures over time show less of it, and the whole again.
-pub(crate) fn the_time_is_narrowed(stage: &Stage<'_>) -> Told {
+pub(crate) fn the_time_is_narrowed(stage: &Stage<'_>) -> Worded {
     let tab = &stage.tab;
     stage.example("belt", "en")?;
     let shown = "(() => { const plane = document.querySelector('#plot-cycle g.plane[data-x-max]').dataset; return plane.xMax - plane.xMin; })()";
@@ -46,7 +46,7 @@ pub(crate) fn the_time_is_narrowed(stage: &Stage<'_>) -> Told {
 }
 
 /// A tolerance is typed beside its value.
-pub(crate) fn a_tolerance(stage: &Stage<'_>) -> Told {
+pub(crate) fn a_tolerance(stage: &Stage<'_>) -> Worded {
     let tab = &stage.tab;
     stage.example("belt", "en")?;
     let text = tab.value("#text")?;
@@ -56,7 +56,7 @@ pub(crate) fn a_tolerance(stage: &Stage<'_>) -> Told {
 }
 
 /// A calculator answers while it is typed to, and says what is wrong.
-pub(crate) fn a_calculator(stage: &Stage<'_>) -> Told {
+pub(crate) fn a_calculator(stage: &Stage<'_>) -> Worded {
     let tab = &stage.tab;
     tab.open(&stage.shell.at("tool=torsion&lang=en"))?;
     tab.there("#tool #about")?;

@@ -1,8 +1,8 @@
 //! The engine in the browser says what the program says: every word, and every number to twelve digits.
 
 use crate::stage::Stage;
-use crate::tab::{Told, expect};
-use page::{Call, Entry, Folder, Method, SaveFault, Shell, Storage, respond};
+use crate::tab::{Worded, expect};
+use page::{Call, FileEntry, Folder, Method, SaveFault, Shell, Storage, respond};
 use project::{Files, NoFiles};
 use quantities::Language;
 use questions::Patience;
@@ -32,7 +32,7 @@ impl Folder for Empty {
         Storage::Browser
     }
 
-    fn list(&self) -> std::io::Result<Vec<Entry>> {
+    fn list(&self) -> std::io::Result<Vec<FileEntry>> {
         Ok(Vec::new())
     }
 
@@ -74,7 +74,7 @@ const ALONE: [&str; 8] = [
     "/nowhere?",
 ];
 
-pub(crate) fn same_answers(stage: &Stage<'_>) -> Told {
+pub(crate) fn same_answers(stage: &Stage<'_>) -> Worded {
     stage.start("en")?;
     let mut asked = 0;
     for language in Language::ALL {
@@ -99,7 +99,7 @@ pub(crate) fn same_answers(stage: &Stage<'_>) -> Told {
 }
 
 /// Asks both the same.
-fn same(stage: &Stage<'_>, path: &str, query: &str, text: Option<&str>) -> Told {
+fn same(stage: &Stage<'_>, path: &str, query: &str, text: Option<&str>) -> Worded {
     let script = "const [path, query, text] = arguments_; \
         const reply = await fetch(path + '?' + query, text === null ? {} : { method: 'POST', headers: { 'content-type': 'application/toml' }, body: text }); \
         const bytes = new Uint8Array(await reply.arrayBuffer()); let packed = ''; \

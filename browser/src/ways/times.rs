@@ -2,7 +2,7 @@
 
 use crate::shell::Shell;
 use crate::stage::Stage;
-use crate::tab::{Told, expect};
+use crate::tab::{Worded, expect};
 use flate2::Compression;
 use flate2::write::GzEncoder;
 use std::io::Write;
@@ -13,7 +13,7 @@ const KEYS: usize = 15;
 /// The page before it listens: what a browser fetches at first, packed as hosts do.
 const WEIGHT_MOST: usize = 350_000;
 
-pub(crate) fn times(stage: &Stage<'_>) -> Told {
+pub(crate) fn times(stage: &Stage<'_>) -> Worded {
     let tab = &stage.tab;
     let address = stage.shell.at("new=table&lang=en");
     tab.open(&address)?;
@@ -44,7 +44,7 @@ pub(crate) fn times(stage: &Stage<'_>) -> Told {
 }
 
 /// The same of a turntable with its bodies, stage and bearing, whose smooth moves cost more.
-pub(crate) fn times_of_a_table(stage: &Stage<'_>) -> Told {
+pub(crate) fn times_of_a_table(stage: &Stage<'_>) -> Worded {
     stage.tab.open(&stage.shell.at("new=table&lang=en"))?;
     stage.ready()?;
     let (half, slowest) = keys(stage)?;
@@ -54,7 +54,7 @@ pub(crate) fn times_of_a_table(stage: &Stage<'_>) -> Told {
 
 /// From a key in a field to the page that shows what follows: half of the times, and the
 /// longest \[ms\].
-fn keys(stage: &Stage<'_>) -> Told<(f64, f64)> {
+fn keys(stage: &Stage<'_>) -> Worded<(f64, f64)> {
     let script = "const field = document.querySelector('#f-load-inertia') ?? document.querySelector('#fields input'); const taken = []; \
         for (let key = 0; key < arguments_[0]; key++) { \
           const swapped = new Promise((done) => addEventListener('htmx:after:swap', () => requestAnimationFrame(() => done(performance.now())), { once: true })); \
@@ -81,10 +81,10 @@ fn median(values: &mut [f64]) -> f64 {
 }
 
 /// The page, its style and its scripts, packed; of the site without the engine, which `cargo xtask site` reports.
-fn weight(stage: &Stage<'_>) -> Told<usize> {
+fn weight(stage: &Stage<'_>) -> Worded<usize> {
     let own: &[&str] = if matches!(stage.shell, Shell::Site { .. }) { &["site.js"] } else { &[] };
     let mut whole = 0;
-    let mut add = |bytes: &[u8]| -> Told {
+    let mut add = |bytes: &[u8]| -> Worded {
         let mut packer = GzEncoder::new(Vec::new(), Compression::default());
         packer.write_all(bytes).map_err(|error| error.to_string())?;
         whole += packer.finish().map_err(|error| error.to_string())?.len();

@@ -79,11 +79,11 @@ fn words(schema: &Value) -> Vec<(String, Option<String>)> {
     let listed = schema.get("enum").and_then(Value::as_array).into_iter().flatten();
     let plain = listed.filter_map(|word| Some((word.as_str()?.to_owned(), None)));
     let one_of = schema.get("oneOf").and_then(Value::as_array).into_iter().flatten();
-    let told = one_of.filter_map(|each| {
+    let stated = one_of.filter_map(|each| {
         let word = each.get("const").or_else(|| each.get("enum")?.as_array()?.first())?.as_str()?;
         Some((word.to_owned(), about(each)))
     });
-    plain.chain(told).collect()
+    plain.chain(stated).collect()
 }
 
 fn is_nullable(schema: &Value) -> bool {

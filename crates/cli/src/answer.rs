@@ -129,8 +129,8 @@ mod tests {
     fn our_own_colours_pass_and_nothing_else_that_steers() {
         assert_eq!(safe("\u{1b}[1;32mfits\u{1b}[0m\n\ta"), "\u{1b}[1;32mfits\u{1b}[0m\n\ta");
         let hostile = "\u{1b}]0;title\u{7}\u{1b}[2J\u{9b}31m\u{202e}x\r";
-        let told = safe(hostile);
-        assert_eq!(told, "\\u{1b}]0;title\\u{7}\\u{1b}[2J\\u{9b}31m\\u{202e}x\\u{d}");
+        let shown = safe(hostile);
+        assert_eq!(shown, "\\u{1b}]0;title\\u{7}\\u{1b}[2J\\u{9b}31m\\u{202e}x\\u{d}");
         assert_eq!(safe("\u{1b}["), "\\u{1b}[");
         assert_eq!(safe("a,b\r\nc\rd"), "a,b\r\nc\\u{d}d");
     }

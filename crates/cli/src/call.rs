@@ -10,7 +10,7 @@ use clap::parser::ValueSource;
 use disk::{Beside, Links};
 use project::{Grant, Project, Reach};
 use quantities::{Language, seen};
-use questions::list::{Asked, Entry, Form, Given, Kind, LIST, Reads, Source, Unanswered};
+use questions::list::{ArgumentKind, Asked, Entry, Form, Given, LIST, Reads, Source, Unanswered};
 use questions::read_code;
 use std::borrow::Cow;
 use std::path::{Path, PathBuf};
@@ -120,7 +120,7 @@ impl Call<'_> {
             let values = self.matches.get_raw(argument.name).into_iter().flatten();
             let values: Vec<String> = values.map(|value| value.to_string_lossy().into_owned()).collect();
             match (argument.kind, argument.form) {
-                (Kind::Flag, _) => pairs.push((argument.name.into(), "true".into())),
+                (ArgumentKind::Flag, _) => pairs.push((argument.name.into(), "true".into())),
                 (_, Form::Words) => pairs.push((argument.name.into(), values.join(" ").into())),
                 (_, Form::Option | Form::Bare | Form::Each) => {
                     pairs.extend(values.into_iter().map(|value| (argument.name.into(), value.into())));
@@ -195,7 +195,7 @@ impl Call<'_> {
 
     /// A remark on each code that was not written canonically.
     fn understood(&self, asked: &Asked<'_>) -> String {
-        let codes = self.entry.arguments.iter().filter(|argument| matches!(argument.kind, Kind::Code));
+        let codes = self.entry.arguments.iter().filter(|argument| matches!(argument.kind, ArgumentKind::Code));
         let read = codes.flat_map(|argument| asked.given.all(argument.name)).filter_map(|text| {
             let reading = read_code(text, self.language).ok()?;
             (!reading.parsed.is_canonical())

@@ -100,8 +100,8 @@ fn headed(command: Command, language: Language) -> Command {
     }
     let example = examples().into_iter().find(|(name, _)| *name == command.get_name());
     if let Some((_, call)) = example {
-        let told = command.get_after_help().map(|text| format!("{text}\n\n")).unwrap_or_default();
-        command = command.after_help(format!("{told}{}:\n  {call}", help::example(language)));
+        let tail = command.get_after_help().map(|text| format!("{text}\n\n")).unwrap_or_default();
+        command = command.after_help(format!("{tail}{}:\n  {call}", help::example(language)));
     }
     command.mut_subcommands(|subcommand| headed(subcommand, language))
 }

@@ -69,14 +69,14 @@ fn write(files: &[(PathBuf, Vec<u8>)], code: &OrderCode, call: &Call<'_>) -> Res
     let to_write: Vec<(&Path, &[u8])> = files.iter().map(|(path, bytes)| (path.as_path(), bytes.as_slice())).collect();
     Desk { inputs: &[], force: call.flag("force"), language: call.language }.save(&to_write)?;
     let code = code.to_string();
-    let told: Vec<CommissionWritten> = files
+    let records: Vec<CommissionWritten> = files
         .iter()
         .map(|(path, bytes)| CommissionWritten { file: path_text(path), code: code.clone(), bytes: bytes.len() })
         .collect();
     if call.as_json {
-        return Ok(Answer::record(&told));
+        return Ok(Answer::record(&records));
     }
-    Ok(Answer::data(told.iter().map(|each| format!("{}: {}\n", each.file, each.code)).collect()))
+    Ok(Answer::data(records.iter().map(|each| format!("{}: {}\n", each.file, each.code)).collect()))
 }
 
 fn lists_as_pdf(file: &Path, sheet: &Commissioning, language: Language) -> Result<Vec<u8>, Unanswered> {

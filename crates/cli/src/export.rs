@@ -63,9 +63,9 @@ pub(crate) fn export(call: &Call<'_>, asked: &Asked<'_>) -> Result<Answer, Unans
     desk.save(&[(file, &bytes)])?;
     let (there, left_out): (Vec<&Table>, Vec<&Table>) = tables.iter().partition(|table| wish.format.holds(table));
     let data = if call.as_json {
-        told_json(file, (&there, &left_out), &chosen)
+        sentence_json(file, (&there, &left_out), &chosen)
     } else {
-        told(file, (&there, &left_out), &chosen, language)
+        sentence(file, (&there, &left_out), &chosen, language)
     };
     Ok(Answer::data(data).fits(chosen.fits()))
 }
@@ -99,24 +99,24 @@ fn bytes(wish: &Wish<'_>, tables: &[Table], front: &Front<'_>) -> Result<Vec<u8>
 }
 
 /// The tables in a file, and those that are too long for it.
-type Told<'t> = (&'t [&'t Table], &'t [&'t Table]);
+type InFile<'t> = (&'t [&'t Table], &'t [&'t Table]);
 
-fn told(file: &Path, (there, left_out): Told<'_>, chosen: &Candidate<'_>, language: Language) -> String {
+fn sentence(file: &Path, (there, left_out): InFile<'_>, chosen: &Candidate<'_>, language: Language) -> String {
     let verdict = standing_text(chosen, language);
     let listed = |tables: &[&Table]| {
         let each = tables.iter().map(|table| format!("{} {}", table.name, table.rows.len()));
         each.collect::<Vec<_>>().join(", ")
     };
     let rows = terminal::rows(language);
-    let mut told = format!("{}: {}: {verdict}; {rows}: {}", path_text(file), chosen.id, listed(there));
+    let mut sentence = format!("{}: {}: {verdict}; {rows}: {}", path_text(file), chosen.id, listed(there));
     if !left_out.is_empty() {
-        let _ = write!(told, "; {}: {}", terminal::on_no_sheet(&SHEET_ROWS_MOST, language), listed(left_out));
+        let _ = write!(sentence, "; {}: {}", terminal::on_no_sheet(&SHEET_ROWS_MOST, language), listed(left_out));
     }
-    told.push('\n');
-    told
+    sentence.push('\n');
+    sentence
 }
 
-fn told_json(file: &Path, (there, left_out): Told<'_>, chosen: &Candidate<'_>) -> String {
+fn sentence_json(file: &Path, (there, left_out): InFile<'_>, chosen: &Candidate<'_>) -> String {
     let listed = |tables: &[&Table]| {
         let each = tables.iter().map(|table| TableWritten { name: table.name.to_owned(), rows: table.rows.len() });
         each.collect()

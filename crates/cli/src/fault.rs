@@ -14,7 +14,7 @@ use questions::answer::{code_told, refusal_text};
 use questions::list::Unanswered;
 use questions::list::code_list::Availability;
 use std::path::Path;
-use words::{Told, terminal, terms};
+use words::{Worded, terminal, terms};
 
 /// At most one byte more than a project file may have: a large file or an endless stream is not read to its end.
 pub(crate) fn read_bytes(path: &Path) -> std::io::Result<Vec<u8>> {
@@ -87,15 +87,15 @@ const fn error_word(language: Language) -> &'static str {
 }
 
 /// Every fault of a text, underlined.
-fn report(file: &str, text: &str, faults: &[Told], language: Language) -> String {
+fn report(file: &str, text: &str, faults: &[Worded], language: Language) -> String {
     let mut talk = String::new();
     let file = seen(file);
-    let visible = |fault: &Told| Told {
+    let visible = |fault: &Worded| Worded {
         message: seen(&fault.message).into_owned(),
         hint: fault.hint.as_deref().map(|hint| seen(hint).into_owned()),
         ..fault.clone()
     };
-    let faults: Vec<Told> = faults.iter().map(visible).collect();
+    let faults: Vec<Worded> = faults.iter().map(visible).collect();
     let (error, help) = (error_word(language), terminal::help(language));
     let style = excerpt::Style { file: &file, error, help, width: width() };
     for fault in &faults {

@@ -4,9 +4,8 @@ use crate::answer::Answer;
 use crate::call::Call;
 use crate::table::{Align, Table, paragraph};
 use answers::Number;
-use quantities::format_significant;
 use questions::list::{Asked, Unanswered, glossary, units};
-use words::{own_and_foreign, symbol_shown, terminal, terms};
+use words::{own_and_foreign, symbol_shown, terminal, terms, unpadded};
 
 /// `antrieb glossary [TERM]`
 pub(crate) fn glossary(call: &Call<'_>, asked: &Asked<'_>) -> Result<Answer, Unanswered> {
@@ -59,11 +58,7 @@ pub(crate) fn glossary(call: &Call<'_>, asked: &Asked<'_>) -> Result<Answer, Una
 pub(crate) fn units(call: &Call<'_>, asked: &Asked<'_>) -> Result<Answer, Unanswered> {
     let language = call.language;
     // A value in SI has no rounding but that of its unit: as many digits as its exact definition needs.
-    let shown = |number: Number| {
-        let text = format_significant(number.written().unwrap_or_default(), 12, language);
-        let has_fraction = text.contains(['.', ',']) && !text.contains(['e', '·']);
-        if has_fraction { text.trim_end_matches('0').trim_end_matches(['.', ',']).to_owned() } else { text }
-    };
+    let shown = |number: Number| unpadded(number.written().unwrap_or_default(), 12, language);
     let mut parts = Vec::new();
     for measured in units::found(asked)?.quantities {
         let heads = [measured.quantity.as_str(), terminal::also_written(language), terminal::in_si(language)];

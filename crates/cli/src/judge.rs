@@ -104,15 +104,15 @@ fn sizing_text(found: &Ranking<'_>, of_nearest: Option<&Reserve>, all: bool, lan
             .filter(|check| check.value.is_none())
             .map(|check| format!("{} ({})", check_title(check.id, language), missing(check, language)))
             .collect();
-        let told = remarks(best, "  ", language);
-        if !open.is_empty() || !told.is_empty() {
+        let noted = remarks(best, "  ", language);
+        if !open.is_empty() || !noted.is_empty() {
             let _ = writeln!(out, "{}:", terminal::remarks_on(&best.id, language));
         }
         if !open.is_empty() {
             let head = format!("  {}", verdict_word(Verdict::NotChecked, language));
             out.push_str(&labelled(&head, &open.join("; ")));
         }
-        out.push_str(&told);
+        out.push_str(&noted);
     }
     out.push_str(&rejected_text(sizing, of_nearest, all, language));
     if !found.mends.is_empty() {
@@ -203,18 +203,18 @@ fn rejected_text(sizing: &Sizing<'_>, of_nearest: Option<&Reserve>, all: bool, l
     let head = terminal::rejected_count(&rejected.len(), language);
     let tail = terminal::all_shows_each(language);
     out.push_str(&labelled(&head, &format!("{} ({tail})", parts.join(", "))));
-    let told = |head: &str, candidate: &Candidate<'_>| {
+    let noted = |head: &str, candidate: &Candidate<'_>| {
         labelled(head, &format!("{}, {}", candidate.id, reason(candidate, language)))
     };
     let nearest = sizing.nearest_miss();
     if let Some(nearest) = nearest {
-        out.push_str(&told(terminal::nearest_miss(language), nearest));
+        out.push_str(&noted(terminal::nearest_miss(language), nearest));
     }
     // What would have to change: for the nearest, or for one that nothing but limits of the project keep out.
     let by_limits = rejected.iter().copied().find(|candidate| questions::limits_needed(candidate).is_some());
     if let Some(limited) = by_limits.filter(|limited| nearest.is_none_or(|nearest| nearest.id != limited.id)) {
         let head = terminal::kept_out_by_limits(language);
-        out.push_str(&told(head, limited));
+        out.push_str(&noted(head, limited));
         out.push_str(&reserve_text(&Reserve::default(), limited, language));
     }
     if let (Some(near), Some(reserve)) = (nearest, of_nearest) {

@@ -13,7 +13,7 @@ fn page(language: Language) -> String {
     page.push_str(&format!("\n## {}\n", pages::every_command_takes(language)));
     arguments(&mut page, root.get_arguments().filter(|argument| told_once(argument)), language);
     for command in root.get_subcommands() {
-        told(&mut page, "antrieb", command, language);
+        write_command(&mut page, "antrieb", command, language);
     }
     if let Some(after) = root.get_after_help() {
         page.push_str(&block("text", &after.to_string()));
@@ -22,7 +22,7 @@ fn page(language: Language) -> String {
 }
 
 /// A command, then those below it.
-fn told(page: &mut String, before: &str, command: &Command, language: Language) {
+fn write_command(page: &mut String, before: &str, command: &Command, language: Language) {
     let name = format!("{before} {}", command.get_name());
     page.push_str(&format!("\n## `{name}`\n"));
     if let Some(about) = command.get_about() {
@@ -36,7 +36,7 @@ fn told(page: &mut String, before: &str, command: &Command, language: Language) 
         page.push_str(&block("text", &after.to_string()));
     }
     for below in command.get_subcommands() {
-        told(page, &name, below, language);
+        write_command(page, &name, below, language);
     }
 }
 

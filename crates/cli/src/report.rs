@@ -51,7 +51,7 @@ pub(crate) fn write(call: &Call<'_>, asked: &Asked<'_>, out: &Path, as_json: boo
     let delivered = call.text("delivered").map(|text| questions::list::upkeep::read_date(text, language)).transpose();
     let delivered = delivered.map_err(|fault| Unanswered::option("delivered", fault))?;
     let text = source.text(language)?;
-    let (mut axes, mut told, mut standings) = (Vec::new(), Vec::new(), Vec::new());
+    let (mut axes, mut of_axes, mut standings) = (Vec::new(), Vec::new(), Vec::new());
     for (place, project) in &projects {
         let sizing = questions::list::size::sized(project, usize::MAX, patience())?;
         let best = || sizing.candidates.first().map(|best| best.id.clone());
@@ -64,7 +64,7 @@ pub(crate) fn write(call: &Call<'_>, asked: &Asked<'_>, out: &Path, as_json: boo
             content.dossier.documents.extend(cited);
         }
         axes.push(content);
-        told.push(AxisWritten {
+        of_axes.push(AxisWritten {
             axis: project.name.clone(),
             code: candidate.id.to_string(),
             verdict: answer::fit(&candidate),
@@ -75,8 +75,8 @@ pub(crate) fn write(call: &Call<'_>, asked: &Asked<'_>, out: &Path, as_json: boo
     let bytes = report::pdf(&content, &settings).map_err(|fault| Unanswered::message(fault.message(language)))?;
     desk.save(&[(out, &bytes)])?;
     let file = path_text(out);
-    let fits = told.iter().all(|each| each.verdict == Fit::Fits);
-    let data = match (as_json, told.as_slice()) {
+    let fits = of_axes.iter().all(|each| each.verdict == Fit::Fits);
+    let data = match (as_json, of_axes.as_slice()) {
         (false, [one]) => format!(
             "{file}: {}: {}; {} kB\n",
             one.code,
@@ -89,10 +89,10 @@ pub(crate) fn write(call: &Call<'_>, asked: &Asked<'_>, out: &Path, as_json: boo
             format!("{file}: {} kB\n{lines}", bytes.len() / 1000)
         }
         (true, _) => {
-            let code = if let [one] = told.as_slice() { Some(one.code.clone()) } else { None };
+            let code = if let [one] = of_axes.as_slice() { Some(one.code.clone()) } else { None };
             written(&ReportWritten {
                 file,
-                axes: if code.is_some() { Vec::new() } else { told },
+                axes: if code.is_some() { Vec::new() } else { of_axes },
                 code,
                 verdict: Fit::of(fits),
                 bytes: bytes.len(),

@@ -104,8 +104,8 @@ impl Table {
             self.line(&mut out, row, &widths);
             let below = self.columns.iter().zip(row).skip(widths.len());
             let below = below.filter(|(_, cell)| !cell.is_empty() && *cell != "–");
-            let told = |head: &str, cell: &str| if single { cell.to_owned() } else { format!("{head}: {cell}") };
-            let below: Vec<String> = below.map(|((head, _), cell)| told(head, cell)).collect();
+            let cell_text = |head: &str, cell: &str| if single { cell.to_owned() } else { format!("{head}: {cell}") };
+            let below: Vec<String> = below.map(|((head, _), cell)| cell_text(head, cell)).collect();
             if !below.is_empty() {
                 out.push_str(&paragraph_to("    ", &below.join(" · "), most));
             }

@@ -498,7 +498,7 @@ fn nothing_is_written_where_something_is_wrong() {
     let (svg, png) = (folder.join("a.svg"), folder.join("none/a.png"));
     let (svg, png) = (svg.to_str().unwrap(), png.to_str().unwrap());
     let table = "examples/indexing-table.toml";
-    for (arguments, told) in [
+    for (arguments, expected) in [
         (vec!["plot", table, "--figure", "cycle", "--svg", svg, "--png", png], "there is no such folder"),
         (vec!["plot", table, "--figure", "cycle", "--svg", svg, "--png", "-"], "--png needs a file"),
         (vec!["plot", table, "--figure", "cycle", "--svg", folder.to_str().unwrap()], "this is a folder"),
@@ -509,7 +509,7 @@ fn nothing_is_written_where_something_is_wrong() {
     ] {
         let run = run(&arguments);
         assert_eq!((run.code, run.out.as_str()), (2, ""), "{arguments:?}");
-        assert!(run.err.contains(told), "{arguments:?}: {}", run.err);
+        assert!(run.err.contains(expected), "{arguments:?}: {}", run.err);
         assert!(names(&folder).is_empty(), "{arguments:?}");
     }
 }

@@ -47,8 +47,8 @@ fn a_record_that_cannot_be_read_tells_every_fault_with_its_place() {
     let path = path.display().to_string();
     let answer = run(&["commission", CODE, "--record", &path]);
     assert_eq!((answer.code, answer.out.as_str()), (2, ""));
-    for told in [":4:", "unit of inductance", ":6:", "without a unit", ":7:", "opening_current"] {
-        assert!(answer.err.contains(told), "{told}: {}", answer.err);
+    for shown in [":4:", "unit of inductance", ":6:", "without a unit", ":7:", "opening_current"] {
+        assert!(answer.err.contains(shown), "{shown}: {}", answer.err);
     }
     let json = run(&["commission", CODE, "--record", &path, "--json"]);
     let value: Value = serde_json::from_str(&json.out).unwrap();

@@ -34,8 +34,8 @@ fn a_workbook_is_written_once_and_replaced_only_when_asked() {
     assert_eq!(again.code, 2);
     assert!(again.err.contains("--force"), "{}", again.err);
     let other = run(&["export", PROJECT, "--out", &out, "--force", "--top", "1", "--json"]);
-    let told: Value = serde_json::from_str(&other.out).unwrap();
-    assert_eq!((&told["verdict"], told["tables"].as_array().unwrap().len()), (&"fits".into(), 7));
+    let record: Value = serde_json::from_str(&other.out).unwrap();
+    assert_eq!((&record["verdict"], record["tables"].as_array().unwrap().len()), (&"fits".into(), 7));
     assert_ne!(std::fs::read(&out).unwrap(), bytes);
     run(&["export", PROJECT, "--out", &out, "--force"]);
     assert_eq!(std::fs::read(&out).unwrap(), bytes, "the same call gives the same bytes");

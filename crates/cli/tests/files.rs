@@ -63,9 +63,9 @@ fn a_full_disk_leaves_the_old_file() {
             .current_dir(root())
             .output()
             .unwrap();
-        let told = String::from_utf8_lossy(&output.stderr);
-        assert_eq!(output.status.code(), Some(2), "{name}: {told}");
-        assert!(told.contains(name) && !told.contains("panicked"), "{name}: {told}");
+        let message = String::from_utf8_lossy(&output.stderr);
+        assert_eq!(output.status.code(), Some(2), "{name}: {message}");
+        assert!(message.contains(name) && !message.contains("panicked"), "{name}: {message}");
         assert_eq!(std::fs::read(&file).unwrap(), b"old", "{name}");
         assert_eq!(std::fs::read_dir(folder.path()).unwrap().count(), 1, "{name}: something is left");
     }

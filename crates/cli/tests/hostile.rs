@@ -258,9 +258,9 @@ fn reserves_of_a_long_recording_under_losses_are_not_sought_unasked() {
         let output = command.args(check).args(more).current_dir(folder.path()).output().unwrap();
         String::from_utf8(output.stdout).unwrap()
     };
-    let told = run(&[]).split_whitespace().collect::<Vec<_>>().join(" ");
-    assert!(told.contains("not sought: other loads and other cycle times"), "{told}");
-    assert!(told.contains("50002 samples") && told.contains("--deadline"), "{told}");
+    let reply = run(&[]).split_whitespace().collect::<Vec<_>>().join(" ");
+    assert!(reply.contains("not sought: other loads and other cycle times"), "{reply}");
+    assert!(reply.contains("50002 samples") && reply.contains("--deadline"), "{reply}");
     let found: serde_json::Value = serde_json::from_str(&run(&["--json"])).unwrap();
     let reserve = &found["reserve"];
     assert_eq!(reserve["not_sought"]["samples"], 50_002, "{reserve}");
@@ -297,9 +297,9 @@ fn longer_recordings_than_are_judged_unasked_are_refused_by_their_number() {
         (output.status.code().unwrap(), serde_json::from_slice::<serde_json::Value>(&output.stdout).unwrap())
     };
     let refused = |args: &[&str], parts: [&str; 3]| {
-        let (code, told) = run(args);
-        let message = told["errors"][0]["message"].as_str().unwrap();
-        assert_eq!((code, told.as_object().unwrap().len()), (2, 1), "{told}");
+        let (code, reply) = run(args);
+        let message = reply["errors"][0]["message"].as_str().unwrap();
+        assert_eq!((code, reply.as_object().unwrap().len()), (2, 1), "{reply}");
         for part in parts.into_iter().chain(["--deadline"]) {
             assert!(message.contains(part), "{args:?}: {message}");
         }
@@ -317,9 +317,9 @@ fn longer_recordings_than_are_judged_unasked_are_refused_by_their_number() {
     assert!(!folder.path().join("axis.xlsx").exists());
     axis(20);
     let check = ["check", "axis.toml", "--json", "--code", "CHA-25A-100-H-C1024"];
-    let (code, told) = run(&[&check[..], &["--deadline", "0.001 s"]].concat());
-    let message = told["errors"][0]["message"].as_str().unwrap();
-    assert!(code == 2 && message.contains("not answered within 0.001"), "{told}");
+    let (code, reply) = run(&[&check[..], &["--deadline", "0.001 s"]].concat());
+    let message = reply["errors"][0]["message"].as_str().unwrap();
+    assert!(code == 2 && message.contains("not answered within 0.001"), "{reply}");
     axis(1);
     assert!(run(&check).0 < 2);
 }
@@ -340,8 +340,8 @@ fn what_makes_a_long_recording_anew_is_counted_before() {
         let mut command = Command::new(env!("CARGO_BIN_EXE_antrieb"));
         let output = command.args(call).arg("--json").current_dir(folder.path()).output().unwrap();
         assert_eq!(output.status.code(), Some(2));
-        let told: serde_json::Value = serde_json::from_slice(&output.stdout).unwrap();
-        told["errors"][0]["message"].as_str().unwrap().to_owned()
+        let reply: serde_json::Value = serde_json::from_slice(&output.stdout).unwrap();
+        reply["errors"][0]["message"].as_str().unwrap().to_owned()
     };
     write("uncertain.toml", "0.5 kg m^2 ± 5 %", "", 3);
     let message = refused(&["check", "uncertain.toml", "--code", "CHA-25A-100-H-C1024"]);
@@ -412,22 +412,22 @@ fn a_table_of_a_long_course_is_held_to_the_memory() {
     };
     for (ending, needed) in [("csv", "98 MiB"), ("json", "196 MiB"), ("parquet", "98 MiB")] {
         let name = format!("course.{ending}");
-        let (code, told) = run(&["--table", "course", "--out", &name, "--memory", "50 MiB"]);
-        let message = told["errors"][0]["message"].as_str().unwrap();
-        assert_eq!((code, told.as_object().unwrap().len()), (2, 1), "{told}");
+        let (code, reply) = run(&["--table", "course", "--out", &name, "--memory", "50 MiB"]);
+        let message = reply["errors"][0]["message"].as_str().unwrap();
+        assert_eq!((code, reply.as_object().unwrap().len()), (2, 1), "{reply}");
         for part in ["400020 rows", needed, "50 MiB", "--memory"] {
             assert!(message.contains(part), "{message}");
         }
         assert!(!folder.path().join(name).exists());
     }
-    let (_, told) = run(&["--table", "course", "--out", "course.csv", "--memory", "98 MiB"]);
-    let rows = told["tables"][0]["rows"].as_u64().unwrap();
-    assert!((200_011..=400_020).contains(&rows), "{told}");
+    let (_, reply) = run(&["--table", "course", "--out", "course.csv", "--memory", "98 MiB"]);
+    let rows = reply["tables"][0]["rows"].as_u64().unwrap();
+    assert!((200_011..=400_020).contains(&rows), "{reply}");
     let lines = fs::read_to_string(folder.path().join("course.csv")).unwrap().lines().count();
     assert_eq!(lines as u64, rows + 1);
-    let (_, told) = run(&["--out", "all.xlsx", "--memory", "50 MiB"]);
-    assert!(told["tables"].as_array().unwrap().iter().all(|table| table["name"] != "course"), "{told}");
-    assert_eq!(told["left_out"], serde_json::json!([{ "name": "course", "rows": 400_020 }]));
+    let (_, reply) = run(&["--out", "all.xlsx", "--memory", "50 MiB"]);
+    assert!(reply["tables"].as_array().unwrap().iter().all(|table| table["name"] != "course"), "{reply}");
+    assert_eq!(reply["left_out"], serde_json::json!([{ "name": "course", "rows": 400_020 }]));
     assert!(fs::metadata(folder.path().join("all.xlsx")).unwrap().len() < 1 << 20);
 }
 
@@ -444,5 +444,5 @@ fn an_axis_that_cannot_be_answered_has_no_verdict_beside_it() {
     fs::write(folder.path().join("two-axes.toml"), text).unwrap();
     // Without a code each axis needs an actuator of its own.
     let errors = faults(folder.path(), &["check", "two-axes.toml"]);
-    assert_eq!(errors.as_array().unwrap().len(), 1, "the same fault of both axes is told once: {errors}");
+    assert_eq!(errors.as_array().unwrap().len(), 1, "the same fault of both axes is reply once: {errors}");
 }

@@ -159,9 +159,9 @@ fn a_folder_that_takes_no_files_is_told() {
     let folder = tempfile::tempdir().unwrap();
     for (language, word) in [("en", "permission denied"), ("de", "kein Zugriff")] {
         let output = antrieb(folder.path(), &curve(&["--svg", "/sys/a.svg", "--lang", language]));
-        let told = String::from_utf8_lossy(&output.stderr).into_owned();
-        assert_eq!(output.status.code(), Some(2), "{told}");
-        assert!(told.contains("/sys/a.svg: ") && told.contains(word) && !told.contains(".antrieb-"), "{told}");
+        let notice = String::from_utf8_lossy(&output.stderr).into_owned();
+        assert_eq!(output.status.code(), Some(2), "{notice}");
+        assert!(notice.contains("/sys/a.svg: ") && notice.contains(word) && !notice.contains(".antrieb-"), "{notice}");
     }
 }
 
@@ -177,9 +177,9 @@ fn a_full_disk_is_told_in_our_words_with_the_name_given() {
             .current_dir(folder.path())
             .output()
             .unwrap();
-        let told = String::from_utf8_lossy(&output.stderr).into_owned();
-        assert_eq!(output.status.code(), Some(2), "{told}");
-        assert!(told.contains("a.svg: ") && told.contains(word) && !told.contains(".antrieb-"), "{told}");
+        let notice = String::from_utf8_lossy(&output.stderr).into_owned();
+        assert_eq!(output.status.code(), Some(2), "{notice}");
+        assert!(notice.contains("a.svg: ") && notice.contains(word) && !notice.contains(".antrieb-"), "{notice}");
         assert_eq!(names(folder.path()), [""; 0]);
     }
 }

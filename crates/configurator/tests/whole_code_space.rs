@@ -126,20 +126,20 @@ fn patterns_complete_to_valid_codes_only() {
 #[test]
 fn what_no_code_can_have_is_told_with_its_rule() {
     use configurator::{Rule, broken_by_all};
-    let told = |text: &str| {
+    let stated = |text: &str| {
         let broken = broken_by_all(&Pattern::parse(text).unwrap());
         broken.iter().map(|(_, rule)| (rule.field, rule.rule)).collect::<Vec<_>>()
     };
-    assert_eq!(told("CHA-40A-30"), [(Field::Ratio, Rule::NotForSize)]);
-    assert_eq!(told("CHA-14A-120"), [(Field::Ratio, Rule::NotForSize)]);
-    assert_eq!(told("CHA-20A-100-L"), [(Field::Winding, Rule::NotInOrderingTables)]);
-    assert_eq!(told("CHA-*-*-E-C1024"), [(Field::Feedback, Rule::PairNotListed)]);
+    assert_eq!(stated("CHA-40A-30"), [(Field::Ratio, Rule::NotForSize)]);
+    assert_eq!(stated("CHA-14A-120"), [(Field::Ratio, Rule::NotForSize)]);
+    assert_eq!(stated("CHA-20A-100-L"), [(Field::Winding, Rule::NotInOrderingTables)]);
+    assert_eq!(stated("CHA-*-*-E-C1024"), [(Field::Feedback, Rule::PairNotListed)]);
     assert_eq!(
-        told("CHA-20A-*-H-C1024-R"),
+        stated("CHA-20A-*-H-C1024-R"),
         [(Field::Option2, Rule::OnlyWith { feedback: Feedback::of(Series::default(), "M512P").unwrap(), longer: "" })]
     );
-    assert!(told("CHA-20A-100").is_empty());
-    let sizes = told("CHA-*-160-E").len();
+    assert!(stated("CHA-20A-100").is_empty());
+    let sizes = stated("CHA-*-160-E").len();
     assert!(sizes >= Size::all(Series::default()).len(), "no single rule forbids it: one for each size, {sizes}");
     for text in ["CHA", "CHA-14A-*-*-M128S-B", "CHA-*-*-L-RES", "CHA-17A-*-*-*-EC", "CHA-58A-160-H-RES-S"] {
         let pattern = Pattern::parse(text).unwrap();

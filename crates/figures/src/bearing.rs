@@ -70,8 +70,8 @@ pub fn bearing_load_within(
             (!values.is_empty()).then_some(Found { axis, unit, check, symbol, name, values, least, largest })
         })
         .collect();
-    let told: Vec<String> = loads.iter().map(|load| load.told(language)).collect();
-    let description = format!("{}.", capitalised(&listed(&told, language)));
+    let sentence: Vec<String> = loads.iter().map(|load| load.sentence(language)).collect();
+    let description = format!("{}.", capitalised(&listed(&sentence, language)));
     let drawing = |size| Drawing::new(Figure::BearingLoad, &subject(candidate, &project.name), size, language);
     let about = pictures::bearing_load_caption(language);
     if loads.iter().all(Found::is_constant) {
@@ -112,7 +112,7 @@ impl Found<'_> {
         self.check.limit.map(|limit| amount(limit.si, limit.unit, language))
     }
 
-    fn told(&self, language: Language) -> String {
+    fn sentence(&self, language: Language) -> String {
         let (name, shown) = (self.name, amount(self.largest, self.unit, language));
         let value = match self.limit(language) {
             Some(limit) => pictures::value_of_limit(&shown, &limit, language),

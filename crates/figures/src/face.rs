@@ -74,13 +74,13 @@ enum Legend {
 
 fn drawn(code: &OrderCode, connector: &Connector, legend: Legend, language: Language) -> Drawing {
     let mut chart = FaceChart::new();
-    let mut told = Vec::new();
+    let mut sentences = Vec::new();
     for (index, pin) in connector.pins.iter().enumerate() {
         let mut text = match pin.carries {
             Some(_) => wiring::cell_or_dash(pin.signal, language).to_owned(),
             None => wiring::unconnected(pin.colour.is_some(), language).to_owned(),
         };
-        told.push(format!("{} {text}", pin.name));
+        sentences.push(format!("{} {text}", pin.name));
         if legend == Legend::Signals {
             text = pin.carries.map_or_else(|| "–".to_owned(), |_| text);
         } else if let Some(other) = &pin.joined {
@@ -98,7 +98,7 @@ fn drawn(code: &OrderCode, connector: &Connector, legend: Legend, language: Lang
             None => drawn,
         });
     }
-    let description = wiring::face_described(&connector.poles, &connector.thread, &told.join(", "), language);
+    let description = wiring::face_described(&connector.poles, &connector.thread, &sentences.join(", "), language);
     let note = wiring::schematic(language);
     let of = format!("{}, {code}", wiring::role_name(connector.role, language));
     let size = if legend == Legend::Full { (135.0, 85.0) } else { (81.0, 60.0) };

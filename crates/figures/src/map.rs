@@ -159,7 +159,7 @@ fn description(
 ) -> String {
     let fitting = all.iter().filter(|candidate| candidate.fits()).count();
     let mut text = pictures::how_many_fit(&all.len(), &fitting, language);
-    let told = |candidate: &Candidate<'_>| {
+    let sentence = |candidate: &Candidate<'_>| {
         let figure = by.of(candidate).map_or_else(|| "–".to_owned(), |si| amount(si, by.unit(), language));
         let margin = 1.0 - candidate.standing.utilisation;
         if !margin.is_finite() {
@@ -169,12 +169,12 @@ fn description(
         pictures::candidate_with_margin(&candidate.id, &figure, &margin, language)
     };
     if let Some(best) = sizing.answer() {
-        text.push_str(&format!(" {}: {}.", pictures::the_best(language), told(best)));
+        text.push_str(&format!(" {}: {}.", pictures::the_best(language), sentence(best)));
     }
     if let Some(marked) = marked
         && sizing.answer().is_none_or(|best| best.id != marked.id)
     {
-        text.push_str(&format!(" {}: {}.", pictures::marked(language), told(marked)));
+        text.push_str(&format!(" {}: {}.", pictures::marked(language), sentence(marked)));
     }
     text
 }

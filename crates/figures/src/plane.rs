@@ -33,7 +33,7 @@ pub fn torque_speed(project: &Project, candidate: &Candidate<'_>, language: Lang
             .label(terms::cycle(language))
             .class("cycle"),
     );
-    let mut told = vec![say_cycle(&course, language)];
+    let mut sentences = vec![say_cycle(&course, language)];
     if let Some(demand) = &candidate.judgement.demand {
         let mean = at(demand.speed_mean.si(), demand.torque_rms.si());
         let peaks = peaks(demand, &course);
@@ -53,9 +53,9 @@ pub fn torque_speed(project: &Project, candidate: &Candidate<'_>, language: Lang
         for (point, label) in peaks {
             chart = chart.with(Note::new(point.0, point.1, label));
         }
-        told.push(say_demand(demand, language));
+        sentences.push(say_demand(demand, language));
     }
-    told.extend(say_limits(candidate, language));
+    sentences.extend(say_limits(candidate, language));
     let caption = match &plane {
         Some(plane) if has_short_time(plane) => caption(plane, language),
         Some(plane) => {
@@ -66,7 +66,7 @@ pub fn torque_speed(project: &Project, candidate: &Candidate<'_>, language: Lang
     };
     Drawing::new(Figure::TorqueSpeed, &subject(candidate, &project.name), SIZE_MM, language).xy(
         caption,
-        told.join(" "),
+        sentences.join(" "),
         chart,
     )
 }

@@ -94,7 +94,7 @@ fn every_figure_of_every_example_is_whole() {
                     };
                     assert_eq!(text("title"), drawing.title, "{what}");
                     assert_eq!(text("desc"), drawing.description, "{what}");
-                    assert!(drawing.description.contains(|c: char| c.is_ascii_digit()), "{what}: no number told");
+                    assert!(drawing.description.contains(|c: char| c.is_ascii_digit()), "{what}: no number stated");
                     assert!(drawing.caption.ends_with('.') && drawing.description.ends_with('.'), "{what}");
                     if figure != Figure::CandidateMap {
                         assert!(picture.hidden_labels().is_empty(), "{what}: {:?}", picture.hidden_labels());

@@ -137,7 +137,7 @@ fn what_is_not_printed_is_a_gap_and_nothing_is_both() {
             let open = gaps.contains(&Gap::NotPrinted(id));
             assert!(!(known && open), "{}: {id:?}", about.code);
             let brake = id.id().starts_with("brake_");
-            assert!(known || open || (brake && !about.has_brake()), "{}: {id:?} is told nowhere", about.code);
+            assert!(known || open || (brake && !about.has_brake()), "{}: {id:?} is stated nowhere", about.code);
         }
         assert!(gaps.contains(&Gap::RatedPoint));
     }

@@ -29,8 +29,8 @@ fn every_fact_is_shown_on_some_topic_for_some_code() {
 #[test]
 fn the_brake_is_never_called_safe_where_there_is_none_to_speak_of() {
     for code in codes() {
-        let told = facts_about(Topic::Wiring, &code, Order::Data).iter().any(|fact| fact.id == "brake_is_not_safe");
-        assert_eq!(told, code.brake == Brake::With, "{code}");
+        let stated = facts_about(Topic::Wiring, &code, Order::Data).iter().any(|fact| fact.id == "brake_is_not_safe");
+        assert_eq!(stated, code.brake == Brake::With, "{code}");
     }
 }
 
@@ -49,9 +49,9 @@ fn the_order_changes_nothing_but_the_order() {
 
 #[test]
 fn lifting_gear_is_for_what_is_heavy() {
-    let told = |text: &str| {
+    let stated = |text: &str| {
         let code = order_code::parse(text).unwrap().code;
         facts_about(Topic::Mount, &code, Order::Life).iter().any(|fact| fact.id == "hoist_above_20_kg")
     };
-    assert!(told("CHA-58A-100-H-M512P-B") && !told("CHA-14A-50-E-M128S"));
+    assert!(stated("CHA-58A-100-H-M512P-B") && !stated("CHA-14A-50-E-M128S"));
 }

@@ -30,8 +30,8 @@ fn every_code_with_data_can_be_mounted_and_no_other() {
         assert!(differs || (found.length.known().is_some() && found.mass.known().is_some()), "{code}");
         // No mass printed, no word on lifting gear.
         assert_eq!(found.hoist.is_some(), found.mass.known().is_some(), "{code}");
-        let told = found.facts.iter().any(|fact| fact.id == "hoist_above_20_kg");
-        assert_eq!(told, found.hoist != Some(false), "{code}");
+        let stated = found.facts.iter().any(|fact| fact.id == "hoist_above_20_kg");
+        assert_eq!(stated, found.hoist != Some(false), "{code}");
     }
     assert!(with_data > 900, "{with_data}");
 }

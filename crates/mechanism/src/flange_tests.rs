@@ -1,7 +1,7 @@
 //! Loads on the flange against closed forms by hand, the path of the centre of mass, limits and balances.
 
 use super::*;
-use crate::{Kind, Linear, LinearKind, Rotor, RotorKind, SliderCrank};
+use crate::{Linear, LinearKind, MechanismKind, Rotor, RotorKind, SliderCrank};
 use quantities::unit::DEGREE;
 use quantities::{MomentOfInertia, Torque};
 
@@ -24,12 +24,12 @@ fn out(q: f64, w: f64, a: f64) -> Output {
     }
 }
 
-fn of(kind: Kind) -> Mechanism {
+fn of(kind: MechanismKind) -> Mechanism {
     Mechanism { kind, ..Mechanism::direct(MomentOfInertia::from_si(0.0), Torque::from_si(0.0)) }
 }
 
 fn arm(mass: f64, tilt: f64) -> Mechanism {
-    of(Kind::Rotor(Rotor {
+    of(MechanismKind::Rotor(Rotor {
         kind: RotorKind::Arm,
         inertia: MomentOfInertia::from_si(0.8),
         mass: Mass::from_si(mass),
@@ -100,13 +100,13 @@ fn forces_are_those_of_the_path_of_the_centre_of_mass() {
             kind: RotorKind::Arm,
             tilt: Angle::from_si(tilt),
             ..match arm(1.0 + 9.0 * m, 0.0).kind {
-                Kind::Rotor(r) => r,
+                MechanismKind::Rotor(r) => r,
                 _ => unreachable!(),
             }
         };
         let mass = [rotor.mass.si(), 5.0 * p];
         let extra = Extra { mass: Mass::from_si(mass[1]), ..Extra::none() };
-        let found = of(Kind::Rotor(rotor)).flange_forces(&out(q0, w, a), &extra, 0.0, &at(0.05));
+        let found = of(MechanismKind::Rotor(rotor)).flange_forces(&out(q0, w, a), &extra, 0.0, &at(0.05));
         // The flange in the room: x level, y steepest upwards, z out of the flange; up is sin β y + cos β z.
         let up = [0.0, tilt.sin(), tilt.cos()];
         let (mut force, mut moment) = ([0.0; 3], [0.0; 3]);
@@ -136,7 +136,7 @@ fn forces_are_those_of_the_path_of_the_centre_of_mass() {
         assert!((found.moment(metres_of(0.0)) - moment[0].hypot(moment[1])).abs() < 2e-6 * scale);
         // About the axis the same forces give the torque of the mechanism, less the inertia about the centres.
         let own = rotor.inertia.si() - mass[0] * 0.35 * 0.35;
-        let asked = of(Kind::Rotor(rotor)).torque(&out(q0, w, a), &extra);
+        let asked = of(MechanismKind::Rotor(rotor)).torque(&out(q0, w, a), &extra);
         assert!((asked - own * a + moment[2]).abs() < 2e-6 * scale, "{asked} {}", moment[2]);
     }
 }
@@ -186,7 +186,7 @@ fn linear(kind: LinearKind) -> Linear {
 /// belt 0.004/0.06² · 2.5 = 2.778 N more; η = 0.95: 90.851 N. With 150 N in each span 390.851 N pull at the pulley.
 #[test]
 fn a_belt_by_hand() {
-    let belt = Mechanism { efficiency_driving: 0.95, ..of(Kind::Linear(linear(LinearKind::Belt))) };
+    let belt = Mechanism { efficiency_driving: 0.95, ..of(MechanismKind::Linear(linear(LinearKind::Belt))) };
     let mounting = Mounting { contact: Some(Contact::Belt { tension: Force::from_si(150.0) }), ..at(0.03) };
     let forces = belt.flange_forces(&out(0.0, 1.0, 2.5 / 0.06), &Extra::none(), 0.0, &mounting);
     assert!((forces.radial() - 390.851).abs() < 1e-3, "{}", forces.radial());
@@ -201,7 +201,7 @@ fn a_belt_by_hand() {
 /// A pinion of 20°, spur and with a helix of 30°: F_t = 83.530 N; the resultant of a spur pinion is F_t/cos 20°.
 #[test]
 fn a_rack_by_hand() {
-    let rack = of(Kind::Linear(Linear { inertia: MomentOfInertia::from_si(0.0), ..linear(LinearKind::Belt) }));
+    let rack = of(MechanismKind::Linear(Linear { inertia: MomentOfInertia::from_si(0.0), ..linear(LinearKind::Belt) }));
     let mesh = |helix: f64| Mounting {
         contact: Some(Contact::Mesh { pressure_angle: deg(20.0), helix_angle: deg(helix) }),
         ..at(0.03)
@@ -218,7 +218,7 @@ fn a_rack_by_hand() {
 
 #[test]
 fn a_screw_pushes_along_the_axis() {
-    let screw = of(Kind::Linear(Linear { inclination: deg(90.0), ..linear(LinearKind::Screw) }));
+    let screw = of(MechanismKind::Linear(Linear { inclination: deg(90.0), ..linear(LinearKind::Screw) }));
     let mounting = Mounting { share: Some(1.0), ..Mounting::default() };
     let up = screw.flange_forces(&out(0.0, 1.0, 2.0 / 0.06), &Extra::none(), 0.0, &mounting);
     assert!(close(up.axial(), 18.0 * (2.0 + G) + 35.0) && up.radial() == 0.0 && up.moment(metres_of(0.02)) == 0.0);
@@ -240,7 +240,7 @@ fn the_force_at_the_crank_pin_makes_the_torque() {
     };
     for [q, w, a, ..] in draws(100) {
         let state = out(6.2 * q, 20.0 * w - 10.0, 60.0 * a - 30.0);
-        let load = of(Kind::SliderCrank(crank));
+        let load = of(MechanismKind::SliderCrank(crank));
         let forces = load.flange_forces(&state, &Extra::none(), 0.0, &at(0.0));
         let torque = load.torque(&state, &Extra::none());
         let [fx, fy] = forces.radial_n;
@@ -256,7 +256,7 @@ fn the_force_at_the_crank_pin_makes_the_torque() {
 /// A pulley of 2 kg on a level axis adds its weight to the pull, on a vertical one it presses along the axis.
 #[test]
 fn the_weight_of_a_wheel_follows_the_axis() {
-    let belt = of(Kind::Linear(linear(LinearKind::Belt)));
+    let belt = of(MechanismKind::Linear(linear(LinearKind::Belt)));
     let with = |tilt: f64| Mounting {
         contact: Some(Contact::Belt { tension: Force::from_si(100.0) }),
         wheel_mass: Some(Mass::from_si(2.0)),

@@ -228,11 +228,11 @@ macro_rules! kinds {
     ($($(#[$about:meta])* $kind:ident;)*) => {
         /// How the load hangs on the output.
         #[derive(Clone, Debug, PartialEq)]
-        pub enum Kind {
+        pub enum MechanismKind {
             $($(#[$about])* $kind($kind),)*
         }
 
-        impl Equations for Kind {
+        impl Equations for MechanismKind {
             fn id(&self) -> MechanismId {
                 match self { $(Self::$kind(it) => it.id(),)* }
             }
@@ -324,7 +324,7 @@ kinds! {
 #[derive(Clone, Debug, PartialEq)]
 pub struct Mechanism {
     /// How the load hangs on the output.
-    pub kind: Kind,
+    pub kind: MechanismKind,
     /// Friction at the output.
     pub friction: Friction,
     /// η while the actuator drives the load.
@@ -368,7 +368,7 @@ impl Mechanism {
     #[must_use]
     pub fn direct(inertia: MomentOfInertia, friction_torque: Torque) -> Self {
         Self {
-            kind: Kind::Rotor(Rotor::balanced(inertia)),
+            kind: MechanismKind::Rotor(Rotor::balanced(inertia)),
             friction: Friction { coulomb: friction_torque, ..Friction::none() },
             efficiency_driving: 1.0,
             efficiency_driven: 1.0,
@@ -514,7 +514,7 @@ impl Mechanism {
     /// Whether the torque that holds the load at rest is known.
     #[must_use]
     pub const fn knows_holding_torque(&self) -> bool {
-        !matches!(&self.kind, Kind::Joint(Joint { holding_torque: None, .. }))
+        !matches!(&self.kind, MechanismKind::Joint(Joint { holding_torque: None, .. }))
     }
 
     /// The torque as a sum of five parts with constant factors, where the mechanism is one.
@@ -531,7 +531,7 @@ impl Mechanism {
             return None;
         }
         let (reduced, weight_nm, angle_rad) = match &self.kind {
-            Kind::Rotor(rotor) => rotor.laden(extra).apart(),
+            MechanismKind::Rotor(rotor) => rotor.laden(extra).apart(),
             kind if kind.smooth_over(0.0, 0.0).is_some() => return None,
             kind => (kind.reduced(0.0, extra), 0.0, 0.0),
         };

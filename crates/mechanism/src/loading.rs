@@ -2,7 +2,7 @@
 
 use crate::equations::{Equations, Reduced};
 use crate::rotor::Laden;
-use crate::{Extra, Kind, Mechanism, Output};
+use crate::{Extra, Mechanism, MechanismKind, Output};
 
 /// Torque of a mechanism at one state of the output.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -32,7 +32,7 @@ impl Mechanism {
     /// The mechanism in a segment that adds something to the load.
     #[must_use]
     pub fn loading<'m>(&'m self, extra: &'m Extra) -> Loading<'m> {
-        let laden = if let Kind::Rotor(rotor) = &self.kind { Some(rotor.laden(extra)) } else { None };
+        let laden = if let MechanismKind::Rotor(rotor) = &self.kind { Some(rotor.laden(extra)) } else { None };
         Loading { mechanism: self, extra, laden }
     }
 }

@@ -32,7 +32,10 @@ fn arm(angle: f64, tilt: f64) -> Mechanism {
         angle: deg(angle),
         tilt: deg(tilt),
     };
-    Mechanism { kind: Kind::Rotor(rotor), ..Mechanism::direct(MomentOfInertia::from_si(0.0), Torque::from_si(0.0)) }
+    Mechanism {
+        kind: MechanismKind::Rotor(rotor),
+        ..Mechanism::direct(MomentOfInertia::from_si(0.0), Torque::from_si(0.0))
+    }
 }
 
 /// By hand: 6 kg at 0.35 m, horizontal: 6·9.80665·0.35 = 20.594 Nm; 2 kg payload at 0.7 m adds 13.729 Nm and 0.98 kgm².
@@ -62,7 +65,10 @@ fn linear(kind: LinearKind, travel: f64, inclination: f64) -> Mechanism {
         friction_force: Force::from_si(30.0),
         friction_coefficient: 0.05,
     };
-    Mechanism { kind: Kind::Linear(linear), ..Mechanism::direct(MomentOfInertia::from_si(0.0), Torque::from_si(0.0)) }
+    Mechanism {
+        kind: MechanismKind::Linear(linear),
+        ..Mechanism::direct(MomentOfInertia::from_si(0.0), Torque::from_si(0.0))
+    }
 }
 
 /// Eq. 70.3 by hand: J = m (P/2π)² = 80·(0.02/2π)² = 8.1057e-4 kgm², T = P/2π (F + μ m g) = 3.1831e-3·(30 + 39.2266).
@@ -114,7 +120,7 @@ fn a_slider_crank_conserves_energy() {
         angle: deg(10.0),
     };
     let load = Mechanism {
-        kind: Kind::SliderCrank(crank),
+        kind: MechanismKind::SliderCrank(crank),
         ..Mechanism::direct(MomentOfInertia::from_si(0.0), Torque::from_si(0.0))
     };
     let x = |q: f64| {
@@ -144,7 +150,7 @@ fn a_table_repeats_or_ends() {
         torque: Torque::from_si(t),
     };
     let load = |points| Mechanism {
-        kind: Kind::Table(Table::new(points).unwrap()),
+        kind: MechanismKind::Table(Table::new(points).unwrap()),
         ..Mechanism::direct(MomentOfInertia::from_si(0.0), Torque::from_si(0.0))
     };
     let round = load(vec![point(0.0, 1.0, 0.0), point(90.0, 2.0, 10.0), point(360.0, 1.0, 0.0)]);

@@ -1,7 +1,7 @@
 //! The stage against the equations of both of its sides, its limits and the balance of power.
 
 use super::*;
-use crate::{Contact, Kind, Linear, LinearKind, Mounting, Rotor, RotorKind};
+use crate::{Contact, Linear, LinearKind, MechanismKind, Mounting, Rotor, RotorKind};
 use quantities::unit::DEGREE;
 use quantities::{Force, Mass};
 
@@ -34,7 +34,7 @@ fn arm() -> Mechanism {
         tilt: Angle::new_in(90.0, &DEGREE),
     };
     let mut arm = Mechanism::direct(MomentOfInertia::from_si(0.0), Torque::from_si(2.0));
-    arm.kind = Kind::Rotor(rotor);
+    arm.kind = MechanismKind::Rotor(rotor);
     arm
 }
 
@@ -134,7 +134,7 @@ fn the_line_behind_a_stage() {
         friction_coefficient: 0.0,
     };
     let mut slide = Mechanism::direct(MomentOfInertia::from_si(0.0), Torque::from_si(0.0));
-    slide.kind = Kind::Linear(linear);
+    slide.kind = MechanismKind::Linear(linear);
     let geared = with(slide, stage(2.0));
     assert_eq!(geared.travel_m_per_rad(), Some(0.03));
     assert!(close(geared.inertia(0.0, &Extra::none()).si(), 18.0 * 0.03 * 0.03));

@@ -2,8 +2,8 @@
 //! differentiates energies and momenta of the moving parts numerically; balances of power; faults.
 
 use mechanism::{
-    Extra, FourBar, Geometry, Hoist, Kind, LinearKind, Mechanism, Mounting, Output, ScissorLift, Winder, Winding,
-    reeving_efficiency,
+    Extra, FourBar, Geometry, Hoist, LinearKind, Mechanism, MechanismKind, Mounting, Output, ScissorLift, Winder,
+    Winding, reeving_efficiency,
 };
 use quantities::unit::DEGREE;
 use quantities::{Angle, Force, Length, Mass, MassDensity, Measure, MomentOfInertia, Torque};
@@ -32,11 +32,11 @@ fn out(q: f64, w: f64, a: f64) -> Output {
 
 const STATES: [[f64; 3]; 3] = [[0.4, 3.0, -7.0], [2.1, -5.0, 11.0], [4.9, 2.5, 4.0]];
 
-fn mechanism(kind: Kind) -> Mechanism {
+fn mechanism(kind: MechanismKind) -> Mechanism {
     Mechanism { kind, ..Mechanism::direct(kgm2(0.0), Torque::from_si(0.0)) }
 }
 
-fn torques(kind: Kind) -> [f64; 3] {
+fn torques(kind: MechanismKind) -> [f64; 3] {
     let mechanism = mechanism(kind);
     STATES.map(|[q, w, a]| mechanism.torque(&out(q, w, a), &Extra::none()))
 }
@@ -68,7 +68,7 @@ fn a_hoist_with_a_heavy_rope() {
         [82.586032594375, 111.723022231797, 100.349159320156],
     ];
     for (falls, reference) in (1..).zip(references) {
-        agree(torques(Kind::Hoist(hoist(falls))), reference, 1e-13);
+        agree(torques(MechanismKind::Hoist(hoist(falls))), reference, 1e-13);
     }
 }
 
@@ -76,7 +76,7 @@ fn a_hoist_with_a_heavy_rope() {
 #[test]
 fn a_hoist_by_hand() {
     let plain = Hoist { counterweight: kg(0.0), rope_mass: kg(0.0), ..hoist(4) };
-    let hoist = mechanism(Kind::Hoist(plain));
+    let hoist = mechanism(MechanismKind::Hoist(plain));
     assert!((hoist.holding_torque(0.0, &Extra::none()).si() - 147.099_75).abs() < 1e-9);
     assert!((hoist.travel_m_per_rad().unwrap() - 0.0375).abs() < 1e-15);
     assert!(!hoist.depends_on_position() && hoist.range_rad().is_none());
@@ -84,7 +84,7 @@ fn a_hoist_by_hand() {
     assert_eq!(reeving_efficiency(3, 1.0), 1.0);
     // Each rope pulls the drum with a fourth of the weight, the load's and the counterweight's, at 50 mm.
     let mounting = Mounting { overhang: Some(m(0.05)), ..Mounting::default() };
-    let balanced = mechanism(Kind::Hoist(Hoist { counterweight: kg(400.0), ..plain }));
+    let balanced = mechanism(MechanismKind::Hoist(Hoist { counterweight: kg(400.0), ..plain }));
     let forces = balanced.flange_forces(&out(0.0, 0.0, 0.0), &Extra::none(), 0.0, &mounting);
     assert!((forces.radial() - 200.0 * 9.806_65).abs() < 1e-9 && forces.axial() == 0.0);
     assert!((forces.moment(m(0.0)) - 10.0 * 9.806_65).abs() < 1e-9);
@@ -106,14 +106,22 @@ fn winder(winding: Winding) -> Winder {
 
 #[test]
 fn a_winder_up_and_off() {
-    agree(torques(Kind::Winder(winder(Winding::Up))), [15.2115638361212, 25.8439184549134, 22.0352565381092], 1e-13);
-    agree(torques(Kind::Winder(winder(Winding::Off))), [-23.1388908223793, -12.9648581144959, -16.71169180327], 1e-13);
+    agree(
+        torques(MechanismKind::Winder(winder(Winding::Up))),
+        [15.2115638361212, 25.8439184549134, 22.0352565381092],
+        1e-13,
+    );
+    agree(
+        torques(MechanismKind::Winder(winder(Winding::Off))),
+        [-23.1388908223793, -12.9648581144959, -16.71169180327],
+        1e-13,
+    );
 }
 
 /// (600 − 320)/(2·4) = 35 turns to the full roll, (320 − 100)/8 = 27.5 back to the core.
 #[test]
 fn a_winder_ends_at_its_core_and_at_the_full_roll() {
-    let range = |winding| mechanism(Kind::Winder(winder(winding))).range_rad().unwrap();
+    let range = |winding| mechanism(MechanismKind::Winder(winder(winding))).range_rad().unwrap();
     let near = |(a, b): (f64, f64), (c, d): (f64, f64)| (a - c * TAU).abs() < 1e-9 && (b - d * TAU).abs() < 1e-9;
     assert!(near(range(Winding::Up), (-27.5, 35.0)), "{:?}", range(Winding::Up));
     assert!(near(range(Winding::Off), (-35.0, 27.5)), "{:?}", range(Winding::Off));
@@ -138,14 +146,22 @@ fn scissor(stages: u32) -> ScissorLift {
 
 #[test]
 fn a_scissor_lift_of_one_and_of_three_stages() {
-    agree(torques(Kind::ScissorLift(scissor(1))), [382.839395146795, 291.039764004396, 110.452038186868], 1e-12);
-    agree(torques(Kind::ScissorLift(scissor(3))), [304.664883528718, 918.313692234796, 330.611790355102], 1e-12);
+    agree(
+        torques(MechanismKind::ScissorLift(scissor(1))),
+        [382.839395146795, 291.039764004396, 110.452038186868],
+        1e-12,
+    );
+    agree(
+        torques(MechanismKind::ScissorLift(scissor(3))),
+        [304.664883528718, 918.313692234796, 330.611790355102],
+        1e-12,
+    );
 }
 
 /// The thrust of the screw is n (m + m_a/2) g cot θ at rest; the range ends upright and at 1°.
 #[test]
 fn a_scissor_lift_by_hand() {
-    let lift = mechanism(Kind::ScissorLift(scissor(2)));
+    let lift = mechanism(MechanismKind::ScissorLift(scissor(2)));
     let mounting = Mounting { share: Some(1.0), ..Mounting::default() };
     let forces = lift.flange_forces(&out(0.0, 0.0, 0.0), &Extra::none(), 0.0, &mounting);
     let thrust = 2.0 * 225.0 * 9.806_65 / deg(25.0).si().tan();
@@ -183,9 +199,9 @@ fn four_bar(is_crossed: bool) -> FourBar {
 #[test]
 fn a_four_bar_open_and_crossed() {
     let open = [0.290803983552358, 0.191928712305127, 0.69338037315837];
-    agree(torques(Kind::FourBar(four_bar(false))), open, 1e-12);
+    agree(torques(MechanismKind::FourBar(four_bar(false))), open, 1e-12);
     let crossed = [-2.01085369194332, -1.12019777611513, 2.97581330851796];
-    agree(torques(Kind::FourBar(four_bar(true))), crossed, 1e-12);
+    agree(torques(MechanismKind::FourBar(four_bar(true))), crossed, 1e-12);
 }
 
 /// The force at the crank pin, from the equations of coupler and rocker, makes the torque of Lagrange's equation.
@@ -193,7 +209,7 @@ fn a_four_bar_open_and_crossed() {
 fn the_force_at_the_crank_pin_makes_the_torque() {
     for is_crossed in [false, true] {
         let linkage = FourBar { inertia: kgm2(0.0), ..four_bar(is_crossed) };
-        let mechanism = mechanism(Kind::FourBar(linkage));
+        let mechanism = mechanism(MechanismKind::FourBar(linkage));
         for step in 0..48 {
             let q = f64::from(step) * TAU / 48.0;
             let output = out(q, 4.0, -9.0);
@@ -229,10 +245,10 @@ fn lengths_that_make_no_linkage() {
 #[test]
 fn the_power_is_the_change_of_the_energy() {
     let kinds = [
-        Kind::Hoist(hoist(3)),
-        Kind::ScissorLift(scissor(2)),
-        Kind::FourBar(four_bar(false)),
-        Kind::FourBar(four_bar(true)),
+        MechanismKind::Hoist(hoist(3)),
+        MechanismKind::ScissorLift(scissor(2)),
+        MechanismKind::FourBar(four_bar(false)),
+        MechanismKind::FourBar(four_bar(true)),
     ];
     for kind in kinds {
         let mechanism = mechanism(kind);
@@ -259,7 +275,8 @@ fn the_power_is_the_change_of_the_energy() {
 /// Over a closed path the weight does no work: the holding torque is the slope of a height.
 #[test]
 fn the_weight_does_no_work_over_a_revolution() {
-    let mechanism = mechanism(Kind::FourBar(FourBar { rocker_torque: Torque::from_si(0.0), ..four_bar(false) }));
+    let mechanism =
+        mechanism(MechanismKind::FourBar(FourBar { rocker_torque: Torque::from_si(0.0), ..four_bar(false) }));
     let steps = 720;
     let work: f64 =
         (0..steps).map(|k| mechanism.holding_torque(f64::from(k) * TAU / f64::from(steps), &Extra::none()).si()).sum();
@@ -280,5 +297,5 @@ fn the_limits_are_those_of_simpler_mechanisms() {
         friction_force: Force::from_si(0.0),
         friction_coefficient: 0.0,
     };
-    agree(torques(Kind::Hoist(plain)), torques(Kind::Linear(belt)), 1e-14);
+    agree(torques(MechanismKind::Hoist(plain)), torques(MechanismKind::Linear(belt)), 1e-14);
 }

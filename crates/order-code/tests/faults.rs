@@ -10,9 +10,9 @@
 use order_code::{CodeError, Departure, Field, Pattern, Series, parse};
 use std::ops::Range;
 
-type Told = (String, Range<usize>, Option<&'static str>);
+type Found = (String, Range<usize>, Option<&'static str>);
 
-fn told(text: &str) -> Vec<Told> {
+fn found(text: &str) -> Vec<Found> {
     let faults = parse(text).unwrap_err();
     faults.iter().map(|fault| (fault.to_string(), fault.span(), fault.nearest())).collect()
 }
@@ -24,7 +24,7 @@ fn only(text: &str) -> CodeError {
     all[0].clone()
 }
 
-fn say(message: &str, span: Range<usize>, nearest: Option<&'static str>) -> Told {
+fn say(message: &str, span: Range<usize>, nearest: Option<&'static str>) -> Found {
     (message.to_owned(), span, nearest)
 }
 
@@ -33,7 +33,7 @@ const OPTIONS: [&str; 6] = ["B", "EC", "K", "R", "S", "SP"];
 #[test]
 fn every_fault_at_once_with_its_place() {
     assert_eq!(
-        told("CHA-21A-101-H-C1025"),
+        found("CHA-21A-101-H-C1025"),
         [
             say("\"21A\" is no size", 4..7, Some("20A")),
             say("\"101\" is no ratio", 8..11, Some("100")),
@@ -101,7 +101,7 @@ fn what_is_missing_is_named_with_its_place() {
         assert_eq!((fault.span(), fault.expected()), (at..at, Series::default().words(field).to_vec()));
     }
     assert_eq!(
-        told("CHA-20A"),
+        found("CHA-20A"),
         [
             say("ratio is missing", 7..7, None),
             say("winding is missing", 7..7, None),
@@ -130,7 +130,7 @@ fn an_unknown_word_has_the_nearest_as_hint() {
         ("CHA-20A-100-H-C1024-SP-SQ", Field::Special, None),
     ] {
         let fault = only(text);
-        assert!(matches!(&fault, CodeError::UnknownToken { field: told, .. } if *told == field), "{text}: {fault:?}");
+        assert!(matches!(&fault, CodeError::UnknownToken { field: found, .. } if *found == field), "{text}: {fault:?}");
         assert_eq!(fault.nearest(), nearest, "{text}");
     }
     assert_eq!(only("CHA-20A-100-X-C1024").expected(), ["E", "H", "L", "N"]);
@@ -141,9 +141,9 @@ fn an_unknown_word_has_the_nearest_as_hint() {
 
 #[test]
 fn a_word_that_belongs_nowhere_hides_nothing_behind_it() {
-    assert_eq!(told("CHA-X-20A-100-H-C1024"), [say("\"X\" is no size", 4..5, None)]);
-    assert_eq!(told("CHA-20A-100-H-C1024-X-B"), [say("\"X\" is no brake", 20..21, None)]);
-    assert_eq!(told("CHA_20A-100-H-C1024"), [say("\"_20A\" is no size", 3..7, Some("20A"))]);
+    assert_eq!(found("CHA-X-20A-100-H-C1024"), [say("\"X\" is no size", 4..5, None)]);
+    assert_eq!(found("CHA-20A-100-H-C1024-X-B"), [say("\"X\" is no brake", 20..21, None)]);
+    assert_eq!(found("CHA_20A-100-H-C1024"), [say("\"_20A\" is no size", 3..7, Some("20A"))]);
 }
 
 #[test]
@@ -159,7 +159,7 @@ fn a_word_in_the_wrong_place_is_told_from_a_missing_one() {
         ("CHA-20A-100-H-C1024-SP-K", Field::Option2, 23..24, vec![]),
     ] {
         let fault = only(text);
-        assert!(matches!(&fault, CodeError::OutOfOrder { field: told, .. } if *told == field), "{text}: {fault:?}");
+        assert!(matches!(&fault, CodeError::OutOfOrder { field: found, .. } if *found == field), "{text}: {fault:?}");
         assert_eq!((fault.span(), fault.expected()), (span, expected), "{text}");
     }
 }
@@ -175,28 +175,28 @@ fn a_field_twice_is_told_at_the_second() {
         ("CHA-20A-100-H-C1024-K-R", Field::Option2, 22..23),
     ] {
         let fault = only(text);
-        assert!(matches!(&fault, CodeError::Repeated { field: told, .. } if *told == field), "{text}: {fault:?}");
+        assert!(matches!(&fault, CodeError::Repeated { field: found, .. } if *found == field), "{text}: {fault:?}");
         assert_eq!(fault.span(), span, "{text}");
     }
     // Single letters in a row are rather a typing error than words.
-    assert_eq!(told("CHA-20A-100-HH-C1024"), [say("\"H\" is no feedback", 13..14, None)]);
+    assert_eq!(found("CHA-20A-100-HH-C1024"), [say("\"H\" is no feedback", 13..14, None)]);
 }
 
 #[test]
 fn without_hyphens_the_fault_is_still_found() {
-    assert_eq!(told("CHA21A100HC1024"), [say("\"21A\" is no size", 3..6, Some("20A"))]);
-    assert_eq!(told("CHA20A100HC1025"), [say("\"C1025\" is no feedback", 10..15, Some("C1024"))]);
-    assert_eq!(told("CHA-20A-101HC1024"), [say("\"101\" is no ratio", 8..11, Some("100"))]);
+    assert_eq!(found("CHA21A100HC1024"), [say("\"21A\" is no size", 3..6, Some("20A"))]);
+    assert_eq!(found("CHA20A100HC1025"), [say("\"C1025\" is no feedback", 10..15, Some("C1024"))]);
+    assert_eq!(found("CHA-20A-101HC1024"), [say("\"101\" is no ratio", 8..11, Some("100"))]);
     // Two faults in one run: the first hides the rest, and nothing is called missing.
-    assert_eq!(told("CHA21A101HC1025"), [say("\"21A101HC1025\" is no size", 3..15, None)]);
+    assert_eq!(found("CHA21A101HC1025"), [say("\"21A101HC1025\" is no size", 3..15, None)]);
 }
 
 #[test]
 fn strange_characters_are_shown_escaped_at_their_place() {
-    assert_eq!(told("CHA-20A\u{7}-100-H-C1024"), [say("\"20A\\u{7}\" is no size", 4..8, Some("20A"))]);
-    assert_eq!(told("CHA-20A-100-ſ-C1024"), [say("\"ſ\" is no winding", 12..14, None)]);
-    assert_eq!(told("CHA-20A-100-H-C1024-ſP"), [say("\"ſP\" is no special design", 20..23, Some("SP"))]);
-    assert_eq!(told("CHA-20A\t100-H-C1024"), [say("\"\\t100\" is no ratio", 7..11, Some("100"))]);
+    assert_eq!(found("CHA-20A\u{7}-100-H-C1024"), [say("\"20A\\u{7}\" is no size", 4..8, Some("20A"))]);
+    assert_eq!(found("CHA-20A-100-ſ-C1024"), [say("\"ſ\" is no winding", 12..14, None)]);
+    assert_eq!(found("CHA-20A-100-H-C1024-ſP"), [say("\"ſP\" is no special design", 20..23, Some("SP"))]);
+    assert_eq!(found("CHA-20A\t100-H-C1024"), [say("\"\\t100\" is no ratio", 7..11, Some("100"))]);
 }
 
 #[test]

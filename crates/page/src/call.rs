@@ -212,7 +212,7 @@ pub struct Press {
 
 /// A project file in the folder.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Entry {
+pub struct FileEntry {
     /// Its name within the folder.
     pub name: String,
     /// When it was last written, in seconds since 1970.
@@ -250,7 +250,7 @@ pub trait Folder {
     ///
     /// # Errors
     /// What the disk says.
-    fn list(&self) -> io::Result<Vec<Entry>>;
+    fn list(&self) -> io::Result<Vec<FileEntry>>;
 
     /// The text of a project file.
     ///

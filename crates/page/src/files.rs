@@ -1,6 +1,6 @@
 //! Projects that come and go: begun, opened, saved, downloaded.
 
-use crate::call::{Call, Entry, Reply, SaveFault, Shell, Storage};
+use crate::call::{Call, FileEntry, Reply, SaveFault, Shell, Storage};
 use crate::frame;
 use crate::head::USUAL_NAME;
 use crate::names::project_name;
@@ -140,7 +140,7 @@ pub(crate) fn in_folder(shell: &dyn Shell, language: Language) -> Markup {
     const DAY_S: u64 = 86_400;
     let found = shell.folder().and_then(|folder| folder.list().ok()).unwrap_or_default();
     let of_browser = shell.folder().is_some_and(|folder| folder.place() == Storage::Browser);
-    let day = |entry: &Entry| day_of_clock(entry.modified_s / DAY_S).map(upkeep::date_text);
+    let day = |entry: &FileEntry| day_of_clock(entry.modified_s / DAY_S).map(upkeep::date_text);
     html! { @if !found.is_empty() {
         h3 { @if of_browser { (page::browser_folder(language)) } @else { (page::folder(language)) } }
         ul.plain { @for each in &found { li {

@@ -38,7 +38,8 @@ mod waiting;
 pub use api::{methods, misdirected, wrong_method};
 pub use assets::ASSETS;
 pub use call::{
-    Call, Entry, Folder, Method, Press, Reply, ReportAsked, SaveFault, Shell, Storage, WritesChecklist, WritesReport,
+    Call, FileEntry, Folder, Method, Press, Reply, ReportAsked, SaveFault, Shell, Storage, WritesChecklist,
+    WritesReport,
 };
 pub use frame::ICON;
 pub use names::{is_project_name, recording_names};

@@ -3,249 +3,109 @@
 use crate::call::{Call, Shell};
 use crate::sketch;
 use maud::{Markup, html};
-use project::{Edit, KEYS, Kind, edit, key_at};
-use quantities::{Language, Measure, format_significant};
+use project::{Edit, EditFault, KEYS, Key, Kind, SegmentLaw, edit, key_at, stretch, written};
+use quantities::{Angle, Language, Length, Measure, format_significant, parse_as};
 use questions::list::new::template;
 use questions::list::size::sized;
-use questions::{Patience, read_all_watched};
+use questions::{MechanismId, Patience, read_all_watched};
+use std::sync::LazyLock;
 use words::{about_text, capitalised, page, short_label, terminal};
 
-/// A way to begin: the mechanism, and the keys to fill in with typical values; those after
-/// the sixth are set without a field.
+/// A way to begin: what the example of a mechanism states, and the keys of it to fill in.
 pub(crate) struct Begin {
     pub(crate) mechanism: Option<&'static str>,
-    pub(crate) asked: &'static [(&'static str, &'static str)],
-    pub(crate) set: &'static [(&'static str, &'static str)],
+    /// The example without what belongs to its own machine.
+    text: String,
+    /// Path and value of each.
+    pub(crate) asked: Vec<(String, String)>,
 }
 
-/// The moves of each: there and back, with a rest after both.
-const FORTH_AND_BACK: &[(&str, &str)] = &[("motion[1].law", "polynomial_5"), ("motion[2].law", "dwell")];
+/// As many figures are asked at most.
+const ASKED_MOST: usize = 6;
 
-pub(crate) const BEGINS: [Begin; 11] = [
-    Begin {
-        mechanism: None,
-        asked: &[
-            ("load.inertia", "1.3 kg m^2"),
-            ("load.friction_torque", "5 N m"),
-            ("motion[1].distance", "90 deg"),
-            ("motion[1].time", "0.6 s"),
-            ("motion[2].time", "1 s"),
-            ("requirements.supply", "560 V"),
-        ],
-        set: FORTH_AND_BACK,
-    },
-    Begin {
-        mechanism: Some("turntable"),
-        asked: &[
-            ("mechanism.turntable.bodies", "disc diameter=600mm length=20mm density=7850kg/m^3"),
-            ("mechanism.turntable.friction_torque", "3 N m"),
-            ("motion[1].distance", "90 deg"),
-            ("motion[1].time", "0.8 s"),
-            ("motion[2].time", "1 s"),
-            ("requirements.supply", "560 V"),
-        ],
-        set: FORTH_AND_BACK,
-    },
-    Begin {
-        mechanism: Some("arm"),
-        asked: &[
-            ("mechanism.arm.mass", "8 kg"),
-            ("mechanism.arm.centre_distance", "250 mm"),
-            ("mechanism.arm.inertia", "0.7 kg m^2"),
-            ("motion[1].distance", "90 deg"),
-            ("motion[1].time", "0.9 s"),
-            ("motion[2].time", "1 s"),
-        ],
-        set: &[
-            ("mechanism.arm.axis_tilt", "90 deg"),
-            ("mechanism.arm.start_angle", "0 deg"),
-            ("motion[1].law", "polynomial_5"),
-            ("motion[2].law", "dwell"),
-            ("requirements.supply", "560 V"),
-        ],
-    },
-    Begin {
-        mechanism: Some("screw"),
-        asked: &[
-            ("mechanism.screw.lead", "20 mm"),
-            ("mechanism.screw.mass", "60 kg"),
-            ("mechanism.screw.inclination", "0 deg"),
-            ("motion[1].distance", "100 mm"),
-            ("motion[1].time", "8 s"),
-            ("motion[2].time", "1 s"),
-        ],
-        set: &[("motion[1].law", "polynomial_5"), ("motion[2].law", "dwell"), ("requirements.supply", "560 V")],
-    },
-    Begin {
-        mechanism: Some("belt"),
-        asked: &[
-            ("mechanism.belt.pulley_diameter", "120 mm"),
-            ("mechanism.belt.mass", "18 kg"),
-            ("mechanism.belt.friction_force", "35 N"),
-            ("motion[1].distance", "800 mm"),
-            ("motion[1].time", "2.8 s"),
-            ("motion[2].time", "0.6 s"),
-        ],
-        set: &[("motion[1].law", "polynomial_5"), ("motion[2].law", "dwell"), ("requirements.supply", "560 V")],
-    },
-    Begin {
-        mechanism: Some("conveyor"),
-        asked: &[
-            ("mechanism.conveyor.roller_diameter", "100 mm"),
-            ("mechanism.conveyor.mass", "80 kg"),
-            ("mechanism.conveyor.friction_force", "60 N"),
-            ("motion[1].distance", "500 mm"),
-            ("motion[1].time", "2 s"),
-            ("motion[2].time", "1 s"),
-        ],
-        set: &[("motion[1].law", "polynomial_5"), ("motion[2].law", "dwell"), ("requirements.supply", "560 V")],
-    },
-    Begin {
-        mechanism: Some("slider_crank"),
-        asked: &[
-            ("mechanism.slider_crank.crank", "60 mm"),
-            ("mechanism.slider_crank.rod", "240 mm"),
-            ("mechanism.slider_crank.mass", "12 kg"),
-            ("motion[1].speed", "30 1/min"),
-            ("motion[1].time", "2 s"),
-            ("requirements.supply", "560 V"),
-        ],
-        set: &[("mechanism.slider_crank.start_angle", "0 deg"), ("motion[1].law", "constant")],
-    },
-    Begin {
-        mechanism: Some("hoist"),
-        asked: &[
-            ("mechanism.hoist.drum_diameter", "120 mm"),
-            ("mechanism.hoist.falls", "2"),
-            ("mechanism.hoist.mass", "45 kg"),
-            ("motion[1].distance", "600 mm"),
-            ("motion[1].time", "6 s"),
-            ("motion[2].time", "2 s"),
-        ],
-        set: &[("motion[1].law", "polynomial_5"), ("motion[2].law", "dwell"), ("requirements.supply", "560 V")],
-    },
-    Begin {
-        mechanism: Some("winder"),
-        asked: &[
-            ("mechanism.winder.core_diameter", "90 mm"),
-            ("mechanism.winder.full_diameter", "330 mm"),
-            ("mechanism.winder.thickness", "2 mm"),
-            ("mechanism.winder.width", "400 mm"),
-            ("mechanism.winder.tension", "80 N"),
-            ("motion[1].speed", "40 1/min"),
-        ],
-        set: &[
-            ("mechanism.winder.winding", "up"),
-            ("mechanism.winder.start_diameter", "90 mm"),
-            ("mechanism.winder.density", "900 kg/m^3"),
-            ("motion[1].law", "trapezoid"),
-            ("motion[1].distance", "21600 deg"),
-            ("motion[1].acceleration", "2 rad/s^2"),
-            ("motion[2].law", "dwell"),
-            ("motion[2].time", "20 s"),
-            ("requirements.supply", "560 V"),
-        ],
-    },
-    Begin {
-        mechanism: Some("scissor_lift"),
-        asked: &[
-            ("mechanism.scissor_lift.arm_length", "700 mm"),
-            ("mechanism.scissor_lift.lead", "10 mm"),
-            ("mechanism.scissor_lift.mass", "60 kg"),
-            ("motion[1].distance", "5760 deg"),
-            ("motion[1].time", "20 s"),
-            ("motion[2].time", "5 s"),
-        ],
-        set: &[
-            ("mechanism.scissor_lift.stages", "2"),
-            ("mechanism.scissor_lift.arm_angle", "20 deg"),
-            ("motion[1].law", "polynomial_5"),
-            ("motion[2].law", "dwell"),
-            ("requirements.supply", "560 V"),
-        ],
-    },
-    Begin {
-        mechanism: Some("four_bar"),
-        asked: &[
-            ("mechanism.four_bar.ground", "400 mm"),
-            ("mechanism.four_bar.crank", "100 mm"),
-            ("mechanism.four_bar.coupler", "350 mm"),
-            ("mechanism.four_bar.rocker", "250 mm"),
-            ("mechanism.four_bar.rocker_inertia", "0.25 kg m^2"),
-            ("motion[1].speed", "25 1/min"),
-        ],
-        set: &[
-            ("mechanism.four_bar.axis_tilt", "90 deg"),
-            ("mechanism.four_bar.start_angle", "0 deg"),
-            ("motion[1].law", "constant"),
-            ("motion[1].time", "2.4 s"),
-            ("requirements.supply", "560 V"),
-        ],
-    },
-];
+/// One for each mechanism that needs neither a recording nor rows of points.
+pub(crate) static BEGINS: LazyLock<Vec<Begin>> = LazyLock::new(|| {
+    let few = |id: &&MechanismId| !matches!(id, MechanismId::Joint | MechanismId::Table);
+    MechanismId::ALL.iter().filter(few).filter_map(|id| Begin::of(*id).ok()).collect()
+});
 
 impl Begin {
-    /// The project file that begins so.
-    pub(crate) fn text(&self, told: impl Fn(&str) -> Option<String>) -> String {
-        let mut text = String::from("format = 1\n");
-        // The kind of a segment stands before what it takes.
-        let mut all: Vec<(&str, String)> = Vec::new();
-        for (path, value) in self.asked.iter().chain(self.set) {
-            let value = told(path).unwrap_or_else(|| (*value).to_owned());
-            all.push((path, value));
+    fn of(id: MechanismId) -> Result<Self, EditFault> {
+        let mut text: String =
+            id.example().lines().filter(|line| !line.starts_with("# ")).fold(String::new(), |mut text, line| {
+                text.push_str(line.split_once(" #").map_or(line, |(stated, _)| stated.trim_end()));
+                text.push('\n');
+                text
+            });
+        // What loads the flange, the drive and the other requirements are those of another machine.
+        let own = |path: &str| {
+            path.starts_with("bearing")
+                || path.starts_with("drive")
+                || path.ends_with("].bearing")
+                || path == "axis.name"
+                || path.starts_with("requirements.") && path != "requirements.supply"
+        };
+        while let Some(gone) = written(&text).ok_or(EditFault::Syntax)?.into_iter().find(|key| own(&key.path)) {
+            text = edit(&text, &gone.path, Edit::Gone)?;
         }
-        // A cycle that comes back: the same way with the other sign.
-        let turns_on =
-            matches!(self.mechanism, Some("conveyor" | "turntable" | "slider_crank" | "winder" | "four_bar"));
-        all.sort_by_key(|(path, _)| {
-            (
-                !path.starts_with("mechanism") && !path.starts_with("load"),
-                path.starts_with("requirements"),
-                (*path).split('.').next().map(str::to_owned),
-                !path.ends_with(".law"),
-            )
-        });
-        for (path, value) in &all {
-            if let Some(entry) = path.split('.').next().filter(|entry| entry.ends_with(']'))
-                && let Ok(made) = with_entry(&text, entry)
-            {
-                text = made;
-            }
-            text = edit(&text, path, Edit::Value(value)).unwrap_or(text);
+        let stated = written(&text).ok_or(EditFault::Syntax)?;
+        // A cycle that does not come back runs once.
+        if !stated.iter().any(|key| key.value.as_ref().is_some_and(|value| value.starts_with('-'))) {
+            text = edit(&text, "axis.single_move", Edit::Value("true"))?;
         }
-        let of = |path: &str| all.iter().find(|(known, _)| *known == path).map(|(_, value)| value.clone());
-        if turns_on {
-            if let Ok(single) = edit(&text, "axis.single_move", Edit::Value("true")) {
-                text = single;
-            }
-        } else if let (Some(distance), Some(time), Some(rest)) =
-            (of("motion[1].distance"), of("motion[1].time"), of("motion[2].time"))
-        {
-            let back = distance.strip_prefix('-').map_or_else(|| format!("-{distance}"), str::to_owned);
-            let more = [
-                ("motion[3].law", "polynomial_5".to_owned()),
-                ("motion[3].distance", back),
-                ("motion[3].time", time),
-                ("motion[4].law", "dwell".to_owned()),
-                ("motion[4].time", rest),
-            ];
-            for (path, value) in more {
-                if let Some(entry) = path.split('.').next()
-                    && let Ok(made) = with_entry(&text, entry)
-                {
-                    text = made;
-                }
-                text = edit(&text, path, Edit::Value(&value)).unwrap_or(text);
-            }
+        let figures = |table: &'static str, most: usize| {
+            let quantity = |key: &Key| matches!(key.kind, Kind::Quantity(..) | Kind::Along(..));
+            let of_table = stated.iter().filter(move |each| each.path.starts_with(table));
+            let mut found: Vec<(bool, String, String)> = of_table
+                .filter_map(|each| {
+                    let key = key_at(&each.path).filter(|key| quantity(key))?;
+                    let first = key.required || each.path.contains("[1]");
+                    Some((!first, each.path.clone(), each.value.clone()?))
+                })
+                .collect();
+            found.sort_by_key(|(later, ..)| *later);
+            found.into_iter().take(most).map(|(_, path, value)| (path, value)).collect::<Vec<_>>()
+        };
+        let motion = [figures("motion[1].", 2), figures("motion[2].time", 1)].concat();
+        let load = if id == MechanismId::Load { "load." } else { "mechanism." };
+        let asked = [figures(load, ASKED_MOST - motion.len()), motion].concat();
+        let mechanism = (id != MechanismId::Load).then(|| id.key());
+        Ok(Self { mechanism, text, asked })
+    }
+
+    /// The project file that begins so. Another way or time of the first segment is that of all segments in proportion,
+    /// so that the cycle still comes back.
+    pub(crate) fn text(&self, typed: impl Fn(&str) -> Option<String>) -> String {
+        let mut text = self.text.clone();
+        for (path, usual) in &self.asked {
+            let Some(value) = typed(path).filter(|value| value != usual) else { continue };
+            let factor = share(&value, usual);
+            let stretched = match (path.as_str(), factor) {
+                ("motion[1].distance", Some(way)) => stretched(&text, 1.0, way),
+                ("motion[1].time", Some(time)) => stretched(&text, time, 1.0),
+                _ => None,
+            };
+            let base = stretched.unwrap_or_else(|| text.clone());
+            text = edit(&base, path, Edit::Value(&value)).unwrap_or(base);
         }
         text
     }
 }
 
-/// The text with an entry of a list, where it has none yet.
-fn with_entry(text: &str, entry: &str) -> Result<String, project::EditFault> {
-    let there = project::written(text).is_some_and(|all| all.iter().any(|key| key.path == entry));
-    if there { Ok(text.to_owned()) } else { edit(text, entry, Edit::Table) }
+/// What a quantity is of another one.
+fn share(value: &str, of: &str) -> Option<f64> {
+    fn both<Q: Measure>(value: &str, of: &str) -> Option<f64> {
+        Some(parse_as::<Q>(value).ok()?.si() / parse_as::<Q>(of).ok()?.si())
+    }
+    both::<Length>(value, of).or_else(|| both::<Angle>(value, of)).or_else(|| both::<quantities::Time>(value, of))
+}
+
+/// Every segment but the rests in proportion.
+fn stretched(text: &str, time: f64, way: f64) -> Option<String> {
+    let laws =
+        written(text)?.into_iter().filter_map(|key| Some((key.path.strip_suffix(".law")?.to_owned(), key.value?)));
+    let moves = laws.filter(|(_, law)| SegmentLaw::of_id(law) != Some(SegmentLaw::Dwell));
+    moves.into_iter().try_fold(text.to_owned(), |text, (segment, _)| stretch(&text, &segment, time, way)).ok()
 }
 
 /// What a mechanism is called.
@@ -279,9 +139,9 @@ pub(crate) fn asked(place: usize, language: Language) -> Markup {
             h3 id="begin-title" tabindex="-1" { (title(begin.mechanism, language)) }
             span.sketch { (sketch::of(begin.mechanism, None, "b", &title(begin.mechanism, language), language)) }
             p.small { (page::usual_values(language)) }
-            @for (path, value) in begin.asked {
+            @for (path, value) in &begin.asked {
                 div.row {
-                    label for={ "b-" (crate::form::id(path)) } { (key_at(path).map(|key| capitalised(&short_label(about_text(key.about, language)))).unwrap_or_default()) @if path.starts_with("motion[2]") { " (" (words::law_text(project::SegmentLaw::Dwell, language)) ")" } }
+                    label for={ "b-" (crate::form::id(path)) } { (key_at(path).map(|key| capitalised(&short_label(about_text(key.about, language)))).unwrap_or_default()) @if path.starts_with("motion[2]") { " (" (words::law_text(SegmentLaw::Dwell, language)) ")" } }
                     input id={ "b-" (crate::form::id(path)) } name=(path) type="text" value=(value) autocomplete="off" spellcheck="false";
                 }
             }
@@ -329,12 +189,14 @@ pub(crate) fn about<'t>(text: &'t str, kind: &'t str) -> &'t str {
 
 #[cfg(test)]
 mod tests {
+    #![allow(clippy::unwrap_used, reason = "a test fails loudly")]
+
     use super::*;
 
     #[test]
     fn every_way_to_begin_asks_for_at_most_six_figures_and_has_an_answer() {
-        for begin in &BEGINS {
-            assert!(begin.asked.len() <= 6, "{:?}", begin.mechanism);
+        for begin in BEGINS.iter() {
+            assert!(begin.asked.len() <= ASKED_MOST, "{:?}", begin.mechanism);
             let text = begin.text(|_| None);
             let project = questions::read(&text);
             assert!(project.is_ok(), "{text}\n{project:?}");
@@ -345,7 +207,20 @@ mod tests {
 
     #[test]
     fn what_is_typed_takes_the_place_of_what_is_proposed() {
-        let text = BEGINS[4].text(|path| (path == "motion[1].distance").then(|| "-250 mm".to_owned()));
-        assert!(text.contains("distance = \"-250 mm\"") && text.contains("distance = \"250 mm\""), "{text}");
+        let belt = BEGINS.iter().find(|begin| begin.mechanism == Some("belt")).unwrap();
+        let text = belt.text(|path| (path == "motion[1].distance").then(|| "-0.25 m".to_owned()));
+        assert!(text.contains("distance = \"-0.25 m\"") && text.contains("distance = \"250 mm\""), "{text}");
+        let text = belt.text(|path| (path == "mechanism.belt.mass").then(|| "heavy".to_owned()));
+        assert!(text.contains("mass = \"heavy\""), "{text}");
+    }
+
+    #[test]
+    fn every_mechanism_that_is_stated_by_figures_begins_with_those_of_its_example() {
+        assert_eq!(BEGINS.len(), MechanismId::ALL.len() - 2);
+        for begin in BEGINS.iter() {
+            let asked: Vec<&str> = begin.asked.iter().map(|(path, _)| path.as_str()).collect();
+            assert!(asked.len() >= 4 && asked.iter().all(|path| key_at(path).is_some()), "{asked:?}");
+            assert!(!begin.text.contains("[bearing]") && begin.text.contains("supply"), "{}", begin.text);
+        }
     }
 }

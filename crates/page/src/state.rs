@@ -10,7 +10,7 @@ use order_code::OrderCode;
 use project::{Diagnostic, Edit, Files, Key, Kind, Project, Written, edit, key_at, stretch, written};
 use quantities::Language;
 use questions::{CandidateId, Draw, Patience, Refusal, SAMPLES_MOST, Sizing, Unread, read_all_watched, read_code};
-use words::{Told, told};
+use words::{Worded, worded};
 
 /// The state as a request carries it, with what was changed by it.
 pub(crate) struct State {
@@ -181,7 +181,7 @@ pub(crate) struct Held {
     /// Its axes; those of the last good text where the text has faults.
     pub(crate) projects: Vec<Project>,
     /// Every fault of the text, with the path that it is shown at.
-    pub(crate) faults: Vec<(Option<String>, Told)>,
+    pub(crate) faults: Vec<(Option<String>, Worded)>,
     /// Whether the projects are those of an older text.
     pub(crate) is_old: bool,
     /// Every key of the text; of the last good one where it is no TOML.
@@ -381,7 +381,7 @@ pub(crate) fn placed(
     (text, written): (&str, &[Written]),
     key_at: fn(&str) -> Option<&'static Key>,
     language: Language,
-) -> Vec<(Option<String>, Told)> {
+) -> Vec<(Option<String>, Worded)> {
     use project::Fault;
     let path = |fault: &Diagnostic| -> Option<String> {
         if let Fault::MissingKey { path, .. } = &fault.fault {
@@ -404,7 +404,7 @@ pub(crate) fn placed(
         let axis = axis.and_then(|path| Some(path.split_once(']')?.0.to_owned()));
         Some(axis.map_or_else(|| String::from("mechanism"), |axis| format!("{axis}].mechanism")))
     };
-    told(faults, language).into_iter().zip(faults).map(|(told, fault)| (path(fault), told)).collect()
+    worded(faults, language).into_iter().zip(faults).map(|(told, fault)| (path(fault), told)).collect()
 }
 
 /// The path, or that of the nearest table around it that a file has.

@@ -9,6 +9,7 @@ use crate::picture::Picture;
 use crate::plane::{Axis, EDGE, TICK, X_BELOW, X_LABELS, X_TITLE};
 use crate::style::{Colour, Style};
 use crate::ticks::Ticks;
+use crate::titled::titled;
 use crate::xy::{title, title_height};
 
 /// Bars against a limit of 100 %, one row for each check.
@@ -88,19 +89,7 @@ impl BarChart {
         }
     }
 
-    /// Sets the title above the chart, which also names it to a screen reader.
-    #[must_use]
-    pub fn title(mut self, title: impl Into<Label>) -> Self {
-        self.title = title.into();
-        self
-    }
-
-    /// Sets the description for screen readers.
-    #[must_use]
-    pub fn description(mut self, text: &str) -> Self {
-        text.clone_into(&mut self.description);
-        self
-    }
+    titled!();
 
     /// Sets where bars are broken, 150 % unless set; at least 110 %.
     #[must_use]

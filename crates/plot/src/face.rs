@@ -8,6 +8,7 @@ use crate::label::Label;
 use crate::picture::Picture;
 use crate::plane::EDGE;
 use crate::style::{Colour, Style, Tone};
+use crate::titled::titled;
 use crate::xy::{title, title_height};
 
 /// A round face with pins, and a list of them.
@@ -70,19 +71,7 @@ impl FaceChart {
         Self { title: Label::default(), description: String::new(), note: Label::default(), pins: Vec::new() }
     }
 
-    /// Sets the title above, which also names it to a screen reader.
-    #[must_use]
-    pub fn title(mut self, title: impl Into<Label>) -> Self {
-        self.title = title.into();
-        self
-    }
-
-    /// Sets the description for screen readers.
-    #[must_use]
-    pub fn description(mut self, text: &str) -> Self {
-        text.clone_into(&mut self.description);
-        self
-    }
+    titled!();
 
     /// Sets what stands below.
     #[must_use]

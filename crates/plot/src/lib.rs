@@ -19,6 +19,7 @@ mod reduce;
 mod stacked;
 mod style;
 mod ticks;
+mod titled;
 mod xy;
 
 pub use bars::{Bar, BarChart, Verdict};

@@ -11,6 +11,7 @@ use crate::place::Field;
 use crate::plane::{Axis, EDGE, Plane, X_BELOW, x_ticks, y_margin, y_ticks};
 use crate::style::{Colour, Style};
 use crate::ticks::Ticks;
+use crate::titled::titled;
 use crate::xy::{title, title_height};
 
 /// Panels over one shared axis, with the borders of segments drawn through all of them.
@@ -128,19 +129,7 @@ impl StackedChart {
         }
     }
 
-    /// Sets the title above the chart, which also names it to a screen reader.
-    #[must_use]
-    pub fn title(mut self, title: impl Into<Label>) -> Self {
-        self.title = title.into();
-        self
-    }
-
-    /// Sets the description for screen readers.
-    #[must_use]
-    pub fn description(mut self, text: &str) -> Self {
-        text.clone_into(&mut self.description);
-        self
-    }
+    titled!();
 
     /// Adds a segment of the shared axis.
     #[must_use]

@@ -10,6 +10,7 @@ use crate::picture::Picture;
 use crate::place::{Field, spread};
 use crate::plane::{Axis, EDGE, Plane, X_BELOW, Y_ABOVE, x_ticks, y_margin, y_ticks};
 use crate::style::{Colour, Style};
+use crate::titled::titled;
 
 /// A chart of curves, areas and points over two axes.
 ///
@@ -56,19 +57,7 @@ impl XyChart {
         }
     }
 
-    /// Sets the title above the chart, which also names it to a screen reader.
-    #[must_use]
-    pub fn title(mut self, title: impl Into<Label>) -> Self {
-        self.title = title.into();
-        self
-    }
-
-    /// Sets the description for screen readers.
-    #[must_use]
-    pub fn description(mut self, text: &str) -> Self {
-        text.clone_into(&mut self.description);
-        self
-    }
+    titled!();
 
     /// Sets where the legend goes.
     #[must_use]

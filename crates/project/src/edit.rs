@@ -105,8 +105,9 @@ fn edit_as(root: &'static [Key], text: &str, path: &str, change: Edit<'_>) -> Re
     let key = key_of(root, path).ok_or(EditFault::Path)?;
     let (last, above) = steps.split_last().ok_or(EditFault::Path)?;
     let wants_table = matches!(change, Edit::Value(value) if !value.trim().is_empty()) || change == Edit::Table;
-    let mut told = false;
-    let Some(parent) = down(document.as_table_mut(), above, wants_table || change == Edit::Instead, &mut told) else {
+    let mut reported = false;
+    let Some(parent) = down(document.as_table_mut(), above, wants_table || change == Edit::Instead, &mut reported)
+    else {
         // What is not there need not be taken away.
         return if matches!(change, Edit::Down | Edit::Twice) { Err(EditFault::Path) } else { Ok(text.to_owned()) };
     };
@@ -134,7 +135,7 @@ fn edit_as(root: &'static [Key], text: &str, path: &str, change: Edit<'_>) -> Re
         Edit::Down => swap(parent, last).ok_or(EditFault::Path)?,
         Edit::Twice => double(parent, last).ok_or(EditFault::Path)?,
     };
-    if reordered || told {
+    if reordered || reported {
         let mut place = 0;
         renumber(root, document.as_table_mut(), &mut place);
     }

@@ -136,10 +136,10 @@ mod tests {
     #[test]
     fn every_value_is_told_with_path_number_unit_and_tolerance() {
         let found = inputs(OLD);
-        let told: Vec<(&str, &str)> =
+        let listed: Vec<(&str, &str)> =
             found.iter().map(|input| (input.path.as_str(), input.written.as_str())).take(4).collect();
         assert_eq!(
-            told,
+            listed,
             [
                 ("format", "1"),
                 ("load.inertia", "1.3 kg m^2 ± 10 %"),
@@ -182,10 +182,10 @@ mod tests {
         let new = OLD.replace("accelerate = \"0.1 s\"", "accelerate = \"100 ms\"");
         assert_eq!(input_changes((OLD, 0), (&new, 0)), []);
         let new = OLD.replace("± 10 %", "").replace("5 N m", "6 N m").replace("pause = \"1 s\"\n", "");
-        let told: Vec<_> = input_changes((OLD, 0), (&new, 0)).into_iter().map(|c| (c.path, c.old, c.new)).collect();
+        let listed: Vec<_> = input_changes((OLD, 0), (&new, 0)).into_iter().map(|c| (c.path, c.old, c.new)).collect();
         let some = |text: &str| Some(text.to_owned());
         assert_eq!(
-            told,
+            listed,
             [
                 ("load.inertia".to_owned(), some("1.3 kg m^2 ± 10 %"), some("1.3 kg m^2")),
                 ("load.friction_torque".to_owned(), some("5 N m"), some("6 N m")),

@@ -104,6 +104,10 @@ pub enum Assumption {
     Rectifier,
     /// The same, and the mains vary by 10 %.
     RectifierAndDeviation,
+    /// The DC link is that of a single-phase rectifier without control.
+    SinglePhaseRectifier,
+    /// The same, and the mains vary by 10 %.
+    SinglePhaseRectifierAndDeviation,
     /// I_0 of the user's actuator is taken to include the no-load starting current.
     OwnStallCurrentIncludesFriction,
     /// No loads on the flange are given: the output bearing is not judged.
@@ -166,7 +170,7 @@ pub enum Assumption {
 
 impl Assumption {
     /// Every one, in their order.
-    pub const ALL: [Self; 37] = [
+    pub const ALL: [Self; 39] = [
         Self::NoFriction,
         Self::AmbientWithinRange,
         Self::CoolingPlate,
@@ -174,6 +178,8 @@ impl Assumption {
         Self::NoSupply,
         Self::Rectifier,
         Self::RectifierAndDeviation,
+        Self::SinglePhaseRectifier,
+        Self::SinglePhaseRectifierAndDeviation,
         Self::OwnStallCurrentIncludesFriction,
         Self::NoFlangeLoads,
         Self::FlangeLoadsConstant,

@@ -277,9 +277,9 @@ mod tests {
     fn every_fault_is_told_at_its_place() {
         let text = "format = 1\n[winding]\nresistance_ll = \"5.9 H\"\n[brake]\nvoltage = 24\nopening_curent = \"0.6 A\"\n\
                     [direction]\nmotor = \"left\"\n";
-        let told = faults(text);
+        let reported = faults(text);
         assert_eq!(
-            told,
+            reported,
             [
                 ("missing_key", 2, 1),
                 ("unit_of_another_quantity", 3, 22),

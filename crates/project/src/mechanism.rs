@@ -7,11 +7,11 @@ use crate::bodies::BodySection;
 use crate::flange::Bearing;
 use crate::read::Reader;
 use crate::root::Parts;
-use crate::section::{Fields, section};
+use crate::section::{Fields, group, section};
 use crate::stated::{Field, Stated};
 use crate::{Assumption, Fault, Hint};
-use mechanism::{Geometry, Kind, Mechanism, Rotor};
-use parts::{Friction, Guide, Losses};
+use mechanism::{Geometry, Mechanism, MechanismKind, Rotor};
+use parts::{Friction, Guide, Losses, ProcessForce, StartAngle};
 use quantities::{Angle, Force, Measure, MomentOfInertia};
 
 /// Makes the table of the mechanisms and the names of their keys from the list of them.
@@ -84,24 +84,19 @@ pub(crate) enum OnFlange<'s> {
 /// A load, or a mechanism with its load, as the file states it.
 pub(crate) trait Driven: Fields {
     /// What it is built into; `None` where a fault stands in the way or a value is missing.
-    fn kind(&self, reader: &mut Reader<'_>) -> Option<Kind>;
+    fn kind(&self, reader: &mut Reader<'_>) -> Option<MechanismKind>;
 
     /// The keys from which its inertia follows.
     fn inertia(&self) -> Vec<&dyn Field>;
 
     /// Friction at the output.
     fn friction(&self) -> Option<&Friction> {
-        None
-    }
-
-    /// Friction of a guide.
-    fn guide(&self) -> Option<&Guide> {
-        None
+        group(self)
     }
 
     /// Efficiencies.
     fn losses(&self) -> Option<&Losses> {
-        None
+        group(self)
     }
 
     /// Efficiency of what lies in series with the stated one, while the actuator drives.
@@ -111,12 +106,7 @@ pub(crate) trait Driven: Fields {
 
     /// Where the motion begins.
     fn start_angle(&self) -> Option<&Stated<Angle>> {
-        None
-    }
-
-    /// Force along the line.
-    fn process_force(&self) -> Option<&Stated<Force>> {
-        None
+        group(self).map(|it: &StartAngle| &it.start_angle)
     }
 
     /// The key from which the way of the line per turn follows, where it is the same everywhere.
@@ -145,8 +135,14 @@ pub(crate) trait Driven: Fields {
     }
 
     /// The keys of `[bearing]` from which its loads on the flange follow.
-    fn flange_keys<'b>(&self, _bearing: &'b Bearing) -> Vec<&'b dyn Field> {
-        Vec::new()
+    fn flange_keys<'b>(&self, bearing: &'b Bearing) -> Vec<&'b dyn Field> {
+        match self.on_flange() {
+            Some(OnFlange::Bodies(_)) => vec![&bearing.overhang, &bearing.payload_overhang, &bearing.flange_share],
+            Some(OnFlange::Wheel | OnFlange::Shaft) => {
+                vec![&bearing.overhang, &bearing.flange_share, &bearing.wheel_mass, &bearing.axis_tilt]
+            }
+            None => Vec::new(),
+        }
     }
 }
 
@@ -159,16 +155,12 @@ section! {
 }
 
 impl Driven for DirectLoad {
-    fn kind(&self, _: &mut Reader<'_>) -> Option<Kind> {
-        Some(Kind::Rotor(Rotor::balanced(self.inertia.value()?)))
+    fn kind(&self, _: &mut Reader<'_>) -> Option<MechanismKind> {
+        Some(MechanismKind::Rotor(Rotor::balanced(self.inertia.value()?)))
     }
 
     fn inertia(&self) -> Vec<&dyn Field> {
         vec![&self.inertia]
-    }
-
-    fn friction(&self) -> Option<&Friction> {
-        Some(&self.friction)
     }
 }
 
@@ -236,7 +228,7 @@ fn build(driven: &dyn Driven, reader: &mut Reader<'_>) -> Option<Load> {
         stage: None,
     };
     let start = driven.start_angle().and_then(Stated::value);
-    let force = driven.process_force().map_or_else(|| Force::from_si(0.0), Stated::or_zero);
+    let force = group(driven).map_or_else(|| Force::from_si(0.0), |it: &ProcessForce| it.process_force.or_zero());
     Some(Load { mechanism, start, force })
 }
 
@@ -244,7 +236,7 @@ fn build(driven: &dyn Driven, reader: &mut Reader<'_>) -> Option<Load> {
 pub(crate) fn assumptions(driven: &dyn Driven, found: &mut Vec<Assumption>) {
     if let Some(friction) = driven.friction() {
         let mut fields: Vec<&dyn Field> = vec![&friction.friction_torque, &friction.viscous_friction];
-        fields.extend(driven.guide().into_iter().flat_map(Fields::fields));
+        fields.extend(group(driven).into_iter().flat_map(|guide: &Guide| guide.fields()));
         if !fields.iter().any(|field| field.is_given()) {
             found.extend(friction.friction_torque.note());
         }

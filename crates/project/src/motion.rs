@@ -15,7 +15,7 @@ use ::motion::{
     Closing, EndState, Ends, Given, Hold, Law, ManualMove, Motion, MotionFault, MoveFault, Points, PointsFault,
     SegmentSpec, Spline,
 };
-use mechanism::{Effects, Extra, Kind, Mechanism};
+use mechanism::{Effects, Extra, Mechanism, MechanismKind};
 use quantities::{
     Angle, AngularAcceleration, AngularJerk, AngularVelocity, Dimension, Force, Mass, Measure, MomentOfInertia, Time,
     Torque,
@@ -63,7 +63,7 @@ section! {
 }
 
 /// Word, law, keys that it needs, keys that it may have besides those of every segment.
-type Entry = (&'static str, SegmentLaw, &'static [&'static str], &'static [&'static str]);
+type LawLine = (&'static str, SegmentLaw, &'static [&'static str], &'static [&'static str]);
 
 /// Any two of these determine a move from rest to rest.
 const MOVE: &[&str] = names!(Segment: distance time speed acceleration);
@@ -71,7 +71,7 @@ const MOVE_ON: &[&str] = names!(Segment: distance time speed acceleration end_sp
 
 /// The laws of motion.
 #[rustfmt::skip] // one line per law
-const LAWS: [Entry; 14] = [
+const LAWS: [LawLine; 14] = [
     ("manual", SegmentLaw::Manual, names!(Segment: speed accelerate run brake pause), &[]),
     ("trapezoid", SegmentLaw::Law(Law::Trapezoid), &[], MOVE_ON),
     ("triangle", SegmentLaw::Law(Law::Triangle), &[], MOVE),
@@ -477,7 +477,7 @@ pub(crate) fn motion(axis: &AxisSection, load: &Load, reader: &mut Reader<'_>) -
     let specs: Vec<Option<SegmentSpec>> = segments.iter().map(|segment| segment.spec(travel, reader)).collect();
     for segment in segments {
         without_effect(segment, load, reader);
-        if matches!(load.mechanism.kind, Kind::Joint(_)) && !segment.has_torque() && segment.is_whole() {
+        if matches!(load.mechanism.kind, MechanismKind::Joint(_)) && !segment.has_torque() && segment.is_whole() {
             reader.fault(segment.law.span(), Fault::JointWithoutTorque, None);
         }
     }

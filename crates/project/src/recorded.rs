@@ -195,7 +195,7 @@ impl<'f> Recordings<'f> {
                 segment.file.refuse();
                 continue;
             }
-            let told = |trouble, reader: &mut Reader<'_>| match trouble {
+            let report = |trouble, reader: &mut Reader<'_>| match trouble {
                 Trouble::Reach => reader.fault(span.clone(), Fault::FileOutOfReach { name: name.clone() }, None),
                 Trouble::File(error) => {
                     let trouble = (&error).into();
@@ -213,14 +213,14 @@ impl<'f> Recordings<'f> {
                 Some((.., found)) => found.clone(),
                 None => {
                     let found =
-                        self.read_file(&name, &layout).map_err(|trouble| told(trouble, reader)).ok().map(Arc::new);
+                        self.read_file(&name, &layout).map_err(|trouble| report(trouble, reader)).ok().map(Arc::new);
                     self.read.push((name.clone(), layout, found.clone()));
                     found
                 }
             };
             let found = found.filter(|recording| {
                 let bytes = SEGMENT_BYTES * recording.time_s.len() as u64;
-                self.memory.take(bytes).map_err(|fault| told(Trouble::Content(vec![fault]), reader)).is_ok()
+                self.memory.take(bytes).map_err(|fault| report(Trouble::Content(vec![fault]), reader)).is_ok()
             });
             match found {
                 Some(recording) => {

@@ -13,7 +13,7 @@ use quantities::{
     Angle, EffectiveVoltage, ElectricCurrent, ElectricPotential, Frequency, Length, Mass, Power,
     ThermodynamicTemperature, Time, Torque,
 };
-use sizing::{Asked, Axis, SpecialApplication, Supply, SupplyFrom};
+use sizing::{Asked, Axis, MainsPhases, SpecialApplication, Supply, SupplyFrom};
 
 /// By this share of their nominal voltage mains vary unless the user says otherwise (IEC 60038: ± 10 %).
 const MAINS_DEVIATION: f64 = 0.1;
@@ -31,6 +31,7 @@ section! {
         mass_max: Mass => positive, example("10 kg");
         supply: ElectricPotential => positive, noted(Assumption::NoSupply);
         mains: EffectiveVoltage => positive;
+        mains_phases: MainsPhases;
         mains_deviation: f64 = MAINS_DEVIATION => within(0.0, 0.5), example("0.1");
         modulation_reserve: f64 = MODULATION_RESERVE => within(0.5, 1.0), example("0.9"), noted(Assumption::ModulationReserve);
         ambient: ThermodynamicTemperature => noted(Assumption::AmbientWithinRange);
@@ -106,6 +107,7 @@ pub(crate) enum PositionLoop {
 }
 
 choices! {
+    MainsPhases { Single = "single", Three = "three" }
     PositionLoop { Motor = "motor", Output = "output" }
     SpecialApplication {
         Aerospace = "aerospace",
@@ -135,9 +137,14 @@ impl RequirementsSection {
 
     /// The DC link.
     fn link(&self) -> Option<Supply> {
-        let of_mains = |nominal| SupplyFrom::Mains { nominal, deviation: self.mains_deviation() };
+        let (phases, deviation) = (self.phases(), self.mains_deviation());
+        let of_mains = |nominal| SupplyFrom::Mains { phases, nominal, deviation };
         let from = self.supply.value().map(SupplyFrom::DcLink).or_else(|| self.mains.value().map(of_mains))?;
         Some(Supply { reserve: self.modulation_reserve(), from })
+    }
+
+    fn phases(&self) -> MainsPhases {
+        self.mains_phases.value().unwrap_or(MainsPhases::Three)
     }
 
     /// What holds of the DC link without a statement.
@@ -145,8 +152,12 @@ impl RequirementsSection {
         if !self.mains.is_given() {
             return self.supply.note().or_else(|| self.modulation_reserve.note()).into_iter().collect();
         }
-        let deviation = self.mains_deviation.is_given();
-        let rectifier = if deviation { Assumption::Rectifier } else { Assumption::RectifierAndDeviation };
+        let rectifier = match (self.phases(), self.mains_deviation.is_given()) {
+            (MainsPhases::Three, true) => Assumption::Rectifier,
+            (MainsPhases::Three, false) => Assumption::RectifierAndDeviation,
+            (MainsPhases::Single, true) => Assumption::SinglePhaseRectifier,
+            (MainsPhases::Single, false) => Assumption::SinglePhaseRectifierAndDeviation,
+        };
         std::iter::once(rectifier).chain(self.modulation_reserve.note()).collect()
     }
 

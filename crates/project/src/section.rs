@@ -3,6 +3,7 @@
 
 use crate::key::{Key, Variants};
 use crate::stated::{Field, Head};
+use std::any::Any;
 
 /// The fields of a section.
 pub(crate) trait Fields {
@@ -11,11 +12,18 @@ pub(crate) trait Fields {
     /// All of them, in their order.
     fn fields(&self) -> Vec<&dyn Field>;
     fn field_mut(&mut self, name: &str) -> Option<&mut dyn Field>;
+    /// The sections whose keys stand in it too.
+    fn groups(&self) -> Vec<&dyn Any>;
 
     /// The field of a key.
     fn field(&self, name: &str) -> Option<&dyn Field> {
         self.fields().into_iter().find(|field| field.name() == name)
     }
+}
+
+/// The section of a type whose keys stand in this one too.
+pub(crate) fn group<T: Any>(of: &(impl Fields + ?Sized)) -> Option<&T> {
+    of.groups().into_iter().find_map(<dyn Any>::downcast_ref)
 }
 
 /// A section of the file.
@@ -119,6 +127,10 @@ macro_rules! section {
                     $(all.push(&self.$more);)*
                 )*
                 all
+            }
+
+            fn groups(&self) -> Vec<&dyn std::any::Any> {
+                vec![$(&self.$group),*]
             }
 
             fn field_mut(&mut self, name: &str) -> Option<&mut dyn $crate::stated::Field> {

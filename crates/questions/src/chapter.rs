@@ -13,7 +13,7 @@ pub use upkeep::upkeep;
 pub use wiring::wiring;
 
 use crate::answer::document;
-use answers::{Chapter, Document, Fact, Hazard, Number};
+use answers::{Chapter, Column, Document, Fact, Hazard, Number};
 use quantities::{Language, Unit, format_significant};
 use words::signal_word;
 
@@ -43,6 +43,17 @@ fn names(text: &str, id: &str) -> bool {
         let (before, after) = (text.get(..at).unwrap_or_default(), text.get(at + id.len()..).unwrap_or_default());
         !part(before.chars().next_back()) && !part(after.chars().next())
     })
+}
+
+/// Adds rows under columns, each with what it shows of an item, if there are any items.
+fn grid<'t, T: 't>(
+    chapter: &mut Chapter,
+    items: impl IntoIterator<Item = &'t T>,
+    columns: &[(Column, &dyn Fn(&T) -> String)],
+) {
+    let row = |item: &T| columns.iter().map(|(_, cell)| cell(item)).collect();
+    let rows = items.into_iter().map(row).collect();
+    chapter.grid(columns.iter().map(|(column, _)| column.clone()).collect(), rows);
 }
 
 /// What stands for nothing.
@@ -136,10 +147,10 @@ mod tests {
                 for (language, text) in [(Language::En, fact.en), (Language::De, fact.de)] {
                     let text = serde_json::to_string(text).unwrap();
                     let holds = codes.iter().filter(|(code, _)| fact.is_shown(*topic, code));
-                    let told = |code: &OrderCode| {
+                    let named = |code: &OrderCode| {
                         said(*topic, code, language).is_some_and(|said| said.contains(text.trim_matches('"')))
                     };
-                    assert!(holds.map(|(code, _)| code).any(told), "{}: not said on {topic:?}, {language:?}", fact.id);
+                    assert!(holds.map(|(code, _)| code).any(named), "{}: not said on {topic:?}, {language:?}", fact.id);
                 }
             }
         }

@@ -73,14 +73,14 @@ pub fn sinamics_script(about: &Commissioning, language: Language) -> String {
     out.push('\n');
     for line in sinamics::lines(about) {
         let number = format!("p{}[0] = {}", line.entry.number, line.value);
-        let told = match line.entry.setting {
+        let comment = match line.entry.setting {
             Setting::Value(id, unit) => {
                 let unit = if unit.json == "1" { String::new() } else { format!("{}  ", unit.json) };
                 format!("{unit}{}; {}", parameter_name(id, language), conversion_text(id.conversion(), language))
             }
             Setting::Choice(choice) => words::choice_text(choice, language).to_owned(),
         };
-        let _ = writeln!(out, "{number:<28} ; {told}");
+        let _ = writeln!(out, "{number:<28} ; {comment}");
     }
     out.push('\n');
     remark(&mut out, commission::script_missing(language));
@@ -209,12 +209,12 @@ pub fn blank_record(about: &Commissioning, file: &str, language: Language) -> St
         if absent || line.key == K::Root(MeasuredRootName::format) {
             continue;
         }
-        let told = measured_key_text(line.key, language);
+        let comment = measured_key_text(line.key, language);
         let needed = if line.required { format!(" ({})", commission::needed(language)) } else { String::new() };
         if line.is_table {
-            let _ = writeln!(out, "\n# {told}\n#{}", line.text);
+            let _ = writeln!(out, "\n# {comment}\n#{}", line.text);
         } else {
-            let _ = writeln!(out, "#{:<32} # {told}{needed}", line.text);
+            let _ = writeln!(out, "#{:<32} # {comment}{needed}", line.text);
         }
     }
     out

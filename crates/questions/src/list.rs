@@ -48,7 +48,7 @@ pub mod wiring;
 pub mod wiring_check;
 
 pub use answers::Record;
-pub use argument::{AXIS, Argument, CODE, FILE, Form, Kind, LANG};
+pub use argument::{AXIS, Argument, ArgumentKind, CODE, FILE, Form, LANG};
 pub use asked::{Answer, Asked, Axis, Source, media};
 pub use cost::Cost;
 pub use given::{Given, Hinted};

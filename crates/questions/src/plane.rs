@@ -112,7 +112,7 @@ mod tests {
         };
         let lower: Vec<CurvePoint> = [(0.0, 80.0), (10.0, 70.0), (10.0, 0.0)].iter().map(point).collect();
         let upper: Vec<CurvePoint> = [(0.0, 90.0), (4.0, 88.0), (8.0, 84.0), (10.0, 80.0)].iter().map(point).collect();
-        let told: Vec<(f64, Option<f64>, Option<f64>)> = rows(&lower, &upper)
+        let edges: Vec<(f64, Option<f64>, Option<f64>)> = rows(&lower, &upper)
             .into_iter()
             .map(|(speed, a, b)| (speed.si(), a.map(Measure::si), b.map(Measure::si)))
             .collect();
@@ -123,6 +123,6 @@ mod tests {
             (10.0, Some(70.0), Some(80.0)),
             (10.0, Some(0.0), Some(80.0)),
         ];
-        assert_eq!(told, expected);
+        assert_eq!(edges, expected);
     }
 }

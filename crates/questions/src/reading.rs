@@ -21,7 +21,7 @@ use std::cell::Cell;
 /// Reads a project file with one axis that refers to no other file.
 ///
 /// # Errors
-/// Every fault of the file, each with its place, in the order of the file; [`words::told`] words them.
+/// Every fault of the file, each with its place, in the order of the file; [`words::worded`] words them.
 pub fn read(text: &str) -> Result<Project, Vec<Diagnostic>> {
     Project::read(text, &|ratios, with| finished(best_ratio(ratios, with, &Unwatched)))
 }
@@ -29,7 +29,7 @@ pub fn read(text: &str) -> Result<Project, Vec<Diagnostic>> {
 /// Reads a project file with one axis or several, in their order, and the files that it refers to.
 ///
 /// # Errors
-/// Every fault of the file, each with its place, in the order of the file; [`words::told`] words them.
+/// Every fault of the file, each with its place, in the order of the file; [`words::worded`] words them.
 pub fn read_all(text: &str, files: &dyn Files) -> Result<Vec<Project>, Vec<Diagnostic>> {
     Project::read_all(text, files, &|ratios, with| finished(best_ratio(ratios, with, &Unwatched)))
 }

@@ -236,12 +236,16 @@ pub fn size(project: &Project) -> Sizing<'_> {
     finished(size_watched(project, usize::MAX, &Unwatched))
 }
 
-/// The same, but it can be cancelled, and only the first `told` are judged in full: the others only as far as their place in
+/// The same, but it can be cancelled, and only the first `complete_count` are judged in full: the others only as far as their place in
 /// the ranking requires ([`Depth::Ranking`]).
 ///
 /// # Errors
 /// Where it was stopped.
-pub(crate) fn size_watched<'p, W: Watch>(project: &'p Project, told: usize, watch: &W) -> Result<Sizing<'p>, W::Stop> {
+pub(crate) fn size_watched<'p, W: Watch>(
+    project: &'p Project,
+    complete_count: usize,
+    watch: &W,
+) -> Result<Sizing<'p>, W::Stop> {
     let actuators = actuators_of(project, project.option_1.is_some());
     // Of a short cycle the energy costs less than to look at some of them twice.
     let is_long = !project.axis.is_short();
@@ -260,8 +264,8 @@ pub(crate) fn size_watched<'p, W: Watch>(project: &'p Project, told: usize, watc
     }
     let mut candidates = ranked(candidates);
     if is_long && !is_limited {
-        let told = told.min(candidates.len());
-        complete(project, candidates.get_mut(..told).unwrap_or_default(), watch)?;
+        let complete_count = complete_count.min(candidates.len());
+        complete(project, candidates.get_mut(..complete_count).unwrap_or_default(), watch)?;
     }
     Ok(Sizing {
         name: &project.name,

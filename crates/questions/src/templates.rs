@@ -5,7 +5,7 @@ use quantities::Language;
 
 /// A kind of project file and the example that it is taken from.
 #[derive(Clone, Copy)]
-struct Kind {
+struct TemplateKind {
     name: &'static str,
     text: &'static str,
     /// A recording that the project names.
@@ -15,29 +15,37 @@ struct Kind {
 /// The recording of the example of a joint.
 const ROBOT_JOINT: (&str, &str) = ("robot-joint.csv", include_str!("../../../examples/robot-joint.csv"));
 
-static KINDS: [Kind; 6] = [
-    Kind { name: "manual", text: include_str!("../../../examples/indexing-table.toml"), recording: None },
-    Kind { name: "table", text: include_str!("../../../examples/turntable.toml"), recording: None },
-    Kind { name: "arm", text: include_str!("../../../examples/tilting-arm.toml"), recording: None },
-    Kind { name: "screw", text: include_str!("../../../examples/screw-axis.toml"), recording: None },
-    Kind { name: "belt", text: include_str!("../../../examples/belt-axis.toml"), recording: None },
-    Kind { name: "recording", text: include_str!("../../../examples/robot-joint.toml"), recording: Some(ROBOT_JOINT) },
+static TEMPLATES: [TemplateKind; 6] = [
+    TemplateKind { name: "manual", text: include_str!("../../../examples/indexing-table.toml"), recording: None },
+    TemplateKind { name: "table", text: include_str!("../../../examples/turntable.toml"), recording: None },
+    TemplateKind { name: "arm", text: include_str!("../../../examples/tilting-arm.toml"), recording: None },
+    TemplateKind { name: "screw", text: include_str!("../../../examples/screw-axis.toml"), recording: None },
+    TemplateKind { name: "belt", text: include_str!("../../../examples/belt-axis.toml"), recording: None },
+    TemplateKind {
+        name: "recording",
+        text: include_str!("../../../examples/robot-joint.toml"),
+        recording: Some(ROBOT_JOINT),
+    },
 ];
 
 /// The kinds of project files to begin with: those of the list, and every other mechanism under its own name.
 pub fn template_kinds() -> impl Iterator<Item = &'static str> {
-    let named = |name: &str| KINDS.iter().any(|kind| kind.name == name);
+    let named = |name: &str| TEMPLATES.iter().any(|kind| kind.name == name);
     // A load by its inertia alone is that of the manual's example.
     let mechanisms = MechanismId::ALL.iter().filter(|id| **id != MechanismId::Load).map(|id| id.key());
-    KINDS.iter().map(|kind| kind.name).chain(mechanisms.filter(move |name| !named(name)))
+    TEMPLATES.iter().map(|kind| kind.name).chain(mechanisms.filter(move |name| !named(name)))
 }
 
 /// The example of a kind.
-fn kind_of(name: &str) -> Option<Kind> {
-    let listed = KINDS.iter().find(|kind| kind.name == name).copied();
+fn kind_of(name: &str) -> Option<TemplateKind> {
+    let listed = TEMPLATES.iter().find(|kind| kind.name == name).copied();
     listed.or_else(|| {
         let id = MechanismId::of(name).filter(|id| *id != MechanismId::Load)?;
-        Some(Kind { name: id.key(), text: id.example(), recording: (id == MechanismId::Joint).then_some(ROBOT_JOINT) })
+        Some(TemplateKind {
+            name: id.key(),
+            text: id.example(),
+            recording: (id == MechanismId::Joint).then_some(ROBOT_JOINT),
+        })
     })
 }
 
@@ -69,7 +77,7 @@ pub fn template(kind: &str, file: &str, language: Language) -> Option<Template> 
             Some((name, _)) => line.replace(name, &beside),
             None => line.to_owned(),
         };
-        text.push_str(&told(&line, language));
+        text.push_str(&worded(&line, language));
         text.push('\n');
     }
     Some(Template { text, recording })
@@ -77,11 +85,11 @@ pub fn template(kind: &str, file: &str, language: Language) -> Option<Template> 
 
 fn recording_in(text: &str, language: Language) -> String {
     let (head, rest) = text.split_once('\n').unwrap_or((text, ""));
-    format!("{}\n{rest}", told(head, language))
+    format!("{}\n{rest}", worded(head, language))
 }
 
 /// A line with its comment, or its name, in a language.
-fn told(line: &str, language: Language) -> String {
+fn worded(line: &str, language: Language) -> String {
     let head = ["# ", "name = "].into_iter().find_map(|mark| line.find(mark).map(|at| at + mark.len()));
     let Some((before, text)) = head.and_then(|head| line.split_at_checked(head)) else { return line.to_owned() };
     format!("{before}{}", words::example_text(text, language).unwrap_or(text))
@@ -101,8 +109,8 @@ mod tests {
             );
             assert_eq!(en.text.lines().count(), de.text.lines().count());
             for (english, german) in en.text.lines().zip(de.text.lines()) {
-                let told = |line: &str| line.split_once("# ").map(|(_, comment)| comment.to_owned());
-                let (a, b) = (told(english), told(german));
+                let worded = |line: &str| line.split_once("# ").map(|(_, comment)| comment.to_owned());
+                let (a, b) = (worded(english), worded(german));
                 assert_eq!(a.is_some(), b.is_some(), "{english}");
                 let symbols = a.as_deref().is_none_or(|comment| comment.len() < 4);
                 assert!(symbols || a != b, "{kind}: still English: {english}");

@@ -95,7 +95,7 @@ pub struct Quantiles {
 
 /// What kind of point the worst one is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Place {
+pub enum PointKind {
     /// The worst of all corners.
     Corner,
     /// The worst corner that a search found; there are too many to look at each.
@@ -108,7 +108,7 @@ pub enum Place {
 #[derive(Clone, Debug, PartialEq)]
 pub struct Worst {
     /// What kind of point it is.
-    pub place: Place,
+    pub place: PointKind,
     /// The value of each toleranced quantity there, in SI and in the order of [`Project::tolerances`].
     pub values: Vec<f64>,
     /// Whether nothing speaks against the actuator there.
@@ -218,7 +218,7 @@ fn assess_with<W: Watch>(
         let beyond = (!sampled.worst.fits, sampled.worst.utilisation) > (!worst.fits, worst.utilisation * (1.0 + 1e-9));
         if beyond {
             let values = draws.sample(sampled.worst.index, &project.tolerances);
-            worst = Point::look(&mut varied.clone(), judged, &values).at(values, Place::Sample);
+            worst = Point::look(&mut varied.clone(), judged, &values).at(values, PointKind::Sample);
         }
         let quantile = |share: f64| ranks.quantile(share).map_or(0.0, f64::from_bits);
         answers.push(Assessment {
@@ -327,7 +327,7 @@ impl Point {
         (!self.fits, self.utilisation) > (!other.fits, other.utilisation)
     }
 
-    const fn at(self, values: Vec<f64>, place: Place) -> Worst {
+    const fn at(self, values: Vec<f64>, place: PointKind) -> Worst {
         Worst { place, values, fits: self.fits, utilisation: self.utilisation, check: self.check }
     }
 }

@@ -32,7 +32,7 @@ fn a_single_inertia_passes_with_its_analytic_share() {
         assert!((found.worst.utilisation - 245.0 / 240.0).abs() < 1e-12, "{:?}", found.worst);
         assert_eq!(
             (found.worst.fits, found.worst.check, found.worst.place),
-            (false, Some(CheckId::PeakTorque), Place::Corner)
+            (false, Some(CheckId::PeakTorque), PointKind::Corner)
         );
         assert!((found.worst.values[0] - 1.4).abs() < 1e-12);
         // T/T_max is uniform from 225/240 to 245/240.
@@ -154,7 +154,7 @@ fn a_sample_that_is_worse_than_every_corner_is_told() {
                 torque_max = \"15 N m\"\n";
     let project = crate::read(text).unwrap_or_else(|faults| panic!("{faults:#?}"));
     let found = assess_own(&project, Sampling { samples: 1000, seed: 1 }, 2);
-    assert_eq!((found.worst.place, found.worst.fits), (Place::Sample, false), "{found:?}");
+    assert_eq!((found.worst.place, found.worst.fits), (PointKind::Sample, false), "{found:?}");
     assert!(found.worst.values[0].abs() < 0.02, "{:?}", found.worst);
     assert_eq!(found.worst.check, Some(CheckId::PeakTorque));
     assert!((found.worst.utilisation - found.utilisation.max).abs() < 1e-15);
@@ -169,7 +169,7 @@ fn more_quantities_than_corners_can_be_counted_are_searched() {
     assert_eq!(project.tolerances.len(), 14);
     let found = assess_own(&project, Sampling { samples: 200, seed: 1 }, 2);
     // (1.313 + 1) · 10.1/0.099 + 5.5
-    assert_eq!(found.worst.place, Place::SearchedCorner);
+    assert_eq!(found.worst.place, PointKind::SearchedCorner);
     assert!((found.worst.utilisation * 240.0 - (2.313 * 10.1 / 0.099 + 5.5)).abs() < 1e-9, "{:?}", found.worst);
 }
 

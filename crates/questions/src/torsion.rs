@@ -49,10 +49,11 @@ type TwistFault = (&'static str, (String, Option<String>));
 /// # Errors
 /// What is wrong with the texts, in a language.
 pub(crate) fn read_twist(torque: Option<&str>, angle: Option<&str>, language: Language) -> Result<Twist, TwistFault> {
-    let told = |error: QuantityError| (words::quantity_fault(&error, language), words::quantity_hint(&error, language));
+    let worded =
+        |error: QuantityError| (words::quantity_fault(&error, language), words::quantity_hint(&error, language));
     match (torque, angle) {
-        (Some(torque), None) => parse_as(torque).map(Twist::Torque).map_err(|error| ("torque", told(error))),
-        (None, Some(angle)) => parse_as(angle).map(Twist::Angle).map_err(|error| ("angle", told(error))),
+        (Some(torque), None) => parse_as(torque).map(Twist::Torque).map_err(|error| ("torque", worded(error))),
+        (None, Some(angle)) => parse_as(angle).map(Twist::Angle).map_err(|error| ("angle", worded(error))),
         _ => Err(("torque", (words::terminal::torque_or_angle(language).to_owned(), None))),
     }
 }

@@ -4,7 +4,7 @@ use crate::chapters::read_quantity;
 use installation::wiring::{Comparison, ListFault, Wiring, compare, read_pin_list};
 use quantities::unit::{METRE, SQUARE_MILLIMETRE};
 use quantities::{Area, Language, Length, Measure};
-use words::{Told, wiring};
+use words::{Worded, wiring};
 
 /// A cable is no longer than this \[m\].
 pub(crate) const CABLE_LENGTH_MAX_M: f64 = 1000.0;
@@ -23,13 +23,13 @@ pub(crate) struct ListRead {
 impl ListRead {
     /// The faults in words, with their places.
     #[must_use]
-    pub(crate) fn told(&self, language: Language) -> Vec<Told> {
+    pub(crate) fn worded(&self, language: Language) -> Vec<Worded> {
         let faults = self.outcome.as_ref().err().map(Vec::as_slice).unwrap_or_default();
-        let told = |fault: &ListFault| {
+        let worded = |fault: &ListFault| {
             let (message, hint) = (wiring::list_fault(fault, language), wiring::list_fault_hint(fault, language));
-            Told::at(&self.text, fault.span(), fault.id(), message, hint)
+            Worded::at(&self.text, fault.span(), fault.id(), message, hint)
         };
-        faults.iter().map(told).collect()
+        faults.iter().map(worded).collect()
     }
 }
 
@@ -80,7 +80,7 @@ mod tests {
     fn every_fact_on_wiring_and_safety_is_in_the_answer_of_some_code() {
         let codes = list_codes(None);
         for fact in catalogue::facts().iter().filter(|fact| fact.topics.contains(&Topic::Wiring)) {
-            let told = |code: &order_code::OrderCode| {
+            let worded = |code: &order_code::OrderCode| {
                 let wiring = installation::wiring::wiring(code);
                 let record = wiring.map(|wiring| crate::answer::wiring(&wiring, None, Language::De));
                 record.is_some_and(|record| record.rules.iter().any(|rule| rule.id == fact.id && rule.text == fact.de))
@@ -88,7 +88,7 @@ mod tests {
             let with = codes
                 .iter()
                 .find(|(code, _)| facts_about(Topic::Wiring, code, Order::Data).iter().any(|f| f.id == fact.id));
-            assert!(with.is_some_and(|(code, _)| told(code)), "{}", fact.id);
+            assert!(with.is_some_and(|(code, _)| worded(code)), "{}", fact.id);
         }
     }
 

@@ -60,7 +60,7 @@ fn too_long_a_cycle_is_refused() {
     };
     let slow = arm("law = \"trapezoid\"\ndistance = \"2000000 deg\"\ntime = \"20000 s\"");
     for (language, words) in [(Language::En, "at most 130000 are"), (Language::De, "höchstens 130000 werden")] {
-        let faults = words::told(&questions::read(&slow).unwrap_err(), language);
+        let faults = words::worded(&questions::read(&slow).unwrap_err(), language);
         assert!(faults.iter().any(|fault| fault.message.contains(words)), "{faults:?}");
     }
     assert!(questions::read(&arm("law = \"constant\"\nspeed = \"20 1/min\"\ntime = \"100000 s\"")).is_ok());

@@ -3,7 +3,7 @@
 
 use project::NoFiles;
 use quantities::Language;
-use questions::list::{Asked, Entry, Form, Given, Gives, Kind, LIST, Reads, Source, Unanswered, size};
+use questions::list::{ArgumentKind, Asked, Entry, Form, Given, Gives, LIST, Reads, Source, Unanswered, size};
 use questions::{Patience, Refusal};
 use std::borrow::Cow;
 
@@ -47,7 +47,10 @@ fn every_entry_is_whole() {
             assert!(argument.instead_of.is_none_or(is_argument), "{command} {name}");
             let is_option = |other: &str| entry.option() == Some(other);
             assert!(argument.needs.is_none_or(|other| is_argument(other) || is_option(other)), "{command} {name}");
-            assert!(!matches!(argument.kind, Kind::Word(_)) || !argument.words().is_empty(), "{command} {name}");
+            assert!(
+                !matches!(argument.kind, ArgumentKind::Word(_)) || !argument.words().is_empty(),
+                "{command} {name}"
+            );
             assert!(argument.form != Form::Each || argument.repeated, "{command} {name}");
         }
         match entry.gives {

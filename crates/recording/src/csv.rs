@@ -200,7 +200,7 @@ fn row(
     match quick.map_or_else(|| decimals.plain(cell, number).and_then(|text| Tick::read(&text)), Ok) {
         Err(bad) => {
             gather.time_failed();
-            faults.push(told(bad, number, name, cell));
+            faults.push(cell_fault(bad, number, name, cell));
             return true;
         }
         Ok(tick) => match gather.sample(number, tick, faults) {
@@ -214,16 +214,16 @@ fn row(
         match quick.map_or_else(|| decimals.plain(cell, number).and_then(|text| finite(&text)), Ok) {
             Ok(value) => {
                 if let Err(bad) = gather.value(channel, value) {
-                    faults.push(told(bad, number, name, cell));
+                    faults.push(cell_fault(bad, number, name, cell));
                 }
             }
-            Err(bad) => faults.push(told(bad, number, name, cell)),
+            Err(bad) => faults.push(cell_fault(bad, number, name, cell)),
         }
     }
     true
 }
 
-fn told(bad: Bad, line: u64, column: &str, cell: &[u8]) -> Fault {
+fn cell_fault(bad: Bad, line: u64, column: &str, cell: &[u8]) -> Fault {
     let (at, column) = (crate::FileRow::Line(line), column.to_owned());
     let Some(text) = shown(String::from_utf8_lossy(cell).trim()) else {
         let is_empty = matches!(bad, Bad::Missing);

@@ -439,7 +439,7 @@ type FaultKind = (Discriminant<Fault>, Option<String>);
 /// The faults of a file, in the order found.
 #[derive(Debug, Default)]
 pub(crate) struct Faults {
-    told: Vec<Fault>,
+    listed: Vec<Fault>,
     /// The kinds of those that can repeat, and how often each was found.
     kinds: Vec<(FaultKind, u64)>,
     /// How many were found and not kept.
@@ -460,12 +460,12 @@ impl Faults {
                         return;
                     }
                 }
-                None if self.told.len() < FAULTS_MAX => self.kinds.push((kind, 1)),
+                None if self.listed.len() < FAULTS_MAX => self.kinds.push((kind, 1)),
                 None => {}
             }
         }
-        if self.told.len() < FAULTS_MAX {
-            self.told.push(fault);
+        if self.listed.len() < FAULTS_MAX {
+            self.listed.push(fault);
         } else {
             self.more = self.more.saturating_add(1);
         }
@@ -475,7 +475,7 @@ impl Faults {
     fn grouped(&mut self) -> Vec<Fault> {
         let mut grouped: Vec<Fault> = Vec::new();
         let mut begun: Vec<FaultKind> = Vec::new();
-        for fault in std::mem::take(&mut self.told) {
+        for fault in std::mem::take(&mut self.listed) {
             let kind = fault.kind();
             let count = kind.as_ref().and_then(|kind| self.kinds.iter().find(|(known, _)| known == kind));
             match (kind.clone(), count) {
@@ -492,7 +492,7 @@ impl Faults {
     }
 
     pub(crate) const fn none(&self) -> bool {
-        self.told.is_empty()
+        self.listed.is_empty()
     }
 
     /// Whether reading on is of no use.
@@ -503,15 +503,15 @@ impl Faults {
     /// The answer, if there is no fault.
     pub(crate) fn outcome<T>(mut self, answer: Option<T>) -> Result<T, Vec<Fault>> {
         match answer {
-            Some(answer) if self.told.is_empty() => Ok(answer),
+            Some(answer) if self.listed.is_empty() => Ok(answer),
             _ => {
                 let stopped = self.enough();
-                let mut told = self.grouped();
+                let mut listed = self.grouped();
                 let count = self.more - self.repeated;
                 if count > 0 || stopped {
-                    told.push(Fault::More { count, stopped });
+                    listed.push(Fault::More { count, stopped });
                 }
-                Err(told)
+                Err(listed)
             }
         }
     }

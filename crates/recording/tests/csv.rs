@@ -308,7 +308,7 @@ fn two_samples_are_no_recording() {
 fn equal_faults_are_told_once_with_their_number() {
     let rows = |count: usize| (0..count).map(|line| format!("{line};1.234,5;x\n")).collect::<String>();
     let head = "t [s];q [deg];M [Nm]\n";
-    assert_eq!(faults(&format!("{head}{}", rows(3))).len(), 6, "three of each are told one by one");
+    assert_eq!(faults(&format!("{head}{}", rows(3))).len(), 6, "three of each are given one by one");
     let found = faults(&format!("{head}{}", rows(80)));
     let [Fault::Repeated { first, more: 79 }, Fault::Repeated { first: second, more: 79 }] = found.as_slice() else {
         panic!("{found:?}")
@@ -394,29 +394,29 @@ struct Logger {
     sample: u64,
     samples: u64,
     line: Vec<u8>,
-    told: usize,
+    given: usize,
 }
 
 impl Read for Logger {
     fn read(&mut self, buffer: &mut [u8]) -> std::io::Result<usize> {
-        if self.told == self.line.len() {
+        if self.given == self.line.len() {
             if self.sample == self.samples {
                 return Ok(0);
             }
             self.line = format!("{},{},text\n", self.sample, self.sample % 7).into_bytes();
             self.sample += 1;
-            self.told = 0;
+            self.given = 0;
         }
-        let count = buffer.len().min(self.line.len() - self.told);
-        buffer[..count].copy_from_slice(&self.line[self.told..self.told + count]);
-        self.told += count;
+        let count = buffer.len().min(self.line.len() - self.given);
+        buffer[..count].copy_from_slice(&self.line[self.given..self.given + count]);
+        self.given += count;
         Ok(count)
     }
 }
 
 #[test]
 fn a_small_window_in_a_long_file_keeps_little() {
-    let logger = Logger { sample: 0, samples: 1_000_000, line: b"t [ms],q [deg],note\n".to_vec(), told: 0 };
+    let logger = Logger { sample: 0, samples: 1_000_000, line: b"t [ms],q [deg],note\n".to_vec(), given: 0 };
     let (from, to) = (Some(Time::from_si(500.0)), Some(Time::from_si(500.099)));
     let recording = read_csv(logger, &Layout { from, to, ..Layout::default() }).unwrap();
     assert_eq!((recording.left_out_before, recording.left_out_after), (500_000, 499_900));

@@ -5,7 +5,7 @@ use crate::folder::Workplace;
 use crate::gate::{Barred, admit, preferred};
 use crate::limits::Limits;
 use crate::pack::sent;
-use crate::serve::Place;
+use crate::serve::IdleSlot;
 use crate::token::{IN_QUERY, Token};
 use bytes::Bytes;
 use http_body_util::Full;
@@ -113,7 +113,7 @@ impl Desk {
     }
 
     /// Answers a request, whatever it is.
-    pub(crate) async fn answer(&self, request: Request<Incoming>, place: &Place) -> Response<Full<Bytes>> {
+    pub(crate) async fn answer(&self, request: Request<Incoming>, place: &IdleSlot) -> Response<Full<Bytes>> {
         let (parts, body) = request.into_parts();
         let (asked, headers) = (parts.uri.path().to_owned(), parts.headers.clone());
         let reply = match self.let_in(&parts) {

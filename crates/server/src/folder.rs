@@ -1,7 +1,9 @@
 //! The working folder: project files by their names, and the recordings that they name; nothing outside of it.
 
 use disk::{Beside, Links, Unwritten, read_within};
-use page::{Entry, Folder, Press, SaveFault, Shell, WritesChecklist, WritesReport, is_project_name, recording_names};
+use page::{
+    FileEntry, Folder, Press, SaveFault, Shell, WritesChecklist, WritesReport, is_project_name, recording_names,
+};
 use project::{Files, Grant, PROJECT_MAX_BYTES, Reach};
 use questions::Patience;
 use std::collections::BTreeMap;
@@ -112,7 +114,7 @@ impl Shell for Workplace {
 }
 
 impl Folder for Workplace {
-    fn list(&self) -> Result<Vec<Entry>> {
+    fn list(&self) -> Result<Vec<FileEntry>> {
         let mut found = Vec::new();
         for entry in std::fs::read_dir(&self.files.folder)?.take(LOOKED_AT_MOST).flatten() {
             let Ok(name) = entry.file_name().into_string() else { continue };
@@ -121,7 +123,7 @@ impl Folder for Workplace {
             }
             let Ok(about) = self.files.regular(&name).and_then(|path| path.metadata()) else { continue };
             let modified = about.modified().ok().and_then(|time| time.duration_since(UNIX_EPOCH).ok());
-            found.push(Entry { name, modified_s: modified.map_or(0, |time| time.as_secs()) });
+            found.push(FileEntry { name, modified_s: modified.map_or(0, |time| time.as_secs()) });
         }
         found.sort_by(|a, b| b.modified_s.cmp(&a.modified_s).then_with(|| a.name.cmp(&b.name)));
         found.truncate(LISTED_MOST);

@@ -203,14 +203,14 @@ impl Idle {
 
 /// A connection in the list of idle ones.
 #[derive(Debug)]
-pub(crate) struct Place {
+pub(crate) struct IdleSlot {
     all: Arc<Idle>,
     close: Arc<Notify>,
     /// Its number while it is idle.
     number: Mutex<Option<u64>>,
 }
 
-impl Place {
+impl IdleSlot {
     fn new(all: &Arc<Idle>) -> Self {
         let place = Self { all: Arc::clone(all), close: Arc::default(), number: Mutex::default() };
         place.idle();
@@ -243,7 +243,7 @@ impl Place {
     }
 }
 
-impl Drop for Place {
+impl Drop for IdleSlot {
     fn drop(&mut self) {
         self.busy();
     }
@@ -251,7 +251,7 @@ impl Drop for Place {
 
 /// Takes connections until the end comes.
 async fn serve(listener: tokio::net::TcpListener, desk: Arc<Desk>, end: impl Future<Output = ()>) {
-    let (tell, told) = watch::channel(());
+    let (tell, ended) = watch::channel(());
     let most = desk.limits.connections.max(1);
     let connections = Arc::new(Semaphore::new(most));
     let idle = Arc::<Idle>::default();
@@ -268,8 +268,8 @@ async fn serve(listener: tokio::net::TcpListener, desk: Arc<Desk>, end: impl Fut
             () = &mut end => break,
             (place, taken) = next => match (place, taken) {
                 (Ok(place), Ok((stream, _))) => {
-                    let place = (place, Place::new(&idle));
-                    drop(tokio::spawn(connection(stream, Arc::clone(&desk), told.clone(), place)));
+                    let place = (place, IdleSlot::new(&idle));
+                    drop(tokio::spawn(connection(stream, Arc::clone(&desk), ended.clone(), place)));
                 }
                 _ => tokio::time::sleep(PAUSE).await,
             },
@@ -284,8 +284,8 @@ async fn serve(listener: tokio::net::TcpListener, desk: Arc<Desk>, end: impl Fut
 async fn connection(
     stream: TcpStream,
     desk: Arc<Desk>,
-    mut told: watch::Receiver<()>,
-    (_permit, place): (OwnedSemaphorePermit, Place),
+    mut ended: watch::Receiver<()>,
+    (_permit, place): (OwnedSemaphorePermit, IdleSlot),
 ) {
     // Responses are small and latency matters; without this option it is slower.
     let _ = stream.set_nodelay(true);
@@ -310,7 +310,7 @@ async fn connection(
     tokio::select! {
         // Errors of a connection are not reported: the client has disconnected.
         _ = &mut connection => return,
-        _ = told.changed() => {}
+        _ = ended.changed() => {}
         () = place.closed() => return,
         () = tokio::time::sleep(CONNECTION_TIME) => {}
     }
@@ -322,7 +322,7 @@ async fn connection(
 #[cfg(unix)]
 async fn told_to_end() {
     use tokio::signal::unix::{SignalKind, signal};
-    let told = |kind| async move {
+    let ended = |kind| async move {
         match signal(kind) {
             Ok(mut signals) => drop(signals.recv().await),
             // Without a watch the signal ends the program as ever.
@@ -330,9 +330,9 @@ async fn told_to_end() {
         }
     };
     tokio::select! {
-        () = told(SignalKind::interrupt()) => {}
-        () = told(SignalKind::terminate()) => {}
-        () = told(SignalKind::hangup()) => {}
+        () = ended(SignalKind::interrupt()) => {}
+        () = ended(SignalKind::terminate()) => {}
+        () = ended(SignalKind::hangup()) => {}
     }
 }
 

@@ -213,8 +213,8 @@ fn bodies_that_are_too_large_are_not_read() {
     let up = Up::new(Limits::default());
     let answer = up.ask("POST /api/v1/size", "", &vec![b' '; (1 << 20) + 1]);
     assert_eq!(status(&answer), 413, "{answer}");
-    let told = format!("POST /api/v1/size HTTP/1.1\r\nhost: {}\r\ncontent-length: 99999999999\r\n\r\n", up.address);
-    assert_eq!(status(&up.raw(told.as_bytes())), 413);
+    let head = format!("POST /api/v1/size HTTP/1.1\r\nhost: {}\r\ncontent-length: 99999999999\r\n\r\n", up.address);
+    assert_eq!(status(&up.raw(head.as_bytes())), 413);
     let mut chunks =
         format!("POST /api/v1/size HTTP/1.1\r\nhost: {}\r\ntransfer-encoding: chunked\r\n\r\n", up.address)
             .into_bytes();

@@ -51,7 +51,7 @@ pub fn files([engine, interface]: [&[u8]; 2], notices: &str) -> std::io::Result<
 
 /// The page that is shown until the engine has answered.
 fn index() -> String {
-    let both = |told: fn(Language) -> &'static str| html! { @for l in Language::ALL { p lang=(l.id()) { (told(l)) } } };
+    let both = |word: fn(Language) -> &'static str| html! { @for l in Language::ALL { p lang=(l.id()) { (word(l)) } } };
     html! {
         (DOCTYPE)
         html lang="en" {

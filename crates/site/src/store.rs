@@ -1,6 +1,6 @@
 //! The working folder in memory, as far as the browser has said what it keeps.
 
-use page::{Entry, Folder, SaveFault, Shell, Storage, is_project_name, recording_names};
+use page::{FileEntry, Folder, SaveFault, Shell, Storage, is_project_name, recording_names};
 use project::{Files, PROJECT_MAX_BYTES};
 use std::cell::{Cell, RefCell};
 use std::collections::BTreeMap;
@@ -73,11 +73,11 @@ impl Folder for Store {
         Storage::Browser
     }
 
-    fn list(&self) -> Result<Vec<Entry>> {
+    fn list(&self) -> Result<Vec<FileEntry>> {
         let files = self.files.borrow();
         let projects = files.iter().filter(|(name, _)| is_project_name(name));
-        let mut found: Vec<Entry> =
-            projects.map(|(name, file)| Entry { name: name.clone(), modified_s: file.modified_s }).collect();
+        let mut found: Vec<FileEntry> =
+            projects.map(|(name, file)| FileEntry { name: name.clone(), modified_s: file.modified_s }).collect();
         found.sort_by(|a, b| b.modified_s.cmp(&a.modified_s).then_with(|| a.name.cmp(&b.name)));
         Ok(found)
     }

@@ -290,6 +290,6 @@ fn plain_load(mechanism: &Mechanism, extras: &[Extra]) -> Option<(MomentOfInerti
         && mechanism.efficiency_driven == 1.0
         && extras.iter().all(|extra| *extra == Extra::none())
         && mechanism.holding_torque(0.0, &Extra::none()).si() == 0.0
-        && matches!(mechanism.kind, mechanism::Kind::Rotor(_));
+        && matches!(mechanism.kind, mechanism::MechanismKind::Rotor(_));
     plain.then(|| (mechanism.inertia(0.0, &Extra::none()), mechanism.friction.coulomb))
 }

@@ -168,7 +168,7 @@ fn hangs(axis: &Axis) -> bool {
 fn total_inertia(axis: &Axis, actuator: &Parameters) -> Result<MomentOfInertia, Missing> {
     // The lightest load moves most while the brake closes.
     // Of a joint only the largest inertia is stated.
-    let joint = matches!(axis.mechanism.kind, mechanism::Kind::Joint(_));
+    let joint = matches!(axis.mechanism.kind, mechanism::MechanismKind::Joint(_));
     let least = if joint { MomentOfInertia::from_si(0.0) } else { axis.trace.inertia().1 };
     Ok(actuator.inertia_out.require("J_out")?.value + least)
 }
@@ -262,7 +262,7 @@ fn stop(axis: &Axis, actuator: &Parameters, brake: &Brake, work: &mut Workings) 
     let found = (|| {
         let torque = brake.holding_torque.require("T_Br")?.value;
         let closing = brake.closing_time.require("t_c")?.value;
-        let stated = !matches!(axis.mechanism.kind, mechanism::Kind::Joint(_));
+        let stated = !matches!(axis.mechanism.kind, mechanism::MechanismKind::Joint(_));
         if !stated && axis.moments().inertia_max.si() <= 0.0 {
             return Err(Missing { symbol: "J_L" });
         }

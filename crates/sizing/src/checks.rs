@@ -109,7 +109,7 @@ pub(crate) fn mean_speed(axis: &Axis, actuator: &Drivetrain, work: &mut Workings
 pub(crate) fn inertia_ratio(case: &Case<'_>, work: &mut Workings) -> Check {
     let Case { axis, actuator, .. } = *case;
     let id = CheckId::InertiaRatio;
-    if matches!(axis.mechanism.kind, mechanism::Kind::Joint(_)) && axis.moments.inertia_max.si() <= 0.0 {
+    if matches!(axis.mechanism.kind, mechanism::MechanismKind::Joint(_)) && axis.moments.inertia_max.si() <= 0.0 {
         return not_checked(id, Missing { symbol: "mechanism.joint.inertia" });
     }
     let factor = actuator.inertia_ratio_recommended.require("k_J");

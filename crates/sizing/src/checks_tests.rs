@@ -124,8 +124,8 @@ fn brakings_are_counted() {
         assert!((found.value.unwrap().si - life / 2.0).abs() < 1e-3 && found.limit.unwrap().si == 1e7);
     }
     let short = self::axis(&[swing(4.0), dwell(0.05, Hold::Brake)]);
-    let told = |note: &Note| matches!(note, Note::DwellTooShortForBrake { shortest, .. } if (shortest.si() - 0.05).abs() < 1e-12);
-    assert!(of(&short).notes.iter().any(told));
+    let noted = |note: &Note| matches!(note, Note::DwellTooShortForBrake { shortest, .. } if (shortest.si() - 0.05).abs() < 1e-12);
+    assert!(of(&short).notes.iter().any(noted));
     let small = Parameters { brake: Brake { closing_time: Datum::NotPrinted, ..actuator().brake }, ..actuator() };
     assert!(check(&short, &small, CheckId::BrakeHolding).notes.contains(&Note::BrakeTimesAssumed));
     // Kept open for the move and the last 0.11 s of the dwell.
@@ -208,7 +208,7 @@ fn a_collision_above_the_ratcheting_torque_is_against_advice() {
         };
         own
     };
-    let told = Note::Ratcheting { ratcheting: Torque::from_si(200.0), buckling: Some(Torque::from_si(330.0)) };
+    let noted = Note::Ratcheting { ratcheting: Torque::from_si(200.0), buckling: Some(Torque::from_si(330.0)) };
     let rated = known(Torque::from_si(110.0));
     for (torque, of, verdict) in [
         (190.0, Datum::NotPrinted, Verdict::NotChecked),
@@ -219,7 +219,7 @@ fn a_collision_above_the_ratcheting_torque_is_against_advice() {
         axis.asked.collision_torque = Some(Torque::from_si(torque));
         let found = check(&axis, &gear(of), CheckId::CollisionTorque);
         assert_eq!(found.verdict, verdict, "{torque}");
-        assert!(found.notes.contains(&told));
+        assert!(found.notes.contains(&noted));
     }
 }
 

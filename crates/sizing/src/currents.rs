@@ -55,11 +55,11 @@ impl<'e> Currents<'e> {
             (model, settled)
         });
         let settled = heat.as_ref().ok().map(|(_, settled)| settled);
-        let told =
+        let band =
             Note::FrictionTemperatures { cold: law.cold.temperature, settled: settled.map(|settled| settled.housing) };
         let mut notes = match law.cold_band {
-            Some((low, high)) => Notes::from([told, Note::FrictionExtrapolated { low, high }]),
-            None => told.into(),
+            Some((low, high)) => Notes::from([band, Note::FrictionExtrapolated { low, high }]),
+            None => band.into(),
         };
         cite(&mut notes, inertia.errata);
         cite(&mut notes, law.errata);

@@ -476,9 +476,9 @@ pub(crate) fn regenerations<W: Watch>(
         known.push(CyclePower::of(actuator, currents.as_ref()).map(|power| powers.push(power)));
     }
     let mut found = powers.iter().zip(balances(axis, &powers, watch)?);
-    let told = |(power, balance): (&CyclePower<'_>, Balance)| told(axis, power, &balance, &mut Workings::off());
+    let check_of = |(power, balance): (&CyclePower<'_>, Balance)| check_of(axis, power, &balance, &mut Workings::off());
     let check = |known: Result<(), Missing>| match known {
-        Ok(()) => found.next().map(told),
+        Ok(()) => found.next().map(check_of),
         Err(missing) => Some(not_checked(CheckId::Regeneration, missing)),
     };
     Ok(known.into_iter().filter_map(check).collect())
@@ -494,10 +494,10 @@ pub(crate) fn regeneration(case: &Case<'_>, work: &mut Workings) -> Check {
         Ok(power) => power,
         Err(missing) => return not_checked(CheckId::Regeneration, missing),
     };
-    told(axis, &power, &balance(axis, &power), work)
+    check_of(axis, &power, &balance(axis, &power), work)
 }
 
-fn told(axis: &Axis, power: &CyclePower<'_>, balance: &Balance, work: &mut Workings) -> Check {
+fn check_of(axis: &Axis, power: &CyclePower<'_>, balance: &Balance, work: &mut Workings) -> Check {
     let id = CheckId::Regeneration;
     let grade = power.currents.grade.worst(Grade::Computed);
     let mean = balance.back / axis.moments.duration.si();

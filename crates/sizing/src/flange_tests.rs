@@ -2,7 +2,7 @@
 
 use super::*;
 use actuator::FlangeLoad;
-use mechanism::{Kind, Linear, LinearKind, Mechanism, Rotor, RotorKind};
+use mechanism::{Linear, LinearKind, Mechanism, MechanismKind, Rotor, RotorKind};
 use motion::{Closing, Given, Law, Motion, Recorded, Samples, SegmentSpec, Treatment};
 use quantities::unit::DEGREE;
 use quantities::{Angle, AngularVelocity, Mass, MomentOfInertia};
@@ -24,7 +24,10 @@ fn arm(mass: f64, tilt_deg: f64) -> Mechanism {
         angle: Angle::from_si(0.0),
         tilt: Angle::new_in(tilt_deg, &DEGREE),
     };
-    Mechanism { kind: Kind::Rotor(rotor), ..Mechanism::direct(MomentOfInertia::from_si(0.0), Torque::from_si(0.0)) }
+    Mechanism {
+        kind: MechanismKind::Rotor(rotor),
+        ..Mechanism::direct(MomentOfInertia::from_si(0.0), Torque::from_si(0.0))
+    }
 }
 
 fn mounting() -> Mounting {
@@ -141,7 +144,7 @@ fn laws_agree_with_many_small_steps() {
         friction_coefficient: 0.0,
     };
     let screw = Mechanism {
-        kind: Kind::Linear(slide),
+        kind: MechanismKind::Linear(slide),
         ..Mechanism::direct(MomentOfInertia::from_si(0.0), Torque::from_si(0.0))
     };
     for (mechanism, specs) in [

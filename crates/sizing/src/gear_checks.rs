@@ -61,7 +61,7 @@ pub(crate) fn collision(case: &Case<'_>, work: &mut Workings) -> Check {
         return not_checked(id, Missing { symbol: "requirements.collision_torque" });
     };
     let ratchets = gear.ratcheting_torque.known();
-    let told = ratchets.map(|ratcheting| Note::Ratcheting {
+    let note = ratchets.map(|ratcheting| Note::Ratcheting {
         ratcheting: ratcheting.value,
         buckling: gear.buckling_torque.known().map(|known| known.value),
     });
@@ -79,7 +79,7 @@ pub(crate) fn collision(case: &Case<'_>, work: &mut Workings) -> Check {
                 }
                 None => not_checked(id, missing),
             };
-            check.notes.extend(told);
+            check.notes.extend(note);
             return check;
         }
     };
@@ -110,7 +110,7 @@ pub(crate) fn collision(case: &Case<'_>, work: &mut Workings) -> Check {
     }
     check.notes.push(Note::RatingOfInterchangeableGear);
     check.notes.extend(permitted.map(Note::CollisionsPermitted));
-    check.notes.extend(told);
+    check.notes.extend(note);
     check
 }
 

@@ -48,6 +48,6 @@ pub use list::{Asked, SpecialApplication};
 pub use notes::{BrakeStop, Budget, Note, Notes, ResonanceSpeeds};
 pub use rank::{RankKey, Standing, rank};
 pub use reserve::{Reserve, SAMPLES_ANEW, Unsought, reserve, reserve_watched};
-pub use supply::{Supply, SupplyFrom};
+pub use supply::{MainsPhases, Supply, SupplyFrom};
 pub use trace::INSTANTS_MOST;
 pub use watch::{Unwatched, Watch, finished};

@@ -234,7 +234,7 @@ impl Notes {
         self.0 = match &self[..] {
             [] => Held::One(note),
             [one] => Held::Found(Arc::new([one.clone(), note])),
-            told => Held::Found(told.iter().cloned().chain(std::iter::once(note)).collect()),
+            reported => Held::Found(reported.iter().cloned().chain(std::iter::once(note)).collect()),
         };
     }
 

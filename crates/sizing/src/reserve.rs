@@ -90,7 +90,7 @@ pub fn reserve_watched<W: Watch>(
         })
     };
     let carries = axis.extras.iter().any(|extra| extra.mass.si() > 0.0 || extra.inertia.si() > 0.0);
-    if matches!(axis.mechanism.kind, mechanism::Kind::Joint(_)) {
+    if matches!(axis.mechanism.kind, mechanism::MechanismKind::Joint(_)) {
         // Recorded torques say nothing about another load or another pace.
         return Ok(Reserve { ambient: ambient()?, ..Reserve::default() });
     }
@@ -317,7 +317,7 @@ mod tests {
         };
         let direct = Mechanism::direct(MomentOfInertia::from_si(0.5), Torque::from_si(1.0));
         Mechanism {
-            kind: mechanism::Kind::Rotor(rotor),
+            kind: mechanism::MechanismKind::Rotor(rotor),
             efficiency_driving: efficiency,
             efficiency_driven: efficiency,
             ..direct

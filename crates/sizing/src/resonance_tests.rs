@@ -1,7 +1,7 @@
 use super::*;
 use crate::judge::{Depth, judge};
 use actuator::{Drivetrain, Gear};
-use mechanism::{Kind, Mechanism, SliderCrank};
+use mechanism::{Mechanism, MechanismKind, SliderCrank};
 use motion::{Closing, Given, Law, Motion, SegmentSpec};
 use provenance::{CellRef, Datum};
 use quantities::unit::REVOLUTION_PER_MINUTE as RPM;
@@ -87,7 +87,7 @@ fn a_changing_inertia_resonates_over_a_range() {
         let motion =
             Motion::new(&[hold(speed, 120.0 / speed)], Some(Angle::from_si(0.3)), Closing::Revolutions).unwrap();
         let load = Mechanism {
-            kind: Kind::SliderCrank(crank),
+            kind: MechanismKind::SliderCrank(crank),
             ..Mechanism::direct(MomentOfInertia::from_si(0.0), Torque::from_si(0.0))
         };
         Axis::new(load, motion, Vec::new())

@@ -118,7 +118,7 @@ pub(crate) fn explain_budget(stage: &Stage, (worst, torque): (Angle, Torque), wo
 #[cfg(test)]
 mod tests {
     use crate::axis::Axis;
-    use mechanism::{Extra, Kind, Mechanism, Output, Rotor, RotorKind, Stage, StageKind};
+    use mechanism::{Extra, Mechanism, MechanismKind, Output, Rotor, RotorKind, Stage, StageKind};
     use motion::{Closing, Given, Law, Motion, SegmentSpec};
     use quantities::unit::DEGREE;
     use quantities::{Angle, Length, Mass, Measure, MomentOfInertia, Time, Torque};
@@ -146,7 +146,7 @@ mod tests {
             tilt: Angle::new_in(90.0, &DEGREE),
         };
         let plain = Mechanism {
-            kind: Kind::Rotor(rotor),
+            kind: MechanismKind::Rotor(rotor),
             efficiency_driving: 0.95,
             efficiency_driven: 0.9,
             ..Mechanism::direct(MomentOfInertia::from_si(0.0), Torque::from_si(2.0))

@@ -20,13 +20,24 @@ pub struct Supply {
 pub enum SupplyFrom {
     /// The project states it.
     DcLink(ElectricPotential),
-    /// A three-phase rectifier without control.
+    /// A rectifier without control.
     Mains {
+        /// What feeds it.
+        phases: MainsPhases,
         /// U_mains between two lines.
         nominal: EffectiveVoltage,
         /// d: by this share of it the mains vary.
         deviation: f64,
     },
+}
+
+/// What feeds a rectifier.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum MainsPhases {
+    /// One phase, between line and neutral: two pulses in a period.
+    Single,
+    /// Three phases: six pulses.
+    Three,
 }
 
 /// An edge of the DC link.
@@ -41,22 +52,28 @@ pub(crate) enum Edge {
 impl Supply {
     /// U_DC at an edge.
     ///
-    /// Of a rectifier with six diodes: U_DC = (3√2/π) U_mains (1 − d) under load, the mean of its six pulses, and
-    /// √2 U_mains (1 + d) without load, where the capacitor holds the peak.
+    /// Of a bridge of diodes: U_DC = (3√2/π) U_mains (1 − d) under load of three phases, the mean of six pulses,
+    /// (2√2/π) U_mains (1 − d) of one phase, the mean of two, and √2 U_mains (1 + d) without load, where the capacitor holds
+    /// the peak.
     ///
     /// # Symbols
     /// U_mains effective voltage between two lines \[V\], d deviation of the mains \[1\]
     /// # Source
     /// docs/theory/voltage.md
     /// # Valid
-    /// Three phases and a rectifier without control; the fall of voltage in choke, diodes and cables is not counted.
+    /// A rectifier without control; the fall of voltage in choke, diodes and cables is not counted. Of one phase a
+    /// capacitor holds more than the mean, which is the least.
     pub(crate) fn at(&self, edge: Edge) -> ElectricPotential {
         match (self.from, edge) {
             (SupplyFrom::DcLink(stated), _) => stated,
-            (SupplyFrom::Mains { nominal, deviation }, Edge::Low) => {
-                ElectricPotential::from_si(3.0 * SQRT_2 / PI * nominal.si() * (1.0 - deviation))
+            (SupplyFrom::Mains { phases, nominal, deviation }, Edge::Low) => {
+                let mean = match phases {
+                    MainsPhases::Single => 2.0 * SQRT_2 / PI,
+                    MainsPhases::Three => 3.0 * SQRT_2 / PI,
+                };
+                ElectricPotential::from_si(mean * nominal.si() * (1.0 - deviation))
             }
-            (SupplyFrom::Mains { nominal, deviation }, Edge::High) => {
+            (SupplyFrom::Mains { nominal, deviation, .. }, Edge::High) => {
                 ElectricPotential::from_si(SQRT_2 * nominal.si() * (1.0 + deviation))
             }
         }
@@ -100,13 +117,14 @@ impl Supply {
         let found = self.at(edge).si();
         match self.from {
             SupplyFrom::DcLink(_) => work.figure("U_DC", &VOLT, found, &self.source(), Grade::Printed),
-            SupplyFrom::Mains { nominal, deviation } => {
+            SupplyFrom::Mains { phases, nominal, deviation } => {
                 let by = Source::Project { key: "requirements.mains_deviation".into() };
                 work.figure("U_mains", &EFFECTIVE_VOLT, nominal.si(), &self.source(), Grade::Printed);
                 work.figure("d_U", &ONE, deviation, &by, Grade::Assumed);
-                let text = match edge {
-                    Edge::Low => "3*sqrt(2)/pi*U_mains*(1 - d_U)",
-                    Edge::High => "sqrt(2)*U_mains*(1 + d_U)",
+                let text = match (edge, phases) {
+                    (Edge::Low, MainsPhases::Single) => "2*sqrt(2)/pi*U_mains*(1 - d_U)",
+                    (Edge::Low, MainsPhases::Three) => "3*sqrt(2)/pi*U_mains*(1 - d_U)",
+                    (Edge::High, _) => "sqrt(2)*U_mains*(1 + d_U)",
                 };
                 work.formula("U_DC", &VOLT, found, text, &Source::Model { name: "voltage" });
             }
@@ -118,13 +136,23 @@ impl Supply {
 mod tests {
     use super::*;
 
+    fn mains(phases: MainsPhases, nominal: f64, deviation: f64) -> Supply {
+        let nominal = EffectiveVoltage::from_si(nominal);
+        Supply { reserve: 0.9, from: SupplyFrom::Mains { phases, nominal, deviation } }
+    }
+
+    /// 230 V: peak 325.3 V; mean of two pulses 207.1 V (textbook values: 1.414 and 0.900 of it).
+    #[test]
+    fn a_rectifier_of_one_phase_gives_the_textbook_values() {
+        let volts = |deviation, edge| mains(MainsPhases::Single, 230.0, deviation).at(edge).si();
+        assert!((volts(0.0, Edge::High) - 325.27).abs() < 1e-2 && (volts(0.0, Edge::Low) - 207.07).abs() < 1e-2);
+        assert!((volts(0.1, Edge::High) - 357.80).abs() < 1e-2 && (volts(0.1, Edge::Low) - 186.37).abs() < 1e-2);
+    }
+
     /// 400 V ± 10 %: 486 V to 622 V; the peak of 400 V is 565.7 V, the mean of six pulses 540.2 V (textbook values).
     #[test]
     fn a_rectifier_gives_the_textbook_values() {
-        let mains = |deviation| Supply {
-            reserve: 0.9,
-            from: SupplyFrom::Mains { nominal: EffectiveVoltage::from_si(400.0), deviation },
-        };
+        let mains = |deviation| mains(MainsPhases::Three, 400.0, deviation);
         let volts = |deviation, edge| mains(deviation).at(edge).si();
         assert!((volts(0.0, Edge::High) - 565.685).abs() < 1e-3 && (volts(0.0, Edge::Low) - 540.19).abs() < 1e-2);
         assert!((volts(0.1, Edge::High) - 622.25).abs() < 1e-2 && (volts(0.1, Edge::Low) - 486.17).abs() < 1e-2);

@@ -22,14 +22,14 @@ pub fn calendar(plan: &Upkeep, record: &answers::Upkeep, name: Option<&str>, lan
     calendar.name(&upkeep::calendar_of(&subject, language));
     let stamp = plan.today.unwrap_or(plan.delivered).and_time(NaiveTime::MIN).and_utc();
     let identity = format!("{}\n{}\n{}", record.code, record.delivered, name.unwrap_or_default());
-    for (line, told) in plan.plan.iter().zip(&record.plan) {
+    for (line, texts) in plan.plan.iter().zip(&record.plan) {
         let mut event = Event::new();
         event
-            .uid(&identifier(&identity, told.task))
+            .uid(&identifier(&identity, texts.task))
             .timestamp(stamp)
             .starts(line.first)
-            .summary(&format!("{subject}: {}", told.title))
-            .description(&format!("{}\n{}\n{}", told.rule_text, told.text, told.source))
+            .summary(&format!("{subject}: {}", texts.title))
+            .description(&format!("{}\n{}\n{}", texts.rule_text, texts.text, texts.source))
             .add_property("TRANSP", "TRANSPARENT");
         if let Some(rule) = series(line) {
             event.add_property("RRULE", rule);

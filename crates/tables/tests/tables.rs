@@ -371,7 +371,7 @@ fn a_long_course_is_left_to_the_other_formats() {
         let mut book: Xlsx<_> = Xlsx::new(Cursor::new(xlsx(&tables, front).unwrap())).unwrap();
         assert!(!book.sheet_names().contains(&"Course".to_owned()));
         let cover = book.worksheet_range("Overview").unwrap();
-        let told = cover.rows().find(|row| row[0] == Data::String("Course".to_owned())).unwrap();
-        assert!(told[1].to_string().contains("--table course"), "{told:?}");
+        let shown = cover.rows().find(|row| row[0] == Data::String("Course".to_owned())).unwrap();
+        assert!(shown[1].to_string().contains("--table course"), "{shown:?}");
     });
 }

@@ -355,7 +355,7 @@ impl Gains {
 }
 
 /// Those for a time constant, by its bits.
-type Entry = (u64, Arc<Gains>);
+type Cached = (u64, Arc<Gains>);
 
 /// Number of cached time constants. Judging one actuator after the other needs those of a size or two at a time; a
 /// catalogue has more of them, and each costs memory in proportion to the recording.
@@ -368,7 +368,7 @@ pub(super) fn rounded(tau_s: f64) -> f64 {
 
 /// Gains for the requested time constants.
 #[derive(Debug, Default)]
-pub(super) struct GainTables(Mutex<Vec<Entry>>);
+pub(super) struct GainTables(Mutex<Vec<Cached>>);
 
 impl GainTables {
     /// The gains for a time constant, made if it is the first time.

@@ -208,7 +208,7 @@ fn neither_rotation_nor_repetition_nor_mirror_nor_units_change_a_lag() {
         segments.iter().map(turned).collect()
     };
     let mut other = arm();
-    if let mechanism::Kind::Rotor(rotor) = &mut other.kind {
+    if let mechanism::MechanismKind::Rotor(rotor) = &mut other.kind {
         rotor.tilt = Angle::from_si(-rotor.tilt.si());
     }
     let segments = &cycles()[1].1;

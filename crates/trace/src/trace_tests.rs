@@ -1,5 +1,7 @@
 use super::*;
-use mechanism::{FourBar, Friction, Hoist, Kind, Output, Rotor, RotorKind, ScissorLift, SliderCrank, Winder, Winding};
+use mechanism::{
+    FourBar, Friction, Hoist, MechanismKind, Output, Rotor, RotorKind, ScissorLift, SliderCrank, Winder, Winding,
+};
 use motion::{Closing, Given, Hold, Law, ManualMove, Placed, Recorded, Samples, SegmentSpec, Treatment};
 use quantities::{
     Angle, AngularAcceleration, AngularJerk, AngularVelocity, Force, Length, Mass, MassDensity, Measure,
@@ -51,7 +53,7 @@ pub(super) fn arm() -> Mechanism {
         tilt: Angle::from_si(std::f64::consts::FRAC_PI_2),
         ..Rotor::balanced(MomentOfInertia::from_si(0.8))
     };
-    Mechanism { kind: Kind::Rotor(rotor), efficiency_driving: 0.9, efficiency_driven: 0.8, ..direct() }
+    Mechanism { kind: MechanismKind::Rotor(rotor), efficiency_driving: 0.9, efficiency_driven: 0.8, ..direct() }
 }
 
 /// The same without losses: a sum of five parts.
@@ -177,10 +179,17 @@ fn the_moments_agree_with_brute_force_where_the_inertia_depends_on_the_position(
     };
     let (inertia, mass) = (kgm2(0.01), kg(4.0));
     let kinds = [
-        Kind::FourBar(four_bar(0.35)),
-        Kind::FourBar(four_bar(0.256)),
-        Kind::SliderCrank(SliderCrank { crank: m(0.2), rod: m(0.21), inertia, mass, inclination: tilt, angle: none }),
-        Kind::ScissorLift(ScissorLift {
+        MechanismKind::FourBar(four_bar(0.35)),
+        MechanismKind::FourBar(four_bar(0.256)),
+        MechanismKind::SliderCrank(SliderCrank {
+            crank: m(0.2),
+            rod: m(0.21),
+            inertia,
+            mass,
+            inclination: tilt,
+            angle: none,
+        }),
+        MechanismKind::ScissorLift(ScissorLift {
             stages: 2,
             arm_length: m(1.2),
             lead: m(0.9),
@@ -189,7 +198,7 @@ fn the_moments_agree_with_brute_force_where_the_inertia_depends_on_the_position(
             arm_mass: kg(9.0),
             inertia,
         }),
-        Kind::Winder(Winder {
+        MechanismKind::Winder(Winder {
             winding: Winding::Up,
             core_diameter: m(0.1),
             full_diameter: m(0.6),
@@ -200,7 +209,7 @@ fn the_moments_agree_with_brute_force_where_the_inertia_depends_on_the_position(
             tension: Force::from_si(30.0),
             inertia,
         }),
-        Kind::Hoist(Hoist {
+        MechanismKind::Hoist(Hoist {
             drum_diameter: m(0.3),
             falls: 2,
             inertia,

@@ -44,6 +44,14 @@ pub fn assumption_text(assumption: Assumption, language: Language) -> String {
             "the mains vary by ± 10 % (requirements.mains_deviation), and the DC link is that of a three-phase rectifier without control: 1.35 times the lowest mains under load, √2 times the highest without load",
             "das Netz schwankt um ± 10 % (requirements.mains_deviation), und der Zwischenkreis ist der eines ungesteuerten Drehstromgleichrichters: unter Last das 1,35-fache der niedrigsten, ohne Last das √2-fache der höchsten Netzspannung",
         ),
+        Assumption::SinglePhaseRectifier => (
+            "the DC link is that of a single-phase rectifier without control: 0.90 times the lowest mains under load, the mean of its pulses; a capacitor keeps it higher (state that voltage as requirements.supply), √2 times the highest without load",
+            "der Zwischenkreis ist der eines ungesteuerten Einphasengleichrichters: unter Last das 0,90-fache der niedrigsten Netzspannung, der Mittelwert der Pulse; ein Kondensator hält sie höher (dann als requirements.supply angeben), ohne Last das √2-fache der höchsten",
+        ),
+        Assumption::SinglePhaseRectifierAndDeviation => (
+            "the mains vary by ± 10 % (requirements.mains_deviation), and the DC link is that of a single-phase rectifier without control: 0.90 times the lowest mains under load, the mean of its pulses; a capacitor keeps it higher (state that voltage as requirements.supply), √2 times the highest without load",
+            "das Netz schwankt um ± 10 % (requirements.mains_deviation), und der Zwischenkreis ist der eines ungesteuerten Einphasengleichrichters: unter Last das 0,90-fache der niedrigsten Netzspannung, der Mittelwert der Pulse; ein Kondensator hält sie höher (dann als requirements.supply angeben), ohne Last das √2-fache der höchsten",
+        ),
         Assumption::OwnStallCurrentIncludesFriction => (
             "I_0 of the own actuator taken to include its no-load starting current I_NLS",
             "I_0 des eigenen Antriebs enthält annahmegemäß den lastfreien Anlaufstrom I_NLS",

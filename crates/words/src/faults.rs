@@ -12,7 +12,7 @@ use std::ops::Range as Span;
 
 /// A fault in words.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Told {
+pub struct Worded {
     /// Its identifier in data exchange.
     pub id: &'static str,
     /// Offending part of the text, in bytes.
@@ -27,7 +27,7 @@ pub struct Told {
     pub hint: Option<String>,
 }
 
-impl Told {
+impl Worded {
     /// A fault with its words at a place of a text.
     #[must_use]
     pub fn at(text: &str, span: Span<usize>, id: &'static str, message: String, hint: Option<String>) -> Self {
@@ -38,13 +38,13 @@ impl Told {
 
 /// Every fault in words, in their order.
 #[must_use]
-pub fn told(faults: &[Diagnostic], language: Language) -> Vec<Told> {
+pub fn worded(faults: &[Diagnostic], language: Language) -> Vec<Worded> {
     faults.iter().map(|fault| fault_told(fault, language)).collect()
 }
 
-fn fault_told(found: &Diagnostic, language: Language) -> Told {
+fn fault_told(found: &Diagnostic, language: Language) -> Worded {
     let hint = found.hint.as_ref().map(|hint| hint_text(hint, language));
-    Told {
+    Worded {
         id: found.fault.id(),
         span: found.span.clone(),
         line: found.line,

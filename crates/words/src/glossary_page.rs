@@ -31,9 +31,9 @@ pub fn glossary_page(language: Language) -> String {
 /// a drive.
 pub fn glossary_symbols() -> impl Iterator<Item = (&'static str, &'static str, &'static str)> {
     let of_tables = |symbol: &str| catalogue::glossary().iter().any(|term| term.symbol == symbol);
-    let told = ParameterId::ALL.iter().filter(move |id| !of_tables(id.symbol()));
-    let told = told.map(|id| (id.symbol(), parameter_name(*id, Language::En), parameter_name(*id, Language::De)));
-    step_terms().chain(told)
+    let listed = ParameterId::ALL.iter().filter(move |id| !of_tables(id.symbol()));
+    let listed = listed.map(|id| (id.symbol(), parameter_name(*id, Language::En), parameter_name(*id, Language::De)));
+    step_terms().chain(listed)
 }
 
 /// The meaning of one of them in a language.

@@ -392,8 +392,12 @@ pub const fn about_text(about: About, language: Language) -> &'static str {
         About::Requirements(RequirementsName::mass_max) => ("largest mass of the actuator", "größte Masse des Antriebs"),
         About::Requirements(RequirementsName::supply) => ("DC link voltage; the terminal voltage is not checked without it", "Zwischenkreisspannung; ohne Angabe ist die Klemmenspannung nicht geprüft"),
         About::Requirements(RequirementsName::mains) => (
-            "three-phase mains in place of the DC link, effective between two lines; the edge that is worse for it counts in each check",
-            "Drehstromnetz anstelle des Zwischenkreises, effektiv zwischen zwei Leitern; in jedem Nachweis zählt der ungünstigere Rand",
+            "mains in place of the DC link, effective between two lines; the edge that is worse for it counts in each check",
+            "Netz anstelle des Zwischenkreises, effektiv zwischen zwei Leitern; in jedem Nachweis zählt der ungünstigere Rand",
+        ),
+        About::Requirements(RequirementsName::mains_phases) => (
+            "phases of the mains; three without it",
+            "Phasen des Netzes; ohne Angabe drei",
         ),
         About::Requirements(RequirementsName::mains_deviation) => (
             "share by which the mains vary in both directions",

@@ -59,7 +59,7 @@ pub use derivation::{found_text, step_term, step_terms, symbol_shown};
 pub use errata::{erratum_kind, erratum_place, erratum_status};
 pub use examples::{EXAMPLE_TEXTS, example_text, how_to_run};
 pub use facts::{fact_source, fact_text, signal_word, step_title};
-pub use faults::{Told, battery_fault, fault_text, file_trouble, hint_text, told};
+pub use faults::{Worded, battery_fault, fault_text, file_trouble, hint_text, worded};
 pub use glossary_page::{glossary_page, glossary_symbol, glossary_symbols};
 pub use keys::{about_text, key_text};
 pub use letters::{is_vowel, stands_before_a_number};
@@ -72,7 +72,7 @@ pub use print::{
 };
 pub use project_file::{body_key, key_word, short_label, table_of_project};
 pub use project_page::project_page;
-pub use quantity::{quantity_fault, quantity_hint};
+pub use quantity::{quantity_fault, quantity_hint, unpadded};
 pub use recording::{encoding_guess, role_text};
 pub use results::{
     Counts, check_missing, check_title, condition_text, counts_text, curve_title, evidence_text, figure_term,

@@ -82,6 +82,8 @@ const KEY_WORDS: &[(&str, &str, &str, &str)] = &[
     ("", "ccw", "counter-clockwise", "links"),
     ("position", "rising", "rising", "steigend"),
     ("position", "falling", "falling", "fallend"),
+    ("mains_phases", "single", "single-phase", "einphasig"),
+    ("mains_phases", "three", "three-phase", "dreiphasig"),
     ("position_loop", "motor", "motor feedback", "Motorfeedback"),
     ("position_loop", "output", "encoder at the output", "Geber am Abtrieb"),
     ("special_application", "aerospace", "aerospace", "Luft- und Raumfahrt"),

@@ -2,8 +2,9 @@
 
 use super::key_text;
 use crate::pages;
+use crate::quantity::unpadded;
 use project::{Column, KEYS, Key, Kind, Range, Variants};
-use quantities::{Dimension, Language, format_significant};
+use quantities::{Dimension, Language};
 
 /// The page in a language.
 #[must_use]
@@ -88,7 +89,7 @@ fn sample(key: &Key) -> String {
 
 /// What may stand behind a key.
 fn value(key: &Key, language: Language) -> String {
-    let shown = |number: f64| format_significant(number, 7, language);
+    let shown = |number: f64| unpadded(number, 7, language);
     let between = |low: f64, high: f64| pages::from_to(&shown(low), &shown(high), language);
     let name = |dimension: Dimension| dimension.name(language);
     match key.kind {

@@ -1,7 +1,7 @@
-//! Words about texts that are no quantities.
+//! Words about texts that are no quantities, and plain numbers.
 
 use super::either;
-use quantities::{Dimension, Language, QuantityError};
+use quantities::{Dimension, Language, QuantityError, format_significant};
 
 /// What is wrong with a text that should be a quantity, in one sentence.
 #[must_use]
@@ -169,4 +169,12 @@ fn point_hint(found: &str, language: Language) -> String {
             format!("mit Dezimalpunkt schreiben: {point}; Tausender ohne Trennzeichen: {whole}{fraction}")
         }
     }
+}
+
+/// A number with at most so many digits that count, without zeros that only fill them up.
+#[must_use]
+pub fn unpadded(number: f64, digits: usize, language: Language) -> String {
+    let text = format_significant(number, digits, language);
+    let has_fraction = text.contains(['.', ',']) && !text.contains(['e', '·']);
+    if has_fraction { text.trim_end_matches('0').trim_end_matches(['.', ',']).to_owned() } else { text }
 }

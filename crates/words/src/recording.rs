@@ -531,7 +531,7 @@ mod tests {
     use super::*;
     use recording::{Layout, read_csv};
 
-    fn told(text: &str, language: Language) -> Vec<String> {
+    fn sentences(text: &str, language: Language) -> Vec<String> {
         let faults = read_csv(text.as_bytes(), &Layout::default()).unwrap_err();
         faults.iter().map(|found| fault(found, language).0).collect()
     }
@@ -540,11 +540,11 @@ mod tests {
     fn faults_name_their_line_in_both_languages() {
         let text = "t [s];q [deg]\n0;1,5\n1;x\n0,5;2\n";
         assert_eq!(
-            told(text, Language::En),
+            sentences(text, Language::En),
             ["line 3: the value of \"q [deg]\" is not a number", "line 4: time runs backwards, 0.5 s follows 1 s",]
         );
         assert_eq!(
-            told(text, Language::De),
+            sentences(text, Language::De),
             [
                 "Zeile 3: der Wert von „q [deg]“ ist keine Zahl",
                 "Zeile 4: die Zeit läuft rückwärts, 0,5 s folgt auf 1 s",
@@ -554,10 +554,10 @@ mod tests {
 
     #[test]
     fn only_a_guess_is_told() {
-        let told = |encoding| encoding_guess(Some(encoding), Language::En);
-        assert_eq!((told(Encoding::Utf8), told(Encoding::Utf16)), (None, None));
-        assert_eq!(told(Encoding::Windows1252Guessed).as_deref(), Some("text taken for Windows-1252"));
-        assert!(told(Encoding::Utf16Guessed).is_some());
+        let sentences = |encoding| encoding_guess(Some(encoding), Language::En);
+        assert_eq!((sentences(Encoding::Utf8), sentences(Encoding::Utf16)), (None, None));
+        assert_eq!(sentences(Encoding::Windows1252Guessed).as_deref(), Some("text taken for Windows-1252"));
+        assert!(sentences(Encoding::Utf16Guessed).is_some());
     }
 
     #[test]

@@ -103,7 +103,7 @@ pub(super) fn dossier(case: &Case<'_>, sizing: &Sizing<'_>, best: &Candidate<'_>
         assert!(document.is_ok(), "{:?}", document.err());
         let document = document.unwrap_or_default();
         let axes = document.get("axes").and_then(Value::as_array).map(Vec::len);
-        assert_eq!(axes, Some(2), "an axis is not told");
+        assert_eq!(axes, Some(2), "an axis is not named");
         numbers(&document);
     }
 }

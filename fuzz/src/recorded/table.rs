@@ -91,11 +91,11 @@ impl Columns {
             });
         }
         let key = *u.choose(&["unit:", "unit_"])?;
-        let told =
+        let stated =
             stored.iter().map(|each| KeyValue::new(format!("{key}{}", each.column.name), each.column.unit.to_owned()));
-        let told = if in_names { None } else { Some(told.collect::<Vec<_>>()) };
+        let stated = if in_names { None } else { Some(stated.collect::<Vec<_>>()) };
         let groups = u.int_in_range(1..=3)?;
-        let properties = properties(u, &stored, told)?;
+        let properties = properties(u, &stored, stated)?;
         let gaps = u.ratio(1, 8)?;
         Ok(write(&stored, properties, groups, gaps).unwrap_or_default())
     }
@@ -104,7 +104,7 @@ impl Columns {
 fn properties(
     u: &mut Unstructured<'_>,
     stored: &[Stored<'_>],
-    told: Option<Vec<KeyValue>>,
+    stated: Option<Vec<KeyValue>>,
 ) -> Result<WriterProperties> {
     let compressions = [
         Compression::UNCOMPRESSED,
@@ -123,7 +123,7 @@ fn properties(
         .set_statistics_enabled(statistics)
         .set_data_page_row_count_limit(u.int_in_range(1..=64)?)
         .set_write_batch_size(u.int_in_range(1..=32)?)
-        .set_key_value_metadata(told);
+        .set_key_value_metadata(stated);
     for of in stored {
         let own = of.store.encodings();
         if u.ratio(1, 3)? {

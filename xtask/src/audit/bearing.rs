@@ -191,7 +191,7 @@ pub(super) fn screws(view: &View, tally: &mut Tally) {
 
 #[cfg(test)]
 mod tests {
-    use super::super::told;
+    use super::super::findings_of;
     use super::*;
 
     fn altered(table: &str, symbol: &'static str, drive: &'static str, text: &str) -> View {
@@ -200,13 +200,13 @@ mod tests {
 
     #[test]
     fn a_changed_static_moment_is_found() {
-        assert_eq!(told(static_moment, &altered("55.1", "M_0_max", "CHA-32A", "2142")).len(), 1);
+        assert_eq!(findings_of(static_moment, &altered("55.1", "M_0_max", "CHA-32A", "2142")).len(), 1);
     }
 
     #[test]
     fn a_force_beyond_the_life_is_found() {
-        assert_eq!(told(life, &altered("55.1", "F_R_dyn_max", "CHA-32A", "16400")).len(), 1);
-        assert_eq!(told(life, &altered("55.1", "F_A_dyn_max", "CHA-25A", "21900")).len(), 1);
+        assert_eq!(findings_of(life, &altered("55.1", "F_R_dyn_max", "CHA-32A", "16400")).len(), 1);
+        assert_eq!(findings_of(life, &altered("55.1", "F_A_dyn_max", "CHA-25A", "21900")).len(), 1);
     }
 
     #[test]
@@ -214,21 +214,21 @@ mod tests {
         let view = View::with("54.3", "4,8", |c| {
             c.place.symbol == "K_2" && c.place.drive == "CHA-17A" && c.place.ratio == "30"
         });
-        assert!(told(growth, &view).is_empty(), "still in order");
+        assert!(findings_of(growth, &view).is_empty(), "still in order");
         let view = View::with("54.3", "44", |c| {
             c.place.symbol == "K_2" && c.place.drive == "CHA-17A" && c.place.ratio == "30"
         });
-        assert!(!told(growth, &view).is_empty());
+        assert!(!findings_of(growth, &view).is_empty());
         let view = View::with("54.1", "< 1,6", |c| {
             c.place.symbol == "transmission_accuracy" && c.place.drive == "CHA-20A" && c.place.ratio == "> 50"
         });
-        assert_eq!(told(growth, &view).len(), 1);
+        assert_eq!(findings_of(growth, &view).len(), 1);
     }
 
     #[test]
     fn a_changed_joint_is_found() {
-        assert_eq!(told(screws, &altered("79.1", "transmissible_torque_load", "CHA-20A", "282")).len(), 1);
-        assert_eq!(told(screws, &altered("79.1", "tightening_torque_load", "CHA-25A", "11")).len(), 1);
-        assert!(!told(screws, &altered("79.1", "transmissible_torque_load", "CHA-14A", "25")).is_empty());
+        assert_eq!(findings_of(screws, &altered("79.1", "transmissible_torque_load", "CHA-20A", "282")).len(), 1);
+        assert_eq!(findings_of(screws, &altered("79.1", "tightening_torque_load", "CHA-25A", "11")).len(), 1);
+        assert!(!findings_of(screws, &altered("79.1", "transmissible_torque_load", "CHA-14A", "25")).is_empty());
     }
 }

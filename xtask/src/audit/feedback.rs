@@ -113,7 +113,7 @@ fn only<'a>(view: &'a View, table: &'a str, symbol: &'a str) -> Option<&'a Audit
 
 #[cfg(test)]
 mod tests {
-    use super::super::told;
+    use super::super::findings_of;
     use super::*;
 
     fn altered(table: &str, symbol: &'static str, ratio: &'static str, text: &str) -> View {
@@ -122,15 +122,15 @@ mod tests {
 
     #[test]
     fn a_changed_resolution_or_step_count_is_found() {
-        assert_eq!(told(resolution, &altered("57.1", "resolution_motor_inc", "", "262143")).len(), 1);
-        assert_eq!(told(resolution, &altered("57.1", "resolution_out", "50", "0,11")).len(), 1);
-        assert_eq!(told(resolution, &altered("58.2", "resolution_out", "50", "14")).len(), 1);
-        assert_eq!(told(resolution, &altered("61.1", "resolution_out", "120", "1,2")).len(), 1);
+        assert_eq!(findings_of(resolution, &altered("57.1", "resolution_motor_inc", "", "262143")).len(), 1);
+        assert_eq!(findings_of(resolution, &altered("57.1", "resolution_out", "50", "0,11")).len(), 1);
+        assert_eq!(findings_of(resolution, &altered("58.2", "resolution_out", "50", "14")).len(), 1);
+        assert_eq!(findings_of(resolution, &altered("61.1", "resolution_out", "120", "1,2")).len(), 1);
     }
 
     #[test]
     fn changed_turns_or_bits_are_found() {
-        assert_eq!(told(turns, &altered("58.1", "turns_out", "30", "137")).len(), 1);
-        assert_eq!(told(turns, &altered("59.1", "positions_per_turn_bits", "", "18")).len(), 1);
+        assert_eq!(findings_of(turns, &altered("58.1", "turns_out", "30", "137")).len(), 1);
+        assert_eq!(findings_of(turns, &altered("59.1", "positions_per_turn_bits", "", "18")).len(), 1);
     }
 }

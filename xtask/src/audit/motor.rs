@@ -221,7 +221,7 @@ pub(super) fn each_ratio(
 
 #[cfg(test)]
 mod tests {
-    use super::super::told;
+    use super::super::findings_of;
     use super::*;
 
     fn altered(table: &str, symbol: &'static str, ratio: &'static str, text: &str) -> View {
@@ -230,35 +230,35 @@ mod tests {
 
     #[test]
     fn a_changed_inductance_is_found() {
-        assert_eq!(told(electrical_time_constant, &altered("26.1", "L_LL", "", "9,0")).len(), 1);
+        assert_eq!(findings_of(electrical_time_constant, &altered("26.1", "L_LL", "", "9,0")).len(), 1);
     }
 
     #[test]
     fn a_changed_mechanical_time_constant_is_found() {
-        assert_eq!(told(mechanical_time_constant, &altered("26.1", "tau_m", "", "7,6")).len(), 1);
+        assert_eq!(findings_of(mechanical_time_constant, &altered("26.1", "tau_m", "", "7,6")).len(), 1);
         let small = View::with("17.1", "4,9", |cell| cell.place.symbol == "tau_m" && cell.feedback == "RES");
-        assert_eq!(told(mechanical_time_constant, &small).len(), 1);
+        assert_eq!(findings_of(mechanical_time_constant, &small).len(), 1);
     }
 
     #[test]
     fn time_constants_out_of_the_ratio_of_the_inertias_are_found() {
         let view = View::with("17.1", "4,9", |cell| cell.place.symbol == "tau_m" && cell.feedback == "M128S");
-        assert_eq!(told(time_constant_and_inertia, &view).len(), 1);
+        assert_eq!(findings_of(time_constant_and_inertia, &view).len(), 1);
     }
 
     #[test]
     fn a_changed_stall_current_is_found() {
-        assert_eq!(told(stall_current, &altered("36.1", "I_0", "100", "4,8")).len(), 1);
-        assert_eq!(told(stall_current, &altered("14.1", "I_0", "30", "6,8")).len(), 1);
+        assert_eq!(findings_of(stall_current, &altered("36.1", "I_0", "100", "4,8")).len(), 1);
+        assert_eq!(findings_of(stall_current, &altered("14.1", "I_0", "30", "6,8")).len(), 1);
     }
 
     #[test]
     fn too_small_a_maximum_current_is_found() {
-        assert_eq!(told(maximum_current, &altered("36.1", "I_max", "100", "10,1")).len(), 1);
+        assert_eq!(findings_of(maximum_current, &altered("36.1", "I_max", "100", "10,1")).len(), 1);
     }
 
     #[test]
     fn a_torque_constant_off_its_family_is_found() {
-        assert_eq!(told(torque_constant, &altered("36.1", "k_Tout", "100", "161")).len(), 1);
+        assert_eq!(findings_of(torque_constant, &altered("36.1", "k_Tout", "100", "161")).len(), 1);
     }
 }

@@ -154,7 +154,7 @@ pub(super) fn tables(view: &View, tally: &mut Tally) {
 
 #[cfg(test)]
 mod tests {
-    use super::super::told;
+    use super::super::findings_of;
     use super::*;
 
     #[test]
@@ -164,19 +164,19 @@ mod tests {
                 cell.place.drive == size && cell.place.condition == format!("ratio={ratio}")
             })
         };
-        assert!(!told(ratios, &altered("CHA-20A", "80", "-")).is_empty());
-        assert!(!told(ratios, &altered("CHA-50A", "30", "●")).is_empty());
+        assert!(!findings_of(ratios, &altered("CHA-20A", "80", "-")).is_empty());
+        assert!(!findings_of(ratios, &altered("CHA-50A", "30", "●")).is_empty());
         let view = View::with("11.1", "60", |cell| cell.place.drive == "CHA-20A" && cell.place.condition == "ratio=80");
-        assert_eq!(told(ratios, &view).len(), 1);
+        assert_eq!(findings_of(ratios, &view).len(), 1);
     }
 
     #[test]
     fn a_feedback_without_data_is_found() {
         let view =
             View::with("12.1", "●", |cell| cell.place.drive == "CHA-20A" && cell.place.condition == "feedback=RES");
-        assert_eq!(told(combinations, &view).len(), 1);
+        assert_eq!(findings_of(combinations, &view).len(), 1);
         let view = View::with("36.1", "560", |cell| cell.place.symbol == "U_DCmax");
-        assert_eq!(told(combinations, &view).len(), 1);
+        assert_eq!(findings_of(combinations, &view).len(), 1);
     }
 
     #[test]

@@ -209,7 +209,7 @@ pub(super) fn step(
 
 #[cfg(test)]
 mod tests {
-    use super::super::told;
+    use super::super::findings_of;
     use super::*;
 
     fn altered(table: &str, symbol: &'static str, ratio: &'static str, text: &str) -> View {
@@ -218,41 +218,41 @@ mod tests {
 
     #[test]
     fn a_changed_inertia_is_found() {
-        assert_eq!(told(inertia, &altered("26.2", "J_out", "100", "1,21")).len(), 1);
+        assert_eq!(findings_of(inertia, &altered("26.2", "J_out", "100", "1,21")).len(), 1);
         // 0,13 at i = 30 has too few digits to tell.
-        assert_eq!(told(inertia, &altered("26.2", "J_brake", "", "1,44")).len(), 5);
+        assert_eq!(findings_of(inertia, &altered("26.2", "J_brake", "", "1,44")).len(), 5);
     }
 
     #[test]
     fn padding_excuses_one_digit_and_no_more() {
-        assert!(told(inertia, &altered("26.2", "J_out_brake", "160", "3,60")).is_empty());
-        assert_eq!(told(inertia, &altered("26.2", "J_out_brake", "160", "3,40")).len(), 1);
+        assert!(findings_of(inertia, &altered("26.2", "J_out_brake", "160", "3,60")).is_empty());
+        assert_eq!(findings_of(inertia, &altered("26.2", "J_out_brake", "160", "3,40")).len(), 1);
     }
 
     #[test]
     fn a_changed_speed_is_found() {
-        assert_eq!(told(speed, &altered("26.1", "n_max", "80", "76")).len(), 1);
+        assert_eq!(findings_of(speed, &altered("26.1", "n_max", "80", "76")).len(), 1);
     }
 
     #[test]
     fn a_changed_brake_torque_is_found() {
-        assert_eq!(told(brake, &altered("26.3", "T_Br", "50", "54")).len(), 1);
-        assert_eq!(told(brake, &altered("26.3", "T_Br", "100", "90")).len(), 2);
+        assert_eq!(findings_of(brake, &altered("26.3", "T_Br", "50", "54")).len(), 1);
+        assert_eq!(findings_of(brake, &altered("26.3", "T_Br", "100", "90")).len(), 2);
     }
 
     #[test]
     fn a_brake_too_light_for_its_torque_is_found() {
-        let untouched = told(brake_rotor, &View::of(crate::audit::Reading::Printed));
-        let lighter = told(brake_rotor, &altered("30.2", "J_brake", "", "5,0"));
+        let untouched = findings_of(brake_rotor, &View::of(crate::audit::Reading::Printed));
+        let lighter = findings_of(brake_rotor, &altered("30.2", "J_brake", "", "5,0"));
         assert!(lighter.len() > untouched.len(), "{lighter:?}");
     }
 
     #[test]
     fn a_value_out_of_order_is_found() {
-        assert_eq!(told(order, &altered("26.1", "T_max", "80", "47")).len(), 1);
-        assert_eq!(told(order, &altered("26.1", "m_brake", "", "2,9")).len(), 1);
+        assert_eq!(findings_of(order, &altered("26.1", "T_max", "80", "47")).len(), 1);
+        assert_eq!(findings_of(order, &altered("26.1", "m_brake", "", "2,9")).len(), 1);
         let view =
             View::with("51.3", "117", |cell| cell.place.symbol == "L_brake" && cell.place.drive == "CHA-20A-C1024");
-        assert_eq!(told(order, &view).len(), 1);
+        assert_eq!(findings_of(order, &view).len(), 1);
     }
 }

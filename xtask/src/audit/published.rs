@@ -137,19 +137,19 @@ fn rising(tally: &mut Tally, row: &[&AuditedCell]) {
 
 #[cfg(test)]
 mod tests {
-    use super::super::told;
+    use super::super::findings_of;
     use super::*;
 
     #[test]
     fn a_changed_sensor_resistance_is_found() {
         let view = View::with("kty84-130", "606", |cell| cell.place.condition.contains("25 degC"));
-        assert_eq!(told(temperature_sensor, &view).len(), 1);
+        assert_eq!(findings_of(temperature_sensor, &view).len(), 1);
     }
 
     #[test]
     fn a_changed_thermistor_limit_is_found() {
         let view = View::with("ptc-din44081", "≤ 1560", |cell| cell.printed == "≤ 1650");
-        assert_eq!(told(thermistor, &view).len(), 1);
+        assert_eq!(findings_of(thermistor, &view).len(), 1);
     }
 
     #[test]
@@ -159,8 +159,8 @@ mod tests {
                 c.place.symbol == symbol && c.place.drive == "CHA-14A" && c.place.ratio == "50"
             })
         };
-        assert_eq!(told(gear_ratings, &altered("T_N", "7,4")).len(), 1);
-        assert_eq!(told(gear_ratings, &altered("T_R", "19")).len(), 2);
+        assert_eq!(findings_of(gear_ratings, &altered("T_N", "7,4")).len(), 1);
+        assert_eq!(findings_of(gear_ratings, &altered("T_R", "19")).len(), 2);
     }
 
     #[test]
@@ -168,7 +168,7 @@ mod tests {
         let altered = |text| {
             View::with("curves-20A", text, |c| c.place.condition.contains("continuous") && c.place.ratio == "50")
         };
-        assert_eq!(told(curves, &altered("(0;34)(25;31)(70;20)")).len(), 2);
-        assert_eq!(told(curves, &altered("(0;32)(25;31)(130;20)")).len(), 1);
+        assert_eq!(findings_of(curves, &altered("(0;34)(25;31)(70;20)")).len(), 2);
+        assert_eq!(findings_of(curves, &altered("(0;32)(25;31)(130;20)")).len(), 1);
     }
 }

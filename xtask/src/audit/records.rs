@@ -132,7 +132,7 @@ mod tests {
     use super::super::view::Reading;
     use super::*;
 
-    fn told(used: &[&str], kept: &[&str]) -> Vec<String> {
+    fn findings(used: &[&str], kept: &[&str]) -> Vec<String> {
         let mut tally = Tally::new("records", Reading::Printed);
         each_once(
             &mut tally,
@@ -141,14 +141,14 @@ mod tests {
             &used.iter().copied().collect(),
             &kept.iter().copied().collect(),
         );
-        tally.told()
+        tally.findings()
     }
 
     #[test]
     fn an_unused_an_unknown_and_a_needlessly_kept_entry_are_found() {
-        assert!(told(&["a"], &["b"]).is_empty());
-        assert_eq!(told(&["a"], &[]).len(), 1);
-        assert_eq!(told(&["a", "b", "c"], &[]).len(), 1);
-        assert_eq!(told(&["a", "b"], &["b"]).len(), 1);
+        assert!(findings(&["a"], &["b"]).is_empty());
+        assert_eq!(findings(&["a"], &[]).len(), 1);
+        assert_eq!(findings(&["a", "b", "c"], &[]).len(), 1);
+        assert_eq!(findings(&["a", "b"], &["b"]).len(), 1);
     }
 }

@@ -128,28 +128,28 @@ fn same_text(tally: &mut Tally, cell: &AuditedCell, twin: Option<&AuditedCell>) 
 
 #[cfg(test)]
 mod tests {
-    use super::super::told;
+    use super::super::findings_of;
     use super::*;
 
     #[test]
     fn a_motor_value_changed_in_one_sister_is_found() {
         let view = View::with("38.1", "57", |cell| cell.place.symbol == "T_max" && cell.place.ratio == "50");
-        assert_eq!(told(same_motor, &view).len(), 1);
+        assert_eq!(findings_of(same_motor, &view).len(), 1);
     }
 
     #[test]
     fn another_mass_length_or_inertia_of_the_encoder_is_found() {
         let altered = |table, symbol: &'static str, text| View::with(table, text, |cell| cell.place.symbol == symbol);
-        assert_eq!(told(encoder_share, &altered("42.1", "m", "7,8")).len(), 1);
-        assert_eq!(told(encoder_share, &altered("42.2", "J", "6,3")).len(), 1);
+        assert_eq!(findings_of(encoder_share, &altered("42.1", "m", "7,8")).len(), 1);
+        assert_eq!(findings_of(encoder_share, &altered("42.2", "J", "6,3")).len(), 1);
         let view =
             View::with("53.3", "177", |cell| cell.place.symbol == "L_brake" && cell.place.drive == "CHA-40A-M512P");
-        assert_eq!(told(encoder_share, &view).len(), 1);
+        assert_eq!(findings_of(encoder_share, &view).len(), 1);
     }
 
     #[test]
     fn a_gear_value_changed_in_one_winding_is_found() {
         let view = View::with("18.2", "17", |cell| cell.place.symbol == "T_Br" && cell.place.ratio == "50");
-        assert_eq!(told(same_gear, &view).len(), 1);
+        assert_eq!(findings_of(same_gear, &view).len(), 1);
     }
 }

@@ -35,10 +35,10 @@ impl fmt::Display for Deviation {
 }
 
 /// A cell by its place: table, row, column.
-pub(super) type Place = (&'static str, u16, u16);
+pub(super) type CellPlace = (&'static str, u16, u16);
 
 /// The place of a cell.
-pub(super) const fn place(cell: &Cell) -> Place {
+pub(super) const fn place(cell: &Cell) -> CellPlace {
     (cell.place.table, cell.row, cell.column)
 }
 
@@ -62,7 +62,7 @@ pub(super) struct Tally {
     /// What does not fit.
     pub deviations: Vec<Deviation>,
     /// The cells that the comparisons could have blamed.
-    pub covered: BTreeSet<Place>,
+    pub covered: BTreeSet<CellPlace>,
 }
 
 impl Tally {
@@ -116,7 +116,7 @@ impl Tally {
 #[cfg(test)]
 impl Tally {
     /// The messages of the unexplained deviations.
-    pub(super) fn told(&self) -> Vec<String> {
+    pub(super) fn findings(&self) -> Vec<String> {
         self.unexplained().map(ToString::to_string).collect()
     }
 }

@@ -117,10 +117,10 @@ mod tests {
 
     #[test]
     fn a_fresh_clone_is_told_the_measured_times_for_its_cores() {
-        let told = Forecast::default().table_for(&STEPS, 1);
-        assert!(told.contains("about 10 min on 1 core,") && told.contains("10 min test\n"), "{told}");
-        let told = Forecast::default().table_for(&STEPS, 2);
-        assert!(told.contains("about 5 min on 2 cores,") && !told.contains("here last"), "{told}");
+        let shown = Forecast::default().table_for(&STEPS, 1);
+        assert!(shown.contains("about 10 min on 1 core,") && shown.contains("10 min test\n"), "{shown}");
+        let shown = Forecast::default().table_for(&STEPS, 2);
+        assert!(shown.contains("about 5 min on 2 cores,") && !shown.contains("here last"), "{shown}");
     }
 
     #[test]
@@ -130,9 +130,9 @@ mod tests {
         assert!(first.last.is_empty());
         first.took("test", 125.04);
         first.write();
-        let told = Forecast::read(&target).table_for(&STEPS, 2);
+        let shown = Forecast::read(&target).table_for(&STEPS, 2);
         fs::remove_dir_all(&target).unwrap();
-        assert!(told.contains("adds up to 2 min\n") && told.contains("5 min test, here last 2 min\n"), "{told}");
+        assert!(shown.contains("adds up to 2 min\n") && shown.contains("5 min test, here last 2 min\n"), "{shown}");
     }
 
     #[test]

@@ -88,7 +88,7 @@ mod tests {
 
     #[test]
     fn a_word_that_is_wrong_is_named() {
-        for (words, told) in [
+        for (words, part) in [
             ("--minutes", "`--minutes`: a number of minutes is missing"),
             ("--minutes 0", "`0` is no whole number"),
             ("--target size", "there are: code axis"),
@@ -96,7 +96,7 @@ mod tests {
             ("--forever", "`--forever`: not understood"),
         ] {
             let error = read(words).unwrap_err();
-            assert!(error.contains(told), "{words}: {error}");
+            assert!(error.contains(part), "{words}: {error}");
         }
     }
 }

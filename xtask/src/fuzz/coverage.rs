@@ -62,12 +62,12 @@ pub(super) fn tell(root: &Path, targets: &[&Target]) -> Result<(), Error> {
     must_succeed(Command::new(profdata).args(["merge", "-sparse", "-o"]).arg(&merged).args(profiles))?;
     let mut command = Command::new(cov);
     command.args(["export", "-format=lcov", "-summary-only", "-instr-profile"]).arg(&merged).arg(&program);
-    let told = command.stderr(Stdio::inherit()).output();
-    let told = told.map_err(|source| Error::NotStarted { command: spelled(&command), source })?;
-    if !told.status.success() {
-        return Err(Error::Failed { command: spelled(&command), status: told.status.to_string() });
+    let printed = command.stderr(Stdio::inherit()).output();
+    let printed = printed.map_err(|source| Error::NotStarted { command: spelled(&command), source })?;
+    if !printed.status.success() {
+        return Err(Error::Failed { command: spelled(&command), status: printed.status.to_string() });
     }
-    let text = String::from_utf8_lossy(&told.stdout);
+    let text = String::from_utf8_lossy(&printed.stdout);
     println!("lines that the {cases} cases of the corpora and crashes run:");
     let mut sum = Lines::default();
     for (name, paths) in PARTS {
@@ -85,9 +85,9 @@ fn print(name: &str, lines: Lines) {
 }
 
 /// Adds up the counts for the files of a part, in the form of lcov: `SF:` a file, `LF:` its lines, `LH:` those run.
-fn counted(told: &str, paths: &[&str]) -> Lines {
+fn counted(printed: &str, paths: &[&str]) -> Lines {
     let (mut sum, mut is_part) = (Lines::default(), false);
-    for line in told.lines() {
+    for line in printed.lines() {
         if let Some(file) = line.strip_prefix("SF:") {
             let file = file.replace('\\', "/");
             let inside = file.rsplit_once("crates/").map_or("", |(_, inside)| inside);
@@ -126,8 +126,8 @@ fn tool(root: &Path, name: &'static str) -> Result<PathBuf, Error> {
     let asked = |arguments: &[&str]| {
         let mut command = Command::new(std::env::var_os("RUSTC").unwrap_or_else(|| "rustc".into()));
         command.args(arguments).current_dir(root);
-        let told = command.output().map_err(|source| Error::NotStarted { command: spelled(&command), source })?;
-        Ok(String::from_utf8_lossy(&told.stdout).into_owned())
+        let printed = command.output().map_err(|source| Error::NotStarted { command: spelled(&command), source })?;
+        Ok(String::from_utf8_lossy(&printed.stdout).into_owned())
     };
     let version = asked(&["-vV"])?;
     let host = version.lines().find_map(|line| line.strip_prefix("host: ")).unwrap_or_default();
@@ -142,12 +142,12 @@ mod tests {
 
     #[test]
     fn the_lines_of_a_part_are_added_up() {
-        let told = "SF:/a/crates/quantities/src/parse.rs\nLF:10\nLH:9\nend_of_record\n\
+        let printed = "SF:/a/crates/quantities/src/parse.rs\nLF:10\nLH:9\nend_of_record\n\
                     SF:crates/quantities/src/unit.rs\nLF:5\nLH:5\nend_of_record\n\
                     SF:/a/crates/project/src/lib.rs\nLF:100\nLH:1\nend_of_record\n";
-        assert_eq!(counted(told, &["quantities/src/"]), Lines { all: 15, run: 14 });
-        assert_eq!(counted(told, &["project/src/"]), Lines { all: 100, run: 1 });
-        assert_eq!(counted(told, &["recording/src/"]), Lines::default());
+        assert_eq!(counted(printed, &["quantities/src/"]), Lines { all: 15, run: 14 });
+        assert_eq!(counted(printed, &["project/src/"]), Lines { all: 100, run: 1 });
+        assert_eq!(counted(printed, &["recording/src/"]), Lines::default());
     }
 
     #[test]

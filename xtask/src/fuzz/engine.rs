@@ -129,7 +129,7 @@ impl Engine {
         artifact.push(prefix);
         command
             .arg(artifact)
-            .arg(format!("-timeout={}", target.case_seconds))
+            .arg(format!("-timeout={}", super::CASE_SECONDS))
             .arg(format!("-max_len={}", target.bytes));
         // The program itself takes some memory besides that of the case.
         command.arg(format!("-rss_limit_mb={}", target.memory_mb + 512)).current_dir(&self.work);
@@ -178,9 +178,9 @@ impl Engine {
     /// Runs the binary with its output in a log; after a failing case the end of the log is printed.
     fn run(&self, mut command: Command, target: &Target, log: &str) -> Result<Run, Error> {
         let log = self.folder(target, "logs")?.join(log);
-        let told = |source| Error::File { path: log.clone(), source };
+        let failed = |source| Error::File { path: log.clone(), source };
         let not_started = |command: &Command, source| Error::NotStarted { command: spelled(command), source };
-        let mut writer = fs::File::create(&log).map_err(told)?;
+        let mut writer = fs::File::create(&log).map_err(failed)?;
         command.stdin(Stdio::null()).stdout(Stdio::null()).stderr(Stdio::piped());
         let mut child = command.spawn().map_err(|source| not_started(&command, source))?;
         let mut run = Run::default();
@@ -188,7 +188,7 @@ impl Engine {
         if let Some(stream) = child.stderr.take() {
             for line in BufReader::new(stream).split(b'\n').map_while(Result::ok) {
                 let line = String::from_utf8_lossy(&line).into_owned();
-                writeln!(writer, "{line}").map_err(told)?;
+                writeln!(writer, "{line}").map_err(failed)?;
                 run.hear(&line);
                 if !line.starts_with('#') {
                     last.push(line);

@@ -54,7 +54,7 @@ mod tests {
     use super::*;
     use crate::tidy::scratch::Scratch;
 
-    fn told(architecture: &str) -> Vec<String> {
+    fn findings_of(architecture: &str) -> Vec<String> {
         let scratch = Scratch::new(&[
             ("Cargo.toml", "[workspace]\nmembers = [\"crates/*\"]\n"),
             ("crates/motion/Cargo.toml", "[package]\nname = \"motion\"\n"),
@@ -67,20 +67,25 @@ mod tests {
     #[test]
     fn a_crate_in_backticks_and_a_path_that_exists_are_fine() {
         assert!(
-            told("`motion` lives in `crates/motion/`; `crates/*` and `a / b` are no paths\n```text\n`no/span`\n```\n")
-                .is_empty()
+            findings_of(
+                "`motion` lives in `crates/motion/`; `crates/*` and `a / b` are no paths\n```text\n`no/span`\n```\n"
+            )
+            .is_empty()
         );
     }
 
     #[test]
     fn a_crate_left_out_is_found() {
-        assert_eq!(told("motion is only mentioned"), ["ARCHITECTURE.md:1: architecture: crate `motion` is not named"]);
+        assert_eq!(
+            findings_of("motion is only mentioned"),
+            ["ARCHITECTURE.md:1: architecture: crate `motion` is not named"]
+        );
     }
 
     #[test]
     fn a_path_that_is_gone_is_found() {
         assert_eq!(
-            told("# Rooms\n`motion` was in `crates/move`"),
+            findings_of("# Rooms\n`motion` was in `crates/move`"),
             ["ARCHITECTURE.md:2: architecture: `crates/move` is not in the tree"]
         );
     }

@@ -44,7 +44,7 @@ mod tests {
     use super::*;
     use crate::tidy::scratch::Scratch;
 
-    fn told(summary: &str, list: &str) -> Vec<String> {
+    fn findings_of(summary: &str, list: &str) -> Vec<String> {
         let scratch = Scratch::new(&[(SUMMARY, summary), ("docs/README.md", list), ("docs/guide/a.md", "# A\n")]);
         rule(scratch.root()).iter().map(ToString::to_string).collect()
     }
@@ -52,17 +52,17 @@ mod tests {
     #[test]
     fn a_page_is_named_in_both_lists() {
         let whole = "[a](guide/a.md)\n";
-        assert_eq!(told(whole, whole), Vec::<String>::new());
+        assert_eq!(findings_of(whole, whole), Vec::<String>::new());
         assert_eq!(
-            told("# Summary\n", whole),
+            findings_of("# Summary\n", whole),
             ["docs/SUMMARY.md:1: book: `docs/guide/a.md` is not named: no reader finds it"]
         );
-        assert_eq!(told(whole, "# Documents\n").len(), 1);
+        assert_eq!(findings_of(whole, "# Documents\n").len(), 1);
     }
 
     #[test]
     fn a_page_that_is_gone_or_named_twice_is_told() {
-        let found = told("[a](guide/a.md)\n[b](guide/b.md)\n[a](guide/a.md)\n", "[a](guide/a.md)\n");
+        let found = findings_of("[a](guide/a.md)\n[b](guide/b.md)\n[a](guide/a.md)\n", "[a](guide/a.md)\n");
         assert_eq!(
             found,
             [

@@ -61,11 +61,11 @@ mod tests {
             ("data/published/x.toml", "table = 7\n"),
             ("examples/table.toml", "format = 1\nname = \n"),
         ]);
-        let told: Vec<String> = rule(scratch.root()).iter().map(Finding::to_string).collect();
-        assert_eq!(told.len(), 4, "{told:?}");
-        assert_eq!(told[0], "data/cha/tables/26.2.toml:2: data: table \"26.3\" in a file named `26.2`");
-        assert_eq!(told[1], "data/cha/tables/26.3.toml:1: data: a table file without `table`");
-        assert!(told[2].starts_with("data/published/x.toml:1: "), "{}", told[2]);
-        assert!(told[3].starts_with("examples/table.toml:2: "), "{}", told[3]);
+        let listed: Vec<String> = rule(scratch.root()).iter().map(Finding::to_string).collect();
+        assert_eq!(listed.len(), 4, "{listed:?}");
+        assert_eq!(listed[0], "data/cha/tables/26.2.toml:2: data: table \"26.3\" in a file named `26.2`");
+        assert_eq!(listed[1], "data/cha/tables/26.3.toml:1: data: a table file without `table`");
+        assert!(listed[2].starts_with("data/published/x.toml:1: "), "{}", listed[2]);
+        assert!(listed[3].starts_with("examples/table.toml:2: "), "{}", listed[3]);
     }
 }

@@ -121,7 +121,7 @@ mod tests {
 
     const PAGE: &str = "# Ask\n41.47 of 71 Nm, `\"1.3 kg m^2\"`\n\n```console\n$ antrieb size a.toml\nfits\n```\n";
 
-    fn told(german: &str) -> Vec<String> {
+    fn findings_of(german: &str) -> Vec<String> {
         let scratch = Scratch::new(&[("docs/guide/a.md", PAGE), ("docs/anleitung/a.md", german)]);
         rule(scratch.root()).into_iter().map(|finding| finding.message).collect()
     }
@@ -129,7 +129,7 @@ mod tests {
     #[test]
     fn a_page_and_its_twin_say_the_same() {
         let twin = "# Fragen\n71 Nm, davon 41,47, `\"1.3 kg m^2\"`\n\n```console\n$ antrieb size a.toml --lang de\ngeeignet\n```\n";
-        assert_eq!(told(twin), Vec::<String>::new());
+        assert_eq!(findings_of(twin), Vec::<String>::new());
     }
 
     #[test]
@@ -137,10 +137,10 @@ mod tests {
         let twin = |figure: &str, command: &str| {
             format!("# Fragen\n{figure} von 71 Nm, `\"1.3 kg m^2\"`\n\n```console\n$ {command}\nja\n```\n")
         };
-        assert!(told(&twin("41,74", "antrieb size a.toml --lang de"))[0].contains("4174"));
-        assert!(told(&twin("41,47", "antrieb check a.toml --lang de"))[0].contains("check"));
-        assert!(told("# Fragen\n41,47 von 71 Nm, `\"1.3 kg m^2\"`\n")[0].contains("blocks of code []"));
-        assert!(told("41,47\n")[1].contains("levels"));
+        assert!(findings_of(&twin("41,74", "antrieb size a.toml --lang de"))[0].contains("4174"));
+        assert!(findings_of(&twin("41,47", "antrieb check a.toml --lang de"))[0].contains("check"));
+        assert!(findings_of("# Fragen\n41,47 von 71 Nm, `\"1.3 kg m^2\"`\n")[0].contains("blocks of code []"));
+        assert!(findings_of("41,47\n")[1].contains("levels"));
     }
 
     #[test]

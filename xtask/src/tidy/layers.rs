@@ -128,7 +128,7 @@ mod tests {
     const TOP: &str =
         "[workspace]\nmembers = [\"it\"]\n[workspace.dependencies]\nsz = { package = \"sizing\", version = \"1\" }\n";
 
-    fn told(name: &str, rest: &str) -> Vec<String> {
+    fn findings_of(name: &str, rest: &str) -> Vec<String> {
         let manifest = format!("[package]\nname = \"{name}\"\n{rest}");
         let scratch = Scratch::new(&[("Cargo.toml", TOP), ("it/Cargo.toml", &manifest), ("it/src/lib.rs", "")]);
         rule(scratch.root()).iter().map(Finding::to_string).collect()
@@ -137,47 +137,47 @@ mod tests {
     #[test]
     fn lower_layers_and_foreign_crates_are_fine() {
         assert!(
-            told(
+            findings_of(
                 "sizing",
                 "[dependencies]\nmotion = \"1\"\ntoml = \"1\"\n[dev-dependencies]\ntestkit = \"1\"\nquestions = \"1\"\n"
             )
             .is_empty()
         );
-        assert!(told("actuator", "[dependencies]\nmotion = \"1\"\n").is_empty());
-        assert!(told("benches", "[dependencies]\nquestions = \"1\"\n").is_empty());
+        assert!(findings_of("actuator", "[dependencies]\nmotion = \"1\"\n").is_empty());
+        assert!(findings_of("benches", "[dependencies]\nquestions = \"1\"\n").is_empty());
     }
 
     #[test]
     fn a_layer_that_looks_up_or_sideways_is_found() {
         assert_eq!(
-            told("motion", "\n[dependencies]\nquantities = \"1\"\nsizing = \"1\"\n"),
+            findings_of("motion", "\n[dependencies]\nquantities = \"1\"\nsizing = \"1\"\n"),
             ["it/Cargo.toml:6: layers: `motion` (layer 1) may not use `sizing` (layer 3): only lower layers"]
         );
-        assert_eq!(told("actuator", "[dependencies]\ncatalogue = \"1\"\n").len(), 1);
-        assert_eq!(told("order-code", "[dependencies]\nquantities = \"1\"\n").len(), 1);
+        assert_eq!(findings_of("actuator", "[dependencies]\ncatalogue = \"1\"\n").len(), 1);
+        assert_eq!(findings_of("order-code", "[dependencies]\nquantities = \"1\"\n").len(), 1);
     }
 
     #[test]
     fn no_disguise_helps() {
-        assert_eq!(told("catalogue", "[build-dependencies]\nsizing = \"1\"\n").len(), 1);
-        assert_eq!(told("catalogue", "[dependencies]\nsz.workspace = true\n").len(), 1);
-        assert_eq!(told("catalogue", "[dependencies]\nx = { package = \"twin\", version = \"1\" }\n").len(), 1);
-        assert_eq!(told("catalogue", "[target.'cfg(unix)'.dependencies]\nsizing = \"1\"\n").len(), 1);
+        assert_eq!(findings_of("catalogue", "[build-dependencies]\nsizing = \"1\"\n").len(), 1);
+        assert_eq!(findings_of("catalogue", "[dependencies]\nsz.workspace = true\n").len(), 1);
+        assert_eq!(findings_of("catalogue", "[dependencies]\nx = { package = \"twin\", version = \"1\" }\n").len(), 1);
+        assert_eq!(findings_of("catalogue", "[target.'cfg(unix)'.dependencies]\nsizing = \"1\"\n").len(), 1);
     }
 
     #[test]
     fn testkit_serves_tests_only_and_outside_is_outside() {
         assert_eq!(
-            told("sizing", "[dependencies]\ntestkit = \"1\"\n"),
+            findings_of("sizing", "[dependencies]\ntestkit = \"1\"\n"),
             ["it/Cargo.toml:4: layers: `testkit` may only be a dev-dependency"]
         );
-        assert!(told("fuzz", "[dependencies]\ntestkit = \"1\"\n").is_empty());
-        assert_eq!(told("antrieb", "[dependencies]\nxtask = \"0\"\n").len(), 1);
+        assert!(findings_of("fuzz", "[dependencies]\ntestkit = \"1\"\n").is_empty());
+        assert_eq!(findings_of("antrieb", "[dependencies]\nxtask = \"0\"\n").len(), 1);
     }
 
     #[test]
     fn a_crate_without_a_layer_is_found() {
-        let told = told("utils", "");
-        assert!(told.iter().any(|text| text.contains("crate `utils` has no layer")), "{told:?}");
+        let findings_of = findings_of("utils", "");
+        assert!(findings_of.iter().any(|text| text.contains("crate `utils` has no layer")), "{findings_of:?}");
     }
 }

@@ -22,20 +22,20 @@ pub(super) struct Member {
 
 impl Members {
     pub(super) fn read(root: &Path) -> Self {
-        let told = match metadata(root, |command| command.no_deps()) {
-            Ok(told) => told,
+        let listing = match metadata(root, |command| command.no_deps()) {
+            Ok(listing) => listing,
             Err(error) => {
                 let (path, message) = (String::from("Cargo.toml"), error.to_string());
                 return Self { list: Vec::new(), findings: vec![Finding { path, line: 1, rule: "manifest", message }] };
             }
         };
-        let top = &told.workspace_root;
+        let top = &listing.workspace_root;
         let member = |package: Package| {
             let manifest = package.manifest_path.strip_prefix(top).unwrap_or(&package.manifest_path);
             let manifest = manifest.as_str().replace('\\', "/");
             Member { package, manifest }
         };
-        Self { list: told.packages.into_iter().map(member).collect(), findings: Vec::new() }
+        Self { list: listing.packages.into_iter().map(member).collect(), findings: Vec::new() }
     }
 }
 
@@ -110,8 +110,8 @@ mod tests {
 
     #[test]
     fn a_workspace_that_cargo_refuses_is_found() {
-        let told: Vec<String> = lints(Scratch::new(&[TOP]).root()).iter().map(Finding::to_string).collect();
-        assert_eq!(told.len(), 1, "{told:?}");
-        assert!(told[0].starts_with("Cargo.toml:1: manifest: `cargo metadata` has no answer: "), "{told:?}");
+        let listing: Vec<String> = lints(Scratch::new(&[TOP]).root()).iter().map(Finding::to_string).collect();
+        assert_eq!(listing.len(), 1, "{listing:?}");
+        assert!(listing[0].starts_with("Cargo.toml:1: manifest: `cargo metadata` has no answer: "), "{listing:?}");
     }
 }

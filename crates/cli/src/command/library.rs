@@ -50,14 +50,14 @@ mod tests {
     }
 
     /// Every command with its path, and every argument of it.
-    fn told(command: &Command, path: &str, found: &mut Vec<(String, String)>) {
+    fn collect_commands(command: &Command, path: &str, found: &mut Vec<(String, String)>) {
         let text = |help: Option<&clap::builder::StyledStr>| help.map(ToString::to_string).unwrap_or_default();
         found.push((path.to_owned(), text(command.get_about())));
         for argument in command.get_arguments() {
             found.push((format!("{path} {}", argument.get_id()), text(argument.get_help())));
         }
         for subcommand in command.get_subcommands() {
-            told(subcommand, &format!("{path} {}", subcommand.get_name()), found);
+            collect_commands(subcommand, &format!("{path} {}", subcommand.get_name()), found);
         }
     }
 
@@ -67,7 +67,7 @@ mod tests {
             let mut found = Vec::new();
             let mut whole = build(language);
             whole.build();
-            told(&whole, "antrieb", &mut found);
+            collect_commands(&whole, "antrieb", &mut found);
             found
         });
         assert!(en.len() > 100 && en.len() == de.len(), "{} {}", en.len(), de.len());

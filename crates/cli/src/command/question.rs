@@ -4,7 +4,7 @@ use crate::layout::Layout;
 use clap::builder::PossibleValuesParser;
 use clap::{Arg, ArgAction, Command, value_parser};
 use quantities::Language;
-use questions::list::{Argument, Entry, Form, Gives, Kind, LIST, OutputFile, Reads, media};
+use questions::list::{Argument, ArgumentKind, Entry, Form, Gives, LIST, OutputFile, Reads, media};
 use words::help::{self, values};
 
 /// The command of a question.
@@ -110,14 +110,14 @@ pub(super) fn of(argument: &Argument, language: Language) -> Arg {
         Form::Words | Form::Each if argument.required => arg.num_args(1..),
         Form::Words | Form::Each => arg.num_args(0..),
     };
-    if let Kind::Flag = argument.kind {
+    if let ArgumentKind::Flag = argument.kind {
         return arg.action(ArgAction::SetTrue);
     }
     arg = arg.value_name((argument.value)(language)).allow_hyphen_values(argument.signed);
     arg = match argument.kind {
-        Kind::Whole(least, most) => arg.value_parser(value_parser!(u64).range(least..=most)),
-        Kind::Word(_) => arg.value_parser(PossibleValuesParser::new(words)),
-        Kind::Text | Kind::Code | Kind::Date | Kind::Flag => arg,
+        ArgumentKind::Whole(least, most) => arg.value_parser(value_parser!(u64).range(least..=most)),
+        ArgumentKind::Word(_) => arg.value_parser(PossibleValuesParser::new(words)),
+        ArgumentKind::Text | ArgumentKind::Code | ArgumentKind::Date | ArgumentKind::Flag => arg,
     };
     if argument.repeated && argument.form == Form::Option {
         arg = arg.action(ArgAction::Append);

@@ -74,8 +74,8 @@ pub fn test_run() -> Option<(AngularVelocity, Time)> {
 pub fn lists(about: &Commissioning, ambient: ThermodynamicTemperature) -> Vec<CheckList> {
     let facts = facts_about(Topic::Commission, &about.code, Order::Data);
     let list = |step: Step| {
-        let told = facts.iter().filter(|fact| fact.step == Some(step));
-        let mut items: Vec<Item> = told.map(|fact| Item::Fact(fact)).collect();
+        let of_step = facts.iter().filter(|fact| fact.step == Some(step));
+        let mut items: Vec<Item> = of_step.map(|fact| Item::Fact(fact)).collect();
         items.extend(match step {
             Step::BeforePower => before_power(about, ambient),
             Step::FirstMotion => first_motion(about, ambient),

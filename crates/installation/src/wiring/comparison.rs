@@ -246,15 +246,15 @@ fn told_once(findings: &mut Vec<Finding>) {
             _ => None,
         })
         .collect();
-    let mut told: Vec<(Role, String, String)> = Vec::new();
+    let mut seen: Vec<(Role, String, String)> = Vec::new();
     let mut exchanges = exchanges.into_iter();
     findings.retain(|finding| {
         if !matches!(finding.difference, Difference::Reversed { .. } | Difference::Swapped { .. }) {
             return true;
         }
         let Some((role, pin, with)) = exchanges.next() else { return true };
-        let mirrored = told.iter().any(|(of, first, second)| *of == role && *first == with && *second == pin);
-        told.push((role, pin, with));
+        let mirrored = seen.iter().any(|(of, first, second)| *of == role && *first == with && *second == pin);
+        seen.push((role, pin, with));
         !mirrored
     });
 }

@@ -3,7 +3,7 @@
 use super::{ROOT, entries, method, parameters};
 use quantities::Language;
 use questions::list::media::JSON;
-use questions::list::{Argument, Entry, Gives, Kind, LANG, Reads, records};
+use questions::list::{Argument, ArgumentKind, Entry, Gives, LANG, Reads, records};
 use serde::Serialize;
 use serde_json::{Map, Value};
 use std::collections::BTreeMap;
@@ -224,13 +224,15 @@ fn answer(entry: &Entry, answers: &Value) -> BTreeMap<&'static str, Content> {
 
 fn named(parameter: &Argument, language: Language) -> Named {
     let schema = match parameter.kind {
-        Kind::Text | Kind::Code => Schema::plain("string"),
-        Kind::Date => Schema::Day { kind: "string", format: "date" },
-        Kind::Flag => Schema::Flag { values: flag_values() },
-        Kind::Whole(least, most) => {
+        ArgumentKind::Text | ArgumentKind::Code => Schema::plain("string"),
+        ArgumentKind::Date => Schema::Day { kind: "string", format: "date" },
+        ArgumentKind::Flag => Schema::Flag { values: flag_values() },
+        ArgumentKind::Whole(least, most) => {
             Schema::Plain { kind: "integer", words: None, minimum: Some(least), maximum: Some(most) }
         }
-        Kind::Word(words) => Schema::Plain { kind: "string", words: Some(words()), minimum: None, maximum: None },
+        ArgumentKind::Word(words) => {
+            Schema::Plain { kind: "string", words: Some(words()), minimum: None, maximum: None }
+        }
     };
     Named {
         name: parameter.name,

@@ -73,12 +73,12 @@ impl Field {
             return None;
         }
         let entry = match argument.kind {
-            list::Kind::Text if argument.repeated => FieldEntry::Lines,
-            list::Kind::Text | list::Kind::Code => FieldEntry::Line,
-            list::Kind::Date => FieldEntry::Day,
-            list::Kind::Flag => FieldEntry::Mark,
-            list::Kind::Whole(..) => FieldEntry::Whole,
-            list::Kind::Word(words) => {
+            list::ArgumentKind::Text if argument.repeated => FieldEntry::Lines,
+            list::ArgumentKind::Text | list::ArgumentKind::Code => FieldEntry::Line,
+            list::ArgumentKind::Date => FieldEntry::Day,
+            list::ArgumentKind::Flag => FieldEntry::Mark,
+            list::ArgumentKind::Whole(..) => FieldEntry::Whole,
+            list::ArgumentKind::Word(words) => {
                 FieldEntry::Choice(words().into_iter().map(|word| (word.to_owned(), word.to_owned())).collect())
             }
         };

@@ -39,7 +39,7 @@ pub(super) fn shown(scene: &Scene<'_>) -> Markup {
         Ok(projects) => (projects, Vec::new()),
         Err(Unread::Faults(found)) => {
             let told = placed(&found, (&text, &written(&text).unwrap_or_default()), key_at, l);
-            let trouble = |(field, told): (Option<String>, words::Told)| Trouble {
+            let trouble = |(field, told): (Option<String>, words::Worded)| Trouble {
                 field,
                 message: told.message,
                 hint: told.hint,

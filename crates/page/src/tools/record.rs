@@ -13,7 +13,7 @@ use questions::list::commission::{Commissioning, DriveForm, commission, usual_am
 use questions::list::commission_record::{judge, measured};
 use questions::{answer, chapter, read_code};
 use words::{
-    Told, capitalised, commission as commissioning, measured_key_text, measured_label, page, terminal, terms,
+    Worded, capitalised, commission as commissioning, measured_key_text, measured_label, page, terminal, terms,
     verdict_word,
 };
 
@@ -39,7 +39,7 @@ pub(super) fn shown(scene: &Scene<'_>) -> Markup {
     let read = measured(&text);
     let keys = written(&text);
     let good = if read.is_ok() { text.clone() } else { scene.typed(GOOD).unwrap_or_default() };
-    let faults: Vec<(Option<String>, Told)> = match &read {
+    let faults: Vec<(Option<String>, Worded)> = match &read {
         Ok(_) => Vec::new(),
         Err(found) => placed(found, (&text, keys.as_deref().unwrap_or_default()), measured_key_at, l),
     };
@@ -160,7 +160,7 @@ struct Form<'f> {
     /// Its check-lists, at the usual temperature.
     sheet: &'f answers::Commissioning,
     written: &'f [Written],
-    faults: &'f [(Option<String>, Told)],
+    faults: &'f [(Option<String>, Worded)],
     language: Language,
 }
 
@@ -254,7 +254,7 @@ impl Form<'_> {
     }
 }
 
-fn trouble(told: &Told) -> Trouble {
+fn trouble(told: &Worded) -> Trouble {
     Trouble { field: None, message: told.message.clone(), hint: told.hint.clone() }
 }
 

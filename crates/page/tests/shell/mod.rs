@@ -2,7 +2,7 @@
 #![allow(clippy::unwrap_used, clippy::panic, clippy::indexing_slicing, reason = "a test fails loudly")]
 #![allow(dead_code, unreachable_pub, reason = "each test takes what it needs")]
 
-use page::{Call, Entry, Folder, Method, Reply, SaveFault, Shell, respond};
+use page::{Call, FileEntry, Folder, Method, Reply, SaveFault, Shell, respond};
 use project::{Files, NoFiles};
 use quantities::Language;
 use questions::Patience;
@@ -53,9 +53,9 @@ pub fn page(reply: &Reply) -> String {
 pub struct InMemory(pub RefCell<BTreeMap<String, Vec<u8>>>);
 
 impl Folder for InMemory {
-    fn list(&self) -> std::io::Result<Vec<Entry>> {
+    fn list(&self) -> std::io::Result<Vec<FileEntry>> {
         let named = |name: &&String| name.ends_with(".toml");
-        let entry = |name: &String| Entry { name: name.clone(), modified_s: 1_772_323_200 };
+        let entry = |name: &String| FileEntry { name: name.clone(), modified_s: 1_772_323_200 };
         Ok(self.0.borrow().keys().filter(named).map(entry).collect())
     }
 

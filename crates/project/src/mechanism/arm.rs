@@ -3,12 +3,11 @@
 use super::parts::{Friction, Losses, StartAngle};
 use super::{Driven, MechanismName, OnFlange};
 use crate::about::About;
-use crate::flange::Bearing;
 use crate::read::Reader;
 use crate::section::section;
-use crate::stated::{Field, Stated};
-use mechanism::{Kind, Rotor, RotorKind};
-use quantities::{Angle, Length, Mass, Measure, MomentOfInertia};
+use crate::stated::Field;
+use mechanism::{MechanismKind, Rotor, RotorKind};
+use quantities::{Measure, Angle, Length, Mass, MomentOfInertia};
 
 section! {
     /// An arm whose centre of mass lies beside the axis.
@@ -25,8 +24,8 @@ section! {
 }
 
 impl Driven for Arm {
-    fn kind(&self, _: &mut Reader<'_>) -> Option<Kind> {
-        Some(Kind::Rotor(Rotor {
+    fn kind(&self, _: &mut Reader<'_>) -> Option<MechanismKind> {
+        Some(MechanismKind::Rotor(Rotor {
             kind: RotorKind::Arm,
             inertia: self.inertia.value()?,
             mass: self.mass.value()?,
@@ -41,23 +40,7 @@ impl Driven for Arm {
         vec![&self.inertia]
     }
 
-    fn friction(&self) -> Option<&Friction> {
-        Some(&self.friction)
-    }
-
-    fn losses(&self) -> Option<&Losses> {
-        Some(&self.losses)
-    }
-
-    fn start_angle(&self) -> Option<&Stated<Angle>> {
-        Some(&self.start.start_angle)
-    }
-
     fn on_flange(&self) -> Option<OnFlange<'_>> {
         Some(OnFlange::Bodies(&self.axis_tilt))
-    }
-
-    fn flange_keys<'b>(&self, bearing: &'b Bearing) -> Vec<&'b dyn Field> {
-        vec![&bearing.overhang, &bearing.payload_overhang, &bearing.flange_share]
     }
 }

@@ -6,9 +6,9 @@ use crate::about::About;
 use crate::flange::Bearing;
 use crate::read::Reader;
 use crate::section::section;
-use crate::stated::{Field, Stated};
-use mechanism::{Kind, LinearKind};
-use quantities::{Force, Length, Measure};
+use crate::stated::Field;
+use mechanism::{MechanismKind, LinearKind};
+use quantities::{Measure, Length};
 
 section! {
     /// A belt, or rack and pinion, that moves a slide.
@@ -24,33 +24,12 @@ section! {
 }
 
 impl Driven for Belt {
-    fn kind(&self, _: &mut Reader<'_>) -> Option<Kind> {
-        let travel_m_per_rad = self.pulley_diameter.value()?.si() / 2.0;
-        linear(
-            (LinearKind::Belt, travel_m_per_rad),
-            (&self.slide, &self.guide),
-            self.counterweight.counterweight.value(),
-        )
+    fn kind(&self, _: &mut Reader<'_>) -> Option<MechanismKind> {
+        linear(self, LinearKind::Belt, self.pulley_diameter.value()?.si() / 2.0)
     }
 
     fn inertia(&self) -> Vec<&dyn Field> {
         vec![&self.slide.inertia]
-    }
-
-    fn friction(&self) -> Option<&Friction> {
-        Some(&self.friction)
-    }
-
-    fn guide(&self) -> Option<&Guide> {
-        Some(&self.guide)
-    }
-
-    fn losses(&self) -> Option<&Losses> {
-        Some(&self.losses)
-    }
-
-    fn process_force(&self) -> Option<&Stated<Force>> {
-        Some(&self.process.process_force)
     }
 
     fn travel(&self) -> Option<&dyn Field> {

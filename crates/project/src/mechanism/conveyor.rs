@@ -6,9 +6,9 @@ use crate::about::About;
 use crate::flange::Bearing;
 use crate::read::Reader;
 use crate::section::section;
-use crate::stated::{Field, Stated};
-use mechanism::{Kind, LinearKind};
-use quantities::{Force, Length, Measure};
+use crate::stated::Field;
+use mechanism::{MechanismKind, LinearKind};
+use quantities::{Measure, Length};
 
 section! {
     /// A conveyor or roller that runs endlessly.
@@ -23,29 +23,12 @@ section! {
 }
 
 impl Driven for Conveyor {
-    fn kind(&self, _: &mut Reader<'_>) -> Option<Kind> {
-        let travel_m_per_rad = self.roller_diameter.value()?.si() / 2.0;
-        linear((LinearKind::Conveyor, travel_m_per_rad), (&self.slide, &self.guide), None)
+    fn kind(&self, _: &mut Reader<'_>) -> Option<MechanismKind> {
+        linear(self, LinearKind::Conveyor, self.roller_diameter.value()?.si() / 2.0)
     }
 
     fn inertia(&self) -> Vec<&dyn Field> {
         vec![&self.slide.inertia]
-    }
-
-    fn friction(&self) -> Option<&Friction> {
-        Some(&self.friction)
-    }
-
-    fn guide(&self) -> Option<&Guide> {
-        Some(&self.guide)
-    }
-
-    fn losses(&self) -> Option<&Losses> {
-        Some(&self.losses)
-    }
-
-    fn process_force(&self) -> Option<&Stated<Force>> {
-        Some(&self.process.process_force)
     }
 
     fn travel(&self) -> Option<&dyn Field> {

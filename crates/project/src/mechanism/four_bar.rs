@@ -3,11 +3,10 @@
 use super::parts::{Friction, Losses, StartAngle};
 use super::{Driven, MechanismName, OnFlange, sound};
 use crate::about::About;
-use crate::flange::Bearing;
 use crate::read::Reader;
 use crate::section::section;
-use crate::stated::{Field, Stated};
-use mechanism::Kind;
+use crate::stated::Field;
+use mechanism::MechanismKind;
 use quantities::{Angle, Length, Mass, MomentOfInertia, Torque};
 
 section! {
@@ -35,7 +34,7 @@ section! {
 }
 
 impl Driven for FourBar {
-    fn kind(&self, reader: &mut Reader<'_>) -> Option<Kind> {
+    fn kind(&self, reader: &mut Reader<'_>) -> Option<MechanismKind> {
         let linkage = mechanism::FourBar {
             ground: self.ground.value()?,
             crank: self.crank.value()?,
@@ -54,30 +53,14 @@ impl Driven for FourBar {
             tilt: self.axis_tilt.value()?,
         };
         sound(self, linkage.faults(), reader)?;
-        Some(Kind::FourBar(linkage))
+        Some(MechanismKind::FourBar(linkage))
     }
 
     fn inertia(&self) -> Vec<&dyn Field> {
         vec![&self.inertia, &self.coupler_mass, &self.coupler_inertia, &self.rocker_inertia]
     }
 
-    fn friction(&self) -> Option<&Friction> {
-        Some(&self.friction)
-    }
-
-    fn losses(&self) -> Option<&Losses> {
-        Some(&self.losses)
-    }
-
-    fn start_angle(&self) -> Option<&Stated<Angle>> {
-        Some(&self.start.start_angle)
-    }
-
     fn on_flange(&self) -> Option<OnFlange<'_>> {
         Some(OnFlange::Wheel)
-    }
-
-    fn flange_keys<'b>(&self, bearing: &'b Bearing) -> Vec<&'b dyn Field> {
-        vec![&bearing.overhang, &bearing.flange_share, &bearing.wheel_mass, &bearing.axis_tilt]
     }
 }

@@ -3,12 +3,11 @@
 use super::parts::{Counterweight, Friction, Losses, ProcessForce};
 use super::{Driven, MechanismName, OnFlange, sound};
 use crate::about::About;
-use crate::flange::Bearing;
 use crate::read::Reader;
 use crate::section::section;
-use crate::stated::{Field, Stated};
-use mechanism::Kind;
-use quantities::{Force, Length, Mass, MomentOfInertia};
+use crate::stated::Field;
+use mechanism::MechanismKind;
+use quantities::{Length, Mass, MomentOfInertia};
 
 section! {
     /// A drum that lifts a load by a rope with several falls.
@@ -28,7 +27,7 @@ section! {
 }
 
 impl Driven for Hoist {
-    fn kind(&self, reader: &mut Reader<'_>) -> Option<Kind> {
+    fn kind(&self, reader: &mut Reader<'_>) -> Option<MechanismKind> {
         let hoist = mechanism::Hoist {
             drum_diameter: self.drum_diameter.value()?,
             falls: self.falls(),
@@ -39,27 +38,15 @@ impl Driven for Hoist {
             hanging: self.hanging.or_zero(),
         };
         sound(self, hoist.faults(), reader)?;
-        Some(Kind::Hoist(hoist))
+        Some(MechanismKind::Hoist(hoist))
     }
 
     fn inertia(&self) -> Vec<&dyn Field> {
         vec![&self.inertia, &self.mass]
     }
 
-    fn friction(&self) -> Option<&Friction> {
-        Some(&self.friction)
-    }
-
-    fn losses(&self) -> Option<&Losses> {
-        Some(&self.losses)
-    }
-
     fn series_efficiency(&self) -> f64 {
         mechanism::reeving_efficiency(self.falls(), self.sheave_efficiency())
-    }
-
-    fn process_force(&self) -> Option<&Stated<Force>> {
-        Some(&self.process.process_force)
     }
 
     fn travel(&self) -> Option<&dyn Field> {
@@ -68,9 +55,5 @@ impl Driven for Hoist {
 
     fn on_flange(&self) -> Option<OnFlange<'_>> {
         Some(OnFlange::Wheel)
-    }
-
-    fn flange_keys<'b>(&self, bearing: &'b Bearing) -> Vec<&'b dyn Field> {
-        vec![&bearing.overhang, &bearing.flange_share, &bearing.wheel_mass, &bearing.axis_tilt]
     }
 }

@@ -5,7 +5,7 @@ use crate::about::About;
 use crate::read::Reader;
 use crate::section::section;
 use crate::stated::Field;
-use mechanism::Kind;
+use mechanism::MechanismKind;
 use quantities::{MomentOfInertia, Torque};
 
 section! {
@@ -17,9 +17,9 @@ section! {
 }
 
 impl Driven for Joint {
-    fn kind(&self, _: &mut Reader<'_>) -> Option<Kind> {
+    fn kind(&self, _: &mut Reader<'_>) -> Option<MechanismKind> {
         let (inertia, holding_torque) = (self.inertia.value(), self.holding_torque.value());
-        Some(Kind::Joint(mechanism::Joint { inertia, holding_torque }))
+        Some(MechanismKind::Joint(mechanism::Joint { inertia, holding_torque }))
     }
 
     fn inertia(&self) -> Vec<&dyn Field> {

@@ -2,8 +2,8 @@
 
 use crate::Assumption;
 use crate::about::About;
-use crate::section::section;
-use mechanism::{Kind, Linear, LinearKind};
+use crate::section::{Fields, group, section};
+use mechanism::{Linear, LinearKind, MechanismKind};
 use quantities::{Angle, Force, Mass, Measure, MomentOfInertia, Torque, ViscousFriction};
 
 section! {
@@ -72,17 +72,15 @@ section! {
 }
 
 /// A drive that moves a slide in proportion to the angle.
-pub(super) fn linear(
-    (kind, travel_m_per_rad): (LinearKind, f64),
-    (slide, guide): (&Slide, &Guide),
-    counterweight: Option<Mass>,
-) -> Option<Kind> {
-    Some(Kind::Linear(Linear {
+pub(super) fn linear(section: &impl Fields, kind: LinearKind, travel_m_per_rad: f64) -> Option<MechanismKind> {
+    let (slide, guide): (&Slide, &Guide) = (group(section)?, group(section)?);
+    let counterweight: Option<&Counterweight> = group(section);
+    Some(MechanismKind::Linear(Linear {
         kind,
         travel_m_per_rad,
         inertia: slide.inertia.or_zero(),
         mass: slide.mass.value()?,
-        counterweight: counterweight.unwrap_or_else(|| Mass::from_si(0.0)),
+        counterweight: counterweight.map_or_else(|| Mass::from_si(0.0), |it| it.counterweight.or_zero()),
         inclination: slide.inclination.or_zero(),
         friction_force: guide.friction_force.or_zero(),
         friction_coefficient: guide.friction_coefficient(),

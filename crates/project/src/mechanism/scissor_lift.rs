@@ -3,12 +3,11 @@
 use super::parts::{Friction, Losses, ProcessForce};
 use super::{Driven, MechanismName, OnFlange, sound};
 use crate::about::About;
-use crate::flange::Bearing;
 use crate::read::Reader;
 use crate::section::section;
-use crate::stated::{Field, Stated};
-use mechanism::Kind;
-use quantities::{Lead, Measure, Angle, Force, Length, Mass, MomentOfInertia};
+use crate::stated::Field;
+use mechanism::MechanismKind;
+use quantities::{Measure, Lead, Angle, Length, Mass, MomentOfInertia};
 
 section! {
     /// A scissor lift with a screw at the lower end of an arm.
@@ -27,7 +26,7 @@ section! {
 }
 
 impl Driven for ScissorLift {
-    fn kind(&self, reader: &mut Reader<'_>) -> Option<Kind> {
+    fn kind(&self, reader: &mut Reader<'_>) -> Option<MechanismKind> {
         let lift = mechanism::ScissorLift {
             stages: self.stages.value()?,
             arm_length: self.arm_length.value()?,
@@ -38,23 +37,11 @@ impl Driven for ScissorLift {
             inertia: self.inertia.or_zero(),
         };
         sound(self, lift.faults(), reader)?;
-        Some(Kind::ScissorLift(lift))
+        Some(MechanismKind::ScissorLift(lift))
     }
 
     fn inertia(&self) -> Vec<&dyn Field> {
         vec![&self.inertia, &self.mass]
-    }
-
-    fn friction(&self) -> Option<&Friction> {
-        Some(&self.friction)
-    }
-
-    fn losses(&self) -> Option<&Losses> {
-        Some(&self.losses)
-    }
-
-    fn process_force(&self) -> Option<&Stated<Force>> {
-        Some(&self.process.process_force)
     }
 
     fn gearing(&self) -> Option<&dyn Field> {
@@ -63,9 +50,5 @@ impl Driven for ScissorLift {
 
     fn on_flange(&self) -> Option<OnFlange<'_>> {
         Some(OnFlange::Shaft)
-    }
-
-    fn flange_keys<'b>(&self, bearing: &'b Bearing) -> Vec<&'b dyn Field> {
-        vec![&bearing.overhang, &bearing.flange_share, &bearing.wheel_mass, &bearing.axis_tilt]
     }
 }

@@ -3,12 +3,11 @@
 use super::parts::{Counterweight, Friction, Guide, Losses, ProcessForce, Slide, linear};
 use super::{Driven, MechanismName, OnFlange};
 use crate::about::About;
-use crate::flange::Bearing;
 use crate::read::Reader;
 use crate::section::section;
-use crate::stated::{Field, Stated};
-use mechanism::{Kind, LinearKind};
-use quantities::{Force, Lead, Measure};
+use crate::stated::Field;
+use mechanism::{MechanismKind, LinearKind};
+use quantities::{Measure, Lead};
 
 section! {
     /// A screw that moves a slide.
@@ -24,33 +23,12 @@ section! {
 }
 
 impl Driven for Screw {
-    fn kind(&self, _: &mut Reader<'_>) -> Option<Kind> {
-        let travel_m_per_rad = self.lead.value()?.si() / std::f64::consts::TAU;
-        linear(
-            (LinearKind::Screw, travel_m_per_rad),
-            (&self.slide, &self.guide),
-            self.counterweight.counterweight.value(),
-        )
+    fn kind(&self, _: &mut Reader<'_>) -> Option<MechanismKind> {
+        linear(self, LinearKind::Screw, self.lead.value()?.si() / std::f64::consts::TAU)
     }
 
     fn inertia(&self) -> Vec<&dyn Field> {
         vec![&self.slide.inertia]
-    }
-
-    fn friction(&self) -> Option<&Friction> {
-        Some(&self.friction)
-    }
-
-    fn guide(&self) -> Option<&Guide> {
-        Some(&self.guide)
-    }
-
-    fn losses(&self) -> Option<&Losses> {
-        Some(&self.losses)
-    }
-
-    fn process_force(&self) -> Option<&Stated<Force>> {
-        Some(&self.process.process_force)
     }
 
     fn travel(&self) -> Option<&dyn Field> {
@@ -59,9 +37,5 @@ impl Driven for Screw {
 
     fn on_flange(&self) -> Option<OnFlange<'_>> {
         Some(OnFlange::Shaft)
-    }
-
-    fn flange_keys<'b>(&self, bearing: &'b Bearing) -> Vec<&'b dyn Field> {
-        vec![&bearing.overhang, &bearing.flange_share, &bearing.wheel_mass, &bearing.axis_tilt]
     }
 }

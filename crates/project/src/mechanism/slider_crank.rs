@@ -4,12 +4,11 @@ use super::parts::{Friction, Losses, ProcessForce, Slide, StartAngle};
 use super::{Driven, MechanismName, OnFlange};
 use crate::Fault;
 use crate::about::About;
-use crate::flange::Bearing;
 use crate::read::Reader;
 use crate::section::section;
-use crate::stated::{Field, Stated};
-use mechanism::Kind;
-use quantities::{Angle, Force, Length, Measure};
+use crate::stated::Field;
+use mechanism::MechanismKind;
+use quantities::{Measure, Angle, Length};
 
 section! {
     /// A crank that moves a slider by a rod.
@@ -25,13 +24,13 @@ section! {
 }
 
 impl Driven for SliderCrank {
-    fn kind(&self, reader: &mut Reader<'_>) -> Option<Kind> {
+    fn kind(&self, reader: &mut Reader<'_>) -> Option<MechanismKind> {
         let (crank, rod) = (self.crank.value()?, self.rod.value()?);
         if rod.si() <= crank.si() {
             reader.fault(self.rod.span(), Fault::RodTooShort, None);
             return None;
         }
-        Some(Kind::SliderCrank(mechanism::SliderCrank {
+        Some(MechanismKind::SliderCrank(mechanism::SliderCrank {
             crank,
             rod,
             inertia: self.slide.inertia.or_zero(),
@@ -45,31 +44,11 @@ impl Driven for SliderCrank {
         vec![&self.slide.inertia]
     }
 
-    fn friction(&self) -> Option<&Friction> {
-        Some(&self.friction)
-    }
-
-    fn losses(&self) -> Option<&Losses> {
-        Some(&self.losses)
-    }
-
-    fn start_angle(&self) -> Option<&Stated<Angle>> {
-        Some(&self.start.start_angle)
-    }
-
-    fn process_force(&self) -> Option<&Stated<Force>> {
-        Some(&self.process.process_force)
-    }
-
     fn gearing(&self) -> Option<&dyn Field> {
         Some(&self.crank)
     }
 
     fn on_flange(&self) -> Option<OnFlange<'_>> {
         Some(OnFlange::Wheel)
-    }
-
-    fn flange_keys<'b>(&self, bearing: &'b Bearing) -> Vec<&'b dyn Field> {
-        vec![&bearing.overhang, &bearing.flange_share, &bearing.wheel_mass, &bearing.axis_tilt]
     }
 }

@@ -6,10 +6,9 @@ use crate::Fault;
 use crate::about::About;
 use crate::read::Reader;
 use crate::section::section;
-use crate::stated::{Field, Stated};
+use crate::stated::Field;
 use crate::value::Rows;
-use mechanism::{Kind, TablePoint};
-use quantities::Angle;
+use mechanism::{MechanismKind, TablePoint};
 
 section! {
     /// A mechanism that is known point by point.
@@ -23,9 +22,9 @@ section! {
 }
 
 impl Driven for Table {
-    fn kind(&self, reader: &mut Reader<'_>) -> Option<Kind> {
+    fn kind(&self, reader: &mut Reader<'_>) -> Option<MechanismKind> {
         match mechanism::Table::new(self.points.get()?.values()) {
-            Ok(table) => Some(Kind::Table(table)),
+            Ok(table) => Some(MechanismKind::Table(table)),
             Err(fault) => {
                 reader.fault(self.points.span(), Fault::Table(fault), None);
                 None
@@ -35,17 +34,5 @@ impl Driven for Table {
 
     fn inertia(&self) -> Vec<&dyn Field> {
         Vec::new()
-    }
-
-    fn friction(&self) -> Option<&Friction> {
-        Some(&self.friction)
-    }
-
-    fn losses(&self) -> Option<&Losses> {
-        Some(&self.losses)
-    }
-
-    fn start_angle(&self) -> Option<&Stated<Angle>> {
-        Some(&self.start.start_angle)
     }
 }

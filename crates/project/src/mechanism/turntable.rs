@@ -4,13 +4,12 @@ use super::parts::{Friction, Losses};
 use super::{Driven, MechanismName, OnFlange};
 use crate::about::About;
 use crate::bodies::{BodySection, fields};
-use crate::flange::Bearing;
 use crate::read::Reader;
 use crate::section::{Fields, Section, section};
 use crate::stated::{Field, Stated};
 use crate::value::{BodyLines, Tables};
 use crate::{Fault, Hint};
-use mechanism::{Body, BodyError, Kind, Rotor, RotorKind};
+use mechanism::{Body, BodyError, MechanismKind, Rotor, RotorKind};
 use quantities::{Angle, Length};
 use std::ops::Range;
 
@@ -58,7 +57,7 @@ impl Turntable {
 }
 
 impl Driven for Turntable {
-    fn kind(&self, reader: &mut Reader<'_>) -> Option<Kind> {
+    fn kind(&self, reader: &mut Reader<'_>) -> Option<MechanismKind> {
         if !self.knows_bodies(reader) {
             return None;
         }
@@ -72,7 +71,7 @@ impl Driven for Turntable {
                 return None;
             }
         };
-        Some(Kind::Rotor(Rotor {
+        Some(MechanismKind::Rotor(Rotor {
             kind: RotorKind::Turntable,
             inertia: bodies.inertia,
             mass: bodies.mass,
@@ -87,14 +86,6 @@ impl Driven for Turntable {
         vec![&self.bodies, &self.body]
     }
 
-    fn friction(&self) -> Option<&Friction> {
-        Some(&self.friction)
-    }
-
-    fn losses(&self) -> Option<&Losses> {
-        Some(&self.losses)
-    }
-
     fn start_angle(&self) -> Option<&Stated<Angle>> {
         Some(&self.start_angle)
     }
@@ -106,9 +97,5 @@ impl Driven for Turntable {
 
     fn on_flange(&self) -> Option<OnFlange<'_>> {
         Some(OnFlange::Bodies(&self.axis_tilt))
-    }
-
-    fn flange_keys<'b>(&self, bearing: &'b Bearing) -> Vec<&'b dyn Field> {
-        vec![&bearing.overhang, &bearing.payload_overhang, &bearing.flange_share]
     }
 }

@@ -3,12 +3,11 @@
 use super::parts::{Friction, Losses};
 use super::{Driven, MechanismName, OnFlange, sound};
 use crate::about::About;
-use crate::flange::Bearing;
 use crate::read::Reader;
 use crate::section::section;
 use crate::stated::Field;
 use crate::value::choices;
-use mechanism::{Kind, Winding};
+use mechanism::{MechanismKind, Winding};
 use quantities::{Force, Length, MassDensity, MomentOfInertia};
 
 choices! {
@@ -33,7 +32,7 @@ section! {
 }
 
 impl Driven for Winder {
-    fn kind(&self, reader: &mut Reader<'_>) -> Option<Kind> {
+    fn kind(&self, reader: &mut Reader<'_>) -> Option<MechanismKind> {
         let winder = mechanism::Winder {
             winding: self.winding.value()?,
             core_diameter: self.core_diameter.value()?,
@@ -46,26 +45,14 @@ impl Driven for Winder {
             inertia: self.inertia.or_zero(),
         };
         sound(self, winder.faults(), reader)?;
-        Some(Kind::Winder(winder))
+        Some(MechanismKind::Winder(winder))
     }
 
     fn inertia(&self) -> Vec<&dyn Field> {
         vec![&self.inertia, &self.density]
     }
 
-    fn friction(&self) -> Option<&Friction> {
-        Some(&self.friction)
-    }
-
-    fn losses(&self) -> Option<&Losses> {
-        Some(&self.losses)
-    }
-
     fn on_flange(&self) -> Option<OnFlange<'_>> {
         Some(OnFlange::Wheel)
-    }
-
-    fn flange_keys<'b>(&self, bearing: &'b Bearing) -> Vec<&'b dyn Field> {
-        vec![&bearing.overhang, &bearing.flange_share, &bearing.wheel_mass, &bearing.axis_tilt]
     }
 }

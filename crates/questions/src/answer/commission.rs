@@ -50,14 +50,14 @@ pub fn commissioning(
 }
 
 fn joined(sources: &[Source], document: Option<&str>, language: Language) -> String {
-    let mut told: Vec<String> = Vec::new();
+    let mut sentences: Vec<String> = Vec::new();
     let texts = sources.iter().map(|source| source_text(source, language)).chain(document.map(str::to_owned));
     for text in texts {
-        if !told.contains(&text) {
-            told.push(text);
+        if !sentences.contains(&text) {
+            sentences.push(text);
         }
     }
-    told.join("; ")
+    sentences.join("; ")
 }
 
 fn parameter(parameter: &Parameter, language: Language) -> CommissionParameter {
@@ -110,9 +110,9 @@ fn drive_parameters(about: &Commissioning, language: Language) -> Vec<DriveParam
 /// Where the figures stand, then what the prose says, then the document that names the object.
 fn object_source(sources: &[Source], object: &Object, language: Language) -> String {
     let prose = object.facts.iter().map(|fact| fact_source(fact, language));
-    let mut told = prose.collect::<Vec<_>>();
-    told.dedup();
-    let document = told.into_iter().chain([object.document.to_owned()]).collect::<Vec<_>>().join("; ");
+    let mut sentences = prose.collect::<Vec<_>>();
+    sentences.dedup();
+    let document = sentences.into_iter().chain([object.document.to_owned()]).collect::<Vec<_>>().join("; ");
     joined(sources, Some(&document), language)
 }
 

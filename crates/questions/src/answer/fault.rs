@@ -4,12 +4,12 @@ use crate::codes::CodeRefusal;
 use crate::sizing_use::Refusal;
 use answers::{Fault, Faults, Place};
 use quantities::{Language, format_significant, seen};
-use words::{Told, check_title, terminal};
+use words::{Worded, check_title, terminal};
 
 /// Faults of an input file.
 #[must_use]
-pub fn faults(file: &str, faults: &[Told]) -> Faults {
-    let fault = |fault: &Told| Fault {
+pub fn faults(file: &str, faults: &[Worded]) -> Faults {
+    let fault = |fault: &Worded| Fault {
         id: Some(fault.id),
         file: Some(seen(file).into_owned()),
         place: Some(Place { line: fault.line, column: fault.column, span: [fault.span.start, fault.span.end] }),
@@ -47,11 +47,11 @@ pub fn fault(what: &str) -> Faults {
 
 /// Why a text is no code, each fault with its place in it.
 #[must_use]
-pub fn code_told(text: &str, refusal: &CodeRefusal) -> Vec<Told> {
-    let told = |fault: &crate::codes::CodeFault| {
-        Told::at(text, fault.span.clone(), fault.id(), fault.message.clone(), fault.hint.clone())
+pub fn code_told(text: &str, refusal: &CodeRefusal) -> Vec<Worded> {
+    let worded = |fault: &crate::codes::CodeFault| {
+        Worded::at(text, fault.span.clone(), fault.id(), fault.message.clone(), fault.hint.clone())
     };
-    refusal.faults.iter().map(told).collect()
+    refusal.faults.iter().map(worded).collect()
 }
 
 /// Why an actuator cannot be judged, in one sentence; `waited_s` is the deadline of the caller.

@@ -6,7 +6,7 @@ use crate::limits::{NeededLimit, limits_needed};
 use crate::mends::Mend;
 use crate::sizing_use::{Candidate, CandidateId, Objection, Sizing};
 use crate::texts::unsought_text;
-use crate::tolerance::{Assessment, Place};
+use crate::tolerance::{Assessment, PointKind};
 use answers::{
     Assessed, Fit, Id, Influence, Judgement, NotSought, Number, Quantiles, Ranked, Rejection, Stage, StageRatio,
     Tolerance, ToleratedValue, Units, WorstCorner, WouldFit,
@@ -213,7 +213,7 @@ pub fn tolerance(project: &Project, assessment: &Assessment) -> Tolerance {
             utilisation: Number(worst.utilisation),
             check: worst.check.map(Id),
             values: values.collect(),
-            is_corner: worst.place != Place::Sample,
+            is_corner: worst.place != PointKind::Sample,
             exhaustive: project.tolerances.len() <= ALL_CORNERS_MOST,
         },
         influence: influence.collect(),

@@ -1,6 +1,6 @@
 //! Values of a motor for the drive, and checks of the first run.
 
-use super::{hazards, unit_shown};
+use super::{grid, hazards, unit_shown};
 use answers::{
     Chapter, Column, CommissionEntry, CommissionParameter, Commissioning, DriveObject, DriveParameter, EncoderValue,
     Hazard, OverloadSupervision, SensorThreshold, Task,
@@ -56,113 +56,96 @@ pub(super) fn shown(value: f64, language: Language) -> String {
 }
 
 fn parameters(chapter: &mut Chapter, parameters: &[CommissionParameter], language: Language) {
-    let row = |each: &CommissionParameter| {
-        vec![
-            format!("{} {}", each.symbol, each.name),
-            shown(each.value.0, language),
-            unit_shown(each.unit),
-            each.conversion_text.clone(),
-            grade_word(*each.grade, language).to_owned(),
-            each.source.clone(),
-        ]
-    };
-    let columns = vec![
-        Column::wide(commission::parameter(language)),
-        Column::numbers(terms::value(language)),
-        Column::text(terms::unit(language)),
-        Column::wide(commission::conversion(language)),
-        Column::text(terms::grade(language)),
-        Column::wide(terms::source(language)),
-    ];
-    chapter.grid(columns, parameters.iter().map(row).collect());
+    grid(
+        chapter,
+        parameters,
+        &[
+            (Column::wide(commission::parameter(language)), &|each| format!("{} {}", each.symbol, each.name)),
+            (Column::numbers(terms::value(language)), &|each| shown(each.value.0, language)),
+            (Column::text(terms::unit(language)), &|each| unit_shown(each.unit)),
+            (Column::wide(commission::conversion(language)), &|each| each.conversion_text.clone()),
+            (Column::text(terms::grade(language)), &|each| grade_word(*each.grade, language).to_owned()),
+            (Column::wide(terms::source(language)), &|each| each.source.clone()),
+        ],
+    );
 }
 
 fn sinamics(chapter: &mut Chapter, parameters: &[DriveParameter], language: Language) {
-    let row = |each: &DriveParameter| {
-        vec![
-            each.number.clone(),
-            shown(each.value.0, language),
-            unit_shown(each.unit),
-            each.name.clone(),
-            each.conversion_text.clone(),
-            format!("{} ({})", each.source, grade_word(*each.grade, language)),
-        ]
-    };
-    let columns = vec![
-        Column::text(terms::number(language)),
-        Column::numbers(terms::value(language)),
-        Column::text(terms::unit(language)),
-        Column::wide(commission::parameter(language)),
-        Column::wide(commission::conversion(language)),
-        Column::wide(terms::source(language)),
-    ];
-    chapter.grid(columns, parameters.iter().map(row).collect());
+    grid(
+        chapter,
+        parameters,
+        &[
+            (Column::text(terms::number(language)), &|each| each.number.clone()),
+            (Column::numbers(terms::value(language)), &|each| shown(each.value.0, language)),
+            (Column::text(terms::unit(language)), &|each| unit_shown(each.unit)),
+            (Column::wide(commission::parameter(language)), &|each| each.name.clone()),
+            (Column::wide(commission::conversion(language)), &|each| each.conversion_text.clone()),
+            (Column::wide(terms::source(language)), &|each| {
+                format!("{} ({})", each.source, grade_word(*each.grade, language))
+            }),
+        ],
+    );
 }
 
 fn drive_objects(chapter: &mut Chapter, objects: &[DriveObject], language: Language) {
-    let row = |each: &DriveObject| {
-        vec![
-            format!("{}:{} {}", each.index, each.sub, each.name),
-            each.data_type.to_owned(),
-            each.value.to_string(),
-            unit_shown(each.unit),
-            shown(each.exact.0, language),
-            each.source.clone(),
-        ]
-    };
-    let columns = vec![
-        Column::wide(commission::object(language)),
-        Column::text(commission::type_of_data(language)),
-        Column::numbers(terms::value(language)),
-        Column::text(terms::unit(language)),
-        Column::numbers(commission::rounding(language)),
-        Column::wide(terms::source(language)),
-    ];
-    chapter.grid(columns, objects.iter().map(row).collect());
+    grid(
+        chapter,
+        objects,
+        &[
+            (Column::wide(commission::object(language)), &|each| format!("{}:{} {}", each.index, each.sub, each.name)),
+            (Column::text(commission::type_of_data(language)), &|each| each.data_type.to_owned()),
+            (Column::numbers(terms::value(language)), &|each| each.value.to_string()),
+            (Column::text(terms::unit(language)), &|each| unit_shown(each.unit)),
+            (Column::numbers(commission::rounding(language)), &|each| shown(each.exact.0, language)),
+            (Column::wide(terms::source(language)), &|each| each.source.clone()),
+        ],
+    );
 }
 
 fn encoder(chapter: &mut Chapter, values: &[EncoderValue], language: Language) {
-    let row = |each: &EncoderValue| {
+    let name = |each: &EncoderValue| {
         let side =
             if each.side == "output" { commission::side_output(language) } else { commission::side_motor(language) };
         let condition = if each.condition.is_empty() { String::new() } else { format!(" ({})", each.condition) };
-        vec![
-            format!("{side}: {}{condition}", each.name),
-            decimal(&each.text, language),
-            unit_shown(each.unit),
-            each.notes.join("; "),
-        ]
+        format!("{side}: {}{condition}", each.name)
     };
-    let columns = vec![
-        Column::wide(commission::parameter(language)),
-        Column::text(terms::value(language)),
-        Column::text(terms::unit(language)),
-        Column::wide(terms::remark(language)),
-    ];
-    chapter.grid(columns, values.iter().map(row).collect());
+    grid(
+        chapter,
+        values,
+        &[
+            (Column::wide(commission::parameter(language)), &name),
+            (Column::text(terms::value(language)), &|each| decimal(&each.text, language)),
+            (Column::text(terms::unit(language)), &|each| unit_shown(each.unit)),
+            (Column::wide(terms::remark(language)), &|each| each.notes.join("; ")),
+        ],
+    );
 }
 
 fn thresholds(chapter: &mut Chapter, thresholds: &[SensorThreshold], language: Language) {
-    let row = |each: &SensorThreshold| {
+    let resistance = |each: &SensorThreshold| {
         let sign = match each.bound {
             "at_most" => "≤ ",
             "at_least" => "≥ ",
             _ => "",
         };
-        vec![
-            format!("{} {}", each.sensor.to_uppercase(), each.name),
-            format!("{} °C", shown(each.temperature.0, language)),
-            format!("{sign}{} Ω", format_significant(each.resistance.0, 4, language)),
-            format!("{} ({})", each.source, grade_word(*each.grade, language)),
-        ]
+        format!("{sign}{} Ω", format_significant(each.resistance.0, 4, language))
     };
-    let columns = vec![
-        Column::text(commission::threshold(language)),
-        Column::numbers(commission::temperature(language)),
-        Column::numbers(commission::resistance(language)),
-        Column::wide(terms::source(language)),
-    ];
-    chapter.grid(columns, thresholds.iter().map(row).collect());
+    grid(
+        chapter,
+        thresholds,
+        &[
+            (Column::text(commission::threshold(language)), &|each| {
+                format!("{} {}", each.sensor.to_uppercase(), each.name)
+            }),
+            (Column::numbers(commission::temperature(language)), &|each| {
+                format!("{} °C", shown(each.temperature.0, language))
+            }),
+            (Column::numbers(commission::resistance(language)), &resistance),
+            (Column::wide(terms::source(language)), &|each| {
+                format!("{} ({})", each.source, grade_word(*each.grade, language))
+            }),
+        ],
+    );
 }
 
 fn overload(chapter: &mut Chapter, overload: &OverloadSupervision, language: Language) {

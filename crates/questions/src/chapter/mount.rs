@@ -1,6 +1,6 @@
 //! How an actuator is mounted.
 
-use super::{NOTHING, hazards, plain, significant, unit_shown};
+use super::{NOTHING, grid, hazards, plain, significant, unit_shown};
 use answers::{Chapter, Column, Joint, JointCase, Mount, MountValue, Number, Pilot, TableCell};
 use provenance::Grade;
 use quantities::{Language, format_number};
@@ -45,49 +45,51 @@ fn micrometres(value: Number, signed: bool, language: Language) -> String {
 fn fits(chapter: &mut Chapter, pilots: &[Pilot], language: Language) {
     let signed = |value: Number| micrometres(value, true, language);
     let unsigned = |value: Number| micrometres(value, false, language);
-    let row = |pilot: &Pilot| {
-        vec![
-            pilot.title.clone(),
-            format!("{} {}", plain(Some(pilot.nominal), language), pilot.zone),
-            format!("{} / {}", signed(pilot.upper), signed(pilot.lower)),
-            pilot.bore.map_or_else(|| mounting::own_deviations(language).to_owned(), str::to_owned),
-            format!("{} / {}", signed(pilot.bore_upper), signed(pilot.bore_lower)),
-            format!("{} … {}", unsigned(pilot.clearance_min), unsigned(pilot.clearance_max)),
-            unsigned(pilot.off_centre_max),
-            format!("{} ({})", pilot.fit_text, grade_word(*pilot.grade, language)),
-        ]
-    };
-    let columns = vec![
-        Column::text(""),
-        Column::text(mounting::pilot(language)),
-        Column::text(mounting::deviation_pilot(language)),
-        Column::text(mounting::bore(language)),
-        Column::text(mounting::deviation_bore(language)),
-        Column::text(mounting::clearance_um(language)),
-        Column::numbers(mounting::off_centre_um(language)),
-        Column::wide(mounting::fit_head(language)),
-    ];
-    chapter.grid(columns, pilots.iter().map(row).collect());
+    grid(
+        chapter,
+        pilots,
+        &[
+            (Column::text(""), &|pilot| pilot.title.clone()),
+            (Column::text(mounting::pilot(language)), &|pilot| {
+                format!("{} {}", plain(Some(pilot.nominal), language), pilot.zone)
+            }),
+            (Column::text(mounting::deviation_pilot(language)), &|pilot| {
+                format!("{} / {}", signed(pilot.upper), signed(pilot.lower))
+            }),
+            (Column::text(mounting::bore(language)), &|pilot| {
+                pilot.bore.map_or_else(|| mounting::own_deviations(language).to_owned(), str::to_owned)
+            }),
+            (Column::text(mounting::deviation_bore(language)), &|pilot| {
+                format!("{} / {}", signed(pilot.bore_upper), signed(pilot.bore_lower))
+            }),
+            (Column::text(mounting::clearance_um(language)), &|pilot| {
+                format!("{} … {}", unsigned(pilot.clearance_min), unsigned(pilot.clearance_max))
+            }),
+            (Column::numbers(mounting::off_centre_um(language)), &|pilot| unsigned(pilot.off_centre_max)),
+            (Column::wide(mounting::fit_head(language)), &|pilot| {
+                format!("{} ({})", pilot.fit_text, grade_word(*pilot.grade, language))
+            }),
+        ],
+    );
 }
 
 fn values<'v>(chapter: &mut Chapter, values: impl Iterator<Item = &'v MountValue>, language: Language) {
-    let row = |each: &MountValue| {
-        let shown = match &each.value {
-            TableCell::Number(number) => plain(Some(*number), language),
-            TableCell::Text(text) => text.clone(),
-            _ => mounting::not_printed(language).to_owned(),
-        };
-        let source = each.source.clone().unwrap_or_else(|| NOTHING.to_owned());
-        vec![each.symbol.to_owned(), shown, unit_shown(each.unit), each.name.clone(), source]
+    let shown = |each: &MountValue| match &each.value {
+        TableCell::Number(number) => plain(Some(*number), language),
+        TableCell::Text(text) => text.clone(),
+        _ => mounting::not_printed(language).to_owned(),
     };
-    let columns = vec![
-        Column::text(terminal::symbol(language)),
-        Column::text(terms::value(language)),
-        Column::text(terms::unit(language)),
-        Column::wide(terminal::name(language)),
-        Column::wide(terms::source(language)),
-    ];
-    chapter.grid(columns, values.map(row).collect());
+    grid(
+        chapter,
+        values,
+        &[
+            (Column::text(terminal::symbol(language)), &|each| each.symbol.to_owned()),
+            (Column::text(terms::value(language)), &shown),
+            (Column::text(terms::unit(language)), &|each| unit_shown(each.unit)),
+            (Column::wide(terminal::name(language)), &|each| each.name.clone()),
+            (Column::wide(terms::source(language)), &|each| each.source.clone().unwrap_or_else(|| NOTHING.to_owned())),
+        ],
+    );
 }
 
 fn joined(chapter: &mut Chapter, joint: &Joint, language: Language) {
@@ -109,42 +111,36 @@ fn joined(chapter: &mut Chapter, joint: &Joint, language: Language) {
     let force = joint.clamp_force.map(|force| Number(force.0 / 1000.0));
     let estimated = grade_word(Grade::Estimated, language);
     chapter.text(mounting::joint_clamp(&significant(force, 3, language), &estimated, language));
-    let columns = vec![
-        Column::text(mounting::load_head(language)),
-        Column::numbers(mounting::torque_nm(language)),
-        Column::numbers(terms::utilisation_short(language)),
-        Column::text(terms::verdict(language)),
-        Column::numbers(mounting::tilting_nm(language)),
-        Column::numbers(mounting::relieved_percent(language)),
-        Column::numbers(mounting::with_moment_percent(language)),
-        Column::wide(terms::source(language)),
-    ];
-    chapter.grid(columns, joint.cases.iter().map(|case| case_row(case, language)).collect());
-}
-
-fn case_row(case: &JointCase, language: Language) -> Vec<String> {
     let percent = |value: Option<Number>| significant(value.map(|value| Number(value.0 * 100.0)), 3, language);
-    let opens = case.relieved.is_some() && case.utilisation_together.is_none();
-    let of_moment_alone = case.torque.is_none() && case.missing.is_none();
-    let together = if of_moment_alone && !opens {
-        NOTHING.to_owned()
-    } else if opens {
-        mounting::joint_opens(language).to_owned()
-    } else {
-        percent(case.utilisation_together)
+    let of_moment_alone = |case: &JointCase| case.torque.is_none() && case.missing.is_none();
+    let together = |case: &JointCase| {
+        if case.relieved.is_some() && case.utilisation_together.is_none() {
+            mounting::joint_opens(language).to_owned()
+        } else if of_moment_alone(case) {
+            NOTHING.to_owned()
+        } else {
+            percent(case.utilisation_together)
+        }
     };
     // A case without a torque is judged by the moment alone.
-    let verdict = if of_moment_alone { case.verdict_together } else { case.verdict };
-    let grade = case.grade.map(|grade| grade_word(*grade, language).to_owned());
-    let parts = [grade, case.torque_source.clone(), case.moment_source.clone(), case.missing.clone()];
-    vec![
-        case.title.clone(),
-        significant(case.torque, 4, language),
-        percent(case.utilisation),
-        verdict_word(*verdict, language),
-        significant(case.moment, 4, language),
-        percent(case.relieved),
-        together,
-        parts.into_iter().flatten().collect::<Vec<_>>().join("; "),
-    ]
+    let verdict = |case: &JointCase| if of_moment_alone(case) { case.verdict_together } else { case.verdict };
+    let source = |case: &JointCase| {
+        let grade = case.grade.map(|grade| grade_word(*grade, language).to_owned());
+        let parts = [grade, case.torque_source.clone(), case.moment_source.clone(), case.missing.clone()];
+        parts.into_iter().flatten().collect::<Vec<_>>().join("; ")
+    };
+    grid(
+        chapter,
+        &joint.cases,
+        &[
+            (Column::text(mounting::load_head(language)), &|case| case.title.clone()),
+            (Column::numbers(mounting::torque_nm(language)), &|case| significant(case.torque, 4, language)),
+            (Column::numbers(terms::utilisation_short(language)), &|case| percent(case.utilisation)),
+            (Column::text(terms::verdict(language)), &|case| verdict_word(*verdict(case), language)),
+            (Column::numbers(mounting::tilting_nm(language)), &|case| significant(case.moment, 4, language)),
+            (Column::numbers(mounting::relieved_percent(language)), &|case| percent(case.relieved)),
+            (Column::numbers(mounting::with_moment_percent(language)), &together),
+            (Column::wide(terms::source(language)), &source),
+        ],
+    );
 }

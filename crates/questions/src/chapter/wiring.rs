@@ -1,7 +1,9 @@
 //! Connectors, pins and cables.
 
-use super::{NOTHING, hazards};
-use answers::{Block, Chapter, Column, Connector, ConnectorExit, NoteBy, Number, Picture, VoltageDrops, Wiring};
+use super::{NOTHING, grid, hazards};
+use answers::{
+    Block, Chapter, Column, Connector, ConnectorExit, ConnectorPin, NoteBy, Number, Picture, VoltageDrops, Wiring,
+};
 use quantities::{Language, format_number, format_significant};
 use std::fmt::Write as _;
 use words::{capitalised, evidence_text, terminal, terms, verdict_word, wiring};
@@ -51,22 +53,20 @@ fn connected(chapter: &mut Chapter, connector: &Connector, language: Language) {
         connector.length.map(|value| wiring::length_of_coupling(&value, language)),
     ];
     chapter.text(mating.into_iter().flatten().collect::<Vec<_>>().join(", "));
-    let coloured = connector.pins.iter().any(|pin| pin.colour.is_some());
-    let mut columns = vec![Column::text(wiring::pin(language)), Column::text(wiring::signal(language))];
-    if coloured {
-        columns.push(Column::text(wiring::colour(language)));
-    }
-    columns.push(Column::wide(terminal::meaning(language)));
-    let row = |pin: &answers::ConnectorPin| {
-        let name = pin.joined_with.as_ref().map_or_else(|| pin.pin.clone(), |other| format!("{} ({other})", pin.pin));
-        let mut row = vec![name, pin.signal.to_owned()];
-        if coloured {
-            row.push(pin.colour.unwrap_or(NOTHING).to_owned());
-        }
-        row.push(pin.meaning.clone());
-        row
+    let name = |pin: &ConnectorPin| {
+        pin.joined_with.as_ref().map_or_else(|| pin.pin.clone(), |other| format!("{} ({other})", pin.pin))
     };
-    chapter.grid(columns, connector.pins.iter().map(row).collect());
+    let colour = |pin: &ConnectorPin| pin.colour.unwrap_or(NOTHING).to_owned();
+    let mut columns: Vec<(Column, &dyn Fn(&ConnectorPin) -> String)> = vec![
+        (Column::text(wiring::pin(language)), &name),
+        (Column::text(wiring::signal(language)), &|pin| pin.signal.to_owned()),
+        (Column::text(wiring::colour(language)), &colour),
+        (Column::wide(terminal::meaning(language)), &|pin| pin.meaning.clone()),
+    ];
+    if !connector.pins.iter().any(|pin| pin.colour.is_some()) {
+        let _ = columns.remove(2);
+    }
+    grid(chapter, &connector.pins, &columns);
     let same =
         |colour: &answers::AmbiguousColour| wiring::same_colour(&colour.colour, &colour.pins.join(", "), language);
     chapter.points(connector.ambiguous.iter().map(same).collect());
@@ -77,31 +77,28 @@ fn cables(chapter: &mut Chapter, record: &Wiring, language: Language) {
     if record.cables.is_empty() {
         chapter.text(wiring::no_cables(language));
     }
-    let row = |cable: &answers::Cable| {
+    let length = |cable: &answers::Cable| {
         let length = cable.length_m.map(|length| format!("{} m", format_number(length.0, 0, language)));
-        vec![
-            cable.material_number.to_owned(),
-            length.or(cable.length_code.map(str::to_owned)).unwrap_or_else(|| NOTHING.into()),
-            wiring::cable_role(*cable.role, language).to_owned(),
-            cable.goal.clone(),
-            cable.table.to_owned(),
-        ]
+        length.or(cable.length_code.map(str::to_owned)).unwrap_or_else(|| NOTHING.into())
     };
-    let columns = vec![
-        Column::text(wiring::material_number(language)),
-        Column::numbers(wiring::length(language)),
-        Column::text(wiring::connects(language)),
-        Column::wide(wiring::goes_to(language)),
-        Column::text(terminal::table(language)),
-    ];
-    chapter.grid(columns, record.cables.iter().map(row).collect());
+    grid(
+        chapter,
+        &record.cables,
+        &[
+            (Column::text(wiring::material_number(language)), &|cable| cable.material_number.to_owned()),
+            (Column::numbers(wiring::length(language)), &length),
+            (Column::text(wiring::connects(language)), &|cable| wiring::cable_role(*cable.role, language).to_owned()),
+            (Column::wide(wiring::goes_to(language)), &|cable| cable.goal.clone()),
+            (Column::text(terminal::table(language)), &|cable| cable.table.to_owned()),
+        ],
+    );
 }
 
 fn dropped(chapter: &mut Chapter, drops: &VoltageDrops, language: Language) {
     let number = |value: Number| format_significant(value.0, 3, language);
     let shown = |value: Option<Number>| value.map_or_else(|| NOTHING.into(), number);
     chapter.section(capitalised(&wiring::voltage_drop(&number(drops.length_m), language)));
-    let row = |circuit: &answers::VoltageDrop| {
+    let verdict = |circuit: &answers::VoltageDrop| {
         let mut verdict = verdict_word(*circuit.verdict, language);
         if !circuit.reason.is_empty() {
             let _ = write!(verdict, ": {}", circuit.reason);
@@ -109,29 +106,23 @@ fn dropped(chapter: &mut Chapter, drops: &VoltageDrops, language: Language) {
         if circuit.sense_lines {
             let _ = write!(verdict, "; {}", wiring::sense_makes_up(language));
         }
-        vec![
-            circuit.name.to_owned(),
-            number(circuit.current_a),
-            shown(circuit.nominal_v),
-            shown(circuit.least_v),
-            shown(circuit.loss_20_degc_v),
-            shown(circuit.loss_70_degc_v),
-            shown(circuit.cross_section_min_mm2),
-            verdict,
-        ]
+        verdict
     };
-    let columns = vec![
-        Column::text(wiring::circuit(language)),
-        Column::numbers("A"),
-        Column::numbers(wiring::nominal_v(language)),
-        Column::numbers(wiring::least_v(language)),
-        Column::numbers(wiring::at_20_degc(language)),
-        Column::numbers(wiring::at_70_degc(language)),
-        Column::numbers(wiring::least_mm2(language)),
-        Column::wide(terms::verdict(language)),
-    ];
-    chapter.grid(columns, drops.circuits.iter().map(row).collect());
-    let told = |label: &str, text: &str| format!("{}: {text}", capitalised(label));
-    chapter.text(told(terms::assumptions(language), drops.assumptions));
-    chapter.text(told(terms::source(language), &drops.resistivity_source));
+    grid(
+        chapter,
+        &drops.circuits,
+        &[
+            (Column::text(wiring::circuit(language)), &|circuit| circuit.name.to_owned()),
+            (Column::numbers("A"), &|circuit| number(circuit.current_a)),
+            (Column::numbers(wiring::nominal_v(language)), &|circuit| shown(circuit.nominal_v)),
+            (Column::numbers(wiring::least_v(language)), &|circuit| shown(circuit.least_v)),
+            (Column::numbers(wiring::at_20_degc(language)), &|circuit| shown(circuit.loss_20_degc_v)),
+            (Column::numbers(wiring::at_70_degc(language)), &|circuit| shown(circuit.loss_70_degc_v)),
+            (Column::numbers(wiring::least_mm2(language)), &|circuit| shown(circuit.cross_section_min_mm2)),
+            (Column::wide(terms::verdict(language)), &verdict),
+        ],
+    );
+    let line = |label: &str, text: &str| format!("{}: {text}", capitalised(label));
+    chapter.text(line(terms::assumptions(language), drops.assumptions));
+    chapter.text(line(terms::source(language), &drops.resistivity_source));
 }

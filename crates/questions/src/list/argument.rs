@@ -14,7 +14,7 @@ pub struct Argument {
     /// What stands for its value in the usage of a command.
     pub value: Word,
     /// What a value may be.
-    pub kind: Kind,
+    pub kind: ArgumentKind,
     /// How a call has it.
     pub form: Form,
     /// Whether there is no answer without it.
@@ -33,7 +33,7 @@ pub struct Argument {
 
 /// What a value may be.
 #[derive(Clone, Copy, Debug)]
-pub enum Kind {
+pub enum ArgumentKind {
     /// A text, or a quantity with its unit.
     Text,
     /// An ordering code.
@@ -69,7 +69,7 @@ impl Argument {
             name,
             about,
             value,
-            kind: Kind::Text,
+            kind: ArgumentKind::Text,
             form: Form::Option,
             required: false,
             repeated: false,
@@ -83,12 +83,12 @@ impl Argument {
     /// True or false.
     #[must_use]
     pub const fn flag(name: &'static str, about: Word) -> Self {
-        Self::option(name, values::what, about).of(Kind::Flag)
+        Self::option(name, values::what, about).of(ArgumentKind::Flag)
     }
 
     /// The same with another kind of value.
     #[must_use]
-    pub const fn of(self, kind: Kind) -> Self {
+    pub const fn of(self, kind: ArgumentKind) -> Self {
         Self { kind, ..self }
     }
 
@@ -138,29 +138,33 @@ impl Argument {
     #[must_use]
     pub fn words(&self) -> Vec<&'static str> {
         match self.kind {
-            Kind::Word(words) => words(),
-            Kind::Text | Kind::Code | Kind::Date | Kind::Flag | Kind::Whole(..) => Vec::new(),
+            ArgumentKind::Word(words) => words(),
+            ArgumentKind::Text
+            | ArgumentKind::Code
+            | ArgumentKind::Date
+            | ArgumentKind::Flag
+            | ArgumentKind::Whole(..) => Vec::new(),
         }
     }
 
     /// A value as it is kept, or what would be right.
     pub(super) fn checked<'v>(&self, value: &'v str) -> Result<Cow<'v, str>, Option<UsageHint>> {
         match self.kind {
-            Kind::Text | Kind::Code | Kind::Date => Ok(Cow::Borrowed(value)),
-            Kind::Flag => match value {
+            ArgumentKind::Text | ArgumentKind::Code | ArgumentKind::Date => Ok(Cow::Borrowed(value)),
+            ArgumentKind::Flag => match value {
                 "" | "1" => Ok(Cow::Borrowed(TRUE)),
                 "0" => Ok(Cow::Borrowed("false")),
                 TRUE | "false" => Ok(Cow::Borrowed(value)),
                 _ => Err(Some(UsageHint::Words(Hint::ValidAre(vec![TRUE.to_owned(), "false".to_owned()])))),
             },
-            Kind::Whole(least, most) => match value.parse::<u64>() {
+            ArgumentKind::Whole(least, most) => match value.parse::<u64>() {
                 Ok(number) if (least..=most).contains(&number) => Ok(Cow::Borrowed(value)),
                 Err(error) if !matches!(error.kind(), std::num::IntErrorKind::PosOverflow) && !is_whole(value) => {
                     Err(Some(UsageHint::WholeNumber))
                 }
                 _ => Err(Some(UsageHint::Range(least.to_string(), most.to_string()))),
             },
-            Kind::Word(words) => {
+            ArgumentKind::Word(words) => {
                 let words = words();
                 if words.contains(&value) {
                     Ok(Cow::Borrowed(value))
@@ -195,21 +199,21 @@ pub const AXIS: Argument = Argument::option("axis", values::name, help::axis);
 
 /// The ordering code that a question is about.
 pub const CODE: Argument =
-    Argument::option("code", values::code, help::ordering_code).of(Kind::Code).form(Form::Words).required();
+    Argument::option("code", values::code, help::ordering_code).of(ArgumentKind::Code).form(Form::Words).required();
 
 /// An ordering code that may be named.
 pub(super) const fn code(about: Word) -> Argument {
-    Argument::option("code", values::code, about).of(Kind::Code)
+    Argument::option("code", values::code, about).of(ArgumentKind::Code)
 }
 
 /// How many of a ranking.
 pub(super) const fn top(usual: &'static str, about: Word) -> Argument {
-    Argument::option("top", values::n, about).of(Kind::Whole(1, u16::MAX as u64)).usually(usual)
+    Argument::option("top", values::n, about).of(ArgumentKind::Whole(1, u16::MAX as u64)).usually(usual)
 }
 
 /// The language of the texts.
 pub const LANG: Argument = Argument::option("lang", values::lang, requests::lang)
-    .of(Kind::Word(|| quantities::Language::ALL.map(quantities::Language::id).to_vec()))
+    .of(ArgumentKind::Word(|| quantities::Language::ALL.map(quantities::Language::id).to_vec()))
     .repeated();
 
 /// What the project is called in faults and files.

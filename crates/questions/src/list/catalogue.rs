@@ -1,7 +1,7 @@
 //! `catalogue export`: every cell of the maker's tables.
 
 use super::given::{arguments, word};
-use super::{Answer, Argument, Entry, Gives, Kind, Reads, Record, media};
+use super::{Answer, Argument, ArgumentKind, Entry, Gives, Reads, Record, media};
 use crate::answer;
 pub use crate::export::export_csv;
 use words::help;
@@ -12,7 +12,7 @@ arguments! {
     pub struct Args {
         /// Whether as CSV.
         format: Option<bool> = Argument::option("format", values::format, help::catalogue_format)
-            .of(Kind::Word(|| vec!["json", "csv"])) => word(|format| Some(format == "csv")),
+            .of(ArgumentKind::Word(|| vec!["json", "csv"])) => word(|format| Some(format == "csv")),
     }
 }
 

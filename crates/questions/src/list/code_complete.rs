@@ -1,7 +1,7 @@
 //! `code complete CODE`: what a partial code may become.
 
 use super::given::{arguments, pattern};
-use super::{Answer, Argument, CODE, Entry, Gives, Kind, Reads, Record, Unanswered};
+use super::{Answer, Argument, ArgumentKind, CODE, Entry, Gives, Reads, Record, Unanswered};
 use crate::answer;
 pub use crate::codes::completion;
 use crate::codes::list_codes;
@@ -13,7 +13,7 @@ arguments! {
     pub struct Args {
         /// It.
         code: Option<Pattern> =
-            Argument { about: help::code_complete_pattern, ..CODE }.of(Kind::Text) => pattern,
+            Argument { about: help::code_complete_pattern, ..CODE }.of(ArgumentKind::Text) => pattern,
     }
 }
 

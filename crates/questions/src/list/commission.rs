@@ -1,7 +1,7 @@
 //! `commission CODE`: values for the drive, and check-lists.
 
 use super::given::{arguments, code, some, word};
-use super::{Answer, Argument, Asked, CODE, Entry, Gives, Kind, Reads, Record, Unanswered};
+use super::{Answer, Argument, ArgumentKind, Asked, CODE, Entry, Gives, Reads, Record, Unanswered};
 use crate::answer;
 use crate::chapters::read_quantity;
 pub use crate::commission::{Commissioning, DriveForm, commission, usual_ambient};
@@ -22,7 +22,7 @@ arguments! {
         /// Its code.
         code: OrderCode = CODE => code,
         /// The form of the values.
-        form: Option<DriveForm> = FORM.of(Kind::Word(|| DriveForm::ALL.map(DriveForm::id).to_vec()))
+        form: Option<DriveForm> = FORM.of(ArgumentKind::Word(|| DriveForm::ALL.map(DriveForm::id).to_vec()))
             => word(DriveForm::of_id),
         /// Temperature of winding and sensors.
         ambient: Option<ThermodynamicTemperature> = AMBIENT => some(read_quantity),

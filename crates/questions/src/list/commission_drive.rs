@@ -1,7 +1,7 @@
 //! `commission CODE --for FORM --out FILE`: the values as a drive reads them.
 
 use super::given::{arguments, code, word};
-use super::{Answer, CODE, Entry, Gives, Kind, OutputFile, Reads, commission, media};
+use super::{Answer, ArgumentKind, CODE, Entry, Gives, OutputFile, Reads, commission, media};
 use crate::commission::DriveForm;
 pub use crate::commission::{eds, sinamics_script};
 use order_code::OrderCode;
@@ -14,7 +14,7 @@ arguments! {
         code: OrderCode = CODE => code,
         /// The form of the values.
         form: Option<DriveForm> = commission::FORM
-            .of(Kind::Word(|| [DriveForm::Sinamics, DriveForm::Cia402].map(DriveForm::id).to_vec())).required()
+            .of(ArgumentKind::Word(|| [DriveForm::Sinamics, DriveForm::Cia402].map(DriveForm::id).to_vec())).required()
             => word(DriveForm::of_id),
     }
 }

@@ -6,7 +6,7 @@ use crate::answer;
 pub use crate::commission::{judge, measured};
 use answers::{Fit, Recorded};
 use order_code::OrderCode;
-use words::{requests, told};
+use words::{requests, worded};
 
 arguments! {
     /// An actuator.
@@ -41,7 +41,7 @@ pub fn found(asked: &Asked<'_>) -> Result<Recorded, Unanswered> {
     let source = asked.source()?;
     let text = source.text(asked.language)?;
     let measured = measured(text).map_err(|found| {
-        let faults = told(&found, asked.language);
+        let faults = worded(&found, asked.language);
         Unanswered::Text { name: source.name.clone(), text: text.to_owned(), faults }
     })?;
     Ok(answer::recorded(&about, &judge(&about, &measured), asked.language))

@@ -12,7 +12,7 @@ pub enum Cost {
     /// The catalogue ranked.
     Ranking {
         /// How many are reported in full.
-        told: usize,
+        complete: usize,
         /// How the tolerances of the best of them are judged.
         draw: Draw,
     },
@@ -51,7 +51,7 @@ impl Cost {
     fn axes(self) -> f64 {
         match self {
             Self::Report => 50.0,
-            Self::Ranking { told, .. } => 500.0 / (1.0 + told.min(300) as f64 / 60.0),
+            Self::Ranking { complete, .. } => 500.0 / (1.0 + complete.min(300) as f64 / 60.0),
             Self::Check { .. } | Self::Other => 500.0,
         }
     }
@@ -62,7 +62,9 @@ impl Cost {
         let [recorded, samples] = project.axis.samples();
         let nodes = project.axis.instants().saturating_sub(recorded);
         let (instants, tolerances) = match self {
-            Self::Ranking { told, draw } => (INSTANTS_MOST, work::share(project, told.min(ASSESSED_MOST), draw)),
+            Self::Ranking { complete, draw } => {
+                (INSTANTS_MOST, work::share(project, complete.min(ASSESSED_MOST), draw))
+            }
             Self::Check { draw } => (INSTANTS_MOST, work::share(project, 1, draw)),
             Self::Report => (INSTANTS_MOST, work::share(project, 1, Draw::default())),
             Self::Other => (2.0 * INSTANTS_MOST, 0.0),
@@ -115,7 +117,7 @@ mod tests {
     #[test]
     fn several_axes_are_counted_together() {
         let draw = Draw::default();
-        let ranking = Cost::Ranking { told: 10, draw };
+        let ranking = Cost::Ranking { complete: 10, draw };
         let few = project("1 kg m^2", 1);
         let of =
             |question: Cost, project: &Project, count: usize| question.is_quick(std::iter::repeat_n(project, count));
@@ -124,7 +126,7 @@ mod tests {
             let refused = of(question, &few, most + 60);
             assert!(matches!(refused, Err(Refusal::TooManyAxes { axes, .. }) if axes == most + 60), "{question:?}");
         }
-        let all = Cost::Ranking { told: usize::MAX, draw };
+        let all = Cost::Ranking { complete: usize::MAX, draw };
         assert!(of(all, &few, 20).is_ok() && of(all, &few, 100).is_err());
         // A long cycle and a tolerance cost more than nothing.
         let (long, uncertain) = (project("1 kg m^2", 4000), project("1 kg m^2 ± 5 %", 1));

@@ -1,7 +1,7 @@
 //! `explain PROJECT`: how value and limit of the checks of an actuator came about.
 
 use super::given::{arguments, some_code_among, text, word};
-use super::{AXIS, Argument, Cost, Entry, Gives, Kind, Reads, Record, argument};
+use super::{AXIS, Argument, ArgumentKind, Cost, Entry, Gives, Reads, Record, argument};
 use crate::answer;
 pub use crate::explain::derivation;
 use crate::patience::{Patience, Stopped};
@@ -22,7 +22,7 @@ arguments! {
         code: Option<OrderCode> = argument::code(help::explain_code) => some_code_among,
         /// One check; without it all.
         check: Option<CheckId> = Argument::option("check", values::check, help::explain_check)
-            .of(Kind::Word(|| CheckId::ALL.iter().map(|check| check.id()).collect())) => word(check_of),
+            .of(ArgumentKind::Word(|| CheckId::ALL.iter().map(|check| check.id()).collect())) => word(check_of),
     }
 }
 

@@ -2,7 +2,8 @@
 
 use super::given::{arguments, count, label, some_code, text};
 use super::{
-    AXIS, Argument, Asked, Axis, Cost, Entry, Gives, Kind, OutputFile, Reads, Record, Unanswered, argument, media,
+    AXIS, Argument, ArgumentKind, Asked, Axis, Cost, Entry, Gives, OutputFile, Reads, Record, Unanswered, argument,
+    media,
 };
 use order_code::OrderCode;
 use words::{help, help::values, requests, terminal};
@@ -22,10 +23,10 @@ arguments! {
         code: Option<OrderCode> = argument::code(help::export_code) => some_code,
         /// One table; without it the workbook.
         table: Option<String> = Argument::option("table", values::name, help::export_table)
-            .of(Kind::Word(|| TABLES.to_vec())) => text,
+            .of(ArgumentKind::Word(|| TABLES.to_vec())) => text,
         /// The format; on the command line the ending of the file.
         format: Option<String> = Argument::option("format", values::format, requests::format)
-            .of(Kind::Word(|| FORMATS.to_vec())) => text,
+            .of(ArgumentKind::Word(|| FORMATS.to_vec())) => text,
         /// How many of the ranking the tables hold.
         top: usize = argument::top("20", help::export_top) => count,
         /// The revision for the first sheet.

@@ -4,7 +4,7 @@ use super::given::{arguments, lines};
 use super::{Answer, Argument, Asked, Entry, Form, Gives, Reads, Record, Unanswered};
 use crate::answer;
 use project::{InertiaAnswer, inertia};
-use words::{help, help::values, told};
+use words::{help, help::values, worded};
 
 arguments! {
     /// Bodies about an axis.
@@ -34,7 +34,7 @@ pub const ENTRY: Entry = Entry {
 pub fn found(asked: &Asked<'_>) -> Result<InertiaAnswer, Unanswered> {
     let text = Args::read(&asked.given)?.body;
     inertia(&text).map_err(|faults| {
-        let faults = told(&faults, asked.language);
+        let faults = worded(&faults, asked.language);
         Unanswered::Text { name: "body".to_owned(), text, faults }
     })
 }

@@ -1,7 +1,7 @@
 //! `new KIND`: a commented project file to fill in.
 
 use super::given::{arguments, text};
-use super::{Answer, Argument, Asked, Entry, Form, Gives, Kind, OutputFile, Reads, Unanswered, media};
+use super::{Answer, Argument, ArgumentKind, Asked, Entry, Form, Gives, OutputFile, Reads, Unanswered, media};
 use crate::sizing_use::Refusal;
 pub use crate::templates::{Template, template, template_kinds};
 use words::help::values;
@@ -12,7 +12,7 @@ arguments! {
     pub struct Args {
         /// The kind.
         kind: Option<String> = Argument::option("kind", values::kind, requests::kind)
-            .of(Kind::Word(|| template_kinds().collect())).form(Form::Bare).required() => text,
+            .of(ArgumentKind::Word(|| template_kinds().collect())).form(Form::Bare).required() => text,
     }
 }
 

@@ -1,7 +1,7 @@
 //! `plot PROJECT`: a picture of an axis with an actuator; a face draws it.
 
 use super::given::{arguments, some, some_code, text, word};
-use super::{AXIS, Argument, Asked, Cost, Entry, Gives, Kind, PICTURE, Reads, Unanswered, argument, media};
+use super::{AXIS, Argument, ArgumentKind, Asked, Cost, Entry, Gives, PICTURE, Reads, Unanswered, argument, media};
 use crate::chapters::read_quantity;
 use crate::sizing_use::Candidate;
 use crate::subject::candidate_for;
@@ -14,8 +14,9 @@ use words::{help, help::values, requests};
 pub const FIGURES: [&str; 6] = ["torque_speed", "cycle", "utilisation", "torsion", "bearing_load", "candidate_map"];
 
 /// The colours of a picture.
-pub const THEME: Argument =
-    Argument::option("theme", values::theme, help::theme).of(Kind::Word(|| vec!["light", "dark"])).usually("light");
+pub const THEME: Argument = Argument::option("theme", values::theme, help::theme)
+    .of(ArgumentKind::Word(|| vec!["light", "dark"]))
+    .usually("light");
 /// How wide a picture is.
 pub const WIDTH: Argument = Argument::option("width", values::length, help::width);
 /// How high a picture is.
@@ -30,10 +31,10 @@ arguments! {
         code: Option<OrderCode> = argument::code(help::own_or_best_code) => some_code,
         /// The picture.
         figure: Option<String> = Argument::option("figure", values::figure, requests::figure)
-            .of(Kind::Word(|| FIGURES.to_vec())).required() => text,
+            .of(ArgumentKind::Word(|| FIGURES.to_vec())).required() => text,
         /// Whether the map of the candidates is laid out by length, not by mass.
         by: Option<bool> = Argument::option("by", values::what, help::plot_by)
-            .of(Kind::Word(|| vec!["mass", "length"])).usually("mass") => word(|by| Some(by == "length")),
+            .of(ArgumentKind::Word(|| vec!["mass", "length"])).usually("mass") => word(|by| Some(by == "length")),
         /// Dark colours.
         theme: Option<bool> = THEME => word(|theme| Some(theme == "dark")),
         /// Width of the picture.

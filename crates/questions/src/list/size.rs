@@ -1,7 +1,7 @@
 //! `size PROJECT`: the whole catalogue ranked for an axis.
 
 use super::given::{arguments, count, flag, number, text};
-use super::{AXIS, Argument, Cost, Entry, Gives, Kind, OutputFile, Reads, Record, argument, media};
+use super::{AXIS, Argument, ArgumentKind, Cost, Entry, Gives, OutputFile, Reads, Record, argument, media};
 use crate::answer;
 use crate::mends::{Mend, mends};
 use crate::patience::{Patience, Stopped};
@@ -13,8 +13,8 @@ use words::{help, help::values};
 
 #[allow(clippy::cast_possible_truncation, reason = "a million")]
 pub(super) const SAMPLES: Argument =
-    Argument::option("samples", values::n, help::samples).of(Kind::Whole(1, SAMPLES_MOST as u64));
-pub(super) const SEED: Argument = Argument::option("seed", values::n, help::seed).of(Kind::Whole(0, u64::MAX));
+    Argument::option("samples", values::n, help::samples).of(ArgumentKind::Whole(1, SAMPLES_MOST as u64));
+pub(super) const SEED: Argument = Argument::option("seed", values::n, help::seed).of(ArgumentKind::Whole(0, u64::MAX));
 
 arguments! {
     /// Which axis, how many candidates, how tolerances are sampled.
@@ -55,7 +55,7 @@ pub const ENTRY: Entry = Entry {
 impl Args {
     /// How many candidates are reported in full.
     #[must_use]
-    pub const fn told(&self) -> usize {
+    pub const fn complete(&self) -> usize {
         if self.all { usize::MAX } else { self.top }
     }
 
@@ -66,7 +66,7 @@ impl Args {
     /// What the answer costs.
     #[must_use]
     pub fn cost(&self) -> Cost {
-        Cost::Ranking { told: self.told(), draw: self.draw() }
+        Cost::Ranking { complete: self.complete(), draw: self.draw() }
     }
 
     /// The catalogue ranked for an axis.
@@ -74,7 +74,7 @@ impl Args {
     /// # Errors
     /// As [`ranking`].
     pub fn ranking<'p>(&self, project: &'p Project, patience: &Patience) -> Result<Ranking<'p>, Refusal> {
-        ranking(project, self.told(), self.draw(), patience)
+        ranking(project, self.complete(), self.draw(), patience)
     }
 }
 
@@ -106,8 +106,8 @@ pub struct Ranking<'p> {
 /// # Errors
 /// [`Refusal::TooManySamples`], [`Refusal::Stopped`].
 pub fn ranking<'p>(project: &'p Project, top: usize, draw: Draw, patience: &Patience) -> Result<Ranking<'p>, Refusal> {
-    let told = top.min(ASSESSED_MOST) + usize::from(project.actuator.is_some());
-    let sampling = draw.sampling(project, told, patience.is_limited())?;
+    let complete = top.min(ASSESSED_MOST) + usize::from(project.actuator.is_some());
+    let sampling = draw.sampling(project, complete, patience.is_limited())?;
     let sizing = sized(project, top, patience)?;
     let fitting = sizing.candidates.iter().filter(|candidate| candidate.fits());
     let chosen: Vec<&Candidate<'_>> = fitting.take(top.min(ASSESSED_MOST)).chain(&sizing.own).collect();
@@ -119,13 +119,13 @@ pub fn ranking<'p>(project: &'p Project, top: usize, draw: Draw, patience: &Pati
     Ok(Ranking { project, sizing, top, mends, assessed })
 }
 
-/// The catalogue judged and ranked for an axis, without its tolerances; it can be cancelled. The first `told` are
+/// The catalogue judged and ranked for an axis, without its tolerances; it can be cancelled. The first `complete` are
 /// judged by every check where they fit; for the others the returned energy is omitted, unless the project limits it.
 ///
 /// # Errors
 /// [`Refusal::Stopped`].
-pub fn sized<'p>(project: &'p Project, told: usize, patience: &Patience) -> Result<Sizing<'p>, Refusal> {
-    size_watched(project, told, patience).map_err(|Stopped| Refusal::Stopped)
+pub fn sized<'p>(project: &'p Project, complete: usize, patience: &Patience) -> Result<Sizing<'p>, Refusal> {
+    size_watched(project, complete, patience).map_err(|Stopped| Refusal::Stopped)
 }
 
 impl Ranking<'_> {

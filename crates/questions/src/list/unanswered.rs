@@ -8,7 +8,7 @@ use crate::sizing_use::Refusal;
 use answers::{Fault, Faults};
 use order_code::OrderCode;
 use quantities::Language;
-use words::{Told, terminal, told};
+use words::{Worded, terminal, worded};
 
 /// Why a question has no answer.
 #[derive(Clone, Debug)]
@@ -20,7 +20,7 @@ pub enum Unanswered {
         /// The text.
         text: String,
         /// Its faults.
-        faults: Vec<Told>,
+        faults: Vec<Worded>,
     },
     /// A text is no ordering code.
     Code {
@@ -87,7 +87,7 @@ impl Unanswered {
     pub fn unread(unread: Unread, name: &str, text: &str, language: Language) -> Self {
         match unread {
             Unread::Faults(found) => {
-                Self::Text { name: name.to_owned(), text: text.to_owned(), faults: told(&found, language) }
+                Self::Text { name: name.to_owned(), text: text.to_owned(), faults: worded(&found, language) }
             }
             Unread::Refused(refusal) => refusal.into(),
         }

@@ -1,7 +1,7 @@
 //! `upkeep CODE`: what is to be done with an actuator, and by when.
 
 use super::given::{arguments, code_among, one, some};
-use super::{Answer, Argument, Asked, CODE, Entry, Gives, Kind, Reads, Record, Unanswered};
+use super::{Answer, Argument, ArgumentKind, Asked, CODE, Entry, Gives, Reads, Record, Unanswered};
 use crate::answer;
 use crate::chapters::read_hours;
 use crate::sheet::sheet;
@@ -19,11 +19,11 @@ use words::help;
 use words::help::values;
 
 pub(super) const DELIVERED: Argument =
-    Argument::option("delivered", values::date, help::upkeep_delivered).of(Kind::Date).required();
+    Argument::option("delivered", values::date, help::upkeep_delivered).of(ArgumentKind::Date).required();
 pub(super) const STORAGE: Argument = Argument::option("storage", values::interval, help::upkeep_storage);
 pub(super) const HOURS: Argument = Argument::option("hours-per-day", values::hours, help::upkeep_hours).signed();
 pub(super) const INSPECT: Argument = Argument::option("inspect", values::interval, help::upkeep_inspect);
-pub(super) const TODAY: Argument = Argument::option("today", values::date, help::upkeep_today).of(Kind::Date);
+pub(super) const TODAY: Argument = Argument::option("today", values::date, help::upkeep_today).of(ArgumentKind::Date);
 
 arguments! {
     /// An actuator and the days of its life.

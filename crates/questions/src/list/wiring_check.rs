@@ -51,7 +51,7 @@ pub fn found(asked: &Asked<'_>) -> Result<WiringCheck, Unanswered> {
     match &read.outcome {
         Ok(comparison) => Ok(answer::wiring_check(&found, comparison, asked.language)),
         Err(_) => {
-            let faults = read.told(asked.language);
+            let faults = read.worded(asked.language);
             Err(Unanswered::Text { name: source.name.clone(), text: read.text, faults })
         }
     }

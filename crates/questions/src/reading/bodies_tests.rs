@@ -2,7 +2,7 @@
 
 use project::{BODY_SHAPES, InertiaAnswer, inertia};
 use quantities::{Language, Measure};
-use words::told;
+use words::worded;
 
 fn close(value: f64, expected: f64) -> bool {
     (value - expected).abs() <= 1e-9 * expected.abs()
@@ -14,7 +14,7 @@ fn answer(text: &str) -> InertiaAnswer {
 
 /// What each fault underlines, and what it says.
 fn faults(text: &str) -> Vec<(String, String)> {
-    let found = told(&inertia(text).unwrap_err(), Language::En);
+    let found = worded(&inertia(text).unwrap_err(), Language::En);
     found.into_iter().map(|fault| (text.get(fault.span).unwrap_or("?").to_owned(), fault.message)).collect()
 }
 
@@ -66,7 +66,7 @@ fn all_faults_at_once_each_at_its_place() {
         faults(text).into_iter().map(|(place, _)| place).collect::<Vec<_>>(),
         ["200", "s", "densty", "tub", "60mm", "0mm", "1kg/dm^3", "0"]
     );
-    let found = told(&inertia(text).unwrap_err(), Language::De);
+    let found = worded(&inertia(text).unwrap_err(), Language::De);
     let lines: Vec<usize> = found.iter().map(|fault| fault.line).collect();
     assert_eq!(lines, [1, 1, 1, 2, 3, 3, 3, 3]);
     assert!(found.iter().any(|fault| fault.hint.as_deref() == Some("gemeint ist vielleicht `density`")));
@@ -119,7 +119,7 @@ fn strange_lines_are_refused_without_panic() {
         "sphere\u{2003}=\u{2003}5mm",
     ] {
         for language in [Language::En, Language::De] {
-            let found = told(&inertia(text).unwrap_err(), language);
+            let found = worded(&inertia(text).unwrap_err(), language);
             assert!(!found.is_empty(), "{text:?}");
             for fault in found {
                 assert!(text.get(fault.span.clone()).is_some(), "{text:?}: {fault:?}");
@@ -131,7 +131,7 @@ fn strange_lines_are_refused_without_panic() {
 #[test]
 fn no_more_than_fifty_faults_are_told() {
     let text = vec!["ball"; 80].join("\n");
-    let found = told(&inertia(&text).unwrap_err(), Language::En);
+    let found = worded(&inertia(&text).unwrap_err(), Language::En);
     assert_eq!(found.len(), 51);
     assert!(found.last().unwrap().message.contains("30 more"));
 }
@@ -146,7 +146,7 @@ fn turntable(bodies: &str) -> String {
 /// What each fault of a turntable underlines, and what it says.
 fn refused(bodies: &str) -> Vec<(String, String)> {
     let text = turntable(bodies);
-    let found = told(&crate::read(&text).map(|_| ()).unwrap_err(), Language::En);
+    let found = worded(&crate::read(&text).map(|_| ()).unwrap_err(), Language::En);
     found.into_iter().map(|fault| (text.get(fault.span).unwrap_or("?").to_owned(), fault.message)).collect()
 }
 

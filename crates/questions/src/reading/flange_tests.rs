@@ -40,7 +40,7 @@ fn read(text: &str) -> Project {
 }
 
 fn messages(text: &str) -> Vec<String> {
-    let faults = words::told(&crate::read(text).map(|_| ()).unwrap_err(), Language::En);
+    let faults = words::worded(&crate::read(text).map(|_| ()).unwrap_err(), Language::En);
     faults.into_iter().map(|fault| fault.message).collect()
 }
 
@@ -156,8 +156,8 @@ fn many_small_swings_are_told() {
     for asked in ["", "bearing_life_min = \"1000 h\"\n"] {
         let life = of(&project(moves(&many), asked), CheckId::BearingLife);
         assert_eq!(life.verdict, Verdict::Advice, "{asked}");
-        let told = words::note_text(life.notes.first().unwrap(), Language::En);
-        assert!(told.starts_with("200 swings of up to 2.00 ° in each cycle, 82 % of all travel"), "{told}");
+        let worded = words::note_text(life.notes.first().unwrap(), Language::En);
+        assert!(worded.starts_with("200 swings of up to 2.00 ° in each cycle, 82 % of all travel"), "{worded}");
         let small = of(&project(moves(&[4.0, -4.0]), asked), CheckId::BearingLife);
         assert_eq!(small.verdict, Verdict::Advice, "below 5°");
         let large = of(&project(moves(&[40.0, -40.0]), asked), CheckId::BearingLife);

@@ -4,7 +4,7 @@ use crate::reading::schema;
 use project::{Assumption, NoFiles, PROJECT_MAX_BYTES, Project, Varied};
 use quantities::{Language, Measure};
 use sizing::CheckId;
-use words::Told;
+use words::Worded;
 
 const GOOD: &str = r#"
 format = 1
@@ -22,11 +22,11 @@ brake = "0.1 s"
 pause = "1 s"
 "#;
 
-fn faults(text: &str) -> Vec<Told> {
-    words::told(&crate::read(text).expect_err("must be refused"), Language::En)
+fn faults(text: &str) -> Vec<Worded> {
+    words::worded(&crate::read(text).expect_err("must be refused"), Language::En)
 }
 
-fn one(text: &str) -> Told {
+fn one(text: &str) -> Worded {
     let mut found = faults(text);
     assert_eq!(found.len(), 1, "{found:#?}");
     found.remove(0)
@@ -191,7 +191,7 @@ fn unknown_words_get_the_nearest_one() {
     assert_eq!(found.len(), 2, "{found:?}");
     assert!(found[0].hint.as_deref().unwrap().contains("M512P"));
     assert!(found[1].message.contains("true or false"));
-    let german = words::told(&crate::read(&text).unwrap_err(), Language::De);
+    let german = words::worded(&crate::read(&text).unwrap_err(), Language::De);
     assert!(german[0].hint.as_deref().unwrap().contains("gemeint ist vielleicht"));
 }
 
@@ -243,7 +243,7 @@ fn the_tables_of_the_catalogue_do_not_speak_for_an_own_actuator() {
 const HEAD: &str = "format = 1\n";
 
 fn messages(text: &str) -> Vec<String> {
-    words::told(&crate::read(text).unwrap_err(), Language::En).into_iter().map(|fault| fault.message).collect()
+    words::worded(&crate::read(text).unwrap_err(), Language::En).into_iter().map(|fault| fault.message).collect()
 }
 
 #[test]
@@ -309,7 +309,7 @@ fn what_does_not_belong_together_is_refused() {
 }
 
 /// The text of a fault's place.
-fn place_of(text: &str) -> (String, Told) {
+fn place_of(text: &str) -> (String, Worded) {
     let fault = one(text);
     (text.get(fault.span.clone()).unwrap().to_owned(), fault)
 }

@@ -35,7 +35,7 @@ fn arm(stage: &str) -> Project {
 }
 
 fn messages(stage: &str) -> Vec<String> {
-    let faults = words::told(&crate::read(&format!("{ARM}{stage}")).map(|_| ()).unwrap_err(), Language::En);
+    let faults = words::worded(&crate::read(&format!("{ARM}{stage}")).map(|_| ()).unwrap_err(), Language::En);
     faults.into_iter().map(|fault| fault.message).collect()
 }
 
@@ -102,8 +102,8 @@ fn a_pure_inertia_behind_a_stage_is_a_smaller_one_that_turns_further() {
         assert!((a - b).abs() <= 1e-12 * b.abs(), "{id:?}: {a} {b}");
     }
     // The segments are reported as in the file: at the mechanism.
-    let told = crate::moves(&staged).moves.first().unwrap().course.unwrap();
-    assert!((DEGREE.from_si(told[0]) - 40.0).abs() < 1e-9);
+    let worded = crate::moves(&staged).moves.first().unwrap().course.unwrap();
+    assert!((DEGREE.from_si(worded[0]) - 40.0).abs() < 1e-9);
     // The gear's torsion is seen through the ratio.
     assert!((value(&staged, CheckId::Torsion) * 3.0 / value(&direct, CheckId::Torsion) - 1.0).abs() < 1e-12);
 }

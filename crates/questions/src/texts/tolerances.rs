@@ -1,6 +1,6 @@
 //! What tolerances mean for an actuator, in short words and as a table.
 
-use crate::tolerance::{Assessment, Place, Sampling, Worst};
+use crate::tolerance::{Assessment, PointKind, Sampling, Worst};
 use project::{ALL_CORNERS_MOST, Project};
 use quantities::{Language, Unit, format_number, format_significant};
 use words::{check_title, terminal, terms};
@@ -32,7 +32,7 @@ pub fn worst_text(worst: &Worst, language: Language) -> String {
         .check
         .map_or_else(|| terminal::no_axis_possible(language).to_owned(), |check| check_title(check, language));
     let word = format!("{verdict}: {check}");
-    if worst.place == Place::Sample {
+    if worst.place == PointKind::Sample {
         return format!("{word} ({})", terminal::inside_the_band(language));
     }
     word

@@ -1,6 +1,6 @@
 //! The worst corner of the bands.
 
-use super::{Judged, Place, Point, Worst};
+use super::{Judged, Point, PointKind, Worst};
 use project::{ALL_CORNERS_MOST, Project, Varied, sign};
 use sizing::Watch;
 
@@ -54,7 +54,7 @@ fn of_all<W: Watch>(
         .into_iter()
         .map(|best| {
             let (point, corner) = best.unwrap_or((Point::IMPOSSIBLE, 0));
-            point.at(values(project, |index| sign(corner, index)), Place::Corner)
+            point.at(values(project, |index| sign(corner, index)), PointKind::Corner)
         })
         .collect();
     Ok(found)
@@ -105,5 +105,5 @@ fn searched<W: Watch>(
         }
     }
     let (point, signs) = best.unwrap_or_else(|| (Point::IMPOSSIBLE, vec![1.0; count]));
-    Ok(point.at(values(project, |index| signs.get(index).copied().unwrap_or(1.0)), Place::SearchedCorner))
+    Ok(point.at(values(project, |index| signs.get(index).copied().unwrap_or(1.0)), PointKind::SearchedCorner))
 }

@@ -233,9 +233,9 @@ fn cover(content: &AxisContent, checks: &Checks, titles: &Titles, shown: &Shown)
 /// tightest margin.
 fn highest(candidate: &Candidate) -> Option<CheckId> {
     let of = |check: &&Check| check.utilisation == Some(candidate.utilisation);
-    let told = candidate.checks.iter().filter(of).map(|check| *check.id);
+    let listed = candidate.checks.iter().filter(of).map(|check| *check.id);
     let tightest = candidate.tightest.map(|id| *id);
-    told.clone().find(|id| Some(*id) == tightest).or_else(|| told.clone().next()).or(tightest)
+    listed.clone().find(|id| Some(*id) == tightest).or_else(|| listed.clone().next()).or(tightest)
 }
 
 /// A key of the project in the words of its inputs, with its table; the key itself where the inputs have none.

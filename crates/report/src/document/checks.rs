@@ -72,10 +72,10 @@ impl Checks {
         let travel = dossier.mechanism.travel_mm_per_rev;
         let mut checks: Vec<&Check> = dossier.judgement.candidate.checks.iter().collect();
         checks.sort_by(|a, b| rank(a).cmp(&rank(b)).then_with(|| by_utilisation(a.utilisation, b.utilisation)));
-        let (open, told): (Vec<&Check>, Vec<&Check>) = checks.into_iter().partition(|check| is_open(check));
+        let (open, explained): (Vec<&Check>, Vec<&Check>) = checks.into_iter().partition(|check| is_open(check));
         let mut notes: Vec<String> = Vec::new();
         let mut rows = Vec::new();
-        for check in told {
+        for check in explained {
             let own = check.notes.iter().map(|note| {
                 let note = tied(note);
                 notes.iter().position(|known| *known == note).unwrap_or_else(|| {
@@ -190,8 +190,9 @@ pub(super) fn grades<'d>(dossiers: impl Iterator<Item = &'d Dossier> + Clone, la
         let mut checks = dossiers.clone().flat_map(|dossier| &dossier.judgement.candidate.checks);
         checks.any(|check| check.grade.is_some_and(|own| *own == **grade))
     };
-    let told = |grade: &Grade| GradeTold { name: grade_word(*grade, language), about: grade_about(*grade, language) };
-    Grade::ALL.iter().filter(borne).map(told).collect()
+    let explained =
+        |grade: &Grade| GradeTold { name: grade_word(*grade, language), about: grade_about(*grade, language) };
+    Grade::ALL.iter().filter(borne).map(explained).collect()
 }
 
 /// Titles of the checks, from wherever one is named.

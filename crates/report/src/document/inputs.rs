@@ -93,7 +93,7 @@ impl Mechanism {
                 rows.into_iter().partition(|row| row.name.starts_with("bodies["));
             rows = others;
             let mut texts = texts.into_iter().map(|row| row.text);
-            let told = inertia.bodies.iter().map(|body| Body {
+            let rows = inertia.bodies.iter().map(|body| Body {
                 shape: body.shape,
                 count: body.count,
                 mass: shown.number(body.mass),
@@ -103,7 +103,7 @@ impl Mechanism {
                 total: shown.number(body.total),
                 text: texts.next().unwrap_or_default(),
             });
-            bodies = Ends::of(told, None);
+            bodies = Ends::of(rows, None);
         }
         Self {
             title: found.title.clone(),

@@ -46,7 +46,7 @@ pub(super) fn laid_out(axis: usize, chapters: &[Chapter]) -> Vec<LaidOut> {
                 alternative: picture.alternative_text.clone(),
             }
         }
-        other => Placed::Block(told(other)),
+        other => Placed::Block(capitalised_block(other)),
     };
     let one = |chapter: &Chapter| LaidOut {
         title: chapter.title.clone(),
@@ -55,7 +55,7 @@ pub(super) fn laid_out(axis: usize, chapters: &[Chapter]) -> Vec<LaidOut> {
     chapters.iter().map(one).collect()
 }
 
-fn told(block: &Block) -> Block {
+fn capitalised_block(block: &Block) -> Block {
     let all = |items: &[String]| items.iter().map(|item| tied(item)).collect();
     let hazard = |item: &Hazard| Hazard { text: tied(&item.text), ..item.clone() };
     match block {
