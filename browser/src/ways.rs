@@ -3,6 +3,7 @@
 mod begin;
 mod files;
 mod form;
+mod frame;
 mod looks;
 mod pictures;
 mod same;
@@ -78,6 +79,18 @@ pub(crate) const ALL: &[Way] = &[
     Way::site("no-network", files::no_network),
     Way::site("opened-as-a-file", files::opened_as_a_file),
     Way::site("forget", files::forget),
+    Way::both("in-sight", frame::in_sight),
+    Way::both("narrow", frame::narrow),
+    Way::both("border", frame::a_border_is_moved),
+    Way::both("palette", frame::the_palette_finds),
+    Way::both("numbers-and-units", frame::numbers_and_units),
+    Way::both("link-of-a-tile", frame::a_link_of_a_tile),
+    Way::server("unsaved-work", frame::unsaved_work_stays),
+    Way::server("no-answer", frame::no_answer),
+    Way::both("names-of-files", frame::names_of_files),
+    Way::both("versions", frame::versions),
+    Way::both("curves", frame::curves),
+    Way::both("actions", frame::actions_to_an_answer),
     Way::both("widths", looks::widths),
     Way::both("accessibility", looks::accessibility),
     Way::site("same-answers", same::same_answers),

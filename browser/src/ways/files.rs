@@ -63,7 +63,11 @@ pub(crate) fn paste_a_recording(stage: &Stage<'_>) -> Worded {
     let tab = &stage.tab;
     stage.example("table", "en")?;
     tab.paste(&recording())?;
+    // What it begins with is shown before it changes the project.
+    tab.says("#detail table", "phi in deg")?;
+    tab.click("#recording-replaces")?;
     tab.says("#text", "file = \"pasted.csv\"")?;
+    tab.until("document.querySelector('#text').value.split('[[motion]]').length === 2")?;
     tab.until("document.querySelector('#text').value.includes('law = \"recorded\"')")?;
     if let Some(folder) = stage.shell.folder() {
         expect(folder.join("pasted.csv").is_file(), || "no recording in the folder".to_owned())?;

@@ -117,13 +117,18 @@ function right() {
 const folds = new Map();
 document.addEventListener('click', (event) => {
   const fold = event.target.closest?.('summary')?.parentElement;
-  if (fold?.id) folds.set(fold.id, !fold.open);
+  if (fold?.id && !fold.matches('.menu')) folds.set(fold.id, !fold.open);
 }, true);
 export const opened = (ids) => { for (const id of ids) folds.set(id, true); };
 document.addEventListener('htmx:before:morph:attr', (event) => {
   if (event.detail.attrName === 'open' && folds.has(event.target.id)) event.preventDefault();
 });
+// A menu that is open stays so.
+let menus = [];
+document.addEventListener('htmx:before:swap', () => { menus = all('.menu[open]').map((menu) => [menu.id, menu.contains(document.activeElement) ? document.activeElement.id : '']); });
 document.addEventListener('htmx:after:swap', () => {
+  for (const [id, focus] of menus) { const menu = document.getElementById(id); if (menu) menu.open = true; if (focus && document.activeElement.id !== focus) document.getElementById(focus)?.focus(); }
+  menus = [];
   for (const [id, open] of folds) { const fold = document.getElementById(id); if (fold) fold.open = open; }
   right();
   const head = $('#detail-title');
@@ -137,9 +142,32 @@ document.addEventListener('htmx:before:request', (event) => {
   const { ctx } = event.detail;
   if (ctx.target?.id === 'detail' && !$('#detail').contains(ctx.sourceElement)) opener = ctx.sourceElement.id || ctx.sourceElement;
 });
+// What the drawer showed before leads back: what is opened from inside it is put on a trail.
+const trail = [];
+let inside = null;
+document.addEventListener('htmx:before:swap', (event) => {
+  const { ctx } = event.detail;
+  inside = ctx.target?.id === 'detail' && $('#detail').contains(ctx.sourceElement) ? $('#detail').innerHTML : null;
+  if (ctx.target?.id === 'detail' && !$('#detail').contains(ctx.sourceElement)) trail.length = 0;
+});
+document.addEventListener('htmx:after:swap', () => {
+  if (inside !== null) { trail.push(inside); inside = null; if (trail.length > 20) trail.shift(); }
+  const back = $('#detail-back');
+  if (back) back.hidden = trail.length === 0;
+});
+document.addEventListener('click', (event) => {
+  if (!event.target.closest?.('[data-back]') || trail.length === 0) return;
+  const drawer = $('#detail');
+  drawer.innerHTML = trail.pop();
+  htmx.process(drawer);
+  const back = $('#detail-back');
+  if (back) back.hidden = trail.length === 0;
+  $('#detail-title')?.focus();
+});
 export function shut() {
   const drawer = $('#detail');
   if (!drawer?.firstElementChild) return false;
+  trail.length = 0;
   drawer.replaceChildren();
   const to = typeof opener === 'string' ? document.getElementById(opener) : opener?.isConnected ? opener : null;
   (to?.closest('details.menu:not([open])')?.querySelector('summary') ?? to ?? $('#tools'))?.focus();
@@ -256,8 +284,7 @@ async function record(blob, name) {
   const words = await reply.text();
   if (!reply.ok) { tell(words); return; }
   const button = $('[data-recording]');
-  const path = button.dataset.recording;
-  htmx.ajax('POST', '/work', { source: button, values: { do: `table ${path}\nvalue ${path}.law=recorded\nvalue ${path}.file=${words}` } });
+  htmx.ajax('POST', '/recorded', { source: button, target: '#detail', swap: 'innerHTML', values: { recording: words, add: button.dataset.recording, count: button.dataset.count } });
 }
 function choose(accept, then) {
   const chooser = document.createElement('input');
@@ -352,6 +379,7 @@ document.addEventListener('click', (event) => {
   else if (of('project')) project();
   else if (of('recording')) choose('.csv,.txt,.parquet', (file) => record(file, file.name));
   else if (of('close')) shut();
+  else if (of('shuts')) setTimeout(shut);
   else if (of('instant')) { lead(of('instant')); jump(Number(of('instant').dataset.instant)); }
   else if (of('into')) { const field = document.getElementById(of('into').dataset.into); field.value = event.target.closest('button').value; field.dispatchEvent(new Event('change', { bubbles: true })); }
 });
@@ -378,7 +406,16 @@ document.addEventListener('input', (event) => { if (event.target.id === 'file') 
 document.addEventListener('click', (event) => {
   if (!event.target.closest?.('[data-versions]')) return;
   const all = [...past, last];
-  htmx.ajax('POST', '/versions', { source: $('#versions'), target: '#detail', swap: 'innerHTML', values: { version: all.slice(-20) } });
+  const body = new URLSearchParams({ lang: document.documentElement.lang });
+  for (const version of all.slice(-20)) body.append('version', version);
+  fetch('/versions', { method: 'POST', body }).then(async (reply) => {
+    if (!reply.ok) return;
+    opener = 'versions';
+    trail.length = 0;
+    $('#detail').innerHTML = await reply.text();
+    htmx.process($('#detail'));
+    $('#detail-title')?.focus();
+  }, away);
 });
 document.addEventListener('click', (event) => {
   const chosen = event.target.closest?.('[data-version]');

@@ -231,7 +231,7 @@ document.addEventListener('click', (event) => {
   $('#palette').close();
   const [kind, name] = [found.dataset.found, found.value];
   if (kind === 'key') lead(name);
-  else if (kind === 'check') { going = `#check-${name}`; if ($(going)) goOn(); else htmx.ajax('POST', '/work', { source: $('#tightest') ?? $('#state'), values: { unfolded: 'true' } }); }
+  else if (kind === 'check') { going = `#check-${name}`; if ($(going)) goOn(); else htmx.ajax('POST', '/work', { source: $('#state'), values: JSON.parse($('#tightest')?.getAttribute('hx-vals') ?? '{"unfolded":"true"}') }); }
   else if (kind === 'code' && $('#text')) htmx.ajax('POST', '/work', { source: $('#state'), values: { code: name } });
   else htmx.ajax('POST', '/tools', { source: $('#tools'), target: '#detail', swap: 'innerHTML', values: { tool: kind === 'code' ? 'code' : 'glossary', about: name, asked: kind === 'code' ? 'code' : 'glossary' } });
 });

@@ -8,7 +8,7 @@ use figures::{CyclePanels, Drawing, Figure, NoFigure, Size, Style, cycle_within,
 use maud::{Markup, PreEscaped, html};
 use project::Project;
 use quantities::unit::WATT;
-use quantities::{Language, format_number};
+use quantities::{Language, Measure, format_number};
 use questions::list::check::reserve_unasked;
 use questions::texts::{demand_figures, reserve_lines};
 use questions::{Candidate, Patience, power_over_cycle};
@@ -88,8 +88,9 @@ fn sums(project: &Project, candidate: &Candidate<'_>, patience: &Patience, langu
         section.demand aria-label=(page::sums(language)) {
             @if let Some(demand) = &candidate.judgement.demand {
                 dl.sums {
-                    @for (symbol, value, unit) in demand_figures(demand, language) {
-                        div { dt { (crate::tip::of_symbol(symbol, language)) } dd { (value) " " (unit) } }
+                    @let exact = [demand.torque_rms.si(), demand.torque_peak.si(), demand.speed_mean.si(), demand.speed_peak.si(), demand.duty_factor];
+                    @for ((symbol, value, unit), si) in demand_figures(demand, language).into_iter().zip(exact) {
+                        div { dt { (crate::tip::of_symbol(symbol, language)) } dd { (explained(candidate, si, &format!("{value} {unit}"), language)) } }
                     }
                 }
             }
@@ -98,6 +99,16 @@ fn sums(project: &Project, candidate: &Candidate<'_>, patience: &Patience, langu
             }
         }
     }
+}
+
+/// A figure; where a check has it, how it came about.
+fn explained(candidate: &Candidate<'_>, si: f64, figure: &str, language: Language) -> Markup {
+    let of = candidate.judgement.checks.iter().find(|check| check.value.is_some_and(|value| value.si == si));
+    html! { @match of {
+        Some(check) => button.figure type="button" title=(page::how_it_came_about(language)) hx-post="/explain" hx-target="#detail" hx-swap="innerHTML"
+            hx-vals=(vals(&[("check", check.id.id())])) { (figure) },
+        None => (figure),
+    } }
 }
 
 /// What is shown below the tabs.

@@ -16,6 +16,7 @@ pub(crate) fn frame(title: &str, inside: &Markup, language: Language) -> Markup 
     html! {
         section aria-labelledby="detail-title" {
             div.bar-head {
+                button.icon type="button" id="detail-back" data-back="" hidden aria-label=(page::back(language)) title=(page::back(language)) { "←" }
                 h2 id="detail-title" tabindex="-1" { (title) }
                 button type="button" data-close="detail" { (page::close(language)) }
             }

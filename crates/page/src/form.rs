@@ -314,7 +314,7 @@ impl Form<'_> {
                     @if is_motion { (page::add_segment(l)) } @else { (page::add_entry(l)) }
                 }
                 @if is_motion {
-                    " " button type="button" id={ (id(path)) "-recording" } data-recording=(add) { (page::add_recording(l)) }
+                    " " button type="button" id={ (id(path)) "-recording" } data-recording=(add) data-count=(count) { (page::add_recording(l)) }
                     p.small { (page::recording_told(l)) }
                 }
             }
@@ -370,6 +370,10 @@ impl Form<'_> {
                         button.small type="button" aria-label=(page::move_up(&name, l)) title=(page::move_up(&name, l))
                             hx-post="/work" hx-vals=(vals(&[("do", &above)])) { "↑" }
                     }
+                    @if let Some(back) = self.reversed(path) {
+                        button.small type="button" aria-label=(page::reverse(&name, l)) title=(page::reverse(&name, l))
+                            hx-post="/work" hx-vals=(vals(&[("do", &back)])) { "⇄" }
+                    }
                     button.small type="button" aria-label=(page::once_more(&name, l)) title=(page::once_more(&name, l))
                         hx-post="/work" hx-vals=(vals(&[("do", &format!("twice {path}"))])) { svg width="14" height="14" viewBox="0 0 14 14" aria-hidden="true" { path d="M4.5 4.5V1.5H12.5V9.5H9.5M1.5 4.5H9.5V12.5H1.5z" {} } }
                     button.small type="button" aria-label=(page::remove(&name, l)) title=(page::remove(&name, l))
@@ -377,6 +381,15 @@ impl Form<'_> {
                 }
             }
         }
+    }
+
+    /// The change that turns the way of a segment round: its distance, or its speed where it states no distance, with the
+    /// other sign.
+    fn reversed(&self, path: &str) -> Option<String> {
+        let key = ["distance", "speed"].into_iter().find(|key| self.value(&format!("{path}.{key}")).is_some())?;
+        let value = self.value(&format!("{path}.{key}"))?.trim();
+        let back = value.strip_prefix('-').map_or_else(|| format!("-{}", value.trim_start_matches('+')), str::to_owned);
+        Some(format!("value {path}.{key}={}", back.trim()))
     }
 
     /// The faults of the load as a whole, and those of another one beside it.

@@ -99,7 +99,7 @@ fn file_items(file: &str, shell: &dyn Shell, language: Language) -> Markup {
         @if shell.folder().is_some() {
             button type="button" id="open" hx-get="/files" hx-target="#detail" hx-swap="innerHTML" hx-include="#state [name=lang]" { (page::open(l)) }
         } @else { button type="button" id="open" data-open="" { (page::open(l)) } }
-        label.field for="file" { span { (page::save_as(l)) } input id="file" name="file" form="state" type="text" size="18" value=(file) autocomplete="off" spellcheck="false"; }
+        label.field for="file" { span { (page::save_as(l)) } input id="file" name="file" form="state" type="text" size="18" value=(file) autocomplete="off" spellcheck="false" hx-morph-skip=""; }
         button type="button" id="save" data-save="" { (page::save(l)) span.key { "Ctrl+S" } }
         button type="button" id="project" data-project="" { (page::project_file(l)) }
         button type="button" id="link" data-link="" { (page::link_to_this(l)) }

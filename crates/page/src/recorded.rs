@@ -1,7 +1,9 @@
 //! A recording within the form: which column is what and in which unit, and what the file begins with.
 
+use crate::call::{Call, Shell};
 use crate::form::{Followed, Form, id, vals};
 use maud::{Markup, html};
+use quantities::Language;
 use questions::{ColumnRole, Preview, recording_preview, recording_roles};
 use words::{capitalised, page, role_text};
 
@@ -10,6 +12,48 @@ pub(crate) const KEYS: [&str; 2] = ["columns", "units"];
 
 /// The word of the project file for a role that no column has.
 const NO_COLUMN: &str = "none";
+
+/// What a recording begins with, and whether it takes the place of the motion or is added to it.
+pub(crate) fn brought(call: &Call<'_>, shell: &dyn Shell) -> Markup {
+    let l = call.language();
+    let field = |name: &str| call.field(name).map(std::borrow::Cow::into_owned).unwrap_or_default();
+    let (file, add) = (field("recording"), field("add"));
+    let count: usize = field("count").parse().unwrap_or(0).min(SEGMENTS_MOST);
+    let list = add.rsplit_once('[').map_or(add.as_str(), |(list, _)| list);
+    let segment = |path: &str| {
+        [format!("table {path}"), format!("value {path}.law=recorded"), format!("value {path}.file={file}")].join("\n")
+    };
+    let gone = vec![format!("gone {list}[1]"); count];
+    let first = format!("{list}[1]");
+    let replaced = gone.into_iter().chain([segment(&first)]).collect::<Vec<_>>().join("\n");
+    let button = |id: &str, change: &str, title: &str| {
+        html! { button type="button" id=(id) data-shuts="" hx-post="/work" hx-target="#work" hx-swap="outerMorph" hx-vals=(vals(&[("do", change)])) { (title) } }
+    };
+    let inside = html! {
+        p { (page::recording_is_there(&file, l)) }
+        @if let Some(preview) = recording_preview(&file, shell.files()) { (rows(&preview, l)) }
+        div.downloads {
+            @if count > 0 { (button("recording-replaces", &replaced, page::replace_motion(l))) }
+            (button("recording-added", &segment(&add), page::add_recording(l)))
+        }
+    };
+    crate::detail::frame(&file, &inside, l)
+}
+
+/// So many segments are replaced at most.
+const SEGMENTS_MOST: usize = 10_000;
+
+/// The first rows of a recording as a table.
+fn rows(preview: &Preview, language: Language) -> Markup {
+    html! {
+        div.wide tabindex="0" role="region" aria-label=(page::first_rows(language)) {
+            table {
+                thead { tr { @for heading in &preview.headings { th scope="col" { (heading) } } } }
+                tbody { @for row in &preview.rows { tr { @for cell in row { td { (cell) } } } } }
+            }
+        }
+    }
+}
 
 /// What was recognised, with what it may be instead; the first rows of the file under it.
 pub(crate) fn columns(form: &Form<'_>, path: &str, solved: Option<&Followed>) -> Markup {
@@ -76,12 +120,7 @@ fn first_rows(path: &str, preview: &Preview, form: &Form<'_>) -> Markup {
     html! {
         details id={ (id(path)) "-rows" } {
             summary { (page::first_rows(l)) }
-            div.wide tabindex="0" role="region" aria-label=(page::first_rows(l)) {
-                table {
-                    thead { tr { @for heading in &preview.headings { th scope="col" { (heading) } } } }
-                    tbody { @for row in &preview.rows { tr { @for cell in row { td { (cell) } } } } }
-                }
-            }
+            (rows(preview, l))
         }
     }
 }

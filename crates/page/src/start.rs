@@ -142,7 +142,7 @@ pub(crate) fn asked(place: usize, language: Language) -> Markup {
             @for (path, value) in &begin.asked {
                 div.row {
                     label for={ "b-" (crate::form::id(path)) } { (key_at(path).map(|key| capitalised(&short_label(about_text(key.about, language)))).unwrap_or_default()) @if path.starts_with("motion[2]") { " (" (words::law_text(SegmentLaw::Dwell, language)) ")" } }
-                    input id={ "b-" (crate::form::id(path)) } name=(path) type="text" value=(value) autocomplete="off" spellcheck="false";
+                    input id={ "b-" (crate::form::id(path)) } name=(path) type="text" value=(crate::value::with_mark(value, language)) autocomplete="off" spellcheck="false";
                 }
             }
             input type="hidden" name="begin" value=(place);

@@ -94,6 +94,13 @@ pub(crate) fn with_point(typed: &str, language: Language) -> String {
     if language.decimal_mark() == ',' && is_number { typed.replacen(',', ".", 1) } else { typed.to_owned() }
 }
 
+/// A value of a project file with the decimal mark of a language, for a field that takes number and unit together.
+pub(crate) fn with_mark(value: &str, language: Language) -> String {
+    let end = value.trim().chars().take_while(|sign| is_of_number(*sign)).count();
+    let is_number = end > 0 && value.matches('.').count() == 1 && value.find('.').is_some_and(|place| place < end);
+    if is_number { written(value, language) } else { value.to_owned() }
+}
+
 /// What is stated by what was typed beside a unit: with a unit of its own as it is, a number alone with the unit beside it.
 pub(crate) fn stated(typed: &str, unit: &str, language: Language) -> String {
     let typed = with_point(typed, language);
@@ -193,6 +200,15 @@ mod tests {
         assert_eq!(in_unit("40 mm", "kg"), "40 mm");
         assert_eq!(in_unit("20 degC ± 5 K", "K"), "293.15 K ± 5 K");
         assert_eq!(in_unit("fast", "mm"), "fast");
+    }
+
+    #[test]
+    fn a_value_reads_back_as_it_was() {
+        for value in ["0.7 kg m^2", "90 deg", "disc diameter=0.5m length=20mm", "1.25"] {
+            let shown = with_mark(value, Language::De);
+            assert_eq!(with_point(&shown, Language::De), value, "{shown}");
+        }
+        assert_eq!(with_mark("0.7 kg m^2", Language::De), "0,7 kg m^2");
     }
 
     #[test]

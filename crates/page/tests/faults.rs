@@ -197,7 +197,7 @@ fn every_fault_has_its_place_in_the_page() {
                 let id = if path == "mechanism" { path.to_owned() } else { id };
                 line.contains(&format!("href=\"#{id}")) && html.matches(&*html_of(&message)).count() >= 2
             }
-            Text => line.contains("href=\"#text-pane\"") && line.contains(&format!("data-line=\"{}\"", fault.line)),
+            Text => line.contains("href=\"#text\"") && line.contains(&format!("data-line=\"{}\"", fault.line)),
         };
         if !is_shown {
             wrong.push(format!("{id} at {at:?}: {line}"));

@@ -250,6 +250,11 @@ texts! {
     usual_values =
         "The values are usual ones, offered as a start; replace them by yours."
         | "Die Werte sind übliche Anfangswerte; durch eigene ersetzen.";
+    back = "Back" | "Zurück";
+    reverse(name) = "Reverse {name}" | "{name} umkehren";
+    recording_is_there(file) =
+        "{file} lies beside the projects now. It begins so:" | "{file} liegt jetzt neben den Projekten. So fängt sie an:";
+    replace_motion = "Replace the motion by it" | "Bewegung dadurch ersetzen";
     nothing_found = "Nothing found" | "Nichts gefunden";
     key_panes = "What moves, what it demands, what fits" | "Was sich bewegt, was es verlangt, was geeignet ist";
     key_escape = "Close what is open" | "Offenes schließen";

@@ -1,0 +1,239 @@
+//! The frame of the page: panes, verdict, palette, links, and work that is not lost.
+
+use crate::stage::Stage;
+use crate::tab::{Worded, expect, key};
+use serde_json::json;
+
+/// What must be in sight without scrolling in a usual window: verdict, sketch, first plot, the five best codes.
+pub(crate) fn in_sight(stage: &Stage<'_>) -> Worded {
+    let tab = &stage.tab;
+    for language in ["en", "de"] {
+        for (width, height) in [(1440, 900), (1280, 800), (1920, 1080)] {
+            tab.sized(width, height, 1.0)?;
+            stage.example("belt", language)?;
+            let codes = (1..=5).map(|row| format!("table.ranking tbody:nth-of-type({row}) td.code"));
+            let sought: Vec<String> = ["#standing", "#tightest", "figure.sketch svg", "#plot-cycle .frame"]
+                .map(str::to_owned)
+                .into_iter()
+                .chain(codes)
+                .collect();
+            let script = "return arguments_[0].filter((each) => { const box = document.querySelector(each)?.getBoundingClientRect(); \
+                return !box || box.height === 0 || box.top < 0 || box.bottom > innerHeight + 1 || box.left < 0 || box.right > innerWidth + 1; });";
+            // The picture takes the room of its pane once it is known.
+            tab.until("Math.abs(document.querySelector('#plot-cycle .frame').clientWidth - document.querySelector('#plot-cycle').dataset.width) < 8")?;
+            let hidden = tab.run(script, vec![json!(sought)])?;
+            expect(hidden == json!([]), || format!("{language}, {width} × {height}: out of sight: {hidden}"))?;
+            let scrolls = tab.eval("document.documentElement.scrollHeight > innerHeight + 1")?;
+            expect(scrolls == json!(false), || format!("{language}, {width} × {height}: the window scrolls"))?;
+        }
+    }
+    Ok(())
+}
+
+/// A narrow window has three tabs, and a count of the bar leads to its check.
+pub(crate) fn narrow(stage: &Stage<'_>) -> Worded {
+    let tab = &stage.tab;
+    tab.sized(375, 800, 1.0)?;
+    stage.example("belt", "en")?;
+    let shown = |pane: &str| format!("getComputedStyle(document.querySelector('{pane}')).display !== 'none'");
+    tab.until(&format!("{} && !({})", shown("#moves"), shown("#demands")))?;
+    tab.click("button[data-pane=\"2\"]")?;
+    tab.until(&format!("{} && !({})", shown("#demands"), shown("#moves")))?;
+    tab.click("#tightest")?;
+    tab.until(&shown("#fits"))?;
+    tab.there("#checks")
+}
+
+/// A border is moved by keys, and stays where it was at the next visit.
+pub(crate) fn a_border_is_moved(stage: &Stage<'_>) -> Worded {
+    let tab = &stage.tab;
+    stage.example("belt", "en")?;
+    let wide = "Math.round(document.querySelector('#moves').getBoundingClientRect().width)";
+    let before = tab.eval(wide)?.as_f64().unwrap_or_default();
+    tab.run("document.querySelector('#border-1').focus();", Vec::new())?;
+    tab.keys(&key::RIGHT.to_string().repeat(3))?;
+    tab.until(&format!("{wide} > {}", before + 40.0))?;
+    stage.example("belt", "en")?;
+    tab.until(&format!("{wide} > {}", before + 40.0))
+}
+
+/// The palette finds a key behind a closed fold, a check and a code.
+pub(crate) fn the_palette_finds(stage: &Stage<'_>) -> Worded {
+    let tab = &stage.tab;
+    stage.example("belt", "en")?;
+    tab.run("document.activeElement.blur();", Vec::new())?;
+    tab.keys("/")?;
+    tab.there("#palette input")?;
+    tab.keys("torsion_max")?;
+    tab.there("#palette [data-found=key]")?;
+    tab.keys(&key::ENTER.to_string())?;
+    tab.until("document.activeElement.id === 'f-requirements-torsion_max'")?;
+    tab.run("document.activeElement.blur();", Vec::new())?;
+    tab.keys("/")?;
+    tab.keys("peak torque")?;
+    tab.there("#palette [data-found=check]")?;
+    tab.click("#palette [data-found=check]")?;
+    tab.until("document.activeElement.closest('#check-peak_torque') !== null")?;
+    tab.run("document.activeElement.blur();", Vec::new())?;
+    tab.keys("/")?;
+    tab.keys("25a-50")?;
+    tab.there("#palette [data-found=code]")?;
+    tab.click("#palette [data-found=code]")?;
+    tab.says("#standing", "CHA-25A-50")
+}
+
+/// A number takes the unit beside it, a comma is one in German, and another unit states the same.
+pub(crate) fn numbers_and_units(stage: &Stage<'_>) -> Worded {
+    let tab = &stage.tab;
+    stage.example("belt", "de")?;
+    stage.change("#f-mechanism-belt-mass", "17,5")?;
+    tab.says("#text", "mass = \"17.5 kg\"")?;
+    tab.holds("#f-mechanism-belt-mass", "17,5")?;
+    tab.run(
+        "const unit = document.querySelector('#f-mechanism-belt-mass-u'); unit.focus(); unit.value = 'g'; unit.dispatchEvent(new Event('change', { bubbles: true }));",
+        Vec::new(),
+    )?;
+    tab.says("#text", "mass = \"17500 g\"")?;
+    tab.holds("#f-mechanism-belt-mass", "17500")
+}
+
+/// A link opens the same state in a browser that knows nothing, for a project begun from a tile too.
+pub(crate) fn a_link_of_a_tile(stage: &Stage<'_>) -> Worded {
+    let tab = &stage.tab;
+    stage.start("en")?;
+    tab.click(".tiles li:nth-child(4) .tile")?;
+    tab.there("#begin form")?;
+    tab.click("#begin form button[type=submit]")?;
+    stage.ready()?;
+    let mass = "#f-mechanism-screw-mass";
+    stage.change(mass, "33 kg")?;
+    let text = tab.value("#text")?;
+    tab.click("#link")?;
+    tab.until("location.hash.startsWith('#p=')")?;
+    let address = tab.eval("location.href")?.as_str().unwrap_or_default().to_owned();
+    tab.run("sessionStorage.clear(); localStorage.clear();", Vec::new())?;
+    tab.open("about:blank")?;
+    tab.open(&address)?;
+    stage.ready()?;
+    tab.until(&format!("document.querySelector('#text')?.value === {}", json!(text)))
+}
+
+/// What was not saved is there again after a reload, and is offered after a new start.
+pub(crate) fn unsaved_work_stays(stage: &Stage<'_>) -> Worded {
+    let tab = &stage.tab;
+    stage.example("belt", "en")?;
+    stage.change("#f-mechanism-belt-mass", "39 kg")?;
+    tab.until("document.querySelector('#file-state').textContent.includes('changed')")?;
+    tab.reload()?;
+    stage.ready()?;
+    tab.holds("#f-mechanism-belt-mass", "39")?;
+    stage.start("en")?;
+    stage.example("belt", "en")?;
+    tab.says("#draft", "axis.toml")?;
+    tab.click("#draft button")?;
+    tab.holds("#f-mechanism-belt-mass", "39")
+}
+
+/// No answer is said within some seconds, and what was typed meanwhile is taken once there is one again.
+pub(crate) fn no_answer(stage: &Stage<'_>) -> Worded {
+    let tab = &stage.tab;
+    stage.example("belt", "en")?;
+    tab.offline(true)?;
+    tab.until("document.documentElement.dataset.away !== undefined")?;
+    tab.says("#status", "No answer")?;
+    tab.fill("#f-mechanism-belt-mass", "33 kg")?;
+    std::thread::sleep(std::time::Duration::from_millis(400));
+    tab.offline(false)?;
+    tab.says("#text", "33 kg")?;
+    tab.until("document.documentElement.dataset.away === undefined")
+}
+
+/// Names as people type them; a name that is taken is said to be; a file that was deleted is written anew.
+pub(crate) fn names_of_files(stage: &Stage<'_>) -> Worded {
+    let tab = &stage.tab;
+    stage.example("belt", "en")?;
+    tab.fill("#file", "my axis")?;
+    tab.click("#save")?;
+    tab.says("#status", "my-axis.toml")?;
+    tab.holds("#file", "my-axis.toml")?;
+    stage.example("belt", "en")?;
+    stage.change("#f-mechanism-belt-mass", "21 kg")?;
+    tab.fill("#file", "my-axis.toml")?;
+    tab.click("#save")?;
+    tab.says("#status", "there already")?;
+    if let Some(folder) = stage.shell.folder() {
+        tab.open(&stage.shell.at("open=my-axis.toml&lang=en"))?;
+        stage.ready()?;
+        std::fs::remove_file(folder.join("my-axis.toml")).map_err(|error| error.to_string())?;
+        stage.change("#f-mechanism-belt-mass", "22 kg")?;
+        tab.click("#save")?;
+        tab.says("#status", "Saved: my-axis.toml")?;
+        expect(folder.join("my-axis.toml").is_file(), || "nothing was written".to_owned())?;
+    }
+    Ok(())
+}
+
+/// Versions of the session lead back, and say what they changed.
+pub(crate) fn versions(stage: &Stage<'_>) -> Worded {
+    let tab = &stage.tab;
+    stage.example("belt", "en")?;
+    let before = tab.value("#text")?;
+    stage.change("#f-mechanism-belt-mass", "41 kg")?;
+    stage.change("#f-mechanism-belt-mass", "42 kg")?;
+    tab.click("#versions")?;
+    tab.says("#detail", "41 kg → 42 kg")?;
+    tab.click("#detail div.entry [data-version]")?;
+    tab.until(&format!("document.querySelector('#text').value === {}", json!(before)))
+}
+
+/// The curves of a picture, as they were computed.
+pub(crate) fn curves(stage: &Stage<'_>) -> Worded {
+    let tab = &stage.tab;
+    stage.example("belt", "de")?;
+    let script = "const body = new URLSearchParams(new FormData(document.querySelector('#state'))); \
+        return await (await fetch('/curves', { method: 'POST', body })).text();";
+    let text = tab.run(script, Vec::new())?;
+    let text = text.as_str().unwrap_or_default();
+    let mut lines = text.lines();
+    let heads = lines.next().unwrap_or_default();
+    expect(heads.starts_with("t [s]\tx [mm]"), || format!("heads: {heads}"))?;
+    let number = |cell: &str| cell.replace(',', ".").parse::<f64>();
+    let rows: Vec<Vec<f64>> = lines
+        .take_while(|line| !line.is_empty())
+        .map(|line| line.split('\t').filter_map(|cell| number(cell).ok()).collect())
+        .collect();
+    let far = rows.iter().map(|row| row.get(1).copied().unwrap_or_default()).fold(0.0, f64::max);
+    expect((far - 800.0).abs() < 1e-9 && rows.len() > 20, || format!("{} rows, {far} mm at most", rows.len()))
+}
+
+/// Clicks and keys to a first answer: of a screw, an arm and a recording.
+pub(crate) fn actions_to_an_answer(stage: &Stage<'_>) -> Worded {
+    const MOST: usize = 25;
+    let tab = &stage.tab;
+    // A field that is chosen is typed over: Tab leads to the next.
+    let begin = |tile: &str, values: &[&str]| -> Worded<usize> {
+        stage.start("en")?;
+        tab.click(&format!(".tiles li:nth-child({tile}) .tile"))?;
+        tab.until("document.activeElement.matches('#begin input')")?;
+        let mut actions = 1;
+        for (place, value) in values.iter().enumerate() {
+            tab.run("document.activeElement.select();", Vec::new())?;
+            tab.keys(value)?;
+            actions += value.chars().count();
+            if place + 1 < values.len() {
+                tab.keys(&key::TAB.to_string())?;
+                actions += 1;
+            }
+        }
+        tab.keys(&key::ENTER.to_string())?;
+        stage.ready()?;
+        Ok(actions + 1)
+    };
+    let screw = begin("4", &["10 mm", "80 kg"])?;
+    let arm = begin("3", &["9 kg", "0.3 m"])?;
+    println!("       {}: actions to a first answer: screw {screw}, arm {arm}", stage.shell.name());
+    for (what, actions) in [("screw", screw), ("arm", arm)] {
+        expect(actions <= MOST, || format!("{what}: {actions} clicks and keys"))?;
+    }
+    Ok(())
+}
