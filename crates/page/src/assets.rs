@@ -7,11 +7,13 @@ const SCRIPT: &str = include_str!("../assets/page.js");
 const PLOTS: &str = include_str!("../assets/plots.js");
 const WAITING: &str = include_str!("../assets/waiting.js");
 const FOLDER: &str = include_str!("../assets/folder.js");
+const SKETCH: &str = include_str!("../assets/sketch.js");
 const TOOLS: &str = include_str!("../assets/tools.js");
 const HTMX: &str = include_str!("../assets/htmx.min.js");
 
 /// The names of all files of the page, below `/assets/`.
-pub const ASSETS: [&str; 7] = ["page.css", "page.js", "plots.js", "waiting.js", "folder.js", "tools.js", "htmx.min.js"];
+pub const ASSETS: [&str; 8] =
+    ["page.css", "page.js", "plots.js", "sketch.js", "waiting.js", "folder.js", "tools.js", "htmx.min.js"];
 
 /// A file of the page.
 pub(crate) fn asset(name: &str) -> Reply {
@@ -20,6 +22,7 @@ pub(crate) fn asset(name: &str) -> Reply {
         "page.css" => Reply::of(200, "text/css; charset=utf-8", CSS),
         "page.js" => Reply::of(200, JAVASCRIPT, SCRIPT),
         "plots.js" => Reply::of(200, JAVASCRIPT, PLOTS),
+        "sketch.js" => Reply::of(200, JAVASCRIPT, SKETCH),
         "waiting.js" => Reply::of(200, JAVASCRIPT, WAITING),
         "folder.js" => Reply::of(200, JAVASCRIPT, FOLDER),
         "tools.js" => Reply::of(200, JAVASCRIPT, TOOLS),
@@ -47,7 +50,8 @@ mod tests {
     /// Files that a browser fetches before the first page, and their uncompressed size.
     #[test]
     fn the_page_stays_light() {
-        let weight: usize = [CSS, SCRIPT, FOLDER, TOOLS, PLOTS, WAITING, HTMX].iter().map(|file| file.len()).sum();
+        let weight: usize =
+            [CSS, SCRIPT, FOLDER, TOOLS, PLOTS, SKETCH, WAITING, HTMX].iter().map(|file| file.len()).sum();
         assert!(weight < 105_000, "{weight}");
     }
 }

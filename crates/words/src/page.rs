@@ -161,6 +161,10 @@ texts! {
         | "Alles wird auf diesem Rechner berechnet; Projekt und Aufzeichnungen verlassen ihn nicht.";
     no_such_page = "There is nothing at this address." | "Unter dieser Adresse gibt es nichts.";
     drawing_of(mechanism) = "Drawing: {mechanism}" | "Zeichnung: {mechanism}";
+    motion_of_the_drawing = "Motion of the drawing" | "Bewegung der Zeichnung";
+    play = "Play the motion" | "Bewegung abspielen";
+    pause = "Pause" | "Anhalten";
+    slower = "Slower" | "Langsamer";
     worst_instant(time) = "at {time} s" | "bei {time} s";
     cancel = "Cancel" | "Abbrechen";
     was_cancelled = "Cancelled" | "Abgebrochen";
