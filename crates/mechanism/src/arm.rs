@@ -20,7 +20,7 @@ pub(crate) fn drawing(figures: &Figures) -> Drawing {
     let weight = along(centre, 0.0);
     // An axis that stands upright feels no weight.
     let share = figures.of("axis_tilt").map_or(1.0, |tilt| tilt.sin().abs());
-    let mut drawing = Drawing::new().line(Look::Axis, [40.0, 112.0], [340.0, 112.0]).face(axis, 38.0).moves(
+    let mut drawing = Drawing::new().line(Look::Axis, [40.0, 112.0], [230.0, 112.0]).face(axis, 38.0).moves(
         &Course::even(start),
         axis,
         |angle| Placement::turned(angle - start),

@@ -4,12 +4,12 @@ use crate::drawing::{Course, Drawing, Figures, Look, Placement, Step};
 use std::f64::consts::TAU;
 
 /// Sheet per metre at which a lead of 10 mm is drawn, where nothing asks for less.
-const SCALE: f64 = 1400.0;
+const SCALE: f64 = 1600.0;
 
 pub(crate) fn drawing(figures: &Figures) -> Drawing {
     let start = figures.start_rad();
     let lead = figures.length("lead").unwrap_or(0.01);
-    let (scale, x) = figures.along(lead / TAU, SCALE, [116.0, 262.0], 184.0);
+    let (scale, x) = figures.along(lead / TAU, SCALE, [136.0, 262.0], 184.0);
     Drawing::new()
         .along_a_line(figures)
         .line(Look::Axis, [8.0, 102.0], [372.0, 102.0])
@@ -39,15 +39,15 @@ pub(crate) fn drawing(figures: &Figures) -> Drawing {
         )
         .calls("inertia", "J", [340.0, 102.0], [336.0, 158.0])
         .calls("inclination", "γ", [12.0, 102.0], [14.0, 158.0])
-        .calls("friction_torque", "T_L", [104.0, 92.0], [120.0, 62.0])
+        .calls("friction_torque", "T_L", [104.0, 92.0], [106.0, 62.0])
         .calls("viscous_friction", "d", [106.0, 112.0], [100.0, 164.0])
-        .calls("external_torque", "T_x", [93.0, 78.0], [94.0, 34.0])
+        .calls("external_torque", "T_x", [93.0, 78.0], [76.0, 34.0])
 }
 
 impl Drawing {
     /// A spindle from its left end along its axis, with its lead; its thread runs to the right while it turns.
     pub(crate) fn spindle(self, [x, y]: [f64; 2], length: f64, pitch: f64, start_rad: f64) -> Self {
-        let pitch = pitch.clamp(12.0, 30.0);
+        let pitch = pitch.clamp(16.0, 32.0);
         let mut thread = Vec::new();
         let mut at = x - pitch + 4.0;
         while at + 6.0 < x + length {

@@ -205,6 +205,6 @@ pub(crate) fn drawing(figures: &Figures) -> Drawing {
         .sweep(Look::Arrow, axis, r + 18.0, [0.0, if lean.abs() > 0.2 { lean } else { NEUTRAL_RAD }])
         .calls("inertia", "J", polar(axis, 26.0, -2.2), [38.0, 168.0])
         .calls("start_angle", "φ_0", polar(axis, r + 18.0, 0.3 * lean), polar(axis, r + 44.0, -0.32))
-        .calls("inclination", "γ", [0.5 * (near + axis[0] + r), 112.0], [near - 10.0, 150.0])
+        .calls("inclination", "γ", [28.0, 112.0], [14.0, 128.0])
         .calls("friction_torque", "T_L", polar(axis, 26.0, 2.5), [26.0, 56.0])
 }

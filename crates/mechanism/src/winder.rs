@@ -206,7 +206,7 @@ pub(crate) fn drawing(figures: &Figures) -> Drawing {
         .line(Look::Thin, [145.0 + 0.5 * core, 96.0], [145.0 + 0.5 * core, 162.0])
         .dimension([145.0 - 0.5 * core, 158.0], [145.0 + 0.5 * core, 158.0])
         .calls("full_diameter", "D_f", [206.0, 183.0], [246.0, 176.0])
-        .calls("core_diameter", "D_k", [145.0, 158.0], [145.0, 173.0])
+        .calls("core_diameter", "D_k", [136.0, 158.0], [104.0, 172.0])
         .calls("thickness", "s", [324.0, 12.0], [332.0, 46.0])
         .calls("width", "b", [270.0, 16.0], [262.0, 50.0])
         .calls("tension", "F", [350.0, 12.0], [358.0, 34.0])

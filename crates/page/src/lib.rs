@@ -16,6 +16,7 @@ mod detail;
 mod files;
 mod fits;
 mod form;
+mod formula;
 mod frame;
 mod laws;
 mod names;

@@ -293,7 +293,7 @@ fn what_goes_along_a_line_goes_in_proportion_to_the_angle() {
     let figures = Figures::none().with("lead", 0.01);
     let drawing = MechanismId::Screw.drawing(&figures);
     let shifts = ["mass", "lead"].map(|key| group(&drawing, key).1.at(0.5 * TAU).shift[0]);
-    assert!((shifts[0] - 7.0).abs() < 0.01 && (shifts[1] - 7.0).abs() < 0.01, "{shifts:?}");
+    assert!((shifts[0] - 8.0).abs() < 0.01 && (shifts[1] - 8.0).abs() < 0.01, "{shifts:?}");
 }
 
 /// A vertical line is vertical: a slide goes up where the positive direction does.
