@@ -79,6 +79,12 @@ pub struct Node {
     pub grade: Option<Id<Grade>>,
     /// Where it stands: cell, equation, model or key.
     pub source: String,
+    /// The page of the manual, for those who show it beside the source.
+    #[serde(skip)]
+    pub page: Option<u16>,
+    /// The page of `docs/theory` that explains it, for the same.
+    #[serde(skip)]
+    pub model: Option<&'static str>,
     /// The errata that it rests on; left out where there is none.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     #[schemars(default)]

@@ -1,34 +1,58 @@
 //! `[mechanism.belt]`: a belt or a rack with a slide; the equations are those of a [`crate::Linear`] drive.
 
-use crate::drawing::{Drawing, Look, Step};
+use crate::drawing::{Course, Drawing, Figures, Look, Placement, Step};
 
-pub(crate) fn drawing() -> Drawing {
-    Drawing::new()
-        .along_a_line()
+pub(crate) fn drawing(figures: &Figures) -> Drawing {
+    let start = figures.start_rad();
+    let radius = figures.length("pulley_diameter").map_or(0.03, |diameter| 0.5 * diameter);
+    let (scale, x) = figures.along(radius, 30.0 / radius, [88.0, 218.0], 155.0);
+    let wheel = (radius * scale).clamp(13.0, 30.0);
+    // The belt and what runs on it follow the size of the wheels.
+    let (top, low) = (110.0 - wheel, 114.0 + wheel);
+    let turning = |it: Drawing, at: [f64; 2]| {
+        it.moves(
+            &Course::even(start),
+            at,
+            |angle| Placement::turned(start - angle),
+            |it| it.holes(at, 0.66 * wheel, 0.11 * wheel),
+        )
+    };
+    let mut drawing = Drawing::new()
+        .along_a_line(figures)
         .line(Look::Axis, [40.0, 112.0], [350.0, 112.0])
-        .strand([84.0, 112.0], [306.0, 112.0], 32.0)
-        .face([84.0, 112.0], 30.0)
-        .circle(Look::Housing, [306.0, 112.0], 30.0)
-        .circle(Look::Hole, [306.0, 112.0], 7.0)
-        .rect(Look::Hole, [180.0, 76.0], [34.0, 10.0])
-        .slide([155.0, 40.0])
-        .arrow([166.0, 24.0], [228.0, 24.0])
-        .arrow([288.0, 58.0], [244.0, 58.0])
-        .line(Look::Thin, [54.0, 112.0], [54.0, 178.0])
-        .line(Look::Thin, [114.0, 112.0], [114.0, 178.0])
-        .dimension([54.0, 172.0], [114.0, 172.0])
-        .calls("pulley_diameter", "D", [100.0, 172.0], [146.0, 170.0])
-        .calls("mass", "m", [206.0, 50.0], [258.0, 22.0])
+        .strand([84.0, 112.0], [306.0, 112.0], wheel + 2.0)
+        .face([84.0, 112.0], wheel)
+        .circle(Look::Housing, [306.0, 112.0], wheel)
+        .circle(Look::Hole, [306.0, 112.0], 0.24 * wheel);
+    drawing = turning(drawing, [84.0, 112.0]);
+    drawing = turning(drawing, [306.0, 112.0]);
+    drawing
+        .moves(
+            &Course::even(start),
+            [x, 112.0],
+            |angle| Placement::shifted([radius * scale * (angle - start), 0.0]),
+            |it| {
+                it.rect(Look::Hole, [x + 25.0, top - 4.0], [34.0, 10.0])
+                    .slide([x, top - 40.0])
+                    .arrow([x + 11.0, top - 56.0], [x + 73.0, top - 56.0])
+                    .arrow([x + 133.0, top - 22.0], [x + 89.0, top - 22.0])
+                    .calls("mass", "m", [x + 51.0, top - 30.0], [x + 103.0, top - 58.0])
+                    .calls("friction_force", "F_R", [x + 59.0, top + 2.0], [x + 81.0, top + 24.0])
+                    .calls("friction_coefficient", "µ", [x + 27.0, top + 4.0], [x + 9.0, top + 28.0])
+                    .calls("process_force", "F", [x + 127.0, top - 22.0], [x + 140.0, top - 40.0])
+                    .calls("counterweight", "m_G", [x + 5.0, top - 28.0], [x - 31.0, top - 44.0])
+            },
+        )
+        .line(Look::Thin, [84.0 - wheel, 112.0], [84.0 - wheel, 178.0])
+        .line(Look::Thin, [84.0 + wheel, 112.0], [84.0 + wheel, 178.0])
+        .dimension([84.0 - wheel, 172.0], [84.0 + wheel, 172.0])
+        .calls("pulley_diameter", "D", [84.0 + 0.5 * wheel, 172.0], [146.0, 170.0])
         .calls("inertia", "J", [318.0, 124.0], [352.0, 156.0])
-        .calls("friction_force", "F_R", [214.0, 82.0], [246.0, 104.0])
-        .calls("friction_coefficient", "µ", [182.0, 84.0], [164.0, 108.0])
-        .calls("process_force", "F", [282.0, 58.0], [316.0, 46.0])
         .calls("inclination", "γ", [44.0, 112.0], [16.0, 92.0])
-        .calls("efficiency", "η", [190.0, 144.0], [210.0, 168.0])
-        .calls("counterweight", "m_G", [160.0, 52.0], [124.0, 36.0])
-        .calls("friction_torque", "T_L", [66.0, 92.0], [36.0, 56.0])
-        .calls("viscous_friction", "d", [60.0, 128.0], [22.0, 150.0])
-        .calls("external_torque", "T_x", [84.0, 82.0], [84.0, 40.0])
+        .calls("efficiency", "η", [190.0, low], [210.0, low + 24.0])
+        .calls("friction_torque", "T_L", [84.0 - 0.6 * wheel, 112.0 - 0.67 * wheel], [36.0, 56.0])
+        .calls("viscous_friction", "d", [84.0 - 0.8 * wheel, 112.0 + 0.53 * wheel], [22.0, 150.0])
+        .calls("external_torque", "T_x", [84.0, 112.0 - wheel], [66.0, 34.0])
 }
 
 impl Drawing {

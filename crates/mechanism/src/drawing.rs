@@ -2,7 +2,15 @@
 //!
 //! Lengths are those of the sheet, 380 wide and 190 high, x to the right and y down.
 
+mod figures;
+mod moving;
 mod svg;
+#[cfg(test)]
+mod tests;
+
+pub use figures::Figures;
+pub(crate) use moving::Course;
+pub use moving::{Beyond, Moving, Placement};
 
 use std::f64::consts::FRAC_PI_2;
 
@@ -58,19 +66,76 @@ pub enum Part {
     Centre(Point),
     /// A symbol that stands for no key: its middle.
     Symbol(&'static str, Point),
+    /// What moves together, by the place of its group in [`Drawing::moving`].
+    Group(usize, Vec<Part>),
+}
+
+impl Step {
+    /// Where it ends.
+    const fn end(self) -> Option<Point> {
+        match self {
+            Self::Move(to) | Self::Line(to) | Self::Arc(_, _, to) | Self::Curve(_, _, to) => Some(to),
+            Self::Close => None,
+        }
+    }
+
+    fn map(&mut self, change: impl Fn(Point) -> Point) {
+        match self {
+            Self::Move(to) | Self::Line(to) | Self::Arc(_, _, to) => *to = change(*to),
+            Self::Curve(a, b, to) => (*a, *b, *to) = (change(*a), change(*b), change(*to)),
+            Self::Close => {}
+        }
+    }
+}
+
+impl Part {
+    fn map(&mut self, change: impl Fn(Point) -> Point + Copy) {
+        match self {
+            Self::Circle(_, at, _) | Self::Centre(at) | Self::Symbol(_, at) => *at = change(*at),
+            Self::Path(_, steps) => steps.iter_mut().for_each(|step| step.map(change)),
+            Self::Group(_, parts) => parts.iter_mut().for_each(|part| part.map(change)),
+        }
+    }
+
+    /// Points that it reaches.
+    fn corners(&self, take: &mut impl FnMut(Point)) {
+        match self {
+            Self::Circle(_, [x, y], radius) => {
+                for (dx, dy) in [(-1.0, 0.0), (1.0, 0.0), (0.0, -1.0), (0.0, 1.0)] {
+                    take([x + dx * radius, y + dy * radius]);
+                }
+            }
+            Self::Path(_, steps) => steps.iter().filter_map(|step| step.end()).for_each(take),
+            Self::Centre(at) | Self::Symbol(_, at) => take(*at),
+            Self::Group(_, parts) => {
+                for part in parts {
+                    part.corners(take);
+                }
+            }
+        }
+    }
+}
+
+/// A point about another one, at a distance and an angle to the left of the right.
+pub(crate) fn polar([x, y]: Point, radius: f64, angle_rad: f64) -> Point {
+    [x + radius * angle_rad.cos(), y - radius * angle_rad.sin()]
 }
 
 /// A key of the project where it can be seen.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct CallOut {
-    /// The key, in the table of the mechanism.
+    /// The key, in its table.
     pub key: &'static str,
+    /// Whether it belongs to the table `[bearing]`; else to that of the mechanism.
+    pub is_of_bearing: bool,
     /// Its symbol; what follows `_` is its index.
     pub symbol: &'static str,
     /// What it points at.
     pub at: Point,
     /// The middle of the symbol.
     pub label: Point,
+    /// The group that it points at, where that moves.
+    pub group: Option<usize>,
 }
 
 /// A drawing.
@@ -82,57 +147,188 @@ pub struct Drawing {
     pub parts: Vec<Part>,
     /// The keys it shows.
     pub call_outs: Vec<CallOut>,
-    /// Whether the mechanism has a line that can be inclined.
-    has_line: bool,
+    /// The groups that move.
+    pub moving: Vec<Moving>,
+    /// How far it is turned to the left from the way in which it is described \[rad\].
+    lean_rad: f64,
 }
 
-/// Beyond so steep a line the drawing stands upright.
-const UPRIGHT_FROM_RAD: f64 = 0.5 * FRAC_PI_2;
+/// A symbol needs so much room to either side of its middle.
+const LABEL: Point = [11.0, 8.0];
+
+/// Left free at the edge of a sheet that was cut anew.
+const EDGE: f64 = 6.0;
 
 impl Drawing {
     /// An empty sheet.
     pub(crate) const fn new() -> Self {
-        Self { size: [380.0, 190.0], parts: Vec::new(), call_outs: Vec::new(), has_line: false }
+        Self { size: [380.0, 190.0], parts: Vec::new(), call_outs: Vec::new(), moving: Vec::new(), lean_rad: 0.0 }
     }
 
-    /// With a line along which something moves to the right: an inclination turns it.
-    pub(crate) const fn along_a_line(mut self) -> Self {
-        self.has_line = true;
+    /// Turned to the left as a whole: by the inclination of a line, against the tilt of an axis \[rad\].
+    pub(crate) const fn leaning(mut self, lean_rad: f64) -> Self {
+        self.lean_rad = lean_rad;
         self
     }
 
-    /// As it stands under an inclination of its line \[rad\]: one nearer to the vertical than to the level is drawn
-    /// upright, with the positive direction upwards or downwards, and gravity beside it.
-    #[must_use]
-    pub fn inclined(self, inclination_rad: f64) -> Self {
-        let sine = inclination_rad.sin();
-        if !self.has_line || sine.abs() <= UPRIGHT_FROM_RAD.sin() {
-            return self;
+    /// With a line along which something moves to the right: its inclination turns the drawing.
+    pub(crate) fn along_a_line(self, figures: &Figures) -> Self {
+        self.leaning(figures.of("inclination").unwrap_or(0.0))
+    }
+
+    /// A group that moves, with the call-outs that point at it.
+    pub(crate) fn moves(
+        mut self,
+        course: &Course,
+        about: Point,
+        place: impl Fn(f64) -> Placement,
+        draw: impl FnOnce(Self) -> Self,
+    ) -> Self {
+        let (group, calls) = (self.moving.len(), self.call_outs.len());
+        let around = std::mem::take(&mut self.parts);
+        self.moving.push(Moving::of(course, about, place));
+        self = draw(self);
+        let own = std::mem::replace(&mut self.parts, around);
+        self.parts.push(Part::Group(group, own));
+        for call_out in self.call_outs.iter_mut().skip(calls) {
+            call_out.group = Some(group);
         }
+        self
+    }
+
+    /// The drawing as it is shown: leaning, with the overhang where it is stated, on a sheet that holds the motion.
+    pub(crate) fn finished(mut self, figures: &Figures) -> Self {
+        let lean = self.lean_rad;
+        if lean != 0.0 {
+            let (sine, cosine) = lean.sin_cos();
+            let vector = |[x, y]: Point| [cosine * x + sine * y, cosine * y - sine * x];
+            self.map(vector);
+            for moving in &mut self.moving {
+                for (_, placement) in &mut moving.rows {
+                    placement.shift = vector(placement.shift);
+                }
+            }
+        }
+        self.cut(figures, lean != 0.0);
+        if let Some(overhang) = figures.of("overhang") {
+            self = self.overhang(overhang);
+        }
+        if lean != 0.0 {
+            self = self.gravity();
+        }
+        self.keep_apart();
+        self
+    }
+
+    /// Every point moved.
+    fn map(&mut self, change: impl Fn(Point) -> Point + Copy) {
+        for part in &mut self.parts {
+            part.map(change);
+        }
+        for call_out in &mut self.call_outs {
+            (call_out.at, call_out.label) = (change(call_out.at), change(call_out.label));
+        }
+        for moving in &mut self.moving {
+            moving.about = change(moving.about);
+        }
+    }
+
+    /// The sheet as large as what is on it, wherever the motion takes it; only ever larger where it is not cut to it.
+    fn cut(&mut self, figures: &Figures, to_size: bool) {
         let [width, height] = self.size;
-        let up = sine > 0.0;
-        let turn = |[x, y]: Point| if up { [y, width - x] } else { [height - y, x] };
-        let step = |step: Step| match step {
-            Step::Move(to) => Step::Move(turn(to)),
-            Step::Line(to) => Step::Line(turn(to)),
-            Step::Arc(radius, right, to) => Step::Arc(radius, right, turn(to)),
-            Step::Curve(a, b, to) => Step::Curve(turn(a), turn(b), turn(to)),
-            Step::Close => Step::Close,
+        let start = if to_size { [[f64::MAX; 2], [f64::MIN; 2]] } else { [[EDGE; 2], [width - EDGE, height - EDGE]] };
+        let mut bounds = start;
+        let mut take = |[x, y]: Point| {
+            let [[left, top], [right, bottom]] = bounds;
+            bounds = [[left.min(x), top.min(y)], [right.max(x), bottom.max(y)]];
         };
-        let part = |part: Part| match part {
-            Part::Circle(look, at, radius) => Part::Circle(look, turn(at), radius),
-            Part::Path(look, steps) => Part::Path(look, steps.into_iter().map(step).collect()),
-            Part::Centre(at) => Part::Centre(turn(at)),
-            Part::Symbol(text, at) => Part::Symbol(text, turn(at)),
-        };
-        let call_outs = self.call_outs.into_iter();
-        let turned = Self {
-            size: [height, width],
-            parts: self.parts.into_iter().map(part).collect(),
-            call_outs: call_outs.map(|it| CallOut { at: turn(it.at), label: turn(it.label), ..it }).collect(),
-            has_line: false,
-        };
-        turned.arrow([14.0, 16.0], [14.0, 50.0]).symbol("g", [26.0, 38.0])
+        for part in &self.parts {
+            part.corners(&mut take);
+            let Part::Group(group, _) = part else { continue };
+            let (Some(moving), Some([from, to])) = (self.moving.get(*group), figures.motion_rad()) else { continue };
+            for step in 0..=60 {
+                let placement = moving.at(from + f64::from(step) / 60.0 * (to - from));
+                part.corners(&mut |at| take(moving.point(placement, at)));
+            }
+        }
+        for call_out in &self.call_outs {
+            let [x, y] = call_out.label;
+            take([x - LABEL[0], y - LABEL[1]]);
+            take([x + LABEL[0], y + LABEL[1]]);
+        }
+        if bounds == start {
+            return;
+        }
+        let [[left, top], [right, bottom]] = bounds;
+        self.map(|[x, y]| [x - left + EDGE, y - top + EDGE]);
+        self.size = [(right - left + 2.0 * EDGE).ceil(), (bottom - top + 2.0 * EDGE).ceil()];
+    }
+
+    /// The direction of the weight, beside a drawing that leans.
+    fn gravity(mut self) -> Self {
+        let [width, _] = self.size;
+        self.size[0] += 24.0;
+        self.arrow([width + 4.0, 12.0], [width + 4.0, 46.0]).symbol("g", [width + 15.0, 30.0])
+    }
+
+    /// The actuator from the side with the load before its flange: a picture in the corner for what the drawing looks along.
+    fn overhang(mut self, overhang_m: f64) -> Self {
+        let [width, height] = self.size;
+        self.size = [width + 112.0, height.max(120.0)];
+        let (x, y) = (width + 4.0, self.size[1] - 46.0);
+        // Beyond a quarter of a metre it would not fit; below 40 mm it could not be read.
+        let away = (overhang_m * 160.0).clamp(-24.0, 44.0);
+        let away = if away.abs() < 8.0 { 8.0_f64.copysign(away) } else { away };
+        let (flange, load) = (x + 44.0, x + 44.0 + away);
+        self = self
+            .rect(Look::Housing, [x, y - 20.0], [34.0, 40.0])
+            .rect(Look::Housing, [x + 34.0, y - 24.0], [10.0, 48.0])
+            .line(Look::Axis, [x - 2.0, y], [x + 106.0, y])
+            .rect(Look::Body, [load - 7.0, y - 15.0], [14.0, 30.0])
+            .line(Look::Thin, [flange, y - 24.0], [flange, y - 40.0])
+            .line(Look::Thin, [load, y - 15.0], [load, y - 40.0])
+            .line(Look::Thin, [flange.min(load) - 10.0, y - 36.0], [flange.max(load) + 10.0, y - 36.0])
+            .calls("overhang", "a", [0.5 * (flange + load), y - 36.0], [0.5 * (flange + load), y - 54.0]);
+        if let Some(call_out) = self.call_outs.last_mut() {
+            call_out.is_of_bearing = true;
+        }
+        self
+    }
+
+    /// Symbols that stand on each other are moved apart, within the sheet.
+    fn keep_apart(&mut self) {
+        let [width, height] = self.size;
+        let [wide, high] = [17.0, 15.0];
+        for _ in 0..80 {
+            let mut is_apart = true;
+            for one in 0..self.call_outs.len() {
+                for other in 0..one {
+                    let (Some(a), Some(b)) = (self.call_outs.get(one), self.call_outs.get(other)) else { continue };
+                    let [dx, dy] = [a.label[0] - b.label[0], a.label[1] - b.label[1]];
+                    let (lack_x, lack_y) = (wide - dx.abs(), high - dy.abs());
+                    if lack_x <= 0.0 || lack_y <= 0.0 {
+                        continue;
+                    }
+                    is_apart = false;
+                    let [x, y] = if lack_x < lack_y {
+                        [0.55 * lack_x.copysign(dx), 0.0]
+                    } else {
+                        [0.0, 0.55 * lack_y.copysign(dy)]
+                    };
+                    for (index, sign) in [(one, 1.0), (other, -1.0)] {
+                        let Some(call_out) = self.call_outs.get_mut(index) else { continue };
+                        let [at_x, at_y] = call_out.label;
+                        call_out.label = [
+                            (at_x + sign * x).clamp(LABEL[0], width - LABEL[0]),
+                            (at_y + sign * y).clamp(LABEL[1], height - LABEL[1]),
+                        ];
+                    }
+                }
+            }
+            if is_apart {
+                break;
+            }
+        }
     }
 
     fn with(mut self, part: Part) -> Self {
@@ -171,6 +367,20 @@ impl Drawing {
         self.path(Look::Arrow, [Step::Move(from), Step::Arc(radius, right, to)])
     }
 
+    /// An arrow along a circle from one angle to another \[rad\], in the direction of the difference.
+    pub(crate) fn sweep(self, look: Look, at: Point, radius: f64, [from, to]: [f64; 2]) -> Self {
+        let pieces = [1.0, 2.0, 3.0, 4.0].into_iter().find(|pieces| (to - from).abs() <= FRAC_PI_2 * pieces);
+        let pieces = pieces.unwrap_or(4.0);
+        let mut steps = vec![Step::Move(polar(at, radius, from))];
+        let mut piece = 1.0;
+        while piece <= pieces {
+            let end = from + (to - from) * piece / pieces;
+            steps.push(Step::Arc(radius, to < from, polar(at, radius, end)));
+            piece += 1.0;
+        }
+        self.path(look, steps)
+    }
+
     pub(crate) fn dimension(self, from: Point, to: Point) -> Self {
         self.line(Look::Dimension, from, to)
     }
@@ -196,6 +406,20 @@ impl Drawing {
             Step::Close,
         ];
         self.path(Look::Body, steps).circle(Look::Hole, [ax, ay], 0.55 * half).circle(Look::Hole, [bx, by], 0.55 * half)
+    }
+
+    /// A rectangle about its middle, turned to the left.
+    pub(crate) fn leaning_rect(self, look: Look, middle: Point, [w, h]: Point, lean_rad: f64) -> Self {
+        let corner = |x: f64, y: f64| polar(polar(middle, 0.5 * x * w, lean_rad), 0.5 * y * h, lean_rad + FRAC_PI_2);
+        self.outline(look, &[corner(-1.0, -1.0), corner(1.0, -1.0), corner(1.0, 1.0), corner(-1.0, 1.0)])
+    }
+
+    /// Holes around an axis, so that a turn can be seen.
+    pub(crate) fn holes(mut self, at: Point, around: f64, radius: f64) -> Self {
+        for hole in 0..3 {
+            self = self.circle(Look::Hole, polar(at, around, f64::from(hole) * FRAC_PI_2 * 4.0 / 3.0 + 0.4), radius);
+        }
+        self
     }
 
     /// A support: a line to the right with its hatching below.
@@ -264,7 +488,7 @@ impl Drawing {
     }
 
     pub(crate) fn calls(mut self, key: &'static str, symbol: &'static str, at: Point, label: Point) -> Self {
-        self.call_outs.push(CallOut { key, symbol, at, label });
+        self.call_outs.push(CallOut { key, is_of_bearing: false, symbol, at, label, group: None });
         self
     }
 }

@@ -1,10 +1,11 @@
 //! `[mechanism.four_bar]`: crank, coupler and rocker on a fixed link.
 
-use crate::drawing::{Drawing, Look};
+use crate::drawing::{Course as Way, Drawing, Figures, Look, Placement, polar as on_sheet};
 use crate::equations::{Effects, Equations, Reduced, TWELFTH_RAD, beside};
 use crate::flange::{FlangeForces, Instant, OnFlange, Overhang, metres};
 use crate::{Endless, Extra, Geometry, MechanismId, gravity_m_s2};
 use quantities::{Angle, Length, Mass, Measure, MomentOfInertia, Torque};
+use std::f64::consts::{FRAC_PI_2, TAU};
 
 /// A four-bar linkage whose crank goes round.
 ///
@@ -235,35 +236,124 @@ impl Equations for FourBar {
     }
 }
 
-pub(crate) fn drawing() -> Drawing {
-    let (crank, rocker, pin, joint) = ([92.0, 128.0], [290.0, 128.0], [114.0, 84.0], [250.0, 44.0]);
+/// Angle of the crank where none is stated.
+const NEUTRAL_RAD: f64 = 1.107;
+
+/// Fixed link, crank, coupler and rocker on the sheet where they are not stated, or make no linkage.
+const NEUTRAL: [f64; 4] = [198.0, 49.2, 165.0, 93.0];
+
+/// The linkage alone, to be drawn, to the scale at which a whole revolution fits the sheet.
+fn drawn(figures: &Figures) -> FourBar {
+    let is_crossed = figures.of("crossed") == Some(1.0);
+    let of = |[ground, crank, coupler, rocker]: [f64; 4]| FourBar {
+        ground: Length::from_si(ground),
+        crank: Length::from_si(crank),
+        coupler: Length::from_si(coupler),
+        rocker: Length::from_si(rocker),
+        is_crossed,
+        inertia: MomentOfInertia::from_si(0.0),
+        coupler_mass: Mass::from_si(0.0),
+        coupler_centre: Length::from_si(0.0),
+        coupler_inertia: MomentOfInertia::from_si(0.0),
+        rocker_mass: Mass::from_si(0.0),
+        rocker_centre: Length::from_si(0.0),
+        rocker_inertia: MomentOfInertia::from_si(0.0),
+        rocker_torque: Torque::from_si(0.0),
+        inclination: Angle::from_si(0.0),
+        tilt: Angle::from_si(0.0),
+    };
+    let stated = ["ground", "crank", "coupler", "rocker"].map(|key| figures.length(key));
+    let [Some(g), Some(r), Some(c), Some(l)] = stated else { return of(NEUTRAL) };
+    let linkage = of([g, r, c, l]);
+    if !linkage.faults().is_empty() {
+        return of(NEUTRAL);
+    }
+    let (mut left, mut right, mut high) = (-r, r.max(g), r);
+    for step in 0..=60 {
+        let [x, y] = polar(l, linkage.course(f64::from(step) * TAU / 60.0).psi[0]);
+        (left, right, high) = (left.min(g + x), right.max(g + x), high.max(y.abs()));
+    }
+    let scale = (300.0 / (right - left)).min(110.0 / high);
+    of([g, r, c, l].map(|length| length * scale))
+}
+
+pub(crate) fn drawing(figures: &Figures) -> Drawing {
+    let linkage = drawn(figures);
+    let [g, r, _, l] = linkage.lengths();
+    let (start, lean) = (figures.start_rad(), figures.of("start_angle").unwrap_or(NEUTRAL_RAD));
+    let (crank, rocker) = ([92.0, 128.0], [92.0 + g, 128.0]);
+    let at = |angle: f64| {
+        let course = linkage.course(angle - start + lean);
+        let pin = on_sheet(crank, r, course.q);
+        (pin, on_sheet(rocker, l, course.psi[0]), course.beta[0], course.psi[0])
+    };
+    let (pin, joint, beta, psi) = at(start);
+    let between = |[ax, ay]: Vector, [bx, by]: Vector, share: f64| [ax + share * (bx - ax), ay + share * (by - ay)];
+    let aside = |at: Vector, angle: f64, by: f64| on_sheet(at, by, angle + FRAC_PI_2);
+    let knee = |share: f64, by: f64| aside(between(pin, joint, share), beta, by);
+    let of_rocker = |share: f64, by: f64| aside(between(rocker, joint, share), psi, by);
+    let share = |key: &str, of: f64, whole: &str, neutral: f64| {
+        figures.length(key).zip(figures.length(whole)).map_or(neutral, |(part, whole)| (part / whole).min(of))
+    };
+    let (of_coupler, of_rocker_centre) =
+        (share("coupler_centre", 1.2, "coupler", 0.46), share("rocker_centre", 1.2, "rocker", 0.48));
     Drawing::new()
-        .line(Look::Axis, [30.0, 128.0], [352.0, 128.0])
-        .face(crank, 40.0)
+        .leaning(figures.of("inclination").unwrap_or(0.0))
+        .line(Look::Axis, [30.0, 128.0], [rocker[0].max(290.0) + 62.0, 128.0])
+        .face(crank, 40.0_f64.min(0.9 * r).max(16.0))
         .pivot(rocker)
-        .bar(rocker, joint, 8.0)
-        .bar(crank, pin, 8.0)
-        .bar(pin, joint, 6.0)
-        .centre([176.0, 66.0])
-        .centre([271.0, 88.0])
-        .turning([142.0, 128.0], 50.0, false, [117.0, 85.0])
-        .turning([330.0, 110.0], 44.0, false, [304.0, 86.0])
-        .line(Look::Thin, crank, [92.0, 184.0])
-        .line(Look::Thin, [290.0, 150.0], [290.0, 184.0])
-        .dimension([92.0, 180.0], [290.0, 180.0])
-        .calls("ground", "g", [180.0, 180.0], [180.0, 166.0])
-        .calls("crank", "r", [103.0, 106.0], [72.0, 70.0])
-        .calls("coupler", "c", [214.0, 55.0], [208.0, 32.0])
-        .calls("rocker", "l", [281.0, 109.0], [248.0, 108.0])
-        .calls("inertia", "J", [72.0, 152.0], [40.0, 172.0])
-        .calls("coupler_mass", "m_c", [172.0, 60.0], [150.0, 36.0])
-        .calls("coupler_centre", "s_c", [146.0, 74.0], [118.0, 54.0])
-        .calls("coupler_inertia", "J_c", [180.0, 70.0], [198.0, 92.0])
-        .calls("rocker_mass", "m_r", [276.0, 84.0], [308.0, 64.0])
-        .calls("rocker_centre", "s_r", [284.0, 118.0], [244.0, 136.0])
-        .calls("rocker_inertia", "J_r", [262.0, 68.0], [288.0, 40.0])
-        .calls("rocker_torque", "T_r", [330.0, 106.0], [354.0, 92.0])
-        .calls("start_angle", "φ_0", [140.0, 114.0], [166.0, 118.0])
-        .calls("inclination", "γ", [346.0, 128.0], [364.0, 142.0])
-        .calls("friction_torque", "T_L", [60.0, 116.0], [28.0, 104.0])
+        .moves(
+            &Way::round(start),
+            rocker,
+            |angle| Placement::turned(at(angle).3 - psi),
+            |it| {
+                it.bar(rocker, joint, 8.0)
+                    .centre(of_rocker(of_rocker_centre, 0.0))
+                    .calls("rocker", "l", of_rocker(0.22, 0.0), of_rocker(0.22, 36.0))
+                    .calls("rocker_mass", "m_r", of_rocker(of_rocker_centre, -5.0), of_rocker(0.7, -42.0))
+                    .calls("rocker_centre", "s_r", of_rocker(0.12, 0.0), of_rocker(-0.06, 46.0))
+                    .calls("rocker_inertia", "J_r", of_rocker(0.8, 0.0), of_rocker(1.08, -30.0))
+            },
+        )
+        .moves(
+            &Way::even(start),
+            crank,
+            |angle| Placement::turned(angle - start),
+            |it| {
+                it.bar(crank, pin, 8.0).calls(
+                    "crank",
+                    "r",
+                    between(crank, pin, 0.5),
+                    aside(between(crank, pin, 0.9), lean, 34.0),
+                )
+            },
+        )
+        .moves(
+            &Way::round(start),
+            pin,
+            |angle| {
+                let (now, _, angle, _) = at(angle);
+                let shift = [now[0] - pin[0], now[1] - pin[1]];
+                Placement { turn_rad: angle - beta, ..Placement::shifted(shift) }
+            },
+            |it| {
+                it.bar(pin, joint, 6.0)
+                    .centre(knee(of_coupler, 0.0))
+                    .calls("coupler", "c", knee(0.74, 0.0), knee(0.7, 24.0))
+                    .calls("coupler_mass", "m_c", knee(of_coupler, 5.0), knee(0.3, 38.0))
+                    .calls("coupler_centre", "s_c", knee(0.23, 0.0), knee(0.08, 32.0))
+                    .calls("coupler_inertia", "J_c", knee(of_coupler, -5.0), knee(0.56, -26.0))
+            },
+        )
+        .sweep(Look::Arrow, crank, r + 10.0, [0.0, if lean.abs() > 0.2 { lean } else { NEUTRAL_RAD }])
+        .sweep(Look::Arrow, rocker, 44.0, [0.4, 1.1])
+        .line(Look::Thin, crank, [crank[0], 184.0])
+        .line(Look::Thin, [rocker[0], 150.0], [rocker[0], 184.0])
+        .dimension([crank[0], 180.0], [rocker[0], 180.0])
+        .calls("ground", "g", [crank[0] + 0.45 * g, 180.0], [crank[0] + 0.45 * g, 166.0])
+        .calls("inertia", "J", on_sheet(crank, 20.0, -2.2), [40.0, 172.0])
+        .calls("rocker_torque", "T_r", on_sheet(rocker, 44.0, 0.5), on_sheet(rocker, 68.0, 0.5))
+        .calls("start_angle", "φ_0", on_sheet(crank, r + 10.0, 0.25 * lean), on_sheet(crank, r + 34.0, 0.08))
+        .calls("inclination", "γ", [rocker[0] + 52.0, 128.0], [rocker[0] + 66.0, 146.0])
+        .calls("friction_torque", "T_L", on_sheet(crank, 20.0, 2.8), [28.0, 104.0])
 }

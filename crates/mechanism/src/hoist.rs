@@ -1,6 +1,6 @@
 //! `[mechanism.hoist]`: a drum that lifts a load by a rope with several falls.
 
-use crate::drawing::{Drawing, Look};
+use crate::drawing::{Course as Way, Drawing, Figures, Look, Placement};
 use crate::equations::{Effects, Equations, Reduced};
 use crate::flange::{FlangeForces, Instant, OnFlange, Overhang, metres};
 use crate::{Endless, Extra, Geometry, MechanismId, gravity_m_s2};
@@ -179,37 +179,101 @@ impl Equations for Hoist {
     }
 }
 
-pub(crate) fn drawing() -> Drawing {
-    Drawing::new()
+/// Of more falls so many are drawn.
+const FALLS_MOST: u32 = 6;
+
+/// Rope that hangs down, at most and at least, on the sheet.
+const HANGING: [f64; 2] = [96.0, 18.0];
+
+pub(crate) fn drawing(figures: &Figures) -> Drawing {
+    let falls = figures.count("falls", 2, FALLS_MOST);
+    let diameter = figures.length("drum_diameter").unwrap_or(0.32);
+    let hoist_travel = diameter / (2.0 * figures.of("falls").unwrap_or(2.0).max(1.0));
+    let start = figures.start_rad();
+    let [most, least] = HANGING;
+    let by_figures = figures.length("hanging").map_or(most / (2.0 * diameter), |hanging| most / hanging);
+    let (scale, lifted) = figures.along(hoist_travel, by_figures, [0.0, most - least], 0.0);
+    let lifted = if figures.motion_rad().is_some() { lifted } else { 0.0 };
+    // The load stays below the drum, and above the ground.
+    let per_rad = hoist_travel * scale;
+    let way = Way::bounded(vec![start - lifted.max(30.0) / per_rad, start + (most - least - lifted) / per_rad]);
+    let rise = |angle: f64| per_rad * (angle - start);
+    let drum = (0.5 * diameter * by_figures).clamp(17.0, 26.0);
+    let (low, hung) = (62.0 + drum, most - lifted);
+    let sheave = low + hung;
+    let ropes = [150.0, 178.0];
+    let place = |index: u32| {
+        if falls == 1 { 164.0 } else { ropes[0] + (ropes[1] - ropes[0]) * f64::from(index) / f64::from(falls - 1) }
+    };
+    let rope = |it: Drawing, x: f64, from: f64, to: f64, sign: f64| {
+        it.moves(
+            &way,
+            [x, from],
+            |angle| Placement::stretched([1.0, (to - from + sign * rise(angle)) / (to - from)]),
+            |it| {
+                let it = it.line(Look::Line, [x, from], [x, to]);
+                if from > 40.0 && sign < 0.0 {
+                    it.calls("rope_mass", "µ", [x, 0.5 * (from + to)], [118.0, 0.5 * (from + to)])
+                } else {
+                    it
+                }
+            },
+        )
+    };
+    let mut drawing = Drawing::new()
         .line(Look::Axis, [20.0, 62.0], [232.0, 62.0])
         .actuator([28.0, 62.0])
-        .rect(Look::Body, [106.0, 36.0], [110.0, 52.0])
-        .rect(Look::Body, [100.0, 26.0], [8.0, 72.0])
-        .rect(Look::Body, [214.0, 26.0], [8.0, 72.0])
-        .rope([120.0, 36.0], [52.0, 0.0])
-        .line(Look::Line, [150.0, 88.0], [150.0, 140.0])
-        .line(Look::Line, [178.0, 24.0], [178.0, 140.0])
-        .ground_above([166.0, 24.0], 24.0)
-        .circle(Look::Housing, [164.0, 140.0], 14.0)
-        .circle(Look::Hole, [164.0, 140.0], 4.0)
-        .rect(Look::Body, [140.0, 158.0], [48.0, 28.0])
-        .centre([164.0, 172.0])
-        .line(Look::Line, [204.0, 36.0], [204.0, 26.0])
-        .line(Look::Line, [204.0, 88.0], [204.0, 124.0])
-        .rect(Look::Body, [194.0, 124.0], [20.0, 32.0])
-        .arrow([128.0, 176.0], [128.0, 146.0])
-        .line(Look::Thin, [222.0, 36.0], [250.0, 36.0])
-        .line(Look::Thin, [222.0, 88.0], [250.0, 88.0])
-        .dimension([244.0, 36.0], [244.0, 88.0])
-        .line(Look::Thin, [140.0, 88.0], [84.0, 88.0])
-        .line(Look::Thin, [150.0, 140.0], [84.0, 140.0])
-        .dimension([90.0, 88.0], [90.0, 140.0])
+        .ground_above([152.0, 20.0], 40.0);
+    for index in 1..falls {
+        drawing = rope(drawing, place(index), 20.0, sheave, -1.0);
+    }
+    drawing = drawing
+        .rect(Look::Body, [106.0, 62.0 - drum], [110.0, 2.0 * drum])
+        .rect(Look::Body, [100.0, 52.0 - drum], [8.0, 20.0 + 2.0 * drum])
+        .rect(Look::Body, [214.0, 52.0 - drum], [8.0, 20.0 + 2.0 * drum])
+        .rope([120.0, 62.0 - drum], [2.0 * drum, 0.0])
+        .line(Look::Line, [204.0, 62.0 - drum], [204.0, 52.0 - drum]);
+    drawing = rope(drawing, place(0), low, sheave, -1.0);
+    drawing = rope(drawing, 204.0, low, low + 36.0, 1.0);
+    drawing
+        .moves(
+            &way,
+            [204.0, low + 36.0],
+            |angle| Placement::shifted([0.0, rise(angle)]),
+            |it| {
+                it.rect(Look::Body, [194.0, low + 36.0], [20.0, 32.0]).calls(
+                    "counterweight",
+                    "m_G",
+                    [212.0, low + 52.0],
+                    [248.0, low + 56.0],
+                )
+            },
+        )
+        .moves(
+            &way,
+            [164.0, sheave],
+            |angle| Placement::shifted([0.0, -rise(angle)]),
+            |it| {
+                let it = if falls > 1 {
+                    it.circle(Look::Housing, [164.0, sheave], 14.0).circle(Look::Hole, [164.0, sheave], 4.0)
+                } else {
+                    it.line(Look::Line, [164.0, sheave], [164.0, sheave + 18.0])
+                };
+                it.rect(Look::Body, [140.0, sheave + 18.0], [48.0, 28.0])
+                    .centre([164.0, sheave + 32.0])
+                    .arrow([128.0, sheave + 36.0], [128.0, sheave + 6.0])
+                    .calls("mass", "m", [180.0, sheave + 32.0], [226.0, sheave + 36.0])
+            },
+        )
+        .line(Look::Thin, [222.0, 62.0 - drum], [250.0, 62.0 - drum])
+        .line(Look::Thin, [222.0, low], [250.0, low])
+        .dimension([244.0, 62.0 - drum], [244.0, low])
+        .line(Look::Thin, [140.0, low], [84.0, low])
+        .line(Look::Thin, [150.0, sheave], [84.0, sheave])
+        .dimension([90.0, low], [90.0, sheave])
         .calls("drum_diameter", "D", [244.0, 62.0], [268.0, 62.0])
-        .calls("falls", "n", [178.0, 118.0], [234.0, 108.0])
-        .calls("mass", "m", [180.0, 172.0], [226.0, 176.0])
-        .calls("counterweight", "m_G", [212.0, 140.0], [248.0, 144.0])
+        .calls("falls", "n", [place(falls - 1), low + 0.6 * hung], [234.0, low + 22.0])
         .calls("inertia", "J", [204.0, 50.0], [262.0, 22.0])
-        .calls("rope_mass", "µ", [150.0, 110.0], [118.0, 112.0])
-        .calls("hanging", "L", [90.0, 122.0], [66.0, 124.0])
-        .calls("friction_torque", "T_L", [106.0, 56.0], [130.0, 16.0])
+        .calls("hanging", "L", [90.0, low + 0.5 * hung], [66.0, low + 0.5 * hung])
+        .calls("friction_torque", "T_L", [106.0, 56.0], [130.0, 14.0])
 }

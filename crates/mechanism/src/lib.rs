@@ -45,7 +45,7 @@ pub use stage::{Stage, StageKind};
 pub use table::{Table, TableFault, TablePoint};
 pub use winder::{Winder, Winding};
 
-use drawing::Drawing;
+use drawing::{Drawing, Figures};
 use equations::{Equations, Reduced};
 use flange::{Instant, OnFlange};
 use quantities::unit::STANDARD_GRAVITY;
@@ -121,10 +121,11 @@ macro_rules! mechanisms {
                 match self { $(Self::$variant => include_str!(concat!("../../../examples/", $example, ".toml")),)* }
             }
 
-            /// Its drawing, with a call-out for each key that can be seen in it.
+            /// Its drawing, to the scale of what is known, with a call-out for each key that can be seen in it.
             #[must_use]
-            pub fn drawing(self) -> Drawing {
-                match self { $(Self::$variant => crate::$module::drawing(),)* }
+            pub fn drawing(self, figures: &Figures) -> Drawing {
+                let described = match self { $(Self::$variant => crate::$module::drawing(figures),)* };
+                described.finished(figures)
             }
         }
     };

@@ -1,11 +1,12 @@
 //! `[mechanism.scissor_lift]`: a platform on crossed arms that a screw draws together.
 
-use crate::drawing::{Drawing, Look};
+use crate::drawing::{Course as Way, Drawing, Figures, Look, Placement};
 use crate::equations::{Effects, Equations, Reduced, beside};
 use crate::flange::{FlangeForces, Instant, Missing, OnFlange, Overhang};
 use crate::{Endless, Extra, Geometry, MechanismId, gravity_m_s2};
 use quantities::unit::DEGREE;
 use quantities::{Angle, Length, Mass, Measure, MomentOfInertia};
+use std::f64::consts::FRAC_PI_2;
 
 /// A scissor lift with a screw at the lower end of an arm.
 ///
@@ -160,29 +161,99 @@ impl Equations for ScissorLift {
     }
 }
 
-pub(crate) fn drawing() -> Drawing {
-    Drawing::new()
-        .line(Look::Axis, [8.0, 140.0], [372.0, 140.0])
-        .actuator([16.0, 140.0])
-        .spindle([94.0, 140.0], 220.0)
-        .rect(Look::Housing, [314.0, 128.0], [12.0, 24.0])
-        .ground([110.0, 168.0], 240.0)
-        .bar([150.0, 140.0], [330.0, 96.0], 5.0)
-        .bar([330.0, 140.0], [150.0, 96.0], 5.0)
-        .bar([150.0, 96.0], [330.0, 52.0], 5.0)
-        .bar([330.0, 96.0], [150.0, 52.0], 5.0)
-        .rect(Look::Hole, [138.0, 132.0], [24.0, 16.0])
-        .rect(Look::Body, [136.0, 34.0], [210.0, 12.0])
-        .centre([240.0, 26.0])
-        .arrow([104.0, 84.0], [104.0, 44.0])
-        .arrow([300.0, 6.0], [300.0, 30.0])
-        .calls("stages", "n", [240.0, 74.0], [366.0, 76.0])
-        .calls("arm_length", "L", [285.0, 107.0], [362.0, 112.0])
-        .calls("lead", "P", [220.0, 146.0], [220.0, 182.0])
-        .calls("mass", "m", [180.0, 40.0], [150.0, 18.0])
-        .calls("arm_mass", "m_a", [195.0, 85.0], [134.0, 76.0])
-        .calls("inertia", "J", [276.0, 146.0], [276.0, 182.0])
-        .calls("arm_angle", "θ_0", [178.0, 134.0], [182.0, 118.0])
-        .calls("process_force", "F", [300.0, 12.0], [322.0, 12.0])
-        .calls("friction_torque", "T_L", [98.0, 134.0], [110.0, 112.0])
+/// Of more stages the lowest are drawn.
+const STAGES_MOST: u32 = 4;
+
+pub(crate) fn drawing(figures: &Figures) -> Drawing {
+    let stages = figures.count("stages", 2, STAGES_MOST);
+    let n = f64::from(stages);
+    let arm = figures.length("arm_length").unwrap_or(1.2);
+    let upright = Angle::new_in(89.0, &DEGREE).si();
+    let angle = figures.of("arm_angle").unwrap_or(0.24).clamp(0.05, upright);
+    let lift = ScissorLift {
+        stages,
+        arm_length: Length::from_si(arm),
+        lead: Length::from_si(figures.length("lead").unwrap_or(0.01)),
+        angle: Angle::from_si(angle),
+        mass: Mass::from_si(0.0),
+        arm_mass: Mass::from_si(0.0),
+        inertia: MomentOfInertia::from_si(0.0),
+    };
+    let lean = |position: f64| (lift.base(position) / arm).clamp(-1.0, 1.0).acos();
+    let highest = figures.motion_rad().map_or(angle, |[_, to]| lean(to).max(angle));
+    // High lifts are drawn smaller, so that they stay on a sheet that can be read.
+    let long = (210.0 / (n * highest.sin())).clamp(70.0, 185.0);
+    let scale = long / arm;
+    let high = |position: f64| long * lean(position).sin();
+    let wide = |position: f64| scale * lift.base(position);
+    let (right, y, start) = (330.0, 140.0, figures.start_rad());
+    let (b, w) = (wide(start), high(start));
+    // Every 1.5° of the arms, from flat to upright.
+    let (flat, step) = (Angle::new_in(LEAST_ANGLE_DEG, &DEGREE).si(), Angle::new_in(1.5, &DEGREE).si());
+    let count = (0_u32..).take_while(|index| flat + f64::from(*index) * step < upright);
+    let first = arm * angle.cos();
+    let leans = count.map(|index| flat + f64::from(index) * step).chain([upright, FRAC_PI_2]);
+    let angles = leans.map(|lean| (first - arm * lean.cos()) / lift.travel()).collect();
+    let way = Way::bounded(angles);
+    let top = y - n * w;
+    let mut drawing = Drawing::new()
+        .line(Look::Axis, [8.0, y], [372.0, y])
+        .actuator([16.0, y])
+        .spindle([94.0, y], 220.0, lift.lead.si() * scale, start)
+        .rect(Look::Housing, [314.0, y - 12.0], [12.0, 24.0])
+        .ground([110.0, y + 28.0], 240.0);
+    for stage in 0..stages {
+        let below = f64::from(stage);
+        let foot = y - below * w;
+        for leans_left in [false, true] {
+            let place = |position: f64| {
+                let turn = lean(position) - lean(start);
+                let shift = [0.5 * (b - wide(position)), (below + 0.5) * (w - high(position))];
+                Placement { turn_rad: if leans_left { -turn } else { turn }, ..Placement::shifted(shift) }
+            };
+            let (from, to) = if leans_left {
+                ([right, foot], [right - b, foot - w])
+            } else {
+                ([right - b, foot], [right, foot - w])
+            };
+            let middle = [right - 0.5 * b, foot - 0.5 * w];
+            let share = |part: f64| [from[0] + part * (to[0] - from[0]), from[1] + part * (to[1] - from[1])];
+            drawing = drawing.moves(&way, middle, place, |it| {
+                let it = it.bar(from, to, 5.0);
+                match (stage, leans_left) {
+                    (0, false) => it.calls("arm_angle", "θ_0", share(0.14), [right - b - 22.0, y - 20.0]).calls(
+                        "arm_length",
+                        "L",
+                        share(0.75),
+                        [362.0, y - 28.0],
+                    ),
+                    (0, true) => it.calls("arm_mass", "m_a", share(0.8), [right - b - 22.0, foot - w + 6.0]),
+                    _ => it,
+                }
+            });
+        }
+    }
+    drawing
+        .moves(
+            &way,
+            [right - b, y],
+            |position| Placement::shifted([b - wide(position), 0.0]),
+            |it| it.rect(Look::Hole, [right - b - 12.0, y - 8.0], [24.0, 16.0]),
+        )
+        .moves(
+            &way,
+            [240.0, top],
+            |position| Placement::shifted([0.0, n * (w - high(position))]),
+            |it| {
+                it.rect(Look::Body, [136.0, top - 18.0], [210.0, 12.0])
+                    .centre([240.0, top - 26.0])
+                    .arrow([300.0, top - 46.0], [300.0, top - 22.0])
+                    .arrow([118.0, top + 10.0], [118.0, top - 30.0])
+                    .calls("mass", "m", [180.0, top - 12.0], [150.0, top - 34.0])
+                    .calls("process_force", "F", [300.0, top - 40.0], [322.0, top - 40.0])
+            },
+        )
+        .calls("stages", "n", [right - 0.5 * b, y - (n - 0.5) * w], [366.0, y - (n - 0.5) * w])
+        .calls("inertia", "J", [276.0, 146.0], [276.0, 184.0])
+        .calls("friction_torque", "T_L", [98.0, 134.0], [92.0, 88.0])
 }

@@ -1,6 +1,6 @@
 //! Crank, rod and slider.
 
-use crate::drawing::{Drawing, Look};
+use crate::drawing::{Course as Way, Drawing, Figures, Look, Placement, polar};
 use crate::equations::{Effects, Equations, Reduced, TWELFTH_RAD, beside};
 use crate::flange::{FlangeForces, Instant, OnFlange, Overhang, metres};
 use crate::{Endless, Extra, MechanismId, Output, gravity_m_s2};
@@ -35,12 +35,25 @@ pub struct SliderCrank {
 
 /// x of the slider by the angle of the crank, its slopes, and tan ψ of the rod.
 struct Course {
+    place: f64,
     first: f64,
     second: f64,
     lean: f64,
 }
 
 impl SliderCrank {
+    /// The linkage alone, to be drawn; its lengths are those of the sheet.
+    fn drawn(crank: f64, rod: f64) -> Self {
+        Self {
+            crank: Length::from_si(crank),
+            rod: Length::from_si(rod),
+            inertia: MomentOfInertia::from_si(0.0),
+            mass: Mass::from_si(0.0),
+            inclination: Angle::from_si(0.0),
+            angle: Angle::from_si(0.0),
+        }
+    }
+
     fn course(&self, position_rad: f64) -> Course {
         let (r, l) = (self.crank.si(), self.rod.si());
         let (sine, cosine) = (position_rad + self.angle.si()).sin_cos();
@@ -48,6 +61,7 @@ impl SliderCrank {
         // x' and x'' of x = r cos q + root, with root' = −r² sin q cos q / root.
         let root_slope = -r * r * sine * cosine / root;
         Course {
+            place: r * cosine + root,
             first: -r * sine + root_slope,
             second: -r * cosine + (-r * r * (cosine * cosine - sine * sine) - root_slope * root_slope) / root,
             lean: r * sine / root,
@@ -124,25 +138,73 @@ impl Equations for SliderCrank {
     }
 }
 
-pub(crate) fn drawing() -> Drawing {
+/// Angle of the crank where none is stated.
+const NEUTRAL_RAD: f64 = 0.936;
+
+/// Of a longer rod the crank could not be seen.
+const LONGEST_ROD: f64 = 8.0;
+
+pub(crate) fn drawing(figures: &Figures) -> Drawing {
+    let axis = [88.0, 112.0];
+    let ratio = figures.length("rod").zip(figures.length("crank")).map_or(3.46, |(rod, crank)| rod / crank);
+    let ratio = ratio.clamp(1.05, LONGEST_ROD);
+    let r = (210.0 / (1.0 + ratio)).min(60.0);
+    let l = ratio * r;
+    let (start, lean) = (figures.start_rad(), figures.of("start_angle").unwrap_or(NEUTRAL_RAD));
+    let linkage = SliderCrank::drawn(r, l);
+    let pin = |angle: f64| polar(axis, r, angle);
+    let slider = |angle: f64| axis[0] + linkage.course(angle).place;
+    let rod_lean = |angle: f64| -linkage.course(angle).lean.atan();
+    let (at, x) = (pin(lean), slider(lean));
+    let of = |angle: f64| angle - start + lean;
+    let (near, far) = (axis[0] + l - r - 37.0, axis[0] + l + r + 37.0);
     Drawing::new()
-        .along_a_line()
-        .line(Look::Axis, [24.0, 112.0], [366.0, 112.0])
-        .face([88.0, 112.0], 44.0)
-        .bar([88.0, 112.0], [116.0, 74.0], 9.0)
-        .rect(Look::Body, [250.0, 92.0], [62.0, 40.0])
-        .bar([116.0, 74.0], [275.0, 112.0], 7.0)
-        .ground([226.0, 134.0], 124.0)
-        .line(Look::Line, [226.0, 90.0], [350.0, 90.0])
-        .arrow([258.0, 62.0], [312.0, 62.0])
-        .arrow([362.0, 112.0], [318.0, 112.0])
-        .turning([140.0, 112.0], 52.0, false, [119.0, 70.0])
-        .calls("crank", "r", [102.0, 92.0], [78.0, 44.0])
-        .calls("rod", "l", [196.0, 92.0], [190.0, 52.0])
-        .calls("mass", "m", [296.0, 104.0], [330.0, 158.0])
-        .calls("inertia", "J", [66.0, 142.0], [38.0, 168.0])
-        .calls("start_angle", "φ_0", [138.0, 98.0], [168.0, 128.0])
-        .calls("process_force", "F", [346.0, 112.0], [362.0, 84.0])
-        .calls("inclination", "γ", [216.0, 112.0], [206.0, 150.0])
-        .calls("friction_torque", "T_L", [56.0, 84.0], [26.0, 56.0])
+        .along_a_line(figures)
+        .line(Look::Axis, [24.0, 112.0], [far.max(366.0), 112.0])
+        .face(axis, r.max(30.0) - 4.0)
+        .ground([near, 134.0], far - near)
+        .line(Look::Line, [near, 90.0], [far, 90.0])
+        .moves(
+            &Way::even(start),
+            axis,
+            |angle| Placement::turned(angle - start),
+            |it| {
+                it.bar(axis, at, 9.0).calls(
+                    "crank",
+                    "r",
+                    polar(axis, 0.5 * r, lean),
+                    polar(polar(axis, 0.7 * r, lean), 42.0, lean + 1.57),
+                )
+            },
+        )
+        .moves(
+            &Way::round(start),
+            [x, 112.0],
+            |angle| Placement::shifted([slider(of(angle)) - x, 0.0]),
+            |it| {
+                it.rect(Look::Body, [x - 31.0, 92.0], [62.0, 40.0])
+                    .arrow([x + 84.0, 112.0], [x + 38.0, 112.0])
+                    .arrow([x - 20.0, 78.0], [x + 34.0, 78.0])
+                    .calls("mass", "m", [x + 16.0, 104.0], [x + 52.0, 158.0])
+                    .calls("process_force", "F", [x + 68.0, 112.0], [x + 76.0, 92.0])
+            },
+        )
+        .moves(
+            &Way::round(start),
+            at,
+            |angle| {
+                let [px, py] = pin(of(angle));
+                let turn_rad = rod_lean(of(angle)) - rod_lean(lean);
+                Placement { turn_rad, ..Placement::shifted([px - at[0], py - at[1]]) }
+            },
+            |it| {
+                let middle = [0.5 * (at[0] + x), 0.5 * (at[1] + 112.0)];
+                it.bar(at, [x, 112.0], 7.0).calls("rod", "l", middle, [middle[0] + 4.0, 48.0])
+            },
+        )
+        .sweep(Look::Arrow, axis, r + 18.0, [0.0, if lean.abs() > 0.2 { lean } else { NEUTRAL_RAD }])
+        .calls("inertia", "J", polar(axis, 26.0, -2.2), [38.0, 168.0])
+        .calls("start_angle", "φ_0", polar(axis, r + 18.0, 0.3 * lean), polar(axis, r + 44.0, -0.32))
+        .calls("inclination", "γ", [28.0, 112.0], [14.0, 128.0])
+        .calls("friction_torque", "T_L", polar(axis, 26.0, 2.5), [26.0, 56.0])
 }

@@ -1,6 +1,6 @@
 //! Inertia and torque over the position, point by point.
 
-use crate::drawing::{Drawing, Look, Step};
+use crate::drawing::{Course, Drawing, Figures, Look, Placement, Step};
 use crate::equations::{Effects, Equations, Reduced, TWELFTH_RAD};
 use crate::flange::OnFlange;
 use crate::{Endless, Extra, MechanismId};
@@ -116,7 +116,8 @@ impl Equations for Table {
     }
 }
 
-pub(crate) fn drawing() -> Drawing {
+pub(crate) fn drawing(figures: &Figures) -> Drawing {
+    let start = figures.start_rad();
     let mut drawing = Drawing::new()
         .arrow([40.0, 160.0], [350.0, 160.0])
         .arrow([48.0, 170.0], [48.0, 20.0])
@@ -141,7 +142,14 @@ pub(crate) fn drawing() -> Drawing {
     for at in [[56.0, 132.0], [104.0, 77.0], [158.0, 70.0], [212.0, 108.0], [270.0, 112.0], [330.0, 62.0]] {
         drawing = drawing.circle(Look::Hole, at, 4.0);
     }
+    // A revolution is the width of the table.
     drawing
+        .moves(
+            &Course::anew(start, std::f64::consts::TAU),
+            [56.0, 160.0],
+            |angle| Placement::shifted([274.0 * (angle - start) / std::f64::consts::TAU, 0.0]),
+            |it| it.line(Look::Axis, [56.0, 166.0], [56.0, 24.0]),
+        )
         .calls("points", "J", [158.0, 70.0], [180.0, 34.0])
         .calls("start_angle", "φ_0", [56.0, 160.0], [84.0, 180.0])
         .calls("friction_torque", "T_L", [330.0, 112.0], [356.0, 134.0])

@@ -1,15 +1,28 @@
 //! `[mechanism.turntable]`: bodies on a turning plate; the equations are those of a [`crate::Rotor`].
 
-use crate::drawing::{Drawing, Look, Step};
+use crate::drawing::{Course, Drawing, Figures, Look, Placement, Step};
 
-pub(crate) fn drawing() -> Drawing {
-    Drawing::new()
+pub(crate) fn drawing(figures: &Figures) -> Drawing {
+    let start = figures.start_rad();
+    // A body on the plate goes to and fro as the cosine of the angle, seen from the side.
+    let body = |it: Drawing, [x, y]: [f64; 2], [w, h]: [f64; 2]| {
+        let radius = x + 0.5 * w - 190.0;
+        it.moves(
+            &Course::round(start),
+            [190.0, 96.0],
+            |angle| Placement::shifted([radius * ((angle - start).cos() - 1.0), 0.0]),
+            |it| it.rect(Look::Body, [x, y], [w, h]),
+        )
+    };
+    let mut drawing = Drawing::new()
+        .leaning(-figures.of("axis_tilt").unwrap_or(0.0))
         .line(Look::Axis, [190.0, 10.0], [190.0, 178.0])
         .rect(Look::Housing, [160.0, 104.0], [60.0, 56.0])
         .rect(Look::Housing, [150.0, 96.0], [80.0, 9.0])
-        .rect(Look::Body, [84.0, 80.0], [212.0, 16.0])
-        .rect(Look::Body, [96.0, 52.0], [34.0, 28.0])
-        .rect(Look::Body, [254.0, 44.0], [30.0, 36.0])
+        .rect(Look::Body, [84.0, 80.0], [212.0, 16.0]);
+    drawing = body(drawing, [96.0, 52.0], [34.0, 28.0]);
+    drawing = body(drawing, [254.0, 44.0], [30.0, 36.0]);
+    drawing
         .rect(Look::Body, [172.0, 64.0], [36.0, 16.0])
         .path(Look::Arrow, [Step::Move([160.0, 30.0]), Step::Curve([166.0, 42.0], [214.0, 42.0], [222.0, 29.0])])
         .ground([120.0, 160.0], 140.0)

@@ -1,6 +1,6 @@
 //! `[mechanism.winder]`: a web that is wound up or off, so that the diameter changes with every turn.
 
-use crate::drawing::{Drawing, Look, Step};
+use crate::drawing::{Course as Way, Drawing, Figures, Look, Placement, polar};
 use crate::equations::{Effects, Equations, Reduced};
 use crate::flange::{FlangeForces, Instant, OnFlange, Overhang, metres};
 use crate::{Endless, Extra, Geometry, MechanismId, gravity_m_s2};
@@ -135,32 +135,81 @@ impl Equations for Winder {
     }
 }
 
-pub(crate) fn drawing() -> Drawing {
+/// The full roll on the sheet.
+const FULL: f64 = 74.0;
+
+pub(crate) fn drawing(figures: &Figures) -> Drawing {
+    let middle = [145.0, 96.0];
+    let full = figures.length("full_diameter").unwrap_or(2.0 * FULL);
+    let stated = |key: &str, neutral: f64, [least, most]: [f64; 2]| {
+        (2.0 * FULL * figures.length(key).map_or(neutral, |diameter| diameter / full)).clamp(2.0 * least, 2.0 * most)
+    };
+    let core = stated("core_diameter", 0.4, [12.0, FULL - 6.0]);
+    let first = stated("start_diameter", 0.8, [0.5 * core, FULL]);
+    let winding = if figures.of("winding") == Some(-1.0) { Winding::Off } else { Winding::Up };
+    let roll = Winder {
+        winding,
+        core_diameter: Length::from_si(core),
+        full_diameter: Length::from_si(2.0 * FULL),
+        start_diameter: Length::from_si(first),
+        thickness: Length::from_si(figures.length("thickness").map_or(0.5, |thickness| 2.0 * FULL * thickness / full)),
+        width: Length::from_si(0.0),
+        density: MassDensity::from_si(0.0),
+        tension: Force::from_si(0.0),
+        inertia: MomentOfInertia::from_si(0.0),
+    };
+    let start = figures.start_rad();
+    let (from, to) = roll.range_rad().unwrap_or((start, start + TAU));
+    let angles = (0..=40).map(|step| from + f64::from(step) / 40.0 * (to - from)).collect();
+    let way = Way::bounded(angles);
+    // The guide roller lies higher than the full roll, so that the web always rises towards it.
+    let (r, guide) = (roll.radius(start), [300.0, 12.0]);
+    let high = |radius: f64| middle[1] - radius - guide[1];
+    let turns = roll.sign();
+    let arc = if turns > 0.0 { [-1.5, -0.75] } else { [-0.75, -1.5] };
     Drawing::new()
         .line(Look::Axis, [46.0, 96.0], [244.0, 96.0])
         .line(Look::Axis, [145.0, 8.0], [145.0, 184.0])
-        .circle(Look::Body, [145.0, 96.0], 74.0)
-        .circle(Look::Thin, [145.0, 96.0], 64.0)
-        .circle(Look::Thin, [145.0, 96.0], 54.0)
-        .face([145.0, 96.0], 30.0)
-        .path(Look::Line, [Step::Move([145.0, 22.0]), Step::Line([344.0, 22.0])])
-        .circle(Look::Housing, [300.0, 36.0], 14.0)
-        .circle(Look::Hole, [300.0, 36.0], 4.0)
-        .arrow([318.0, 22.0], [366.0, 22.0])
-        .turning([150.0, 172.0], 74.0, false, [196.0, 150.0])
-        .line(Look::Thin, [71.0, 96.0], [71.0, 186.0])
-        .line(Look::Thin, [219.0, 96.0], [219.0, 186.0])
-        .dimension([71.0, 183.0], [219.0, 183.0])
-        .line(Look::Thin, [115.0, 96.0], [115.0, 122.0])
-        .line(Look::Thin, [175.0, 96.0], [175.0, 122.0])
-        .dimension([115.0, 118.0], [175.0, 118.0])
+        .circle(Look::Hidden, middle, FULL)
+        .moves(
+            &way,
+            middle,
+            |angle| Placement::stretched([roll.radius(angle) / r; 2]),
+            |it| {
+                it.circle(Look::Body, middle, r)
+                    .calls("start_diameter", "D_0", polar(middle, r, 2.45), [48.0, 28.0])
+                    .calls("density", "ρ", polar(middle, 0.5 * (r + 0.5 * core), 0.3), [256.0, 82.0])
+            },
+        )
+        .face(middle, 0.5 * core)
+        .moves(
+            &Way::even(start),
+            middle,
+            |angle| Placement::turned(turns * (angle - start)),
+            |it| it.holes(middle, 0.36 * core, 0.06 * core),
+        )
+        .moves(
+            &way,
+            guide,
+            |angle| Placement::stretched([1.0, high(roll.radius(angle)) / high(r)]),
+            |it| it.line(Look::Line, guide, [middle[0], middle[1] - r]),
+        )
+        .line(Look::Line, guide, [344.0, 12.0])
+        .circle(Look::Housing, [300.0, 26.0], 14.0)
+        .circle(Look::Hole, [300.0, 26.0], 4.0)
+        .arrow([318.0, 12.0], [366.0, 12.0])
+        .sweep(Look::Arrow, middle, FULL + 6.0, arc)
+        .line(Look::Thin, [145.0 - FULL, 96.0], [145.0 - FULL, 186.0])
+        .line(Look::Thin, [145.0 + FULL, 96.0], [145.0 + FULL, 186.0])
+        .dimension([145.0 - FULL, 183.0], [145.0 + FULL, 183.0])
+        .line(Look::Thin, [145.0 - 0.5 * core, 96.0], [145.0 - 0.5 * core, 162.0])
+        .line(Look::Thin, [145.0 + 0.5 * core, 96.0], [145.0 + 0.5 * core, 162.0])
+        .dimension([145.0 - 0.5 * core, 158.0], [145.0 + 0.5 * core, 158.0])
         .calls("full_diameter", "D_f", [206.0, 183.0], [246.0, 176.0])
-        .calls("core_diameter", "D_k", [145.0, 118.0], [145.0, 138.0])
-        .calls("start_diameter", "D_0", [96.0, 55.0], [62.0, 28.0])
-        .calls("thickness", "s", [240.0, 22.0], [240.0, 46.0])
-        .calls("width", "b", [268.0, 22.0], [268.0, 46.0])
-        .calls("tension", "F", [350.0, 22.0], [356.0, 44.0])
-        .calls("density", "ρ", [206.0, 76.0], [256.0, 82.0])
-        .calls("inertia", "J", [160.0, 80.0], [258.0, 112.0])
-        .calls("friction_torque", "T_L", [124.0, 84.0], [40.0, 68.0])
+        .calls("core_diameter", "D_k", [136.0, 158.0], [104.0, 172.0])
+        .calls("thickness", "s", [324.0, 12.0], [332.0, 46.0])
+        .calls("width", "b", [270.0, 16.0], [262.0, 50.0])
+        .calls("tension", "F", [350.0, 12.0], [358.0, 34.0])
+        .calls("inertia", "J", polar(middle, 0.4 * core, -0.5), [258.0, 112.0])
+        .calls("friction_torque", "T_L", polar(middle, 0.4 * core, 2.6), [40.0, 68.0])
 }

@@ -35,8 +35,10 @@ export function cursor() {
   });
   range.setAttribute('aria-valuetext', place.innerText.replace(/\s+/g, ' ').trim());
   point(values);
-  const angle = values.find((each) => each.symbol === 'φ' || each.symbol === 'x');
-  dispatchEvent(new CustomEvent('antrieb:instant', { detail: { time, position: angle?.value, symbol: angle?.symbol } }));
+  // The drawing of the mechanism goes along: by the angle of the output, or by the way along the line in millimetres.
+  const [angle, way] = ['φ', 'x'].map((symbol) => values.find((each) => each.symbol === symbol)?.exact);
+  const position_rad = angle !== undefined ? angle * Math.PI / 180 : way / 1000 / Number($('svg.drawn')?.dataset.perOutput);
+  dispatchEvent(new CustomEvent('antrieb:instant', { detail: { time, position_rad } }));
 }
 function cell() {
   const span = document.createElement('span');
@@ -109,7 +111,7 @@ function read(figure, time) {
       const value = column ? at(x, y, time) : atY(p, at(x, y, xOf(p, time)));
       // A line is drawn to a hundredth of a pixel, a curve thinned to a fine part of its range: no more digits than that.
       const step = (p.yMax - p.yMin) / (column ? 2e4 : (p.bottom - p.top) * 20);
-      found.push({ symbol, label: curve.dataset.label ?? '', unit, value: Math.round(value / step) * step + 0, digits: Math.max(0, Math.min(6, 1 - Math.ceil(Math.log10(step)))) });
+      found.push({ symbol, label: curve.dataset.label ?? '', unit, exact: value, value: Math.round(value / step) * step + 0, digits: Math.max(0, Math.min(6, 1 - Math.ceil(Math.log10(step)))) });
     }
   }
   return found;
@@ -132,28 +134,6 @@ function point(values) {
   mark.setAttribute('cy', yOf(p, torque.value));
 }
 document.addEventListener('input', (event) => { if (event.target.id === 'instant') cursor(); });
-
-// The instant runs through what is shown, once round in as much time as it takes, at least in two seconds.
-let playing = null;
-function play() {
-  const button = $('#play');
-  if (playing) { cancelAnimationFrame(playing.frame); playing = null; button?.setAttribute('aria-pressed', 'false'); return; }
-  const p = first();
-  if (!p) return;
-  playing = { from: performance.now() - Math.max(2, p.xMax - p.xMin) * 1000 * Number($('#instant').value) / 1000 };
-  button.setAttribute('aria-pressed', 'true');
-  const step = (now) => {
-    const range = $('#instant');
-    const q = first();
-    if (!playing || !range || !q) { playing = null; $('#play')?.setAttribute('aria-pressed', 'false'); return; }
-    const long = Math.max(2, q.xMax - q.xMin) * 1000;
-    range.value = 1000 * (((now - playing.from) % long) / long);
-    cursor();
-    playing.frame = requestAnimationFrame(step);
-  };
-  playing.frame = requestAnimationFrame(step);
-}
-document.addEventListener('click', (event) => { if (event.target.closest?.('[data-play]')) play(); });
 
 // To an instant; where it lies outside of what is shown, the whole cycle is shown again.
 let wanted = null;

@@ -8,12 +8,13 @@ const PANES: &str = include_str!("../assets/panes.js");
 const PLOTS: &str = include_str!("../assets/plots.js");
 const WAITING: &str = include_str!("../assets/waiting.js");
 const FOLDER: &str = include_str!("../assets/folder.js");
+const SKETCH: &str = include_str!("../assets/sketch.js");
 const TOOLS: &str = include_str!("../assets/tools.js");
 const HTMX: &str = include_str!("../assets/htmx.min.js");
 
 /// The names of all files of the page, below `/assets/`.
-pub const ASSETS: [&str; 8] =
-    ["page.css", "page.js", "panes.js", "plots.js", "waiting.js", "folder.js", "tools.js", "htmx.min.js"];
+pub const ASSETS: [&str; 9] =
+    ["page.css", "page.js", "panes.js", "plots.js", "sketch.js", "waiting.js", "folder.js", "tools.js", "htmx.min.js"];
 
 /// A file of the page.
 pub(crate) fn asset(name: &str) -> Reply {
@@ -23,6 +24,7 @@ pub(crate) fn asset(name: &str) -> Reply {
         "page.js" => Reply::of(200, JAVASCRIPT, SCRIPT),
         "panes.js" => Reply::of(200, JAVASCRIPT, PANES),
         "plots.js" => Reply::of(200, JAVASCRIPT, PLOTS),
+        "sketch.js" => Reply::of(200, JAVASCRIPT, SKETCH),
         "waiting.js" => Reply::of(200, JAVASCRIPT, WAITING),
         "folder.js" => Reply::of(200, JAVASCRIPT, FOLDER),
         "tools.js" => Reply::of(200, JAVASCRIPT, TOOLS),
@@ -56,7 +58,7 @@ mod tests {
                 .and_then(|()| packer.finish())
                 .map_or(0, |bytes| bytes.len())
         };
-        let weight: usize = [SCRIPT, PANES, FOLDER, TOOLS, PLOTS, WAITING, HTMX].into_iter().map(packed).sum();
+        let weight: usize = [SCRIPT, PANES, FOLDER, TOOLS, PLOTS, SKETCH, WAITING, HTMX].into_iter().map(packed).sum();
         assert!((20_000..60_000).contains(&weight), "{weight}");
     }
 }

@@ -1,7 +1,7 @@
 //! How a number came about, and actuators side by side: what opens beside the columns.
 
-use crate::chapters::symbol;
 use crate::checks::{sides, verdict_class};
+use crate::formula;
 use answers::Node;
 use maud::{Markup, html};
 use quantities::{Language, format_significant};
@@ -9,7 +9,7 @@ use questions::list::compare::{CheckRow, Comparison, DatumRow};
 use questions::list::explain::derivation;
 use questions::texts::{figure_text, node_amount, percent, trust, verdict_text};
 use questions::{Candidate, Check, Verdict, answer};
-use words::{capitalised, check_missing, check_title, figure_term, note_text, page, terminal, terms};
+use words::{capitalised, check_missing, check_title, figure_term, note_text, page, symbol_shown, terminal, terms};
 
 /// A heading with a way to close what stands below it.
 pub(crate) fn frame(title: &str, inside: &Markup, language: Language) -> Markup {
@@ -40,13 +40,27 @@ pub(crate) fn explained(candidate: &Candidate<'_>, check: &Check, language: Lang
     frame(&title, &inside, language)
 }
 
+/// Beyond so many signs a formula can be wider than its place: it can be scrolled, by keys too.
+const LONG: usize = 48;
+
+fn formula_line(text: &str) -> Markup {
+    let is_long = text.chars().count() > LONG;
+    html! { div.formula tabindex=[is_long.then_some("0")] role=[is_long.then_some("group")] aria-label=[is_long.then_some(text)] { "= " (formula::math(text)) } }
+}
+
 fn node(node: &Node, language: Language) -> Markup {
     html! {
         li {
-            span.node { (symbol(&node.symbol)) " = " strong { (node_amount(node, language)) } @if !node.term.is_empty() { " " (node.term) } }
-            span.trust { @if node.repeated { (terminal::see_above(language)) } @else { (trust(node, language)) } }
+            span.node { (formula::symbol(&symbol_shown(&node.symbol))) " = " strong { (node_amount(node, language)) } @if !node.term.is_empty() { " " (node.term) } }
+            span.trust {
+                @if node.repeated { (terminal::see_above(language)) } @else {
+                    (trust(node, language))
+                    @if let Some(number) = node.page { ", " (page::page_of_the_manual(&number, language)) }
+                    @if let Some(name) = node.model { ", " cite { (page::chapter_of_the_theory(&name, language)) } }
+                }
+            }
             @if !node.repeated {
-                @for text in [&node.formula, &node.figures].into_iter().flatten() { div.formula { "= " (text) } }
+                @for text in [&node.formula, &node.figures].into_iter().flatten() { (formula_line(text)) }
                 @for erratum in &node.errata { div.advice { (erratum.id) ": " (erratum.evidence) } }
             }
             @if !node.operands.is_empty() { ul { @for operand in &node.operands { (self::node(operand, language)) } } }

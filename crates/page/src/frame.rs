@@ -43,6 +43,7 @@ pub(crate) fn whole(call: &Call<'_>, shell: &dyn Shell, patience: &Patience) -> 
                 script type="module" src="/assets/panes.js" {}
                 script type="module" src="/assets/folder.js" {}
                 script type="module" src="/assets/tools.js" {}
+                script type="module" src="/assets/sketch.js" {}
             }
             body hx-target:inherited="#work" hx-swap:inherited="outerMorph" hx-include:inherited="#state, [form=state]" hx-sync:inherited="#work:queue all" {
                 (laws::symbols(laws::words()))

@@ -18,6 +18,7 @@ mod files;
 mod find;
 mod fits;
 mod form;
+mod formula;
 mod frame;
 mod head;
 mod laws;

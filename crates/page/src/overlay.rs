@@ -16,7 +16,9 @@ pub(crate) fn controls(project: &Project, is_narrowed: bool, language: Language)
     html! {
         div.cursor {
             div.cursor-line-of {
-                button.icon type="button" id="play" data-play="" aria-pressed="false" aria-label=(page::play(l)) title=(page::play(l)) { "▶" }
+                button.small type="button" id="play" data-play="" aria-label=(page::play(l)) title=(page::play(l)) data-other=(page::pause(l)) hx-morph-skip="" { "▶" }
+                button.small type="button" id="slower" data-slower="" aria-label=(page::slower(l)) title=(page::slower(l)) { "½×" }
+                span.small data-speed="" hx-morph-skip="" {}
                 label.unseen for="instant" { (page::instant_on_the_axis(l)) }
                 input id="instant" type="range" min="0" max="1000" value="0" step="1" title=(page::instant_on_the_axis(l)) data-until=(project.axis.motion.duration().si()) aria-describedby="instant-about" aria-keyshortcuts="+ - 0";
                 span.zoom role="group" aria-label=(page::time_shown(l)) {

@@ -162,6 +162,28 @@ pub enum Source {
     },
 }
 
+impl Source {
+    /// The page of the manual that it stands on: its tables and equations are numbered by their pages.
+    #[must_use]
+    pub fn page(&self) -> Option<u16> {
+        let number = match self {
+            Self::Cell(cell) if cell.document == MANUAL => cell.table,
+            Self::Equation { number } => number,
+            Self::Cell(_) | Self::Published(_) | Self::Model { .. } | Self::Project { .. } => return None,
+        };
+        number.split_once('.')?.0.parse().ok()
+    }
+
+    /// The page of `docs/theory` that it is explained on.
+    #[must_use]
+    pub const fn model(&self) -> Option<&'static str> {
+        match self {
+            Self::Model { name } => Some(name),
+            Self::Cell(_) | Self::Published(_) | Self::Equation { .. } | Self::Project { .. } => None,
+        }
+    }
+}
+
 impl PartialEq for Source {
     fn eq(&self, other: &Self) -> bool {
         match (self, other) {
@@ -261,6 +283,30 @@ mod tests {
         const CELL: CellRef = CellRef { ratio: "50", ..CellRef::of_the_manual("26.1", "K_INL", "30 degC") };
         assert_eq!(Source::Cell(&CELL).to_string(), "table 26.1, K_INL (30 degC), i = 50");
         assert_eq!(Source::Equation { number: "69.1" }.to_string(), "cha-manual eq. 69.1");
+    }
+
+    /// The number of a table begins with the page that its file names.
+    #[test]
+    fn a_table_stands_on_the_page_of_its_number() {
+        let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/../../data/cha/tables");
+        let mut count = 0;
+        for entry in std::fs::read_dir(folder).unwrap() {
+            let text = std::fs::read_to_string(entry.unwrap().path()).unwrap();
+            let of = |key: &str| {
+                let line = text.lines().find(|line| line.split('=').next().is_some_and(|name| name.trim() == key));
+                line.and_then(|line| line.split_once('=')).map(|(_, value)| value.trim().trim_matches('"').to_owned())
+            };
+            let (Some(table), Some(page)) = (of("table"), of("page")) else { panic!("{text}") };
+            let table: &'static str = table.leak();
+            let cell: &'static CellRef = Box::leak(Box::new(CellRef::of_the_manual(table, "x", "")));
+            if let Some(found) = Source::Cell(cell).page() {
+                assert_eq!(found.to_string(), page, "{table}");
+                count += 1;
+            }
+        }
+        assert!(count > 40, "{count}");
+        assert_eq!(Source::Equation { number: "69.1" }.page(), Some(69));
+        assert_eq!(Source::Model { name: "gear" }.page(), None);
     }
 
     /// It stands twice in every check, of which there are thousands.

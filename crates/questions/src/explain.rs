@@ -61,6 +61,8 @@ fn node(steps: &[Step], index: usize, seen: &mut [bool], language: Language) -> 
         value: Number(step.value()),
         unit: step.unit.json,
         source: source_text(&step.source, language),
+        page: step.source.page(),
+        model: step.source.model(),
         grade: (!is_stated(step)).then_some(Id(step.grade)),
         errata: step
             .errata

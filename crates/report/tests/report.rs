@@ -299,7 +299,7 @@ fn what_is_missing_leaves_no_heading_without_content() {
 fn every_mechanism_has_its_drawing() {
     for id in questions::MechanismId::ALL {
         let mut content = short();
-        content.axes[0].dossier.mechanism.sketch.svg = id.drawing().picture(|_| true);
+        content.axes[0].dossier.mechanism.sketch.svg = id.drawing(&questions::Figures::none()).picture(|_| true);
         let text = letters(&pages_of(&content, &settings()));
         assert!(text.contains(&letters("Principle, not to scale")), "{id:?}");
     }

@@ -168,6 +168,12 @@ pub struct Axis {
 }
 
 impl Axis {
+    /// Lowest and highest position of the output over the cycle.
+    #[must_use]
+    pub fn span(&self) -> (Angle, Angle) {
+        self.trace.span()
+    }
+
     /// Prepares an axis without a brake, whose motor holds through every dwell: one pass over the motion.
     #[must_use]
     pub fn new(mechanism: Mechanism, motion: Motion, extras: Vec<Extra>) -> Self {

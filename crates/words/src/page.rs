@@ -161,6 +161,11 @@ texts! {
         | "Alles wird auf diesem Rechner berechnet; Projekt und Aufzeichnungen verlassen ihn nicht.";
     no_such_page = "There is nothing at this address." | "Unter dieser Adresse gibt es nichts.";
     drawing_of(mechanism) = "Drawing: {mechanism}" | "Zeichnung: {mechanism}";
+    play = "Play the motion" | "Bewegung abspielen";
+    pause = "Pause" | "Anhalten";
+    slower = "Slower" | "Langsamer";
+    page_of_the_manual(number) = "page {number} of the manual" | "Seite {number} des Handbuchs";
+    chapter_of_the_theory(name) = "explained in docs/theory/{name}.md" | "erläutert in docs/theory/{name}.md";
     worst_instant(time) = "at {time} s" | "bei {time} s";
     cancel = "Cancel" | "Abbrechen";
     was_cancelled = "Cancelled" | "Abgebrochen";
@@ -238,7 +243,6 @@ texts! {
     view_energy = "Energy" | "Energie";
     view_bearing = "Bearing" | "Lager";
     view_error_budget = "Error budget" | "Fehlerbudget";
-    play = "Play" | "Abspielen";
     full_window = "Picture in the full window" | "Bild im ganzen Fenster";
     copy_svg = "Copy SVG" | "SVG kopieren";
     copy_data = "Copy data" | "Daten kopieren";

@@ -1,7 +1,7 @@
 //! A drawing as SVG: each part bears the class of its look, so that a page can colour it; a picture by itself brings a
 //! style sheet along.
 
-use super::{CallOut, Drawing, Look, Part, Point, Step};
+use super::{CallOut, Drawing, Look, Moving, Part, Point, Step};
 use std::fmt::Write;
 
 /// The looks of a picture by itself; its text is in the family Inter.
@@ -98,8 +98,10 @@ fn part(part: &Part) -> String {
         Part::Path(look, steps) => {
             let mut text = path(look.class(), steps);
             let ends = match steps.as_slice() {
-                [Step::Move(from), .., Step::Move(before) | Step::Line(before), last]
-                | [Step::Move(from @ before), last] => Some((*from, *before, *last, steps.get(1).copied())),
+                [Step::Move(from), .., before, last] => {
+                    before.end().map(|before| (*from, before, *last, steps.get(1).copied()))
+                }
+                [Step::Move(from), last] => Some((*from, *from, *last, Some(*last))),
                 _ => None,
             };
             let Some((from, before, last, first)) = ends else { return text };
@@ -124,6 +126,38 @@ fn part(part: &Part) -> String {
             )
         }
         Part::Symbol(text, [x, y]) => format!("<text x='{}' y='{}'>{text}</text>", shown(*x), shown(y + 4.5)),
+        Part::Group(_, parts) => parts.iter().map(self::part).collect(),
+    }
+}
+
+/// A part whose groups can be found by a script.
+fn movable(it: &Part) -> String {
+    match it {
+        Part::Group(group, _) => format!("<g data-group='{group}'>{}</g>", part(it)),
+        Part::Circle(..) | Part::Path(..) | Part::Centre(_) | Part::Symbol(..) => part(it),
+    }
+}
+
+impl Moving {
+    /// The table for a script: the point that it turns about, how it goes on, then row by row the angle of the output
+    /// \[°\], turn to the right \[°\], shift x, shift y and, where it is stretched, stretch x and y.
+    ///
+    /// # Symbols
+    /// `ratio` angle of the output per angle of the mechanism
+    #[must_use]
+    pub fn table(&self, ratio: f64) -> String {
+        let is_stretched = self.rows.iter().any(|(_, placement)| placement.stretch != [1.0, 1.0]);
+        let mut text = format!("{} {}", pair(self.about), self.beyond.id());
+        for (angle, placement) in &self.rows {
+            let turn = shown(-placement.turn_rad.to_degrees());
+            // Writing to a text cannot fail.
+            let _ = write!(text, ";{} {turn} {}", shown((angle * ratio).to_degrees()), pair(placement.shift));
+            if is_stretched {
+                let [x, y] = placement.stretch.map(|value| (value * 1e4).round() / 1e4);
+                let _ = write!(text, " {x} {y}");
+            }
+        }
+        text
     }
 }
 
@@ -156,16 +190,22 @@ impl Drawing {
         self.parts.iter().map(part).collect()
     }
 
+    /// The same with each group that moves in an element of its own, by its number in `data-group`.
+    #[must_use]
+    pub fn movable_svg(&self) -> String {
+        self.parts.iter().map(movable).collect()
+    }
+
     /// A picture by itself with the call-outs of some keys.
     #[must_use]
-    pub fn picture(&self, shows: impl Fn(&str) -> bool) -> String {
+    pub fn picture(&self, shows: impl Fn(&CallOut) -> bool) -> String {
         let [width, height] = self.size;
         let mut text = format!(
             "<svg xmlns='http://www.w3.org/2000/svg' width='{width}' height='{height}' viewBox='{}'>{STYLE}{}",
             self.view_box(),
             self.svg()
         );
-        for call_out in self.call_outs.iter().filter(|it| shows(it.key)) {
+        for call_out in self.call_outs.iter().filter(|it| shows(it)) {
             let [x, y] = call_out.foot();
             let (symbol, index) = call_out.symbol.split_once('_').unwrap_or((call_out.symbol, ""));
             let _ = write!(text, "{}<text x='{x}' y='{y}'>{symbol}", call_out.leader());
@@ -176,45 +216,5 @@ impl Drawing {
         }
         text.push_str("</svg>");
         text
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use crate::MechanismId;
-
-    /// All call-outs lie on the sheet, none on another one, and each key once; so too where the line stands upright.
-    #[test]
-    fn the_call_outs_keep_apart() {
-        for id in MechanismId::ALL {
-            for inclination in [0.0, 1.57, -1.57] {
-                let drawing = id.drawing().inclined(inclination);
-                for (index, one) in drawing.call_outs.iter().enumerate() {
-                    let inside =
-                        |[x, y]: [f64; 2]| x >= 4.0 && y >= 4.0 && x <= drawing.size[0] && y <= drawing.size[1];
-                    assert!(inside(one.at) && inside(one.label), "{id:?}: {}", one.key);
-                    for other in drawing.call_outs.iter().skip(index + 1) {
-                        assert_ne!(one.key, other.key, "{id:?}");
-                        let [dx, dy] = [one.label[0] - other.label[0], one.label[1] - other.label[1]];
-                        assert!(dx.abs() >= 15.0 || dy.abs() >= 13.0, "{id:?}: {} {}", one.key, other.key);
-                    }
-                }
-            }
-        }
-    }
-
-    /// Where an environment variable names a folder the pictures are put there, to be looked at.
-    #[test]
-    fn every_mechanism_has_a_picture() {
-        for id in MechanismId::ALL {
-            let drawing = id.drawing();
-            let picture = drawing.picture(|_| true);
-            assert!(picture.matches("<text").count() >= drawing.call_outs.len() && !picture.contains("NaN"), "{id:?}");
-            if let Ok(folder) = std::env::var("SKETCHES") {
-                std::fs::write(format!("{folder}/{}.svg", id.key()), picture).unwrap();
-                let upright = id.drawing().inclined(1.57).picture(|_| true);
-                std::fs::write(format!("{folder}/{}-upright.svg", id.key()), upright).unwrap();
-            }
-        }
     }
 }

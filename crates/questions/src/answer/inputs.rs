@@ -3,6 +3,7 @@
 use super::chapters::inertia;
 use answers::{InputTable, Mechanism, Number, Sketch, SketchSymbol};
 use mechanism::MechanismId;
+use mechanism::drawing::CallOut;
 use project::{BODY_SHAPES, Input, Project, SegmentLaw, input_label};
 use quantities::unit::MILLIMETRE;
 use quantities::{Language, Unit, format_significant};
@@ -162,8 +163,10 @@ pub(super) fn mechanism(project: &Project, inputs: &[Input], language: Language)
         let inside = |path: &str| path.strip_prefix(&table).and_then(|rest| rest.strip_prefix('.')).is_some_and(named);
         inputs.iter().any(|input| inside(&input.path))
     };
-    let drawing = load.id().drawing().inclined(load.inclination_rad().unwrap_or(0.0));
-    let symbols = drawing.call_outs.iter().filter(|it| is_stated(it.key));
+    let values = inputs.iter().map(|input| (input.path.as_str(), input.written.as_str()));
+    let drawing = load.id().drawing(&project::drawn_figures(values, &table));
+    let is_shown = |it: &CallOut| it.is_of_bearing || is_stated(it.key);
+    let symbols = drawing.call_outs.iter().filter(|it| is_shown(it));
     let symbols = symbols.map(|it| SketchSymbol { key: it.key.to_owned(), symbol: it.symbol.to_owned() });
     Mechanism {
         kind: key.to_owned(),
@@ -171,7 +174,7 @@ pub(super) fn mechanism(project: &Project, inputs: &[Input], language: Language)
         sketch: Sketch {
             symbols: symbols.collect(),
             is_upright: drawing.size[1] > drawing.size[0],
-            svg: drawing.picture(is_stated),
+            svg: drawing.picture(is_shown),
         },
         travel_mm_per_rev: load.travel_m_per_rad().map(|travel| Number::in_unit(travel * TAU, &MILLIMETRE)),
         bodies: project.bodies().map(|answer| inertia(&answer)),
