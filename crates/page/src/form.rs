@@ -4,7 +4,7 @@ use crate::call::Shell;
 use crate::state::{Held, State};
 use crate::{laws, recorded, sketch, value};
 use maud::{Markup, PreEscaped, html};
-use project::{Files, KEYS, Key, Kind, SegmentLaw, Variants, example};
+use project::{Files, KEYS, Key, Kind, Project, SegmentLaw, Variants, drawn_figures, example};
 use quantities::{Dimension, Language, format_significant};
 use questions::texts::recording_text;
 use questions::{ColumnRole, moves};
@@ -19,6 +19,8 @@ pub(crate) struct Form<'f> {
     /// What followed for each segment.
     solved: Vec<Followed>,
     pub(crate) files: &'f dyn Files,
+    /// The axis as it was read last, for the way of its motion.
+    project: Option<&'f Project>,
     /// The folds that are open although nothing is stated in them.
     folds: &'f [String],
 }
@@ -37,7 +39,15 @@ pub(crate) struct Followed {
 /// The column.
 pub(crate) fn column(state: &State, held: &Held, shell: &dyn Shell) -> Markup {
     let (language, prefix, solved) = (state.language, state.prefix.as_str(), solved(state, held));
-    let form = Form { held, language, prefix, solved, files: shell.files(), folds: &state.folds };
+    let form = Form {
+        held,
+        language,
+        prefix,
+        solved,
+        files: shell.files(),
+        project: held.projects.get(state.axis),
+        folds: &state.folds,
+    };
     let l = state.language;
     let fields = html! {
         fieldset id="fields" disabled[!held.has_places] {
@@ -213,7 +223,13 @@ impl Form<'_> {
                     }
                 }
                 (self.load_faults(&path, &load, chosen.map(|kind| format!("{path}.{}", kind.name)).as_deref()))
-                figure.sketch { (sketch::of(chosen.map(|kind| kind.name), self.value(&format!("{of}.inclination")), &of, title, l)) }
+                figure.sketch { (sketch::shown(&sketch::Shown {
+                    mechanism: chosen.map(|kind| kind.name),
+                    figures: drawn_figures(self.held.written.iter().filter_map(|key| Some((key.path.as_str(), key.value.as_deref()?))), &of),
+                    of: &of,
+                    title,
+                    project: self.project,
+                }, l)) }
                 (self.rows(rows, &of))
             }
         }
