@@ -220,6 +220,11 @@ pub(crate) fn drawing(figures: &Figures) -> Drawing {
             let share = |part: f64| [from[0] + part * (to[0] - from[0]), from[1] + part * (to[1] - from[1])];
             drawing = drawing.moves(&way, middle, place, |it| {
                 let it = it.bar(from, to, 5.0);
+                let it = if stage + 1 == stages && leans_left {
+                    it.calls("stages", "n", middle, [366.0, middle[1]])
+                } else {
+                    it
+                };
                 match (stage, leans_left) {
                     (0, false) => it.calls("arm_angle", "θ_0", share(0.14), [right - b - 22.0, y - 20.0]).calls(
                         "arm_length",
@@ -253,7 +258,6 @@ pub(crate) fn drawing(figures: &Figures) -> Drawing {
                     .calls("process_force", "F", [300.0, top - 40.0], [322.0, top - 40.0])
             },
         )
-        .calls("stages", "n", [right - 0.5 * b, y - (n - 0.5) * w], [366.0, y - (n - 0.5) * w])
         .calls("inertia", "J", [276.0, 146.0], [276.0, 184.0])
         .calls("friction_torque", "T_L", [98.0, 134.0], [92.0, 88.0])
 }

@@ -11,7 +11,14 @@ pub(crate) fn drawing(figures: &Figures) -> Drawing {
             &Course::round(start),
             [190.0, 96.0],
             |angle| Placement::shifted([radius * ((angle - start).cos() - 1.0), 0.0]),
-            |it| it.rect(Look::Body, [x, y], [w, h]),
+            |it| {
+                let it = it.rect(Look::Body, [x, y], [w, h]);
+                if radius < 0.0 {
+                    it.calls("bodies", "J", [113.0, 66.0], [62.0, 40.0])
+                } else {
+                    it.calls("start_angle", "φ_0", [284.0, 62.0], [334.0, 54.0])
+                }
+            },
         )
     };
     let mut drawing = Drawing::new()
@@ -28,11 +35,9 @@ pub(crate) fn drawing(figures: &Figures) -> Drawing {
         .ground([120.0, 160.0], 140.0)
         .line(Look::Thin, [269.0, 98.0], [269.0, 182.0])
         .dimension([190.0, 176.0], [269.0, 176.0])
-        .calls("bodies", "J", [113.0, 66.0], [62.0, 40.0])
         .calls("payload_distance", "r_p", [250.0, 176.0], [312.0, 168.0])
         .calls("friction_torque", "T_L", [155.0, 100.0], [92.0, 128.0])
         .calls("viscous_friction", "d", [160.0, 130.0], [92.0, 156.0])
         .calls("external_torque", "T_x", [221.0, 32.0], [264.0, 18.0])
         .calls("axis_tilt", "β", [190.0, 14.0], [146.0, 14.0])
-        .calls("start_angle", "φ_0", [284.0, 62.0], [334.0, 54.0])
 }

@@ -44,7 +44,8 @@ function draw() {
       group.setAttribute('transform', `translate(${shown(x + dx)} ${shown(y + dy)}) rotate(${shown(turn % 360)})${stretch} translate(${-x} ${-y})`);
       found[group.dataset.group] = { x, y, turn: turn * Math.PI / 180, dx, dy, sx, sy };
     }
-    // The line of a symbol follows what it points at; the symbol stays to be read.
+    // A symbol goes with what it points at, upright and on the sheet; its line leads there.
+    const sheet = svg.viewBox.baseVal;
     for (const link of svg.querySelectorAll('a[data-with]')) {
       const p = found[link.dataset.with];
       if (!p) continue;
@@ -52,7 +53,9 @@ function draw() {
       const [u, v] = [p.sx * (ax - p.x), p.sy * (ay - p.y)];
       const to = [p.x + p.dx + Math.cos(p.turn) * u - Math.sin(p.turn) * v, p.y + p.dy + Math.sin(p.turn) * u + Math.cos(p.turn) * v];
       const text = link.querySelector('text');
-      const from = [Number(text.getAttribute('x')), Number(text.getAttribute('y')) - 4.5];
+      const label = [Number(text.getAttribute('x')), Number(text.getAttribute('y')) - 4.5];
+      const from = [Math.min(sheet.width - 11, Math.max(11, label[0] + to[0] - ax)), Math.min(sheet.height - 8, Math.max(8, label[1] + to[1] - ay))];
+      text.setAttribute('transform', `translate(${shown(from[0] - label[0])} ${shown(from[1] - label[1])})`);
       const far = Math.hypot(to[0] - from[0], to[1] - from[1]) || 1;
       const [x, y] = [from[0] + 9 * (to[0] - from[0]) / far, from[1] + 9 * (to[1] - from[1]) / far];
       link.querySelector('.l-leader').setAttribute('d', far > 9 ? `M${shown(x)} ${shown(y)}L${shown(to[0])} ${shown(to[1])}` : '');

@@ -10,7 +10,7 @@ use quantities::Unit;
 /// A formula, with its plain text for those who cannot see it.
 pub(crate) fn math(text: &str) -> Markup {
     let inside = read(text).unwrap_or_else(|| tag("mtext", text));
-    html! { math class="formula-math" alttext=(text) { mrow { (PreEscaped(inside)) } } }
+    html! { math displaystyle="true" alttext=(text) { mrow { (PreEscaped(inside)) } } }
 }
 
 /// A symbol: what follows its `_` is an index.
@@ -123,10 +123,21 @@ impl<'t> Reader<'t> {
                 break;
             }
             if let Some(word) = self.word() {
+                let mut words = String::from(word);
+                loop {
+                    let before = self.rest;
+                    let next = if self.take(" ") { self.word() } else { None };
+                    let Some(next) = next else {
+                        self.rest = before;
+                        break;
+                    };
+                    words.push('\u{a0}');
+                    words.push_str(next);
+                }
                 let separated = if found.is_empty() { "" } else { "\u{a0}" };
-                let after =
-                    if self.rest.is_empty() || self.rest.starts_with([',', ':', ')', '|']) { "" } else { "\u{a0}" };
-                found.push_str(&tag("mtext", &format!("{separated}{word}{after}")));
+                let goes_on = !self.rest.is_empty() && !self.rest.starts_with([',', ':', ')', '|']);
+                let after = if goes_on { "\u{a0}" } else { "" };
+                found.push_str(&format!("<mtext class=\"words\">{separated}{}{after}</mtext>", escaped(&words)));
                 continue;
             }
             match next {
@@ -417,11 +428,7 @@ mod tests {
     fn a_stroke_with_spaces_divides_all_beside_it() {
         let found = shown("(Σ |n_k| t_k / Σ t_k)^(1/B) over the segments");
         assert!(found.starts_with("<msup><mrow><mrow><mo>(</mo><mfrac><mrow><mo>∑</mo><mrow><mo>|</mo>"), "{found}");
-        assert!(
-            found.ends_with(
-                "<mtext>\u{a0}over\u{a0}</mtext><mtext>\u{a0}the\u{a0}</mtext><mtext>\u{a0}segments</mtext>"
-            )
-        );
+        assert!(found.ends_with("<mtext class=\"words\">\u{a0}over\u{a0}the\u{a0}segments</mtext>"), "{found}");
         let tight = shown("x · a/b");
         assert!(tight.starts_with("<mi>x</mi><mo>·</mo><mfrac>"), "{tight}");
     }

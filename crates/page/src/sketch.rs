@@ -97,6 +97,12 @@ mod tests {
     use super::*;
     use project::{KEYS, Key, Kind};
 
+    /// The drawing with an inclination, as text.
+    fn drawn_of(mechanism: Option<&str>, inclination: Option<f64>, of: &str, language: Language) -> String {
+        let figures = inclination.map_or_else(Figures::none, |angle| Figures::none().with("inclination", angle));
+        shown(&Shown { mechanism, figures, of, title: "t", project: None }, language).into_string()
+    }
+
     fn keys_of(name: &str) -> &'static [Key] {
         match KEYS.iter().find(|key| key.name == name).map(|key| key.kind) {
             Some(Kind::Table(keys)) => keys,
@@ -109,7 +115,7 @@ mod tests {
         let mut seen = Vec::new();
         for kind in keys_of("mechanism") {
             let Kind::Table(rows) = kind.kind else { panic!("{}", kind.name) };
-            let drawn = of(Some(kind.name), None, "m", "t", Language::En).into_string();
+            let drawn = drawn_of(Some(kind.name), None, "m", Language::En);
             assert!(!seen.contains(&drawn), "{}", kind.name);
             for part in drawn.split("href=\"#f-m-").skip(1) {
                 let key = part.split('"').next().unwrap_or_default();
@@ -117,10 +123,65 @@ mod tests {
             }
             seen.push(drawn);
         }
-        let load = of(None, None, "load", "t", Language::De).into_string();
+        let load = drawn_of(None, None, "load", Language::De);
         for part in load.split("href=\"#f-load-").skip(1) {
             let key = part.split('"').next().unwrap_or_default();
             assert!(keys_of("load").iter().any(|row| row.name == key), "{key}");
+        }
+    }
+
+    /// What moves has its table, and what a symbol points at in it is stated for the script.
+    #[test]
+    fn what_moves_has_its_table() {
+        let texts = KEYS.iter().find(|key| key.name == "mechanism").map(|key| key.kind);
+        let Some(Kind::Table(kinds)) = texts else { panic!("no mechanisms") };
+        for kind in kinds {
+            let drawn = drawn_of(Some(kind.name), Some(1.57), "m", Language::En);
+            assert!(drawn.contains("data-rows='"), "{}", kind.name);
+            assert_eq!(drawn.matches("data-with=").count(), drawn.matches("data-at=").count(), "{}", kind.name);
+            assert!(!drawn.contains("style="), "{}", kind.name);
+        }
+    }
+
+    /// An overhang that is stated is shown, and leads to its row in the table of the bearing, in its axis.
+    #[test]
+    fn an_overhang_is_shown_where_it_is_stated() {
+        for (table, row) in
+            [("mechanism.hoist", "#f-bearing-overhang"), ("axis[2].mechanism.hoist", "#f-axis-2--bearing-overhang")]
+        {
+            let with = |figures: Figures| {
+                let it = Shown { mechanism: Some("hoist"), figures, of: table, title: "t", project: None };
+                shown(&it, Language::De).into_string()
+            };
+            assert!(with(Figures::none().with("overhang", 0.1)).contains(&format!("href=\"{row}\"")));
+            assert!(!with(Figures::none()).contains("overhang"));
+        }
+    }
+
+    /// The motion of a project gives the way: the drawing knows how far its slide goes, and what a millimetre of it is.
+    #[test]
+    fn a_project_gives_the_way_of_its_motion() {
+        let id = MechanismId::Screw;
+        let projects = questions::read_all(id.example(), &project::NoFiles).unwrap_or_default();
+        let project = projects.first();
+        let it = |mechanism| Shown {
+            mechanism: Some(mechanism),
+            figures: Figures::none().with("lead", 0.01),
+            of: "mechanism.screw",
+            title: "t",
+            project,
+        };
+        let drawn = shown(&it("screw"), Language::En).into_string();
+        assert!(project.is_some() && drawn.contains("data-per-output=\"0.00"), "{drawn}");
+        // Of another mechanism the motion says nothing.
+        assert!(!shown(&it("belt"), Language::En).into_string().contains("data-per-output"));
+        for language in Language::ALL {
+            let drawn = shown(&it("screw"), language).into_string();
+            assert!(
+                [page::play(language), page::pause(language), page::slower(language)]
+                    .iter()
+                    .all(|text| drawn.contains(text))
+            );
         }
     }
 }

@@ -82,7 +82,8 @@ fn segments_come_and_go_and_a_mechanism_is_changed() {
 fn numbers_are_explained_and_actuators_compared() {
     let text = template("belt", "axis.toml", Language::En).unwrap().text;
     let told = page(&post("/explain", &[("text", &text), ("check", "peak_torque")]));
-    assert!(told.contains("T<sub>peak</sub>") && told.contains("class=\"formula\""), "{told}");
+    assert!(told.contains("<mi>T</mi><mtext>peak</mtext>") && told.contains("class=\"formula\""), "{told}");
+    assert!(told.contains("alttext=\"J_out · α + T_L\"") && told.contains("page 18 of the manual"), "{told}");
     let fields = [("text", text.as_str()), ("mark", "CHA-25A-50-H-C1024"), ("mark", "CHA-32A-50-H-C1024")];
     let compared = page(&post("/compare", &fields));
     assert!(compared.contains("CHA-25A-50-H-C1024") && compared.contains("CHA-32A-50-H-C1024"));
