@@ -7,6 +7,7 @@ mod frame;
 mod looks;
 mod pictures;
 mod same;
+mod screens;
 mod times;
 
 use crate::shell::Shell;
@@ -91,6 +92,7 @@ pub(crate) const ALL: &[Way] = &[
     Way::both("versions", frame::versions),
     Way::both("curves", frame::curves),
     Way::both("actions", frame::actions_to_an_answer),
+    Way::server("screens", screens::as_they_were),
     Way::both("widths", looks::widths),
     Way::both("accessibility", looks::accessibility),
     Way::site("same-answers", same::same_answers),

@@ -401,6 +401,12 @@ addEventListener('keydown', (event) => {
   else if (event.key === 'y' && !typing) { event.preventDefault(); step(future, past); }
 });
 addEventListener('beforeunload', (event) => { if (last !== null && last !== saved) event.preventDefault(); });
+// Language and theme hold for whatever is asked next, before the page has them.
+document.addEventListener('click', (event) => {
+  const button = event.target.closest?.('#language, #theme');
+  if (!button) return;
+  for (const [name, value] of Object.entries(JSON.parse(button.getAttribute('hx-vals')))) { const field = $(`#state [name=${name}]`); if (field) field.value = value; }
+}, true);
 document.addEventListener('input', (event) => { if (event.target.id === 'file') { $('#file-name').textContent = event.target.value; } });
 // The versions of this session, the last first: undo leads to them too.
 document.addEventListener('click', (event) => {

@@ -20,6 +20,7 @@ mod fits;
 mod form;
 mod formula;
 mod frame;
+mod gallery;
 mod head;
 mod laws;
 mod names;
@@ -72,6 +73,7 @@ pub fn respond(call: &Call<'_>, shell: &dyn Shell, patience: &Patience) -> Reply
         (Method::Post, "/compare") => html(frame::compared(call, shell, patience)),
         (Method::Post, "/tools") => html(tools::pane(call, shell, patience)),
         (Method::Get, "/find") => html(find::found(call)),
+        (Method::Get, "/gallery") => html(gallery::shown(call)),
         (Method::Get, "/keys") => html(find::keyboard(call)),
         (Method::Post, "/versions") => html(versions::listed(call)),
         (Method::Post, "/recorded") => html(recorded::brought(call, shell)),

@@ -277,4 +277,8 @@ texts! {
     group_geometry = "Geometry" | "Geometrie";
     group_masses = "Masses" | "Massen";
     group_forces = "Forces, friction, efficiency" | "Kräfte, Reibung, Wirkungsgrad";
+    components = "Components of the page" | "Bausteine der Seite";
+    components_type = "type" | "Schrift";
+    components_buttons = "buttons and tabs" | "Knöpfe und Reiter";
+    components_fields = "fields" | "Felder";
 }

@@ -1,0 +1,113 @@
+//! Every component of the page side by side, so that a change of style is seen where it acts.
+
+use crate::call::Call;
+use crate::{checks, value};
+use figures::Theme;
+use maud::{DOCTYPE, Markup, html};
+use project::{Kind, key_at};
+use quantities::Language;
+use questions::Verdict;
+use words::{capitalised, page, terms, verdict_count, verdict_word};
+
+const VERDICTS: [Verdict; 4] = [Verdict::Pass, Verdict::Fail, Verdict::Advice, Verdict::NotChecked];
+
+/// The components in a language and a theme.
+pub(crate) fn shown(call: &Call<'_>) -> Markup {
+    let l = call.language();
+    let theme = if call.field("theme").is_some_and(|theme| theme == "dark") { Theme::Dark } else { Theme::Light };
+    html! {
+        (DOCTYPE)
+        html lang=(l.id()) data-theme=[(theme == Theme::Dark).then_some("dark")] {
+            head {
+                meta charset="utf-8";
+                meta name="viewport" content="width=device-width, initial-scale=1";
+                title { (page::title(l)) }
+                link rel="stylesheet" href="/assets/page.css";
+            }
+            body.gallery {
+                main.start {
+                    h1 { (page::components(l)) }
+                    (section("type", page::components_type(l), &type_scale(l)))
+                    (section("verdicts", terms::verdict(l), &verdicts(l)))
+                    (section("buttons", page::components_buttons(l), &buttons(l)))
+                    (section("fields", page::components_fields(l), &fields(l)))
+                    (section("tables", terms::checks(l), &table(l)))
+                }
+            }
+        }
+    }
+}
+
+fn section(id: &str, title: &str, inside: &Markup) -> Markup {
+    html! { section aria-labelledby={ "g-" (id) } { h2 id={ "g-" (id) } { (capitalised(title)) } (inside) } }
+}
+
+fn type_scale(language: Language) -> Markup {
+    let text = page::start_told(language);
+    html! { h2 { (text) } h3 { (text) } h4 { (text) } p { (text) } p.small { (text) } p.formula { "T = J α" } }
+}
+
+fn verdicts(language: Language) -> Markup {
+    html! {
+        p { @for verdict in VERDICTS {
+            span class={ "count " (checks::verdict_class(verdict)) } { (verdict_count(verdict, 3, language)) } " "
+        } }
+        p { @for verdict in VERDICTS { strong class=(checks::verdict_class(verdict)) { (verdict_word(verdict, language)) } " " } }
+        p { @for (place, verdict) in VERDICTS.into_iter().enumerate() {
+            span class={ "mark-number " (checks::verdict_class(verdict)) } { (place + 1) } " "
+        } }
+    }
+}
+
+fn buttons(language: Language) -> Markup {
+    let l = language;
+    html! {
+        p.bar {
+            button type="button" { (page::save(l)) }
+            button type="button" aria-pressed="true" { (page::dark(l)) }
+            button type="button" disabled { (page::undo(l)) }
+            button.small type="button" { (page::copy_svg(l)) }
+            button.plain type="button" { "CHA-25A-50-H-C1024" }
+            button.icon type="button" aria-label=(page::find(l)) { "⌕" }
+        }
+        div.views role="group" {
+            button type="button" aria-selected="true" role="tab" { (page::view_cycle(l)) }
+            button type="button" aria-selected="false" role="tab" { (page::view_heat(l)) }
+        }
+    }
+}
+
+/// A field as it is stated, empty, wrong, and with a tolerance.
+fn fields(language: Language) -> Markup {
+    let l = language;
+    let path = "load.inertia";
+    let Some(key) = key_at(path).filter(|key| matches!(key.kind, Kind::Quantity(..))) else { return html! {} };
+    let label = capitalised(terms::mass(l));
+    html! {
+        div.rows id="moves" {
+            @for (place, (text, follows, wrong)) in [("1.3 kg m^2", None, false), ("", None, false), ("", Some("0.25 kg m^2"), false), ("1.3 kg", None, true)].into_iter().enumerate() {
+                @let id = format!("g-field-{place}");
+                div.row {
+                    label for=(id) { (label) }
+                    (value::field(key, (&id, path, &label), text, follows, (wrong, "g-fault"), l))
+                }
+            }
+            p.fault id="g-fault" { (page::faults(1, l)) }
+            label { input type="checkbox" checked; " " (page::with_brake(l)) }
+        }
+    }
+}
+
+fn table(language: Language) -> Markup {
+    html! {
+        table.checks {
+            tbody { @for verdict in VERDICTS {
+                tr class=(checks::verdict_class(verdict)) {
+                    th scope="row" { span.verdict {} (verdict_word(verdict, language)) }
+                    td.number { "12" } td.number { "18" } td { "Nm" }
+                    td.number { svg.bar viewBox="0 0 150 8" preserveAspectRatio="none" aria-hidden="true" { rect x="0" y="0" width="66" height="8" {} path d="M100 0V8" {} } " 66" }
+                }
+            } }
+        }
+    }
+}
