@@ -145,10 +145,7 @@ impl Drawing {
             if unit.is_empty() { name } else { format!("{name} [{unit}]") }
         };
         // Every digit of a number, with the mark of the language.
-        let number = |value: f64| match language {
-            Language::En => value.to_string(),
-            Language::De => value.to_string().replace('.', ","),
-        };
+        let number = |value: f64| value.to_string().replace('.', &language.decimal_mark().to_string());
         let Some((_, first)) = lines.first() else { return String::new() };
         let places = |line: &plot::Line| line.points().iter().map(|point| point.0.to_bits()).collect::<Vec<_>>();
         let shared = lines.iter().all(|(_, line)| places(line) == places(first));

@@ -106,12 +106,8 @@ fn codes(typed: &str, language: Language) -> Vec<Found> {
 
 fn glossary_terms(typed: &str, language: Language) -> Vec<Found> {
     let Ok(found) = glossary(Some(typed), language) else { return Vec::new() };
-    let chosen = |en: String, de: String| match language {
-        Language::En => en,
-        Language::De => de,
-    };
-    let words = found.words.into_iter().map(|word| (chosen(word.en, word.de), word.meaning));
-    let terms = found.terms.into_iter().map(|term| (term.symbol, chosen(term.en, term.de)));
+    let words = found.words.into_iter().map(|word| (if language == Language::OF_ERRORS { word.en } else { word.de }, word.meaning));
+    let terms = found.terms.into_iter().map(|term| (term.symbol.clone(), words::symbol_term(&term.symbol, language)));
     let of = |(title, about): (String, String)| Found {
         kind: "term",
         value: title.clone(),

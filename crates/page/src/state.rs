@@ -151,7 +151,7 @@ const ROOM: (f64, f64) = (560.0, 470.0);
 /// The sides that a picture may have \[px\].
 const SIDES: [std::ops::RangeInclusive<f64>; 2] = [280.0..=3000.0, 260.0..=2400.0];
 
-/// The size that the page asks for, within what a picture can be.
+/// The size that the page requests, within what a picture can be.
 fn room(width: &str, height: &str) -> (f64, f64) {
     let [wide, high] = SIDES;
     let side = |typed: &str, sides: std::ops::RangeInclusive<f64>, usual: f64| {

@@ -14,7 +14,7 @@ use words::{about_text, capitalised, check_title, page, short_label, terms, verd
 /// Number of faults shown at once.
 const FAULTS_SHOWN: usize = 20;
 
-/// What came out of the work that a request asked for.
+/// What came out of the work of a request.
 pub(crate) struct Outcome<'o, 'p> {
     pub(crate) project: Option<&'o Project>,
     pub(crate) sizing: Option<&'o Sizing<'p>>,

@@ -59,7 +59,6 @@ texts! {
     checks_of(code) = "Checks of {code}" | "Nachweise von {code}";
     how_it_came_about = "How it came about" | "Wie es zustande kam";
     to_be_checked_state = "To have it checked, state:" | "Damit es geprüft wird, angeben:";
-    ranking = "Ranking" | "Rangfolge";
     filter = "Filter";
     size = "Size" | "Baugröße";
     feedback = "Feedback" | "Messsystem";
