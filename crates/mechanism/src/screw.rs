@@ -3,7 +3,7 @@
 use crate::drawing::{Course, Drawing, Figures, Look, Placement, Step};
 use std::f64::consts::TAU;
 
-/// Sheet per metre at which a lead of 10 mm is drawn, where nothing asks for less.
+/// Sheet per metre at which a lead of 10 mm is drawn, where the motion finds room.
 const SCALE: f64 = 1600.0;
 
 pub(crate) fn drawing(figures: &Figures) -> Drawing {

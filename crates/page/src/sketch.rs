@@ -130,7 +130,7 @@ mod tests {
         }
     }
 
-    /// What moves has its table, and what a symbol points at in it is stated for the script.
+    /// A group that moves has its table, and where a symbol points at in it is stated for the script.
     #[test]
     fn what_moves_has_its_table() {
         let texts = KEYS.iter().find(|key| key.name == "mechanism").map(|key| key.kind);
