@@ -61,6 +61,15 @@ pub fn numpy(options: &[&str]) -> Option<(Duration, usize)> {
     Some((Duration::from_secs_f64(figure("seconds")?), figure("fit")? as usize))
 }
 
+/// How long `numpy.loadtxt` takes; `None` where there is no Python with NumPy.
+#[must_use]
+pub fn loadtxt(file: &str) -> Option<Duration> {
+    let script = "import sys, time, numpy\nt = time.perf_counter()\nnumpy.loadtxt(sys.argv[1], delimiter=',', skiprows=1)\nprint(time.perf_counter() - t)";
+    let answer = Command::new("python3").args(["-c", script, file]).stderr(Stdio::null()).output().ok()?;
+    let seconds = String::from_utf8(answer.stdout).ok()?.trim().parse().ok()?;
+    Some(Duration::from_secs_f64(seconds))
+}
+
 /// How long one call takes.
 #[derive(Clone, Copy, Debug)]
 pub struct Times {

@@ -11,7 +11,7 @@
     reason = "a bench fails loudly and prints what it measured"
 )]
 
-use benches::{Against, Gates, binary, run, size, timed};
+use benches::{Against, Gates, binary, loadtxt, run, size, timed};
 use project::Files;
 use questions::{CandidateId, check, reserve_of};
 use std::f64::consts::PI;
@@ -173,7 +173,7 @@ fn whole_process(text: &str, gates: &mut Gates) {
             let pairs: Vec<_> = (0..ROUNDS)
                 .filter_map(|_| Some((timed(|| run(&binary, &["size", &project])), loadtxt(&file)?)))
                 .collect();
-            gates.at_most("the whole process", &Against::of(&pairs), ("numpy.loadtxt of the same file", 12.0));
+            gates.at_most("the whole process", &Against::of(&pairs), ("numpy.loadtxt of the same file", 3.0));
         }
         None => println!("  no Python with NumPy here: the ratio to numpy.loadtxt is not measured"),
     }
@@ -187,14 +187,6 @@ fn whole_process(text: &str, gates: &mut Gates) {
         None => println!("  this system does not tell how much memory a process held"),
     }
     let _ = std::fs::remove_dir_all(&folder);
-}
-
-/// How long `numpy.loadtxt` takes; `None` where there is no Python with NumPy.
-fn loadtxt(file: &str) -> Option<Duration> {
-    let script = "import sys, time, numpy\nt = time.perf_counter()\nnumpy.loadtxt(sys.argv[1], delimiter=',', skiprows=1)\nprint(time.perf_counter() - t)";
-    let answer = Command::new("python3").args(["-c", script, file]).stderr(Stdio::null()).output().ok()?;
-    let seconds = String::from_utf8(answer.stdout).ok()?.trim().parse().ok()?;
-    Some(Duration::from_secs_f64(seconds))
 }
 
 /// Peak memory of a process, if the system reports it while the process runs.

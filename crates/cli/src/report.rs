@@ -162,11 +162,12 @@ fn content(
             figures()
         });
         let (reserve, assessment) = questions::list::check::margins(project, candidate, Draw::default(), patience)?;
+        let mends = if sizing.fits() { Vec::new() } else { questions::list::size::mends(project, patience)? };
         let dossier = answer::dossier(
             project,
             sizing,
             candidate,
-            (&reserve, assessment.as_ref()),
+            (&reserve, assessment.as_ref(), &mends),
             (text, place, concat!("antrieb ", env!("CARGO_PKG_VERSION"))),
             language,
         );

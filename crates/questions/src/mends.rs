@@ -1,7 +1,7 @@
 //! What would let an actuator fit where none does: another gearing of the load.
 
 use crate::patience::{Patience, Stopped};
-use crate::sizing_use::size_watched;
+use crate::sizing_use::{Refusal, size_watched};
 use project::{Gearing, Project};
 use quantities::Unit;
 use quantities::unit::ONE;
@@ -32,8 +32,12 @@ const HALVINGS: u32 = 5;
 /// where one fits already, or where the cycle is so long that some hundred rankings would keep the user waiting.
 ///
 /// # Errors
-/// Where it was cancelled.
-pub(crate) fn mends(project: &Project, patience: &Patience) -> Result<Vec<Mend>, Stopped> {
+/// [`Refusal::Stopped`] where it was cancelled.
+pub fn mends(project: &Project, patience: &Patience) -> Result<Vec<Mend>, Refusal> {
+    sought(project, patience).map_err(|Stopped| Refusal::Stopped)
+}
+
+fn sought(project: &Project, patience: &Patience) -> Result<Vec<Mend>, Stopped> {
     if !project.axis.is_short() || best(project, patience)?.is_some() {
         return Ok(Vec::new());
     }

@@ -10,7 +10,7 @@ use crate::lines::Lines;
 use crate::number::{Bad, Decimals, Tick, finite, is_grouped, plain};
 use crate::series::{Encoding, KnownBy, Recording};
 use csv_core::{ReadRecordResult, ReaderBuilder};
-use memchr::{memchr, memchr_iter};
+use memchr::{memchr, memchr2_iter};
 use std::io::Read;
 use std::ops::Range;
 
@@ -195,7 +195,7 @@ fn row(
     let Some((name, cell)) = read.next() else { return false };
     let sign = decimals.sign();
     // Of a time with many digits before the sign the last ones count: that is left to the slower reader.
-    let is_short = |sign| cell.len() < TIME_QUICK || cell.iter().take(TIME_QUICK).any(|byte| *byte == sign);
+    let is_short = |sign| cell.len() < TIME_QUICK || cell.get(..TIME_QUICK).is_some_and(|head| head.contains(&sign));
     let quick = sign.filter(|sign| is_short(*sign)).and_then(|sign| plain(cell, sign)).map(Tick::of_float);
     match quick.map_or_else(|| decimals.plain(cell, number).and_then(|text| Tick::read(&text)), Ok) {
         Err(bad) => {
@@ -273,16 +273,12 @@ impl Cells {
     fn split(&mut self, line: &[u8], wanted: &[usize]) -> Option<usize> {
         self.found.clear();
         self.found.resize(wanted.len(), 0..0);
-        self.in_text = memchr(b'"', line).is_some();
-        if self.in_text {
-            let count = self.unquote(line)?;
-            for (index, found) in wanted.iter().zip(&mut self.found) {
-                *found = range_of(&self.ends, *index);
-            }
-            return Some(count);
-        }
+        self.in_text = false;
         let (mut start, mut count) = (0, 0);
-        for end in memchr_iter(self.delimiter, line).chain([line.len()]) {
+        for end in memchr2_iter(self.delimiter, b'"', line).chain([line.len()]) {
+            if line.get(end) == Some(&b'"') {
+                return self.split_quoted(line, wanted);
+            }
             for (index, found) in wanted.iter().zip(&mut self.found) {
                 if *index == count {
                     *found = start..end;
@@ -290,6 +286,15 @@ impl Cells {
             }
             start = end + 1;
             count += 1;
+        }
+        Some(count)
+    }
+
+    fn split_quoted(&mut self, line: &[u8], wanted: &[usize]) -> Option<usize> {
+        self.in_text = true;
+        let count = self.unquote(line)?;
+        for (index, found) in wanted.iter().zip(&mut self.found) {
+            *found = range_of(&self.ends, *index);
         }
         Some(count)
     }

@@ -111,20 +111,19 @@ pub(crate) fn plain(cell: &[u8], between: u8) -> Option<f64> {
     if digits.is_empty() || digits.len() > 20 {
         return None;
     }
-    let (mut whole, mut fraction, mut seen) = (0_u64, 0_usize, false);
-    let mut count = 0_usize;
-    for byte in digits {
+    let (mut whole, mut sign) = (0_u64, None);
+    for (place, byte) in digits.iter().enumerate() {
         let digit = byte.wrapping_sub(b'0');
         if digit < 10 {
             whole = whole.wrapping_mul(10).wrapping_add(u64::from(digit));
-            count += 1;
-            fraction += usize::from(seen);
-        } else if *byte == between && !seen {
-            seen = true;
+        } else if *byte == between && sign.is_none() {
+            sign = Some(place);
         } else {
             return None;
         }
     }
+    let count = digits.len() - usize::from(sign.is_some());
+    let fraction = sign.map_or(0, |place| digits.len() - 1 - place);
     if count == 0 || count > 19 || whole >= 1 << 53 {
         return None;
     }
@@ -183,7 +182,11 @@ impl Tick {
 
     /// Time from another to this one.
     pub(crate) fn since(self, other: Self) -> f64 {
-        (i128::from(self.whole) - i128::from(other.whole)) as f64 + (self.part - other.part)
+        let whole = match self.whole.checked_sub(other.whole) {
+            Some(near) => near as f64,
+            None => (i128::from(self.whole) - i128::from(other.whole)) as f64,
+        };
+        whole + (self.part - other.part)
     }
 }
 

@@ -480,3 +480,19 @@ fn what_cannot_be_set_is_a_fault() {
     }];
     assert!(matches!(report::pdf(&broken, &settings()), Err(Fault::Typesetting { .. })));
 }
+
+/// The lift of the review: with a lead of 20 mm nothing fits, with another it would.
+#[test]
+fn another_gearing_is_proposed_where_nothing_fits() {
+    let lift = "format = 1\n[mechanism.screw]\nlead = \"20 mm\"\nmass = \"60 kg\"\ninclination = \"90 deg\"\n\
+        [[motion]]\nlaw = \"polynomial_5\"\ndistance = \"300 mm\"\ntime = \"2 s\"\n[[motion]]\nlaw = \"polynomial_5\"\n\
+        distance = \"-300 mm\"\ntime = \"2 s\"\n";
+    for (language, words) in [(Language::En, "Another gearing"), (Language::De, "Andere Übersetzung")] {
+        let content = made(lift, None, language, false);
+        let proposed = content.axes[0].dossier.sizing.would_fit_with.clone();
+        assert_eq!(proposed.len(), 2, "{proposed:?}");
+        let text = letters(&pages_of(&content, &settings()));
+        assert!(text.contains(&letters(words)), "{text}");
+        assert!(proposed.iter().all(|found| text.contains(&letters(&found.code))), "{text}");
+    }
+}

@@ -145,6 +145,7 @@ texts! {
     r_payload_factor = "Payloads, factor" | "Nutzlasten, Faktor";
     r_cycle_time = "Cycle time of the whole motion" | "Zykluszeit der ganzen Bewegung";
     r_limits = "Limit of the project, with all of these together" | "Grenze des Projekts, mit allen diesen zusammen";
+    r_gearing = "Another gearing, with the code that fits then" | "Andere Übersetzung, mit dem dann geeigneten Code";
     with = "with" | "mit";
     missing = "Missing" | "Es fehlt";
     legend =

@@ -82,7 +82,7 @@ pub(super) fn dossier(case: &Case<'_>, sizing: &Sizing<'_>, best: &Candidate<'_>
     let reserve = reserve_of(case.project, best);
     let assessment = assess(case.project, &[best], Sampling { samples: 5, seed: 1 }).pop();
     let about = (case.text, case.place, "antrieb");
-    let found = answer::dossier(case.project, sizing, best, (&reserve, assessment.as_ref()), about, case.language);
+    let found = answer::dossier(case.project, sizing, best, (&reserve, assessment.as_ref(), &[]), about, case.language);
     assert_eq!(found.sizing.judged, sizing.candidates.len());
     assert!(!found.bill_of_material.is_empty() && !found.explained.is_empty());
     let rejected: usize = found.rejections.iter().map(|group| group.codes.len()).sum();

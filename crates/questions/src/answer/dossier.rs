@@ -4,6 +4,7 @@ use super::check::explained;
 use super::inputs::{inputs_of_axis, mechanism, tables};
 use super::judged::{judgement, sizing};
 use crate::fingerprint::{catalogue_fingerprint, project_fingerprint};
+use crate::mends::Mend;
 use crate::sizing_use::{Candidate, CandidateId, Objection, Sizing};
 use crate::tolerance::Assessment;
 use actuator::ScrewJoint;
@@ -28,7 +29,7 @@ pub fn dossier(
     project: &Project,
     ranked: &Sizing<'_>,
     chosen: &Candidate<'_>,
-    (found, assessment): (&Reserve, Option<&Assessment>),
+    (found, assessment, mends): (&Reserve, Option<&Assessment>, &[Mend]),
     (text, place, program): (&str, usize, &str),
     language: Language,
 ) -> Dossier {
@@ -41,7 +42,7 @@ pub fn dossier(
     let inputs = inputs_of_axis(text, place);
     Dossier {
         judgement: judgement(project, chosen, found, assessment, language),
-        sizing: sizing(ranked, project, &[], &[], usize::MAX, language),
+        sizing: sizing(ranked, project, &[], mends, usize::MAX, language),
         rejections: rejections(ranked, language),
         mechanism: mechanism(project, &inputs, language),
         inputs: tables(&inputs, language),

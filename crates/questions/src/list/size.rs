@@ -3,7 +3,7 @@
 use super::given::{arguments, count, flag, number, text};
 use super::{AXIS, Argument, ArgumentKind, Cost, Entry, Gives, OutputFile, Reads, Record, argument, media};
 use crate::answer;
-use crate::mends::{Mend, mends};
+pub use crate::mends::{Mend, mends};
 use crate::patience::{Patience, Stopped};
 use crate::sizing_use::{Candidate, CandidateId, Refusal, Sizing, size_watched};
 use crate::tolerance::{Assessment, Draw, SAMPLES_MOST, SEED_USUAL, assess_watched};
@@ -114,8 +114,7 @@ pub fn ranking<'p>(project: &'p Project, top: usize, draw: Draw, patience: &Pati
     // Without tolerances there is no assessment, and so no pair.
     let found = assess_watched(project, &chosen, sampling, patience).map_err(|Stopped| Refusal::Stopped)?;
     let assessed = chosen.iter().map(|candidate| candidate.id.clone()).zip(found).collect();
-    let mends =
-        if sizing.fits() { Vec::new() } else { mends(project, patience).map_err(|Stopped| Refusal::Stopped)? };
+    let mends = if sizing.fits() { Vec::new() } else { mends(project, patience)? };
     Ok(Ranking { project, sizing, top, mends, assessed })
 }
 

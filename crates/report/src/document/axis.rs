@@ -84,6 +84,7 @@ enum Reserve {
     CycleTime,
     Ambient,
     Limits,
+    Gearing,
 }
 
 /// What the tolerances of the project mean.
@@ -201,6 +202,11 @@ fn cover(content: &AxisContent, checks: &Checks, titles: &Titles, shown: &Shown)
         key: words_of(&limit.key, &content.dossier),
         value: shown.figure(limit.value, limit.unit),
     });
+    let gearing = content.dossier.sizing.would_fit_with.iter().map(|found| Reserved {
+        what: Reserve::Gearing,
+        key: words_of(&found.key, &content.dossier),
+        value: format!("{} ({})", shown.figure(found.value, found.unit), found.code),
+    });
     let cycle: f64 = judgement.motion.segments.iter().map(|segment| segment.duration.0).sum();
     Cover {
         code: candidate.called().to_owned(),
@@ -224,7 +230,7 @@ fn cover(content: &AxisContent, checks: &Checks, titles: &Titles, shown: &Shown)
         cycle: shown.figure(Number(cycle), "s"),
         on_request: candidate.on_request.clone(),
         objections: candidate.objections.iter().map(|text| tied(text)).collect(),
-        reserve: reserve.chain(limits).collect(),
+        reserve: reserve.chain(limits).chain(gearing).collect(),
         not_sought: judgement.reserve.not_sought.as_ref().map(|found| tied(&found.text)).unwrap_or_default(),
     }
 }

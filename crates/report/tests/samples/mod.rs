@@ -71,7 +71,9 @@ pub fn made(text: &str, code: Option<&str>, language: Language, pictures: bool) 
         let chosen = questions::check(project, &code).unwrap();
         let reserve = questions::reserve_of(project, &chosen);
         let assessed = questions::assess(project, &[&chosen], Sampling::default());
-        let (text, program) = ((text, place, "antrieb of the tests"), (&reserve, assessed.first()));
+        let patience = questions::Patience::endless();
+        let mends = if ranked.fits() { Vec::new() } else { questions::list::size::mends(project, &patience).unwrap() };
+        let (text, program) = ((text, place, "antrieb of the tests"), (&reserve, assessed.first(), &mends[..]));
         let dossier = questions::answer::dossier(project, &ranked, &chosen, program, text, language);
         let figures = if pictures { figures_of(project, &ranked, &chosen, language) } else { Vec::new() };
         AxisContent { dossier, figures, chapters: Vec::new() }
