@@ -9,7 +9,7 @@ use quantities::Language;
 use questions::CheckId;
 use questions::list::code_list::list_codes;
 use questions::list::glossary::glossary;
-use words::{about_text, capitalised, check_title, page, part_title, short_label, terms};
+use words::{about_text, capitalised, check_title, own_and_foreign, page, part_title, short_label, terms};
 
 /// So many of a kind are shown.
 const SHOWN: usize = 8;
@@ -106,7 +106,8 @@ fn codes(typed: &str, language: Language) -> Vec<Found> {
 
 fn glossary_terms(typed: &str, language: Language) -> Vec<Found> {
     let Ok(found) = glossary(Some(typed), language) else { return Vec::new() };
-    let words = found.words.into_iter().map(|word| (if language == Language::OF_ERRORS { word.en } else { word.de }, word.meaning));
+    let words =
+        found.words.into_iter().map(|word| (own_and_foreign(&word.en, &word.de, language)[0].to_owned(), word.meaning));
     let terms = found.terms.into_iter().map(|term| (term.symbol.clone(), words::symbol_term(&term.symbol, language)));
     let of = |(title, about): (String, String)| Found {
         kind: "term",
