@@ -1,6 +1,6 @@
 //! All checks of one actuator, by the part that they are about, with bars, limits, grades and sources.
 
-use crate::form::{id, vals};
+use crate::form::{id, label, vals};
 use crate::overlay;
 use maud::{Markup, html};
 use project::{Key, example, key_at};
@@ -119,7 +119,7 @@ fn field(path: &str, key: &Key, prefix: &str, check: &Check, language: Language)
     let sample = sample.split_once("= ").map_or("", |(_, value)| value.trim_matches('"')).to_owned();
     html! {
         label.state for=(own) title=(path) {
-            span { (capitalised(&short_label(about_text(key.about, l)))) }
+            span { (label(&capitalised(&short_label(about_text(key.about, l))))) }
             input id=(own) name="value" type="text" size="10" placeholder=(page::for_example(&sample, l)) autocomplete="off" spellcheck="false"
                 hx-post="/work" hx-trigger="change" hx-vals=(vals(&[("path", &path)]));
         }

@@ -111,6 +111,15 @@ fn assumptions(state: &State, held: &Held) -> Markup {
     }
 }
 
+/// A label that may begin with the symbol of its quantity, which has its index below the line: `T_L, friction torque`.
+pub(crate) fn label(text: &str) -> Markup {
+    let symbol = text.split_once(", ").filter(|(head, _)| head.contains('_') && !head.contains(' '));
+    html! { @match symbol {
+        Some((symbol, rest)) => { (crate::chapters::symbol(symbol)) ", " (rest) },
+        None => (text),
+    } }
+}
+
 /// What a key of a mechanism says something about.
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum Group {
@@ -445,7 +454,7 @@ impl Form<'_> {
         };
         html! {
             div.row id={ (id) "-r" } data-path=(path) {
-                label for=(id) title=(about) { (label) }
+                label for=(id) title=(about) { (self::label(&label)) }
                 @match key.kind {
                     Kind::Bool => (self.choice(&id, key.name, path, value, &["true", "false"], wrong, &described)),
                     Kind::OneOf(words) => (self.choice(&id, key.name, path, value, words, wrong, &described)),

@@ -43,7 +43,7 @@ pub(crate) fn bar(state: &State, held: &Held, found: &Outcome<'_, '_>, fields: &
             }
             (faults(state, held, fields, l))
             (crate::demand::stopped(&html! {}))
-            @if held.is_old { p.advice id="is-old" role="status" { (page::result_is_old(l)) } }
+            @if held.is_old && found.candidate.is_some() { p.advice id="is-old" role="status" { (page::result_is_old(l)) } }
         }
     }
 }
@@ -92,7 +92,7 @@ fn below(found: &Outcome<'_, '_>, candidate: &Candidate<'_>, patience: &Patience
         @if !keys.is_empty() {
             p.below.open { (page::to_be_checked_state(l)) " " @for (place, (key, _)) in keys.iter().enumerate() {
                 @if place > 0 { ", " }
-                a href={ "#" (form::id(key)) } title=(key) { (key_at(key).map_or_else(|| (*key).to_owned(), |known| short_label(about_text(known.about, l)))) }
+                a href={ "#" (form::id(key)) } title=(key) { (key_at(key).map_or_else(|| html! { (key) }, |known| form::label(&short_label(about_text(known.about, l))))) }
             } }
         }
     }
