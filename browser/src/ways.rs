@@ -97,5 +97,6 @@ pub(crate) const ALL: &[Way] = &[
     Way::both("accessibility", looks::accessibility),
     Way::site("same-answers", same::same_answers),
     Way::both("times", times::times),
+    Way::server("times-of-a-long-recording", times::a_long_recording),
     Way::both("times-of-a-table", times::times_of_a_table),
 ];

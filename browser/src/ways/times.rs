@@ -99,3 +99,45 @@ fn weight(stage: &Stage<'_>) -> Worded<usize> {
     }
     Ok(whole)
 }
+
+/// Samples of a long recording.
+const LONG: u32 = 100_000;
+
+/// A long recording: its numbers come before its picture, and the instant moves through it with every frame.
+pub(crate) fn a_long_recording(stage: &Stage<'_>) -> Worded {
+    let tab = &stage.tab;
+    let folder = stage.shell.folder().ok_or("no folder")?;
+    let row = |at: u32| {
+        let time = f64::from(at) * 1e-4;
+        format!(
+            "{time:.4};{:.6}\n",
+            45.0 - 45.0 * (0.2 * std::f64::consts::PI * time).cos() + 0.01 * (60.0 * time).sin()
+        )
+    };
+    let csv: String = std::iter::once(String::from("time_s;position_deg\n")).chain((0..=LONG).map(row)).collect();
+    let project = "format = 1\n[axis]\nsingle_move = true\n[load]\ninertia = \"1.3 kg m^2\"\n[[motion]]\nlaw = \"recorded\"\nfile = \"long.csv\"\n[requirements]\nsupply = \"560 V\"\n";
+    for (name, text) in [("long.csv", csv.as_str()), ("long.toml", project)] {
+        std::fs::write(folder.join(name), text).map_err(|error| error.to_string())?;
+    }
+    tab.open(&stage.shell.at("open=long.toml&lang=en"))?;
+    stage.ready()?;
+    let torque = "[...document.querySelectorAll('#plot-cycle g.line path')].pop().getAttribute('d')";
+    let before = tab.eval(torque)?;
+    stage.change("#f-load-inertia", "1.6 kg m^2")?;
+    tab.until(&format!("{torque} !== {before}"))?;
+    let (half, slowest) = keys(stage)?;
+    // The instant moved at every frame for two seconds.
+    let script = "const range = document.querySelector('#instant'); range.focus(); \
+        document.querySelector('figure.plot').dispatchEvent(new PointerEvent('pointerdown', { bubbles: true })); \
+        await new Promise((done) => setTimeout(done, 1500)); \
+        const begin = performance.now(); let frames = 0; \
+        await new Promise((done) => { const step = (now) => { frames++; range.value = (now - begin) % 1000; range.dispatchEvent(new Event('input', { bubbles: true })); \
+          if (now - begin < 2000) requestAnimationFrame(step); else done(); }; requestAnimationFrame(step); }); \
+        return 1000 * frames / (performance.now() - begin);";
+    let frames = number(&tab.run(script, Vec::new())?);
+    println!(
+        "       {}: {LONG} samples: key to numbers {half:.0} ms (slowest {slowest:.0} ms), {frames:.0} frames a second while the instant moves",
+        stage.shell.name()
+    );
+    expect(frames > 30.0, || format!("{frames:.0} frames a second"))
+}

@@ -174,6 +174,11 @@ export function shut() {
   opener = null;
   return true;
 }
+// The picture of a long recording stays until the one after it has come.
+document.addEventListener('htmx:before:morph:node', (event) => {
+  const { oldNode, newNode } = event.detail;
+  if (oldNode.id === 'view' && newNode.dataset?.later !== undefined && oldNode.firstElementChild) event.preventDefault();
+});
 addEventListener('antrieb:pulled', note);
 
 // A sign in a drawing and its row point at each other.

@@ -121,11 +121,6 @@ document.addEventListener('click', ({ target }) => {
   if (target.closest?.('[data-play]')) { if (playing) stop(); else play(); }
   if (target.closest?.('[data-slower]')) { speed = (speed + 1) % SPEEDS.length; label(); }
 });
-// Another axis or text has another motion: the instant stays, what stands there is read anew.
-document.addEventListener('htmx:after:swap', () => {
-  const span = ends();
-  if (position !== null && span && !isReported && !playing) at(span[0] + (span[1] - span[0]) * Number($('#instant')?.value ?? 0) / 1000);
-  draw();
-  label();
-});
+// Another axis or text has another motion: the pictures report anew where the output is.
+document.addEventListener('htmx:after:swap', () => { draw(); label(); });
 label();

@@ -30,7 +30,8 @@ pub(crate) fn column(
             (views(state, project, candidate))
             @if let Some(candidate) = candidate {
                 (sums(project, candidate, patience, l))
-                (view(state, project, candidate, is_old, shell, patience))
+                @if state.is_brief && is_long(project) { (later(state, candidate, shell)) }
+                @else { (view(state, project, candidate, is_old, shell, patience)) }
             } @else { p { (page::no_result_yet(l)) } }
         }
     }
@@ -111,8 +112,32 @@ fn explained(candidate: &Candidate<'_>, si: f64, figure: &str, language: Languag
     } }
 }
 
+/// A recording with more samples is drawn after its numbers are there.
+const LONG_SAMPLES: usize = 20_000;
+
+fn is_long(project: &Project) -> bool {
+    project.axis.samples()[0] > LONG_SAMPLES
+}
+
+/// In place of the picture: the one that is there stays until the new one, requested at once, has come.
+fn later(state: &State, candidate: &Candidate<'_>, shell: &dyn Shell) -> Markup {
+    let about = format!(
+        "{}\n{}\n{}\n{}\n{:?}\n{:?}",
+        state.good,
+        state.axis,
+        candidate.id,
+        state.view.id(),
+        state.window,
+        state.room
+    );
+    html! {
+        div id="view" data-later="" {}
+        span hidden id={ "later-" (shell.version(about.as_bytes())) } hx-post="/picture" hx-trigger="load" hx-target="#view" hx-swap="outerMorph" {}
+    }
+}
+
 /// What is shown below the tabs.
-fn view(
+pub(crate) fn view(
     state: &State,
     project: &Project,
     candidate: &Candidate<'_>,

@@ -26,11 +26,11 @@ pub(crate) fn column(state: &State, found: &Outcome<'_, '_>, is_old: bool) -> Ma
             h2.unseen id="fits-title" { (page::what_fits(l)) }
             @if let Some(sizing) = found.sizing {
                 (lists(state, sizing))
-                @match state.list {
+                div id="list" role="tabpanel" aria-labelledby={ "list-" (state.list.id()) } { @match state.list {
                     List::Ranking => (ranking(state, sizing, found.candidate)),
                     List::Rejected => (rejected(state, sizing, found.candidate)),
                     List::Map => (map(state, sizing, found.candidate.map(|candidate| &candidate.id))),
-                }
+                } }
             } @else { p { (page::no_result_yet(l)) } }
         }
     }
@@ -49,7 +49,7 @@ fn lists(state: &State, sizing: &Sizing<'_>) -> Markup {
         div.views role="tablist" aria-label=(page::what_fits(l)) {
             @for list in List::ALL {
                 button type="button" role="tab" id={ "list-" (list.id()) } aria-selected=(list == state.list)
-                    tabindex=(if list == state.list { "0" } else { "-1" }) hx-post="/work" hx-vals=(vals(&[("list", list.id())])) { (title(list)) }
+                    aria-controls="list" tabindex=(if list == state.list { "0" } else { "-1" }) hx-post="/work" hx-vals=(vals(&[("list", list.id())])) { (title(list)) }
             }
         }
     }

@@ -265,6 +265,17 @@ fn example(kind: &str, found: &Template, language: Language) -> Markup {
     }
 }
 
+/// The picture of a long recording, after its numbers.
+pub(crate) fn picture(call: &Call<'_>, shell: &dyn Shell, patience: &Patience) -> Reply {
+    let mut state = State::of(call);
+    let held = state.hold(shell.files(), patience);
+    let Some(project) = held.projects.get(state.axis) else { return Reply::text(204, "") };
+    let sizing = if state.code.is_none() { sized(project, 0, patience).ok() } else { None };
+    let best = sizing.as_ref().and_then(|sizing| sizing.candidates.first());
+    let Some(candidate) = looked_at(&state, project, best) else { return Reply::text(204, "") };
+    Reply::of(200, crate::HTML, demand::view(&state, project, &candidate, held.is_old, shell, patience).into_string())
+}
+
 /// The curves of the picture that is shown, as a table.
 pub(crate) fn curves(call: &Call<'_>, shell: &dyn Shell, patience: &Patience) -> Reply {
     let mut state = State::of(call);

@@ -42,6 +42,8 @@ pub(crate) struct State {
     pub(crate) filter: Filter,
     /// How many samples of the tolerances are judged; as many as some seconds allow without it.
     pub(crate) samples: Option<usize>,
+    /// Whether pictures that take long may come after the numbers.
+    pub(crate) is_brief: bool,
     /// What the middle pane shows.
     pub(crate) view: View,
     /// What the right pane shows.
@@ -221,6 +223,7 @@ impl State {
                 mass_kg: field("f_mass"),
                 voltage_v: field("f_voltage"),
             },
+            is_brief: call.path == "/work",
             view: View::of(&field("view")),
             list: List::of(&field("list")),
             sort: Sort::of(&field("sort")),
