@@ -175,10 +175,16 @@ export function shut() {
   return true;
 }
 // The picture of a long recording stays until the one after it has come.
-document.addEventListener('htmx:before:morph:node', (event) => {
-  const { oldNode, newNode } = event.detail;
-  if (oldNode.id === 'view' && newNode.dataset?.later !== undefined && oldNode.firstElementChild) event.preventDefault();
+document.addEventListener('htmx:after:request', (event) => {
+  const { ctx } = event.detail;
+  const view = $('#view');
+  if (view?.firstElementChild && ctx.text?.includes(LATER)) {
+    const copy = view.cloneNode(true);
+    for (const each of copy.querySelectorAll("[style]")) each.removeAttribute("style");
+    ctx.text = ctx.text.replace(LATER, () => copy.outerHTML);
+  }
 });
+const LATER = '<div id="view" data-later=""></div>';
 addEventListener('antrieb:pulled', note);
 
 // A sign in a drawing and its row point at each other.
