@@ -22,7 +22,7 @@ export function cursor() {
   instant = time;
   for (const figure of overTime()) for (const panel of panels(figure)) line(panel, time);
   const values = read(overTime()[0], time);
-  const shown = (value, digits) => new Intl.NumberFormat(document.documentElement.lang, { maximumSignificantDigits: 4, maximumFractionDigits: digits, roundingPriority: 'lessPrecision', signDisplay: 'negative' }).format(value).replace('-', '\u2212');
+  const shown = (value, digits) => format(digits).format(value).replace('-', '\u2212');
   const all = [{ symbol: 't', value: time, unit: 's', digits: 4 }, ...values];
   const place = $('#instant-values');
   while (place.childElementCount < all.length) place.append(cell());
@@ -33,12 +33,19 @@ export function cursor() {
     amount.textContent = shown(value, digits);
     of.textContent = unit;
   });
-  range.setAttribute('aria-valuetext', place.innerText.replace(/\s+/g, ' ').trim());
+  range.setAttribute('aria-valuetext', [...place.children].map((cell) => [...cell.children].map((part) => part.textContent).join(' ')).join(', '));
   point(values);
   // The drawing of the mechanism goes along: by the angle of the output, or by the way along the line in millimetres.
   const [angle, way] = ['φ', 'x'].map((symbol) => values.find((each) => each.symbol === symbol)?.exact);
   const position_rad = angle !== undefined ? angle * Math.PI / 180 : way / 1000 / Number($('svg.drawn')?.dataset.perOutput);
   dispatchEvent(new CustomEvent('antrieb:instant', { detail: { time, position_rad } }));
+}
+// How numbers are written, made once for each language and number of digits.
+const formats = new Map();
+function format(digits) {
+  const name = document.documentElement.lang + digits;
+  if (!formats.has(name)) formats.set(name, new Intl.NumberFormat(document.documentElement.lang, { maximumSignificantDigits: 4, maximumFractionDigits: digits, roundingPriority: 'lessPrecision', signDisplay: 'negative' }));
+  return formats.get(name);
 }
 function cell() {
   const span = document.createElement('span');
