@@ -69,6 +69,20 @@ pub enum Protocol {
     Ssi,
 }
 
+impl Protocol {
+    /// Every protocol.
+    pub const ALL: &'static [Self] = &[Self::EnDat, Self::Ssi];
+
+    /// The identifier used in data exchange.
+    #[must_use]
+    pub const fn id(self) -> &'static str {
+        match self {
+            Self::EnDat => "endat",
+            Self::Ssi => "ssi",
+        }
+    }
+}
+
 /// A signal of an encoder; of those led out as a pair, the difference.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Signal {
@@ -350,12 +364,12 @@ impl Absolute {
         }
     }
 
-    /// The word of a position; for `EnDat` with these error bits and without an error.
+    /// The word of a position; for `EnDat` with these error bits, which report an error or none.
     #[must_use]
-    pub fn word(self, position: Position, errors: ErrorBits) -> Word {
+    pub fn word(self, position: Position, errors: ErrorBits, is_error: bool) -> Word {
         match self.protocol {
             Protocol::EnDat => {
-                let frame = Frame { position: self.number(position), is_error: false };
+                let frame = Frame { position: self.number(position), is_error };
                 frame.word(self.format.bits(), errors)
             }
             Protocol::Ssi => self.format.word(position),
@@ -377,7 +391,7 @@ impl Absolute {
     }
 
     fn transmission(self, position: Position, errors: ErrorBits) -> Trace {
-        let word = self.word(position, errors);
+        let word = self.word(position, errors, false);
         let before = self.periods_before(errors);
         match self.protocol {
             Protocol::Ssi => {

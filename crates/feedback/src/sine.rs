@@ -8,10 +8,8 @@ use std::f64::consts::{PI, TAU};
 pub struct Span {
     /// Nominal.
     pub nominal: ElectricPotential,
-    /// Lowest.
-    pub low: ElectricPotential,
-    /// Highest.
-    pub high: ElectricPotential,
+    /// Lowest and highest; `None` where no tolerance is printed.
+    pub bounds: Option<[ElectricPotential; 2]>,
 }
 
 /// Two sinusoidal tracks, the first a quarter period ahead of the second while the angle rises.

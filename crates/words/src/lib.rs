@@ -8,6 +8,7 @@ mod assumptions;
 mod bodies;
 mod codes;
 pub mod commission;
+pub mod encoder;
 mod commissioned;
 mod derivation;
 mod errata;
@@ -105,6 +106,7 @@ pub fn capitalised(text: &str) -> String {
 /// Every module of texts by name, for tests of all texts.
 pub const MODULES: &[(&str, &[Text])] = &[
     ("commission", commission::TEXTS),
+    ("encoder", encoder::TEXTS),
     ("help", help::TEXTS),
     ("help::library", help::library::TEXTS),
     ("help::values", help::values::TEXTS),
