@@ -14,9 +14,6 @@ const REST_NS: u64 = 1000;
 /// The longest trace \[s\]: its nanoseconds are exact.
 const SECONDS_MOST: f64 = 1e6;
 
-/// Half a period of the clock of an SSI word \[ns\]: 500 kHz, assumed.
-const SSI_HALF_NS: u64 = 1000;
-
 /// An encoder.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Encoder {
@@ -364,6 +361,15 @@ impl Absolute {
         }
     }
 
+    /// Bits of its word.
+    #[must_use]
+    pub const fn bits(self, errors: ErrorBits) -> u32 {
+        match self.protocol {
+            Protocol::EnDat => Frame::bits(self.format.bits(), errors),
+            Protocol::Ssi => self.format.bits(),
+        }
+    }
+
     /// The word of a position; for `EnDat` with these error bits, which report an error or none.
     #[must_use]
     pub fn word(self, position: Position, errors: ErrorBits, is_error: bool) -> Word {
@@ -395,7 +401,7 @@ impl Absolute {
         let before = self.periods_before(errors);
         match self.protocol {
             Protocol::Ssi => {
-                let mut line = Clocked::at_rest(SSI_HALF_NS, REST_NS, true);
+                let mut line = Clocked::at_rest(nanoseconds(0.5 / ssi::clock().si()), REST_NS, true);
                 line.idle();
                 word.iter().for_each(|bit| line.bit(bit));
                 line.hold(false, nanoseconds(monoflop().si()));

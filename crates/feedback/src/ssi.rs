@@ -1,7 +1,7 @@
 //! SSI: the position as a plain binary word without a check.
 
 use crate::{Shaft, Word};
-use quantities::{Measure, Time};
+use quantities::{Frequency, Measure, Time};
 
 /// How an SSI word is divided.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -73,6 +73,15 @@ impl Format {
 #[must_use]
 pub fn monoflop() -> Time {
     Time::from_si(20e-6)
+}
+
+/// The clock of a trace: 500 kHz.
+///
+/// # Source
+/// Assumed: within what SSI permits on some tens of metres of cable; the manual prints none
+#[must_use]
+pub fn clock() -> Frequency {
+    Frequency::from_si(5e5)
 }
 
 #[cfg(test)]
