@@ -35,14 +35,14 @@ arguments! {
         /// Seed of the deviation.
         seed: Option<u64> = SEED => number,
         /// Length of the trace.
-        time: Time = Argument::option("time", values::time, help::encoder_time).usually("1 ms") => one(read_time),
+        time: Time = Argument::option("time", values::time, help::encoder_time).usually("1 ms").with("vcd") => one(read_time),
         /// Command set of an `EnDat` word.
         endat: Option<ErrorBits> = Argument::option("endat", values::set, help::encoder_endat)
-            .of(Kind::Word(|| SETS.map(|(name, _)| name).to_vec())).usually("2.2")
+            .of(Kind::Word(|| SETS.map(|(name, _)| name).to_vec())).usually("2.2").with("vcd")
             => word(|text: &str| SETS.iter().find(|(name, _)| *name == text).map(|(_, errors)| *errors)),
         /// Which encoder.
         connector: Option<Role> = Argument::option("connector", values::connector, help::encoder_connector)
-            .of(Kind::Word(|| CONNECTORS.map(Role::id).to_vec())).usually("feedback")
+            .of(Kind::Word(|| CONNECTORS.map(Role::id).to_vec())).usually("feedback").with("vcd")
             => word(|text: &str| CONNECTORS.into_iter().find(|role| role.id() == text)),
     }
 }
