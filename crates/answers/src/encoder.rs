@@ -49,8 +49,25 @@ pub struct EncoderState {
     pub words: Vec<EncoderWord>,
     /// Its signals by name.
     pub signals: BTreeMap<&'static str, EncoderSignal>,
+    /// Two periods of the excitation with the windings, while the shaft turns at its speed; `null` unless it is a resolver.
+    pub carrier: Option<EncoderCarrier>,
     /// The table of its pins.
     pub table_of_pins: Option<&'static str>,
+}
+
+/// Voltages of a resolver over time.
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
+pub struct EncoderCarrier {
+    /// Frequency of the excitation \[kHz\].
+    pub frequency_khz: Number,
+    /// Time \[us\].
+    pub time_us: Vec<Number>,
+    /// Excitation \[V\].
+    pub excitation_v: Vec<Number>,
+    /// Sine winding \[V\].
+    pub sine_v: Vec<Number>,
+    /// Cosine winding \[V\].
+    pub cosine_v: Vec<Number>,
 }
 
 /// The shaft of an encoder.

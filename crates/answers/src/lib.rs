@@ -47,7 +47,7 @@ pub use dossier::{
     ScrewJoint, Sketch, SketchSymbol,
 };
 pub use encoder::{
-    DecodedWord, Encoder, EncoderAssumption, EncoderCurve, EncoderPin, EncoderShaft, EncoderSignal, EncoderState,
+    DecodedWord, Encoder, EncoderAssumption, EncoderCarrier, EncoderCurve, EncoderPin, EncoderShaft, EncoderSignal, EncoderState,
     EncoderWord, SignalForm, WordFault, WordField,
 };
 pub use errata::{Errata, Erratum, ErratumCell, ErratumKind, ErratumStatus};

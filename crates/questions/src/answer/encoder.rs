@@ -3,19 +3,19 @@
 use super::facts::facts;
 use crate::list::encoder::Args;
 use answers::{
-    DecodedWord, EncoderAssumption, EncoderCurve, EncoderPin, EncoderShaft, EncoderSignal, EncoderState, EncoderWord, Id,
+    DecodedWord, EncoderAssumption, EncoderCarrier, EncoderCurve, EncoderPin, EncoderShaft, EncoderSignal, EncoderState, EncoderWord, Id,
     Number, SignalForm, WordFault, WordField,
 };
 use catalogue::Topic;
 use feedback::endat::{CRC_BITS, ErrorBits, Fault, Mode, Opening, Parameter, Timing};
 use feedback::ssi::Position;
-use feedback::{Absolute, Interface, Protocol, Shaft, Signal, SinePair, Value, Word};
+use feedback::{Absolute, Interface, Protocol, Shaft, Signal, SinePair, Value, Windings, Word};
 use installation::encoder::{Fitted, STEPS_OF_A_PERIOD};
 use installation::facts::{Order, facts_about};
 use installation::wiring::{Role, Wiring, wiring};
 use provenance::Source;
 use quantities::unit::{ARCSECOND, DEGREE, KILOHERTZ, MICROSECOND, REVOLUTION_PER_MINUTE, VOLT};
-use quantities::{Angle, Language, Measure};
+use quantities::{Angle, Language, Measure, Time};
 use std::f64::consts::TAU;
 use words::encoder as text;
 
@@ -49,16 +49,9 @@ pub fn encoder(args: &Args, fitted: &[Fitted], motor: Shaft, language: Language)
     let mut errata: Vec<&'static str> = fitted.iter().flat_map(|each| &each.cells).flat_map(|cell| cell.errata).copied().collect();
     errata.sort_unstable();
     errata.dedup();
-    let rules = |topic| facts_about(topic, &args.code, Order::Data);
-    let about = [Topic::Wiring, Topic::Commission].into_iter().flat_map(rules).filter(|fact| {
-        ["6.22", "6.25"].iter().any(|section| fact.section.starts_with(section))
-    });
-    let mut found: Vec<&'static catalogue::Fact> = Vec::new();
-    for fact in about {
-        if !found.iter().any(|known| known.id == fact.id) {
-            found.push(fact);
-        }
-    }
+    // Of the facts about one subject those on commissioning say it as the programmer of a controller needs it.
+    let mut rules = facts_about(Topic::Commission, &args.code, Order::Data);
+    rules.retain(|fact| ["6.22", "6.25"].iter().any(|section| fact.section.starts_with(section)));
     Some(answers::Encoder {
         code: args.code.to_string(),
         feedback: args.code.feedback.as_str(),
@@ -75,7 +68,7 @@ pub fn encoder(args: &Args, fitted: &[Fitted], motor: Shaft, language: Language)
             })
             .collect(),
         notes: notes(args, fitted, motor, language),
-        rules: facts(&found, language),
+        rules: facts(&rules, language),
         errata,
         trace: None,
     })
@@ -131,8 +124,28 @@ fn state(
         },
         words,
         signals: signals.collect(),
+        carrier: carrier(each, shaft),
         table_of_pins: wiring.connector(each.role).map(|connector| connector.table.id),
     }
+}
+
+/// Two periods of the excitation.
+fn carrier(each: &Fitted, shaft: Shaft) -> Option<EncoderCarrier> {
+    let Interface::Resolver(resolver) = &each.encoder.interface else { return None };
+    let times = (0..POINTS).map(|point| 2.0 / resolver.frequency.si() * f64::from(point) / f64::from(POINTS - 1));
+    let at = |seconds: f64| {
+        let time = Time::from_si(seconds);
+        (time, resolver.at(each.encoder.seen(shaft.after(time)).angle(), time))
+    };
+    let found: Vec<_> = times.map(at).collect();
+    let volts = |of: fn(&Windings) -> f64| found.iter().map(|(_, windings)| Number(of(windings))).collect();
+    Some(EncoderCarrier {
+        frequency_khz: Number::in_unit(resolver.frequency.si(), &KILOHERTZ),
+        time_us: found.iter().map(|(time, _)| Number::in_unit(time.si(), &MICROSECOND)).collect(),
+        excitation_v: volts(|windings| windings.excitation.si()),
+        sine_v: volts(|windings| windings.sine.si()),
+        cosine_v: volts(|windings| windings.cosine.si()),
+    })
 }
 
 /// Steps since the zero.
