@@ -40,8 +40,17 @@ impl Target {
     }
 }
 
-const TARGETS: [Target; 7] = [
+const TARGETS: [Target; 8] = [
     Target { name: "code", ci_seconds: 15, case_seconds: 2, memory_mb: 64, bytes: 128, cases: 10_000_000, gate: None },
+    Target {
+        name: "encoder",
+        ci_seconds: 15,
+        case_seconds: 2,
+        memory_mb: 64,
+        bytes: 128,
+        cases: 1_000_000,
+        gate: None,
+    },
     Target {
         name: "quantity",
         ci_seconds: 15,

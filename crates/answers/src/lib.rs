@@ -47,8 +47,8 @@ pub use dossier::{
     ScrewJoint, Sketch, SketchSymbol,
 };
 pub use encoder::{
-    DecodedWord, Encoder, EncoderAssumption, EncoderCarrier, EncoderCurve, EncoderPin, EncoderShaft, EncoderSignal, EncoderState,
-    EncoderWord, SignalForm, WordFault, WordField,
+    DecodedWord, Encoder, EncoderAssumption, EncoderCarrier, EncoderCurve, EncoderPin, EncoderShaft, EncoderSignal,
+    EncoderState, EncoderWord, SignalForm, WordFault, WordField,
 };
 pub use errata::{Errata, Erratum, ErratumCell, ErratumKind, ErratumStatus};
 pub use facts::{Fact, FactValue};

@@ -3,8 +3,8 @@
 use crate::call::Show;
 use crate::command::own;
 use crate::{
-    chapter, code, commission, compare, data, diff, encoder, errata, explain, export, glossary, inertia, judge, licences, mount,
-    moves, plot, report, upkeep, wiring,
+    chapter, code, commission, compare, data, diff, encoder, errata, explain, export, glossary, inertia, judge,
+    licences, mount, moves, plot, report, upkeep, wiring,
 };
 use clap::Command;
 use quantities::Language;

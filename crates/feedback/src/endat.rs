@@ -17,15 +17,48 @@ pub const CRC_BITS: u32 = 5;
 /// # Source
 /// TI `endat_drv.c`, Esteves `endat_crc.c`; vectors in docs/theory/feedback.md
 #[must_use]
+#[allow(clippy::cast_possible_truncation, reason = "five bits are kept")]
 pub fn crc(word: Word) -> u8 {
-    const POLYNOMIAL: u8 = 0b01011;
-    let register = word.iter().fold(0b11111_u8, |register, bit| {
-        let carries = (register >> 4 & 1 == 1) != bit;
-        let shifted = register << 1 & 0b11111;
-        if carries { shifted ^ POLYNOMIAL } else { shifted }
+    // The bits that fill no group of five one by one, then five at a time.
+    let single = word.len() % CRC_BITS;
+    let begun = word.part(0, single).iter().fold(PRESET, shifted);
+    let groups = (0..word.len() / CRC_BITS).rev();
+    let register = groups.fold(begun, |register, group| {
+        let bits = (word.number() >> (group * CRC_BITS)) as u8 & PRESET;
+        FIVE.get(usize::from(register ^ bits)).copied().unwrap_or_default()
     });
-    !register & 0b11111
+    !register & PRESET
 }
+
+/// The register before the first bit: ones.
+const PRESET: u8 = 0b11111;
+
+/// x⁵ + x³ + x + 1 without its highest power.
+const POLYNOMIAL: u8 = 0b01011;
+
+/// The register behind one bit.
+const fn shifted(register: u8, bit: bool) -> u8 {
+    let carries = (register >> 4 & 1 == 1) != bit;
+    let moved = register << 1 & PRESET;
+    if carries { moved ^ POLYNOMIAL } else { moved }
+}
+
+/// The register behind five bits, by its difference to them before.
+const FIVE: [u8; 32] = {
+    let mut table = [0; 32];
+    let mut at: u8 = 0;
+    while at < 32 {
+        let mut register = at;
+        let mut bit = 0;
+        while bit < CRC_BITS {
+            register = shifted(register, false);
+            bit += 1;
+        }
+        table[at as usize] = register;
+        at += 1;
+    }
+    table
+};
 
 macro_rules! modes {
     ($($(#[$about:meta])* $name:ident = $bits:literal $id:literal, $errors:expr, $infos:literal;)*) => {
@@ -297,10 +330,6 @@ impl Timing {
             ErrorBits::One => [10e-6, 30e-6],
             ErrorBits::Both => [1.25e-6, 3.75e-6],
         };
-        Self {
-            clock: Frequency::from_si(1e6),
-            calculation: Time::from_si(5e-6),
-            recovery: recovery.map(Time::from_si),
-        }
+        Self { clock: Frequency::from_si(1e6), calculation: Time::from_si(5e-6), recovery: recovery.map(Time::from_si) }
     }
 }

@@ -139,11 +139,7 @@ impl TrackingLoop {
         self.compensated = ahead + C * Self::GAIN * error;
         self.integral += C * Self::GAIN * error;
         self.angle_rad += C * self.compensated;
-        Tracked {
-            angle: Angle::from_si(self.angle_rad),
-            speed: AngularVelocity::from_si(self.compensated),
-            error,
-        }
+        Tracked { angle: Angle::from_si(self.angle_rad), speed: AngularVelocity::from_si(self.compensated), error }
     }
 }
 

@@ -74,9 +74,8 @@ impl Correction {
     #[must_use]
     pub fn fitted(samples: &[[f64; 2]]) -> Option<Self> {
         // About the middle and in parts of the largest, so that the equations are well conditioned whatever the unit.
-        let extreme = |of: fn(&[f64; 2]) -> f64, start: f64, pick: fn(f64, f64) -> f64| {
-            samples.iter().map(of).fold(start, pick)
-        };
+        let extreme =
+            |of: fn(&[f64; 2]) -> f64, start: f64, pick: fn(f64, f64) -> f64| samples.iter().map(of).fold(start, pick);
         let [first, second]: [fn(&[f64; 2]) -> f64; 2] = [|s| s[0], |s| s[1]];
         let (low, high) = (extreme(first, f64::INFINITY, f64::min), extreme(first, f64::NEG_INFINITY, f64::max));
         let (below, above) = (extreme(second, f64::INFINITY, f64::min), extreme(second, f64::NEG_INFINITY, f64::max));

@@ -3,8 +3,8 @@
 use feedback::endat::{ErrorBits, Frame};
 use feedback::ssi::Format;
 use feedback::{
-    Absolute, CommutationPhases, Deviation, Encoder, Interface, Protocol, Quadrature, Shaft, SinePair, SquareTracks, Trace,
-    Word, commutation_sector,
+    Absolute, CommutationPhases, Deviation, Encoder, Interface, Protocol, Quadrature, Shaft, SinePair, SquareTracks,
+    Trace, Word, commutation_sector,
 };
 use quantities::unit::{ARCSECOND, DEGREE, REVOLUTION_PER_MINUTE};
 use quantities::{Angle, AngularVelocity, Measure, Time};
@@ -19,7 +19,10 @@ const fn sine(periods: u32, protocol: Option<Protocol>, turns: u32, steps: u32) 
         None => Some(SinePair { periods: 1, level: None }),
     };
     let pair = SinePair { periods, level: None };
-    Encoder { interface: Interface::Sine { pair, commutation, has_reference: protocol.is_none(), absolute }, deviation: None }
+    Encoder {
+        interface: Interface::Sine { pair, commutation, has_reference: protocol.is_none(), absolute },
+        deviation: None,
+    }
 }
 
 const M512P: Encoder = sine(512, Some(Protocol::EnDat), 12, 13);

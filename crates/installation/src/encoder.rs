@@ -225,7 +225,11 @@ impl Rows<'_> {
         self.0.iter().find(found).copied()
     }
 
-    #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "whole and within the bounds of the type")]
+    #[allow(
+        clippy::cast_possible_truncation,
+        clippy::cast_sign_loss,
+        reason = "whole and within the bounds of the type"
+    )]
     fn whole(&self, symbol: &str) -> Option<u32> {
         let value = self.cell(symbol, "")?.value.number()?;
         (value.fract() == 0.0 && (1.0..=f64::from(u32::MAX)).contains(&value)).then_some(value as u32)
@@ -253,8 +257,7 @@ impl Rows<'_> {
             }),
             None => None,
         };
-        let commutation =
-            self.whole("n_2_lines").map(|periods| SinePair { periods, level: self.level("commutation") });
+        let commutation = self.whole("n_2_lines").map(|periods| SinePair { periods, level: self.level("commutation") });
         Some(Interface::Sine {
             pair: SinePair { periods, level: self.level("incremental") },
             commutation,
@@ -287,7 +290,8 @@ impl Rows<'_> {
         let (nominal, bounds) = match cell.value {
             Value::Range { low, high } => (f64::midpoint(low, high), Some([low, high])),
             Value::Text => {
-                let mut numbers = cell.corrected.split_whitespace().filter_map(|part| part.replace(',', ".").parse::<f64>().ok());
+                let mut numbers =
+                    cell.corrected.split_whitespace().filter_map(|part| part.replace(',', ".").parse::<f64>().ok());
                 let (nominal, plus, minus) = (numbers.next()?, numbers.next()?, numbers.next()?);
                 (nominal, Some([nominal * (1.0 + minus / 100.0), nominal * (1.0 + plus / 100.0)]))
             }
@@ -315,7 +319,8 @@ mod tests {
         };
         let format = |fitted: &Fitted| fitted.encoder.absolute().map(|a| (a.protocol, a.format.turns, a.format.steps));
         let c1024 = &fitted("CHA-20A-100-H-C1024")[0];
-        let Interface::Sine { pair, commutation, has_reference: true, absolute: None } = &c1024.encoder.interface else {
+        let Interface::Sine { pair, commutation, has_reference: true, absolute: None } = &c1024.encoder.interface
+        else {
             panic!("{c1024:?}")
         };
         assert_eq!((pair.periods, volts(pair.level)), (1024, (1.0, Some([0.75, 1.2]))));
@@ -328,7 +333,10 @@ mod tests {
         let Interface::Resolver(res) = fitted("CHA-14A-100-N-RES")[0].encoder.interface.clone() else { panic!() };
         assert_eq!((res.pole_pairs, res.excitation.si(), res.frequency.si(), res.ratio), (1, 7.0, 5000.0, 0.5));
         let d2048 = &fitted("CHA-14A-100-N-D2048")[0].encoder;
-        assert_eq!((d2048.periods(Signal::A), d2048.periods(Signal::U), d2048.periods(Signal::Z)), (Some(2048), Some(5), Some(1)));
+        assert_eq!(
+            (d2048.periods(Signal::A), d2048.periods(Signal::U), d2048.periods(Signal::Z)),
+            (Some(2048), Some(5), Some(1))
+        );
     }
 
     /// Every signal of every code that is wired has its pins, two of a pair, and every pin that follows the angle has a signal.

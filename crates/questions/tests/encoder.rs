@@ -82,7 +82,10 @@ fn a_fault_is_named() {
     let some = |text: &str| Some(text.to_owned());
     assert_eq!(fault(M128S, "101"), (some("length"), None, false));
     assert_eq!(fault(M512P, "010000000000000000000000000011010"), (some("start"), some("endat_2_2_position"), false));
-    assert_eq!(fault(M512P, "11000000000000000000000000000010"), (some("encoder_error"), some("endat_2_1_position"), false));
+    assert_eq!(
+        fault(M512P, "11000000000000000000000000000010"),
+        (some("encoder_error"), some("endat_2_1_position"), false)
+    );
     assert_eq!(fault(M512P, "100001101000000000001100100101"), (None, some("endat_parameter"), true));
     assert_eq!(fault(M512P, "000001101000000000001100100101"), (None, some("endat_additional_information"), true));
     assert_eq!(fault(M512P, "000111"), (None, some("endat_mode_command"), true));
@@ -129,7 +132,8 @@ fn curves_pass_through_the_value_and_faults_come_together() {
             }
         }
     }
-    let refused = text(&encoder::ENTRY, &[M512P, ("angle", "5"), ("turn", "1.5"), ("window", "2 rev"), ("decode", "2")]);
+    let refused =
+        text(&encoder::ENTRY, &[M512P, ("angle", "5"), ("turn", "1.5"), ("window", "2 rev"), ("decode", "2")]);
     assert_eq!(refused.unwrap_err().faults(None, Language::En).errors.len(), 4);
 }
 

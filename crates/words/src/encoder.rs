@@ -194,7 +194,9 @@ pub const fn encoder_of(role: Role, language: Language) -> &'static str {
 pub fn bits_fault(fault: BitsFault, language: Language) -> String {
     match fault {
         BitsFault::Empty => word_is_empty(language).to_owned(),
-        BitsFault::Sign(sign, place) => bits_are_0_and_1(&quantities::seen(sign.encode_utf8(&mut [0; 4])), &place, language),
+        BitsFault::Sign(sign, place) => {
+            bits_are_0_and_1(&quantities::seen(sign.encode_utf8(&mut [0; 4])), &place, language)
+        }
         BitsFault::TooLong => word_is_too_long(&feedback::Word::MOST, language),
     }
 }

@@ -3,8 +3,8 @@
 use super::facts::facts;
 use crate::list::encoder::Args;
 use answers::{
-    DecodedWord, EncoderAssumption, EncoderCarrier, EncoderCurve, EncoderPin, EncoderShaft, EncoderSignal, EncoderState, EncoderWord, Id,
-    Number, SignalForm, WordFault, WordField,
+    DecodedWord, EncoderAssumption, EncoderCarrier, EncoderCurve, EncoderPin, EncoderShaft, EncoderSignal,
+    EncoderState, EncoderWord, Id, Number, SignalForm, WordFault, WordField,
 };
 use catalogue::Topic;
 use feedback::endat::{CRC_BITS, ErrorBits, Fault, Mode, Opening, Parameter, Timing};
@@ -46,7 +46,8 @@ pub fn encoder(args: &Args, fitted: &[Fitted], motor: Shaft, language: Language)
     let mut assumed: Vec<_> = fitted.iter().flat_map(|each| each.assumed(args.battery_lost)).collect();
     assumed.sort_unstable();
     assumed.dedup();
-    let mut errata: Vec<&'static str> = fitted.iter().flat_map(|each| &each.cells).flat_map(|cell| cell.errata).copied().collect();
+    let mut errata: Vec<&'static str> =
+        fitted.iter().flat_map(|each| &each.cells).flat_map(|cell| cell.errata).copied().collect();
     errata.sort_unstable();
     errata.dedup();
     // Of the facts about one subject those on commissioning say it as the programmer of a controller needs it.
@@ -102,12 +103,15 @@ fn state(
     language: Language,
 ) -> EncoderState {
     let seen = each.encoder.seen(counted);
-    let words = each.encoder.absolute().map_or_else(Vec::new, |absolute| {
-        words(absolute, absolute.format.position(seen), args.error, language)
-    });
-    let signals = each.encoder.signals().into_iter().map(|signal| {
-        (signal.id(), self::signal(each, signal, shaft, args.window, wiring, language))
-    });
+    let words = each
+        .encoder
+        .absolute()
+        .map_or_else(Vec::new, |absolute| words(absolute, absolute.format.position(seen), args.error, language));
+    let signals = each
+        .encoder
+        .signals()
+        .into_iter()
+        .map(|signal| (signal.id(), self::signal(each, signal, shaft, args.window, wiring, language)));
     let has_turns = each.turns().is_some_and(|turns| turns > 1);
     EncoderState {
         connector: Id(each.role),
@@ -402,10 +406,8 @@ fn position(
     language: Language,
 ) -> DecodedWord {
     let read = absolute.read(word, errors);
-    let mut found = DecodedWord {
-        fields: position_fields(absolute, word, errors, language),
-        ..named(word, name, language)
-    };
+    let mut found =
+        DecodedWord { fields: position_fields(absolute, word, errors, language), ..named(word, name, language) };
     match read {
         Ok((position, is_error)) => {
             #[allow(clippy::cast_precision_loss, reason = "a step of the turn")]

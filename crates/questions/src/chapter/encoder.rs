@@ -21,7 +21,8 @@ pub fn encoder(record: &Encoder, language: Language) -> Chapter {
         chapter.points(record.notes.clone());
     }
     chapter.section(capitalised(text::assumptions(language)));
-    let graded = |found: &answers::EncoderAssumption| format!("{} ({})", found.text, grade_word(*found.grade, language));
+    let graded =
+        |found: &answers::EncoderAssumption| format!("{} ({})", found.text, grade_word(*found.grade, language));
     chapter.points(record.assumptions.iter().map(graded).collect());
     chapter.hazards(hazards(&record.rules, language));
     chapter
@@ -66,7 +67,8 @@ fn of_state(chapter: &mut Chapter, state: &EncoderState, is_seeded: bool, langua
             Column::text(text::bits(language)),
             Column::numbers(text::value(language)),
         ];
-        let rows = word.fields.iter().map(|field| vec![field.title.to_owned(), field.bits.clone(), field.value.to_string()]);
+        let rows =
+            word.fields.iter().map(|field| vec![field.title.to_owned(), field.bits.clone(), field.value.to_string()]);
         chapter.grid(columns, rows.collect());
     }
 }

@@ -27,8 +27,7 @@ pub(super) const ANGLE: Argument =
 pub(super) const TURN: Argument = Argument::option("turn", values::n, help::encoder_turn).signed().usually("0");
 pub(super) const SPEED: Argument =
     Argument::option("speed", values::speed, help::encoder_speed).signed().usually("0 1/min");
-pub(super) const SEED: Argument =
-    Argument::option("seed", values::n, help::encoder_seed).of(Kind::Whole(0, u64::MAX));
+pub(super) const SEED: Argument = Argument::option("seed", values::n, help::encoder_seed).of(Kind::Whole(0, u64::MAX));
 
 arguments! {
     /// An actuator, its motor shaft, and what is shown of its encoders.
