@@ -44,6 +44,7 @@ const fn shifted(register: u8, bit: bool) -> u8 {
 }
 
 /// The register behind five bits, by its difference to them before.
+#[allow(clippy::indexing_slicing, reason = "evaluated by the compiler, which reports it")]
 const FIVE: [u8; 32] = {
     let mut table = [0; 32];
     let mut at: u8 = 0;

@@ -1,4 +1,5 @@
 //! Words of EnDat against published vectors, and against every wrong bit.
+#![allow(missing_docs, clippy::unwrap_used, clippy::indexing_slicing, reason = "a test fails loudly")]
 
 use feedback::Word;
 use feedback::endat::{ErrorBits, Fault, Frame, Mode, Opening, Parameter, crc};

@@ -1,4 +1,5 @@
 //! Against other hands: crccheck and scipy, whose traces stand in validation/feedback with their scripts and versions.
+#![allow(missing_docs, clippy::unwrap_used, clippy::indexing_slicing, reason = "a test fails loudly")]
 
 use feedback::endat::crc;
 use feedback::{TrackingLoop, Word};

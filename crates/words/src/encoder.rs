@@ -1,9 +1,7 @@
 //! Words about signals and words of encoders.
 
 use crate::texts::texts;
-use feedback::BitsFault;
 use installation::encoder::Assumed;
-use installation::wiring::Role;
 use provenance::Grade;
 use quantities::Language;
 
@@ -17,7 +15,6 @@ texts! {
     seen(angle, accuracy) =
         "the encoder sees {angle}° (accuracy ±{accuracy}″)"
         | "der Geber sieht {angle}° (Genauigkeit ±{accuracy}″)";
-    word = "word" | "Wort";
     bits = "bits as sent" | "Bits in Senderichtung";
     field = "field" | "Feld";
     value = "value" | "Wert";
@@ -177,26 +174,5 @@ pub const fn assumed_grade(what: Assumed) -> Grade {
         | Assumed::TimesOfSsi
         | Assumed::Carrier
         | Assumed::BatteryLost => Grade::Assumed,
-    }
-}
-
-/// The encoder of a connector.
-#[must_use]
-pub const fn encoder_of(role: Role, language: Language) -> &'static str {
-    match role {
-        Role::Motor | Role::Feedback => motor_feedback(language),
-        Role::OutputEncoder => output_encoder(language),
-    }
-}
-
-/// Why a text is no word.
-#[must_use]
-pub fn bits_fault(fault: BitsFault, language: Language) -> String {
-    match fault {
-        BitsFault::Empty => word_is_empty(language).to_owned(),
-        BitsFault::Sign(sign, place) => {
-            bits_are_0_and_1(&quantities::seen(sign.encode_utf8(&mut [0; 4])), &place, language)
-        }
-        BitsFault::TooLong => word_is_too_long(&feedback::Word::MOST, language),
     }
 }

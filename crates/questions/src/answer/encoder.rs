@@ -17,7 +17,7 @@ use provenance::Source;
 use quantities::unit::{ARCSECOND, DEGREE, KILOHERTZ, MICROSECOND, REVOLUTION_PER_MINUTE, VOLT};
 use quantities::{Angle, Language, Measure, Time};
 use std::f64::consts::TAU;
-use words::encoder as text;
+use words::encoder;
 
 /// Points of a curve.
 const POINTS: u32 = 129;
@@ -64,8 +64,8 @@ pub fn encoder(args: &Args, fitted: &[Fitted], motor: Shaft, language: Language)
             .into_iter()
             .map(|what| EncoderAssumption {
                 id: Id(what),
-                text: text::assumed(what, language).to_owned(),
-                grade: Id(text::assumed_grade(what)),
+                text: encoder::assumed(what, language).to_owned(),
+                grade: Id(encoder::assumed_grade(what)),
             })
             .collect(),
         notes: notes(args, fitted, motor, language),
@@ -79,15 +79,19 @@ fn notes(args: &Args, fitted: &[Fitted], motor: Shaft, language: Language) -> Ve
     let mut notes = Vec::new();
     for each in fitted {
         let turns = each.shaft(motor, &args.code).turns();
+        let is_ssi = each.encoder.absolute().is_some_and(|absolute| absolute.protocol == Protocol::Ssi);
+        if is_ssi && args.decode.is_some() {
+            notes.push(encoder::ssi_has_no_check(language).to_owned());
+        }
         match each.turns() {
             Some(count) if args.battery_lost && each.feedback.buffered_by_battery && count > 1 => {
-                notes.push(text::battery_lost(language).to_owned());
+                notes.push(encoder::battery_lost(language).to_owned());
             }
             Some(count) if count > 1 && u64::try_from(turns).map_or(true, |turns| turns >= count) => {
-                notes.push(text::overflow(&turns, &(count - 1), language));
+                notes.push(encoder::overflow(&turns, &(count - 1), language));
             }
             Some(_) => {}
-            None if !each.feedback.single_turn_absolute => notes.push(text::incremental_only(language).to_owned()),
+            None if !each.feedback.single_turn_absolute => notes.push(encoder::incremental_only(language).to_owned()),
             None => {}
         }
     }
@@ -212,12 +216,12 @@ const COMMAND: &str = "endat_mode_command";
 
 fn title(name: &str, language: Language) -> &'static str {
     match name {
-        SSI => text::ssi(language),
-        PARAMETER => text::endat_parameter(language),
-        INFORMATION => text::endat_information(language),
-        COMMAND => text::endat_command(language),
-        "endat_2_1_position" => text::endat_2_1(language),
-        _ => text::endat_2_2(language),
+        SSI => encoder::ssi(language),
+        PARAMETER => encoder::endat_parameter(language),
+        INFORMATION => encoder::endat_information(language),
+        COMMAND => encoder::endat_command(language),
+        "endat_2_1_position" => encoder::endat_2_1(language),
+        _ => encoder::endat_2_2(language),
     }
 }
 
@@ -238,20 +242,20 @@ fn position_fields(absolute: Absolute, word: Word, errors: ErrorBits, language: 
     let format = absolute.format;
     match absolute.protocol {
         Protocol::EnDat => {
-            let mut parts = vec![("start", text::field_start(language), 1, false)];
-            parts.push(("error_1", text::field_error_1(language), 1, false));
+            let mut parts = vec![("start", encoder::field_start(language), 1, false)];
+            parts.push(("error_1", encoder::field_error_1(language), 1, false));
             if errors == ErrorBits::Both {
-                parts.push(("error_2", text::field_error_2(language), 1, false));
+                parts.push(("error_2", encoder::field_error_2(language), 1, false));
             }
-            parts.push(("position", text::field_position(language), format.bits(), true));
-            parts.push(("crc", text::field_crc(language), CRC_BITS, false));
+            parts.push(("position", encoder::field_position(language), format.bits(), true));
+            parts.push(("crc", encoder::field_crc(language), CRC_BITS, false));
             fields(word, &parts)
         }
         Protocol::Ssi => fields(
             word,
             &[
-                ("turns", text::field_turns(language), format.turns, false),
-                ("step", text::field_step(language), format.steps, false),
+                ("turns", encoder::field_turns(language), format.turns, false),
+                ("step", encoder::field_step(language), format.steps, false),
             ],
         ),
     }
@@ -418,8 +422,8 @@ fn position(
             if is_error {
                 found.faults.push(WordFault {
                     id: "encoder_error",
-                    message: text::fault_reported(language).to_owned(),
-                    hint: Some(text::fault_reported_hint(language).to_owned()),
+                    message: encoder::fault_reported(language).to_owned(),
+                    hint: Some(encoder::fault_reported_hint(language).to_owned()),
                 });
             }
         }
@@ -435,10 +439,10 @@ fn parameter(word: Word, role: Role, language: Language) -> DecodedWord {
         if is_parameter { (PARAMETER, Opening::Parameter) } else { (INFORMATION, Opening::Information) };
     let faults = Parameter::read(word, opening).err().unwrap_or_default();
     let parts = [
-        ("start", text::field_start(language), 1, false),
-        ("head", text::field_head(language), 8, false),
-        ("value", text::field_value(language), 16, false),
-        ("crc", text::field_crc(language), CRC_BITS, false),
+        ("start", encoder::field_start(language), 1, false),
+        ("head", encoder::field_head(language), 8, false),
+        ("value", encoder::field_value(language), 16, false),
+        ("crc", encoder::field_crc(language), CRC_BITS, false),
     ];
     DecodedWord {
         fields: fields(word, &parts),
@@ -451,10 +455,13 @@ fn parameter(word: Word, role: Role, language: Language) -> DecodedWord {
 fn command(word: Word, role: Role, language: Language) -> DecodedWord {
     let faults = match Mode::of(word) {
         Some(_) => Vec::new(),
-        None => vec![WordFault { id: "command", message: text::fault_command(language).to_owned(), hint: None }],
+        None => vec![WordFault { id: "command", message: encoder::fault_command(language).to_owned(), hint: None }],
     };
     DecodedWord {
-        fields: fields(word, &[(Mode::of(word).map_or("command", Mode::id), text::field_command(language), 6, false)]),
+        fields: fields(
+            word,
+            &[(Mode::of(word).map_or("command", Mode::id), encoder::field_command(language), 6, false)],
+        ),
         valid: faults.is_empty(),
         faults,
         ..named(word, (COMMAND, role), language)
@@ -463,15 +470,15 @@ fn command(word: Word, role: Role, language: Language) -> DecodedWord {
 
 fn told(fault: &Fault, language: Language) -> WordFault {
     let (id, message, hint) = match fault {
-        Fault::Length { found, expected } => ("length", text::fault_length(found, expected, language), None),
-        Fault::Start => ("start", text::fault_start(language).to_owned(), Some(text::fault_start_hint(language))),
+        Fault::Length { found, expected } => ("length", encoder::fault_length(found, expected, language), None),
+        Fault::Start => ("start", encoder::fault_start(language).to_owned(), Some(encoder::fault_start_hint(language))),
         Fault::ErrorBitsAlike => {
-            ("error_bits_alike", text::fault_alike(language).to_owned(), Some(text::fault_alike_hint(language)))
+            ("error_bits_alike", encoder::fault_alike(language).to_owned(), Some(encoder::fault_alike_hint(language)))
         }
         Fault::Crc { found, expected } => {
             let bits = |crc: u8| format!("{crc:05b}");
-            let message = text::fault_crc(&bits(*found), &bits(*expected), language);
-            ("crc", message, Some(text::fault_crc_hint(language)))
+            let message = encoder::fault_crc(&bits(*found), &bits(*expected), language);
+            ("crc", message, Some(encoder::fault_crc_hint(language)))
         }
     };
     WordFault { id, message, hint: hint.map(str::to_owned) }

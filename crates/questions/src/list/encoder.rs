@@ -5,11 +5,11 @@ use super::{Answer, Argument, Asked, CODE, Entry, Gives, Kind, Reads, Record, Un
 use crate::answer;
 use crate::chapters::read_quantity;
 use crate::sizing_use::Refusal;
-use feedback::{Shaft, Word};
+use feedback::{BitsFault, Shaft, Word};
 use installation::encoder::{Fitted, encoders};
 use order_code::OrderCode;
 use quantities::unit::{DEGREE, REVOLUTION, REVOLUTION_PER_MINUTE};
-use quantities::{Angle, AngularVelocity, Language, Measure};
+use quantities::{Angle, AngularVelocity, Language, Measure, seen};
 use words::help::values;
 use words::{encoder, help};
 
@@ -140,5 +140,14 @@ fn read_window(text: &str, language: Language) -> Result<Angle, Hinted> {
 }
 
 fn read_word(text: &str, language: Language) -> Result<Word, Hinted> {
-    text.parse().map_err(|fault| (encoder::bits_fault(fault, language), None))
+    text.parse().map_err(|fault| {
+        let fault = match fault {
+            BitsFault::Empty => encoder::word_is_empty(language).to_owned(),
+            BitsFault::Sign(sign, place) => {
+                encoder::bits_are_0_and_1(&seen(sign.encode_utf8(&mut [0; 4])), &place, language)
+            }
+            BitsFault::TooLong => encoder::word_is_too_long(&Word::MOST, language),
+        };
+        (fault, None)
+    })
 }
