@@ -121,7 +121,7 @@ pub struct EncoderWord {
 /// A field of a word.
 #[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct WordField {
-    /// What it is: `start`, `error_1`, `error_2`, `turns`, `step`, `crc`.
+    /// What it is: `start`, `error_1`, `error_2`, `position`, `turns`, `step`, `head`, `value`, `crc`, or a mode command.
     pub name: &'static str,
     /// The same in words.
     pub title: &'static str,
@@ -231,7 +231,7 @@ pub struct DecodedWord {
 /// What is wrong with a word.
 #[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct WordFault {
-    /// What: `length`, `start`, `error_bits_alike`, `crc`, `encoder_error`.
+    /// What: `length`, `start`, `error_bits_alike`, `crc`, `command`, `encoder_error`.
     pub id: &'static str,
     /// The same in words.
     pub message: String,

@@ -102,8 +102,10 @@ fn overflow_and_a_lost_battery_are_reported() {
     let (lost, _) = answered(&[M128S, ("turn", "7"), ("angle", "90 deg"), ("battery-lost", "true")]);
     assert_eq!((&lost["shaft"]["turns_valid"], &lost["words"][0]["fields"][0]["value"]), (&false.into(), &0.into()));
     assert_eq!(lost["words"][0]["fields"][1]["value"], 32_768, "the angle within the turn stays");
-    let (kept, _) = answered(&[M512P, ("turn", "7"), ("battery-lost", "true")]);
+    let (kept, _) = answered(&[M512P, ("turn", "7")]);
     assert_eq!((&kept["shaft"]["turns_valid"], kept["notes"].as_array().unwrap().len()), (&true.into(), 0));
+    let refused = text(&encoder::ENTRY, &[("code", "CHA-14A-100-N-RES"), ("battery-lost", "true"), ("error", "true")]);
+    assert_eq!(refused.unwrap_err().faults(None, Language::En).errors.len(), 2);
 }
 
 /// Motor clockwise, flange counter-clockwise: the position of the motor rises, that of the output falls.

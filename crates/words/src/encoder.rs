@@ -11,7 +11,7 @@ texts! {
     output_encoder = "encoder at the output (option EC)" | "Geber am Abtrieb (Option EC)";
     shaft(turns, angle, speed) =
         "shaft: turn {turns}, {angle}°, {speed} min⁻¹, clockwise positive"
-        | "Welle: Umdrehung {turns}, {angle}°, {speed} min⁻¹, rechtsdrehend positiv";
+        | "Welle: Umdrehung {turns}, {angle}°, {speed} min⁻¹; Rechtslauf zählt aufwärts";
     seen(angle, accuracy) =
         "the encoder sees {angle}° (accuracy ±{accuracy}″)"
         | "der Geber sieht {angle}° (Genauigkeit ±{accuracy}″)";
@@ -74,6 +74,8 @@ texts! {
         "read the error source in the operating status and reset it; the position may be wrong"
         | "Fehlerursache im Betriebszustand lesen und zurücksetzen; die Position kann falsch sein";
     no_word_to_decode = "this encoder sends no word" | "dieser Geber sendet kein Datenwort";
+    no_error_to_report = "no encoder of this code reports errors in its word" | "kein Geber dieser Bestellbezeichnung meldet Fehler in seinem Wort";
+    no_battery_to_lose = "no encoder of this code has a battery" | "kein Geber dieser Bestellbezeichnung hat eine Batterie";
     bits_are_0_and_1(sign, place) =
         "`{sign}` at place {place} is no bit: a word is written with 0 and 1"
         | "`{sign}` an Stelle {place} ist kein Bit: ein Wort wird mit 0 und 1 geschrieben";

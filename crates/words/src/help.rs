@@ -84,8 +84,8 @@ texts! {
         "With --svg or --png: motor, feedback (default) or output_encoder"
         | "Mit --svg oder --png: motor, feedback (Motorfeedback, Vorgabe) oder output_encoder (Geber am Abtrieb)";
     encoder =
-        "Signals and words that the encoders of one actuator send at an angle, and what a word says"
-        | "Signale und Datenwörter, die die Geber eines Antriebs bei einem Winkel senden, und was ein Wort besagt";
+        "Signals and words of the encoders of one actuator at an angle; a word read back"
+        | "Signale und Datenwörter der Geber eines Antriebs bei einem Winkel; Lesen eines Worts";
     encoder_angle =
         "Angle of the motor shaft, clockwise seen from the front, such as \"12.5 deg\""
         | "Winkel der Motorwelle, rechtsdrehend von vorne gesehen, etwa \"12,5 deg\"";

@@ -5,7 +5,7 @@ use super::{Answer, Argument, Asked, CODE, Entry, Gives, Kind, Reads, Record, Un
 use crate::answer;
 use crate::chapters::read_quantity;
 use crate::sizing_use::Refusal;
-use feedback::{BitsFault, Shaft, Word};
+use feedback::{BitsFault, Protocol, Shaft, Word};
 use installation::encoder::{Fitted, encoders};
 use order_code::OrderCode;
 use quantities::unit::{DEGREE, REVOLUTION, REVOLUTION_PER_MINUTE};
@@ -79,17 +79,28 @@ pub fn is_right(found: &answers::Encoder) -> bool {
 /// What the encoders send.
 ///
 /// # Errors
-/// Every fault of the arguments; a word for an encoder that sends none; no printed data.
+/// Every fault of the arguments; a word, an error or a battery that the encoders do not have; no printed data.
 pub fn found(asked: &Asked<'_>) -> Result<answers::Encoder, Unanswered> {
     let args = Args::read(&asked.given)?;
     let fitted = fitted(&args.code, args.seed)?;
-    if args.decode.is_some() && fitted.iter().all(|each| each.encoder.absolute().is_none()) {
-        let fault = encoder::no_word_to_decode(asked.language).to_owned();
-        return Err(Unanswered::option("decode", (fault, None)));
+    let language = asked.language;
+    let absolute = || fitted.iter().filter_map(|each| each.encoder.absolute());
+    let has_endat = absolute().any(|absolute| absolute.protocol == Protocol::EnDat);
+    let is_buffered = fitted.iter().any(|each| each.feedback.buffered_by_battery);
+    let wrong = [
+        ("decode", args.decode.is_some() && absolute().next().is_none(), encoder::no_word_to_decode(language)),
+        ("error", args.error && !has_endat, encoder::no_error_to_report(language)),
+        ("battery-lost", args.battery_lost && !is_buffered, encoder::no_battery_to_lose(language)),
+    ];
+    let faults = wrong.into_iter().filter(|(_, is_wrong, _)| *is_wrong);
+    let faults: Vec<Unanswered> =
+        faults.map(|(name, _, fault)| Unanswered::option(name, (fault.to_owned(), None))).collect();
+    if !faults.is_empty() {
+        return Err(Unanswered::together(faults));
     }
     let motor = Shaft::new(args.turn, args.angle, args.speed);
     let refused = || Unanswered::from(Refusal::NoData);
-    answer::encoder(&args, &fitted, motor, asked.language).ok_or_else(refused)
+    answer::encoder(&args, &fitted, motor, language).ok_or_else(refused)
 }
 
 /// The encoders of a code, deviating by a seed.
