@@ -9,6 +9,7 @@ use std::sync::atomic::AtomicU64;
 pub mod axis;
 pub mod code;
 pub mod draft;
+pub mod encoder;
 pub mod project;
 pub mod quantity;
 pub mod recorded;
@@ -30,8 +31,9 @@ pub struct Target {
 }
 
 /// Every target; `xtask/src/fuzz.rs` has their limits.
-pub const TARGETS: [Target; 7] = [
+pub const TARGETS: [Target; 8] = [
     Target { name: "code", run: code::run, shown: code::shown },
+    Target { name: "encoder", run: encoder::run, shown: encoder::shown },
     Target { name: "quantity", run: quantity::run, shown: quantity::shown },
     Target { name: "project", run: project::run, shown: project::shown },
     Target { name: "csv", run: recorded::csv, shown: recorded::shown_csv },

@@ -64,6 +64,11 @@ mod the_corpus_of {
     }
 
     #[test]
+    fn encoder() {
+        replay("encoder");
+    }
+
+    #[test]
     fn quantity() {
         replay("quantity");
     }

@@ -48,8 +48,9 @@ const fn target(name: &'static str, ci_seconds: u32, memory_mb: u32, bytes: u32,
     Target { name, ci_seconds, memory_mb, bytes, cases, gate: None }
 }
 
-const TARGETS: [Target; 7] = [
+const TARGETS: [Target; 8] = [
     target("code", 15, 64, 4096, 10_000_000),
+    target("encoder", 15, 64, 4096, 1_000_000),
     target("quantity", 15, 64, 4096, 10_000_000),
     target("project", 20, 256, FILE_BYTES, 1_000_000),
     target("csv", 15, 256, FILE_BYTES, 1_000_000),

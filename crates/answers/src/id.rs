@@ -83,6 +83,8 @@ identified! {
 }
 
 identified! {
+    feedback::Protocol as "EncoderProtocol": feedback::Protocol::ALL;
+    installation::encoder::Assumed as "EncoderAssumed": installation::encoder::Assumed::ALL;
     installation::fit::Side as "Side": installation::fit::Side::ALL;
     installation::fit::FitKind as "FitKind": installation::fit::FitKind::ALL;
     installation::joint::LoadCase as "LoadCase": installation::joint::LoadCase::ALL;

@@ -12,6 +12,7 @@ mod code;
 mod commission;
 mod demand;
 mod dossier;
+mod encoder;
 mod errata;
 mod facts;
 mod fault;
@@ -44,6 +45,10 @@ pub use demand::{Demand, DemandFigures, DemandMode, IntegralDemand, MoveTorques}
 pub use dossier::{
     Document, Dossier, ErratumUsed, Fingerprints, Input, InputTable, Item, Mechanism, Missing, RejectionGroup,
     ScrewJoint, Sketch, SketchSymbol,
+};
+pub use encoder::{
+    DecodedWord, Encoder, EncoderAssumption, EncoderCarrier, EncoderCurve, EncoderPin, EncoderShaft, EncoderSignal,
+    EncoderState, EncoderWord, SignalForm, WordFault, WordField,
 };
 pub use errata::{Errata, Erratum, ErratumCell, ErratumKind, ErratumStatus};
 pub use facts::{Fact, FactValue};

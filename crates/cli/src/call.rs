@@ -110,8 +110,13 @@ fn read(entry: &Entry, matches: &ArgMatches, language: Language) -> Result<Vec<F
 impl Call<'_> {
     /// The question.
     fn asked(&self) -> Result<Asked<'_>, Unanswered> {
+        self.put(self.entry)
+    }
+
+    /// The call as another question of the same command.
+    pub(crate) fn put(&self, entry: &Entry) -> Result<Asked<'_>, Unanswered> {
         let mut pairs: Vec<(Cow<'_, str>, Cow<'_, str>)> = Vec::new();
-        for argument in self.entry.arguments {
+        for argument in entry.arguments {
             // Of what is written in JSON the format is said.
             let is_said = self.as_json && argument.name == "format";
             if !self.is_given(argument.name) || is_said {
@@ -127,7 +132,7 @@ impl Call<'_> {
                 }
             }
         }
-        let given = Given::of(self.entry.arguments, pairs, self.language)?;
+        let given = Given::of(entry.arguments, pairs, self.language)?;
         let sources = self.files.iter().map(|file| Source {
             name: file.name.clone(),
             bytes: Cow::Borrowed(&file.bytes),

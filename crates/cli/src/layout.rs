@@ -3,8 +3,8 @@
 use crate::call::Show;
 use crate::command::own;
 use crate::{
-    chapter, code, commission, compare, data, diff, errata, explain, export, glossary, inertia, judge, licences, mount,
-    moves, plot, report, upkeep, wiring,
+    chapter, code, commission, compare, data, diff, encoder, errata, explain, export, glossary, inertia, judge,
+    licences, mount, moves, plot, report, upkeep, wiring,
 };
 use clap::Command;
 use quantities::Language;
@@ -31,6 +31,7 @@ const LAYOUTS: &[Layout] = &[
     shown(&list::data::ENTRY, data::sheet),
     shown(&list::wiring::ENTRY, wiring::wiring).with(own::wiring),
     shown(&list::wiring_check::ENTRY, wiring::check),
+    shown(&list::encoder::ENTRY, encoder::encoder),
     shown(&list::errata::ENTRY, errata::errata),
     shown(&list::catalogue::ENTRY, data::catalogue).with(own::catalogue),
     shown(&list::curve::ENTRY, chapter::curve).with(own::picture),

@@ -12,6 +12,7 @@ mod commission;
 mod compare;
 mod data;
 mod diff;
+mod encoder;
 mod errata;
 mod explain;
 mod export;

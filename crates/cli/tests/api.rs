@@ -183,6 +183,14 @@ fn everything_else_is_answered_with_the_bytes_of_the_command() {
     same(&["schema", "--answers"], "schema", &[("answers", "true")], None);
     same(&["licences"], "licences", &[], None);
     same(&["units"], "units", &[], None);
+    let code = "CHA-25A-100-H-M512P-EC";
+    same(
+        &["encoder", code, "--angle", "12.5 deg", "--turn", "3", "--seed", "1", "--window", "1 deg", "--error"],
+        "encoder",
+        &[("code", code), ("angle", "12.5 deg"), ("turn", "3"), ("seed", "1"), ("window", "1 deg"), ("error", "1")],
+        None,
+    );
+    same(&["encoder", code, "--decode", "10x"], "encoder", &[("code", code), ("decode", "10x")], None);
     same(&["units", "rpm"], "units", &[("quantity", "rpm")], None);
     let csv = run_with(&["catalogue", "export", "--format", "csv"], b"").out;
     assert_eq!(asked("catalogue", &[("format", "csv")], None).body, csv.into_bytes());

@@ -5,6 +5,7 @@
 
 pub mod calendar;
 pub mod commission;
+pub mod encoder;
 pub mod facts;
 pub mod fit;
 pub mod joint;

@@ -1,12 +1,14 @@
 //! Answers laid out as chapters, for terminal, page and report.
 
 mod commission;
+mod encoder;
 mod mount;
 mod recorded;
 mod upkeep;
 mod wiring;
 
 pub use commission::commission;
+pub use encoder::encoder;
 pub use mount::mount;
 pub use recorded::{RecordedLine, recorded};
 pub use upkeep::upkeep;

@@ -26,6 +26,8 @@ pub mod compare;
 pub mod curve;
 pub mod data;
 pub mod diff;
+pub mod encoder;
+pub mod encoder_trace;
 pub mod errata;
 pub mod explain;
 pub mod export;
@@ -71,6 +73,8 @@ pub const LIST: &[&Entry] = &[
     &data::ENTRY,
     &wiring::ENTRY,
     &wiring_check::ENTRY,
+    &encoder::ENTRY,
+    &encoder_trace::ENTRY,
     &errata::ENTRY,
     &catalogue::ENTRY,
     &torsion::ENTRY,

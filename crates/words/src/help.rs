@@ -83,6 +83,39 @@ texts! {
     wiring_connector =
         "With --svg or --png: motor, feedback (default) or output_encoder"
         | "Mit --svg oder --png: motor, feedback (Motorfeedback, Vorgabe) oder output_encoder (Geber am Abtrieb)";
+    encoder =
+        "Signals and words of the encoders of one actuator at an angle; a word read back"
+        | "Signale und Datenwörter der Geber eines Antriebs bei einem Winkel; Lesen eines Worts";
+    encoder_angle =
+        "Angle of the motor shaft, clockwise seen from the front, such as \"12.5 deg\""
+        | "Winkel der Motorwelle, rechtsdrehend von vorne gesehen, etwa \"12,5 deg\"";
+    encoder_turn = "Whole turns of the motor shaft before it" | "Ganze Umdrehungen der Motorwelle davor";
+    encoder_speed =
+        "Speed of the motor shaft, such as \"3000 1/min\""
+        | "Drehzahl der Motorwelle, etwa \"3000 1/min\"";
+    encoder_seed =
+        "Let the encoder deviate within its accuracy, by this seed; without it the encoder sees the true angle"
+        | "Den Geber in seiner Genauigkeit abweichen lassen, nach diesem Startwert; ohne ihn sieht er den wahren Winkel";
+    encoder_window =
+        "Angle over which the signals are shown; without it two periods of each"
+        | "Winkel, über den die Signale gezeigt werden; ohne Angabe je zwei Perioden";
+    encoder_battery_lost =
+        "Battery and supply have failed together (M128S)"
+        | "Batterie und Versorgung sind zugleich ausgefallen (M128S)";
+    encoder_error = "The encoder reports an error (EnDat)" | "Der Geber meldet einen Fehler (EnDat)";
+    encoder_decode =
+        "Read this word, bits in the order sent, and say what is wrong with it"
+        | "Dieses Wort lesen, Bits in Senderichtung, und sagen, was daran falsch ist";
+    encoder_vcd =
+        "Write the digital signals over time (VCD), for logic analysers such as sigrok"
+        | "Die digitalen Signale über der Zeit schreiben (VCD), für Logikanalysatoren wie sigrok";
+    encoder_time = "Length of that trace" | "Länge dieser Aufzeichnung";
+    encoder_endat =
+        "Command set of the EnDat word in that trace"
+        | "Befehlssatz des EnDat-Worts in dieser Aufzeichnung";
+    encoder_connector =
+        "Encoder in that trace"
+        | "Geber in dieser Aufzeichnung";
     errata =
         "What is wrong or in doubt in the print, and what is used"
         | "Was im Druck falsch oder zweifelhaft ist, und was verwendet wird";

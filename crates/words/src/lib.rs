@@ -10,6 +10,7 @@ mod codes;
 pub mod commission;
 mod commissioned;
 mod derivation;
+pub mod encoder;
 mod errata;
 mod examples;
 mod facts;
@@ -105,6 +106,7 @@ pub fn capitalised(text: &str) -> String {
 /// Every module of texts by name, for tests of all texts.
 pub const MODULES: &[(&str, &[Text])] = &[
     ("commission", commission::TEXTS),
+    ("encoder", encoder::TEXTS),
     ("help", help::TEXTS),
     ("help::library", help::library::TEXTS),
     ("help::values", help::values::TEXTS),

@@ -37,6 +37,9 @@ texts! {
     commission_checklist =
         "The check-lists as PDF, a form to fill in on the screen or on paper"
         | "Die Prüflisten als PDF, ein Formular zum Ausfüllen am Bildschirm oder auf Papier";
+    encoder_trace =
+        "The digital signals of an encoder over time, as a value change dump (VCD)"
+        | "Die digitalen Signale eines Gebers über der Zeit, als VCD-Datei";
     upkeep_calendar = "The same plan as iCalendar" | "Derselbe Plan als iCalendar";
     no_such_path(path) = "there is nothing at {path}" | "unter {path} gibt es nichts";
     paths_are_listed =

@@ -20,7 +20,7 @@ pub(super) enum Room {
 }
 
 /// Every crate of the workspace by package name. A new crate is entered here first.
-const ROOMS: [(&str, Room); 37] = [
+const ROOMS: [(&str, Room); 38] = [
     ("numeric", Room::Layer(0)),
     ("quantities", Room::Layer(0)),
     ("provenance", Room::Layer(0)),
@@ -36,6 +36,7 @@ const ROOMS: [(&str, Room); 37] = [
     ("excerpt", Room::Layer(1)),
     ("configurator", Room::Layer(2)),
     ("trace", Room::Layer(2)),
+    ("feedback", Room::Layer(2)),
     ("sizing", Room::Layer(3)),
     ("twin", Room::Layer(3)),
     ("installation", Room::Layer(3)),

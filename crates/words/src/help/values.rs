@@ -6,6 +6,7 @@ texts! {
     address = "ADDRESS" | "ADRESSE";
     angle = "ANGLE" | "WINKEL";
     area = "AREA" | "QUERSCHNITT";
+    bits = "BITS";
     connector = "CONNECTOR" | "STECKER";
     body = "BODY" | "KÖRPER";
     bore = "BORE" | "BOHRUNG";
@@ -29,7 +30,9 @@ texts! {
     pattern = "PATTERN" | "MUSTER";
     project = "PROJECT" | "PROJEKT";
     quantity = "QUANTITY" | "MESSGRÖSSE";
+    set = "SET" | "BEFEHLSSATZ";
     size = "SIZE" | "GRÖSSE";
+    speed = "SPEED" | "DREHZAHL";
     temperature = "TEMPERATURE" | "TEMPERATUR";
     term = "TERM" | "BEGRIFF";
     text = "TEXT";

@@ -1,0 +1,74 @@
+//! Signals and words of encoders, beside what they cannot do without: a sine and cosine each.
+//!
+//! A machine that has nothing else to do makes more than ten million a second of each; what is judged is the ratio.
+#![allow(clippy::print_stdout, reason = "a bench prints what it measured")]
+
+use benches::{Gates, against};
+use feedback::endat::{ErrorBits, Frame};
+use feedback::ssi::Format;
+use feedback::{
+    Absolute, CommutationPhases, Encoder, Interface, Protocol, Shaft, Signal, SinePair, SquareTracks, TrackingLoop,
+};
+use quantities::{Angle, AngularVelocity, Measure};
+use std::hint::black_box;
+use std::process::ExitCode;
+
+const COUNT: u32 = 100_000;
+
+fn angles() -> impl Iterator<Item = Angle> {
+    (0..COUNT).map(|at| Angle::from_si(f64::from(at) * 6e-5))
+}
+
+fn main() -> ExitCode {
+    let mut gates = Gates::default();
+    let baseline = || {
+        angles().for_each(|angle| {
+            black_box((512.0 * angle.si()).sin_cos());
+        });
+    };
+    let pair = SinePair { periods: 512, level: None };
+    let format = Format { turns: 12, steps: 13 };
+    let absolute = Some(Absolute { protocol: Protocol::EnDat, format });
+    let interface = Interface::Sine { pair, commutation: None, has_reference: false, absolute };
+    let sine = Encoder { interface, deviation: None };
+    let tracks = SquareTracks { periods: 2048 };
+    let commutation = CommutationPhases { periods: 5 };
+    let square = Encoder { interface: Interface::Square { tracks, commutation }, deviation: None };
+    let ssi = Format { turns: 12, steps: 17 };
+    let still = AngularVelocity::from_si(0.0);
+    let mut gate = |what: &str, most: f64, measured: &mut dyn FnMut()| {
+        let found = against(60, baseline, measured);
+        gates.at_most(what, &found, ("a sine and cosine each", most));
+        println!("  per second: {:.1} million", f64::from(COUNT) / found.measured.median.as_secs_f64() / 1e6);
+    };
+    gate("a sine track", 8.0, &mut || {
+        angles().for_each(|angle| {
+            black_box(sine.at(Signal::A, angle));
+        });
+    });
+    gate("a square track", 8.0, &mut || {
+        angles().for_each(|angle| {
+            black_box(square.at(Signal::A, angle));
+        });
+    });
+    gate("an EnDat word", 8.0, &mut || {
+        angles().for_each(|angle| {
+            let position = format.position(Shaft::new(3, angle, still));
+            let frame = Frame { position: position.turns << 13 | position.step, is_error: false };
+            black_box(frame.word(25, ErrorBits::Both));
+        });
+    });
+    gate("an SSI word", 8.0, &mut || {
+        angles().for_each(|angle| {
+            black_box(ssi.word(ssi.position(Shaft::new(3, angle, still))));
+        });
+    });
+    let mut tracking = TrackingLoop::at_rest(Angle::from_si(0.0));
+    gate("a step of the tracking loop", 12.0, &mut || {
+        angles().for_each(|angle| {
+            let (sine, cosine) = angle.si().sin_cos();
+            black_box(tracking.step([sine, cosine]));
+        });
+    });
+    gates.close()
+}

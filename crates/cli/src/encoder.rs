@@ -1,0 +1,32 @@
+//! `encoder`: signals and words of the encoders of a code.
+
+use crate::answer::{Answer, written};
+use crate::call::Call;
+use crate::fault::path_text;
+use crate::laid_out::shown;
+use crate::save::Desk;
+use questions::chapter;
+use questions::list::{Asked, Unanswered, encoder, encoder_trace};
+
+/// `antrieb encoder CODE`
+pub(crate) fn encoder(call: &Call<'_>, asked: &Asked<'_>) -> Result<Answer, Unanswered> {
+    let language = call.language;
+    let file = call.path("vcd");
+    let trace = || call.put(&encoder_trace::ENTRY).and_then(|asked| encoder_trace::found(&asked));
+    let (mut record, trace) = match (encoder::found(asked), file.map(|_| trace()).transpose()) {
+        (Ok(record), Ok(trace)) => (record, trace),
+        // What both of them take is wrong in both: it is reported once.
+        (Err(why), _) | (_, Err(why)) => return Err(why),
+    };
+    if let (Some(file), Some((code, trace))) = (file, trace) {
+        let text = trace.vcd(&code.to_string());
+        Desk { inputs: &[], force: call.flag("force"), language }.save(&[(file, text.as_bytes())])?;
+        record.trace = Some(path_text(file));
+    }
+    let text = || {
+        let text = shown(&chapter::encoder(&record, language), language);
+        record.trace.as_ref().map_or_else(|| text.clone(), |file| format!("{text}\n{file}\n"))
+    };
+    let data = if call.as_json { written(&record) } else { text() };
+    Ok(Answer::data(data).fits(encoder::is_right(&record)))
+}

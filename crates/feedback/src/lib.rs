@@ -1,0 +1,27 @@
+//! Signals and telegrams of position encoders, bit for bit: encoders and decoders.
+//!
+//! A [`Shaft`] stands or turns; an [`Encoder`] with plain parameters shows it as tracks, edges and words, and decoders read them
+//! back: [`SineDecoder`], [`Quadrature`], [`TrackingLoop`], [`endat::Frame`], [`ssi::Position`]. A [`Deviation`] bends the angle
+//! that an encoder sees, within its accuracy. Knows no catalogue, no pin and no language.
+
+mod bits;
+mod deviation;
+mod encoder;
+pub mod endat;
+mod quadrature;
+mod resolver;
+mod shaft;
+mod sine;
+mod square;
+pub mod ssi;
+mod trace;
+
+pub use bits::{BitsFault, Word};
+pub use deviation::Deviation;
+pub use encoder::{Absolute, Encoder, Interface, Protocol, Signal, Value};
+pub use quadrature::{MissedEdge, Quadrature};
+pub use resolver::{Resolver, Tracked, TrackingLoop, Windings};
+pub use shaft::Shaft;
+pub use sine::{Correction, MissedPeriod, SineDecoder, SinePair, Span};
+pub use square::{CommutationPhases, NoSector, SquareTracks, Window, commutation_sector};
+pub use trace::{EDGES_MOST, Edge, Line, TooManyEdges, Trace};

@@ -1,0 +1,128 @@
+//! Square-wave tracks, the zero pulse and commutation signals.
+
+use crate::sine::SinePair;
+use quantities::{Angle, Measure};
+use std::f64::consts::TAU;
+
+/// A part of a period, in which a signal is high \[periods\].
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Window {
+    /// Middle.
+    pub middle: f64,
+    /// Width.
+    pub width: f64,
+}
+
+impl Window {
+    /// Whether a phase lies in it.
+    #[must_use]
+    pub fn holds(self, phase: f64) -> bool {
+        // From its beginning on: the beginning belongs to it, the end does not.
+        (phase - self.middle + self.width / 2.0).rem_euclid(1.0) < self.width
+    }
+
+    /// The phases at which it begins and ends.
+    #[must_use]
+    pub fn ends(self) -> [f64; 2] {
+        [self.middle - self.width / 2.0, self.middle + self.width / 2.0].map(|end| end.rem_euclid(1.0))
+    }
+}
+
+/// Where the tracks of a pair are high after a comparator at zero: a cosine from −90° to 90°, a sine from 0° to 180°.
+pub(crate) const HIGH: [Window; 2] = [Window { middle: 0.0, width: 0.5 }, Window { middle: 0.25, width: 0.5 }];
+
+/// Two square tracks, the first a quarter period ahead of the second while the angle rises.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct SquareTracks {
+    /// Periods per turn.
+    pub periods: u32,
+}
+
+impl SquareTracks {
+    /// Both tracks at an angle.
+    #[must_use]
+    pub fn at(self, seen: Angle) -> [bool; 2] {
+        let phase = phase(seen, self.periods);
+        HIGH.map(|window| window.holds(phase))
+    }
+}
+
+impl From<SinePair> for SquareTracks {
+    fn from(pair: SinePair) -> Self {
+        Self { periods: pair.periods }
+    }
+}
+
+/// The place within the period of a track \[periods\].
+pub(crate) fn phase(seen: Angle, periods: u32) -> f64 {
+    (seen.si() / TAU * f64::from(periods)).rem_euclid(1.0)
+}
+
+/// Three commutation signals, each high for half a period, a third of a period apart.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct CommutationPhases {
+    /// Periods per turn: the pole pairs of the motor.
+    pub periods: u32,
+}
+
+impl CommutationPhases {
+    /// Where U, V and W are high.
+    pub const HIGH: [Window; 3] = [
+        Window { middle: 0.25, width: 0.5 },
+        Window { middle: 0.25 + 1.0 / 3.0, width: 0.5 },
+        Window { middle: 0.25 + 2.0 / 3.0, width: 0.5 },
+    ];
+
+    /// U, V and W at an angle.
+    #[must_use]
+    pub fn at(self, seen: Angle) -> [bool; 3] {
+        let phase = phase(seen, self.periods);
+        Self::HIGH.map(|window| window.holds(phase))
+    }
+}
+
+/// U, V and W are all high or all low, as they never are.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct NoSector;
+
+/// The sixth of the period that three commutation signals show, from zero.
+///
+/// # Errors
+/// Where all three are alike.
+pub const fn commutation_sector([u, v, w]: [bool; 3]) -> Result<u8, NoSector> {
+    match (u, v, w) {
+        (true, false, true) => Ok(0),
+        (true, false, false) => Ok(1),
+        (true, true, false) => Ok(2),
+        (false, true, false) => Ok(3),
+        (false, true, true) => Ok(4),
+        (false, false, true) => Ok(5),
+        (true, true, true) | (false, false, false) => Err(NoSector),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Five periods a turn: thirty sectors of 12°, one signal changing at a time.
+    #[test]
+    fn commutation_steps_every_twelve_degrees() {
+        let tracks = CommutationPhases { periods: 5 };
+        for sector in 0..30_u8 {
+            let angle = Angle::from_si((f64::from(sector) * 12.0 + 6.0).to_radians());
+            assert_eq!(commutation_sector(tracks.at(angle)), Ok(sector % 6));
+        }
+        assert_eq!(commutation_sector([true; 3]), Err(NoSector));
+        assert_eq!(commutation_sector([false; 3]), Err(NoSector));
+    }
+
+    #[test]
+    fn squares_are_the_signs_of_the_sines() {
+        let pair = SinePair { periods: 7, level: None };
+        for at in 0..1000 {
+            let angle = Angle::from_si(f64::from(at) * 0.0123 + 0.001);
+            assert_eq!(SquareTracks::from(pair).at(angle), pair.unit(angle).map(|value| value >= 0.0));
+        }
+    }
+}

@@ -1,0 +1,111 @@
+//! What the encoders of a code send.
+
+use super::{hazards, plain, significant};
+use answers::{Chapter, Column, DecodedWord, Encoder, EncoderSignal, EncoderState, SignalForm, WordFault};
+use installation::wiring::Role;
+use quantities::Language;
+use words::{capitalised, encoder, grade_word};
+
+/// Signals and words of a code.
+#[must_use]
+pub fn encoder(record: &Encoder, language: Language) -> Chapter {
+    let mut chapter = Chapter::new(encoder::title(&record.code, language));
+    for state in std::iter::once(&record.motor).chain(&record.output_encoder) {
+        of_state(&mut chapter, state, record.seed.is_some(), language);
+    }
+    if let Some(decoded) = &record.decoded {
+        of_word(&mut chapter, decoded, language);
+    }
+    if !record.notes.is_empty() {
+        chapter.section(capitalised(encoder::notes(language)));
+        chapter.points(record.notes.clone());
+    }
+    chapter.section(capitalised(encoder::assumptions(language)));
+    let graded =
+        |found: &answers::EncoderAssumption| format!("{} ({})", found.text, grade_word(*found.grade, language));
+    chapter.points(record.assumptions.iter().map(graded).collect());
+    chapter.hazards(hazards(&record.rules, language));
+    chapter
+}
+
+fn of_state(chapter: &mut Chapter, state: &EncoderState, is_seeded: bool, language: Language) {
+    let name = match *state.connector {
+        Role::Motor | Role::Feedback => encoder::motor_feedback(language),
+        Role::OutputEncoder => encoder::output_encoder(language),
+    };
+    let kind = state.type_printed.map_or_else(String::new, |kind| format!(", {kind}"));
+    chapter.section(capitalised(&format!("{name}{kind}")));
+    let shaft = &state.shaft;
+    let angle = significant(Some(shaft.angle_deg), 7, language);
+    chapter.text(encoder::shaft(&shaft.turns, &angle, &plain(Some(shaft.speed_per_min), language), language));
+    if let (true, Some(accuracy)) = (is_seeded, shaft.accuracy_arcsec) {
+        let seen = significant(Some(shaft.seen_deg), 7, language);
+        chapter.text(encoder::seen(&seen, &plain(Some(accuracy), language), language));
+    }
+    let columns = vec![
+        Column::text(encoder::signal(language)),
+        Column::text(encoder::pins(language)),
+        Column::text(encoder::value(language)),
+        Column::text(encoder::periods(language)),
+        Column::wide(encoder::meaning(language)),
+    ];
+    let row = |(name, signal): (&&'static str, &EncoderSignal)| {
+        let pins: Vec<String> = signal.pins.iter().map(|pin| format!("{} ({})", pin.pin, pin.signal)).collect();
+        vec![
+            (*name).to_owned(),
+            pins.join(", "),
+            shown(signal, language),
+            signal.periods_per_turn.map_or_else(String::new, |periods| periods.to_string()),
+            signal.meaning.clone(),
+        ]
+    };
+    chapter.grid(columns, state.signals.iter().map(row).collect());
+    if state.words.is_empty() {
+        chapter.text(encoder::no_words(language).to_owned());
+    }
+    for word in &state.words {
+        chapter.text(format!("{}: {}", word.title, word.bits));
+        let columns = vec![
+            Column::text(encoder::field(language)),
+            Column::text(encoder::bits(language)),
+            Column::numbers(encoder::value(language)),
+        ];
+        let rows =
+            word.fields.iter().map(|field| vec![field.title.to_owned(), field.bits.clone(), field.value.to_string()]);
+        chapter.grid(columns, rows.collect());
+    }
+}
+
+/// The value of a signal.
+fn shown(signal: &EncoderSignal, language: Language) -> String {
+    let Some(value) = signal.value else { return String::new() };
+    let number = significant(Some(value), 4, language);
+    match signal.form {
+        SignalForm::Voltage => format!("{number} V"),
+        SignalForm::PeakVoltage => format!("{number} V {}", encoder::at_peak(language)),
+        SignalForm::Level if value.0 > 0.5 => encoder::high(language).to_owned(),
+        SignalForm::Level => encoder::low(language).to_owned(),
+        SignalForm::Share => format!("{number} {}", encoder::of_amplitude(language)),
+        SignalForm::Other => String::new(),
+    }
+}
+
+fn of_word(chapter: &mut Chapter, decoded: &DecodedWord, language: Language) {
+    chapter.section(capitalised(&encoder::decoded(&decoded.bits, language)));
+    if let Some(title) = &decoded.title {
+        chapter.text(title.clone());
+    }
+    if let Some(angle) = decoded.angle_deg {
+        let turns = decoded.turns.map_or_else(|| String::from("–"), |turns| turns.to_string());
+        chapter.text(encoder::decoded_position(&turns, &significant(Some(angle), 7, language), language));
+    }
+    let fault = |fault: &WordFault| match &fault.hint {
+        Some(hint) => format!("{}; {hint}", fault.message),
+        None => fault.message.clone(),
+    };
+    if decoded.valid {
+        chapter.text(encoder::word_is_right(language).to_owned());
+    } else {
+        chapter.points(decoded.faults.iter().map(fault).collect());
+    }
+}

@@ -1,0 +1,165 @@
+//! `encoder CODE`: signals and words of its encoders at an angle, and a word read back.
+
+use super::given::{Hinted, arguments, code, flag, number, one, some};
+use super::{Answer, Argument, ArgumentKind, Asked, CODE, Entry, Gives, Reads, Record, Unanswered};
+use crate::answer;
+use crate::chapters::read_quantity;
+use crate::sizing_use::Refusal;
+use feedback::{BitsFault, Protocol, Shaft, Word};
+use installation::encoder::{Fitted, encoders};
+use order_code::OrderCode;
+use quantities::unit::{DEGREE, REVOLUTION, REVOLUTION_PER_MINUTE};
+use quantities::{Angle, AngularVelocity, Language, Measure, seen};
+use words::help::values;
+use words::{encoder, help};
+
+/// As many turns as a shaft may have made.
+const TURNS_MOST: i64 = 1_000_000_000_000;
+
+/// As many turns as an angle may have.
+const ANGLE_MOST_TURNS: f64 = 1e6;
+
+/// As fast as a motor may turn \[1/min\].
+const SPEED_MOST_PER_MIN: f64 = 1e6;
+
+pub(super) const ANGLE: Argument =
+    Argument::option("angle", values::angle, help::encoder_angle).signed().usually("0 deg");
+pub(super) const TURN: Argument = Argument::option("turn", values::n, help::encoder_turn).signed().usually("0");
+pub(super) const SPEED: Argument =
+    Argument::option("speed", values::speed, help::encoder_speed).signed().usually("0 1/min");
+pub(super) const SEED: Argument =
+    Argument::option("seed", values::n, help::encoder_seed).of(ArgumentKind::Whole(0, u64::MAX));
+
+arguments! {
+    /// An actuator, its motor shaft, and what is shown of its encoders.
+    pub struct Args {
+        /// Its code.
+        code: OrderCode = CODE => code,
+        /// Angle of the motor shaft.
+        angle: Angle = ANGLE => one(read_angle),
+        /// Whole turns of the motor shaft.
+        turn: i64 = TURN => one(read_turn),
+        /// Speed of the motor shaft.
+        speed: AngularVelocity = SPEED => one(read_speed),
+        /// Seed of the deviation.
+        seed: Option<u64> = SEED => number,
+        /// Angle over which signals are shown.
+        window: Option<Angle> = Argument::option("window", values::angle, help::encoder_window) => some(read_window),
+        /// Whether battery and supply have failed together.
+        battery_lost: bool = Argument::flag("battery-lost", help::encoder_battery_lost) => flag,
+        /// Whether the encoder reports an error.
+        error: bool = Argument::flag("error", help::encoder_error) => flag,
+        /// A word to read.
+        decode: Option<Word> = Argument::option("decode", values::bits, help::encoder_decode) => some(read_word),
+    }
+}
+
+/// The question.
+pub const ENTRY: Entry = Entry {
+    command: "encoder",
+    path: "encoder",
+    about: help::encoder,
+    reads: Reads::Nothing,
+    arguments: Args::ARGUMENTS,
+    gives: Gives::Record(Record::of::<answers::Encoder>("encoder")),
+    writes: &[],
+    example: "CHA-25A-100-H-M512P --angle \"12.5 deg\" --turn 3",
+    answer: Some(|asked| {
+        let found = found(asked)?;
+        let fits = is_right(&found);
+        Ok(Answer::record(&found).fits(fits))
+    }),
+};
+
+/// Whether nothing is wrong with the word that was read, if one was.
+#[must_use]
+pub fn is_right(found: &answers::Encoder) -> bool {
+    found.decoded.as_ref().is_none_or(|decoded| decoded.valid)
+}
+
+/// What the encoders send.
+///
+/// # Errors
+/// Every fault of the arguments; a word, an error or a battery that the encoders do not have; no printed data.
+pub fn found(asked: &Asked<'_>) -> Result<answers::Encoder, Unanswered> {
+    let args = Args::read(&asked.given)?;
+    let fitted = fitted(&args.code, args.seed)?;
+    let language = asked.language;
+    let absolute = || fitted.iter().filter_map(|each| each.encoder.absolute());
+    let has_endat = absolute().any(|absolute| absolute.protocol == Protocol::EnDat);
+    let is_buffered = fitted.iter().any(|each| each.feedback.buffered_by_battery);
+    let wrong = [
+        ("decode", args.decode.is_some() && absolute().next().is_none(), encoder::no_word_to_decode(language)),
+        ("error", args.error && !has_endat, encoder::no_error_to_report(language)),
+        ("battery-lost", args.battery_lost && !is_buffered, encoder::no_battery_to_lose(language)),
+    ];
+    let faults = wrong.into_iter().filter(|(_, is_wrong, _)| *is_wrong);
+    let faults: Vec<Unanswered> =
+        faults.map(|(name, _, fault)| Unanswered::option(name, (fault.to_owned(), None))).collect();
+    if !faults.is_empty() {
+        return Err(Unanswered::together(faults));
+    }
+    let motor = Shaft::new(args.turn, args.angle, args.speed);
+    let refused = || Unanswered::from(Refusal::NoData);
+    answer::encoder(&args, &fitted, motor, language).ok_or_else(refused)
+}
+
+/// The encoders of a code, deviating by a seed.
+///
+/// # Errors
+/// No printed data.
+pub(super) fn fitted(code: &OrderCode, seed: Option<u64>) -> Result<Vec<Fitted>, Unanswered> {
+    let fitted = encoders(code).ok_or(Refusal::NoData)?;
+    Ok(match seed {
+        Some(seed) => fitted.into_iter().map(|each| each.deviating(seed)).collect(),
+        None => fitted,
+    })
+}
+
+/// The angle of the motor shaft.
+pub(super) fn read_angle(text: &str, language: Language) -> Result<Angle, Hinted> {
+    let angle: Angle = read_quantity(text, language)?;
+    if angle.in_unit(&REVOLUTION).abs() <= ANGLE_MOST_TURNS {
+        return Ok(angle);
+    }
+    Err((encoder::angle_is_bounded(&ANGLE_MOST_TURNS, language), None))
+}
+
+/// Whole turns of the motor shaft.
+pub(super) fn read_turn(text: &str, language: Language) -> Result<i64, Hinted> {
+    let turn = text.trim().parse::<i64>().ok();
+    let fault = || (encoder::turn_is_whole(&TURNS_MOST, language), None);
+    turn.filter(|turn| (-TURNS_MOST..=TURNS_MOST).contains(turn)).ok_or_else(fault)
+}
+
+/// The speed of the motor shaft.
+pub(super) fn read_speed(text: &str, language: Language) -> Result<AngularVelocity, Hinted> {
+    let speed: AngularVelocity = read_quantity(text, language)?;
+    if speed.in_unit(&REVOLUTION_PER_MINUTE).abs() <= SPEED_MOST_PER_MIN {
+        return Ok(speed);
+    }
+    Err((encoder::speed_is_bounded(&SPEED_MOST_PER_MIN, language), None))
+}
+
+fn read_window(text: &str, language: Language) -> Result<Angle, Hinted> {
+    let window: Angle = read_quantity(text, language)?;
+    let degrees = window.in_unit(&DEGREE);
+    // A full turn in another unit may be a rounding more.
+    if degrees > 0.0 && degrees <= 360.0 + 1e-9 {
+        return Ok(window);
+    }
+    Err((encoder::window_is_bounded(language).to_owned(), None))
+}
+
+fn read_word(text: &str, language: Language) -> Result<Word, Hinted> {
+    text.parse().map_err(|fault| {
+        let fault = match fault {
+            BitsFault::Empty => encoder::word_is_empty(language).to_owned(),
+            BitsFault::Sign(sign, place) => {
+                encoder::bits_are_0_and_1(&seen(sign.encode_utf8(&mut [0; 4])), &place, language)
+            }
+            BitsFault::TooLong => encoder::word_is_too_long(&Word::MOST, language),
+        };
+        (fault, None)
+    })
+}
