@@ -243,7 +243,8 @@ impl Linear<'_> {
             #[allow(clippy::cast_precision_loss, reason = "a thousand")]
             let frequency_hz = least * (0.999 * most / least).powf(step as f64 / steps as f64);
             let [open, closed] = self.both(of, Complex::new(0.0, TAU * frequency_hz));
-            let follow = |phase: f64, last: Option<f64>| last.map_or(phase, |last| phase - TAU * ((phase - last) / TAU).round());
+            let follow =
+                |phase: f64, last: Option<f64>| last.map_or(phase, |last| phase - TAU * ((phase - last) / TAU).round());
             let last = points.last();
             points.push(Response {
                 frequency_hz,

@@ -146,7 +146,13 @@ impl Control {
 
     /// The voltage of this period.
     #[inline]
-    pub(crate) fn period(&mut self, tick: u64, measured: &Measured, demand: impl FnOnce() -> Demand, bounds: &Bounds) -> [f64; 2] {
+    pub(crate) fn period(
+        &mut self,
+        tick: u64,
+        measured: &Measured,
+        demand: impl FnOnce() -> Demand,
+        bounds: &Bounds,
+    ) -> [f64; 2] {
         let period = 1.0 / CURRENT_RATE_HZ;
         if tick.is_multiple_of(SPEED_EVERY) {
             #[allow(clippy::cast_precision_loss, reason = "four")]
@@ -189,7 +195,7 @@ impl Control {
             *integral += self.gains.current_p * share * error;
             *u = self.gains.current_p * error + *integral + free;
         }
-        let size = voltage[0].hypot(voltage[1]);
+        let size = (voltage[0] * voltage[0] + voltage[1] * voltage[1]).sqrt();
         if size > bounds.voltage_v {
             let scale = bounds.voltage_v / size;
             for (u, integral) in voltage.iter_mut().zip(&mut self.integral_v) {

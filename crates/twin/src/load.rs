@@ -25,7 +25,9 @@ impl Local {
     #[inline]
     pub(crate) fn torque(&self, position_rad: f64, speed_rad_s: f64) -> f64 {
         let way = position_rad - self.position_rad;
-        self.middle_nm + way * (self.slope_nm + way * self.bend_nm) + self.viscous_nms * (speed_rad_s - self.speed_rad_s)
+        self.middle_nm
+            + way * (self.slope_nm + way * self.bend_nm)
+            + self.viscous_nms * (speed_rad_s - self.speed_rad_s)
     }
 }
 
@@ -81,9 +83,11 @@ impl<'a> LoadModel<'a> {
         let own = torque(position, speed, acceleration, sign);
         let inertia = torque(position, speed, acceleration + 1.0, sign) - own;
         let still = own - inertia * acceleration;
-        let viscous = torque(position, speed + 0.5, acceleration, sign) - torque(position, speed - 0.5, acceleration, sign);
+        let viscous =
+            torque(position, speed + 0.5, acceleration, sign) - torque(position, speed - 0.5, acceleration, sign);
         let way = 1e-5;
-        let slope = (torque(position + way, speed, acceleration, sign) - torque(position - way, speed, acceleration, sign))
+        let slope = (torque(position + way, speed, acceleration, sign)
+            - torque(position - way, speed, acceleration, sign))
             / (2.0 * way);
         let [ahead, back] = [1.0, -1.0].map(|direction| torque(position, speed, acceleration, direction));
         let coulomb = 0.5 * (ahead - back);

@@ -6,8 +6,8 @@ use crate::parameters::{Parameters, si};
 use crate::plant::Plant;
 use crate::{Fault, Switches};
 use actuator::{HeatModel, NoLoadFriction, copper_resistance, speed_max};
-use provenance::Missing;
-use quantities::{ElectricalResistance, Measure, ThermodynamicTemperature};
+use provenance::{Datum, Missing};
+use quantities::{ElectricalResistance, Measure, ThermodynamicTemperature, Time};
 use std::f64::consts::{SQRT_2, TAU};
 
 /// An actuator as constants.
@@ -58,7 +58,10 @@ impl Machine {
         let spring = Spring::of(&torsion);
         let mut left_out = Vec::new();
         let friction = if switches.friction { Some(NoLoadFriction::of(actuator)?) } else { None };
-        let mesh = if switches.friction { mesh(parameters, ratio * constant_motor)? } else { 0.0 };
+        let out_nm_a = loaded(parameters)?;
+        // A k_TM that is rounded down would give an efficiency above one: then the motor gives what the output does.
+        let constant_motor = constant_motor.max(out_nm_a / ratio);
+        let mesh = if switches.friction && out_nm_a > 0.0 { ratio * constant_motor / out_nm_a - 1.0 } else { 0.0 };
         let accuracy = &actuator.accuracy;
         let hysteresis = match (accuracy.hysteresis_loss.known(), accuracy.lost_motion.known()) {
             (Some(loss), Some(motion)) if switches.hysteresis && motion.value.si() > 0.0 => {
@@ -95,14 +98,20 @@ impl Machine {
             left_out.push("housing_share");
         }
         let brake = &actuator.brake;
-        let brake = match (brake.holding_torque.known(), brake.opening_time.known(), brake.closing_time.known()) {
-            (Some(torque), Some(opening), Some(closing)) => Some(BrakeData {
+        let brake = brake.holding_torque.known().map(|torque| {
+            let mut time = |datum: &Datum<Time>, symbol, usual: f64| match datum.known() {
+                Some(known) => known.value.si(),
+                None => {
+                    left_out.push(symbol);
+                    usual
+                }
+            };
+            BrakeData {
                 torque_nm: torque.value.si(),
-                opening_s: opening.value.si(),
-                closing_s: closing.value.si(),
-            }),
-            _ => None,
-        };
+                opening_s: time(&brake.opening_time, "t_o", model.brake_opening_usual.value),
+                closing_s: time(&brake.closing_time, "t_c", model.brake_closing_usual.value),
+            }
+        });
         let feedback = &actuator.feedback;
         let of_feedback = |angle: quantities::Angle| angle.si() / ratio;
         Ok(Self {
@@ -129,7 +138,9 @@ impl Machine {
             friction_nm_a: ratio * constant_motor,
             heat,
             current_max_a: si(&actuator.current_max, "I_max")?,
-            stall_current_a: si(&actuator.stall_current_motor, "I_0").or_else(|_| si(&actuator.stall_current, "I_0")).ok(),
+            stall_current_a: si(&actuator.stall_current_motor, "I_0")
+                .or_else(|_| si(&actuator.stall_current, "I_0"))
+                .ok(),
             demagnetisation_a: si(&actuator.current_demagnetisation, "I_E").ok(),
             speed_max: speed_max(actuator)?.value.si(),
             brake,
@@ -154,18 +165,14 @@ impl Machine {
     }
 }
 
-/// 1/η − 1 of the teeth under torque.
+/// η i k_TM: torque at the output per ampere beyond the friction of no load \[Nm/A\].
 ///
-/// η = k_Tout/(i k_TM); of the 48 V windings, whose k_Tout is T_0/I_0 and so holds the friction of no load, η =
-/// T_0/(i k_TM (I_0 − I_NLS)); at most one
-fn mesh(parameters: &Parameters, motor_nm_a: f64) -> Result<f64, Missing> {
+/// k_Tout; of the 48 V windings, whose k_Tout is T_0/I_0 and so holds that friction, T_0/(I_0 − I_NLS)
+fn loaded(parameters: &Parameters) -> Result<f64, Missing> {
     let actuator = &parameters.actuator;
-    let out = if actuator.stall_current_includes_friction {
-        si(&actuator.torque_constant_out, "k_Tout")?
-    } else {
-        let starting = si(&actuator.no_load_starting_current, "I_NLS")?;
-        si(&actuator.stall_torque, "T_0")? / (si(&actuator.stall_current, "I_0")? - starting)
-    };
-    let efficiency = (out / motor_nm_a).min(1.0);
-    Ok(if efficiency > 0.0 { 1.0 / efficiency - 1.0 } else { 0.0 })
+    if actuator.stall_current_includes_friction {
+        return si(&actuator.torque_constant_out, "k_Tout");
+    }
+    let starting = si(&actuator.no_load_starting_current, "I_NLS")?;
+    Ok(si(&actuator.stall_torque, "T_0")? / (si(&actuator.stall_current, "I_0")? - starting))
 }

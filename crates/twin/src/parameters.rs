@@ -74,8 +74,19 @@ macro_rules! scalars {
 }
 
 scalars!(
-    Angle, ElectricCurrent, ElectricPotential, ElectricalResistance, Inductance, MomentOfInertia, NoLoadCurrentConstant,
-    ThermodynamicTemperature, Time, Torque, TorqueConstant, TorsionalStiffness, VoltageConstant
+    Angle,
+    ElectricCurrent,
+    ElectricPotential,
+    ElectricalResistance,
+    Inductance,
+    MomentOfInertia,
+    NoLoadCurrentConstant,
+    ThermodynamicTemperature,
+    Time,
+    Torque,
+    TorqueConstant,
+    TorsionalStiffness,
+    VoltageConstant
 );
 
 impl Scalar for f64 {
@@ -189,6 +200,10 @@ model! {
     chopper_off: Ratio = 1.12, Assumed;
     /// Stiffness of a stop that the load meets. A guess: as stiff as a good machine frame.
     stop_stiffness: TorsionalStiffness = 2.0e5, Assumed;
+    /// Opening time of a brake where none is printed: that of the larger sizes.
+    brake_opening_usual: Time = 0.11, Assumed;
+    /// Closing time of a brake where none is printed: that of the larger sizes.
+    brake_closing_usual: Time = 0.07, Assumed;
     /// Noise of a measured phase current, rms.
     current_noise: Current = 0.0, Assumed;
 }

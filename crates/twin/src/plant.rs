@@ -71,6 +71,8 @@ pub(crate) struct State {
     pub(crate) energies: Energies,
     /// Angle that the closed brake has slipped \[rad\].
     pub(crate) slipped_rad: f64,
+    /// Error of the transmission at θ and its slope.
+    pub(crate) error: (f64, f64),
     /// Torque through the gear at the start of the last step \[Nm\], its twist \[rad\] and the acceleration of the load.
     pub(crate) gear_nm: f64,
     pub(crate) twist_rad: f64,
@@ -112,11 +114,19 @@ pub(crate) struct Given<'a> {
     pub(crate) anchor: Option<&'a Anchor>,
 }
 
+/// Reciprocals of L, J_M and J_L.
+#[derive(Clone, Copy)]
+struct Over {
+    inductance: f64,
+    inertia: f64,
+    load: f64,
+}
+
 /// Slopes of the state and powers of the accounts at one stage.
 #[derive(Clone, Copy)]
 struct Flow {
     slope: [f64; 6],
-    /// Terminal, copper, friction, mesh, brake, damping, flange, constants.
+    /// i_d, i_q, i², i_q Ω, Ω², σ Ω|T|, φ'², T ω: what the accounts are made of.
     power: [f64; 8],
 }
 
@@ -125,16 +135,16 @@ impl Plant {
     #[inline]
     fn error(&self, anchor: Option<&Anchor>, theta: f64) -> (f64, f64) {
         match (&self.kinematic, anchor) {
-            (Some(error), Some(anchor)) => error.near(anchor, theta),
+            (_, Some(anchor)) => anchor.at(theta),
             (Some(error), None) => error.at(theta),
-            (None, _) => (0.0, 0.0),
+            (None, None) => (0.0, 0.0),
         }
     }
 
-    /// Twist of the gear \[rad\].
-    pub(crate) fn twist(&self, x: &[f64; 6], anchor: Option<&Anchor>) -> f64 {
-        let [_, _, theta, _, q, _] = *x;
-        theta - q - self.error(anchor, theta).0
+    /// Sets error and twist of a state whose angles were set.
+    pub(crate) fn place(&self, state: &mut State) {
+        state.error = self.error(None, state.x[2]);
+        state.twist_rad = state.x[2] - state.x[4] - state.error.0;
     }
 
     /// What friction may hold at the motor under a torque of the gear \[Nm\].
@@ -152,17 +162,14 @@ impl Plant {
     /// # Source
     /// docs/theory/twin.md
     #[inline(always)]
-    fn flow(&self, x: &[f64; 6], state: &State, given: &Given<'_>) -> Flow {
+    fn flow(&self, x: &[f64; 6], error: (f64, f64), state: &State, given: &Given<'_>, over: &Over) -> Flow {
         let [i_d, i_q, theta, omega, q, speed] = *x;
         let [u_d, u_q] = given.voltage;
         let (r, l) = (self.resistance_ohm, self.inductance_h);
         let electric = self.electrical * omega;
-        let (di_d, di_q) = if state.pulses {
-            ((u_d - r * i_d + electric * l * i_q) / l, (u_q - r * i_q - electric * (l * i_d + self.flux_vs)) / l)
-        } else {
-            (0.0, 0.0)
-        };
-        let (error, error_slope) = self.error(given.anchor, theta);
+        let di_d = (u_d - r * i_d + electric * l * i_q) * over.inductance;
+        let di_q = (u_q - r * i_q - electric * (l * i_d + self.flux_vs)) * over.inductance;
+        let (error, error_slope) = error;
         let phi = theta - q - error;
         let passed = 1.0 - error_slope;
         let rate = omega * passed - speed;
@@ -176,27 +183,25 @@ impl Plant {
         let acceleration = if sliding == 0.0 {
             0.0
         } else {
-            (motor - viscous - gear * passed - sliding * (self.friction_nm + self.brake_nm + mesh)) / self.inertia_kgm2
+            (motor - viscous - gear * passed - sliding * (self.friction_nm + self.brake_nm + mesh)) * over.inertia
         };
-        let turning = sliding * omega;
         let contact = given.stop.map_or(0.0, |stop| stop.torque(q, speed));
         let load = if load_sliding == 0.0 {
             0.0
         } else {
-            (gear - given.load.torque(q, speed) - contact - load_sliding * given.load.coulomb_nm)
-                / given.load.inertia_kgm2
+            (gear - given.load.torque(q, speed) - contact - load_sliding * given.load.coulomb_nm) * over.load
         };
         Flow {
             slope: [di_d, di_q, omega, acceleration, speed, load],
             power: [
-                1.5 * (u_d * i_d + u_q * i_q),
-                1.5 * r * (i_d * i_d + i_q * i_q),
-                viscous * omega + turning * self.friction_nm,
-                turning * mesh,
-                turning * self.brake_nm,
-                damping * rate,
+                i_d,
+                i_q,
+                i_d * i_d + i_q * i_q,
+                i_q * omega,
+                omega * omega,
+                sliding * omega * gear.abs(),
+                rate * rate,
                 gear * speed,
-                (1.5 * self.flux_vs * self.electrical - self.torque_constant) * i_q * omega,
             ],
         }
     }
@@ -204,7 +209,7 @@ impl Plant {
     /// Whether what sticks begins to slide, from the torques at the start of a step.
     fn let_go(&self, state: &mut State, given: &Given<'_>) {
         let [_, i_q, theta, _, q, speed] = state.x;
-        let (error, error_slope) = self.error(given.anchor, theta);
+        let (error, error_slope) = state.error;
         let phi = theta - q - error;
         let gear = self.spring.torque(phi) + self.hysteresis.torque(&state.force, phi - state.twist_rad)
             - self.damping_nms * speed;
@@ -232,6 +237,10 @@ impl Plant {
             self.let_go(state, given);
         }
         let start = state.x;
+        // Without pulses no current flows.
+        let inductance = if state.pulses { 1.0 / self.inductance_h } else { 0.0 };
+        let over = Over { inductance, inertia: 1.0 / self.inertia_kgm2, load: 1.0 / given.load.inertia_kgm2 };
+        let at = |x: &[f64; 6]| self.flow(x, self.error(given.anchor, x[2]), state, given, &over);
         let ahead = |flow: &Flow, h: f64| -> [f64; 6] {
             let mut x = start;
             for (x, slope) in x.iter_mut().zip(&flow.slope) {
@@ -239,10 +248,10 @@ impl Plant {
             }
             x
         };
-        let a = self.flow(&start, state, given);
-        let b = self.flow(&ahead(&a, 0.5 * h), state, given);
-        let c = self.flow(&ahead(&b, 0.5 * h), state, given);
-        let d = self.flow(&ahead(&c, h), state, given);
+        let a = self.flow(&start, state.error, state, given, &over);
+        let b = at(&ahead(&a, 0.5 * h));
+        let c = at(&ahead(&b, 0.5 * h));
+        let d = at(&ahead(&c, h));
         let sixth = h / 6.0;
         let mean = |[a, b, c, d]: [f64; 4]| sixth * (a + 2.0 * (b + c) + d);
         for ((x, (a, b)), (c, d)) in
@@ -256,17 +265,21 @@ impl Plant {
         {
             *work = mean([*a, *b, *c, *d]);
         }
-        let [terminal, copper, friction, mesh, brake, damping, flange, constants] = worked;
+        let [charge_d, charge_q, square, turned, fast, rubbed, sheared, given_on] = worked;
+        let [u_d, u_q] = given.voltage;
+        // Dry friction of constant torque: its work is that torque times the way.
+        let slid = state.sliding[0] * (state.x[2] - start[2]);
+        let terminal = 1.5 * (u_d * charge_d + u_q * charge_q);
         let energies = &mut state.energies;
         energies.terminal_j += terminal;
         energies.regenerated_j += (-terminal).max(0.0);
-        energies.copper_j += copper;
-        energies.friction_j += friction;
-        energies.mesh_j += mesh;
-        energies.brake_j += brake;
-        energies.damping_j += damping;
-        energies.flange_j += flange;
-        energies.constants_j += constants;
+        energies.copper_j += 1.5 * self.resistance_ohm * square;
+        energies.friction_j += self.viscous_nms * fast + self.friction_nm * slid;
+        energies.mesh_j += self.mesh * rubbed;
+        energies.brake_j += self.brake_nm * slid;
+        energies.damping_j += self.damping_nms * sheared;
+        energies.flange_j += given_on;
+        energies.constants_j += (1.5 * self.flux_vs * self.electrical - self.torque_constant) * turned;
         state.acceleration_rad_s2 = a.slope[5];
         self.settle(state, given, start);
     }
@@ -274,15 +287,16 @@ impl Plant {
     /// After a step: hysteresis, and bodies that came to rest.
     #[inline]
     fn settle(&self, state: &mut State, given: &Given<'_>, start: [f64; 6]) {
-        let phi = self.twist(&state.x, given.anchor);
+        state.error = self.error(given.anchor, state.x[2]);
+        let phi = state.x[2] - state.x[4] - state.error.0;
         state.energies.hysteresis_j += self.hysteresis.advance(&mut state.force, phi - state.twist_rad);
         state.twist_rad = phi;
         let [_, _, theta, omega, _, speed] = state.x;
         if self.brake_nm > 0.0 {
             state.slipped_rad += (theta - start[2]).abs();
         }
-        state.gear_nm = self.spring.torque(phi) + self.hysteresis.torque(&state.force, 0.0)
-            + self.damping_nms * (omega - speed);
+        state.gear_nm =
+            self.spring.torque(phi) + self.hysteresis.torque(&state.force, 0.0) + self.damping_nms * (omega - speed);
         if omega * state.sliding[0] < 0.0 {
             if self.held(state.gear_nm) > 0.0 {
                 state.energies.friction_j += 0.5 * self.inertia_kgm2 * omega * omega;

@@ -1,18 +1,18 @@
 //! The run: control, plant, DC link and supervision, period by period.
 
-use crate::control::{Bounds, CURRENT_RATE_HZ, Control, Demand, Gains, Measured, POSITION_EVERY};
+use crate::control::{Bounds, CURRENT_RATE_HZ, Control, Demand, Gains, Measured, POSITION_EVERY, SPEED_EVERY};
 use crate::drive::{BrakeState, Limits, Phase};
 use crate::gear::Anchor;
 use crate::link::{Link, LinkModel};
 use crate::load::{LoadModel, Local};
 use crate::machine::Machine;
 use crate::noise::Random;
+use crate::parameters::Parameter;
 use crate::plant::{Energies, Given, Plant, State, Stop};
 use crate::scenario::{Event, EventKind, Reaction, ScenarioId};
 use crate::setpoint::{Course, SetPoint};
 use crate::setup::{Fault, STEP_MOST, SUBSTEPS_MOST, Setup};
 use crate::summary::{Gathered, Summary};
-use crate::parameters::Parameter;
 use actuator::{Losses, Temperatures, overload_slope};
 use quantities::{ElectricCurrent, Measure, Ratio, ThermodynamicTemperature, Time};
 use std::f64::consts::{SQRT_2, TAU};
@@ -142,7 +142,8 @@ impl<'a> Twin<'a> {
         if setup.substeps == 0 || setup.substeps > SUBSTEPS_MOST {
             return Err(Fault::OutOfRange("substeps"));
         }
-        for (key, value) in [("supply", setup.supply_v), ("ambient", setup.ambient_k), ("modulation", setup.modulation)] {
+        for (key, value) in [("supply", setup.supply_v), ("ambient", setup.ambient_k), ("modulation", setup.modulation)]
+        {
             if !(value.is_finite() && value > 0.0) {
                 return Err(Fault::OutOfRange(key));
             }
@@ -150,9 +151,12 @@ impl<'a> Twin<'a> {
         if matches!(setup.mechanism.kind, mechanism::Kind::Joint(_)) {
             return Err(Fault::RecordedTorque);
         }
-        if let Some(Parameter { key, .. }) = setup.parameters.list().iter().find(|each| {
-            each.value.as_ref().is_some_and(|value| !value.value.is_finite() || value.value < 0.0)
-        }) {
+        if let Some(Parameter { key, .. }) = setup
+            .parameters
+            .list()
+            .iter()
+            .find(|each| each.value.as_ref().is_some_and(|value| !value.value.is_finite() || value.value < 0.0))
+        {
             return Err(Fault::OutOfRange(key));
         }
         let machine = Machine::of(setup.parameters, setup.switches, setup.seed)?;
@@ -175,7 +179,8 @@ impl<'a> Twin<'a> {
             return Err(Fault::NoInertia);
         }
         let mut plant = machine.plant;
-        let temperatures = setup.start_k.filter(|_| !matches!(scenario, ScenarioId::ColdGrease)).unwrap_or([ambient_k; 2]);
+        let temperatures =
+            setup.start_k.filter(|_| !matches!(scenario, ScenarioId::ColdGrease)).unwrap_or([ambient_k; 2]);
         let [winding, housing] = temperatures;
         machine.warm(&mut plant, winding, housing);
         let has_stop = matches!(scenario, ScenarioId::BlockedLoad | ScenarioId::Collision);
@@ -211,12 +216,13 @@ impl<'a> Twin<'a> {
             sliding: [free(plant.friction_nm + plant.brake_nm + plant.mesh), free(local.coulomb_nm)],
             energies: Energies::default(),
             slipped_rad: 0.0,
+            error: (0.0, 0.0),
             gear_nm: holding,
             twist_rad: 0.0,
             acceleration_rad_s2: 0.0,
             pulses,
         };
-        state.twist_rad = plant.twist(&state.x, None);
+        plant.place(&mut state);
         let chopper = [model.chopper_off.value, model.chopper_on.value].map(|share| share * setup.supply_v);
         let link_model = LinkModel {
             capacity_f: 2.0 * model.link_energy.value / (560.0 * 560.0),
@@ -226,9 +232,8 @@ impl<'a> Twin<'a> {
             chopper_v: chopper,
         };
         let fastest = setup.motion.pieces().iter().map(|piece| piece.polynomial[0].abs()).fold(0.0, f64::max);
-        let torque_ramp = plant.torque_constant * SQRT_2 * machine.current_max_a
-            / (plant.inertia_kgm2 + local.inertia_kgm2)
-            / 2.0;
+        let torque_ramp =
+            plant.torque_constant * SQRT_2 * machine.current_max_a / (plant.inertia_kgm2 + local.inertia_kgm2) / 2.0;
         let limits = setup.limits.unwrap_or(Limits {
             following_rad: None,
             link_v: [0.7 * setup.supply_v, link_most(&setup)],
@@ -241,7 +246,11 @@ impl<'a> Twin<'a> {
         };
         let end_s = course.duration_s() + after;
         let happens_s = happens(&setup, &course)?;
-        #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "bounded by the caller's count of the work")]
+        #[allow(
+            clippy::cast_possible_truncation,
+            clippy::cast_sign_loss,
+            reason = "bounded by the caller's count of the work"
+        )]
         let end_tick = (end_s * CURRENT_RATE_HZ).round() as u64;
         let mut random = Random::new(setup.seed ^ 0x5eed);
         let phases = [(); 2].map(|()| TAU * random.uniform());
@@ -434,7 +443,11 @@ impl<'a> Twin<'a> {
             i_d += noise * self.random.normal();
             i_q += noise * self.random.normal();
         }
-        let measured = Measured { current: [i_d, i_q], angle_rad: self.angle() };
+        let measured = Measured {
+            current: [i_d, i_q],
+            // The loops of speed and position alone look at it.
+            angle_rad: if self.tick.is_multiple_of(SPEED_EVERY) { self.angle() } else { 0.0 },
+        };
         let demand = match (self.phase, self.setup.speed_step) {
             (Phase::Ramp(speed), _) => Demand::Speed(speed),
             (Phase::Holding(_), _) => Demand::Speed(0.0),
@@ -519,7 +532,8 @@ impl<'a> Twin<'a> {
             }
             Phase::Off => {}
         }
-        let rests = self.state.x[3].abs() < 1e-4 * self.machine.speed_max && self.state.x[5].abs() < 1e-3 * self.machine.speed_max;
+        let rests = self.state.x[3].abs() < 1e-4 * self.machine.speed_max
+            && self.state.x[5].abs() < 1e-3 * self.machine.speed_max;
         if self.phase == Phase::Off && rests && self.happened && !self.has(EventKind::AtRest) {
             self.note(EventKind::AtRest);
         }
@@ -628,7 +642,8 @@ impl<'a> Twin<'a> {
         let step = SLOW_EVERY as f64 * PERIOD_S;
         let slow = std::mem::take(&mut self.slow);
         if let Some(heat) = self.machine.heat {
-            self.temperatures = warmed(&self.temperatures, &heat, slow.copper_j / step, slow.heat_j / step, self.ambient_k, step);
+            self.temperatures =
+                warmed(&self.temperatures, &heat, slow.copper_j / step, slow.heat_j / step, self.ambient_k, step);
             let (winding, housing) = (self.temperatures.winding.si(), self.temperatures.housing.si());
             self.machine.warm(&mut self.plant, winding, housing);
             let lag = self.setup.parameters.model.sensor_lag.value.max(step);
@@ -650,11 +665,14 @@ impl<'a> Twin<'a> {
         }
         let [i_d, i_q, ..] = self.state.x;
         let current = (0.5 * (i_d * i_d + i_q * i_q)).sqrt();
-        if self.machine.demagnetisation_a.is_some_and(|limit| current >= limit) && !self.has(EventKind::Demagnetisation) {
+        if self.machine.demagnetisation_a.is_some_and(|limit| current >= limit) && !self.has(EventKind::Demagnetisation)
+        {
             self.note(EventKind::Demagnetisation);
         }
         let collision = self.setup.parameters.actuator.gear.collision_torque_max.known();
-        if collision.is_some_and(|limit| self.gathered.torque_nm() > limit.value.si()) && !self.has(EventKind::CollisionTorque) {
+        if collision.is_some_and(|limit| self.gathered.torque_nm() > limit.value.si())
+            && !self.has(EventKind::CollisionTorque)
+        {
             self.note(EventKind::CollisionTorque);
         }
         if self.state.x.iter().any(|value| !value.is_finite())
@@ -757,7 +775,14 @@ impl<'a> Twin<'a> {
     pub fn summary(&self) -> Summary {
         let stored = self.plant.stored(&self.state) - self.stored_at_start_j;
         let energies = self.state.energies;
-        self.gathered.summary(&energies, energies.unaccounted(stored), &self.link, self.time_s(), self.brake.closings, self.happens_s)
+        self.gathered.summary(
+            &energies,
+            energies.unaccounted(stored),
+            &self.link,
+            self.time_s(),
+            self.brake.closings,
+            self.happens_s,
+        )
     }
 }
 
@@ -828,8 +853,7 @@ pub(crate) fn warmed(
         housing: ThermodynamicTemperature::from_si(from.housing.si() + housing),
     };
     let first = network.flows(from, losses, ambient);
-    let second =
-        network.flows(&moved(step * first.winding_k_per_s, step * first.housing_k_per_s), losses, ambient);
+    let second = network.flows(&moved(step * first.winding_k_per_s, step * first.housing_k_per_s), losses, ambient);
     moved(
         0.5 * step * (first.winding_k_per_s + second.winding_k_per_s),
         0.5 * step * (first.housing_k_per_s + second.housing_k_per_s),

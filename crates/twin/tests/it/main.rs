@@ -2,7 +2,9 @@
 
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::indexing_slicing, clippy::panic, reason = "a test may fail")]
 
-mod explore;
+mod linear;
+mod runs;
+mod steady;
 
 use mechanism::{Extra, Mechanism};
 use motion::{Closing, ManualMove, Motion, SegmentSpec};
