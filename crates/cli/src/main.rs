@@ -32,6 +32,7 @@ mod report;
 mod reserve;
 mod save;
 mod serve;
+mod simulate;
 mod table;
 mod tolerance;
 mod upkeep;

@@ -3,12 +3,14 @@
 mod commission;
 mod mount;
 mod recorded;
+mod simulation;
 mod upkeep;
 mod wiring;
 
 pub use commission::commission;
 pub use mount::mount;
 pub use recorded::{RecordedLine, recorded};
+pub use simulation::simulation;
 pub use upkeep::upkeep;
 pub use wiring::wiring;
 

@@ -39,6 +39,7 @@ pub mod new;
 pub mod plot;
 pub mod report;
 pub mod schema;
+pub mod simulate;
 pub mod size;
 pub mod torsion;
 pub mod units;
@@ -61,6 +62,7 @@ pub const LIST: &[&Entry] = &[
     &size::ENTRY,
     &check::ENTRY,
     &explain::ENTRY,
+    &simulate::ENTRY,
     &report::ENTRY,
     &compare::ENTRY,
     &diff::ENTRY,

@@ -114,7 +114,6 @@ impl<'a> Setup<'a> {
 
 /// Why something cannot be simulated.
 #[derive(Clone, Copy, Debug, PartialEq)]
-#[non_exhaustive]
 pub enum Fault {
     /// A datum of the actuator is not known.
     Missing(Missing),
