@@ -177,6 +177,12 @@ impl Linear<'_> {
         (ONE - Complex::unit(-s.im * period)) / (s * period)
     }
 
+    /// A sample of a slow loop that a quicker one reads several times: (1 − e^(−sT))/(n (1 − e^(−sT/n))).
+    fn repeated(s: Complex, slow: Loop, quick: Loop) -> Complex {
+        let (slow, quick) = (slow.period_s(), quick.period_s());
+        (ONE - Complex::unit(-s.im * slow)) / (ONE - Complex::unit(-s.im * quick)) * (quick / slow)
+    }
+
     /// A PI controller that samples: K (1 + (T/T_n) z/(z − 1)).
     fn pi(s: Complex, gain: f64, time: f64, period: f64) -> Complex {
         let z = Complex::unit(s.im * period);
@@ -209,7 +215,7 @@ impl Linear<'_> {
         let current = self.current_open(s);
         let current = current / (ONE + current);
         let controller = Self::pi(s, self.gains.speed_p, self.gains.speed_time_s, period);
-        let forth = controller * Self::hold(s, period) * current * self.mechanics(s);
+        let forth = controller * Self::repeated(s, Loop::Speed, Loop::Current) * current * self.mechanics(s);
         // The speed is the difference of two angles, filtered.
         let share = period / (period + self.gains.speed_filter_s);
         let filter = Complex::new(share, 0.0) / (ONE - Complex::unit(-s.im * period) * (1.0 - share));
@@ -229,7 +235,7 @@ impl Linear<'_> {
             }
             Loop::Position => {
                 let [_, speed] = self.both(Loop::Speed, s);
-                let open = Self::hold(s, Loop::Position.period_s()) * speed / s * self.gains.position_p;
+                let open = Self::repeated(s, Loop::Position, Loop::Speed) * speed / s * self.gains.position_p;
                 [open, open / (ONE + open)]
             }
         }
@@ -321,3 +327,7 @@ pub(crate) fn linear<'a>(twin: &'a Twin<'_>, delay: bool) -> Linear<'a> {
     let (plant, load) = twin.linear();
     Linear { plant, load, gains: *twin.gains(), delay, stiffness: plant.spring.stiffness_at(twin.state.twist_rad) }
 }
+
+#[cfg(test)]
+#[path = "bode_tests.rs"]
+mod tests;

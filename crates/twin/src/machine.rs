@@ -5,9 +5,9 @@ use crate::noise::Random;
 use crate::parameters::{Parameters, si};
 use crate::plant::Plant;
 use crate::{Fault, Switches};
-use actuator::{HeatModel, NoLoadFriction, copper_resistance, speed_max};
+use actuator::{HeatModel, NoLoadFriction, coil_power, copper_resistance, speed_max};
 use provenance::{Datum, Missing};
-use quantities::{ElectricalResistance, Measure, ThermodynamicTemperature, Time};
+use quantities::{ElectricalResistance, Measure, Ratio, ThermodynamicTemperature, Time};
 use std::f64::consts::{SQRT_2, TAU};
 
 /// An actuator as constants.
@@ -42,6 +42,8 @@ pub(crate) struct BrakeData {
     pub(crate) torque_nm: f64,
     pub(crate) opening_s: f64,
     pub(crate) closing_s: f64,
+    /// Heat of the coil while the brake is open \[W\].
+    pub(crate) coil_w: f64,
 }
 
 impl Machine {
@@ -106,7 +108,10 @@ impl Machine {
                     usual
                 }
             };
+            let coil = brake.voltage.known().zip(brake.holding_current.known());
+            let open = Ratio::from_si(1.0);
             BrakeData {
+                coil_w: coil.map_or(0.0, |(voltage, current)| coil_power(voltage.value, current.value, open).si()),
                 torque_nm: torque.value.si(),
                 opening_s: time(&brake.opening_time, "t_o", model.brake_opening_usual.value),
                 closing_s: time(&brake.closing_time, "t_c", model.brake_closing_usual.value),

@@ -138,8 +138,6 @@ events! {
     Ramp "ramp";
     /// The inverter gives no pulses any more.
     PulsesOff "pulses_off";
-    /// The inverter gives pulses again.
-    PulsesOn "pulses_on";
     /// The brake is commanded to close.
     BrakeCloses "brake_closes";
     /// The brake has closed at rest.

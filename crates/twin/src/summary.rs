@@ -1,7 +1,7 @@
 //! A run in figures.
 
 use crate::link::Link;
-use crate::plant::{Energies, State};
+use crate::plant::Energies;
 
 /// A run in figures, in SI; currents rms of a phase.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -112,7 +112,7 @@ impl Gathered {
     }
 
     /// At the rate of the position loop.
-    pub(crate) fn look(&mut self, time: f64, wanted: &[f64; 3], position: f64, _offset: f64, _state: &State) {
+    pub(crate) fn look(&mut self, time: f64, wanted: &[f64; 3], position: f64) {
         let [place, speed, acceleration] = *wanted;
         let error = place - position;
         self.following[0] = self.following[0].max(error.abs());

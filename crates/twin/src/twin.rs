@@ -121,6 +121,8 @@ pub struct Twin<'a> {
     gathered: Gathered,
     events: Vec<Event>,
     stored_at_start_j: f64,
+    /// Heat of the coil of the open brake so far \[J\].
+    coil_j: f64,
     ambient_k: f64,
 }
 
@@ -298,6 +300,7 @@ impl<'a> Twin<'a> {
             local,
             stop: None,
             course,
+            coil_j: 0.0,
             ambient_k,
         };
         if scenario == ScenarioId::BatteryLoss {
@@ -343,6 +346,12 @@ impl<'a> Twin<'a> {
     #[must_use]
     pub fn steps(&self) -> u64 {
         self.end_tick * u64::from(self.setup.substeps)
+    }
+
+    /// Another wanted speed from now on.
+    #[cfg(test)]
+    pub(crate) const fn want_speed(&mut self, speed: f64) {
+        self.setup.speed_step = Some(speed);
     }
 
     /// The time reached \[s\].
@@ -405,7 +414,7 @@ impl<'a> Twin<'a> {
         if self.tick.is_multiple_of(POSITION_EVERY) {
             self.point = self.course.at(time);
             self.manage(time);
-            self.gathered.look(time, &self.point.state, self.state.x[4], self.offset_rad, &self.state);
+            self.gathered.look(time, &self.point.state, self.state.x[4]);
         }
         self.voltage = if self.state.pulses { self.controlled() } else { [0.0; 2] };
         let [_, _, theta, omega, position, speed] = self.state.x;
@@ -640,7 +649,10 @@ impl<'a> Twin<'a> {
     fn supervise(&mut self) {
         #[allow(clippy::cast_precision_loss, reason = "sixteen")]
         let step = SLOW_EVERY as f64 * PERIOD_S;
-        let slow = std::mem::take(&mut self.slow);
+        let mut slow = std::mem::take(&mut self.slow);
+        let coil = self.machine.brake.filter(|_| !self.brake.closed).map_or(0.0, |brake| brake.coil_w * step);
+        slow.heat_j += coil;
+        self.coil_j += coil;
         if let Some(heat) = self.machine.heat {
             self.temperatures =
                 warmed(&self.temperatures, &heat, slow.copper_j / step, slow.heat_j / step, self.ambient_k, step);
@@ -767,7 +779,7 @@ impl<'a> Twin<'a> {
     /// Mean losses up to now.
     pub(crate) fn losses(&self) -> Losses {
         let (energies, time) = (&self.state.energies, self.time_s().max(PERIOD_S));
-        Losses { copper_w: energies.copper_j / time, friction_w: energies.heat() / time }
+        Losses { copper_w: energies.copper_j / time, friction_w: (energies.heat() + self.coil_j) / time }
     }
 
     /// The run in figures, up to now.

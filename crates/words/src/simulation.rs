@@ -171,7 +171,6 @@ pub fn event_title(event: EventKind, language: Language) -> String {
         EventKind::Scenario => ("the scenario takes place", "das Szenario tritt ein"),
         EventKind::Ramp => ("the drive stops along a ramp", "der Regler bremst an einer Rampe"),
         EventKind::PulsesOff => ("pulses off", "Impulssperre"),
-        EventKind::PulsesOn => ("pulses on", "Impulsfreigabe"),
         EventKind::BrakeCloses => ("brake commanded to close", "Bremse soll schließen"),
         EventKind::BrakeClosed => ("brake closed at rest", "Bremse im Stillstand geschlossen"),
         EventKind::BrakeClosedMoving => ("brake closed in motion", "Bremse in Bewegung geschlossen"),
