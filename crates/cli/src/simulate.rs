@@ -4,6 +4,7 @@ use crate::answer::{Answer, written};
 use crate::call::Call;
 use crate::fault::path_text;
 use crate::laid_out::shown;
+use crate::plot;
 use crate::save::Desk;
 use answers::Answered;
 use questions::list::{Asked, Cost, Unanswered, simulate};
@@ -24,14 +25,20 @@ pub(crate) fn simulate(call: &Call<'_>, asked: &Asked<'_>) -> Result<Answer, Una
     let axes = asked.axes(args.axis.as_deref(), Cost::Other)?;
     let inputs = call.inputs(axes.iter().map(|(_, project)| project));
     let desk = Desk { inputs: &inputs, force: call.flag("force"), language };
+    let draws = plot::is_asked(call);
+    if draws {
+        plot::destination(call, &inputs)?;
+    }
     if let Some(file) = file {
         desk.ready(&[file])?;
+    }
+    if file.is_some() || draws {
         if axes.len() > 1 {
             let names: Vec<&str> = axes.iter().map(|(_, project)| project.name.as_str()).collect();
             return Err(Unanswered::message(terminal::several_axes(&names.join(", "), language)));
         }
     }
-    let runs = asked.each(&axes, |project| args.simulated(project, asked, file.is_some()))?;
+    let runs = asked.each(&axes, |project| args.simulated(project, asked, file.is_some() || draws))?;
     let fits = runs.iter().all(questions::Simulated::fits);
     let mut records: Vec<answers::Simulation> = runs.iter().map(|run| answer::simulation(run, language)).collect();
     if let (Some(file), Some(format), Some(run), Some(record)) = (file, format, runs.first(), records.first_mut()) {
@@ -42,6 +49,15 @@ pub(crate) fn simulate(call: &Call<'_>, asked: &Asked<'_>) -> Result<Answer, Una
         };
         desk.save(&[(file, &bytes)])?;
         record.trace = Some(path_text(file));
+    }
+    if let Some(run) = runs.first().filter(|_| draws) {
+        let drawing = match args.figure.as_deref() {
+            Some("control_loops") => figures::control_loops(run, language),
+            _ => figures::simulation(run, language),
+        };
+        let answer = plot::put(&drawing, call, &inputs)?;
+        let code = if answer.code == 0 { u8::from(!fits) } else { answer.code };
+        return Ok(Answer { code, ..answer });
     }
     let data = if call.as_json {
         written(&Answered::of(records, fits))

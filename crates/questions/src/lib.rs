@@ -75,7 +75,7 @@ pub use sizing::{Course, FlangeSample, Sample};
 pub use sizing_use::{course, course_rows, course_seen};
 pub use together::{power_over_cycle, sum_of_known};
 pub use torsion::{TorsionCurve, torsion_of};
-pub use twin::Sample as TwinSample;
+pub use twin::{EventKind as TwinEvent, Sample as TwinSample};
 
 #[cfg(test)]
 mod tests {

@@ -412,9 +412,17 @@ impl<'a> Twin<'a> {
     fn period(&mut self) {
         let time = self.time_s();
         if self.tick.is_multiple_of(POSITION_EVERY) {
-            self.point = self.course.at(time);
+            // After a stop the set-point stands, and what the axis carries stays.
+            if matches!(self.phase, Phase::Running | Phase::Resting) {
+                self.point = self.course.at(time);
+            }
             self.manage(time);
-            self.gathered.look(time, &self.point.state, self.state.x[4]);
+            if matches!(self.phase, Phase::Running | Phase::Resting) {
+                self.gathered.look(time, &self.point.state, self.state.x[4]);
+            } else {
+                let [position, ..] = self.point.state;
+                self.point.state = [position, 0.0, 0.0];
+            }
         }
         self.voltage = if self.state.pulses { self.controlled() } else { [0.0; 2] };
         let [_, _, theta, omega, position, speed] = self.state.x;

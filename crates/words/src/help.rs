@@ -68,6 +68,9 @@ texts! {
         "Time between two rows of the trace (\"1 ms\")" | "Zeit zwischen zwei Zeilen des Verlaufs (\"1 ms\")";
     simulate_seed =
         "Seed of the errors of gear and encoder (0)" | "Startwert der Fehler von Getriebe und Geber (0)";
+    simulate_figure =
+        "The picture of --svg and --png: the course, or the responses of the control loops (simulation)"
+        | "Das Bild von --svg und --png: der Verlauf oder die Frequenzgänge der Regelkreise (simulation)";
     simulate_trace = "Write the course as .csv or .parquet" | "Den Verlauf als .csv oder .parquet schreiben";
     code = "Read, list and complete ordering codes" | "Bestellbezeichnungen lesen, auflisten und ergänzen";
     code_parse = "Read a code and explain each field" | "Einen Code lesen und jedes Feld erklären";

@@ -121,6 +121,25 @@ texts! {
     too_many_rows(rows, most) = "{rows} rows of the trace are more than {most}: state a longer --every" | "{rows} Zeilen des Verlaufs sind mehr als {most}: ein längeres --every angeben";
     trace = "course of the simulation" | "Verlauf der Simulation";
     trace_about = "one row for each instant, at the output unless the name says motor" | "eine Zeile je Zeitpunkt, am Abtrieb, wenn der Name nicht motor nennt";
+    picture_of_a_run = "this picture is one of a run: `antrieb simulate` draws it" | "dieses Bild gehört zu einem Lauf: `antrieb simulate` zeichnet es";
+    simulation = "simulation" | "Simulation";
+    following_error = "Following error of the load" | "Schleppfehler der Last";
+    temperatures = "Temperatures" | "Temperaturen";
+    logarithm_of_frequency = "Decimal logarithm of the frequency" | "Zehnerlogarithmus der Frequenz";
+    magnitude = "Magnitude of the open loop" | "Betrag des offenen Kreises";
+    phase = "Phase of the open loop" | "Phase des offenen Kreises";
+    run_caption =
+        "Speeds at the output; torque through the gear; the dashed line is the instant of the scenario."
+        | "Drehzahlen am Abtrieb; Drehmoment durch das Getriebe; die gestrichelte Linie ist der Zeitpunkt des Szenarios.";
+    run_described(scenario, time, current, torque, error) =
+        "{scenario}, {time} s: largest motor current {current} A, largest torque through the gear {torque} Nm, largest following error {error} arcmin."
+        | "{scenario}, {time} s: größter Motorstrom {current} A, größtes Drehmoment durch das Getriebe {torque} Nm, größter Schleppfehler {error} Winkelminuten.";
+    loops_caption =
+        "Where the magnitude passes 0 dB the distance of the phase from −180° is the phase margin; the dip and peak are load and rotor on the gear's spring."
+        | "Wo der Betrag durch 0 dB geht, ist der Abstand der Phase von −180° die Phasenreserve; Senke und Spitze sind Last und Rotor an der Feder des Getriebes.";
+    loop_described(name, crossover, margin, bandwidth) =
+        "{name}: crossover {crossover} Hz, phase margin {margin}°, bandwidth {bandwidth} Hz."
+        | "{name}: Durchtritt {crossover} Hz, Phasenreserve {margin}°, Bandbreite {bandwidth} Hz.";
     wanted = "set-point" | "Sollwert";
     of_the_load = "of the load" | "der Last";
     of_the_motor = "of the motor over the ratio" | "des Motors durch die Untersetzung";

@@ -33,11 +33,17 @@ arguments! {
         cold: bool = Argument::flag("cold", help::simulate_cold) => flag,
         /// Time between two rows of the course.
         every: Option<Time> = Argument::option("every", values::time, help::simulate_every) => some(read_quantity),
+        /// The picture that is drawn.
+        figure: Option<String> = Argument::option("figure", values::figure, help::simulate_figure)
+            .of(Kind::Word(|| FIGURES.to_vec())).usually("simulation") => text,
         /// Seed of phases and noise.
         seed: usize = Argument::option("seed", values::n, help::simulate_seed)
             .of(Kind::Whole(0, u32::MAX as u64)).usually("0") => count,
     }
 }
+
+/// The pictures of a run, by their identifiers.
+pub const FIGURES: [&str; 2] = ["simulation", "control_loops"];
 
 fn reaction(id: &str) -> Option<Reaction> {
     Reaction::ALL.into_iter().find(|each| each.id() == id)
@@ -51,7 +57,11 @@ pub const ENTRY: Entry = Entry {
     reads: Reads::Project,
     arguments: Args::ARGUMENTS,
     gives: Gives::Record(Record::of::<answers::Answered<answers::Simulation>>("simulate")),
-    writes: &[OutputFile::of("trace", &[media::CSV, media::PARQUET], help::simulate_trace)],
+    writes: &[
+        OutputFile::of("trace", &[media::CSV, media::PARQUET], help::simulate_trace),
+        OutputFile::of("svg", &[media::SVG], help::svg),
+        OutputFile::of("png", &[media::PNG], help::png),
+    ],
     example: "axis.toml --code CHA-25A-50-H-C1024 --scenario emergency_stop",
     answer: Some(|asked| {
         let args = Args::read(&asked.given)?;
