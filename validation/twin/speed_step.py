@@ -58,24 +58,33 @@ def slopes(_, x, ud, uq):
 
 
 STEP, PERIODS = 0.05, 800
-x = numpy.zeros(6)
-int_d = int_q = int_n = last = speed = wanted = 0.0
-print(f"# scipy {scipy.__version__}, numpy {numpy.__version__}, Python {sys.version.split()[0]}; LSODA, rtol 1e-10, atol 1e-13")
-print("time_s,current_q_a,current_d_a,motor_rad_s,speed_rad_s")
-for k in range(PERIODS):
-    if k % 8 == 0:
-        print(f"{k * tc:.7f},{x[1]:.12e},{x[0]:.12e},{x[3]:.12e},{x[5]:.12e}")
-    if k % 4 == 0:
-        speed, last = (x[2] - last) / ts, x[2]
-        error = STEP - speed
-        int_n += sp * error * ts / sn
-        wanted = (sp * error + int_n) / kt
-    we = electrical * speed
-    ed, eq = -x[0], wanted - x[1]
-    int_d += cp * tc / cn * ed
-    int_q += cp * tc / cn * eq
-    ud = cp * ed + int_d - we * l * x[1]
-    uq = cp * eq + int_q + we * (l * x[0] + psi)
-    done = solve_ivp(slopes, (0, tc), x, method="LSODA", rtol=1e-10, atol=1e-13, args=(ud, uq))
-    assert done.success
-    x = done.y[:, -1]
+
+
+def run(rtol, atol, row):
+    """Integrates from sample to sample; `row` takes time, i_q, i_d and both speeds every eighth of them."""
+    x = numpy.zeros(6)
+    int_d = int_q = int_n = last = speed = wanted = 0.0
+    for k in range(PERIODS):
+        if k % 8 == 0:
+            row(k * tc, x[1], x[0], x[3], x[5])
+        if k % 4 == 0:
+            speed, last = (x[2] - last) / ts, x[2]
+            error = STEP - speed
+            int_n += sp * error * ts / sn
+            wanted = (sp * error + int_n) / kt
+        we = electrical * speed
+        ed, eq = -x[0], wanted - x[1]
+        int_d += cp * tc / cn * ed
+        int_q += cp * tc / cn * eq
+        ud = cp * ed + int_d - we * l * x[1]
+        uq = cp * eq + int_q + we * (l * x[0] + psi)
+        done = solve_ivp(slopes, (0, tc), x, method="LSODA", rtol=rtol, atol=atol, args=(ud, uq))
+        assert done.success
+        x = done.y[:, -1]
+
+
+if __name__ == "__main__":
+    versions = f"scipy {scipy.__version__}, numpy {numpy.__version__}, Python {sys.version.split()[0]}"
+    print(f"# {versions}; LSODA, rtol 1e-10, atol 1e-13")
+    print("time_s,current_q_a,current_d_a,motor_rad_s,speed_rad_s")
+    run(1e-10, 1e-13, lambda t, *row: print(f"{t:.7f}," + ",".join(f"{value:.12e}" for value in row)))

@@ -14,6 +14,8 @@ use quantities::{
 /// The simulation as the project states it.
 #[derive(Clone, Debug, Default)]
 pub struct TwinInput {
+    /// Whether the project has the section.
+    pub stated: bool,
     /// What happens.
     pub scenario: Scenario,
     /// Which parts of the model count.
@@ -200,6 +202,7 @@ impl TwinSection {
         let usual = Switches::default();
         let time = |stated: Option<Time>| stated.map(Measure::si);
         TwinInput {
+            stated: true,
             scenario: Scenario {
                 id: self.scenario.value().unwrap_or_default(),
                 at_s: time(self.at.value()),

@@ -295,8 +295,9 @@ impl Plant {
         if self.brake_nm > 0.0 {
             state.slipped_rad += (theta - start[2]).abs();
         }
-        state.gear_nm =
-            self.spring.torque(phi) + self.hysteresis.torque(&state.force, 0.0) + self.damping_nms * (omega - speed);
+        state.gear_nm = self.spring.torque(phi)
+            + self.hysteresis.torque(&state.force, 0.0)
+            + self.damping_nms * (omega * (1.0 - state.error.1) - speed);
         if omega * state.sliding[0] < 0.0 {
             if self.held(state.gear_nm) > 0.0 {
                 state.energies.friction_j += 0.5 * self.inertia_kgm2 * omega * omega;

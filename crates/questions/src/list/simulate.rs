@@ -4,10 +4,11 @@ use super::given::{arguments, count, flag, number, some, some_code_among, text, 
 use super::{AXIS, Argument, Asked, Cost, Entry, Gives, Kind, OutputFile, Reads, Record, Unanswered, argument, media};
 use crate::answer;
 use crate::chapters::read_quantity;
+use crate::patience::Patience;
 use crate::simulate::{NotRun, ROWS_MOST, STEPS_MOST, Simulated, Wanted, simulate};
 use order_code::OrderCode;
 use project::Project;
-use quantities::{Measure, Time};
+use quantities::{Language, Measure, Time};
 use twin::{Reaction, Scenario, ScenarioId};
 use words::{help, help::values, simulation};
 
@@ -103,14 +104,35 @@ impl Args {
             seed: self.seed as u64,
             every_s: with_course.then_some(every),
         };
-        simulate(project, self.code.as_ref(), wanted, asked.refuses_long, asked.patience).map_err(|why| {
-            let language = asked.language;
-            match why {
-                NotRun::Refused(refusal) => refusal.into(),
-                NotRun::Fault(fault) => Unanswered::message(simulation::simulation_fault(&fault, language)),
-                NotRun::Steps(steps) => Unanswered::message(simulation::too_many_steps(&steps, &STEPS_MOST, language)),
-                NotRun::Rows(rows) => Unanswered::message(simulation::too_many_rows(&rows, &ROWS_MOST, language)),
-            }
+        simulate(project, self.code.as_ref(), wanted, asked.refuses_long, asked.patience).map_err(|why| match why {
+            NotRun::Refused(refusal) => refusal.into(),
+            other => Unanswered::message(said(&other, asked.language)),
         })
+    }
+}
+
+/// The run that a project states in `[twin]`, with its course, for a report; `None` where it states none.
+///
+/// # Errors
+/// Why it is not run, in a sentence.
+pub fn of_the_project<'p>(
+    project: &'p Project,
+    code: Option<&OrderCode>,
+    patience: &Patience,
+    language: Language,
+) -> Option<Result<Simulated<'p>, String>> {
+    if !project.twin.stated {
+        return None;
+    }
+    let wanted = Wanted { scenario: project.twin.scenario, seed: 0, every_s: Some(ROWS_USUAL_S) };
+    Some(simulate(project, code, wanted, true, patience).map_err(|why| said(&why, language)))
+}
+
+fn said(why: &NotRun, language: Language) -> String {
+    match why {
+        NotRun::Refused(refusal) => answer::refusal_text(refusal, None, language),
+        NotRun::Fault(fault) => simulation::simulation_fault(fault, language),
+        NotRun::Steps(steps) => simulation::too_many_steps(steps, &STEPS_MOST, language),
+        NotRun::Rows(rows) => simulation::too_many_rows(rows, &ROWS_MOST, language),
     }
 }
