@@ -7,7 +7,7 @@ use crate::laid_out::shown;
 use crate::plot;
 use crate::save::Desk;
 use answers::Answered;
-use questions::list::{Asked, Cost, Unanswered, simulate};
+use questions::list::{Asked, Cost, Unanswered, identify, simulate};
 use questions::{answer, chapter};
 use std::path::Path;
 use tables::Format;
@@ -74,6 +74,13 @@ pub(crate) fn simulate(call: &Call<'_>, asked: &Asked<'_>) -> Result<Answer, Una
         records.iter().map(text).collect::<Vec<_>>().join("\n")
     };
     Ok(Answer::data(data).fits(fits))
+}
+
+/// `antrieb identify PROJECT --trace FILE`
+pub(crate) fn identify(call: &Call<'_>, asked: &Asked<'_>) -> Result<Answer, Unanswered> {
+    let found = identify::found(asked)?;
+    let text = || shown(&chapter::identification(&found, call.language), call.language);
+    Ok(Answer::data(if call.as_json { written(&found) } else { text() }))
 }
 
 fn format(file: &Path) -> Result<Format, ()> {

@@ -1,6 +1,7 @@
 //! Answers laid out as chapters, for terminal, page and report.
 
 mod commission;
+mod identification;
 mod mount;
 mod recorded;
 mod simulation;
@@ -8,6 +9,7 @@ mod upkeep;
 mod wiring;
 
 pub use commission::commission;
+pub use identification::identification;
 pub use mount::mount;
 pub use recorded::{RecordedLine, recorded};
 pub use simulation::simulation;

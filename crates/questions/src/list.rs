@@ -30,6 +30,7 @@ pub mod errata;
 pub mod explain;
 pub mod export;
 pub mod glossary;
+pub mod identify;
 pub mod inertia;
 pub mod licences;
 pub mod mount;
@@ -63,6 +64,7 @@ pub const LIST: &[&Entry] = &[
     &check::ENTRY,
     &explain::ENTRY,
     &simulate::ENTRY,
+    &identify::ENTRY,
     &report::ENTRY,
     &compare::ENTRY,
     &diff::ENTRY,

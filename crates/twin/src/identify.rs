@@ -172,18 +172,24 @@ pub fn identify(run: &Observed) -> Result<Vec<Estimate>, IdentifyFault> {
         push(&[(weight, half)], 0, Identified::Gravity);
     }
     // Where the torque drives the gear loses one way: k_Tout as the tables have it.
-    let driving = moving.iter().filter(|place| at(&run.torque_nm, **place) * at(&run.speed_rad_s, **place) > 0.0);
-    let motor: Vec<(Vec<f64>, f64)> = driving
+    let driving: Vec<usize> = moving
+        .iter()
+        .copied()
+        .filter(|place| at(&run.torque_nm, *place) * at(&run.speed_rad_s, *place) > 0.0)
+        .collect();
+    let motor: Vec<(usize, Vec<f64>, f64)> = driving
+        .iter()
         .map(|place| {
             let (before, after) = (place.saturating_sub(1), place + 1);
             let step = at(&run.time_s, after) - at(&run.time_s, before);
             let gained = (at(&run.motor_rad_s, after) - at(&run.motor_rad_s, before)) / step;
             let speed = at(&run.motor_rad_s, *place);
             let row = vec![at(&run.torque_nm, *place), speed.signum(), speed, gained];
-            (row, at(&run.current_q_a, *place) / std::f64::consts::SQRT_2)
+            (*place, row, at(&run.current_q_a, *place) / std::f64::consts::SQRT_2)
         })
         .collect();
-    if motor.len() >= LEAST
+    let motor = averaged(&motor);
+    if motor.len() >= LEAST / 4
         && let Some(fit) = least_squares(&motor)
     {
         if let Some((slope, half)) = fit.first().copied().filter(|(slope, _)| *slope > 0.0) {
@@ -193,6 +199,24 @@ pub fn identify(run: &Observed) -> Result<Vec<Estimate>, IdentifyFault> {
         push(&fit, 2, Identified::CurrentConstant);
     }
     Ok(found)
+}
+
+/// So many neighbouring rows are one: a mean of both sides of an equation is an equation, and the ripple of the control is gone.
+const TOGETHER: usize = 8;
+
+/// Means of neighbouring rows.
+fn averaged(rows: &[(usize, Vec<f64>, f64)]) -> Vec<(Vec<f64>, f64)> {
+    let runs = rows.chunk_by(|(a, ..), (b, ..)| *b == a + 1);
+    let blocks = runs.flat_map(|run| run.chunks_exact(TOGETHER));
+    blocks
+        .map(|block| {
+            #[allow(clippy::cast_precision_loss, reason = "eight")]
+            let share = 1.0 / TOGETHER as f64;
+            let width = block.first().map_or(0, |(_, row, _)| row.len());
+            let column = |place: usize| block.iter().filter_map(|(_, row, _)| row.get(place)).sum::<f64>() * share;
+            ((0..width).map(column).collect(), block.iter().map(|(.., value)| value).sum::<f64>() * share)
+        })
+        .collect()
 }
 
 /// Coefficients with half their intervals; `None` where the columns leave them open.

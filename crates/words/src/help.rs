@@ -56,8 +56,8 @@ texts! {
         "What happens; without it [twin] of the project, else the cycle"
         | "Was geschieht; ohne Angabe [twin] des Projekts, sonst der Zyklus";
     simulate_at =
-        "When it happens, such as \"0.3 s\"; without it when the axis is fastest"
-        | "Wann es geschieht, etwa \"0.3 s\"; ohne Angabe, wenn die Achse am schnellsten ist";
+        "When it happens, such as \"300 ms\"; without it when the axis is fastest"
+        | "Wann es geschieht, etwa \"300 ms\"; ohne Angabe, wenn die Achse am schnellsten ist";
     simulate_reaction =
         "How the drive ends a motion (ramp)" | "Wie der Regler eine Bewegung beendet (ramp)";
     simulate_cycles = "Cycles that are run (1)" | "Gerechnete Zyklen (1)";
@@ -68,6 +68,12 @@ texts! {
         "Time between two rows of the trace (\"1 ms\")" | "Zeit zwischen zwei Zeilen des Verlaufs (\"1 ms\")";
     simulate_seed =
         "Seed of the errors of gear and encoder (0)" | "Startwert der Fehler von Getriebe und Geber (0)";
+    identify =
+        "Estimate load, friction and torque constant from a recorded run"
+        | "Last, Reibung und Drehmomentkonstante aus einem aufgezeichneten Lauf schätzen";
+    identify_trace =
+        "Recorded run beside the project, with the columns that simulate --trace writes"
+        | "Aufgezeichneter Lauf neben dem Projekt mit den Spalten, die simulate --trace schreibt";
     simulate_figure =
         "The picture of --svg and --png: the course, or the responses of the control loops (simulation)"
         | "Das Bild von --svg und --png: der Verlauf oder die Frequenzgänge der Regelkreise (simulation)";

@@ -122,6 +122,30 @@ texts! {
     trace = "course of the simulation" | "Verlauf der Simulation";
     trace_about = "one row for each instant, at the output unless the name says motor" | "eine Zeile je Zeitpunkt, am Abtrieb, wenn der Name nicht motor nennt";
     picture_of_a_run = "this picture is one of a run: `antrieb simulate` draws it" | "dieses Bild gehört zu einem Lauf: `antrieb simulate` zeichnet es";
+    identified(axis, samples) =
+        "Identified for {axis} from {samples} samples" | "Identifiziert für {axis} aus {samples} Abtastwerten";
+    interval_95 = "± (95 %)";
+    of_the_project = "project or table" | "Projekt oder Tabelle";
+    load_inertia = "inertia of the load, with the flange" | "Massenträgheitsmoment der Last, mit Flansch";
+    coulomb = "Coulomb friction of the load" | "Coulomb-Reibung der Last";
+    viscous = "viscous friction of the load" | "viskose Reibung der Last";
+    gravity = "weight of the load at its largest lever" | "Gewichtsmoment der Last am größten Hebel";
+    external = "external torque of the load" | "äußeres Moment der Last";
+    torque_constant_out = "torque constant at the output" | "Drehmomentkonstante am Abtrieb";
+    no_load_starting_current = "no-load starting current" | "Leerlaufanlaufstrom";
+    no_load_current_constant = "no-load current constant" | "Leerlaufstromkonstante";
+    one_direction =
+        "Estimated from samples in motion; in one direction alone Coulomb friction holds every constant torque, and gravity is not estimated."
+        | "Geschätzt aus Abtastwerten in Bewegung; in nur einer Richtung enthält die Coulomb-Reibung jedes konstante Moment, und das Gewicht wird nicht geschätzt.";
+    lines_for_the_project = "lines for the project" | "Zeilen für das Projekt";
+    no_such_trace(name) = "{name} cannot be read" | "{name} kann nicht gelesen werden";
+    trace_too_large(name, most) = "{name} is larger than {most} MiB" | "{name} ist größer als {most} MiB";
+    trace_lacks(columns) = "the trace lacks columns: {columns}" | "dem Verlauf fehlen Spalten: {columns}";
+    trace_not_a_number(line, column) = "line {line}: the value of {column} is no number" | "Zeile {line}: der Wert von {column} ist keine Zahl";
+    trace_too_short = "too few samples in motion" | "zu wenige Abtastwerte in Bewegung";
+    trace_not_excited =
+        "the run leaves the values open: it needs accelerations and several speeds"
+        | "der Lauf lässt die Werte offen: er braucht Beschleunigungen und mehrere Drehzahlen";
     simulation = "simulation" | "Simulation";
     following_error = "Following error of the load" | "Schleppfehler der Last";
     temperatures = "Temperatures" | "Temperaturen";
