@@ -7,7 +7,7 @@ use quantities::unit::{AMPERE, ARCMINUTE, DEGREE, DEGREE_CELSIUS, NEWTON_METRE, 
 use quantities::{Language, Unit, format_significant};
 use questions::{Simulated, TwinSample};
 use std::f64::consts::SQRT_2;
-use words::{capitalised, pictures, simulation as w, terms};
+use words::{capitalised, pictures, simulation, terms};
 
 const WIDTH_MM: f64 = 165.0;
 /// Height of title and axis of time, and of a panel.
@@ -33,7 +33,7 @@ pub fn simulation(run: &Simulated<'_>, language: Language) -> Drawing {
         })
     };
     let (first, second) = (Tone::Series(0), Tone::Series(1));
-    let [wanted, load, motor] = [w::wanted(l), w::of_the_load(l), w::of_the_motor(l)];
+    let [wanted, load, motor] = [simulation::wanted(l), simulation::of_the_load(l), simulation::of_the_motor(l)];
     let mut panels = vec![
         of(
             Axis::new("n", REVOLUTION_PER_MINUTE.symbol).name(pictures::output_speed(l)),
@@ -55,15 +55,19 @@ pub fn simulation(run: &Simulated<'_>, language: Language) -> Drawing {
             &[(Tone::Trace, None, "", |s| s.current_q_a / SQRT_2)],
         ),
         of(
-            Axis::new("Δφ", "arcmin").name(w::following_error(l)),
+            Axis::new("Δφ", "arcmin").name(simulation::following_error(l)),
             &ARCMINUTE,
             &[(Tone::Trace, None, "", |s| s.following_rad)],
         ),
-        of(Axis::new("U_DC", VOLT.symbol).name(w::dc_link(l)), &VOLT, &[(Tone::Trace, None, "", |s| s.link_v)]),
+        of(
+            Axis::new("U_DC", VOLT.symbol).name(simulation::dc_link(l)),
+            &VOLT,
+            &[(Tone::Trace, None, "", |s| s.link_v)],
+        ),
     ];
     let (winding, housing) = (terms::winding(l), terms::housing(l));
     panels.push(of(
-        Axis::new("ϑ", DEGREE_CELSIUS.symbol).name(w::temperatures(l)),
+        Axis::new("ϑ", DEGREE_CELSIUS.symbol).name(simulation::temperatures(l)),
         &DEGREE_CELSIUS,
         &[(first, None, winding, |s| s.winding_k), (second, None, housing, |s| s.housing_k)],
     ));
@@ -79,8 +83,8 @@ pub fn simulation(run: &Simulated<'_>, language: Language) -> Drawing {
     }
     let number = |value: f64| format_significant(value, 4, l);
     let summary = &run.summary;
-    let described = w::run_described(
-        &w::scenario_title(run.scenario.id, l),
+    let described = simulation::run_described(
+        &simulation::scenario_title(run.scenario.id, l),
         &number(summary.time_s),
         &number(summary.current_peak_a),
         &number(summary.torque_peak_nm),
@@ -88,7 +92,7 @@ pub fn simulation(run: &Simulated<'_>, language: Language) -> Drawing {
         l,
     );
     Drawing::new(Figure::Simulation, &subject(&run.candidate, &run.project.name), (WIDTH_MM, height), l).stacked(
-        w::run_caption(l).to_owned(),
+        simulation::run_caption(l).to_owned(),
         described,
         chart,
     )
@@ -98,13 +102,13 @@ pub fn simulation(run: &Simulated<'_>, language: Language) -> Drawing {
 #[must_use]
 pub fn control_loops(run: &Simulated<'_>, language: Language) -> Drawing {
     let l = language;
-    let frequency = Axis::new("lg f", "Hz").name(w::logarithm_of_frequency(l)).minor_ticks();
+    let frequency = Axis::new("lg f", "Hz").name(simulation::logarithm_of_frequency(l)).minor_ticks();
     let decibel = |size: f64| 20.0 * size.max(1e-6).log10();
-    let mut magnitude = Panel::new(Axis::new("|F|", "dB").name(w::magnitude(l)));
-    let mut phase = Panel::new(Axis::new("φ", "°").name(w::phase(l)));
+    let mut magnitude = Panel::new(Axis::new("|F|", "dB").name(simulation::magnitude(l)));
+    let mut phase = Panel::new(Axis::new("φ", "°").name(simulation::phase(l)));
     for (tone, each) in (0_u8..).zip(&run.loops) {
         let tone = Tone::Series(tone);
-        let label = w::loop_title(each.of, l);
+        let label = simulation::loop_title(each.of, l);
         let seen = || each.points.iter().filter(|point| point.frequency_hz >= 1.0);
         magnitude = magnitude.with(
             Line::new(seen().map(|point| (point.frequency_hz.log10(), decibel(point.open)))).tone(tone).label(label),
@@ -117,8 +121,8 @@ pub fn control_loops(run: &Simulated<'_>, language: Language) -> Drawing {
     let number = |value: Option<f64>| value.map_or_else(|| "–".to_owned(), |value| format_significant(value, 3, l));
     let each = run.loops.iter().map(|each| {
         let margin = each.margins.phase_rad.map(f64::to_degrees);
-        w::loop_described(
-            &w::loop_title(each.of, l),
+        simulation::loop_described(
+            &simulation::loop_title(each.of, l),
             &number(each.margins.crossover_hz),
             &number(margin),
             &number(each.margins.bandwidth_hz),
@@ -128,7 +132,7 @@ pub fn control_loops(run: &Simulated<'_>, language: Language) -> Drawing {
     let described = each.collect::<Vec<_>>().join(" ");
     let chart = StackedChart::new(frequency).panel(magnitude.weight(1.4)).panel(phase);
     Drawing::new(Figure::ControlLoops, &subject(&run.candidate, &run.project.name), (WIDTH_MM, 120.0), l).stacked(
-        w::loops_caption(l).to_owned(),
+        simulation::loops_caption(l).to_owned(),
         described,
         chart,
     )

@@ -81,7 +81,7 @@ pub enum IdentifyFault {
     NotExcited,
 }
 
-/// Below this share of the largest speed a sample tells nothing of the friction of motion.
+/// Below this share of the largest speed a sample says nothing of the friction of motion.
 const MOVING: f64 = 0.05;
 
 /// Fewer samples in motion are not looked at.

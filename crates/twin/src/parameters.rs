@@ -28,7 +28,7 @@ pub struct NoSuchParameter;
 pub struct Parameters {
     /// The data of the actuator, with the values that replace some of them.
     pub actuator: Actuator,
-    /// What no table has.
+    /// Parameters beyond the tables.
     pub model: Model,
 }
 

@@ -1,5 +1,9 @@
 //! The run: control, plant, DC link and supervision, period by period.
 
+mod driving;
+mod start;
+mod supervision;
+
 use crate::control::{Bounds, CURRENT_RATE_HZ, Control, Demand, Gains, Measured, POSITION_EVERY, SPEED_EVERY};
 use crate::drive::{BrakeState, Limits, Phase};
 use crate::gear::Anchor;
@@ -9,12 +13,12 @@ use crate::machine::Machine;
 use crate::noise::Random;
 use crate::parameters::Parameter;
 use crate::plant::{Energies, Given, Plant, State, Stop};
-use crate::scenario::{Event, EventKind, Reaction, ScenarioId};
+use crate::scenario::{Event, EventKind, ScenarioId};
 use crate::setpoint::{Course, SetPoint};
 use crate::setup::{Fault, STEP_MOST, SUBSTEPS_MOST, Setup};
 use crate::summary::{Gathered, Summary};
-use actuator::{Losses, Temperatures, overload_slope};
-use quantities::{ElectricCurrent, Measure, Ratio, ThermodynamicTemperature, Time};
+use actuator::{Losses, Temperatures};
+use quantities::{Measure, ThermodynamicTemperature};
 use std::f64::consts::{SQRT_2, TAU};
 
 /// Duration of a period of the current loop \[s\].
@@ -25,9 +29,6 @@ const SLOW_EVERY: u64 = 16;
 
 /// After the motion the run goes on for so long \[s\].
 const AFTER_S: f64 = 0.5;
-
-/// The drive notices a frozen angle after so long \[s\]. A guess.
-const NOTICED_S: f64 = 2e-3;
 
 /// The supply drops to this share and returns after this time \[s\].
 const SAG: (f64, f64) = (0.6, 0.2);
@@ -164,7 +165,7 @@ impl<'a> Twin<'a> {
         let machine = Machine::of(setup.parameters, setup.switches, setup.seed)?;
         let course = Course::of(setup.motion, setup.scenario.cycles);
         let model = &setup.parameters.model;
-        let ambient_k = ambient(&setup);
+        let ambient_k = start::ambient(&setup);
         let scenario = setup.scenario.id;
         match scenario {
             ScenarioId::BrakeStuck | ScenarioId::HangingLoad if machine.brake.is_none() => return Err(Fault::NoBrake),
@@ -238,7 +239,7 @@ impl<'a> Twin<'a> {
             plant.torque_constant * SQRT_2 * machine.current_max_a / (plant.inertia_kgm2 + local.inertia_kgm2) / 2.0;
         let limits = setup.limits.unwrap_or(Limits {
             following_rad: None,
-            link_v: [0.7 * setup.supply_v, link_most(&setup)],
+            link_v: [0.7 * setup.supply_v, start::link_most(&setup)],
             ramp_rad_s2: if fastest > 0.0 { fastest.min(torque_ramp) } else { torque_ramp },
             reaction: setup.scenario.reaction,
         });
@@ -247,7 +248,7 @@ impl<'a> Twin<'a> {
             _ => AFTER_S,
         };
         let end_s = course.duration_s() + after;
-        let happens_s = happens(&setup, &course)?;
+        let happens_s = start::happens(&setup, &course)?;
         #[allow(
             clippy::cast_possible_truncation,
             clippy::cast_sign_loss,
@@ -490,264 +491,6 @@ impl<'a> Twin<'a> {
         voltage
     }
 
-    /// Scenario, brake and states of the drive, at the rate of the position loop.
-    fn manage(&mut self, time: f64) {
-        if !self.happened && self.happens_s.is_some_and(|at| time >= at) {
-            self.happened = true;
-            self.happen();
-        }
-        if self.brake.follow(time) {
-            self.plant.brake_nm = self.brake.torque_nm();
-            let moving = self.state.x[3].abs() > 1e-3 * self.machine.speed_max;
-            let kind = match (self.brake.closed, moving) {
-                (true, true) => EventKind::BrakeClosedMoving,
-                (true, false) => EventKind::BrakeClosed,
-                (false, _) => EventKind::BrakeOpen,
-            };
-            if self.brake.closed {
-                let [rest, moved] = &mut self.brake.closings;
-                *(if moving { moved } else { rest }) += 1;
-                self.state.slipped_rad = 0.0;
-                // What is at rest and held sticks.
-                if !moving && self.state.x[3] == 0.0 {
-                    self.state.sliding[0] = 0.0;
-                }
-            }
-            self.note(kind);
-        }
-        if self.brake.closed && self.state.slipped_rad > 1e-6 && !self.has(EventKind::BrakeSlips) {
-            self.note(EventKind::BrakeSlips);
-        }
-        match self.phase {
-            Phase::Running => self.run(time),
-            Phase::Resting => {
-                let [opening, _] = self.brake.delays();
-                let goes_on = self.point.braked.is_none_or(|[_, left]| left <= opening + 2.0 * PERIOD_S);
-                if goes_on {
-                    self.brake.command(true, time);
-                    self.restart();
-                    self.phase = Phase::Running;
-                }
-            }
-            Phase::Ramp(speed) => {
-                let least = self.limits.ramp_rad_s2 * PERIOD_S * 8.0;
-                let next = if speed.abs() <= least { 0.0 } else { speed - least.copysign(speed) };
-                let stands = next == 0.0 && self.control.speed.abs() < 5e-3 * self.machine.speed_max;
-                self.phase = if stands { Phase::Holding(time) } else { Phase::Ramp(next) };
-                if stands {
-                    self.note(EventKind::AtRest);
-                    if self.brake.command(false, time) {
-                        self.note(EventKind::BrakeCloses);
-                    }
-                }
-            }
-            Phase::Holding(since) => {
-                let held = if self.brake.exists() { self.brake.closed } else { time - since > 0.1 };
-                if held {
-                    self.switch_off();
-                }
-            }
-            Phase::Off => {}
-        }
-        let rests = self.state.x[3].abs() < 1e-4 * self.machine.speed_max
-            && self.state.x[5].abs() < 1e-3 * self.machine.speed_max;
-        if self.phase == Phase::Off && rests && self.happened && !self.has(EventKind::AtRest) {
-            self.note(EventKind::AtRest);
-        }
-        self.gathered.stop(time, self.happened, rests, self.state.x[4]);
-    }
-
-    /// The brake within the cycle.
-    fn run(&mut self, time: f64) {
-        let [opening, closing] = self.brake.delays();
-        if let Some([since, left]) = self.point.braked
-            && self.brake.exists()
-            && since + left > opening + closing
-            && left > opening
-        {
-            if self.brake.command(false, time) {
-                self.note(EventKind::BrakeCloses);
-            }
-            if self.brake.closed {
-                self.phase = Phase::Resting;
-                self.plant.block(&mut self.state);
-            }
-        } else if !self.brake.stuck {
-            self.brake.command(true, time);
-        }
-    }
-
-    fn restart(&mut self) {
-        let holding = self.control.integral_nm;
-        let gains = self.control.gains;
-        let angle = self.angle();
-        self.control = Control::at_rest(gains, &self.plant, self.setup.switches.delay, angle, holding);
-        self.state.pulses = true;
-    }
-
-    fn switch_off(&mut self) {
-        if self.state.pulses {
-            self.plant.block(&mut self.state);
-            self.note(EventKind::PulsesOff);
-        }
-        self.phase = Phase::Off;
-    }
-
-    fn has(&self, kind: EventKind) -> bool {
-        self.events.iter().any(|event| event.kind == kind)
-    }
-
-    /// Ends the motion.
-    fn react(&mut self, reaction: Reaction) {
-        let time = self.time_s();
-        match reaction {
-            Reaction::Ramp if self.state.pulses => {
-                self.note(EventKind::Ramp);
-                self.phase = Phase::Ramp(self.control.speed);
-            }
-            Reaction::Ramp | Reaction::Brake => {
-                self.switch_off();
-                if self.brake.command(false, time) {
-                    self.note(EventKind::BrakeCloses);
-                }
-            }
-            Reaction::Coast => self.switch_off(),
-        }
-    }
-
-    /// A fault that the drive notices itself.
-    fn fault(&mut self, kind: EventKind, reaction: Reaction) {
-        if !self.has(kind) {
-            self.note(kind);
-        }
-        if matches!(self.phase, Phase::Running | Phase::Resting) {
-            self.react(reaction);
-        }
-    }
-
-    fn happen(&mut self) {
-        self.note(EventKind::Scenario);
-        let reaction = self.setup.scenario.reaction;
-        let stop = |side: f64| Stop {
-            at_rad: self.state.x[4],
-            side,
-            stiffness_nm: self.setup.parameters.model.stop_stiffness.value,
-            damping_nms: 0.1 * (self.setup.parameters.model.stop_stiffness.value * self.local.inertia_kgm2).sqrt(),
-        };
-        match self.setup.scenario.id {
-            ScenarioId::EmergencyStop => self.react(reaction),
-            ScenarioId::PowerFailure => {
-                self.supply_share = 0.0;
-                self.react(Reaction::Brake);
-            }
-            ScenarioId::HangingLoad => self.react(Reaction::Brake),
-            ScenarioId::BlockedLoad => self.stop = Some(stop(0.0)),
-            ScenarioId::Collision => self.stop = Some(stop(self.state.x[5].signum())),
-            ScenarioId::EncoderFailure => self.encoder.frozen_rad = Some(self.angle()),
-            ScenarioId::LinkSag => self.supply_share = SAG.0,
-            ScenarioId::Cycle
-            | ScenarioId::BrakeStuck
-            | ScenarioId::BatteryLoss
-            | ScenarioId::HotAmbient
-            | ScenarioId::ColdGrease => {}
-        }
-    }
-
-    /// Temperatures, supervision, and what follows the temperatures, once a millisecond.
-    fn supervise(&mut self) {
-        #[allow(clippy::cast_precision_loss, reason = "sixteen")]
-        let step = SLOW_EVERY as f64 * PERIOD_S;
-        let mut slow = std::mem::take(&mut self.slow);
-        let coil = self.machine.brake.filter(|_| !self.brake.closed).map_or(0.0, |brake| brake.coil_w * step);
-        slow.heat_j += coil;
-        self.coil_j += coil;
-        if let Some(heat) = self.machine.heat {
-            self.temperatures =
-                warmed(&self.temperatures, &heat, slow.copper_j / step, slow.heat_j / step, self.ambient_k, step);
-            let (winding, housing) = (self.temperatures.winding.si(), self.temperatures.housing.si());
-            self.machine.warm(&mut self.plant, winding, housing);
-            let lag = self.setup.parameters.model.sensor_lag.value.max(step);
-            self.sensor_k += (winding - self.sensor_k) * step / lag;
-            if let Some(stall) = self.machine.stall_current_a {
-                let current = ElectricCurrent::from_si((slow.square_a2_s / step).sqrt());
-                let slope = |state: f64| {
-                    let time_constant: Time = heat.winding_time_constant();
-                    overload_slope(Ratio::from_si(state), current, ElectricCurrent::from_si(stall), time_constant)
-                };
-                // Heun's rule, as the temperatures.
-                let first = slope(self.overload);
-                self.overload += 0.5 * step * (first + slope(self.overload + step * first));
-            }
-            self.gathered.warm(winding, housing, self.overload);
-        }
-        if self.link.chopping {
-            self.note(EventKind::BrakeResistor);
-        }
-        let [i_d, i_q, ..] = self.state.x;
-        let current = (0.5 * (i_d * i_d + i_q * i_q)).sqrt();
-        if self.machine.demagnetisation_a.is_some_and(|limit| current >= limit) && !self.has(EventKind::Demagnetisation)
-        {
-            self.note(EventKind::Demagnetisation);
-        }
-        let collision = self.setup.parameters.actuator.gear.collision_torque_max.known();
-        if collision.is_some_and(|limit| self.gathered.torque_nm() > limit.value.si())
-            && !self.has(EventKind::CollisionTorque)
-        {
-            self.note(EventKind::CollisionTorque);
-        }
-        if self.state.x.iter().any(|value| !value.is_finite())
-            || self.state.x[3].abs() > 20.0 * self.machine.speed_max
-            || self.state.twist_rad.abs() > 1.0
-        {
-            self.note(EventKind::Diverged);
-            self.end_tick = self.tick;
-        }
-        self.notice();
-    }
-
-    /// What the drive notices by itself.
-    fn notice(&mut self) {
-        let time = self.time_s();
-        if self.setup.scenario.id == ScenarioId::LinkSag && self.happens_s.is_some_and(|at| time > at + SAG.1) {
-            self.supply_share = 1.0;
-        }
-        let shutdown = self.setup.parameters.actuator.heat.winding_shutdown.known().map(|known| known.value.si());
-        let warning = self.setup.parameters.actuator.heat.winding_warning.known().map(|known| known.value.si());
-        if warning.is_some_and(|limit| self.sensor_k > limit) {
-            self.note(EventKind::WindingWarning);
-        }
-        if self.encoder.frozen_rad.is_some() && self.happens_s.is_some_and(|at| time > at + NOTICED_S) {
-            let reaction = if self.brake.exists() { Reaction::Brake } else { Reaction::Coast };
-            self.fault(EventKind::NoPosition, reaction);
-        }
-        if !self.setup.switches.limits {
-            return;
-        }
-        let reaction = self.limits.reaction;
-        if shutdown.is_some_and(|limit| self.sensor_k > limit) {
-            self.fault(EventKind::WindingShutdown, reaction);
-        }
-        if self.overload > 1.0 {
-            self.fault(EventKind::Overload, reaction);
-        }
-        if self.phase == Phase::Running
-            && self.limits.following_rad.is_some_and(|limit| self.control.following_rad.abs() > limit)
-        {
-            self.fault(EventKind::FollowingError, reaction);
-        }
-        let [low, high] = self.limits.link_v;
-        let without_drive = if self.brake.exists() { Reaction::Brake } else { Reaction::Coast };
-        if self.link.voltage_v < low && self.state.pulses {
-            self.fault(EventKind::LinkLow, without_drive);
-        }
-        if self.link.voltage_v > high {
-            self.fault(EventKind::LinkHigh, without_drive);
-        }
-        if self.state.x[3].abs() > 1.1 * self.machine.speed_max && !self.has(EventKind::Overspeed) {
-            self.fault(EventKind::Overspeed, without_drive);
-        }
-    }
-
     /// The state now.
     #[must_use]
     pub fn sample(&self) -> Sample {
@@ -808,74 +551,3 @@ impl<'a> Twin<'a> {
 
 /// So many events are kept at most.
 const EVENTS_MOST: usize = 1000;
-
-/// The air of a scenario \[K\].
-fn ambient(setup: &Setup<'_>) -> f64 {
-    let range = setup.parameters.actuator.ambient_range.known().map(|known| known.value);
-    match (setup.scenario.id, range) {
-        (ScenarioId::HotAmbient, Some((_, warmest))) => warmest.si().max(setup.ambient_k),
-        (ScenarioId::ColdGrease, Some((coldest, _))) => coldest.si().min(setup.ambient_k),
-        _ => setup.ambient_k,
-    }
-}
-
-/// The largest voltage of the DC link: that of the actuator.
-fn link_most(setup: &Setup<'_>) -> f64 {
-    let known = setup.parameters.actuator.dc_link_max.known().map(|known| known.value.si());
-    known.unwrap_or(1.25 * setup.supply_v).max(1.05 * setup.supply_v)
-}
-
-/// When the scenario takes place.
-fn happens(setup: &Setup<'_>, course: &Course<'_>) -> Result<Option<f64>, Fault> {
-    let usual = match setup.scenario.id {
-        ScenarioId::Cycle
-        | ScenarioId::BrakeStuck
-        | ScenarioId::BatteryLoss
-        | ScenarioId::HotAmbient
-        | ScenarioId::ColdGrease => return Ok(None),
-        ScenarioId::HangingLoad => 0.0,
-        ScenarioId::EmergencyStop
-        | ScenarioId::PowerFailure
-        | ScenarioId::BlockedLoad
-        | ScenarioId::EncoderFailure
-        | ScenarioId::LinkSag
-        | ScenarioId::Collision => course.fastest_s(),
-    };
-    let at = setup.scenario.at_s.unwrap_or(usual);
-    if !at.is_finite() || at < 0.0 {
-        return Err(Fault::OutOfRange("at"));
-    }
-    let end_s = course.duration_s();
-    if at >= end_s {
-        return Err(Fault::AfterTheEnd { end_s });
-    }
-    let speed = course.at(at).state[1].abs();
-    match setup.scenario.id {
-        ScenarioId::HangingLoad if speed > 1e-9 => Err(Fault::NotAtRest),
-        ScenarioId::Collision if speed < 1e-9 => Err(Fault::AtRest),
-        _ => Ok(Some(at)),
-    }
-}
-
-/// The thermal network one step on under constant losses, by Heun's rule.
-pub(crate) fn warmed(
-    from: &Temperatures,
-    heat: &actuator::HeatModel,
-    copper_w: f64,
-    friction_w: f64,
-    ambient_k: f64,
-    step: f64,
-) -> Temperatures {
-    let (network, losses) = (heat.network(), Losses { copper_w, friction_w });
-    let ambient = ThermodynamicTemperature::from_si(ambient_k);
-    let moved = |winding: f64, housing: f64| Temperatures {
-        winding: ThermodynamicTemperature::from_si(from.winding.si() + winding),
-        housing: ThermodynamicTemperature::from_si(from.housing.si() + housing),
-    };
-    let first = network.flows(from, losses, ambient);
-    let second = network.flows(&moved(step * first.winding_k_per_s, step * first.housing_k_per_s), losses, ambient);
-    moved(
-        0.5 * step * (first.winding_k_per_s + second.winding_k_per_s),
-        0.5 * step * (first.housing_k_per_s + second.housing_k_per_s),
-    )
-}

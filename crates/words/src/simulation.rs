@@ -254,16 +254,18 @@ pub fn loop_title(of: Loop, language: Language) -> String {
 #[must_use]
 pub fn simulation_fault(fault: &Fault, language: Language) -> String {
     match fault {
-        Fault::Missing(missing) => refused_missing(&missing.symbol, language),
-        Fault::RecordedTorque => refused_recorded(language).to_owned(),
-        Fault::NoInertia => refused_inertia(language).to_owned(),
-        Fault::StepTooLong { substeps } => refused_step(substeps, language),
-        Fault::NoBrake => refused_brake(language).to_owned(),
-        Fault::NoBattery => refused_battery(language).to_owned(),
-        Fault::AfterTheEnd { end_s } => refused_late(&quantities::format_significant(*end_s, 4, language), language),
-        Fault::NotAtRest => refused_moving(language).to_owned(),
-        Fault::AtRest => refused_resting(language).to_owned(),
-        Fault::Unstable => refused_unstable(language).to_owned(),
-        Fault::OutOfRange(key) => refused_range(key, language),
+        Fault::Missing(missing) => crate::simulation::refused_missing(&missing.symbol, language),
+        Fault::RecordedTorque => crate::simulation::refused_recorded(language).to_owned(),
+        Fault::NoInertia => crate::simulation::refused_inertia(language).to_owned(),
+        Fault::StepTooLong { substeps } => crate::simulation::refused_step(substeps, language),
+        Fault::NoBrake => crate::simulation::refused_brake(language).to_owned(),
+        Fault::NoBattery => crate::simulation::refused_battery(language).to_owned(),
+        Fault::AfterTheEnd { end_s } => {
+            crate::simulation::refused_late(&quantities::format_significant(*end_s, 4, language), language)
+        }
+        Fault::NotAtRest => crate::simulation::refused_moving(language).to_owned(),
+        Fault::AtRest => crate::simulation::refused_resting(language).to_owned(),
+        Fault::Unstable => crate::simulation::refused_unstable(language).to_owned(),
+        Fault::OutOfRange(key) => crate::simulation::refused_range(key, language),
     }
 }

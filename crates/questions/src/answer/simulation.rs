@@ -53,7 +53,6 @@ fn happened(event: &twin::Event, language: Language) -> SimulatedEvent {
 
 /// The figures of a run, in their order.
 fn figures(run: &Simulated<'_>, language: Language) -> Vec<Figure> {
-    use simulation as w;
     let (s, e) = (&run.summary, &run.summary.energies);
     let with_heat = s.winding_peak_k > 0.0;
     let some = |si: f64| Some(si);
@@ -61,39 +60,39 @@ fn figures(run: &Simulated<'_>, language: Language) -> Vec<Figure> {
     let [blocked, free] = run.resonance.map_or([None; 2], |both| both.map(|frequency| Some(frequency.si())));
     let [at_rest, in_motion] = s.brake_closings.map(|count| some(f64::from(count)));
     let all: [(&'static str, Word, Option<f64>, &'static Unit); 33] = [
-        ("following_peak", w::following_peak, some(s.following_peak_rad), &ARCMINUTE),
-        ("following_rms", w::following_rms, some(s.following_rms_rad), &ARCMINUTE),
-        ("settling", w::settling, s.settling_s, &SECOND),
-        ("standing", w::standing, s.standing_rad, &ARCMINUTE),
-        ("current_peak", w::current_peak, some(s.current_peak_a), &AMPERE),
-        ("current_rms", w::current_rms, some(s.current_rms_a), &AMPERE),
-        ("torque_peak", w::torque_peak, some(s.torque_peak_nm), &NEWTON_METRE),
-        ("torque_rms", w::torque_rms, some(s.torque_rms_nm), &NEWTON_METRE),
-        ("speed_peak", w::speed_peak, some(s.speed_peak_rad_s), &REVOLUTION_PER_MINUTE),
-        ("winding_end", w::winding_end, warm(s.winding_end_k), &DEGREE_CELSIUS),
-        ("housing_end", w::housing_end, warm(s.housing_end_k), &DEGREE_CELSIUS),
-        ("winding_peak", w::winding_peak, warm(s.winding_peak_k), &DEGREE_CELSIUS),
-        ("overload", w::overload, warm(s.overload_peak), &ONE),
-        ("link_low", w::link_low, some(s.link_v[0]), &VOLT),
-        ("link_high", w::link_high, some(s.link_v[1]), &VOLT),
-        ("energy_motor", w::energy_motor, some(e.terminal_j + e.regenerated_j), &JOULE),
-        ("energy_regenerated", w::energy_regenerated, some(e.regenerated_j), &JOULE),
-        ("energy_copper", w::energy_copper, some(e.copper_j), &JOULE),
-        ("energy_friction", w::energy_friction, some(e.friction_j), &JOULE),
-        ("energy_mesh", w::energy_mesh, some(e.mesh_j), &JOULE),
-        ("energy_hysteresis", w::energy_hysteresis, some(e.hysteresis_j + e.damping_j), &JOULE),
-        ("energy_brake", w::energy_brake, some(e.brake_j), &JOULE),
-        ("energy_load", w::energy_load, some(e.flange_j), &JOULE),
-        ("energy_constants", w::energy_constants, some(e.constants_j), &JOULE),
-        ("energy_resistor", w::energy_resistor, some(s.resistor_j), &JOULE),
-        ("energy_supply", w::energy_supply, some(s.supplied_j), &JOULE),
-        ("unaccounted", w::unaccounted, some(s.unaccounted_j), &JOULE),
-        ("resonance_blocked", w::resonance_blocked, blocked, &HERTZ),
-        ("resonance_free", w::resonance_free, free, &HERTZ),
-        ("stop_time", w::stop_time, s.stop_s, &SECOND),
-        ("stop_angle", w::stop_angle, s.stop_rad, &DEGREE),
-        ("brake_rest", w::brake_rest, at_rest, &ONE),
-        ("brake_moving", w::brake_moving, in_motion, &ONE),
+        ("following_peak", simulation::following_peak, some(s.following_peak_rad), &ARCMINUTE),
+        ("following_rms", simulation::following_rms, some(s.following_rms_rad), &ARCMINUTE),
+        ("settling", simulation::settling, s.settling_s, &SECOND),
+        ("standing", simulation::standing, s.standing_rad, &ARCMINUTE),
+        ("current_peak", simulation::current_peak, some(s.current_peak_a), &AMPERE),
+        ("current_rms", simulation::current_rms, some(s.current_rms_a), &AMPERE),
+        ("torque_peak", simulation::torque_peak, some(s.torque_peak_nm), &NEWTON_METRE),
+        ("torque_rms", simulation::torque_rms, some(s.torque_rms_nm), &NEWTON_METRE),
+        ("speed_peak", simulation::speed_peak, some(s.speed_peak_rad_s), &REVOLUTION_PER_MINUTE),
+        ("winding_end", simulation::winding_end, warm(s.winding_end_k), &DEGREE_CELSIUS),
+        ("housing_end", simulation::housing_end, warm(s.housing_end_k), &DEGREE_CELSIUS),
+        ("winding_peak", simulation::winding_peak, warm(s.winding_peak_k), &DEGREE_CELSIUS),
+        ("overload", simulation::overload, warm(s.overload_peak), &ONE),
+        ("link_low", simulation::link_low, some(s.link_v[0]), &VOLT),
+        ("link_high", simulation::link_high, some(s.link_v[1]), &VOLT),
+        ("energy_motor", simulation::energy_motor, some(e.terminal_j + e.regenerated_j), &JOULE),
+        ("energy_regenerated", simulation::energy_regenerated, some(e.regenerated_j), &JOULE),
+        ("energy_copper", simulation::energy_copper, some(e.copper_j), &JOULE),
+        ("energy_friction", simulation::energy_friction, some(e.friction_j), &JOULE),
+        ("energy_mesh", simulation::energy_mesh, some(e.mesh_j), &JOULE),
+        ("energy_hysteresis", simulation::energy_hysteresis, some(e.hysteresis_j + e.damping_j), &JOULE),
+        ("energy_brake", simulation::energy_brake, some(e.brake_j), &JOULE),
+        ("energy_load", simulation::energy_load, some(e.flange_j), &JOULE),
+        ("energy_constants", simulation::energy_constants, some(e.constants_j), &JOULE),
+        ("energy_resistor", simulation::energy_resistor, some(s.resistor_j), &JOULE),
+        ("energy_supply", simulation::energy_supply, some(s.supplied_j), &JOULE),
+        ("unaccounted", simulation::unaccounted, some(s.unaccounted_j), &JOULE),
+        ("resonance_blocked", simulation::resonance_blocked, blocked, &HERTZ),
+        ("resonance_free", simulation::resonance_free, free, &HERTZ),
+        ("stop_time", simulation::stop_time, s.stop_s, &SECOND),
+        ("stop_angle", simulation::stop_angle, s.stop_rad, &DEGREE),
+        ("brake_rest", simulation::brake_rest, at_rest, &ONE),
+        ("brake_moving", simulation::brake_moving, in_motion, &ONE),
     ];
     all.into_iter()
         .map(|(id, title, si, unit)| Figure {
@@ -106,16 +105,15 @@ fn figures(run: &Simulated<'_>, language: Language) -> Vec<Figure> {
 }
 
 fn verdict(judged: &Judged, language: Language) -> SimulatedVerdict {
-    use simulation as w;
     let (id, title, unit): (_, Word, &'static Unit) = match judged.id {
-        JudgedId::CurrentPeak => ("current_peak", w::current_peak, &AMPERE),
-        JudgedId::TorquePeak => ("torque_peak", w::torque_peak, &NEWTON_METRE),
-        JudgedId::SpeedPeak => ("speed_peak", w::speed_peak, &REVOLUTION_PER_MINUTE),
-        JudgedId::WindingPeak => ("winding_peak", w::winding_peak, &DEGREE_CELSIUS),
-        JudgedId::Overload => ("overload", w::overload, &ONE),
-        JudgedId::LinkHigh => ("link_high", w::link_high, &VOLT),
-        JudgedId::StopAngle => ("stop_angle", w::stop_angle, &DEGREE),
-        JudgedId::DriveFaults => ("drive_faults", w::drive_faults, &ONE),
+        JudgedId::CurrentPeak => ("current_peak", simulation::current_peak, &AMPERE),
+        JudgedId::TorquePeak => ("torque_peak", simulation::torque_peak, &NEWTON_METRE),
+        JudgedId::SpeedPeak => ("speed_peak", simulation::speed_peak, &REVOLUTION_PER_MINUTE),
+        JudgedId::WindingPeak => ("winding_peak", simulation::winding_peak, &DEGREE_CELSIUS),
+        JudgedId::Overload => ("overload", simulation::overload, &ONE),
+        JudgedId::LinkHigh => ("link_high", simulation::link_high, &VOLT),
+        JudgedId::StopAngle => ("stop_angle", simulation::stop_angle, &DEGREE),
+        JudgedId::DriveFaults => ("drive_faults", simulation::drive_faults, &ONE),
     };
     let number = |si: Option<f64>| si.map(|si| Number::in_unit(si, unit));
     SimulatedVerdict {
@@ -151,14 +149,13 @@ fn comparison(run: &Simulated<'_>, language: Language) -> Vec<Compared> {
 }
 
 fn why(id: CheckId, language: Language) -> &'static str {
-    use simulation as w;
     let by_id: [(CheckId, Word); 6] = [
-        (CheckId::PeakTorque, w::why_torque),
-        (CheckId::PeakSpeed, w::why_speed),
-        (CheckId::PeakCurrent, w::why_current),
-        (CheckId::Thermal, w::why_thermal),
-        (CheckId::OverloadI2t, w::why_overload),
-        (CheckId::Regeneration, w::why_regeneration),
+        (CheckId::PeakTorque, simulation::why_torque),
+        (CheckId::PeakSpeed, simulation::why_speed),
+        (CheckId::PeakCurrent, simulation::why_current),
+        (CheckId::Thermal, simulation::why_thermal),
+        (CheckId::OverloadI2t, simulation::why_overload),
+        (CheckId::Regeneration, simulation::why_regeneration),
     ];
     by_id.into_iter().find(|(known, _)| *known == id).map_or("", |(_, why)| why(language))
 }
