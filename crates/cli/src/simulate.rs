@@ -32,11 +32,9 @@ pub(crate) fn simulate(call: &Call<'_>, asked: &Asked<'_>) -> Result<Answer, Una
     if let Some(file) = file {
         desk.ready(&[file])?;
     }
-    if file.is_some() || draws {
-        if axes.len() > 1 {
-            let names: Vec<&str> = axes.iter().map(|(_, project)| project.name.as_str()).collect();
-            return Err(Unanswered::message(terminal::several_axes(&names.join(", "), language)));
-        }
+    if (file.is_some() || draws) && axes.len() > 1 {
+        let names: Vec<&str> = axes.iter().map(|(_, project)| project.name.as_str()).collect();
+        return Err(Unanswered::message(terminal::several_axes(&names.join(", "), language)));
     }
     let runs = asked.each(&axes, |project| args.simulated(project, asked, file.is_some() || draws))?;
     let fits = runs.iter().all(questions::Simulated::fits);

@@ -263,8 +263,11 @@ fn resonance(actuator: &Actuator, load: MomentOfInertia) -> Option<[Frequency; 2
     (load.si() > 0.0).then(|| [natural_frequency(stiffness, load), natural_frequency_free(stiffness, load, rotor)])
 }
 
+/// A figure of a run in SI.
+pub(crate) type Shown = fn(&Summary) -> f64;
+
 /// The checks of the sizing that the twin shows too, each with its value in SI.
-pub(crate) const COMPARED: [(CheckId, fn(&Summary) -> f64); 6] = [
+pub(crate) const COMPARED: [(CheckId, Shown); 6] = [
     (CheckId::PeakTorque, |summary| summary.torque_peak_nm),
     (CheckId::PeakSpeed, |summary| summary.speed_peak_rad_s),
     (CheckId::PeakCurrent, |summary| summary.current_peak_a),

@@ -53,13 +53,13 @@ texts! {
         "Simulate an axis with one actuator: motor, gear, load, control, scenario"
         | "Eine Achse mit einem Antrieb simulieren: Motor, Getriebe, Last, Regelung, Szenario";
     simulate_scenario =
-        "What happens; without it [twin] of the project, else the cycle"
-        | "Was geschieht; ohne Angabe [twin] des Projekts, sonst der Zyklus";
+        "What happens; without it what the project states, else the cycle"
+        | "Was geschieht; ohne Angabe, was das Projekt nennt, sonst der Zyklus";
     simulate_at =
         "When it happens, such as \"300 ms\"; without it when the axis is fastest"
         | "Wann es geschieht, etwa \"300 ms\"; ohne Angabe, wenn die Achse am schnellsten ist";
     simulate_reaction =
-        "How the drive ends a motion (ramp)" | "Wie der Regler eine Bewegung beendet (ramp)";
+        "How the drive ends a motion (along a ramp)" | "Wie der Regler eine Bewegung beendet (an einer Rampe)";
     simulate_cycles = "Cycles that are run (1)" | "Gerechnete Zyklen (1)";
     simulate_cold =
         "Begin as cold as the ambient air, not settled"
@@ -72,8 +72,8 @@ texts! {
         "Estimate load, friction and torque constant from a recorded run"
         | "Last, Reibung und Drehmomentkonstante aus einem aufgezeichneten Lauf schätzen";
     identify_trace =
-        "Recorded run beside the project, with the columns that simulate --trace writes"
-        | "Aufgezeichneter Lauf neben dem Projekt mit den Spalten, die simulate --trace schreibt";
+        "Recorded run beside the project, with the columns of a trace"
+        | "Aufgezeichneter Lauf neben dem Projekt mit den Spalten eines Verlaufs";
     simulate_figure =
         "The picture of --svg and --png: the course, or the responses of the control loops (simulation)"
         | "Das Bild von --svg und --png: der Verlauf oder die Frequenzgänge der Regelkreise (simulation)";

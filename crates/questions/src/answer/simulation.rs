@@ -134,7 +134,7 @@ fn comparison(run: &Simulated<'_>, language: Language) -> Vec<Compared> {
         return Vec::new();
     }
     let checks = &run.candidate.judgement.checks;
-    let row = |(id, shown): &(CheckId, fn(&twin::Summary) -> f64)| {
+    let row = |(id, shown): &(CheckId, crate::simulate::Shown)| {
         let said = checks.iter().find(|check| check.id == *id)?.value?;
         Some(Compared {
             id: Id(*id),
