@@ -9,6 +9,7 @@ use serde::{Serialize, Serializer};
 use sizing::{CheckId, Direction, Part, Verdict};
 use std::borrow::Cow;
 use std::ops::Deref;
+use twin::{EventKind, Loop, Reaction, ScenarioId};
 
 /// A type of the engine whose values have an identifier in data exchange.
 pub trait Identified: Copy + 'static {
@@ -75,6 +76,10 @@ identified! {
     Signal as "Signal": Signal::ALL;
     Step as "Step": Step::ALL;
     CheckId as "CheckId": CheckId::ALL;
+    EventKind as "EventKind": EventKind::ALL;
+    Loop as "Loop": &Loop::ALL;
+    Reaction as "Reaction": &Reaction::ALL;
+    ScenarioId as "ScenarioId": ScenarioId::ALL;
     Verdict as "Verdict": &[Verdict::Pass, Verdict::Fail, Verdict::Advice, Verdict::NotChecked];
     Direction as "Direction": &[Direction::AtMost, Direction::AtLeast];
     Part as "Part": Part::ALL;

@@ -28,6 +28,7 @@ mod number;
 mod reference;
 mod schema;
 mod sheet;
+mod simulation;
 mod units;
 mod upkeep;
 mod wiring;
@@ -72,6 +73,9 @@ pub use provenance::Grade;
 pub use reference::reference;
 pub use schema::{Answered, Axes, Record, VERSION, schema};
 pub use sheet::{CatalogueCell, NoteBy, Sheet, SheetNote, SheetSection, SheetValue};
+pub use simulation::{
+    Compared, ControlLoop, Figure, Figures, ModelParameter, SimulatedEvent, SimulatedVerdict, Simulation,
+};
 pub use sizing::{CheckId, Direction, Part, Verdict};
 pub use units::Units;
 pub use upkeep::{Planned, Upkeep};

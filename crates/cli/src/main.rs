@@ -33,6 +33,7 @@ mod report;
 mod reserve;
 mod save;
 mod serve;
+mod simulate;
 mod table;
 mod tolerance;
 mod upkeep;

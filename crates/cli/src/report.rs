@@ -5,7 +5,7 @@ use crate::call::Call;
 use crate::fault::path_text;
 use crate::save::Desk;
 use crate::waiting::patience;
-use answers::{AxisWritten, Chapter, Commissioning, Fit, Picture, ReportWritten};
+use answers::{AxisWritten, Block, Chapter, Commissioning, Fit, Picture, ReportWritten};
 use figures::{By, Drawing, Figure, Style, Theme};
 use order_code::OrderCode;
 use page::{Press, ReportAsked};
@@ -63,6 +63,7 @@ pub(crate) fn write(call: &Call<'_>, asked: &Asked<'_>, out: &Path, as_json: boo
             let cited = chapter::documents(&content.chapters, language);
             content.dossier.documents.extend(cited);
         }
+        content.chapters.extend(simulated(project, &candidate, patience(), language));
         axes.push(content);
         of_axes.push(AxisWritten {
             axis: project.name.clone(),
@@ -121,6 +122,7 @@ fn served(asked: &ReportAsked<'_>) -> Result<Vec<u8>, String> {
         if let (true, CandidateId::Code(code)) = (asked.installation, &candidate.id) {
             content.chapters = installation(code, project, None, l).map_err(|(what, _)| what)?;
         }
+        content.chapters.extend(simulated(project, &candidate, asked.patience, l));
         axes.push(content);
     }
     let settings = Settings { date: asked.date.map(str::to_owned), full: asked.full, ..Settings::default() };
@@ -209,6 +211,30 @@ fn installation(
         chapters.push(chapter::upkeep(&answer::upkeep(&plan, language), language));
     }
     Ok(chapters)
+}
+
+/// The simulation that a project states, with its pictures; where it is not run, why.
+fn simulated(project: &Project, candidate: &Candidate<'_>, patience: &Patience, language: Language) -> Option<Chapter> {
+    let code = if let CandidateId::Code(code) = &candidate.id { Some(code) } else { None };
+    let run = questions::list::simulate::of_the_project(project, code, patience, language)?;
+    let run = match run {
+        Ok(run) => run,
+        Err(why) => {
+            let mut chapter = Chapter::new(words::capitalised(words::simulation::simulation(language)));
+            chapter.text(why);
+            return Some(chapter);
+        }
+    };
+    let mut chapter = chapter::simulation(&answer::simulation(&run, language), language);
+    let pictures = [
+        ("simulation", figures::simulation(&run, language)),
+        ("control-loops", figures::control_loops(&run, language)),
+    ];
+    for (id, drawing) in pictures {
+        let (svg, alternative_text) = as_svg(id, &drawing, language);
+        chapter.blocks.push(Block::Picture(Picture { svg, caption: drawing.caption.clone(), alternative_text }));
+    }
+    Some(chapter)
 }
 
 fn drawn_figures(

@@ -3,7 +3,7 @@
 use plot::{BarChart, FaceChart, MapChart, Picture, Size, StackedChart, Style, Theme, XyChart};
 use quantities::unit::MILLIMETRE;
 use quantities::{Language, Length, Measure};
-use words::{capitalised, pictures, terminal, terms, wiring};
+use words::{capitalised, pictures, simulation, terminal, terms, wiring};
 
 /// The figures there are.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -22,6 +22,10 @@ pub enum Figure {
     CandidateMap,
     /// Mating face of a connector; of a code and not of a project.
     MatingFace,
+    /// A run of the twin over time.
+    Simulation,
+    /// Frequency responses of its control.
+    ControlLoops,
 }
 
 impl Figure {
@@ -40,6 +44,8 @@ impl Figure {
             Self::BearingLoad => "bearing_load",
             Self::CandidateMap => "candidate_map",
             Self::MatingFace => "mating_face",
+            Self::Simulation => "simulation",
+            Self::ControlLoops => "control_loops",
         }
     }
 
@@ -60,6 +66,8 @@ impl Figure {
             Self::BearingLoad => pictures::load_on_the_output_bearing,
             Self::CandidateMap => terms::candidates,
             Self::MatingFace => wiring::mating_face,
+            Self::Simulation => simulation::simulation,
+            Self::ControlLoops => simulation::loops,
         };
         capitalised(title(language))
     }

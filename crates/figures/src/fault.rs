@@ -3,7 +3,7 @@
 use quantities::Language;
 use questions::Refusal;
 use questions::answer::refusal_text;
-use words::{pictures, terms, wiring};
+use words::{pictures, simulation, terms, wiring};
 
 /// Why a figure cannot be drawn.
 #[derive(Clone, Debug, PartialEq)]
@@ -14,6 +14,8 @@ pub enum NoFigure {
     NoStiffness,
     /// The figure is one of an ordering code, not of a project.
     OfACode,
+    /// The figure is one of a simulated run.
+    OfARun,
     /// What it shows was not found.
     Refused(Refusal),
 }
@@ -25,6 +27,7 @@ impl NoFigure {
         match self {
             Self::NoFlangeLoads => terms::no_flange_loads(language).to_owned(),
             Self::OfACode => wiring::face_of_a_code(language).to_owned(),
+            Self::OfARun => simulation::picture_of_a_run(language).to_owned(),
             Self::NoStiffness => pictures::no_stiffness(language).to_owned(),
             Self::Refused(refusal) => refusal_text(refusal, waited_s, language),
         }

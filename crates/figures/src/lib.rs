@@ -10,6 +10,7 @@ mod fault;
 mod labels;
 mod map;
 mod plane;
+mod simulation;
 mod thin;
 mod torsion;
 mod utilisation;
@@ -22,6 +23,7 @@ pub use fault::NoFigure;
 pub use map::{By, MapPoint, candidate_map, nearest};
 pub use plane::{curves, torque_speed};
 pub use plot::{Picture, Size, Style, Theme};
+pub use simulation::{control_loops, simulation};
 pub use torsion::{torsion, torsion_curve};
 pub use utilisation::utilisation;
 
@@ -67,6 +69,8 @@ pub fn draw(
         Figure::Torsion => torsion(project, candidate, language),
         Figure::BearingLoad => bearing_load(project, candidate, language),
         Figure::MatingFace => Err(NoFigure::OfACode),
+        // A run is drawn by those who have it.
+        Figure::Simulation | Figure::ControlLoops => Err(NoFigure::OfARun),
         Figure::CandidateMap => {
             let sizing = questions::list::size::sized(project, 0, patience).map_err(NoFigure::Refused)?;
             Ok(candidate_map(&sizing, by, Some(&candidate.id), language))

@@ -14,6 +14,7 @@ use crate::recorded::{ColumnsName, UnitsName};
 use crate::requirements::{DriveName, RequirementsName};
 use crate::root::{AxisName, OneOfSeveralName, PartsName, RootName};
 use crate::stage::StageName;
+use crate::twin::{ReplacedName, TwinName};
 
 /// A key by its section, for what it is for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -66,6 +67,10 @@ pub enum About {
     Drive(DriveName),
     /// Of `[actuator]`.
     Actuator(ActuatorName),
+    /// Of `[twin]`.
+    Twin(TwinName),
+    /// Of `[twin.measured]`.
+    Replaced(ReplacedName),
     /// Of `[[curve]]`.
     Curve(CurveName),
     /// Of a record of measured values.

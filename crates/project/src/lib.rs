@@ -32,6 +32,7 @@ mod section;
 mod stage;
 mod stated;
 mod tolerance;
+mod twin;
 mod value;
 
 /// The names of the keys of each section, by which their texts are found.
@@ -49,6 +50,7 @@ pub mod names {
     pub use crate::requirements::{DriveName, RequirementsName};
     pub use crate::root::{AxisName, OneOfSeveralName, PartsName, RootName};
     pub use crate::stage::StageName;
+    pub use crate::twin::{ReplacedName, TwinName};
 }
 
 pub use about::About;
@@ -71,6 +73,7 @@ pub use root::KEYS;
 pub use schema::{SchemaText, schema};
 pub use stage::RatioAnswer;
 pub use tolerance::{ALL_CORNERS_MOST, Tolerance, Variant, Varied, sign};
+pub use twin::TwinInput;
 
 use ::mechanism::{Extra, Mechanism};
 use ::motion::{Motion, Spline};
@@ -234,6 +237,8 @@ pub struct Project {
     pub own_catalogue: Option<Arc<OwnCatalogue>>,
     /// What each of several ratios of the stage gives; empty for one ratio or no stage.
     pub ratios: Vec<RatioAnswer>,
+    /// What the simulation is to do.
+    pub twin: TwinInput,
     /// Recordings that the motion consists of.
     pub recordings: Vec<RecordingRead>,
     /// Defaults that were taken.
@@ -331,6 +336,7 @@ impl Project {
             ratios: Vec::new(),
             name: root.name.clone().unwrap_or_default(),
             own_catalogue: own_catalogue.cloned(),
+            twin: root.parts.twin.get().map(|twin| twin.input()).unwrap_or_default(),
             recordings: root.segments().iter().filter_map(|segment| segment.recording().cloned()).collect(),
             assumptions: assumptions(root, !tolerances.is_empty()),
             requirements: requirements(root),

@@ -117,6 +117,6 @@ fn known<T>(field: &dyn Field, value: T) -> Datum<T> {
     Datum::Known(Sourced { value, source, grade: Grade::Published, errata: &[] })
 }
 
-fn own<T: crate::value::Value + Copy>(field: &Stated<T>) -> Datum<T> {
+pub(crate) fn own<T: crate::value::Value + Copy>(field: &Stated<T>) -> Datum<T> {
     field.value().map_or(Datum::NotPrinted, |value| known(field, value))
 }

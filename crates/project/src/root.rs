@@ -12,6 +12,7 @@ use crate::requirements::{DriveSection, RequirementsSection};
 use crate::section::{Fields, Section, section, set};
 use crate::stage::StageSection;
 use crate::stated::{Field, Head};
+use crate::twin::TwinSection;
 use crate::value::{OneOrMany, Tables};
 
 /// The format of the project file that this version reads.
@@ -55,6 +56,7 @@ section! {
         requirements: RequirementsSection;
         drive: DriveSection;
         actuator: ActuatorSection;
+        twin: TwinSection;
     }
 }
 

@@ -10,8 +10,8 @@ use mechanism::TablePoint;
 use quantities::unit::ONE;
 use quantities::{
     Acceleration, Angle, AngularAcceleration, AngularJerk, AngularVelocity, Dimension, EffectiveVoltage,
-    ElectricCurrent, ElectricPotential, ElectricalResistance, Force, Frequency, Inductance, Jerk, Lead, Length, Mass,
-    MassDensity, Measure, MomentOfInertia, NoLoadCurrentConstant, Power, ThermodynamicTemperature, Time, Torque,
+    ElectricCurrent, ElectricPotential, ElectricalResistance, Energy, Force, Frequency, Inductance, Jerk, Lead, Length,
+    Mass, MassDensity, Measure, MomentOfInertia, NoLoadCurrentConstant, Power, ThermodynamicTemperature, Time, Torque,
     TorqueConstant, TorsionalStiffness, Unit, Velocity, ViscousFriction, VoltageConstant,
 };
 use std::marker::PhantomData;
@@ -101,7 +101,7 @@ macro_rules! quantities {
 }
 
 quantities! {
-    Angle AngularVelocity EffectiveVoltage ElectricCurrent ElectricPotential ElectricalResistance Force Frequency Inductance Lead Length Mass
+    Angle AngularVelocity EffectiveVoltage ElectricCurrent ElectricPotential ElectricalResistance Energy Force Frequency Inductance Lead Length Mass
     MassDensity MomentOfInertia NoLoadCurrentConstant Power ThermodynamicTemperature Time Torque TorqueConstant
     TorsionalStiffness ViscousFriction VoltageConstant
 }

@@ -2,15 +2,19 @@
 
 mod commission;
 mod encoder;
+mod identification;
 mod mount;
 mod recorded;
+mod simulation;
 mod upkeep;
 mod wiring;
 
 pub use commission::commission;
 pub use encoder::encoder;
+pub use identification::identification;
 pub use mount::mount;
 pub use recorded::{RecordedLine, recorded};
+pub use simulation::simulation;
 pub use upkeep::upkeep;
 pub use wiring::wiring;
 

@@ -30,6 +30,7 @@ mod plane;
 mod preview;
 mod reading;
 mod sheet;
+mod simulate;
 mod sizing_use;
 mod subject;
 mod templates;
@@ -51,6 +52,7 @@ pub use subject::{candidate_for, candidate_of_tables};
 // The judgement of an axis.
 pub use configurator::Unmet;
 pub use limits::limits_needed;
+pub use simulate::Simulated;
 pub use sizing::{Amount, Check, CheckId, Demand, Direction, Part, Reserve, Verdict};
 pub use sizing_use::{
     Candidate, CandidateId, Objection, Refusal, Sizing, check, check_own, explain, explain_own, reserve_of, size,
@@ -73,6 +75,7 @@ pub use sizing::{Course, FlangeSample, Sample};
 pub use sizing_use::{course, course_rows, course_seen};
 pub use together::{power_over_cycle, sum_of_known};
 pub use torsion::{TorsionCurve, torsion_of};
+pub use twin::{EventKind as TwinEvent, Sample as TwinSample};
 
 #[cfg(test)]
 mod tests {

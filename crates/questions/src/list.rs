@@ -32,6 +32,7 @@ pub mod errata;
 pub mod explain;
 pub mod export;
 pub mod glossary;
+pub mod identify;
 pub mod inertia;
 pub mod licences;
 pub mod mount;
@@ -41,6 +42,7 @@ pub mod new;
 pub mod plot;
 pub mod report;
 pub mod schema;
+pub mod simulate;
 pub mod size;
 pub mod torsion;
 pub mod units;
@@ -63,6 +65,8 @@ pub const LIST: &[&Entry] = &[
     &size::ENTRY,
     &check::ENTRY,
     &explain::ENTRY,
+    &simulate::ENTRY,
+    &identify::ENTRY,
     &report::ENTRY,
     &compare::ENTRY,
     &diff::ENTRY,

@@ -20,6 +20,7 @@ mod parquet;
 mod results;
 mod rows;
 mod table;
+mod trace;
 mod xlsx;
 
 pub use crate::csv::csv;
@@ -31,4 +32,5 @@ pub use format::Format;
 pub use ical::calendar;
 pub use rows::Rows;
 pub use table::{Cell, Column, ColumnContent, Derived, Table};
+pub use trace::trace;
 pub use xlsx::{Front, SHEET_ROWS_MOST, xlsx};

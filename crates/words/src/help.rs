@@ -49,6 +49,35 @@ texts! {
     explain_check =
         "One check, for example continuous_torque; all without it"
         | "Einen Nachweis, zum Beispiel continuous_torque; ohne Angabe alle";
+    simulate =
+        "Simulate an axis with one actuator: motor, gear, load, control, scenario"
+        | "Eine Achse mit einem Antrieb simulieren: Motor, Getriebe, Last, Regelung, Szenario";
+    simulate_scenario =
+        "What happens; without it what the project states, else the cycle"
+        | "Was geschieht; ohne Angabe, was das Projekt nennt, sonst der Zyklus";
+    simulate_at =
+        "When it happens, such as \"300 ms\"; without it when the axis is fastest"
+        | "Wann es geschieht, etwa \"300 ms\"; ohne Angabe, wenn die Achse am schnellsten ist";
+    simulate_reaction =
+        "How the drive ends a motion (along a ramp)" | "Wie der Regler eine Bewegung beendet (an einer Rampe)";
+    simulate_cycles = "Cycles that are run (1)" | "Gerechnete Zyklen (1)";
+    simulate_cold =
+        "Begin as cold as the ambient air, not settled"
+        | "Kalt wie die Umgebung beginnen, nicht eingeschwungen";
+    simulate_every =
+        "Time between two rows of the trace (\"1 ms\")" | "Zeit zwischen zwei Zeilen des Verlaufs (\"1 ms\")";
+    simulate_seed =
+        "Seed of the errors of gear and encoder (0)" | "Startwert der Fehler von Getriebe und Geber (0)";
+    identify =
+        "Estimate load, friction and torque constant from a recorded run"
+        | "Last, Reibung und Drehmomentkonstante aus einem aufgezeichneten Lauf schätzen";
+    identify_trace =
+        "Recorded run beside the project, with the columns of a trace"
+        | "Aufgezeichneter Lauf neben dem Projekt mit den Spalten eines Verlaufs";
+    simulate_figure =
+        "The picture of --svg and --png: the course, or the responses of the control loops (simulation)"
+        | "Das Bild von --svg und --png: der Verlauf oder die Frequenzgänge der Regelkreise (simulation)";
+    simulate_trace = "Write the course as .csv or .parquet" | "Den Verlauf als .csv oder .parquet schreiben";
     code = "Read, list and complete ordering codes" | "Bestellbezeichnungen lesen, auflisten und ergänzen";
     code_parse = "Read a code and explain each field" | "Einen Code lesen und jedes Feld erklären";
     code_example =

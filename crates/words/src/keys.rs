@@ -2,6 +2,7 @@
 
 use super::either;
 use crate::mechanism_keys::{mechanism_key_text, mechanism_text};
+use crate::twin_keys::{replaced_key_text, twin_key_text};
 use project::names::{
     ActuatorName, AxisName, BearingName, BodyName, ColumnsName, CounterweightName, CurveName, DriveName,
     FlangeLoadsName, FrictionName, GuideName, LoadName, LossesName, OneOfSeveralName, PartsName, ProcessForceName,
@@ -36,6 +37,8 @@ pub fn key_text(key: &Key, language: Language) -> String {
 pub const fn about_text(about: About, language: Language) -> &'static str {
     let (en, de) = match about {
         About::Mechanisms(name) => return mechanism_text(name, language),
+        About::Twin(name) => return twin_key_text(name, language),
+        About::Replaced(name) => return replaced_key_text(name, language),
         About::Mechanism(name) => return mechanism_key_text(name, language),
         About::Measured(key) => return super::measured_key_text(key, language),
         About::Root(RootName::format) => ("version of the file format, 1", "Version des Dateiformats, 1"),
@@ -56,6 +59,7 @@ pub const fn about_text(about: About, language: Language) -> &'static str {
             "Riemen, Getriebestufe oder Kupplung zwischen Antrieb und Mechanismus",
         ),
         About::Parts(PartsName::motion) => ("the moves of one cycle, in order", "die Bewegungen eines Zyklus, der Reihe nach"),
+        About::Parts(PartsName::twin) => ("what the simulation is to do", "was die Simulation tun soll"),
         About::Parts(PartsName::bearing) => ("loads on the output flange", "Lasten am Abtriebsflansch"),
         About::Parts(PartsName::requirements) => ("what the actuator must have", "was der Antrieb haben muss"),
         About::Parts(PartsName::drive) => ("the drive that supplies the motor", "der Regler, der den Motor speist"),

@@ -40,11 +40,13 @@ mod results;
 mod saving;
 mod schema;
 pub mod serving;
+pub mod simulation;
 mod stage;
 pub mod tables;
 pub mod terminal;
 pub mod terms;
 mod texts;
+mod twin_keys;
 pub mod upkeep;
 mod usage;
 pub mod wiring;
@@ -118,6 +120,7 @@ pub const MODULES: &[(&str, &[Text])] = &[
     ("report", report::TEXTS),
     ("requests", requests::TEXTS),
     ("serving", serving::TEXTS),
+    ("simulation", simulation::TEXTS),
     ("tables", tables::TEXTS),
     ("terminal", terminal::TEXTS),
     ("terms", terms::TEXTS),

@@ -1,0 +1,90 @@
+//! `simulate`: the digital twin of an axis.
+
+use crate::answer::{Answer, written};
+use crate::call::Call;
+use crate::fault::path_text;
+use crate::laid_out::shown;
+use crate::plot;
+use crate::save::Desk;
+use answers::Answered;
+use questions::list::{Asked, Cost, Unanswered, identify, simulate};
+use questions::{answer, chapter};
+use std::path::Path;
+use tables::Format;
+use words::{simulation, terminal};
+
+/// `antrieb simulate PROJECT --code CODE --scenario NAME --trace FILE`
+pub(crate) fn simulate(call: &Call<'_>, asked: &Asked<'_>) -> Result<Answer, Unanswered> {
+    let language = call.language;
+    let args = simulate::Args::read(&asked.given)?;
+    let file = call.path("trace");
+    let format = file
+        .map(format)
+        .transpose()
+        .map_err(|()| Unanswered::option("trace", (simulation::ending_of_a_trace(language).to_owned(), None)))?;
+    let axes = asked.axes(args.axis.as_deref(), Cost::Other)?;
+    let inputs = call.inputs(axes.iter().map(|(_, project)| project));
+    let desk = Desk { inputs: &inputs, force: call.flag("force"), language };
+    let draws = plot::is_asked(call);
+    if draws {
+        plot::destination(call, &inputs)?;
+    }
+    if let Some(file) = file {
+        desk.ready(&[file])?;
+    }
+    if (file.is_some() || draws) && axes.len() > 1 {
+        let names: Vec<&str> = axes.iter().map(|(_, project)| project.name.as_str()).collect();
+        return Err(Unanswered::message(terminal::several_axes(&names.join(", "), language)));
+    }
+    let runs = asked.each(&axes, |project| args.simulated(project, asked, file.is_some() || draws))?;
+    let fits = runs.iter().all(questions::Simulated::fits);
+    let mut records: Vec<answers::Simulation> = runs.iter().map(|run| answer::simulation(run, language)).collect();
+    if let (Some(file), Some(format), Some(run), Some(record)) = (file, format, runs.first(), records.first_mut()) {
+        let table = tables::trace(&run.course, language);
+        let bytes = match format {
+            Format::Parquet => tables::parquet(&table).map_err(|error| Unanswered::message(error.message(language)))?,
+            Format::Csv | Format::Json | Format::Workbook => tables::csv(&table).into_bytes(),
+        };
+        desk.save(&[(file, &bytes)])?;
+        record.trace = Some(path_text(file));
+    }
+    if let Some(run) = runs.first().filter(|_| draws) {
+        let drawing = match args.figure.as_deref() {
+            Some("control_loops") => figures::control_loops(run, language),
+            _ => figures::simulation(run, language),
+        };
+        let answer = plot::put(&drawing, call, &inputs)?;
+        let code = if answer.code == 0 { u8::from(!fits) } else { answer.code };
+        return Ok(Answer { code, ..answer });
+    }
+    let data = if call.as_json {
+        written(&Answered::of(records, fits))
+    } else {
+        let text = |record: &answers::Simulation| {
+            let text = shown(&chapter::simulation(record, language), language);
+            match (&record.trace, runs.first()) {
+                (Some(file), Some(run)) => {
+                    format!("{text}\n{}\n", simulation::trace_written(file, &run.course.len(), language))
+                }
+                _ => text,
+            }
+        };
+        records.iter().map(text).collect::<Vec<_>>().join("\n")
+    };
+    Ok(Answer::data(data).fits(fits))
+}
+
+/// `antrieb identify PROJECT --trace FILE`
+pub(crate) fn identify(call: &Call<'_>, asked: &Asked<'_>) -> Result<Answer, Unanswered> {
+    let found = identify::found(asked)?;
+    let text = || shown(&chapter::identification(&found, call.language), call.language);
+    Ok(Answer::data(if call.as_json { written(&found) } else { text() }))
+}
+
+fn format(file: &Path) -> Result<Format, ()> {
+    let ending = file.extension().map(|ending| ending.to_string_lossy().to_ascii_lowercase());
+    match ending.as_deref().and_then(Format::of_ending) {
+        Some(format @ (Format::Csv | Format::Parquet)) => Ok(format),
+        Some(Format::Json | Format::Workbook) | None => Err(()),
+    }
+}

@@ -1,0 +1,139 @@
+//! A run of the digital twin over time, and the frequency responses of its control.
+
+use crate::drawing::{Drawing, Figure};
+use crate::labels::subject;
+use plot::{Axis, Dash, Line, Panel, Reference, StackedChart, Tone};
+use quantities::unit::{AMPERE, ARCMINUTE, DEGREE, DEGREE_CELSIUS, NEWTON_METRE, REVOLUTION_PER_MINUTE, SECOND, VOLT};
+use quantities::{Language, Unit, format_significant};
+use questions::{Simulated, TwinSample};
+use std::f64::consts::SQRT_2;
+use words::{capitalised, pictures, simulation, terms};
+
+const WIDTH_MM: f64 = 165.0;
+/// Height of title and axis of time, and of a panel.
+const FRAME_MM: f64 = 26.0;
+const PANEL_MM: f64 = 27.0;
+
+/// A line of a panel: tone, dash, label, value in SI.
+type Curve<'l> = (Tone, Option<Dash>, &'l str, fn(&TwinSample) -> f64);
+
+/// Speed, torque, current, following error, DC link and temperatures over the run.
+#[must_use]
+pub fn simulation(run: &Simulated<'_>, language: Language) -> Drawing {
+    let l = language;
+    let of = |axis: Axis, unit: &'static Unit, curves: &[Curve<'_>]| {
+        curves.iter().fold(Panel::new(axis), |panel, (tone, dash, label, value)| {
+            let points = run.course.iter().map(|sample| (sample.time_s, unit.from_si(value(sample))));
+            let line = Line::new(points).tone(*tone);
+            let line = if label.is_empty() { line } else { line.label(*label) };
+            panel.with(match dash {
+                Some(dash) => line.dash(*dash),
+                None => line,
+            })
+        })
+    };
+    let (first, second) = (Tone::Series(0), Tone::Series(1));
+    let [wanted, load, motor] = [simulation::wanted(l), simulation::of_the_load(l), simulation::of_the_motor(l)];
+    let mut panels = vec![
+        of(
+            Axis::new("n", REVOLUTION_PER_MINUTE.symbol).name(pictures::output_speed(l)),
+            &REVOLUTION_PER_MINUTE,
+            &[
+                (second, None, motor, |s| s.motor_rad_s),
+                (first, None, load, |s| s.speed_rad_s),
+                (Tone::Trace, Some(Dash::Dotted), wanted, |s| s.wanted_rad_s),
+            ],
+        ),
+        of(
+            Axis::new("T", NEWTON_METRE.symbol).name(pictures::torque_on_the_gear(l)),
+            &NEWTON_METRE,
+            &[(Tone::Trace, None, "", |s| s.torque_nm)],
+        ),
+        of(
+            Axis::new("I", AMPERE.symbol).name(pictures::motor_current_rms(l)),
+            &AMPERE,
+            &[(Tone::Trace, None, "", |s| s.current_q_a / SQRT_2)],
+        ),
+        of(
+            Axis::new("Δφ", "arcmin").name(simulation::following_error(l)),
+            &ARCMINUTE,
+            &[(Tone::Trace, None, "", |s| s.following_rad)],
+        ),
+        of(
+            Axis::new("U_DC", VOLT.symbol).name(simulation::dc_link(l)),
+            &VOLT,
+            &[(Tone::Trace, None, "", |s| s.link_v)],
+        ),
+    ];
+    let (winding, housing) = (terms::winding(l), terms::housing(l));
+    panels.push(of(
+        Axis::new("ϑ", DEGREE_CELSIUS.symbol).name(simulation::temperatures(l)),
+        &DEGREE_CELSIUS,
+        &[(first, None, winding, |s| s.winding_k), (second, None, housing, |s| s.housing_k)],
+    ));
+    let time = Axis::new("t", SECOND.symbol).name(&capitalised(terms::time(l))).minor_ticks();
+    let mut chart = StackedChart::new(time);
+    let mut height = FRAME_MM;
+    for panel in panels {
+        // What happened stands in every panel.
+        let marks = run.events.iter().filter(|event| event.kind == questions::TwinEvent::Scenario);
+        let panel = marks.fold(panel, |panel, event| panel.with(Reference::vertical(event.time_s).dash(Dash::Dashed)));
+        chart = chart.panel(panel);
+        height += PANEL_MM;
+    }
+    let number = |value: f64| format_significant(value, 4, l);
+    let summary = &run.summary;
+    let described = simulation::run_described(
+        &simulation::scenario_title(run.scenario.id, l),
+        &number(summary.time_s),
+        &number(summary.current_peak_a),
+        &number(summary.torque_peak_nm),
+        &number(ARCMINUTE.from_si(summary.following_peak_rad)),
+        l,
+    );
+    Drawing::new(Figure::Simulation, &subject(&run.candidate, &run.project.name), (WIDTH_MM, height), l).stacked(
+        simulation::run_caption(l).to_owned(),
+        described,
+        chart,
+    )
+}
+
+/// Magnitude and phase of the open loops over the logarithm of the frequency, with the limits that decide on stability.
+#[must_use]
+pub fn control_loops(run: &Simulated<'_>, language: Language) -> Drawing {
+    let l = language;
+    let frequency = Axis::new("lg f", "Hz").name(simulation::logarithm_of_frequency(l)).minor_ticks();
+    let decibel = |size: f64| 20.0 * size.max(1e-6).log10();
+    let mut magnitude = Panel::new(Axis::new("|F|", "dB").name(simulation::magnitude(l)));
+    let mut phase = Panel::new(Axis::new("φ", "°").name(simulation::phase(l)));
+    for (tone, each) in (0_u8..).zip(&run.loops) {
+        let tone = Tone::Series(tone);
+        let label = simulation::loop_title(each.of, l);
+        let seen = || each.points.iter().filter(|point| point.frequency_hz >= 1.0);
+        magnitude = magnitude.with(
+            Line::new(seen().map(|point| (point.frequency_hz.log10(), decibel(point.open)))).tone(tone).label(label),
+        );
+        let angle = seen().map(|point| (point.frequency_hz.log10(), DEGREE.from_si(point.open_phase_rad)));
+        phase = phase.with(Line::new(angle).tone(tone));
+    }
+    magnitude = magnitude.with(Reference::horizontal(0.0).dash(Dash::Dotted));
+    phase = phase.with(Reference::horizontal(-180.0).dash(Dash::Dotted));
+    let number = |value: Option<f64>| value.map_or_else(|| "–".to_owned(), |value| format_significant(value, 3, l));
+    let each = run.loops.iter().map(|each| {
+        let margin = each.margins.phase_rad.map(f64::to_degrees);
+        simulation::loop_described(
+            &simulation::loop_title(each.of, l),
+            &number(each.margins.crossover_hz),
+            &number(margin),
+            &number(each.margins.bandwidth_hz),
+            l,
+        )
+    });
+    let described = each.collect::<Vec<_>>().join(" ");
+    let chart = StackedChart::new(frequency).panel(magnitude.weight(1.4)).panel(phase);
+    Drawing::new(Figure::ControlLoops, &subject(&run.candidate, &run.project.name), (WIDTH_MM, 120.0), l).stacked(
+        simulation::loops_caption(l).to_owned(),
+        described,
+        chart,
+    )
+}

@@ -1,0 +1,214 @@
+//! A run of the digital twin as a record.
+
+use crate::simulate::{COMPARED, Judged, JudgedId, Simulated};
+use answers::{
+    Compared, ControlLoop, Figure, Figures, Id, ModelParameter, Number, SimulatedEvent, SimulatedVerdict, Simulation,
+};
+use quantities::unit::{
+    AMPERE, ARCMINUTE, DEGREE, DEGREE_CELSIUS, HERTZ, JOULE, NEWTON_METRE, ONE, REVOLUTION_PER_MINUTE, SECOND, VOLT,
+};
+use quantities::{Language, Measure, Unit, format_significant};
+use sizing::CheckId;
+use twin::{Gains, LoopResponse, Parameter, ScenarioId};
+use words::{Word, check_title, simulation, source_text};
+
+/// A run.
+#[must_use]
+pub fn simulation(run: &Simulated<'_>, language: Language) -> Simulation {
+    let celsius = |kelvin: f64| Number::in_unit(kelvin, &DEGREE_CELSIUS);
+    Simulation {
+        axis: run.project.name.clone(),
+        code: run.candidate.id.to_string(),
+        scenario: Id(run.scenario.id),
+        title: simulation::scenario_title(run.scenario.id, language),
+        at: run.events.iter().find(|event| event.kind == twin::EventKind::Scenario).map(|event| Number(event.time_s)),
+        reaction: Id(run.scenario.reaction),
+        cycles: run.scenario.cycles.max(1),
+        seed: run.seed,
+        time: Number(run.summary.time_s),
+        steps: run.steps,
+        step: Number(run.step_s * 1e6),
+        ambient: celsius(run.ambient_k),
+        start: run.start_k.map(celsius),
+        summary: Figures(figures(run, language)),
+        verdicts: run.judged().iter().map(|judged| verdict(judged, language)).collect(),
+        events: run.events.iter().map(|event| happened(event, language)).collect(),
+        comparison: comparison(run, language),
+        loops: run.loops.iter().map(|each| control_loop(each, language)).collect(),
+        gains: Figures(gains(&run.gains)),
+        gains_by_rule: !run.gains_stated,
+        parameters: run.parameters.list().into_iter().map(|each| parameter(each, language)).collect(),
+        notes: notes(run, language),
+        trace: None,
+    }
+}
+
+fn happened(event: &twin::Event, language: Language) -> SimulatedEvent {
+    SimulatedEvent {
+        time: Number(event.time_s),
+        event: Id(event.kind),
+        title: simulation::event_title(event.kind, language),
+    }
+}
+
+/// The figures of a run, in their order.
+fn figures(run: &Simulated<'_>, language: Language) -> Vec<Figure> {
+    let (s, e) = (&run.summary, &run.summary.energies);
+    let with_heat = s.winding_peak_k > 0.0;
+    let some = |si: f64| Some(si);
+    let warm = |si: f64| with_heat.then_some(si);
+    let [blocked, free] = run.resonance.map_or([None; 2], |both| both.map(|frequency| Some(frequency.si())));
+    let [at_rest, in_motion] = s.brake_closings.map(|count| some(f64::from(count)));
+    let all: [(&'static str, Word, Option<f64>, &'static Unit); 33] = [
+        ("following_peak", simulation::following_peak, some(s.following_peak_rad), &ARCMINUTE),
+        ("following_rms", simulation::following_rms, some(s.following_rms_rad), &ARCMINUTE),
+        ("settling", simulation::settling, s.settling_s, &SECOND),
+        ("standing", simulation::standing, s.standing_rad, &ARCMINUTE),
+        ("current_peak", simulation::current_peak, some(s.current_peak_a), &AMPERE),
+        ("current_rms", simulation::current_rms, some(s.current_rms_a), &AMPERE),
+        ("torque_peak", simulation::torque_peak, some(s.torque_peak_nm), &NEWTON_METRE),
+        ("torque_rms", simulation::torque_rms, some(s.torque_rms_nm), &NEWTON_METRE),
+        ("speed_peak", simulation::speed_peak, some(s.speed_peak_rad_s), &REVOLUTION_PER_MINUTE),
+        ("winding_end", simulation::winding_end, warm(s.winding_end_k), &DEGREE_CELSIUS),
+        ("housing_end", simulation::housing_end, warm(s.housing_end_k), &DEGREE_CELSIUS),
+        ("winding_peak", simulation::winding_peak, warm(s.winding_peak_k), &DEGREE_CELSIUS),
+        ("overload", simulation::overload, warm(s.overload_peak), &ONE),
+        ("link_low", simulation::link_low, some(s.link_v[0]), &VOLT),
+        ("link_high", simulation::link_high, some(s.link_v[1]), &VOLT),
+        ("energy_motor", simulation::energy_motor, some(e.terminal_j + e.regenerated_j), &JOULE),
+        ("energy_regenerated", simulation::energy_regenerated, some(e.regenerated_j), &JOULE),
+        ("energy_copper", simulation::energy_copper, some(e.copper_j), &JOULE),
+        ("energy_friction", simulation::energy_friction, some(e.friction_j), &JOULE),
+        ("energy_mesh", simulation::energy_mesh, some(e.mesh_j), &JOULE),
+        ("energy_hysteresis", simulation::energy_hysteresis, some(e.hysteresis_j + e.damping_j), &JOULE),
+        ("energy_brake", simulation::energy_brake, some(e.brake_j), &JOULE),
+        ("energy_load", simulation::energy_load, some(e.flange_j), &JOULE),
+        ("energy_constants", simulation::energy_constants, some(e.constants_j), &JOULE),
+        ("energy_resistor", simulation::energy_resistor, some(s.resistor_j), &JOULE),
+        ("energy_supply", simulation::energy_supply, some(s.supplied_j), &JOULE),
+        ("unaccounted", simulation::unaccounted, some(s.unaccounted_j), &JOULE),
+        ("resonance_blocked", simulation::resonance_blocked, blocked, &HERTZ),
+        ("resonance_free", simulation::resonance_free, free, &HERTZ),
+        ("stop_time", simulation::stop_time, s.stop_s, &SECOND),
+        ("stop_angle", simulation::stop_angle, s.stop_rad, &DEGREE),
+        ("brake_rest", simulation::brake_rest, at_rest, &ONE),
+        ("brake_moving", simulation::brake_moving, in_motion, &ONE),
+    ];
+    all.into_iter()
+        .map(|(id, title, si, unit)| Figure {
+            id,
+            title: title(language).to_owned(),
+            value: si.map(|si| Number::in_unit(si, unit)),
+            unit: unit.json,
+        })
+        .collect()
+}
+
+fn verdict(judged: &Judged, language: Language) -> SimulatedVerdict {
+    let (id, title, unit): (_, Word, &'static Unit) = match judged.id {
+        JudgedId::CurrentPeak => ("current_peak", simulation::current_peak, &AMPERE),
+        JudgedId::TorquePeak => ("torque_peak", simulation::torque_peak, &NEWTON_METRE),
+        JudgedId::SpeedPeak => ("speed_peak", simulation::speed_peak, &REVOLUTION_PER_MINUTE),
+        JudgedId::WindingPeak => ("winding_peak", simulation::winding_peak, &DEGREE_CELSIUS),
+        JudgedId::Overload => ("overload", simulation::overload, &ONE),
+        JudgedId::LinkHigh => ("link_high", simulation::link_high, &VOLT),
+        JudgedId::StopAngle => ("stop_angle", simulation::stop_angle, &DEGREE),
+        JudgedId::DriveFaults => ("drive_faults", simulation::drive_faults, &ONE),
+    };
+    let number = |si: Option<f64>| si.map(|si| Number::in_unit(si, unit));
+    SimulatedVerdict {
+        id,
+        title: title(language).to_owned(),
+        verdict: Id(judged.verdict),
+        value: number(judged.value),
+        limit: number(judged.limit),
+        unit: unit.json,
+        grade: judged.grade.map(Id),
+        source: judged.source.as_ref().map(|source| source_text(source, language)),
+    }
+}
+
+/// What the sizing said of the cycle, and what the twin shows.
+fn comparison(run: &Simulated<'_>, language: Language) -> Vec<Compared> {
+    if run.scenario.id != ScenarioId::Cycle {
+        return Vec::new();
+    }
+    let checks = &run.candidate.judgement.checks;
+    let row = |(id, shown): &(CheckId, crate::simulate::Shown)| {
+        let said = checks.iter().find(|check| check.id == *id)?.value?;
+        Some(Compared {
+            id: Id(*id),
+            title: check_title(*id, language),
+            sizing: Number(said.value()),
+            twin: Number::in_unit(shown(&run.summary), said.unit),
+            unit: said.unit.json,
+            why: why(*id, language).to_owned(),
+        })
+    };
+    COMPARED.iter().filter_map(row).collect()
+}
+
+fn why(id: CheckId, language: Language) -> &'static str {
+    let by_id: [(CheckId, Word); 6] = [
+        (CheckId::PeakTorque, simulation::why_torque),
+        (CheckId::PeakSpeed, simulation::why_speed),
+        (CheckId::PeakCurrent, simulation::why_current),
+        (CheckId::Thermal, simulation::why_thermal),
+        (CheckId::OverloadI2t, simulation::why_overload),
+        (CheckId::Regeneration, simulation::why_regeneration),
+    ];
+    by_id.into_iter().find(|(known, _)| *known == id).map_or("", |(_, why)| why(language))
+}
+
+fn control_loop(each: &LoopResponse, language: Language) -> ControlLoop {
+    let margins = &each.margins;
+    ControlLoop {
+        id: Id(each.of),
+        title: simulation::loop_title(each.of, language),
+        crossover: margins.crossover_hz.map(Number),
+        phase_margin: margins.phase_rad.map(|phase| Number::in_unit(phase, &DEGREE)),
+        gain_margin: margins.gain.map(|gain| Number(20.0 * gain.log10())),
+        bandwidth: margins.bandwidth_hz.map(Number),
+        stable: margins.stable,
+    }
+}
+
+fn gains(gains: &Gains) -> Vec<Figure> {
+    let all = [
+        ("current_gain", "K_p,I", gains.current_p, "V/A"),
+        ("current_time", "T_n,I", gains.current_time_s, "s"),
+        ("speed_gain", "K_p,n", gains.speed_p, "N m s/rad"),
+        ("speed_time", "T_n,n", gains.speed_time_s, "s"),
+        ("speed_filter", "T_f", gains.speed_filter_s, "s"),
+        ("position_gain", "K_v", gains.position_p, "1/s"),
+        ("feed_forward_speed", "v_ff", gains.feed_speed, "1"),
+        ("feed_forward_inertia", "J_ff", gains.feed_inertia, "kg m^2"),
+    ];
+    all.map(|(id, title, value, unit)| Figure { id, title: title.to_owned(), value: Some(Number(value)), unit }).into()
+}
+
+fn parameter(each: Parameter, language: Language) -> ModelParameter {
+    let unit =
+        each.dimension.units().iter().find(|unit| (unit.to_si(1.0) - 1.0).abs() < 1e-12 && unit.to_si(0.0) == 0.0);
+    let unit = unit.or(each.dimension.units().first()).unwrap_or(&ONE);
+    ModelParameter {
+        key: each.key,
+        value: each.value.as_ref().map(|value| Number::in_unit(value.value, unit)),
+        unit: unit.json,
+        grade: each.value.as_ref().map(|value| Id(value.grade)),
+        source: each.value.as_ref().map(|value| source_text(&value.source, language)),
+    }
+}
+
+fn notes(run: &Simulated<'_>, language: Language) -> Vec<String> {
+    let mut notes = vec![simulation::band(language).to_owned()];
+    if let Some(volt) = run.supply_assumed_v {
+        notes.push(simulation::supply_assumed(&format_significant(volt, 3, language), language));
+    }
+    if !run.left_out.is_empty() {
+        notes.push(simulation::left_out(&run.left_out.join(", "), language));
+    }
+    let rule = if run.gains_stated { simulation::gains_stated } else { simulation::gains_rule };
+    notes.push(rule(language).to_owned());
+    notes
+}

@@ -1,0 +1,227 @@
+//! `identify PROJECT --trace FILE`: load, friction and torque constant from a recorded run.
+
+use super::given::{arguments, some_code_among, text};
+use super::{AXIS, Answer, Argument, Asked, Cost, Entry, Gives, Reads, Record, Unanswered, argument};
+use crate::sizing_use::{Candidate, check, check_own};
+use answers::Number;
+use mechanism::{Extra, Mechanism, MechanismKind};
+use order_code::OrderCode;
+use project::Project;
+use provenance::Datum;
+use quantities::unit::{
+    AMPERE, AMPERE_SECOND_PER_RADIAN, KILOGRAM_SQUARE_METRE, NEWTON_METRE, NEWTON_METRE_PER_AMPERE,
+    NEWTON_METRE_SECOND_PER_RADIAN,
+};
+use quantities::{Language, Measure, Unit, seen};
+use schemars::JsonSchema;
+use serde::Serialize;
+use std::io::Read as _;
+use twin::{Estimate, Identified, IdentifyFault, Observed, identify};
+use words::{Word, help, help::values, simulation};
+
+arguments! {
+    /// Which axis, which actuator, which run.
+    pub struct Args {
+        /// The axis of a project with several.
+        axis: Option<String> = AXIS => text,
+        /// The actuator; without it the project's own.
+        code: Option<OrderCode> = argument::code(help::check_code) => some_code_among,
+        /// The recorded run.
+        trace: Option<String> = Argument::option("trace", values::file, help::identify_trace).required() => text,
+    }
+}
+
+/// The question.
+pub const ENTRY: Entry = Entry {
+    command: "identify",
+    path: "identify",
+    about: help::identify,
+    reads: Reads::Project,
+    arguments: Args::ARGUMENTS,
+    gives: Gives::Record(Record::of::<Identification>("identify")),
+    writes: &[],
+    example: "axis.toml --code CHA-25A-50-H-C1024 --trace run.csv",
+    answer: Some(|asked| Ok(Answer::record(&found(asked)?))),
+};
+
+/// What a recorded run says of load and motor.
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
+pub struct Identification {
+    /// Name of the axis.
+    pub axis: String,
+    /// Ordering code, or the name of the project's own actuator.
+    pub code: String,
+    /// Rows of the run.
+    pub samples: usize,
+    /// The estimates.
+    pub estimates: Vec<Identified95>,
+    /// Lines of the project file with the measured values of the actuator.
+    pub overrides: String,
+    /// What the estimate rests on, in words.
+    pub notes: Vec<String>,
+}
+
+/// An estimate with its interval.
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
+pub struct Identified95 {
+    /// Identifier.
+    pub id: &'static str,
+    /// In words.
+    pub title: String,
+    /// The value.
+    pub value: Number,
+    /// Half the interval that holds the true value in 95 of 100 runs.
+    pub half_width: Number,
+    /// Its unit.
+    pub unit: &'static str,
+    /// What project or table say; `null` where they say nothing.
+    pub stated: Option<Number>,
+}
+
+/// So many bytes of a run are read at most.
+const TRACE_MOST: u64 = 256 << 20;
+
+/// The columns that are read, as `simulate --trace` heads them.
+const COLUMNS: [&str; 7] = [
+    "time [s]",
+    "position [rad]",
+    "speed [rad/s]",
+    "acceleration [rad/s^2]",
+    "motor_speed [rad/s]",
+    "torque [Nm]",
+    "current_q [A]",
+];
+
+/// The estimates from a run.
+///
+/// # Errors
+/// Faults of the project and of the run.
+pub fn found(asked: &Asked<'_>) -> Result<Identification, Unanswered> {
+    let args = Args::read(&asked.given)?;
+    let language = asked.language;
+    let (_, project) = asked.axis(args.axis.as_deref(), Cost::Other)?;
+    let candidate = match &args.code {
+        Some(code) => check(&project, code)?,
+        None => check_own(&project)?,
+    };
+    let name = args.trace.unwrap_or_default();
+    let fault = |text: String| Unanswered::option("trace", (text, None));
+    let mut bytes = Vec::new();
+    let source = asked.source()?;
+    let opened = source.files.open(&name).map_err(|_| fault(simulation::no_such_trace(&seen(&name), language)))?;
+    opened
+        .take(TRACE_MOST + 1)
+        .read_to_end(&mut bytes)
+        .map_err(|_| fault(simulation::no_such_trace(&seen(&name), language)))?;
+    if bytes.len() as u64 > TRACE_MOST {
+        return Err(fault(simulation::trace_too_large(&seen(&name), &(TRACE_MOST >> 20), language)));
+    }
+    let run = observed(&String::from_utf8_lossy(&bytes), language).map_err(fault)?;
+    let estimates = identify(&run).map_err(|why| {
+        fault(match why {
+            IdentifyFault::Uneven | IdentifyFault::TooFew => simulation::trace_too_short(language).to_owned(),
+            IdentifyFault::NotExcited => simulation::trace_not_excited(language).to_owned(),
+        })
+    })?;
+    let rows = estimates.iter().map(|estimate| row(estimate, &project, &candidate, language));
+    Ok(Identification {
+        axis: project.name.clone(),
+        code: candidate.id.to_string(),
+        samples: run.time_s.len(),
+        estimates: rows.collect(),
+        overrides: overrides(&estimates),
+        notes: vec![simulation::one_direction(language).to_owned()],
+    })
+}
+
+/// The columns of a run.
+fn observed(text: &str, language: Language) -> Result<Observed, String> {
+    let mut lines = text.lines().filter(|line| !line.starts_with('#'));
+    let heads: Vec<&str> = lines.next().unwrap_or_default().trim_start_matches('\u{feff}').split(',').collect();
+    let places = COLUMNS.map(|column| heads.iter().position(|head| head.trim() == column));
+    let lacking: Vec<&str> =
+        COLUMNS.iter().zip(&places).filter(|(_, place)| place.is_none()).map(|(column, _)| *column).collect();
+    if !lacking.is_empty() {
+        return Err(simulation::trace_lacks(&lacking.join(", "), language));
+    }
+    let mut columns: [Vec<f64>; 7] = Default::default();
+    for (line, text) in (2_usize..).zip(lines).filter(|(_, text)| !text.trim().is_empty()) {
+        let cells: Vec<&str> = text.split(',').collect();
+        for ((column, place), name) in columns.iter_mut().zip(&places).zip(COLUMNS) {
+            let value = place.and_then(|place| cells.get(place)?.trim().parse::<f64>().ok());
+            let value = value.filter(|value| value.is_finite());
+            column.push(value.ok_or_else(|| simulation::trace_not_a_number(&line, &name, language))?);
+        }
+    }
+    let [time_s, position_rad, speed_rad_s, acceleration_rad_s2, motor_rad_s, torque_nm, current_q_a] = columns;
+    Ok(Observed { time_s, position_rad, speed_rad_s, acceleration_rad_s2, motor_rad_s, torque_nm, current_q_a })
+}
+
+fn title_and_unit(of: Identified) -> (Word, &'static Unit) {
+    match of {
+        Identified::LoadInertia => (simulation::load_inertia, &KILOGRAM_SQUARE_METRE),
+        Identified::Coulomb => (simulation::coulomb, &NEWTON_METRE),
+        Identified::Viscous => (simulation::viscous, &NEWTON_METRE_SECOND_PER_RADIAN),
+        Identified::Gravity => (simulation::gravity, &NEWTON_METRE),
+        Identified::External => (simulation::external, &NEWTON_METRE),
+        Identified::TorqueConstant => (simulation::torque_constant_out, &NEWTON_METRE_PER_AMPERE),
+        Identified::StartingCurrent => (simulation::no_load_starting_current, &AMPERE),
+        Identified::CurrentConstant => (simulation::no_load_current_constant, &AMPERE_SECOND_PER_RADIAN),
+    }
+}
+
+fn row(estimate: &Estimate, project: &Project, candidate: &Candidate<'_>, language: Language) -> Identified95 {
+    let (title, unit) = title_and_unit(estimate.of);
+    let number = |si: f64| Number::in_unit(si, unit);
+    Identified95 {
+        id: estimate.of.id(),
+        title: title(language).to_owned(),
+        value: number(estimate.value),
+        half_width: number(estimate.half_width),
+        unit: unit.json,
+        stated: stated(estimate.of, &project.axis.mechanism, project, candidate).map(number),
+    }
+}
+
+/// What project and tables say.
+fn stated(of: Identified, mechanism: &Mechanism, project: &Project, candidate: &Candidate<'_>) -> Option<f64> {
+    fn known<Q: Measure>(datum: &Datum<Q>) -> Option<f64> {
+        datum.known().map(|known| known.value.si())
+    }
+    let actuator = candidate.parameters;
+    let none = Extra::none();
+    let extra = project.axis.extras.first().unwrap_or(&none);
+    let plain = mechanism.plain(extra);
+    match of {
+        Identified::LoadInertia => {
+            matches!(mechanism.kind, MechanismKind::Rotor(_) | MechanismKind::Linear(_)).then(|| {
+                let share = twin::Model::default().flange_inertia_share.value;
+                mechanism.inertia(0.0, extra).si() + share * known(&actuator.inertia_out).unwrap_or(0.0)
+            })
+        }
+        Identified::Coulomb => plain.map(|plain| plain.coulomb_nm),
+        Identified::Viscous => plain.map(|plain| plain.viscous_nms),
+        Identified::Gravity => plain.map(|plain| plain.weight_nm.abs()),
+        Identified::External => plain.map(|plain| plain.constant_nm),
+        Identified::TorqueConstant => known(&actuator.torque_constant_out),
+        Identified::StartingCurrent => known(&actuator.no_load_starting_current),
+        Identified::CurrentConstant => known(&actuator.no_load_current_constant_cold),
+    }
+}
+
+/// Lines of a project file with the values of the actuator.
+fn overrides(estimates: &[Estimate]) -> String {
+    let keys = [
+        (Identified::TorqueConstant, "torque_constant_out"),
+        (Identified::StartingCurrent, "no_load_starting_current"),
+    ];
+    let mut lines = String::from("[twin.measured]\n");
+    for (of, key) in keys {
+        if let Some(estimate) = estimates.iter().find(|each| each.of == of && each.value > 0.0) {
+            let (_, unit) = title_and_unit(of);
+            let value = Number::in_unit(estimate.value, unit).written().unwrap_or(estimate.value);
+            lines.push_str(&format!("{key} = \"{value:.5} {}\"\n", unit.ascii));
+        }
+    }
+    lines
+}

@@ -1,0 +1,140 @@
+//! `simulate PROJECT`: the digital twin of an axis with an actuator.
+
+use super::given::{arguments, count, flag, number, some, some_code_among, text, word};
+use super::{
+    AXIS, Argument, ArgumentKind, Asked, Cost, Entry, Gives, OutputFile, Reads, Record, Unanswered, argument, media,
+};
+use crate::answer;
+use crate::chapters::read_quantity;
+use crate::patience::Patience;
+use crate::simulate::{NotRun, ROWS_MOST, STEPS_MOST, Simulated, Wanted, simulate};
+use order_code::OrderCode;
+use project::Project;
+use quantities::{Language, Measure, Time};
+use twin::{Reaction, Scenario, ScenarioId};
+use words::{help, help::values, simulation};
+
+arguments! {
+    /// Which axis, which actuator, what happens to it.
+    pub struct Args {
+        /// The axis of a project with several.
+        axis: Option<String> = AXIS => text,
+        /// The actuator; without it the project's own.
+        code: Option<OrderCode> = argument::code(help::check_code) => some_code_among,
+        /// What happens; without it what the project states, else the cycle.
+        scenario: Option<ScenarioId> = Argument::option("scenario", values::name, help::simulate_scenario)
+            .of(ArgumentKind::Word(|| ScenarioId::ALL.iter().map(|each| each.id()).collect())) => word(ScenarioId::of),
+        /// When it happens.
+        at: Option<Time> = Argument::option("at", values::time, help::simulate_at) => some(read_quantity),
+        /// How the drive reacts.
+        reaction: Option<Reaction> = Argument::option("reaction", values::name, help::simulate_reaction)
+            .of(ArgumentKind::Word(|| Reaction::ALL.map(Reaction::id).to_vec())) => word(reaction),
+        /// Cycles that are run.
+        cycles: Option<u32> = Argument::option("cycles", values::n, help::simulate_cycles)
+            .of(ArgumentKind::Whole(1, 100_000)) => number,
+        /// Whether everything is as cold as the air at the start.
+        cold: bool = Argument::flag("cold", help::simulate_cold) => flag,
+        /// Time between two rows of the course.
+        every: Option<Time> = Argument::option("every", values::time, help::simulate_every) => some(read_quantity),
+        /// The picture that is drawn.
+        figure: Option<String> = Argument::option("figure", values::figure, help::simulate_figure)
+            .of(ArgumentKind::Word(|| FIGURES.to_vec())).usually("simulation") => text,
+        /// Seed of phases and noise.
+        seed: usize = Argument::option("seed", values::n, help::simulate_seed)
+            .of(ArgumentKind::Whole(0, u32::MAX as u64)).usually("0") => count,
+    }
+}
+
+/// The pictures of a run, by their identifiers.
+pub const FIGURES: [&str; 2] = ["simulation", "control_loops"];
+
+fn reaction(id: &str) -> Option<Reaction> {
+    Reaction::ALL.into_iter().find(|each| each.id() == id)
+}
+
+/// The question.
+pub const ENTRY: Entry = Entry {
+    command: "simulate",
+    path: "simulate",
+    about: help::simulate,
+    reads: Reads::Project,
+    arguments: Args::ARGUMENTS,
+    gives: Gives::Record(Record::of::<answers::Answered<answers::Simulation>>("simulate")),
+    writes: &[
+        OutputFile::of("trace", &[media::CSV, media::PARQUET], help::simulate_trace),
+        OutputFile::of("svg", &[media::SVG], help::svg),
+        OutputFile::of("png", &[media::PNG], help::png),
+    ],
+    example: "axis.toml --code CHA-25A-50-H-C1024 --scenario emergency_stop",
+    answer: Some(|asked| {
+        let args = Args::read(&asked.given)?;
+        let axes = asked.axes(args.axis.as_deref(), Cost::Other)?;
+        asked.record_of_each(&axes, |project| {
+            let found = args.simulated(project, asked, false)?;
+            Ok((answer::simulation(&found, asked.language), found.fits()))
+        })
+    }),
+};
+
+/// Rows of a course without a stated time between them, at most.
+const ROWS_USUAL_S: f64 = 1e-3;
+
+impl Args {
+    /// The run; with its course where that is written.
+    ///
+    /// # Errors
+    /// Why nothing is simulated.
+    pub fn simulated<'p>(
+        &self,
+        project: &'p Project,
+        asked: &Asked<'_>,
+        with_course: bool,
+    ) -> Result<Simulated<'p>, Unanswered> {
+        let stated = &project.twin.scenario;
+        let every = self.every.map_or(ROWS_USUAL_S, Time::si);
+        if every.is_nan() || every <= 0.0 {
+            return Err(Unanswered::option("every", (simulation::refused_range(&"every", asked.language), None)));
+        }
+        let wanted = Wanted {
+            scenario: Scenario {
+                id: self.scenario.unwrap_or(stated.id),
+                at_s: self.at.map(Time::si).or(stated.at_s),
+                reaction: self.reaction.unwrap_or(stated.reaction),
+                cycles: self.cycles.unwrap_or_else(|| stated.cycles.max(1)),
+                cold: self.cold || stated.cold,
+            },
+            seed: self.seed as u64,
+            every_s: with_course.then_some(every),
+        };
+        simulate(project, self.code.as_ref(), wanted, asked.refuses_long, asked.patience).map_err(|why| match why {
+            NotRun::Refused(refusal) => refusal.into(),
+            other => Unanswered::message(said(&other, asked.language)),
+        })
+    }
+}
+
+/// The run that a project states in `[twin]`, with its course, for a report; `None` where it states none.
+///
+/// # Errors
+/// Why it is not run, in a sentence.
+pub fn of_the_project<'p>(
+    project: &'p Project,
+    code: Option<&OrderCode>,
+    patience: &Patience,
+    language: Language,
+) -> Option<Result<Simulated<'p>, String>> {
+    if !project.twin.stated {
+        return None;
+    }
+    let wanted = Wanted { scenario: project.twin.scenario, seed: 0, every_s: Some(ROWS_USUAL_S) };
+    Some(simulate(project, code, wanted, true, patience).map_err(|why| said(&why, language)))
+}
+
+fn said(why: &NotRun, language: Language) -> String {
+    match why {
+        NotRun::Refused(refusal) => answer::refusal_text(refusal, None, language),
+        NotRun::Fault(fault) => simulation::simulation_fault(fault, language),
+        NotRun::Steps(steps) => simulation::too_many_steps(steps, &STEPS_MOST, language),
+        NotRun::Rows(rows) => simulation::too_many_rows(rows, &ROWS_MOST, language),
+    }
+}

@@ -1,0 +1,356 @@
+//! A run of the digital twin of an axis with an actuator.
+
+use crate::patience::{Patience, Stopped};
+use crate::sizing_use::{Candidate, Refusal, check, check_own};
+use actuator::{Parameters as Actuator, natural_frequency, natural_frequency_free};
+use mechanism::Extra;
+use order_code::OrderCode;
+use project::Project;
+use provenance::{Grade, Source};
+use quantities::{ElectricPotential, Frequency, Measure, MomentOfInertia};
+use sizing::{CheckId, Verdict, Watch as _};
+use twin::{
+    Event, EventKind, Fault, Gains, LoopResponse, Parameters, Sample, Scenario, ScenarioId, Setup, Summary, Twin,
+};
+
+/// So many steps are run where the call states no time limit: about ten seconds on one core.
+pub(crate) const STEPS_MOST: u64 = 50_000_000;
+
+/// So many rows of a course are kept.
+pub(crate) const ROWS_MOST: u64 = 2_000_000;
+
+/// The largest voltage of a DC link that is assumed where the project states none \[V\].
+const SUPPLY_USUAL_V: f64 = 560.0;
+
+/// Periods of the current loop between two polls of the caller: 64 ms of the run.
+const AT_ONCE: u64 = 1024;
+
+/// What is simulated beside the project.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub(crate) struct Wanted {
+    pub(crate) scenario: Scenario,
+    pub(crate) seed: u64,
+    /// Time between two rows of the course \[s\].
+    pub(crate) every_s: Option<f64>,
+}
+
+/// Why nothing is simulated.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) enum NotRun {
+    /// The actuator is not judged.
+    Refused(Refusal),
+    /// The twin cannot run.
+    Fault(Fault),
+    /// More steps than are run without a time limit.
+    Steps(u64),
+    /// More rows than are kept.
+    Rows(u64),
+}
+
+impl From<Refusal> for NotRun {
+    fn from(refusal: Refusal) -> Self {
+        Self::Refused(refusal)
+    }
+}
+
+impl From<Fault> for NotRun {
+    fn from(fault: Fault) -> Self {
+        Self::Fault(fault)
+    }
+}
+
+/// A run with what it is compared with.
+#[derive(Clone, Debug)]
+pub struct Simulated<'p> {
+    /// The axis.
+    pub project: &'p Project,
+    /// The actuator, judged.
+    pub candidate: Candidate<'p>,
+    /// What happened to it.
+    pub scenario: Scenario,
+    /// Seed of phases and noise.
+    pub seed: u64,
+    /// The run in figures.
+    pub summary: Summary,
+    /// What happened.
+    pub events: Vec<Event>,
+    /// The course, where it was requested.
+    pub course: Vec<Sample>,
+    /// The loops of the control.
+    pub loops: Vec<LoopResponse>,
+    /// The gains in use.
+    pub gains: Gains,
+    /// Whether the project states gains.
+    pub gains_stated: bool,
+    /// Every parameter.
+    pub parameters: Parameters,
+    /// Data that are not printed.
+    pub left_out: Vec<&'static str>,
+    /// Steps of the solver, and the length of one \[s\].
+    pub steps: u64,
+    /// \[s\]
+    pub step_s: f64,
+    /// Temperature of the air, and of winding and housing at the start \[K\].
+    pub ambient_k: f64,
+    /// \[K\]
+    pub start_k: [f64; 2],
+    /// The DC link that was assumed \[V\]; `None` where the project states it.
+    pub supply_assumed_v: Option<f64>,
+    /// Resonance with blocked and with free motor.
+    pub resonance: Option<[Frequency; 2]>,
+}
+
+/// A figure with its limit.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct Judged {
+    pub(crate) id: JudgedId,
+    /// In SI.
+    pub(crate) value: Option<f64>,
+    pub(crate) limit: Option<f64>,
+    pub(crate) verdict: Verdict,
+    pub(crate) grade: Option<Grade>,
+    pub(crate) source: Option<Source>,
+}
+
+/// What is judged.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum JudgedId {
+    CurrentPeak,
+    TorquePeak,
+    SpeedPeak,
+    WindingPeak,
+    Overload,
+    LinkHigh,
+    StopAngle,
+    DriveFaults,
+}
+
+/// The actuator, simulated.
+pub(crate) fn simulate<'p>(
+    project: &'p Project,
+    code: Option<&OrderCode>,
+    wanted: Wanted,
+    refuses_long: bool,
+    patience: &Patience,
+) -> Result<Simulated<'p>, NotRun> {
+    let candidate = match code {
+        Some(code) => check(project, code)?,
+        None => check_own(project)?,
+    };
+    let parameters = parameters(project, candidate.parameters);
+    let axis = &project.axis;
+    let supply = axis.supply.as_ref();
+    let dc_link_max = candidate.parameters.dc_link_max.known().map_or(SUPPLY_USUAL_V, |known| known.value.si());
+    let assumed_v = SUPPLY_USUAL_V.min(dc_link_max);
+    let heat = actuator::HeatModel::of(&parameters.actuator).ok();
+    let ambient_k = axis.ambient.or(heat.map(|heat| heat.ambient_reference())).map_or(313.15, Measure::si);
+    let none = [Extra::none()];
+    let extras: &[Extra] = if axis.extras.is_empty() { &none } else { &axis.extras };
+    let mut setup = Setup {
+        scenario: wanted.scenario,
+        switches: project.twin.switches,
+        supply_v: supply.map_or(assumed_v, |supply| ElectricPotential::si(supply.least())),
+        modulation: supply.map_or(1.0, |supply| supply.reserve),
+        ambient_k,
+        seed: wanted.seed,
+        ..Setup::of(&parameters, &axis.mechanism, &axis.motion, extras)
+    };
+    let usual = Twin::new(&setup)?;
+    let gains = project.twin.gains(*usual.gains());
+    let gains_stated = gains != *usual.gains();
+    setup.gains = Some(gains);
+    setup.limits = Some(project.twin.limits(*usual.limits()));
+    let loops = LoopResponse::of(&setup)?;
+    if gains_stated && loops.iter().any(|each| !each.margins.stable) {
+        return Err(Fault::Unstable.into());
+    }
+    let twin = Twin::new(&setup)?;
+    // The settled state takes some cycles more.
+    let warm_cycles =
+        if wanted.scenario.cold { 0 } else { 8 * twin.steps() / u64::from(wanted.scenario.cycles.max(1)) };
+    let steps = twin.steps().saturating_add(warm_cycles);
+    if refuses_long && steps > STEPS_MOST {
+        return Err(NotRun::Steps(steps));
+    }
+    let rows_every = wanted.every_s.map(|every| (every * twin::CURRENT_RATE_HZ).round().max(1.0));
+    if let Some(every) = rows_every {
+        #[allow(
+            clippy::cast_precision_loss,
+            clippy::cast_possible_truncation,
+            clippy::cast_sign_loss,
+            reason = "counts"
+        )]
+        let rows = (twin.periods() as f64 / every) as u64;
+        if rows > ROWS_MOST {
+            return Err(NotRun::Rows(rows));
+        }
+    }
+    let start_k = if wanted.scenario.cold || wanted.scenario.id == ScenarioId::ColdGrease {
+        None
+    } else {
+        let mut stopped = false;
+        let found = twin::settled(&setup, || {
+            stopped = patience.step().is_err();
+            !stopped
+        })?;
+        if stopped {
+            return Err(Refusal::Stopped.into());
+        }
+        found
+    };
+    setup.start_k = start_k;
+    let mut twin = Twin::new(&setup)?;
+    let start = twin.sample();
+    #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "checked above")]
+    let chunk = rows_every.map_or(AT_ONCE, |every| every as u64);
+    let mut course = Vec::new();
+    let mut since_poll = 0;
+    if wanted.every_s.is_some() {
+        course.push(start);
+    }
+    while !twin.is_over() {
+        if since_poll >= AT_ONCE {
+            patience.step().map_err(|Stopped| Refusal::Stopped)?;
+            since_poll = 0;
+        }
+        twin.advance(chunk.min(AT_ONCE.max(chunk)));
+        since_poll += chunk;
+        if wanted.every_s.is_some() {
+            course.push(twin.sample());
+        }
+    }
+    let resonance =
+        resonance(&parameters.actuator, axis.mechanism.inertia(start.position_rad, extras.first().unwrap_or(&none[0])));
+    let found = (twin.summary(), twin.events().to_vec(), twin.left_out().to_vec(), twin.steps());
+    let (summary, events, left_out, steps) = found;
+    let substeps = setup.substeps;
+    Ok(Simulated {
+        project,
+        candidate,
+        scenario: wanted.scenario,
+        seed: wanted.seed,
+        summary,
+        events,
+        course,
+        loops,
+        gains,
+        gains_stated,
+        left_out,
+        steps,
+        step_s: 1.0 / (twin::CURRENT_RATE_HZ * f64::from(substeps)),
+        ambient_k,
+        start_k: [start.winding_k, start.housing_k],
+        supply_assumed_v: supply.is_none().then_some(assumed_v),
+        resonance,
+        parameters,
+    })
+}
+
+/// The parameters of an actuator with the values that the project replaces.
+fn parameters(project: &Project, actuator: &Actuator) -> Parameters {
+    let mut parameters = Parameters::of(actuator);
+    for (key, value) in &project.twin.replaced {
+        // Every key of the section is one of the model: a test holds it.
+        let _ = parameters.replace(key, value.clone());
+    }
+    parameters
+}
+
+/// On the second stiffness of the gear.
+fn resonance(actuator: &Actuator, load: MomentOfInertia) -> Option<[Frequency; 2]> {
+    let stiffness = actuator.gear.stiffness.get(1)?.known()?.value;
+    let rotor = actuator.inertia_out.known()?.value;
+    (load.si() > 0.0).then(|| [natural_frequency(stiffness, load), natural_frequency_free(stiffness, load, rotor)])
+}
+
+/// A figure of a run in SI.
+pub(crate) type Shown = fn(&Summary) -> f64;
+
+/// The checks of the sizing that the twin shows too, each with its value in SI.
+pub(crate) const COMPARED: [(CheckId, Shown); 6] = [
+    (CheckId::PeakTorque, |summary| summary.torque_peak_nm),
+    (CheckId::PeakSpeed, |summary| summary.speed_peak_rad_s),
+    (CheckId::PeakCurrent, |summary| summary.current_peak_a),
+    (CheckId::Thermal, |summary| summary.winding_peak_k),
+    (CheckId::OverloadI2t, |summary| summary.overload_peak),
+    (CheckId::Regeneration, |summary| summary.energies.regenerated_j / summary.time_s),
+];
+
+/// The events that are faults of the drive.
+const FAULTS: [EventKind; 8] = [
+    EventKind::Overload,
+    EventKind::WindingShutdown,
+    EventKind::FollowingError,
+    EventKind::LinkLow,
+    EventKind::LinkHigh,
+    EventKind::NoPosition,
+    EventKind::Overspeed,
+    EventKind::Diverged,
+];
+
+impl Simulated<'_> {
+    /// Whether the scenario is a cycle that shall run through.
+    fn runs_through(&self) -> bool {
+        matches!(self.scenario.id, ScenarioId::Cycle | ScenarioId::HotAmbient | ScenarioId::ColdGrease)
+    }
+
+    /// The figures that have a limit.
+    pub(crate) fn judged(&self) -> Vec<Judged> {
+        let (actuator, summary) = (&self.parameters.actuator, &self.summary);
+        let torque = if self.runs_through() || actuator.gear.collision_torque_max.known().is_none() {
+            &actuator.torque_max
+        } else {
+            &actuator.gear.collision_torque_max
+        };
+        let of = |id, value: f64, datum: Option<(f64, Grade, Source)>| {
+            let limit = datum.as_ref().map(|(limit, ..)| *limit);
+            let verdict = match limit {
+                // A thousandth: the control reaches a limit and does not stop at its last digit.
+                Some(limit) if value <= limit * 1.001 => Verdict::Pass,
+                Some(_) => Verdict::Fail,
+                None => Verdict::NotChecked,
+            };
+            let (grade, source) = datum.map_or((None, None), |(_, grade, source)| (Some(grade), Some(source)));
+            Judged { id, value: Some(value), limit, verdict, grade, source }
+        };
+        fn known<Q: Measure>(datum: &provenance::Datum<Q>) -> Option<(f64, Grade, Source)> {
+            datum.known().map(|known| (known.value.si(), known.grade, known.source.clone()))
+        }
+        let model = |limit: f64| Some((limit, Grade::Computed, Source::Model { name: "twin" }));
+        // The inverter limits the set-point; the current itself swings about it.
+        let mut judged = vec![
+            of(
+                JudgedId::CurrentPeak,
+                summary.current_peak_a,
+                known(&actuator.current_demagnetisation).or_else(|| known(&actuator.current_max)),
+            ),
+            of(JudgedId::TorquePeak, summary.torque_peak_nm, known(torque)),
+            of(
+                JudgedId::SpeedPeak,
+                summary.speed_peak_rad_s,
+                actuator::speed_max(actuator).ok().map(|known| (known.value.si(), known.grade, known.source)),
+            ),
+            of(JudgedId::WindingPeak, summary.winding_peak_k, known(&actuator.heat.winding_shutdown)),
+            of(JudgedId::Overload, summary.overload_peak, model(1.0)),
+            of(JudgedId::LinkHigh, summary.link_v[1], known(&actuator.dc_link_max)),
+        ];
+        if let Some(angle) = summary.stop_rad {
+            let limit = self.project.axis.asked.stop_angle_max.map(|limit| {
+                (limit.si(), Grade::Computed, Source::Project { key: "requirements.stop_angle_max".into() })
+            });
+            judged.push(of(JudgedId::StopAngle, angle, limit));
+        }
+        if self.runs_through() {
+            let faults = self.events.iter().filter(|event| FAULTS.contains(&event.kind)).count();
+            #[allow(clippy::cast_precision_loss, reason = "a handful")]
+            judged.push(of(JudgedId::DriveFaults, faults as f64, model(0.0)));
+        }
+        judged
+    }
+
+    /// Whether every limit is kept.
+    #[must_use]
+    pub fn fits(&self) -> bool {
+        self.judged().iter().all(|each| each.verdict != Verdict::Fail)
+    }
+}

@@ -1,0 +1,90 @@
+//! The digital twin as a question.
+
+#![allow(clippy::unwrap_used, clippy::expect_used, clippy::indexing_slicing, clippy::panic, reason = "a test may fail")]
+
+use project::NoFiles;
+use quantities::Language;
+use questions::Patience;
+use questions::list::{Asked, Given, Source, Unanswered, simulate};
+use std::borrow::Cow;
+
+const TABLE: &str = include_str!("../../../examples/indexing-table.toml");
+
+/// The answer about a project as JSON.
+fn answered(text: &str, pairs: &[(&str, &str)]) -> Result<(serde_json::Value, bool), Unanswered> {
+    let given = Given::of(
+        simulate::Args::ARGUMENTS,
+        pairs.iter().map(|(name, value)| (Cow::Borrowed(*name), Cow::Borrowed(*value))),
+        Language::En,
+    )?;
+    let patience = Patience::endless();
+    let asked = Asked {
+        given,
+        sources: vec![Source { name: "axis.toml".to_owned(), bytes: Cow::Borrowed(text.as_bytes()), files: &NoFiles }],
+        days_since_1970: None,
+        patience: &patience,
+        refuses_long: true,
+        language: Language::En,
+    };
+    let answer = (simulate::ENTRY.answer.unwrap())(&asked)?;
+    Ok((serde_json::from_str(&answer.text).unwrap(), answer.fits))
+}
+
+fn message(why: &Unanswered) -> String {
+    why.faults(None, Language::En).errors.iter().map(|fault| fault.message.clone()).collect::<Vec<_>>().join("; ")
+}
+
+const CODE: (&str, &str) = ("code", "CHA-25A-100-H-C1024");
+
+/// The record has what its contract says, and sizing and twin agree on temperature and torque within a few per cent.
+#[test]
+fn a_cycle_is_summed_up_and_compared_with_the_sizing() {
+    let (record, _) = answered(TABLE, &[CODE]).unwrap();
+    for part in ["summary", "events", "comparison", "verdicts", "loops", "gains", "parameters"] {
+        assert!(!record[part].is_null(), "{part}: {record}");
+    }
+    let rows = record["comparison"].as_array().unwrap();
+    let row = |id: &str| rows.iter().find(|row| row["id"] == id).unwrap();
+    let thermal = row("thermal");
+    let (sizing, twin) = (thermal["sizing"].as_f64().unwrap(), thermal["twin"].as_f64().unwrap());
+    assert!((sizing - twin).abs() < 1.5, "{thermal}");
+    assert!(rows.iter().all(|row| !row["why"].as_str().unwrap().is_empty()));
+    let balance = record["summary"]["unaccounted"]["value"].as_f64().unwrap();
+    assert!(balance.abs() < 1e-7, "{balance}");
+    assert_eq!(record["cycles"], 1);
+    let assumed = record["parameters"].as_array().unwrap().iter().filter(|each| each["grade"] == "assumed").count();
+    assert!(assumed > 10, "{assumed}");
+}
+
+/// `[twin]` states scenario and measured values; what the call says comes first.
+#[test]
+fn the_project_states_scenario_gains_and_measured_values() {
+    let text = format!(
+        "{TABLE}\n[twin]\nscenario = \"emergency_stop\"\nat = \"0.15 s\"\nposition_gain = 12\n[twin.measured]\nresistance_ll = \"2.5 ohm\"\n"
+    );
+    let (record, _) = answered(&text, &[CODE]).unwrap();
+    assert_eq!((&record["scenario"], &record["at"]), (&"emergency_stop".into(), &0.15.into()));
+    assert_eq!(record["gains"]["position_gain"]["value"], 12.0);
+    assert_eq!(record["gains_by_rule"], false);
+    let resistance =
+        record["parameters"].as_array().unwrap().iter().find(|each| each["key"] == "resistance_ll").unwrap().clone();
+    assert_eq!((resistance["value"].as_f64(), resistance["grade"].as_str()), (Some(2.5), Some("published")));
+    assert!(record["comparison"].as_array().unwrap().is_empty());
+    let (other, _) = answered(&text, &[CODE, ("scenario", "cycle")]).unwrap();
+    assert_eq!(other["scenario"], "cycle");
+}
+
+/// What cannot run is refused with its reason.
+#[test]
+fn what_cannot_run_is_refused_with_its_reason() {
+    let refused = |text: &str, pairs: &[(&str, &str)]| message(&answered(text, pairs).unwrap_err());
+    assert!(refused(TABLE, &[CODE, ("scenario", "brake_stuck")]).contains("brake"));
+    assert!(refused(TABLE, &[CODE, ("scenario", "emergency_stop"), ("at", "9 s")]).contains("1.3"));
+    assert!(refused(TABLE, &[CODE, ("cycles", "100000")]).contains("steps"));
+    let unstable = format!("{TABLE}\n[twin]\ncurrent_gain = 900\n");
+    assert!(refused(&unstable, &[CODE]).contains("swings up"));
+    let joint = include_str!("../../../examples/robot-joint.toml");
+    assert!(!refused(joint, &[CODE]).is_empty());
+    let wrong = format!("{TABLE}\n[twin]\nscenario = \"emergency\"\n");
+    assert!(refused(&wrong, &[CODE]).contains("emergency"));
+}

@@ -1,0 +1,211 @@
+//! The drive's control: position, speed and current loop at their rates, and its default gains.
+
+use crate::plant::Plant;
+
+/// So many periods of the current loop make one of the speed loop, and of the position loop.
+pub(crate) const SPEED_EVERY: u64 = 4;
+pub(crate) const POSITION_EVERY: u64 = 8;
+/// Rate of the current loop \[Hz\]; those of speed and position are 4 kHz and 2 kHz.
+pub const CURRENT_RATE_HZ: f64 = 16_000.0;
+
+/// Gains of the loops, seen from the output.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Gains {
+    /// K_p of the current loop \[V/A\], of phase quantities.
+    pub current_p: f64,
+    /// T_n of the current loop \[s\].
+    pub current_time_s: f64,
+    /// K_p of the speed loop [Nm s/rad].
+    pub speed_p: f64,
+    /// T_n of the speed loop \[s\].
+    pub speed_time_s: f64,
+    /// Time constant of the filter of the measured speed \[s\].
+    pub speed_filter_s: f64,
+    /// K_v of the position loop [1/s].
+    pub position_p: f64,
+    /// Share of the speed of the set-point that is fed forward.
+    pub feed_speed: f64,
+    /// Inertia whose torque is fed forward \[kgm²\].
+    pub feed_inertia: f64,
+}
+
+impl Gains {
+    /// The default gains.
+    ///
+    /// Current: K_p = L/(2 T_σ), T_n = L/R (magnitude optimum, T_σ = 1.5 T_c); speed: K_p = J_M/(2 T_Σ),
+    /// T_n = 4 T_Σ (J_M + J_L)/J_M (symmetrical optimum of the rotor above the resonance, of rotor and load below it, T_Σ = 2 T_σ + T_s + T_f);
+    /// position: K_v = min(1/(2 T_n), ω_a/5)
+    ///
+    /// # Symbols
+    /// T_c, T_s periods of the current and speed loop, T_f filter of the speed, J_M inertia of the rotor, J_L of the load at the
+    /// output, ω_a = √(K_2/J_L) frequency of the load on the blocked rotor
+    /// # Source
+    /// Kessler, Das symmetrische Optimum, Regelungstechnik 6 (1958); Schröder, Elektrische Antriebe, Regelung von
+    /// Antriebssystemen; the factor of the load and the bound by ω_a are ours
+    /// # Valid
+    /// measured position and speed on the motor
+    #[must_use]
+    pub(crate) fn usual(plant: &Plant, load_kgm2: f64, stiffness_nm: f64, delay: bool) -> Self {
+        let period = 1.0 / CURRENT_RATE_HZ;
+        let current_sum = period * if delay { 1.5 } else { 0.5 };
+        let speed_period = 4.0 * period;
+        let speed_filter_s = 0.0;
+        let speed_sum = 2.0 * current_sum + speed_period + speed_filter_s;
+        let (rotor, total) = (plant.inertia_kgm2, plant.inertia_kgm2 + load_kgm2);
+        let speed_time_s = 4.0 * speed_sum * total / rotor;
+        let blocked = (stiffness_nm / load_kgm2).sqrt();
+        Self {
+            current_p: plant.inductance_h / (2.0 * current_sum),
+            current_time_s: plant.inductance_h / plant.resistance_ohm,
+            speed_p: rotor / (2.0 * speed_sum),
+            speed_time_s,
+            speed_filter_s,
+            position_p: (0.5 / speed_time_s).min(blocked / 5.0),
+            feed_speed: 1.0,
+            feed_inertia: total,
+        }
+    }
+}
+
+/// What the drive shall do.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) enum Demand {
+    /// Follow a position with its speed and acceleration.
+    Position([f64; 3]),
+    /// Turn at a speed.
+    Speed(f64),
+}
+
+/// Limits within the control.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Bounds {
+    /// Largest i_q \[A\], peak of a phase.
+    pub(crate) current_a: f64,
+    /// Largest voltage of a phase, peak \[V\].
+    pub(crate) voltage_v: f64,
+    /// Largest speed [rad/s].
+    pub(crate) speed: f64,
+}
+
+/// Measured values of one period.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Measured {
+    pub(crate) current: [f64; 2],
+    pub(crate) angle_rad: f64,
+}
+
+/// State of the control.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Control {
+    pub(crate) gains: Gains,
+    /// Constants that the decoupling knows.
+    resistance_l: [f64; 2],
+    flux_vs: f64,
+    electrical: f64,
+    torque_constant: f64,
+    delay: bool,
+    /// Integrals of the current loop \[V\] and of the speed loop \[Nm\].
+    integral_v: [f64; 2],
+    pub(crate) integral_nm: f64,
+    last_angle: f64,
+    /// Measured speed, filtered [rad/s].
+    pub(crate) speed: f64,
+    pub(crate) speed_wanted: f64,
+    feed_nm: f64,
+    pub(crate) current_wanted: f64,
+    /// What is put out now and in the next period.
+    pending: [f64; 2],
+    pub(crate) following_rad: f64,
+    pub(crate) limited: bool,
+}
+
+impl Control {
+    /// At rest with a torque that holds \[Nm\].
+    pub(crate) fn at_rest(gains: Gains, plant: &Plant, delay: bool, angle_rad: f64, holding_nm: f64) -> Self {
+        let current = holding_nm / plant.torque_constant;
+        let voltage = [0.0, plant.resistance_ohm * current];
+        Self {
+            gains,
+            resistance_l: [plant.resistance_ohm, plant.inductance_h],
+            flux_vs: plant.flux_vs,
+            electrical: plant.electrical,
+            torque_constant: plant.torque_constant,
+            delay,
+            integral_v: voltage,
+            integral_nm: holding_nm,
+            last_angle: angle_rad,
+            speed: 0.0,
+            speed_wanted: 0.0,
+            feed_nm: 0.0,
+            current_wanted: current,
+            pending: voltage,
+            following_rad: 0.0,
+            limited: false,
+        }
+    }
+
+    /// The voltage of this period.
+    #[inline]
+    pub(crate) fn period(
+        &mut self,
+        tick: u64,
+        measured: &Measured,
+        demand: impl FnOnce() -> Demand,
+        bounds: &Bounds,
+    ) -> [f64; 2] {
+        let period = 1.0 / CURRENT_RATE_HZ;
+        if tick.is_multiple_of(SPEED_EVERY) {
+            #[allow(clippy::cast_precision_loss, reason = "four")]
+            let speed_period = SPEED_EVERY as f64 * period;
+            let raw = (measured.angle_rad - self.last_angle) / speed_period;
+            self.last_angle = measured.angle_rad;
+            self.speed += (raw - self.speed) * speed_period / (speed_period + self.gains.speed_filter_s);
+            if tick.is_multiple_of(POSITION_EVERY) {
+                match demand() {
+                    Demand::Position([position, speed, acceleration]) => {
+                        self.following_rad = position - measured.angle_rad;
+                        let wanted = self.gains.position_p * self.following_rad + self.gains.feed_speed * speed;
+                        self.speed_wanted = wanted.clamp(-bounds.speed, bounds.speed);
+                        self.feed_nm = self.gains.feed_inertia * acceleration;
+                    }
+                    Demand::Speed(speed) => {
+                        self.speed_wanted = speed.clamp(-bounds.speed, bounds.speed);
+                        (self.feed_nm, self.following_rad) = (0.0, 0.0);
+                    }
+                }
+            }
+            let error = self.speed_wanted - self.speed;
+            let grown = self.integral_nm + self.gains.speed_p * error * speed_period / self.gains.speed_time_s;
+            let wanted = (self.gains.speed_p * error + grown + self.feed_nm) / self.torque_constant;
+            self.current_wanted = wanted.clamp(-bounds.current_a, bounds.current_a);
+            self.limited = self.current_wanted != wanted;
+            // The integral stands while the current is at its limit, unless it leads back.
+            if !self.limited || error * wanted < 0.0 {
+                self.integral_nm = grown;
+            }
+        }
+        let [i_d, i_q] = measured.current;
+        let electric = self.electrical * self.speed;
+        let l = self.resistance_l[1];
+        let decoupling = [-electric * l * i_q, electric * (l * i_d + self.flux_vs)];
+        let errors = [-i_d, self.current_wanted - i_q];
+        let share = period / self.gains.current_time_s;
+        let mut voltage = [0.0; 2];
+        for (((u, integral), error), free) in voltage.iter_mut().zip(&mut self.integral_v).zip(errors).zip(decoupling) {
+            *integral += self.gains.current_p * share * error;
+            *u = self.gains.current_p * error + *integral + free;
+        }
+        let size = (voltage[0] * voltage[0] + voltage[1] * voltage[1]).sqrt();
+        if size > bounds.voltage_v {
+            let scale = bounds.voltage_v / size;
+            for (u, integral) in voltage.iter_mut().zip(&mut self.integral_v) {
+                let cut = *u * scale;
+                // Back-calculation: the integral gives up what the inverter cannot give.
+                *integral += share.min(1.0) * (cut - *u);
+                *u = cut;
+            }
+            self.limited = true;
+        }
+        if self.delay { std::mem::replace(&mut self.pending, voltage) } else { voltage }
+    }
+}

@@ -1,0 +1,88 @@
+//! The drive's states: running, stopping, off; the brake with its delays.
+
+use crate::machine::BrakeData;
+use crate::scenario::Reaction;
+
+/// What the drive does.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) enum Phase {
+    /// Follows the set-points.
+    Running,
+    /// Slows down along a ramp: the speed that is wanted now.
+    Ramp(f64),
+    /// At rest after a ramp, the motor holds until the brake is closed: since when.
+    Holding(f64),
+    /// No pulses.
+    Off,
+    /// No pulses while the brake holds within the cycle.
+    Resting,
+}
+
+/// The holding brake: commanded, closed after a delay.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct BrakeState {
+    data: Option<BrakeData>,
+    /// It does not open.
+    pub(crate) stuck: bool,
+    open_wanted: bool,
+    since_s: f64,
+    pub(crate) closed: bool,
+    /// Times that it closed at rest and on a moving axis.
+    pub(crate) closings: [u32; 2],
+}
+
+impl BrakeState {
+    pub(crate) const fn new(data: Option<BrakeData>, closed: bool, stuck: bool) -> Self {
+        let closed = data.is_some() && (closed || stuck);
+        Self { data, stuck, open_wanted: !closed, since_s: f64::NEG_INFINITY, closed, closings: [0, 0] }
+    }
+
+    /// Whether there is one.
+    pub(crate) const fn exists(&self) -> bool {
+        self.data.is_some()
+    }
+
+    /// t_o and t_c \[s\].
+    pub(crate) fn delays(&self) -> [f64; 2] {
+        self.data.map_or([0.0; 2], |data| [data.opening_s, data.closing_s])
+    }
+
+    /// Commands it; whether that is new.
+    pub(crate) fn command(&mut self, open: bool, time_s: f64) -> bool {
+        if self.data.is_none() || self.open_wanted == open {
+            return false;
+        }
+        (self.open_wanted, self.since_s) = (open, time_s);
+        true
+    }
+
+    /// Follows the command after its delay; whether it changed.
+    pub(crate) fn follow(&mut self, time_s: f64) -> bool {
+        let [opening, closing] = self.delays();
+        let due = self.since_s + if self.open_wanted { opening } else { closing };
+        let wanted = !self.open_wanted;
+        if self.data.is_none() || self.closed == wanted || time_s < due - 1e-9 || (self.stuck && !wanted) {
+            return false;
+        }
+        self.closed = wanted;
+        true
+    }
+
+    /// Its torque \[Nm\].
+    pub(crate) fn torque_nm(&self) -> f64 {
+        if self.closed { self.data.map_or(0.0, |data| data.torque_nm) } else { 0.0 }
+    }
+}
+
+/// What the drive supervises, and how it reacts.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Limits {
+    /// Largest following error at the motor, over i \[rad\]; without it none is supervised.
+    pub following_rad: Option<f64>,
+    /// Least and largest voltage of the DC link \[V\].
+    pub link_v: [f64; 2],
+    /// Deceleration of a ramp [rad/s²].
+    pub ramp_rad_s2: f64,
+    /// Reaction to the drive's own faults.
+    pub reaction: Reaction,
+}

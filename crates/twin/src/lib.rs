@@ -1,0 +1,35 @@
+//! The digital twin: an actuator with its drive and its load, stepped through time.
+//!
+//! [`Setup`] is what is simulated, [`Twin`] the run: plant (motor, gear, load), control, drive with its supervision, and a solver of
+//! fixed step are apart. The formulas of an instant are those of `actuator`, the load is the mechanism of the project, the set-points
+//! are its motion. Everything is referred to the output unless a name says `motor`. Same setup, same bits.
+
+mod bode;
+mod control;
+mod drive;
+mod gear;
+mod identify;
+mod link;
+mod load;
+mod machine;
+mod noise;
+mod parameters;
+mod plant;
+mod scenario;
+mod setpoint;
+mod setup;
+mod summary;
+mod twin;
+mod warm;
+
+pub use bode::{Loop, LoopResponse, Margins, Response};
+pub use control::{CURRENT_RATE_HZ, Gains};
+pub use drive::Limits;
+pub use identify::{Estimate, Identified, IdentifyFault, Observed, identify};
+pub use parameters::{Model, NoSuchParameter, Parameter, Parameters};
+pub use plant::Energies;
+pub use scenario::{Event, EventKind, Reaction, Scenario, ScenarioId};
+pub use setup::{Fault, Setup, Switches};
+pub use summary::Summary;
+pub use twin::{Sample, Twin};
+pub use warm::settled;

@@ -1,0 +1,262 @@
+//! The parameters of the model: those of the actuator, and those that no table of the maker has, each with grade and source.
+
+use actuator::Parameters as Actuator;
+use provenance::{Datum, Grade, Missing, Source, Sourced};
+use quantities::{
+    Angle, Dimension, ElectricCurrent, ElectricPotential, ElectricalResistance, Inductance, Measure, MomentOfInertia,
+    NoLoadCurrentConstant, ThermodynamicTemperature, Time, Torque, TorqueConstant, TorsionalStiffness, VoltageConstant,
+};
+use std::sync::Arc;
+
+/// One parameter as an exported file has it.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Parameter {
+    /// Its key.
+    pub key: &'static str,
+    /// What it measures.
+    pub dimension: Dimension,
+    /// Its value in SI with grade and source; `None` where nothing is known.
+    pub value: Option<Sourced<f64>>,
+}
+
+/// A parameter that cannot be replaced.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct NoSuchParameter;
+
+/// What the simulation of an actuator is made of.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Parameters {
+    /// The data of the actuator, with the values that replace some of them.
+    pub actuator: Actuator,
+    /// Parameters beyond the tables.
+    pub model: Model,
+}
+
+/// A key of the actuator's data: how it is read and replaced.
+struct Of {
+    key: &'static str,
+    dimension: Dimension,
+    get: fn(&Actuator) -> Option<Sourced<f64>>,
+    set: fn(&mut Actuator, Sourced<f64>),
+}
+
+/// One line per datum: its key, its place, its quantity.
+macro_rules! data {
+    ($($key:literal $($place:ident).+ : $quantity:ty;)*) => {
+        const DATA: &[Of] = &[$(Of {
+            key: $key,
+            dimension: <$quantity as Scalar>::DIMENSION,
+            get: |actuator| Some(actuator.$($place).+.known()?.clone().map(<$quantity as Scalar>::value)),
+            set: |actuator, value| actuator.$($place).+ = Datum::Known(value.map(<$quantity as Scalar>::of)),
+        }),*];
+    };
+}
+
+/// A quantity or a pure number.
+trait Scalar {
+    const DIMENSION: Dimension;
+    fn of(si: f64) -> Self;
+    fn value(self) -> f64;
+}
+
+macro_rules! scalars {
+    ($($quantity:ty),*) => {$(
+        impl Scalar for $quantity {
+            const DIMENSION: Dimension = <$quantity as Measure>::DIMENSION;
+            fn of(si: f64) -> Self {
+                Measure::from_si(si)
+            }
+            fn value(self) -> f64 {
+                self.si()
+            }
+        }
+    )*};
+}
+
+scalars!(
+    Angle,
+    ElectricCurrent,
+    ElectricPotential,
+    ElectricalResistance,
+    Inductance,
+    MomentOfInertia,
+    NoLoadCurrentConstant,
+    ThermodynamicTemperature,
+    Time,
+    Torque,
+    TorqueConstant,
+    TorsionalStiffness,
+    VoltageConstant
+);
+
+impl Scalar for f64 {
+    const DIMENSION: Dimension = Dimension::Ratio;
+    fn of(si: f64) -> Self {
+        si
+    }
+    fn value(self) -> f64 {
+        self
+    }
+}
+
+data! {
+    "ratio" ratio: f64;
+    "pole_pairs" pole_pairs: f64;
+    "resistance_ll" resistance_ll: ElectricalResistance;
+    "inductance_ll" inductance_ll: Inductance;
+    "torque_constant_motor" torque_constant_motor: TorqueConstant;
+    "torque_constant_out" torque_constant_out: TorqueConstant;
+    "voltage_constant_motor" voltage_constant_motor: VoltageConstant;
+    "inertia_out" inertia_out: MomentOfInertia;
+    "no_load_starting_current" no_load_starting_current: ElectricCurrent;
+    "no_load_current_constant_cold" no_load_current_constant_cold: NoLoadCurrentConstant;
+    "no_load_current_constant_warm" no_load_current_constant_warm: NoLoadCurrentConstant;
+    "torque_max" torque_max: Torque;
+    "current_max" current_max: ElectricCurrent;
+    "current_demagnetisation" current_demagnetisation: ElectricCurrent;
+    "stall_torque" stall_torque: Torque;
+    "stall_current" stall_current: ElectricCurrent;
+    "dc_link_max" dc_link_max: ElectricPotential;
+    "gear_torque_1" gear.torque_1: Torque;
+    "gear_torque_2" gear.torque_2: Torque;
+    "collision_torque_max" gear.collision_torque_max: Torque;
+    "transmission_accuracy" accuracy.transmission_accuracy: Angle;
+    "hysteresis_loss" accuracy.hysteresis_loss: Angle;
+    "lost_motion" accuracy.lost_motion: Angle;
+    "brake_torque" brake.holding_torque: Torque;
+    "brake_opening_time" brake.opening_time: Time;
+    "brake_closing_time" brake.closing_time: Time;
+    "feedback_accuracy" feedback.accuracy: Angle;
+    "feedback_resolution" feedback.resolution: Angle;
+    "winding_time_constant" heat.winding_time_constant: Time;
+    "housing_time_constant" heat.housing_time_constant: Time;
+    "housing_share" heat.housing_share: f64;
+    "winding_warning" heat.winding_warning: ThermodynamicTemperature;
+    "winding_shutdown" heat.winding_shutdown: ThermodynamicTemperature;
+}
+
+/// The three stiffnesses stand in an array, which the lines above cannot name.
+const STIFFNESS: [&str; 3] = ["gear_stiffness_1", "gear_stiffness_2", "gear_stiffness_3"];
+
+/// One line per parameter of the model: its name, its quantity, its usual value, its grade.
+macro_rules! model {
+    ($($(#[$about:meta])* $name:ident: $dimension:ident = $usual:expr, $grade:ident;)*) => {
+        /// Parameters that no table of the maker has, in SI. A value that nothing supports is `assumed`.
+        #[derive(Clone, Debug, PartialEq)]
+        pub struct Model {
+            $($(#[$about])* pub $name: Sourced<f64>,)*
+        }
+
+        impl Default for Model {
+            fn default() -> Self {
+                let usual = |value, grade| Sourced { value, source: Source::Model { name: "twin" }, grade, errata: &[] };
+                Self { $($name: usual($usual, Grade::$grade),)* }
+            }
+        }
+
+        impl Model {
+            fn list(&self) -> Vec<Parameter> {
+                vec![$(Parameter {
+                    key: stringify!($name),
+                    dimension: Dimension::$dimension,
+                    value: Some(self.$name.clone()),
+                }),*]
+            }
+
+            fn place(&mut self, key: &str) -> Option<&mut Sourced<f64>> {
+                $(if key == stringify!($name) { return Some(&mut self.$name); })*
+                None
+            }
+        }
+    };
+}
+
+model! {
+    /// Share of J_out that turns with the output flange and not with the wave generator. A guess.
+    flange_inertia_share: Ratio = 0.02, Assumed;
+    /// ζ: damping of the gear against J_out on K_2, D = 2 ζ √(K_2 J_out). A guess.
+    gear_damping_ratio: Ratio = 0.03, Assumed;
+    /// Breakaway torque over the running torque at no speed: I_NLS is printed as the current that starts the motor.
+    breakaway_ratio: Ratio = 1.0, Assumed;
+    /// Share of the kinematic error with one period per turn of the wave generator. A guess.
+    kinematic_share_1: Ratio = 0.15, Assumed;
+    /// Share with two periods per turn of the wave generator: the main line.
+    kinematic_share_2: Ratio = 0.5, Assumed;
+    /// Share with four periods per turn of the wave generator. A guess.
+    kinematic_share_4: Ratio = 0.1, Assumed;
+    /// Share with one period per turn of the output. A guess.
+    kinematic_share_out: Ratio = 0.25, Assumed;
+    /// Time constant of the temperature sensors in the winding. A guess.
+    sensor_lag: Time = 10.0, Assumed;
+    /// Energy that the capacitor of the DC link holds at the voltage of the supply: 470 µF at 560 V.
+    link_energy: Energy = 73.7, Assumed;
+    /// Resistance of the supply of the DC link.
+    supply_resistance: Resistance = 1.0, Assumed;
+    /// Resistance of the brake resistor.
+    brake_resistor: Resistance = 82.0, Assumed;
+    /// Voltage at which the brake resistor is switched on, over that of the supply.
+    chopper_on: Ratio = 1.15, Assumed;
+    /// Voltage at which it is switched off, over that of the supply.
+    chopper_off: Ratio = 1.12, Assumed;
+    /// Stiffness of a stop that the load meets. A guess: as stiff as a good machine frame.
+    stop_stiffness: TorsionalStiffness = 2.0e5, Assumed;
+    /// Opening time of a brake where none is printed: that of the larger sizes.
+    brake_opening_usual: Time = 0.11, Assumed;
+    /// Closing time of a brake where none is printed: that of the larger sizes.
+    brake_closing_usual: Time = 0.07, Assumed;
+    /// Noise of a measured phase current, rms.
+    current_noise: Current = 0.0, Assumed;
+}
+
+impl Parameters {
+    /// Those of an actuator.
+    #[must_use]
+    pub fn of(actuator: &Actuator) -> Self {
+        Self { actuator: actuator.clone(), model: Model::default() }
+    }
+
+    /// All of them, in a fixed order: the exported file.
+    #[must_use]
+    pub fn list(&self) -> Vec<Parameter> {
+        let of = |of: &Of| Parameter { key: of.key, dimension: of.dimension, value: (of.get)(&self.actuator) };
+        let stiffness = STIFFNESS.iter().zip(&self.actuator.gear.stiffness).map(|(key, datum)| Parameter {
+            key,
+            dimension: Dimension::TorsionalStiffness,
+            value: datum.known().map(|known| known.clone().map(Measure::si)),
+        });
+        DATA.iter().map(of).chain(stiffness).chain(self.model.list()).collect()
+    }
+
+    /// Every key with its dimension.
+    #[must_use]
+    pub fn keys() -> Vec<(&'static str, Dimension)> {
+        let stiffness = STIFFNESS.iter().map(|key| (*key, Dimension::TorsionalStiffness));
+        let model = Model::default().list().into_iter().map(|each| (each.key, each.dimension));
+        DATA.iter().map(|of| (of.key, of.dimension)).chain(stiffness).chain(model).collect()
+    }
+
+    /// Puts a measured value, in SI, in the place of one.
+    ///
+    /// # Errors
+    /// [`NoSuchParameter`] for a key that is not in [`Parameters::list`].
+    pub fn replace(&mut self, key: &str, value: Sourced<f64>) -> Result<(), NoSuchParameter> {
+        if let Some(of) = DATA.iter().find(|of| of.key == key) {
+            (of.set)(&mut self.actuator, value);
+            return Ok(());
+        }
+        if let Some(place) = STIFFNESS.iter().position(|known| *known == key) {
+            let drivetrain = Arc::make_mut(&mut self.actuator.drivetrain);
+            if let Some(stiffness) = drivetrain.gear.stiffness.get_mut(place) {
+                *stiffness = Datum::Known(value.map(TorsionalStiffness::from_si));
+            }
+            return Ok(());
+        }
+        *self.model.place(key).ok_or(NoSuchParameter)? = value;
+        Ok(())
+    }
+}
+
+/// A datum in SI.
+pub(crate) fn si<Q: Measure>(datum: &Datum<Q>, symbol: &'static str) -> Result<f64, Missing> {
+    datum.require(symbol).map(|known| known.value.si())
+}

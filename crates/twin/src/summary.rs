@@ -1,0 +1,227 @@
+//! A run in figures.
+
+use crate::link::Link;
+use crate::plant::Energies;
+
+/// A run in figures, in SI; currents rms of a phase.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Summary {
+    /// Simulated time \[s\].
+    pub time_s: f64,
+    /// Largest following error of the load, set-point minus position \[rad\].
+    pub following_peak_rad: f64,
+    /// Its root mean square \[rad\].
+    pub following_rms_rad: f64,
+    /// Longest time from the end of a move until the load stays near its last position \[s\]; `None` where no move ends.
+    pub settling_s: Option<f64>,
+    /// Largest deviation of the load where it stands, against the set-point \[rad\]: torsion and errors of the gear.
+    pub standing_rad: Option<f64>,
+    /// Largest motor current \[A\].
+    pub current_peak_a: f64,
+    /// Its root mean square \[A\].
+    pub current_rms_a: f64,
+    /// Largest torque through the gear \[Nm\], and when \[s\].
+    pub torque_peak_nm: f64,
+    /// When \[s\].
+    pub torque_peak_s: f64,
+    /// Root mean square of the torque through the gear \[Nm\].
+    pub torque_rms_nm: f64,
+    /// Largest speed of the motor over i [rad/s].
+    pub speed_peak_rad_s: f64,
+    /// Temperatures of winding and housing at the end, and the largest of the winding \[K\]; zero without a heat model.
+    pub winding_end_k: f64,
+    /// \[K\]
+    pub housing_end_k: f64,
+    /// \[K\]
+    pub winding_peak_k: f64,
+    /// Largest state of the overload supervision.
+    pub overload_peak: f64,
+    /// Least and largest voltage of the DC link \[V\].
+    pub link_v: [f64; 2],
+    /// Energies.
+    pub energies: Energies,
+    /// What the balance of energy does not account for, and what went through the motor \[J\].
+    pub unaccounted_j: f64,
+    /// \[J\]
+    pub throughput_j: f64,
+    /// From the supply, and heat of the brake resistor \[J\].
+    pub supplied_j: f64,
+    /// \[J\]
+    pub resistor_j: f64,
+    /// Times that the brake closed at rest and on a moving axis.
+    pub brake_closings: [u32; 2],
+    /// Time from the event of the scenario until the axis stands \[s\] and its way \[rad\]; `None` where nothing stops it.
+    pub stop_s: Option<f64>,
+    /// \[rad\]
+    pub stop_rad: Option<f64>,
+}
+
+/// What a run gathers on its way.
+#[derive(Clone, Debug)]
+pub(crate) struct Gathered {
+    settled_rad: f64,
+    following: [f64; 2],
+    looks: f64,
+    settling: Option<f64>,
+    standing: Option<f64>,
+    /// Since when the set-point rests, and errors since then.
+    rest: Option<(f64, Vec<f64>)>,
+    current: [f64; 2],
+    periods: f64,
+    torque: [f64; 3],
+    speed: f64,
+    temperatures: [f64; 3],
+    overload: f64,
+    link: [f64; 2],
+    stop_from: Option<(f64, f64)>,
+    stop: Option<(f64, f64)>,
+    stop_way: f64,
+}
+
+/// So many errors of one rest are kept: a hundred seconds.
+const REST_MOST: usize = 200_000;
+
+/// Time between two looks at the position \[s\].
+const LOOK_S: f64 = 8.0 * crate::twin::PERIOD_S;
+
+impl Gathered {
+    pub(crate) const fn new(settled_rad: f64) -> Self {
+        Self {
+            settled_rad,
+            following: [0.0; 2],
+            looks: 0.0,
+            settling: None,
+            standing: None,
+            rest: None,
+            current: [0.0; 2],
+            periods: 0.0,
+            torque: [0.0; 3],
+            speed: 0.0,
+            temperatures: [0.0; 3],
+            overload: 0.0,
+            link: [f64::INFINITY, 0.0],
+            stop_from: None,
+            stop: None,
+            stop_way: 0.0,
+        }
+    }
+
+    /// Largest torque so far \[Nm\].
+    pub(crate) const fn torque_nm(&self) -> f64 {
+        self.torque[0]
+    }
+
+    /// At the rate of the position loop.
+    pub(crate) fn look(&mut self, time: f64, wanted: &[f64; 3], position: f64) {
+        let [place, speed, acceleration] = *wanted;
+        let error = place - position;
+        self.following[0] = self.following[0].max(error.abs());
+        self.following[1] += error * error;
+        self.looks += 1.0;
+        let stands = speed == 0.0 && acceleration == 0.0;
+        match (&mut self.rest, stands) {
+            (Some((_, errors)), true) if errors.len() < REST_MOST => errors.push(error),
+            (None, true) => self.rest = Some((time, vec![error])),
+            (Some(_), true) | (None, false) => {}
+            (Some(_), false) => {
+                if let Some(rest) = self.rest.take() {
+                    self.rested(&rest.1, rest.0 > 0.0);
+                }
+            }
+        }
+    }
+
+    /// A rest is over; after a move its settling counts.
+    fn rested(&mut self, errors: &[f64], after_move: bool) {
+        let Some(last) = errors.last() else { return };
+        self.standing = Some(self.standing.unwrap_or(0.0).max(last.abs()));
+        if after_move {
+            let outside = errors.iter().rposition(|error| (error - last).abs() > self.settled_rad);
+            #[allow(clippy::cast_precision_loss, reason = "at most 200 000")]
+            let settling = outside.map_or(0.0, |place| (place + 1) as f64 * LOOK_S);
+            self.settling = Some(self.settling.unwrap_or(0.0).max(settling));
+        }
+    }
+
+    /// Once a period.
+    #[inline]
+    pub(crate) fn each(&mut self, square_a2: f64, torque: f64, speed: f64, link_v: f64, time: f64) {
+        self.current[0] = self.current[0].max(square_a2);
+        self.current[1] += square_a2;
+        self.periods += 1.0;
+        if torque.abs() > self.torque[0] {
+            (self.torque[0], self.torque[1]) = (torque.abs(), time);
+        }
+        self.torque[2] += torque * torque;
+        self.speed = self.speed.max(speed.abs());
+        self.link = [self.link[0].min(link_v), self.link[1].max(link_v)];
+    }
+
+    /// Once a millisecond.
+    pub(crate) fn warm(&mut self, winding: f64, housing: f64, overload: f64) {
+        self.temperatures = [winding, housing, self.temperatures[2].max(winding)];
+        self.overload = self.overload.max(overload);
+    }
+
+    /// The stop after the event of a scenario.
+    pub(crate) fn stop(&mut self, time: f64, happened: bool, rests: bool, position: f64) {
+        if !happened {
+            return;
+        }
+        let (_, last) = *self.stop_from.get_or_insert((time, position));
+        if self.stop.is_none() {
+            self.stop_way += (position - last).abs();
+        }
+        if let Some((since, place)) = &mut self.stop_from {
+            *place = position;
+            // At rest for good: the first instant of rest, unless it moves on.
+            if rests && self.stop.is_none() && time > *since + 0.01 {
+                self.stop = Some((time - *since, self.stop_way));
+            } else if !rests && self.stop.is_some() {
+                self.stop = None;
+            }
+        }
+    }
+
+    pub(crate) fn summary(
+        &self,
+        energies: &Energies,
+        unaccounted_j: f64,
+        link: &Link,
+        time_s: f64,
+        brake_closings: [u32; 2],
+        happens: Option<f64>,
+    ) -> Summary {
+        let mut last = self.clone();
+        if let Some((since, errors)) = last.rest.take() {
+            last.rested(&errors, since > 0.0);
+        }
+        let mean = |sum: f64, count: f64| if count > 0.0 { (sum / count).sqrt() } else { 0.0 };
+        Summary {
+            time_s,
+            following_peak_rad: last.following[0],
+            following_rms_rad: mean(last.following[1], last.looks),
+            settling_s: last.settling,
+            standing_rad: last.standing,
+            current_peak_a: last.current[0].sqrt(),
+            current_rms_a: mean(last.current[1], last.periods),
+            torque_peak_nm: last.torque[0],
+            torque_peak_s: last.torque[1],
+            torque_rms_nm: mean(last.torque[2], last.periods),
+            speed_peak_rad_s: last.speed,
+            winding_end_k: last.temperatures[0],
+            housing_end_k: last.temperatures[1],
+            winding_peak_k: last.temperatures[2],
+            overload_peak: last.overload,
+            link_v: last.link,
+            energies: *energies,
+            unaccounted_j,
+            throughput_j: energies.throughput(),
+            supplied_j: link.supplied_j,
+            resistor_j: link.brake_j,
+            brake_closings,
+            stop_s: happens.and(last.stop).map(|(time, _)| time),
+            stop_rad: happens.and(last.stop).map(|(_, way)| way),
+        }
+    }
+}

@@ -1,0 +1,553 @@
+//! The run: control, plant, DC link and supervision, period by period.
+
+mod driving;
+mod start;
+mod supervision;
+
+use crate::control::{Bounds, CURRENT_RATE_HZ, Control, Demand, Gains, Measured, POSITION_EVERY, SPEED_EVERY};
+use crate::drive::{BrakeState, Limits, Phase};
+use crate::gear::Anchor;
+use crate::link::{Link, LinkModel};
+use crate::load::{LoadModel, Local};
+use crate::machine::Machine;
+use crate::noise::Random;
+use crate::parameters::Parameter;
+use crate::plant::{Energies, Given, Plant, State, Stop};
+use crate::scenario::{Event, EventKind, ScenarioId};
+use crate::setpoint::{Course, SetPoint};
+use crate::setup::{Fault, STEP_MOST, SUBSTEPS_MOST, Setup};
+use crate::summary::{Gathered, Summary};
+use actuator::{Losses, Temperatures};
+use quantities::{Measure, ThermodynamicTemperature};
+use std::f64::consts::{SQRT_2, TAU};
+
+/// Duration of a period of the current loop \[s\].
+pub(crate) const PERIOD_S: f64 = 1.0 / CURRENT_RATE_HZ;
+
+/// Periods between two looks at temperatures and supervision: 1 ms.
+const SLOW_EVERY: u64 = 16;
+
+/// After the motion the run goes on for so long \[s\].
+const AFTER_S: f64 = 0.5;
+
+/// The supply drops to this share and returns after this time \[s\].
+const SAG: (f64, f64) = (0.6, 0.2);
+
+/// One instant of a run.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Sample {
+    /// \[s\]
+    pub time_s: f64,
+    /// Set-point of the position \[rad\], and its speed [rad/s].
+    pub wanted_rad: f64,
+    /// Speed of the set-point [rad/s].
+    pub wanted_rad_s: f64,
+    /// Position of the load \[rad\].
+    pub position_rad: f64,
+    /// Speed of the load [rad/s].
+    pub speed_rad_s: f64,
+    /// Acceleration of the load [rad/s²].
+    pub acceleration_rad_s2: f64,
+    /// Angle of the motor over i \[rad\].
+    pub motor_rad: f64,
+    /// Speed of the motor over i [rad/s].
+    pub motor_rad_s: f64,
+    /// Torque through the gear \[Nm\].
+    pub torque_nm: f64,
+    /// i_q \[A\], peak of a phase.
+    pub current_q_a: f64,
+    /// i_d \[A\].
+    pub current_d_a: f64,
+    /// u_q \[V\], peak of a phase.
+    pub voltage_q_v: f64,
+    /// u_d \[V\].
+    pub voltage_d_v: f64,
+    /// DC link \[V\].
+    pub link_v: f64,
+    /// Winding \[K\].
+    pub winding_k: f64,
+    /// Housing \[K\].
+    pub housing_k: f64,
+    /// What the sensor of the winding shows \[K\].
+    pub sensor_k: f64,
+    /// State of the overload supervision; it trips above one.
+    pub overload: f64,
+    /// Following error at the load \[rad\].
+    pub following_rad: f64,
+    /// Whether the brake is closed.
+    pub braked: bool,
+}
+
+/// The state of the feedback.
+#[derive(Clone, Copy, Debug)]
+struct Encoder {
+    accuracy_rad: f64,
+    step_rad: f64,
+    phases: [f64; 2],
+    frozen_rad: Option<f64>,
+}
+
+/// A run.
+#[derive(Clone, Debug)]
+pub struct Twin<'a> {
+    setup: Setup<'a>,
+    machine: Machine,
+    plant: Plant,
+    pub(crate) state: State,
+    load: LoadModel<'a>,
+    local: Local,
+    stop: Option<Stop>,
+    course: Course<'a>,
+    point: SetPoint,
+    /// Angle of the motor minus set-point at the start \[rad\].
+    offset_rad: f64,
+    control: Control,
+    limits: Limits,
+    phase: Phase,
+    brake: BrakeState,
+    link_model: LinkModel,
+    pub(crate) link: Link,
+    supply_share: f64,
+    temperatures: Temperatures,
+    sensor_k: f64,
+    overload: f64,
+    encoder: Encoder,
+    random: Random,
+    voltage: [f64; 2],
+    tick: u64,
+    end_tick: u64,
+    happens_s: Option<f64>,
+    happened: bool,
+    slow: Slow,
+    gathered: Gathered,
+    events: Vec<Event>,
+    stored_at_start_j: f64,
+    /// Heat of the coil of the open brake so far \[J\].
+    coil_j: f64,
+    ambient_k: f64,
+}
+
+/// What is summed up for the next slow look.
+#[derive(Clone, Copy, Debug, Default)]
+struct Slow {
+    copper_j: f64,
+    heat_j: f64,
+    square_a2_s: f64,
+}
+
+impl<'a> Twin<'a> {
+    /// A run that stands at its start.
+    ///
+    /// # Errors
+    /// [`Fault`]: what is missing, contradicts itself, or cannot be computed with this step.
+    pub fn new(setup: &Setup<'a>) -> Result<Self, Fault> {
+        let setup = *setup;
+        if setup.substeps == 0 || setup.substeps > SUBSTEPS_MOST {
+            return Err(Fault::OutOfRange("substeps"));
+        }
+        for (key, value) in [("supply", setup.supply_v), ("ambient", setup.ambient_k), ("modulation", setup.modulation)]
+        {
+            if !(value.is_finite() && value > 0.0) {
+                return Err(Fault::OutOfRange(key));
+            }
+        }
+        if matches!(setup.mechanism.kind, mechanism::MechanismKind::Joint(_)) {
+            return Err(Fault::RecordedTorque);
+        }
+        if let Some(Parameter { key, .. }) = setup
+            .parameters
+            .list()
+            .iter()
+            .find(|each| each.value.as_ref().is_some_and(|value| !value.value.is_finite() || value.value < 0.0))
+        {
+            return Err(Fault::OutOfRange(key));
+        }
+        let machine = Machine::of(setup.parameters, setup.switches, setup.seed)?;
+        let course = Course::of(setup.motion, setup.scenario.cycles);
+        let model = &setup.parameters.model;
+        let ambient_k = start::ambient(&setup);
+        let scenario = setup.scenario.id;
+        match scenario {
+            ScenarioId::BrakeStuck | ScenarioId::HangingLoad if machine.brake.is_none() => return Err(Fault::NoBrake),
+            ScenarioId::BatteryLoss if !setup.parameters.actuator.feedback.buffered_by_battery => {
+                return Err(Fault::NoBattery);
+            }
+            _ => {}
+        }
+        let start = course.at(0.0);
+        let [position, _, _] = start.state;
+        let load = LoadModel::of(setup.mechanism, setup.extras, machine.flange_kgm2);
+        let local = load.near(start.segment, position, 0.0, 0.0).ok_or(Fault::NoInertia)?;
+        if local.inertia_kgm2.is_nan() || local.inertia_kgm2 <= 0.0 {
+            return Err(Fault::NoInertia);
+        }
+        let mut plant = machine.plant;
+        let temperatures =
+            setup.start_k.filter(|_| !matches!(scenario, ScenarioId::ColdGrease)).unwrap_or([ambient_k; 2]);
+        let [winding, housing] = temperatures;
+        machine.warm(&mut plant, winding, housing);
+        let has_stop = matches!(scenario, ScenarioId::BlockedLoad | ScenarioId::Collision);
+        let stop_nm = if has_stop { model.stop_stiffness.value } else { 0.0 };
+        let stiff = |substeps: u32| {
+            let h = PERIOD_S / f64::from(substeps);
+            plant.stiffness(local.inertia_kgm2, stop_nm, machine.speed_max, h)
+        };
+        if stiff(setup.substeps) > STEP_MOST {
+            #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a small count")]
+            let substeps = (stiff(1) / STEP_MOST).ceil().min(f64::from(u32::MAX)) as u32;
+            return Err(Fault::StepTooLong { substeps });
+        }
+        let holding = local.middle_nm;
+        let twist = plant.spring.angle(holding);
+        // e hangs on the angle itself by little: a few steps suffice.
+        let mut theta = position + twist;
+        for _ in 0..6 {
+            theta = position + twist + plant.kinematic.map_or(0.0, |error| error.at(theta).0);
+        }
+        let closed = start.braked.is_some() || matches!(scenario, ScenarioId::BatteryLoss);
+        let brake = BrakeState::new(machine.brake, closed, scenario == ScenarioId::BrakeStuck);
+        plant.brake_nm = brake.torque_nm();
+        let usual = Gains::usual(&plant, local.inertia_kgm2, plant.spring.stiffness_at(twist), setup.switches.delay);
+        let gains = setup.gains.unwrap_or(usual);
+        let control = Control::at_rest(gains, &plant, setup.switches.delay, theta, holding);
+        let resting = brake.closed && start.braked.is_some();
+        let pulses = !resting && scenario != ScenarioId::BatteryLoss;
+        let free = |held: f64| if held > 0.0 { 0.0 } else { 1.0 };
+        let mut state = State {
+            x: [0.0, if pulses { control.current_wanted } else { 0.0 }, theta, 0.0, position, 0.0],
+            force: [0.0; crate::gear::ELEMENTS],
+            sliding: [free(plant.friction_nm + plant.brake_nm + plant.mesh), free(local.coulomb_nm)],
+            energies: Energies::default(),
+            slipped_rad: 0.0,
+            error: (0.0, 0.0),
+            gear_nm: holding,
+            twist_rad: 0.0,
+            acceleration_rad_s2: 0.0,
+            pulses,
+        };
+        plant.place(&mut state);
+        let chopper = [model.chopper_off.value, model.chopper_on.value].map(|share| share * setup.supply_v);
+        let link_model = LinkModel {
+            capacity_f: 2.0 * model.link_energy.value / (560.0 * 560.0),
+            supply_v: setup.supply_v,
+            supply_ohm: model.supply_resistance.value.max(1e-3),
+            brake_ohm: model.brake_resistor.value.max(1e-3),
+            chopper_v: chopper,
+        };
+        let fastest = setup.motion.pieces().iter().map(|piece| piece.polynomial[0].abs()).fold(0.0, f64::max);
+        let torque_ramp =
+            plant.torque_constant * SQRT_2 * machine.current_max_a / (plant.inertia_kgm2 + local.inertia_kgm2) / 2.0;
+        let limits = setup.limits.unwrap_or(Limits {
+            following_rad: None,
+            link_v: [0.7 * setup.supply_v, start::link_most(&setup)],
+            ramp_rad_s2: if fastest > 0.0 { fastest.min(torque_ramp) } else { torque_ramp },
+            reaction: setup.scenario.reaction,
+        });
+        let after = match scenario {
+            ScenarioId::Cycle | ScenarioId::HotAmbient | ScenarioId::ColdGrease => 0.0,
+            _ => AFTER_S,
+        };
+        let end_s = course.duration_s() + after;
+        let happens_s = start::happens(&setup, &course)?;
+        #[allow(
+            clippy::cast_possible_truncation,
+            clippy::cast_sign_loss,
+            reason = "bounded by the caller's count of the work"
+        )]
+        let end_tick = (end_s * CURRENT_RATE_HZ).round() as u64;
+        let mut random = Random::new(setup.seed ^ 0x5eed);
+        let phases = [(); 2].map(|()| TAU * random.uniform());
+        let [accuracy_rad, step_rad] = machine.feedback_rad;
+        let encoder = Encoder { accuracy_rad, step_rad, phases, frozen_rad: None };
+        let phase = if scenario == ScenarioId::BatteryLoss {
+            Phase::Off
+        } else if resting {
+            Phase::Resting
+        } else {
+            Phase::Running
+        };
+        let mut twin = Self {
+            stored_at_start_j: plant.stored(&state),
+            offset_rad: theta - position,
+            control,
+            limits,
+            phase,
+            brake,
+            link: link_model.start(),
+            link_model,
+            supply_share: 1.0,
+            temperatures: Temperatures {
+                winding: ThermodynamicTemperature::from_si(winding),
+                housing: ThermodynamicTemperature::from_si(housing),
+            },
+            sensor_k: winding,
+            overload: 0.0,
+            encoder,
+            random,
+            voltage: [0.0; 2],
+            tick: 0,
+            end_tick,
+            happens_s,
+            happened: false,
+            slow: Slow::default(),
+            gathered: Gathered::new(setup.settled_rad),
+            events: Vec::new(),
+            point: start,
+            setup,
+            machine,
+            plant,
+            state,
+            load,
+            local,
+            stop: None,
+            course,
+            coil_j: 0.0,
+            ambient_k,
+        };
+        if scenario == ScenarioId::BatteryLoss {
+            twin.note(EventKind::NoPosition);
+        }
+        // The angle at which the drive starts is the one that it measures.
+        let measured = twin.angle();
+        twin.offset_rad += measured - twin.state.x[2];
+        twin.control = Control::at_rest(gains, &twin.plant, setup.switches.delay, measured, holding);
+        Ok(twin)
+    }
+
+    /// The gains in use.
+    #[must_use]
+    pub const fn gains(&self) -> &Gains {
+        &self.control.gains
+    }
+
+    /// What is supervised.
+    #[must_use]
+    pub const fn limits(&self) -> &Limits {
+        &self.limits
+    }
+
+    /// Data that are not known, so that a part of the model is left out.
+    #[must_use]
+    pub fn left_out(&self) -> &[&'static str] {
+        &self.machine.left_out
+    }
+
+    /// The constants and the load at the start, for the linear responses.
+    pub(crate) const fn linear(&self) -> (&Plant, &Local) {
+        (&self.plant, &self.local)
+    }
+
+    /// Periods of the current loop from start to end.
+    #[must_use]
+    pub const fn periods(&self) -> u64 {
+        self.end_tick
+    }
+
+    /// Steps of the solver from start to end: the work of the run.
+    #[must_use]
+    pub fn steps(&self) -> u64 {
+        self.end_tick * u64::from(self.setup.substeps)
+    }
+
+    /// Another wanted speed from now on.
+    #[cfg(test)]
+    pub(crate) const fn want_speed(&mut self, speed: f64) {
+        self.setup.speed_step = Some(speed);
+    }
+
+    /// The time reached \[s\].
+    #[must_use]
+    #[allow(clippy::cast_precision_loss, reason = "far below 2^53")]
+    pub fn time_s(&self) -> f64 {
+        self.tick as f64 * PERIOD_S
+    }
+
+    /// Whether the end is reached.
+    #[must_use]
+    pub const fn is_over(&self) -> bool {
+        self.tick >= self.end_tick
+    }
+
+    /// Goes on for some periods, at most to the end.
+    pub fn advance(&mut self, periods: u64) {
+        for _ in 0..periods {
+            if self.is_over() {
+                break;
+            }
+            self.period();
+        }
+    }
+
+    fn note(&mut self, kind: EventKind) {
+        let repeats = matches!(kind, EventKind::Limited | EventKind::BrakeResistor | EventKind::WindingWarning);
+        if repeats && self.events.iter().any(|event| event.kind == kind) {
+            return;
+        }
+        // A cycle that closes its brake a thousand times needs no list of it.
+        if self.events.len() < EVENTS_MOST {
+            self.events.push(Event { time_s: self.time_s(), kind });
+        }
+    }
+
+    /// The measured angle of the motor, over i \[rad\].
+    fn angle(&self) -> f64 {
+        let theta = self.state.x[2];
+        if let Some(frozen) = self.encoder.frozen_rad {
+            return frozen;
+        }
+        if !self.setup.switches.noise {
+            return theta;
+        }
+        let [a, b] = self.encoder.phases;
+        let alpha = self.machine.ratio * theta;
+        // Two lines a turn of the motor whose sum stays within the printed accuracy.
+        let error = self.encoder.accuracy_rad * (0.6 * (alpha + a).sin() + 0.4 * (2.0 * alpha + b).sin());
+        let measured = theta + error;
+        if self.encoder.step_rad > 0.0 {
+            (measured / self.encoder.step_rad).round() * self.encoder.step_rad
+        } else {
+            measured
+        }
+    }
+
+    fn period(&mut self) {
+        let time = self.time_s();
+        if self.tick.is_multiple_of(POSITION_EVERY) {
+            // After a stop the set-point stands, and what the axis carries stays.
+            if matches!(self.phase, Phase::Running | Phase::Resting) {
+                self.point = self.course.at(time);
+            }
+            self.manage(time);
+            if matches!(self.phase, Phase::Running | Phase::Resting) {
+                self.gathered.look(time, &self.point.state, self.state.x[4]);
+            } else {
+                let [position, ..] = self.point.state;
+                self.point.state = [position, 0.0, 0.0];
+            }
+        }
+        self.voltage = if self.state.pulses { self.controlled() } else { [0.0; 2] };
+        let [_, _, theta, omega, position, speed] = self.state.x;
+        if let Some(local) = self.load.near(self.point.segment, position, speed, self.state.acceleration_rad_s2) {
+            self.local = local;
+        }
+        let anchor: Option<Anchor> = self.plant.kinematic.map(|error| error.anchor(theta));
+        let before = self.state.energies;
+        let given =
+            Given { voltage: self.voltage, load: &self.local, stop: self.stop.as_ref(), anchor: anchor.as_ref() };
+        let h = PERIOD_S / f64::from(self.setup.substeps);
+        for _ in 0..self.setup.substeps {
+            self.plant.step(&mut self.state, &given, h);
+        }
+        let after = &self.state.energies;
+        self.link_model.step(&mut self.link, after.terminal_j - before.terminal_j, self.supply_share, PERIOD_S);
+        let copper = after.copper_j - before.copper_j;
+        self.slow.copper_j += copper;
+        self.slow.heat_j += after.heat() - before.heat();
+        let [i_d, i_q, ..] = self.state.x;
+        let square = 0.5 * (i_d * i_d + i_q * i_q);
+        self.slow.square_a2_s += square * PERIOD_S;
+        self.gathered.each(square, self.state.gear_nm, omega, self.link.voltage_v, self.time_s());
+        self.tick += 1;
+        if self.tick.is_multiple_of(SLOW_EVERY) {
+            self.supervise();
+        }
+    }
+
+    /// The voltage that the control puts out in this period.
+    fn controlled(&mut self) -> [f64; 2] {
+        let [mut i_d, mut i_q, ..] = self.state.x;
+        let noise = self.setup.parameters.model.current_noise.value;
+        if self.setup.switches.noise && noise > 0.0 {
+            i_d += noise * self.random.normal();
+            i_q += noise * self.random.normal();
+        }
+        let measured = Measured {
+            current: [i_d, i_q],
+            // The loops of speed and position alone look at it.
+            angle_rad: if self.tick.is_multiple_of(SPEED_EVERY) { self.angle() } else { 0.0 },
+        };
+        let demand = match (self.phase, self.setup.speed_step) {
+            (Phase::Ramp(speed), _) => Demand::Speed(speed),
+            (Phase::Holding(_), _) => Demand::Speed(0.0),
+            (_, Some(speed)) => Demand::Speed(speed),
+            (_, None) => {
+                let [position, speed, acceleration] = self.point.state;
+                Demand::Position([position + self.offset_rad, speed, acceleration])
+            }
+        };
+        let bounds = if self.setup.switches.limits {
+            Bounds {
+                current_a: SQRT_2 * self.machine.current_max_a,
+                voltage_v: self.setup.modulation * self.link.voltage_v / 3.0_f64.sqrt(),
+                speed: self.machine.speed_max,
+            }
+        } else {
+            Bounds { current_a: f64::INFINITY, voltage_v: f64::INFINITY, speed: f64::INFINITY }
+        };
+        let voltage = self.control.period(self.tick, &measured, || demand, &bounds);
+        if self.control.limited {
+            self.note(EventKind::Limited);
+        }
+        voltage
+    }
+
+    /// The state now.
+    #[must_use]
+    pub fn sample(&self) -> Sample {
+        let [i_d, i_q, theta, omega, position, speed] = self.state.x;
+        let [wanted, wanted_speed, _] = self.point.state;
+        let [u_d, u_q] = self.voltage;
+        Sample {
+            time_s: self.time_s(),
+            wanted_rad: wanted,
+            wanted_rad_s: wanted_speed,
+            position_rad: position,
+            speed_rad_s: speed,
+            acceleration_rad_s2: self.state.acceleration_rad_s2,
+            motor_rad: theta,
+            motor_rad_s: omega,
+            torque_nm: self.state.gear_nm,
+            current_q_a: i_q,
+            current_d_a: i_d,
+            voltage_q_v: u_q,
+            voltage_d_v: u_d,
+            link_v: self.link.voltage_v,
+            winding_k: self.temperatures.winding.si(),
+            housing_k: self.temperatures.housing.si(),
+            sensor_k: self.sensor_k,
+            overload: self.overload,
+            following_rad: wanted - position,
+            braked: self.brake.closed,
+        }
+    }
+
+    /// What happened so far.
+    #[must_use]
+    pub fn events(&self) -> &[Event] {
+        &self.events
+    }
+
+    /// Mean losses up to now.
+    pub(crate) fn losses(&self) -> Losses {
+        let (energies, time) = (&self.state.energies, self.time_s().max(PERIOD_S));
+        Losses { copper_w: energies.copper_j / time, friction_w: (energies.heat() + self.coil_j) / time }
+    }
+
+    /// The run in figures, up to now.
+    #[must_use]
+    pub fn summary(&self) -> Summary {
+        let stored = self.plant.stored(&self.state) - self.stored_at_start_j;
+        let energies = self.state.energies;
+        self.gathered.summary(
+            &energies,
+            energies.unaccounted(stored),
+            &self.link,
+            self.time_s(),
+            self.brake.closings,
+            self.happens_s,
+        )
+    }
+}
+
+/// So many events are kept at most.
+const EVENTS_MOST: usize = 1000;

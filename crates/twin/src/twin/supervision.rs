@@ -1,0 +1,130 @@
+//! Temperatures and what the drive supervises, once a millisecond.
+
+use super::{PERIOD_S, SAG, SLOW_EVERY, Twin};
+use crate::drive::Phase;
+use crate::scenario::{EventKind, Reaction, ScenarioId};
+use actuator::{Losses, Temperatures, overload_slope};
+use quantities::{ElectricCurrent, Measure, Ratio, ThermodynamicTemperature, Time};
+
+/// The drive notices a frozen angle after so long \[s\]. A guess.
+const NOTICED_S: f64 = 2e-3;
+
+impl Twin<'_> {
+    /// Temperatures, supervision, and what follows the temperatures, once a millisecond.
+    pub(super) fn supervise(&mut self) {
+        #[allow(clippy::cast_precision_loss, reason = "sixteen")]
+        let step = SLOW_EVERY as f64 * PERIOD_S;
+        let mut slow = std::mem::take(&mut self.slow);
+        let coil = self.machine.brake.filter(|_| !self.brake.closed).map_or(0.0, |brake| brake.coil_w * step);
+        slow.heat_j += coil;
+        self.coil_j += coil;
+        if let Some(heat) = self.machine.heat {
+            self.temperatures =
+                warmed(&self.temperatures, &heat, slow.copper_j / step, slow.heat_j / step, self.ambient_k, step);
+            let (winding, housing) = (self.temperatures.winding.si(), self.temperatures.housing.si());
+            self.machine.warm(&mut self.plant, winding, housing);
+            let lag = self.setup.parameters.model.sensor_lag.value.max(step);
+            self.sensor_k += (winding - self.sensor_k) * step / lag;
+            if let Some(stall) = self.machine.stall_current_a {
+                let current = ElectricCurrent::from_si((slow.square_a2_s / step).sqrt());
+                let slope = |state: f64| {
+                    let time_constant: Time = heat.winding_time_constant();
+                    overload_slope(Ratio::from_si(state), current, ElectricCurrent::from_si(stall), time_constant)
+                };
+                // Heun's rule, as the temperatures.
+                let first = slope(self.overload);
+                self.overload += 0.5 * step * (first + slope(self.overload + step * first));
+            }
+            self.gathered.warm(winding, housing, self.overload);
+        }
+        if self.link.chopping {
+            self.note(EventKind::BrakeResistor);
+        }
+        let [i_d, i_q, ..] = self.state.x;
+        let current = (0.5 * (i_d * i_d + i_q * i_q)).sqrt();
+        if self.machine.demagnetisation_a.is_some_and(|limit| current >= limit) && !self.has(EventKind::Demagnetisation)
+        {
+            self.note(EventKind::Demagnetisation);
+        }
+        let collision = self.setup.parameters.actuator.gear.collision_torque_max.known();
+        if collision.is_some_and(|limit| self.gathered.torque_nm() > limit.value.si())
+            && !self.has(EventKind::CollisionTorque)
+        {
+            self.note(EventKind::CollisionTorque);
+        }
+        if self.state.x.iter().any(|value| !value.is_finite())
+            || self.state.x[3].abs() > 20.0 * self.machine.speed_max
+            || self.state.twist_rad.abs() > 1.0
+        {
+            self.note(EventKind::Diverged);
+            self.end_tick = self.tick;
+        }
+        self.notice();
+    }
+
+    /// What the drive notices by itself.
+    pub(super) fn notice(&mut self) {
+        let time = self.time_s();
+        if self.setup.scenario.id == ScenarioId::LinkSag && self.happens_s.is_some_and(|at| time > at + SAG.1) {
+            self.supply_share = 1.0;
+        }
+        let shutdown = self.setup.parameters.actuator.heat.winding_shutdown.known().map(|known| known.value.si());
+        let warning = self.setup.parameters.actuator.heat.winding_warning.known().map(|known| known.value.si());
+        if warning.is_some_and(|limit| self.sensor_k > limit) {
+            self.note(EventKind::WindingWarning);
+        }
+        if self.encoder.frozen_rad.is_some() && self.happens_s.is_some_and(|at| time > at + NOTICED_S) {
+            let reaction = if self.brake.exists() { Reaction::Brake } else { Reaction::Coast };
+            self.fault(EventKind::NoPosition, reaction);
+        }
+        if !self.setup.switches.limits {
+            return;
+        }
+        let reaction = self.limits.reaction;
+        if shutdown.is_some_and(|limit| self.sensor_k > limit) {
+            self.fault(EventKind::WindingShutdown, reaction);
+        }
+        if self.overload > 1.0 {
+            self.fault(EventKind::Overload, reaction);
+        }
+        if self.phase == Phase::Running
+            && self.limits.following_rad.is_some_and(|limit| self.control.following_rad.abs() > limit)
+        {
+            self.fault(EventKind::FollowingError, reaction);
+        }
+        let [low, high] = self.limits.link_v;
+        let without_drive = if self.brake.exists() { Reaction::Brake } else { Reaction::Coast };
+        if self.link.voltage_v < low && self.state.pulses {
+            self.fault(EventKind::LinkLow, without_drive);
+        }
+        if self.link.voltage_v > high {
+            self.fault(EventKind::LinkHigh, without_drive);
+        }
+        if self.state.x[3].abs() > 1.1 * self.machine.speed_max && !self.has(EventKind::Overspeed) {
+            self.fault(EventKind::Overspeed, without_drive);
+        }
+    }
+}
+
+/// The thermal network one step on under constant losses, by Heun's rule.
+pub(crate) fn warmed(
+    from: &Temperatures,
+    heat: &actuator::HeatModel,
+    copper_w: f64,
+    friction_w: f64,
+    ambient_k: f64,
+    step: f64,
+) -> Temperatures {
+    let (network, losses) = (heat.network(), Losses { copper_w, friction_w });
+    let ambient = ThermodynamicTemperature::from_si(ambient_k);
+    let moved = |winding: f64, housing: f64| Temperatures {
+        winding: ThermodynamicTemperature::from_si(from.winding.si() + winding),
+        housing: ThermodynamicTemperature::from_si(from.housing.si() + housing),
+    };
+    let first = network.flows(from, losses, ambient);
+    let second = network.flows(&moved(step * first.winding_k_per_s, step * first.housing_k_per_s), losses, ambient);
+    moved(
+        0.5 * step * (first.winding_k_per_s + second.winding_k_per_s),
+        0.5 * step * (first.housing_k_per_s + second.housing_k_per_s),
+    )
+}

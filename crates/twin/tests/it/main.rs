@@ -1,0 +1,39 @@
+//! The twin as a whole.
+
+#![allow(clippy::unwrap_used, clippy::expect_used, clippy::indexing_slicing, clippy::panic, reason = "a test may fail")]
+
+mod identify;
+mod linear;
+mod runs;
+mod steady;
+
+use mechanism::{Extra, Mechanism};
+use motion::{Closing, ManualMove, Motion, SegmentSpec};
+use quantities::unit::REVOLUTION_PER_MINUTE;
+use quantities::{AngularVelocity, Measure, MomentOfInertia, Time, Torque};
+use twin::Parameters;
+
+/// The parameters of a code.
+fn parameters(code: &str) -> Parameters {
+    Parameters::of(&configurator::parameters(&order_code::parse(code).unwrap().code).unwrap())
+}
+
+/// A load at the output.
+fn load(inertia: f64, friction: f64) -> Mechanism {
+    Mechanism::direct(MomentOfInertia::from_si(inertia), Torque::from_si(friction))
+}
+
+/// One move of the manual.
+fn one_move(rpm: f64, ramp: f64, run: f64, pause: f64) -> Motion {
+    let time = Time::from_si;
+    let each = ManualMove {
+        speed: AngularVelocity::new_in(rpm, &REVOLUTION_PER_MINUTE),
+        accelerate: time(ramp),
+        run: time(run),
+        brake: time(ramp),
+        pause: time(pause),
+    };
+    Motion::new(&[SegmentSpec::Manual(each)], None, Closing::SingleMove).unwrap()
+}
+
+const NOTHING: fn() -> Vec<Extra> = || vec![Extra::none()];

@@ -1,0 +1,186 @@
+//! Scenarios, balance, determinism, bounds.
+
+use super::{NOTHING, load, one_move, parameters};
+use mechanism::{Friction, Mechanism};
+use provenance::{Grade, Source, Sourced};
+use quantities::{Measure, Torque};
+use twin::{EventKind, Fault, LoopResponse, Reaction, Scenario, ScenarioId, Setup, Switches, Twin, settled};
+
+const CODE: &str = "CHA-17A-80-H-M128S-B";
+
+/// Every scenario to its end; of each the events.
+#[test]
+fn every_scenario_ends_and_its_balance_closes() {
+    let parameters = parameters(CODE);
+    let (hanging, motion, extras) = (
+        Mechanism { friction: Friction { external: Torque::from_si(3.0), ..Friction::none() }, ..load(0.3, 1.0) },
+        one_move(30.0, 0.1, 0.3, 0.2),
+        NOTHING(),
+    );
+    for id in ScenarioId::ALL {
+        for reaction in Reaction::ALL {
+            let scenario = Scenario { id: *id, reaction, ..Scenario::default() };
+            let setup = Setup { scenario, ..Setup::of(&parameters, &hanging, &motion, &extras) };
+            let mut twin = Twin::new(&setup).unwrap();
+            twin.advance(u64::MAX);
+            let summary = twin.summary();
+            let through =
+                summary.throughput_j.max(summary.energies.brake_j).max(summary.energies.flange_j.abs()).max(1e-3);
+            assert!(
+                summary.unaccounted_j.abs() < 1e-9 * through,
+                "{}: {:e} of {through}",
+                id.id(),
+                summary.unaccounted_j
+            );
+            assert!(!twin.events().iter().any(|event| event.kind == EventKind::Diverged), "{}", id.id());
+            let has = |kind| twin.events().iter().any(|event| event.kind == kind);
+            match id {
+                ScenarioId::PowerFailure => assert!(has(EventKind::BrakeClosedMoving) && summary.stop_s.is_some()),
+                ScenarioId::HangingLoad => assert!(summary.stop_rad.unwrap() > 0.0 && has(EventKind::BrakeCloses)),
+                ScenarioId::EncoderFailure => assert!(has(EventKind::NoPosition) && has(EventKind::PulsesOff)),
+                ScenarioId::BatteryLoss => assert!(has(EventKind::NoPosition) && summary.throughput_j == 0.0),
+                ScenarioId::BrakeStuck => assert!(has(EventKind::Limited) && has(EventKind::BrakeSlips)),
+                ScenarioId::Collision | ScenarioId::BlockedLoad => assert!(has(EventKind::Limited)),
+                ScenarioId::LinkSag => assert!(has(EventKind::Scenario) && summary.link_v[0] < 550.0, "{summary:?}"),
+                ScenarioId::EmergencyStop => assert_eq!(has(EventKind::Ramp), reaction == Reaction::Ramp),
+                ScenarioId::Cycle | ScenarioId::HotAmbient | ScenarioId::ColdGrease => {}
+            }
+        }
+    }
+}
+
+/// Same setup, same bits, in steps of any size; another seed, another run.
+#[test]
+fn the_same_setup_gives_the_same_bits() {
+    let mut parameters = parameters(CODE);
+    let source = Source::Model { name: "test" };
+    parameters.replace("current_noise", Sourced { value: 0.02, source, grade: Grade::Assumed, errata: &[] }).unwrap();
+    let (mechanism, motion, extras) = (load(0.3, 1.0), one_move(30.0, 0.1, 0.1, 0.1), NOTHING());
+    let run = |seed: u64, chunk: u64| {
+        let mut twin = Twin::new(&Setup { seed, ..Setup::of(&parameters, &mechanism, &motion, &extras) }).unwrap();
+        while !twin.is_over() {
+            twin.advance(chunk);
+        }
+        twin.summary()
+    };
+    let one = run(7, 1);
+    assert_eq!(one, run(7, 1000));
+    assert_ne!(one, run(8, 1));
+}
+
+/// Friction holds an unbalanced load without a drift of a single bit, and the closed brake too.
+#[test]
+fn what_sticks_does_not_creep() {
+    let parameters = parameters(CODE);
+    let mechanism =
+        Mechanism { friction: Friction { external: Torque::from_si(3.0), ..Friction::none() }, ..load(0.3, 0.0) };
+    let dwell = motion::SegmentSpec::Dwell(quantities::Time::from_si(3.0), motion::Hold::Brake);
+    let motion = motion::Motion::new(&[dwell], None, motion::Closing::SingleMove).unwrap();
+    let extras = NOTHING();
+    let mut twin = Twin::new(&Setup::of(&parameters, &mechanism, &motion, &extras)).unwrap();
+    twin.advance(16_000);
+    let before = twin.sample().motor_rad;
+    twin.advance(16_000);
+    assert_eq!(twin.sample().motor_rad.to_bits(), before.to_bits());
+    assert!(twin.sample().braked && twin.sample().current_q_a == 0.0);
+}
+
+/// The default gains hold every loop of every size with and without a load.
+#[test]
+fn the_gains_of_the_rule_are_stable() {
+    let (motion, extras) = (one_move(10.0, 0.1, 0.1, 0.1), NOTHING());
+    for code in
+        ["CHA-14A-50-H-RES", "CHA-17A-80-H-RES", "CHA-20A-100-H-C1024", "CHA-32A-100-H-C1024", "CHA-50A-100-H-C1024"]
+    {
+        let parameters = parameters(code);
+        let own = parameters.actuator.inertia_out.known().unwrap().value.si();
+        for factor in [0.1, 1.0, 3.0, 10.0] {
+            let mechanism = load(factor * own, 0.0);
+            let setup = Setup::of(&parameters, &mechanism, &motion, &extras);
+            for each in LoopResponse::of(&setup).unwrap() {
+                let margins = each.margins;
+                assert!(margins.stable, "{code} {factor} {:?} {margins:?}", each.of);
+                assert!(
+                    margins.phase_rad.is_none_or(|phase| phase.to_degrees() > 25.0),
+                    "{code} {factor} {:?} {margins:?}",
+                    each.of
+                );
+            }
+        }
+    }
+}
+
+/// What cannot be simulated is refused with its reason.
+#[test]
+fn what_cannot_be_simulated_is_refused() {
+    let with_brake = parameters(CODE);
+    let without = parameters("CHA-20A-100-H-C1024");
+    let (mechanism, motion, extras) = (load(0.3, 1.0), one_move(30.0, 0.1, 0.1, 0.1), NOTHING());
+    let of = |parameters, mechanism, scenario| {
+        Twin::new(&Setup { scenario, ..Setup::of(parameters, mechanism, &motion, &extras) }).err()
+    };
+    let scenario = |id, at_s| Scenario { id, at_s, ..Scenario::default() };
+    assert_eq!(of(&without, &mechanism, scenario(ScenarioId::BrakeStuck, None)), Some(Fault::NoBrake));
+    assert_eq!(of(&without, &mechanism, scenario(ScenarioId::BatteryLoss, None)), Some(Fault::NoBattery));
+    assert_eq!(
+        of(&with_brake, &mechanism, scenario(ScenarioId::EmergencyStop, Some(9.0))),
+        Some(Fault::AfterTheEnd { end_s: 0.4 })
+    );
+    assert_eq!(of(&with_brake, &mechanism, scenario(ScenarioId::HangingLoad, Some(0.15))), Some(Fault::NotAtRest));
+    assert_eq!(of(&with_brake, &mechanism, scenario(ScenarioId::Collision, Some(0.35))), Some(Fault::AtRest));
+    let setup = Setup {
+        substeps: 1,
+        scenario: scenario(ScenarioId::BlockedLoad, None),
+        ..Setup::of(&with_brake, &mechanism, &motion, &extras)
+    };
+    let light = load(1e-5, 0.0);
+    let mut rigid = with_brake.clone();
+    let source = Source::Model { name: "test" };
+    rigid.replace("flange_inertia_share", Sourced { value: 1e-6, source, grade: Grade::Assumed, errata: &[] }).unwrap();
+    let setup = Setup { mechanism: &light, parameters: &rigid, ..setup };
+    let Some(Fault::StepTooLong { substeps }) = Twin::new(&setup).err() else { panic!("runs") };
+    assert!(Twin::new(&Setup { substeps, ..setup }).is_ok());
+    let mut bad = with_brake.clone();
+    let source = Source::Model { name: "test" };
+    bad.replace("resistance_ll", Sourced { value: f64::NAN, source, grade: Grade::Assumed, errata: &[] }).unwrap();
+    assert_eq!(of(&bad, &mechanism, Scenario::default()), Some(Fault::OutOfRange("resistance_ll")));
+}
+
+/// The settled temperatures are those at which one more cycle changes nothing.
+#[test]
+fn a_settled_cycle_stays_where_it_is() {
+    let parameters = parameters("CHA-20A-100-H-C1024");
+    let (mechanism, motion, extras) = (load(1.3, 5.0), one_move(30.0, 0.1, 0.3, 0.5), NOTHING());
+    let setup = Setup { ambient_k: 303.15, ..Setup::of(&parameters, &mechanism, &motion, &extras) };
+    let warm = settled(&setup, || true).unwrap().unwrap();
+    assert!(warm[0] > warm[1] && warm[1] > 305.0, "{warm:?}");
+    let mut twin =
+        Twin::new(&Setup { start_k: Some(warm), scenario: Scenario { cycles: 20, ..Scenario::default() }, ..setup })
+            .unwrap();
+    twin.advance(u64::MAX);
+    let summary = twin.summary();
+    assert!((summary.housing_end_k - warm[1]).abs() < 0.1, "{summary:?} {warm:?}");
+    assert!((summary.winding_end_k - warm[0]).abs() < 0.5, "{summary:?} {warm:?}");
+    assert_eq!(settled(&setup, || false), Ok(None));
+}
+
+/// A thousand cycles: no drift, no NaN, no growing memory of events.
+#[test]
+fn many_cycles_do_not_drift() {
+    let parameters = parameters("CHA-20A-100-H-C1024");
+    let (mechanism, motion, extras) = (load(1.3, 2.0), one_move(20.0, 0.1, 0.05, 0.1), NOTHING());
+    let scenario = Scenario { cycles: 100, ..Scenario::default() };
+    let switches = Switches { noise: false, ..Switches::default() };
+    let mut twin =
+        Twin::new(&Setup { scenario, switches, ..Setup::of(&parameters, &mechanism, &motion, &extras) }).unwrap();
+    twin.advance(u64::MAX);
+    let (summary, now) = (twin.summary(), twin.sample());
+    assert!(
+        summary.unaccounted_j.abs() < 1e-9 * summary.throughput_j,
+        "{:e} {:e}",
+        summary.unaccounted_j,
+        summary.throughput_j
+    );
+    assert!((now.wanted_rad - now.position_rad).abs() < 2e-3, "{now:?}");
+    assert!(twin.events().len() < 10, "{:?}", twin.events());
+}
