@@ -47,7 +47,7 @@ enum Ask {
 type Show = fn(&Asked<'_>, &Scene<'_>) -> Result<Markup, Unanswered>;
 
 /// The tools, in the order of their use.
-const TOOLS: [Tool; 14] = [
+const TOOLS: [Tool; 15] = [
     Tool { id: "code", title: page::tool_code, ask: Ask::Code(code::explained) },
     Tool { id: "data", title: page::tool_data, ask: Ask::Code(code::data) },
     Tool { id: "curve", title: page::tool_curve, ask: Ask::Of(&list::curve::ENTRY, &[], calculators::curve) },
@@ -73,6 +73,11 @@ const TOOLS: [Tool; 14] = [
         id: "battery",
         title: page::tool_battery,
         ask: Ask::Of(&list::battery::ENTRY, &[("hours-per-day", "10")], calculators::battery),
+    },
+    Tool {
+        id: "encoder",
+        title: page::tool_encoder,
+        ask: Ask::Of(&list::encoder::ENTRY, &[("angle", "30 deg")], calculators::encoder),
     },
     Tool { id: "wiring", title: page::tool_wiring, ask: Ask::Of(&list::wiring::ENTRY, &[], calculators::wiring) },
     Tool { id: "mount", title: page::tool_mount, ask: Ask::Mount },

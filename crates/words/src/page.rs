@@ -81,6 +81,7 @@ texts! {
     tools = "Tools" | "Werkzeuge";
     tool_code = "Ordering code" | "Bestellbezeichnung";
     tool_data = "Data sheet" | "Datenblatt";
+    tool_encoder = "Encoder signals" | "Gebersignale";
     tool_wiring = "Wiring" | "Verdrahtung";
     tool_mount = "Mounting" | "Montage";
     tool_commission = "Commissioning" | "Inbetriebnahme";
@@ -241,6 +242,7 @@ texts! {
     view_heat = "Heat" | "Erwärmung";
     view_energy = "Energy" | "Energie";
     view_bearing = "Bearing" | "Lager";
+    view_simulation = "Simulation";
     view_error_budget = "Error budget" | "Fehlerbudget";
     full_window = "Picture in the full window" | "Bild im ganzen Fenster";
     copy_svg = "Copy SVG" | "SVG kopieren";

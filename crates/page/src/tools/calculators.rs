@@ -33,6 +33,11 @@ pub(super) fn curve(asked: &Asked<'_>, scene: &Scene<'_>) -> Result<Markup, Unan
     })
 }
 
+pub(super) fn encoder(asked: &Asked<'_>, _: &Scene<'_>) -> Result<Markup, Unanswered> {
+    let found = list::encoder::found(asked)?;
+    Ok(laid_out(&chapter::encoder(&found, asked.language)))
+}
+
 fn curve_table(curve: &PerformanceCurve, language: Language) -> Markup {
     let l = language;
     let shown = |value: f64| format_significant(value, 4, l);
