@@ -62,10 +62,11 @@ fn views(state: &State, project: &Project, candidate: Option<&Candidate<'_>>) ->
         View::Energy => page::view_energy(l),
         View::Bearing => page::view_bearing(l),
         View::ErrorBudget => page::view_error_budget(l),
+        View::Simulation => page::view_simulation(l),
     };
     let has = |view: View| match view {
         View::Bearing => candidate.is_none_or(|candidate| questions::flange_course(project, candidate).is_some()),
-        View::Cycle | View::TorqueSpeed | View::Heat | View::Energy | View::ErrorBudget => true,
+        View::Cycle | View::TorqueSpeed | View::Heat | View::Energy | View::ErrorBudget | View::Simulation => true,
     };
     html! {
         div.views role="tablist" aria-label=(page::what_it_demands(l)) {
@@ -173,6 +174,7 @@ pub(crate) fn view(
                     (overlay::controls(project, is_narrowed, l))
                     (picture(state, "bearing-load", drawn, &marks, &none))
                 }
+                View::Simulation => (crate::simulated::view(state, project, candidate, patience)),
                 View::ErrorBudget => {
                     (tolerances::place(state, project, candidate, shell))
                     (picture(state, "torsion", drawn, &none, &none))
@@ -202,6 +204,9 @@ pub(crate) fn drawing(
         View::TorqueSpeed => figure(Figure::TorqueSpeed),
         View::Bearing => figure(Figure::BearingLoad),
         View::ErrorBudget => figure(Figure::Torsion),
+        View::Simulation => crate::simulated::run(state, project, candidate, patience)
+            .map(|run| figures::simulation(&run, l))
+            .map_err(|_| NoFigure::OfARun),
     }
 }
 
@@ -218,7 +223,13 @@ fn power(project: &Project, candidate: &Candidate<'_>, language: Language) -> Ma
 
 /// A picture as large as the pane leaves room, with what stands above it and what lies over it; where there is nothing to
 /// draw, why not.
-fn picture(state: &State, name: &str, drawing: Result<Drawing, NoFigure>, above: &Markup, over: &Markup) -> Markup {
+pub(crate) fn picture(
+    state: &State,
+    name: &str,
+    drawing: Result<Drawing, NoFigure>,
+    above: &Markup,
+    over: &Markup,
+) -> Markup {
     let l = state.language;
     let drawing = match drawing {
         Ok(drawing) => drawing,

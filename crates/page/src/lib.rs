@@ -26,6 +26,7 @@ mod laws;
 mod names;
 mod overlay;
 mod recorded;
+mod simulated;
 mod sketch;
 mod start;
 mod state;

@@ -9,6 +9,7 @@ use figures::{By, MapPoint, Theme, nearest};
 use order_code::OrderCode;
 use project::{Diagnostic, Edit, Files, Key, Kind, Project, Written, edit, key_at, stretch, written};
 use quantities::Language;
+use questions::list::simulate::ScenarioId;
 use questions::{CandidateId, Draw, Patience, Refusal, SAMPLES_MOST, Sizing, Unread, read_all_watched, read_code};
 use words::{Worded, worded};
 
@@ -46,6 +47,8 @@ pub(crate) struct State {
     pub(crate) is_brief: bool,
     /// What the middle pane shows.
     pub(crate) view: View,
+    /// What happens in the simulation; what the project states without it.
+    pub(crate) scenario: Option<ScenarioId>,
     /// What the right pane shows.
     pub(crate) list: List,
     /// The column by which the ranking is sorted, where it is not the order of the ranking itself.
@@ -68,11 +71,12 @@ pub(crate) enum View {
     Energy,
     Bearing,
     ErrorBudget,
+    Simulation,
 }
 
 impl View {
-    pub(crate) const ALL: [Self; 6] =
-        [Self::Cycle, Self::TorqueSpeed, Self::Heat, Self::Energy, Self::Bearing, Self::ErrorBudget];
+    pub(crate) const ALL: [Self; 7] =
+        [Self::Cycle, Self::TorqueSpeed, Self::Heat, Self::Energy, Self::Bearing, Self::ErrorBudget, Self::Simulation];
 
     pub(crate) const fn id(self) -> &'static str {
         match self {
@@ -82,6 +86,7 @@ impl View {
             Self::Energy => "energy",
             Self::Bearing => "bearing",
             Self::ErrorBudget => "error_budget",
+            Self::Simulation => "simulation",
         }
     }
 
@@ -225,6 +230,7 @@ impl State {
             },
             is_brief: call.path == "/work",
             view: View::of(&field("view")),
+            scenario: ScenarioId::of(&field("scenario")),
             list: List::of(&field("list")),
             sort: Sort::of(&field("sort")),
             unfolded: field("unfolded") == "true",

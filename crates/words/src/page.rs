@@ -242,6 +242,7 @@ texts! {
     view_heat = "Heat" | "Erwärmung";
     view_energy = "Energy" | "Energie";
     view_bearing = "Bearing" | "Lager";
+    scenario = "Scenario" | "Szenario";
     view_simulation = "Simulation";
     view_error_budget = "Error budget" | "Fehlerbudget";
     full_window = "Picture in the full window" | "Bild im ganzen Fenster";

@@ -11,7 +11,8 @@ use crate::simulate::{NotRun, ROWS_MOST, STEPS_MOST, Simulated, Wanted, simulate
 use order_code::OrderCode;
 use project::Project;
 use quantities::{Language, Measure, Time};
-use twin::{Reaction, Scenario, ScenarioId};
+pub use twin::ScenarioId;
+use twin::{Reaction, Scenario};
 use words::{help, help::values, simulation};
 
 arguments! {
@@ -128,6 +129,21 @@ pub fn of_the_project<'p>(
     }
     let wanted = Wanted { scenario: project.twin.scenario, seed: 0, every_s: Some(ROWS_USUAL_S) };
     Some(simulate(project, code, wanted, true, patience).map_err(|why| said(&why, language)))
+}
+
+/// The run of a scenario, all else as the project states it; with its course.
+///
+/// # Errors
+/// Why it is not run, in a sentence.
+pub fn of_scenario<'p>(
+    project: &'p Project,
+    code: Option<&OrderCode>,
+    id: ScenarioId,
+    patience: &Patience,
+    language: Language,
+) -> Result<Simulated<'p>, String> {
+    let wanted = Wanted { scenario: Scenario { id, ..project.twin.scenario }, seed: 0, every_s: Some(ROWS_USUAL_S) };
+    simulate(project, code, wanted, true, patience).map_err(|why| said(&why, language))
 }
 
 fn said(why: &NotRun, language: Language) -> String {
