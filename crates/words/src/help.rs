@@ -138,13 +138,13 @@ texts! {
     encoder_vcd =
         "Write the digital signals over time (VCD), for logic analysers such as sigrok"
         | "Die digitalen Signale über der Zeit schreiben (VCD), für Logikanalysatoren wie sigrok";
-    encoder_time = "Length of that trace" | "Länge dieser Aufzeichnung";
+    encoder_time = "Length of the trace (--vcd)" | "Länge der Aufzeichnung (--vcd)";
     encoder_endat =
-        "Command set of the EnDat word in that trace"
-        | "Befehlssatz des EnDat-Worts in dieser Aufzeichnung";
+        "Command set of the EnDat word in the trace"
+        | "Befehlssatz des EnDat-Worts in der Aufzeichnung";
     encoder_connector =
-        "Encoder in that trace"
-        | "Geber in dieser Aufzeichnung";
+        "Encoder in the trace"
+        | "Geber in der Aufzeichnung";
     errata =
         "What is wrong or in doubt in the print, and what is used"
         | "Was im Druck falsch oder zweifelhaft ist, und was verwendet wird";
