@@ -175,13 +175,5 @@ mod tests {
         assert!(project.is_some() && drawn.contains("data-per-output=\"0.00"), "{drawn}");
         // Of another mechanism the motion says nothing.
         assert!(!shown(&it("belt"), Language::En).into_string().contains("data-per-output"));
-        for language in Language::ALL {
-            let drawn = shown(&it("screw"), language).into_string();
-            assert!(
-                [page::play(language), page::pause(language), page::slower(language)]
-                    .iter()
-                    .all(|text| drawn.contains(text))
-            );
-        }
     }
 }
