@@ -1,6 +1,7 @@
 //! The cost generator: what can be multiplied is multiplied (points of a table, moves, samples, tolerances, ratios, axes), and each
 //! product is put to `size` and `check` as a process. An answer keeps what `docs/reference/limits.md` promises, some five seconds of
-//! one core and half a gigabyte, or the work is refused before it begins. A promise that is broken by more than a factor of two fails.
+//! one core and half a gigabyte, or the work is refused before it begins. What an answer is predicted to take stands beside what it
+//! took. A promise or a prediction that is exceeded by more than a factor of two fails.
 //!
 //! Baseline: numbers sorted, by which the seconds of another machine are ours.
 #![allow(
@@ -11,6 +12,9 @@
 )]
 
 use benches::{binary, sort, timed};
+use project::Files;
+use questions::Draw;
+use questions::list::Cost;
 use std::fmt::Write as _;
 use std::path::Path;
 use std::process::{Command, ExitCode, Stdio};
@@ -18,6 +22,9 @@ use std::time::{Duration, Instant};
 
 /// Seconds of one core, and bytes, that an answer takes at most.
 const PROMISED: (f64, f64) = (5.0, 500e6);
+
+/// Starting a process and reading its project take so long in any case.
+const START_SECONDS: f64 = 0.5;
 
 /// By so much a promise may be missed: processes beside this one share caches and memory.
 const SLACK: f64 = 2.0;
@@ -32,11 +39,40 @@ struct Case {
     recording: Option<usize>,
 }
 
-/// What a process took.
+impl Case {
+    /// What `size` and `check` of it are predicted to take, seconds and bytes; `None` where it is refused as it is read.
+    fn predicted(&self) -> Option<[(f64, f64); 2]> {
+        let project = questions::read_all(&self.project, &Recorded(self.recording.map(recording))).ok()?;
+        let project = project.first()?;
+        let draw = Draw::default();
+        Some([Cost::Ranking { complete: 10, draw }, Cost::Check { draw }].map(|cost| cost.predicted(project)))
+    }
+}
+
+/// The recording of a case.
+struct Recorded(Option<String>);
+
+impl Files for Recorded {
+    fn open(&self, _: &str) -> std::io::Result<Box<dyn std::io::Read>> {
+        Ok(Box::new(std::io::Cursor::new(self.0.clone().unwrap_or_default().into_bytes())))
+    }
+}
+
+/// What a process took, and what it was predicted to take.
 struct Taken {
     seconds: f64,
     bytes: f64,
     code: i32,
+    predicted: (f64, f64),
+}
+
+impl Taken {
+    /// How much of its prediction an answer took; what is refused takes nothing.
+    fn of_predicted(&self, slower: f64) -> f64 {
+        let (seconds, bytes) = self.predicted;
+        let time = self.seconds / slower / (seconds + START_SECONDS);
+        if self.code == 2 { 0.0 } else { time.max(self.bytes / bytes) }
+    }
 }
 
 const CODE: &str = "CHA-40A-50-H-C1024";
@@ -125,7 +161,7 @@ fn recording(samples: usize) -> String {
 }
 
 /// Runs a process: its time on all cores together and the most memory that it held, as the system shows them while it runs.
-fn taken(binary: &Path, arguments: &[&str]) -> Option<Taken> {
+fn taken(binary: &Path, arguments: &[&str], predicted: (f64, f64)) -> Option<Taken> {
     let began = Instant::now();
     let mut child = Command::new(binary).args(arguments).stdout(Stdio::null()).stderr(Stdio::null()).spawn().ok()?;
     let at = |name: &str| format!("/proc/{}/{name}", child.id());
@@ -151,7 +187,7 @@ fn taken(binary: &Path, arguments: &[&str]) -> Option<Taken> {
         }
         std::thread::sleep(Duration::from_millis(5));
     };
-    Some(Taken { seconds: ticks / 100.0, bytes, code })
+    Some(Taken { seconds: ticks / 100.0, bytes, code, predicted })
 }
 
 fn main() -> ExitCode {
@@ -169,8 +205,10 @@ fn main() -> ExitCode {
             written = Some(samples);
         }
         let path = path.to_str().expect("a folder with a name");
-        for arguments in [vec!["size", path], vec!["check", path, "--code", CODE]] {
-            let Some(taken) = taken(&binary, &arguments) else { continue };
+        let predicted = case.predicted().unwrap_or_default();
+        let calls = [vec!["size", path], vec!["check", path, "--code", CODE]];
+        for (arguments, predicted) in calls.into_iter().zip(predicted) {
+            let Some(taken) = taken(&binary, &arguments, predicted) else { continue };
             found.push((format!("{} {}", arguments.first().copied().unwrap_or_default(), case.name), taken));
         }
     }
@@ -180,13 +218,21 @@ fn main() -> ExitCode {
     println!("{} runs; the ten that come nearest to what is promised, or beyond:", found.len());
     for (name, taken) in found.iter().take(10) {
         let (seconds, megabytes) = (taken.seconds / slower, taken.bytes / 1e6);
-        println!("  {seconds:6.2} s {megabytes:6.0} MB  code {}  {name}", taken.code);
+        let (awaited, room) = (taken.predicted.0, taken.predicted.1 / 1e6);
+        println!("  {seconds:6.2} of {awaited:5.2} s {megabytes:6.0} of {room:4.0} MB  code {}  {name}", taken.code);
+    }
+    found.sort_by(|a, b| b.1.of_predicted(slower).total_cmp(&a.1.of_predicted(slower)));
+    println!("the ten that take most of what is predicted:");
+    for (name, taken) in found.iter().take(10) {
+        println!("  {:4.2} ×  {name}", taken.of_predicted(slower));
     }
     let refused = found.iter().filter(|(_, taken)| taken.code == 2).count();
     println!("  {refused} refused before the work began");
     let broken: Vec<&str> = found
         .iter()
-        .filter(|(_, taken)| share(taken) > SLACK || !(0..=2).contains(&taken.code))
+        .filter(|(_, taken)| {
+            share(taken) > SLACK || taken.of_predicted(slower) > SLACK || !(0..=2).contains(&taken.code)
+        })
         .map(|(name, _)| name.as_str())
         .collect();
     if broken.is_empty() {

@@ -122,7 +122,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn the_summary_is_told_from_the_root() {
+    fn the_summary_is_reported_from_the_root() {
         let summary = "# Summary\n\n[antrieb](../README.md)\n\n- [Axis](guide/first-axis.md)\n";
         assert_eq!(from_the_root(summary), "# Summary\n\n[antrieb](index.md)\n\n- [Axis](docs/guide/first-axis.md)\n");
     }

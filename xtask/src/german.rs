@@ -183,7 +183,7 @@ mod tests {
     }
 
     #[test]
-    fn an_own_word_that_nobody_needs_is_told() {
+    fn an_own_word_that_nobody_needs_is_reported() {
         let mut words = words();
         words.own = ["kipparm", "welle", "nirgends"].map(String::from).into();
         let read = ["kipparms", "welle"].map(String::from).into();
@@ -199,7 +199,7 @@ mod tests {
     }
 
     #[test]
-    fn a_word_that_the_glossary_keeps_out_is_told() {
+    fn a_word_that_the_glossary_keeps_out_is_reported() {
         let found = kept_out("# Prüfungen\nDer Nachweis ist bestanden.\n");
         assert_eq!(found.iter().map(|(line, _)| *line).collect::<Vec<_>>(), [1, 2]);
     }

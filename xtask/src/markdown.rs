@@ -112,7 +112,7 @@ mod tests {
     const PAGE: &str = "before\n# Head\nSay `x = 1` and [go](../a.md#b).\n\n```console\n$ run\nout\n```\n\n## Next\n| a |\n|---|\n| 7 ![p](p.svg) |\n";
 
     #[test]
-    fn a_document_is_told_by_its_parts() {
+    fn a_document_is_reported_by_its_parts() {
         let page = Document::read(PAGE);
         let links: Vec<(usize, &str)> = page.links.iter().map(|link| (link.line, link.target.as_str())).collect();
         assert_eq!(links, [(3, "../a.md#b"), (13, "p.svg")]);

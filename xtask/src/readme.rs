@@ -225,7 +225,7 @@ mod tests {
     }
 
     #[test]
-    fn what_no_plain_command_is_gets_told() {
+    fn what_no_plain_command_is_is_reported() {
         for text in ["size a.toml | head", "size \"a", "size > ", "size > a b"] {
             let readme = format!("```\n{PREFIX}{text}\n```\n");
             let error = commands(&readme).unwrap_err();

@@ -248,7 +248,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_no_longer_given_is_told_with_its_successor() {
+    fn what_is_no_longer_given_is_reported_with_its_successor() {
         let given = lines("head\n1  58.4\n2  64.2\nfoot\n");
         let departure = |at, instead| [Departure { at, instead }];
         assert_eq!(departures(&["head", "1  58.3", "…"], &given), departure(0..2, Some(0..2)));

@@ -34,7 +34,7 @@ pub fn run(root: &Path) -> Result<(), Error> {
 }
 
 /// So many saves are begun for each signal in a night; some six of ten are ended before they have ended themselves, a thousand in all.
-const KILLS: &str = "1600";
+const KILLS: &str = "1800";
 
 /// The campaign of a night against a program that saves: ended at any instant by each signal, no file is lost.
 ///

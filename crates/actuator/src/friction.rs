@@ -190,7 +190,7 @@ mod tests {
     }
 
     #[test]
-    fn in_the_cold_both_grow_and_the_band_is_told() {
+    fn in_the_cold_both_grow_and_the_band_is_reported() {
         assert!((at(0.0).starting.si() / 0.2 - (0.020_794_4_f64 * 20.0).exp()).abs() < 1e-4);
         let band = |celsius: f64| LAW.cold_band(ThermodynamicTemperature::new_in(celsius, &DEGREE_CELSIUS));
         assert_eq!(band(20.0), Ok(None));

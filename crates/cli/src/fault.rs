@@ -10,7 +10,7 @@ use order_code::OrderCode;
 use project::PROJECT_MAX_BYTES;
 use quantities::{Language, seen};
 use questions::CodeRefusal;
-use questions::answer::{code_told, refusal_text};
+use questions::answer::{code_worded, refusal_text};
 use questions::list::Unanswered;
 use questions::list::code_list::Availability;
 use std::path::Path;
@@ -44,7 +44,7 @@ fn talk(why: &Unanswered, said: &mut Vec<String>, language: Language) {
         }
         Unanswered::Text { name, text, faults } => report(name, text, faults, language),
         Unanswered::Code { text, refusal, .. } => {
-            let found = report(terminal::code(language), text, &code_told(text, refusal), language);
+            let found = report(terminal::code(language), text, &code_worded(text, refusal), language);
             found + &nearest(refusal, language)
         }
         Unanswered::File { name, message, .. } => format!("{error}: {}: {}\n", seen(name), seen(message)),

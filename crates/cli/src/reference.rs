@@ -9,9 +9,9 @@ use words::pages;
 fn page(language: Language) -> String {
     let mut root = build(language);
     root.build();
-    let mut page = format!("# {}\n\n{}\n", pages::commands(language), pages::commands_told(language));
+    let mut page = format!("# {}\n\n{}\n", pages::commands(language), pages::commands_about(language));
     page.push_str(&format!("\n## {}\n", pages::every_command_takes(language)));
-    arguments(&mut page, root.get_arguments().filter(|argument| told_once(argument)), language);
+    arguments(&mut page, root.get_arguments().filter(|argument| is_listed_once(argument)), language);
     for command in root.get_subcommands() {
         write_command(&mut page, "antrieb", command, language);
     }
@@ -31,7 +31,7 @@ fn write_command(page: &mut String, before: &str, command: &Command, language: L
     let usage = command.clone().render_usage().to_string();
     let usage = usage.split_once(": ").map_or(usage.as_str(), |(_, call)| call);
     page.push_str(&block("text", usage));
-    arguments(page, command.get_arguments().filter(|argument| !told_once(argument)), language);
+    arguments(page, command.get_arguments().filter(|argument| !is_listed_once(argument)), language);
     if let Some(after) = command.get_after_help() {
         page.push_str(&block("text", &after.to_string()));
     }
@@ -41,7 +41,7 @@ fn write_command(page: &mut String, before: &str, command: &Command, language: L
 }
 
 /// Options of every command are listed once.
-fn told_once(argument: &Arg) -> bool {
+fn is_listed_once(argument: &Arg) -> bool {
     argument.is_global_set() || ["help", "version"].contains(&argument.get_id().as_str())
 }
 
@@ -112,7 +112,7 @@ mod tests {
     }
 
     #[test]
-    fn every_command_and_every_option_is_told() {
+    fn every_command_and_every_option_is_reported() {
         fn every<'c>(command: &'c Command, found: &mut Vec<&'c Command>) {
             found.push(command);
             command.get_subcommands().for_each(|below| every(below, found));

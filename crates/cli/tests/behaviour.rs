@@ -73,12 +73,12 @@ fn sizing_in_json_names_an_answer_and_a_reason_for_each_rejection() {
 #[test]
 fn tolerances_in_json() {
     let code = "CHA-14A-80-H-RES-B";
-    let told_of = |code: &str, more: &[&str]| {
+    let report_of = |code: &str, more: &[&str]| {
         let answer = run(&[&["check", "examples/tolerances.toml", "--code", code, "--json"], more].concat());
         assert_eq!(answer.code, 0, "the exit code is that of the nominal verdict");
         serde_json::from_str::<Value>(&answer.out).unwrap()["tolerance"].clone()
     };
-    let run_it = |more: &[&str]| told_of(code, more);
+    let run_it = |more: &[&str]| report_of(code, more);
     let found = run_it(&["--samples", "2000", "--seed", "3"]);
     assert_eq!(
         (&found["samples"], &found["seed"], &found["distribution"]),
@@ -101,7 +101,7 @@ fn tolerances_in_json() {
     let there: Vec<bool> = ranking.iter().map(|each| each["tolerance"].is_object()).collect();
     assert_eq!(there, [[true; 10].as_slice(), &[false; 2]].concat(), "of at most ten");
     let tenth = &ranking[9];
-    let alone = told_of(tenth["code"].as_str().unwrap(), &["--samples", "2000", "--seed", "3"]);
+    let alone = report_of(tenth["code"].as_str().unwrap(), &["--samples", "2000", "--seed", "3"]);
     assert_eq!(tenth["tolerance"], alone, "size and check say the same of one code");
 
     let exact = run(&["check", "examples/indexing-table.toml", "--code", "CHA-32A-50-H-C1024", "--json"]);

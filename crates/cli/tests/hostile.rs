@@ -139,7 +139,7 @@ fn many_columns_have_a_short_message() {
 }
 
 #[test]
-fn the_encoding_that_was_guessed_is_told() {
+fn the_encoding_that_was_guessed_is_reported() {
     let latin = b"Zeit [s];Winkel [\xb0]\n0;0\n1;0\n2;0\n";
     let folder = with_recording("run.csv", latin, 1);
     let text = antrieb(folder.path(), &["size", "axis.toml"]);

@@ -155,7 +155,7 @@ fn what_is_read_is_not_written() {
 /// The kernel creates no files in this folder, not even for the superuser.
 #[cfg(target_os = "linux")]
 #[test]
-fn a_folder_that_takes_no_files_is_told() {
+fn a_folder_that_takes_no_files_is_reported() {
     let folder = tempfile::tempdir().unwrap();
     for (language, word) in [("en", "permission denied"), ("de", "kein Zugriff")] {
         let output = antrieb(folder.path(), &curve(&["--svg", "/sys/a.svg", "--lang", language]));
@@ -167,7 +167,7 @@ fn a_folder_that_takes_no_files_is_told() {
 
 /// A disk without room, by a limit of the size of a file.
 #[test]
-fn a_full_disk_is_told_in_our_words_with_the_name_given() {
+fn a_full_disk_is_reported_in_our_words_with_the_name_given() {
     for (language, word) in [("en", "no room"), ("de", "kein Platz")] {
         let folder = tempfile::tempdir().unwrap();
         let script = "trap '' XFSZ; ulimit -f 1; exec \"$0\" \"$@\"";

@@ -85,7 +85,7 @@ fn the_answers_of_a_server_are_those_of_the_commands() {
 
 #[cfg(unix)]
 #[test]
-fn a_server_ends_when_it_is_told_to() {
+fn a_server_ends_when_it_is_reported_to() {
     for signal in ["-INT", "-TERM", "-HUP"] {
         let mut server = Started::new(&["--port", "0", "--lang", "de"]);
         let (head, _) = server.ask("GET /health", "", b"");
@@ -100,7 +100,7 @@ fn a_server_ends_when_it_is_told_to() {
 }
 
 #[test]
-fn what_cannot_be_served_is_told() {
+fn what_cannot_be_served_is_reported() {
     let taken = Started::new(&["--port", "0"]);
     let port = taken.address.rsplit(':').next().unwrap();
     for (arguments, word) in [

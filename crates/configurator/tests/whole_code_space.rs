@@ -124,7 +124,7 @@ fn patterns_complete_to_valid_codes_only() {
 
 /// A partial code without a code has a reason, one with codes has none, and a reason is a rule that its codes break.
 #[test]
-fn what_no_code_can_have_is_told_with_its_rule() {
+fn what_no_code_can_have_is_reported_with_its_rule() {
     use configurator::{Rule, broken_by_all};
     let stated = |text: &str| {
         let broken = broken_by_all(&Pattern::parse(text).unwrap());

@@ -316,7 +316,7 @@ mod tests {
     }
 
     #[test]
-    fn what_does_not_read_is_told() {
+    fn what_does_not_read_is_reported() {
         for text in ["", "1 +", "(1", "a b", "1..2", "f()", "+", "a^", "√2"] {
             assert!(matches!(Formula::parse(text), Err(FormulaFault::Syntax { .. })), "{text}");
         }

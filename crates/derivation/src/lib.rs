@@ -315,7 +315,7 @@ mod tests {
     }
 
     #[test]
-    fn the_same_figure_is_noted_once_and_a_symbol_without_a_step_is_told() {
+    fn the_same_figure_is_noted_once_and_a_symbol_without_a_step_is_reported() {
         let mut work = Workings::on();
         work.figure("T_L", &NEWTON_METRE, 5.0, &EQUATION, Grade::Printed);
         work.figure("T_L", &NEWTON_METRE, 5.0, &EQUATION, Grade::Printed);

@@ -237,7 +237,7 @@ fn what_is_known_of_an_own_actuator_is_drawn() {
 }
 
 #[test]
-fn loads_on_the_bearing_are_drawn_with_their_limits_or_told_as_constant() {
+fn loads_on_the_bearing_are_drawn_with_their_limits_or_named_as_constant() {
     let constant = example("robot-joint.toml");
     let candidate = candidates(&constant).swap_remove(0);
     let drawing =

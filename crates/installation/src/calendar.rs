@@ -182,7 +182,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_no_interval_is_told() {
+    fn what_is_no_interval_is_reported() {
         let fault = |text: &str| read_interval(text).unwrap_err();
         assert!(matches!(fault("months"), IntervalFault::NoWholeNumber { .. }));
         assert!(matches!(fault("-6 months"), IntervalFault::NoWholeNumber { .. }));
@@ -197,7 +197,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_no_date_is_told() {
+    fn what_is_no_date_is_reported() {
         let fault = |text: &str| read_date(text).unwrap_err();
         for text in
             ["", "2026-02-30", "01.03.2026", "2026-3-1", "+026-03-01", "2026/03/01", "2026-03-01T00", "２０２６-03"]

@@ -179,7 +179,7 @@ fn any_two_pins_exchanged_are_found() {
 }
 
 #[test]
-fn swaps_polarity_and_what_is_missing_are_told_apart() {
+fn swaps_polarity_and_what_is_missing_are_reported_apart() {
     let motor = "connector,pin,signal\nmotor,1,U\nmotor,2,V\nmotor,3,PE\nmotor,4,Brake-\nmotor,5,Bremse +\nmotor,6,W\n";
     let found_motor = found("CHA-25A-100-H-M512P-B", motor);
     assert_eq!(found_motor[0], (Some(5), "polarity_reversed", Severity::Danger));

@@ -144,7 +144,7 @@ fn shutting_down_has_its_order() {
 }
 
 #[test]
-fn a_storage_longer_than_two_years_is_told() {
+fn a_storage_longer_than_two_years_is_reported() {
     let code = order_code::parse("CHA-14A-50-E-M128S").unwrap().code;
     let stored = |storage| upkeep(&code, &UpkeepAsked { storage: Some(storage), ..asked() });
     assert!(stored(Storage::For(Interval::Months(24))).unwrap().storage_permitted);

@@ -197,7 +197,7 @@ fn no_body_has_no_inertia() {
 }
 
 #[test]
-fn every_fault_of_every_body_is_told() {
+fn every_fault_of_every_body_is_reported() {
     let broken = Body {
         distance: mm(-1.0),
         angle: Angle::from_si(f64::NAN),

@@ -134,7 +134,7 @@ fn a_recording_stands_where_it_says_unless_the_start_is_stated() {
 }
 
 #[test]
-fn a_recording_that_jumps_or_does_not_close_is_told() {
+fn a_recording_that_jumps_or_does_not_close_is_reported() {
     let fault = |segments: &[SegmentSpec]| Motion::new(segments, None, Closing::Position).unwrap_err()[0].fault;
     let mut open = half_turn();
     Arc::make_mut(open.position_rad.as_mut().unwrap()).truncate(60);

@@ -82,7 +82,7 @@ fn speeds_are_integrated_and_standstill_is_cut() {
 }
 
 #[test]
-fn what_is_no_motion_is_told() {
+fn what_is_no_motion_is_reported() {
     let new = |time: &[f64], position: Option<&[f64]>, speed: Option<&[f64]>, window: Option<f64>| {
         let samples = Samples {
             time_s: time.to_vec().into(),

@@ -147,7 +147,7 @@ fn a_word_that_belongs_nowhere_hides_nothing_behind_it() {
 }
 
 #[test]
-fn a_word_in_the_wrong_place_is_told_from_a_missing_one() {
+fn a_word_in_the_wrong_place_is_reported_from_a_missing_one() {
     for (text, field, span, expected) in [
         ("CHA-20A-100-C1024-H", Field::Feedback, 12..17, vec!["E", "H", "L", "N"]),
         ("CHA20A100C1024H", Field::Feedback, 9..14, vec!["E", "H", "L", "N"]),
@@ -165,7 +165,7 @@ fn a_word_in_the_wrong_place_is_told_from_a_missing_one() {
 }
 
 #[test]
-fn a_field_twice_is_told_at_the_second() {
+fn a_field_twice_is_reported_at_the_second() {
     for (text, field, span) in [
         ("CHA-20A-100-H-C1024-B-B", Field::Brake, 22..23),
         ("CHA-20A-100-H-C1024-B-EC-B", Field::Brake, 25..26),

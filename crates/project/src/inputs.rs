@@ -134,7 +134,7 @@ mod tests {
         pause = \"1 s\"\n[requirements]\nfeedback = [\"C1024\",\n  \"M512P\"]\nambient = \"20 degC ± 5 K\"\n";
 
     #[test]
-    fn every_value_is_told_with_path_number_unit_and_tolerance() {
+    fn every_value_is_reported_with_path_number_unit_and_tolerance() {
         let found = inputs(OLD);
         let listed: Vec<(&str, &str)> =
             found.iter().map(|input| (input.path.as_str(), input.written.as_str())).take(4).collect();
@@ -157,7 +157,7 @@ mod tests {
     }
 
     #[test]
-    fn rows_and_bodies_are_told_one_by_one() {
+    fn rows_and_bodies_are_reported_one_by_one() {
         let text = "[mechanism.table]\npoints = [[\"0 deg\", \"1 N m\"], [\"9 deg\", \"2 N m ± 1 N m\"]]\n\
             [mechanism.turntable]\nbodies = [\"point mass=1kg distance=1m\"]\n";
         let found = inputs(text);

@@ -274,7 +274,7 @@ mod tests {
     }
 
     #[test]
-    fn every_fault_is_told_at_its_place() {
+    fn every_fault_is_reported_at_its_place() {
         let text = "format = 1\n[winding]\nresistance_ll = \"5.9 H\"\n[brake]\nvoltage = 24\nopening_curent = \"0.6 A\"\n\
                     [direction]\nmotor = \"left\"\n";
         let reported = faults(text);

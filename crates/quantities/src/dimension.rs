@@ -143,7 +143,7 @@ mod tests {
     }
 
     #[test]
-    fn names_are_told_in_both_languages() {
+    fn names_are_reported_in_both_languages() {
         assert_eq!(Dimension::Torque.name(Language::De), "Drehmoment");
         assert_eq!(Dimension::AngularVelocity.name_with_article(Language::De), "eine Drehzahl");
         assert_eq!(Dimension::Angle.name_with_article(Language::En), "an angle");

@@ -51,12 +51,11 @@ fn names(text: &str, id: &str) -> bool {
     })
 }
 
+/// A column, and what it shows of an item.
+type Shown<'f, T> = (Column, &'f dyn Fn(&T) -> String);
+
 /// Adds rows under columns, each with what it shows of an item, if there are any items.
-fn grid<'t, T: 't>(
-    chapter: &mut Chapter,
-    items: impl IntoIterator<Item = &'t T>,
-    columns: &[(Column, &dyn Fn(&T) -> String)],
-) {
+fn grid<'t, T: 't>(chapter: &mut Chapter, items: impl IntoIterator<Item = &'t T>, columns: &[Shown<'_, T>]) {
     let row = |item: &T| columns.iter().map(|(_, cell)| cell(item)).collect();
     let rows = items.into_iter().map(row).collect();
     chapter.grid(columns.iter().map(|(column, _)| column.clone()).collect(), rows);

@@ -105,7 +105,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn both_edges_of_a_band_are_told_at_the_same_speed() {
+    fn both_edges_of_a_band_are_reported_at_the_same_speed() {
         let point = |(speed, torque): &(f64, f64)| CurvePoint {
             speed: AngularVelocity::from_si(*speed),
             torque: Torque::from_si(*torque),

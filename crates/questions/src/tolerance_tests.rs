@@ -147,7 +147,7 @@ fn data_of_the_own_actuator_and_requirements_vary_too() {
 
 /// An arm about a horizontal axis: level it needs most, and the band of its position holds the level inside.
 #[test]
-fn a_sample_that_is_worse_than_every_corner_is_told() {
+fn a_sample_that_is_worse_than_every_corner_is_reported() {
     let text = "format = 1\n[axis]\nsingle_move = true\n[mechanism.arm]\ninertia = \"0.1 kg m^2\"\nmass = \"10 kg\"\n\
                 centre_distance = \"200 mm\"\naxis_tilt = \"90 deg\"\nstart_angle = \"0 deg ± 60 deg\"\n[[motion]]\n\
                 law = \"dwell\"\ntime = \"1 s\"\n[actuator]\nname = \"own\"\ninertia_out = \"1 kg m^2\"\n\

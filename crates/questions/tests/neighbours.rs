@@ -150,7 +150,7 @@ fn what_a_cycle_gives_back_is_found_for_many_as_for_one() {
 /// The best three are the same whether three or all are reported in full, and so are all others, except for regenerated
 /// energy without a limit.
 #[test]
-fn a_ranking_is_the_same_however_many_are_told_in_full() {
+fn a_ranking_is_the_same_however_many_are_reported_in_full() {
     let limited = format!("{TURNING}regeneration_power_max = \"1 W\"\n");
     let mut projects = examples();
     let seen = [TURNING, &limited, &swinging()].map(|text| questions::read(text).unwrap());

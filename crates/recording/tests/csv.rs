@@ -123,7 +123,7 @@ fn the_layout_names_columns_and_leaves_roles_out() {
 }
 
 #[test]
-fn a_column_that_does_not_exist_is_told_with_the_nearest() {
+fn a_column_that_does_not_exist_is_reported_with_the_nearest() {
     let layout = Layout { position: named("angel"), ..Layout::default() };
     let found = faults_with("t [s],angle_out [deg],Angle [deg]\n0,1,1\n", &layout);
     let [Fault::ColumnUnknown { role: Role::Position, name, nearest, headers }] = found.as_slice() else {
@@ -140,7 +140,7 @@ fn a_column_has_one_role() {
 }
 
 #[test]
-fn missing_roles_are_told_with_the_headers() {
+fn missing_roles_are_reported_with_the_headers() {
     let found = faults("a,b\n1,2\n");
     let [Fault::TimeMissing { headers, .. }, Fault::CourseMissing { .. }] = found.as_slice() else {
         panic!("{found:?}")
@@ -158,7 +158,7 @@ fn two_columns_for_one_role_are_ambiguous() {
 }
 
 #[test]
-fn every_fault_of_a_unit_is_told_at_once() {
+fn every_fault_of_a_unit_is_reported_at_once() {
     let layout = Layout { speed: ColumnSpec { unit: Some(&RADIAN), ..ColumnSpec::default() }, ..Layout::default() };
     let found = faults_with("t,q [grad],n,M [deg]\n0,1,2,3\n", &layout);
     let [
@@ -204,7 +204,7 @@ fn position_and_speed_belong_together() {
 }
 
 #[test]
-fn every_bad_cell_is_told_with_its_line() {
+fn every_bad_cell_is_reported_with_its_line() {
     let text = "t [s],q [deg]\n0,1\n# note\n1,\n2,x1\n3,nan\n4,1e999\n5,1,2\n6\n,7\n8,\"9\n";
     let (column, at) = (|| String::from("q [deg]"), FileRow::Line);
     assert_eq!(
@@ -264,7 +264,7 @@ fn time_rises() {
 }
 
 #[test]
-fn a_gap_is_told_and_can_be_allowed() {
+fn a_gap_is_reported_and_can_be_allowed() {
     let text = "t [ms],q [deg]\n0,1\n1,1\n# pause\n2,1\n13,1\n23,1\n24,1\n25,1\n";
     let found = faults(text);
     let [Fault::Gap { at: FileRow::Line(6), length, median }] = found.as_slice() else { panic!("{found:?}") };
@@ -305,7 +305,7 @@ fn two_samples_are_no_recording() {
 }
 
 #[test]
-fn equal_faults_are_told_once_with_their_number() {
+fn equal_faults_are_reported_once_with_their_number() {
     let rows = |count: usize| (0..count).map(|line| format!("{line};1.234,5;x\n")).collect::<String>();
     let head = "t [s];q [deg];M [Nm]\n";
     assert_eq!(faults(&format!("{head}{}", rows(3))).len(), 6, "three of each are given one by one");
@@ -384,7 +384,7 @@ impl Read for Broken<'_> {
 }
 
 #[test]
-fn a_source_that_breaks_off_is_told() {
+fn a_source_that_breaks_off_is_reported() {
     let found = read_csv(Broken(b"t [s],q [deg]\n0,1\n1,", false), &Layout::default()).unwrap_err();
     assert_eq!(found, [Fault::ReadFailed { line: 3, kind: ErrorKind::ConnectionReset }]);
 }

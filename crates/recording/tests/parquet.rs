@@ -85,7 +85,7 @@ fn a_window_spans_row_groups() {
 }
 
 #[test]
-fn a_null_is_told_with_its_row() {
+fn a_null_is_reported_with_its_row() {
     let found = read(
         NULL,
         &Layout { position: ColumnSpec { name: Some("q".into()), ..ColumnSpec::default() }, ..Layout::default() },
@@ -108,7 +108,7 @@ fn another_compression_is_refused() {
 }
 
 #[test]
-fn too_many_rows_are_told_before_they_are_read() {
+fn too_many_rows_are_reported_before_they_are_read() {
     let found = read(TOO_MANY, &Layout::default()).unwrap_err();
     assert_eq!(found, [Fault::TooManySamples { most: SAMPLES_MAX }]);
     let windowed = read(TOO_MANY, &Layout { from: Some(Time::from_si(1.0)), ..Layout::default() }).unwrap_err();

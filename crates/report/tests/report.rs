@@ -306,7 +306,7 @@ fn every_mechanism_has_its_drawing() {
 }
 
 #[test]
-fn a_linear_axis_is_told_along_its_line_and_a_turntable_by_its_bodies() {
+fn a_linear_axis_is_reported_along_its_line_and_a_turntable_by_its_bodies() {
     let screw = dense(&pages_of(&content(named("screw-axis-de")), &settings()));
     let travel = content(named("screw-axis-de")).axes[0].dossier.mechanism.travel_mm_per_rev.unwrap();
     assert!((travel.0 - 40.0).abs() < 1e-9, "{travel:?}");

@@ -160,7 +160,7 @@ impl Server {
     /// # Errors
     /// Where the system gives no means to wait for connections.
     pub fn run(self) -> Result<(), Unserved> {
-        self.run_until(told_to_end())
+        self.run_until(end_requested())
     }
 
     /// Serves until `end` comes; what has begun is finished within its time.
@@ -320,7 +320,7 @@ async fn connection(
 
 /// Completes when the program is terminated: by the keyboard, by closing its terminal, or by a signal.
 #[cfg(unix)]
-async fn told_to_end() {
+async fn end_requested() {
     use tokio::signal::unix::{SignalKind, signal};
     let ended = |kind| async move {
         match signal(kind) {
@@ -338,7 +338,7 @@ async fn told_to_end() {
 
 /// Completes when the program is terminated by the keyboard.
 #[cfg(not(unix))]
-async fn told_to_end() {
+async fn end_requested() {
     let _ = tokio::signal::ctrl_c().await;
 }
 

@@ -285,7 +285,7 @@ impl Chance {
 }
 
 #[test]
-fn bodies_of_any_bytes_are_answered_or_told_what_is_wrong() {
+fn bodies_of_any_bytes_are_answered_or_refused_what_is_wrong() {
     let up = Up::new(Limits::default());
     let mut chance = Chance(22);
     let paths = [
@@ -436,7 +436,7 @@ fn ten_thousand_quick_requests_are_answered() {
 }
 
 #[test]
-fn two_hundred_clients_at_once_are_answered_or_told_to_come_again() {
+fn two_hundred_clients_at_once_are_answered_or_refused_to_come_again() {
     let up = Up::new(Limits::default());
     let answers: Vec<u16> = std::thread::scope(|scope| {
         let asked: Vec<_> =

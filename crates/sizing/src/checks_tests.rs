@@ -146,7 +146,7 @@ fn the_brake_holds_with_the_safety_that_is_asked() {
 }
 
 #[test]
-fn a_hanging_load_without_a_brake_is_told_and_not_rejected() {
+fn a_hanging_load_without_a_brake_is_reported_and_not_rejected() {
     let hanging = axis(&[swing(4.0), dwell(1.0, Hold::Motor)]);
     let found = check(&hanging, &unbraked(), CheckId::BrakeHolding);
     assert_eq!(found.verdict, Verdict::Advice);

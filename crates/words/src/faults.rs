@@ -39,10 +39,10 @@ impl Worded {
 /// Every fault in words, in their order.
 #[must_use]
 pub fn worded(faults: &[Diagnostic], language: Language) -> Vec<Worded> {
-    faults.iter().map(|fault| fault_told(fault, language)).collect()
+    faults.iter().map(|fault| fault_worded(fault, language)).collect()
 }
 
-fn fault_told(found: &Diagnostic, language: Language) -> Worded {
+fn fault_worded(found: &Diagnostic, language: Language) -> Worded {
     let hint = found.hint.as_ref().map(|hint| hint_text(hint, language));
     Worded {
         id: found.fault.id(),

@@ -7,19 +7,27 @@ use quantities::Language;
 /// The page in a language; terms stand in both.
 #[must_use]
 pub fn glossary_page(language: Language) -> String {
-    let mut page = format!("# {}\n\n{}\n", pages::glossary_title(language), pages::glossary_told(language));
+    let mut page = format!("# {}\n\n{}\n", pages::glossary_title(language), pages::glossary_about(language));
     page.push_str(&format!("\n## {}\n\n", pages::glossary_words(language)));
     page.push_str(&format!("{}\n|---|---|---|\n", pages::columns_of_words(language)));
     for word in catalogue::words() {
         row(&mut page, &[word.en, word.de, word_meaning(word, language)]);
     }
-    page.push_str(&format!("\n## {}\n\n{}\n\n", pages::glossary_terms(language), pages::glossary_terms_told(language)));
+    page.push_str(&format!(
+        "\n## {}\n\n{}\n\n",
+        pages::glossary_terms(language),
+        pages::glossary_terms_about(language)
+    ));
     page.push_str(&format!("{}\n|---|---|---|---|---|---|\n", pages::columns_of_terms(language)));
     for term in catalogue::glossary() {
         let (symbol, name) = (format!("`{}`", term.symbol), format!("`{}`", term.identifier));
         row(&mut page, &[&symbol, &name, term.unit, term.en, term.de, term_remark(term, language)]);
     }
-    page.push_str(&format!("\n## {}\n\n{}\n\n", pages::glossary_steps(language), pages::glossary_steps_told(language)));
+    page.push_str(&format!(
+        "\n## {}\n\n{}\n\n",
+        pages::glossary_steps(language),
+        pages::glossary_steps_about(language)
+    ));
     page.push_str(&format!("{}\n|---|---|---|\n", pages::columns_of_steps(language)));
     for (symbol, en, de) in glossary_symbols() {
         row(&mut page, &[&symbol_shown(symbol), en, de]);

@@ -29,28 +29,28 @@ texts! {
     table_or_tables = "table, or several" | "Tabelle, oder mehrere";
     bodies = "list of texts, a body each" | "Liste von Texten, je ein Körper";
     quantities_title = "Quantities and their units" | "Größen und ihre Einheiten";
-    quantities_told(example) =
+    quantities_about(example) =
         "A quantity is a text with number and unit, perhaps with a tolerance: {example}. The usual unit stands first; other spellings of a unit are understood too."
         | "Eine Größe ist ein Text mit Zahl und Einheit, vielleicht mit Toleranz: {example}. Die übliche Einheit steht zuerst; andere Schreibweisen einer Einheit werden auch verstanden.";
     columns_of_quantities = "| quantity | units |" | "| Größe | Einheiten |";
     glossary_title = "Glossary" | "Glossar";
-    glossary_told =
+    glossary_about =
         "Words of the product and symbols of its answers in both languages, one word for one thing. This page is made from the data of the glossary; `antrieb glossary TERM` looks one up."
         | "Wörter des Programms und Formelzeichen seiner Antworten in beiden Sprachen, ein Wort für eine Sache. Diese Seite entsteht aus den Daten des Glossars; `antrieb glossary BEGRIFF` schlägt nach.";
     glossary_words = "Words" | "Wörter";
     glossary_terms = "Symbols of the tables" | "Formelzeichen der Tabellen";
-    glossary_terms_told =
+    glossary_terms_about =
         "As the catalogue and its export write them, with the name that a project file uses and the unit of the print."
         | "Wie der Katalog und sein Export sie schreiben, mit dem Namen, den eine Projektdatei nutzt, und der Einheit des Drucks.";
     glossary_steps = "Symbols of derivations and of values for a drive" | "Formelzeichen der Herleitungen und der Werte für den Regler";
-    glossary_steps_told =
+    glossary_steps_about =
         "What `antrieb explain` and `antrieb commission` show beside the symbols of the tables. A symbol with several meanings stands several times."
         | "Was `antrieb explain` und `antrieb commission` neben den Formelzeichen der Tabellen zeigen. Ein Zeichen mit mehreren Bedeutungen steht mehrfach.";
     columns_of_words = "| English | German | meaning |" | "| Englisch | Deutsch | Bedeutung |";
     columns_of_terms = "| symbol | name | unit | English | German | remark |" | "| Formelzeichen | Name | Einheit | Englisch | Deutsch | Bemerkung |";
     columns_of_steps = "| symbol | English | German |" | "| Formelzeichen | Englisch | Deutsch |";
     commands = "Commands" | "Befehle";
-    commands_told =
+    commands_about =
         "Every command with its arguments, as in `antrieb help`. This page is generated from the command line; the guide explains the answers."
         | "Jeder Befehl mit seinen Argumenten, wie in `antrieb help`. Diese Seite ist aus der Befehlszeile erzeugt; die Antworten erklärt die Anleitung.";
     every_command_takes = "Options of every command" | "Optionen jedes Befehls";

@@ -18,7 +18,7 @@ pub fn project_page(language: Language) -> String {
     page.push_str(&format!(
         "\n## {}\n\n{}\n\n",
         pages::quantities_title(language),
-        pages::quantities_told(&example, language)
+        pages::quantities_about(&example, language)
     ));
     page.push_str(&format!("{}\n|---|---|\n", pages::columns_of_quantities(language)));
     for dimension in Dimension::ALL {

@@ -553,7 +553,7 @@ mod tests {
     }
 
     #[test]
-    fn only_a_guess_is_told() {
+    fn only_a_guess_is_reported() {
         let sentences = |encoding| encoding_guess(Some(encoding), Language::En);
         assert_eq!((sentences(Encoding::Utf8), sentences(Encoding::Utf16)), (None, None));
         assert_eq!(sentences(Encoding::Windows1252Guessed).as_deref(), Some("text taken for Windows-1252"));

@@ -23,7 +23,7 @@ fn the_pages_are_those_of_the_description() {
 
 /// The schema is made from the same description by another way: no key of it is missing on the pages.
 #[test]
-fn every_key_of_the_schema_is_told() {
+fn every_key_of_the_schema_is_reported() {
     fn keys(schema: &serde_json::Value, found: &mut Vec<String>) {
         match schema {
             serde_json::Value::Object(map) => {

@@ -87,7 +87,7 @@ fn messages_and_hints_speak_both_languages() {
 }
 
 #[test]
-fn the_nearest_unit_is_told_with_those_that_are_valid() {
+fn the_nearest_unit_is_reported_with_those_that_are_valid() {
     let fault = fault(Dimension::Force, "5 kn");
     assert_eq!(
         quantity_hint(&fault, Language::En).unwrap(),

@@ -116,7 +116,7 @@ mod tests {
     const STEPS: [(&str, Cost); 2] = [("fmt", Cost::on_one(2)), ("test", Cost::shared(600))];
 
     #[test]
-    fn a_fresh_clone_is_told_the_measured_times_for_its_cores() {
+    fn a_fresh_clone_is_reported_the_measured_times_for_its_cores() {
         let shown = Forecast::default().table_for(&STEPS, 1);
         assert!(shown.contains("about 10 min on 1 core,") && shown.contains("10 min test\n"), "{shown}");
         let shown = Forecast::default().table_for(&STEPS, 2);
@@ -124,7 +124,7 @@ mod tests {
     }
 
     #[test]
-    fn what_it_took_here_is_kept_and_told() {
+    fn what_it_took_here_is_kept_and_shown() {
         let target = std::env::temp_dir().join(format!("antrieb-forecast-{}", std::process::id()));
         let mut first = Forecast::read(&target);
         assert!(first.last.is_empty());
@@ -136,7 +136,7 @@ mod tests {
     }
 
     #[test]
-    fn neighbours_are_told_of() {
+    fn neighbours_are_reported_of() {
         assert_eq!(busy(Some(0.2), 2), "");
         assert_eq!(busy(None, 2), "");
         assert!(busy(Some(4.0), 2).contains("3.0 times as long"));

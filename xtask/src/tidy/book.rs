@@ -61,7 +61,7 @@ mod tests {
     }
 
     #[test]
-    fn a_page_that_is_gone_or_named_twice_is_told() {
+    fn a_page_that_is_gone_or_named_twice_is_reported() {
         let found = findings_of("[a](guide/a.md)\n[b](guide/b.md)\n[a](guide/a.md)\n", "[a](guide/a.md)\n");
         assert_eq!(
             found,

@@ -133,7 +133,7 @@ mod tests {
     }
 
     #[test]
-    fn a_wrong_figure_a_wrong_command_and_a_lost_block_are_told() {
+    fn a_wrong_figure_a_wrong_command_and_a_lost_block_are_reported() {
         let twin = |figure: &str, command: &str| {
             format!("# Fragen\n{figure} von 71 Nm, `\"1.3 kg m^2\"`\n\n```console\n$ {command}\nja\n```\n")
         };
@@ -144,7 +144,7 @@ mod tests {
     }
 
     #[test]
-    fn a_page_without_its_twin_is_told() {
+    fn a_page_without_its_twin_is_reported() {
         let scratch = Scratch::new(&[("docs/guide/a.md", PAGE), ("docs/anleitung/b.md", PAGE)]);
         let found: Vec<String> = rule(scratch.root()).into_iter().map(|finding| finding.path).collect();
         assert_eq!(found, ["docs/guide/a.md", "docs/anleitung/b.md"]);

@@ -230,13 +230,13 @@ pub fn compare(wiring: &Wiring, list: &PinList) -> Comparison {
             (None, None) => {}
         }
     }
-    told_once(&mut findings);
+    remove_doubles(&mut findings);
     findings.sort_by_key(|finding| (finding.line.is_none(), finding.line));
     Comparison { findings, rows: list.pins.len(), agreeing }
 }
 
 /// An exchange of two pins is reported at the first of them.
-fn told_once(findings: &mut Vec<Finding>) {
+fn remove_doubles(findings: &mut Vec<Finding>) {
     let exchanges: Vec<(Role, String, String)> = findings
         .iter()
         .filter_map(|finding| match &finding.difference {

@@ -118,7 +118,7 @@ fn tables_within_lines_are_changed_too() {
 }
 
 #[test]
-fn what_has_no_place_is_told() {
+fn what_has_no_place_is_reported() {
     assert_eq!(edit("format = = 1", "load.inertia", Edit::Value("1")), Err(EditFault::Syntax));
     for path in ["", ".", "load.weight", "motion[0].law", "motion[1", "motion[99999999]", "load.inertia.x", "[1]"] {
         assert_eq!(edit(TEXT, path, Edit::Value("1")), Err(EditFault::Path), "{path}");

@@ -47,7 +47,7 @@ pub fn fault(what: &str) -> Faults {
 
 /// Why a text is no code, each fault with its place in it.
 #[must_use]
-pub fn code_told(text: &str, refusal: &CodeRefusal) -> Vec<Worded> {
+pub fn code_worded(text: &str, refusal: &CodeRefusal) -> Vec<Worded> {
     let worded = |fault: &crate::codes::CodeFault| {
         Worded::at(text, fault.span.clone(), fault.id(), fault.message.clone(), fault.hint.clone())
     };

@@ -186,7 +186,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn inputs_are_told_in_the_words_of_the_language() {
+    fn inputs_are_reported_in_the_words_of_the_language() {
         let text = "format = 1\n[axis]\nname = \"x\"\n[mechanism.turntable]\n\
             bodies = [\"disc diameter=420mm length=12mm density=2700kg/m^3\", \"point mass=1.5kg distance=0.5m count=2\"]\n\
             [[motion]]\nlaw = \"dwell\"\ntime = \"1.5 s ± 10 %\"\nhold = \"motor\"\n\

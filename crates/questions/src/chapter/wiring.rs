@@ -1,6 +1,6 @@
 //! Connectors, pins and cables.
 
-use super::{NOTHING, grid, hazards};
+use super::{NOTHING, Shown, grid, hazards};
 use answers::{
     Block, Chapter, Column, Connector, ConnectorExit, ConnectorPin, NoteBy, Number, Picture, VoltageDrops, Wiring,
 };
@@ -57,7 +57,7 @@ fn connected(chapter: &mut Chapter, connector: &Connector, language: Language) {
         pin.joined_with.as_ref().map_or_else(|| pin.pin.clone(), |other| format!("{} ({other})", pin.pin))
     };
     let colour = |pin: &ConnectorPin| pin.colour.unwrap_or(NOTHING).to_owned();
-    let mut columns: Vec<(Column, &dyn Fn(&ConnectorPin) -> String)> = vec![
+    let mut columns: Vec<Shown<'_, ConnectorPin>> = vec![
         (Column::text(wiring::pin(language)), &name),
         (Column::text(wiring::signal(language)), &|pin| pin.signal.to_owned()),
         (Column::text(wiring::colour(language)), &colour),

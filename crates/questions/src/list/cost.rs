@@ -72,6 +72,18 @@ impl Cost {
         1.0 / self.axes() + samples as f64 / self.samples() as f64 + nodes as f64 / instants + tolerances
     }
 
+    /// What an answer about an axis takes at most, about, on one core: seconds, and bytes of the process.
+    #[must_use]
+    #[allow(clippy::cast_precision_loss, reason = "counts far below 2^52")]
+    pub fn predicted(self, project: &Project) -> (f64, f64) {
+        /// Of the process itself, of a sample with its position, speed and acceleration, and of an instant.
+        const BYTES: (f64, f64, f64) = (40e6, 128.0, 512.0);
+        let [recorded, _] = project.axis.samples();
+        let nodes = project.axis.instants().saturating_sub(recorded);
+        let bytes = BYTES.0 + BYTES.1 * recorded as f64 + BYTES.2 * nodes as f64;
+        (self.share(project) * self.seconds() as f64, bytes)
+    }
+
     /// Whether the catalogue is judged in that time for each of several ratios of a stage, of which the axis has one.
     ///
     /// # Errors

@@ -1,6 +1,6 @@
 //! Why a question has no answer, before a face puts it into its form.
 
-use crate::answer::{code_faults, code_told, fault, faults, file_fault, option_fault, refusal_text, written};
+use crate::answer::{code_faults, code_worded, fault, faults, file_fault, option_fault, refusal_text, written};
 use crate::codes::CodeRefusal;
 use crate::list::given::Hinted;
 use crate::reading::Unread;
@@ -119,7 +119,7 @@ impl Unanswered {
     pub fn faults(&self, waited_s: Option<f64>, language: Language) -> Faults {
         match self {
             Self::Text { name, faults: found, .. } => faults(name, found),
-            Self::Code { text, refusal, .. } => faults(terminal::code(language), &code_told(text, refusal)),
+            Self::Code { text, refusal, .. } => faults(terminal::code(language), &code_worded(text, refusal)),
             Self::File { name, message, .. } => file_fault(name, message),
             Self::Option { name, fault } => option_fault(name, fault.clone()),
             Self::Message((message, hint)) => {

@@ -74,7 +74,7 @@ fn all_faults_at_once_each_at_its_place() {
 }
 
 #[test]
-fn what_is_missing_is_told_at_the_shape() {
+fn what_is_missing_is_reported_at_the_shape() {
     assert_eq!(
         faults("box a=5mm mass=1kg"),
         [("box".to_owned(), "`b` is missing".to_owned()), ("box".to_owned(), "`height` is missing".to_owned())]
@@ -129,7 +129,7 @@ fn strange_lines_are_refused_without_panic() {
 }
 
 #[test]
-fn no_more_than_fifty_faults_are_told() {
+fn no_more_than_fifty_faults_are_reported() {
     let text = vec!["ball"; 80].join("\n");
     let found = worded(&inertia(&text).unwrap_err(), Language::En);
     assert_eq!(found.len(), 51);

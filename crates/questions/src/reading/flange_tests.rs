@@ -74,7 +74,7 @@ fn an_arm_loads_its_flange() {
 }
 
 #[test]
-fn what_is_not_stated_is_told_and_not_guessed() {
+fn what_is_not_stated_is_reported_and_not_guessed() {
     let missing = |text: &str, id| of(&read(text), id).missing;
     let open = text("", "", "mechanism = \"add\"");
     assert_eq!(missing(&open, CheckId::BearingTiltingMoment), Some("bearing.overhang"));
@@ -118,7 +118,7 @@ fn heavier_loads_bear_harder_in_the_reserve() {
 }
 
 #[test]
-fn faults_of_the_geometry_are_told_at_once() {
+fn faults_of_the_geometry_are_reported_at_once() {
     let found = messages(&text(
         "",
         "",
@@ -141,7 +141,7 @@ fn faults_of_the_geometry_are_told_at_once() {
 
 /// The reproducer of the review: 90° and two hundred swings of 2° are reported, independent of the life by rolling.
 #[test]
-fn many_small_swings_are_told() {
+fn many_small_swings_are_reported() {
     let swing = |angle: f64| format!("[[motion]]\nlaw = \"triangle\"\ndistance = \"{angle} deg\"\ntime = \"0.5 s\"\n");
     let moves = |moves: &[f64]| moves.iter().map(|angle| swing(*angle)).collect::<String>();
     let mut many = vec![90.0];

@@ -387,7 +387,7 @@ fn each_axis_of_several_has_its_own_tolerances() {
 }
 
 #[test]
-fn a_fault_of_a_tolerance_is_told_at_its_half_width() {
+fn a_fault_of_a_tolerance_is_reported_at_its_half_width() {
     for (written, place, message) in [
         ("1.3 kg m^2 ± 120 %", "120 %", "with this tolerance the value reaches −0.26000 kgm²; it must not be negative"),
         ("1.3 kg m^2 ± 2 kg m^2", "2 kg m^2", "with this tolerance the value reaches −0.70000 kgm²"),
@@ -412,7 +412,7 @@ fn a_fault_of_a_tolerance_is_told_at_its_half_width() {
 }
 
 #[test]
-fn a_motion_that_a_tolerance_makes_impossible_is_told_at_it() {
+fn a_motion_that_a_tolerance_makes_impossible_is_reported_at_it() {
     let shuttle = |half: &str, single: bool| {
         format!(
             "format = 1\n[axis]\nsingle_move = {single}\n[mechanism.screw]\nlead = \"10 mm\"\nmass = \"5 kg\"\n[[motion]]\n\
@@ -489,7 +489,7 @@ fn a_curve_of_the_user_wins_over_the_catalogue() {
 }
 
 #[test]
-fn a_decimal_comma_before_one_per_minute_is_told_as_one() {
+fn a_decimal_comma_before_one_per_minute_is_reported_as_one() {
     let text = GOOD.replace("40 1/min", "40,5 1/min");
     let fault = one(&text);
     assert_eq!((&text[fault.span.clone()], fault.id), ("40,5", "decimal_comma"));
@@ -497,7 +497,7 @@ fn a_decimal_comma_before_one_per_minute_is_told_as_one() {
 }
 
 #[test]
-fn what_is_stated_along_a_line_is_told_along_it() {
+fn what_is_stated_along_a_line_is_reported_along_it() {
     let text = |motion: &str| {
         format!(
             "format = 1\n[mechanism.screw]\nlead = \"20 mm\"\nmass = \"10 kg\"\n[[motion]]\nlaw = \"trapezoid\"\n{motion}\n"

@@ -168,7 +168,7 @@ fn of_several_ratios_the_best_is_found() {
 }
 
 #[test]
-fn faults_of_the_stage_are_told() {
+fn faults_of_the_stage_are_reported() {
     assert_eq!(messages("[stage]\nkind = \"belt\"\n"), ["`stage.ratio` is missing"]);
     assert_eq!(messages("[stage]\nkind = \"belt\"\nratio = 2\nratios = [1, 2]\n").len(), 1);
     assert_eq!(messages("[stage]\nkind = \"coupling\"\nratio = 2\n").len(), 1);

@@ -154,7 +154,7 @@ fn slow(_: &Call<'_>, _: &dyn Shell, _: &Patience) -> Reply {
 }
 
 #[test]
-fn so_many_are_computed_so_many_wait_and_the_rest_is_told_to_come_again() {
+fn so_many_are_computed_so_many_wait_and_the_rest_is_reported_to_come_again() {
     let limits = Limits { computed: 2, waiting: 3, ..Limits::default() };
     let up = up(slow, Access::Anyone, limits);
     let held = GATE.lock().unwrap();
