@@ -206,6 +206,21 @@ pub(crate) fn curves(stage: &Stage<'_>) -> Worded {
     expect((far - 800.0).abs() < 1e-9 && rows.len() > 20, || format!("{} rows, {far} mm at most", rows.len()))
 }
 
+/// A simulated scenario beside the sizing, and the signals of an encoder.
+pub(crate) fn the_twin(stage: &Stage<'_>) -> Worded {
+    let tab = &stage.tab;
+    stage.example("table", "en")?;
+    tab.click("#view-simulation")?;
+    tab.there("#plot-simulation")?;
+    tab.says("#view", "Sizing")?;
+    tab.run("const choice = document.querySelector('#scenario'); choice.value = 'emergency_stop'; choice.dispatchEvent(new Event('change', { bubbles: true }));", Vec::new())?;
+    tab.says("#view", "Emergency stop")?;
+    stage.accessible("simulation")?;
+    tab.open(&stage.shell.at("tool=encoder&about=CHA-17A-100-H-M128S&lang=en"))?;
+    tab.says("#tool", "EnDat").or_else(|_| tab.says("#tool", "SSI"))?;
+    stage.accessible("encoder")
+}
+
 /// Clicks and keys to a first answer: of a screw, an arm and a recording.
 pub(crate) fn actions_to_an_answer(stage: &Stage<'_>) -> Worded {
     const MOST: usize = 25;
@@ -231,8 +246,21 @@ pub(crate) fn actions_to_an_answer(stage: &Stage<'_>) -> Worded {
     };
     let screw = begin("4", &["10 mm", "80 kg"])?;
     let arm = begin("3", &["9 kg", "0.3 m"])?;
-    println!("       {}: actions to a first answer: screw {screw}, arm {arm}", stage.shell.name());
-    for (what, actions) in [("screw", screw), ("arm", arm)] {
+    // Of a recording: the load by itself, its table pasted, the motion replaced.
+    let load = begin("1", &["2 kg m^2"])?;
+    let rows: String = (0..200)
+        .map(|row| f64::from(row) * 0.01)
+        .map(|t| format!("{t:.2};{:.4}\n", 45.0 - 45.0 * (t * std::f64::consts::PI).cos()))
+        .collect();
+    tab.paste(&format!("t in s;phi in deg\n{rows}"))?;
+    tab.click("#recording-replaces")?;
+    tab.until("document.querySelector('#text').value.includes('law = \"recorded\"') && !document.querySelector('#verdict.old')")?;
+    let recording = load + 2;
+    println!(
+        "       {}: actions to a first answer: screw {screw}, arm {arm}, recording {recording}",
+        stage.shell.name()
+    );
+    for (what, actions) in [("screw", screw), ("arm", arm), ("recording", recording)] {
         expect(actions <= MOST, || format!("{what}: {actions} clicks and keys"))?;
     }
     Ok(())

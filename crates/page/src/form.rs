@@ -7,7 +7,7 @@ use maud::{Markup, PreEscaped, html};
 use project::{Files, KEYS, Key, Kind, Project, SegmentLaw, Variants, drawn_figures, example};
 use quantities::{Dimension, Language, format_significant};
 use questions::texts::recording_text;
-use questions::{ColumnRole, moves};
+use questions::{Candidate, ColumnRole, moves};
 use words::{about_text, assumption_text, capitalised, key_word, page, short_label, table_of_project, terms};
 
 /// What is needed to draw a row.
@@ -21,6 +21,8 @@ pub(crate) struct Form<'f> {
     pub(crate) files: &'f dyn Files,
     /// The axis as it was read last, for the way of its motion.
     project: Option<&'f Project>,
+    /// The keys that checks wait for, and how many do.
+    needed: Vec<(&'static str, usize)>,
     /// The folds that are open although nothing is stated in them.
     folds: &'f [String],
 }
@@ -37,7 +39,7 @@ pub(crate) struct Followed {
 }
 
 /// The column.
-pub(crate) fn column(state: &State, held: &Held, shell: &dyn Shell) -> Markup {
+pub(crate) fn column(state: &State, held: &Held, candidate: Option<&Candidate<'_>>, shell: &dyn Shell) -> Markup {
     let (language, prefix, solved) = (state.language, state.prefix.as_str(), solved(state, held));
     let form = Form {
         held,
@@ -46,6 +48,7 @@ pub(crate) fn column(state: &State, held: &Held, shell: &dyn Shell) -> Markup {
         solved,
         files: shell.files(),
         project: held.projects.get(state.axis),
+        needed: candidate.map(Candidate::keys_to_state).unwrap_or_default(),
         folds: &state.folds,
     };
     let l = state.language;
@@ -475,6 +478,7 @@ impl Form<'_> {
                 @if let (Kind::Quantity(..) | Kind::Along(..), false) = (key.kind, value.is_empty()) {
                     (self.band(&id, path, &label, value))
                 }
+                @if let Some((_, count)) = self.needed.iter().find(|(key, _)| path.strip_prefix(self.prefix) == Some(key)) { p.small.needed { (page::checks_wait(*count, l)) } }
                 @if wrong {
                     div.fault id=(described) {
                         @for (_, told) in &faults { p { (told.message) @if let Some(hint) = &told.hint { " – " (hint) } } }

@@ -73,7 +73,7 @@ pub(crate) fn worked(call: &Call<'_>, shell: &dyn Shell, patience: &Patience) ->
     let part = |target: &str, inside: Markup| html! { template hx type="partial" hx-target=(target) hx-swap="outerMorph" { (inside) } };
     let parts = html! {
         (part("#state", state_of(&state)))
-        (part("#moves", form::column(&state, &held, shell)))
+        (part("#moves", form::column(&state, &held, None, shell)))
         (part("#stopped", demand::stopped(&waiting::stopped(&why, true, Some("/work"), shell, patience, l))))
     };
     let mut reply = Reply::of(200, crate::HTML, parts.into_string());
@@ -109,7 +109,7 @@ fn work(state: &mut State, shell: &dyn Shell, patience: &Patience) -> Result<Mar
     }
     let looked_at = project.and_then(|project| looked_at(state, project, sizing.as_ref()?.candidates.first()));
     let found = Outcome { project, sizing: sizing.as_ref(), candidate: looked_at.as_ref() };
-    let moves = form::column(state, &held, shell);
+    let moves = form::column(state, &held, looked_at.as_ref(), shell);
     let bar = verdict::bar(state, &held, &found, &moves.0, patience);
     let demands = match project {
         Some(project) => demand::column(state, project, looked_at.as_ref(), held.is_old, shell, patience),
@@ -156,7 +156,7 @@ fn page_of(state: &State, held: &Held, shell: &dyn Shell, bar: &Markup, main: &M
 /// The page about a project whose first result could not be waited for.
 fn unfinished(state: &State, held: &Held, shell: &dyn Shell, why: &Markup, patience: &Patience) -> Markup {
     let none = Outcome { project: None, sizing: None, candidate: None };
-    let moves = form::column(state, held, shell);
+    let moves = form::column(state, held, None, shell);
     let bar = html! { (verdict::bar(state, held, &none, &moves.0, patience)) };
     let panes =
         panes(&moves, &html! { (demand::nothing(state.language)) }, &fits::column(state, &none, true), state.language);

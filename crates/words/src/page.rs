@@ -261,6 +261,8 @@ texts! {
     recording_is_there(file) =
         "{file} lies beside the projects now. It begins so:" | "{file} liegt jetzt neben den Projekten. So fängt sie an:";
     replace_motion = "Replace the motion by it" | "Bewegung dadurch ersetzen";
+    checks_wait(count) =
+        "1 check needs it" | "1 Nachweis braucht es", "{count} checks need it" | "{count} Nachweise brauchen es";
     nothing_found = "Nothing found" | "Nichts gefunden";
     key_panes = "What moves, what it demands, what fits" | "Was sich bewegt, was es verlangt, was geeignet ist";
     key_escape = "Close what is open" | "Offenes schließen";
