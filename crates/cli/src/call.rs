@@ -125,6 +125,14 @@ impl Call<'_> {
             let values = self.matches.get_raw(argument.name).into_iter().flatten();
             let values: Vec<String> = values.map(|value| value.to_string_lossy().into_owned()).collect();
             match (argument.kind, argument.form) {
+                // What the caller names from where it stands is not looked for beside the project.
+                (ArgumentKind::File, _) => {
+                    let absolute = |value: &String| {
+                        std::path::absolute(value)
+                            .map_or_else(|_| value.clone(), |path| path.to_string_lossy().into_owned())
+                    };
+                    pairs.extend(values.iter().map(|value| (argument.name.into(), absolute(value).into())));
+                }
                 (ArgumentKind::Flag, _) => pairs.push((argument.name.into(), "true".into())),
                 (_, Form::Words) => pairs.push((argument.name.into(), values.join(" ").into())),
                 (_, Form::Option | Form::Bare | Form::Each) => {

@@ -13,15 +13,15 @@ use std::path::Path;
 use tables::Format;
 use words::{simulation, terminal};
 
-/// `antrieb simulate PROJECT --code CODE --scenario NAME --trace FILE`
+/// `antrieb simulate PROJECT --code CODE --scenario NAME --out FILE`
 pub(crate) fn simulate(call: &Call<'_>, asked: &Asked<'_>) -> Result<Answer, Unanswered> {
     let language = call.language;
     let args = simulate::Args::read(&asked.given)?;
-    let file = call.path("trace");
+    let file = call.path("out");
     let format = file
         .map(format)
         .transpose()
-        .map_err(|()| Unanswered::option("trace", (simulation::ending_of_a_trace(language).to_owned(), None)))?;
+        .map_err(|()| Unanswered::option("out", (simulation::ending_of_a_trace(language).to_owned(), None)))?;
     let axes = asked.axes(args.axis.as_deref(), Cost::Other)?;
     let inputs = call.inputs(axes.iter().map(|(_, project)| project));
     let desk = Desk { inputs: &inputs, force: call.flag("force"), language };

@@ -15,32 +15,33 @@ use words::{Word, capitalised, simulation, tables, terms};
 pub fn trace(samples: &[TwinSample], language: Language) -> Table {
     type Of = fn(&TwinSample) -> f64;
     let series: [(&str, Word, &'static Unit, Word, Of); 20] = [
-        ("time", terms::time, &SECOND, tables::time_of_course_about, |s| s.time_s),
-        ("wanted_position", tables::angle, &RADIAN, simulation::wanted, |s| s.wanted_rad),
-        ("wanted_speed", terms::rotary_speed, &RADIAN_PER_SECOND, simulation::wanted, |s| s.wanted_rad_s),
-        ("position", tables::angle, &RADIAN, simulation::of_the_load, |s| s.position_rad),
-        ("speed", terms::rotary_speed, &RADIAN_PER_SECOND, simulation::of_the_load, |s| s.speed_rad_s),
-        ("acceleration", terms::acceleration, &RADIAN_PER_SECOND_SQUARED, simulation::of_the_load, |s| {
+        ("time_s", terms::time, &SECOND, tables::time_of_course_about, |s| s.time_s),
+        ("wanted_position_rad", tables::angle, &RADIAN, simulation::wanted, |s| s.wanted_rad),
+        ("wanted_speed_rad_s", terms::rotary_speed, &RADIAN_PER_SECOND, simulation::wanted, |s| s.wanted_rad_s),
+        ("position_rad", tables::angle, &RADIAN, simulation::of_the_load, |s| s.position_rad),
+        ("speed_rad_s", terms::rotary_speed, &RADIAN_PER_SECOND, simulation::of_the_load, |s| s.speed_rad_s),
+        ("acceleration_rad_s2", terms::acceleration, &RADIAN_PER_SECOND_SQUARED, simulation::of_the_load, |s| {
             s.acceleration_rad_s2
         }),
-        ("motor_position", tables::angle, &RADIAN, simulation::of_the_motor, |s| s.motor_rad),
-        ("motor_speed", terms::rotary_speed, &RADIAN_PER_SECOND, simulation::of_the_motor, |s| s.motor_rad_s),
-        ("torque", tables::torque, &NEWTON_METRE, simulation::torque_peak, |s| s.torque_nm),
-        ("current_q", tables::motor_current, &AMPERE, simulation::peak_of_a_phase, |s| s.current_q_a),
-        ("current_d", tables::motor_current, &AMPERE, simulation::peak_of_a_phase, |s| s.current_d_a),
-        ("voltage_q", simulation::voltage, &VOLT, simulation::peak_of_a_phase, |s| s.voltage_q_v),
-        ("voltage_d", simulation::voltage, &VOLT, simulation::peak_of_a_phase, |s| s.voltage_d_v),
-        ("link", simulation::voltage, &VOLT, simulation::dc_link, |s| s.link_v),
-        ("winding", terms::winding, &DEGREE_CELSIUS, tables::temperature_about, |s| s.winding_k),
-        ("housing", terms::housing, &DEGREE_CELSIUS, tables::temperature_about, |s| s.housing_k),
-        ("sensor", simulation::sensor, &DEGREE_CELSIUS, simulation::sensor, |s| s.sensor_k),
+        ("motor_position_rad", tables::angle, &RADIAN, simulation::of_the_motor, |s| s.motor_rad),
+        ("motor_speed_rad_s", terms::rotary_speed, &RADIAN_PER_SECOND, simulation::of_the_motor, |s| s.motor_rad_s),
+        ("torque_nm", tables::torque, &NEWTON_METRE, simulation::torque_peak, |s| s.torque_nm),
+        ("current_q_a", tables::motor_current, &AMPERE, simulation::peak_of_a_phase, |s| s.current_q_a),
+        ("current_d_a", tables::motor_current, &AMPERE, simulation::peak_of_a_phase, |s| s.current_d_a),
+        ("voltage_q_v", simulation::voltage, &VOLT, simulation::peak_of_a_phase, |s| s.voltage_q_v),
+        ("voltage_d_v", simulation::voltage, &VOLT, simulation::peak_of_a_phase, |s| s.voltage_d_v),
+        ("link_v", simulation::voltage, &VOLT, simulation::dc_link, |s| s.link_v),
+        ("winding_degc", terms::winding, &DEGREE_CELSIUS, tables::temperature_about, |s| s.winding_k),
+        ("housing_degc", terms::housing, &DEGREE_CELSIUS, tables::temperature_about, |s| s.housing_k),
+        ("sensor_degc", simulation::sensor, &DEGREE_CELSIUS, simulation::sensor, |s| s.sensor_k),
         ("overload", tables::overload, &ONE, tables::overload_about, |s| s.overload),
-        ("following_error", simulation::following_peak, &RADIAN, simulation::of_the_load, |s| s.following_rad),
+        ("following_error_rad", simulation::following_peak, &RADIAN, simulation::of_the_load, |s| s.following_rad),
         ("brake", simulation::braked, &ONE, simulation::braked, |s| if s.braked { 1.0 } else { 0.0 }),
     ];
     let columns: Vec<Column> = series
         .iter()
-        .map(|(name, title, unit, about, _)| column(name, *title, ColumnContent::Number, Some(unit), *about, language))
+        // The name has the unit already.
+        .map(|(name, title, _, about, _)| column(name, *title, ColumnContent::Number, None, *about, language))
         .collect();
     let row = |sample: &TwinSample| series.map(|(.., unit, _, of)| Some(unit.from_si(of(sample))));
     Table {

@@ -23,8 +23,12 @@ pub(super) fn command(entry: &Entry, language: Language) -> Command {
     }
     let is_pdf = matches!(entry.gives, Gives::Media(media) if media.contains(&media::PDF));
     let mut command = Command::new(super::last(entry)).about(with_report(is_pdf, (entry.about)(language), language));
+    // A file without a name stands before the project that it is about.
+    let is_first = |argument: &&Argument| matches!((argument.kind, argument.form), (ArgumentKind::File, Form::Bare));
+    command = command
+        .args(arguments.iter().copied().filter(|argument| is_first(&argument)).map(|argument| of(argument, language)));
     command = command.args(sources(entry, language));
-    for argument in &arguments {
+    for argument in arguments.iter().copied().filter(|argument| !is_first(&argument)) {
         let option = of(argument, language);
         let option = match arguments.iter().find(|other| other.instead_of == Some(argument.name)) {
             Some(other) => option.required_unless_present(other.name),
@@ -117,7 +121,7 @@ pub(super) fn of(argument: &Argument, language: Language) -> Arg {
     arg = match argument.kind {
         ArgumentKind::Whole(least, most) => arg.value_parser(value_parser!(u64).range(least..=most)),
         ArgumentKind::Word(_) => arg.value_parser(PossibleValuesParser::new(words)),
-        ArgumentKind::Text | ArgumentKind::Code | ArgumentKind::Date | ArgumentKind::Flag => arg,
+        ArgumentKind::Text | ArgumentKind::Code | ArgumentKind::Date | ArgumentKind::File | ArgumentKind::Flag => arg,
     };
     if argument.repeated && argument.form == Form::Option {
         arg = arg.action(ArgAction::Append);

@@ -224,7 +224,7 @@ fn answer(entry: &Entry, answers: &Value) -> BTreeMap<&'static str, Content> {
 
 fn named(parameter: &Argument, language: Language) -> Named {
     let schema = match parameter.kind {
-        ArgumentKind::Text | ArgumentKind::Code => Schema::plain("string"),
+        ArgumentKind::Text | ArgumentKind::Code | ArgumentKind::File => Schema::plain("string"),
         ArgumentKind::Date => Schema::Day { kind: "string", format: "date" },
         ArgumentKind::Flag => Schema::Flag { values: flag_values() },
         ArgumentKind::Whole(least, most) => {

@@ -74,7 +74,7 @@ impl Field {
         }
         let entry = match argument.kind {
             list::ArgumentKind::Text if argument.repeated => FieldEntry::Lines,
-            list::ArgumentKind::Text | list::ArgumentKind::Code => FieldEntry::Line,
+            list::ArgumentKind::Text | list::ArgumentKind::Code | list::ArgumentKind::File => FieldEntry::Line,
             list::ArgumentKind::Date => FieldEntry::Day,
             list::ArgumentKind::Flag => FieldEntry::Mark,
             list::ArgumentKind::Whole(..) => FieldEntry::Whole,

@@ -40,6 +40,8 @@ pub enum ArgumentKind {
     Code,
     /// A day.
     Date,
+    /// A file beside those that are read; on a command line from where it is called.
+    File,
     /// True or false; a name without a value is true.
     Flag,
     /// A whole number from and to.
@@ -142,6 +144,7 @@ impl Argument {
             ArgumentKind::Text
             | ArgumentKind::Code
             | ArgumentKind::Date
+            | ArgumentKind::File
             | ArgumentKind::Flag
             | ArgumentKind::Whole(..) => Vec::new(),
         }
@@ -150,7 +153,9 @@ impl Argument {
     /// A value as it is kept, or what would be right.
     pub(super) fn checked<'v>(&self, value: &'v str) -> Result<Cow<'v, str>, Option<UsageHint>> {
         match self.kind {
-            ArgumentKind::Text | ArgumentKind::Code | ArgumentKind::Date => Ok(Cow::Borrowed(value)),
+            ArgumentKind::Text | ArgumentKind::Code | ArgumentKind::Date | ArgumentKind::File => {
+                Ok(Cow::Borrowed(value))
+            }
             ArgumentKind::Flag => match value {
                 "" | "1" => Ok(Cow::Borrowed(TRUE)),
                 "0" => Ok(Cow::Borrowed("false")),

@@ -1,7 +1,9 @@
-//! `identify PROJECT --trace FILE`: load, friction and torque constant from a recorded run.
+//! `identify TRACE PROJECT`: load, friction and torque constant from a recorded run.
 
 use super::given::{arguments, some_code_among, text};
-use super::{AXIS, Answer, Argument, Asked, Cost, Entry, Gives, Reads, Record, Unanswered, argument};
+use super::{
+    AXIS, Answer, Argument, ArgumentKind, Asked, Cost, Entry, Form, Gives, Reads, Record, Unanswered, argument,
+};
 use crate::sizing_use::{Candidate, check, check_own};
 use answers::Number;
 use mechanism::{Extra, Mechanism, MechanismKind};
@@ -27,7 +29,7 @@ arguments! {
         /// The actuator; without it the project's own.
         code: Option<OrderCode> = argument::code(help::check_code) => some_code_among,
         /// The recorded run.
-        trace: Option<String> = Argument::option("trace", values::file, help::identify_trace).required() => text,
+        trace: Option<String> = Argument::option("trace", values::file, help::identify_trace).of(ArgumentKind::File).form(Form::Bare).required() => text,
     }
 }
 
@@ -40,7 +42,7 @@ pub const ENTRY: Entry = Entry {
     arguments: Args::ARGUMENTS,
     gives: Gives::Record(Record::of::<Identification>("identify")),
     writes: &[],
-    example: "axis.toml --code CHA-25A-50-H-C1024 --trace run.csv",
+    example: "run.csv axis.toml --code CHA-25A-50-H-C1024",
     answer: Some(|asked| Ok(Answer::record(&found(asked)?))),
 };
 
@@ -82,15 +84,8 @@ pub struct Identified95 {
 const TRACE_MOST: u64 = 256 << 20;
 
 /// The columns that are read, as `simulate --trace` heads them.
-const COLUMNS: [&str; 7] = [
-    "time [s]",
-    "position [rad]",
-    "speed [rad/s]",
-    "acceleration [rad/s^2]",
-    "motor_speed [rad/s]",
-    "torque [Nm]",
-    "current_q [A]",
-];
+const COLUMNS: [&str; 7] =
+    ["time_s", "position_rad", "speed_rad_s", "acceleration_rad_s2", "motor_speed_rad_s", "torque_nm", "current_q_a"];
 
 /// The estimates from a run.
 ///
@@ -105,7 +100,7 @@ pub fn found(asked: &Asked<'_>) -> Result<Identification, Unanswered> {
         None => check_own(&project)?,
     };
     let name = args.trace.unwrap_or_default();
-    let fault = |text: String| Unanswered::option("trace", (text, None));
+    let fault = |text: String| Unanswered::message(text);
     let mut bytes = Vec::new();
     let source = asked.source()?;
     let opened = source.files.open(&name).map_err(|_| fault(simulation::no_such_trace(&seen(&name), language)))?;

@@ -62,7 +62,7 @@ pub const ENTRY: Entry = Entry {
     arguments: Args::ARGUMENTS,
     gives: Gives::Record(Record::of::<answers::Answered<answers::Simulation>>("simulate")),
     writes: &[
-        OutputFile::of("trace", &[media::CSV, media::PARQUET], help::simulate_trace),
+        OutputFile::of("out", &[media::CSV, media::PARQUET], help::simulate_trace),
         OutputFile::of("svg", &[media::SVG], help::svg),
         OutputFile::of("png", &[media::PNG], help::png),
     ],
