@@ -39,7 +39,7 @@ fn the_simulated_drive_answers_as_the_transfer_function_says() {
     let mut parameters = Parameters::of(&configurator::parameters(&code).unwrap());
     for (key, value) in [("gear_damping_ratio", 0.3), ("winding_time_constant", 1e15), ("housing_time_constant", 1e15)]
     {
-        let source = Source::Model { name: "test" };
+        let source = Source::Model { name: "twin" };
         parameters.replace(key, Sourced { value, source, grade: Grade::Assumed, errata: &[] }).unwrap();
     }
     let mechanism = Mechanism::direct(MomentOfInertia::from_si(1.3), Torque::from_si(0.0));

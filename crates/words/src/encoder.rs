@@ -25,8 +25,8 @@ texts! {
     assumptions = "what the manual leaves open" | "was die Anleitung offen lässt";
     notes = "about the position" | "zur Position";
     no_words = "no serial interface: nothing is sent as a word" | "keine serielle Schnittstelle: kein Datenwort";
-    high = "high" | "high";
-    low = "low" | "low";
+    high = "high";
+    low = "low";
     at_peak = "at the peak of the excitation" | "im Scheitel der Erregung";
     of_amplitude = "of the amplitude" | "der Amplitude";
     endat_2_2 = "EnDat 2.2 position (mode command 111000)" | "EnDat-2.2-Position (Modebefehl 111000)";
@@ -88,8 +88,8 @@ texts! {
         "an angle lies between -{most} and {most} turns"
         | "ein Winkel liegt zwischen -{most} und {most} Umdrehungen";
     speed_is_bounded(most) =
-        "a speed lies between -{most} and {most} 1/min"
-        | "eine Drehzahl liegt zwischen -{most} und {most} 1/min";
+        "a speed lies between −{most} and {most} min⁻¹"
+        | "eine Drehzahl liegt zwischen −{most} und {most} min⁻¹";
     window_is_bounded = "a window is larger than zero and at most 360 deg" | "ein Fenster ist größer als null und höchstens 360 deg";
     time_is_bounded(most) =
         "a trace is longer than zero and at most {most} s long"

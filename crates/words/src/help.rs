@@ -120,8 +120,8 @@ texts! {
         | "Winkel der Motorwelle, rechtsdrehend von vorne gesehen, etwa \"12,5 deg\"";
     encoder_turn = "Whole turns of the motor shaft before it" | "Ganze Umdrehungen der Motorwelle davor";
     encoder_speed =
-        "Speed of the motor shaft, such as \"3000 1/min\""
-        | "Drehzahl der Motorwelle, etwa \"3000 1/min\"";
+        "Speed of the motor shaft, such as \"300 rad/s\""
+        | "Drehzahl der Motorwelle, etwa \"300 rad/s\"";
     encoder_seed =
         "Let the encoder deviate within its accuracy, by this seed; without it the encoder sees the true angle"
         | "Den Geber in seiner Genauigkeit abweichen lassen, nach diesem Startwert; ohne ihn sieht er den wahren Winkel";

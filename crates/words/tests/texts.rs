@@ -147,7 +147,8 @@ fn a_german_number_has_a_comma() {
                     && right.is_ascii_digit()
                 {
                     let before: String = signs.iter().take(at).collect();
-                    let numbered = ["Gl. ", "Gleichungen ", " bis ", " und ", "Tabelle "];
+                    let numbered =
+                        ["Gl. ", "Gleichungen ", " bis ", " und ", "Tabelle ", "EnDat-", "EnDat ", "Befehlssatz "];
                     let number = before.trim_end_matches(|c: char| c.is_ascii_digit());
                     assert!(numbered.iter().any(|head| number.ends_with(head)), "{name}: {form}");
                 }

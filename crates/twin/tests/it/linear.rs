@@ -8,7 +8,7 @@ use twin::{Parameters, Setup, Switches, Twin};
 fn of_constant_resistance() -> Parameters {
     let mut parameters = parameters("CHA-20A-100-H-C1024");
     for key in ["winding_time_constant", "housing_time_constant"] {
-        let source = Source::Model { name: "test" };
+        let source = Source::Model { name: "twin" };
         parameters.replace(key, Sourced { value: 1e15, source, grade: Grade::Assumed, errata: &[] }).unwrap();
     }
     parameters

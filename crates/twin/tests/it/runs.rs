@@ -53,7 +53,7 @@ fn every_scenario_ends_and_its_balance_closes() {
 #[test]
 fn the_same_setup_gives_the_same_bits() {
     let mut parameters = parameters(CODE);
-    let source = Source::Model { name: "test" };
+    let source = Source::Model { name: "twin" };
     parameters.replace("current_noise", Sourced { value: 0.02, source, grade: Grade::Assumed, errata: &[] }).unwrap();
     let (mechanism, motion, extras) = (load(0.3, 1.0), one_move(30.0, 0.1, 0.1, 0.1), NOTHING());
     let run = |seed: u64, chunk: u64| {
@@ -135,13 +135,13 @@ fn what_cannot_be_simulated_is_refused() {
     };
     let light = load(1e-5, 0.0);
     let mut rigid = with_brake.clone();
-    let source = Source::Model { name: "test" };
+    let source = Source::Model { name: "twin" };
     rigid.replace("flange_inertia_share", Sourced { value: 1e-6, source, grade: Grade::Assumed, errata: &[] }).unwrap();
     let setup = Setup { mechanism: &light, parameters: &rigid, ..setup };
     let Some(Fault::StepTooLong { substeps }) = Twin::new(&setup).err() else { panic!("runs") };
     assert!(Twin::new(&Setup { substeps, ..setup }).is_ok());
     let mut bad = with_brake.clone();
-    let source = Source::Model { name: "test" };
+    let source = Source::Model { name: "twin" };
     bad.replace("resistance_ll", Sourced { value: f64::NAN, source, grade: Grade::Assumed, errata: &[] }).unwrap();
     assert_eq!(of(&bad, &mechanism, Scenario::default()), Some(Fault::OutOfRange("resistance_ll")));
 }
