@@ -26,9 +26,9 @@ pub(super) fn command(entry: &Entry, language: Language) -> Command {
     // A file without a name stands before the project that it is about.
     let is_first = |argument: &&Argument| matches!((argument.kind, argument.form), (ArgumentKind::File, Form::Bare));
     command = command
-        .args(arguments.iter().copied().filter(|argument| is_first(&argument)).map(|argument| of(argument, language)));
+        .args(arguments.iter().copied().filter(|argument| is_first(argument)).map(|argument| of(argument, language)));
     command = command.args(sources(entry, language));
-    for argument in arguments.iter().copied().filter(|argument| !is_first(&argument)) {
+    for argument in arguments.iter().copied().filter(|argument| !is_first(argument)) {
         let option = of(argument, language);
         let option = match arguments.iter().find(|other| other.instead_of == Some(argument.name)) {
             Some(other) => option.required_unless_present(other.name),
