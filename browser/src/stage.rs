@@ -36,7 +36,9 @@ impl Stage<'_> {
         self.tab.there("#standing")?;
         self.listens()?;
         // The script has run: it shows the values at the instant, and the picture is as large as its pane.
-        self.tab.until("document.querySelector('#instant-values')?.textContent !== ''")
+        self.tab.until("document.querySelector('#instant-values')?.textContent !== ''")?;
+        std::thread::sleep(Duration::from_millis(120));
+        self.tab.until("(() => { const figure = document.querySelector('#demands figure.plot'); const frame = figure?.querySelector('.frame'); return !document.querySelector('.htmx-request') && (!frame || frame.clientWidth === 0 || Math.abs(frame.clientWidth - figure.dataset.width) < 8); })()")
     }
 
     /// Shows the checks of the actuator that is looked at.

@@ -47,6 +47,7 @@ pub(crate) fn with_a_link(stage: &Stage<'_>) -> Worded {
     let tab = &stage.tab;
     stage.example("belt", "en")?;
     stage.change("#f-mechanism-belt-mass", "21 kg")?;
+    tab.says("#text", "21 kg")?;
     let text = tab.value("#text")?;
     tab.click("#link")?;
     tab.until("location.hash.startsWith('#p=')")?;

@@ -107,6 +107,7 @@ pub(crate) fn a_link_of_a_tile(stage: &Stage<'_>) -> Worded {
     stage.ready()?;
     let mass = "#f-mechanism-screw-mass";
     stage.change(mass, "33 kg")?;
+    tab.says("#text", "33 kg")?;
     let text = tab.value("#text")?;
     tab.click("#link")?;
     tab.until("location.hash.startsWith('#p=')")?;
