@@ -151,33 +151,33 @@ pub(crate) fn view(
     let worst = overlay::worst(candidate);
     let marks = overlay::marks(&worst, l);
     let is_narrowed = state.window.is_some();
-    let drawn = drawing(state, project, candidate, patience);
+    let drawn = || drawing(state, project, candidate, patience);
     html! {
         div id="view" role="tabpanel" aria-labelledby={ "view-" (state.view.id()) } {
             @match state.view {
                 View::Cycle => {
                     @let grips = if is_old { html! {} } else { overlay::grips(state, project) };
                     (overlay::controls(project, is_narrowed, l))
-                    (picture(state, "cycle", drawn, &marks, &grips))
+                    (picture(state, "cycle", drawn(), &marks, &grips))
                 }
-                View::TorqueSpeed => (picture(state, "torque-speed", drawn, &none, &none)),
+                View::TorqueSpeed => (picture(state, "torque-speed", drawn(), &none, &none)),
                 View::Heat => {
                     (overlay::controls(project, is_narrowed, l))
-                    (picture(state, "heat", drawn, &marks, &none))
+                    (picture(state, "heat", drawn(), &marks, &none))
                 }
                 View::Energy => {
                     (overlay::controls(project, is_narrowed, l))
                     (power(project, candidate, l))
-                    (picture(state, "energy", drawn, &marks, &none))
+                    (picture(state, "energy", drawn(), &marks, &none))
                 }
                 View::Bearing => {
                     (overlay::controls(project, is_narrowed, l))
-                    (picture(state, "bearing-load", drawn, &marks, &none))
+                    (picture(state, "bearing-load", drawn(), &marks, &none))
                 }
                 View::Simulation => (crate::simulated::view(state, project, candidate, patience)),
                 View::ErrorBudget => {
                     (tolerances::place(state, project, candidate, shell))
-                    (picture(state, "torsion", drawn, &none, &none))
+                    (picture(state, "torsion", drawn(), &none, &none))
                 }
             }
         }

@@ -57,26 +57,15 @@ fn keys(typed: &str, language: Language) -> Vec<Found> {
     found
 }
 
-/// Every key below these with its path; of a list the first entry stands for all.
+/// Every value below these keys with its path; of a list the first entry stands for all.
 pub(crate) fn walk(keys: &'static [Key], above: &str, each: &mut impl FnMut(&str, &'static Key)) {
     for key in keys {
         let path = if above.is_empty() { key.name.to_owned() } else { format!("{above}.{}", key.name) };
-        match key.kind {
-            Kind::Table(inside) => walk(inside, &path, each),
-            Kind::Variants(variants) => walk(variants.keys, &format!("{path}[1]"), each),
-            // The axes hold the tables that stand at the root too.
-            Kind::OneOrMany(one, _) => walk(one, &path, each),
-            Kind::Quantity(..)
-            | Kind::Along(..)
-            | Kind::Number(..)
-            | Kind::Numbers(..)
-            | Kind::Integer(..)
-            | Kind::Bool
-            | Kind::Text
-            | Kind::OneOf(_)
-            | Kind::ListOf(_)
-            | Kind::Rows(_)
-            | Kind::Bodies => each(&path, key),
+        // A single axis: several hold the tables that stand at the root too.
+        match (key.kind.keys(false), key.kind) {
+            ([], _) => each(&path, key),
+            (inside, Kind::Variants(_)) => walk(inside, &format!("{path}[1]"), each),
+            (inside, _) => walk(inside, &path, each),
         }
     }
 }

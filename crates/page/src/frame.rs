@@ -175,6 +175,13 @@ pub(crate) fn looked_at<'p>(
     chosen(project, best)
 }
 
+/// The selected actuator where nothing else is shown: the catalogue is judged only if the choice depends on it.
+pub(crate) fn looked_at_alone<'p>(state: &State, project: &'p Project, patience: &Patience) -> Option<Candidate<'p>> {
+    let is_sought = state.code.is_none() && project.actuator.is_none();
+    let sizing = if is_sought { sized(project, 0, patience).ok() } else { None };
+    looked_at(state, project, sizing.as_ref().and_then(|sizing| sizing.candidates.first()))
+}
+
 /// The default actuator of a project: its own, else the best.
 pub(crate) fn chosen<'p>(project: &'p Project, best: Option<&Candidate<'_>>) -> Option<Candidate<'p>> {
     if let Ok(own) = check_own(project) {
@@ -220,7 +227,7 @@ fn start(state: &State, shell: &dyn Shell) -> Markup {
             main.start {
                 section aria-labelledby="start-title" {
                     h2 id="start-title" { (page::what_do_you_move(l)) }
-                    p { (page::start_told(l)) }
+                    p { (page::start_about(l)) }
                     div.begin {
                         (crate::start::tiles(l))
                         div id="begin" aria-live="polite" {}
@@ -270,9 +277,7 @@ pub(crate) fn picture(call: &Call<'_>, shell: &dyn Shell, patience: &Patience) -
     let mut state = State::of(call);
     let held = state.hold(shell.files(), patience);
     let Some(project) = held.projects.get(state.axis) else { return Reply::text(204, "") };
-    let sizing = if state.code.is_none() { sized(project, 0, patience).ok() } else { None };
-    let best = sizing.as_ref().and_then(|sizing| sizing.candidates.first());
-    let Some(candidate) = looked_at(&state, project, best) else { return Reply::text(204, "") };
+    let Some(candidate) = looked_at_alone(&state, project, patience) else { return Reply::text(204, "") };
     Reply::of(200, crate::HTML, demand::view(&state, project, &candidate, held.is_old, shell, patience).into_string())
 }
 
@@ -283,9 +288,7 @@ pub(crate) fn curves(call: &Call<'_>, shell: &dyn Shell, patience: &Patience) ->
     let Some(project) = held.projects.get(state.axis) else {
         return Reply::text(404, page::no_result_yet(state.language));
     };
-    let sizing = if state.code.is_none() { sized(project, 0, patience).ok() } else { None };
-    let best = sizing.as_ref().and_then(|sizing| sizing.candidates.first());
-    let Some(candidate) = looked_at(&state, project, best) else {
+    let Some(candidate) = looked_at_alone(&state, project, patience) else {
         return Reply::text(404, page::no_result_yet(state.language));
     };
     match demand::drawing(&state, project, &candidate, patience) {

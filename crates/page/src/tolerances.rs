@@ -3,7 +3,7 @@
 
 use crate::call::{Call, Shell};
 use crate::form::vals;
-use crate::frame::looked_at;
+use crate::frame::looked_at_alone;
 use crate::state::State;
 use crate::waiting;
 use maud::{Markup, html};
@@ -11,7 +11,6 @@ use project::Project;
 use quantities::Language;
 use questions::answer::refusal_text;
 use questions::list::check::scatter;
-use questions::list::size::sized;
 use questions::texts::{sampling_text, tolerance_heads, tolerance_lines, tolerance_rows};
 use questions::{Assessment, Candidate, Patience, Refusal};
 use words::{capitalised, page};
@@ -28,7 +27,7 @@ pub(crate) fn place(state: &State, project: &Project, candidate: &Candidate<'_>,
     html! {
         section id="tolerances" aria-labelledby="tolerances-title" data-of=(shell.version(about.as_bytes())) data-at-once=[at_once.then_some("")] {
             h3 id="tolerances-title" { (page::tolerances(l)) }
-            p.small { (page::tolerances_told(project.tolerances.len(), l)) }
+            p.small { (page::tolerances_about(project.tolerances.len(), l)) }
             label.inline { (page::samples(l)) " "
                 input id="samples" name="samples" form="state" inputmode="numeric" size="8" value=[state.samples] placeholder=(page::as_many_as_seconds_allow(l))
                     hx-post="/work" hx-trigger="change";
@@ -51,10 +50,7 @@ pub(crate) fn judged(call: &Call<'_>, shell: &dyn Shell, patience: &Patience) ->
         return stopped(refusal);
     }
     let Some(project) = held.projects.get(state.axis) else { return html! {} };
-    let sizing =
-        if state.code.is_none() && project.actuator.is_none() { sized(project, 0, patience).ok() } else { None };
-    let best = sizing.as_ref().and_then(|sizing| sizing.candidates.first());
-    let Some(candidate) = looked_at(&state, project, best) else { return html! {} };
+    let Some(candidate) = looked_at_alone(&state, project, patience) else { return html! {} };
     match scatter(project, &candidate, state.draw(), patience) {
         Ok(Some(assessment)) => found(project, &assessment, l),
         Ok(None) => html! {},
