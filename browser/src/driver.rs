@@ -41,9 +41,9 @@ impl Driver {
         let mut process = command.spawn().map_err(|error| format!("{}: {error}", program.display()))?;
         let output = process.stdout.take().ok_or("no output of the driver")?;
         let mut lines = BufReader::new(output).lines().map_while(Result::ok);
-        let told = |line: String| line.split_once("started successfully on port ").map(|(_, rest)| rest.to_owned());
+        let port_in = |line: String| line.split_once("started successfully on port ").map(|(_, rest)| rest.to_owned());
         let port: String = lines
-            .find_map(told)
+            .find_map(port_in)
             .map(|rest| rest.chars().take_while(char::is_ascii_digit).collect())
             .ok_or("the driver names no port")?;
         // What it says further is of no interest, but must have somewhere to go.

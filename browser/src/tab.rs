@@ -31,7 +31,7 @@ pub(crate) struct Tab {
     runtime: Rc<Runtime>,
 }
 
-fn told(error: impl std::fmt::Display) -> String {
+fn message(error: impl std::fmt::Display) -> String {
     error.to_string()
 }
 
@@ -48,7 +48,7 @@ const SHOWN: &str = "const pane = found.closest('.pane'); \
 impl Tab {
     pub(crate) fn new(client: Client, runtime: Rc<Runtime>) -> Worded<Self> {
         let patience = TimeoutConfiguration::new(Some(4 * PATIENCE), Some(4 * PATIENCE), None);
-        runtime.block_on(client.update_timeouts(patience)).map_err(told)?;
+        runtime.block_on(client.update_timeouts(patience)).map_err(message)?;
         Ok(Self { client, runtime })
     }
 
@@ -59,19 +59,19 @@ impl Tab {
 
     /// Opens an address.
     pub(crate) fn open(&self, address: &str) -> Worded {
-        self.runtime.block_on(self.client.goto(address)).map_err(told)
+        self.runtime.block_on(self.client.goto(address)).map_err(message)
     }
 
     pub(crate) fn reload(&self) -> Worded {
-        self.runtime.block_on(self.client.refresh()).map_err(told)
+        self.runtime.block_on(self.client.refresh()).map_err(message)
     }
 
     /// A further tab, which is looked at from now on; gives the one before.
     pub(crate) fn another(&self) -> Worded<WindowHandle> {
         self.runtime.block_on(async {
-            let before = self.client.window().await.map_err(told)?;
-            let new = self.client.new_window(true).await.map_err(told)?;
-            self.client.switch_to_window(new.handle).await.map_err(told)?;
+            let before = self.client.window().await.map_err(message)?;
+            let new = self.client.new_window(true).await.map_err(message)?;
+            self.client.switch_to_window(new.handle).await.map_err(message)?;
             Ok(before)
         })
     }
@@ -79,8 +79,8 @@ impl Tab {
     /// Closes the tab and looks at another.
     pub(crate) fn back_to(&self, before: WindowHandle) -> Worded {
         self.runtime.block_on(async {
-            self.client.close_window().await.map_err(told)?;
-            self.client.switch_to_window(before).await.map_err(told)
+            self.client.close_window().await.map_err(message)?;
+            self.client.switch_to_window(before).await.map_err(message)
         })
     }
 
@@ -90,7 +90,7 @@ impl Tab {
             "const done = arguments[arguments.length - 1]; const given = arguments; \
              (async (...arguments_) => {{ {script} }})(...given).then((value) => done({{ value: value ?? null }}), (error) => done({{ error: String(error) }}));"
         );
-        let answer = self.runtime.block_on(self.client.execute_async(&script, arguments)).map_err(told)?;
+        let answer = self.runtime.block_on(self.client.execute_async(&script, arguments)).map_err(message)?;
         match answer.get("error") {
             Some(error) => Err(format!("{error} in {script}")),
             None => Ok(answer.get("value").cloned().unwrap_or_default()),
@@ -160,7 +160,7 @@ impl Tab {
             vec![json!(selector)],
         )?;
         self.runtime.block_on(async {
-            let found = self.client.find(Locator::Css(selector)).await.map_err(told)?;
+            let found = self.client.find(Locator::Css(selector)).await.map_err(message)?;
             found.click().await.map_err(|error| format!("{selector}: {error}"))
         })
     }
@@ -187,7 +187,7 @@ impl Tab {
         for key in keys.chars() {
             actions = actions.then(KeyAction::Down { value: key }).then(KeyAction::Up { value: key });
         }
-        self.runtime.block_on(self.client.perform_actions(actions)).map_err(told)
+        self.runtime.block_on(self.client.perform_actions(actions)).map_err(message)
     }
 
     /// Presses a key while another is held.
@@ -197,7 +197,7 @@ impl Tab {
             .then(KeyAction::Down { value: key })
             .then(KeyAction::Up { value: key })
             .then(KeyAction::Up { value: held });
-        self.runtime.block_on(self.client.perform_actions(actions)).map_err(told)
+        self.runtime.block_on(self.client.perform_actions(actions)).map_err(message)
     }
 
     /// Takes something with the pointer and lets it go so many pixels further.
@@ -205,7 +205,7 @@ impl Tab {
         self.there(selector)?;
         self.run("document.querySelector(arguments_[0]).scrollIntoView({ block: 'center' });", vec![json!(selector)])?;
         self.runtime.block_on(async {
-            let element = self.client.find(Locator::Css(selector)).await.map_err(told)?;
+            let element = self.client.find(Locator::Css(selector)).await.map_err(message)?;
             let duration = Some(Duration::from_millis(100));
             let by = |x: i64, y: i64| PointerAction::MoveBy { duration, x: x as f64, y: y as f64 };
             let actions = MouseActions::new("pointer".to_owned())
@@ -269,7 +269,7 @@ impl Tab {
     /// New errors in the console since the last call.
     pub(crate) fn faults(&self) -> Worded<Vec<String>> {
         let log = Log;
-        let answer = self.runtime.block_on(self.client.issue_cmd(log)).map_err(told)?;
+        let answer = self.runtime.block_on(self.client.issue_cmd(log)).map_err(message)?;
         let severe = |entry: &&Value| entry.get("level").and_then(Value::as_str) == Some("SEVERE");
         let message = |entry: &Value| entry.get("message").and_then(Value::as_str).unwrap_or_default().to_owned();
         Ok(answer.as_array().into_iter().flatten().filter(severe).map(message).collect())
@@ -277,12 +277,12 @@ impl Tab {
 
     /// A picture of the page as it is seen.
     pub(crate) fn picture(&self) -> Worded<Vec<u8>> {
-        self.runtime.block_on(self.client.screenshot()).map_err(told)
+        self.runtime.block_on(self.client.screenshot()).map_err(message)
     }
 
     fn command(&self, name: &'static str, arguments: Value) -> Worded {
         let command = OfTheBrowser { name, arguments };
-        self.runtime.block_on(self.client.issue_cmd(command)).map(drop).map_err(told)
+        self.runtime.block_on(self.client.issue_cmd(command)).map(drop).map_err(message)
     }
 }
 

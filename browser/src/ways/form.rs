@@ -99,10 +99,10 @@ pub(crate) fn by_keyboard(stage: &Stage<'_>) -> Worded {
     tab.says("#text", "61 kg")?;
     tab.tab_to("#instant")?;
     let place = "[...document.querySelectorAll('.cursor-line, .cursor-point')].map((mark) => mark.getAttribute('x1') ?? mark.getAttribute('cx') + ' ' + mark.getAttribute('cy')).join()";
-    let (told, marks) = (tab.text("#instant-values")?, tab.eval(place)?);
+    let (before, marks) = (tab.text("#instant-values")?, tab.eval(place)?);
     tab.keys(&key::RIGHT.to_string().repeat(5))?;
     let (moved, moved_marks) = (tab.text("#instant-values")?, tab.eval(place)?);
-    expect(told != moved && marks != moved_marks, || format!("the cursor stays: {moved}"))?;
+    expect(before != moved && marks != moved_marks, || format!("the cursor stays: {moved}"))?;
     let spoken = tab.eval("document.querySelector('#instant').getAttribute('aria-valuetext')")?;
     let plain = |text: &str| text.replace([',', ' '], "").split_whitespace().collect::<String>();
     expect(spoken.as_str().map(plain) == Some(plain(&moved)), || format!("it says {spoken} and shows {moved}"))?;

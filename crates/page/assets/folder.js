@@ -9,17 +9,17 @@ function opened(name) {
   const of = value.slice(value.indexOf(' ') + 1);
   return name === undefined || name === of ? value : ` ${name}`;
 }
-let told = '';
+let shown = '';
 async function look(asked) {
   const notice = $('#disk');
   if (!notice || !asked || document.hidden) return;
   const query = new URLSearchParams({ known: asked, lang: document.documentElement.lang });
   const reply = await fetch(`/watch?${query}`).catch(() => undefined);
-  if (reply?.status !== 200) { if (reply?.status === 204) { notice.replaceChildren(); told = ''; } return; }
+  if (reply?.status !== 200) { if (reply?.status === 204) { notice.replaceChildren(); shown = ''; } return; }
   const version = reply.headers.get('x-version') ?? '';
   const words = await reply.text();
-  if (told === asked + version + words && notice.firstChild) return;
-  told = asked + version + words;
+  if (shown === asked + version + words && notice.firstChild) return;
+  shown = asked + version + words;
   notice.innerHTML = words;
 }
 async function load(name) {

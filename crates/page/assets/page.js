@@ -222,7 +222,7 @@ function tolerances() {
 }
 document.addEventListener('htmx:before:request', (event) => { if (event.detail.ctx.sourceElement.id === 'tolerances-go') asked = $('#tolerances').dataset.of; });
 
-// What went wrong on the way is told; the page stays as it is.
+// A failed request is reported; the page stays as it is.
 document.addEventListener('htmx:response:error', (event) => {
   const { text: words } = event.detail.ctx;
   let message = words;
@@ -280,8 +280,8 @@ async function download(what, usual) {
   tell('…');
   const reply = await fetch(`/api/v1/${what}?${query}`, { method: 'POST', headers: { 'content-type': 'application/toml' }, body: text().value });
   if (!reply.ok) {
-    const told = await reply.json().catch(() => ({ errors: [{ message: reply.statusText }] }));
-    tell(told.errors.map((each) => each.message).join('; '));
+    const fault = await reply.json().catch(() => ({ errors: [{ message: reply.statusText }] }));
+    tell(fault.errors.map((each) => each.message).join('; '));
     return;
   }
   const name = /filename="([^"]+)"/.exec(reply.headers.get('content-disposition') ?? '');

@@ -154,7 +154,7 @@ export function jump(time) {
   range.focus();
 }
 
-// How wide a picture is: asked once, then told by the browser, for to ask means to lay out the page at once.
+// How wide a picture is: read once and then kept up to date by the browser, since reading it forces a layout.
 const widths = new WeakMap();
 const watcher = new ResizeObserver((entries) => {
   let changed = false;
@@ -285,7 +285,7 @@ document.addEventListener('pointerup', (event) => {
 });
 document.addEventListener('pointercancel', () => { band = null; });
 
-// The end of a segment is pulled: by pointer, or by the arrow keys. What is told of it is what a pixel can tell, in steps of 1, 2, 5.
+// The end of a segment is pulled: by pointer, or by the arrow keys. It moves in steps of 1, 2, 5 that a pixel can resolve.
 function step(perPixel) {
   const power = 10 ** Math.floor(Math.log10(perPixel));
   return power * [1, 2, 5, 10].find((each) => each * power >= perPixel * 0.999);

@@ -1,6 +1,6 @@
 // The tools: a record of measured values goes to and from files; its changes are sent as any other change of the form.
 const $ = (selector) => document.querySelector(selector);
-const tell = (words) => { const told = $('#record-told'); if (told) told.textContent = words; };
+const tell = (words) => { const status = $('#record-status'); if (status) status.textContent = words; };
 const language = () => document.documentElement.lang;
 
 async function save() {

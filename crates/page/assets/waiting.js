@@ -19,14 +19,14 @@ document.addEventListener('htmx:finally:request', (event) => {
 let shown = false;
 async function show() {
   const busy = document.getElementById('busy');
-  const told = document.getElementById('busy-told');
-  if (shown || !busy || !told) return;
+  const text = document.getElementById('busy-text');
+  if (shown || !busy || !text) return;
   shown = true;
   busy.hidden = false;
   while (shown && works.size > 0) {
     const [name] = works.values();
     const reply = await fetch(`/progress?work=${name}&lang=${document.documentElement.lang}`).catch(() => null);
-    told.textContent = reply?.ok ? await reply.text() : told.dataset.usual;
+    text.textContent = reply?.ok ? await reply.text() : text.dataset.usual;
     await new Promise((resolve) => setTimeout(resolve, BETWEEN));
   }
   hide();

@@ -58,7 +58,7 @@ pub(crate) fn together(state: &State, held: &Held, patience: &Patience) -> Resul
             h2 id="together-title" { (page::axes_together(l)) }
             (crate::demand::stopped(&html! {}))
             @if held.is_old { p.advice role="status" { (page::result_is_old(l)) } }
-            p.small { (page::axes_told(l)) }
+            p.small { (page::axes_about(l)) }
             div.wide tabindex="0" role="region" aria-labelledby="together-title" {
                 table {
                     thead { tr {

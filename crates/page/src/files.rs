@@ -163,14 +163,14 @@ pub(crate) fn watched(call: &Call<'_>, shell: &dyn Shell) -> Reply {
     let known = call.field("known").unwrap_or_default();
     let Some((version, name)) = known.split_once(' ') else { return Reply::text(204, "") };
     let Some(folder) = shell.folder() else { return Reply::text(204, "") };
-    let (now, told) = match folder.read(name) {
+    let (now, message) = match folder.read(name) {
         Ok(bytes) if shell.version(&bytes) == version => return Reply::text(204, ""),
         Ok(bytes) => (shell.version(&bytes), page::other_version(&name, l)),
         Err(error) if error.kind() == ErrorKind::NotFound => (String::new(), page::no_version(&name, l)),
         Err(error) => (String::new(), file_trouble(&error, l)),
     };
     let notice = html! {
-        span { (told) } " "
+        span { (message) } " "
         @if !now.is_empty() { button type="button" data-disk="load" data-name=(name) { (page::load_it(l)) } " " }
         @let kept = if now.is_empty() { String::new() } else { self::known(&now, name) };
         button type="button" data-disk="mine" data-known=(kept) { (page::keep_mine(l)) }

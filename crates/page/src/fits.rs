@@ -191,7 +191,7 @@ fn ranking(state: &State, sizing: &Sizing<'_>, looked_at: Option<&Candidate<'_>>
         p.small { span id="answer" { @if fitting.is_empty() { strong.fail { (capitalised(terminal::no_actuator_fits(l))) } ". " } (capitalised(&terminal::judged(fitting.len(), &sizing.candidates.len(), l))) } ". " (page::shown_of(&count, &fitting.len(), l)) ". " (capitalised(&ranking_rule(l))) "." }
         @if state.marked.len() >= 2 {
             button type="button" id="compare" hx-post="/compare" hx-target="#detail" hx-swap="innerHTML" { (page::side_by_side(l)) }
-        } @else { p.small { (page::compare_told(l)) } }
+        } @else { p.small { (page::compare_about(l)) } }
     }
 }
 
@@ -311,6 +311,6 @@ fn map(state: &State, sizing: &Sizing<'_>, looked_at: Option<&CandidateId>) -> M
     let size = Size::pixels(460.0, 460.0 * height / width);
     let style = Style::new(size).theme(state.theme).language(state.language).id("map");
     html! {
-        figure.plot id="plot-map" { div.frame { (PreEscaped(drawing.render(&style).into_svg())) } figcaption { (drawing.caption) " " (page::map_told(state.language)) } }
+        figure.plot id="plot-map" { div.frame { (PreEscaped(drawing.render(&style).into_svg())) } figcaption { (drawing.caption) " " (page::map_about(state.language)) } }
     }
 }

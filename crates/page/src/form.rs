@@ -78,7 +78,7 @@ pub(crate) fn column(state: &State, held: &Held, candidate: Option<&Candidate<'_
 fn text(state: &State) -> Markup {
     let l = state.language;
     html! {
-        label.small for="text" { (page::text_told(l)) }
+        label.small for="text" { (page::text_about(l)) }
         textarea id="text" name="text" form="state" rows="24" spellcheck="false" hx-post="/work" hx-trigger="input changed delay:200ms, change" { (PreEscaped(escaped(&state.text))) }
     }
 }
@@ -343,7 +343,7 @@ impl Form<'_> {
                 }
                 @if is_motion {
                     " " button type="button" id={ (id(path)) "-recording" } data-recording=(add) data-count=(count) { (page::add_recording(l)) }
-                    p.small { (page::recording_told(l)) }
+                    p.small { (page::recording_about(l)) }
                 }
             }
         }
@@ -424,15 +424,15 @@ impl Form<'_> {
     fn load_faults(&self, mechanism: &str, load: &str, chosen: Option<&str>) -> Markup {
         let others = |path: &str| path.rsplit_once('.').is_some_and(|(above, _)| above == mechanism);
         let is_ours = |path: &str| path == mechanism || path == load || others(path) || Some(path) == chosen;
-        html! { @for (_, told) in self.held.faults.iter().filter(|(at, _)| at.as_deref().is_some_and(is_ours)) {
-            p.fault { (told.message) @if let Some(hint) = &told.hint { " – " (hint) } }
+        html! { @for (_, fault) in self.held.faults.iter().filter(|(at, _)| at.as_deref().is_some_and(is_ours)) {
+            p.fault { (fault.message) @if let Some(hint) = &fault.hint { " – " (hint) } }
         } }
     }
 
     /// The fault of a table as a whole.
     pub(crate) fn fault_at(&self, path: &str) -> Markup {
-        html! { @for (_, told) in self.held.faults.iter().filter(|(at, _)| at.as_deref() == Some(path)) {
-            p.fault { (told.message) @if let Some(hint) = &told.hint { " – " (hint) } }
+        html! { @for (_, fault) in self.held.faults.iter().filter(|(at, _)| at.as_deref() == Some(path)) {
+            p.fault { (fault.message) @if let Some(hint) = &fault.hint { " – " (hint) } }
         } }
     }
 
@@ -481,7 +481,7 @@ impl Form<'_> {
                 @if let Some((_, count)) = self.needed.iter().find(|(key, _)| path.strip_prefix(self.prefix) == Some(key)) { p.small.needed { (page::checks_wait(*count, l)) } }
                 @if wrong {
                     div.fault id=(described) {
-                        @for (_, told) in &faults { p { (told.message) @if let Some(hint) = &told.hint { " – " (hint) } } }
+                        @for (_, fault) in &faults { p { (fault.message) @if let Some(hint) = &fault.hint { " – " (hint) } } }
                     }
                 }
             }

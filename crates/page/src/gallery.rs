@@ -43,7 +43,7 @@ fn section(id: &str, title: &str, inside: &Markup) -> Markup {
 }
 
 fn type_scale(language: Language) -> Markup {
-    let text = page::start_told(language);
+    let text = page::start_about(language);
     html! { h2 { (text) } h3 { (text) } h4 { (text) } p { (text) } p.small { (text) } p.formula { "T = J α" } }
 }
 

@@ -88,7 +88,7 @@ pub(crate) fn menu(id: &str, words: &[&'static str], chosen: &str, language: Lan
         details.laws id={ (id) "-laws" } data-law=(id) {
             summary { (page::choose_by_picture(language)) }
             fieldset {
-                legend.small { (page::law_pictures_told(language)) }
+                legend.small { (page::law_pictures_about(language)) }
                 @for (word, law) in laws(words) {
                     label.law {
                         input type="radio" id={ (id) "-" (word) } name={ "law-of-" (id) } value=(word) checked[word == chosen] data-checked=(word == chosen);

@@ -30,7 +30,7 @@ pub(crate) fn controls(project: &Project, is_narrowed: bool, language: Language)
                 }
             }
             output id="instant-values" for="instant" {}
-            span.unseen id="instant-about" { (page::cursor_told(l)) }
+            span.unseen id="instant-about" { (page::cursor_about(l)) }
         }
     }
 }
@@ -70,10 +70,10 @@ pub(crate) fn marks(worst: &[Worst<'_>], language: Language) -> Markup {
                 @for (place, each) in worst.iter().enumerate() {
                     @let names = each.checks.iter().map(|check| check_title(check.id, l)).collect::<Vec<_>>().join(", ");
                     @let first = each.checks.first().map(|check| check.id.id()).unwrap_or_default();
-                    @let told = format!("{}: {}", page::worst_instant(&format_significant(each.at_s, 3, l), l), names);
+                    @let title = format!("{}: {}", page::worst_instant(&format_significant(each.at_s, 3, l), l), names);
                     @let class = each.checks.first().map(|check| verdict_class(check.verdict)).unwrap_or_default();
                     button type="button" class={ "mark-number " (class) } id={ "mark-" (place) } data-instant=(each.at_s) data-row={ "check-" (first) }
-                        title=(told) aria-label={ (place + 1) ": " (told) } { (place + 1) }
+                        title=(title) aria-label={ (place + 1) ": " (title) } { (place + 1) }
                 }
             }
         }
@@ -91,12 +91,12 @@ pub(crate) fn grips(state: &State, project: &Project) -> Markup {
         @for grip in &found.grips {
             @let law = moves.moves.get(grip.segment).map(|each| law_text(each.law, l)).unwrap_or_default();
             @let number = grip.segment + 1;
-            @let told = page::ends_at(&shown(grip.to.0), &shown(grip.to.1), &found.unit.symbol, l);
+            @let title = page::ends_at(&shown(grip.to.0), &shown(grip.to.1), &found.unit.symbol, l);
             button.grip type="button" role="slider" id={ "grip-" (grip.segment) } data-path={ (prefix) "motion[" (number) "]" }
                 data-from-time=(grip.from.0) data-from-way=(grip.from.1) data-time=(grip.to.0) data-way=(grip.to.1) data-goes=(grip.goes)
                 aria-label=(capitalised(&page::end_of_segment(&number, &law, l)))
-                aria-valuenow=(if grip.goes { grip.to.1 } else { grip.to.0 }) aria-valuetext=(told) aria-describedby="grips-told" title=(told) {}
+                aria-valuenow=(if grip.goes { grip.to.1 } else { grip.to.0 }) aria-valuetext=(title) aria-describedby="grips-about" title=(title) {}
         }
-        @if !found.grips.is_empty() { span.unseen id="grips-told" { (page::grips_told(l)) } }
+        @if !found.grips.is_empty() { span.unseen id="grips-about" { (page::grips_about(l)) } }
     }
 }

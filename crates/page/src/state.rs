@@ -413,7 +413,7 @@ pub(crate) fn placed(
         let axis = axis.and_then(|path| Some(path.split_once(']')?.0.to_owned()));
         Some(axis.map_or_else(|| String::from("mechanism"), |axis| format!("{axis}].mechanism")))
     };
-    worded(faults, language).into_iter().zip(faults).map(|(told, fault)| (path(fault), told)).collect()
+    worded(faults, language).into_iter().zip(faults).map(|(worded, fault)| (path(fault), worded)).collect()
 }
 
 /// The path, or that of the nearest table around it that a file has.

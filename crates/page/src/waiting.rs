@@ -12,7 +12,7 @@ use words::{capitalised, page, requests, terminal};
 pub(crate) fn place(language: Language) -> Markup {
     html! {
         div id="busy" hidden {
-            output id="busy-told" data-usual=(capitalised(terminal::calculating(language))) { (capitalised(terminal::calculating(language))) }
+            output id="busy-text" data-usual=(capitalised(terminal::calculating(language))) { (capitalised(terminal::calculating(language))) }
             " " button type="button" data-cancel="" { (page::cancel(language)) }
         }
     }

@@ -172,9 +172,9 @@ fn every_fault_has_its_place_in_the_page() {
     let good = more("");
     let mut wrong = Vec::new();
     for (id, text, at) in cases() {
-        let told = read_all(&text, &folder).err().unwrap_or_default();
-        let Some(fault) = told.iter().find(|fault| fault.fault.id() == id) else {
-            wrong.push(format!("{id}: has {:?}", told.iter().map(|fault| fault.fault.id()).collect::<Vec<_>>()));
+        let found = read_all(&text, &folder).err().unwrap_or_default();
+        let Some(fault) = found.iter().find(|fault| fault.fault.id() == id) else {
+            wrong.push(format!("{id}: has {:?}", found.iter().map(|fault| fault.fault.id()).collect::<Vec<_>>()));
             continue;
         };
         let message = words::fault_text(&fault.fault, quantities::Language::En);

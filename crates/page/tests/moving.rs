@@ -231,12 +231,12 @@ fn columns_of_a_recording_are_shown_and_said_otherwise() {
         html.contains("<option value=\"gemessen\">gemessen</option>") && html.contains(">drehmoment [Nm]</th>"),
         "{html}"
     );
-    let told = [
+    let changes = [
         "value motion[1].columns.position=gemessen",
         "value motion[1].units.position=deg",
         "value motion[1].columns.torque=none",
     ];
-    let html = page("/work", &[("text", text), ("do", &told.join("\n"))]);
+    let html = page("/work", &[("text", text), ("do", &changes.join("\n"))]);
     assert!(!html.contains("class=\"fault\""), "{}", &html[html.find("class=\"fault\"").unwrap_or(0)..][..500]);
     assert!(html.contains("zeit [s] (recognised)") && html.contains("id=\"plot-cycle\""));
 }

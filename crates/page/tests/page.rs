@@ -81,9 +81,9 @@ fn segments_come_and_go_and_a_mechanism_is_changed() {
 #[test]
 fn numbers_are_explained_and_actuators_compared() {
     let text = template("belt", "axis.toml", Language::En).unwrap().text;
-    let told = page(&post("/explain", &[("text", &text), ("check", "peak_torque")]));
-    assert!(told.contains("<mi>T</mi><mtext>peak</mtext>") && told.contains("class=\"formula\""), "{told}");
-    assert!(told.contains("alttext=\"J_out · α + T_L\"") && told.contains("page 18 of the manual"), "{told}");
+    let html = page(&post("/explain", &[("text", &text), ("check", "peak_torque")]));
+    assert!(html.contains("<mi>T</mi><mtext>peak</mtext>") && html.contains("class=\"formula\""), "{html}");
+    assert!(html.contains("alttext=\"J_out · α + T_L\"") && html.contains("page 18 of the manual"), "{html}");
     let fields = [("text", text.as_str()), ("mark", "CHA-25A-50-H-C1024"), ("mark", "CHA-32A-50-H-C1024")];
     let compared = page(&post("/compare", &fields));
     assert!(compared.contains("CHA-25A-50-H-C1024") && compared.contains("CHA-32A-50-H-C1024"));
@@ -91,7 +91,7 @@ fn numbers_are_explained_and_actuators_compared() {
 }
 
 #[test]
-fn what_is_not_there_is_told() {
+fn what_is_not_there_is_reported() {
     assert_eq!(get("/nowhere", "").status, 404);
     assert_eq!(get("/assets/../lib.rs", "").status, 404);
     assert_eq!(get("/assets/page.js", "").status, 200);

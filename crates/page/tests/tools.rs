@@ -133,8 +133,12 @@ fn what_a_drive_is_told_comes_as_its_files() {
         assert!(reply.status == 200 && reply.body.starts_with(begin.as_bytes()), "{path}{more}");
         assert!(reply.headers.iter().any(|(name, value)| *name == "content-disposition" && value.contains("CHA-25A")));
     }
-    assert_eq!(get("/api/v1/commission/drive", code).status, 422, "for which drive is not told");
-    assert_eq!(get("/api/v1/commission/checklist", code).status, 422, "nothing here writes a PDF, and it is told");
+    assert_eq!(get("/api/v1/commission/drive", code).status, 422, "no drive is named");
+    assert_eq!(
+        get("/api/v1/commission/checklist", code).status,
+        422,
+        "nothing here writes a PDF, and the answer says so"
+    );
 }
 
 /// Values are typed in and judged; the file is the one of the command line.
@@ -177,6 +181,6 @@ fn a_data_sheet_marks_notes_and_errata() {
     let html = tool("data", "CHA-25A-100-H-M512P-B", &[("lang", "de")]);
     assert!(html.contains("href=\"#erratum-") && html.contains("id=\"erratum-") && html.contains("[1] "), "{html}");
     for id in html.split("href=\"#erratum-").skip(1).map(|rest| rest.split('"').next().unwrap()) {
-        assert!(html.contains(&format!("id=\"erratum-{id}\"")), "{id} is marked and not told");
+        assert!(html.contains(&format!("id=\"erratum-{id}\"")), "{id} is marked and not explained");
     }
 }

@@ -172,7 +172,7 @@
     before = turn.catch(() => {});
     return turn;
   }
-  const plain = (status, told) => ({ head: { status, media: 'text/plain; charset=utf-8', headers: [] }, body: new TextEncoder().encode(told) });
+  const plain = (status, text) => ({ head: { status, media: 'text/plain; charset=utf-8', headers: [] }, body: new TextEncoder().encode(text) });
   const decoded = (path) => { try { return decodeURIComponent(path); } catch { return path; } };
   window.fetch = async (address, options = {}) => {
     const url = new URL(address, location.href);
@@ -199,9 +199,9 @@
     const text = new TextDecoder().decode(body);
     const page = head.media.startsWith('text/html') ? new DOMParser().parseFromString(text, 'text/html') : undefined;
     if (!page) {
-      const told = document.createElement('p');
-      told.textContent = text;
-      document.body.replaceChildren(told);
+      const line = document.createElement('p');
+      line.textContent = text;
+      document.body.replaceChildren(line);
       return;
     }
     html.lang = page.documentElement.lang;

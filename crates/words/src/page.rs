@@ -9,7 +9,7 @@ texts! {
     what_it_demands = "What it demands" | "Was es verlangt";
     what_fits = "What fits" | "Was geeignet ist";
     what_do_you_move = "What do you want to move?" | "Was wollen Sie bewegen?";
-    start_told =
+    start_about =
         "Choose what is nearest; a few figures lead to a first answer, and everything can be changed later."
         | "Wählen Sie, was am nächsten kommt; wenige Angaben führen zu einer ersten Antwort, und alles lässt sich später ändern.";
     or_an_example = "or begin with an example" | "oder mit einem Beispiel beginnen";
@@ -29,7 +29,7 @@ texts! {
     other_language = "Deutsch" | "English";
     dark = "Dark" | "Dunkel";
     text_of_the_file = "File (TOML)" | "Datei (TOML)";
-    text_told =
+    text_about =
         "The same file as every other way of using antrieb; what is changed here moves the page, and the other way round."
         | "Dieselbe Datei wie auf allen anderen Wegen zu antrieb; was hier geändert wird, bewegt die Seite, und umgekehrt.";
     further(count) = "1 further entry" | "1 weitere Angabe", "{count} further entries" | "{count} weitere Angaben";
@@ -52,7 +52,7 @@ texts! {
     at_line(line, column) = "line {line}, column {column}" | "Zeile {line}, Spalte {column}";
     sums = "Demand and reserve" | "Bedarf und Reserve";
     instant_on_the_axis = "Instant of the cycle" | "Zeitpunkt im Zyklus";
-    cursor_told =
+    cursor_about =
         "Moves a line through all diagrams over time and a point in the torque-speed plane."
         | "Bewegt eine Linie durch alle Diagramme über der Zeit und einen Punkt in der Drehmoment-Drehzahl-Ebene.";
     jump_to_worst = "Go to this instant" | "Zu diesem Zeitpunkt";
@@ -73,7 +73,7 @@ texts! {
     shown_of(shown, all) = "{shown} of {all} shown" | "{shown} von {all} gezeigt";
     more_fitting(count) = "1 more fits" | "1 weiterer geeignet", "{count} more fit" | "{count} weitere geeignet";
     side_by_side = "Side by side" | "Nebeneinander";
-    compare_told = "Mark two to five actuators to compare them." | "Zwei bis fünf Antriebe markieren, um sie zu vergleichen.";
+    compare_about = "Mark two to five actuators to compare them." | "Zwei bis fünf Antriebe markieren, um sie zu vergleichen.";
     mark(code) = "Mark {code}" | "{code} markieren";
     look_at(code) = "Look at {code}" | "{code} betrachten";
     what_would_let_it_in = "What would let it in" | "Was ihn geeignet machte";
@@ -153,7 +153,7 @@ texts! {
         "{name} is no name of a recording: letters, digits, hyphen, underscore, point, ending .csv, .txt or .parquet"
         | "{name} ist kein Name einer Aufzeichnung: Buchstaben, Ziffern, Bindestrich, Unterstrich, Punkt, Endung .csv, .txt oder .parquet";
     add_recording = "Add recording" | "Aufzeichnung anfügen";
-    recording_told =
+    recording_about =
         "Or paste the table of a recording anywhere into the page."
         | "Oder die Tabelle einer Aufzeichnung irgendwo in die Seite einfügen.";
     computed_here =
@@ -178,7 +178,7 @@ texts! {
         | "Keine Antwort von antrieb; die letzte Änderung wurde nicht übernommen. Läuft das Programm noch?";
     all_axes = "All axes" | "Alle Achsen";
     axes_together = "All axes together" | "Alle Achsen zusammen";
-    axes_told =
+    axes_about =
         "Mass and power of all axes are added as if each had its largest power at the same instant."
         | "Masse und Leistung aller Achsen sind addiert, als hätte jede ihre größte Leistung im selben Augenblick.";
     sum_of_known(known, all) = "sum of {known} of {all}" | "Summe von {known} aus {all}";
@@ -186,7 +186,7 @@ texts! {
     power_taken = "largest power taken at the motor terminals" | "größte Leistungsaufnahme an den Motorklemmen";
     power_returned = "largest power returned at the motor terminals" | "größte Rückspeiseleistung an den Motorklemmen";
     tolerances = "Tolerances" | "Toleranzen";
-    tolerances_told(count) =
+    tolerances_about(count) =
         "1 quantity has a tolerance; the result above is that of its nominal value."
         | "1 Größe hat eine Toleranz; das Ergebnis oben ist das ihres Nennwerts.",
         "{count} quantities have a tolerance; the result above is that of their nominal values."
@@ -204,11 +204,11 @@ texts! {
     worst_instants = "Worst instants of the checks" | "Ungünstigste Zeitpunkte der Nachweise";
     end_of_segment(number, law) = "end of segment {number}, {law}" | "Ende von Abschnitt {number}, {law}";
     ends_at(time, way, unit) = "at {time} s, {way} {unit}" | "bei {time} s, {way} {unit}";
-    grips_told =
+    grips_about =
         "Arrow keys to the side change the time of the segment, up and down its way; with Shift in larger steps."
         | "Pfeiltasten zur Seite ändern die Zeit des Abschnitts, auf und ab seinen Weg; mit Umschalttaste in größeren Schritten.";
     choose_by_picture = "Choose by its picture" | "Nach dem Bild wählen";
-    law_pictures_told =
+    law_pictures_about =
         "From top to bottom position, speed and acceleration over time"
         | "Von oben nach unten Position, Geschwindigkeit und Beschleunigung über der Zeit";
     trapezoid_with_pause = "trapezoid with pause" | "Trapez mit Pause";
@@ -218,7 +218,7 @@ texts! {
     no_column = "no column" | "keine Spalte";
     unit_of(name) = "Unit of {name}" | "Einheit von {name}";
     first_rows = "First rows of the file" | "Erste Zeilen der Datei";
-    map_told = "A click on a point looks at this actuator." | "Ein Klick auf einen Punkt zeigt diesen Antrieb.";
+    map_about = "A click on a point looks at this actuator." | "Ein Klick auf einen Punkt zeigt diesen Antrieb.";
     file = "File" | "Datei";
     export = "Export" | "Ausgabe";
     changed = "changed" | "geändert";

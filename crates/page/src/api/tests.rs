@@ -46,7 +46,7 @@ fn messages(reply: &Reply) -> Vec<String> {
 }
 
 #[test]
-fn a_path_that_is_none_and_a_method_that_is_not_answered_are_told() {
+fn a_path_that_is_none_and_a_method_that_is_not_answered_are_reported() {
     for path in ["/api", "/api/", "/api/v1", "/api/v1/", "/api/v2/size", "/api/v1/sizes", "/api/v1/size/"] {
         let reply = get(path, "");
         assert_eq!((reply.status, reply.media), (404, media::JSON), "{path}");
@@ -181,13 +181,17 @@ fn the_description_tells_every_endpoint_and_every_schema() {
     let document = json(&get("/api/v1/openapi.json", ""));
     assert_eq!(document["openapi"], "3.1.0");
     for entry in entries() {
-        let told = &document["paths"][format!("{ROOT}{}", entry.path)][method(entry).id().to_ascii_lowercase()];
-        assert!(told["summary"].as_str().is_some_and(|summary| summary.len() > 10), "{}", entry.path);
-        assert_eq!(told["parameters"].as_array().unwrap().len(), parameters(entry).len() + 1, "{}", entry.path);
-        assert_eq!(told["requestBody"].is_object(), method(entry) == Method::Post, "{}", entry.path);
-        assert!(told["responses"]["200"]["content"].as_object().is_some_and(|all| !all.is_empty()), "{}", entry.path);
+        let operation = &document["paths"][format!("{ROOT}{}", entry.path)][method(entry).id().to_ascii_lowercase()];
+        assert!(operation["summary"].as_str().is_some_and(|summary| summary.len() > 10), "{}", entry.path);
+        assert_eq!(operation["parameters"].as_array().unwrap().len(), parameters(entry).len() + 1, "{}", entry.path);
+        assert_eq!(operation["requestBody"].is_object(), method(entry) == Method::Post, "{}", entry.path);
+        assert!(
+            operation["responses"]["200"]["content"].as_object().is_some_and(|all| !all.is_empty()),
+            "{}",
+            entry.path
+        );
         if let Gives::Record(_) | Gives::RecordOr(..) = entry.gives {
-            let schema = &told["responses"]["200"]["content"][media::JSON]["schema"];
+            let schema = &operation["responses"]["200"]["content"][media::JSON]["schema"];
             assert!(schema.as_object().is_some_and(|schema| !schema.is_empty()), "{}", entry.path);
         }
     }

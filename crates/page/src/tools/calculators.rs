@@ -125,7 +125,7 @@ fn shapes(language: Language) -> Markup {
 
 pub(super) fn wiring(asked: &Asked<'_>, scene: &Scene<'_>) -> Result<Markup, Unanswered> {
     let l = asked.language;
-    let (found, told) = list::wiring::found(asked)?;
+    let (found, record) = list::wiring::found(asked)?;
     let drawn = found.connectors.iter().filter(|connector| !connector.pins.is_empty());
     let drawings: Vec<Markup> = drawn
         .map(|connector| {
@@ -134,7 +134,7 @@ pub(super) fn wiring(asked: &Asked<'_>, scene: &Scene<'_>) -> Result<Markup, Una
             html! { figure.plot.small { (PreEscaped(drawing.render(&style).into_svg())) figcaption { (drawing.caption) } } }
         })
         .collect();
-    Ok(html! { div.faces { @for each in &drawings { (each) } } (laid_out(&chapter::wiring(&told, Vec::new(), l))) })
+    Ok(html! { div.faces { @for each in &drawings { (each) } } (laid_out(&chapter::wiring(&record, Vec::new(), l))) })
 }
 
 pub(super) fn mount(asked: &Asked<'_>, _: &Scene<'_>) -> Result<Markup, Unanswered> {

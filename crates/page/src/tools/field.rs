@@ -15,7 +15,7 @@ pub(super) struct Field {
     pub(super) name: String,
     pub(super) label: String,
     /// What else is to be known of it.
-    pub(super) told: Option<String>,
+    pub(super) remark: Option<String>,
     /// What stands in grey where nothing is typed.
     pub(super) ghost: Option<String>,
     entry: FieldEntry,
@@ -57,9 +57,9 @@ const SAID_OTHERWISE: [&str; 6] = ["code", "axis", "file", "width", "height", "t
 impl Field {
     /// The field of a key of a file, with its words or an example of its value in grey.
     pub(super) fn of_key(path: &str, label: &str, key: &Key, language: Language) -> Self {
-        let told = |word: &&str| ((*word).to_owned(), key_word(key.name, word, language).unwrap_or(word).to_owned());
+        let choice = |word: &&str| ((*word).to_owned(), key_word(key.name, word, language).unwrap_or(word).to_owned());
         let entry = match key.kind {
-            project::Kind::OneOf(words) => FieldEntry::Choice(words.iter().map(told).collect()),
+            project::Kind::OneOf(words) => FieldEntry::Choice(words.iter().map(choice).collect()),
             _ => FieldEntry::Line,
         };
         let sample = example(key).and_then(|line| Some(line.split_once("= ")?.1.trim_matches('"').to_owned()));
@@ -90,14 +90,14 @@ impl Field {
     /// A field; the text behind its first full stop stands below it.
     pub(super) fn new(name: &str, about: &str, entry: FieldEntry) -> Self {
         let stop = [about.find("; "), about.find(": ")].into_iter().flatten().min();
-        let (label, told) = match stop.and_then(|stop| about.split_at_checked(stop)) {
-            Some((label, told)) => (label, told.get(2..).map(str::to_owned)),
+        let (label, remark) = match stop.and_then(|stop| about.split_at_checked(stop)) {
+            Some((label, remark)) => (label, remark.get(2..).map(str::to_owned)),
             None => (about, None),
         };
         Self {
             name: name.to_owned(),
             label: label.to_owned(),
-            told,
+            remark,
             ghost: None,
             entry,
             value: String::new(),
@@ -118,7 +118,7 @@ impl Field {
         let (id, name) = (format!("t-{}", self.name), format!("{MARK}{}", self.name));
         let wrong = !self.troubles.is_empty();
         let (about, fault) = (format!("{id}-a"), format!("{id}-x"));
-        let by = [self.told.is_some().then_some(about.as_str()), wrong.then_some(fault.as_str())];
+        let by = [self.remark.is_some().then_some(about.as_str()), wrong.then_some(fault.as_str())];
         let by: Vec<&str> = by.into_iter().flatten().collect();
         let by = Some(by.join(" ")).filter(|by| !by.is_empty());
         let invalid = wrong.then_some("true");
@@ -130,13 +130,13 @@ impl Field {
                     FieldEntry::Mark => input id=(id) name=(name) type="checkbox" value="true" checked[self.value == "true"] data-checked=(self.value == "true") aria-describedby=[by];,
                     FieldEntry::Choice(words) => select id=(id) name=(name) data-chosen=(self.value) aria-invalid=[invalid] aria-describedby=[by] {
                         option value="" selected[self.value.is_empty()] { (page::not_stated(language)) }
-                        @for (value, told) in words { option value=(value) selected[self.value == *value] { (told) } }
+                        @for (value, title) in words { option value=(value) selected[self.value == *value] { (title) } }
                     },
                     FieldEntry::Day => input id=(id) name=(name) type="date" value=(self.value) aria-invalid=[invalid] aria-describedby=[by];,
                     FieldEntry::Whole => input id=(id) name=(name) type="text" inputmode="numeric" value=(self.value) autocomplete="off" aria-invalid=[invalid] aria-describedby=[by];,
                     FieldEntry::Line => input id=(id) name=(name) type="text" value=(self.value) placeholder=[self.ghost.as_ref()] autocomplete="off" spellcheck="false" aria-invalid=[invalid] aria-describedby=[by];,
                 }
-                @if let Some(told) = &self.told { p.small id=(about) { (told) } }
+                @if let Some(remark) = &self.remark { p.small id=(about) { (remark) } }
                 @if wrong { div.fault id=(fault) { @for trouble in &self.troubles { (trouble.shown()) } } }
             }
         }

@@ -38,13 +38,13 @@ pub(super) fn shown(scene: &Scene<'_>) -> Markup {
     let (projects, troubles) = match read(&text) {
         Ok(projects) => (projects, Vec::new()),
         Err(Unread::Faults(found)) => {
-            let told = placed(&found, (&text, &written(&text).unwrap_or_default()), key_at, l);
-            let trouble = |(field, told): (Option<String>, words::Worded)| Trouble {
+            let faults = placed(&found, (&text, &written(&text).unwrap_or_default()), key_at, l);
+            let trouble = |(field, fault): (Option<String>, words::Worded)| Trouble {
                 field,
-                message: told.message,
-                hint: told.hint,
+                message: fault.message,
+                hint: fault.hint,
             };
-            (Vec::new(), told.into_iter().map(trouble).collect())
+            (Vec::new(), faults.into_iter().map(trouble).collect())
         }
         Err(Unread::Refused(_)) => (Vec::new(), Vec::new()),
     };

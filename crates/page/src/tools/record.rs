@@ -62,10 +62,10 @@ pub(super) fn shown(scene: &Scene<'_>) -> Markup {
             button type="button" data-record="download" { (page::record_file(l)) } " "
             button type="button" data-record="open" { (page::open(l)) }
         }
-        p id="record-told" role="status" hx-morph-skip="" {}
+        p id="record-status" role="status" hx-morph-skip="" {}
         (records(scene))
-        @for (path, told) in &faults { @if !form.has_field(path.as_deref()) {
-            p.fault { (page::at_line(&told.line, &told.column, l)) ": " (told.message) @if let Some(hint) = &told.hint { " – " (hint) } }
+        @for (path, fault) in &faults { @if !form.has_field(path.as_deref()) {
+            p.fault { (page::at_line(&fault.line, &fault.column, l)) ": " (fault.message) @if let Some(hint) = &fault.hint { " – " (hint) } }
         } }
         fieldset id="record-fields" disabled[keys.is_none()] {
             @for key in MEASURED_KEYS { (form.table(key)) }
@@ -203,7 +203,7 @@ impl Form<'_> {
                 legend { (capitalised(measured_label(purpose, l))) }
                 p.small { (measured_key_text(purpose, l)) }
                 @for path in &paths {
-                    @for (_, told) in self.faults.iter().filter(|(at, _)| at.as_deref() == Some(path)) { (trouble(told).shown()) }
+                    @for (_, fault) in self.faults.iter().filter(|(at, _)| at.as_deref() == Some(path)) { (trouble(fault).shown()) }
                     div.rows { @for key in keys { (self.row(key, path)) } }
                     @if key.name == SEVERAL {
                         button.small type="button" aria-label=(page::remove(&path, l)) hx-post="/tools" hx-target="#tool" hx-select="#tool" hx-swap="outerMorph"
@@ -227,15 +227,19 @@ impl Form<'_> {
         }
         let path = format!("{table}.{}", key.name);
         let mut field = Field::of_key(&path, &capitalised(measured_label(purpose, l)), key, l);
-        field.told = Some(self.told(purpose));
+        field.remark = Some(self.remark(purpose));
         field.value = self.value(&path).unwrap_or_default().to_owned();
-        field.troubles =
-            self.faults.iter().filter(|(at, _)| at.as_deref() == Some(&path)).map(|(_, told)| trouble(told)).collect();
+        field.troubles = self
+            .faults
+            .iter()
+            .filter(|(at, _)| at.as_deref() == Some(&path))
+            .map(|(_, fault)| trouble(fault))
+            .collect();
         field.shown(l)
     }
 
     /// What a field is for, and what the check-list expects there.
-    fn told(&self, purpose: MeasuredKey) -> String {
+    fn remark(&self, purpose: MeasuredKey) -> String {
         let l = self.language;
         let about = measured_key_text(purpose, l);
         let id = purpose.measurand().map(|what| what.id());
@@ -254,8 +258,8 @@ impl Form<'_> {
     }
 }
 
-fn trouble(told: &Worded) -> Trouble {
-    Trouble { field: None, message: told.message.clone(), hint: told.hint.clone() }
+fn trouble(fault: &Worded) -> Trouble {
+    Trouble { field: None, message: fault.message.clone(), hint: fault.hint.clone() }
 }
 
 fn judgement(found: &answers::Recorded, language: Language) -> Markup {

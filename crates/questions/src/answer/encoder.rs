@@ -376,7 +376,7 @@ fn decoded(word: Word, fitted: &[Fitted], language: Language) -> DecodedWord {
         _ => {
             let expected = sending.first().map_or(0, |(_, absolute)| absolute.bits(ErrorBits::Both));
             let fault = Fault::Length { found: word.len(), expected };
-            DecodedWord { faults: vec![told(&fault, language)], ..unread(word) }
+            DecodedWord { faults: vec![word_fault(&fault, language)], ..unread(word) }
         }
     }
 }
@@ -427,7 +427,7 @@ fn position(
                 });
             }
         }
-        Err(faults) => found.faults = faults.iter().map(|fault| told(fault, language)).collect(),
+        Err(faults) => found.faults = faults.iter().map(|fault| word_fault(fault, language)).collect(),
     }
     found.valid = found.faults.is_empty();
     found
@@ -447,7 +447,7 @@ fn parameter(word: Word, role: Role, language: Language) -> DecodedWord {
     DecodedWord {
         fields: fields(word, &parts),
         valid: faults.is_empty(),
-        faults: faults.iter().map(|fault| told(fault, language)).collect(),
+        faults: faults.iter().map(|fault| word_fault(fault, language)).collect(),
         ..named(word, (name, role), language)
     }
 }
@@ -468,7 +468,7 @@ fn command(word: Word, role: Role, language: Language) -> DecodedWord {
     }
 }
 
-fn told(fault: &Fault, language: Language) -> WordFault {
+fn word_fault(fault: &Fault, language: Language) -> WordFault {
     let (id, message, hint) = match fault {
         Fault::Length { found, expected } => ("length", encoder::fault_length(found, expected, language), None),
         Fault::Start => ("start", encoder::fault_start(language).to_owned(), Some(encoder::fault_start_hint(language))),
