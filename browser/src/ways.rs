@@ -91,6 +91,7 @@ pub(crate) const ALL: &[Way] = &[
     Way::both("names-of-files", frame::names_of_files),
     Way::both("versions", frame::versions),
     Way::both("curves", frame::curves),
+    Way::both("faults-and-proposals", frame::faults_and_proposals),
     Way::both("twin", frame::the_twin),
     Way::both("actions", frame::actions_to_an_answer),
     Way::server("screens", screens::as_they_were),

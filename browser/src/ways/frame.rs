@@ -266,3 +266,28 @@ pub(crate) fn actions_to_an_answer(stage: &Stage<'_>) -> Worded {
     }
     Ok(())
 }
+
+/// A fault is shown without moving the field that is typed in; where nothing fits, another gearing is proposed.
+pub(crate) fn faults_and_proposals(stage: &Stage<'_>) -> Worded {
+    let tab = &stage.tab;
+    stage.example("belt", "en")?;
+    let top = "Math.round(document.querySelector('#f-mechanism-belt-mass').getBoundingClientRect().top)";
+    let before = tab.eval(top)?;
+    stage.change("#f-mechanism-belt-mass", "sixty")?;
+    tab.says("#faults", "sixty")?;
+    let after = tab.eval(top)?;
+    expect(before == after, || format!("the field moved from {before} to {after}"))?;
+    stage.change("#f-mechanism-belt-mass", "18 kg")?;
+    tab.until("!document.querySelector('#faults li')")?;
+    stage.start("en")?;
+    tab.will_choose("lift.toml", LIFT)?;
+    tab.click("[data-open]")?;
+    stage.ready()?;
+    tab.says("#verdict .would", "mechanism.screw.lead")
+}
+
+/// A lift that no actuator moves with its lead.
+const LIFT: &str = "format = 1\n[mechanism.screw]\nlead = \"20 mm\"\nmass = \"60 kg\"\ninclination = \"90 deg\"\n\
+    [[motion]]\nlaw = \"trapezoid\"\ndistance = \"300 mm\"\ntime = \"2 s\"\n[[motion]]\nlaw = \"dwell\"\ntime = \"1 s\"\n\
+    [[motion]]\nlaw = \"trapezoid\"\ndistance = \"-300 mm\"\ntime = \"2 s\"\n[[motion]]\nlaw = \"dwell\"\ntime = \"1 s\"\n\
+    [requirements]\nsupply = \"560 V\"\n";

@@ -13,10 +13,10 @@ use questions::list::check::Verification;
 use questions::list::size::Ranking;
 use questions::list::{Asked, Unanswered, check, size};
 use questions::texts::{
-    by_importance, counts_text, demand_figures, figure_text, margin_text, objection_text, percent, reason, shown,
-    standing_text, unit_text, verdict_text,
+    by_importance, counts_text, demand_figures, figure_text, margin_text, mend_text, objection_text, percent, reason,
+    shown, standing_text, unit_text, verdict_text,
 };
-use questions::{Candidate, Check, Demand, Mend, Objection, Reserve, Sizing, Verdict};
+use questions::{Candidate, Check, Demand, Objection, Reserve, Sizing, Verdict};
 use std::fmt::Write as _;
 use words::{
     check_missing, check_title, grade_word, note_text, ranking_rule, ratios_text, requirement_title, source_text,
@@ -74,7 +74,12 @@ fn sizing_text(found: &Ranking<'_>, of_nearest: Option<&Reserve>, all: bool, lan
         None => writeln!(out, "{name}: {}", paint(terminal::no_actuator_fits(language), Verdict::Fail)),
     };
     let judged = terminal::judged(fitting, &total, language);
-    let _ = writeln!(out, "{judged}\n");
+    let _ = writeln!(out, "{judged}");
+    if !found.mends.is_empty() {
+        let all: Vec<String> = found.mends.iter().map(|mend| mend_text(mend, language)).collect();
+        out.push_str(&labelled(terminal::would_fit_with_other_gearing(language), &all.join("; ")));
+    }
+    out.push('\n');
     if !project.ratios.is_empty() {
         let head = terminal::ratio_of_the_stage(language);
         out.push_str(&labelled(head, &ratios_text(&project.ratios, language)));
@@ -115,18 +120,6 @@ fn sizing_text(found: &Ranking<'_>, of_nearest: Option<&Reserve>, all: bool, lan
         out.push_str(&noted);
     }
     out.push_str(&rejected_text(sizing, of_nearest, all, language));
-    if !found.mends.is_empty() {
-        let shown = |mend: &Mend| {
-            let value = format_significant(mend.unit.from_si(mend.si), 2, language);
-            let what = match mend.is_stated {
-                false => terminal::a_stage(&value, language),
-                true => format!("{} {value} {}", mend.path, mend.unit.symbol).trim_end_matches(" 1").to_owned(),
-            };
-            format!("{what} ({})", mend.code)
-        };
-        let all: Vec<String> = found.mends.iter().map(shown).collect();
-        out.push_str(&labelled(terminal::would_fit_with_other_gearing(language), &all.join("; ")));
-    }
     if let Some(own) = &sizing.own {
         let _ = writeln!(out, "\n{}:", terminal::own_actuator_of_the_project(language));
         out.push_str(&candidate_text(own, language));

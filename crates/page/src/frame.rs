@@ -110,7 +110,7 @@ fn work(state: &mut State, shell: &dyn Shell, patience: &Patience) -> Result<Mar
     let looked_at = project.and_then(|project| looked_at(state, project, sizing.as_ref()?.candidates.first()));
     let found = Outcome { project, sizing: sizing.as_ref(), candidate: looked_at.as_ref() };
     let moves = form::column(state, &held, looked_at.as_ref(), shell);
-    let bar = verdict::bar(state, &held, &found, &moves.0, patience);
+    let bar = verdict::bar(state, &held, &found, &moves.0, shell, patience);
     let demands = match project {
         Some(project) => demand::column(state, project, looked_at.as_ref(), held.is_old, shell, patience),
         None => demand::nothing(state.language),
@@ -157,7 +157,7 @@ fn page_of(state: &State, held: &Held, shell: &dyn Shell, bar: &Markup, main: &M
 fn unfinished(state: &State, held: &Held, shell: &dyn Shell, why: &Markup, patience: &Patience) -> Markup {
     let none = Outcome { project: None, sizing: None, candidate: None };
     let moves = form::column(state, held, None, shell);
-    let bar = html! { (verdict::bar(state, held, &none, &moves.0, patience)) };
+    let bar = html! { (verdict::bar(state, held, &none, &moves.0, shell, patience)) };
     let panes =
         panes(&moves, &html! { (demand::nothing(state.language)) }, &fits::column(state, &none, true), state.language);
     page_of(state, held, shell, &html! { (bar) (demand::stopped(why)) }, &panes)

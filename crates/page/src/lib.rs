@@ -79,6 +79,7 @@ pub fn respond(call: &Call<'_>, shell: &dyn Shell, patience: &Patience) -> Reply
         (Method::Post, "/versions") => html(versions::listed(call)),
         (Method::Post, "/recorded") => html(recorded::brought(call, shell)),
         (Method::Post, "/picture") => frame::picture(call, shell, patience),
+        (Method::Post, "/would-fit") => html(verdict::would_fit(call, shell, patience)),
         (Method::Post, "/curves") => frame::curves(call, shell, patience),
         (Method::Get, "/example") => html(start::example_verdict(call, shell, patience)),
         (Method::Get, "/files") => html(files::listed(call, shell)),

@@ -1,15 +1,17 @@
 //! The bar under the head that is always in sight: whether it fits, by what it is bounded, what is open, and the faults of the
 //! text.
 
+use crate::call::{Call, Shell};
 use crate::form::{self, vals};
 use crate::state::{Held, List, State};
 use maud::{Markup, html};
 use project::{Project, key_at};
 use quantities::Language;
 use questions::list::check::reserve_unasked;
-use questions::texts::{objection_text, percent, reserve_lines, standing_text};
+use questions::list::size::mends;
+use questions::texts::{mend_text, objection_text, percent, reserve_lines, standing_text};
 use questions::{Candidate, Patience, Sizing, Verdict};
-use words::{about_text, capitalised, check_title, page, short_label, terms, verdict_count, without_limit};
+use words::{about_text, capitalised, check_title, page, short_label, terminal, terms, verdict_count, without_limit};
 
 /// Number of faults shown at once.
 const FAULTS_SHOWN: usize = 20;
@@ -32,13 +34,20 @@ pub(crate) fn class(candidate: &Candidate<'_>) -> &'static str {
 }
 
 /// The bar.
-pub(crate) fn bar(state: &State, held: &Held, found: &Outcome<'_, '_>, fields: &str, patience: &Patience) -> Markup {
+pub(crate) fn bar(
+    state: &State,
+    held: &Held,
+    found: &Outcome<'_, '_>,
+    fields: &str,
+    shell: &dyn Shell,
+    patience: &Patience,
+) -> Markup {
     let l = state.language;
     let class = found.candidate.map_or("none", class);
     html! {
         section id="verdict" class={ (class) @if held.is_old { " old" } } aria-label=(capitalised(terms::verdict(l))) {
             @match found.candidate {
-                Some(candidate) => { (line(candidate, l)) (below(found, candidate, patience, l)) },
+                Some(candidate) => { (line(candidate, l)) (below(found, candidate, &shell.version(format!("{}\n{}", state.good, state.axis).as_bytes()), patience, l)) },
                 None => p id="standing" role="status" { (page::no_result_yet(l)) },
             }
             (faults(state, held, fields, l))
@@ -77,7 +86,13 @@ fn line(candidate: &Candidate<'_>, language: Language) -> Markup {
 }
 
 /// What speaks against it, what would let it fit, and what is to be stated to have the rest checked.
-fn below(found: &Outcome<'_, '_>, candidate: &Candidate<'_>, patience: &Patience, language: Language) -> Markup {
+fn below(
+    found: &Outcome<'_, '_>,
+    candidate: &Candidate<'_>,
+    version: &str,
+    patience: &Patience,
+    language: Language,
+) -> Markup {
     let l = language;
     let keys = candidate.keys_to_state();
     let reserve = match found.project {
@@ -85,6 +100,9 @@ fn below(found: &Outcome<'_, '_>, candidate: &Candidate<'_>, patience: &Patience
         _ => questions::Reserve::default(),
     };
     html! {
+        @if found.sizing.is_some_and(|sizing| sizing.answer().is_none()) {
+            p.below.would id={ "would-" (version) } hx-post="/would-fit" hx-trigger="load" hx-target="this" hx-swap="innerHTML" hx-morph-skip="" {}
+        }
         @for objection in &candidate.objections { p.below.fail { (objection_text(candidate, objection, l)) } }
         @for (head, parts) in reserve_lines(&reserve, candidate, l) {
             p.below.would { (capitalised(head)) ": " @for (place, part) in parts.iter().enumerate() { @if place > 0 { "; " } (part) } }
@@ -96,6 +114,18 @@ fn below(found: &Outcome<'_, '_>, candidate: &Candidate<'_>, patience: &Patience
             } }
         }
     }
+}
+
+/// Other gearings with which an actuator fits; sought after the page is there, for it takes several judgements of the catalogue.
+pub(crate) fn would_fit(call: &Call<'_>, shell: &dyn Shell, patience: &Patience) -> Markup {
+    let mut state = State::of(call);
+    let l = state.language;
+    let held = state.hold(shell.files(), patience);
+    let found = held.projects.get(state.axis).and_then(|project| mends(project, patience).ok()).unwrap_or_default();
+    html! { @if !found.is_empty() {
+        (capitalised(terminal::would_fit_with_other_gearing(l))) ": "
+        @for (place, mend) in found.iter().enumerate() { @if place > 0 { "; " } (mend_text(mend, l)) }
+    } }
 }
 
 /// All faults of the text, each leading to its field, to the axis that has it, or to its line in the text.
@@ -118,22 +148,29 @@ fn faults(state: &State, held: &Held, fields: &str, language: Language) -> Marku
         let place: usize = path.strip_prefix("axis[")?.split(']').next()?.parse().ok()?;
         place.checked_sub(1).filter(|place| *place != state.axis && *place < held.projects.len())
     };
+    let line = |(path, fault): &(Option<String>, words::Worded)| {
+        html! {
+            @let at = page::at_line(&fault.line, &fault.column, language);
+            @match (path.as_deref().and_then(place), path.as_deref().and_then(axis)) {
+                (Some(id), _) => a href={ "#" (id) } { (at) },
+                (None, Some(axis)) => button.plain type="button" hx-post="/work" hx-vals=(vals(&[("axis", &axis.to_string()), ("code", "")])) { (at) },
+                (None, None) => a href="#text" data-line=(fault.line) { (at) },
+            }
+            ": " (fault.message)
+            @if let Some(hint) = &fault.hint { " – " (hint) }
+        }
+    };
+    let more = held.faults.len().saturating_sub(1);
     html! {
         div id="faults" role="status" {
-            @if !held.faults.is_empty() {
-                strong.fault { (page::faults(held.faults.len(), language)) }
-                ul {
-                    @for (path, fault) in held.faults.iter().take(FAULTS_SHOWN) {
-                        li {
-                            @let at = page::at_line(&fault.line, &fault.column, language);
-                            @match (path.as_deref().and_then(place), path.as_deref().and_then(axis)) {
-                                (Some(id), _) => a href={ "#" (id) } { (at) },
-                                (None, Some(axis)) => button.plain type="button" hx-post="/work" hx-vals=(vals(&[("axis", &axis.to_string()), ("code", "")])) { (at) },
-                                (None, None) => a href="#text" data-line=(fault.line) { (at) },
-                            }
-                            ": " (fault.message)
-                            @if let Some(hint) = &fault.hint { " – " (hint) }
-                        }
+            @if let Some(first) = held.faults.first() {
+                // One line, so that the field that is being typed in stays where it is; the others open over the panes.
+                strong.fault { (page::faults(held.faults.len(), language)) } " "
+                ul.first { li { (line(first)) } }
+                @if more > 0 {
+                    details.more-faults id="more-faults" {
+                        summary { (page::more_faults(more, language)) }
+                        ul { @for fault in held.faults.iter().take(FAULTS_SHOWN).skip(1) { li { (line(fault)) } } }
                     }
                 }
             }

@@ -180,7 +180,7 @@ fn every_fault_has_its_place_in_the_page() {
         let message = words::fault_text(&fault.fault, quantities::Language::En);
         let html = page(&folder.post("/work", &[("text", &text), ("good", &good)]));
         whole(&html);
-        let list = html.split("id=\"faults\"").nth(1).unwrap().split("</ul>").next().unwrap();
+        let list = html.split("id=\"faults\"").nth(1).unwrap().split("id=\"stopped\"").next().unwrap();
         let line = list.split("<li>").find(|line| plain(line).contains(&message)).unwrap_or_default();
         let leads = |to: &str| line.contains(&format!("href=\"#{to}\""));
         let stands = |after: &str, until: &str| {
@@ -222,7 +222,7 @@ fn the_faults_of_another_axis_lead_there() {
     let text = format!("{HEAD}{}{}", axis("a", "\"1 kg m^2\""), axis("b", "\"1\""));
     let folder = InMemory::default();
     let html = page(&folder.post("/work", &[("text", &text), ("good", &good)]));
-    let list = html.split("id=\"faults\"").nth(1).unwrap().split("</ul>").next().unwrap();
+    let list = html.split("id=\"faults\"").nth(1).unwrap().split("id=\"stopped\"").next().unwrap();
     assert!(plain(list).contains("{\"axis\":\"1\",\"code\":\"\"}"), "{list}");
     let there = page(&folder.post("/work", &[("text", &text), ("good", &good), ("axis", "1")]));
     assert!(there.contains("id=\"f-axis-2--load-inertia-x\""), "{there}");

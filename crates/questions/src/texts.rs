@@ -9,6 +9,7 @@ pub use tolerances::{
 };
 
 use crate::limits::{NeededLimit, limits_needed};
+use crate::mends::Mend;
 use crate::sizing_use::{Candidate, CandidateId, Objection};
 use crate::torsion::TorsionAnswer;
 use actuator::BatteryLife;
@@ -181,6 +182,18 @@ pub fn reserve_lines(
         lines.push((terminal::would_fit_with_this_asked_for(language), needed.iter().map(each).collect()));
     }
     lines
+}
+
+/// Another gearing with which an actuator fits: the key with its value, or a stage that would be added, and the code.
+#[must_use]
+pub fn mend_text(mend: &Mend, language: Language) -> String {
+    let value = format_significant(mend.unit.from_si(mend.si), 2, language);
+    let what = if mend.is_stated {
+        format!("{} {value} {}", mend.path, mend.unit.symbol).trim_end_matches(" 1").to_owned()
+    } else {
+        terminal::a_stage(&value, language)
+    };
+    format!("{what} ({})", mend.code)
 }
 
 /// Which changes were not sought, why, and how they are.

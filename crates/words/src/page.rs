@@ -263,6 +263,7 @@ texts! {
     replace_motion = "Replace the motion by it" | "Bewegung dadurch ersetzen";
     checks_wait(count) =
         "1 check needs it" | "1 Nachweis braucht es", "{count} checks need it" | "{count} Nachweise brauchen es";
+    more_faults(count) = "1 more" | "1 weiterer", "{count} more" | "{count} weitere";
     nothing_found = "Nothing found" | "Nichts gefunden";
     key_panes = "What moves, what it demands, what fits" | "Was sich bewegt, was es verlangt, was geeignet ist";
     key_escape = "Close what is open" | "Offenes schließen";
