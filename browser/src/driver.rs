@@ -4,7 +4,7 @@ use crate::tab::Tab;
 use fantoccini::ClientBuilder;
 use fantoccini::wd::Capabilities;
 use hyper_util::client::legacy::connect::HttpConnector;
-use serde_json::json;
+use serde_json::{Value, json};
 use std::io::{BufRead, BufReader};
 use std::path::Path;
 use std::process::{Child, Command, Stdio};
@@ -26,8 +26,32 @@ const ARGUMENTS: [&str; 11] = [
     "--no-default-browser-check",
 ];
 
+/// The make of the browser: what the standard of drivers leaves open differs.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Make {
+    Chromium,
+    Firefox,
+}
+
+impl Make {
+    /// By the driver's name.
+    fn of(driver: &Path) -> Self {
+        let is_gecko = driver.file_stem().is_some_and(|name| name.to_string_lossy().starts_with("gecko"));
+        if is_gecko { Self::Firefox } else { Self::Chromium }
+    }
+
+    /// The words before the port in what the driver says at its start.
+    const fn before_the_port(self) -> &'static str {
+        match self {
+            Self::Chromium => "started successfully on port ",
+            Self::Firefox => "Listening on 127.0.0.1:",
+        }
+    }
+}
+
 /// The driver, which runs as long as this is held.
 pub(crate) struct Driver {
+    pub(crate) make: Make,
     process: Child,
     address: String,
     runtime: Rc<Runtime>,
@@ -41,7 +65,8 @@ impl Driver {
         let mut process = command.spawn().map_err(|error| format!("{}: {error}", program.display()))?;
         let output = process.stdout.take().ok_or("no output of the driver")?;
         let mut lines = BufReader::new(output).lines().map_while(Result::ok);
-        let port_in = |line: String| line.split_once("started successfully on port ").map(|(_, rest)| rest.to_owned());
+        let make = Make::of(program);
+        let port_in = |line: String| line.split_once(make.before_the_port()).map(|(_, rest)| rest.to_owned());
         let port: String = lines
             .find_map(port_in)
             .map(|rest| rest.chars().take_while(char::is_ascii_digit).collect())
@@ -50,28 +75,57 @@ impl Driver {
         drop(std::thread::spawn(move || lines.for_each(drop)));
         let runtime = tokio::runtime::Builder::new_current_thread().enable_all().build();
         let runtime = Rc::new(runtime.map_err(|error| error.to_string())?);
-        Ok(Self { process, address: format!("http://127.0.0.1:{port}"), runtime })
+        Ok(Self { make, process, address: format!("http://127.0.0.1:{port}"), runtime })
     }
 
     /// A browser with nothing kept of earlier ones; what it downloads comes into `folder`.
-    pub(crate) fn browser(&self, chromium: &Path, folder: &Path) -> Result<Tab, String> {
-        let options = json!({
-            "binary": chromium,
-            "args": ARGUMENTS,
-            "prefs": {
-                "download.default_directory": folder,
-                "download.prompt_for_download": false,
-                "intl.accept_languages": "en",
-            },
-        });
+    pub(crate) fn browser(&self, program: &Path, folder: &Path) -> Result<Tab, String> {
         let mut wanted = Capabilities::new();
-        let _ = wanted.insert("goog:chromeOptions".to_owned(), options);
-        let _ = wanted.insert("goog:loggingPrefs".to_owned(), json!({ "browser": "ALL" }));
+        let _ = match self.make {
+            Make::Chromium => {
+                let _ = wanted.insert("goog:loggingPrefs".to_owned(), json!({ "browser": "ALL" }));
+                wanted.insert("goog:chromeOptions".to_owned(), chromium(program, folder))
+            }
+            Make::Firefox => wanted.insert("moz:firefoxOptions".to_owned(), firefox(program, folder)),
+        };
         let mut builder = ClientBuilder::new(HttpConnector::new());
         let client = self.runtime.block_on(builder.capabilities(wanted).connect(&self.address));
-        Tab::new(client.map_err(|error| error.to_string())?, Rc::clone(&self.runtime))
+        Tab::new(client.map_err(|error| error.to_string())?, Rc::clone(&self.runtime), self.make)
     }
 }
+
+fn chromium(program: &Path, folder: &Path) -> Value {
+    json!({
+        "binary": program,
+        "args": ARGUMENTS,
+        "prefs": {
+            "download.default_directory": folder,
+            "download.prompt_for_download": false,
+            "intl.accept_languages": "en",
+        },
+    })
+}
+
+fn firefox(program: &Path, folder: &Path) -> Value {
+    json!({
+        "binary": program,
+        "args": ["-headless", "--width=1440", "--height=987"],
+        "prefs": {
+            "browser.download.folderList": 2,
+            "browser.download.dir": folder,
+            "browser.download.always_ask_before_handling_new_types": false,
+            "pdfjs.disabled": true,
+            "browser.helperApps.neverAsk.saveToDisk": SAVED,
+            "intl.accept_languages": "en",
+            // The clipboard without a question, as a person's click has it.
+            "dom.events.testing.asyncClipboard": true,
+        },
+    })
+}
+
+/// Media types that Firefox saves without a question.
+const SAVED: &str = "application/pdf,application/octet-stream,text/csv,text/plain,application/toml,image/svg+xml,\
+    application/vnd.openxmlformats-officedocument.spreadsheetml.sheet";
 
 impl Drop for Driver {
     fn drop(&mut self) {

@@ -22,7 +22,8 @@ use std::time::Instant;
 struct Options {
     program: PathBuf,
     axe: PathBuf,
-    chromium: PathBuf,
+    /// Chromium or Firefox, as the driver is.
+    browser: PathBuf,
     driver: PathBuf,
     /// The page without a server; where it is not given, the ways with a server alone are gone.
     site: Option<PathBuf>,
@@ -32,14 +33,14 @@ struct Options {
 impl Options {
     fn read() -> Option<Self> {
         let mut words = std::env::args_os().skip(1).map(PathBuf::from).peekable();
-        let (program, axe, chromium, driver) = (words.next()?, words.next()?, words.next()?, words.next()?);
+        let (program, axe, browser, driver) = (words.next()?, words.next()?, words.next()?, words.next()?);
         let site = words.next_if(|word| word.as_os_str() == "--site").and_then(|_| words.next());
         let names = words.map(|word| word.to_string_lossy().into_owned()).collect();
-        Some(Self { program, axe, chromium, driver, site, names })
+        Some(Self { program, axe, browser, driver, site, names })
     }
 }
 
-const USAGE: &str = "usage: browser PROGRAM AXE CHROMIUM CHROMEDRIVER [--site FOLDER] [NAME…]";
+const USAGE: &str = "usage: browser PROGRAM AXE BROWSER DRIVER [--site FOLDER] [NAME…]";
 
 fn main() -> ExitCode {
     let Some(options) = Options::read() else {
@@ -67,12 +68,12 @@ fn all(options: &Options) -> Result<usize, String> {
     let site = options.site.as_deref().map(Shell::site).transpose()?;
     for shell in std::iter::once(Shell::server(&options.program)?).chain(site) {
         let downloads = tempfile::tempdir().map_err(|error| error.to_string())?;
-        for way in ways::ALL.iter().filter(|way| way.concerns(&shell)) {
+        for way in ways::ALL.iter().filter(|way| way.concerns(&shell, driver.make)) {
             if !options.names.is_empty() && !options.names.iter().any(|name| way.name.contains(name.as_str())) {
                 continue;
             }
             // Each begins in a browser that keeps nothing of the others.
-            let tab = driver.browser(&options.chromium, downloads.path())?;
+            let tab = driver.browser(&options.browser, downloads.path())?;
             let stage = Stage { tab, shell: &shell, downloads: downloads.path(), axe: &axe };
             let begin = Instant::now();
             let outcome = (way.go)(&stage).and_then(|()| stage.no_fault_in_the_console());

@@ -1,5 +1,6 @@
 //! One tab, as a person uses it: looks, types, clicks, waits.
 
+use crate::driver::Make;
 use fantoccini::actions::{InputSource, KeyAction, KeyActions, MOUSE_BUTTON_LEFT, MouseActions, PointerAction};
 use fantoccini::wd::{TimeoutConfiguration, WebDriverCompatibleCommand, WindowHandle};
 use fantoccini::{Client, Locator};
@@ -29,6 +30,7 @@ pub(crate) mod key {
 pub(crate) struct Tab {
     client: Client,
     runtime: Rc<Runtime>,
+    make: Make,
 }
 
 fn message(error: impl std::fmt::Display) -> String {
@@ -46,10 +48,10 @@ const SHOWN: &str = "const pane = found.closest('.pane'); \
     if (found.id === 'text') document.querySelector('[data-left=text]')?.click(); else if (found.closest('#left-pane-form')) document.querySelector('[data-left=form]')?.click();";
 
 impl Tab {
-    pub(crate) fn new(client: Client, runtime: Rc<Runtime>) -> Worded<Self> {
+    pub(crate) fn new(client: Client, runtime: Rc<Runtime>, make: Make) -> Worded<Self> {
         let patience = TimeoutConfiguration::new(Some(4 * PATIENCE), Some(4 * PATIENCE), None);
         runtime.block_on(client.update_timeouts(patience)).map_err(message)?;
-        Ok(Self { client, runtime })
+        Ok(Self { client, runtime, make })
     }
 
     /// Ends the browser.
@@ -253,21 +255,36 @@ impl Tab {
         Ok(())
     }
 
-    /// A size of the page in its own pixels, and how many of the screen's there are to each.
+    /// A size of the page in its own pixels, and how many of the screen's there are to each; Firefox has one.
     pub(crate) fn sized(&self, width: u32, height: u32, scale: f64) -> Worded {
-        let metrics = json!({ "width": width, "height": height, "deviceScaleFactor": scale, "mobile": false });
-        self.command("Emulation.setDeviceMetricsOverride", metrics)
+        match self.make {
+            Make::Chromium => {
+                let metrics = json!({ "width": width, "height": height, "deviceScaleFactor": scale, "mobile": false });
+                self.command("Emulation.setDeviceMetricsOverride", metrics)
+            }
+            Make::Firefox => {
+                // The window has a frame around the page, and more of the screen than a page has pixels.
+                let around = self.eval("[outerWidth - innerWidth, outerHeight - innerHeight]")?;
+                let side = |inside: u32, place: usize| inside + around[place].as_u64().unwrap_or(0) as u32;
+                let resized = self.client.set_window_size(side(width, 0), side(height, 1));
+                self.runtime.block_on(resized).map_err(message)?;
+                self.until(&format!("innerWidth === {width}"))
+            }
+        }
     }
 
-    /// Takes the network away, or gives it back.
+    /// Takes the network away, or gives it back: Chromium alone can.
     pub(crate) fn offline(&self, is: bool) -> Worded {
         self.command("Network.enable", json!({}))?;
         let network = json!({ "offline": is, "latency": 0, "downloadThroughput": -1, "uploadThroughput": -1 });
         self.command("Network.emulateNetworkConditions", network)
     }
 
-    /// New errors in the console since the last call.
+    /// New errors in the console since the last call; the driver of Firefox does not give them.
     pub(crate) fn faults(&self) -> Worded<Vec<String>> {
+        if self.make == Make::Firefox {
+            return Ok(Vec::new());
+        }
         let log = Log;
         let answer = self.runtime.block_on(self.client.issue_cmd(log)).map_err(message)?;
         let severe = |entry: &&Value| entry.get("level").and_then(Value::as_str) == Some("SEVERE");

@@ -10,6 +10,7 @@ mod same;
 mod screens;
 mod times;
 
+use crate::driver::Make;
 use crate::shell::Shell;
 use crate::stage::Stage;
 use crate::tab::Worded;
@@ -18,7 +19,16 @@ use crate::tab::Worded;
 pub(crate) struct Way {
     pub(crate) name: &'static str,
     shells: Shells,
+    makes: Makes,
     pub(crate) go: fn(&Stage<'_>) -> Worded,
+}
+
+/// Which browsers it is gone with.
+#[derive(Clone, Copy)]
+enum Makes {
+    Any,
+    /// It needs what its driver alone can do, or compares with pictures that it made.
+    Chromium,
 }
 
 /// Which shells it is gone with.
@@ -31,24 +41,34 @@ enum Shells {
 
 impl Way {
     const fn both(name: &'static str, go: fn(&Stage<'_>) -> Worded) -> Self {
-        Self { name, shells: Shells::Both, go }
+        Self { name, shells: Shells::Both, makes: Makes::Any, go }
     }
 
     const fn server(name: &'static str, go: fn(&Stage<'_>) -> Worded) -> Self {
-        Self { name, shells: Shells::Server, go }
+        Self { name, shells: Shells::Server, makes: Makes::Any, go }
     }
 
     const fn site(name: &'static str, go: fn(&Stage<'_>) -> Worded) -> Self {
-        Self { name, shells: Shells::Site, go }
+        Self { name, shells: Shells::Site, makes: Makes::Any, go }
     }
 
-    /// Whether it is gone with a shell.
-    pub(crate) fn concerns(&self, shell: &Shell) -> bool {
-        match self.shells {
-            Shells::Both => true,
-            Shells::Server => matches!(shell, Shell::Server { .. }),
-            Shells::Site => matches!(shell, Shell::Site { .. }),
-        }
+    /// The same with Chromium alone.
+    const fn in_chromium(self) -> Self {
+        Self { makes: Makes::Chromium, ..self }
+    }
+
+    /// Whether it is gone with a shell, in a browser of a make.
+    pub(crate) fn concerns(&self, shell: &Shell, make: Make) -> bool {
+        let is_able = match self.makes {
+            Makes::Any => true,
+            Makes::Chromium => make == Make::Chromium,
+        };
+        is_able
+            && match self.shells {
+                Shells::Both => true,
+                Shells::Server => matches!(shell, Shell::Server { .. }),
+                Shells::Site => matches!(shell, Shell::Site { .. }),
+            }
     }
 }
 
@@ -77,7 +97,7 @@ pub(crate) const ALL: &[Way] = &[
     Way::server("report", files::report),
     Way::site("no-report", files::no_report),
     Way::site("reload", files::reload),
-    Way::site("no-network", files::no_network),
+    Way::site("no-network", files::no_network).in_chromium(),
     Way::site("opened-as-a-file", files::opened_as_a_file),
     Way::site("forget", files::forget),
     Way::both("in-sight", frame::in_sight),
@@ -87,14 +107,14 @@ pub(crate) const ALL: &[Way] = &[
     Way::both("numbers-and-units", frame::numbers_and_units),
     Way::both("link-of-a-tile", frame::a_link_of_a_tile),
     Way::server("unsaved-work", frame::unsaved_work_stays),
-    Way::server("no-answer", frame::no_answer),
+    Way::server("no-answer", frame::no_answer).in_chromium(),
     Way::both("names-of-files", frame::names_of_files),
     Way::both("versions", frame::versions),
     Way::both("curves", frame::curves),
     Way::both("faults-and-proposals", frame::faults_and_proposals),
     Way::both("twin", frame::the_twin),
     Way::both("actions", frame::actions_to_an_answer),
-    Way::server("screens", screens::as_they_were),
+    Way::server("screens", screens::as_they_were).in_chromium(),
     Way::both("widths", looks::widths),
     Way::both("accessibility", looks::accessibility),
     Way::site("same-answers", same::same_answers),

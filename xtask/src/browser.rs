@@ -7,16 +7,32 @@ use crate::Error;
 use crate::cargo::{Workspace, must_succeed, program};
 use crate::{lint, site, tools};
 
-/// The browser under the names that it has, and the program that drives it.
-const CHROMIUM: [&str; 4] = ["chromium", "chromium-browser", "google-chrome", "google-chrome-stable"];
-const DRIVER: [&str; 2] = ["chromedriver", "chromium.chromedriver"];
+/// A browser and the program that drives it, each under the names that it has.
+struct Make {
+    browser: &'static [&'static str],
+    driver: &'static [&'static str],
+}
 
-/// Goes the ways through the page that are named so, or all; the folder of `cargo xtask site` is built where it is missing.
+const CHROMIUM: Make = Make {
+    browser: &["chromium", "chromium-browser", "google-chrome", "google-chrome-stable"],
+    driver: &["chromedriver", "chromium.chromedriver"],
+};
+const FIREFOX: Make = Make { browser: &["firefox", "firefox-esr"], driver: &["geckodriver"] };
+
+/// Goes the ways through the page that are named so, or all, in Chromium or, with `firefox` before them, in Firefox; the folder
+/// of `cargo xtask site` is built where it is missing.
 ///
 /// # Errors
-/// When there is no Chromium or no driver for it, something does not build, or a way fails.
+/// When there is no such browser or no driver for it, something does not build, or a way fails.
 pub fn run(root: &Path, names: &[String]) -> Result<(), Error> {
-    let browser = Browser::find(root)?;
+    match names.split_first() {
+        Some((first, rest)) if first == "firefox" => with(root, &FIREFOX, rest),
+        _ => with(root, &CHROMIUM, names),
+    }
+}
+
+fn with(root: &Path, make: &Make, names: &[String]) -> Result<(), Error> {
+    let browser = Browser::find(root, make)?;
     let folder = site::folder(root)?;
     if !folder.join("sw.js").is_file() {
         site::run(root)?;
@@ -26,36 +42,36 @@ pub fn run(root: &Path, names: &[String]) -> Result<(), Error> {
     must_succeed(browser.command(root, &antrieb)?.arg("--site").arg(folder).args(names))
 }
 
-/// The step of a night: every way, with a server and without one.
+/// The step of a night: every way, with a server and without one, in both browsers.
 pub(crate) fn both(root: &Path) -> Result<(), Error> {
-    run(root, &[])
+    with(root, &CHROMIUM, &[])?;
+    with(root, &FIREFOX, &[])
 }
 
 /// The step of a push: every way with a server, the one that the tests have built.
 pub(crate) fn served(root: &Path) -> Result<(), Error> {
-    let browser = Browser::find(root)?;
+    let browser = Browser::find(root, &CHROMIUM)?;
     must_succeed(&mut browser.command(root, &program(root, "antrieb")?)?)
 }
 
 /// What the tests of the page need beside the workspace.
 struct Browser {
-    chromium: PathBuf,
+    browser: PathBuf,
     driver: PathBuf,
     axe: PathBuf,
 }
 
 impl Browser {
-    fn find(root: &Path) -> Result<Self, Error> {
-        Ok(Self {
-            chromium: found(&CHROMIUM).ok_or(Error::NoBrowser { program: CHROMIUM[0] })?,
-            driver: found(&DRIVER).ok_or(Error::NoBrowser { program: DRIVER[0] })?,
-            axe: tools::axe(root)?,
-        })
+    fn find(root: &Path, make: &Make) -> Result<Self, Error> {
+        let of = |names: &'static [&'static str]| {
+            found(names).ok_or(Error::NoBrowser { program: names.first().copied().unwrap_or_default() })
+        };
+        Ok(Self { browser: of(make.browser)?, driver: of(make.driver)?, axe: tools::axe(root)? })
     }
 
     fn command(&self, root: &Path, antrieb: &Path) -> Result<Command, Error> {
         let mut command = Command::new(program(root, "browser")?);
-        command.arg(antrieb).args([&self.axe, &self.chromium, &self.driver]);
+        command.arg(antrieb).args([&self.axe, &self.browser, &self.driver]);
         Ok(command)
     }
 }

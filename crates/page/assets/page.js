@@ -26,6 +26,7 @@ document.addEventListener('htmx:before:request', (event) => {
   // A field that is left tells once more what was answered while it was typed.
   if (source.id && body.has('path') && base(source) === undefined && answered?.asked === asked && answered.text === text().value) { event.preventDefault(); return; }
   event.detail.ctx.asked = asked;
+  if (event.detail.ctx.request.action.endsWith('/work')) body.append('parts', parts());
   for (const [id, open] of folds) if (open && id.startsWith('f-')) body.append('fold', id);
   // A pull at the end of a segment begins at the text that was there when it began.
   if (base(source) !== undefined) body.set('text', base(source));
@@ -174,17 +175,14 @@ export function shut() {
   opener = null;
   return true;
 }
-// The picture of a long recording stays until the one after it has come.
-document.addEventListener('htmx:after:request', (event) => {
-  const { ctx } = event.detail;
-  const view = $('#view');
-  if (view?.firstElementChild && ctx.text?.includes(LATER)) {
-    const copy = view.cloneNode(true);
-    for (const each of copy.querySelectorAll("[style]")) each.removeAttribute("style");
-    ctx.text = ctx.text.replace(LATER, () => copy.outerHTML);
-  }
+// What has not changed is not sent again: it stays as it is. Should it not be there, the whole page is requested.
+document.addEventListener('htmx:before:morph:node', (event) => { if (event.detail.newNode.dataset?.same !== undefined) event.preventDefault(); });
+document.addEventListener('htmx:after:swap', () => {
+  if (!$('[data-same]:not(#view)')) return;
+  for (const each of all('[data-part]')) delete each.dataset.part;
+  text()?.dispatchEvent(new Event('change', { bubbles: true }));
 });
-const LATER = '<div id="view" data-later=""></div>';
+const parts = () => all('[data-part]').map((each) => `${each.id}=${each.dataset.part}`).join(' ');
 addEventListener('antrieb:pulled', note);
 
 // A sign in a drawing and its row point at each other.

@@ -132,7 +132,7 @@ fn later(state: &State, candidate: &Candidate<'_>, shell: &dyn Shell) -> Markup 
         state.room
     );
     html! {
-        div id="view" data-later="" {}
+        div id="view" data-same="" {}
         span hidden id={ "later-" (shell.version(about.as_bytes())) } hx-post="/picture" hx-trigger="load" hx-target="#view" hx-swap="outerMorph" {}
     }
 }
@@ -237,7 +237,7 @@ pub(crate) fn picture(
     };
     let (width, height) = state.room;
     let style = Style::new(Size::pixels(width, height)).theme(state.theme).language(l).id(name);
-    html! {
+    state.parts.part(html! {
         figure.plot id={ "plot-" (name) } data-figure=(drawing.figure.id()) data-width=(width) data-height=(height) {
             (above)
             div.frame { (PreEscaped(drawing.render(&style).into_svg())) (over) }
@@ -250,5 +250,5 @@ pub(crate) fn picture(
                 }
             }
         }
-    }
+    })
 }

@@ -171,22 +171,22 @@ fn ranking(state: &State, sizing: &Sizing<'_>, looked_at: Option<&Candidate<'_>>
     let below: Vec<_> = rest.iter().filter(|(_, each)| is_it(each)).copied().collect();
     let own = sizing.own.as_ref();
     html! {
-        (filters(state, sizing))
+        (state.parts.part(filters(state, sizing)))
         @if own.is_some() || !first.is_empty() {
             table.ranking {
                 (heads(state))
-                @if let Some(own) = own { (row(state, None, own, looked_at)) }
-                @for (place, candidate) in first.iter().chain(&below) { (row(state, Some(place + 1), candidate, looked_at)) }
+                @if let Some(own) = own { (state.parts.part(row(state, None, own, looked_at))) }
+                @for (place, candidate) in first.iter().chain(&below) { (state.parts.part(row(state, Some(place + 1), candidate, looked_at))) }
             }
         }
         @if looked_at.is_some_and(|candidate| !candidate.fits() && own.is_none_or(|own| own.id != candidate.id)) && state.unfolded {
             @if let Some(candidate) = looked_at { h3 { (candidate.id) } (checks::of(candidate, &state.prefix, l)) }
         }
         @if rest.len() > below.len() {
-            details id="ranking-rest" {
+            (state.parts.part(html! { details id="ranking-rest" {
                 summary { (page::more_fitting(rest.len() - below.len(), l)) }
                 p.codes { @for (_, candidate) in rest.iter().filter(|(_, each)| !is_it(each)) { (look_at(&candidate.id.to_string(), l)) " " } }
-            }
+            } }))
         }
         p.small { span id="answer" { @if fitting.is_empty() { strong.fail { (capitalised(terminal::no_actuator_fits(l))) } ". " } (capitalised(&terminal::judged(fitting.len(), &sizing.candidates.len(), l))) } ". " (page::shown_of(&count, &fitting.len(), l)) ". " (capitalised(&ranking_rule(l))) "." }
         @if state.marked.len() >= 2 {
@@ -281,7 +281,7 @@ fn rejected(state: &State, sizing: &Sizing<'_>, looked_at: Option<&Candidate<'_>
     let (first, rest) = found.split_at(found.len().min(REJECTED_SHOWN));
     let below = rest.iter().filter(|each| is_it(each).is_some());
     html! {
-        (filters(state, sizing))
+        (state.parts.part(filters(state, sizing)))
         p.small { (page::shown_of(&first.len(), &all.len(), l)) }
         table.rejected {
             thead { tr { th scope="col" { (capitalised(terms::ordering_code(l))) } th scope="col" { (page::why_not(l)) } } }

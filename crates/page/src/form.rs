@@ -1,6 +1,7 @@
 //! The left column: what moves. Every row is a key of the project file, taken from the description that its reader uses.
 
 use crate::call::Shell;
+use crate::parts::Parts;
 use crate::state::{Held, State};
 use crate::{laws, recorded, sketch, value};
 use maud::{Markup, PreEscaped, html};
@@ -25,6 +26,8 @@ pub(crate) struct Form<'f> {
     needed: Vec<(&'static str, usize)>,
     /// The folds that are open although nothing is stated in them.
     folds: &'f [String],
+    /// The parts that the browser shows.
+    parts: &'f Parts,
 }
 
 /// What followed for a segment of the motion.
@@ -50,6 +53,7 @@ pub(crate) fn column(state: &State, held: &Held, candidate: Option<&Candidate<'_
         project: held.projects.get(state.axis),
         needed: candidate.map(Candidate::keys_to_state).unwrap_or_default(),
         folds: &state.folds,
+        parts: &state.parts,
     };
     let l = state.language;
     let fields = html! {
@@ -235,13 +239,13 @@ impl Form<'_> {
                     }
                 }
                 (self.load_faults(&path, &load, chosen.map(|kind| format!("{path}.{}", kind.name)).as_deref()))
-                figure.sketch { (sketch::shown(&sketch::Shown {
+                (self.parts.part(html! { figure.sketch id="sketch" { (sketch::shown(&sketch::Shown {
                     mechanism: chosen.map(|kind| kind.name),
                     figures: drawn_figures(self.held.written.iter().filter_map(|key| Some((key.path.as_str(), key.value.as_deref()?))), &of),
                     of: &of,
                     title,
                     project: self.project,
-                }, l)) }
+                }, l)) } }))
                 (self.rows(rows, &of))
             }
         }
@@ -257,12 +261,14 @@ impl Form<'_> {
         let l = self.language;
         let title = capitalised(table_of_project(key.name, l).unwrap_or_else(|| about_text(key.about, l)));
         match key.kind {
-            Kind::Table(keys) => html! {
-                (self.fold(&format!("{}-t", id(path)), &title, self.is_there(path), "", || html! {
-                    (self.fault_at(path))
-                    (self.rows(keys, path))
+            Kind::Table(keys) => {
+                self.parts.part(self.fold(&format!("{}-t", id(path)), &title, self.is_there(path), "", || {
+                    html! {
+                        (self.fault_at(path))
+                        (self.rows(keys, path))
+                    }
                 }))
-            },
+            }
             Kind::Variants(variants) => self.list(key, variants, path, &title),
             _ => html! {},
         }
@@ -335,7 +341,7 @@ impl Form<'_> {
                 summary { @if is_motion { (capitalised(terms::motion(l))) } @else { (title) } }
                 (self.fault_at(path))
                 ol.entries {
-                    @for place in 1..=count { (self.entry(variants, &format!("{path}[{place}]"), place, count)) }
+                    @for place in 1..=count { (self.parts.part(self.entry(variants, &format!("{path}[{place}]"), place, count))) }
                 }
                 button type="button" id={ (id(path)) "-add" }
                     hx-post="/work" hx-vals=(do_all(&[&format!("table {add}"), &kind])) {

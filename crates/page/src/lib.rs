@@ -25,6 +25,7 @@ mod head;
 mod laws;
 mod names;
 mod overlay;
+mod parts;
 mod recorded;
 mod simulated;
 mod sketch;
