@@ -21,6 +21,7 @@ const PAGES: [(Method, &str, &[&str]); 16] = [
     (Method::Get, "/", &["new", "open", "kind"]),
     (Method::Post, "/", &["do"]),
     (Method::Get, "/begin", &["kind"]),
+    (Method::Get, "/begin/drawing", &["begin", "motion[1].distance", "mechanism.screw.lead", "lang"]),
     (Method::Post, "/begin", &["kind", "value", "name"]),
     (Method::Post, "/work", &["do", "path", "value", "nominal", "pulled", "f_size", "f_voltage", "f_mass", "band"]),
     (Method::Post, "/tolerances", &["samples"]),

@@ -12,7 +12,7 @@ pub(crate) fn with_figures(stage: &Stage<'_>) -> Worded {
     stage.start("en")?;
     tab.click(".tiles li:nth-child(5) .tile")?;
     tab.there("#begin form")?;
-    tab.fill("#b-f-mechanism-belt-mass", "25 kg")?;
+    tab.fill("#f-mechanism-belt-mass", "25 kg")?;
     tab.click("#begin form button[type=submit]")?;
     stage.ready()?;
     tab.says("#text", "25 kg")

@@ -27,7 +27,7 @@ document.addEventListener('htmx:before:request', (event) => {
   if (source.id && body.has('path') && base(source) === undefined && answered?.asked === asked && answered.text === text().value) { event.preventDefault(); return; }
   event.detail.ctx.asked = asked;
   if (event.detail.ctx.request.action.endsWith('/work')) body.append('parts', parts());
-  for (const [id, open] of folds) if (open && id.startsWith('f-')) body.append('fold', id);
+  for (const [id, open] of folds) if (open && (id.startsWith('f-') || id === 'ranking-rest')) body.append('fold', id);
   // A pull at the end of a segment begins at the text that was there when it began.
   if (base(source) !== undefined) body.set('text', base(source));
   else if (source !== text()) body.set('text', text().value);
@@ -121,9 +121,6 @@ document.addEventListener('click', (event) => {
   if (fold?.id && !fold.matches('.menu')) folds.set(fold.id, !fold.open);
 }, true);
 export const opened = (ids) => { for (const id of ids) folds.set(id, true); };
-document.addEventListener('htmx:before:morph:attr', (event) => {
-  if (event.detail.attrName === 'open' && folds.has(event.target.id)) event.preventDefault();
-});
 // A menu that is open stays so.
 let menus = [];
 document.addEventListener('htmx:before:swap', () => { menus = all('.menu[open]').map((menu) => [menu.id, menu.contains(document.activeElement) ? document.activeElement.id : '']); });
@@ -176,7 +173,10 @@ export function shut() {
   return true;
 }
 // What has not changed is not sent again: it stays as it is. Should it not be there, the whole page is requested.
-document.addEventListener('htmx:before:morph:node', (event) => { if (event.detail.newNode.dataset?.same !== undefined) event.preventDefault(); });
+htmx.registerExtension('antrieb', {
+  htmx_before_morph_node: (_, { newNode }) => newNode.dataset?.same === undefined,
+  htmx_before_morph_attr: (element, { attrName }) => attrName !== 'open' || !folds.has(element.id),
+});
 document.addEventListener('htmx:after:swap', () => {
   if (!$('[data-same]:not(#view)')) return;
   for (const each of all('[data-part]')) delete each.dataset.part;

@@ -2,6 +2,7 @@
 
 use crate::call::Shell;
 use crate::form::vals;
+use crate::parts::part;
 use crate::state::{State, View};
 use crate::{overlay, tolerances};
 use figures::{CyclePanels, Drawing, Figure, NoFigure, Size, Style, cycle_within, draw_within};
@@ -237,7 +238,7 @@ pub(crate) fn picture(
     };
     let (width, height) = state.room;
     let style = Style::new(Size::pixels(width, height)).theme(state.theme).language(l).id(name);
-    state.parts.part(html! {
+    part(html! {
         figure.plot id={ "plot-" (name) } data-figure=(drawing.figure.id()) data-width=(width) data-height=(height) {
             (above)
             div.frame { (PreEscaped(drawing.render(&style).into_svg())) (over) }

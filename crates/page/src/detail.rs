@@ -56,7 +56,7 @@ fn node(node: &Node, language: Language) -> Markup {
                 @if node.repeated { (terminal::see_above(language)) } @else {
                     (trust(node, language))
                     @if let Some(number) = node.page { ", " (page::page_of_the_manual(&number, language)) }
-                    @if let Some(name) = node.model { ", " cite { (page::chapter_of_the_theory(&name, language)) } }
+                    @if let Some(name) = node.model { ", " a href={ "theory/" (name) ".html" } target="_blank" hreflang="en" { (page::chapter_of_the_theory(&name, language)) } }
                 }
             }
             @if !node.repeated {

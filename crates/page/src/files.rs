@@ -6,7 +6,6 @@ use crate::head::USUAL_NAME;
 use crate::names::project_name;
 use crate::start::BEGINS;
 use crate::state::State;
-use crate::value::with_point;
 use maud::{Markup, html};
 use quantities::Language;
 use questions::Patience;
@@ -23,8 +22,7 @@ pub(crate) fn place(call: &Call<'_>) -> usize {
 /// The page with a project that was begun with a few figures.
 pub(crate) fn begun(call: &Call<'_>, shell: &dyn Shell, patience: &Patience) -> Reply {
     let Some(begin) = BEGINS.get(place(call)) else { return Reply::text(404, page::no_such_page(call.language())) };
-    let text = begin.text(|path| call.field(path).map(|typed| with_point(&typed, call.language())));
-    with_text(call, &text, "", "", shell, patience)
+    with_text(call, &crate::start::typed(begin, call), "", "", shell, patience)
 }
 
 /// The page with a project of the folder.

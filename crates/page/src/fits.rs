@@ -2,6 +2,7 @@
 
 use crate::checks;
 use crate::form::vals;
+use crate::parts::part;
 use crate::state::{Filter, List, MARKED_MOST, Sort, State};
 use crate::verdict::Outcome;
 use figures::{By, Size, Style, candidate_map};
@@ -14,6 +15,9 @@ use words::{capitalised, check_title, page, ranking_rule, terminal, terms};
 
 /// So many of what fits stand before a fold.
 const BEST_SHOWN: usize = 12;
+
+/// The fold of the others: what is inside is sent once it is opened.
+const REST: &str = "ranking-rest";
 
 /// Number of rejected actuators listed by name; the others are counted.
 const REJECTED_SHOWN: usize = 40;
@@ -171,21 +175,25 @@ fn ranking(state: &State, sizing: &Sizing<'_>, looked_at: Option<&Candidate<'_>>
     let below: Vec<_> = rest.iter().filter(|(_, each)| is_it(each)).copied().collect();
     let own = sizing.own.as_ref();
     html! {
-        (state.parts.part(filters(state, sizing)))
+        (part(filters(state, sizing)))
         @if own.is_some() || !first.is_empty() {
             table.ranking {
                 (heads(state))
-                @if let Some(own) = own { (state.parts.part(row(state, None, own, looked_at))) }
-                @for (place, candidate) in first.iter().chain(&below) { (state.parts.part(row(state, Some(place + 1), candidate, looked_at))) }
+                @if let Some(own) = own { (part(row(state, None, own, looked_at))) }
+                @for (place, candidate) in first.iter().chain(&below) { (part(row(state, Some(place + 1), candidate, looked_at))) }
             }
         }
         @if looked_at.is_some_and(|candidate| !candidate.fits() && own.is_none_or(|own| own.id != candidate.id)) && state.unfolded {
             @if let Some(candidate) = looked_at { h3 { (candidate.id) } (checks::of(candidate, &state.prefix, l)) }
         }
         @if rest.len() > below.len() {
-            (state.parts.part(html! { details id="ranking-rest" {
-                summary { (page::more_fitting(rest.len() - below.len(), l)) }
-                p.codes { @for (_, candidate) in rest.iter().filter(|(_, each)| !is_it(each)) { (look_at(&candidate.id.to_string(), l)) " " } }
+            @let is_open = state.folds.iter().any(|open| open == REST);
+            @let title = page::more_fitting(rest.len() - below.len(), l);
+            (part(html! { details id=(REST) {
+                @if is_open {
+                    summary { (title) }
+                    p.codes { @for (_, candidate) in rest.iter().filter(|(_, each)| !is_it(each)) { (look_at(&candidate.id.to_string(), l)) " " } }
+                } @else { summary hx-post="/work" hx-vals=(vals(&[("fold", REST)])) { (title) } }
             } }))
         }
         p.small { span id="answer" { @if fitting.is_empty() { strong.fail { (capitalised(terminal::no_actuator_fits(l))) } ". " } (capitalised(&terminal::judged(fitting.len(), &sizing.candidates.len(), l))) } ". " (page::shown_of(&count, &fitting.len(), l)) ". " (capitalised(&ranking_rule(l))) "." }
@@ -281,7 +289,7 @@ fn rejected(state: &State, sizing: &Sizing<'_>, looked_at: Option<&Candidate<'_>
     let (first, rest) = found.split_at(found.len().min(REJECTED_SHOWN));
     let below = rest.iter().filter(|each| is_it(each).is_some());
     html! {
-        (state.parts.part(filters(state, sizing)))
+        (part(filters(state, sizing)))
         p.small { (page::shown_of(&first.len(), &all.len(), l)) }
         table.rejected {
             thead { tr { th scope="col" { (capitalised(terms::ordering_code(l))) } th scope="col" { (page::why_not(l)) } } }

@@ -1,7 +1,7 @@
 //! The left column: what moves. Every row is a key of the project file, taken from the description that its reader uses.
 
 use crate::call::Shell;
-use crate::parts::Parts;
+use crate::parts::part;
 use crate::state::{Held, State};
 use crate::{laws, recorded, sketch, value};
 use maud::{Markup, PreEscaped, html};
@@ -26,8 +26,6 @@ pub(crate) struct Form<'f> {
     needed: Vec<(&'static str, usize)>,
     /// The folds that are open although nothing is stated in them.
     folds: &'f [String],
-    /// The parts that the browser shows.
-    parts: &'f Parts,
 }
 
 /// What followed for a segment of the motion.
@@ -53,7 +51,6 @@ pub(crate) fn column(state: &State, held: &Held, candidate: Option<&Candidate<'_
         project: held.projects.get(state.axis),
         needed: candidate.map(Candidate::keys_to_state).unwrap_or_default(),
         folds: &state.folds,
-        parts: &state.parts,
     };
     let l = state.language;
     let fields = html! {
@@ -239,7 +236,7 @@ impl Form<'_> {
                     }
                 }
                 (self.load_faults(&path, &load, chosen.map(|kind| format!("{path}.{}", kind.name)).as_deref()))
-                (self.parts.part(html! { figure.sketch id="sketch" { (sketch::shown(&sketch::Shown {
+                (part(html! { figure.sketch id="sketch" { (sketch::shown(&sketch::Shown {
                     mechanism: chosen.map(|kind| kind.name),
                     figures: drawn_figures(self.held.written.iter().filter_map(|key| Some((key.path.as_str(), key.value.as_deref()?))), &of),
                     of: &of,
@@ -254,21 +251,19 @@ impl Form<'_> {
     /// A table or list at the root.
     fn root(&self, name: &str) -> Markup {
         let Some(key) = KEYS.iter().find(|key| key.name == name) else { return html! {} };
-        self.table(key, &format!("{}{name}", self.prefix))
+        part(self.table(key, &format!("{}{name}", self.prefix)))
     }
 
     fn table(&self, key: &Key, path: &str) -> Markup {
         let l = self.language;
         let title = capitalised(table_of_project(key.name, l).unwrap_or_else(|| about_text(key.about, l)));
         match key.kind {
-            Kind::Table(keys) => {
-                self.parts.part(self.fold(&format!("{}-t", id(path)), &title, self.is_there(path), "", || {
-                    html! {
-                        (self.fault_at(path))
-                        (self.rows(keys, path))
-                    }
-                }))
-            }
+            Kind::Table(keys) => self.fold(&format!("{}-t", id(path)), &title, self.is_there(path), "", || {
+                html! {
+                    (self.fault_at(path))
+                    (self.rows(keys, path))
+                }
+            }),
             Kind::Variants(variants) => self.list(key, variants, path, &title),
             _ => html! {},
         }
@@ -341,7 +336,7 @@ impl Form<'_> {
                 summary { @if is_motion { (capitalised(terms::motion(l))) } @else { (title) } }
                 (self.fault_at(path))
                 ol.entries {
-                    @for place in 1..=count { (self.parts.part(self.entry(variants, &format!("{path}[{place}]"), place, count))) }
+                    @for place in 1..=count { (part(self.entry(variants, &format!("{path}[{place}]"), place, count))) }
                 }
                 button type="button" id={ (id(path)) "-add" }
                     hx-post="/work" hx-vals=(do_all(&[&format!("table {add}"), &kind])) {
@@ -461,7 +456,7 @@ impl Form<'_> {
             Some(solved) if value.is_empty() => page::follows(&solved, l),
             _ => page::for_example(&sample(), l),
         };
-        html! {
+        part(html! {
             div.row id={ (id) "-r" } data-path=(path) {
                 label for=(id) title=(about) { (self::label(&label)) }
                 @match key.kind {
@@ -491,7 +486,7 @@ impl Form<'_> {
                     }
                 }
             }
-        }
+        })
     }
 
     /// Within what a value lies: a field behind a sign, open where a tolerance is stated.

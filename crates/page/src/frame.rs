@@ -2,6 +2,7 @@
 
 use crate::call::{Call, Reply, Shell};
 use crate::head::{self, USUAL_NAME};
+use crate::parts::Parts;
 use crate::state::{ALL_AXES, Held, State};
 use crate::verdict::{self, Outcome};
 use crate::{axes, demand, detail, fits, form, laws, tools, waiting};
@@ -67,7 +68,7 @@ pub(crate) fn worked(call: &Call<'_>, shell: &dyn Shell, patience: &Patience) ->
     let mut state = State::of(call);
     let l = state.language;
     let (held, why) = match work(&mut state, shell, patience) {
-        Ok(page) => return Reply::of(200, crate::HTML, page.into_string()),
+        Ok(page) => return Reply::of(200, crate::HTML, Parts::of(call).left_out(&page.into_string())),
         Err(unfinished) => unfinished,
     };
     let part = |target: &str, inside: Markup| html! { template hx type="partial" hx-target=(target) hx-swap="outerMorph" { (inside) } };

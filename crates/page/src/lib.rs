@@ -31,6 +31,8 @@ mod simulated;
 mod sketch;
 mod start;
 mod state;
+#[cfg(feature = "theory")]
+mod theory;
 mod tip;
 mod tolerances;
 mod tools;
@@ -47,6 +49,8 @@ pub use call::{
 };
 pub use frame::ICON;
 pub use names::{is_project_name, recording_names};
+#[cfg(feature = "theory")]
+pub use theory::theory_files;
 
 use questions::Patience;
 
@@ -55,6 +59,10 @@ use questions::Patience;
 pub fn respond(call: &Call<'_>, shell: &dyn Shell, patience: &Patience) -> Reply {
     if let Some(name) = call.path.strip_prefix("/assets/") {
         return assets::asset(name);
+    }
+    #[cfg(feature = "theory")]
+    if let Some(name) = call.path.strip_prefix("/theory/") {
+        return theory::file(name);
     }
     #[cfg(feature = "interface")]
     if api::is_path(call.path) {
@@ -67,6 +75,7 @@ pub fn respond(call: &Call<'_>, shell: &dyn Shell, patience: &Patience) -> Reply
         (Method::Get, "/") if call.field("begin").is_some() => files::begun(call, shell, patience),
         (_, "/") => html(frame::whole(call, shell, patience)),
         (Method::Get, "/begin") => html(start::asked(files::place(call), call.language())),
+        (Method::Get, "/begin/drawing") => html(start::drawing_of(call)),
         (Method::Post, "/work") => frame::worked(call, shell, patience),
         (Method::Post, "/tolerances") => html(tolerances::judged(call, shell, patience)),
         (Method::Get, PROGRESS) => waiting::progress(call, shell),

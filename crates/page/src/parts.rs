@@ -2,47 +2,27 @@
 //!
 //! A shell keeps nothing of a page. Each part carries the digest of its text, a request carries the digests of the parts
 //! that the browser shows, and where a part has not changed an empty element with its identifier stands in its place. The
-//! script leaves such an element as it is (`htmx:before:morph:node` in `page.js`).
+//! script leaves such an element as it is (`htmx_before_morph_node` in `page.js`). Parts may lie within parts.
 
+use crate::call::Call;
 use maud::{Markup, PreEscaped};
-use std::collections::HashMap;
+use std::collections::BTreeMap;
 use std::hash::{DefaultHasher, Hash, Hasher};
 
-/// So many parts are read of a request at most; a page has a few dozen.
-const MOST: usize = 400;
+/// So many parts are read of a request at most; a page has some hundred.
+const MOST: usize = 2_000;
 
-/// The digests of the parts that a browser shows, by their identifiers.
-#[derive(Default)]
-pub(crate) struct Parts(HashMap<String, u64>);
+/// Before the digest of a part. In texts and values of attributes the quotation mark is escaped.
+const MARK: &str = " data-part=\"";
 
-impl Parts {
-    /// As a request carries them: `id=digest` separated by blanks, the digest in hexadecimal digits.
-    pub(crate) fn read(text: &str) -> Self {
-        let one = |word: &str| {
-            let (id, digest) = word.rsplit_once('=')?;
-            Some((id.to_owned(), u64::from_str_radix(digest, 16).ok()?))
-        };
-        Self(text.split_whitespace().take(MOST).filter_map(one).collect())
-    }
-
-    /// An element with an identifier, which may be left out as long as its text stays the same. An element without
-    /// identifier, or with parts inside, is sent as it is.
-    pub(crate) fn part(&self, element: Markup) -> Markup {
-        let text = element.0;
-        let Some((tag, id)) = head(&text) else { return PreEscaped(text) };
-        // A quotation mark of a text is escaped: these are attributes.
-        if text.contains(" data-part=\"") || text.contains("\" data-same>") {
-            return PreEscaped(text);
-        }
-        let mut hasher = DefaultHasher::new();
-        text.hash(&mut hasher);
-        let digest = hasher.finish();
-        if self.0.get(id) == Some(&digest) {
-            return PreEscaped(format!("<{tag} id=\"{id}\" data-same></{tag}>"));
-        }
-        let (begin, rest) = text.split_at(tag.len() + 1);
-        PreEscaped(format!("{begin} data-part=\"{digest:x}\"{rest}"))
-    }
+/// The same element with the digest of its text, where it has an identifier.
+pub(crate) fn part(element: Markup) -> Markup {
+    let text = element.0;
+    let Some((tag, _)) = head(&text) else { return PreEscaped(text) };
+    let mut hasher = DefaultHasher::new();
+    text.hash(&mut hasher);
+    let (begin, rest) = text.split_at(tag.len() + 1);
+    PreEscaped(format!("{begin}{MARK}{:x}\"{rest}", hasher.finish()))
 }
 
 /// The name of the first element and its identifier.
@@ -53,41 +33,118 @@ fn head(text: &str) -> Option<(&str, &str)> {
     Some((tag, id.split_once('"')?.0))
 }
 
+/// The digests of the parts that a browser shows, by their identifiers.
+pub(crate) struct Parts(BTreeMap<String, String>);
+
+impl Parts {
+    /// As a request carries them: `id=digest` separated by blanks.
+    pub(crate) fn of(call: &Call<'_>) -> Self {
+        Self::read(&call.field("parts").unwrap_or_default())
+    }
+
+    fn read(text: &str) -> Self {
+        let one = |word: &str| word.rsplit_once('=').map(|(id, digest)| (id.to_owned(), digest.to_owned()));
+        Self(text.split_whitespace().take(MOST).filter_map(one).collect())
+    }
+
+    /// A page without what the browser shows.
+    pub(crate) fn left_out(&self, page: &str) -> String {
+        let mut out = String::with_capacity(page.len());
+        let mut rest = page;
+        while let Some(mark) = rest.find(MARK) {
+            let (before, _) = rest.split_at(mark);
+            let (before, part) = rest.split_at(before.rfind('<').unwrap_or(mark));
+            out.push_str(before);
+            let known = head(part).and_then(|(tag, id)| {
+                let digest = part.split_once(MARK)?.1.split_once('"')?.0;
+                (self.0.get(id).map(String::as_str) == Some(digest)).then_some((tag, id))
+            });
+            let ended = known.and_then(|(tag, id)| Some((tag, id, part.get(end(part, tag)?..)?)));
+            rest = match ended {
+                Some((tag, id, behind)) => {
+                    out.push_str(&format!("<{tag} id=\"{id}\" data-same></{tag}>"));
+                    behind
+                }
+                None => {
+                    let (head, behind) = part.split_at((mark - before.len()) + MARK.len());
+                    out.push_str(head);
+                    behind
+                }
+            };
+        }
+        out.push_str(rest);
+        out
+    }
+}
+
+/// Where the first element of a text ends.
+fn end(text: &str, tag: &str) -> Option<usize> {
+    let (open, close) = (format!("<{tag}"), format!("</{tag}>"));
+    let opens = |part: &str| {
+        let signs = part.match_indices(&open).filter_map(|(place, _)| part.as_bytes().get(place + open.len()));
+        signs.filter(|sign| matches!(sign, b' ' | b'>')).count()
+    };
+    let (mut at, mut deep) = (0, 0_usize);
+    loop {
+        let to = at + text.get(at..)?.find(&close)? + close.len();
+        deep = (deep + opens(text.get(at..to)?)).checked_sub(1)?;
+        at = to;
+        if deep == 0 {
+            return Some(at);
+        }
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
     use maud::html;
 
     fn element(value: &str) -> Markup {
-        html! { li.entry id="f-1" title="a > b" { (value) } }
+        part(
+            html! { div.entry id="f-1" title="a > b" { div { (value) } details {} (part(html! { div id="f-2" { "in" } })) } },
+        )
     }
 
     /// The digests as the script collects them.
-    fn kept(sent: &Markup) -> Parts {
-        let digest =
-            sent.0.split_once("data-part=\"").and_then(|(_, rest)| rest.split_once('"')).map(|(digest, _)| digest);
-        Parts::read(&format!("f-1={} other=zz", digest.unwrap_or_default()))
+    fn shown(page: &Markup) -> Parts {
+        let of = |rest: &str| {
+            let digest = rest.split('"').next().unwrap_or_default();
+            let id = rest.split("id=\"").nth(1).and_then(|id| id.split('"').next()).unwrap_or_default();
+            format!("{id}={digest} ")
+        };
+        Parts::read(&page.0.split(MARK).skip(1).map(of).collect::<String>())
     }
 
     #[test]
-    fn what_the_browser_has_is_sent_by_its_name_alone() {
-        let first = Parts::default().part(element("7"));
-        assert!(first.0.starts_with("<li data-part=\""), "{}", first.0);
-        assert!(first.0.ends_with(">7</li>"), "{}", first.0);
-        let held = kept(&first);
-        assert_eq!(held.part(element("7")).0, "<li id=\"f-1\" data-same></li>");
-        assert_eq!(
-            held.part(element("8")).0.replace(char::is_alphanumeric, ""),
-            first.0.replace(char::is_alphanumeric, "")
-        );
+    fn what_the_browser_shows_is_sent_by_its_name_alone() {
+        let page = |value: &str| html! { p { "before" } (element(value)) p { "behind" } };
+        let parts = shown(&page("7"));
+        assert_eq!(parts.0.len(), 2);
+        assert_eq!(parts.left_out(&page("7").0), "<p>before</p><div id=\"f-1\" data-same></div><p>behind</p>");
+        // Of what has changed only the parts inside that have not are left out.
+        let other = parts.left_out(&page("8").0);
+        assert!(other.contains(">8<") && other.contains("<div id=\"f-2\" data-same></div></div><p>behind"), "{other}");
+        assert_eq!(Parts::read("").left_out(&page("8").0), page("8").0);
     }
 
     #[test]
     fn an_element_without_an_identifier_is_sent_as_it_is() {
-        let held = Parts::read("=1 x= a=g");
-        let inside = Parts::default().part(element("7"));
-        for plain in [html! { p title="no id" { "a" } }, html! { "text" }, html! {}, html! { ol id="a" { (inside) } }] {
-            assert_eq!(held.part(plain.clone()).0, plain.0);
+        for plain in [html! { p title="no id" { "a" } }, html! { "text" }, html! {}] {
+            assert_eq!(part(plain.clone()).0, plain.0);
+        }
+    }
+
+    #[test]
+    fn what_is_no_whole_element_stays() {
+        let parts = Parts::read("a=1 = x");
+        for page in [
+            "<p data-part=\"1\" id=\"a\">",
+            "x data-part=\"1\"",
+            "<p data-part=\"1",
+            "<div data-part=\"1\" id=\"a\"><div></div>",
+        ] {
+            assert_eq!(parts.left_out(page), page);
         }
     }
 }

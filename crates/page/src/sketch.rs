@@ -32,19 +32,6 @@ pub(crate) fn still(mechanism: Option<&str>) -> Markup {
     html! { svg viewBox=(drawing.view_box()) { (PreEscaped(drawing.svg())) } }
 }
 
-/// The drawing of a mechanism of which the inclination is known; `of` is the path of its table.
-pub(crate) fn of(
-    mechanism: Option<&str>,
-    inclination: Option<&str>,
-    of: &str,
-    title: &str,
-    language: Language,
-) -> Markup {
-    let path = format!("{of}.inclination");
-    let figures = project::drawn_figures(inclination.map(|text| (path.as_str(), text)), of);
-    shown(&Shown { mechanism, figures, of, title, project: None }, language)
-}
-
 /// The drawing of a mechanism to the scale of what is stated, with its symbols.
 pub(crate) fn shown(it: &Shown<'_>, language: Language) -> Markup {
     let l = language;

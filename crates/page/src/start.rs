@@ -131,18 +131,20 @@ pub(crate) fn tiles(language: Language) -> Markup {
     }
 }
 
-/// The few figures of a way to begin.
+/// The few figures of a way to begin, beside a drawing that follows them.
 pub(crate) fn asked(place: usize, language: Language) -> Markup {
     let Some(begin) = BEGINS.get(place) else { return html! {} };
     html! {
         form.begin-form.rows method="get" action="/" aria-labelledby="begin-title" {
             h3 id="begin-title" tabindex="-1" { (title(begin.mechanism, language)) }
-            span.sketch { (sketch::of(begin.mechanism, None, "b", &title(begin.mechanism, language), language)) }
+            span.sketch id="begin-sketch" { (drawing(begin, &begin.text(|_| None), language)) }
             p.small { (page::usual_values(language)) }
             @for (path, value) in &begin.asked {
+                @let id = crate::form::id(path);
                 div.row {
-                    label for={ "b-" (crate::form::id(path)) } { (key_at(path).map(|key| capitalised(&short_label(about_text(key.about, language)))).unwrap_or_default()) @if path.starts_with("motion[2]") { " (" (words::law_text(SegmentLaw::Dwell, language)) ")" } }
-                    input id={ "b-" (crate::form::id(path)) } name=(path) type="text" value=(crate::value::with_mark(value, language)) autocomplete="off" spellcheck="false";
+                    label for=(id) { (key_at(path).map(|key| capitalised(&short_label(about_text(key.about, language)))).unwrap_or_default()) @if path.starts_with("motion[2]") { " (" (words::law_text(SegmentLaw::Dwell, language)) ")" } }
+                    input id=(id) name=(path) type="text" value=(crate::value::with_mark(value, language)) autocomplete="off" spellcheck="false"
+                        hx-get="/begin/drawing" hx-trigger="input changed delay:100ms" hx-target="#begin-sketch" hx-swap="innerHTML" hx-include="closest form";
                 }
             }
             input type="hidden" name="begin" value=(place);
@@ -150,6 +152,33 @@ pub(crate) fn asked(place: usize, language: Language) -> Markup {
             button.primary type="submit" { (page::first_answer(language)) }
         }
     }
+}
+
+/// The text of a way to begin with what is typed in its form.
+pub(crate) fn typed(begin: &Begin, call: &Call<'_>) -> String {
+    begin.text(|path| call.field(path).map(|typed| crate::value::with_point(&typed, call.language())))
+}
+
+/// The drawing of a way to begin with what is typed in its form.
+pub(crate) fn drawing_of(call: &Call<'_>) -> Markup {
+    let begin = BEGINS.get(crate::files::place(call));
+    html! { @if let Some(begin) = begin { (drawing(begin, &typed(begin, call), call.language())) } }
+}
+
+/// The drawing to the scale of a text; what is no value is left out of it.
+fn drawing(begin: &Begin, text: &str, language: Language) -> Markup {
+    let of = begin.mechanism.map_or_else(|| "load".to_owned(), |name| format!("mechanism.{name}"));
+    let stated = written(text).unwrap_or_default();
+    let figures = stated.iter().filter_map(|key| Some((key.path.as_str(), key.value.as_deref()?)));
+    let project = questions::read(text).ok();
+    let it = sketch::Shown {
+        mechanism: begin.mechanism,
+        figures: project::drawn_figures(figures, &of),
+        of: &of,
+        title: &title(begin.mechanism, language),
+        project: project.as_ref(),
+    };
+    sketch::shown(&it, language)
 }
 
 /// What comes out of an example, for its card.

@@ -4,7 +4,6 @@
 
 use crate::call::Call;
 use crate::form::tolerance_of;
-use crate::parts::Parts;
 use crate::value::{in_unit, stated, with_point};
 use figures::{By, MapPoint, Theme, nearest};
 use order_code::OrderCode;
@@ -58,8 +57,6 @@ pub(crate) struct State {
     pub(crate) unfolded: bool,
     /// The folds of the form that are open although nothing is stated in them, by their ids.
     pub(crate) folds: Vec<String>,
-    /// The parts of the page that the browser shows.
-    pub(crate) parts: Parts,
     /// Width and height that the pictures of the middle pane may take \[px\].
     pub(crate) room: (f64, f64),
 }
@@ -243,7 +240,6 @@ impl State {
                 .map(|(_, id)| id.into_owned())
                 .take(FOLDS_MOST)
                 .collect(),
-            parts: Parts::read(&field("parts")),
             room: room(&field("width"), &field("height")),
             samples: field("samples").trim().parse().ok().filter(|samples| (1..=SAMPLES_MOST).contains(samples)),
         };

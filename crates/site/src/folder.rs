@@ -37,12 +37,13 @@ pub fn files([engine, interface]: [&[u8]; 2], notices: &str) -> std::io::Result<
         ("interface.js".to_owned(), packed(interface)?.into_bytes()),
         ("THIRD-PARTY.md".to_owned(), notices.into()),
     ];
-    for name in page::ASSETS {
-        let path = format!("/assets/{name}");
+    let assets = page::ASSETS.iter().map(|name| format!("assets/{name}"));
+    for name in assets.chain(page::theory_files().map(|name| format!("theory/{name}"))) {
+        let path = format!("/{name}");
         let call =
             Call { method: Method::Get, path: &path, query: "", media: None, body: &[], language: Language::default() };
         let reply = respond(&call, &crate::Store::default(), &Patience::endless());
-        files.push((format!("assets/{name}"), reply.body));
+        files.push((name, reply.body));
     }
     let worker = kept(&files);
     files.push(("sw.js".to_owned(), worker.into_bytes()));

@@ -165,7 +165,7 @@ texts! {
     pause = "Pause" | "Anhalten";
     slower = "Slower" | "Langsamer";
     page_of_the_manual(number) = "page {number} of the manual" | "Seite {number} des Handbuchs";
-    chapter_of_the_theory(name) = "explained in docs/theory/{name}.md" | "erläutert in docs/theory/{name}.md";
+    chapter_of_the_theory(name) = "theory: {name}" | "Theorie (englisch): {name}";
     worst_instant(time) = "at {time} s" | "bei {time} s";
     cancel = "Cancel" | "Abbrechen";
     was_cancelled = "Cancelled" | "Abgebrochen";

@@ -8,6 +8,7 @@ use quantities::Language;
 use questions::Patience;
 use std::cell::RefCell;
 use std::collections::BTreeMap;
+#[allow(unused_imports, reason = "each test takes what it needs")]
 pub use testkit::html::whole;
 
 /// A shell without a world.

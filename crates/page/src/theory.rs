@@ -1,0 +1,184 @@
+//! The theory behind the models: the chapters of `docs/theory`, to which the derivation of a number leads.
+//!
+//! They are English. The server answers them, and what writes the static folder writes them as files: the engine in the
+//! browser goes without them.
+
+use crate::call::Reply;
+use maud::{DOCTYPE, PreEscaped, html};
+use pulldown_cmark::{CowStr, Event, LinkType, Options, Parser, Tag, TagEnd};
+use quantities::Language;
+use words::page;
+
+/// Chapters with their texts, and the pictures in them.
+macro_rules! files {
+    ($folder:literal: $($name:literal)*) => { [$(($name, include_str!(concat!("../../../docs/theory/", $folder, $name)))),*] };
+}
+
+const CHAPTERS: [(&str, &str); 23] = files![
+    "": "battery.md" "brake.md" "continuous-torque.md" "current.md" "demand.md" "energy.md" "error-budget.md" "feedback.md"
+    "flange-loads.md" "gear.md" "mechanisms.md" "moments.md" "motion-laws.md" "output-bearing.md" "overload.md"
+    "recorded-motion.md" "screw-joint.md" "short-time-torque.md" "stage.md" "thermal.md" "tolerances.md" "twin.md" "voltage.md"
+];
+const PICTURES: [(&str, &str); 2] = files!["pictures/": "continuous-20A.svg" "heat-shares.svg"];
+
+/// The names of all files below `/theory/`.
+pub fn theory_files() -> impl Iterator<Item = String> {
+    let chapters = CHAPTERS.iter().map(|(name, _)| name.replace(".md", ".html"));
+    chapters.chain(PICTURES.iter().map(|(name, _)| format!("pictures/{name}")))
+}
+
+/// A file of the theory.
+pub(crate) fn file(name: &str) -> Reply {
+    if let Some((_, svg)) = name.strip_prefix("pictures/").and_then(|name| PICTURES.iter().find(|(of, _)| *of == name))
+    {
+        return Reply::of(200, "image/svg+xml", *svg);
+    }
+    let chapter = name
+        .strip_suffix(".html")
+        .and_then(|name| CHAPTERS.iter().find(|(of, _)| of.strip_suffix(".md") == Some(name)));
+    match chapter {
+        Some((_, text)) => Reply::of(200, crate::HTML, shown(text)),
+        None => Reply::text(404, page::no_such_page(Language::En)),
+    }
+}
+
+/// A chapter as a page.
+fn shown(text: &str) -> String {
+    let (title, body) = set(text);
+    html! {
+        (DOCTYPE)
+        html lang="en" {
+            head {
+                meta charset="utf-8";
+                meta name="viewport" content="width=device-width, initial-scale=1";
+                title { (title) " – antrieb" }
+                link rel="icon" href=(crate::ICON);
+                link rel="stylesheet" href="../assets/page.css";
+            }
+            body.theory { main { (PreEscaped(body)) } }
+        }
+    }
+    .into_string()
+}
+
+/// Title and text of a chapter as HTML: headings can be led to, links within the theory lead to its pages, those that lead
+/// out of it are plain words, and what is written as HTML is shown as it is written.
+fn set(text: &str) -> (String, String) {
+    let mut events: Vec<Event<'_>> = Parser::new_ext(text, Options::ENABLE_TABLES).collect();
+    let mut title = String::new();
+    let mut heading: Option<(usize, String)> = None;
+    let mut anchors = Vec::new();
+    let mut is_out = false;
+    for (place, event) in events.iter_mut().enumerate() {
+        match event {
+            Event::Start(Tag::Heading { .. }) => heading = Some((place, String::new())),
+            Event::End(TagEnd::Heading(_)) => {
+                if let Some((begin, words)) = heading.take() {
+                    anchors.push((begin, anchor(&words)));
+                    if title.is_empty() {
+                        title = words;
+                    }
+                }
+            }
+            Event::Text(words) | Event::Code(words) => {
+                if let Some((_, so_far)) = &mut heading {
+                    so_far.push_str(words);
+                }
+            }
+            Event::Html(written) | Event::InlineHtml(written) => {
+                *event = Event::Text(std::mem::replace(written, CowStr::Borrowed("")))
+            }
+            Event::Start(Tag::Link { link_type: LinkType::Inline, dest_url, .. }) => match within(dest_url) {
+                Some(address) => *dest_url = address.into(),
+                None => {
+                    is_out = true;
+                    *event = Event::Text(CowStr::Borrowed(""));
+                }
+            },
+            Event::End(TagEnd::Link) if is_out => {
+                is_out = false;
+                *event = Event::Text(CowStr::Borrowed(""));
+            }
+            _ => {}
+        }
+    }
+    for (place, anchor) in anchors {
+        if let Some(Event::Start(Tag::Heading { id, .. })) = events.get_mut(place) {
+            *id = Some(anchor.into());
+        }
+    }
+    let mut out = String::with_capacity(2 * text.len());
+    pulldown_cmark::html::push_html(&mut out, events.into_iter());
+    (title, out)
+}
+
+/// The address of a link within the theory, of its pages; none of a link that leads out of it.
+fn within(address: &str) -> Option<String> {
+    let (file, anchor) = address.split_once('#').map_or((address, None), |(file, anchor)| (file, Some(anchor)));
+    if !file.is_empty() && !CHAPTERS.iter().any(|(name, _)| *name == file) {
+        return None;
+    }
+    let file = file.replace(".md", ".html");
+    Some(anchor.map_or_else(|| file.clone(), |anchor| format!("{file}#{anchor}")))
+}
+
+/// The identifier of a heading, as the links of the documents write it.
+fn anchor(words: &str) -> String {
+    let kept = words.chars().filter(|sign| sign.is_alphanumeric() || matches!(sign, ' ' | '-' | '_'));
+    kept.flat_map(char::to_lowercase).map(|sign| if sign == ' ' { '-' } else { sign }).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    #![allow(clippy::unwrap_used, reason = "a test fails loudly")]
+
+    use super::*;
+
+    fn names(folder: &str, ending: &str) -> Vec<String> {
+        let folder = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("../../docs/theory").join(folder);
+        let files = std::fs::read_dir(folder).unwrap().flatten().map(|file| file.file_name().into_string().unwrap());
+        let mut found: Vec<String> = files.filter(|name| name.ends_with(ending)).collect();
+        found.sort();
+        found
+    }
+
+    #[test]
+    fn every_chapter_and_every_picture_is_there() {
+        assert_eq!(CHAPTERS.map(|(name, _)| name.to_owned()).to_vec(), names("", ".md"));
+        assert_eq!(PICTURES.map(|(name, _)| name.to_owned()).to_vec(), names("pictures", ".svg"));
+        for name in theory_files() {
+            assert_eq!(file(&name).status, 200, "{name}");
+        }
+        assert_eq!(file("../gear.html").status, 404);
+    }
+
+    /// Every anchor that a chapter links to within the theory is a heading of its page.
+    #[test]
+    fn links_within_the_theory_lead_somewhere() {
+        let pages: Vec<(String, String)> =
+            CHAPTERS.iter().map(|(name, text)| (name.replace(".md", ".html"), shown(text))).collect();
+        let mut seen = 0;
+        for (own, page) in &pages {
+            for address in page.split("href=\"").skip(1).filter_map(|rest| rest.split('"').next()) {
+                let Some((file, anchor)) = address.split_once('#') else { continue };
+                let file = if file.is_empty() { own } else { file };
+                let (_, target) = pages.iter().find(|(name, _)| name == file).unwrap();
+                assert!(target.contains(&format!("id=\"{anchor}\"")), "{own}: {address}");
+                seen += 1;
+            }
+            assert!(!page.contains(".md\"") && page.contains("<h1 id="), "{own}");
+        }
+        assert!(seen > 5, "{seen}");
+    }
+
+    #[test]
+    fn html_in_a_chapter_is_shown_as_it_is_written() {
+        let (title, body) = set("# A *b* `c`\n\nx <b>y</b> [in](gear.md#a) [out](../x.md) [far](https://e.org)\n");
+        assert_eq!(title, "A b c");
+        assert!(
+            body.contains("id=\"a-b-c\"") && body.contains("&lt;b&gt;y") && body.contains("href=\"gear.html#a\""),
+            "{body}"
+        );
+        assert!(!body.contains("x.md") && !body.contains("e.org"), "{body}");
+    }
+}
