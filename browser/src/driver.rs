@@ -117,6 +117,8 @@ fn firefox(program: &Path, folder: &Path) -> Value {
             "pdfjs.disabled": true,
             "browser.helperApps.neverAsk.saveToDisk": SAVED,
             "intl.accept_languages": "en",
+            // A page with unsaved work is left without a question: a browser that asks does not end.
+            "dom.disable_beforeunload": true,
             // The clipboard without a question, as a person's click has it.
             "dom.events.testing.asyncClipboard": true,
         },

@@ -97,8 +97,11 @@ impl Stage<'_> {
         self.tab.click(button)?;
         let begin = Instant::now();
         while begin.elapsed() < Duration::from_secs(60) {
-            let new = all().into_iter().filter(|path| !before.contains(path));
-            let found = new.into_iter().find(|path| path.extension().is_some_and(|found| found == ending));
+            let new: Vec<PathBuf> = all().into_iter().filter(|path| !before.contains(path)).collect();
+            // As long as there is more to come, Firefox keeps it beside the file, which is empty.
+            let is_part = |path: &PathBuf| path.extension().is_some_and(|found| found == "part");
+            let found = new.iter().find(|path| path.extension().is_some_and(|found| found == ending)).cloned();
+            let found = found.filter(|_| !new.iter().any(is_part));
             if let Some(path) = found {
                 return Ok(path);
             }

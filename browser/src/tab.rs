@@ -235,7 +235,7 @@ impl Tab {
     pub(crate) fn paste(&self, text: &str) -> Worded {
         self.run(
             "const held = new DataTransfer(); held.setData('text/plain', arguments_[0]); \
-             document.body.dispatchEvent(new ClipboardEvent('paste', { clipboardData: held, bubbles: true, cancelable: true }));",
+             document.body.dispatchEvent(new ClipboardEvent('paste', { clipboardData: held, data: arguments_[0], dataType: 'text/plain', bubbles: true, cancelable: true }));",
             vec![json!(text)],
         )?;
         Ok(())

@@ -3,7 +3,7 @@
 use plot::{BarChart, FaceChart, MapChart, Picture, Size, StackedChart, Style, Theme, XyChart};
 use quantities::unit::MILLIMETRE;
 use quantities::{Language, Length, Measure};
-use words::{capitalised, pictures, simulation, terminal, terms, wiring};
+use words::{capitalised, encoder, pictures, simulation, terminal, terms, wiring};
 
 /// The figures there are.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -26,6 +26,8 @@ pub enum Figure {
     Simulation,
     /// Frequency responses of its control.
     ControlLoops,
+    /// Tracks of an encoder; of a code and not of a project.
+    EncoderTracks,
 }
 
 impl Figure {
@@ -46,6 +48,7 @@ impl Figure {
             Self::MatingFace => "mating_face",
             Self::Simulation => "simulation",
             Self::ControlLoops => "control_loops",
+            Self::EncoderTracks => "encoder_tracks",
         }
     }
 
@@ -68,6 +71,7 @@ impl Figure {
             Self::MatingFace => wiring::mating_face,
             Self::Simulation => simulation::simulation,
             Self::ControlLoops => simulation::loops,
+            Self::EncoderTracks => encoder::tracks,
         };
         capitalised(title(language))
     }

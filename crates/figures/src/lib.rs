@@ -13,6 +13,7 @@ mod plane;
 mod simulation;
 mod thin;
 mod torsion;
+mod tracks;
 mod utilisation;
 
 pub use bearing::{bearing_load, bearing_load_within};
@@ -25,6 +26,7 @@ pub use plane::{curves, torque_speed};
 pub use plot::{Picture, Size, Style, Theme};
 pub use simulation::{control_loops, simulation};
 pub use torsion::{torsion, torsion_curve};
+pub use tracks::encoder_tracks;
 pub use utilisation::utilisation;
 
 use project::Project;
@@ -68,7 +70,7 @@ pub fn draw(
         Figure::Utilisation => Ok(utilisation(candidate, language)),
         Figure::Torsion => torsion(project, candidate, language),
         Figure::BearingLoad => bearing_load(project, candidate, language),
-        Figure::MatingFace => Err(NoFigure::OfACode),
+        Figure::MatingFace | Figure::EncoderTracks => Err(NoFigure::OfACode),
         // A run is drawn by those who have it.
         Figure::Simulation | Figure::ControlLoops => Err(NoFigure::OfARun),
         Figure::CandidateMap => {

@@ -50,6 +50,14 @@ document.addEventListener('click', (event) => {
   else if (what === 'open') open();
 });
 
+// The shaft of the encoder turns by hand.
+document.addEventListener('input', (event) => {
+  const field = document.getElementById(event.target.dataset?.turns);
+  if (!field) return;
+  field.value = `${event.target.value} deg`;
+  field.dispatchEvent(new Event('input', { bubbles: true }));
+});
+
 // An explanation stays within the page, and goes with Escape until the term is left.
 function inside(event) {
   const tip = event.target.closest?.('.tip');

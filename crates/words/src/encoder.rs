@@ -21,6 +21,24 @@ texts! {
     signal = "signal" | "Signal";
     pins = "pins" | "Stifte";
     meaning = "meaning" | "Bedeutung";
+    tracks = "encoder tracks" | "Geberspuren";
+    angle_from_the_shaft = "angle from where the shaft stands" | "Winkel ab Stellung der Welle";
+    tracks_caption(range) =
+        "{range}° of the shaft. The dashed line is where it stands; to its right is what follows clockwise."
+        | "{range}° der Welle. Die gestrichelte Linie ist ihre Stellung; rechts davon folgt der Rechtslauf.";
+    tracks_described(angle, range) =
+        "Tracks over {range}° around the shaft angle of {angle}°."
+        | "Spuren über {range}° um den Wellenwinkel {angle}°.";
+    excitation = "excitation" | "Erregung";
+    sine_winding = "sine winding" | "Sinuswicklung";
+    cosine_winding = "cosine winding" | "Kosinuswicklung";
+    carrier_caption =
+        "Two periods of the excitation while the shaft turns at its speed."
+        | "Zwei Perioden der Erregung bei der Drehzahl der Welle.";
+    carrier_described(frequency) =
+        "Voltages of the resolver at an excitation of {frequency} kHz."
+        | "Spannungen des Resolvers bei einer Erregung von {frequency} kHz.";
+    turn_the_shaft = "turn the shaft" | "Welle drehen";
     periods = "periods per turn" | "Perioden je Umdrehung";
     assumptions = "what the manual leaves open" | "was die Anleitung offen lässt";
     notes = "about the position" | "zur Position";

@@ -33,9 +33,21 @@ pub(super) fn curve(asked: &Asked<'_>, scene: &Scene<'_>) -> Result<Markup, Unan
     })
 }
 
-pub(super) fn encoder(asked: &Asked<'_>, _: &Scene<'_>) -> Result<Markup, Unanswered> {
+pub(super) fn encoder(asked: &Asked<'_>, scene: &Scene<'_>) -> Result<Markup, Unanswered> {
+    let l = asked.language;
     let found = list::encoder::found(asked)?;
-    Ok(laid_out(&chapter::encoder(&found, asked.language)))
+    let title = capitalised(words::encoder::turn_the_shaft(l));
+    let angle = found.motor.shaft.angle_deg.0;
+    Ok(html! {
+        // The script writes the angle into its field, which asks again.
+        label.turn { (title) " " input type="range" id="turn" min="0" max="359.9" step="0.1" value=(angle) data-turns="t-angle" hx-morph-skip=""; }
+        @for (place, state) in [Some(&found.motor), found.output_encoder.as_ref()].into_iter().flatten().enumerate() {
+            @for (part, drawing) in figures::encoder_tracks(&found.code, state, l).iter().enumerate() {
+                (picture(drawing, &format!("tool-tracks-{place}-{part}"), scene.theme, l))
+            }
+        }
+        (laid_out(&chapter::encoder(&found, l)))
+    })
 }
 
 fn curve_table(curve: &PerformanceCurve, language: Language) -> Markup {

@@ -297,8 +297,13 @@ fn signal(
         level_bounds_v: level.and_then(|level| level.bounds).map(|bounds| bounds.map(|volts| Number(volts.si()))),
         periods_per_turn: periods,
         source: source(each, signal, language),
-        curve: periods.and_then(|periods| curve(shaft, periods, window, &at)),
+        curve: shown_periods(each, signal).and_then(|periods| curve(shaft, periods, window, &at)),
     }
+}
+
+/// Periods of a signal over which its curve is shown: a mark, which is as short as a period of the tracks, over theirs.
+fn shown_periods(each: &Fitted, signal: Signal) -> Option<u32> {
+    each.encoder.periods(if matches!(signal, Signal::R | Signal::Z) { Signal::A } else { signal })
 }
 
 const fn form(signal: Signal, now: Option<Value>) -> SignalForm {
