@@ -119,6 +119,8 @@ fn firefox(program: &Path, folder: &Path) -> Value {
             "intl.accept_languages": "en",
             // A page with unsaved work is left without a question: a browser that asks does not end.
             "dom.disable_beforeunload": true,
+            // A window that is not in front has its events of focus too.
+            "focusmanager.testmode": true,
             // The clipboard without a question, as a person's click has it.
             "dom.events.testing.asyncClipboard": true,
         },

@@ -15,6 +15,9 @@ pub(crate) type Worded<T = ()> = Result<T, String>;
 /// So long something may take on a machine that has others to serve.
 const PATIENCE: Duration = Duration::from_secs(30);
 
+/// No window of Firefox is narrower than some 450 pixels.
+const FIREFOX_LEAST: u32 = 500;
+
 /// Keys as the driver names them.
 pub(crate) mod key {
     pub(crate) const TAB: char = '\u{e004}';
@@ -263,7 +266,8 @@ impl Tab {
                 self.command("Emulation.setDeviceMetricsOverride", metrics)
             }
             Make::Firefox => {
-                // The window has a frame around the page, and more of the screen than a page has pixels.
+                // Its window has a least width, and a frame around the page.
+                let width = width.max(FIREFOX_LEAST);
                 let around = self.eval("[outerWidth - innerWidth, outerHeight - innerHeight]")?;
                 let side = |inside: u32, place: usize| inside + around[place].as_u64().unwrap_or(0) as u32;
                 let resized = self.client.set_window_size(side(width, 0), side(height, 1));

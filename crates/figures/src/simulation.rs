@@ -17,13 +17,24 @@ const PANEL_MM: f64 = 27.0;
 /// A line of a panel: tone, dash, label, value in SI.
 type Curve<'l> = (Tone, Option<Dash>, &'l str, fn(&TwinSample) -> f64);
 
-/// Speed, torque, current, following error, DC link and temperatures over the run.
+/// Position, speed, torque, current, following error, DC link and temperatures over the run.
 #[must_use]
 pub fn simulation(run: &Simulated<'_>, language: Language) -> Drawing {
+    simulation_within(run, None, language)
+}
+
+/// The same, only what lies between two instants \[s\].
+#[must_use]
+pub fn simulation_within(run: &Simulated<'_>, window: Option<(f64, f64)>, language: Language) -> Drawing {
     let l = language;
+    let (from, until) = window.unwrap_or((f64::NEG_INFINITY, f64::INFINITY));
+    let first = run.course.partition_point(|sample| sample.time_s < from);
+    let last = run.course.partition_point(|sample| sample.time_s <= until);
+    // A window beyond the run, or between two samples of it, shows the whole.
+    let course = run.course.get(first..last).filter(|course| course.len() > 1).unwrap_or(&run.course);
     let of = |axis: Axis, unit: &'static Unit, curves: &[Curve<'_>]| {
         curves.iter().fold(Panel::new(axis), |panel, (tone, dash, label, value)| {
-            let points = run.course.iter().map(|sample| (sample.time_s, unit.from_si(value(sample))));
+            let points = course.iter().map(|sample| (sample.time_s, unit.from_si(value(sample))));
             let line = Line::new(points).tone(*tone);
             let line = if label.is_empty() { line } else { line.label(*label) };
             panel.with(match dash {
@@ -35,6 +46,11 @@ pub fn simulation(run: &Simulated<'_>, language: Language) -> Drawing {
     let (first, second) = (Tone::Series(0), Tone::Series(1));
     let [wanted, load, motor] = [simulation::wanted(l), simulation::of_the_load(l), simulation::of_the_motor(l)];
     let mut panels = vec![
+        of(
+            Axis::new("φ", DEGREE.symbol).name(pictures::angle_at_the_output(l)),
+            &DEGREE,
+            &[(first, None, load, |s| s.position_rad), (Tone::Trace, Some(Dash::Dotted), wanted, |s| s.wanted_rad)],
+        ),
         of(
             Axis::new("n", REVOLUTION_PER_MINUTE.symbol).name(pictures::output_speed(l)),
             &REVOLUTION_PER_MINUTE,
@@ -76,7 +92,10 @@ pub fn simulation(run: &Simulated<'_>, language: Language) -> Drawing {
     let mut height = FRAME_MM;
     for panel in panels {
         // What happened stands in every panel.
-        let marks = run.events.iter().filter(|event| event.kind == questions::TwinEvent::Scenario);
+        let marks = run
+            .events
+            .iter()
+            .filter(|event| event.kind == questions::TwinEvent::Scenario && (from..=until).contains(&event.time_s));
         let panel = marks.fold(panel, |panel, event| panel.with(Reference::vertical(event.time_s).dash(Dash::Dashed)));
         chart = chart.panel(panel);
         height += PANEL_MM;

@@ -17,7 +17,16 @@ export function tell(words) {
 
 // Requests wait for each other; each takes the text as the one before it left it.
 let answered = null;
-document.addEventListener('htmx:after:swap', (event) => { const { asked } = event.detail.ctx; if (asked && text()) answered = { asked, text: text().value }; });
+// What is typed in a field in one go is one step back, however often it was answered meanwhile.
+let visit = 0;
+let typed = null;
+let step = { typed: null, at: 0 };
+document.addEventListener('focusin', () => { visit += 1; });
+document.addEventListener('htmx:after:swap', (event) => {
+  const { asked, typing } = event.detail.ctx;
+  if (asked && text()) answered = { asked, text: text().value };
+  typed = typing ?? null;
+});
 document.addEventListener('htmx:before:request', (event) => {
   const body = event.detail.ctx.request.body;
   if (!(body instanceof URLSearchParams) || !text()) return;
@@ -26,6 +35,7 @@ document.addEventListener('htmx:before:request', (event) => {
   // A field that is left tells once more what was answered while it was typed.
   if (source.id && body.has('path') && base(source) === undefined && answered?.asked === asked && answered.text === text().value) { event.preventDefault(); return; }
   event.detail.ctx.asked = asked;
+  if (source.matches('input[type=text], textarea')) event.detail.ctx.typing = `${source.id} ${visit}`;
   if (event.detail.ctx.request.action.endsWith('/work')) body.append('parts', parts());
   for (const [id, open] of folds) if (open && (id.startsWith('f-') || id === 'ranking-rest')) body.append('fold', id);
   // A pull at the end of a segment begins at the text that was there when it began.
@@ -46,7 +56,13 @@ function note() {
   const now = field.defaultValue;
   // What is pulled is one step, however often it was answered meanwhile.
   if (base() !== undefined) return;
-  if (last !== null && now !== last) { past.push(last); future.length = 0; if (past.length > 500) past.shift(); }
+  if (last !== null && now !== last) {
+    const isOne = typed !== null && typed === step.typed && performance.now() - step.at < 3000;
+    step = { typed, at: performance.now() };
+    if (!isOne) past.push(last);
+    future.length = 0;
+    if (past.length > 500) past.shift();
+  }
   last = now;
   if (saved === null) saved = now;
   buttons();
@@ -91,9 +107,9 @@ function put(value) {
   field.value = value;
   field.dispatchEvent(new Event('change', { bubbles: true }));
 }
-function step(from, to) {
+function stepped(from, to) {
   // What is being pulled ends first: it is one step.
-  if (base() !== undefined) { addEventListener('antrieb:pulled', () => step(from, to), { once: true }); return; }
+  if (base() !== undefined) { addEventListener('antrieb:pulled', () => stepped(from, to), { once: true }); return; }
   if (from.length === 0) return;
   to.push(last);
   last = from.pop();
@@ -379,8 +395,8 @@ if (document.readyState === 'complete') linked().catch(() => {}); else addEventL
 
 document.addEventListener('click', (event) => {
   const of = (name) => event.target.closest?.(`[data-${name}]`);
-  if (of('undo')) step(past, future);
-  else if (of('redo')) step(future, past);
+  if (of('undo')) stepped(past, future);
+  else if (of('redo')) stepped(future, past);
   else if (of('save')) save();
   else if (of('open')) open();
   else if (of('link')) link();
@@ -406,8 +422,8 @@ addEventListener('keydown', (event) => {
   if (!(event.ctrlKey || event.metaKey)) return;
   const typing = event.target.closest?.('input, textarea');
   if (event.key === 's') { event.preventDefault(); save(); }
-  else if (event.key === 'z' && !typing) { event.preventDefault(); step(event.shiftKey ? future : past, event.shiftKey ? past : future); }
-  else if (event.key === 'y' && !typing) { event.preventDefault(); step(future, past); }
+  else if (event.key === 'z' && !typing) { event.preventDefault(); stepped(event.shiftKey ? future : past, event.shiftKey ? past : future); }
+  else if (event.key === 'y' && !typing) { event.preventDefault(); stepped(future, past); }
 });
 addEventListener('beforeunload', (event) => { if (last !== null && last !== saved) event.preventDefault(); });
 // Language and theme hold for whatever is asked next, before the page has them.

@@ -2,7 +2,7 @@
 const $ = (selector) => document.querySelector(selector);
 const all = (selector) => [...document.querySelectorAll(selector)];
 const SVG = 'http://www.w3.org/2000/svg';
-const OVER_TIME = ['#plot-cycle', '#plot-heat', '#plot-energy', '#plot-bearing-load'];
+const OVER_TIME = ['#plot-cycle', '#plot-heat', '#plot-energy', '#plot-bearing-load', '#plot-simulation'];
 const panels = (figure) => [...figure.querySelectorAll('g.plane[data-x-min]')];
 const overTime = () => OVER_TIME.map($).filter((figure) => figure && panels(figure).length > 0);
 const numbers = (panel) => Object.fromEntries(['left', 'right', 'top', 'bottom', 'xMin', 'xMax', 'yMin', 'yMax'].map((key) => [key, Number(panel.dataset[key])]));

@@ -117,7 +117,7 @@ fn explained(candidate: &Candidate<'_>, si: f64, figure: &str, language: Languag
 /// A recording with more samples is drawn after its numbers are there.
 const LONG_SAMPLES: usize = 20_000;
 
-fn is_long(project: &Project) -> bool {
+pub(crate) fn is_long(project: &Project) -> bool {
     project.axis.samples()[0] > LONG_SAMPLES
 }
 
@@ -152,27 +152,28 @@ pub(crate) fn view(
     let worst = overlay::worst(candidate);
     let marks = overlay::marks(&worst, l);
     let is_narrowed = state.window.is_some();
+    let until_s = project.axis.motion.duration().si();
     let drawn = || drawing(state, project, candidate, patience);
     html! {
         div id="view" role="tabpanel" aria-labelledby={ "view-" (state.view.id()) } {
             @match state.view {
                 View::Cycle => {
                     @let grips = if is_old { html! {} } else { overlay::grips(state, project) };
-                    (overlay::controls(project, is_narrowed, l))
+                    (overlay::controls(until_s, is_narrowed, l))
                     (picture(state, "cycle", drawn(), &marks, &grips))
                 }
                 View::TorqueSpeed => (picture(state, "torque-speed", drawn(), &none, &none)),
                 View::Heat => {
-                    (overlay::controls(project, is_narrowed, l))
+                    (overlay::controls(until_s, is_narrowed, l))
                     (picture(state, "heat", drawn(), &marks, &none))
                 }
                 View::Energy => {
-                    (overlay::controls(project, is_narrowed, l))
+                    (overlay::controls(until_s, is_narrowed, l))
                     (power(project, candidate, l))
                     (picture(state, "energy", drawn(), &marks, &none))
                 }
                 View::Bearing => {
-                    (overlay::controls(project, is_narrowed, l))
+                    (overlay::controls(until_s, is_narrowed, l))
                     (picture(state, "bearing-load", drawn(), &marks, &none))
                 }
                 View::Simulation => (crate::simulated::view(state, project, candidate, patience)),
@@ -206,7 +207,7 @@ pub(crate) fn drawing(
         View::Bearing => figure(Figure::BearingLoad),
         View::ErrorBudget => figure(Figure::Torsion),
         View::Simulation => crate::simulated::run(state, project, candidate, patience)
-            .map(|run| figures::simulation(&run, l))
+            .map(|run| figures::simulation_within(&run, state.window, l))
             .map_err(|_| NoFigure::OfARun),
     }
 }

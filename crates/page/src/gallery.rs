@@ -1,6 +1,7 @@
 //! Every component of the page side by side, so that a change of style is seen where it acts.
 
 use crate::call::Call;
+use crate::form::AT_ONCE;
 use crate::{checks, value};
 use figures::Theme;
 use maud::{DOCTYPE, Markup, html};
@@ -89,7 +90,7 @@ fn fields(language: Language) -> Markup {
                 @let id = format!("g-field-{place}");
                 div.row {
                     label for=(id) { (label) }
-                    (value::field(key, (&id, path, &label), text, follows, (wrong, "g-fault"), l))
+                    (value::field(key, (&id, path, &label), text, follows, (wrong, "g-fault"), AT_ONCE, l))
                 }
             }
             p.fault id="g-fault" { (page::faults(1, l)) }

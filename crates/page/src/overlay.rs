@@ -11,7 +11,7 @@ use questions::{Candidate, Check, moves};
 use words::{capitalised, check_title, law_text, page};
 
 /// One range that moves the instant of all pictures, and what narrows the time that they show.
-pub(crate) fn controls(project: &Project, is_narrowed: bool, language: Language) -> Markup {
+pub(crate) fn controls(until_s: f64, is_narrowed: bool, language: Language) -> Markup {
     let l = language;
     html! {
         div.cursor {
@@ -20,7 +20,7 @@ pub(crate) fn controls(project: &Project, is_narrowed: bool, language: Language)
                 button.small type="button" id="slower" data-slower="" aria-label=(page::slower(l)) title=(page::slower(l)) { "½×" }
                 span.small data-speed="" hx-morph-skip="" {}
                 label.unseen for="instant" { (page::instant_on_the_axis(l)) }
-                input id="instant" type="range" min="0" max="1000" value="0" step="1" title=(page::instant_on_the_axis(l)) data-until=(project.axis.motion.duration().si()) aria-describedby="instant-about" aria-keyshortcuts="+ - 0";
+                input id="instant" type="range" min="0" max="1000" value="0" step="1" title=(page::instant_on_the_axis(l)) data-until=(until_s) aria-describedby="instant-about" aria-keyshortcuts="+ - 0";
                 span.zoom role="group" aria-label=(page::time_shown(l)) {
                     button type="button" id="zoom-in" data-zoom="in" aria-label=(page::zoom_in(l)) title=(page::zoom_in(l)) { "+" }
                     button type="button" id="zoom-out" data-zoom="out" aria-label=(page::zoom_out(l)) title=(page::zoom_out(l)) disabled[!is_narrowed] { "−" }

@@ -3,11 +3,13 @@
 use crate::chapters::laid_out;
 use crate::demand::picture;
 use crate::state::State;
+use crate::{form, overlay};
 use maud::{Markup, html};
-use project::Project;
+use project::{Project, key_at};
+use quantities::{Language, Unit, format_significant};
 use questions::list::simulate::{ScenarioId, of_scenario};
 use questions::{Candidate, CandidateId, Patience, Simulated, answer, chapter};
-use words::{capitalised, page, simulation};
+use words::{about_text, capitalised, page, short_label, simulation};
 
 /// The run of the scenario that is chosen, else of the one that the project states.
 ///
@@ -44,10 +46,29 @@ pub(crate) fn view(state: &State, project: &Project, candidate: &Candidate<'_>, 
         }
         @match &found {
             Ok(run) => {
-                (picture(state, "simulation", Ok(figures::simulation(run, l)), &none, &none))
-                (laid_out(&chapter::simulation(&answer::simulation(run, l), l)))
+                @let record = answer::simulation(run, l);
+                (overlay::controls(run.summary.time_s, state.window.is_some(), l))
+                (picture(state, "simulation", Ok(figures::simulation_within(run, state.window, l)), &none, &none))
+                (gains(state, &record, l))
+                (laid_out(&chapter::simulation(&record, l)))
             }
             Err(why) => p.empty { (capitalised(why)) },
         }
+    }
+}
+
+/// The gains in use, each leading to its field: another one runs anew, and the instant stays where it is.
+fn gains(state: &State, record: &answers::Simulation, language: Language) -> Markup {
+    let l = language;
+    let stated = record.gains.0.iter().filter_map(|gain| {
+        let path = format!("{}twin.{}", state.prefix, gain.id);
+        let key = key_at(&path)?;
+        Some((path, short_label(about_text(key.about, l)), gain.title.as_str(), gain.value?, gain.unit))
+    });
+    html! {
+        p.small { (page::gains_in_use(l)) ": " @for (place, (path, about, symbol, value, unit)) in stated.enumerate() {
+            @if place > 0 { ", " }
+            a href={ "#" (form::id(&path)) } title=(about) { (crate::chapters::symbol(symbol)) } " = " (format_significant(value.0, 4, l)) " " (Unit::of(unit).map_or(unit, |unit| unit.symbol))
+        } }
     }
 }

@@ -141,6 +141,7 @@ pub(crate) fn field(
     value: &str,
     follows: Option<&str>,
     (wrong, described): (bool, &str),
+    trigger: &str,
     language: Language,
 ) -> Markup {
     let l = language;
@@ -164,7 +165,7 @@ pub(crate) fn field(
         span.quantity {
             input id=(id) name="value" type="text" value=(number) placeholder=(placeholder) title=[title] autocomplete="off" spellcheck="false" inputmode="decimal"
                 aria-invalid=[wrong.then_some("true")] aria-describedby=[wrong.then_some(described)]
-                hx-post="/work" hx-trigger="input changed delay:60ms, change" hx-vals=(vals(&[("path", path), ("unit", unit), ("kept", band)]));
+                hx-post="/work" hx-trigger=(trigger) hx-vals=(vals(&[("path", path), ("unit", unit), ("kept", band)]));
             @if units.len() > 1 {
                 // The others stand once in the page.
                 select id={ (id) "-u" } name="in_unit" data-chosen=(unit) data-units=(list_id(&dimensions)) aria-label=(page::unit_of(&label, l)) title=(page::unit_of(&label, l))

@@ -164,6 +164,7 @@ texts! {
     play = "Play the motion" | "Bewegung abspielen";
     pause = "Pause" | "Anhalten";
     slower = "Slower" | "Langsamer";
+    gains_in_use = "Gains in use; each leads to its field" | "Verwendete Reglerparameter; jeder führt zu seinem Feld";
     page_of_the_manual(number) = "page {number} of the manual" | "Seite {number} des Handbuchs";
     chapter_of_the_theory(name) = "theory: {name}" | "Theorie (englisch): {name}";
     worst_instant(time) = "at {time} s" | "bei {time} s";
