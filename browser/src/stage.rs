@@ -62,7 +62,10 @@ impl Stage<'_> {
             .tab
             .run(&format!("{mark} return Number(document.documentElement.dataset.answered ?? 0);"), Vec::new())?;
         self.tab.fill(field, value)?;
-        self.tab.until(&format!("Number(document.documentElement.dataset.answered ?? 0) > {before}"))
+        self.tab.until(&format!("Number(document.documentElement.dataset.answered ?? 0) > {before}"))?;
+        // Each key may have its own answer: the last one is waited for.
+        std::thread::sleep(Duration::from_millis(60));
+        self.tab.until("!document.querySelector('.htmx-request')")
     }
 
     /// No rule of accessibility is broken by what is in sight.
