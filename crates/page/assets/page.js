@@ -36,6 +36,7 @@ document.addEventListener('htmx:before:request', (event) => {
   if (source.id && body.has('path') && base(source) === undefined && answered?.asked === asked && answered.text === text().value) { event.preventDefault(); return; }
   event.detail.ctx.asked = asked;
   if (source.matches('input[type=text], textarea')) event.detail.ctx.typing = `${source.id} ${visit}`;
+  if (body.has('path') && source.closest('details.more')) body.append('folded', '');
   if (event.detail.ctx.request.action.endsWith('/work')) body.append('parts', parts());
   for (const [id, open] of folds) if (open && (id.startsWith('f-') || id === 'ranking-rest')) body.append('fold', id);
   // A pull at the end of a segment begins at the text that was there when it began.

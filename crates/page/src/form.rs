@@ -27,6 +27,8 @@ pub(crate) struct Form<'f> {
     needed: Vec<(&'static str, usize)>,
     /// The folds that are open although nothing is stated in them.
     folds: &'f [String],
+    /// The path of the field that is typed in, and whether it stands behind a fold.
+    typed_at: Option<(&'f str, bool)>,
 }
 
 /// What followed for a segment of the motion.
@@ -52,6 +54,7 @@ pub(crate) fn column(state: &State, held: &Held, candidate: Option<&Candidate<'_
         project: held.projects.get(state.axis),
         needed: candidate.map(Candidate::keys_to_state).unwrap_or_default(),
         folds: &state.folds,
+        typed_at: state.typed_at.as_ref().map(|(path, folded)| (path.as_str(), *folded)),
     };
     let l = state.language;
     let fields = html! {
@@ -201,6 +204,18 @@ impl Form<'_> {
         self.held.written.iter().any(|key| below(&key.path))
     }
 
+    /// Whether the row of a path stands among the first: something is stated there or below it. A field that is typed in stays
+    /// where it is, though it be emptied to be filled anew, or get its first value behind a fold.
+    fn is_first(&self, path: &str) -> bool {
+        let within =
+            |typed: &str| typed.strip_prefix(path).is_some_and(|rest| rest.is_empty() || rest.starts_with('.'));
+        match self.typed_at.filter(|(typed, _)| within(typed)) {
+            Some((typed, folded)) if typed == path => !folded,
+            Some(_) => true,
+            None => self.is_there(path),
+        }
+    }
+
     /// How many entries a list has.
     fn count(&self, path: &str) -> usize {
         (1..).take_while(|place| self.is_there(&format!("{path}[{place}]"))).count()
@@ -270,7 +285,7 @@ impl Form<'_> {
         let l = self.language;
         let title = capitalised(table_of_project(key.name, l).unwrap_or_else(|| about_text(key.about, l)));
         match key.kind {
-            Kind::Table(keys) => self.fold(&format!("{}-t", id(path)), &title, self.is_there(path), "", || {
+            Kind::Table(keys) => self.fold(&format!("{}-t", id(path)), &title, self.is_first(path), "", || {
                 html! {
                     (self.fault_at(path))
                     (self.rows(keys, path))
@@ -294,7 +309,7 @@ impl Form<'_> {
 
     /// Rows of a table: what must be there and what is stated first, the rest behind a fold.
     fn rows(&self, keys: &[Key], path: &str) -> Markup {
-        let first = |key: &&Key| key.required || self.is_there(&format!("{path}.{}", key.name));
+        let first = |key: &&Key| key.required || self.is_first(&format!("{path}.{}", key.name));
         let (shown, folded): (Vec<&Key>, Vec<&Key>) = keys.iter().partition(first);
         // A short table needs no fold.
         let all = folded.len() <= 4;
@@ -373,7 +388,7 @@ impl Form<'_> {
         let ghost = |name: &str| solved?.values.iter().find(|(of, _)| *of == name).map(|(_, value)| value.as_str());
         let own = [variants.by].into_iter().chain(needed.iter().copied()).chain(may.iter().copied());
         let shared: Vec<&Key> = variants.shared.iter().filter_map(|name| key(name)).collect();
-        let stated = |key: &&Key| self.is_there(&format!("{path}.{}", key.name));
+        let stated = |key: &&Key| self.is_first(&format!("{path}.{}", key.name));
         // What stands there and does not belong stays in sight, with its fault.
         let stray: Vec<&Key> = variants
             .keys

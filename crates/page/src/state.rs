@@ -57,6 +57,8 @@ pub(crate) struct State {
     pub(crate) unfolded: bool,
     /// The folds of the form that are open although nothing is stated in them, by their ids.
     pub(crate) folds: Vec<String>,
+    /// The path of the field that is typed in, and whether it stands behind a fold: it stays where it is.
+    pub(crate) typed_at: Option<(String, bool)>,
     /// Width and height that the pictures of the middle pane may take \[px\].
     pub(crate) room: (f64, f64),
 }
@@ -240,6 +242,7 @@ impl State {
                 .map(|(_, id)| id.into_owned())
                 .take(FOLDS_MOST)
                 .collect(),
+            typed_at: call.field("path").map(|path| (path.into_owned(), call.field("folded").is_some())),
             room: room(&field("width"), &field("height")),
             samples: field("samples").trim().parse().ok().filter(|samples| (1..=SAMPLES_MOST).contains(samples)),
         };

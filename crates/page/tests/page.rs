@@ -110,3 +110,26 @@ fn what_is_refused_unasked_is_told_as_that_and_not_as_stopped() {
     assert!(html.contains("16 ratios") && !html.contains("was cancelled"), "{}", &html[..2000.min(html.len())]);
     assert!(!html.contains("id=\"again\""), "the same question would be refused again");
 }
+
+/// A field that is emptied to be filled anew stays where it is; once another one is typed in it goes behind its fold.
+#[test]
+fn a_field_that_is_emptied_does_not_move_away() {
+    let text = template("turntable", "axis", Language::En).unwrap().text;
+    let at = |path: &str, value: &str| {
+        page(&post("/work", &[("text", &text), ("good", &text), ("path", path), ("value", value)]))
+    };
+    let field = "id=\"f-mechanism-turntable-friction_torque\"";
+    assert!(at("mechanism.turntable.friction_torque", "").contains(field));
+    let cleared = text.lines().filter(|line| !line.starts_with("friction_torque")).collect::<Vec<_>>().join("\n");
+    let other = page(&post("/work", &[("text", &cleared), ("path", "requirements.ambient"), ("value", "31 degC")]));
+    assert!(!other.contains(field));
+    // Behind a fold it stays there while it gets its first value.
+    let filled = |folded: &[(&str, &str)]| {
+        let typed = [("text", cleared.as_str()), ("path", "mechanism.turntable.friction_torque"), ("value", "7 N m")];
+        page(&post("/work", &[&typed[..], folded].concat()))
+    };
+    let fold = "id=\"f-mechanism-turntable-m\"";
+    let behind = |page: &str| page.find(fold).zip(page.find(field)).is_some_and(|(fold, field)| fold < field);
+    assert!(behind(&filled(&[("folded", ""), ("fold", "f-mechanism-turntable-m")])));
+    assert!(!behind(&filled(&[("fold", "f-mechanism-turntable-m")])));
+}
