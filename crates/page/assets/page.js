@@ -123,7 +123,8 @@ function right() {
   for (const select of all('select[data-chosen]')) if (document.activeElement !== select) select.value = select.dataset.chosen;
   for (const box of all('input[data-checked]')) box.checked = box.dataset.checked === 'true';
   const held = (name) => $(`#state [name=${name}]`)?.value;
-  if (held('lang')) document.documentElement.lang = held('lang');
+  // Even the same language set once more has the style of the whole page computed again.
+  if (held('lang') && document.documentElement.lang !== held('lang')) document.documentElement.lang = held('lang');
   if (held('theme') === 'dark') document.documentElement.dataset.theme = 'dark'; else delete document.documentElement.dataset.theme;
   note();
   overlay();
@@ -192,7 +193,8 @@ export function shut() {
 // What has not changed is not sent again: it stays as it is. Should it not be there, the whole page is requested.
 htmx.registerExtension('antrieb', {
   htmx_before_morph_node: (_, { newNode }) => newNode.dataset?.same === undefined,
-  htmx_before_morph_attr: (element, { attrName }) => attrName !== 'open' || !folds.has(element.id),
+  // Styles of elements are set by scripts alone; taken away and set again they would have the style of all inside computed twice.
+  htmx_before_morph_attr: (element, { attrName }) => attrName !== 'style' && (attrName !== 'open' || !folds.has(element.id)),
 });
 document.addEventListener('htmx:after:swap', () => {
   if (!$('[data-same]:not(#view)')) return;

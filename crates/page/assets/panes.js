@@ -14,7 +14,9 @@ if (shares.length !== 3 || !shares.every((share) => share >= LEAST)) shares = [.
 function borders() {
   const panes = $('#panes');
   if (!panes) return;
-  ['--left', '--middle', '--right'].forEach((name, place) => panes.style.setProperty(name, `${shares[place]}fr`));
+  ['--left', '--middle', '--right'].forEach((name, place) => {
+    if (panes.style.getPropertyValue(name) !== `${shares[place]}fr`) panes.style.setProperty(name, `${shares[place]}fr`);
+  });
   $('#border-1')?.setAttribute('aria-valuenow', Math.round(shares[0]));
   $('#border-2')?.setAttribute('aria-valuenow', Math.round(shares[0] + shares[1]));
 }
