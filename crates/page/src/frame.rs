@@ -101,7 +101,8 @@ fn work(state: &mut State, shell: &dyn Shell, patience: &Patience) -> Result<Mar
         };
     }
     let project = held.projects.get(state.axis);
-    let sizing = match project.map(|project| sized(project, 0, patience)).transpose() {
+    // The best is judged by every check with the catalogue: it is looked at most often.
+    let sizing = match project.map(|project| sized(project, 1, patience)).transpose() {
         Ok(sizing) => sizing,
         Err(refusal) => return Err((Box::new(held), refusal)),
     };
@@ -164,12 +165,20 @@ fn unfinished(state: &State, held: &Held, shell: &dyn Shell, why: &Markup, patie
     page_of(state, held, shell, &html! { (bar) (demand::stopped(why)) }, &panes)
 }
 
-/// The selected actuator: the requested one, else the project's own, else the best, with every check.
+/// The selected actuator: the requested one, else the project's own, else the best, with every check. `best` was judged so
+/// already where it fits.
 pub(crate) fn looked_at<'p>(
     state: &State,
     project: &'p Project,
-    best: Option<&Candidate<'_>>,
+    best: Option<&Candidate<'p>>,
 ) -> Option<Candidate<'p>> {
+    let is_best = |best: &&Candidate<'p>| match state.code {
+        Some(code) => best.id == CandidateId::Code(code),
+        None => project.actuator.is_none(),
+    };
+    if let Some(best) = best.filter(|best| best.fits()).filter(is_best) {
+        return Some(best.clone());
+    }
     if let Some(found) = state.code.as_ref().and_then(|code| check(project, code).ok()) {
         return Some(found);
     }
@@ -179,7 +188,7 @@ pub(crate) fn looked_at<'p>(
 /// The selected actuator where nothing else is shown: the catalogue is judged only if the choice depends on it.
 pub(crate) fn looked_at_alone<'p>(state: &State, project: &'p Project, patience: &Patience) -> Option<Candidate<'p>> {
     let is_sought = state.code.is_none() && project.actuator.is_none();
-    let sizing = if is_sought { sized(project, 0, patience).ok() } else { None };
+    let sizing = if is_sought { sized(project, 1, patience).ok() } else { None };
     looked_at(state, project, sizing.as_ref().and_then(|sizing| sizing.candidates.first()))
 }
 
