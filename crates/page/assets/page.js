@@ -32,6 +32,8 @@ document.addEventListener('htmx:before:request', (event) => {
   if (!(body instanceof URLSearchParams) || !text()) return;
   const source = event.detail.ctx.sourceElement;
   const asked = [source.id, ...[...body].filter(([key]) => key !== 'text' && key !== 'good').flat()].join('\n');
+  // What a field holds now is on its way behind this request.
+  if (body.has('path') && body.has('value') && source === document.activeElement && source.matches('input[type=text]') && source.value !== body.get('value')) { event.preventDefault(); return; }
   // A field that is left tells once more what was answered while it was typed.
   if (source.id && body.has('path') && base(source) === undefined && answered?.asked === asked && answered.text === text().value) { event.preventDefault(); return; }
   event.detail.ctx.asked = asked;
@@ -197,7 +199,7 @@ htmx.registerExtension('antrieb', {
   htmx_before_morph_attr: (element, { attrName }) => attrName !== 'style' && (attrName !== 'open' || !folds.has(element.id)),
 });
 document.addEventListener('htmx:after:swap', () => {
-  if (!$('[data-same]:not(#view)')) return;
+  if (!$('[data-same]:not(#view, #reserve)')) return;
   for (const each of all('[data-part]')) delete each.dataset.part;
   text()?.dispatchEvent(new Event('change', { bubbles: true }));
 });

@@ -30,9 +30,9 @@ pub(crate) fn column(
             h2.unseen id="demands-title" { (page::what_it_demands(l)) }
             (views(state, project, candidate))
             @if let Some(candidate) = candidate {
-                (sums(project, candidate, patience, l))
-                @if state.is_brief && is_long(project) { (later(state, candidate, shell)) }
-                @else { (view(state, project, candidate, is_old, shell, patience)) }
+                (sums(candidate, l))
+                @if state.is_brief && is_long(project) { div id="reserve" data-same="" {} (later(state, candidate, shell)) }
+                @else { (reserve(project, candidate, patience, l)) (view(state, project, candidate, is_old, shell, patience)) }
             } @else { p { (page::no_result_yet(l)) } }
         }
     }
@@ -80,13 +80,7 @@ fn views(state: &State, project: &Project, candidate: Option<&Candidate<'_>>) ->
     }
 }
 
-fn sums(project: &Project, candidate: &Candidate<'_>, patience: &Patience, language: Language) -> Markup {
-    // Only if that is quick: the page answers while the user types.
-    let reserve = if candidate.fits() {
-        reserve_unasked(project, candidate, patience).unwrap_or_default()
-    } else {
-        Default::default()
-    };
+fn sums(candidate: &Candidate<'_>, language: Language) -> Markup {
     html! {
         section.demand aria-label=(page::sums(language)) {
             @if let Some(demand) = &candidate.judgement.demand {
@@ -97,6 +91,19 @@ fn sums(project: &Project, candidate: &Candidate<'_>, patience: &Patience, langu
                     }
                 }
             }
+        }
+    }
+}
+
+/// Up to what the actuator fits, where that is found quickly: the page answers while the user types.
+pub(crate) fn reserve(project: &Project, candidate: &Candidate<'_>, patience: &Patience, language: Language) -> Markup {
+    let reserve = if candidate.fits() {
+        reserve_unasked(project, candidate, patience).unwrap_or_default()
+    } else {
+        Default::default()
+    };
+    html! {
+        div id="reserve" {
             @for (head, parts) in reserve_lines(&reserve, candidate, language) {
                 p.reserve { (capitalised(head)) ": " @for (place, part) in parts.iter().enumerate() { @if place > 0 { "; " } (part) } }
             }
@@ -117,7 +124,7 @@ fn explained(candidate: &Candidate<'_>, si: f64, figure: &str, language: Languag
 /// A recording with more samples is drawn after its numbers are there.
 const LONG_SAMPLES: usize = 20_000;
 
-pub(crate) fn is_long(project: &Project) -> bool {
+fn is_long(project: &Project) -> bool {
     project.axis.samples()[0] > LONG_SAMPLES
 }
 

@@ -1,7 +1,6 @@
 //! The left column: what moves. Every row is a key of the project file, taken from the description that its reader uses.
 
 use crate::call::Shell;
-use crate::demand::is_long;
 use crate::parts::part;
 use crate::state::{Held, State};
 use crate::{laws, recorded, sketch, value};
@@ -181,15 +180,7 @@ fn solved(state: &State, held: &Held) -> Vec<Followed> {
 /// When a field is sent: behind each key, as soon as no other follows at once.
 pub(crate) const AT_ONCE: &str = "input changed delay:15ms, change";
 
-/// Of a long recording the answer to each key would have to wait for the one before it.
-const AFTER_A_PAUSE: &str = "input changed delay:120ms, change";
-
 impl Form<'_> {
-    /// When the fields are sent.
-    fn trigger(&self) -> &'static str {
-        if self.project.is_some_and(is_long) { AFTER_A_PAUSE } else { AT_ONCE }
-    }
-
     pub(crate) fn value(&self, path: &str) -> Option<&str> {
         self.held.written.iter().find(|key| key.path == path)?.value.as_deref()
     }
@@ -495,11 +486,11 @@ impl Form<'_> {
                             aria-invalid=[wrong.then_some("true")] aria-describedby=[wrong.then_some(&described)]
                             hx-post="/work" hx-trigger="input changed delay:120ms, change" hx-vals=(vals(&[("path", path)])) { (value) }
                     },
-                    Kind::Quantity(..) | Kind::Along(..) => (value::field(key, (&id, path, &label), value, placeholder.filter(|_| value.is_empty()), (wrong, &described), self.trigger(), l)),
+                    Kind::Quantity(..) | Kind::Along(..) => (value::field(key, (&id, path, &label), value, placeholder.filter(|_| value.is_empty()), (wrong, &described), AT_ONCE, l)),
                     Kind::Number(..) | Kind::Numbers(..) | Kind::Integer(..) | Kind::Text | Kind::Table(_) | Kind::OneOrMany(..) | Kind::Variants(_) => {
                         input id=(id) name="value" type="text" value=(value::number(key, value, l)) placeholder=(ghost) autocomplete="off" spellcheck="false"
                             aria-invalid=[wrong.then_some("true")] aria-describedby=[wrong.then_some(&described)]
-                            hx-post="/work" hx-trigger=(self.trigger()) hx-vals=(vals(&[("path", path)]));
+                            hx-post="/work" hx-trigger=(AT_ONCE) hx-vals=(vals(&[("path", path)]));
                     },
                 }
                 @if let ("law", Kind::OneOf(words)) = (key.name, key.kind) { (laws::menu(&id, words, value, l)) }

@@ -71,11 +71,10 @@ pub(crate) fn worked(call: &Call<'_>, shell: &dyn Shell, patience: &Patience) ->
         Ok(page) => return Reply::of(200, crate::HTML, Parts::of(call).left_out(&page.into_string())),
         Err(unfinished) => unfinished,
     };
-    let part = |target: &str, inside: Markup| html! { template hx type="partial" hx-target=(target) hx-swap="outerMorph" { (inside) } };
     let parts = html! {
-        (part("#state", state_of(&state)))
-        (part("#moves", form::column(&state, &held, None, shell)))
-        (part("#stopped", demand::stopped(&waiting::stopped(&why, true, Some("/work"), shell, patience, l))))
+        (partial("#state", state_of(&state)))
+        (partial("#moves", form::column(&state, &held, None, shell)))
+        (partial("#stopped", demand::stopped(&waiting::stopped(&why, true, Some("/work"), shell, patience, l))))
     };
     let mut reply = Reply::of(200, crate::HTML, parts.into_string());
     reply.headers.push(("hx-reswap", String::from("none")));
@@ -282,13 +281,22 @@ fn example(kind: &str, found: &Template, language: Language) -> Markup {
     }
 }
 
-/// The picture of a long recording, after its numbers.
+/// The picture of a long recording, after its numbers, and up to what the actuator fits.
 pub(crate) fn picture(call: &Call<'_>, shell: &dyn Shell, patience: &Patience) -> Reply {
     let mut state = State::of(call);
     let held = state.hold(shell.files(), patience);
     let Some(project) = held.projects.get(state.axis) else { return Reply::text(204, "") };
     let Some(candidate) = looked_at_alone(&state, project, patience) else { return Reply::text(204, "") };
-    Reply::of(200, crate::HTML, demand::view(&state, project, &candidate, held.is_old, shell, patience).into_string())
+    let parts = html! {
+        (demand::view(&state, project, &candidate, held.is_old, shell, patience))
+        (partial("#reserve", demand::reserve(project, &candidate, patience, state.language)))
+    };
+    Reply::of(200, crate::HTML, parts.into_string())
+}
+
+/// A part of an answer that goes to a place of its own.
+fn partial(target: &str, inside: Markup) -> Markup {
+    html! { template hx type="partial" hx-target=(target) hx-swap="outerMorph" { (inside) } }
 }
 
 /// The curves of the picture that is shown, as a table.
