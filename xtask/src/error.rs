@@ -192,7 +192,7 @@ impl fmt::Display for Error {
             }
             Self::NoBrowser { program } => write!(
                 f,
-                "no {program} is here to try the page with; get Chromium and its driver (Debian: apt-get install chromium chromium-driver)"
+                "no {program} is here to try the page with; Debian: apt-get install chromium chromium-driver, for Firefox apt-get install firefox-esr and cargo install --locked geckodriver"
             ),
             Self::Heavy { bytes, most } => {
                 write!(f, "the engine has {bytes} bytes, packed; it may have {most}")

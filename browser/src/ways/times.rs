@@ -8,7 +8,7 @@ use flate2::write::GzEncoder;
 use std::io::Write;
 
 /// Keys that are pressed.
-const KEYS: usize = 15;
+const KEYS: usize = 40;
 
 /// The page before it listens: what a browser fetches at first, packed as hosts do.
 const WEIGHT_MOST: usize = 350_000;
@@ -31,10 +31,10 @@ pub(crate) fn times(stage: &Stage<'_>) -> Worded {
     }
     tab.open(&stage.shell.at("new=manual&lang=en"))?;
     stage.ready()?;
-    let (half, slowest) = keys(stage)?;
+    let (half, most) = keys(stage)?;
     let weight = weight(stage)?;
     println!(
-        "       {}: first paint {:.0} ms, open to first answer {:.0} ms, key to page of one move {half:.0} ms (slowest {slowest:.0} ms), {} kB gzip",
+        "       {}: first paint {:.0} ms, open to first answer {:.0} ms, key to page of one move {half:.0} ms (95 of 100 within {most:.0} ms), {} kB gzip",
         stage.shell.name(),
         median(&mut painted),
         median(&mut opened),
@@ -47,20 +47,19 @@ pub(crate) fn times(stage: &Stage<'_>) -> Worded {
 pub(crate) fn times_of_a_table(stage: &Stage<'_>) -> Worded {
     stage.tab.open(&stage.shell.at("new=table&lang=en"))?;
     stage.ready()?;
-    let (half, slowest) = keys(stage)?;
-    println!("       {}: key to page of a table {half:.0} ms (slowest {slowest:.0} ms)", stage.shell.name());
+    let (half, most) = keys(stage)?;
+    println!("       {}: key to page of a table {half:.0} ms (95 of 100 within {most:.0} ms)", stage.shell.name());
     Ok(())
 }
 
-/// From a key in a field to the page that shows what follows: half of the times, and the
-/// longest \[ms\].
+/// From a key in a field to the page that shows what follows: half of the times, and what 95 of 100 are within \[ms\].
 fn keys(stage: &Stage<'_>) -> Worded<(f64, f64)> {
     let script = "const field = document.querySelector('#f-load-inertia') ?? document.querySelector('#fields input'); const taken = []; \
         for (let key = 0; key < arguments_[0]; key++) { \
           const swapped = new Promise((done) => addEventListener('htmx:after:swap', () => requestAnimationFrame(() => done(performance.now())), { once: true })); \
           const begin = performance.now(); \
           field.value = `1.${key + 10} kg m^2`; \
-          field.dispatchEvent(new Event('input', { bubbles: true })); field.dispatchEvent(new Event('change', { bubbles: true })); \
+          field.dispatchEvent(new Event('input', { bubbles: true })); \
           taken.push(await swapped - begin); \
           await new Promise((done) => setTimeout(done, 150)); \
         } return taken;";
@@ -68,7 +67,7 @@ fn keys(stage: &Stage<'_>) -> Worded<(f64, f64)> {
     let mut taken: Vec<f64> = taken.as_array().into_iter().flatten().map(number).collect();
     expect(taken.len() == KEYS, || format!("{} of {KEYS} keys answered", taken.len()))?;
     let half = median(&mut taken);
-    Ok((half, taken.last().copied().unwrap_or_default()))
+    Ok((half, taken.get(KEYS * 95 / 100).copied().unwrap_or_default()))
 }
 
 fn number(value: &serde_json::Value) -> f64 {
@@ -125,7 +124,7 @@ pub(crate) fn a_long_recording(stage: &Stage<'_>) -> Worded {
     let before = tab.eval(torque)?;
     stage.change("#f-load-inertia", "1.6 kg m^2")?;
     tab.until(&format!("{torque} !== {before}"))?;
-    let (half, slowest) = keys(stage)?;
+    let (half, most) = keys(stage)?;
     // The instant moved at every frame for two seconds.
     let script = "const range = document.querySelector('#instant'); range.focus(); \
         document.querySelector('figure.plot').dispatchEvent(new PointerEvent('pointerdown', { bubbles: true })); \
@@ -136,7 +135,7 @@ pub(crate) fn a_long_recording(stage: &Stage<'_>) -> Worded {
         return 1000 * frames / (performance.now() - begin);";
     let frames = number(&tab.run(script, Vec::new())?);
     println!(
-        "       {}: {LONG} samples: key to numbers {half:.0} ms (slowest {slowest:.0} ms), {frames:.0} frames a second while the instant moves",
+        "       {}: {LONG} samples: key to numbers {half:.0} ms (95 of 100 within {most:.0} ms), {frames:.0} frames a second while the instant moves",
         stage.shell.name()
     );
     expect(frames > 20.0, || format!("{frames:.0} frames a second"))
