@@ -69,10 +69,10 @@ impl Gains {
 
 /// What the drive shall do.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) enum Demand {
-    /// Follow a position with its speed and acceleration.
+pub enum Demand {
+    /// Follow a position \[rad\] with its speed [rad/s] and acceleration [rad/s²].
     Position([f64; 3]),
-    /// Turn at a speed.
+    /// Turn at a speed [rad/s].
     Speed(f64),
 }
 

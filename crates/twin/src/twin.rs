@@ -1,5 +1,6 @@
 //! The run: control, plant, DC link and supervision, period by period.
 
+mod commanded;
 mod driving;
 mod start;
 mod supervision;
@@ -20,6 +21,9 @@ use crate::summary::{Gathered, Summary};
 use actuator::{Losses, Temperatures};
 use quantities::{Measure, ThermodynamicTemperature};
 use std::f64::consts::{SQRT_2, TAU};
+
+pub use commanded::Reading;
+use commanded::Commanded;
 
 /// Duration of a period of the current loop \[s\].
 pub(crate) const PERIOD_S: f64 = 1.0 / CURRENT_RATE_HZ;
@@ -125,6 +129,8 @@ pub struct Twin<'a> {
     /// Heat of the coil of the open brake so far \[J\].
     coil_j: f64,
     ambient_k: f64,
+    /// What a caller commands; `None` where the motion of the project is followed.
+    commanded: Option<Commanded>,
 }
 
 /// What is summed up for the next slow look.
@@ -141,7 +147,10 @@ impl<'a> Twin<'a> {
     /// # Errors
     /// [`Fault`]: what is missing, contradicts itself, or cannot be computed with this step.
     pub fn new(setup: &Setup<'a>) -> Result<Self, Fault> {
-        let setup = *setup;
+        Self::build(*setup, None)
+    }
+
+    fn build(setup: Setup<'a>, commanded: Option<Commanded>) -> Result<Self, Fault> {
         if setup.substeps == 0 || setup.substeps > SUBSTEPS_MOST {
             return Err(Fault::OutOfRange("substeps"));
         }
@@ -186,7 +195,7 @@ impl<'a> Twin<'a> {
             setup.start_k.filter(|_| !matches!(scenario, ScenarioId::ColdGrease)).unwrap_or([ambient_k; 2]);
         let [winding, housing] = temperatures;
         machine.warm(&mut plant, winding, housing);
-        let has_stop = matches!(scenario, ScenarioId::BlockedLoad | ScenarioId::Collision);
+        let has_stop = commanded.is_some() || matches!(scenario, ScenarioId::BlockedLoad | ScenarioId::Collision);
         let stop_nm = if has_stop { model.stop_stiffness.value } else { 0.0 };
         let stiff = |substeps: u32| {
             let h = PERIOD_S / f64::from(substeps);
@@ -303,6 +312,7 @@ impl<'a> Twin<'a> {
             course,
             coil_j: 0.0,
             ambient_k,
+            commanded,
         };
         if scenario == ScenarioId::BatteryLoss {
             twin.note(EventKind::NoPosition);
@@ -418,11 +428,14 @@ impl<'a> Twin<'a> {
                 self.point = self.course.at(time);
             }
             self.manage(time);
-            if matches!(self.phase, Phase::Running | Phase::Resting) {
-                self.gathered.look(time, &self.point.state, self.state.x[4]);
-            } else {
-                let [position, ..] = self.point.state;
-                self.point.state = [position, 0.0, 0.0];
+            let [position, ..] = self.point.state;
+            match self.phase {
+                Phase::Running | Phase::Resting => {
+                    self.gathered.look(time, &self.point.state, self.state.x[4]);
+                }
+                Phase::Commanded(Demand::Position(wanted)) => self.point.state = wanted,
+                Phase::Commanded(Demand::Speed(wanted)) => self.point.state = [self.state.x[4], wanted, 0.0],
+                Phase::Ramp(_) | Phase::Holding(_) | Phase::Off => self.point.state = [position, 0.0, 0.0],
             }
         }
         self.voltage = if self.state.pulses { self.controlled() } else { [0.0; 2] };
@@ -469,15 +482,16 @@ impl<'a> Twin<'a> {
         let demand = match (self.phase, self.setup.speed_step) {
             (Phase::Ramp(speed), _) => Demand::Speed(speed),
             (Phase::Holding(_), _) => Demand::Speed(0.0),
-            (_, Some(speed)) => Demand::Speed(speed),
+            (Phase::Commanded(Demand::Speed(speed)), _) | (_, Some(speed)) => Demand::Speed(speed),
             (_, None) => {
                 let [position, speed, acceleration] = self.point.state;
                 Demand::Position([position + self.offset_rad, speed, acceleration])
             }
         };
+        let most_a = self.commanded.as_ref().and_then(|commanded| commanded.current_most_a);
         let bounds = if self.setup.switches.limits {
             Bounds {
-                current_a: SQRT_2 * self.machine.current_max_a,
+                current_a: SQRT_2 * most_a.map_or(self.machine.current_max_a, |most| most.min(self.machine.current_max_a)),
                 voltage_v: self.setup.modulation * self.link.voltage_v / 3.0_f64.sqrt(),
                 speed: self.machine.speed_max,
             }
