@@ -89,7 +89,8 @@ fn read(entry: &Entry, matches: &ArgMatches, language: Language) -> Result<Vec<F
         (Reads::Project | Reads::Pins | Reads::Measured, None) => &["project"],
     };
     let memory = memory::allowed(matches, language)?;
-    let each = |name: &&str| File::read(&matches.get_one::<PathBuf>(name).cloned().unwrap_or_default(), memory, language);
+    let each =
+        |name: &&str| File::read(&matches.get_one::<PathBuf>(name).cloned().unwrap_or_default(), memory, language);
     names.iter().map(each).collect()
 }
 

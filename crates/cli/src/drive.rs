@@ -38,7 +38,9 @@ fn answer(matches: &ArgMatches, language: Language) -> Result<Answer, Unanswered
     let inertia = word("inertia").map(|text| read_quantity::<MomentOfInertia>(text, language)).transpose();
     let inertia = inertia.map_err(|fault| Unanswered::option("inertia", fault))?;
     let project = match matches.get_one::<PathBuf>("project") {
-        Some(path) => of_file(&File::read(path, memory::allowed(matches, language)?, language)?, word("axis"), language)?,
+        Some(path) => {
+            of_file(&File::read(path, memory::allowed(matches, language)?, language)?, word("axis"), language)?
+        }
         None => bare_axis(&code, inertia)?,
     };
     let node = matches.get_one::<u8>("node").copied().unwrap_or(1);

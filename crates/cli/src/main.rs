@@ -71,7 +71,8 @@ fn main() -> ExitCode {
         return outcome;
     }
     // A server waits for requests; its work has no progress.
-    let waiting = (!matches!(matches.subcommand_name(), Some("serve" | "drive"))).then(|| waiting::Waiting::begin(language, most));
+    let waiting = (!matches!(matches.subcommand_name(), Some("serve" | "drive")))
+        .then(|| waiting::Waiting::begin(language, most));
     let answer = dispatch(&matches, language);
     drop(waiting);
     answer.write(language)

@@ -146,9 +146,7 @@ impl Draft {
     /// Sub-object 0 of an index with several.
     fn count(&mut self, index: u16, group: &'static str, highest: u8) {
         self.put(
-            one(index, "Highest sub-index supported", DataType::Unsigned8, i64::from(highest))
-                .sub(0, group)
-                .constant(),
+            one(index, "Highest sub-index supported", DataType::Unsigned8, i64::from(highest)).sub(0, group).constant(),
         );
     }
 }
@@ -172,18 +170,10 @@ const SENT: [[&str; 2]; 4] = [
 ///
 /// # Source
 /// cia-402: the predefined PDOs of the profile
-const RECEIVED_USUAL: [&[u32]; 4] = [
-    &[0x6040_0010],
-    &[0x6040_0010, 0x6060_0008],
-    &[0x6040_0010, 0x607A_0020],
-    &[0x6040_0010, 0x60FF_0020],
-];
-const SENT_USUAL: [&[u32]; 4] = [
-    &[0x6041_0010],
-    &[0x6041_0010, 0x6061_0008],
-    &[0x6041_0010, 0x6064_0020],
-    &[0x6041_0010, 0x606C_0020],
-];
+const RECEIVED_USUAL: [&[u32]; 4] =
+    [&[0x6040_0010], &[0x6040_0010, 0x6060_0008], &[0x6040_0010, 0x607A_0020], &[0x6040_0010, 0x60FF_0020]];
+const SENT_USUAL: [&[u32]; 4] =
+    [&[0x6041_0010], &[0x6041_0010, 0x6061_0008], &[0x6041_0010, 0x6064_0020], &[0x6041_0010, 0x606C_0020]];
 const ENTRIES: [&str; 8] = [
     "Mapped object 1",
     "Mapped object 2",

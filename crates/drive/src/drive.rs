@@ -230,9 +230,7 @@ impl<'a> Drive<'a> {
         Some(match (at.index, at.sub) {
             (0x1001, 0) => self.trouble.map_or(0, |trouble| i64::from(trouble.register())),
             (0x1003, 0) => i64::try_from(self.errors.len()).unwrap_or(0),
-            (0x1003, place) => {
-                i64::from(self.errors.get(usize::from(place) - 1).copied().unwrap_or(0))
-            }
+            (0x1003, place) => i64::from(self.errors.get(usize::from(place) - 1).copied().unwrap_or(0)),
             (0x2000, 0) => i64::try_from(self.ticks / 2).unwrap_or(i64::MAX) & i64::from(u32::MAX),
             (0x2001, 0) => plain(10.0 * (reading.sensor_k - 273.15)),
             (0x2002, 0) => plain(1000.0 * reading.overload),

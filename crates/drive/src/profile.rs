@@ -143,8 +143,11 @@ impl Drive<'_> {
         let [position, speed, _] = self.demand;
         let bounds = Bounds { speed: 0.0, acceleration: rate, deceleration: rate };
         let next = ramped(speed, 0.0, &bounds, HALF_MS_S);
-        self.demand =
-            [position + 0.5 * (speed + next) * HALF_MS_S, next, if next == 0.0 { 0.0 } else { (next - speed) / HALF_MS_S }];
+        self.demand = [
+            position + 0.5 * (speed + next) * HALF_MS_S,
+            next,
+            if next == 0.0 { 0.0 } else { (next - speed) / HALF_MS_S },
+        ];
     }
 
     /// The set-point of the mode.

@@ -59,9 +59,8 @@ fn message(inner: &str) -> Result<Message, NoMessage> {
             let id = words.next().ok_or(NoMessage)?;
             let number = |word: &str| u32::from_str_radix(word, 16).map_err(|_| NoMessage);
             let length = number(words.next().ok_or(NoMessage)?)?;
-            let bytes: Vec<u8> = words
-                .map(|word| u8::from_str_radix(word, 16).map_err(|_| NoMessage))
-                .collect::<Result<_, _>>()?;
+            let bytes: Vec<u8> =
+                words.map(|word| u8::from_str_radix(word, 16).map_err(|_| NoMessage)).collect::<Result<_, _>>()?;
             if length > 8 || u32::try_from(bytes.len()) != Ok(length) {
                 return Err(NoMessage);
             }

@@ -106,7 +106,8 @@ pub fn eds(drive: &Drive<'_>, code: &OrderCode, node: u8, language: Language) ->
     );
     let mut indices: Vec<u16> = entries.iter().map(|entry| entry.at.index).collect();
     indices.dedup();
-    let of = |keeps: &dyn Fn(u16) -> bool| -> Vec<u16> { indices.iter().copied().filter(|index| keeps(*index)).collect() };
+    let of =
+        |keeps: &dyn Fn(u16) -> bool| -> Vec<u16> { indices.iter().copied().filter(|index| keeps(*index)).collect() };
     let is_own = |index: u16| (0x2000..0x6000).contains(&index);
     eds::list(&mut out, "MandatoryObjects", &of(&|index| MANDATORY.contains(&index)));
     eds::list(&mut out, "OptionalObjects", &of(&|index| !MANDATORY.contains(&index) && !is_own(index)));

@@ -1,8 +1,8 @@
 //! Sections of an electronic data sheet (CiA 306).
 
-use words::commission as texts;
 use quantities::Language;
 use std::fmt::Write as _;
+use words::commission as texts;
 
 /// An object as its section has it.
 pub(crate) struct Variable<'a> {

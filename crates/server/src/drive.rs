@@ -253,8 +253,7 @@ impl<'a> Bench<'a> {
         if frames.is_empty() {
             return;
         }
-        let texts: Vec<Vec<u8>> =
-            frames.iter().map(|frame| socketcand::written(frame, time_s).into_bytes()).collect();
+        let texts: Vec<Vec<u8>> = frames.iter().map(|frame| socketcand::written(frame, time_s).into_bytes()).collect();
         self.clients.retain(|id, client| {
             !client.is_known
                 || Some(*id) == except

@@ -22,8 +22,8 @@ use actuator::{Losses, Temperatures};
 use quantities::{Measure, ThermodynamicTemperature};
 use std::f64::consts::{SQRT_2, TAU};
 
-pub use commanded::Reading;
 use commanded::Commanded;
+pub use commanded::Reading;
 
 /// Duration of a period of the current loop \[s\].
 pub(crate) const PERIOD_S: f64 = 1.0 / CURRENT_RATE_HZ;
@@ -491,7 +491,8 @@ impl<'a> Twin<'a> {
         let most_a = self.commanded.as_ref().and_then(|commanded| commanded.current_most_a);
         let bounds = if self.setup.switches.limits {
             Bounds {
-                current_a: SQRT_2 * most_a.map_or(self.machine.current_max_a, |most| most.min(self.machine.current_max_a)),
+                current_a: SQRT_2
+                    * most_a.map_or(self.machine.current_max_a, |most| most.min(self.machine.current_max_a)),
                 voltage_v: self.setup.modulation * self.link.voltage_v / 3.0_f64.sqrt(),
                 speed: self.machine.speed_max,
             }

@@ -121,13 +121,7 @@ pub(super) fn drive(language: Language) -> Command {
     let words = |all: [&'static str; 2]| PossibleValuesParser::new(all);
     Command::new("drive")
         .about(help::drive(l))
-        .arg(
-            Arg::new("code")
-                .value_name(values::code(l))
-                .required(true)
-                .num_args(1..)
-                .help(help::ordering_code(l)),
-        )
+        .arg(Arg::new("code").value_name(values::code(l)).required(true).num_args(1..).help(help::ordering_code(l)))
         .arg(
             option("project", values::file(l), help::drive_project(l))
                 .value_parser(value_parser!(std::path::PathBuf))

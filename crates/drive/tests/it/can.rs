@@ -1,9 +1,9 @@
 //! The node of CANopen: SDO, NMT, PDO, SYNC, heartbeat, EMCY. Bytes are typed from CiA 301.
 
 use super::usual;
+use drive::State;
 use drive::can::{Frame, Nmt, Node};
 use drive::socketcand::{self, Message};
-use drive::State;
 
 fn node(axis: &super::Axis, steps_with_sync: bool) -> Node<'_> {
     let mut node = Node::new(axis.drive(), 1, steps_with_sync);
@@ -101,7 +101,11 @@ fn heartbeat_emergency_and_reset() {
     node.receive(&Frame::new(0, &[129, 1]));
     assert_eq!(node.take(), [Frame::new(0x701, &[0])]);
     node.advance(10);
-    assert_eq!((node.drive().state(), node.take()), (State::SwitchOnDisabled, vec![]), "its values are those of the start");
+    assert_eq!(
+        (node.drive().state(), node.take()),
+        (State::SwitchOnDisabled, vec![]),
+        "its values are those of the start"
+    );
 }
 
 /// The controller's heartbeat of node 5 every 20 ms: once it stops, the drive has fault 0x8130.
@@ -127,11 +131,7 @@ fn a_silent_controller_is_a_fault() {
 fn sync_takes_sends_and_steps() {
     let axis = usual();
     let mut node = node(&axis, true);
-    for (index, sub, size, value) in [
-        (0x1400_u16, 2_u8, 1, 1_u32),
-        (0x1800, 2, 1, 1),
-        (0x60C2, 1, 1, 4),
-    ] {
+    for (index, sub, size, value) in [(0x1400_u16, 2_u8, 1, 1_u32), (0x1800, 2, 1, 1), (0x60C2, 1, 1, 4)] {
         let [low, high] = index.to_le_bytes();
         let head = 0x23 | (4 - size) << 2;
         let [a, b, c, d] = value.to_le_bytes();
@@ -162,7 +162,9 @@ fn the_messages_of_socketcand_are_read_and_written() {
         assert_eq!(socketcand::read(text.as_bytes()), Ok(Some((message, text.len()))), "{text}");
     }
     assert_eq!(socketcand::read(b"< send 601 8 40"), Ok(None));
-    for text in ["GET / HTTP/1.1", "< >", "< send >", "< send 601 9 0 0 0 0 0 0 0 0 0 >", "< send 601 2 40 >", "< send x 0 >"] {
+    for text in
+        ["GET / HTTP/1.1", "< >", "< send >", "< send 601 9 0 0 0 0 0 0 0 0 0 >", "< send 601 2 40 >", "< send x 0 >"]
+    {
         assert_eq!(socketcand::read(text.as_bytes()), Err(socketcand::NoMessage), "{text}");
     }
     assert_eq!(socketcand::read(&[b'<'; 300]), Err(socketcand::NoMessage));

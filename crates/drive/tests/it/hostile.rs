@@ -19,7 +19,8 @@ const WORDS: [(State, i64, i64); 8] = [
 
 fn holds(drive: &Drive<'_>) {
     let word = read(drive, 0x6041);
-    let found: Vec<_> = WORDS.iter().filter(|(_, mask, value)| word & mask == *value).map(|(state, ..)| *state).collect();
+    let found: Vec<_> =
+        WORDS.iter().filter(|(_, mask, value)| word & mask == *value).map(|(state, ..)| *state).collect();
     assert_eq!(found, [drive.state()], "{word:04X}");
     for entry in drive.entries() {
         if let Value::Number(number) = drive.read(entry.at).unwrap() {
@@ -102,7 +103,10 @@ fn random_text_is_answered_or_refused() {
     let axis = usual();
     let mut drive = axis.drive();
     arbtest::arbtest(|u| {
-        let words = ["read", "write", "step", "status", "time", "bye", "6040", "0x", "-1", "1e9", "NaN", "6091:1", ":", "\u{202e}"];
+        let words = [
+            "read", "write", "step", "status", "time", "bye", "6040", "0x", "-1", "1e9", "NaN", "6091:1", ":",
+            "\u{202e}",
+        ];
         let line = if u.arbitrary()? {
             let count = u.int_in_range(0..=4)?;
             (0..count).map(|_| u.choose(&words).copied()).collect::<Result<Vec<_>>>()?.join(" ")

@@ -1,6 +1,6 @@
 //! The state machine: every transition of the profile.
 
-use super::{CODE, Axis, enabled, read, until, usual, write};
+use super::{Axis, CODE, enabled, read, until, usual, write};
 use drive::{Command, Drive, State, Trouble, transition};
 
 /// Masks and values of the statusword by state, as the profile prints them: another place than the bits of the code.
