@@ -220,7 +220,8 @@ fn what_is_no_client_is_turned_away() {
 #[test]
 fn a_drive_ends_in_good_order() {
     let mut drive = Started::new(&["--lang", "de"]);
-    let _client = drive.connect();
+    // With the first answer it also watches for its end.
+    assert!(Lines(BufReader::new(drive.connect())).ask("time").starts_with("ok "));
     let id = drive.child.id().to_string();
     assert!(Command::new("kill").args(["-TERM", &id]).status().unwrap().success());
     assert_eq!(drive.child.wait().unwrap().code(), Some(0));
@@ -246,6 +247,36 @@ fn what_cannot_be_driven_is_reported() {
         let found = run(&[arguments, &["--json"]].concat());
         assert!(found.code == 2 && found.out.contains(word), "{arguments:?}: {}{}", found.out, found.err);
         assert!(found.out.contains("\"errors\": ["), "{}", found.out);
+    }
+}
+
+/// The tables of both guides name every index that the drive has, and no other.
+#[test]
+fn the_guides_name_every_object() {
+    let sheet = run(&["drive", CODE, "--eds"]).out;
+    let mut indices: Vec<String> = sheet
+        .lines()
+        .filter_map(|line| line.strip_prefix('[')?.strip_suffix(']'))
+        .filter(|section| section.len() == 4)
+        .map(str::to_owned)
+        .collect();
+    indices.sort_unstable();
+    for page in ["docs/guide/drive.md", "docs/anleitung/drive.md"] {
+        let text = std::fs::read_to_string(root().join(page)).unwrap();
+        let rows = text.lines().filter_map(|line| line.strip_prefix("| `")?.split_once("` |"));
+        let mut named: Vec<String> = Vec::new();
+        for (place, _) in rows {
+            let Some(place) = place.strip_suffix('h') else { continue };
+            match place.split_once("h` to `").or_else(|| place.split_once("h` bis `")) {
+                Some((from, to)) => {
+                    let [from, to] = [from, to].map(|index| u16::from_str_radix(index, 16).unwrap());
+                    named.extend((from..=to).map(|index| format!("{index:04X}")));
+                }
+                None => named.push(place.to_owned()),
+            }
+        }
+        named.sort_unstable();
+        assert_eq!(named, indices, "{page}");
     }
 }
 

@@ -267,6 +267,7 @@ impl<'p> Ready<'p> {
             supply_v: supply.map_or(self.assumed_v, |supply| ElectricPotential::si(supply.least())),
             modulation: supply.map_or(1.0, |supply| supply.reserve),
             ambient_k: self.ambient_k,
+            loop_at_output: self.project.axis.asked.loop_at_output,
             ..Setup::of(&self.parameters, &axis.mechanism, &axis.motion, self.extras())
         }
     }

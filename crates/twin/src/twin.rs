@@ -176,6 +176,9 @@ impl<'a> Twin<'a> {
         let model = &setup.parameters.model;
         let ambient_k = start::ambient(&setup);
         let scenario = setup.scenario.id;
+        if setup.loop_at_output && machine.feedback_out_rad.is_none() {
+            return Err(Fault::NoOutputEncoder);
+        }
         match scenario {
             ScenarioId::BrakeStuck | ScenarioId::HangingLoad if machine.brake.is_none() => return Err(Fault::NoBrake),
             ScenarioId::BatteryLoss if !setup.parameters.actuator.feedback.buffered_by_battery => {
@@ -216,7 +219,13 @@ impl<'a> Twin<'a> {
         let closed = start.braked.is_some() || matches!(scenario, ScenarioId::BatteryLoss);
         let brake = BrakeState::new(machine.brake, closed, scenario == ScenarioId::BrakeStuck);
         plant.brake_nm = brake.torque_nm();
-        let usual = Gains::usual(&plant, local.inertia_kgm2, plant.spring.stiffness_at(twist), setup.switches.delay);
+        let usual = Gains::usual(
+            &plant,
+            local.inertia_kgm2,
+            plant.spring.stiffness_at(twist),
+            setup.switches.delay,
+            setup.loop_at_output,
+        );
         let gains = setup.gains.unwrap_or(usual);
         let control = Control::at_rest(gains, &plant, setup.switches.delay, theta, holding);
         let resting = brake.closed && start.braked.is_some();
@@ -319,7 +328,7 @@ impl<'a> Twin<'a> {
         }
         // The angle at which the drive starts is the one that it measures.
         let measured = twin.angle();
-        twin.offset_rad += measured - twin.state.x[2];
+        twin.offset_rad = twin.position_seen(measured) - position;
         twin.control = Control::at_rest(gains, &twin.plant, setup.switches.delay, measured, holding);
         Ok(twin)
     }
@@ -420,6 +429,20 @@ impl<'a> Twin<'a> {
         }
     }
 
+    /// What the position loop measures: the angle of the motor, or that of the encoder at the output \[rad\].
+    fn position_seen(&self, motor_rad: f64) -> f64 {
+        let Some([accuracy, step]) = self.machine.feedback_out_rad.filter(|_| self.setup.loop_at_output) else {
+            return motor_rad;
+        };
+        let position = self.state.x[4];
+        if !self.setup.switches.noise {
+            return position;
+        }
+        let [a, b] = self.encoder.phases;
+        let error = accuracy * (0.6 * (position + a).sin() + 0.4 * (2.0 * position + b).sin());
+        if step > 0.0 { ((position + error) / step).round() * step } else { position + error }
+    }
+
     fn period(&mut self) {
         let time = self.time_s();
         if self.tick.is_multiple_of(POSITION_EVERY) {
@@ -474,11 +497,11 @@ impl<'a> Twin<'a> {
             i_d += noise * self.random.normal();
             i_q += noise * self.random.normal();
         }
-        let measured = Measured {
-            current: [i_d, i_q],
-            // The loops of speed and position alone look at it.
-            angle_rad: if self.tick.is_multiple_of(SPEED_EVERY) { self.angle() } else { 0.0 },
-        };
+        // The loops of speed and position alone look at it.
+        let angle_rad = if self.tick.is_multiple_of(SPEED_EVERY) { self.angle() } else { 0.0 };
+        let position_rad =
+            if self.tick.is_multiple_of(POSITION_EVERY) { self.position_seen(angle_rad) } else { angle_rad };
+        let measured = Measured { current: [i_d, i_q], angle_rad, position_rad };
         let demand = match (self.phase, self.setup.speed_step) {
             (Phase::Ramp(speed), _) => Demand::Speed(speed),
             (Phase::Holding(_), _) => Demand::Speed(0.0),

@@ -24,7 +24,7 @@ pub(crate) struct Commanded {
 pub struct Reading {
     /// \[s\]
     pub time_s: f64,
-    /// Angle of the motor over i, from that of the start \[rad\], so that it is the position of the load there.
+    /// What the position loop looks at, from that of the start \[rad\], so that it is the position of the load there.
     pub position_rad: f64,
     /// Its speed [rad/s].
     pub speed_rad_s: f64,
@@ -168,7 +168,7 @@ impl<'a> Twin<'a> {
     }
 
     fn measured_rad(&self) -> f64 {
-        self.angle() - self.offset_rad
+        self.position_seen(self.angle()) - self.offset_rad
     }
 
     /// Largest speed of the output [rad/s], largest current \[A\], rms.
