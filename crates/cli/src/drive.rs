@@ -41,7 +41,7 @@ fn answer(matches: &ArgMatches, language: Language) -> Result<Answer, Unanswered
         Some(path) => {
             of_file(&File::read(path, memory::allowed(matches, language)?, language)?, word("axis"), language)?
         }
-        None => bare_axis(&code, inertia)?,
+        None => bare_axis(&code, inertia, language)?,
     };
     let node = matches.get_one::<u8>("node").copied().unwrap_or(1);
     let seed = matches.get_one::<u32>("seed").copied().unwrap_or(0);

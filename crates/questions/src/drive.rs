@@ -25,7 +25,11 @@ pub const NODE_MOST: u8 = 127;
 ///
 /// # Errors
 /// The manual prints no data for the code.
-pub fn bare_axis(code: &OrderCode, inertia: Option<MomentOfInertia>) -> Result<Project, Unanswered> {
+pub fn bare_axis(
+    code: &OrderCode,
+    inertia: Option<MomentOfInertia>,
+    language: Language,
+) -> Result<Project, Unanswered> {
     let about = commission(code).ok_or(Refusal::NoData)?;
     let own = about.actuator.inertia_out.known().map(|known| known.value);
     let inertia = inertia.or(own).ok_or(Refusal::NoData)?;
@@ -34,7 +38,7 @@ pub fn bare_axis(code: &OrderCode, inertia: Option<MomentOfInertia>) -> Result<P
         accelerate = \"0.1 s\"\nrun = \"0.1 s\"\nbrake = \"0.1 s\"\npause = \"1 s\"\n",
         inertia.si()
     );
-    let faults = |found| Unanswered::unread(Unread::Faults(found), "load", &text, Language::En);
+    let faults = |found| Unanswered::unread(Unread::Faults(found), "load", &text, language);
     crate::read(&text).map_err(faults)
 }
 

@@ -2,7 +2,7 @@
 
 use quantities::Language;
 use std::fmt::Write as _;
-use words::commission as texts;
+use words::commission;
 
 /// An object as its section has it.
 pub(crate) struct Variable<'a> {
@@ -40,7 +40,7 @@ pub(crate) fn group(out: &mut String, index: u16, name: &str, object_type: u8, c
 /// Sub-object 0: the highest sub-index.
 pub(crate) fn highest(out: &mut String, index: u16, highest: u8, language: Language) {
     let object = Variable {
-        name: texts::highest_sub_index(language),
+        name: commission::highest_sub_index(language),
         data_type: installation::commission::cia402::DataType::Unsigned8.number(),
         access: "const",
         usual: Some(highest.to_string()),

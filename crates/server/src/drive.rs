@@ -137,7 +137,7 @@ enum Device<'a> {
 /// A client.
 struct Client {
     out: mpsc::Sender<Vec<u8>>,
-    /// Whether it has said what it is: a first command, raw mode.
+    /// Whether its first request was one of the protocol: a command, raw mode.
     is_known: bool,
 }
 
