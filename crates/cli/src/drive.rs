@@ -37,7 +37,7 @@ fn answer(matches: &ArgMatches, language: Language) -> Result<Answer, Unanswered
     let code = reading.map_err(|refusal| Unanswered::Code { text, refusal, among: false })?.parsed.code;
     let inertia = word("inertia").map(|text| read_quantity::<MomentOfInertia>(text, language)).transpose();
     let inertia = inertia.map_err(|fault| Unanswered::option("inertia", fault))?;
-    let project = match matches.get_one::<PathBuf>("project") {
+    let project = match matches.get_one::<PathBuf>("project-file") {
         Some(path) => {
             of_file(&File::read(path, memory::allowed(matches, language)?, language)?, word("axis"), language)?
         }

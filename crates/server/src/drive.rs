@@ -176,7 +176,7 @@ impl<'a> Bench<'a> {
         #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a time that has passed")]
         let due = (self.begun.elapsed().as_secs_f64() / HALF_MS_S) as u64;
         let steps = due.saturating_sub(self.steps).min(CATCH_UP_MOST);
-        // What is more has passed unseen.
+        // Steps beyond are skipped.
         self.steps = due;
         match &mut self.device {
             Device::Line(drive) => drive.advance(steps),

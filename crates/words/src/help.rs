@@ -235,8 +235,8 @@ texts! {
         "Name of the actuator in the calendar: distinguishes two of one code"
         | "Name des Antriebs im Kalender: unterscheidet zwei mit gleichem Code";
     drive =
-        "A virtual drive: the twin of an actuator behind the objects of CiA 402, over TCP on this machine"
-        | "Ein virtueller Regler: der Zwilling eines Antriebs hinter den Objekten von CiA 402, über TCP auf dieser Maschine";
+        "A virtual drive with the objects of CiA 402, for a controller"
+        | "Ein virtueller Regler mit den Objekten von CiA 402, für eine Steuerung";
     drive_project =
         "Project whose axis it drives: load, supply, gains; without it a bare moment of inertia"
         | "Projekt, dessen Achse er bewegt: Last, Versorgung, Reglerverstärkungen; ohne es ein bloßes Trägheitsmoment";

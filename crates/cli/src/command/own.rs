@@ -123,11 +123,13 @@ pub(super) fn drive(language: Language) -> Command {
         .about(help::drive(l))
         .arg(Arg::new("code").value_name(values::code(l)).required(true).num_args(1..).help(help::ordering_code(l)))
         .arg(
-            option("project", values::file(l), help::drive_project(l))
+            // Its own identifier: a server has no deadline, which every command with a project takes.
+            option("project-file", values::file(l), help::drive_project(l))
+                .long("project")
                 .value_parser(value_parser!(std::path::PathBuf))
                 .conflicts_with("inertia"),
         )
-        .arg(option("axis", values::name(l), help::axis(l)).requires("project"))
+        .arg(option("axis", values::name(l), help::axis(l)).requires("project-file"))
         .arg(option("inertia", values::quantity(l), help::drive_inertia(l)))
         .arg(
             option("protocol", values::name(l), help::drive_protocol(l))
