@@ -182,6 +182,8 @@ fn what_is_no_client_is_turned_away() {
         "x".repeat(5000),
         format!("read {}\n", "0".repeat(200)),
         "\u{0}\n".to_owned(),
+        // A method of a browser that reads like a command.
+        "write / HTTP/1.1\r\n\r\nwrite 6040 6\n".to_owned(),
     ] {
         let mut stream = drive.connect();
         let _ = stream.write_all(text.as_bytes());

@@ -245,14 +245,14 @@ impl<'a> Drive<'a> {
             // The torque is taken as proportional to the current, both over their stall values.
             (0x6077 | 0x6078, 0) => plain(1000.0 * self.sign() * reading.current_a / rated_a),
             (0x6079, 0) => plain(1000.0 * reading.link_v),
-            (0x60F4, 0) => self.scale.position(reading.following_rad),
+            (0x60F4, 0) => self.scale.difference(reading.following_rad),
             _ => return None,
         })
     }
 
     /// The sign of a torque that drives towards rising positions.
     fn sign(&self) -> f64 {
-        if self.scale.angle(1) < 0.0 { -1.0 } else { 1.0 }
+        if self.scale.way(1) < 0.0 { -1.0 } else { 1.0 }
     }
 
     /// Writes a number into an object.
@@ -269,6 +269,10 @@ impl<'a> Drive<'a> {
             (0x2010, 0) if disturbance(value) == ScenarioId::BatteryLoss && !self.has_battery => {
                 return Err(Abort::Value);
             }
+            // What fails with the battery is the supply of the drive's electronics.
+            (0x2010, 0) if disturbance(value) == ScenarioId::BatteryLoss && self.state.has_torque() => {
+                return Err(Abort::State);
+            }
             (0x1400..=0x1403 | 0x1600..=0x1603 | 0x1800..=0x1803 | 0x1A00..=0x1A03, _) => {
                 pdo::check(&self.dictionary, at, value)?;
             }
@@ -277,7 +281,7 @@ impl<'a> Drive<'a> {
         self.dictionary.store(at.index, at.sub, value);
         match at.index {
             0x1003 => self.errors.clear(),
-            0x2010 => self.twin.disturb(disturbance(value)),
+            0x2010 => self.disturb(disturbance(value)),
             0x6040 => self.take_control(value),
             0x6060 => self.take_mode(Mode::of(value).unwrap_or_default()),
             0x6072 | 0x6073 | 0x6075 => self.limit_current(),
@@ -286,6 +290,15 @@ impl<'a> Drive<'a> {
             _ => {}
         }
         Ok(())
+    }
+
+    /// What happens to the axis. A lost battery is no fault that the drive sees: the encoder reports a valid word whose turns are
+    /// wrong (cha-manual section 6.22); they begin at zero, as in `feedback`.
+    fn disturb(&mut self, what: ScenarioId) {
+        self.twin.disturb(what);
+        if what == ScenarioId::BatteryLoss {
+            self.scale.lose_turns(self.reading().position_rad);
+        }
     }
 
     #[allow(clippy::cast_precision_loss, reason = "32 bit")]

@@ -46,12 +46,16 @@ pub enum Answer {
     Line(String),
     /// The client has said goodbye.
     Bye,
+    /// A command with wrong arguments.
+    Wrong,
     /// The line is no command.
     NoCommand,
 }
 
-/// A command with wrong arguments.
-const WRONG: &str = "error arguments";
+/// What a client gets for a command with wrong arguments.
+pub const WRONG: &str = "error arguments";
+/// The same for a line that is no command.
+pub const NO_COMMAND: &str = "error command";
 
 /// Answers a line.
 pub fn answer(drive: &mut Drive<'_>, time: Time, line: &str) -> Answer {
@@ -73,7 +77,7 @@ pub fn answer(drive: &mut Drive<'_>, time: Time, line: &str) -> Answer {
         ["read" | "write" | "step" | "time" | "status" | "bye", ..] => None,
         _ => return Answer::NoCommand,
     };
-    Answer::Line(text.unwrap_or_else(|| WRONG.to_owned()))
+    text.map_or(Answer::Wrong, Answer::Line)
 }
 
 /// `6041` or `6091:1`, hexadecimal.

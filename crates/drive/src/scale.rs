@@ -24,6 +24,8 @@ pub(crate) struct Scale {
     per_rad: f64,
     /// The sign of speeds beside that of positions.
     speed_sign: f64,
+    /// Angle that is counted as zero \[rad\].
+    zero_rad: f64,
 }
 
 impl Scale {
@@ -35,7 +37,7 @@ impl Scale {
         let encoder = increments * ratio / TAU;
         // Where the manual says which way the position rises, the gear turns against it (cha-manual section 11.1).
         let is_reversed = given.objects.iter().any(|object| object.index == 0x607E);
-        Self { encoder, ratio, increments, is_reversed, per_rad: encoder, speed_sign: 1.0 }
+        Self { encoder, ratio, increments, is_reversed, per_rad: encoder, speed_sign: 1.0, zero_rad: 0.0 }
     }
 
     /// As the objects of the factor group have it now.
@@ -52,13 +54,31 @@ impl Scale {
 
     /// An angle as a position.
     pub(crate) fn position(&self, rad: f64) -> i64 {
-        wrapped(rad * self.per_rad)
+        self.difference(rad - self.zero_rad)
     }
 
     /// A position as an angle.
-    #[allow(clippy::cast_precision_loss, reason = "32 bit")]
     pub(crate) fn angle(&self, position: i64) -> f64 {
+        self.way(position) + self.zero_rad
+    }
+
+    /// A way as a difference of positions.
+    pub(crate) fn difference(&self, rad: f64) -> i64 {
+        wrapped(rad * self.per_rad)
+    }
+
+    /// A difference of positions as a way.
+    #[allow(clippy::cast_precision_loss, reason = "32 bit")]
+    pub(crate) fn way(&self, position: i64) -> f64 {
         position as f64 / self.per_rad
+    }
+
+    /// The encoder counts its turns from zero again at an angle; that within the turn stays.
+    pub(crate) fn lose_turns(&mut self, rad: f64) {
+        let turn = TAU / self.ratio;
+        let seen = if self.is_reversed { self.zero_rad - rad } else { rad - self.zero_rad };
+        let lost = turn * (seen / turn).floor();
+        self.zero_rad += if self.is_reversed { -lost } else { lost };
     }
 
     /// A speed of the output in units of the user.

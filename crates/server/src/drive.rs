@@ -213,8 +213,9 @@ impl<'a> Bench<'a> {
                     Answer::Line(answer) => answer,
                     Answer::Bye => return false,
                     // A browser that was led here begins with something else.
-                    Answer::NoCommand if !client.is_known => return false,
-                    Answer::NoCommand => "error command".to_owned(),
+                    Answer::NoCommand | Answer::Wrong if !client.is_known => return false,
+                    Answer::NoCommand => line::NO_COMMAND.to_owned(),
+                    Answer::Wrong => line::WRONG.to_owned(),
                 };
                 client.is_known = true;
                 client.out.try_send(format!("{answer}\n").into_bytes()).is_ok()

@@ -121,7 +121,7 @@ impl Drive<'_> {
         let target = if self.control & RELATIVE == 0 {
             self.scale.angle(written)
         } else {
-            self.target_rad + self.scale.angle(written)
+            self.target_rad + self.scale.way(written)
         };
         let target = self.within_limits(target);
         (self.target_rad, self.acknowledged, self.is_reached) = (target, true, false);

@@ -1,14 +1,14 @@
 //! The line protocol.
 
 use super::usual;
-use drive::line::{Answer, Time, answer};
+use drive::line::{Answer, Time, WRONG, answer};
 
 #[test]
 fn lines_are_answered() {
     let axis = usual();
     let mut drive = axis.drive();
     let mut ask = |line: &str| answer(&mut drive, Time::Stepped, line);
-    let line = |text: &str| Answer::Line(text.to_owned());
+    let line = |text: &str| if text == WRONG { Answer::Wrong } else { Answer::Line(text.to_owned()) };
     for (asked, expected) in [
         ("read 6041", "ok 592"),
         ("read 1018:2", "ok 1026"),

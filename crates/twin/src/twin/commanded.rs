@@ -15,8 +15,6 @@ pub(crate) struct Commanded {
     pub(crate) current_most_a: Option<f64>,
     /// What is exceeded or missing now.
     pub(crate) present: Vec<EventKind>,
-    /// The battery of the feedback was lost: its turns are not valid.
-    pub(crate) turns_lost: bool,
 }
 
 /// What a drive measures.
@@ -123,9 +121,6 @@ impl<'a> Twin<'a> {
         self.supply_share = 1.0;
         self.encoder.frozen_rad = None;
         self.brake.stuck = false;
-        if let Some(commanded) = &mut self.commanded {
-            commanded.turns_lost = what == ScenarioId::BatteryLoss;
-        }
         match what {
             ScenarioId::BlockedLoad => self.stop = Some(self.stop_here(0.0)),
             ScenarioId::Collision => self.stop = Some(self.stop_here(self.state.x[5].signum())),

@@ -80,9 +80,6 @@ impl Twin<'_> {
             let reaction = if self.brake.exists() { Reaction::Brake } else { Reaction::Coast };
             self.fault(EventKind::NoPosition, reaction);
         }
-        if self.commanded.as_ref().is_some_and(|commanded| commanded.turns_lost) {
-            self.fault(EventKind::NoPosition, Reaction::Coast);
-        }
         if !self.setup.switches.limits {
             return;
         }
