@@ -245,11 +245,11 @@ texts! {
         | "Trägheitsmoment der Last ohne Projekt (das des Antriebs)";
     drive_protocol = "How clients talk to it" | "Sprache der Clients";
     drive_time =
-        "real: the clock; stepped: time passes by the command step, or with each SYNC message by the period of 60C2h"
-        | "real: die Uhr; stepped: Zeit vergeht mit dem Befehl step, oder je SYNC-Nachricht um die Periode aus 60C2h";
+        "Whether time follows the clock or the client, by a request or with each SYNC message by the period of 60C2h"
+        | "Ob die Zeit der Uhr folgt oder dem Client, durch eine Anfrage oder je SYNC-Nachricht um die Periode aus 60C2h";
     drive_port =
-        "Port; 0 takes a free one (29535 for line, 29536 for socketcand, or a free one where that is taken)"
-        | "Port; 0 nimmt einen freien (29535 für line, 29536 für socketcand, oder ein freier, wo der belegt ist)";
+        "Port; 0 takes a free one (29535, for CAN 29536, or a free one where that is taken)"
+        | "Port; 0 nimmt einen freien (29535, für CAN 29536, oder ein freier, wo der belegt ist)";
     drive_node = "Number of its node of CANopen" | "Knotennummer in CANopen";
     drive_eds =
         "Print its electronic data sheet (CiA 306) and end"
