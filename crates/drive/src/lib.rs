@@ -1,6 +1,6 @@
 //! A virtual drive: the twin behind the object dictionary of CiA 402.
 //!
-//! [`Drive`] has the state machine, the modes and the objects of a drive and steps its twin; [`line`] and [`can`] are its two
+//! [`Drive`] has the state machine, the modes and the objects of a drive and steps its twin; [`mod@line`] and [`can`] are its two
 //! protocols as pure functions of text and frames. No socket, no clock, no language: the caller transports and gives the time.
 
 mod abort;
