@@ -7,6 +7,7 @@ use std::path::{Path, PathBuf};
 use std::process::{Child, Command, Stdio};
 
 use crate::cargo::{Workspace, must_succeed, spelled};
+use crate::python::Environment;
 use crate::{Error, samples};
 
 /// The tool with all that it needs, each with its sums.
@@ -71,24 +72,6 @@ impl Drop for Ends {
 
 /// The program, installed into an environment of its own where it is not there yet.
 fn ready(root: &Path) -> Result<PathBuf, Error> {
-    let folder = Workspace::ask(root)?.target.join("tools").join("schemathesis");
-    let own = |name: &str| {
-        let bin = folder.join(if cfg!(windows) { "Scripts" } else { "bin" });
-        bin.join(format!("{name}{}", std::env::consts::EXE_SUFFIX))
-    };
-    let (tool, whole) = (own("schemathesis"), folder.join("whole"));
-    if tool.is_file() && fs::read_to_string(&whole).is_ok_and(|pinned| pinned == PINNED) {
-        return Ok(tool);
-    }
-    eprintln!("api: installing schemathesis …");
-    let quiet = |command: &mut Command| must_succeed(command.stdin(Stdio::null())).map_err(|_| Error::NoSchemathesis);
-    let python = |python: &str| quiet(Command::new(python).args(["-m", "venv", "--clear"]).arg(&folder));
-    python("python3").or_else(|_| python("python"))?;
-    let mut pip = Command::new(own("python"));
-    pip.args(["-m", "pip", "install", "--quiet", "--disable-pip-version-check", "--no-input", "--no-deps"]);
-    pip.args(["--only-binary", ":all:", "--require-hashes", "--requirement"]);
-    quiet(pip.arg(root.join("xtask").join("schemathesis").join("requirements.txt")))?;
-    // An environment that is half installed is not found.
-    fs::write(&whole, PINNED).map_err(|source| Error::File { path: whole, source })?;
-    Ok(tool)
+    let environment = Environment { name: "schemathesis", pinned: PINNED, missing: || Error::NoSchemathesis };
+    Ok(environment.ready(root)?.program("schemathesis"))
 }

@@ -9,7 +9,8 @@ use std::time::Instant;
 
 use crate::cargo::Workspace;
 use crate::{
-    Error, api, bench, book, browser, data, fuzz, german, lint, notices, readme, site, standard, test, tidy, tools,
+    Error, api, bench, book, browser, canopen, data, fuzz, german, lint, notices, readme, site, standard, test, tidy,
+    tools,
 };
 use forecast::{Cost, Forecast};
 
@@ -52,6 +53,7 @@ const NIGHTLY: &[Step] = &[
     step("site", Cost::shared(480), site::run),
     step("browser", Cost::on_one(300), browser::both),
     step("bench", Cost::shared(150), |root| bench::run(root, &[])),
+    step("canopen", Cost::on_one(10), canopen::run),
     step("kills", Cost::on_one(180), test::kills),
     step("fuzz", Cost::on_one(450), fuzz::step),
     step("coverage", Cost::shared(450), fuzz::coverage),
@@ -118,7 +120,8 @@ fn all(steps: &[Step], root: &Path, mut forecast: Forecast, strict: bool) -> Res
                 | Error::NoTarget { .. }
                 | Error::NoBrowser { .. }
                 | Error::NoCoverageTool { .. }
-                | Error::NoSchemathesis,
+                | Error::NoSchemathesis
+                | Error::NoCanopen,
             ) if !strict => "NOT RUN",
             Err(_) => "FAILED",
         };

@@ -69,6 +69,8 @@ pub enum Error {
     NoCompiler,
     /// The tool that tries the interface is neither there nor to be had.
     NoSchemathesis,
+    /// The clients of the virtual drive are neither there nor to be had.
+    NoCanopen,
     /// A tool of LLVM is not there that comes with a component of the toolchain.
     NoCoverageTool {
         /// The program.
@@ -211,6 +213,10 @@ impl fmt::Display for Error {
             Self::NoSchemathesis => write!(
                 f,
                 "schemathesis is not here and could not be installed; it takes Python 3.11 or later with venv and pip"
+            ),
+            Self::NoCanopen => write!(
+                f,
+                "python-canopen is not here and could not be installed; it takes Python 3.11 or later with venv and pip"
             ),
             Self::NoCoverageTool { program } => {
                 write!(f, "{program} is not here; get it with `rustup component add llvm-tools`")

@@ -30,7 +30,7 @@ pub(crate) struct Call<'m> {
 }
 
 /// A file that a question is about.
-struct File {
+pub(crate) struct File {
     path: PathBuf,
     name: String,
     bytes: Vec<u8>,
@@ -89,22 +89,32 @@ fn read(entry: &Entry, matches: &ArgMatches, language: Language) -> Result<Vec<F
         (Reads::Project | Reads::Pins | Reads::Measured, None) => &["project"],
     };
     let memory = memory::allowed(matches, language)?;
-    let each = |name: &&str| {
-        let path = matches.get_one::<PathBuf>(name).cloned().unwrap_or_default();
+    let each =
+        |name: &&str| File::read(&matches.get_one::<PathBuf>(name).cloned().unwrap_or_default(), memory, language);
+    names.iter().map(each).collect()
+}
+
+impl File {
+    /// Reads a file that a call names.
+    pub(crate) fn read(path: &Path, memory: u64, language: Language) -> Result<Self, Unanswered> {
         let piped = path.as_os_str() == "-";
-        let name = if piped { "stdin".to_owned() } else { path_text(&path) };
-        let bytes = read_bytes(&path).map_err(|error| Unanswered::File {
+        let name = if piped { "stdin".to_owned() } else { path_text(path) };
+        let bytes = read_bytes(path).map_err(|error| Unanswered::File {
             name: name.clone(),
             message: file_trouble(&error, language),
             is_too_large: false,
         })?;
-        let path = if piped { PathBuf::new() } else { path };
+        let path = if piped { PathBuf::new() } else { path.to_owned() };
         // As in a shell, any path is taken that the caller may read.
         let grant = Grant { memory, reach: Reach::Anywhere };
         let folder = path.parent().unwrap_or(Path::new("")).to_owned();
-        Ok(File { path, name, bytes, beside: Beside { folder, links: Links::Followed, grant } })
-    };
-    names.iter().map(each).collect()
+        Ok(Self { path, name, bytes, beside: Beside { folder, links: Links::Followed, grant } })
+    }
+
+    /// As a question reads it.
+    pub(crate) fn source(&self) -> Source<'_> {
+        Source { name: self.name.clone(), bytes: Cow::Borrowed(&self.bytes), files: &self.beside }
+    }
 }
 
 impl Call<'_> {
@@ -141,11 +151,7 @@ impl Call<'_> {
             }
         }
         let given = Given::of(entry.arguments, pairs, self.language)?;
-        let sources = self.files.iter().map(|file| Source {
-            name: file.name.clone(),
-            bytes: Cow::Borrowed(&file.bytes),
-            files: &file.beside,
-        });
+        let sources = self.files.iter().map(File::source);
         Ok(Asked {
             given,
             sources: sources.collect(),

@@ -107,11 +107,12 @@ fn headed(command: Command, language: Language) -> Command {
 }
 
 /// A call of a command that is this face's own.
-const EXAMPLES: [(&str, &str); 8] = [
+const EXAMPLES: [(&str, &str); 9] = [
     (NAME, "antrieb new screw --out axis.toml && antrieb size axis.toml"),
     ("code", "antrieb code parse CHA-20A-100-H-C1024-B"),
     ("catalogue", "antrieb catalogue export --format csv"),
     ("serve", "antrieb serve --open"),
+    ("drive", "antrieb drive CHA-25A-100-H-M512P-B --protocol socketcand"),
     ("completions", "antrieb completions bash"),
     ("man", "antrieb man size"),
     ("help", "antrieb help size"),
@@ -198,6 +199,7 @@ fn of_this_face(root: Command, language: Language) -> Command {
     let shells = ["bash", "elvish", "fish", "powershell", "zsh"];
     let command = || Arg::new("command").value_name(values::command(language));
     root.subcommand(own::serve(language))
+        .subcommand(own::drive(language))
         .subcommand(
             Command::new("completions").about(help::completions(language)).arg(
                 Arg::new("shell")

@@ -12,6 +12,7 @@ mod commission;
 mod compare;
 mod data;
 mod diff;
+mod drive;
 mod encoder;
 mod errata;
 mod explain;
@@ -70,7 +71,8 @@ fn main() -> ExitCode {
         return outcome;
     }
     // A server waits for requests; its work has no progress.
-    let waiting = (matches.subcommand_name() != Some("serve")).then(|| waiting::Waiting::begin(language, most));
+    let waiting = (!matches!(matches.subcommand_name(), Some("serve" | "drive")))
+        .then(|| waiting::Waiting::begin(language, most));
     let answer = dispatch(&matches, language);
     drop(waiting);
     answer.write(language)
@@ -90,6 +92,7 @@ fn dispatch(matches: &ArgMatches, language: Language) -> Answer {
     let json = matches.get_flag("json");
     match matches.subcommand() {
         Some(("serve", found)) => serve::serve(found, json, language),
+        Some(("drive", found)) => drive::drive(found, json, language),
         Some(("completions", found)) => command::completions(found, language),
         Some(("man", found)) => command::man(found, json, language),
         _ => call::answer(matches, json, language).unwrap_or_else(Answer::none),

@@ -1,5 +1,6 @@
 //! The commissioning of a code: its values as a drive takes them, and a record of what was measured.
 
+use crate::eds;
 use installation::commission as room;
 use installation::commission::cia402::{self, Object};
 use installation::commission::sinamics::{self, Setting};
@@ -113,14 +114,12 @@ pub fn eds(about: &Commissioning, language: Language) -> String {
         commission::eds_description(language)
     );
     let _ = write!(out, "[DeviceInfo]\nProductName={}\nOrderCode={}\n\n", about.code, about.code);
-    out.push_str("[MandatoryObjects]\nSupportedObjects=3\n1=0x1000\n2=0x1001\n3=0x1018\n\n");
+    out.truncate(out.len() - 1);
+    eds::list(&mut out, "MandatoryObjects", &[0x1000, 0x1001, 0x1018]);
     let mut indices: Vec<u16> = objects.iter().map(|object| object.index).collect();
     indices.dedup();
-    let _ = writeln!(out, "[OptionalObjects]\nSupportedObjects={}", indices.len());
-    for (number, index) in (1..).zip(&indices) {
-        let _ = writeln!(out, "{number}=0x{index:04X}");
-    }
-    out.push_str("\n[ManufacturerObjects]\nSupportedObjects=0\n");
+    eds::list(&mut out, "OptionalObjects", &indices);
+    eds::list(&mut out, "ManufacturerObjects", &[]);
     mandatory(&mut out, language);
     for index in indices {
         let of_index: Vec<&Object> = objects.iter().filter(|object| object.index == index).collect();
@@ -129,16 +128,8 @@ pub fn eds(about: &Commissioning, language: Language) -> String {
             several => {
                 let name = several.first().map_or("", |object| group_name(object, language));
                 let last = several.last().map_or(0, |object| object.sub);
-                let _ = write!(
-                    out,
-                    "\n[{index:04X}]\nParameterName={name}\nObjectType=0x8\nSubNumber={}\n",
-                    several.len() + 1
-                );
-                let _ = write!(
-                    out,
-                    "\n[{index:04X}sub0]\nParameterName={}\nObjectType=0x7\nDataType=0x0005\nAccessType=const\nDefaultValue={last}\nPDOMapping=0\n",
-                    commission::highest_sub_index(language)
-                );
+                eds::group(&mut out, index, name, 8, several.len() + 1);
+                eds::highest(&mut out, index, last, language);
                 for object in several {
                     object_section(&mut out, &format!("{index:04X}sub{:X}", object.sub), object, language);
                 }
@@ -154,21 +145,15 @@ pub fn eds(about: &Commissioning, language: Language) -> String {
 /// cia-306
 fn mandatory(out: &mut String, language: Language) {
     let (unsigned_8, unsigned_32) = (cia402::DataType::Unsigned8.number(), cia402::DataType::Unsigned32.number());
-    let mut variable = |head: &str, name: &str, data_type: u16| {
-        let _ = write!(
-            out,
-            "\n[{head}]\nParameterName={name}\nObjectType=0x7\nDataType=0x{data_type:04X}\nAccessType=ro\nPDOMapping=0\n"
-        );
+    let variable = |out: &mut String, head: &str, name: &str, data_type: u16| {
+        let object = eds::Variable { name, data_type, access: "ro", usual: None, range: None, mappable: false };
+        eds::variable(out, head, &object);
     };
-    variable("1000", commission::object_device_type(language), unsigned_32);
-    variable("1001", commission::object_error_register(language), unsigned_8);
-    let _ = write!(
-        out,
-        "\n[1018]\nParameterName={}\nObjectType=0x9\nSubNumber=2\n\n[1018sub0]\nParameterName={}\nObjectType=0x7\nDataType=0x{unsigned_8:04X}\nAccessType=const\nDefaultValue=1\nPDOMapping=0\n\n[1018sub1]\nParameterName={}\nObjectType=0x7\nDataType=0x{unsigned_32:04X}\nAccessType=ro\nPDOMapping=0\n",
-        commission::object_identity(language),
-        commission::highest_sub_index(language),
-        commission::object_vendor(language)
-    );
+    variable(out, "1000", commission::object_device_type(language), unsigned_32);
+    variable(out, "1001", commission::object_error_register(language), unsigned_8);
+    eds::group(out, 0x1018, commission::object_identity(language), 9, 2);
+    eds::highest(out, 0x1018, 1, language);
+    variable(out, "1018sub1", commission::object_vendor(language), unsigned_32);
 }
 
 fn group_name(object: &Object, language: Language) -> &'static str {
@@ -181,13 +166,15 @@ fn group_name(object: &Object, language: Language) -> &'static str {
 }
 
 fn object_section(out: &mut String, head: &str, object: &Object, language: Language) {
-    let _ = write!(
-        out,
-        "\n[{head}]\nParameterName={}\nObjectType=0x7\nDataType=0x{:04X}\nAccessType=rw\nDefaultValue={}\nPDOMapping=0\n",
-        object_name(object.id, language),
-        object.data_type.number(),
-        object.value
-    );
+    let variable = eds::Variable {
+        name: object_name(object.id, language),
+        data_type: object.data_type.number(),
+        access: "rw",
+        usual: Some(object.value.to_string()),
+        range: None,
+        mappable: false,
+    };
+    eds::variable(out, head, &variable);
 }
 
 /// An empty record to fill in, with a remark on each key; the brake and the PTC only where the code has them.

@@ -11,6 +11,8 @@ mod cited;
 mod codes;
 mod commission;
 mod compare;
+pub mod drive;
+mod eds;
 mod errata;
 mod explain;
 mod export;

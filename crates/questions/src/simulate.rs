@@ -137,29 +137,10 @@ pub(crate) fn simulate<'p>(
         Some(code) => check(project, code)?,
         None => check_own(project)?,
     };
-    let parameters = parameters(project, candidate.parameters);
-    let axis = &project.axis;
-    let supply = axis.supply.as_ref();
-    let dc_link_max = candidate.parameters.dc_link_max.known().map_or(SUPPLY_USUAL_V, |known| known.value.si());
-    let assumed_v = SUPPLY_USUAL_V.min(dc_link_max);
-    let heat = actuator::HeatModel::of(&parameters.actuator).ok();
-    let ambient_k = axis.ambient.or(heat.map(|heat| heat.ambient_reference())).map_or(313.15, Measure::si);
-    let none = [Extra::none()];
-    let extras: &[Extra] = if axis.extras.is_empty() { &none } else { &axis.extras };
-    let mut setup = Setup {
-        scenario: wanted.scenario,
-        switches: project.twin.switches,
-        supply_v: supply.map_or(assumed_v, |supply| ElectricPotential::si(supply.least())),
-        modulation: supply.map_or(1.0, |supply| supply.reserve),
-        ambient_k,
-        seed: wanted.seed,
-        ..Setup::of(&parameters, &axis.mechanism, &axis.motion, extras)
-    };
-    let usual = Twin::new(&setup)?;
-    let gains = project.twin.gains(*usual.gains());
-    let gains_stated = gains != *usual.gains();
-    setup.gains = Some(gains);
-    setup.limits = Some(project.twin.limits(*usual.limits()));
+    let ready = Ready::of(project, &candidate);
+    let (ambient_k, assumed_v) = (ready.ambient_k, ready.assumed_v);
+    let mut setup = Setup { scenario: wanted.scenario, seed: wanted.seed, ..ready.setup() };
+    let (gains, gains_stated) = ready.controlled(&mut setup)?;
     let loops = LoopResponse::of(&setup)?;
     if gains_stated && loops.iter().any(|each| !each.margins.stable) {
         return Err(Fault::Unstable.into());
@@ -219,8 +200,10 @@ pub(crate) fn simulate<'p>(
             course.push(twin.sample());
         }
     }
-    let resonance =
-        resonance(&parameters.actuator, axis.mechanism.inertia(start.position_rad, extras.first().unwrap_or(&none[0])));
+    let resonance = resonance(
+        &ready.parameters.actuator,
+        project.axis.mechanism.inertia(start.position_rad, ready.extras().first().unwrap_or(&ready.none)),
+    );
     let found = (twin.summary(), twin.events().to_vec(), twin.left_out().to_vec(), twin.steps());
     let (summary, events, left_out, steps) = found;
     let substeps = setup.substeps;
@@ -240,10 +223,64 @@ pub(crate) fn simulate<'p>(
         step_s: 1.0 / (twin::CURRENT_RATE_HZ * f64::from(substeps)),
         ambient_k,
         start_k: [start.winding_k, start.housing_k],
-        supply_assumed_v: supply.is_none().then_some(assumed_v),
+        supply_assumed_v: project.axis.supply.is_none().then_some(assumed_v),
         resonance,
-        parameters,
+        parameters: ready.parameters,
     })
+}
+
+/// What a twin of an axis with an actuator needs.
+pub(crate) struct Ready<'p> {
+    project: &'p Project,
+    pub(crate) parameters: Parameters,
+    assumed_v: f64,
+    ambient_k: f64,
+    none: Extra,
+}
+
+impl<'p> Ready<'p> {
+    pub(crate) fn of(project: &'p Project, candidate: &Candidate<'_>) -> Self {
+        let parameters = parameters(project, candidate.parameters);
+        let dc_link_max = candidate.parameters.dc_link_max.known().map_or(SUPPLY_USUAL_V, |known| known.value.si());
+        let heat = actuator::HeatModel::of(&parameters.actuator).ok();
+        let reference = heat.map(|heat| heat.ambient_reference());
+        Self {
+            project,
+            ambient_k: project.axis.ambient.or(reference).map_or(313.15, Measure::si),
+            parameters,
+            assumed_v: SUPPLY_USUAL_V.min(dc_link_max),
+            none: Extra::none(),
+        }
+    }
+
+    fn extras(&self) -> &[Extra] {
+        let extras = &self.project.axis.extras;
+        if extras.is_empty() { std::slice::from_ref(&self.none) } else { extras }
+    }
+
+    /// The setup with the gains of the rule.
+    pub(crate) fn setup(&self) -> Setup<'_> {
+        let axis = &self.project.axis;
+        let supply = axis.supply.as_ref();
+        Setup {
+            switches: self.project.twin.switches,
+            supply_v: supply.map_or(self.assumed_v, |supply| ElectricPotential::si(supply.least())),
+            modulation: supply.map_or(1.0, |supply| supply.reserve),
+            ambient_k: self.ambient_k,
+            loop_at_output: self.project.axis.asked.loop_at_output,
+            ..Setup::of(&self.parameters, &axis.mechanism, &axis.motion, self.extras())
+        }
+    }
+
+    /// Gains and limits as the project states them; the gains, and whether it states any.
+    pub(crate) fn controlled(&self, setup: &mut Setup<'_>) -> Result<(Gains, bool), Fault> {
+        let twin = &self.project.twin;
+        let usual = Twin::new(setup)?;
+        let gains = twin.gains(*usual.gains());
+        setup.gains = Some(gains);
+        setup.limits = Some(twin.limits(*usual.limits()));
+        Ok((gains, gains != *usual.gains()))
+    }
 }
 
 /// The parameters of an actuator with the values that the project replaces.

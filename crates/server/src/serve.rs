@@ -320,7 +320,7 @@ async fn connection(
 
 /// Completes when the program is terminated: by the keyboard, by closing its terminal, or by a signal.
 #[cfg(unix)]
-async fn end_requested() {
+pub(crate) async fn end_requested() {
     use tokio::signal::unix::{SignalKind, signal};
     let ended = |kind| async move {
         match signal(kind) {
@@ -338,7 +338,7 @@ async fn end_requested() {
 
 /// Completes when the program is terminated by the keyboard.
 #[cfg(not(unix))]
-async fn end_requested() {
+pub(crate) async fn end_requested() {
     let _ = tokio::signal::ctrl_c().await;
 }
 

@@ -167,6 +167,8 @@ pub(crate) struct Linear<'a> {
     load: &'a Local,
     gains: Gains,
     delay: bool,
+    /// Whether the position is that of the load.
+    at_output: bool,
     /// Stiffness at the twist of the start [Nm/rad].
     stiffness: f64,
 }
@@ -202,6 +204,16 @@ impl Linear<'_> {
         load / (rotor * load - spring * spring)
     }
 
+    /// Speed of the load per speed of the motor: Z/Z_L'.
+    fn through_the_gear(&self, s: Complex) -> Complex {
+        let spring = Complex::new(self.plant.damping_nms, 0.0) + Complex::new(self.stiffness, 0.0) / s;
+        let load = s * self.load.inertia_kgm2
+            + Complex::new(self.load.viscous_nms, 0.0)
+            + Complex::new(self.load.slope_nm, 0.0) / s
+            + spring;
+        spring / load
+    }
+
     fn current_open(&self, s: Complex) -> Complex {
         let period = Loop::Current.period_s();
         let delay = if self.delay { Complex::unit(-s.im * period) } else { ONE };
@@ -235,7 +247,8 @@ impl Linear<'_> {
             }
             Loop::Position => {
                 let [_, speed] = self.both(Loop::Speed, s);
-                let open = Self::repeated(s, Loop::Position, Loop::Speed) * speed / s * self.gains.position_p;
+                let seen = if self.at_output { self.through_the_gear(s) } else { ONE };
+                let open = Self::repeated(s, Loop::Position, Loop::Speed) * speed * seen / s * self.gains.position_p;
                 [open, open / (ONE + open)]
             }
         }
@@ -317,15 +330,23 @@ impl LoopResponse {
     /// [`Fault`] as of [`Twin::new`]
     pub fn of(setup: &Setup<'_>) -> Result<Vec<Self>, Fault> {
         let twin = Twin::new(setup)?;
-        let linear = linear(&twin, setup.switches.delay);
+        let linear = linear(&twin, setup);
         Ok(Loop::ALL.map(|of| linear.response(of)).into())
     }
 }
 
 /// The linear drive of a run that stands at its start.
-pub(crate) fn linear<'a>(twin: &'a Twin<'_>, delay: bool) -> Linear<'a> {
+pub(crate) fn linear<'a>(twin: &'a Twin<'_>, setup: &Setup<'_>) -> Linear<'a> {
     let (plant, load) = twin.linear();
-    Linear { plant, load, gains: *twin.gains(), delay, stiffness: plant.spring.stiffness_at(twin.state.twist_rad) }
+    let (delay, at_output) = (setup.switches.delay, setup.loop_at_output);
+    Linear {
+        plant,
+        load,
+        gains: *twin.gains(),
+        delay,
+        at_output,
+        stiffness: plant.spring.stiffness_at(twin.state.twist_rad),
+    }
 }
 
 #[cfg(test)]

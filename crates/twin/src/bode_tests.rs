@@ -55,7 +55,7 @@ fn the_simulated_drive_answers_as_the_transfer_function_says() {
             ..Setup::of(&parameters, &mechanism, &motion, &extras)
         };
         let twin = Twin::new(&setup).unwrap();
-        let linear = linear(&twin, delay);
+        let linear = linear(&twin, &setup);
         for frequency in [8.0, 20.0, 50.0, 125.0, 250.0] {
             let s = Complex::new(0.0, TAU * frequency);
             let [_, closed] = linear.both(Loop::Speed, s);

@@ -34,18 +34,18 @@ impl Gains {
     ///
     /// Current: K_p = L/(2 T_σ), T_n = L/R (magnitude optimum, T_σ = 1.5 T_c); speed: K_p = J_M/(2 T_Σ),
     /// T_n = 4 T_Σ (J_M + J_L)/J_M (symmetrical optimum of the rotor above the resonance, of rotor and load below it, T_Σ = 2 T_σ + T_s + T_f);
-    /// position: K_v = min(1/(2 T_n), ω_a/5)
+    /// position: K_v = min(1/(2 T_n), ω_a/5); closed over the output also at most ζ_a ω_a = D/(2 J_L), half of what the resonance bears
     ///
     /// # Symbols
     /// T_c, T_s periods of the current and speed loop, T_f filter of the speed, J_M inertia of the rotor, J_L of the load at the
-    /// output, ω_a = √(K_2/J_L) frequency of the load on the blocked rotor
+    /// output, ω_a = √(K_2/J_L) frequency of the load on the blocked rotor, D damping of the gear
     /// # Source
     /// Kessler, Das symmetrische Optimum, Regelungstechnik 6 (1958); Schröder, Elektrische Antriebe, Regelung von
     /// Antriebssystemen; the factor of the load and the bound by ω_a are ours
     /// # Valid
-    /// measured position and speed on the motor
+    /// measured speed on the motor, position there or at the output
     #[must_use]
-    pub(crate) fn usual(plant: &Plant, load_kgm2: f64, stiffness_nm: f64, delay: bool) -> Self {
+    pub(crate) fn usual(plant: &Plant, load_kgm2: f64, stiffness_nm: f64, delay: bool, at_output: bool) -> Self {
         let period = 1.0 / CURRENT_RATE_HZ;
         let current_sum = period * if delay { 1.5 } else { 0.5 };
         let speed_period = 4.0 * period;
@@ -54,13 +54,14 @@ impl Gains {
         let (rotor, total) = (plant.inertia_kgm2, plant.inertia_kgm2 + load_kgm2);
         let speed_time_s = 4.0 * speed_sum * total / rotor;
         let blocked = (stiffness_nm / load_kgm2).sqrt();
+        let damped = if at_output { 0.5 * plant.damping_nms / load_kgm2 } else { f64::INFINITY };
         Self {
             current_p: plant.inductance_h / (2.0 * current_sum),
             current_time_s: plant.inductance_h / plant.resistance_ohm,
             speed_p: rotor / (2.0 * speed_sum),
             speed_time_s,
             speed_filter_s,
-            position_p: (0.5 / speed_time_s).min(blocked / 5.0),
+            position_p: (0.5 / speed_time_s).min(blocked / 5.0).min(damped),
             feed_speed: 1.0,
             feed_inertia: total,
         }
@@ -69,10 +70,10 @@ impl Gains {
 
 /// What the drive shall do.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) enum Demand {
-    /// Follow a position with its speed and acceleration.
+pub enum Demand {
+    /// Follow a position \[rad\] with its speed [rad/s] and acceleration [rad/s²].
     Position([f64; 3]),
-    /// Turn at a speed.
+    /// Turn at a speed [rad/s].
     Speed(f64),
 }
 
@@ -91,7 +92,10 @@ pub(crate) struct Bounds {
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Measured {
     pub(crate) current: [f64; 2],
+    /// Of the motor.
     pub(crate) angle_rad: f64,
+    /// What the position loop looks at.
+    pub(crate) position_rad: f64,
 }
 
 /// State of the control.
@@ -163,7 +167,7 @@ impl Control {
             if tick.is_multiple_of(POSITION_EVERY) {
                 match demand() {
                     Demand::Position([position, speed, acceleration]) => {
-                        self.following_rad = position - measured.angle_rad;
+                        self.following_rad = position - measured.position_rad;
                         let wanted = self.gains.position_p * self.following_rad + self.gains.feed_speed * speed;
                         self.speed_wanted = wanted.clamp(-bounds.speed, bounds.speed);
                         self.feed_nm = self.gains.feed_inertia * acceleration;

@@ -1,5 +1,6 @@
 //! The drive's states: running, stopping, off; the brake with its delays.
 
+use crate::control::Demand;
 use crate::machine::BrakeData;
 use crate::scenario::Reaction;
 
@@ -16,6 +17,8 @@ pub(crate) enum Phase {
     Off,
     /// No pulses while the brake holds within the cycle.
     Resting,
+    /// Follows the set-points of a caller.
+    Commanded(Demand),
 }
 
 /// The holding brake: commanded, closed after a delay.

@@ -23,7 +23,7 @@ mod twin;
 mod warm;
 
 pub use bode::{Loop, LoopResponse, Margins, Response};
-pub use control::{CURRENT_RATE_HZ, Gains};
+pub use control::{CURRENT_RATE_HZ, Demand, Gains};
 pub use drive::Limits;
 pub use identify::{Estimate, Identified, IdentifyFault, Observed, identify};
 pub use parameters::{Model, NoSuchParameter, Parameter, Parameters};
@@ -31,5 +31,5 @@ pub use plant::Energies;
 pub use scenario::{Event, EventKind, Reaction, Scenario, ScenarioId};
 pub use setup::{Fault, Setup, Switches};
 pub use summary::Summary;
-pub use twin::{Sample, Twin};
+pub use twin::{Reading, Sample, Twin};
 pub use warm::settled;

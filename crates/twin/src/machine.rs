@@ -32,6 +32,8 @@ pub(crate) struct Machine {
     pub(crate) flange_kgm2: f64,
     /// Largest deviation and step of the feedback, at the output \[rad\].
     pub(crate) feedback_rad: [f64; 2],
+    /// The same of the encoder at the output; `None`: there is none.
+    pub(crate) feedback_out_rad: Option<[f64; 2]>,
     /// Data that are not known: the part of the model is left out.
     pub(crate) left_out: Vec<&'static str>,
 }
@@ -154,6 +156,10 @@ impl Machine {
                 feedback.accuracy.known().map_or(0.0, |known| of_feedback(known.value)),
                 feedback.resolution.known().map_or(0.0, |known| of_feedback(known.value)),
             ],
+            feedback_out_rad: actuator.feedback_out.resolution.known().map(|resolution| {
+                let accuracy = actuator.feedback_out.accuracy.known().map_or(0.0, |known| known.value.si());
+                [accuracy, resolution.value.si()]
+            }),
             left_out,
         })
     }

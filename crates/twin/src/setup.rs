@@ -68,6 +68,8 @@ pub struct Setup<'a> {
     pub gains: Option<Gains>,
     /// What is supervised; without it what follows from the data.
     pub limits: Option<Limits>,
+    /// Whether the position loop is closed over the encoder at the output instead of that of the motor.
+    pub loop_at_output: bool,
     /// Within this angle of its last position the axis counts as settled \[rad\].
     pub settled_rad: f64,
     /// Steps of the solver in one period of the current loop.
@@ -104,6 +106,7 @@ impl<'a> Setup<'a> {
             start_k: None,
             gains: None,
             limits: None,
+            loop_at_output: false,
             settled_rad: std::f64::consts::TAU / 21_600.0,
             substeps: SUBSTEPS_USUAL,
             seed: 0,
@@ -130,6 +133,8 @@ pub enum Fault {
     NoBrake,
     /// The scenario needs a battery in the feedback, and it has none.
     NoBattery,
+    /// The position loop is closed at the output, and no encoder is there.
+    NoOutputEncoder,
     /// The scenario takes place after the end of the run.
     AfterTheEnd {
         /// The end \[s\].

@@ -1,5 +1,6 @@
 //! The run: control, plant, DC link and supervision, period by period.
 
+mod commanded;
 mod driving;
 mod start;
 mod supervision;
@@ -20,6 +21,9 @@ use crate::summary::{Gathered, Summary};
 use actuator::{Losses, Temperatures};
 use quantities::{Measure, ThermodynamicTemperature};
 use std::f64::consts::{SQRT_2, TAU};
+
+use commanded::Commanded;
+pub use commanded::Reading;
 
 /// Duration of a period of the current loop \[s\].
 pub(crate) const PERIOD_S: f64 = 1.0 / CURRENT_RATE_HZ;
@@ -125,6 +129,8 @@ pub struct Twin<'a> {
     /// Heat of the coil of the open brake so far \[J\].
     coil_j: f64,
     ambient_k: f64,
+    /// What a caller commands; `None` where the motion of the project is followed.
+    commanded: Option<Commanded>,
 }
 
 /// What is summed up for the next slow look.
@@ -141,7 +147,10 @@ impl<'a> Twin<'a> {
     /// # Errors
     /// [`Fault`]: what is missing, contradicts itself, or cannot be computed with this step.
     pub fn new(setup: &Setup<'a>) -> Result<Self, Fault> {
-        let setup = *setup;
+        Self::build(*setup, None)
+    }
+
+    fn build(setup: Setup<'a>, commanded: Option<Commanded>) -> Result<Self, Fault> {
         if setup.substeps == 0 || setup.substeps > SUBSTEPS_MOST {
             return Err(Fault::OutOfRange("substeps"));
         }
@@ -167,6 +176,9 @@ impl<'a> Twin<'a> {
         let model = &setup.parameters.model;
         let ambient_k = start::ambient(&setup);
         let scenario = setup.scenario.id;
+        if setup.loop_at_output && machine.feedback_out_rad.is_none() {
+            return Err(Fault::NoOutputEncoder);
+        }
         match scenario {
             ScenarioId::BrakeStuck | ScenarioId::HangingLoad if machine.brake.is_none() => return Err(Fault::NoBrake),
             ScenarioId::BatteryLoss if !setup.parameters.actuator.feedback.buffered_by_battery => {
@@ -186,7 +198,7 @@ impl<'a> Twin<'a> {
             setup.start_k.filter(|_| !matches!(scenario, ScenarioId::ColdGrease)).unwrap_or([ambient_k; 2]);
         let [winding, housing] = temperatures;
         machine.warm(&mut plant, winding, housing);
-        let has_stop = matches!(scenario, ScenarioId::BlockedLoad | ScenarioId::Collision);
+        let has_stop = commanded.is_some() || matches!(scenario, ScenarioId::BlockedLoad | ScenarioId::Collision);
         let stop_nm = if has_stop { model.stop_stiffness.value } else { 0.0 };
         let stiff = |substeps: u32| {
             let h = PERIOD_S / f64::from(substeps);
@@ -207,7 +219,13 @@ impl<'a> Twin<'a> {
         let closed = start.braked.is_some() || matches!(scenario, ScenarioId::BatteryLoss);
         let brake = BrakeState::new(machine.brake, closed, scenario == ScenarioId::BrakeStuck);
         plant.brake_nm = brake.torque_nm();
-        let usual = Gains::usual(&plant, local.inertia_kgm2, plant.spring.stiffness_at(twist), setup.switches.delay);
+        let usual = Gains::usual(
+            &plant,
+            local.inertia_kgm2,
+            plant.spring.stiffness_at(twist),
+            setup.switches.delay,
+            setup.loop_at_output,
+        );
         let gains = setup.gains.unwrap_or(usual);
         let control = Control::at_rest(gains, &plant, setup.switches.delay, theta, holding);
         let resting = brake.closed && start.braked.is_some();
@@ -303,13 +321,14 @@ impl<'a> Twin<'a> {
             course,
             coil_j: 0.0,
             ambient_k,
+            commanded,
         };
         if scenario == ScenarioId::BatteryLoss {
             twin.note(EventKind::NoPosition);
         }
         // The angle at which the drive starts is the one that it measures.
         let measured = twin.angle();
-        twin.offset_rad += measured - twin.state.x[2];
+        twin.offset_rad = twin.position_seen(measured) - position;
         twin.control = Control::at_rest(gains, &twin.plant, setup.switches.delay, measured, holding);
         Ok(twin)
     }
@@ -410,6 +429,20 @@ impl<'a> Twin<'a> {
         }
     }
 
+    /// What the position loop measures: the angle of the motor, or that of the encoder at the output \[rad\].
+    fn position_seen(&self, motor_rad: f64) -> f64 {
+        let Some([accuracy, step]) = self.machine.feedback_out_rad.filter(|_| self.setup.loop_at_output) else {
+            return motor_rad;
+        };
+        let position = self.state.x[4];
+        if !self.setup.switches.noise {
+            return position;
+        }
+        let [a, b] = self.encoder.phases;
+        let error = accuracy * (0.6 * (position + a).sin() + 0.4 * (2.0 * position + b).sin());
+        if step > 0.0 { ((position + error) / step).round() * step } else { position + error }
+    }
+
     fn period(&mut self) {
         let time = self.time_s();
         if self.tick.is_multiple_of(POSITION_EVERY) {
@@ -418,11 +451,14 @@ impl<'a> Twin<'a> {
                 self.point = self.course.at(time);
             }
             self.manage(time);
-            if matches!(self.phase, Phase::Running | Phase::Resting) {
-                self.gathered.look(time, &self.point.state, self.state.x[4]);
-            } else {
-                let [position, ..] = self.point.state;
-                self.point.state = [position, 0.0, 0.0];
+            let [position, ..] = self.point.state;
+            match self.phase {
+                Phase::Running | Phase::Resting => {
+                    self.gathered.look(time, &self.point.state, self.state.x[4]);
+                }
+                Phase::Commanded(Demand::Position(wanted)) => self.point.state = wanted,
+                Phase::Commanded(Demand::Speed(wanted)) => self.point.state = [self.state.x[4], wanted, 0.0],
+                Phase::Ramp(_) | Phase::Holding(_) | Phase::Off => self.point.state = [position, 0.0, 0.0],
             }
         }
         self.voltage = if self.state.pulses { self.controlled() } else { [0.0; 2] };
@@ -461,23 +497,25 @@ impl<'a> Twin<'a> {
             i_d += noise * self.random.normal();
             i_q += noise * self.random.normal();
         }
-        let measured = Measured {
-            current: [i_d, i_q],
-            // The loops of speed and position alone look at it.
-            angle_rad: if self.tick.is_multiple_of(SPEED_EVERY) { self.angle() } else { 0.0 },
-        };
+        // The loops of speed and position alone look at it.
+        let angle_rad = if self.tick.is_multiple_of(SPEED_EVERY) { self.angle() } else { 0.0 };
+        let position_rad =
+            if self.tick.is_multiple_of(POSITION_EVERY) { self.position_seen(angle_rad) } else { angle_rad };
+        let measured = Measured { current: [i_d, i_q], angle_rad, position_rad };
         let demand = match (self.phase, self.setup.speed_step) {
             (Phase::Ramp(speed), _) => Demand::Speed(speed),
             (Phase::Holding(_), _) => Demand::Speed(0.0),
-            (_, Some(speed)) => Demand::Speed(speed),
+            (Phase::Commanded(Demand::Speed(speed)), _) | (_, Some(speed)) => Demand::Speed(speed),
             (_, None) => {
                 let [position, speed, acceleration] = self.point.state;
                 Demand::Position([position + self.offset_rad, speed, acceleration])
             }
         };
+        let most_a = self.commanded.as_ref().and_then(|commanded| commanded.current_most_a);
         let bounds = if self.setup.switches.limits {
             Bounds {
-                current_a: SQRT_2 * self.machine.current_max_a,
+                current_a: SQRT_2
+                    * most_a.map_or(self.machine.current_max_a, |most| most.min(self.machine.current_max_a)),
                 voltage_v: self.setup.modulation * self.link.voltage_v / 3.0_f64.sqrt(),
                 speed: self.machine.speed_max,
             }

@@ -234,6 +234,26 @@ texts! {
     upkeep_name =
         "Name of the actuator in the calendar: distinguishes two of one code"
         | "Name des Antriebs im Kalender: unterscheidet zwei mit gleichem Code";
+    drive =
+        "A virtual drive with the objects of CiA 402, for a controller"
+        | "Ein virtueller Regler mit den Objekten von CiA 402, für eine Steuerung";
+    drive_project =
+        "Project whose axis it drives: load, supply, gains; without it a bare moment of inertia"
+        | "Projekt, dessen Achse er bewegt: Last, Versorgung, Reglerverstärkungen; ohne es ein bloßes Trägheitsmoment";
+    drive_inertia =
+        "Moment of inertia of the load without a project (that of the actuator)"
+        | "Trägheitsmoment der Last ohne Projekt (das des Antriebs)";
+    drive_protocol = "How clients talk to it" | "Sprache der Clients";
+    drive_time =
+        "Whether time follows the clock or the client, by a request or with each SYNC message by the period of 60C2h"
+        | "Ob die Zeit der Uhr folgt oder dem Client, durch eine Anfrage oder je SYNC-Nachricht um die Periode aus 60C2h";
+    drive_port =
+        "Port; 0 takes a free one (29535, for CAN 29536, or a free one where that is taken)"
+        | "Port; 0 nimmt einen freien (29535, für CAN 29536, oder ein freier, wo der belegt ist)";
+    drive_node = "Number of its node of CANopen" | "Knotennummer in CANopen";
+    drive_eds =
+        "Print its electronic data sheet (CiA 306) and end"
+        | "Sein elektronisches Datenblatt (CiA 306) ausgeben und enden";
     serve = "The web workbench, on this machine" | "Der Arbeitsplatz im Browser, auf dieser Maschine";
     serve_folder =
         "Folder with the project files; nothing outside of it is read or written (the current one)"

@@ -25,6 +25,15 @@ texts! {
     open_to_the_network(address) =
         "without a token and without encryption at {address}: anyone in the network can read and write the project files of the folder"
         | "ohne Token und unverschlüsselt unter {address}: jeder im Netz kann die Projektdateien des Ordners lesen und schreiben";
+    drive_listens(address, protocol) =
+        "virtual drive at {address}, protocol {protocol}"
+        | "virtueller Regler unter {address}, Protokoll {protocol}";
+    drive_is_open =
+        "every user and program of this machine can command the virtual drive; it opens no file and no other connection"
+        | "jeder Benutzer und jedes Programm dieser Maschine kann den virtuellen Regler steuern; er öffnet keine Datei und keine weitere Verbindung";
+    eds_of_the_virtual_drive =
+        "virtual drive of antrieb, a simulation"
+        | "virtueller Regler von antrieb, eine Simulation";
     no_browser(trouble) = "no browser could be opened: {trouble}" | "es ließ sich kein Browser öffnen: {trouble}";
     no_listening_address(written) =
         "\"{written}\" is no address of this machine to listen on"

@@ -107,6 +107,9 @@ texts! {
         "the step is too long for the stiffest part: at least {steps} steps in a period of the current loop"
         | "der Schritt ist zu lang für den steifsten Teil: mindestens {steps} Schritte je Periode der Stromregelung";
     refused_brake = "the scenario needs a brake, and the actuator has none" | "das Szenario braucht eine Bremse, und der Antrieb hat keine";
+    refused_output_encoder =
+        "no simulation: the position loop is closed at the output, and the actuator has no encoder there (option EC)"
+        | "keine Simulation: der Lageregelkreis wird am Abtrieb geschlossen, und der Antrieb hat dort keinen Geber (Option EC)";
     refused_battery =
         "the scenario needs a feedback with battery, and the actuator has none"
         | "das Szenario braucht einen Geber mit Batterie, und der Antrieb hat keinen";
@@ -259,6 +262,7 @@ pub fn simulation_fault(fault: &Fault, language: Language) -> String {
         Fault::NoInertia => crate::simulation::refused_inertia(language).to_owned(),
         Fault::StepTooLong { substeps } => crate::simulation::refused_step(substeps, language),
         Fault::NoBrake => crate::simulation::refused_brake(language).to_owned(),
+        Fault::NoOutputEncoder => crate::simulation::refused_output_encoder(language).to_owned(),
         Fault::NoBattery => crate::simulation::refused_battery(language).to_owned(),
         Fault::AfterTheEnd { end_s } => {
             crate::simulation::refused_late(&quantities::format_significant(*end_s, 4, language), language)

@@ -20,7 +20,7 @@ pub(super) enum Room {
 }
 
 /// Every crate of the workspace by package name. A new crate is entered here first.
-const ROOMS: [(&str, Room); 38] = [
+const ROOMS: [(&str, Room); 39] = [
     ("numeric", Room::Layer(0)),
     ("quantities", Room::Layer(0)),
     ("provenance", Room::Layer(0)),
@@ -40,6 +40,7 @@ const ROOMS: [(&str, Room); 38] = [
     ("sizing", Room::Layer(3)),
     ("twin", Room::Layer(3)),
     ("installation", Room::Layer(3)),
+    ("drive", Room::Layer(4)),
     ("project", Room::Layer(4)),
     ("answers", Room::Layer(4)),
     ("words", Room::Layer(5)),

@@ -115,6 +115,43 @@ pub(super) fn serve(language: Language) -> Command {
         .arg(memory(language))
 }
 
+pub(super) fn drive(language: Language) -> Command {
+    let l = language;
+    let option = |name: &'static str, value: &'static str, help: &'static str| text(name, value, help);
+    let words = |all: [&'static str; 2]| PossibleValuesParser::new(all);
+    Command::new("drive")
+        .about(help::drive(l))
+        .arg(Arg::new("code").value_name(values::code(l)).required(true).num_args(1..).help(help::ordering_code(l)))
+        .arg(
+            // Its own identifier: a server has no deadline, which every command with a project takes.
+            option("project-file", values::file(l), help::drive_project(l))
+                .long("project")
+                .value_parser(value_parser!(std::path::PathBuf))
+                .conflicts_with("inertia"),
+        )
+        .arg(option("axis", values::name(l), help::axis(l)).requires("project-file"))
+        .arg(option("inertia", values::quantity(l), help::drive_inertia(l)))
+        .arg(
+            option("protocol", values::name(l), help::drive_protocol(l))
+                .value_parser(words(server::DriveProtocol::ALL.map(server::DriveProtocol::id)))
+                .default_value(server::DriveProtocol::default().id()),
+        )
+        .arg(
+            option("time", values::name(l), help::drive_time(l))
+                .value_parser(words(questions::drive::Time::ALL.map(questions::drive::Time::id)))
+                .default_value(questions::drive::Time::default().id()),
+        )
+        .arg(option("port", values::n(l), help::drive_port(l)).value_parser(value_parser!(u16)))
+        .arg(
+            option("node", values::n(l), help::drive_node(l))
+                .value_parser(value_parser!(u8).range(1..=i64::from(questions::drive::NODE_MOST)))
+                .default_value("1"),
+        )
+        .arg(option("seed", values::n(l), help::simulate_seed(l)).value_parser(value_parser!(u32)).default_value("0"))
+        .arg(Arg::new("eds").long("eds").action(ArgAction::SetTrue).help(help::drive_eds(l)))
+        .arg(memory(l))
+}
+
 /// How much memory the recordings of a project may take.
 pub(super) fn memory(language: Language) -> Arg {
     Arg::new("memory").long("memory").value_name(values::size(language)).help(help::memory(language))

@@ -8,12 +8,20 @@ use quantities::unit::{MILLIAMPERE, MILLINEWTON_METRE, ONE, REVOLUTION_PER_MINUT
 /// A type of CiA 301.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum DataType {
+    /// 8 bit with sign.
+    Integer8,
+    /// 16 bit with sign.
+    Integer16,
+    /// 32 bit with sign.
+    Integer32,
     /// 8 bit without sign.
     Unsigned8,
     /// 16 bit without sign.
     Unsigned16,
     /// 32 bit without sign.
     Unsigned32,
+    /// Text.
+    VisibleString,
 }
 
 impl DataType {
@@ -21,9 +29,13 @@ impl DataType {
     #[must_use]
     pub const fn id(self) -> &'static str {
         match self {
+            Self::Integer8 => "INTEGER8",
+            Self::Integer16 => "INTEGER16",
+            Self::Integer32 => "INTEGER32",
             Self::Unsigned8 => "UNSIGNED8",
             Self::Unsigned16 => "UNSIGNED16",
             Self::Unsigned32 => "UNSIGNED32",
+            Self::VisibleString => "VISIBLE_STRING",
         }
     }
 
@@ -31,19 +43,38 @@ impl DataType {
     #[must_use]
     pub const fn number(self) -> u16 {
         match self {
+            Self::Integer8 => 2,
+            Self::Integer16 => 3,
+            Self::Integer32 => 4,
             Self::Unsigned8 => 5,
             Self::Unsigned16 => 6,
             Self::Unsigned32 => 7,
+            Self::VisibleString => 9,
         }
     }
 
-    /// The largest value.
+    /// Bytes of a number; none of a text.
     #[must_use]
-    pub const fn largest(self) -> u32 {
+    pub const fn bytes(self) -> u8 {
         match self {
-            Self::Unsigned8 => u8::MAX as u32,
-            Self::Unsigned16 => u16::MAX as u32,
-            Self::Unsigned32 => u32::MAX,
+            Self::Integer8 | Self::Unsigned8 => 1,
+            Self::Integer16 | Self::Unsigned16 => 2,
+            Self::Integer32 | Self::Unsigned32 => 4,
+            Self::VisibleString => 0,
+        }
+    }
+
+    /// The least and the largest value; zero of a text.
+    #[must_use]
+    pub const fn range(self) -> [i64; 2] {
+        match self {
+            Self::Integer8 => [i8::MIN as i64, i8::MAX as i64],
+            Self::Integer16 => [i16::MIN as i64, i16::MAX as i64],
+            Self::Integer32 => [i32::MIN as i64, i32::MAX as i64],
+            Self::Unsigned8 => [0, u8::MAX as i64],
+            Self::Unsigned16 => [0, u16::MAX as i64],
+            Self::Unsigned32 => [0, u32::MAX as i64],
+            Self::VisibleString => [0, 0],
         }
     }
 }
@@ -220,7 +251,9 @@ fn whole(draft: Draft) -> Option<Object> {
         Rounding::Nearest => exact.round(),
         Rounding::Down => exact.floor(),
     };
-    if rounded < 0.0 || rounded > f64::from(data_type.largest()) {
+    let [_, largest] = data_type.range();
+    #[allow(clippy::cast_precision_loss, reason = "at most 32 bit")]
+    if rounded < 0.0 || rounded > largest as f64 {
         return None;
     }
     #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "whole and within the type")]

@@ -64,7 +64,7 @@ impl Twin<'_> {
                     self.switch_off();
                 }
             }
-            Phase::Off => {}
+            Phase::Off | Phase::Commanded(_) => {}
         }
         let rests = self.state.x[3].abs() < 1e-4 * self.machine.speed_max
             && self.state.x[5].abs() < 1e-3 * self.machine.speed_max;
@@ -137,20 +137,24 @@ impl Twin<'_> {
         if !self.has(kind) {
             self.note(kind);
         }
+        if let Some(commanded) = &mut self.commanded {
+            commanded.present.push(kind);
+        }
         if matches!(self.phase, Phase::Running | Phase::Resting) {
             self.react(reaction);
         }
     }
 
+    /// A stop at the position of the load.
+    pub(super) fn stop_here(&self, side: f64) -> Stop {
+        let stiffness_nm = self.setup.parameters.model.stop_stiffness.value;
+        let damping_nms = 0.1 * (stiffness_nm * self.local.inertia_kgm2).sqrt();
+        Stop { at_rad: self.state.x[4], side, stiffness_nm, damping_nms }
+    }
+
     pub(super) fn happen(&mut self) {
         self.note(EventKind::Scenario);
         let reaction = self.setup.scenario.reaction;
-        let stop = |side: f64| Stop {
-            at_rad: self.state.x[4],
-            side,
-            stiffness_nm: self.setup.parameters.model.stop_stiffness.value,
-            damping_nms: 0.1 * (self.setup.parameters.model.stop_stiffness.value * self.local.inertia_kgm2).sqrt(),
-        };
         match self.setup.scenario.id {
             ScenarioId::EmergencyStop => self.react(reaction),
             ScenarioId::PowerFailure => {
@@ -158,8 +162,8 @@ impl Twin<'_> {
                 self.react(Reaction::Brake);
             }
             ScenarioId::HangingLoad => self.react(Reaction::Brake),
-            ScenarioId::BlockedLoad => self.stop = Some(stop(0.0)),
-            ScenarioId::Collision => self.stop = Some(stop(self.state.x[5].signum())),
+            ScenarioId::BlockedLoad => self.stop = Some(self.stop_here(0.0)),
+            ScenarioId::Collision => self.stop = Some(self.stop_here(self.state.x[5].signum())),
             ScenarioId::EncoderFailure => self.encoder.frozen_rad = Some(self.angle()),
             ScenarioId::LinkSag => self.supply_share = SAG.0,
             ScenarioId::Cycle

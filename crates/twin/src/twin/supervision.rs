@@ -65,6 +65,9 @@ impl Twin<'_> {
     /// What the drive notices by itself.
     pub(super) fn notice(&mut self) {
         let time = self.time_s();
+        if let Some(commanded) = &mut self.commanded {
+            commanded.present.clear();
+        }
         if self.setup.scenario.id == ScenarioId::LinkSag && self.happens_s.is_some_and(|at| time > at + SAG.1) {
             self.supply_share = 1.0;
         }
@@ -100,7 +103,7 @@ impl Twin<'_> {
         if self.link.voltage_v > high {
             self.fault(EventKind::LinkHigh, without_drive);
         }
-        if self.state.x[3].abs() > 1.1 * self.machine.speed_max && !self.has(EventKind::Overspeed) {
+        if self.state.x[3].abs() > 1.1 * self.machine.speed_max {
             self.fault(EventKind::Overspeed, without_drive);
         }
     }

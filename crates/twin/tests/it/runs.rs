@@ -184,3 +184,28 @@ fn many_cycles_do_not_drift() {
     assert!((now.wanted_rad - now.position_rad).abs() < 2e-3, "{now:?}");
     assert!(twin.events().len() < 10, "{:?}", twin.events());
 }
+
+/// A load with dry friction stands beside its set-point by the twist of the gear where the motor is controlled, and within the step
+/// of the encoder (158″, table 68.1) where the output is; without such an encoder there is no run.
+#[test]
+fn a_loop_over_the_output_takes_the_twist_out() {
+    let parameters = parameters("CHA-25A-100-H-C1024-EC");
+    let (rubbing, motion, extras) = (load(1.0, 70.0), one_move(5.0, 0.2, 0.3, 3.0), NOTHING());
+    let off = |loop_at_output: bool| {
+        let switches = Switches { kinematic_error: false, ..Switches::default() };
+        let setup = Setup { loop_at_output, switches, ..Setup::of(&parameters, &rubbing, &motion, &extras) };
+        for each in LoopResponse::of(&setup).unwrap() {
+            assert!(each.margins.stable, "{loop_at_output} {:?} {:?}", each.of, each.margins);
+        }
+        let mut twin = Twin::new(&setup).unwrap();
+        twin.advance(u64::MAX);
+        assert!(!twin.events().iter().any(|event| event.kind == EventKind::Diverged));
+        twin.sample().following_rad.abs()
+    };
+    let (motor, output) = (off(false), off(true));
+    let step = std::f64::consts::TAU / 8192.0;
+    assert!(output < 0.75 * step && motor > 1.5 * step, "{motor} {output}");
+    let bare = super::parameters(CODE);
+    let setup = Setup { loop_at_output: true, ..Setup::of(&bare, &rubbing, &motion, &extras) };
+    assert_eq!(Twin::new(&setup).unwrap_err(), Fault::NoOutputEncoder);
+}

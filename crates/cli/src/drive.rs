@@ -1,0 +1,101 @@
+//! `drive`: the virtual drive of a code.
+
+use crate::answer::Answer;
+use crate::call::File;
+use crate::fault::{memory, unanswered};
+use crate::waiting::patience;
+use clap::ArgMatches;
+use order_code::OrderCode;
+use project::Project;
+use quantities::{Language, MomentOfInertia};
+use questions::drive::{Time, bare_axis, eds, with_drive};
+use questions::list::{AXIS, Asked, Cost, Given, Unanswered};
+use questions::{read_code, read_quantity};
+use server::{DriveProtocol, DriveServer, Unserved};
+use std::io::Write;
+use std::path::PathBuf;
+use words::{file_trouble, serving};
+
+/// The usual port of each protocol: that of socketcand, and the one below.
+const fn usual_port(protocol: DriveProtocol) -> u16 {
+    match protocol {
+        DriveProtocol::Line => 29_535,
+        DriveProtocol::SocketCand => 29_536,
+    }
+}
+
+/// `antrieb drive CODE`
+pub(crate) fn drive(matches: &ArgMatches, as_json: bool, language: Language) -> Answer {
+    answer(matches, language).unwrap_or_else(|why| unanswered(&why, as_json, language))
+}
+
+fn answer(matches: &ArgMatches, language: Language) -> Result<Answer, Unanswered> {
+    let word = |name: &str| matches.get_one::<String>(name).map(String::as_str);
+    let written: Vec<&str> = matches.get_many::<String>("code").into_iter().flatten().map(String::as_str).collect();
+    let text = written.join(" ");
+    let reading = read_code(&text, language);
+    let code = reading.map_err(|refusal| Unanswered::Code { text, refusal, among: false })?.parsed.code;
+    let inertia = word("inertia").map(|text| read_quantity::<MomentOfInertia>(text, language)).transpose();
+    let inertia = inertia.map_err(|fault| Unanswered::option("inertia", fault))?;
+    let project = match matches.get_one::<PathBuf>("project-file") {
+        Some(path) => {
+            of_file(&File::read(path, memory::allowed(matches, language)?, language)?, word("axis"), language)?
+        }
+        None => bare_axis(&code, inertia, language)?,
+    };
+    let node = matches.get_one::<u8>("node").copied().unwrap_or(1);
+    let seed = matches.get_one::<u32>("seed").copied().unwrap_or(0);
+    if matches.get_flag("eds") {
+        let sheet = with_drive(&project, &code, (node, seed), language, |drive| eds(&drive, &code, node, language))?;
+        return Ok(Answer::data(sheet));
+    }
+    let protocol = word("protocol").and_then(DriveProtocol::of).unwrap_or_default();
+    let time = word("time").and_then(Time::of).unwrap_or_default();
+    let server = bound(matches.get_one::<u16>("port").copied(), protocol, time)
+        .map_err(|fault| Unanswered::message(fault.message(language)))?;
+    serve(&project, &code, (node, seed), (server, protocol), language)
+}
+
+fn serve(
+    project: &Project,
+    code: &OrderCode,
+    (node, seed): (u8, u32),
+    (server, protocol): (DriveServer, DriveProtocol),
+    language: Language,
+) -> Result<Answer, Unanswered> {
+    let served = with_drive(project, code, (node, seed), language, |drive| {
+        let address = server.address();
+        let mut out = anstream::stdout();
+        if let Err(error) = writeln!(out, "{address}").and_then(|()| out.flush()) {
+            return Err(file_trouble(&error, language));
+        }
+        let mut talk = anstream::stderr();
+        let _ = writeln!(talk, "{}", serving::drive_listens(&address, &protocol.id(), language));
+        let _ = writeln!(talk, "{}", serving::drive_is_open(language));
+        let _ = writeln!(talk, "{}", serving::how_to_end(language));
+        server.run(drive, node).map_err(|fault| fault.message(language))
+    })?;
+    served.map(|()| Answer::none()).map_err(Unanswered::message)
+}
+
+/// On the requested port, else on the usual one or, where that is taken, on a free one.
+fn bound(port: Option<u16>, protocol: DriveProtocol, time: Time) -> Result<DriveServer, Unserved> {
+    let first = DriveServer::bind(port.unwrap_or(usual_port(protocol)), protocol, time);
+    match (first, port) {
+        (Err(Unserved::Address(..)), None) => DriveServer::bind(0, protocol, time),
+        (first, _) => first,
+    }
+}
+
+/// The axis of a project.
+fn of_file(file: &File, axis: Option<&str>, language: Language) -> Result<Project, Unanswered> {
+    let asked = Asked {
+        given: Given::of(&[AXIS], [], language)?,
+        sources: vec![file.source()],
+        days_since_1970: None,
+        patience: patience(),
+        refuses_long: true,
+        language,
+    };
+    asked.axis(axis, Cost::Other).map(|(_, project)| project)
+}

@@ -1,0 +1,472 @@
+//! The objects of the drive: place, type, access, bounds, value at the start, and the store of what is written.
+
+use crate::abort::Abort;
+use crate::drive::Given;
+use crate::scale::Scale;
+use installation::commission::cia402::DataType;
+use std::collections::BTreeMap;
+
+/// Index and sub-index.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub struct Address {
+    /// Index.
+    pub index: u16,
+    /// Sub-index.
+    pub sub: u8,
+}
+
+impl Address {
+    /// Of an index and a sub-index.
+    #[must_use]
+    pub const fn new(index: u16, sub: u8) -> Self {
+        Self { index, sub }
+    }
+}
+
+/// Who may write an object.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Access {
+    /// It never changes.
+    Constant,
+    /// The drive alone.
+    ReadOnly,
+    /// A controller.
+    ReadWrite,
+}
+
+impl Access {
+    /// Its name in an EDS.
+    #[must_use]
+    pub const fn id(self) -> &'static str {
+        match self {
+            Self::Constant => "const",
+            Self::ReadOnly => "ro",
+            Self::ReadWrite => "rw",
+        }
+    }
+}
+
+/// What an object holds.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Value {
+    /// A number.
+    Number(i64),
+    /// A text.
+    Text(String),
+}
+
+/// An object.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Entry {
+    /// Where it is.
+    pub at: Address,
+    /// Its name in the profile, the same in every language; of a sub-object its own.
+    pub name: &'static str,
+    /// The name of the index where it has several sub-objects.
+    pub group: Option<&'static str>,
+    /// Its type.
+    pub data_type: DataType,
+    /// Who writes it.
+    pub access: Access,
+    /// Whether a PDO may hold it.
+    pub mappable: bool,
+    /// The least and the largest value that is taken.
+    pub range: [i64; 2],
+    /// The unit; none of a pure number or bits.
+    pub unit: &'static str,
+    /// Its value at the start.
+    pub usual: Value,
+}
+
+/// Every object with its value.
+#[derive(Clone, Debug)]
+pub(crate) struct Dictionary {
+    slots: BTreeMap<Address, (Entry, Value)>,
+}
+
+/// A unit of positions.
+pub(crate) const INC: &str = "inc";
+const INC_S: &str = "inc/s";
+const INC_S2: &str = "inc/s²";
+
+/// Parts of a position per turn of the motor where no table has them. Assumed.
+pub(crate) const INCREMENTS_USUAL: i64 = 65_536;
+
+/// Objects of a PDO at most.
+pub(crate) const MAPPED_MOST: u8 = 8;
+
+/// A list under construction.
+struct Draft(Vec<Entry>);
+
+const fn one(index: u16, name: &'static str, data_type: DataType, usual: i64) -> Entry {
+    Entry {
+        at: Address::new(index, 0),
+        name,
+        group: None,
+        data_type,
+        access: Access::ReadWrite,
+        mappable: false,
+        range: data_type.range(),
+        unit: "",
+        usual: Value::Number(usual),
+    }
+}
+
+impl Entry {
+    fn sub(self, sub: u8, group: &'static str) -> Self {
+        Self { at: Address::new(self.at.index, sub), group: Some(group), ..self }
+    }
+
+    fn constant(self) -> Self {
+        Self { access: Access::Constant, ..self }
+    }
+
+    fn read_only(self) -> Self {
+        Self { access: Access::ReadOnly, ..self }
+    }
+
+    fn mapped(self) -> Self {
+        Self { mappable: true, ..self }
+    }
+
+    fn within(self, least: i64, most: i64) -> Self {
+        Self { range: [least, most], ..self }
+    }
+
+    fn unit(self, unit: &'static str) -> Self {
+        Self { unit, ..self }
+    }
+}
+
+impl Draft {
+    fn put(&mut self, entry: Entry) {
+        self.0.push(entry);
+    }
+
+    /// Sub-object 0 of an index with several.
+    fn count(&mut self, index: u16, group: &'static str, highest: u8) {
+        self.put(
+            one(index, "Highest sub-index supported", DataType::Unsigned8, i64::from(highest)).sub(0, group).constant(),
+        );
+    }
+}
+
+/// Names of the four PDOs.
+const RECEIVED: [[&str; 2]; 4] = [
+    ["RPDO 1 communication parameter", "RPDO 1 mapping parameter"],
+    ["RPDO 2 communication parameter", "RPDO 2 mapping parameter"],
+    ["RPDO 3 communication parameter", "RPDO 3 mapping parameter"],
+    ["RPDO 4 communication parameter", "RPDO 4 mapping parameter"],
+];
+const SENT: [[&str; 2]; 4] = [
+    ["TPDO 1 communication parameter", "TPDO 1 mapping parameter"],
+    ["TPDO 2 communication parameter", "TPDO 2 mapping parameter"],
+    ["TPDO 3 communication parameter", "TPDO 3 mapping parameter"],
+    ["TPDO 4 communication parameter", "TPDO 4 mapping parameter"],
+];
+
+/// What the PDOs hold at the start: controlword; with mode; with target position; with target velocity. Statusword; with mode; with
+/// position; with velocity.
+///
+/// # Source
+/// cia-402: the predefined PDOs of the profile
+const RECEIVED_USUAL: [&[u32]; 4] =
+    [&[0x6040_0010], &[0x6040_0010, 0x6060_0008], &[0x6040_0010, 0x607A_0020], &[0x6040_0010, 0x60FF_0020]];
+const SENT_USUAL: [&[u32]; 4] =
+    [&[0x6041_0010], &[0x6041_0010, 0x6061_0008], &[0x6041_0010, 0x6064_0020], &[0x6041_0010, 0x606C_0020]];
+const ENTRIES: [&str; 8] = [
+    "Mapped object 1",
+    "Mapped object 2",
+    "Mapped object 3",
+    "Mapped object 4",
+    "Mapped object 5",
+    "Mapped object 6",
+    "Mapped object 7",
+    "Mapped object 8",
+];
+
+/// Errors that are kept in 1003h.
+pub(crate) const ERRORS_MOST: u8 = 8;
+const ERRORS: [&str; 8] = [
+    "Standard error field 1",
+    "Standard error field 2",
+    "Standard error field 3",
+    "Standard error field 4",
+    "Standard error field 5",
+    "Standard error field 6",
+    "Standard error field 7",
+    "Standard error field 8",
+];
+
+/// Every object of a drive.
+#[must_use]
+pub(crate) fn entries(given: &Given, scale: &Scale, most: [f64; 2], ramp_rad_s2: f64) -> Vec<Entry> {
+    let mut draft = Draft(Vec::new());
+    communication(&mut draft, given);
+    pdos(&mut draft, given.node);
+    own(&mut draft);
+    profile(&mut draft, scale, most, ramp_rad_s2);
+    let Draft(mut list) = draft;
+    // Values of the motor are those of the commissioning: one place for both.
+    for object in &given.objects {
+        let at = Address::new(object.index, object.sub);
+        if let Some(entry) = list.iter_mut().find(|entry| entry.at == at) {
+            entry.usual = Value::Number(i64::from(object.value));
+            entry.unit = object.unit;
+            entry.data_type = object.data_type;
+        }
+    }
+    list.sort_by_key(|entry| entry.at);
+    list
+}
+
+/// The objects of CiA 301.
+fn communication(draft: &mut Draft, given: &Given) {
+    use DataType::{Unsigned8, Unsigned16, Unsigned32, VisibleString};
+    let node = i64::from(given.node);
+    let text = |index, name, text: &str| Entry {
+        usual: Value::Text(text.to_owned()),
+        ..one(index, name, VisibleString, 0).constant()
+    };
+    // A servo drive of the profile 402.
+    draft.put(one(0x1000, "Device type", Unsigned32, 0x0002_0192).constant());
+    draft.put(one(0x1001, "Error register", Unsigned8, 0).read_only().mapped());
+    let field = "Pre-defined error field";
+    draft.put(one(0x1003, "Number of errors", Unsigned8, 0).sub(0, field).within(0, 0));
+    for (sub, name) in (1..).zip(ERRORS) {
+        draft.put(one(0x1003, name, Unsigned32, 0).sub(sub, field).read_only());
+    }
+    draft.put(one(0x1005, "COB-ID SYNC message", Unsigned32, 0x80).constant());
+    draft.put(text(0x1008, "Manufacturer device name", &given.name));
+    draft.put(text(0x100A, "Manufacturer software version", env!("CARGO_PKG_VERSION")));
+    draft.put(one(0x1014, "COB-ID EMCY", Unsigned32, 0x80 + node).constant());
+    let heard = "Consumer heartbeat time";
+    draft.count(0x1016, heard, 1);
+    draft.put(one(0x1016, "Consumer heartbeat time 1", Unsigned32, 0).sub(1, heard).within(0, 0x007F_FFFF));
+    draft.put(one(0x1017, "Producer heartbeat time", Unsigned16, 0).unit("ms"));
+    let identity = "Identity object";
+    draft.count(0x1018, identity, 4);
+    // No vendor has registered it: the vendor id is zero.
+    draft.put(one(0x1018, "Vendor-ID", Unsigned32, 0).sub(1, identity).constant());
+    draft.put(one(0x1018, "Product code", Unsigned32, 0x402).sub(2, identity).constant());
+    draft.put(one(0x1018, "Revision number", Unsigned32, 1).sub(3, identity).constant());
+    draft.put(one(0x1018, "Serial number", Unsigned32, i64::from(given.seed)).sub(4, identity).constant());
+}
+
+/// Communication and mapping of the PDOs.
+fn pdos(draft: &mut Draft, node: u8) {
+    use DataType::{Unsigned8, Unsigned16, Unsigned32};
+    let node = i64::from(node);
+    let mut kind = |base: u16, names: [[&'static str; 2]; 4], held: [&[u32]; 4], cob: i64, is_sent: bool| {
+        for ((number, [parameter, mapping]), held) in (0..).zip(names).zip(held) {
+            let (index, mapped) = (base + number, base + 0x200 + number);
+            // The first one is on; the others have bit 31.
+            let off = if number == 0 { 0 } else { 1 << 31 };
+            let cob = cob + 0x100 * i64::from(number) + node + off;
+            draft.count(index, parameter, if is_sent { 5 } else { 2 });
+            draft.put(one(index, "COB-ID used by PDO", Unsigned32, cob).sub(1, parameter));
+            draft.put(one(index, "Transmission type", Unsigned8, 255).sub(2, parameter));
+            if is_sent {
+                // What changes all the time is sent every 10 ms at most.
+                let inhibit = if number < 2 { 0 } else { 100 };
+                draft.put(one(index, "Inhibit time", Unsigned16, inhibit).sub(3, parameter).unit("0.1 ms"));
+                draft.put(one(index, "Event timer", Unsigned16, 0).sub(5, parameter).unit("ms"));
+            }
+            let count = i64::try_from(held.len()).unwrap_or(0);
+            draft.put(
+                one(mapped, "Number of mapped objects", Unsigned8, count)
+                    .sub(0, mapping)
+                    .within(0, i64::from(MAPPED_MOST)),
+            );
+            for (place, name) in (0_u8..).zip(ENTRIES) {
+                let usual = held.get(usize::from(place)).map_or(0, |mapped| i64::from(*mapped));
+                draft.put(one(mapped, name, Unsigned32, usual).sub(place + 1, mapping));
+            }
+        }
+    };
+    kind(0x1400, RECEIVED, RECEIVED_USUAL, 0x200, false);
+    kind(0x1800, SENT, SENT_USUAL, 0x180, true);
+}
+
+/// What only this drive has.
+fn own(draft: &mut Draft) {
+    use DataType::{Integer16, Unsigned8, Unsigned16, Unsigned32};
+    draft.put(one(0x2000, "Simulated time", Unsigned32, 0).read_only().mapped().unit("ms"));
+    draft.put(one(0x2001, "Winding temperature", Integer16, 0).read_only().mapped().unit("0.1 °C"));
+    draft.put(one(0x2002, "Overload I2t", Unsigned16, 0).read_only().mapped().unit("0.1 %"));
+    draft.put(one(0x2003, "Brake closed", Unsigned8, 0).read_only().mapped());
+    draft.put(one(0x2010, "Disturbance", Unsigned8, 0).within(0, i64::from(DISTURBANCES) - 1));
+}
+
+/// Disturbances of 2010h, none among them.
+pub(crate) const DISTURBANCES: u8 = 8;
+
+/// The objects of CiA 402.
+fn profile(draft: &mut Draft, scale: &Scale, most: [f64; 2], ramp: f64) {
+    use DataType::{Integer8, Integer16, Integer32, Unsigned8, Unsigned16, Unsigned32};
+    let of = |rad: f64| scale.plain(rad);
+    let [fastest, _] = most;
+    let pi = std::f64::consts::PI;
+    draft.put(one(0x603F, "Error code", Unsigned16, 0).read_only().mapped());
+    draft.put(one(0x6040, "Controlword", Unsigned16, 0).mapped());
+    draft.put(one(0x6041, "Statusword", Unsigned16, 0).read_only().mapped());
+    draft.put(one(0x605A, "Quick stop option code", Integer16, 2).within(0, 6));
+    draft.put(one(0x605B, "Shutdown option code", Integer16, 0).within(0, 1));
+    draft.put(one(0x605C, "Disable operation option code", Integer16, 1).within(0, 1));
+    draft.put(one(0x605D, "Halt option code", Integer16, 1).within(1, 2));
+    draft.put(one(0x605E, "Fault reaction option code", Integer16, 2).within(0, 2));
+    draft.put(one(0x6060, "Modes of operation", Integer8, 0).mapped());
+    draft.put(one(0x6061, "Modes of operation display", Integer8, 0).read_only().mapped());
+    draft.put(one(0x6062, "Position demand value", Integer32, 0).read_only().mapped().unit(INC));
+    draft.put(one(0x6064, "Position actual value", Integer32, 0).read_only().mapped().unit(INC));
+    // 1°, 10 ms; 0.05°, 10 ms: ours.
+    draft.put(one(0x6065, "Following error window", Unsigned32, of(pi / 180.0)).unit(INC));
+    draft.put(one(0x6066, "Following error time out", Unsigned16, 10).unit("ms"));
+    draft.put(one(0x6067, "Position window", Unsigned32, of(pi / 3600.0)).unit(INC));
+    draft.put(one(0x6068, "Position window time", Unsigned16, 10).unit("ms"));
+    draft.put(one(0x606B, "Velocity demand value", Integer32, 0).read_only().mapped().unit(INC_S));
+    draft.put(one(0x606C, "Velocity actual value", Integer32, 0).read_only().mapped().unit(INC_S));
+    // The windows of the speed are written in inc/s like the speeds: the profile's 16 bit would end at a hundredth of the top speed.
+    draft.put(one(0x606D, "Velocity window", Unsigned16, of(0.002 * fastest).min(65_535)).unit(INC_S));
+    draft.put(one(0x606E, "Velocity window time", Unsigned16, 10).unit("ms"));
+    draft.put(one(0x606F, "Velocity threshold", Unsigned16, of(0.002 * fastest).min(65_535)).unit(INC_S));
+    draft.put(one(0x6070, "Velocity threshold time", Unsigned16, 10).unit("ms"));
+    draft.put(one(0x6072, "Max torque", Unsigned16, 65_535).mapped().unit("0.1 %"));
+    draft.put(one(0x6073, "Max current", Unsigned16, 65_535).unit("0.1 %"));
+    draft.put(one(0x6075, "Motor rated current", Unsigned32, 1000).within(1, i64::from(u32::MAX)).unit("mA"));
+    draft.put(one(0x6076, "Motor rated torque", Unsigned32, 1000).within(1, i64::from(u32::MAX)).unit("mNm"));
+    draft.put(one(0x6077, "Torque actual value", Integer16, 0).read_only().mapped().unit("0.1 %"));
+    draft.put(one(0x6078, "Current actual value", Integer16, 0).read_only().mapped().unit("0.1 %"));
+    draft.put(one(0x6079, "DC link circuit voltage", Unsigned32, 0).read_only().mapped().unit("mV"));
+    draft.put(one(0x607A, "Target position", Integer32, 0).mapped().unit(INC));
+    let limit = "Software position limit";
+    draft.count(0x607D, limit, 2);
+    let whole = Integer32.range();
+    draft.put(one(0x607D, "Min position limit", Integer32, whole[0]).sub(1, limit).unit(INC));
+    draft.put(one(0x607D, "Max position limit", Integer32, whole[1]).sub(2, limit).unit(INC));
+    draft.put(one(0x607E, "Polarity", Unsigned8, 0));
+    draft.put(one(0x607F, "Max profile velocity", Unsigned32, of(fastest)).mapped().unit(INC_S));
+    draft.put(one(0x6080, "Max motor speed", Unsigned32, scale.motor_rpm(fastest)).unit("1/min"));
+    let positive = |index, name, value: i64, unit| {
+        one(index, name, Unsigned32, value.max(1)).mapped().within(1, i64::from(u32::MAX)).unit(unit)
+    };
+    draft.put(positive(0x6081, "Profile velocity", of(0.5 * fastest), INC_S));
+    draft.put(positive(0x6083, "Profile acceleration", of(0.5 * ramp), INC_S2));
+    draft.put(positive(0x6084, "Profile deceleration", of(0.5 * ramp), INC_S2));
+    draft.put(positive(0x6085, "Quick stop deceleration", of(ramp), INC_S2));
+    draft.put(one(0x6086, "Motion profile type", Integer16, 0).within(0, 0));
+    let natural = |index, name, value: i64, sub, group| {
+        one(index, name, Unsigned32, value).sub(sub, group).within(1, i64::from(u32::MAX))
+    };
+    let encoder = "Position encoder resolution";
+    draft.count(0x608F, encoder, 2);
+    draft.put(natural(0x608F, "Encoder increments", INCREMENTS_USUAL, 1, encoder).unit(INC));
+    draft.put(natural(0x608F, "Motor revolutions", 1, 2, encoder));
+    let gear = "Gear ratio";
+    draft.count(0x6091, gear, 2);
+    draft.put(natural(0x6091, "Motor revolutions", scale.ratio(), 1, gear));
+    draft.put(natural(0x6091, "Shaft revolutions", 1, 2, gear));
+    let feed = "Feed constant";
+    draft.count(0x6092, feed, 2);
+    draft.put(natural(0x6092, "Feed", scale.increments_of_a_turn(), 1, feed).unit(INC));
+    draft.put(natural(0x6092, "Shaft revolutions", 1, 2, feed));
+    let period = "Interpolation time period";
+    draft.count(0x60C2, period, 2);
+    draft.put(one(0x60C2, "Interpolation time period value", Unsigned8, 10).sub(1, period).within(1, 255));
+    draft.put(one(0x60C2, "Interpolation time index", Integer8, -3).sub(2, period).within(-4, 0));
+    draft.put(one(0x60F4, "Following error actual value", Integer32, 0).read_only().mapped().unit(INC));
+    draft.put(one(0x60FF, "Target velocity", Integer32, 0).mapped().unit(INC_S));
+    draft.put(one(0x6402, "Motor type", Unsigned16, 10).constant());
+    // Profile position, profile velocity, cyclic synchronous position.
+    draft.put(one(0x6502, "Supported drive modes", Unsigned32, 0b1000_0101).constant());
+}
+
+impl Dictionary {
+    pub(crate) fn new(list: Vec<Entry>) -> Self {
+        let slot = |entry: Entry| (entry.at, (entry.clone(), entry.usual));
+        Self { slots: list.into_iter().map(slot).collect() }
+    }
+
+    /// Every object with the value at the start.
+    pub(crate) fn entries(&self) -> impl Iterator<Item = &Entry> {
+        self.slots.values().map(|(entry, _)| entry)
+    }
+
+    /// An object.
+    pub(crate) fn entry(&self, at: Address) -> Result<&Entry, Abort> {
+        self.slots.get(&at).map(|(entry, _)| entry).ok_or_else(|| {
+            let of_index = Address::new(at.index, 0)..=Address::new(at.index, u8::MAX);
+            if self.slots.range(of_index).next().is_some() { Abort::NoSubIndex } else { Abort::NoObject }
+        })
+    }
+
+    /// The value that is stored.
+    pub(crate) fn stored(&self, at: Address) -> Option<&Value> {
+        self.slots.get(&at).map(|(_, value)| value)
+    }
+
+    /// The number that is stored; zero of what is none.
+    pub(crate) fn number(&self, index: u16, sub: u8) -> i64 {
+        match self.stored(Address::new(index, sub)) {
+            Some(Value::Number(number)) => *number,
+            Some(Value::Text(_)) | None => 0,
+        }
+    }
+
+    /// Whether an object may be written with a number.
+    pub(crate) fn check(&self, at: Address, value: i64) -> Result<(), Abort> {
+        let entry = self.entry(at)?;
+        if entry.access != Access::ReadWrite {
+            return Err(Abort::ReadOnly);
+        }
+        let [least, most] = entry.range;
+        if value > most {
+            Err(Abort::TooHigh)
+        } else if value < least {
+            Err(Abort::TooLow)
+        } else {
+            Ok(())
+        }
+    }
+
+    /// Every object from an index to another has its value of the start again.
+    pub(crate) fn restart(&mut self, from: u16, to: u16) {
+        for (_, (entry, value)) in self.slots.range_mut(Address::new(from, 0)..=Address::new(to, u8::MAX)) {
+            value.clone_from(&entry.usual);
+        }
+    }
+
+    /// Stores a number where there is an object.
+    pub(crate) fn store(&mut self, index: u16, sub: u8, value: i64) {
+        if let Some((_, place)) = self.slots.get_mut(&Address::new(index, sub)) {
+            *place = Value::Number(value);
+        }
+    }
+}
+
+/// The bytes of a number in a type, lowest first, and the number of such bytes.
+pub mod parts {
+    use crate::{Abort, DataType};
+
+    /// The bytes of a number.
+    #[must_use]
+    pub fn bytes(data_type: DataType, value: i64) -> Vec<u8> {
+        value.to_le_bytes().into_iter().take(usize::from(data_type.bytes())).collect()
+    }
+
+    /// The number of some bytes.
+    ///
+    /// # Errors
+    /// More or fewer bytes than the type has.
+    pub fn number(data_type: DataType, bytes: &[u8]) -> Result<i64, Abort> {
+        let size = usize::from(data_type.bytes());
+        match bytes.len() {
+            given if given > size => return Err(Abort::TooLong),
+            given if given < size => return Err(Abort::TooShort),
+            _ => {}
+        }
+        let raw = bytes.iter().rev().fold(0_i64, |sum, byte| sum << 8 | i64::from(*byte));
+        let [least, most] = data_type.range();
+        Ok(if raw > most { raw - (most - least + 1) } else { raw })
+    }
+}

@@ -1,0 +1,188 @@
+//! Controlword, statusword, and how the drive passes from state to state.
+
+use super::{Course, Drive, Ending};
+use crate::course::Line;
+use crate::profile::Mode;
+use crate::state::{Command, State, transition};
+
+/// Bits of the controlword.
+const NEW_SET_POINT: u16 = 1 << 4;
+const IMMEDIATE: u16 = 1 << 5;
+const RELATIVE: u16 = 1 << 6;
+const RESET: u16 = 1 << 7;
+const HALT: u16 = 1 << 8;
+
+impl Drive<'_> {
+    /// A controlword was written.
+    pub(super) fn take_control(&mut self, value: i64) {
+        let new = u16::try_from(value).unwrap_or(0);
+        let rising = new & !self.control;
+        self.control = new;
+        if rising & RESET != 0 {
+            self.reset_fault();
+        }
+        self.obey();
+        if self.mode == Mode::ProfilePosition && self.state == State::OperationEnabled && self.ending.is_none() {
+            if rising & NEW_SET_POINT != 0 {
+                self.take_set_point();
+            } else if new & NEW_SET_POINT == 0 && self.waiting.is_none() {
+                self.acknowledged = false;
+            }
+        }
+    }
+
+    /// Whether the controller halts the axis.
+    pub(crate) const fn is_halted(&self) -> bool {
+        self.control & HALT != 0
+    }
+
+    /// Follows the command of the controlword, as long as it makes transitions: with 0Fh from ready to switch on two of them.
+    pub(super) fn obey(&mut self) {
+        for _ in 0..2 {
+            let command = Command::of(self.control);
+            let Some(found) = transition(self.state, command) else { return };
+            if !self.pass(found.number, found.to) {
+                return;
+            }
+        }
+    }
+
+    /// Takes a transition; whether the state changed.
+    fn pass(&mut self, number: u8, to: State) -> bool {
+        let option = |index| self.dictionary.number(index, 0);
+        match number {
+            3 if !self.reading().link_ready => return false,
+            4 => self.enable(),
+            // What is stopping already goes on, unless it shall be quicker.
+            5 | 8 if self.ending.is_some() => return false,
+            5 | 8 if option(if number == 5 { 0x605C } else { 0x605B }) == 1 => {
+                self.ending = Some(Ending { rate: self.rate(0x6084), then: Some(to), stands: false });
+                return false;
+            }
+            5 | 8 | 9 | 12 => self.disable(to),
+            11 => match option(0x605A) {
+                0 => self.disable(State::SwitchOnDisabled),
+                code => {
+                    let rate = self.rate(if matches!(code, 1 | 5) { 0x6084 } else { 0x6085 });
+                    let then = (code < 5).then_some(State::SwitchOnDisabled);
+                    self.ending = Some(Ending { rate, then, stands: false });
+                    self.state = to;
+                }
+            },
+            // Only from a quick stop that holds.
+            16 if option(0x605A) < 5 => return false,
+            16 => {
+                (self.ending, self.course, self.waiting) = (None, Course::Hold, None);
+                self.state = to;
+            }
+            _ => self.state = to,
+        }
+        true
+    }
+
+    /// Torque on, brake open, the set-point where the axis is.
+    fn enable(&mut self) {
+        self.twin.switch_on();
+        self.twin.command_brake(true);
+        let position = self.reading().position_rad;
+        (self.demand, self.target_rad) = ([position, 0.0, 0.0], position);
+        (self.course, self.waiting, self.acknowledged) = (Course::Hold, None, false);
+        (self.is_reached, self.was_halted, self.beyond_s) = (false, false, 0.0);
+        self.state = State::OperationEnabled;
+    }
+
+    /// A stop that has come to rest: the brake closes, then the state changes.
+    pub(super) fn end(&mut self) {
+        let Some(ending) = self.ending else { return };
+        let reading = self.reading();
+        let [fastest, _] = self.twin.most();
+        let [_, wanted, _] = self.demand;
+        if !ending.stands && (wanted != 0.0 || reading.speed_rad_s.abs() > 5e-3 * fastest) {
+            return;
+        }
+        let Some(then) = ending.then else { return };
+        if !ending.stands {
+            self.twin.command_brake(false);
+            self.ending = Some(Ending { stands: true, ..ending });
+        }
+        if !self.twin.has_brake() || reading.braked {
+            self.disable(then);
+        }
+    }
+
+    /// A new set-point of profile position: at once, or when the move has ended.
+    fn take_set_point(&mut self) {
+        let is_immediate = self.control & IMMEDIATE != 0;
+        let moves = matches!(self.course, Course::Move(_));
+        if self.acknowledged && !is_immediate || (moves && !is_immediate && self.waiting.is_some()) {
+            return;
+        }
+        let written = self.dictionary.number(0x607A, 0);
+        let target = if self.control & RELATIVE == 0 {
+            self.scale.angle(written)
+        } else {
+            self.target_rad + self.scale.way(written)
+        };
+        let target = self.within_limits(target);
+        (self.target_rad, self.acknowledged, self.is_reached) = (target, true, false);
+        if moves && !is_immediate {
+            self.waiting = Some(target);
+        } else {
+            self.waiting = None;
+            self.begin_move(target);
+        }
+    }
+
+    /// A target position was written: in the cyclic mode it is the set-point of the next period.
+    pub(super) fn take_position(&mut self, value: i64) {
+        let follows = self.state == State::OperationEnabled && self.ending.is_none() && !self.is_halted();
+        if self.mode != Mode::CyclicPosition || !follows || self.is_held() {
+            return;
+        }
+        let to = self.within_limits(self.scale.angle(value));
+        let [from, speed, _] = self.demand;
+        self.course = Course::Line(Line::new(from, speed, to, self.period_s()));
+    }
+
+    /// Another mode: a move is stopped along its ramp, set-points of the old one are dropped.
+    pub(super) fn take_mode(&mut self, mode: Mode) {
+        if mode == self.mode {
+            return;
+        }
+        self.mode = mode;
+        (self.course, self.waiting, self.acknowledged) = (Course::Hold, None, false);
+        (self.is_reached, self.was_halted, self.within_s) = (false, false, 0.0);
+        let [position, speed, _] = self.demand;
+        self.target_rad = position;
+        if mode == Mode::CyclicPosition {
+            self.demand = [position, speed, 0.0];
+        }
+    }
+
+    /// The statusword.
+    pub(crate) fn status_word(&self) -> u16 {
+        let reading = self.reading();
+        let bit = |number: u8, is_set: bool| u16::from(is_set) << number;
+        let enabled = self.state == State::OperationEnabled;
+        let [position, _, _] = self.demand;
+        let follows = enabled && self.ending.is_none() && !self.is_halted() && !self.is_held();
+        let (twelve, thirteen) = match self.mode {
+            Mode::None => (false, false),
+            Mode::ProfilePosition => (self.acknowledged, enabled && self.is_beyond()),
+            Mode::ProfileVelocity => {
+                let threshold = self.scale.plain_rad(self.dictionary.number(0x606F, 0));
+                (reading.speed_rad_s.abs() <= threshold, false)
+            }
+            Mode::CyclicPosition => (follows, enabled && self.is_beyond()),
+        };
+        let at_limit = self.is_at_limit && position.is_finite();
+        self.state.bits()
+            | bit(4, reading.link_ready)
+            | bit(7, self.warns())
+            | bit(9, true)
+            | bit(10, self.is_reached)
+            | bit(11, reading.limited || at_limit)
+            | bit(12, twelve)
+            | bit(13, thirteen)
+    }
+}

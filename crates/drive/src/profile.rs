@@ -1,0 +1,217 @@
+//! The modes of operation: which set-points the drive makes in each.
+
+use crate::course::{Bounds, Move, ramped};
+use crate::drive::{Course, Drive, HALF_MS_S};
+use crate::state::State;
+
+/// A mode of operation.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub(crate) enum Mode {
+    /// None: the axis is held.
+    #[default]
+    None,
+    /// Profile position.
+    ProfilePosition,
+    /// Profile velocity.
+    ProfileVelocity,
+    /// Cyclic synchronous position.
+    CyclicPosition,
+}
+
+impl Mode {
+    /// Its number in 6060h.
+    ///
+    /// # Source
+    /// cia-402
+    pub(crate) const fn number(self) -> i64 {
+        match self {
+            Self::None => 0,
+            Self::ProfilePosition => 1,
+            Self::ProfileVelocity => 3,
+            Self::CyclicPosition => 8,
+        }
+    }
+
+    /// The mode of a number.
+    pub(crate) fn of(number: i64) -> Option<Self> {
+        [Self::None, Self::ProfilePosition, Self::ProfileVelocity, Self::CyclicPosition]
+            .into_iter()
+            .find(|mode| mode.number() == number)
+    }
+
+    /// Whether a position is followed whose error is supervised.
+    pub(crate) const fn is_position(self) -> bool {
+        match self {
+            Self::ProfilePosition | Self::CyclicPosition => true,
+            Self::None | Self::ProfileVelocity => false,
+        }
+    }
+}
+
+impl Drive<'_> {
+    /// Whether the brake still holds the axis that shall move.
+    pub(crate) fn is_held(&self) -> bool {
+        self.twin.has_brake() && self.reading().braked
+    }
+
+    /// The bounds of a move.
+    fn bounds(&self) -> Bounds {
+        Bounds {
+            speed: self.fastest(self.scale.plain_rad(self.dictionary.number(0x6081, 0))).max(1e-9),
+            acceleration: self.rate(0x6083),
+            deceleration: self.rate(0x6084),
+        }
+    }
+
+    /// A speed within 607Fh, 6080h and what the actuator permits.
+    fn fastest(&self, speed: f64) -> f64 {
+        let [permitted, _] = self.twin.most();
+        let profile = self.scale.plain_rad(self.dictionary.number(0x607F, 0));
+        let motor = self.scale.motor_rad(self.dictionary.number(0x6080, 0));
+        speed.min(profile).min(motor).min(permitted)
+    }
+
+    /// A position within the software limits 607Dh, where the least is below the largest.
+    pub(crate) fn within_limits(&mut self, rad: f64) -> f64 {
+        let [one, other] = [1, 2].map(|sub| self.dictionary.number(0x607D, sub));
+        let whole = [i64::from(i32::MIN), i64::from(i32::MAX)];
+        self.is_at_limit = false;
+        if one >= other || [one, other] == whole {
+            return rad;
+        }
+        let [a, b] = [one, other].map(|limit| self.scale.angle(limit));
+        let within = rad.clamp(a.min(b), a.max(b));
+        self.is_at_limit = within != rad;
+        within
+    }
+
+    /// The time of a period of the cyclic mode \[s\]: value · 10^index.
+    pub(crate) fn period_s(&self) -> f64 {
+        let value = u8::try_from(self.dictionary.number(0x60C2, 1)).unwrap_or(1);
+        let index = i32::try_from(self.dictionary.number(0x60C2, 2)).unwrap_or(-3);
+        (f64::from(value) * 10_f64.powi(index)).max(HALF_MS_S)
+    }
+
+    /// Begins a move from the set-point of now.
+    pub(crate) fn begin_move(&mut self, target: f64) {
+        let [from, speed, _] = self.demand;
+        self.course = Course::Move(Move::new(from, speed, target, &self.bounds()));
+        self.within_s = 0.0;
+    }
+
+    /// The set-point of the next step.
+    pub(crate) fn follow(&mut self) {
+        let reading = self.reading();
+        if !reading.pulses {
+            self.demand = [reading.position_rad, 0.0, 0.0];
+            return;
+        }
+        if self.mode == Mode::ProfileVelocity {
+            // The position follows the axis, so that another mode begins where it is.
+            let [_, speed, _] = self.demand;
+            self.demand = [reading.position_rad, speed, 0.0];
+        }
+        let stop = self.ending.map(|ending| ending.rate).or_else(|| self.halted());
+        if let Some(rate) = stop {
+            self.brake_along(rate);
+        } else if self.is_held() || self.state != State::OperationEnabled {
+            self.brake_along(self.rate(0x6085));
+        } else {
+            self.drive_on();
+        }
+        self.judge();
+    }
+
+    /// The deceleration of a halt, where the controller has set it.
+    fn halted(&mut self) -> Option<f64> {
+        if self.is_halted() && self.state == State::OperationEnabled {
+            self.was_halted = true;
+            let option = self.dictionary.number(0x605D, 0);
+            return Some(self.rate(if option == 1 { 0x6084 } else { 0x6085 }));
+        }
+        if std::mem::take(&mut self.was_halted) {
+            match self.course {
+                Course::Move(course) => self.begin_move(course.end),
+                Course::Line(_) | Course::Hold => self.course = Course::Hold,
+            }
+        }
+        None
+    }
+
+    /// The set-point slows down.
+    fn brake_along(&mut self, rate: f64) {
+        let [position, speed, _] = self.demand;
+        let bounds = Bounds { speed: 0.0, acceleration: rate, deceleration: rate };
+        let next = ramped(speed, 0.0, &bounds, HALF_MS_S);
+        self.demand = [
+            position + 0.5 * (speed + next) * HALF_MS_S,
+            next,
+            if next == 0.0 { 0.0 } else { (next - speed) / HALF_MS_S },
+        ];
+    }
+
+    /// The set-point of the mode.
+    fn drive_on(&mut self) {
+        match (self.mode, &mut self.course) {
+            (Mode::ProfileVelocity, _) => {
+                let [position, speed, _] = self.demand;
+                let written = self.scale.speed_rad(self.dictionary.number(0x60FF, 0));
+                let wanted = self.fastest(written.abs()).copysign(written);
+                let next = ramped(speed, wanted, &self.bounds(), HALF_MS_S);
+                self.demand = [position, next, (next - speed) / HALF_MS_S];
+            }
+            (_, Course::Move(course)) => {
+                let (wanted, is_over) = course.step(HALF_MS_S);
+                self.demand = wanted;
+                if is_over {
+                    self.course = Course::Hold;
+                    if let Some(target) = self.waiting.take() {
+                        self.begin_move(target);
+                        self.acknowledged = self.control & 1 << 4 != 0;
+                    }
+                }
+            }
+            (_, Course::Line(line)) => {
+                let (wanted, is_over) = line.step(HALF_MS_S);
+                self.demand = wanted;
+                if is_over {
+                    self.course = Course::Hold;
+                }
+            }
+            (_, Course::Hold) => {
+                let rate = self.rate(0x6084);
+                self.brake_along(rate);
+            }
+        }
+    }
+
+    /// Whether the target is reached: within its window for the time of the window; a halt, once the axis stands.
+    fn judge(&mut self) {
+        let reading = self.reading();
+        let [_, wanted, _] = self.demand;
+        let number = |index| self.dictionary.number(index, 0);
+        let threshold = self.scale.plain_rad(number(0x606F));
+        let (is_within, time) = if self.is_halted() {
+            (wanted == 0.0 && reading.speed_rad_s.abs() <= threshold, 0)
+        } else {
+            match self.mode {
+                Mode::None | Mode::CyclicPosition => (false, 0),
+                Mode::ProfilePosition => {
+                    let window = self.scale.plain_rad(number(0x6067));
+                    let rests = matches!(self.course, Course::Hold) && self.state == State::OperationEnabled;
+                    let off = (self.target_rad - reading.position_rad).abs();
+                    (rests && off <= window, number(0x6068))
+                }
+                Mode::ProfileVelocity => {
+                    let target = self.scale.speed_rad(number(0x60FF));
+                    let window = self.scale.plain_rad(number(0x606D));
+                    ((target - reading.speed_rad_s).abs() <= window, number(0x606E))
+                }
+            }
+        };
+        self.within_s = if is_within { self.within_s + HALF_MS_S } else { 0.0 };
+        #[allow(clippy::cast_precision_loss, reason = "16 bit")]
+        let longest = time as f64 / 1000.0;
+        self.is_reached = is_within && self.within_s >= longest;
+    }
+}

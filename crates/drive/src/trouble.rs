@@ -1,0 +1,115 @@
+//! Faults of the drive: error codes and the bits of the error register.
+
+use twin::EventKind;
+
+/// A fault of the drive.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Trouble {
+    /// DC link too high.
+    LinkHigh,
+    /// DC link too low.
+    LinkLow,
+    /// Overload, I²t.
+    Overload,
+    /// Winding too warm.
+    Winding,
+    /// The simulation left every bound.
+    Diverged,
+    /// No valid position.
+    Feedback,
+    /// The controller is no longer heard.
+    Guarding,
+    /// Speed too high.
+    Overspeed,
+    /// The position lags behind.
+    Following,
+}
+
+impl Trouble {
+    /// Every one.
+    pub const ALL: [Self; 9] = [
+        Self::LinkHigh,
+        Self::LinkLow,
+        Self::Overload,
+        Self::Winding,
+        Self::Diverged,
+        Self::Feedback,
+        Self::Guarding,
+        Self::Overspeed,
+        Self::Following,
+    ];
+
+    /// Its code in 603Fh and in the emergency message.
+    ///
+    /// # Source
+    /// cia-301, cia-402
+    #[must_use]
+    pub const fn code(self) -> u16 {
+        match self {
+            Self::LinkHigh => 0x3210,
+            Self::LinkLow => 0x3220,
+            Self::Overload => 0x2350,
+            Self::Winding => 0x4310,
+            Self::Diverged => 0x6100,
+            Self::Feedback => 0x7300,
+            Self::Guarding => 0x8130,
+            Self::Overspeed => 0x8400,
+            Self::Following => 0x8611,
+        }
+    }
+
+    /// The bits of the error register 1001h.
+    ///
+    /// # Source
+    /// cia-301
+    #[must_use]
+    pub const fn register(self) -> u8 {
+        const GENERIC: u8 = 1;
+        GENERIC
+            | match self {
+                Self::Overload => 1 << 1,
+                Self::LinkHigh | Self::LinkLow => 1 << 2,
+                Self::Winding => 1 << 3,
+                Self::Guarding => 1 << 4,
+                Self::Feedback | Self::Overspeed | Self::Following => 1 << 5,
+                Self::Diverged => 0,
+            }
+    }
+
+    /// Whether the motor can still be braked along a ramp.
+    #[must_use]
+    pub const fn can_ramp(self) -> bool {
+        match self {
+            Self::Overload | Self::Winding | Self::Following | Self::Guarding => true,
+            Self::LinkHigh | Self::LinkLow | Self::Diverged | Self::Feedback | Self::Overspeed => false,
+        }
+    }
+
+    /// The fault that the supervision of the twin reports.
+    pub(crate) const fn of(event: EventKind) -> Option<Self> {
+        match event {
+            EventKind::Overload => Some(Self::Overload),
+            EventKind::WindingShutdown => Some(Self::Winding),
+            EventKind::FollowingError => Some(Self::Following),
+            EventKind::LinkLow => Some(Self::LinkLow),
+            EventKind::LinkHigh => Some(Self::LinkHigh),
+            EventKind::NoPosition => Some(Self::Feedback),
+            EventKind::Overspeed => Some(Self::Overspeed),
+            EventKind::Diverged => Some(Self::Diverged),
+            EventKind::Scenario
+            | EventKind::Ramp
+            | EventKind::PulsesOff
+            | EventKind::BrakeCloses
+            | EventKind::BrakeClosed
+            | EventKind::BrakeClosedMoving
+            | EventKind::BrakeOpen
+            | EventKind::BrakeSlips
+            | EventKind::AtRest
+            | EventKind::Limited
+            | EventKind::WindingWarning
+            | EventKind::BrakeResistor
+            | EventKind::Demagnetisation
+            | EventKind::CollisionTorque => None,
+        }
+    }
+}

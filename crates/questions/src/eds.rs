@@ -1,0 +1,59 @@
+//! Sections of an electronic data sheet (CiA 306).
+
+use quantities::Language;
+use std::fmt::Write as _;
+use words::commission;
+
+/// An object as its section has it.
+pub(crate) struct Variable<'a> {
+    pub(crate) name: &'a str,
+    pub(crate) data_type: u16,
+    pub(crate) access: &'a str,
+    /// Its value at the start, where the sheet states one.
+    pub(crate) usual: Option<String>,
+    /// The least and the largest value, where they are not those of the type.
+    pub(crate) range: Option<[i64; 2]>,
+    pub(crate) mappable: bool,
+}
+
+/// The section of an object.
+pub(crate) fn variable(out: &mut String, head: &str, object: &Variable<'_>) {
+    let Variable { name, data_type, access, .. } = object;
+    let _ = write!(
+        out,
+        "\n[{head}]\nParameterName={name}\nObjectType=0x7\nDataType=0x{data_type:04X}\nAccessType={access}\n"
+    );
+    if let Some([least, most]) = object.range {
+        let _ = write!(out, "LowLimit={least}\nHighLimit={most}\n");
+    }
+    if let Some(usual) = &object.usual {
+        let _ = writeln!(out, "DefaultValue={usual}");
+    }
+    let _ = writeln!(out, "PDOMapping={}", u8::from(object.mappable));
+}
+
+/// The head of an index with several sub-objects.
+pub(crate) fn group(out: &mut String, index: u16, name: &str, object_type: u8, count: usize) {
+    let _ = write!(out, "\n[{index:04X}]\nParameterName={name}\nObjectType=0x{object_type}\nSubNumber={count}\n");
+}
+
+/// Sub-object 0: the highest sub-index.
+pub(crate) fn highest(out: &mut String, index: u16, highest: u8, language: Language) {
+    let object = Variable {
+        name: commission::highest_sub_index(language),
+        data_type: installation::commission::cia402::DataType::Unsigned8.number(),
+        access: "const",
+        usual: Some(highest.to_string()),
+        range: None,
+        mappable: false,
+    };
+    variable(out, &format!("{index:04X}sub0"), &object);
+}
+
+/// A list of indices under a heading.
+pub(crate) fn list(out: &mut String, heading: &str, indices: &[u16]) {
+    let _ = writeln!(out, "\n[{heading}]\nSupportedObjects={}", indices.len());
+    for (number, index) in (1..).zip(indices) {
+        let _ = writeln!(out, "{number}=0x{index:04X}");
+    }
+}

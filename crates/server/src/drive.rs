@@ -1,0 +1,382 @@
+//! The virtual drive over TCP: connections on the loopback in front of one drive, and the time.
+
+use crate::serve::{Unserved, end_requested};
+use questions::drive::line::{self, Answer, LINE_MOST};
+use questions::drive::room::Drive;
+use questions::drive::{Frame, HALF_MS_S, Node, Time, socketcand};
+use std::collections::BTreeMap;
+use std::future::Future;
+use std::io::ErrorKind;
+use std::net::{Ipv4Addr, SocketAddr, TcpListener};
+use std::pin::pin;
+use std::time::{Duration, Instant};
+use tokio::net::TcpStream;
+use tokio::sync::mpsc;
+
+/// How a client talks to the drive.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum DriveProtocol {
+    /// Lines of text.
+    #[default]
+    Line,
+    /// Frames of CAN, as socketcand carries them.
+    SocketCand,
+}
+
+impl DriveProtocol {
+    /// Both.
+    pub const ALL: [Self; 2] = [Self::Line, Self::SocketCand];
+
+    /// Its identifier.
+    #[must_use]
+    pub const fn id(self) -> &'static str {
+        match self {
+            Self::Line => "line",
+            Self::SocketCand => "socketcand",
+        }
+    }
+
+    /// That of an identifier.
+    #[must_use]
+    pub fn of(id: &str) -> Option<Self> {
+        Self::ALL.into_iter().find(|protocol| protocol.id() == id)
+    }
+
+    /// The longest request.
+    const fn request_most(self) -> usize {
+        match self {
+            Self::Line => LINE_MOST,
+            Self::SocketCand => socketcand::MESSAGE_MOST,
+        }
+    }
+}
+
+/// Clients at the same time; further ones are turned away.
+pub const CLIENTS_MOST: usize = 8;
+
+/// Time until the first request of a client.
+const FIRST_TIME: Duration = Duration::from_secs(60);
+
+/// Time for an answer to be taken.
+const WRITE_TIME: Duration = Duration::from_secs(10);
+
+/// Answers and frames that wait for a client; one that reads slower is closed.
+const WAITING_MOST: usize = 2048;
+
+/// Requests that wait for the drive.
+const REQUESTS_MOST: usize = 64;
+
+/// The clock is looked at so often.
+const TICK: Duration = Duration::from_millis(1);
+
+/// Steps of the drive at once: a simulation that is slower than the clock lets time pass.
+const CATCH_UP_MOST: u64 = 40;
+
+/// A drive that is listened for.
+pub struct DriveServer {
+    listener: TcpListener,
+    address: SocketAddr,
+    protocol: DriveProtocol,
+    time: Time,
+}
+
+/// What a connection reports.
+enum Event {
+    Opened(u64, mpsc::Sender<Vec<u8>>),
+    Request(u64, Vec<u8>),
+    Closed(u64),
+}
+
+impl DriveServer {
+    /// Listens on the loopback, and nowhere else.
+    ///
+    /// # Errors
+    /// [`Unserved`].
+    pub fn bind(port: u16, protocol: DriveProtocol, time: Time) -> Result<Self, Unserved> {
+        let asked = SocketAddr::from((Ipv4Addr::LOCALHOST, port));
+        let unbound = |error| Unserved::Address(asked, error);
+        let listener = TcpListener::bind(asked).map_err(unbound)?;
+        listener.set_nonblocking(true).map_err(unbound)?;
+        let address = listener.local_addr().map_err(unbound)?;
+        Ok(Self { listener, address, protocol, time })
+    }
+
+    /// Where it listens.
+    #[must_use]
+    pub const fn address(&self) -> SocketAddr {
+        self.address
+    }
+
+    /// Serves a drive until the program is terminated.
+    ///
+    /// # Errors
+    /// Where the system gives no means to wait for connections.
+    pub fn run(self, drive: Drive<'_>, node: u8) -> Result<(), Unserved> {
+        let runtime = tokio::runtime::Builder::new_current_thread()
+            .enable_io()
+            .enable_time()
+            .build()
+            .map_err(Unserved::System)?;
+        let served = runtime.block_on(async {
+            let listener = tokio::net::TcpListener::from_std(self.listener).map_err(Unserved::System)?;
+            let bench = Bench::new(drive, node, self.protocol, self.time);
+            serve(listener, bench, end_requested()).await;
+            Ok(())
+        });
+        runtime.shutdown_background();
+        served
+    }
+}
+
+/// The drive behind its protocol.
+enum Device<'a> {
+    Line(Box<Drive<'a>>),
+    Node(Box<Node<'a>>),
+}
+
+/// A client.
+struct Client {
+    out: mpsc::Sender<Vec<u8>>,
+    /// Whether its first request was one of the protocol: a command, raw mode.
+    is_known: bool,
+}
+
+/// The drive with its clients and its clock.
+struct Bench<'a> {
+    device: Device<'a>,
+    time: Time,
+    clients: BTreeMap<u64, Client>,
+    begun: Instant,
+    steps: u64,
+}
+
+impl<'a> Bench<'a> {
+    fn new(mut drive: Drive<'a>, node: u8, protocol: DriveProtocol, time: Time) -> Self {
+        // The state machine has begun when the first client comes.
+        drive.advance(2);
+        let device = match protocol {
+            DriveProtocol::Line => Device::Line(Box::new(drive)),
+            DriveProtocol::SocketCand => Device::Node(Box::new(Node::new(drive, node, time == Time::Stepped))),
+        };
+        Self { device, time, clients: BTreeMap::new(), begun: Instant::now(), steps: 0 }
+    }
+
+    const fn protocol(&self) -> DriveProtocol {
+        match self.device {
+            Device::Line(_) => DriveProtocol::Line,
+            Device::Node(_) => DriveProtocol::SocketCand,
+        }
+    }
+
+    /// Goes on to the time of the clock.
+    fn follow_clock(&mut self) {
+        if self.time == Time::Stepped {
+            return;
+        }
+        #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a time that has passed")]
+        let due = (self.begun.elapsed().as_secs_f64() / HALF_MS_S) as u64;
+        let steps = due.saturating_sub(self.steps).min(CATCH_UP_MOST);
+        // Steps beyond are skipped.
+        self.steps = due;
+        match &mut self.device {
+            Device::Line(drive) => drive.advance(steps),
+            Device::Node(node) => node.advance(steps),
+        }
+        self.send_frames();
+    }
+
+    fn handle(&mut self, event: Event) {
+        match event {
+            Event::Opened(id, out) => {
+                if self.protocol() == DriveProtocol::SocketCand {
+                    let _ = out.try_send(socketcand::HI.into());
+                }
+                self.clients.insert(id, Client { out, is_known: false });
+            }
+            Event::Closed(id) => drop(self.clients.remove(&id)),
+            Event::Request(id, request) => {
+                self.follow_clock();
+                if !self.answer(id, &request) {
+                    self.clients.remove(&id);
+                }
+            }
+        }
+    }
+
+    /// Answers a request; whether the client stays.
+    fn answer(&mut self, id: u64, request: &[u8]) -> bool {
+        let Some(client) = self.clients.get_mut(&id) else { return false };
+        match &mut self.device {
+            Device::Line(drive) => {
+                let Ok(text) = std::str::from_utf8(request) else { return false };
+                let answer = match line::answer(drive, self.time, text) {
+                    Answer::Line(answer) => answer,
+                    Answer::Bye => return false,
+                    // A browser that was led here begins with something else.
+                    Answer::NoCommand | Answer::Wrong if !client.is_known => return false,
+                    Answer::NoCommand => line::NO_COMMAND.to_owned(),
+                    Answer::Wrong => line::WRONG.to_owned(),
+                };
+                client.is_known = true;
+                client.out.try_send(format!("{answer}\n").into_bytes()).is_ok()
+            }
+            Device::Node(node) => {
+                let Ok(Some((message, _))) = socketcand::read(request) else { return false };
+                match message {
+                    socketcand::Message::Open => client.out.try_send(socketcand::OK.into()).is_ok(),
+                    socketcand::Message::RawMode => {
+                        client.is_known = true;
+                        client.out.try_send(socketcand::OK.into()).is_ok()
+                    }
+                    socketcand::Message::Echo => client.out.try_send(b"< echo >".to_vec()).is_ok(),
+                    socketcand::Message::Other => true,
+                    socketcand::Message::Send(_) if !client.is_known => false,
+                    socketcand::Message::Send(frame) => {
+                        let time_s = node.drive().time_s();
+                        node.receive(&frame);
+                        // The others on the bus hear it too.
+                        self.broadcast(&[frame], time_s, Some(id));
+                        self.send_frames();
+                        true
+                    }
+                }
+            }
+        }
+    }
+
+    fn send_frames(&mut self) {
+        let Device::Node(node) = &mut self.device else { return };
+        let (frames, time_s) = (node.take(), node.drive().time_s());
+        self.broadcast(&frames, time_s, None);
+    }
+
+    fn broadcast(&mut self, frames: &[Frame], time_s: f64, except: Option<u64>) {
+        if frames.is_empty() {
+            return;
+        }
+        let texts: Vec<Vec<u8>> = frames.iter().map(|frame| socketcand::written(frame, time_s).into_bytes()).collect();
+        self.clients.retain(|id, client| {
+            !client.is_known
+                || Some(*id) == except
+                || texts.iter().all(|text| client.out.try_send(text.clone()).is_ok())
+        });
+    }
+}
+
+async fn serve(listener: tokio::net::TcpListener, mut bench: Bench<'_>, end: impl Future<Output = ()>) {
+    let protocol = bench.protocol();
+    let (report, mut events) = mpsc::channel::<Event>(REQUESTS_MOST);
+    let mut clock = tokio::time::interval(TICK);
+    clock.set_missed_tick_behavior(tokio::time::MissedTickBehavior::Delay);
+    let mut end = pin!(end);
+    let mut next = 0_u64;
+    loop {
+        tokio::select! {
+            () = &mut end => break,
+            Some(event) = events.recv() => bench.handle(event),
+            accepted = listener.accept() => match accepted {
+                Ok((stream, _)) if bench.clients.len() < CLIENTS_MOST => {
+                    next += 1;
+                    let (out, answers) = mpsc::channel(WAITING_MOST);
+                    bench.handle(Event::Opened(next, out));
+                    drop(tokio::spawn(connection(stream, next, protocol, report.clone(), answers)));
+                }
+                Ok(_) => {}
+                Err(_) => tokio::time::sleep(TICK).await,
+            },
+            _ = clock.tick(), if bench.time == Time::Real => bench.follow_clock(),
+        }
+    }
+}
+
+/// One connection: requests to the drive, answers back.
+async fn connection(
+    stream: TcpStream,
+    id: u64,
+    protocol: DriveProtocol,
+    report: mpsc::Sender<Event>,
+    mut answers: mpsc::Receiver<Vec<u8>>,
+) {
+    let _ = stream.set_nodelay(true);
+    let mut received = Vec::new();
+    let mut is_first = true;
+    let mut first_time = pin!(tokio::time::sleep(FIRST_TIME));
+    loop {
+        tokio::select! {
+            // The drive has let the client go once what it answered is written.
+            answer = answers.recv() => match answer {
+                Some(answer) => match tokio::time::timeout(WRITE_TIME, written(&stream, &answer)).await {
+                    Ok(true) => {}
+                    Ok(false) | Err(_) => break,
+                },
+                None => break,
+            },
+            () = &mut first_time, if is_first => break,
+            ready = stream.readable() => {
+                if ready.is_err() || !taken(&stream, &mut received) {
+                    break;
+                }
+                let mut goes_on = true;
+                while goes_on {
+                    match first_request(protocol, &received) {
+                        Some(Ok(end)) => {
+                            let request: Vec<u8> = received.drain(..end).collect();
+                            is_first = false;
+                            goes_on = report.send(Event::Request(id, request)).await.is_ok();
+                        }
+                        Some(Err(())) => {
+                            let _ = report.send(Event::Closed(id)).await;
+                            return;
+                        }
+                        None => break,
+                    }
+                }
+            }
+        }
+    }
+    let _ = report.send(Event::Closed(id)).await;
+}
+
+/// The length of the first request of what was received; `None` where it is not complete, an error where it cannot be one.
+fn first_request(protocol: DriveProtocol, received: &[u8]) -> Option<Result<usize, ()>> {
+    match protocol {
+        DriveProtocol::Line => match received.iter().position(|byte| *byte == b'\n') {
+            Some(end) if end < protocol.request_most() => Some(Ok(end + 1)),
+            None if received.len() < protocol.request_most() => None,
+            Some(_) | None => Some(Err(())),
+        },
+        DriveProtocol::SocketCand => match socketcand::read(received) {
+            Ok(Some((_, end))) => Some(Ok(end)),
+            Ok(None) => None,
+            Err(socketcand::NoMessage) => Some(Err(())),
+        },
+    }
+}
+
+/// Takes what has come; whether the connection is open.
+fn taken(stream: &TcpStream, received: &mut Vec<u8>) -> bool {
+    let mut some = [0; 1024];
+    match stream.try_read(&mut some) {
+        Ok(0) => false,
+        Ok(count) => {
+            received.extend(some.iter().take(count));
+            true
+        }
+        Err(error) => error.kind() == ErrorKind::WouldBlock,
+    }
+}
+
+/// Writes all of it; whether the connection is open.
+async fn written(stream: &TcpStream, mut text: &[u8]) -> bool {
+    while !text.is_empty() {
+        if stream.writable().await.is_err() {
+            return false;
+        }
+        match stream.try_write(text) {
+            Ok(count) => text = text.get(count..).unwrap_or_default(),
+            Err(error) if error.kind() == ErrorKind::WouldBlock => {}
+            Err(_) => return false,
+        }
+    }
+    true
+}

@@ -1,0 +1,21 @@
+//! The virtual drive tried by an outside client: python-canopen walks it through the states of CiA 402, moves it, makes it fail and
+//! resets it, over the interface of python-can for socketcand.
+
+use std::path::Path;
+use std::process::{Command, Stdio};
+
+use crate::cargo::must_succeed;
+use crate::python::Environment;
+use crate::{Error, samples};
+
+/// The clients, each with its sums.
+const PINNED: &str = include_str!("../canopen/requirements.txt");
+
+/// Runs the script of `validation/drive`.
+pub(crate) fn run(root: &Path) -> Result<(), Error> {
+    let environment = Environment { name: "canopen", pinned: PINNED, missing: || Error::NoCanopen };
+    let python = environment.ready(root)?.program("python");
+    let program = samples::built(root)?;
+    let script = root.join("validation").join("drive").join("canopen402.py");
+    must_succeed(Command::new(python).arg(script).arg(program).stdin(Stdio::null()))
+}
