@@ -17,7 +17,7 @@ use std::time::Duration;
 use testkit::html::whole;
 
 /// A path of the page, and the names that its fields may have besides those of its state.
-const PAGES: [(Method, &str, &[&str]); 16] = [
+const PAGES: [(Method, &str, &[&str]); 17] = [
     (Method::Get, "/", &["new", "open", "kind"]),
     (Method::Post, "/", &["do"]),
     (Method::Get, "/begin", &["kind"]),
