@@ -11,7 +11,7 @@ use crate::cargo::{Workspace, cargo, must_succeed};
 const TARGET: &str = "wasm32-wasip1";
 
 /// Bytes that the engine may take as a browser fetches it, packed with brotli.
-const ENGINE_MOST: usize = 1 << 20;
+const ENGINE_MOST: usize = 5 << 18;
 
 /// Where the folder is.
 pub(crate) fn folder(root: &Path) -> Result<PathBuf, Error> {
