@@ -34,6 +34,7 @@ mod reserve;
 mod save;
 mod serve;
 mod simulate;
+mod sweep;
 mod table;
 mod tolerance;
 mod upkeep;
