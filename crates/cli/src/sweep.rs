@@ -16,7 +16,7 @@ use sweep_io::{Answers, Batches, Format, Sweep, TableFaults};
 use words::{file_trouble, sweeps};
 
 /// Rows of a part.
-const PART: usize = 1 << 16;
+const PART: usize = 1 << 14;
 
 /// The file that says to what the parts belong.
 const MARK: &str = "sweep";
