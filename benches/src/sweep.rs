@@ -59,7 +59,7 @@ fn main() -> ExitCode {
     let sweep = sweep.unwrap_or_else(|why| panic!("the table is valid: {why:?}"));
     let pool = |threads: usize| rayon::ThreadPoolBuilder::new().num_threads(threads).build().expect("threads");
     let (one, two) = (pool(1), pool(2));
-    let script = numpy(&[]).map(|(time, _)| time);
+    let mut measured = Vec::new();
     for (name, ranges) in [("mixed rows", MIXED), ("rows that reject no actuator", HARD)] {
         let cells = table(&ranges, rows);
         let judge = || sweep.judge(&cells, &Patience::endless()).expect("nobody stops it");
@@ -75,25 +75,27 @@ fn main() -> ExitCode {
                 black_box(one.install(judge));
             },
         );
-        let by_two = against(5, || sort(10_000), || {
-            black_box(two.install(judge));
-        });
+        let by_two = against(
+            5,
+            || sort(10_000),
+            || {
+                black_box(two.install(judge));
+            },
+        );
         let each = |times: benches::Times| times.least.as_secs_f64() / rows as f64 * 1e6;
         println!("{name}: {:.1} of the catalogue fit on average", fitting / rows as f64);
         println!("  one thread: {:.1} µs a row, {:.0} rows a second", each(found.measured), 1e6 / each(found.measured));
         let gain = each(found.measured) / each(by_two.measured);
         println!("  two threads: {:.1} µs a row, {gain:.2} × as quick", each(by_two.measured));
-        match script {
-            Some(time) => {
-                let row = benches::Times {
-                    least: found.measured.least / rows as u32,
-                    median: found.measured.median / rows as u32,
-                    most: found.measured.most / rows as u32,
-                };
-                gates.times_faster(&format!("  {name}, against NumPy over the catalogue"), row, time, 5.0);
-            }
-            None => println!("  no Python with NumPy here: the ratio to it is not measured"),
-        }
+        let of_row = |time: std::time::Duration| time.div_f64(rows as f64);
+        let benches::Times { least, median, most } = found.measured;
+        measured.push((name, benches::Times { least: of_row(least), median: of_row(median), most: of_row(most) }));
+    }
+    match numpy(&[]) {
+        Some((time, _)) => measured.iter().for_each(|(name, row)| {
+            gates.times_faster(&format!("{name}, against NumPy over the catalogue"), *row, time, 5.0);
+        }),
+        None => println!("  no Python with NumPy here: the ratio to it is not measured"),
     }
     gates.close()
 }

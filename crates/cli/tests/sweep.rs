@@ -65,7 +65,11 @@ fn every_fault_of_a_table_is_reported_with_heading_and_row() {
     let found = run(&["sweep", &axis, "--table", &table, "--out", &out]);
     assert_eq!(found.code, 2);
     insta::assert_snapshot!("faults_of_cells", found.err.replace(&folder.display().to_string(), ""));
-    let table = put(folder, "heads.csv", "load.inerta [kg m^2],load.friction_torque,motion[0].time [kg],motion[4].time [s]\n1,1,1,1\n");
+    let table = put(
+        folder,
+        "heads.csv",
+        "load.inerta [kg m^2],load.friction_torque,motion[0].time [kg],motion[4].time [s]\n1,1,1,1\n",
+    );
     let found = run(&["sweep", &axis, "--table", &table, "--out", &out]);
     insta::assert_snapshot!("faults_of_headings", found.err.replace(&folder.display().to_string(), ""));
     let table = put(folder, "empty.csv", "load.inertia [kg m^2]\n");

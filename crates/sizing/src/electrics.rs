@@ -51,19 +51,17 @@ impl Electrics {
     pub(crate) fn with(
         axis: &Axis,
         drivetrain: &Drivetrain,
-        (current, heat, voltage): (Result<CurrentLaw, Missing>, Result<HeatModel, Missing>, Result<MotorVoltage, Missing>),
+        (current, heat, voltage): (
+            Result<CurrentLaw, Missing>,
+            Result<HeatModel, Missing>,
+            Result<MotorVoltage, Missing>,
+        ),
     ) -> Self {
         let (model, mut off) = (heat.as_ref().ok(), Workings::off());
         let speed = axis.moments.speed_mean();
         let continuous = actuator::continuous_torque_with(drivetrain, model, speed, &mut off);
         let remark = continuous.as_ref().ok().and_then(|limit| edges(limit).remark());
-        Self {
-            current,
-            voltage,
-            estimated: remark.map_or(Notes::NONE, |remark| remark.into()),
-            continuous,
-            heat,
-        }
+        Self { current, voltage, estimated: remark.map_or(Notes::NONE, |remark| remark.into()), continuous, heat }
     }
 }
 

@@ -273,11 +273,8 @@ impl Row<'_> {
         self.with_case(group, &ids, |case| {
             let borne = self.borne(group);
             let known = borne.iter().flat_map(|borne| borne.shares.iter().copied());
-            let mut shares: Vec<(f64, CheckId)> = ids
-                .iter()
-                .filter_map(|id| Some((checked(*id, case)?.utilisation?, *id)))
-                .chain(known)
-                .collect();
+            let mut shares: Vec<(f64, CheckId)> =
+                ids.iter().filter_map(|id| Some((checked(*id, case)?.utilisation?, *id))).chain(known).collect();
             // Of equal ones the last in the order of the answers.
             shares.sort_unstable_by_key(|(_, id)| id.place());
             for (share, id) in shares {

@@ -284,11 +284,7 @@ impl Place<'_> {
     /// The laws of a drivetrain for an axis, as [`Electrics::of`] makes them.
     pub(super) fn electrics(&self, axis: &Axis, drive: &Drive) -> Electrics {
         let missing = Missing { symbol: "U_M" };
-        Electrics::with(
-            axis,
-            &drive.drivetrain,
-            (Ok(self.law.clone()), Ok(drive.heat), drive.voltage.ok_or(missing)),
-        )
+        Electrics::with(axis, &drive.drivetrain, (Ok(self.law.clone()), Ok(drive.heat), drive.voltage.ok_or(missing)))
     }
 }
 
