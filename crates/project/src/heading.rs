@@ -1,4 +1,5 @@
 //! Headings of a table whose columns are keys of a project: each is the key with the unit of its numbers.
+#![allow(clippy::result_large_err, reason = "a fault is found once for a table, not for each of its rows")]
 
 use crate::edit::key_at;
 use crate::key::{Key, Kind};

@@ -1,4 +1,5 @@
 //! The cells of a table, and what is wrong with them.
+#![allow(clippy::result_large_err, reason = "a fault is found once for a table, not for each of its rows")]
 
 use super::{Column, Holds, Value};
 use crate::codes::read_code;
