@@ -35,6 +35,7 @@ mod reserve;
 mod save;
 mod serve;
 mod simulate;
+mod sweep;
 mod table;
 mod tolerance;
 mod upkeep;

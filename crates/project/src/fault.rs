@@ -1,6 +1,6 @@
 //! What can be wrong with what the user wrote, and what would help: identifiers with their arguments, in no language.
 
-use crate::{Column, ids};
+use crate::{Column, TabularFault, ids};
 use actuator::{BatteryFault, CurveFault};
 use mechanism::{BodyError, Geometry, TableFault};
 use motion::{MoveFault, PointsFault, RecordedFault};
@@ -209,6 +209,8 @@ pub enum Fault {
     NoMechanism,
     /// More than one load.
     TooManyMechanisms,
+    /// Of a table whose columns are keys.
+    Tabular(TabularFault),
     /// A value along a line where the load has no fixed travel per revolution.
     NoLine {
         /// What is along a line: a key or a file.
@@ -393,6 +395,7 @@ impl Fault {
             Self::NoMechanism => "no_mechanism",
             Self::TooManyMechanisms => "too_many_mechanisms",
             Self::NoLine { .. } => "no_line",
+            Self::Tabular(fault) => fault.id(),
             Self::RodTooShort => "rod_too_short",
             Self::Geometry(fault) => fault.id(),
             Self::BeyondRange { .. } => "beyond_range",

@@ -236,6 +236,7 @@ pub fn fault_text(fault: &Fault, language: Language) -> String {
             "an axis has one load: `[load]` or one table of `[mechanism.…]`",
             "eine Achse hat eine Last: `[load]` oder eine Tabelle aus `[mechanism.…]`",
         ),
+        Fault::Tabular(fault) => crate::sweeps::fault(fault, language),
         Fault::NoLine { path } => e(
             format!("`{path}` is written along a line, but this load has no fixed travel per revolution"),
             format!("`{path}` ist längs einer Linie angegeben, diese Last hat aber keinen festen Weg je Umdrehung"),
@@ -308,7 +309,8 @@ pub fn fault_text(fault: &Fault, language: Language) -> String {
 }
 
 /// What a fault itself says about what would be right.
-fn own_hint(fault: &Fault, language: Language) -> Option<String> {
+#[must_use]
+pub fn own_hint(fault: &Fault, language: Language) -> Option<String> {
     let example = |line: &str| Some(hint_text(&Hint::Example(line.to_owned()), language));
     match fault {
         Fault::Quantity { error, also, .. } => hint_of_several(error, also, language),

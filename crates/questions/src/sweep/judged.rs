@@ -1,0 +1,227 @@
+//! One row judged.
+
+use super::Wanted;
+use crate::answer::refusal_text;
+use crate::sizing_use::{Refusal, actuators_of, with_options};
+use actuator::Parameters;
+use configurator::{Requirements, availability};
+use order_code::OrderCode;
+use project::Project;
+use quantities::{Language, Measure};
+use sizing::{Axis, CheckId, Depth, Judgement, Ranked, Screen, Screening, Standing, Verdict};
+
+/// The answer of a row.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Judged {
+    /// The best code.
+    Best(Best),
+    /// Every code.
+    Every(Vec<Every>),
+    /// The codes that no other beats.
+    Front(Vec<OnFront>),
+}
+
+/// The best of the codes of a row.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Best {
+    /// How many codes fit.
+    pub fit: u32,
+    /// The best of them; `None` where none fits.
+    pub code: Option<OrderCode>,
+    /// Its largest utilisation; where none fits that of the nearest miss.
+    pub utilisation: Option<f64>,
+    /// The check with it; where none fits the one by which the nearest misses most.
+    pub tightest: Option<CheckId>,
+}
+
+/// A code of a row with its checks.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Every {
+    /// The code.
+    pub code: OrderCode,
+    /// Whether nothing speaks against it.
+    pub fits: bool,
+    /// Its largest utilisation.
+    pub utilisation: Option<f64>,
+    /// The check that is exceeded most, else the tightest.
+    pub tightest: Option<CheckId>,
+    /// Verdict and utilisation of each requested check; `None` where the axis or the actuator does not have it.
+    pub checks: Vec<Option<(Verdict, Option<f64>)>>,
+}
+
+/// A code that fits and that no other beats in mass, length and margin.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct OnFront {
+    /// The code.
+    pub code: OrderCode,
+    /// Mass \[kg\].
+    pub mass_kg: Option<f64>,
+    /// Length \[m\].
+    pub length_m: Option<f64>,
+    /// Its largest utilisation.
+    pub utilisation: f64,
+    /// The check with it.
+    pub tightest: Option<CheckId>,
+}
+
+/// An actuator that is judged, with what holds of it for every row of a template.
+pub(super) struct Entrant<'p> {
+    code: OrderCode,
+    parameters: &'p Parameters,
+    /// Whether its series has the required options.
+    has_options: bool,
+    /// Whether its code breaks a rule with them.
+    is_barred: bool,
+}
+
+impl<'p> Entrant<'p> {
+    /// Every actuator of the catalogue.
+    pub(super) fn all(project: &'p Project) -> Vec<Self> {
+        let of = |(code, parameters): &'p (OrderCode, Parameters)| {
+            let ordered = with_options(project, code);
+            let optional = ordered.filter(|code| code.option_1.is_some() || code.option_2.is_some());
+            Self {
+                code: ordered.unwrap_or(*code),
+                parameters,
+                has_options: ordered.is_some(),
+                is_barred: optional.is_some_and(|code| availability(&code).is_err()),
+            }
+        };
+        actuators_of(project, project.option_1.is_some()).iter().map(of).collect()
+    }
+
+    /// The actuators ranked for many axes.
+    pub(super) fn screen(entrants: &[Self]) -> Screen {
+        let of = |entrant: &Self| sizing::Entrant {
+            parameters: entrant.parameters,
+            size: entrant.code.size.number(),
+            mass_kg: entrant.mass_kg().unwrap_or(f64::INFINITY),
+        };
+        Screen::of(&entrants.iter().map(of).collect::<Vec<_>>())
+    }
+
+    fn mass_kg(&self) -> Option<f64> {
+        self.parameters.mass.known().map(|mass| mass.value.si())
+    }
+
+    pub(super) fn meets(&self, requirements: &Requirements) -> bool {
+        self.has_options && !self.is_barred && requirements.unmet(&self.code, self.parameters).next().is_none()
+    }
+
+    fn standing(&self, judgement: &Judgement, meets: bool) -> Standing {
+        Standing::of(judgement, meets, self.code.size.number(), self.mass_kg())
+    }
+}
+
+/// The axis of a row.
+pub(super) struct Row<'r> {
+    pub(super) project: &'r Project,
+    pub(super) axis: &'r Axis,
+    pub(super) requirements: &'r Requirements,
+}
+
+impl<'r> Row<'r> {
+    pub(super) const fn of(project: &'r Project) -> Self {
+        Self { project, axis: &project.axis, requirements: &project.requirements }
+    }
+
+    /// The best of the catalogue.
+    pub(super) fn best(&self, entrants: &[Entrant<'_>], screening: &mut Screening<'_>, meets: &[bool]) -> Best {
+        let found = screening.found(self.axis, meets);
+        let ranked = found.best.or(found.miss);
+        let code = |ranked: Ranked| entrants.get(ranked.entrant).map(|entrant| entrant.code);
+        Best {
+            fit: u32::try_from(found.fit).unwrap_or(u32::MAX),
+            code: found.best.and_then(code),
+            utilisation: ranked.and_then(|ranked| finite(ranked.utilisation)),
+            tightest: ranked.and_then(|ranked| ranked.tightest),
+        }
+    }
+
+    /// The answer of one code.
+    ///
+    /// # Errors
+    /// Where there is no data for it.
+    pub(super) fn of_code(&self, code: &OrderCode, wanted: &Wanted, language: Language) -> Result<Judged, String> {
+        let bare = OrderCode { option_1: None, option_2: None, special: false, ..*code };
+        let mut known = actuators_of(self.project, code.has_output_encoder()).iter();
+        let found = known.find(|(known, _)| *known == bare);
+        let (_, parameters) = found.ok_or_else(|| refusal_text(&Refusal::NoData, None, language))?;
+        let entrant = Entrant { code: *code, parameters, has_options: true, is_barred: availability(code).is_err() };
+        let alone = std::slice::from_ref(&entrant);
+        Ok(match wanted {
+            Wanted::Best => Judged::Best(self.single(&entrant)),
+            Wanted::Every(checks) => Judged::Every(self.every(alone, checks)),
+            Wanted::Front => Judged::Front(self.front(alone)),
+        })
+    }
+
+    fn single(&self, entrant: &Entrant<'_>) -> Best {
+        let judgement = sizing::judge(self.axis, entrant.parameters, Depth::Margins);
+        let fits = entrant.standing(&judgement, entrant.meets(self.requirements)).fits;
+        let tightest = judgement.worst_failure().or_else(|| judgement.tightest());
+        Best {
+            fit: u32::from(fits),
+            code: fits.then_some(entrant.code),
+            utilisation: finite(judgement.utilisation()),
+            tightest: tightest.map(|check| check.id),
+        }
+    }
+
+    pub(super) fn every(&self, entrants: &[Entrant<'_>], wanted: &[CheckId]) -> Vec<Every> {
+        let mut judge = sizing::Judge::of(self.axis, Depth::Full);
+        let of = |entrant: &Entrant<'_>| {
+            let judgement = judge.next(entrant.parameters, &mut |_, _| {});
+            let standing = entrant.standing(&judgement, entrant.meets(self.requirements));
+            let check = |id: &CheckId| {
+                let found = judgement.checks.iter().find(|check| check.id == *id)?;
+                Some((found.verdict, found.utilisation.and_then(finite)))
+            };
+            Every {
+                code: entrant.code,
+                fits: standing.fits,
+                utilisation: finite(standing.utilisation),
+                tightest: judgement.worst_failure().or_else(|| judgement.tightest()).map(|check| check.id),
+                checks: wanted.iter().map(check).collect(),
+            }
+        };
+        entrants.iter().filter(|entrant| entrant.has_options).map(of).collect()
+    }
+
+    pub(super) fn front(&self, entrants: &[Entrant<'_>]) -> Vec<OnFront> {
+        let mut judge = sizing::Judge::of(self.axis, Depth::Rank);
+        let of = |entrant: &Entrant<'_>| {
+            let judgement = judge.next(entrant.parameters, &mut |_, _| {});
+            let standing = entrant.standing(&judgement, entrant.meets(self.requirements));
+            standing.fits.then(|| OnFront {
+                code: entrant.code,
+                mass_kg: entrant.parameters.mass.known().map(|mass| mass.value.si()),
+                length_m: entrant.parameters.length.known().map(|length| length.value.si()),
+                utilisation: standing.utilisation,
+                tightest: judgement.tightest().map(|check| check.id),
+            })
+        };
+        let fitting: Vec<OnFront> = entrants.iter().filter_map(of).collect();
+        let beaten = |one: &OnFront| fitting.iter().any(|other| other.beats(one));
+        fitting.iter().filter(|one| !beaten(one)).copied().collect()
+    }
+}
+
+impl OnFront {
+    /// What is not known counts as infinite.
+    fn figures(&self) -> [f64; 3] {
+        let or_infinite = |figure: Option<f64>| figure.unwrap_or(f64::INFINITY);
+        [or_infinite(self.mass_kg), or_infinite(self.length_m), self.utilisation]
+    }
+
+    /// Whether it is nowhere worse than another and somewhere better.
+    fn beats(&self, other: &Self) -> bool {
+        let pairs = || self.figures().into_iter().zip(other.figures());
+        pairs().all(|(own, other)| own <= other) && pairs().any(|(own, other)| own < other)
+    }
+}
+
+/// A utilisation; `None` where a limit of zero is exceeded.
+fn finite(utilisation: f64) -> Option<f64> {
+    utilisation.is_finite().then_some(utilisation)
+}

@@ -1,0 +1,97 @@
+//! Words about sweeps: many axes in a table.
+
+use crate::either;
+use crate::texts::texts;
+use project::TabularFault;
+use quantities::Language;
+
+texts! {
+    written(file, rows) = "{file}: {rows} rows" | "{file}: {rows} Zeilen";
+    fitting(rows, share) = "an actuator fits: {rows} rows ({share} %)" | "ein Antrieb passt: {rows} Zeilen ({share} %)";
+    none_fits(rows, share) = "none fits: {rows} rows ({share} %)" | "keiner passt: {rows} Zeilen ({share} %)";
+    not_judged(rows, share) = "not judged: {rows} rows ({share} %)" | "nicht beurteilt: {rows} Zeilen ({share} %)";
+    tightest = "tightest check of the nearest miss" | "engster Nachweis des nächstbesten Antriebs";
+    no_class = "no actuator of the required class" | "kein Antrieb der geforderten Klasse";
+    reason = "reason" | "Grund";
+    row(row) = "row {row}" | "Zeile {row}";
+    further = "further reasons" | "weitere Gründe";
+    keys(keys) = "columns: {keys}" | "Spalten: {keys}";
+    resumed(parts, rows) =
+        "{parts} parts with {rows} rows of an interrupted run are kept"
+        | "{parts} Teile mit {rows} Zeilen eines unterbrochenen Laufs werden übernommen";
+    begun_anew =
+        "the parts of an interrupted run belong to another project, table or version and are removed"
+        | "die Teile eines unterbrochenen Laufs gehören zu einem anderen Projekt, einer anderen Tabelle oder Version und werden entfernt";
+    ending_of_a_table =
+        "the ending of a table is .csv or .parquet" | "die Endung einer Tabelle ist .csv oder .parquet";
+    unreadable(file, why) = "{file}: not readable as a table: {why}" | "{file}: als Tabelle nicht lesbar: {why}";
+    ragged(line, found, expected) =
+        "line {line} has {found} cells, the headings are {expected}"
+        | "Zeile {line} hat {found} Zellen, die Überschriften sind {expected}";
+    not_utf_8(line) = "line {line} is not UTF-8" | "Zeile {line} ist kein UTF-8";
+    open_quote(line) =
+        "line {line}: a quoted cell does not end in this line"
+        | "Zeile {line}: eine Zelle in Anführungszeichen endet nicht in dieser Zeile";
+    long_line(line, most) =
+        "line {line} is longer than {most} bytes" | "Zeile {line} ist länger als {most} Byte";
+    too_many_rows(rows, most) =
+        "the table has {rows} rows; {most} are judged here at most, more by `antrieb sweep`"
+        | "die Tabelle hat {rows} Zeilen; hier werden höchstens {most} beurteilt, mehr mit `antrieb sweep`";
+    kept(folder) =
+        "finished parts are kept in {folder}; the same call continues with them"
+        | "fertige Teile bleiben in {folder}; derselbe Aufruf setzt mit ihnen fort";
+    too_many_samples(count, most) =
+        "{count} rows; at most {most} are written" | "{count} Zeilen; geschrieben werden höchstens {most}";
+    sample_key(written) =
+        "\"{written}\" is no key with its values" | "„{written}“ ist kein Schlüssel mit seinen Werten";
+    sample_key_hint =
+        "write \"load.inertia [kg m^2] = 0.1..10\", \"… = 0.1..10 log\" or \"… = 0.1; 0.5; 2\""
+        | "„load.inertia [kg m^2] = 0.1..10“, „… = 0.1..10 log“ oder „… = 0.1; 0.5; 2“ schreiben";
+    no_sample_keys = "no key is stated" | "kein Schlüssel angegeben";
+    log_needs_positive(key) =
+        "`{key}`: a logarithmic range begins above zero" | "`{key}`: ein logarithmischer Bereich beginnt über null";
+    too_many_dimensions(count, most) =
+        "{count} keys with ranges; the Sobol sequence has {most} dimensions here"
+        | "{count} Schlüssel mit Bereichen; die Sobol-Folge hat hier {most} Dimensionen";
+}
+
+/// What is wrong with a table whose columns are keys, in one sentence.
+pub(crate) fn fault(fault: &TabularFault, language: Language) -> String {
+    let e = |en: String, de: String| either(language, en, de);
+    let t = |en: &str, de: &str| either(language, en, de);
+    match fault {
+        TabularFault::NoColumn { path } => e(
+            format!("`{path}` cannot be a column: its values do not stand in a cell"),
+            format!("`{path}` kann keine Spalte sein: die Werte passen nicht in eine Zelle"),
+        ),
+        TabularFault::UnitOfNoQuantity { path, unit } => e(
+            format!("`{path}` is measured in no unit, the heading states \"{unit}\""),
+            format!("`{path}` hat keine Einheit, die Überschrift nennt „{unit}“"),
+        ),
+        TabularFault::ColumnTwice { path } => {
+            e(format!("two columns have the key `{path}`"), format!("zwei Spalten haben den Schlüssel `{path}`"))
+        }
+        TabularFault::NoEntry { path, count } => e(
+            format!("`{path}`: the project has no such entry, its list has {count}"),
+            format!("`{path}`: diesen Eintrag hat das Projekt nicht, die Liste hat {count}"),
+        ),
+        TabularFault::NoValue { path } => {
+            e(format!("`{path}`: the cell is empty"), format!("`{path}`: die Zelle ist leer"))
+        }
+        TabularFault::NotANumber { path, written } => {
+            e(format!("`{path}`: \"{written}\" is not a number"), format!("`{path}`: „{written}“ ist keine Zahl"))
+        }
+        TabularFault::NoText { path, written } => e(
+            format!("`{path}`: the number {written} stands where a word belongs"),
+            format!("`{path}`: die Zahl {written} steht, wo ein Wort stehen muss"),
+        ),
+        TabularFault::CellType { path, found } => e(
+            format!("`{path}`: a column of the type {found} is not read; its cells must be numbers or texts"),
+            format!(
+                "`{path}`: eine Spalte vom Typ {found} wird nicht gelesen; ihre Zellen müssen Zahlen oder Texte sein"
+            ),
+        ),
+        TabularFault::NoRows => t("the table has no row", "die Tabelle hat keine Zeile"),
+        TabularFault::NoColumns => t("the table has no column", "die Tabelle hat keine Spalte"),
+    }
+}
