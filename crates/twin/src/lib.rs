@@ -18,6 +18,7 @@ mod plant;
 mod scenario;
 mod setpoint;
 mod setup;
+mod step;
 mod summary;
 mod twin;
 mod warm;

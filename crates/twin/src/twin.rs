@@ -96,6 +96,7 @@ pub struct Twin<'a> {
     pub(crate) state: State,
     load: LoadModel<'a>,
     local: Local,
+    anchor: Anchor,
     stop: Option<Stop>,
     course: Course<'a>,
     point: SetPoint,
@@ -202,7 +203,7 @@ impl<'a> Twin<'a> {
         // e hangs on the angle itself by little: a few steps suffice.
         let mut theta = position + twist;
         for _ in 0..6 {
-            theta = position + twist + plant.kinematic.map_or(0.0, |error| error.at(theta).0);
+            theta = position + twist + plant.kinematic.map_or(0.0, |error| error.at(theta));
         }
         let closed = start.braked.is_some() || matches!(scenario, ScenarioId::BatteryLoss);
         let brake = BrakeState::new(machine.brake, closed, scenario == ScenarioId::BrakeStuck);
@@ -219,7 +220,8 @@ impl<'a> Twin<'a> {
             sliding: [free(plant.friction_nm + plant.brake_nm + plant.mesh), free(local.coulomb_nm)],
             energies: Energies::default(),
             slipped_rad: 0.0,
-            error: (0.0, 0.0),
+            turning: 0.0,
+            pull: 0.0,
             gear_nm: holding,
             twist_rad: 0.0,
             acceleration_rad_s2: 0.0,
@@ -299,6 +301,7 @@ impl<'a> Twin<'a> {
             state,
             load,
             local,
+            anchor: plant.kinematic.map_or(Anchor::none(), |error| error.anchor(theta)),
             stop: None,
             course,
             coil_j: 0.0,
@@ -430,14 +433,14 @@ impl<'a> Twin<'a> {
         if let Some(local) = self.load.near(self.point.segment, position, speed, self.state.acceleration_rad_s2) {
             self.local = local;
         }
-        let anchor: Option<Anchor> = self.plant.kinematic.map(|error| error.anchor(theta));
-        let before = self.state.energies;
-        let given =
-            Given { voltage: self.voltage, load: &self.local, stop: self.stop.as_ref(), anchor: anchor.as_ref() };
-        let h = PERIOD_S / f64::from(self.setup.substeps);
-        for _ in 0..self.setup.substeps {
-            self.plant.step(&mut self.state, &given, h);
+        if let Some(error) = &self.plant.kinematic
+            && !(self.anchor.is_near(theta) && self.anchor.is_near(theta + omega * PERIOD_S))
+        {
+            self.anchor = error.anchor_ahead(theta, omega, 32.0 * PERIOD_S);
         }
+        let before = self.state.energies;
+        let given = Given { voltage: self.voltage, load: &self.local, stop: self.stop.as_ref(), anchor: &self.anchor };
+        self.plant.steps(&mut self.state, &given, self.setup.substeps, PERIOD_S / f64::from(self.setup.substeps));
         let after = &self.state.energies;
         self.link_model.step(&mut self.link, after.terminal_j - before.terminal_j, self.supply_share, PERIOD_S);
         let copper = after.copper_j - before.copper_j;

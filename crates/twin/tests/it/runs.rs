@@ -164,6 +164,25 @@ fn a_settled_cycle_stays_where_it_is() {
     assert_eq!(settled(&setup, || false), Ok(None));
 }
 
+/// With every law of the model and all its kinks: half the step leaves a sixth of the balance open, or less.
+#[test]
+fn the_balance_closes_with_the_order_of_the_method() {
+    let parameters = parameters("CHA-20A-100-H-C1024");
+    let (mechanism, motion, extras) = (load(1.3, 5.0), one_move(30.0, 0.1, 0.3, 0.5), NOTHING());
+    let switches = Switches { noise: false, ..Switches::default() };
+    let open = |substeps: u32| {
+        let setup = Setup { substeps, switches, ..Setup::of(&parameters, &mechanism, &motion, &extras) };
+        let mut twin = Twin::new(&setup).unwrap();
+        twin.advance(u64::MAX);
+        (twin.summary().unaccounted_j / twin.summary().throughput_j).abs()
+    };
+    let open = [1, 2, 4, 8].map(open);
+    for pair in open.windows(2) {
+        assert!(pair[1] < pair[0] / 6.0, "{open:?}");
+    }
+    assert!(open[0] < 1e-8, "{open:?}");
+}
+
 /// A thousand cycles: no drift, no NaN, no growing memory of events.
 #[test]
 fn many_cycles_do_not_drift() {
