@@ -26,7 +26,7 @@ mod warm;
 pub use bode::{Loop, LoopResponse, Margins, Response};
 pub use control::{CURRENT_RATE_HZ, Gains};
 pub use drive::Limits;
-pub use identify::{Estimate, Identified, IdentifyFault, Observed, identify};
+pub use identify::{Estimate, Identification, Identified, IdentifyFault, Observed, identify};
 pub use parameters::{Model, NoSuchParameter, Parameter, Parameters};
 pub use plant::Energies;
 pub use scenario::{Event, EventKind, Reaction, Scenario, ScenarioId};
