@@ -27,7 +27,7 @@ pub use bode::{Loop, LoopResponse, Margins, Response};
 pub use control::{CURRENT_RATE_HZ, Gains};
 pub use drive::Limits;
 pub use identify::{Estimate, Identification, Identified, IdentifyFault, Observed, identify};
-pub use parameters::{Model, NoSuchParameter, Parameter, Parameters};
+pub use parameters::{MeasuredLoad, Model, NoSuchParameter, Parameter, Parameters};
 pub use plant::Energies;
 pub use scenario::{Event, EventKind, Reaction, Scenario, ScenarioId};
 pub use setup::{Fault, Setup, Switches};

@@ -155,12 +155,11 @@ impl<'a> Twin<'a> {
         if matches!(setup.mechanism.kind, mechanism::MechanismKind::Joint(_)) {
             return Err(Fault::RecordedTorque);
         }
-        if let Some(Parameter { key, .. }) = setup
-            .parameters
-            .list()
-            .iter()
-            .find(|each| each.value.as_ref().is_some_and(|value| !value.value.is_finite() || value.value < 0.0))
-        {
+        let is_wrong = |each: &Parameter| {
+            let value = each.value.as_ref().map_or(0.0, |value| value.value);
+            !value.is_finite() || (value < 0.0 && !each.has_a_sign())
+        };
+        if let Some(Parameter { key, .. }) = setup.parameters.list().iter().find(|each| is_wrong(each)) {
             return Err(Fault::OutOfRange(key));
         }
         let machine = Machine::of(setup.parameters, setup.switches, setup.seed)?;
@@ -177,7 +176,8 @@ impl<'a> Twin<'a> {
         }
         let start = course.at(0.0);
         let [position, _, _] = start.state;
-        let load = LoadModel::of(setup.mechanism, setup.extras, machine.flange_kgm2);
+        let load = LoadModel::of(setup.mechanism, setup.extras, machine.flange_kgm2, &setup.parameters.load)
+            .map_err(Fault::NotOfThisLoad)?;
         let local = load.near(start.segment, position, 0.0, 0.0).ok_or(Fault::NoInertia)?;
         if local.inertia_kgm2.is_nan() || local.inertia_kgm2 <= 0.0 {
             return Err(Fault::NoInertia);

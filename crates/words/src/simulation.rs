@@ -102,6 +102,9 @@ texts! {
     refused_recorded =
         "no simulation: the torque of the joint is recorded with its motion and does not follow from a state"
         | "keine Simulation: das Drehmoment des Gelenks ist mit der Bewegung aufgezeichnet und folgt nicht aus einem Zustand";
+    refused_load(key) =
+        "measured.{key} replaces nothing: this load changes with the position or with the direction of the power"
+        | "measured.{key} ersetzt nichts: Diese Last hängt von der Stellung oder der Richtung der Leistung ab";
     refused_inertia = "no simulation: the load has no inertia" | "keine Simulation: die Last hat kein Trägheitsmoment";
     refused_step(steps) =
         "the step is too long for the stiffest part: at least {steps} steps in a period of the current loop"
@@ -131,6 +134,16 @@ texts! {
     viscous = "viscous friction of the load" | "viskose Reibung der Last";
     gravity = "weight of the load at its largest lever" | "Gewichtsmoment der Last am größten Hebel";
     external = "external torque of the load" | "äußeres Moment der Last";
+    gravity_angle = "angle of the centre of mass above the horizontal at position 0" | "Winkel des Schwerpunkts über der Waagerechten in Stellung 0";
+    at_the_limit(count) =
+        "{count} samples have a current at its limit: they and their neighbours say nothing of the motor."
+        | "{count} Abtastwerte haben einen Strom an der Grenze: Sie und ihre Nachbarn sagen nichts über den Motor.";
+    motor_not_estimated =
+        "Too few samples below the limit of the current: torque constant and no-load current are not estimated."
+        | "Zu wenige Abtastwerte unterhalb der Stromgrenze: Drehmomentkonstante und Leerlaufstrom werden nicht geschätzt.";
+    load_not_replaced =
+        "Load, efficiency or stage of this mechanism change with the position or the direction of the power: estimates of the load are means over the run, and the project takes over only what is listed."
+        | "Last, Wirkungsgrad oder Stufe dieses Mechanismus hängen von der Stellung oder der Richtung der Leistung ab: Schätzwerte der Last sind Mittelwerte über den Lauf, und das Projekt übernimmt nur das Aufgeführte.";
     torque_constant_out = "torque constant at the output" | "Drehmomentkonstante am Abtrieb";
     no_load_starting_current = "no-load starting current" | "Leerlaufanlaufstrom";
     no_load_current_constant = "no-load current constant" | "Leerlaufstromkonstante";
@@ -256,6 +269,7 @@ pub fn simulation_fault(fault: &Fault, language: Language) -> String {
     match fault {
         Fault::Missing(missing) => crate::simulation::refused_missing(&missing.symbol, language),
         Fault::RecordedTorque => crate::simulation::refused_recorded(language).to_owned(),
+        Fault::NotOfThisLoad(key) => crate::simulation::refused_load(key, language),
         Fault::NoInertia => crate::simulation::refused_inertia(language).to_owned(),
         Fault::StepTooLong { substeps } => crate::simulation::refused_step(substeps, language),
         Fault::NoBrake => crate::simulation::refused_brake(language).to_owned(),
