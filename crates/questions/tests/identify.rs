@@ -85,13 +85,7 @@ fn course(text: &str) -> String {
     let row = |s: &TwinSample| {
         format!(
             "{},{},{},{},{},{},{}\n",
-            s.time_s,
-            s.position_rad,
-            s.speed_rad_s,
-            s.acceleration_rad_s2,
-            s.motor_rad_s,
-            s.torque_nm,
-            s.current_q_a
+            s.time_s, s.position_rad, s.speed_rad_s, s.acceleration_rad_s2, s.motor_rad_s, s.torque_nm, s.current_q_a
         )
     };
     let head = "time_s,position_rad,speed_rad_s,acceleration_rad_s2,motor_speed_rad_s,torque_nm,current_q_a\n";

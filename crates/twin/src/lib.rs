@@ -4,6 +4,7 @@
 //! fixed step are apart. The formulas of an instant are those of `actuator`, the load is the mechanism of the project, the set-points
 //! are its motion. Everything is referred to the output unless a name says `motor`. Same setup, same bits.
 
+mod averaged;
 mod bode;
 mod control;
 mod drive;
@@ -23,6 +24,7 @@ mod summary;
 mod twin;
 mod warm;
 
+pub use averaged::{Averaged, Operation, averaged};
 pub use bode::{Loop, LoopResponse, Margins, Response};
 pub use control::{CURRENT_RATE_HZ, Gains};
 pub use drive::Limits;
