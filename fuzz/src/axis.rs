@@ -47,7 +47,7 @@ pub fn shown(data: &[u8]) -> String {
 }
 
 fn chosen(u: &mut Unstructured<'_>) -> Result<(u8, Language, String)> {
-    let question = u.int_in_range(0..=8)?;
+    let question = u.int_in_range(0..=9)?;
     let language = if u.ratio(1, 2)? { Language::De } else { Language::En };
     let edits = if u.ratio(1, 6)? { any_edits(u, 3)? } else { Vec::new() };
     let text = draft::project(u, true)?;
@@ -69,6 +69,7 @@ fn hold(case: &Case<'_>, question: u8) {
         5 => revisions(case, &code),
         6 => forms::tables(case, &sizing, best),
         7 => forms::figures(case, best),
+        8 => twin(case, &code),
         _ => forms::dossier(case, &sizing, best),
     }
 }
@@ -81,6 +82,23 @@ fn ranking(case: &Case<'_>) {
     keeps_to_schema("size", &found);
     if let Ok(found) = list::bearing::sizes(case.project, case.language) {
         keeps_to_schema("bearing", &answer::bearings(&found, case.language));
+    }
+}
+
+/// A run of the twin: refused with a reason, or every figure a number, or the run marked as having left every bound.
+fn twin(case: &Case<'_>, code: &OrderCode) {
+    let (patience, language) = (Patience::endless(), case.language);
+    let scenario = case.project.twin.scenario.id;
+    match list::simulate::of_scenario(case.project, Some(code), scenario, &patience, language) {
+        Ok(run) => {
+            let ends = run.events.iter().any(|event| event.kind.id() == "diverged");
+            let s = &run.summary;
+            let figures = [s.following_rms_rad, s.current_rms_a, s.torque_peak_nm, s.link_v[1], s.unaccounted_j];
+            assert!(ends || figures.iter().all(|figure| figure.is_finite()), "{s:?}");
+            assert!(ends || run.course.iter().all(|row| row.position_rad.is_finite() && row.current_q_a.is_finite()));
+            keeps_to_schema("simulate", &answer::simulation(&run, language));
+        }
+        Err(why) => assert!(!why.is_empty()),
     }
 }
 
