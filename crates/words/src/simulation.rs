@@ -8,8 +8,8 @@ use twin::{EventKind, Fault, Loop, Reaction, ScenarioId};
 texts! {
     title(code, axis) = "Simulation of {code}: {axis}" | "Simulation von {code}: {axis}";
     course(scenario, time, start, steps, step) =
-        "{scenario}: {time} s simulated, start {start}; {steps} steps of {step} µs, classic Runge-Kutta method of fourth order"
-        | "{scenario}: {time} s simuliert, Beginn {start}; {steps} Schritte von {step} µs, klassisches Runge-Kutta-Verfahren vierter Ordnung";
+        "{scenario}: {time} s simulated, start {start}; {steps} steps of {step} µs, Taylor's series of fourth order"
+        | "{scenario}: {time} s simuliert, Beginn {start}; {steps} Schritte von {step} µs, Taylorreihe vierter Ordnung";
     warm(winding, housing) =
         "warm, winding {winding} °C, housing {housing} °C" | "warm, Wicklung {winding} °C, Gehäuse {housing} °C";
     cold(ambient) = "cold, everything at {ambient} °C" | "kalt, alles auf {ambient} °C";
@@ -150,6 +150,21 @@ texts! {
     one_direction =
         "Estimated from samples in motion; in one direction alone Coulomb friction holds every constant torque, and gravity is not estimated."
         | "Geschätzt aus Abtastwerten in Bewegung; in nur einer Richtung enthält die Coulomb-Reibung jedes konstante Moment, und das Gewicht wird nicht geschätzt.";
+    averaged = "operation over days, by the mean losses of the cycle" | "Betrieb über Tage, aus den mittleren Verlusten des Zyklus";
+    averaged_about =
+        "From cold each day: mean losses of a cycle at the temperatures of each minute; within a cycle the winding swings about this mean."
+        | "Jeden Tag aus der Kälte: mittlere Verluste eines Zyklus bei den Temperaturen jeder Minute; innerhalb eines Zyklus schwankt die Wicklung um diesen Mittelwert.";
+    days = "days" | "Tage";
+    operation = "time in operation" | "Betriebszeit";
+    cycles = "cycles of the motion" | "Bewegungszyklen";
+    starts = "starts: cycles of the temperature" | "Anläufe: Temperaturzyklen";
+    housing_peak = "highest temperature of the housing" | "höchste Gehäusetemperatur";
+    housing_mean = "mean temperature of the housing in operation" | "mittlere Gehäusetemperatur im Betrieb";
+    winding_swing = "swing of the winding over a day" | "Schwankung der Wicklung über einen Tag";
+    housing_swing = "swing of the housing over a day" | "Schwankung des Gehäuses über einen Tag";
+    energy_housing = "heat in the housing" | "Wärme im Gehäuse";
+    refused_days = "days of operation belong to the cycle, not to another scenario" | "Betriebstage gehören zum Zyklus, nicht zu einem anderen Szenario";
+    refused_hours = "from 0 to 24 hours a day, together with --days" | "0 bis 24 Stunden am Tag, zusammen mit --days";
     lines_for_the_project = "lines for the project" | "Zeilen für das Projekt";
     no_such_trace(name) = "{name} cannot be read" | "{name} kann nicht gelesen werden";
     trace_too_large(name, most) = "{name} is larger than {most} MiB" | "{name} ist größer als {most} MiB";

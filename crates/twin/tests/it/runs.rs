@@ -146,6 +146,30 @@ fn what_cannot_be_simulated_is_refused() {
     assert_eq!(of(&bad, &mechanism, Scenario::default()), Some(Fault::OutOfRange("resistance_ll")));
 }
 
+/// A datum that is not known is named; a run whose gains swing up without limits ends with a mark, and nothing hides it.
+#[test]
+fn what_is_missing_is_named_and_what_swings_up_is_marked() {
+    let (mechanism, motion, extras) = (load(0.3, 1.0), one_move(30.0, 0.1, 0.3, 0.1), NOTHING());
+    let mut without = parameters(CODE);
+    without.actuator.inductance_ll = provenance::Datum::NotPrinted;
+    let found = Twin::new(&Setup::of(&without, &mechanism, &motion, &extras)).err();
+    assert!(matches!(found, Some(Fault::Missing(missing)) if missing.symbol == "L_LL"), "{found:?}");
+    let parameters = parameters(CODE);
+    let setup = Setup {
+        switches: Switches { limits: false, ..Switches::default() },
+        ..Setup::of(&parameters, &mechanism, &motion, &extras)
+    };
+    let usual = *Twin::new(&setup).unwrap().gains();
+    for factor in [4.0, 1e3, 1e9] {
+        let gains = Some(twin::Gains { current_p: factor * usual.current_p, ..usual });
+        let mut twin = Twin::new(&Setup { gains, ..setup }).unwrap();
+        let end = twin.periods();
+        twin.advance(u64::MAX);
+        assert!(twin.events().iter().any(|event| event.kind == EventKind::Diverged), "{factor}");
+        assert!(twin.periods() < end, "{factor}");
+    }
+}
+
 /// The settled temperatures are those at which one more cycle changes nothing.
 #[test]
 fn a_settled_cycle_stays_where_it_is() {
