@@ -85,25 +85,39 @@ fn ranking(case: &Case<'_>) {
     }
 }
 
-/// A run of the twin: refused with a reason, or every figure a number, or the run marked as having left every bound.
+/// A run of the twin that is not longer than what a case may take.
 fn twin(case: &Case<'_>, code: &OrderCode) {
-    // Ten cycles at a tenth of the speed that the engine of the fuzzer leaves.
-    if case.project.axis.motion.duration().si() > 1.0 || case.project.twin.scenario.cycles > 1 {
-        return;
+    if let Some(Ok(run)) = twin_of(case.project, code, case.language) {
+        keeps_to_schema("simulate", &answer::simulation(&run, case.language));
     }
-    let (patience, language) = (Patience::endless(), case.language);
-    let scenario = case.project.twin.scenario.id;
-    match list::simulate::of_scenario(case.project, Some(code), scenario, &patience, language) {
+}
+
+/// A run of the twin: refused with a reason, or every figure a number, or the run marked as having left every bound. `None` where
+/// it takes too long: ten cycles at a tenth of the speed that the engine of the fuzzer leaves.
+///
+/// # Panics
+/// Where a run is none of these.
+pub fn twin_of<'p>(
+    project: &'p Project,
+    code: &OrderCode,
+    language: Language,
+) -> Option<std::result::Result<questions::Simulated<'p>, String>> {
+    if project.axis.motion.duration().si() > 1.0 || project.twin.scenario.cycles > 1 {
+        return None;
+    }
+    let scenario = project.twin.scenario.id;
+    let found = list::simulate::of_scenario(project, Some(code), scenario, &Patience::endless(), language);
+    match &found {
         Ok(run) => {
             let ends = run.events.iter().any(|event| event.kind.id() == "diverged");
             let s = &run.summary;
             let figures = [s.following_rms_rad, s.current_rms_a, s.torque_peak_nm, s.link_v[1], s.unaccounted_j];
             assert!(ends || figures.iter().all(|figure| figure.is_finite()), "{s:?}");
             assert!(ends || run.course.iter().all(|row| row.position_rad.is_finite() && row.current_q_a.is_finite()));
-            keeps_to_schema("simulate", &answer::simulation(&run, language));
         }
         Err(why) => assert!(!why.is_empty()),
     }
+    Some(found)
 }
 
 /// The ranking judges in stages, and a candidate alone in full: what fits there must fit here.
