@@ -9,7 +9,7 @@ use crate::{draft, project};
 use ::project::Project;
 use arbitrary::{Result, Unstructured};
 use order_code::OrderCode;
-use quantities::Language;
+use quantities::{Language, Measure};
 use questions::list::diff::difference;
 use questions::{Candidate, CandidateId, CheckId, Draw, Patience, Sizing, answer, check, list, size};
 use serde::Serialize;
@@ -47,7 +47,7 @@ pub fn shown(data: &[u8]) -> String {
 }
 
 fn chosen(u: &mut Unstructured<'_>) -> Result<(u8, Language, String)> {
-    let question = u.int_in_range(0..=8)?;
+    let question = u.int_in_range(0..=9)?;
     let language = if u.ratio(1, 2)? { Language::De } else { Language::En };
     let edits = if u.ratio(1, 6)? { any_edits(u, 3)? } else { Vec::new() };
     let text = draft::project(u, true)?;
@@ -69,6 +69,7 @@ fn hold(case: &Case<'_>, question: u8) {
         5 => revisions(case, &code),
         6 => forms::tables(case, &sizing, best),
         7 => forms::figures(case, best),
+        8 => twin(case, &code),
         _ => forms::dossier(case, &sizing, best),
     }
 }
@@ -82,6 +83,41 @@ fn ranking(case: &Case<'_>) {
     if let Ok(found) = list::bearing::sizes(case.project, case.language) {
         keeps_to_schema("bearing", &answer::bearings(&found, case.language));
     }
+}
+
+/// A run of the twin that is not longer than what a case may take.
+fn twin(case: &Case<'_>, code: &OrderCode) {
+    if let Some(Ok(run)) = twin_of(case.project, code, case.language) {
+        keeps_to_schema("simulate", &answer::simulation(&run, case.language));
+    }
+}
+
+/// A run of the twin: refused with a reason, or every figure a number, or the run marked as having left every bound. `None` where
+/// it takes too long: ten cycles at a tenth of the speed that the engine of the fuzzer leaves.
+///
+/// # Panics
+/// Where a run is none of these.
+pub fn twin_of<'p>(
+    project: &'p Project,
+    code: &OrderCode,
+    language: Language,
+) -> Option<std::result::Result<questions::Simulated<'p>, String>> {
+    if project.axis.motion.duration().si() > 1.0 || project.twin.scenario.cycles > 1 {
+        return None;
+    }
+    let scenario = project.twin.scenario.id;
+    let found = list::simulate::of_scenario(project, Some(code), scenario, &Patience::endless(), language);
+    match &found {
+        Ok(run) => {
+            let ends = run.events.iter().any(|event| event.kind.id() == "diverged");
+            let s = &run.summary;
+            let figures = [s.following_rms_rad, s.current_rms_a, s.torque_peak_nm, s.link_v[1], s.unaccounted_j];
+            assert!(ends || figures.iter().all(|figure| figure.is_finite()), "{s:?}");
+            assert!(ends || run.course.iter().all(|row| row.position_rad.is_finite() && row.current_q_a.is_finite()));
+        }
+        Err(why) => assert!(!why.is_empty()),
+    }
+    Some(found)
 }
 
 /// The ranking judges in stages, and a candidate alone in full: what fits there must fit here.

@@ -3,6 +3,7 @@
 mod asked;
 mod motion;
 mod page;
+mod twin;
 
 use arbitrary::{Result, Unstructured};
 use page::{ANGLE, FORCE, INERTIA, LENGTH, MASS, Page, TORQUE};
@@ -67,6 +68,9 @@ fn axis(page: &mut Page<'_, '_>) -> Result<()> {
     }
     if page.prefix.is_empty() && page.u.ratio(1, 12)? {
         asked::curve(page)?;
+    }
+    if page.u.ratio(1, 4)? {
+        twin::twin(page)?;
     }
     Ok(())
 }

@@ -105,3 +105,27 @@ fn the_examples_keep_the_promises() {
     }
     assert!(count > 8);
 }
+
+/// Drafts with `[twin]` are simulated or refused with a reason; some of them run.
+#[test]
+fn drafts_are_simulated() {
+    let code = order_code::parse("CHA-25A-100-H-C1024-B").unwrap().code;
+    let (mut ran, mut refused) = (0, 0);
+    for case in 0..1200 {
+        let bytes = bytes(case);
+        let text = draft::project(&mut Unstructured::new(&bytes), false).unwrap();
+        if !text.contains("[twin]") {
+            continue;
+        }
+        let Ok(projects) = questions::read_all(&text, &::project::NoFiles) else { continue };
+        for project in &projects {
+            match fuzz::axis::twin_of(project, &code, quantities::Language::En) {
+                Some(Ok(_)) => ran += 1,
+                Some(Err(_)) => refused += 1,
+                None => {}
+            }
+        }
+    }
+    println!("{ran} run, {refused} are refused");
+    assert!(ran > 10, "{ran} run, {refused} are refused");
+}

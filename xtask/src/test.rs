@@ -45,6 +45,15 @@ pub(crate) fn kills(root: &Path) -> Result<(), Error> {
     must_succeed(command.args(["--", "--nocapture", "--test-threads", "1"]).env("ANTRIEB_SAVE_RUNS", KILLS))
 }
 
+/// A day of an axis under the digital twin: 24 hours of cycles without drift, NaN or growing memory.
+///
+/// # Errors
+/// A bound that the day leaves.
+pub(crate) fn day(root: &Path) -> Result<(), Error> {
+    let mut command = cargo(root, &["test", "--package", "twin", "--test", "it", "hours_of_cycles"]);
+    must_succeed(command.args(["--", "--nocapture"]).env("ANTRIEB_TWIN_HOURS", "24"))
+}
+
 /// What every run of the tests has: no snapshot is rewritten, and none asks cargo where the workspace is.
 fn set(command: &mut Command, root: &Path) {
     command.env("INSTA_UPDATE", "no").env_remove("INSTA_FORCE_PASS").env("CI", "true");

@@ -39,6 +39,8 @@ pub struct Simulation {
     pub start: [Number; 2],
     /// The run in figures.
     pub summary: Figures,
+    /// Operation over days by the mean losses of the cycle, in figures; `null` where no days are requested.
+    pub averaged: Option<Figures>,
     /// Figures with a limit.
     pub verdicts: Vec<SimulatedVerdict>,
     /// What happened, by time.

@@ -8,7 +8,7 @@ use ::twin::{Gains, Limits, Reaction, Scenario, ScenarioId, Switches};
 use provenance::{Datum, Sourced};
 use quantities::{
     Angle, ElectricCurrent, ElectricalResistance, Energy, Inductance, Measure, MomentOfInertia, NoLoadCurrentConstant,
-    Time, Torque, TorqueConstant, TorsionalStiffness, VoltageConstant,
+    Time, Torque, TorqueConstant, TorsionalStiffness, ViscousFriction, VoltageConstant,
 };
 
 /// The simulation as the project states it.
@@ -95,11 +95,11 @@ section! {
 
 /// One line per value: the section, and the list of what is stated.
 macro_rules! replaced {
-    ($($field:ident: $Type:ty => $($has:ident $(($($of:tt)*))?),+;)*) => {
+    ($($field:ident: $Type:ty $(=> $($has:ident $(($($of:tt)*))?),+)?;)*) => {
         section! {
             /// Measured values.
             MeasuredSection, ReplacedName of About::Replaced {
-                $($field: $Type => $($has $(($($of)*))?),+;)*
+                $($field: $Type $(=> $($has $(($($of)*))?),+)?;)*
             }
         }
 
@@ -152,6 +152,7 @@ plain!(
     Torque,
     TorqueConstant,
     TorsionalStiffness,
+    ViscousFriction,
     VoltageConstant
 );
 
@@ -194,6 +195,12 @@ replaced! {
     chopper_off: f64 => within(1.0, 2.0), example("1.12");
     stop_stiffness: TorsionalStiffness => positive;
     current_noise: ElectricCurrent => not_negative;
+    load_inertia: MomentOfInertia => positive;
+    load_coulomb: Torque => not_negative;
+    load_viscous: ViscousFriction => not_negative;
+    load_gravity: Torque => not_negative;
+    load_gravity_angle: Angle;
+    load_external: Torque;
 }
 
 impl TwinSection {

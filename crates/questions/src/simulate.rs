@@ -10,7 +10,8 @@ use provenance::{Grade, Source};
 use quantities::{ElectricPotential, Frequency, Measure, MomentOfInertia};
 use sizing::{CheckId, Verdict, Watch as _};
 use twin::{
-    Event, EventKind, Fault, Gains, LoopResponse, Parameters, Sample, Scenario, ScenarioId, Setup, Summary, Twin,
+    Averaged, Event, EventKind, Fault, Gains, LoopResponse, Operation, Parameters, Sample, Scenario, ScenarioId, Setup,
+    Summary, Twin,
 };
 
 /// So many steps are run where the call states no time limit: about ten seconds on one core.
@@ -32,6 +33,8 @@ pub(crate) struct Wanted {
     pub(crate) seed: u64,
     /// Time between two rows of the course \[s\].
     pub(crate) every_s: Option<f64>,
+    /// Operation over days, by the mean losses of the cycle.
+    pub(crate) operation: Option<Operation>,
 }
 
 /// Why nothing is simulated.
@@ -96,6 +99,8 @@ pub struct Simulated<'p> {
     pub start_k: [f64; 2],
     /// The DC link that was assumed \[V\]; `None` where the project states it.
     pub supply_assumed_v: Option<f64>,
+    /// Operation over days, where it was requested and the actuator has a heat model.
+    pub averaged: Option<(Operation, Averaged)>,
     /// Resonance with blocked and with free motor.
     pub resonance: Option<[Frequency; 2]>,
 }
@@ -149,7 +154,10 @@ pub(crate) fn simulate<'p>(
     // The settled state takes some cycles more.
     let warm_cycles =
         if wanted.scenario.cold { 0 } else { 8 * twin.steps() / u64::from(wanted.scenario.cycles.max(1)) };
-    let steps = twin.steps().saturating_add(warm_cycles);
+    // Days of operation take two cycles at each of three temperatures, and the settled state too.
+    let of_days =
+        if wanted.operation.is_some() { 14 * twin.steps() / u64::from(wanted.scenario.cycles.max(1)) } else { 0 };
+    let steps = twin.steps().saturating_add(warm_cycles).saturating_add(of_days);
     if refuses_long && steps > STEPS_MOST {
         return Err(NotRun::Steps(steps));
     }
@@ -178,6 +186,20 @@ pub(crate) fn simulate<'p>(
             return Err(Refusal::Stopped.into());
         }
         found
+    };
+    let averaged = match wanted.operation {
+        Some(operation) => {
+            let mut stopped = false;
+            let found = twin::averaged(&setup, operation, || {
+                stopped = patience.step().is_err();
+                !stopped
+            })?;
+            if stopped {
+                return Err(Refusal::Stopped.into());
+            }
+            found.map(|found| (operation, found))
+        }
+        None => None,
     };
     setup.start_k = start_k;
     let mut twin = Twin::new(&setup)?;
@@ -224,6 +246,7 @@ pub(crate) fn simulate<'p>(
         ambient_k,
         start_k: [start.winding_k, start.housing_k],
         supply_assumed_v: project.axis.supply.is_none().then_some(assumed_v),
+        averaged,
         resonance,
         parameters: ready.parameters,
     })

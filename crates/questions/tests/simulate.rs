@@ -88,3 +88,35 @@ fn what_cannot_run_is_refused_with_its_reason() {
     let wrong = format!("{TABLE}\n[twin]\nscenario = \"emergency\"\n");
     assert!(refused(&wrong, &[CODE]).contains("emergency"));
 }
+
+/// Ten days of two shifts: temperatures of the settled cycle, energies in proportion; what does not fit is refused.
+#[test]
+fn days_of_operation_are_summed_up() {
+    let of = |pairs: &[(&str, &str)]| answered(TABLE, &[&[CODE], pairs].concat());
+    let (record, _) = of(&[("days", "10"), ("hours-per-day", "16")]).unwrap();
+    let figure = |id: &str| record["averaged"][id]["value"].as_f64().unwrap_or_else(|| panic!("{id}: {record}"));
+    assert_eq!((figure("days"), figure("starts")), (10.0, 10.0));
+    assert!((figure("operation") - 160.0).abs() < 1e-9);
+    assert!((figure("cycles") * record["time"].as_f64().unwrap() / 3600.0 - 160.0).abs() < 1e-6);
+    let warm = record["start"][0].as_f64().unwrap();
+    assert!((figure("winding_peak") - warm).abs() < 0.5, "{} {warm}", figure("winding_peak"));
+    assert!(figure("winding_swing") > 1.0 && figure("energy_supply") > figure("energy_copper"));
+    let (always, _) = of(&[("days", "10")]).unwrap();
+    let share = record["averaged"]["energy_supply"]["value"].as_f64().unwrap()
+        / always["averaged"]["energy_supply"]["value"].as_f64().unwrap();
+    assert!((share - 16.0 / 24.0).abs() < 0.02, "{share}");
+    assert!(answered(TABLE, &[CODE]).unwrap().0["averaged"].is_null());
+    let refused = |pairs: &[(&str, &str)]| message(&of(pairs).unwrap_err());
+    assert!(refused(&[("days", "10"), ("hours-per-day", "25")]).contains("24"));
+    assert!(refused(&[("hours-per-day", "8")]).contains("--days"));
+    assert!(refused(&[("days", "10"), ("scenario", "emergency_stop")]).contains("cycle"));
+}
+
+/// An actuator of the project whose winding is not stated cannot be simulated, and the answer names what is missing.
+#[test]
+fn a_missing_parameter_is_named() {
+    let own = "\n[actuator]\nname = \"own\"\nratio = 100\ntorque_max = \"60 N m\"\n";
+    let text = TABLE.to_owned() + own;
+    let why = message(&answered(&text, &[]).unwrap_err());
+    assert!(why.contains("p is not known"), "{why}");
+}

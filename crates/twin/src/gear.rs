@@ -31,19 +31,18 @@ impl Spring {
         Self { stiffness, corner_rad, offset_nm }
     }
 
-    /// T(φ) \[Nm\].
+    /// T(φ) \[Nm\], the stiffness about φ, and the twists between which it is that.
     #[inline]
-    pub(crate) fn torque(&self, phi: f64) -> f64 {
+    pub(crate) fn part(&self, phi: f64) -> (f64, f64, [f64; 2]) {
+        let ([k1, k2, k3], [c1, c2]) = (self.stiffness, self.corner_rad);
         let size = phi.abs();
-        let [k1, k2, k3] = self.stiffness;
-        let torque = if size <= self.corner_rad[0] {
-            return k1 * phi;
-        } else if size <= self.corner_rad[1] {
-            self.offset_nm[0] + k2 * size
-        } else {
-            self.offset_nm[1] + k3 * size
-        };
-        torque.copysign(phi)
+        if size <= c1 {
+            return (k1 * phi, k1, [-c1, c1]);
+        }
+        let ([o1, o2], side) = (self.offset_nm, 1.0_f64.copysign(phi));
+        let (torque, k, [near, far]) =
+            if size <= c2 { (o1 + k2 * size, k2, [c1, c2]) } else { (o2 + k3 * size, k3, [c2, f64::INFINITY]) };
+        (torque * side, k, if side > 0.0 { [near, far] } else { [-far, -near] })
     }
 
     /// φ(T) \[rad\], the inverse.
@@ -107,31 +106,20 @@ impl Spring {
 pub(crate) struct Hysteresis {
     pub(crate) stiffness: [f64; ELEMENTS],
     pub(crate) slip_nm: [f64; ELEMENTS],
+    /// 1/k; endless where there is no element.
+    pub(crate) compliance: [f64; ELEMENTS],
 }
 
 impl Hysteresis {
     pub(crate) fn of(spring: &Spring, loss_rad: f64, lost_motion_rad: f64) -> Self {
         #[allow(clippy::cast_precision_loss, reason = "three")]
         let each = 0.5 * spring.stiffness[0] * loss_rad / ELEMENTS as f64;
-        Self {
-            stiffness: SLIP.map(|slip| if each > 0.0 { each / (slip * 0.5 * lost_motion_rad) } else { 0.0 }),
-            slip_nm: [each; ELEMENTS],
-        }
+        let stiffness = SLIP.map(|slip| if each > 0.0 { each / (slip * 0.5 * lost_motion_rad) } else { 0.0 });
+        Self { stiffness, slip_nm: [each; ELEMENTS], compliance: stiffness.map(f64::recip) }
     }
 
     pub(crate) fn none() -> Self {
-        Self { stiffness: [0.0; ELEMENTS], slip_nm: [0.0; ELEMENTS] }
-    }
-
-    /// Σ F after a twist by Δφ from the forces of its start \[Nm\].
-    #[inline]
-    pub(crate) fn torque(&self, force: &[f64; ELEMENTS], twist: f64) -> f64 {
-        let mut sum = 0.0;
-        for ((f, k), w) in force.iter().zip(&self.stiffness).zip(&self.slip_nm) {
-            // Not `clamp`, whose check of its bounds costs more than it does.
-            sum += (f + k * twist).max(-w).min(*w);
-        }
-        sum
+        Self { stiffness: [0.0; ELEMENTS], slip_nm: [0.0; ELEMENTS], compliance: [f64::INFINITY; ELEMENTS] }
     }
 
     /// Takes a twist over into the forces; returns the energy that slipping has turned into heat \[J\].
@@ -177,25 +165,48 @@ pub(crate) struct KinematicError {
     out: [f64; 2],
 }
 
-/// Taylor's series of a kinematic error about one angle, in the angle of the wave generator.
+/// Taylor's series of a kinematic error and its derivatives about one angle, in the angle of the wave generator.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Anchor {
     theta: f64,
     ratio: f64,
-    value: [f64; 8],
-    slope: [f64; 7],
+    value: [f64; 6],
+    slope: [f64; 5],
+    bend: [f64; 4],
+    third: [f64; 3],
 }
 
+/// So far from its angle an anchor holds, in the angle of the wave generator \[rad\]: below 1e-9 of the error.
+const NEAR_RAD: f64 = 0.022;
+
+/// A new anchor lies at most this far ahead \[rad\].
+const AHEAD_RAD: f64 = 0.02;
+
 impl Anchor {
-    /// e and de/dθ at an angle within 0.07 rad of the wave generator: below 1e-9 of the error.
+    /// Of a gear without error.
+    pub(crate) const fn none() -> Self {
+        Self { theta: 0.0, ratio: 0.0, value: [0.0; 6], slope: [0.0; 5], bend: [0.0; 4], third: [0.0; 3] }
+    }
+
+    /// Whether it holds at an angle.
     #[inline]
-    pub(crate) fn at(&self, theta: f64) -> (f64, f64) {
+    pub(crate) fn is_near(&self, theta: f64) -> bool {
+        (self.ratio * (theta - self.theta)).abs() <= NEAR_RAD
+    }
+
+    /// e and its first three derivatives by θ.
+    #[inline(always)]
+    pub(crate) fn at(&self, theta: f64) -> (f64, f64, f64, f64) {
         let x = self.ratio * (theta - self.theta);
-        let (y, [a, b, c, d, e, f, g, h]) = (x * x, self.value);
-        let value = (a + b * x) + y * ((c + d * x) + y * ((e + f * x) + y * (g + h * x)));
-        let [b, c, d, e, f, g, h] = self.slope;
-        let slope = (b + c * x) + y * ((d + e * x) + y * ((f + g * x) + y * h));
-        (value, slope)
+        let (y, [a, b, c, d, e, f]) = (x * x, self.value);
+        let value = (a + b * x) + y * ((c + d * x) + y * (e + f * x));
+        let [b, c, d, e, f] = self.slope;
+        let slope = (b + c * x) + y * ((d + e * x) + y * f);
+        let [c, d, e, f] = self.bend;
+        let bend = (c + d * x) + y * (e + f * x);
+        let [d, e, f] = self.third;
+        let third = (d + e * x) + y * f;
+        (value, slope, bend, third)
     }
 }
 
@@ -216,7 +227,7 @@ impl KinematicError {
         let samples = (64.0 * ratio).clamp(64.0, 65_536.0) as u32;
         let mut ends = (f64::INFINITY, f64::NEG_INFINITY);
         for k in 0..samples {
-            let (error, _) = unit.at(TAU * f64::from(k) / f64::from(samples));
+            let error = unit.at(TAU * f64::from(k) / f64::from(samples));
             ends = (ends.0.min(error), ends.1.max(error));
         }
         let factor = accuracy_rad / (ends.1 - ends.0);
@@ -224,13 +235,14 @@ impl KinematicError {
         Some(Self { lines: unit.lines.map(scaled), out: scaled(unit.out), ..unit })
     }
 
+    /// The series about an angle.
     pub(crate) fn anchor(&self, theta: f64) -> Anchor {
         let [one, out] = [self.ratio * theta, theta].map(f64::sin_cos);
         let double = |(s, c): (f64, f64)| (2.0 * s * c, 1.0 - 2.0 * s * s);
         let two = double(one);
         let [l1, l2, l4] = self.lines;
         let lines = [(l1, one, 1.0), (l2, two, 2.0), (l4, double(two), 4.0), (self.out, out, 1.0 / self.ratio)];
-        let mut value = [0.0; 8];
+        let mut value = [0.0; 6];
         for ([a, b], (s, c), times) in lines {
             // a sin(x + φ) = (a cos φ) sin x + (a sin φ) cos x; each derivative turns it by a quarter.
             let (mut now, mut next) = (b * s + a * c, b * c - a * s);
@@ -239,23 +251,34 @@ impl KinematicError {
                 (now, next) = (times * next, -times * now);
             }
         }
-        let mut slope = [0.0; 7];
-        for ((slope, value), power) in
-            slope.iter_mut().zip(value.iter().skip(1)).zip([1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0])
-        {
-            *slope = self.ratio * power * value;
-        }
-        Anchor { theta, ratio: self.ratio, value, slope }
+        let slope: [f64; 5] = derived(&value, self.ratio);
+        let bend: [f64; 4] = derived(&slope, self.ratio);
+        Anchor { theta, ratio: self.ratio, value, slope, bend, third: derived(&bend, self.ratio) }
     }
 
-    /// e and de/dθ at an angle.
-    pub(crate) fn at(&self, theta: f64) -> (f64, f64) {
-        self.anchor(theta).at(theta)
+    /// The series for an angle that moves on [rad/s].
+    pub(crate) fn anchor_ahead(&self, theta: f64, speed_rad_s: f64, time_s: f64) -> Anchor {
+        let most = AHEAD_RAD / self.ratio;
+        self.anchor(theta + (speed_rad_s * time_s).max(-most).min(most))
+    }
+
+    /// e at an angle.
+    pub(crate) fn at(&self, theta: f64) -> f64 {
+        self.anchor(theta).at(theta).0
     }
 }
 
+/// Coefficients of the derivative of a polynomial in x, by θ = x/ratio.
+fn derived<const N: usize>(of: &[f64], ratio: f64) -> [f64; N] {
+    let mut slope = [0.0; N];
+    for ((slope, value), power) in slope.iter_mut().zip(of.iter().skip(1)).zip(1_u8..) {
+        *slope = ratio * f64::from(power) * value;
+    }
+    slope
+}
+
 /// 1/n!
-const FACTORIALS: [f64; 8] = [1.0, 1.0, 1.0 / 2.0, 1.0 / 6.0, 1.0 / 24.0, 1.0 / 120.0, 1.0 / 720.0, 1.0 / 5040.0];
+const FACTORIALS: [f64; 6] = [1.0, 1.0, 1.0 / 2.0, 1.0 / 6.0, 1.0 / 24.0, 1.0 / 120.0];
 
 #[cfg(test)]
 mod tests {
@@ -265,6 +288,12 @@ mod tests {
     /// CHA-20A-100, tables 54.1 and 54.3.
     fn spring() -> Spring {
         Spring::of(&torsion())
+    }
+
+    impl Spring {
+        fn torque(&self, phi: f64) -> f64 {
+            self.part(phi).0
+        }
     }
 
     fn torsion() -> Torsion {
@@ -300,8 +329,8 @@ mod tests {
         let mut force = [0.0; ELEMENTS];
         let (mut phi, lost) = (0.0, std::cell::Cell::new(0.0));
         let mut turn_to = |torque: f64, force: &mut [f64; ELEMENTS]| {
-            let step = 1e-8_f64.copysign(torque - (spring.torque(phi) + hysteresis.torque(force, 0.0)));
-            while (torque - (spring.torque(phi) + hysteresis.torque(force, 0.0))) * step > 0.0 {
+            let step = 1e-8_f64.copysign(torque - (spring.torque(phi) + force.iter().sum::<f64>()));
+            while (torque - (spring.torque(phi) + force.iter().sum::<f64>())) * step > 0.0 {
                 lost.set(lost.get() + hysteresis.advance(force, step));
                 phi += step;
             }
@@ -331,17 +360,20 @@ mod tests {
     fn the_kinematic_error_spans_the_accuracy_and_its_slope_is_its_derivative() {
         let error =
             KinematicError::spanning(0.8 * MINUTE, 100.0, [0.15, 0.5, 0.1, 0.25], [0.3, 1.9, 4.0, 5.5]).unwrap();
-        let all: Vec<f64> = (0..100_000).map(|k| error.at(TAU * f64::from(k) / 1e5).0).collect();
+        let all: Vec<f64> = (0..100_000).map(|k| error.at(TAU * f64::from(k) / 1e5)).collect();
         let (low, high) = all.iter().fold((0.0_f64, 0.0_f64), |(a, b), e| (a.min(*e), b.max(*e)));
         assert!(((high - low) / (0.8 * MINUTE) - 1.0).abs() < 2e-3);
         for theta in [0.0, 0.7, -3.1, 40.0] {
             let anchor = error.anchor(theta);
-            for step in [0.0, 1e-4, -7e-4] {
-                let ((near, slope), (own, _)) = (anchor.at(theta + step), error.at(theta + step));
+            for step in [0.0, 1e-4, -2e-4] {
+                let ((near, slope, bend, third), own) = (anchor.at(theta + step), error.at(theta + step));
                 assert!((near - own).abs() < 1e-13, "{near} {own}");
                 let h = 1e-6;
-                let difference = (error.at(theta + step + h).0 - error.at(theta + step - h).0) / (2.0 * h);
+                let difference = (error.at(theta + step + h) - error.at(theta + step - h)) / (2.0 * h);
                 assert!((slope - difference).abs() < 1e-7 * slope.abs() + 1e-9, "{slope} {difference}");
+                let [ahead, back] = [h, -h].map(|h| anchor.at(theta + step + h));
+                assert!((bend - (ahead.1 - back.1) / (2.0 * h)).abs() < 1e-6 * bend.abs() + 1e-7, "{bend}");
+                assert!((third - (ahead.2 - back.2) / (2.0 * h)).abs() < 1e-6 * third.abs() + 1e-5, "{third}");
             }
         }
         // The main line: half the shares at twice the wave generator.
@@ -350,8 +382,8 @@ mod tests {
             let (mut s, mut c) = (0.0, 0.0);
             for k in 0..n {
                 let theta = TAU * f64::from(k) / f64::from(n);
-                s += error.at(theta).0 * (periods * theta).sin();
-                c += error.at(theta).0 * (periods * theta).cos();
+                s += error.at(theta) * (periods * theta).sin();
+                c += error.at(theta) * (periods * theta).cos();
             }
             s.hypot(c)
         };

@@ -32,6 +32,8 @@ pub enum Identified {
     Viscous,
     /// W: weight of the load at its largest lever \[Nm\].
     Gravity,
+    /// q_0: angle of the centre of mass above the horizontal at q = 0 \[rad\].
+    GravityAngle,
     /// T_e: torque that neither speed nor position change \[Nm\].
     External,
     /// k_Tout: torque at the output per ampere rms, driving [Nm/A].
@@ -51,6 +53,7 @@ impl Identified {
             Self::Coulomb => "coulomb",
             Self::Viscous => "viscous",
             Self::Gravity => "gravity",
+            Self::GravityAngle => "gravity_angle",
             Self::External => "external",
             Self::TorqueConstant => "torque_constant_out",
             Self::StartingCurrent => "no_load_starting_current",
@@ -70,6 +73,15 @@ pub struct Estimate {
     pub half_width: f64,
 }
 
+/// What a run says.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Identification {
+    /// The estimates.
+    pub estimates: Vec<Estimate>,
+    /// Samples in motion whose current is at its limit: they and their neighbours say nothing of the motor.
+    pub at_limit: usize,
+}
+
 /// Why nothing is estimated.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum IdentifyFault {
@@ -84,11 +96,17 @@ pub enum IdentifyFault {
 /// Below this share of the largest speed a sample says nothing of the friction of motion.
 const MOVING: f64 = 0.05;
 
+/// Above this share of its limit a current counts as limited.
+const LIMITED: f64 = 0.97;
+
 /// Fewer samples in motion are not looked at.
 const LEAST: usize = 50;
 
 /// The quantile of the normal distribution for 95 %.
 const QUANTILE: f64 = 1.96;
+
+/// Radius of the circle that holds 95 % of a normal distribution in two dimensions, in standard deviations.
+const CIRCLE: f64 = 2.448;
 
 /// Over a smaller swing of the position gravity and a constant torque are the same \[rad\].
 const SWING: f64 = 0.2;
@@ -103,7 +121,7 @@ const SWING: f64 = 0.2;
 /// samples in motion; torque through the gear measured or simulated; constant parameters over the run
 /// # Errors
 /// [`IdentifyFault`]
-pub fn identify(run: &Observed) -> Result<Vec<Estimate>, IdentifyFault> {
+pub fn identify(run: &Observed, current_limit_a: Option<f64>) -> Result<Identification, IdentifyFault> {
     let count = run.time_s.len();
     let columns = [
         &run.position_rad,
@@ -153,6 +171,9 @@ pub fn identify(run: &Observed) -> Result<Vec<Estimate>, IdentifyFault> {
         })
         .collect();
     let fit = least_squares(&load).ok_or(IdentifyFault::NotExcited)?;
+    // The torque of the fit has no noise: that of a measured one would make the torque constant too small.
+    let fitted: Vec<f64> =
+        load.iter().map(|(row, _)| row.iter().zip(&fit).map(|(value, (factor, _))| value * factor).sum()).collect();
     let mut found = Vec::new();
     let mut push = |fit: &[(f64, f64)], place: usize, of| {
         if let Some((value, half_width)) = fit.get(place).copied() {
@@ -167,25 +188,47 @@ pub fn identify(run: &Observed) -> Result<Vec<Estimate>, IdentifyFault> {
     }
     if let (Some((c, dc)), Some((s, ds))) = (fit.get(4), fit.get(5)) {
         let weight = c.hypot(*s);
-        // Along the gradient of the hypotenuse.
-        let half = if weight > 0.0 { (c * dc / weight).hypot(s * ds / weight) } else { dc.max(*ds) };
+        // Along the gradient of the hypotenuse and across it; near zero the interval is the circle about both.
+        let [along, across] =
+            [(c * dc).hypot(s * ds), (s * dc).hypot(c * ds)].map(|half| half / weight.max(f64::MIN_POSITIVE));
+        let is_there = weight > 2.0 * along.max(across);
+        let half = if is_there { along } else { dc.max(*ds) * CIRCLE / QUANTILE };
         push(&[(weight, half)], 0, Identified::Gravity);
+        if is_there {
+            push(&[((-s).atan2(*c), across / weight)], 0, Identified::GravityAngle);
+        }
     }
     // Where the torque drives the gear loses one way: k_Tout as the tables have it.
-    let driving: Vec<usize> = moving
+    let limited =
+        |place: usize| current_limit_a.is_some_and(|limit| at(&run.current_q_a, place).abs() > LIMITED * limit);
+    let limited: Vec<bool> = (0..count).map(limited).collect();
+    let at_limit = moving.iter().filter(|place| limited.get(**place) == Some(&true)).count();
+    // The block in which the current comes to its limit or leaves it is not that of a control that follows.
+    let free = |place: usize| {
+        let near = limited.get(place.saturating_sub(TOGETHER)..(place + TOGETHER).min(count)).unwrap_or_default();
+        !near.contains(&true)
+    };
+    let free: Vec<(usize, f64)> =
+        moving.iter().copied().zip(fitted.iter().copied()).filter(|(place, _)| free(*place)).collect();
+    let drives = |place: usize, torque: f64| torque * at(&run.speed_rad_s, place) > 0.0;
+    let is_driven = free.iter().any(|(place, torque)| !drives(*place, *torque));
+    let motor: Vec<(usize, Vec<f64>, f64)> = free
         .iter()
-        .copied()
-        .filter(|place| at(&run.torque_nm, *place) * at(&run.speed_rad_s, *place) > 0.0)
-        .collect();
-    let motor: Vec<(usize, Vec<f64>, f64)> = driving
-        .iter()
-        .map(|place| {
+        .map(|(place, torque)| {
             let (before, after) = (place.saturating_sub(1), place + 1);
             let step = at(&run.time_s, after) - at(&run.time_s, before);
             let gained = (at(&run.motor_rad_s, after) - at(&run.motor_rad_s, before)) / step;
             let speed = at(&run.motor_rad_s, *place);
-            let row = vec![at(&run.torque_nm, *place), speed.signum(), speed, gained];
-            (*place, row, at(&run.current_q_a, *place) / std::f64::consts::SQRT_2)
+            let current = at(&run.current_q_a, *place) / std::f64::consts::SQRT_2;
+            let mut row = vec![0.0, speed.signum(), speed, gained];
+            if is_driven {
+                row.push(0.0);
+            }
+            let column = if drives(*place, *torque) { 0 } else { 4 };
+            if let Some(cell) = row.get_mut(column) {
+                *cell = *torque;
+            }
+            (*place, row, current)
         })
         .collect();
     let motor = averaged(&motor);
@@ -198,11 +241,11 @@ pub fn identify(run: &Observed) -> Result<Vec<Estimate>, IdentifyFault> {
         push(&fit, 1, Identified::StartingCurrent);
         push(&fit, 2, Identified::CurrentConstant);
     }
-    Ok(found)
+    Ok(Identification { estimates: found, at_limit })
 }
 
 /// So many neighbouring rows are one: a mean of both sides of an equation is an equation, and the ripple of the control is gone.
-const TOGETHER: usize = 8;
+const TOGETHER: usize = 32;
 
 /// Means of neighbouring rows.
 fn averaged(rows: &[(usize, Vec<f64>, f64)]) -> Vec<(Vec<f64>, f64)> {

@@ -4,6 +4,7 @@
 //! fixed step are apart. The formulas of an instant are those of `actuator`, the load is the mechanism of the project, the set-points
 //! are its motion. Everything is referred to the output unless a name says `motor`. Same setup, same bits.
 
+mod averaged;
 mod bode;
 mod control;
 mod drive;
@@ -18,15 +19,17 @@ mod plant;
 mod scenario;
 mod setpoint;
 mod setup;
+mod step;
 mod summary;
 mod twin;
 mod warm;
 
+pub use averaged::{Averaged, Operation, averaged};
 pub use bode::{Loop, LoopResponse, Margins, Response};
 pub use control::{CURRENT_RATE_HZ, Demand, Gains};
 pub use drive::Limits;
-pub use identify::{Estimate, Identified, IdentifyFault, Observed, identify};
-pub use parameters::{Model, NoSuchParameter, Parameter, Parameters};
+pub use identify::{Estimate, Identification, Identified, IdentifyFault, Observed, identify};
+pub use parameters::{MeasuredLoad, Model, NoSuchParameter, Parameter, Parameters};
 pub use plant::Energies;
 pub use scenario::{Event, EventKind, Reaction, Scenario, ScenarioId};
 pub use setup::{Fault, Setup, Switches};

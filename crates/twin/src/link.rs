@@ -43,20 +43,17 @@ impl LinkModel {
         let [off, on] = self.chopper_v;
         link.chopping = link.voltage_v > if link.chopping { off } else { on };
         let (supply_v, before) = (supply * self.supply_v, link.voltage_v);
-        let power = taken_j / step_s;
-        let mut mean = before;
-        // Contracts by Δt/(2 R C) or better each time.
-        for _ in 0..8 {
-            let given = ((supply_v - mean) / self.supply_ohm).max(0.0) * mean;
-            let burnt = if link.chopping { mean * mean / self.brake_ohm } else { 0.0 };
-            let square = before * before + 2.0 * step_s * (given - burnt - power) / self.capacity_f;
-            let next = 0.5 * (before + square.max(0.0).sqrt());
-            let change = (next - mean).abs();
-            mean = next;
-            if change < 1e-12 * before.abs() + 1e-12 {
-                break;
-            }
-        }
+        // The mean m of both ends solves (2 m − U)² = U² + 2 Δt/C ((U_s − m) m/R_s − m²/R_b − P): without its current where m ≥ U_s.
+        let share = 2.0 * step_s / self.capacity_f;
+        let burns = if link.chopping { share / self.brake_ohm } else { 0.0 };
+        let feeds = share / self.supply_ohm;
+        let solved = |feeds: f64| {
+            let (square, linear) = (4.0 + feeds + burns, 4.0 * before + feeds * supply_v);
+            let root = (linear * linear - 4.0 * square * share * taken_j / step_s).max(0.0).sqrt();
+            (0.5 * (linear + root) / square).max(0.5 * before)
+        };
+        let fed = solved(feeds);
+        let mean = if fed < supply_v { fed } else { solved(0.0) };
         let current = ((supply_v - mean) / self.supply_ohm).max(0.0);
         let burnt = if link.chopping { mean * mean / self.brake_ohm } else { 0.0 };
         link.voltage_v = (2.0 * mean - before).max(0.0);

@@ -1,6 +1,8 @@
 //! The load at the output: the project's mechanism, near one state a linear one.
 
+use crate::parameters::MeasuredLoad;
 use mechanism::{Extra, Loading, Mechanism, Output, Plain};
+use provenance::Sourced;
 
 /// The load about one state: T = J α + T_m + k (q − q_0) + c (q − q_0)² + b (ω − ω_0) + T_c σ.
 #[derive(Clone, Copy, Debug)]
@@ -36,6 +38,15 @@ impl Local {
 pub(crate) struct LoadModel<'a> {
     parts: Vec<Part<'a>>,
     flange_kgm2: f64,
+    measured: Measured,
+}
+
+/// Measured values as plain numbers; those that belong to the position change a load alone whose factors are constant.
+#[derive(Clone, Copy, Debug, Default)]
+struct Measured {
+    inertia_kgm2: Option<f64>,
+    coulomb_nm: Option<f64>,
+    viscous_nms: Option<f64>,
 }
 
 #[derive(Clone, Debug)]
@@ -45,9 +56,52 @@ struct Part<'a> {
 }
 
 impl<'a> LoadModel<'a> {
-    pub(crate) fn of(mechanism: &'a Mechanism, extras: &'a [Extra], flange_kgm2: f64) -> Self {
-        let part = |extra: &'a Extra| Part { plain: mechanism.plain(extra), loading: mechanism.loading(extra) };
-        Self { parts: extras.iter().map(part).collect(), flange_kgm2 }
+    /// With measured values in the place of the mechanism's own; `Err` with the key of one that it does not have.
+    pub(crate) fn of(
+        mechanism: &'a Mechanism,
+        extras: &'a [Extra],
+        flange_kgm2: f64,
+        measured: &MeasuredLoad,
+    ) -> Result<Self, &'static str> {
+        let value = |of: &Option<Sourced<f64>>| of.as_ref().map(|sourced| sourced.value);
+        let (inertia, external) = (value(&measured.inertia), value(&measured.external));
+        let (weight, angle) = (value(&measured.gravity), value(&measured.gravity_angle));
+        let is_plain = extras.first().is_some_and(|extra| mechanism.plain(extra).is_some());
+        let is_even = is_plain || mechanism.travel_m_per_rad().is_some();
+        let refused = [
+            ("load_inertia", inertia.is_some() && !is_even),
+            ("load_gravity", weight.is_some() && !is_plain),
+            ("load_gravity_angle", angle.is_some() && !is_plain),
+            ("load_external", external.is_some() && !is_plain),
+        ];
+        if let Some((key, _)) = refused.into_iter().find(|(_, refused)| *refused) {
+            return Err(key);
+        }
+        // Another payload adds to what was measured with the first.
+        let first = extras.first().and_then(|extra| mechanism.plain(extra));
+        let replaced = |own: Plain| {
+            let added = |of: fn(&Plain) -> f64| first.as_ref().map_or(0.0, |first| of(&own) - of(first));
+            Plain {
+                inertia_kgm2: inertia
+                    .map_or(own.inertia_kgm2, |measured| measured - flange_kgm2 + added(|plain| plain.inertia_kgm2)),
+                constant_nm: external.map_or(own.constant_nm, |measured| measured + added(|plain| plain.constant_nm)),
+                weight_nm: weight.unwrap_or(own.weight_nm),
+                angle_rad: angle.unwrap_or(own.angle_rad),
+                coulomb_nm: value(&measured.coulomb).unwrap_or(own.coulomb_nm),
+                viscous_nms: value(&measured.viscous).unwrap_or(own.viscous_nms),
+            }
+        };
+        let part =
+            |extra: &'a Extra| Part { plain: mechanism.plain(extra).map(replaced), loading: mechanism.loading(extra) };
+        Ok(Self {
+            parts: extras.iter().map(part).collect(),
+            flange_kgm2,
+            measured: Measured {
+                inertia_kgm2: inertia,
+                coulomb_nm: value(&measured.coulomb),
+                viscous_nms: value(&measured.viscous),
+            },
+        })
     }
 
     /// The load about a state in a segment of the motion; `before` is the load of the step before.
@@ -91,12 +145,14 @@ impl<'a> LoadModel<'a> {
             / (2.0 * way);
         let [ahead, back] = [1.0, -1.0].map(|direction| torque(position, speed, acceleration, direction));
         let coulomb = 0.5 * (ahead - back);
+        let Measured { inertia_kgm2, coulomb_nm, viscous_nms } = self.measured;
+        let rubs = viscous_nms.unwrap_or(viscous);
         Some(Local {
-            inertia_kgm2: inertia + self.flange_kgm2,
-            middle_nm: still - coulomb * sign,
+            inertia_kgm2: inertia_kgm2.unwrap_or(inertia + self.flange_kgm2),
+            middle_nm: still - coulomb * sign + (rubs - viscous) * speed,
             slope_nm: slope,
-            viscous_nms: viscous,
-            coulomb_nm: coulomb,
+            viscous_nms: rubs,
+            coulomb_nm: coulomb_nm.unwrap_or(coulomb),
             ..local
         })
     }

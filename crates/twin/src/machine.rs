@@ -164,10 +164,15 @@ impl Machine {
         })
     }
 
+    /// R of a phase at a temperature of the winding \[Ω\].
+    pub(crate) fn resistance_ohm(&self, winding_k: f64) -> f64 {
+        let cold = ElectricalResistance::from_si(self.resistance_ll_20);
+        0.5 * copper_resistance(cold, ThermodynamicTemperature::from_si(winding_k)).si()
+    }
+
     /// Sets what follows the temperatures \[K\] of winding and housing.
     pub(crate) fn warm(&self, plant: &mut Plant, winding_k: f64, housing_k: f64) {
-        let cold = ElectricalResistance::from_si(self.resistance_ll_20);
-        plant.resistance_ohm = 0.5 * copper_resistance(cold, ThermodynamicTemperature::from_si(winding_k)).si();
+        plant.resistance_ohm = self.resistance_ohm(winding_k);
         if let Some(friction) = &self.friction {
             let at = friction.at(ThermodynamicTemperature::from_si(housing_k));
             plant.friction_nm = self.friction_nm_a * at.starting.si();

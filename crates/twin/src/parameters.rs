@@ -19,6 +19,13 @@ pub struct Parameter {
     pub value: Option<Sourced<f64>>,
 }
 
+impl Parameter {
+    /// Whether it can be negative.
+    pub(crate) fn has_a_sign(&self) -> bool {
+        matches!(self.key, "load_external" | "load_gravity_angle")
+    }
+}
+
 /// A parameter that cannot be replaced.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct NoSuchParameter;
@@ -30,6 +37,8 @@ pub struct Parameters {
     pub actuator: Actuator,
     /// Parameters beyond the tables.
     pub model: Model,
+    /// Measured values of the load, in the place of what follows from the mechanism.
+    pub load: MeasuredLoad,
 }
 
 /// A key of the actuator's data: how it is read and replaced.
@@ -208,11 +217,52 @@ model! {
     current_noise: Current = 0.0, Assumed;
 }
 
+/// One line per measured value of the load: its key, its field, its quantity.
+macro_rules! load {
+    ($($(#[$about:meta])* $key:literal $name:ident: $dimension:ident;)*) => {
+        /// Measured values of the load at the output, in SI; of what is not measured the mechanism's own.
+        #[derive(Clone, Debug, Default, PartialEq)]
+        pub struct MeasuredLoad {
+            $($(#[$about])* pub $name: Option<Sourced<f64>>,)*
+        }
+
+        impl MeasuredLoad {
+            const KEYS: &[(&str, Dimension)] = &[$(($key, Dimension::$dimension)),*];
+
+            fn list(&self) -> Vec<Parameter> {
+                let stated = [$(($key, Dimension::$dimension, &self.$name)),*];
+                let stated = stated.into_iter().filter(|(.., value)| value.is_some());
+                stated.map(|(key, dimension, value)| Parameter { key, dimension, value: value.clone() }).collect()
+            }
+
+            fn place(&mut self, key: &str) -> Option<&mut Option<Sourced<f64>>> {
+                $(if key == $key { return Some(&mut self.$name); })*
+                None
+            }
+        }
+    };
+}
+
+load! {
+    /// J_L with the flange.
+    "load_inertia" inertia: MomentOfInertia;
+    /// T_c: Coulomb friction.
+    "load_coulomb" coulomb: Torque;
+    /// b: viscous friction.
+    "load_viscous" viscous: ViscousFriction;
+    /// W: weight at its largest lever.
+    "load_gravity" gravity: Torque;
+    /// q_0: angle of the centre of mass above the horizontal at q = 0.
+    "load_gravity_angle" gravity_angle: Angle;
+    /// T_e: torque that neither speed nor position change.
+    "load_external" external: Torque;
+}
+
 impl Parameters {
     /// Those of an actuator.
     #[must_use]
     pub fn of(actuator: &Actuator) -> Self {
-        Self { actuator: actuator.clone(), model: Model::default() }
+        Self { actuator: actuator.clone(), model: Model::default(), load: MeasuredLoad::default() }
     }
 
     /// All of them, in a fixed order: the exported file.
@@ -224,7 +274,7 @@ impl Parameters {
             dimension: Dimension::TorsionalStiffness,
             value: datum.known().map(|known| known.clone().map(Measure::si)),
         });
-        DATA.iter().map(of).chain(stiffness).chain(self.model.list()).collect()
+        DATA.iter().map(of).chain(stiffness).chain(self.model.list()).chain(self.load.list()).collect()
     }
 
     /// Every key with its dimension.
@@ -232,7 +282,8 @@ impl Parameters {
     pub fn keys() -> Vec<(&'static str, Dimension)> {
         let stiffness = STIFFNESS.iter().map(|key| (*key, Dimension::TorsionalStiffness));
         let model = Model::default().list().into_iter().map(|each| (each.key, each.dimension));
-        DATA.iter().map(|of| (of.key, of.dimension)).chain(stiffness).chain(model).collect()
+        let load = MeasuredLoad::KEYS.iter().copied();
+        DATA.iter().map(|of| (of.key, of.dimension)).chain(stiffness).chain(model).chain(load).collect()
     }
 
     /// Puts a measured value, in SI, in the place of one.
@@ -242,6 +293,8 @@ impl Parameters {
     pub fn replace(&mut self, key: &str, value: Sourced<f64>) -> Result<(), NoSuchParameter> {
         if let Some(of) = DATA.iter().find(|of| of.key == key) {
             (of.set)(&mut self.actuator, value);
+            // A measured constant is the slope of the torque, beside the current of no load.
+            self.actuator.stall_current_includes_friction |= key == "torque_constant_out";
             return Ok(());
         }
         if let Some(place) = STIFFNESS.iter().position(|known| *known == key) {
@@ -249,6 +302,10 @@ impl Parameters {
             if let Some(stiffness) = drivetrain.gear.stiffness.get_mut(place) {
                 *stiffness = Datum::Known(value.map(TorsionalStiffness::from_si));
             }
+            return Ok(());
+        }
+        if let Some(place) = self.load.place(key) {
+            *place = Some(value);
             return Ok(());
         }
         *self.model.place(key).ok_or(NoSuchParameter)? = value;

@@ -122,6 +122,8 @@ pub enum Fault {
     Missing(Missing),
     /// The torque of the load is recorded with its motion: it does not follow from a state.
     RecordedTorque,
+    /// A measured value, by its key, that replaces nothing: the load changes with the position, or with the direction of the power.
+    NotOfThisLoad(&'static str),
     /// The load has no inertia.
     NoInertia,
     /// The step is too long for the stiffest part.

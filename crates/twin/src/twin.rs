@@ -100,6 +100,7 @@ pub struct Twin<'a> {
     pub(crate) state: State,
     load: LoadModel<'a>,
     local: Local,
+    anchor: Anchor,
     stop: Option<Stop>,
     course: Course<'a>,
     point: SetPoint,
@@ -163,12 +164,11 @@ impl<'a> Twin<'a> {
         if matches!(setup.mechanism.kind, mechanism::MechanismKind::Joint(_)) {
             return Err(Fault::RecordedTorque);
         }
-        if let Some(Parameter { key, .. }) = setup
-            .parameters
-            .list()
-            .iter()
-            .find(|each| each.value.as_ref().is_some_and(|value| !value.value.is_finite() || value.value < 0.0))
-        {
+        let is_wrong = |each: &Parameter| {
+            let value = each.value.as_ref().map_or(0.0, |value| value.value);
+            !value.is_finite() || (value < 0.0 && !each.has_a_sign())
+        };
+        if let Some(Parameter { key, .. }) = setup.parameters.list().iter().find(|each| is_wrong(each)) {
             return Err(Fault::OutOfRange(key));
         }
         let machine = Machine::of(setup.parameters, setup.switches, setup.seed)?;
@@ -188,7 +188,8 @@ impl<'a> Twin<'a> {
         }
         let start = course.at(0.0);
         let [position, _, _] = start.state;
-        let load = LoadModel::of(setup.mechanism, setup.extras, machine.flange_kgm2);
+        let load = LoadModel::of(setup.mechanism, setup.extras, machine.flange_kgm2, &setup.parameters.load)
+            .map_err(Fault::NotOfThisLoad)?;
         let local = load.near(start.segment, position, 0.0, 0.0).ok_or(Fault::NoInertia)?;
         if local.inertia_kgm2.is_nan() || local.inertia_kgm2 <= 0.0 {
             return Err(Fault::NoInertia);
@@ -214,7 +215,7 @@ impl<'a> Twin<'a> {
         // e hangs on the angle itself by little: a few steps suffice.
         let mut theta = position + twist;
         for _ in 0..6 {
-            theta = position + twist + plant.kinematic.map_or(0.0, |error| error.at(theta).0);
+            theta = position + twist + plant.kinematic.map_or(0.0, |error| error.at(theta));
         }
         let closed = start.braked.is_some() || matches!(scenario, ScenarioId::BatteryLoss);
         let brake = BrakeState::new(machine.brake, closed, scenario == ScenarioId::BrakeStuck);
@@ -237,7 +238,8 @@ impl<'a> Twin<'a> {
             sliding: [free(plant.friction_nm + plant.brake_nm + plant.mesh), free(local.coulomb_nm)],
             energies: Energies::default(),
             slipped_rad: 0.0,
-            error: (0.0, 0.0),
+            turning: 0.0,
+            pull: 0.0,
             gear_nm: holding,
             twist_rad: 0.0,
             acceleration_rad_s2: 0.0,
@@ -317,6 +319,7 @@ impl<'a> Twin<'a> {
             state,
             load,
             local,
+            anchor: plant.kinematic.map_or(Anchor::none(), |error| error.anchor(theta)),
             stop: None,
             course,
             coil_j: 0.0,
@@ -466,14 +469,14 @@ impl<'a> Twin<'a> {
         if let Some(local) = self.load.near(self.point.segment, position, speed, self.state.acceleration_rad_s2) {
             self.local = local;
         }
-        let anchor: Option<Anchor> = self.plant.kinematic.map(|error| error.anchor(theta));
-        let before = self.state.energies;
-        let given =
-            Given { voltage: self.voltage, load: &self.local, stop: self.stop.as_ref(), anchor: anchor.as_ref() };
-        let h = PERIOD_S / f64::from(self.setup.substeps);
-        for _ in 0..self.setup.substeps {
-            self.plant.step(&mut self.state, &given, h);
+        if let Some(error) = &self.plant.kinematic
+            && !(self.anchor.is_near(theta) && self.anchor.is_near(theta + omega * PERIOD_S))
+        {
+            self.anchor = error.anchor_ahead(theta, omega, 32.0 * PERIOD_S);
         }
+        let before = self.state.energies;
+        let given = Given { voltage: self.voltage, load: &self.local, stop: self.stop.as_ref(), anchor: &self.anchor };
+        self.plant.steps(&mut self.state, &given, self.setup.substeps, PERIOD_S / f64::from(self.setup.substeps));
         let after = &self.state.energies;
         self.link_model.step(&mut self.link, after.terminal_j - before.terminal_j, self.supply_share, PERIOD_S);
         let copper = after.copper_j - before.copper_j;

@@ -64,6 +64,10 @@ texts! {
     simulate_cold =
         "Begin as cold as the ambient air, not settled"
         | "Kalt wie die Umgebung beginnen, nicht eingeschwungen";
+    simulate_days =
+        "Also run so many days by the mean losses of the cycle: temperatures, energy"
+        | "Zusätzlich so viele Tage mit den mittleren Verlusten des Zyklus rechnen: Temperaturen, Energie";
+    simulate_hours = "Operation a day, in hours (24)" | "Betrieb am Tag in Stunden (24)";
     simulate_every =
         "Time between two rows of the trace (\"1 ms\")" | "Zeit zwischen zwei Zeilen des Verlaufs (\"1 ms\")";
     simulate_seed =

@@ -8,8 +8,8 @@ use twin::{EventKind, Fault, Loop, Reaction, ScenarioId};
 texts! {
     title(code, axis) = "Simulation of {code}: {axis}" | "Simulation von {code}: {axis}";
     course(scenario, time, start, steps, step) =
-        "{scenario}: {time} s simulated, start {start}; {steps} steps of {step} µs, classic Runge-Kutta method of fourth order"
-        | "{scenario}: {time} s simuliert, Beginn {start}; {steps} Schritte von {step} µs, klassisches Runge-Kutta-Verfahren vierter Ordnung";
+        "{scenario}: {time} s simulated, start {start}; {steps} steps of {step} µs, Taylor's series of fourth order"
+        | "{scenario}: {time} s simuliert, Beginn {start}; {steps} Schritte von {step} µs, Taylorreihe vierter Ordnung";
     warm(winding, housing) =
         "warm, winding {winding} °C, housing {housing} °C" | "warm, Wicklung {winding} °C, Gehäuse {housing} °C";
     cold(ambient) = "cold, everything at {ambient} °C" | "kalt, alles auf {ambient} °C";
@@ -102,6 +102,9 @@ texts! {
     refused_recorded =
         "no simulation: the torque of the joint is recorded with its motion and does not follow from a state"
         | "keine Simulation: das Drehmoment des Gelenks ist mit der Bewegung aufgezeichnet und folgt nicht aus einem Zustand";
+    refused_load(key) =
+        "measured.{key} replaces nothing: this load changes with the position or with the direction of the power"
+        | "measured.{key} ersetzt nichts: Diese Last hängt von der Stellung oder der Richtung der Leistung ab";
     refused_inertia = "no simulation: the load has no inertia" | "keine Simulation: die Last hat kein Trägheitsmoment";
     refused_step(steps) =
         "the step is too long for the stiffest part: at least {steps} steps in a period of the current loop"
@@ -134,12 +137,37 @@ texts! {
     viscous = "viscous friction of the load" | "viskose Reibung der Last";
     gravity = "weight of the load at its largest lever" | "Gewichtsmoment der Last am größten Hebel";
     external = "external torque of the load" | "äußeres Moment der Last";
+    gravity_angle = "angle of the centre of mass above the horizontal at position 0" | "Winkel des Schwerpunkts über der Waagerechten in Stellung 0";
+    at_the_limit(count) =
+        "{count} samples have a current at its limit: they and their neighbours say nothing of the motor."
+        | "{count} Abtastwerte haben einen Strom an der Grenze: Sie und ihre Nachbarn sagen nichts über den Motor.";
+    motor_not_estimated =
+        "Too few samples below the limit of the current: torque constant and no-load current are not estimated."
+        | "Zu wenige Abtastwerte unterhalb der Stromgrenze: Drehmomentkonstante und Leerlaufstrom werden nicht geschätzt.";
+    load_not_replaced =
+        "Load, efficiency or stage of this mechanism change with the position or the direction of the power: estimates of the load are means over the run, and the project takes over only what is listed."
+        | "Last, Wirkungsgrad oder Stufe dieses Mechanismus hängen von der Stellung oder der Richtung der Leistung ab: Schätzwerte der Last sind Mittelwerte über den Lauf, und das Projekt übernimmt nur das Aufgeführte.";
     torque_constant_out = "torque constant at the output" | "Drehmomentkonstante am Abtrieb";
     no_load_starting_current = "no-load starting current" | "Leerlaufanlaufstrom";
     no_load_current_constant = "no-load current constant" | "Leerlaufstromkonstante";
     one_direction =
         "Estimated from samples in motion; in one direction alone Coulomb friction holds every constant torque, and gravity is not estimated."
         | "Geschätzt aus Abtastwerten in Bewegung; in nur einer Richtung enthält die Coulomb-Reibung jedes konstante Moment, und das Gewicht wird nicht geschätzt.";
+    averaged = "operation over days, by the mean losses of the cycle" | "Betrieb über Tage, aus den mittleren Verlusten des Zyklus";
+    averaged_about =
+        "From cold each day: mean losses of a cycle at the temperatures of each minute; within a cycle the winding swings about this mean."
+        | "Jeden Tag aus der Kälte: mittlere Verluste eines Zyklus bei den Temperaturen jeder Minute; innerhalb eines Zyklus schwankt die Wicklung um diesen Mittelwert.";
+    days = "days" | "Tage";
+    operation = "time in operation" | "Betriebszeit";
+    cycles = "cycles of the motion" | "Bewegungszyklen";
+    starts = "starts: cycles of the temperature" | "Anläufe: Temperaturzyklen";
+    housing_peak = "highest temperature of the housing" | "höchste Gehäusetemperatur";
+    housing_mean = "mean temperature of the housing in operation" | "mittlere Gehäusetemperatur im Betrieb";
+    winding_swing = "swing of the winding over a day" | "Schwankung der Wicklung über einen Tag";
+    housing_swing = "swing of the housing over a day" | "Schwankung des Gehäuses über einen Tag";
+    energy_housing = "heat in the housing" | "Wärme im Gehäuse";
+    refused_days = "days of operation belong to the cycle, not to another scenario" | "Betriebstage gehören zum Zyklus, nicht zu einem anderen Szenario";
+    refused_hours = "from 0 to 24 hours a day, together with --days" | "0 bis 24 Stunden am Tag, zusammen mit --days";
     lines_for_the_project = "lines for the project" | "Zeilen für das Projekt";
     no_such_trace(name) = "{name} cannot be read" | "{name} kann nicht gelesen werden";
     trace_too_large(name, most) = "{name} is larger than {most} MiB" | "{name} ist größer als {most} MiB";
@@ -259,6 +287,7 @@ pub fn simulation_fault(fault: &Fault, language: Language) -> String {
     match fault {
         Fault::Missing(missing) => crate::simulation::refused_missing(&missing.symbol, language),
         Fault::RecordedTorque => crate::simulation::refused_recorded(language).to_owned(),
+        Fault::NotOfThisLoad(key) => crate::simulation::refused_load(key, language),
         Fault::NoInertia => crate::simulation::refused_inertia(language).to_owned(),
         Fault::StepTooLong { substeps } => crate::simulation::refused_step(substeps, language),
         Fault::NoBrake => crate::simulation::refused_brake(language).to_owned(),

@@ -79,6 +79,12 @@ pub(crate) const fn replaced_key_text(name: ReplacedName, language: Language) ->
         ReplacedName::chopper_off => ("its switching-off voltage over that of the supply", "seine Ausschaltspannung durch die der Versorgung"),
         ReplacedName::stop_stiffness => ("stiffness of a stop that the load meets", "Steifigkeit eines Anschlags, auf den die Last trifft"),
         ReplacedName::current_noise => ("noise of a measured phase current, effective", "Rauschen eines gemessenen Strangstroms, effektiv"),
+        ReplacedName::load_inertia => ("inertia of the load at the output, with the flange", "Massenträgheitsmoment der Last am Abtrieb, mit Flansch"),
+        ReplacedName::load_coulomb => ("Coulomb friction of the load", "Coulomb-Reibung der Last"),
+        ReplacedName::load_viscous => ("viscous friction of the load", "viskose Reibung der Last"),
+        ReplacedName::load_gravity => ("weight of the load at its largest lever", "Gewichtsmoment der Last am größten Hebel"),
+        ReplacedName::load_gravity_angle => ("angle of the centre of mass above the horizontal at position 0", "Winkel des Schwerpunkts über der Waagerechten in Stellung 0"),
+        ReplacedName::load_external => ("external torque of the load", "äußeres Moment der Last"),
     };
     of(language, en, de)
 }

@@ -5,11 +5,12 @@ use answers::{
     Compared, ControlLoop, Figure, Figures, Id, ModelParameter, Number, SimulatedEvent, SimulatedVerdict, Simulation,
 };
 use quantities::unit::{
-    AMPERE, ARCMINUTE, DEGREE, DEGREE_CELSIUS, HERTZ, JOULE, NEWTON_METRE, ONE, REVOLUTION_PER_MINUTE, SECOND, VOLT,
+    AMPERE, ARCMINUTE, DEGREE, DEGREE_CELSIUS, HERTZ, HOUR, JOULE, KELVIN_DIFFERENCE, NEWTON_METRE, ONE,
+    REVOLUTION_PER_MINUTE, SECOND, VOLT, WATT_HOUR,
 };
 use quantities::{Language, Measure, Unit, format_significant};
 use sizing::CheckId;
-use twin::{Gains, LoopResponse, Parameter, ScenarioId};
+use twin::{Averaged, Gains, LoopResponse, Operation, Parameter, ScenarioId};
 use words::{Word, check_title, simulation, source_text};
 
 /// A run.
@@ -31,6 +32,7 @@ pub fn simulation(run: &Simulated<'_>, language: Language) -> Simulation {
         ambient: celsius(run.ambient_k),
         start: run.start_k.map(celsius),
         summary: Figures(figures(run, language)),
+        averaged: run.averaged.as_ref().map(|(operation, found)| Figures(averaged(operation, found, language))),
         verdicts: run.judged().iter().map(|judged| verdict(judged, language)).collect(),
         events: run.events.iter().map(|event| happened(event, language)).collect(),
         comparison: comparison(run, language),
@@ -94,14 +96,39 @@ fn figures(run: &Simulated<'_>, language: Language) -> Vec<Figure> {
         ("brake_rest", simulation::brake_rest, at_rest, &ONE),
         ("brake_moving", simulation::brake_moving, in_motion, &ONE),
     ];
-    all.into_iter()
-        .map(|(id, title, si, unit)| Figure {
-            id,
-            title: title(language).to_owned(),
-            value: si.map(|si| Number::in_unit(si, unit)),
-            unit: unit.json,
-        })
-        .collect()
+    laid(&all, language)
+}
+
+/// Operation over days in figures.
+fn averaged(operation: &Operation, found: &Averaged, language: Language) -> Vec<Figure> {
+    let ([winding, housing], [winding_swing, housing_swing]) = (found.peak_k, found.swing_k);
+    let [copper, heat] = found.lost_j;
+    let runs = found.running_s > 0.0;
+    let all: [(&'static str, Word, Option<f64>, &'static Unit); 12] = [
+        ("days", simulation::days, Some(f64::from(operation.periods)), &ONE),
+        ("operation", simulation::operation, Some(found.running_s), &HOUR),
+        ("cycles", simulation::cycles, Some(found.cycles), &ONE),
+        ("starts", simulation::starts, Some(f64::from(found.starts)), &ONE),
+        ("winding_peak", simulation::winding_peak, Some(winding), &DEGREE_CELSIUS),
+        ("housing_peak", simulation::housing_peak, Some(housing), &DEGREE_CELSIUS),
+        ("housing_mean", simulation::housing_mean, runs.then_some(found.running_housing_k), &DEGREE_CELSIUS),
+        ("winding_swing", simulation::winding_swing, Some(winding_swing), &KELVIN_DIFFERENCE),
+        ("housing_swing", simulation::housing_swing, Some(housing_swing), &KELVIN_DIFFERENCE),
+        ("energy_copper", simulation::energy_copper, Some(copper), &WATT_HOUR),
+        ("energy_housing", simulation::energy_housing, Some(heat), &WATT_HOUR),
+        ("energy_supply", simulation::energy_supply, Some(found.supplied_j), &WATT_HOUR),
+    ];
+    laid(&all, language)
+}
+
+fn laid(all: &[(&'static str, Word, Option<f64>, &'static Unit)], language: Language) -> Vec<Figure> {
+    let figure = |(id, title, si, unit): &(&'static str, Word, Option<f64>, &'static Unit)| Figure {
+        id,
+        title: title(language).to_owned(),
+        value: si.map(|si| Number::in_unit(si, unit)),
+        unit: unit.json,
+    };
+    all.iter().map(figure).collect()
 }
 
 fn verdict(judged: &Judged, language: Language) -> SimulatedVerdict {

@@ -52,6 +52,11 @@ pub fn simulation(record: &Simulation, language: Language) -> Chapter {
     };
     chapter.grid(heads.clone(), figures(&record.summary.0));
 
+    if let Some(averaged) = &record.averaged {
+        section(&mut chapter, simulation::averaged(language));
+        chapter.grid(heads.clone(), figures(&averaged.0));
+        chapter.text(simulation::averaged_about(language).to_owned());
+    }
     section(&mut chapter, simulation::events(language));
     if record.events.is_empty() {
         chapter.text(simulation::no_events(language).to_owned());

@@ -11,12 +11,13 @@ use order_code::OrderCode;
 use project::Project;
 use provenance::Datum;
 use quantities::unit::{
-    AMPERE, AMPERE_SECOND_PER_RADIAN, KILOGRAM_SQUARE_METRE, NEWTON_METRE, NEWTON_METRE_PER_AMPERE,
+    AMPERE, AMPERE_SECOND_PER_RADIAN, DEGREE, KILOGRAM_SQUARE_METRE, NEWTON_METRE, NEWTON_METRE_PER_AMPERE,
     NEWTON_METRE_SECOND_PER_RADIAN,
 };
 use quantities::{Language, Measure, Unit, seen};
 use schemars::JsonSchema;
 use serde::Serialize;
+use std::f64::consts::SQRT_2;
 use std::io::Read as _;
 use twin::{Estimate, Identified, IdentifyFault, Observed, identify};
 use words::{Word, help, help::values, simulation};
@@ -57,7 +58,7 @@ pub struct Identification {
     pub samples: usize,
     /// The estimates.
     pub estimates: Vec<Identified95>,
-    /// Lines of the project file with the measured values of the actuator.
+    /// Lines of the project file with the measured values of actuator and load.
     pub overrides: String,
     /// What the estimate rests on, in words.
     pub notes: Vec<String>,
@@ -112,20 +113,33 @@ pub fn found(asked: &Asked<'_>) -> Result<Identification, Unanswered> {
         return Err(fault(simulation::trace_too_large(&seen(&name), &(TRACE_MOST >> 20), language)));
     }
     let run = observed(&String::from_utf8_lossy(&bytes), language).map_err(fault)?;
-    let estimates = identify(&run).map_err(|why| {
+    let limit = candidate.parameters.current_max.known().map(|known| SQRT_2 * known.value.si());
+    let twin::Identification { estimates, at_limit } = identify(&run, limit).map_err(|why| {
         fault(match why {
             IdentifyFault::Uneven | IdentifyFault::TooFew => simulation::trace_too_short(language).to_owned(),
             IdentifyFault::NotExcited => simulation::trace_not_excited(language).to_owned(),
         })
     })?;
     let rows = estimates.iter().map(|estimate| row(estimate, &project, &candidate, language));
+    let mechanism = &project.axis.mechanism;
+    let taken = |of| is_replaced(of, mechanism);
+    let mut notes = vec![simulation::one_direction(language).to_owned()];
+    if at_limit > 0 {
+        notes.push(simulation::at_the_limit(&at_limit, language));
+    }
+    if estimates.iter().all(|each| each.of != Identified::TorqueConstant) {
+        notes.push(simulation::motor_not_estimated(language).to_owned());
+    }
+    if !taken(Identified::Gravity) {
+        notes.push(simulation::load_not_replaced(language).to_owned());
+    }
     Ok(Identification {
         axis: project.name.clone(),
         code: candidate.id.to_string(),
         samples: run.time_s.len(),
         estimates: rows.collect(),
-        overrides: overrides(&estimates),
-        notes: vec![simulation::one_direction(language).to_owned()],
+        overrides: overrides(&estimates, taken),
+        notes,
     })
 }
 
@@ -158,6 +172,7 @@ fn title_and_unit(of: Identified) -> (Word, &'static Unit) {
         Identified::Coulomb => (simulation::coulomb, &NEWTON_METRE),
         Identified::Viscous => (simulation::viscous, &NEWTON_METRE_SECOND_PER_RADIAN),
         Identified::Gravity => (simulation::gravity, &NEWTON_METRE),
+        Identified::GravityAngle => (simulation::gravity_angle, &DEGREE),
         Identified::External => (simulation::external, &NEWTON_METRE),
         Identified::TorqueConstant => (simulation::torque_constant_out, &NEWTON_METRE_PER_AMPERE),
         Identified::StartingCurrent => (simulation::no_load_starting_current, &AMPERE),
@@ -197,6 +212,7 @@ fn stated(of: Identified, mechanism: &Mechanism, project: &Project, candidate: &
         Identified::Coulomb => plain.map(|plain| plain.coulomb_nm),
         Identified::Viscous => plain.map(|plain| plain.viscous_nms),
         Identified::Gravity => plain.map(|plain| plain.weight_nm.abs()),
+        Identified::GravityAngle => plain.filter(|plain| plain.weight_nm != 0.0).map(|plain| plain.angle_rad),
         Identified::External => plain.map(|plain| plain.constant_nm),
         Identified::TorqueConstant => known(&actuator.torque_constant_out),
         Identified::StartingCurrent => known(&actuator.no_load_starting_current),
@@ -204,19 +220,50 @@ fn stated(of: Identified, mechanism: &Mechanism, project: &Project, candidate: &
     }
 }
 
-/// Lines of a project file with the values of the actuator.
-fn overrides(estimates: &[Estimate]) -> String {
-    let keys = [
-        (Identified::TorqueConstant, "torque_constant_out"),
-        (Identified::StartingCurrent, "no_load_starting_current"),
-    ];
+/// Whether a measured value can stand in the place of what the mechanism says.
+fn is_replaced(of: Identified, mechanism: &Mechanism) -> bool {
+    let is_plain = mechanism.plain(&Extra::none()).is_some();
+    match of {
+        Identified::LoadInertia => is_plain || mechanism.travel_m_per_rad().is_some(),
+        Identified::Gravity | Identified::GravityAngle | Identified::External => is_plain,
+        Identified::Coulomb
+        | Identified::Viscous
+        | Identified::TorqueConstant
+        | Identified::StartingCurrent
+        | Identified::CurrentConstant => true,
+    }
+}
+
+/// The key of `[twin.measured]`; `None` where a run alone does not say the value, as of a constant that follows the temperature.
+const fn key(of: Identified) -> Option<&'static str> {
+    Some(match of {
+        Identified::LoadInertia => "load_inertia",
+        Identified::Coulomb => "load_coulomb",
+        Identified::Viscous => "load_viscous",
+        Identified::Gravity => "load_gravity",
+        Identified::GravityAngle => "load_gravity_angle",
+        Identified::External => "load_external",
+        Identified::TorqueConstant => "torque_constant_out",
+        Identified::StartingCurrent => "no_load_starting_current",
+        Identified::CurrentConstant => return None,
+    })
+}
+
+/// Lines of a project file: of each estimate that is not lost in its own interval.
+fn overrides(estimates: &[Estimate], taken: impl Fn(Identified) -> bool) -> String {
     let mut lines = String::from("[twin.measured]\n");
-    for (of, key) in keys {
-        if let Some(estimate) = estimates.iter().find(|each| each.of == of && each.value > 0.0) {
-            let (_, unit) = title_and_unit(of);
-            let value = Number::in_unit(estimate.value, unit).written().unwrap_or(estimate.value);
-            lines.push_str(&format!("{key} = \"{value:.5} {}\"\n", unit.ascii));
+    for estimate in estimates.iter().filter(|each| taken(each.of)) {
+        let has_a_sign = matches!(estimate.of, Identified::External | Identified::GravityAngle);
+        let Some(key) = key(estimate.of).filter(|_| has_a_sign || estimate.value > 0.0) else { continue };
+        let (_, unit) = title_and_unit(estimate.of);
+        // A weight or a friction within its interval of nothing is nothing, and so is said.
+        let is_lost = estimate.value.abs() <= estimate.half_width && estimate.of != Identified::GravityAngle;
+        let si = if is_lost { 0.0 } else { estimate.value };
+        if is_lost && matches!(estimate.of, Identified::LoadInertia | Identified::TorqueConstant) {
+            continue;
         }
+        let value = Number::in_unit(si, unit).written().unwrap_or(si);
+        lines.push_str(&format!("{key} = \"{value:.5} {}\"\n", unit.ascii));
     }
     lines
 }

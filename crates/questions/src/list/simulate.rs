@@ -5,14 +5,15 @@ use super::{
     AXIS, Argument, ArgumentKind, Asked, Cost, Entry, Gives, OutputFile, Reads, Record, Unanswered, argument, media,
 };
 use crate::answer;
-use crate::chapters::read_quantity;
+use crate::chapters::{read_hours, read_quantity};
 use crate::patience::Patience;
 use crate::simulate::{NotRun, ROWS_MOST, STEPS_MOST, Simulated, Wanted, simulate};
 use order_code::OrderCode;
 use project::Project;
+use quantities::unit::HOUR;
 use quantities::{Language, Measure, Time};
 pub use twin::ScenarioId;
-use twin::{Reaction, Scenario};
+use twin::{Operation, Reaction, Scenario};
 use words::{help, help::values, simulation};
 
 arguments! {
@@ -35,6 +36,11 @@ arguments! {
             .of(ArgumentKind::Whole(1, 100_000)) => number,
         /// Whether everything is as cold as the air at the start.
         cold: bool = Argument::flag("cold", help::simulate_cold) => flag,
+        /// Days of operation by the mean losses of the cycle.
+        days: Option<u32> = Argument::option("days", values::n, help::simulate_days)
+            .of(ArgumentKind::Whole(1, DAYS_MOST as u64)) => number,
+        /// Operation a day.
+        hours_per_day: Option<Time> = Argument::option("hours-per-day", values::hours, help::simulate_hours) => some(read_hours),
         /// Time between two rows of the course.
         every: Option<Time> = Argument::option("every", values::time, help::simulate_every) => some(read_quantity),
         /// The picture that is drawn.
@@ -45,6 +51,9 @@ arguments! {
             .of(ArgumentKind::Whole(0, u32::MAX as u64)).usually("0") => count,
     }
 }
+
+/// So many days are run at most: ten years.
+const DAYS_MOST: u32 = 3660;
 
 /// The pictures of a run, by their identifiers.
 pub const FIGURES: [&str; 2] = ["simulation", "control_loops"];
@@ -96,9 +105,22 @@ impl Args {
         if every.is_nan() || every <= 0.0 {
             return Err(Unanswered::option("every", (simulation::refused_range(&"every", asked.language), None)));
         }
+        let scenario = self.scenario.unwrap_or(stated.id);
+        let hours = self.hours_per_day.map_or(24.0, |time| time.in_unit(&HOUR));
+        if !(0.0..=24.0).contains(&hours) || (self.hours_per_day.is_some() && self.days.is_none()) {
+            return Err(Unanswered::option(
+                "hours-per-day",
+                (simulation::refused_hours(asked.language).to_owned(), None),
+            ));
+        }
+        if self.days.is_some() && scenario != ScenarioId::Cycle {
+            return Err(Unanswered::option("days", (simulation::refused_days(asked.language).to_owned(), None)));
+        }
+        let day = Time::new_in(24.0, &HOUR).si();
         let wanted = Wanted {
+            operation: self.days.map(|periods| Operation { periods, period_s: day, running_s: hours / 24.0 * day }),
             scenario: Scenario {
-                id: self.scenario.unwrap_or(stated.id),
+                id: scenario,
                 at_s: self.at.map(Time::si).or(stated.at_s),
                 reaction: self.reaction.unwrap_or(stated.reaction),
                 cycles: self.cycles.unwrap_or_else(|| stated.cycles.max(1)),
@@ -127,7 +149,7 @@ pub fn of_the_project<'p>(
     if !project.twin.stated {
         return None;
     }
-    let wanted = Wanted { scenario: project.twin.scenario, seed: 0, every_s: Some(ROWS_USUAL_S) };
+    let wanted = Wanted { scenario: project.twin.scenario, every_s: Some(ROWS_USUAL_S), ..Wanted::default() };
     Some(simulate(project, code, wanted, true, patience).map_err(|why| said(&why, language)))
 }
 
@@ -142,7 +164,8 @@ pub fn of_scenario<'p>(
     patience: &Patience,
     language: Language,
 ) -> Result<Simulated<'p>, String> {
-    let wanted = Wanted { scenario: Scenario { id, ..project.twin.scenario }, seed: 0, every_s: Some(ROWS_USUAL_S) };
+    let wanted =
+        Wanted { scenario: Scenario { id, ..project.twin.scenario }, every_s: Some(ROWS_USUAL_S), ..Wanted::default() };
     simulate(project, code, wanted, true, patience).map_err(|why| said(&why, language))
 }
 

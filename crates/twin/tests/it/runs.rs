@@ -146,6 +146,30 @@ fn what_cannot_be_simulated_is_refused() {
     assert_eq!(of(&bad, &mechanism, Scenario::default()), Some(Fault::OutOfRange("resistance_ll")));
 }
 
+/// A datum that is not known is named; a run whose gains swing up without limits ends with a mark, and nothing hides it.
+#[test]
+fn what_is_missing_is_named_and_what_swings_up_is_marked() {
+    let (mechanism, motion, extras) = (load(0.3, 1.0), one_move(30.0, 0.1, 0.3, 0.1), NOTHING());
+    let mut without = parameters(CODE);
+    without.actuator.inductance_ll = provenance::Datum::NotPrinted;
+    let found = Twin::new(&Setup::of(&without, &mechanism, &motion, &extras)).err();
+    assert!(matches!(found, Some(Fault::Missing(missing)) if missing.symbol == "L_LL"), "{found:?}");
+    let parameters = parameters(CODE);
+    let setup = Setup {
+        switches: Switches { limits: false, ..Switches::default() },
+        ..Setup::of(&parameters, &mechanism, &motion, &extras)
+    };
+    let usual = *Twin::new(&setup).unwrap().gains();
+    for factor in [4.0, 1e3, 1e9] {
+        let gains = Some(twin::Gains { current_p: factor * usual.current_p, ..usual });
+        let mut twin = Twin::new(&Setup { gains, ..setup }).unwrap();
+        let end = twin.periods();
+        twin.advance(u64::MAX);
+        assert!(twin.events().iter().any(|event| event.kind == EventKind::Diverged), "{factor}");
+        assert!(twin.periods() < end, "{factor}");
+    }
+}
+
 /// The settled temperatures are those at which one more cycle changes nothing.
 #[test]
 fn a_settled_cycle_stays_where_it_is() {
@@ -164,25 +188,78 @@ fn a_settled_cycle_stays_where_it_is() {
     assert_eq!(settled(&setup, || false), Ok(None));
 }
 
-/// A thousand cycles: no drift, no NaN, no growing memory of events.
+/// With every law of the model and all its kinks: half the step leaves a sixth of the balance open, or less.
 #[test]
-fn many_cycles_do_not_drift() {
+fn the_balance_closes_with_the_order_of_the_method() {
+    let parameters = parameters("CHA-20A-100-H-C1024");
+    let (mechanism, motion, extras) = (load(1.3, 5.0), one_move(30.0, 0.1, 0.3, 0.5), NOTHING());
+    let switches = Switches { noise: false, ..Switches::default() };
+    let open = |substeps: u32| {
+        let setup = Setup { substeps, switches, ..Setup::of(&parameters, &mechanism, &motion, &extras) };
+        let mut twin = Twin::new(&setup).unwrap();
+        twin.advance(u64::MAX);
+        (twin.summary().unaccounted_j / twin.summary().throughput_j).abs()
+    };
+    let open = [1, 2, 4, 8].map(open);
+    for pair in open.windows(2) {
+        assert!(pair[1] < pair[0] / 6.0, "{open:?}");
+    }
+    assert!(open[0] < 1e-8, "{open:?}");
+}
+
+/// Resident memory of the process in kB, where the system says it.
+fn memory_kb() -> Option<f64> {
+    let text = std::fs::read_to_string("/proc/self/status").ok()?;
+    let line = text.lines().find(|line| line.starts_with("VmRSS:"))?;
+    line.split_whitespace().nth(1)?.parse().ok()
+}
+
+/// Cycles for hours: no drift, no NaN, no growing memory. The axis goes on in one direction, so that its angle grows too. A night
+/// runs 24 hours (`ANTRIEB_TWIN_HOURS`), a push a minute.
+#[test]
+fn hours_of_cycles_do_not_drift() {
+    let hours: f64 = std::env::var("ANTRIEB_TWIN_HOURS").map_or(1.0 / 60.0, |hours| hours.parse().unwrap());
     let parameters = parameters("CHA-20A-100-H-C1024");
     let (mechanism, motion, extras) = (load(1.3, 2.0), one_move(20.0, 0.1, 0.05, 0.1), NOTHING());
-    let scenario = Scenario { cycles: 100, ..Scenario::default() };
-    let switches = Switches { noise: false, ..Switches::default() };
-    let mut twin =
-        Twin::new(&Setup { scenario, switches, ..Setup::of(&parameters, &mechanism, &motion, &extras) }).unwrap();
+    #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a count")]
+    let cycles = (hours * 3600.0 / motion.duration().si()).round() as u32;
+    let scenario = Scenario { cycles, ..Scenario::default() };
+    let setup = Setup { ambient_k: 303.15, ..Setup::of(&parameters, &mechanism, &motion, &extras) };
+    let start_k = settled(&setup, || true).unwrap();
+    let mut twin = Twin::new(&Setup { scenario, start_k, ..setup }).unwrap();
+    let quarter = twin.periods() / 4;
+    twin.advance(quarter);
+    let (early, memory) = (twin.summary(), memory_kb());
     twin.advance(u64::MAX);
     let (summary, now) = (twin.summary(), twin.sample());
+    println!(
+        "{:.2} h, {cycles} cycles, {:.1e} steps: {:e} of the throughput unaccounted, standing {:e} rad, following {:e} rad, memory {:?} to {:?} kB",
+        twin.time_s() / 3600.0,
+        twin.steps() as f64,
+        summary.unaccounted_j / summary.throughput_j,
+        now.following_rad,
+        summary.following_rms_rad,
+        memory,
+        memory_kb()
+    );
     assert!(
         summary.unaccounted_j.abs() < 1e-9 * summary.throughput_j,
         "{:e} {:e}",
         summary.unaccounted_j,
         summary.throughput_j
     );
-    assert!((now.wanted_rad - now.position_rad).abs() < 2e-3, "{now:?}");
+    assert!(now.following_rad.abs() < 2e-3, "{now:?}");
+    // The mean square of the following error and the mean current are those of the first quarter.
+    for (whole, first) in
+        [(summary.following_rms_rad, early.following_rms_rad), (summary.current_rms_a, early.current_rms_a)]
+    {
+        assert!((whole / first - 1.0).abs() < 5e-3, "{whole} {first}");
+    }
+    assert!((summary.housing_end_k - early.housing_end_k).abs() < 0.2, "{summary:?} {early:?}");
     assert!(twin.events().len() < 10, "{:?}", twin.events());
+    if let Some((before, after)) = memory.zip(memory_kb()) {
+        assert!(after < before + 2048.0, "{before} kB, {after} kB");
+    }
 }
 
 /// A load with dry friction stands beside its set-point by the twist of the gear where the motor is controlled, and within the step

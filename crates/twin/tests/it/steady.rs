@@ -207,3 +207,23 @@ fn friction_of_the_load_takes_its_torque() {
     let wanted = 7.0 + 3.0 * 20.0 * std::f64::consts::TAU / 60.0;
     assert!((twin.sample().torque_nm / wanted - 1.0).abs() < 2e-3, "{} {wanted}", twin.sample().torque_nm);
 }
+
+/// Held against a torque the gear is twisted by eq. 73.1 to 73.4 of the sizing, in each of its three parts.
+#[test]
+fn the_twist_at_rest_is_the_torsion_of_the_sizing() {
+    let parameters = parameters("CHA-20A-100-H-C1024");
+    let torsion = parameters.actuator.gear.torsion().unwrap();
+    let (motion, extras) = (one_move(10.0, 0.2, 0.1, 1.5), NOTHING());
+    let switches =
+        Switches { friction: false, hysteresis: false, kinematic_error: false, noise: false, ..Switches::default() };
+    for torque in [4.0, 16.0, 48.0] {
+        let torque = Torque::from_si(torque);
+        let mechanism = Mechanism { friction: Friction { external: torque, ..Friction::none() }, ..load(0.5, 0.0) };
+        let setup = Setup { switches, ..Setup::of(&parameters, &mechanism, &motion, &extras) };
+        let mut twin = Twin::new(&setup).unwrap();
+        twin.advance(u64::MAX);
+        let now = twin.sample();
+        let (twist, said) = (now.motor_rad - now.position_rad, torsion.angle(torque).si());
+        assert!((twist / said - 1.0).abs() < 1e-3, "{torque:?}: {twist} {said}");
+    }
+}

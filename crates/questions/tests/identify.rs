@@ -1,0 +1,146 @@
+//! A run of the twin, identified, and what it says put into the project.
+
+#![allow(clippy::unwrap_used, clippy::expect_used, clippy::indexing_slicing, clippy::panic, reason = "a test may fail")]
+
+use project::{Files, Project};
+use quantities::Language;
+use questions::list::identify::Identification;
+use questions::list::{Argument, Asked, Given, Source, identify, simulate};
+use questions::{Patience, TwinSample};
+use std::borrow::Cow;
+use std::io::Read;
+
+const CODE: (&str, &str) = ("code", "CHA-25A-50-H-C1024");
+
+/// An arm that swings both ways, with planted friction and a torque; then `[twin.measured]` and its lines.
+fn arm(inertia: &str, mass: &str, measured: &str) -> String {
+    format!(
+        r#"
+format = 1
+[axis]
+name = "arm"
+[mechanism.arm]
+inertia = "{inertia}"
+mass = "{mass}"
+centre_distance = "200 mm"
+axis_tilt = "90 deg"
+start_angle = "20 deg"
+friction_torque = "1.5 N m"
+[[motion]]
+law = "modified_sine"
+distance = "90 deg"
+time = "0.9 s"
+[[motion]]
+law = "modified_sine"
+distance = "-90 deg"
+time = "0.7 s"
+[[motion]]
+law = "modified_sine"
+distance = "60 deg"
+time = "0.8 s"
+[[motion]]
+law = "modified_sine"
+distance = "-60 deg"
+time = "0.6 s"
+[requirements]
+supply = "560 V"
+{measured}"#
+    )
+}
+
+/// One file, whatever its name.
+struct One(String);
+
+impl Files for One {
+    fn open(&self, _: &str) -> std::io::Result<Box<dyn Read>> {
+        Ok(Box::new(std::io::Cursor::new(self.0.clone().into_bytes())))
+    }
+}
+
+fn asked<'a>(
+    arguments: &'static [Argument],
+    pairs: &[(&'static str, &'static str)],
+    text: &'a str,
+    files: &'a dyn Files,
+    patience: &'a Patience,
+) -> Asked<'a> {
+    let pairs = pairs.iter().map(|(name, value)| (Cow::Borrowed(*name), Cow::Borrowed(*value)));
+    Asked {
+        given: Given::of(arguments, pairs, Language::En).unwrap(),
+        sources: vec![Source { name: "axis.toml".to_owned(), bytes: Cow::Borrowed(text.as_bytes()), files }],
+        days_since_1970: None,
+        patience,
+        refuses_long: true,
+        language: Language::En,
+    }
+}
+
+/// The course of the project's cycle as the columns that are read.
+fn course(text: &str) -> String {
+    let (patience, none) = (Patience::endless(), One(String::new()));
+    let asked = asked(simulate::Args::ARGUMENTS, &[CODE, ("cold", "true")], text, &none, &patience);
+    let (_, project): (_, Project) = asked.axis(None, questions::list::Cost::Other).unwrap();
+    let args = simulate::Args::read(&asked.given).unwrap();
+    let run = args.simulated(&project, &asked, true).unwrap();
+    let row = |s: &TwinSample| {
+        format!(
+            "{},{},{},{},{},{},{}\n",
+            s.time_s, s.position_rad, s.speed_rad_s, s.acceleration_rad_s2, s.motor_rad_s, s.torque_nm, s.current_q_a
+        )
+    };
+    let head = "time_s,position_rad,speed_rad_s,acceleration_rad_s2,motor_speed_rad_s,torque_nm,current_q_a\n";
+    head.to_owned() + &run.course.iter().map(row).collect::<String>()
+}
+
+fn identified(text: &str, trace: String) -> Identification {
+    let (patience, files) = (Patience::endless(), One(trace));
+    identify::found(&asked(identify::Args::ARGUMENTS, &[CODE, ("trace", "run.csv")], text, &files, &patience)).unwrap()
+}
+
+fn value(found: &Identification, id: &str) -> (f64, f64, Option<f64>) {
+    let row = found.estimates.iter().find(|each| each.id == id).unwrap_or_else(|| panic!("{id} of {found:?}"));
+    (row.value.written().unwrap(), row.half_width.written().unwrap(), row.stated.and_then(answers::Number::written))
+}
+
+/// A project that is wrong about its load: the run of the right one corrects it, inertia, friction and gravity.
+#[test]
+fn the_overrides_make_a_wrong_project_run_like_the_right_one() {
+    let right = arm("2.4 kg m^2", "5 kg", "");
+    let wrong = arm("1.1 kg m^2", "2 kg", "");
+    let trace = course(&right);
+    let found = identified(&wrong, trace.clone());
+    let (inertia, half, stated) = value(&found, "load_inertia");
+    assert!(stated.unwrap() < 1.3 && inertia > 2.3 && half < 0.01, "{found:?}");
+    for key in ["load_inertia", "load_coulomb", "load_gravity", "load_gravity_angle", "torque_constant_out"] {
+        assert!(found.overrides.contains(&format!("\n{key} = ")), "{}", found.overrides);
+    }
+    // The wrong project with these lines runs as the right one does.
+    let corrected = arm("1.1 kg m^2", "2 kg", &format!("[twin]\n{}", found.overrides));
+    let again = identified(&right, course(&corrected));
+    for id in ["load_inertia", "gravity", "coulomb"] {
+        let ((before, half, _), (after, other, stated)) = (value(&found, id), value(&again, id));
+        assert!((before - after).abs() < half + other + 1e-4 * before, "{id}: {before} {after}");
+        assert!((after - stated.unwrap()).abs() < 3.0 * (half + other) + 5e-3 * after, "{id}: {after} {stated:?}");
+    }
+}
+
+/// What a run at the limit of the current does not say is said.
+#[test]
+fn a_run_at_the_limit_says_what_it_leaves_open() {
+    let heavy = arm("60 kg m^2", "60 kg", "[twin]\nlimits = true\n");
+    let found = identified(&heavy, course(&heavy));
+    assert!(found.notes.iter().any(|note| note.contains("at its limit")), "{:?}", found.notes);
+    assert!(value(&found, "load_inertia").0 > 50.0);
+}
+
+/// A measured load of a mechanism that changes with the position is refused with its key.
+#[test]
+fn a_measured_load_that_replaces_nothing_is_refused() {
+    let crank = include_str!("../../../examples/slider-crank.toml");
+    let text = format!("{crank}\n[twin.measured]\nload_inertia = \"1 kg m^2\"\n");
+    let (patience, none) = (Patience::endless(), One(String::new()));
+    let asked = asked(simulate::Args::ARGUMENTS, &[CODE], &text, &none, &patience);
+    let why = (simulate::ENTRY.answer.unwrap())(&asked).unwrap_err();
+    let faults = why.faults(None, Language::En);
+    assert!(faults.errors[0].message.contains("measured.load_inertia"), "{faults:?}");
+}

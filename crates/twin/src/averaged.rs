@@ -1,0 +1,243 @@
+//! Days and years of operation, by the mean losses of a cycle.
+
+use crate::machine::Machine;
+use crate::setup::{Fault, Setup};
+use crate::twin::Twin;
+use crate::warm::{AT_ONCE, settled};
+use crate::{Scenario, ScenarioId};
+use actuator::{HeatModel, Losses, Network, Temperatures};
+use quantities::{Measure, ThermodynamicTemperature};
+
+/// When the axis runs: in every day, or other period, its cycles for a part of it, then a rest.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Operation {
+    /// Periods.
+    pub periods: u32,
+    /// One of them \[s\].
+    pub period_s: f64,
+    /// Operation in each \[s\], from none to all of it.
+    pub running_s: f64,
+}
+
+/// Operation over days in figures.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Averaged {
+    /// Largest temperatures of winding and housing \[K\].
+    pub peak_k: [f64; 2],
+    /// Both at the end \[K\].
+    pub end_k: [f64; 2],
+    /// How far both swing over the last period \[K\].
+    pub swing_k: [f64; 2],
+    /// Mean temperature of the housing while the axis runs \[K\].
+    pub running_housing_k: f64,
+    /// Time in operation \[s\], and cycles of the motion in it.
+    pub running_s: f64,
+    /// Cycles of the motion.
+    pub cycles: f64,
+    /// Starts from rest: cycles of the temperature.
+    pub starts: u32,
+    /// Heat of the winding and of the housing \[J\].
+    pub lost_j: [f64; 2],
+    /// Energy from the supply \[J\].
+    pub supplied_j: f64,
+}
+
+/// Length of a step at most \[s\]; and as a share of the quick time constant.
+const STEP_S: f64 = 60.0;
+const STEP_SHARE: f64 = 0.25;
+
+/// Mean powers of a cycle with the housing at one temperature.
+#[derive(Clone, Copy, Debug)]
+struct Node {
+    housing_k: f64,
+    /// Copper loss over the resistance \[A²\], heat in the housing \[W\], power of the supply \[W\].
+    powers: [f64; 3],
+}
+
+/// Mean powers as polynomials of the temperature of the housing.
+#[derive(Clone, Debug)]
+struct Means {
+    nodes: [Node; 3],
+    period_s: f64,
+}
+
+impl Means {
+    /// Two cycles each at three temperatures of the housing; `None` where the caller ends it.
+    fn of(setup: &Setup<'_>, settled_k: [f64; 2], goes_on: &mut dyn FnMut() -> bool) -> Result<Option<Self>, Fault> {
+        let machine = Machine::of(setup.parameters, setup.switches, setup.seed)?;
+        let cold = setup.ambient_k;
+        let [hot, housing] = settled_k;
+        // So much warmer than the air at least that three nodes are apart.
+        let rise = (housing - cold).max(3.0);
+        // The second cycle counts: the first begins with the DC link at the voltage of the supply.
+        let scenario = Scenario { id: ScenarioId::Cycle, cycles: 2, ..setup.scenario };
+        let mut nodes = [Node { housing_k: cold, powers: [0.0; 3] }; 3];
+        let mut period_s = 0.0;
+        for (node, share) in nodes.iter_mut().zip([0.0, 0.5, 1.0]) {
+            let start_k = [cold + share * (hot - cold), cold + share * rise];
+            let mut twin = Twin::new(&Setup { start_k: Some(start_k), scenario, ..*setup })?;
+            let first = twin.periods() / 2;
+            let mut run = |until: u64, twin: &mut Twin<'_>| {
+                let mut left = until;
+                while left > 0 && !twin.is_over() {
+                    if !goes_on() {
+                        return None;
+                    }
+                    twin.advance(left.min(AT_ONCE));
+                    left = left.saturating_sub(AT_ONCE);
+                }
+                let (losses, time) = (twin.losses(), twin.time_s());
+                let worked = [losses.copper_w * time, losses.friction_w * time, twin.summary().supplied_j];
+                Some((worked, time, twin.sample()))
+            };
+            let Some((before, begin_s, begin)) = run(first, &mut twin) else { return Ok(None) };
+            let Some((after, end_s, end)) = run(u64::MAX, &mut twin) else { return Ok(None) };
+            period_s = end_s - begin_s;
+            let winding = f64::midpoint(begin.winding_k, end.winding_k);
+            let mut powers = [0.0; 3];
+            for (power, (after, before)) in powers.iter_mut().zip(after.iter().zip(before)) {
+                *power = (after - before) / period_s;
+            }
+            powers[0] /= machine.resistance_ohm(winding);
+            *node = Node { housing_k: f64::midpoint(begin.housing_k, end.housing_k), powers };
+        }
+        Ok(Some(Self { nodes, period_s }))
+    }
+}
+
+impl Means {
+    /// Mean losses \[W\] and power of the supply \[W\] at temperatures: Lagrange's polynomial through the three nodes.
+    fn at(&self, machine: &Machine, winding_k: f64, housing_k: f64) -> (Losses, f64) {
+        let [a, b, c] = &self.nodes;
+        let weight = |own: &Node, one: &Node, two: &Node| {
+            (housing_k - one.housing_k) * (housing_k - two.housing_k)
+                / ((own.housing_k - one.housing_k) * (own.housing_k - two.housing_k))
+        };
+        let weights = [weight(a, b, c), weight(b, a, c), weight(c, a, b)];
+        let mut powers = [0.0; 3];
+        for (node, weight) in self.nodes.iter().zip(weights) {
+            for (power, own) in powers.iter_mut().zip(node.powers) {
+                *power += weight * own;
+            }
+        }
+        let [square, friction_w, supplied] = powers;
+        let copper_w = square * machine.resistance_ohm(winding_k);
+        (Losses { copper_w: copper_w.max(0.0), friction_w: friction_w.max(0.0) }, supplied)
+    }
+}
+
+/// How a network moves within a step under constant losses: x(t + Δt) = x_s + e^(A Δt) (x − x_s).
+struct Stride<'a> {
+    network: &'a Network,
+    ambient: ThermodynamicTemperature,
+    exponential: [[f64; 2]; 2],
+}
+
+impl<'a> Stride<'a> {
+    fn of(network: &'a Network, ambient_k: f64, step_s: f64) -> Self {
+        let ambient = ThermodynamicTemperature::from_si(ambient_k);
+        let [quick, slow] = network.time_constants().map(|tau| -1.0 / tau.si());
+        let at = |winding: f64, housing: f64| {
+            let [winding, housing] = [winding, housing].map(|rise| ThermodynamicTemperature::from_si(ambient_k + rise));
+            let flows = network.flows(&Temperatures { winding, housing }, Losses::default(), ambient);
+            [flows.winding_k_per_s, flows.housing_k_per_s]
+        };
+        let columns = [at(1.0, 0.0), at(0.0, 1.0)];
+        let [one, two] = [(quick * step_s).exp(), (slow * step_s).exp()];
+        // Sylvester's formula for two eigenvalues.
+        let cell = |row: usize, column: usize| {
+            let a = columns.get(column).and_then(|each| each.get(row)).copied().unwrap_or(0.0);
+            let unit = f64::from(u8::from(row == column));
+            (one * (a - slow * unit) - two * (a - quick * unit)) / (quick - slow)
+        };
+        Self { network, ambient, exponential: [[cell(0, 0), cell(0, 1)], [cell(1, 0), cell(1, 1)]] }
+    }
+
+    fn step(&self, [winding, housing]: [f64; 2], losses: Losses) -> [f64; 2] {
+        let steady = self.network.steady(losses, self.ambient);
+        let [w, h] = [winding - steady.winding.si(), housing - steady.housing.si()];
+        let [[a, b], [c, d]] = self.exponential;
+        [steady.winding.si() + a * w + b * h, steady.housing.si() + c * w + d * h]
+    }
+}
+
+/// Temperatures and energies of operation over days, from cold: the mean losses of a cycle, at the temperatures of each minute.
+///
+/// x' = A x + B P(ϑ_w, ϑ_h), P the means of a cycle at three temperatures; steps of a minute or less, exact for constant P,
+/// P at the middle of the step
+///
+/// # Source
+/// docs/theory/twin.md; the network of docs/theory/thermal.md
+/// # Valid
+/// cycles short against τ_w; the winding swings within a longer one by what the run of one cycle shows
+/// # Errors
+/// [`Fault`] as of [`Twin::new`]; `Ok(None)` where the caller ends it or the actuator has no heat model
+pub fn averaged(
+    setup: &Setup<'_>,
+    operation: Operation,
+    mut goes_on: impl FnMut() -> bool,
+) -> Result<Option<Averaged>, Fault> {
+    let Ok(heat) = HeatModel::of(&setup.parameters.actuator) else { return Ok(None) };
+    let Some(settled_k) = settled(setup, &mut goes_on)? else { return Ok(None) };
+    let Some(means) = Means::of(setup, settled_k, &mut goes_on)? else { return Ok(None) };
+    let machine = Machine::of(setup.parameters, setup.switches, setup.seed)?;
+    let network = heat.network();
+    let [quick, _] = network.time_constants().map(|tau| tau.si());
+    let most = STEP_S.min(STEP_SHARE * quick);
+    let Operation { periods, period_s, .. } = operation;
+    let running_s = operation.running_s.min(period_s).max(0.0);
+    let mut state = setup.start_k.unwrap_or([setup.ambient_k; 2]);
+    let mut found = Averaged {
+        peak_k: state,
+        end_k: state,
+        swing_k: [0.0; 2],
+        running_housing_k: 0.0,
+        running_s: f64::from(periods) * running_s,
+        cycles: f64::from(periods) * running_s / means.period_s,
+        starts: if running_s < period_s { periods } else { u32::from(periods > 0) },
+        lost_j: [0.0; 2],
+        supplied_j: 0.0,
+    };
+    // Both parts of a period in whole steps.
+    let parts = [(running_s, true), (period_s - running_s, false)].map(|(time, runs)| {
+        let count = (time / most).ceil();
+        let step = if count > 0.0 { time / count } else { 0.0 };
+        (count, step, runs, Stride::of(network, setup.ambient_k, step))
+    });
+    for _ in 0..periods {
+        if !goes_on() {
+            return Ok(None);
+        }
+        let mut span = [[f64::INFINITY, f64::NEG_INFINITY]; 2];
+        for (count, step, runs, stride) in &parts {
+            let mut left = *count;
+            while left > 0.0 {
+                left -= 1.0;
+                let of = |[winding, housing]: [f64; 2]| {
+                    if *runs { means.at(&machine, winding, housing) } else { (Losses::default(), 0.0) }
+                };
+                // Losses at the middle of the step, from a first step with those of its start.
+                let first = stride.step(state, of(state).0);
+                let middle = [0, 1].map(|k| {
+                    let at = |of: &[f64; 2]| of.get(k).copied().unwrap_or_default();
+                    f64::midpoint(at(&state), at(&first))
+                });
+                let (losses, supplied) = of(middle);
+                state = stride.step(state, losses);
+                found.lost_j[0] += losses.copper_w * step;
+                found.lost_j[1] += losses.friction_w * step;
+                found.supplied_j += supplied * step;
+                if *runs {
+                    found.running_housing_k += middle[1] * step / found.running_s;
+                }
+                for ((span, peak), now) in span.iter_mut().zip(&mut found.peak_k).zip(state) {
+                    *span = [span[0].min(now), span[1].max(now)];
+                    *peak = peak.max(now);
+                }
+            }
+        }
+        found.end_k = state;
+        found.swing_k = span.map(|[low, high]| high - low);
+    }
+    Ok(Some(found))
+}
