@@ -19,7 +19,10 @@ const COMMANDS: [(&str, &str); 16] = [
     ("book", "builds the book from docs/, under target/book, and tries its links"),
     ("picture", "compose the picture of the README from the program's own output"),
     ("site", "builds the page without a server, under target/site"),
-    ("browser", "tries the page in Chromium or, with `firefox` after it, in Firefox, with and without a server; names after it choose"),
+    (
+        "browser",
+        "tries the page in Chromium or, with `firefox` after it, in Firefox, with and without a server; names after it choose",
+    ),
     ("notices", "rewrite THIRD-PARTY.md from the lock file"),
     ("bench", "the bench gates; words after `bench` go to the benches"),
     (

@@ -13,13 +13,14 @@ mod template;
 pub use cells::{CellFault, Cells, TableFaults};
 pub use judged::{Best, Every, Judged, OnFront};
 pub use summary::{MissedBy, NotJudged, SweepRow, SweepSummary, Tally};
+#![allow(clippy::result_large_err, reason = "a fault is found once for a table, not for each of its rows")]
 
 use crate::codes::read_code;
 use crate::list::Unanswered;
 use crate::patience::{Patience, Stopped};
 use crate::reading::read_all;
 use order_code::OrderCode;
-use project::{Counted, Edit, Fault, Files, Heading, Hint, TabularFault, edit, written};
+use project::{Counted, Edit, Fault, Files, Heading, TabularFault, edit, written};
 use quantities::Language;
 use rayon::prelude::*;
 use sizing::{CheckId, Watch};
@@ -287,7 +288,9 @@ fn columns(
         let holds = holds.and_then(|holds| {
             if let Holds::Key(found) = &holds {
                 let own = if is_of_several { format!("axis[{}].", axis + 1) } else { String::new() };
-                missing_entry(&known, &own, found)?;
+                if let Some(fault) = missing_entry(&known, &own, found) {
+                    return Err((Fault::Tabular(fault), None));
+                }
             }
             let key = |holds: &Holds| match holds {
                 Holds::Code => CODE.to_owned(),
@@ -311,7 +314,7 @@ fn columns(
 }
 
 /// An entry of a list that the project does not have.
-fn missing_entry(known: &[project::Written], own: &str, heading: &Heading) -> Result<(), (Fault, Option<Hint>)> {
+fn missing_entry(known: &[project::Written], own: &str, heading: &Heading) -> Option<TabularFault> {
     let path = format!("{own}{}", heading.path);
     for (at, _) in path.match_indices(']') {
         let entry = path.get(..=at).unwrap_or_default();
@@ -320,9 +323,9 @@ fn missing_entry(known: &[project::Written], own: &str, heading: &Heading) -> Re
         }
         let list = entry.rsplit_once('[').map_or(entry, |(list, _)| list);
         let count = (1..).take_while(|n| known.iter().any(|each| each.path == format!("{list}[{n}]"))).count();
-        return Err((Fault::Tabular(TabularFault::NoEntry { path: heading.path.clone(), count }), None));
+        return Some(TabularFault::NoEntry { path: heading.path.clone(), count });
     }
-    Ok(())
+    None
 }
 
 #[cfg(test)]

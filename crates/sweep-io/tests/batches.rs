@@ -52,7 +52,7 @@ fn every_code_and_the_front_stand_in_lines_of_their_own() {
     let table = batch(vec![("load.inertia [kg m^2]", Arc::new(Float32Array::from(vec![1.0, 2.0])) as ArrayRef)]);
     let every = sweep(&table, Wanted::Every(vec![questions::CheckId::PeakTorque]));
     let answer = every.batch(&table, 0, &Patience::endless()).unwrap();
-    assert!(answer.num_rows() > 500 && answer.num_rows() % 2 == 0);
+    assert!(answer.num_rows() > 500 && answer.num_rows().is_multiple_of(2));
     assert_eq!(answer.schema().field(5).name(), "peak_torque.verdict");
     assert!(["pass", "fail"].contains(&answer.column(5).as_string::<i32>().value(0)));
     let front = sweep(&table, Wanted::Front);

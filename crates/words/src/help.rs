@@ -83,7 +83,7 @@ texts! {
         | "Jede Bestellbezeichnung jeder Zeile, mit Urteil und Auslastung dieses Nachweises; mehrmals";
     sweep_front =
         "Of each row the codes that no other fitting one beats in mass, length and margin"
-        | "Je Zeile die Bestellbezeichnungen, die keine andere passende in Masse, Länge und Reserve übertrifft";
+        | "Je Zeile die Bestellbezeichnungen, die keine andere geeignete in Masse, Länge und Reserve übertrifft";
     sweep_out =
         "The answers as .csv or .parquet; an interrupted call continues"
         | "Die Antworten als .csv oder .parquet; ein unterbrochener Aufruf setzt fort";

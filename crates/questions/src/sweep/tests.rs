@@ -15,10 +15,6 @@ fn numbers(cells: &[f64]) -> Cells<'static> {
     Cells::Numbers(cells.iter().copied().map(Some).collect())
 }
 
-fn texts<'c>(cells: &[&'c str]) -> Cells<'c> {
-    Cells::Texts(cells.iter().map(|cell| Some(Cow::Borrowed(*cell))).collect())
-}
-
 fn best(answer: &Answer) -> Best {
     match answer {
         Ok(Judged::Best(best)) => *best,
