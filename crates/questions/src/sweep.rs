@@ -2,6 +2,7 @@
 //!
 //! What the rows have in common is read once ([`template`]). A row whose axis cannot be is answered with the reason; a table
 //! whose headings or cells cannot be read is refused with every fault.
+#![allow(clippy::result_large_err, reason = "a fault is found once for a table, not for each of its rows")]
 
 mod cells;
 pub mod csv;
@@ -13,7 +14,6 @@ mod template;
 pub use cells::{CellFault, Cells, TableFaults};
 pub use judged::{Best, Every, Judged, OnFront};
 pub use summary::{MissedBy, NotJudged, SweepRow, SweepSummary, Tally};
-#![allow(clippy::result_large_err, reason = "a fault is found once for a table, not for each of its rows")]
 
 use crate::codes::read_code;
 use crate::list::Unanswered;
