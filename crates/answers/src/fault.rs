@@ -25,6 +25,12 @@ pub struct Fault {
     /// Its place in the file.
     #[serde(flatten)]
     pub place: Option<Place>,
+    /// The heading of the column of a table that it is about.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub heading: Option<String>,
+    /// The row of the table, from 0.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub row: Option<u64>,
     /// What is wrong, one sentence.
     pub message: String,
     /// What was expected, or the nearest valid choice; `null` where nothing is near.

@@ -13,6 +13,7 @@ mod edit;
 mod fault;
 mod flange;
 mod gearing;
+mod heading;
 mod ids;
 mod inputs;
 mod key;
@@ -61,6 +62,7 @@ pub use drawn::drawn_figures;
 pub use edit::{Edit, EditFault, Written, edit, edit_measured, key_at, measured_key_at, stretch, written};
 pub use fault::{Expected, Fault, FileTrouble, Hint, Range, Unopened};
 pub use gearing::Gearing;
+pub use heading::{CellKind, Counted, Heading, Objection};
 pub use inputs::{Input, InputChange, input_changes, inputs};
 pub use key::{Column, Key, Kind, Variants, example};
 pub use label::input_label;
@@ -256,6 +258,12 @@ pub struct Project {
 pub type Choose<'c> = &'c dyn Fn(&[f64], &dyn Fn(f64) -> Option<Project>) -> Option<Project>;
 
 impl Project {
+    /// Whether it is one of several axes of its file.
+    #[must_use]
+    pub fn is_of_several(&self) -> bool {
+        !self.root.head().path.is_empty()
+    }
+
     /// The solid bodies that the axis turns, with their inertia; `None` where it turns something else.
     #[must_use]
     pub fn bodies(&self) -> Option<InertiaAnswer> {

@@ -20,7 +20,7 @@ const WORD_SHOWN: usize = 60;
 const TEXT_MAX: usize = 200;
 
 /// Magnitudes that a machine can have, in SI: from here products and powers of them stay finite.
-const MAGNITUDES: std::ops::RangeInclusive<f64> = 1e-12..=1e12;
+pub(crate) const MAGNITUDES: std::ops::RangeInclusive<f64> = 1e-12..=1e12;
 
 /// Most moves in one cycle, and most points of a curve.
 const LIST_MAX: usize = 10_000;
@@ -151,28 +151,8 @@ impl<'t> Reader<'t> {
         self.fault(name.span(), fault, hint);
     }
 
-    /// "did you mean …", or the whole list where nothing is near.
     fn nearest(&self, written: &str, valid: &[&str]) -> Option<Hint> {
-        if self.faults.len() >= FAULTS_MOST {
-            return None;
-        }
-        let written: String = written.chars().take(60).collect();
-        // A word that was cut short or spun out is nearer than its count of letters says.
-        let akin = valid
-            .iter()
-            .find(|name| written.len() >= 3 && (name.starts_with(written.as_str()) || written.starts_with(**name)));
-        if let Some(name) = akin {
-            return Some(Hint::DidYouMean((*name).to_owned()));
-        }
-        let near = valid
-            .iter()
-            .map(|name| (strsim::damerau_levenshtein(&written.to_lowercase(), &name.to_lowercase()), *name))
-            .min()
-            .filter(|(distance, name)| *distance * 2 <= name.chars().count());
-        Some(match near {
-            Some((_, name)) => Hint::DidYouMean(name.to_owned()),
-            None => Hint::valid(valid),
-        })
+        (self.faults.len() < FAULTS_MOST).then(|| nearest(written, valid))
     }
 
     /// What stands there is of another type than its key.
@@ -305,7 +285,7 @@ impl<'t> Reader<'t> {
 
     /// A quantity of one of several dimensions, in SI; a unit of none is reported against the one that is nearest. `path` is
     /// that of the key, `place` that of the value.
-    fn quantity(
+    pub(crate) fn quantity(
         &mut self,
         (text, span): (&str, Span<usize>),
         (dimensions, range): (&[Dimension], Range),
@@ -553,6 +533,27 @@ fn one_of(dimensions: &[Dimension], text: &str) -> Option<Dimension> {
         Err(_) => 1,
     };
     dimensions.iter().copied().min_by_key(distance)
+}
+
+/// "did you mean …", or the whole list where nothing is near.
+pub(crate) fn nearest(written: &str, valid: &[&str]) -> Hint {
+    let written: String = written.chars().take(60).collect();
+    // A word that was cut short or spun out is nearer than its count of letters says.
+    let akin = valid
+        .iter()
+        .find(|name| written.len() >= 3 && (name.starts_with(written.as_str()) || written.starts_with(**name)));
+    if let Some(name) = akin {
+        return Hint::DidYouMean((*name).to_owned());
+    }
+    let near = valid
+        .iter()
+        .map(|name| (strsim::damerau_levenshtein(&written.to_lowercase(), &name.to_lowercase()), *name))
+        .min()
+        .filter(|(distance, name)| *distance * 2 <= name.chars().count());
+    match near {
+        Some((_, name)) => Hint::DidYouMean(name.to_owned()),
+        None => Hint::valid(valid),
+    }
 }
 
 /// A key within a table.

@@ -115,11 +115,12 @@ fn impossible(values: &[(&Tolerance, f64)], found: Option<Diagnostic>) -> (Fault
     (Fault::ImpossibleWithin { values: values.iter().map(named).collect(), why }, hint)
 }
 
-/// A project whose toleranced quantities can be given other values again and again, without reading the file anew.
+/// A project whose quantities can be given other values again and again, without reading the file anew.
 #[derive(Clone, Debug)]
 pub struct Varied<'p> {
     project: &'p Project,
     root: AxisSection,
+    paths: Vec<&'p str>,
     of_requirements: bool,
     of_actuator: bool,
 }
@@ -136,16 +137,24 @@ pub struct Variant {
 }
 
 impl<'p> Varied<'p> {
-    /// `None` for a project without tolerances.
+    /// Its toleranced quantities; `None` for a project without tolerances.
     #[must_use]
     pub fn new(project: &'p Project) -> Option<Self> {
-        let touches = |table: &str| project.tolerances.iter().any(|tolerance| tolerance.path.starts_with(table));
-        Some(Self {
-            root: (!project.tolerances.is_empty()).then(|| project.root.clone())?,
-            project,
+        let paths = project.tolerances.iter().map(|tolerance| tolerance.path.as_str()).collect();
+        (!project.tolerances.is_empty()).then(|| Self::over(project, paths))
+    }
+
+    /// The quantities and plain numbers at some paths within the axis, all of which the project states.
+    #[must_use]
+    pub fn over(project: &'p Project, paths: Vec<&'p str>) -> Self {
+        let touches = |table: &str| paths.iter().any(|path| path.starts_with(table));
+        Self {
             of_requirements: touches("requirements."),
             of_actuator: touches("actuator."),
-        })
+            root: project.root.clone(),
+            project,
+            paths,
+        }
     }
 
     /// The project as it is stated.
@@ -154,19 +163,19 @@ impl<'p> Varied<'p> {
         self.project
     }
 
-    /// The project with one value, in SI, for each tolerance in their order; `None` where it cannot be built.
-    pub fn at(&mut self, values: &[f64]) -> Option<Variant> {
-        for (tolerance, value) in self.project.tolerances.iter().zip(values) {
-            self.root.set(&tolerance.path, *value)?;
+    /// The project with one value, in SI, for each path in their order.
+    ///
+    /// # Errors
+    /// Why it cannot be built: faults without a place in a file.
+    pub fn at(&mut self, values: &[f64]) -> Result<Variant, Vec<Diagnostic>> {
+        for (path, value) in self.paths.iter().zip(values) {
+            self.root.set(path, *value).ok_or_else(Vec::new)?;
         }
-        // The faults are counted only: no text, no place.
         let mut reader = Reader::new("");
-        let draft = prepare(&self.root, &mut reader)?;
+        let draft = prepare(&self.root, &mut reader);
         let actuator = self.of_actuator.then(|| build_actuator(&self.root, &mut reader));
-        if reader.fault_count() > 0 {
-            return None;
-        }
-        Some(Variant {
+        let Some(draft) = draft.filter(|_| reader.fault_count() == 0) else { return Err(reader.into_faults()) };
+        Ok(Variant {
             axis: finish(&self.root, draft),
             requirements: self.of_requirements.then(|| requirements(&self.root)),
             actuator: actuator.flatten(),

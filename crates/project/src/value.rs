@@ -163,6 +163,10 @@ impl Value for f64 {
         reader.number(found)
     }
 
+    fn of_si(si: f64) -> Option<Self> {
+        Some(si)
+    }
+
     fn noted(&self) -> Option<Amount> {
         Some(Some((*self, &ONE)))
     }

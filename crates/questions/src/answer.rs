@@ -31,7 +31,7 @@ pub use dossier::dossier;
 pub use encoder::encoder;
 pub use errata::{errata, erratum};
 pub use facts::facts;
-pub use fault::{code_worded, fault, faults, file_fault, not_in_glossary, option_fault, refusal_text};
+pub use fault::{code_worded, fault, faults, file_fault, not_in_glossary, option_fault, refusal_text, table_faults};
 pub use judged::{candidate, fit, judgement, objections, reserve, sizing, tolerance};
 pub use motion::motion;
 pub use mount::mount;

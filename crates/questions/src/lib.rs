@@ -33,6 +33,7 @@ mod sheet;
 mod simulate;
 mod sizing_use;
 mod subject;
+pub mod sweep;
 mod templates;
 pub mod texts;
 mod together;

@@ -221,7 +221,7 @@ pub enum Refusal {
 }
 
 /// The actuators of the catalogue with the curves of a project.
-fn actuators_of(project: &Project, output_encoder: bool) -> &[(OrderCode, Parameters)] {
+pub(crate) fn actuators_of(project: &Project, output_encoder: bool) -> &[(OrderCode, Parameters)] {
     match &project.own_catalogue {
         Some(own) => own.actuators(output_encoder),
         None => actuators(output_encoder),
@@ -344,16 +344,19 @@ fn judged<'p, W: Watch>(
     let mut candidates = Vec::with_capacity(actuators.len());
     for (code, parameters) in actuators {
         watch.step()?;
-        let series = code.series();
-        let option_1 = project.option_1.and_then(|option| Option1::of(series, option.as_str()));
-        let option_2 = project.option_2.and_then(|option| Option2::of(series, option.as_str()));
-        if (option_1.is_none(), option_2.is_none()) != (project.option_1.is_none(), project.option_2.is_none()) {
-            continue;
-        }
-        let code = OrderCode { option_1, option_2, ..*code };
+        let Some(code) = with_options(project, code) else { continue };
         candidates.push(candidate(judging, code, parameters));
     }
     Ok(candidates)
+}
+
+/// A code with the options that the project requires; `None` where its series does not have them.
+pub(crate) fn with_options(project: &Project, code: &OrderCode) -> Option<OrderCode> {
+    let series = code.series();
+    let option_1 = project.option_1.and_then(|option| Option1::of(series, option.as_str()));
+    let option_2 = project.option_2.and_then(|option| Option2::of(series, option.as_str()));
+    let has_both = (option_1.is_none(), option_2.is_none()) == (project.option_1.is_none(), project.option_2.is_none());
+    has_both.then_some(OrderCode { option_1, option_2, ..*code })
 }
 
 /// Judges one code for the axis of a project.

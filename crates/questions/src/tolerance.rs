@@ -413,7 +413,7 @@ fn judge_samples<W: Watch>(
     for index in range {
         watch.step()?;
         stream.next_into(&project.tolerances, &mut values);
-        match varied.at(&values) {
+        match varied.at(&values).ok() {
             None => {
                 for sampled in &mut all {
                     sampled.impossible += 1;

@@ -99,6 +99,27 @@ pub enum Depth {
     /// the manual, and the energy that comes back where its bounds are below another utilisation. Verdict and utilisation
     /// are those of [`Depth::Full`].
     Margins,
+    /// The same, but the checks that look at the cycle once more only if none of the others fails. Verdict and utilisation are
+    /// those of [`Depth::Survivors`].
+    Rank,
+}
+
+impl Depth {
+    /// Whether what can neither fail nor has a margin is left out.
+    const fn is_bare(self) -> bool {
+        match self {
+            Self::Margins | Self::Rank => true,
+            Self::Full | Self::Survivors | Self::Ranking => false,
+        }
+    }
+
+    /// Whether the checks that look at the cycle once more are made of those only that no other rejects.
+    const fn is_of_survivors(self) -> bool {
+        match self {
+            Self::Survivors | Self::Ranking | Self::Rank => true,
+            Self::Full | Self::Margins => false,
+        }
+    }
 }
 
 /// The largest utilisation among some checks, see [`Judgement::utilisation`]; zero where none has one.
@@ -329,11 +350,11 @@ impl<'a> Judge<'a> {
         });
         let inertia = actuator.inertia_out.known().map(|known| known.value);
         let demand = inertia.map(|inertia| axis.demand(inertia));
-        let bare = depth == Depth::Margins;
+        let bare = depth.is_bare();
         let manual = inertia.filter(|_| !bare).and_then(|inertia| axis.manual_demand(inertia));
         let governing = manual.as_ref().map_or(0, |manual| manual.governing);
         let [rejected, all] = ROOM;
-        let only_survivors = matches!(depth, Depth::Survivors | Depth::Ranking);
+        let only_survivors = depth.is_of_survivors();
         let mut checks = Gathered {
             own: Vec::with_capacity(if only_survivors { rejected } else { all }),
             count: 0,
@@ -411,13 +432,15 @@ fn first_checks(case: &Case<'_>, (bare, explain): (bool, bool), to: &mut Gathere
 fn further_checks(case: &Case<'_>, (depth, explain): (Depth, bool), checks: &mut Vec<Check>) {
     let &Case { axis, actuator, currents, .. } = case;
     for stage in [Stage::Heat, Stage::Pass, Stage::Further] {
-        for id in made(axis, depth == Depth::Margins).filter(|id| id.stage() == stage) {
+        for id in made(axis, depth.is_bare()).filter(|id| id.stage() == stage) {
             let is_made = stage != Stage::Pass
                 || match depth {
                     Depth::Full | Depth::Survivors => true,
                     Depth::Ranking => energy::is_missing(actuator, currents),
                     // What passes and is below another utilisation changes neither verdict nor margin.
-                    Depth::Margins => !energy::is_below(axis, actuator, currents, utilisation(checks).min(1.0)),
+                    Depth::Margins | Depth::Rank => {
+                        !energy::is_below(axis, actuator, currents, utilisation(checks).min(1.0))
+                    }
                 };
             if is_made {
                 checks.extend(answered(id, case, explain));

@@ -20,7 +20,7 @@ pub(super) enum Room {
 }
 
 /// Every crate of the workspace by package name. A new crate is entered here first.
-const ROOMS: [(&str, Room); 38] = [
+const ROOMS: [(&str, Room); 39] = [
     ("numeric", Room::Layer(0)),
     ("quantities", Room::Layer(0)),
     ("provenance", Room::Layer(0)),
@@ -47,6 +47,7 @@ const ROOMS: [(&str, Room); 38] = [
     ("figures", Room::Layer(7)),
     ("report", Room::Layer(7)),
     ("tables", Room::Layer(7)),
+    ("sweep-io", Room::Layer(7)),
     ("disk", Room::Layer(8)),
     ("page", Room::Layer(8)),
     ("server", Room::Layer(9)),

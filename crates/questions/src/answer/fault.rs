@@ -2,6 +2,7 @@
 
 use crate::codes::CodeRefusal;
 use crate::sizing_use::Refusal;
+use crate::sweep::{CellFault, TableFaults};
 use answers::{Fault, Faults, Place};
 use quantities::{Language, format_significant, seen};
 use words::{Worded, check_title, terminal};
@@ -18,6 +19,28 @@ pub fn faults(file: &str, faults: &[Worded]) -> Faults {
         ..Fault::default()
     };
     Faults { errors: faults.iter().map(fault).collect() }
+}
+
+/// Faults of a table, with a last one that counts those not listed.
+#[must_use]
+pub fn table_faults(table: &str, found: &TableFaults, language: Language) -> Faults {
+    let file = || Some(seen(table).into_owned()).filter(|name| !name.is_empty());
+    let fault = |fault: &CellFault| Fault {
+        id: Some(fault.id),
+        file: file(),
+        heading: Some(fault.heading.clone()).filter(|heading| !heading.is_empty()),
+        row: fault.row,
+        message: seen(&fault.message).into_owned(),
+        hint: fault.hint.as_deref().map(|hint| seen(hint).into_owned()),
+        ..Fault::default()
+    };
+    let mut errors: Vec<Fault> = found.listed.iter().map(fault).collect();
+    if found.more > 0 {
+        let more = project::Fault::More { count: found.more };
+        let message = words::fault_text(&more, language);
+        errors.push(Fault { id: Some(more.id()), file: file(), message, ..Fault::default() });
+    }
+    Faults { errors }
 }
 
 /// A file that cannot be read or written, and why.

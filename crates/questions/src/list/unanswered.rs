@@ -1,10 +1,13 @@
 //! Why a question has no answer, before a face puts it into its form.
 
-use crate::answer::{code_faults, code_worded, fault, faults, file_fault, option_fault, refusal_text, written};
+use crate::answer::{
+    code_faults, code_worded, fault, faults, file_fault, option_fault, refusal_text, table_faults, written,
+};
 use crate::codes::CodeRefusal;
 use crate::list::given::Hinted;
 use crate::reading::Unread;
 use crate::sizing_use::Refusal;
+use crate::sweep::TableFaults;
 use answers::{Fault, Faults};
 use order_code::OrderCode;
 use quantities::Language;
@@ -39,6 +42,13 @@ pub enum Unanswered {
         message: String,
         /// Whether it is too large.
         is_too_large: bool,
+    },
+    /// Faults of a table, each at its heading and row.
+    Table {
+        /// What the table is called.
+        name: String,
+        /// Its faults.
+        faults: TableFaults,
     },
     /// A value of an argument is wrong.
     Option {
@@ -100,6 +110,7 @@ impl Unanswered {
             Self::Refused(refusal, _) => *refusal == Refusal::Stopped,
             Self::Together(all) => all.iter().any(Self::is_stopped),
             Self::Text { .. }
+            | Self::Table { .. }
             | Self::Code { .. }
             | Self::File { .. }
             | Self::Option { .. }
@@ -120,6 +131,7 @@ impl Unanswered {
         match self {
             Self::Text { name, faults: found, .. } => faults(name, found),
             Self::Code { text, refusal, .. } => faults(terminal::code(language), &code_worded(text, refusal)),
+            Self::Table { name, faults } => table_faults(name, faults, language),
             Self::File { name, message, .. } => file_fault(name, message),
             Self::Option { name, fault } => option_fault(name, fault.clone()),
             Self::Message((message, hint)) => {

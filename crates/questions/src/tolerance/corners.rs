@@ -42,7 +42,7 @@ fn of_all<W: Watch>(
     let mut found: Vec<Option<(Point, usize)>> = vec![None; judged.len()];
     for corner in 0..1_usize << project.tolerances.len() {
         watch.step()?;
-        let variant = varied.at(&values(project, |index| sign(corner, index)));
+        let variant = varied.at(&values(project, |index| sign(corner, index))).ok();
         for (best, judged) in found.iter_mut().zip(judged) {
             let here = variant.as_ref().map_or(Point::IMPOSSIBLE, |variant| Point::of(judged, project, variant));
             if best.as_ref().is_none_or(|(point, _)| here.is_worse_than(point)) {

@@ -1,0 +1,352 @@
+//! Headings of a table whose columns are keys of a project: each is the key with the unit of its numbers.
+
+use crate::edit::key_at;
+use crate::key::{Key, Kind};
+use crate::read::{MAGNITUDES, Reader, nearest, shortened};
+use crate::root::KEYS;
+use crate::{Fault, Hint, Range};
+use quantities::{Dimension, QuantityError, Unit};
+
+/// Longest excerpt of a heading in a fault, in characters.
+const HEADING_SHOWN: usize = 80;
+
+/// A column whose cells are values of a key: `load.inertia [kg m^2]`, `motion[1].law`.
+#[derive(Clone, Debug)]
+pub struct Heading {
+    /// The path of the key within the axis, entries of lists counted from one: `motion[1].time`.
+    pub path: String,
+    /// The description of the key.
+    pub key: &'static Key,
+    /// What stands in its cells.
+    pub cells: CellKind,
+}
+
+/// What stands in the cells of a column.
+#[derive(Clone, Copy, Debug)]
+pub enum CellKind {
+    /// Numbers in this unit.
+    Quantity(&'static Unit, Range),
+    /// Plain numbers within bounds.
+    Number(f64, f64),
+    /// Whole numbers within bounds.
+    Whole(i64, i64),
+    /// `true` or `false`.
+    Flag,
+    /// One of these words.
+    Word(&'static [&'static str]),
+    /// Several of these words, separated by commas or semicolons.
+    Words(&'static [&'static str]),
+    /// Free text.
+    Text,
+}
+
+/// From which number the headings of a table count the entries of a list.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Counted {
+    /// `motion[0]` is the first segment.
+    FromZero,
+    /// `motion[1]` is the first segment, as in project files and faults.
+    FromOne,
+}
+
+impl Counted {
+    /// From zero where one of the headings has an entry with the number zero, else from one.
+    pub fn of<'h>(headings: impl IntoIterator<Item = &'h str>) -> Self {
+        let has_zero = headings.into_iter().any(|heading| parts(heading).0.contains("[0]"));
+        if has_zero { Self::FromZero } else { Self::FromOne }
+    }
+}
+
+/// What is wrong with a heading or a cell, and what would help.
+pub type Objection = (Fault, Option<Hint>);
+
+impl Heading {
+    /// Reads a heading; `axis` is the place of the axis among several.
+    ///
+    /// # Errors
+    /// Where the project file has no such key, its values cannot stand in cells, or the unit is missing or wrong.
+    pub fn read(written: &str, counted: Counted, axis: Option<usize>) -> Result<Self, Objection> {
+        let (name, unit) = parts(written);
+        let unknown = || (Fault::UnknownKey { path: shortened(name, HEADING_SHOWN) }, nearest_key(name, counted));
+        let path = from_one(name, counted).ok_or_else(unknown)?;
+        let within = axis.map_or_else(|| path.clone(), |index| format!("axis[{}].{path}", index + 1));
+        let is_of_an_axis = !["axis", "curve", "format"].contains(&path.split(['.', '[']).next().unwrap_or_default());
+        let key = key_at(&within).filter(|_| is_of_an_axis && names_its_entries(&within)).ok_or_else(unknown)?;
+        let cells = match key.kind {
+            Kind::Quantity(dimension, range) => {
+                CellKind::Quantity(unit_of(&[dimension], unit).map_err(|error| quantity(name, error))?, range)
+            }
+            Kind::Along(turning, line, range) => {
+                CellKind::Quantity(unit_of(&[turning, line], unit).map_err(|error| quantity(name, error))?, range)
+            }
+            Kind::Number(low, high) => CellKind::Number(low, high),
+            Kind::Integer(low, high) => CellKind::Whole(low, high),
+            Kind::Bool => CellKind::Flag,
+            Kind::OneOf(words) => CellKind::Word(words),
+            Kind::ListOf(words) => CellKind::Words(words),
+            Kind::Text => CellKind::Text,
+            Kind::Numbers(..)
+            | Kind::Rows(_)
+            | Kind::Table(_)
+            | Kind::OneOrMany(..)
+            | Kind::Bodies
+            | Kind::Variants(_) => return Err((Fault::NoColumn { path }, nearest_key(name, counted))),
+        };
+        if let (Some(unit), false) = (unit, matches!(cells, CellKind::Quantity(..))) {
+            let unit = shortened(unit, HEADING_SHOWN);
+            return Err((Fault::UnitOfNoQuantity { path, unit }, None));
+        }
+        Ok(Self { path, key, cells })
+    }
+
+    /// Whether its cells are numbers of which each row has its own.
+    #[must_use]
+    pub const fn is_number(&self) -> bool {
+        matches!(self.cells, CellKind::Quantity(..) | CellKind::Number(..))
+    }
+
+    /// The number of a cell as the project has it, in SI; `None` where a project file would be refused with it.
+    #[must_use]
+    pub fn si(&self, cell: f64) -> Option<f64> {
+        match self.cells {
+            CellKind::Quantity(unit, range) => {
+                let si = unit.to_si(cell);
+                let plausible = si == 0.0 || MAGNITUDES.contains(&si.abs());
+                (plausible && cell.is_finite() && range.holds(unit.dimension, si)).then_some(si)
+            }
+            CellKind::Number(low, high) => (low..=high).contains(&cell).then_some(cell),
+            CellKind::Whole(..) | CellKind::Flag | CellKind::Word(_) | CellKind::Words(_) | CellKind::Text => None,
+        }
+    }
+
+    /// Why a project file would be refused with the number of a cell.
+    #[must_use]
+    pub fn refusal(&self, cell: f64) -> Option<Fault> {
+        if self.si(cell).is_some() {
+            return None;
+        }
+        let (path, written) = (self.path.clone(), self.written(cell));
+        match self.cells {
+            _ if !cell.is_finite() => Some(Fault::NotANumber { path, written: cell.to_string() }),
+            CellKind::Quantity(unit, range) => {
+                let mut reader = Reader::new(&written);
+                let dimensions = [unit.dimension];
+                let _ = reader.quantity((&written, 0..written.len()), (&dimensions, range), (&path, &path));
+                reader.into_faults().into_iter().next().map(|found| found.fault)
+            }
+            CellKind::Number(low, high) => Some(Fault::NumberOutOfRange { path, low, high }),
+            #[allow(clippy::cast_precision_loss, reason = "bounds are small")]
+            CellKind::Whole(low, high) => Some(Fault::NumberOutOfRange { path, low: low as f64, high: high as f64 }),
+            CellKind::Flag | CellKind::Word(_) | CellKind::Words(_) | CellKind::Text => None,
+        }
+    }
+
+    /// The number of a cell as it is written behind the key of a project file.
+    #[must_use]
+    pub fn written(&self, cell: f64) -> String {
+        match self.cells {
+            CellKind::Quantity(unit, _) => format!("{cell} {}", unit.ascii),
+            CellKind::Number(..)
+            | CellKind::Whole(..)
+            | CellKind::Flag
+            | CellKind::Word(_)
+            | CellKind::Words(_)
+            | CellKind::Text => cell.to_string(),
+        }
+    }
+
+    /// What is wrong with a word in one of its cells.
+    #[must_use]
+    pub fn objection(&self, cell: &str) -> Option<Objection> {
+        let not_a_choice = |word: &str, words: &[&str]| {
+            let written = shortened(word, HEADING_SHOWN);
+            (Fault::NotAChoice { path: self.path.clone(), written }, Some(nearest(word, words)))
+        };
+        match self.cells {
+            CellKind::Word(words) => (!words.contains(&cell)).then(|| not_a_choice(cell, words)),
+            CellKind::Words(words) => {
+                let mut each = cell.split([',', ';']).map(str::trim);
+                each.find(|word| !words.contains(word)).map(|word| not_a_choice(word, words))
+            }
+            CellKind::Flag => (!["true", "false"].contains(&cell)).then(|| not_a_choice(cell, &["true", "false"])),
+            CellKind::Quantity(..) | CellKind::Number(..) | CellKind::Whole(..) | CellKind::Text => None,
+        }
+    }
+}
+
+/// The key and the unit of a heading: the unit stands in the last brackets, behind a space or what is no entry of a list.
+fn parts(written: &str) -> (&str, Option<&str>) {
+    let written = written.trim();
+    let split = written.strip_suffix(']').and_then(|rest| rest.rsplit_once('['));
+    match split {
+        Some((name, unit)) if name.ends_with(char::is_whitespace) || unit.trim().parse::<usize>().is_err() => {
+            (name.trim_end(), Some(unit.trim()))
+        }
+        _ => (written, None),
+    }
+}
+
+/// The path with the entries of its lists counted from one; `None` where it is none.
+fn from_one(path: &str, counted: Counted) -> Option<String> {
+    let mut parts = path.split('[');
+    let mut found = parts.next()?.to_owned();
+    for part in parts {
+        let (index, rest) = part.split_once(']')?;
+        let index: usize = index.parse().ok()?;
+        let index = match counted {
+            Counted::FromZero => index.checked_add(1)?,
+            Counted::FromOne => index,
+        };
+        found.push_str(&format!("[{index}]{rest}"));
+    }
+    Some(found)
+}
+
+/// Whether each list on the way of a path has the number of its entry.
+fn names_its_entries(path: &str) -> bool {
+    path.match_indices('.').all(|(at, _)| {
+        let above = path.get(..at).unwrap_or_default();
+        let is_list = key_at(above).is_some_and(|key| matches!(key.kind, Kind::Variants(_) | Kind::OneOrMany(..)));
+        !is_list || above.ends_with(']')
+    })
+}
+
+/// The unit of a heading, held to what the key measures.
+fn unit_of(dimensions: &[Dimension], unit: Option<&str>) -> Result<&'static Unit, (QuantityError, Vec<Dimension>)> {
+    let sample = format!("1 {}", unit.unwrap_or_default());
+    let found = dimensions.iter().map(|dimension| quantities::parse(*dimension, &sample));
+    let mut errors = Vec::new();
+    for (dimension, read) in dimensions.iter().zip(found) {
+        match read {
+            Ok(reading) => return Ok(reading.unit),
+            Err(error) => errors.push((error, dimension)),
+        }
+    }
+    // The one whose unit is spelt nearly so, else the first.
+    let is_near = |error: &QuantityError| matches!(error, QuantityError::UnitUnknown { nearest: Some(_), .. });
+    let place = errors.iter().position(|(error, _)| is_near(error)).unwrap_or(0);
+    let (error, of) = errors.swap_remove(place);
+    Err((error, dimensions.iter().copied().filter(|dimension| dimension != of).collect()))
+}
+
+fn quantity(name: &str, (error, also): (QuantityError, Vec<Dimension>)) -> Objection {
+    (Fault::Quantity { path: shortened(name, HEADING_SHOWN), error, also }, None)
+}
+
+/// The key that was probably meant: the nearest of all, with its table where only its own name is written.
+fn nearest_key(written: &str, counted: Counted) -> Option<Hint> {
+    let written: String = written.chars().take(HEADING_SHOWN).collect::<String>().to_lowercase();
+    let mut all = Vec::new();
+    let first = match counted {
+        Counted::FromZero => "[0]",
+        Counted::FromOne => "[1]",
+    };
+    columns(KEYS, "", first, &mut all);
+    let distance = |path: &String| {
+        let last = path.rsplit('.').next().unwrap_or(path);
+        let whole = strsim::damerau_levenshtein(&written, path);
+        // Written with underscores for points, or without its table.
+        let plain = strsim::damerau_levenshtein(&written.replace('_', "."), &path.replace('_', "."));
+        let own = strsim::damerau_levenshtein(written.rsplit('.').next().unwrap_or(&written), last)
+            + usize::from(written.contains('.'));
+        let own = if own * 3 <= last.len() { own } else { usize::MAX };
+        whole.min(plain).min(own)
+    };
+    let (near, path) = all.iter().map(|path| (distance(path), path)).min_by_key(|(near, _)| *near)?;
+    (near * 2 <= path.len()).then(|| Hint::DidYouMean(path.clone()))
+}
+
+/// The paths of the keys that can be columns.
+fn columns(keys: &'static [Key], above: &str, first: &str, found: &mut Vec<String>) {
+    for key in keys {
+        let path = if above.is_empty() { key.name.to_owned() } else { format!("{above}.{}", key.name) };
+        match key.kind {
+            Kind::Table(below) => columns(below, &path, first, found),
+            Kind::Variants(variants) if path == "motion" => {
+                columns(variants.keys, &format!("{path}{first}"), first, found)
+            }
+            Kind::OneOrMany(..) | Kind::Variants(_) | Kind::Numbers(..) | Kind::Rows(_) | Kind::Bodies => {}
+            Kind::Quantity(..)
+            | Kind::Along(..)
+            | Kind::Number(..)
+            | Kind::Integer(..)
+            | Kind::Bool
+            | Kind::Text
+            | Kind::OneOf(_)
+            | Kind::ListOf(_) => {
+                if !above.is_empty() {
+                    found.push(path);
+                }
+            }
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn read(written: &str) -> Result<Heading, Objection> {
+        Heading::read(written, Counted::of([written]), None)
+    }
+
+    #[test]
+    fn a_heading_is_a_key_with_the_unit_of_its_cells() {
+        let inertia = read("load.inertia [kg m^2]").unwrap();
+        assert_eq!((inertia.path.as_str(), inertia.si(1.3)), ("load.inertia", Some(1.3)));
+        assert_eq!(inertia.written(1.3), "1.3 kg m^2");
+        let time = read("motion[0].time[ms]").unwrap();
+        assert_eq!((time.path.as_str(), time.si(250.0)), ("motion[1].time", Some(0.25)));
+        assert_eq!(read("motion[1].time [s]").unwrap().path, "motion[1].time");
+        let along = read("motion[0].distance [mm]").unwrap();
+        assert_eq!(along.si(5.0), Some(0.005));
+        assert!(matches!(read("motion[0].law").unwrap().cells, CellKind::Word(words) if words.contains(&"trapezoid")));
+        assert!(matches!(read("requirements.feedback").unwrap().cells, CellKind::Words(_)));
+        assert!(matches!(read("mechanism.arm.efficiency").unwrap().cells, CellKind::Number(..)));
+    }
+
+    #[test]
+    fn a_number_that_a_project_file_refuses_is_refused() {
+        let inertia = read("load.inertia [kg m^2]").unwrap();
+        assert_eq!([-1.0, f64::NAN, f64::INFINITY, 1e13, 1e-13].map(|cell| inertia.si(cell)), [None; 5]);
+        let ambient = read("requirements.ambient [degC]").unwrap();
+        assert_eq!((ambient.si(-300.0), ambient.si(20.0)), (None, Some(293.15)));
+    }
+
+    #[test]
+    fn an_unknown_heading_is_answered_with_the_nearest_key() {
+        for (written, near) in [
+            ("load.inerta [kg m^2]", "load.inertia"),
+            ("inertia [kg m^2]", "load.inertia"),
+            ("load_inertia [kg m^2]", "load.inertia"),
+            ("motion[0].tme [s]", "motion[0].time"),
+            ("motion.time [s]", "motion[1].time"),
+            ("requirement.ambient [degC]", "requirements.ambient"),
+        ] {
+            let (fault, hint) = read(written).unwrap_err();
+            assert!(matches!(fault, Fault::UnknownKey { .. } | Fault::NoColumn { .. }), "{written}: {fault:?}");
+            assert_eq!(hint, Some(Hint::DidYouMean(near.to_owned())), "{written}");
+        }
+    }
+
+    #[test]
+    fn a_unit_is_written_and_fits() {
+        for written in ["load.inertia", "load.inertia [kg]", "load.inertia [kgm3]", "motion[0].distance [s]"] {
+            assert!(matches!(read(written), Err((Fault::Quantity { .. }, _))), "{written}");
+        }
+        assert!(matches!(read("motion[0].law [s]"), Err((Fault::UnitOfNoQuantity { .. }, _))));
+        for written in ["load", "axis.name", "format", "mechanism.table.points"] {
+            assert!(matches!(read(written), Err((Fault::NoColumn { .. } | Fault::UnknownKey { .. }, _))), "{written}");
+        }
+    }
+
+    #[test]
+    fn a_wrong_word_is_answered_with_the_nearest() {
+        let law = read("motion[0].law").unwrap();
+        assert!(law.objection("trapezoid").is_none());
+        let (_, hint) = law.objection("trapezoyd").unwrap();
+        assert_eq!(hint, Some(Hint::DidYouMean("trapezoid".to_owned())));
+        let feedback = read("requirements.feedback").unwrap();
+        assert!(feedback.objection("C1024, M512P").is_none() && feedback.objection("C1024, M513P").is_some());
+    }
+}

@@ -1,0 +1,325 @@
+//! Many axes at once: a project and a table whose columns are keys of the project; each row is the project with its values.
+//!
+//! What the rows have in common is read once ([`template`]). A row whose axis cannot be is answered with the reason; a table
+//! whose headings or cells cannot be read is refused with every fault.
+
+mod cells;
+mod judged;
+mod template;
+
+pub use cells::{CellFault, Cells, TableFaults};
+pub use judged::{Best, Every, Judged, OnFront};
+
+use crate::codes::read_code;
+use crate::list::Unanswered;
+use crate::patience::{Patience, Stopped};
+use crate::reading::read_all;
+use order_code::OrderCode;
+use project::{Counted, Edit, Fault, Files, Heading, Hint, edit, written};
+use quantities::Language;
+use rayon::prelude::*;
+use sizing::{CheckId, Watch};
+use std::borrow::Cow;
+use template::{Judge, Template, Templates};
+
+/// The heading of the column of ordering codes: its rows are judged for their code alone.
+pub const CODE: &str = "code";
+
+/// So many rows a thread takes at a time.
+const PART: usize = 256;
+
+/// What a sweep answers of each row.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub enum Wanted {
+    /// The best code, and how many fit.
+    #[default]
+    Best,
+    /// Every code with its verdict, and these checks.
+    Every(Vec<CheckId>),
+    /// The codes of which no other fitting one is lighter, shorter and wider in its margin.
+    Front,
+}
+
+/// How a table is judged.
+#[derive(Clone, Debug, Default)]
+pub struct Options {
+    /// The axis, by its name, of a project with several.
+    pub axis: Option<String>,
+    /// What is answered.
+    pub wanted: Wanted,
+    /// The language of the reasons.
+    pub language: Language,
+}
+
+/// A project and the headings of a table, ready for rows.
+pub struct Sweep {
+    text: String,
+    files: Box<dyn Files + Send + Sync>,
+    /// The place of the axis in the file, and whether there are several.
+    axis: (usize, bool),
+    columns: Vec<Column>,
+    options: Options,
+    templates: Templates,
+}
+
+/// A column with its heading as it is written.
+struct Column {
+    written: String,
+    holds: Holds,
+}
+
+/// What a column states.
+enum Holds {
+    /// The ordering code for which the row is judged.
+    Code,
+    /// A key of the project.
+    Key(Heading),
+}
+
+/// One row, with the values of the columns in their order.
+#[derive(Clone, Debug, PartialEq)]
+enum Value<'c> {
+    Number(f64),
+    Text(&'c str),
+}
+
+/// The answer of a row, or why there is none.
+pub type Answer = Result<Judged, String>;
+
+impl Sweep {
+    /// Reads the project and the headings of the table.
+    ///
+    /// # Errors
+    /// Every fault of the project, or every fault of the headings.
+    pub fn new(
+        (name, text): (&str, &str),
+        files: Box<dyn Files + Send + Sync>,
+        headings: &[&str],
+        options: Options,
+    ) -> Result<Self, Unanswered> {
+        let language = options.language;
+        let projects = read_all(text, &*files).map_err(|faults| Unanswered::Text {
+            name: name.to_owned(),
+            text: text.to_owned(),
+            faults: words::worded(&faults, language),
+        })?;
+        let is_of_several = projects.iter().any(|project| project.is_of_several());
+        let found = crate::subject::picked(projects, options.axis.as_deref(), language).map_err(Unanswered::message)?;
+        let place = match found.as_slice() {
+            [(place, _)] => *place,
+            several => {
+                let names = crate::subject::names(several.iter().map(|(_, project)| project));
+                return Err(Unanswered::message(words::terminal::several_axes(&names, language)));
+            }
+        };
+        let axis = (place, is_of_several);
+        let columns = columns(text, headings, axis, language)
+            .map_err(|faults| Unanswered::Table { name: String::new(), faults })?;
+        Ok(Self { text: text.to_owned(), files, axis, columns, options, templates: Templates::default() })
+    }
+
+    /// The headings in their order, keys with their entries counted from one.
+    pub fn keys(&self) -> impl Iterator<Item = &str> {
+        self.columns.iter().map(|column| match &column.holds {
+            Holds::Code => CODE,
+            Holds::Key(heading) => heading.path.as_str(),
+        })
+    }
+
+    /// What is answered.
+    #[must_use]
+    pub const fn options(&self) -> &Options {
+        &self.options
+    }
+
+    /// Adds every fault of some rows: cells that are empty, are no numbers, or name nothing that there is.
+    pub fn check(&self, cells: &[Cells<'_>], first_row: u64, faults: &mut TableFaults) {
+        let language = self.options.language;
+        for (column, cells) in self.columns.iter().zip(cells) {
+            cells.check(column, first_row, language, faults);
+        }
+    }
+
+    /// The answers of some rows, in their order.
+    ///
+    /// # Errors
+    /// Where it was stopped.
+    pub fn judge(&self, cells: &[Cells<'_>], patience: &Patience) -> Result<Vec<Answer>, Stopped> {
+        let rows = cells.iter().map(Cells::len).min().unwrap_or(0);
+        let parts: Vec<std::ops::Range<usize>> =
+            (0..rows).step_by(PART).map(|from| from..rows.min(from + PART)).collect();
+        let part = |range: &std::ops::Range<usize>| -> Result<Vec<Answer>, Stopped> {
+            let mut open: Option<(Vec<String>, std::sync::Arc<Template>)> = None;
+            let mut found = Vec::with_capacity(range.len());
+            let mut row = range.start;
+            while row < range.end {
+                // Rows that differ in numbers alone share a template.
+                let (words, first) = match self.values(cells, row) {
+                    Ok(values) => (self.words(&values), values),
+                    Err(why) => {
+                        patience.step()?;
+                        found.push(Err(why));
+                        row += 1;
+                        continue;
+                    }
+                };
+                let template = match open.take().filter(|(known, _)| *known == words) {
+                    Some((_, template)) => template,
+                    None => match self.template(&words, &first) {
+                        Ok(template) => template,
+                        Err(why) => {
+                            patience.step()?;
+                            found.push(Err(why));
+                            row += 1;
+                            continue;
+                        }
+                    },
+                };
+                let mut judge = Judge::of(&template, self);
+                while row < range.end {
+                    let values = match self.values(cells, row) {
+                        Ok(values) if self.words(&values) == words => values,
+                        Ok(_) => break,
+                        Err(why) => {
+                            patience.step()?;
+                            found.push(Err(why));
+                            row += 1;
+                            continue;
+                        }
+                    };
+                    patience.step()?;
+                    found.push(judge.row(&values));
+                    row += 1;
+                }
+                drop(judge);
+                open = Some((words, template));
+            }
+            Ok(found)
+        };
+        let found: Vec<Vec<Answer>> = parts.par_iter().map(part).collect::<Result<_, _>>()?;
+        Ok(found.into_iter().flatten().collect())
+    }
+
+    /// The values of a row.
+    ///
+    /// # Errors
+    /// The cells that cannot be values of their keys.
+    fn values<'c>(&self, cells: &'c [Cells<'_>], row: usize) -> Result<Vec<Value<'c>>, String> {
+        let language = self.options.language;
+        let mut values = Vec::with_capacity(self.columns.len());
+        let mut faults: Vec<String> = Vec::new();
+        for (column, cells) in self.columns.iter().zip(cells) {
+            match column.value(cells, row) {
+                Ok(value) => values.push(value),
+                Err(fault) => faults.push(words::fault_text(&fault, language)),
+            }
+        }
+        if faults.is_empty() { Ok(values) } else { Err(faults.join("; ")) }
+    }
+
+    /// The values that are no numbers.
+    fn words(&self, values: &[Value<'_>]) -> Vec<String> {
+        let of = |(column, value): (&Column, &Value<'_>)| match (&column.holds, value) {
+            (Holds::Key(heading), Value::Number(_)) if heading.is_number() => None,
+            (Holds::Key(_), Value::Number(number)) => Some(number.to_string()),
+            (Holds::Key(_), Value::Text(text)) => Some((*text).to_owned()),
+            (Holds::Code, _) => None,
+        };
+        self.columns.iter().zip(values).filter_map(of).collect()
+    }
+
+    /// The project file with the values of a row in it.
+    fn text_with(&self, values: &[Value<'_>]) -> String {
+        let mut text = self.text.clone();
+        for (column, value) in self.columns.iter().zip(values) {
+            let Holds::Key(heading) = &column.holds else { continue };
+            let written = match value {
+                Value::Number(number) => heading.written(*number),
+                Value::Text(text) => (*text).to_owned(),
+            };
+            let path = self.path(heading);
+            // The path was found in the file when the headings were read.
+            text = edit(&text, &path, Edit::Value(&written)).unwrap_or(text);
+        }
+        text
+    }
+
+    /// The path of a key in the file.
+    fn path<'h>(&self, heading: &'h Heading) -> Cow<'h, str> {
+        let (place, is_of_several) = self.axis;
+        if is_of_several {
+            Cow::Owned(format!("axis[{}].{}", place + 1, heading.path))
+        } else {
+            Cow::Borrowed(&heading.path)
+        }
+    }
+
+    fn code(&self, values: &[Value<'_>]) -> Option<OrderCode> {
+        let of = |(column, value): (&Column, &Value<'_>)| match (&column.holds, value) {
+            (Holds::Code, Value::Text(text)) => Some(read_code(text, self.options.language).ok()?.parsed.code),
+            _ => None,
+        };
+        self.columns.iter().zip(values).find_map(of)
+    }
+}
+
+/// Every heading read.
+fn columns(
+    text: &str,
+    headings: &[&str],
+    (axis, is_of_several): (usize, bool),
+    language: Language,
+) -> Result<Vec<Column>, TableFaults> {
+    let counted = Counted::of(headings.iter().copied());
+    let mut faults = TableFaults::default();
+    let mut columns: Vec<Column> = Vec::new();
+    let known = written(text).unwrap_or_default();
+    for heading in headings {
+        let holds = if heading.trim() == CODE {
+            Ok(Holds::Code)
+        } else {
+            Heading::read(heading, counted, is_of_several.then_some(axis)).map(Holds::Key)
+        };
+        let holds = holds.and_then(|holds| {
+            if let Holds::Key(found) = &holds {
+                let own = if is_of_several { format!("axis[{}].", axis + 1) } else { String::new() };
+                missing_entry(&known, &own, found)?;
+            }
+            let key = |holds: &Holds| match holds {
+                Holds::Code => CODE.to_owned(),
+                Holds::Key(heading) => heading.path.clone(),
+            };
+            let path = key(&holds);
+            if columns.iter().any(|other| key(&other.holds) == path) {
+                return Err((Fault::ColumnTwice { path }, None));
+            }
+            Ok(holds)
+        });
+        match holds {
+            Ok(holds) => columns.push(Column { written: (*heading).to_owned(), holds }),
+            Err(objection) => faults.add(CellFault::of(heading, None, &objection, language)),
+        }
+    }
+    if headings.is_empty() {
+        faults.add(CellFault::of("", None, &(Fault::NoColumns, None), language));
+    }
+    if faults.is_empty() { Ok(columns) } else { Err(faults) }
+}
+
+/// An entry of a list that the project does not have.
+fn missing_entry(known: &[project::Written], own: &str, heading: &Heading) -> Result<(), (Fault, Option<Hint>)> {
+    let path = format!("{own}{}", heading.path);
+    for (at, _) in path.match_indices(']') {
+        let entry = path.get(..=at).unwrap_or_default();
+        if entry.len() <= own.len() || known.iter().any(|each| each.path == entry) {
+            continue;
+        }
+        let list = entry.rsplit_once('[').map_or(entry, |(list, _)| list);
+        let count = (1..).take_while(|n| known.iter().any(|each| each.path == format!("{list}[{n}]"))).count();
+        return Err((Fault::NoEntry { path: heading.path.clone(), count }, None));
+    }
+    Ok(())
+}
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,107 @@
+//! What rows have in common: the project with their words in it, and the actuators that are judged.
+
+use super::judged::{Entrant, Row};
+use super::{Answer, Holds, Sweep, Value};
+use crate::reading::read_all;
+use project::{Heading, Project, Varied};
+use std::collections::BTreeMap;
+use std::sync::{Arc, Mutex, PoisonError};
+
+/// The project file with some words in it, read with the numbers of one row.
+pub(super) struct Template {
+    project: Project,
+}
+
+/// Templates by their words.
+#[derive(Default)]
+pub(super) struct Templates(Mutex<BTreeMap<Vec<String>, Arc<Template>>>);
+
+/// So many are kept; beyond them all are read anew.
+const KEPT_MOST: usize = 4096;
+
+impl Sweep {
+    /// The template of some words, made with the numbers of a row where there is none.
+    ///
+    /// # Errors
+    /// Why the project of that row cannot be read.
+    pub(super) fn template(&self, words: &[String], values: &[Value<'_>]) -> Result<Arc<Template>, String> {
+        let lock = || self.templates.0.lock().unwrap_or_else(PoisonError::into_inner);
+        if let Some(known) = lock().get(words) {
+            return Ok(Arc::clone(known));
+        }
+        let made = Arc::new(Template { project: self.project_with(values)? });
+        let mut kept = lock();
+        if kept.len() >= KEPT_MOST {
+            kept.clear();
+        }
+        // Another thread may have been quicker: any of them serves.
+        Ok(Arc::clone(kept.entry(words.to_vec()).or_insert(made)))
+    }
+
+    /// The project with the values of a row, read from its text.
+    ///
+    /// # Errors
+    /// Why it cannot be read.
+    fn project_with(&self, values: &[Value<'_>]) -> Result<Project, String> {
+        let text = self.text_with(values);
+        let mut projects = read_all(&text, &*self.files).map_err(|faults| self.reasons(&faults))?;
+        let (place, _) = self.axis;
+        if place < projects.len() { Ok(projects.swap_remove(place)) } else { Err(String::new()) }
+    }
+
+    fn reasons(&self, faults: &[project::Diagnostic]) -> String {
+        let each = words::worded(faults, self.options.language).into_iter().map(|fault| fault.message);
+        each.collect::<Vec<_>>().join("; ")
+    }
+
+    fn numbers(&self) -> impl Iterator<Item = &Heading> {
+        self.columns.iter().filter_map(|column| match &column.holds {
+            Holds::Key(heading) if heading.is_number() => Some(heading),
+            Holds::Key(_) | Holds::Code => None,
+        })
+    }
+}
+
+/// Judges the rows of one template, one after the other.
+pub(super) struct Judge<'s> {
+    sweep: &'s Sweep,
+    project: &'s Project,
+    varied: Varied<'s>,
+    entrants: Vec<Entrant<'s>>,
+}
+
+impl<'s> Judge<'s> {
+    pub(super) fn of(template: &'s Template, sweep: &'s Sweep) -> Self {
+        let project = &template.project;
+        let paths = sweep.numbers().map(|heading| heading.path.as_str()).collect();
+        Self { sweep, project, varied: Varied::over(project, paths), entrants: Entrant::all(project) }
+    }
+
+    /// The answer of a row.
+    pub(super) fn row(&mut self, values: &[Value<'_>]) -> Answer {
+        // Which of several ratios is the best takes a judgement of the catalogue for each: the row is read by itself.
+        if !self.project.ratios.is_empty() {
+            let project = self.sweep.project_with(values)?;
+            return self.judged(&Row::of(&project), values);
+        }
+        let numbers: Vec<f64> = self
+            .sweep
+            .columns
+            .iter()
+            .zip(values)
+            .filter_map(|(column, value)| match (&column.holds, value) {
+                (Holds::Key(heading), Value::Number(number)) => heading.si(*number),
+                _ => None,
+            })
+            .collect();
+        let variant = self.varied.at(&numbers).map_err(|faults| self.sweep.reasons(&faults))?;
+        let requirements = variant.requirements.as_ref().unwrap_or(&self.project.requirements);
+        let row = Row { axis: &variant.axis, requirements, project: self.project };
+        self.judged(&row, values)
+    }
+
+    fn judged(&self, row: &Row<'_>, values: &[Value<'_>]) -> Answer {
+        let code = self.sweep.code(values);
+        row.judged(&self.entrants, code.as_ref(), &self.sweep.options.wanted, self.sweep.options.language)
+    }
+}

@@ -1,0 +1,171 @@
+//! Record batches judged.
+
+use crate::columns::cells;
+use arrow_array::{ArrayRef, BooleanArray, Float64Array, RecordBatch, StringArray, UInt32Array, UInt64Array};
+use arrow_schema::{ArrowError, DataType, Field, Schema, SchemaRef};
+use project::Files;
+use quantities::unit::MILLIMETRE;
+use questions::list::Unanswered;
+use questions::sweep::{Answer, Best, Every, Judged, OnFront, Options, TableFaults, Wanted};
+use questions::{CheckId, Patience, Refusal};
+use std::sync::Arc;
+
+/// A project and the headings of a table, ready for record batches.
+pub struct Sweep {
+    sweep: questions::sweep::Sweep,
+    schema: SchemaRef,
+}
+
+impl Sweep {
+    /// Reads a project, by its name and text, and the headings of a table.
+    ///
+    /// # Errors
+    /// Every fault of the project, or every fault of the headings.
+    pub fn new(
+        project: (&str, &str),
+        files: Box<dyn Files + Send + Sync>,
+        table: &Schema,
+        options: Options,
+    ) -> Result<Self, Unanswered> {
+        let headings: Vec<&str> = table.fields().iter().map(|field| field.name().as_str()).collect();
+        let schema = answered(&options.wanted);
+        Ok(Self { sweep: questions::sweep::Sweep::new(project, files, &headings, options)?, schema })
+    }
+
+    /// The columns of the answer.
+    #[must_use]
+    pub fn schema(&self) -> SchemaRef {
+        Arc::clone(&self.schema)
+    }
+
+    /// The keys of the headings in their order, entries of lists counted from one.
+    pub fn keys(&self) -> impl Iterator<Item = &str> {
+        self.sweep.keys()
+    }
+
+    /// Adds every fault of the cells of a batch, whose first row has this number.
+    pub fn check(&self, batch: &RecordBatch, first_row: u64, faults: &mut TableFaults) {
+        let cells: Vec<_> = batch.columns().iter().map(cells).collect();
+        self.sweep.check(&cells, first_row, faults);
+    }
+
+    /// The answers of a batch, whose first row has this number; a row that cannot be judged is answered with the reason.
+    ///
+    /// # Errors
+    /// [`Refusal::Stopped`] where it was stopped.
+    pub fn batch(&self, batch: &RecordBatch, first_row: u64, patience: &Patience) -> Result<RecordBatch, Unanswered> {
+        let cells: Vec<_> = batch.columns().iter().map(cells).collect();
+        let answers = self.sweep.judge(&cells, patience).map_err(|_| Unanswered::from(Refusal::Stopped))?;
+        let columns = match &self.sweep.options().wanted {
+            Wanted::Best => best(&answers, first_row),
+            Wanted::Every(checks) => every(&answers, first_row, checks),
+            Wanted::Front => front(&answers, first_row),
+        };
+        RecordBatch::try_new(self.schema(), columns).map_err(|error| trouble(&error))
+    }
+}
+
+/// What the library says.
+fn trouble(error: &ArrowError) -> Unanswered {
+    Unanswered::message(error.to_string())
+}
+
+/// The columns of the answers.
+fn answered(wanted: &Wanted) -> SchemaRef {
+    let field = |name: &str, of: DataType| Field::new(name, of, true);
+    let row = Field::new("row", DataType::UInt64, false);
+    let (code, error) = (field("code", DataType::Utf8), field("error", DataType::Utf8));
+    let share = |name: &str| field(name, DataType::Float64);
+    let tightest = field("tightest", DataType::Utf8);
+    let fields = match wanted {
+        Wanted::Best => vec![row, field("fit", DataType::UInt32), code, share("utilisation"), tightest, error],
+        Wanted::Every(checks) => {
+            let each = checks.iter().flat_map(|check| {
+                [
+                    field(&format!("{}.verdict", check.id()), DataType::Utf8),
+                    share(&format!("{}.utilisation", check.id())),
+                ]
+            });
+            let first = [row, code, field("fits", DataType::Boolean), share("utilisation"), tightest];
+            first.into_iter().chain(each).chain([error]).collect()
+        }
+        Wanted::Front => {
+            vec![row, code, share("mass [kg]"), share("length [mm]"), share("utilisation"), tightest, error]
+        }
+    };
+    Arc::new(Schema::new(fields))
+}
+
+fn texts<T: AsRef<str>>(cells: impl Iterator<Item = Option<T>>) -> ArrayRef {
+    Arc::new(cells.collect::<StringArray>())
+}
+
+fn best(answers: &[Answer], first_row: u64) -> Vec<ArrayRef> {
+    let of = |answer: &Answer| match answer {
+        Ok(Judged::Best(best)) => Some(*best),
+        Ok(Judged::Every(_) | Judged::Front(_)) | Err(_) => None,
+    };
+    let found: Vec<Option<Best>> = answers.iter().map(of).collect();
+    let each = || found.iter().copied();
+    vec![
+        Arc::new((first_row..).take(answers.len()).collect::<UInt64Array>()),
+        Arc::new(each().map(|best| Some(best?.fit)).collect::<UInt32Array>()),
+        texts(each().map(|best| Some(best?.code?.to_string()))),
+        Arc::new(each().map(|best| best?.utilisation).collect::<Float64Array>()),
+        texts(each().map(|best| Some(best?.tightest?.id()))),
+        texts(answers.iter().map(|answer| answer.as_ref().err())),
+    ]
+}
+
+/// Each answer of each row, or the reason of a row without one.
+type Lines<'a, T> = Vec<(u64, Result<&'a T, &'a String>)>;
+
+fn lines<'a, T>(answers: &'a [Answer], first_row: u64, of: impl Fn(&'a Judged) -> &'a [T]) -> Lines<'a, T> {
+    let mut lines: Lines<'a, T> = Vec::new();
+    for (row, answer) in (first_row..).zip(answers) {
+        match answer {
+            Ok(judged) => lines.extend(of(judged).iter().map(|each| (row, Ok(each)))),
+            Err(why) => lines.push((row, Err(why))),
+        }
+    }
+    lines
+}
+
+fn every(answers: &[Answer], first_row: u64, checks: &[CheckId]) -> Vec<ArrayRef> {
+    let lines = lines(answers, first_row, |judged| match judged {
+        Judged::Every(every) => every.as_slice(),
+        Judged::Best(_) | Judged::Front(_) => &[],
+    });
+    let each = || lines.iter().map(|(_, line)| line.as_ref().ok().copied());
+    let mut columns: Vec<ArrayRef> = vec![
+        Arc::new(lines.iter().map(|(row, _)| *row).collect::<UInt64Array>()),
+        texts(each().map(|line| Some(line?.code.to_string()))),
+        Arc::new(each().map(|line| Some(line?.fits)).collect::<BooleanArray>()),
+        Arc::new(each().map(|line| line?.utilisation).collect::<Float64Array>()),
+        texts(each().map(|line| Some(line?.tightest?.id()))),
+    ];
+    for place in 0..checks.len() {
+        let check = |line: Option<&Every>| line?.checks.get(place).copied().flatten();
+        columns.push(texts(each().map(|line| Some(check(line)?.0.id()))));
+        columns.push(Arc::new(each().map(|line| check(line)?.1).collect::<Float64Array>()));
+    }
+    columns.push(texts(lines.iter().map(|(_, line)| line.as_ref().err())));
+    columns
+}
+
+fn front(answers: &[Answer], first_row: u64) -> Vec<ArrayRef> {
+    let lines = lines(answers, first_row, |judged| match judged {
+        Judged::Front(front) => front.as_slice(),
+        Judged::Best(_) | Judged::Every(_) => &[],
+    });
+    let each = || lines.iter().map(|(_, line): &(u64, Result<&OnFront, _>)| line.as_ref().ok().copied());
+    vec![
+        Arc::new(lines.iter().map(|(row, _)| *row).collect::<UInt64Array>()),
+        texts(each().map(|line| Some(line?.code.to_string()))),
+        Arc::new(each().map(|line| line?.mass_kg).collect::<Float64Array>()),
+        Arc::new(each().map(|line| Some(MILLIMETRE.from_si(line?.length_m?))).collect::<Float64Array>()),
+        Arc::new(each().map(|line| Some(line?.utilisation)).collect::<Float64Array>()),
+        texts(each().map(|line| Some(line?.tightest?.id()))),
+        texts(lines.iter().map(|(_, line)| line.as_ref().err())),
+    ]
+}

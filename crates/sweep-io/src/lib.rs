@@ -1,0 +1,9 @@
+//! Many axes as Arrow and as files: a table in, a table out.
+//!
+//! [`Sweep`] is [`questions::sweep`] over record batches; it computes nothing itself.
+
+mod batch;
+mod columns;
+
+pub use batch::Sweep;
+pub use questions::sweep::{CODE, CellFault, Options, TableFaults, Wanted};

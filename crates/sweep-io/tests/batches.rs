@@ -1,0 +1,92 @@
+//! Record batches in, record batches out.
+#![allow(clippy::unwrap_used, clippy::indexing_slicing, missing_docs, reason = "a test fails loudly")]
+
+use arrow_array::cast::AsArray;
+use arrow_array::types::{Float64Type, UInt32Type, UInt64Type};
+use arrow_array::{Array, ArrayRef, Float32Array, Float64Array, Int64Array, RecordBatch, StringArray};
+use project::NoFiles;
+use questions::Patience;
+use std::sync::Arc;
+use sweep_io::{Options, Sweep, TableFaults, Wanted};
+
+const MOVE: &str = "format = 1\n[load]\ninertia = \"1 kg m^2\"\nfriction_torque = \"5 N m\"\n[[motion]]\n\
+    law = \"trapezoid\"\ndistance = \"90 deg\"\ntime = \"0.5 s\"\n[[motion]]\nlaw = \"dwell\"\ntime = \"1 s\"\n";
+
+fn batch(columns: Vec<(&str, ArrayRef)>) -> RecordBatch {
+    RecordBatch::try_from_iter_with_nullable(columns.into_iter().map(|(name, cells)| (name, cells, true))).unwrap()
+}
+
+fn sweep(batch: &RecordBatch, wanted: Wanted) -> Sweep {
+    let options = Options { wanted, ..Options::default() };
+    Sweep::new(("axis.toml", MOVE), Box::new(NoFiles), &batch.schema(), options).unwrap()
+}
+
+#[test]
+fn a_table_is_answered_row_by_row() {
+    let table = batch(vec![
+        ("load.inertia [kg m^2]", Arc::new(Float64Array::from(vec![1.0, -1.0, 900.0])) as ArrayRef),
+        ("motion[0].time [ms]", Arc::new(Int64Array::from(vec![500, 500, 50]))),
+        ("motion[0].law", Arc::new(StringArray::from(vec!["trapezoid", "polynomial_5", "trapezoid"]))),
+    ]);
+    let sweep = sweep(&table, Wanted::Best);
+    let mut faults = TableFaults::default();
+    sweep.check(&table, 0, &mut faults);
+    assert!(faults.is_empty(), "{faults:?}");
+    let answer = sweep.batch(&table, 1000, &Patience::endless()).unwrap();
+    assert_eq!(answer.schema(), sweep.schema());
+    let names: Vec<_> = answer.schema().fields().iter().map(|field| field.name().clone()).collect();
+    assert_eq!(names, ["row", "fit", "code", "utilisation", "tightest", "error"]);
+    assert_eq!(answer.column(0).as_primitive::<UInt64Type>().values(), &[1000, 1001, 1002]);
+    let fit = answer.column(1).as_primitive::<UInt32Type>();
+    assert!(fit.value(0) > 50 && fit.is_null(1) && fit.value(2) == 0);
+    let code = answer.column(2).as_string::<i32>();
+    assert!(code.value(0).starts_with("CHA-") && code.is_null(1) && code.is_null(2));
+    let utilisation = answer.column(3).as_primitive::<Float64Type>();
+    assert!(utilisation.value(0) < 1.0 && utilisation.is_null(1) && utilisation.value(2) > 1.0);
+    let error = answer.column(5).as_string::<i32>();
+    assert!(error.is_null(0) && error.value(1).contains("load.inertia") && error.is_null(2));
+}
+
+#[test]
+fn every_code_and_the_front_stand_in_lines_of_their_own() {
+    let table = batch(vec![("load.inertia [kg m^2]", Arc::new(Float32Array::from(vec![1.0, 2.0])) as ArrayRef)]);
+    let every = sweep(&table, Wanted::Every(vec![questions::CheckId::PeakTorque]));
+    let answer = every.batch(&table, 0, &Patience::endless()).unwrap();
+    assert!(answer.num_rows() > 500 && answer.num_rows() % 2 == 0);
+    assert_eq!(answer.schema().field(5).name(), "peak_torque.verdict");
+    assert!(["pass", "fail"].contains(&answer.column(5).as_string::<i32>().value(0)));
+    let front = sweep(&table, Wanted::Front);
+    let answer = front.batch(&table, 0, &Patience::endless()).unwrap();
+    assert!((2..200).contains(&answer.num_rows()), "{}", answer.num_rows());
+    assert!(answer.column(2).as_primitive::<Float64Type>().iter().all(|mass| mass.is_some_and(|mass| mass > 0.5)));
+}
+
+#[test]
+fn every_fault_of_headings_and_cells_is_reported_at_once() {
+    let table = batch(vec![
+        ("load.inerta [kg m^2]", Arc::new(Float64Array::from(vec![1.0])) as ArrayRef),
+        ("load.friction_torque", Arc::new(Float64Array::from(vec![1.0]))),
+        ("motion[0].time [kg]", Arc::new(Float64Array::from(vec![1.0]))),
+    ]);
+    let refused = Sweep::new(("axis.toml", MOVE), Box::new(NoFiles), &table.schema(), Options::default());
+    let faults = refused.err().unwrap().faults(None, Options::default().language).errors;
+    let ids: Vec<_> = faults.iter().map(|fault| (fault.id.unwrap(), fault.heading.clone().unwrap())).collect();
+    assert_eq!(
+        ids,
+        [
+            ("unknown_key", "load.inerta [kg m^2]".to_owned()),
+            ("unit_missing", "load.friction_torque".to_owned()),
+            ("unit_of_another_quantity", "motion[0].time [kg]".to_owned())
+        ]
+    );
+    assert!(faults[0].hint.as_ref().unwrap().contains("load.inertia"));
+    let table = batch(vec![
+        ("load.inertia [kg m^2]", Arc::new(StringArray::from(vec!["1.5", "heavy"])) as ArrayRef),
+        ("motion[0].time [s]", Arc::new(Float64Array::from(vec![None, Some(1.0)]))),
+        ("code", Arc::new(StringArray::from(vec!["CHA-25A-50-H-C1024", "CHA-25A-55-H-C1024"]))),
+    ]);
+    let mut faults = TableFaults::default();
+    sweep(&table, Wanted::Best).check(&table, 70, &mut faults);
+    let found: Vec<_> = faults.listed.iter().map(|fault| (fault.id, fault.row)).collect();
+    assert_eq!(found, [("not_a_number", Some(71)), ("no_value", Some(70)), ("code_spelling", Some(71))]);
+}
