@@ -52,6 +52,10 @@ fn talk(why: &Unanswered, said: &mut Vec<String>, language: Language) {
             format!("{error}: --{name}: {}\n{}", seen(message), hinted(hint))
         }
         Unanswered::Message((message, hint)) => format!("{error}: {}\n{}", seen(message), hinted(hint)),
+        Unanswered::Table { .. } => {
+            let faults = why.faults(None, language).errors;
+            faults.iter().map(|fault| format!("{error}: {}\n{}", seen(&fault.message), hinted(&fault.hint))).collect()
+        }
         Unanswered::Usage(errors) => {
             errors.iter().map(|fault| format!("{error}: {}\n{}", seen(&fault.message), hinted(&fault.hint))).collect()
         }

@@ -9,5 +9,7 @@ mod ask;
 mod generated;
 #[cfg(feature = "extension")]
 mod module;
+mod sweep;
 
 pub use ask::{Call, Outcome, Text};
+pub use sweep::{SweepCall, swept};

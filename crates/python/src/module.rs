@@ -1,9 +1,14 @@
 //! The module `antrieb._antrieb`.
 
+mod capsules;
+mod table;
+
 use crate::{Call, Outcome, Text};
+use pyo3::intern;
 use pyo3::prelude::*;
 use quantities::Language;
 use questions::Patience;
+use std::borrow::Cow;
 use std::path::PathBuf;
 use std::sync::mpsc::{RecvTimeoutError, channel};
 use std::time::{Duration, Instant};
@@ -54,12 +59,24 @@ fn text((text, name, folder): Handed) -> Text {
     }
 }
 
+/// The exception with the faults of a record.
+fn refused(py: Python<'_>, record: &str) -> PyErr {
+    let made = || {
+        let record = py.import(intern!(py, "json"))?.call_method1("loads", (record,))?;
+        py.import(intern!(py, "antrieb._call"))?.getattr("AntriebError")?.call1((record,))
+    };
+    made().map_or_else(|error| error, PyErr::from_value)
+}
+
 /// The native part of antrieb: what the functions of the package call.
 #[pymodule(gil_used = false)]
 mod _antrieb {
     use super::*;
 
-    /// Answers a question: `(media type, body)`, or `(None, the record of the faults)`.
+    #[pymodule_export]
+    use super::table::{Sweep, Table};
+
+    /// Answers a question: its media type and the answer. Faults are raised as `AntriebError`.
     #[pyfunction]
     #[pyo3(signature = (command, texts, pairs, lang, deadline, memory))]
     fn ask(
@@ -70,20 +87,17 @@ mod _antrieb {
         lang: &str,
         deadline: Option<&str>,
         memory: Option<String>,
-    ) -> PyResult<(Option<&'static str>, Vec<u8>)> {
+    ) -> PyResult<(&'static str, Cow<'static, [u8]>)> {
         let language = Language::of_id(lang).unwrap_or_default();
-        let deadline = match deadline.map(|text| antrieb::deadline_of(text, language)).transpose() {
-            Ok(deadline) => deadline,
-            Err(why) => return Ok((None, why.record(None, language).into_bytes())),
-        };
+        let deadline = deadline.map(|text| antrieb::deadline_of(text, language)).transpose();
+        let deadline = deadline.map_err(|why| refused(py, &why.record(None, language)))?;
         let texts = texts.into_iter().map(text).collect();
         let call = Call { command, texts, pairs, deadline, memory, language };
         let patience = call.patience();
-        let outcome = beside(py, &patience, deadline, || call.answer(&patience))?;
-        Ok(match outcome {
-            Outcome::Answered(reply) => (Some(reply.media), reply.body),
-            Outcome::Refused(record) => (None, record.into_bytes()),
-        })
+        match beside(py, &patience, deadline, || call.answer(&patience))? {
+            Outcome::Answered(reply) => Ok((reply.media, reply.body.into())),
+            Outcome::Refused(record) => Err(refused(py, &record)),
+        }
     }
 
     /// Answers a call of the command line, the name of the program first; gives the exit code.

@@ -57,8 +57,9 @@ def _line(fault: Fault) -> str:
     place: list[str] = []
     if isinstance(fault, answers.Fault):
         place.extend(str(each) for each in (fault.file, fault.line, fault.column) if each is not None)
-        if fault.option is not None:
-            place.append(fault.option)
+        place.extend(each for each in (fault.option, fault.heading) if each is not None)
+        if fault.row is not None:
+            place.append(f"row {fault.row}")
     else:
         place.append(str(fault.position))
     hint = f" ({fault.hint})" if fault.hint else ""
@@ -113,7 +114,8 @@ def _written(value: Any) -> str:
     raise TypeError(f"a text is expected, not {type(value).__name__}; quantities are written with their unit")
 
 
-def _pairs(values: Iterable[tuple[str, Any]]) -> list[tuple[str, str]]:
+def pairs_of(values: Iterable[tuple[str, Any]]) -> list[tuple[str, str]]:
+    """Names and texts of arguments, those that are given."""
     found: list[tuple[str, str]] = []
     for name, value in values:
         if value is None or value is False:
@@ -138,9 +140,7 @@ def ask(
     """The answer to a question of the list; a record as the type `of`."""
     names = (file,) if len(texts) == 1 else ("old", "new")
     sources = [handed(text, name, folder) for text, name in zip(texts, names, strict=False)]
-    media, body = _antrieb.ask(command, sources, _pairs(pairs), lang, deadline, memory)
-    if media is None:
-        raise AntriebError(json.loads(body))
+    media, body = _antrieb.ask(command, sources, pairs_of(pairs), lang, deadline, memory)
     if media == JSON:
         return decoder(of)(json.loads(body))
     if media == SVG:

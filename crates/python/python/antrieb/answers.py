@@ -48,13 +48,6 @@ class Sizing:
         """It as the answer of its only axis, as `AxesOfSizing` has those of several."""
         return [self]
 
-Fit = Literal["fits", "does_not_fit"]
-"""Whether nothing speaks against an actuator, or against the best of several.
-
-`fits`: It fits
-
-`does_not_fit`: It does not"""
-
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Ranked:
@@ -86,8 +79,6 @@ class Ranked:
     """What the tolerances mean; only where the project has some."""
     rank: int
     """Its place, from 1."""
-
-CheckId = Literal["peak_torque", "peak_speed", "mean_speed", "continuous_torque", "peak_current", "demagnetisation", "drive_current", "voltage", "inertia_ratio", "gear_mean_torque", "gear_life", "torsion", "natural_frequency", "bearing_axial", "bearing_radial", "bearing_tilting_moment", "bearing_life", "bearing_static", "tilt_angle", "ambient", "torque_speed_trace", "thermal", "overload_i2t", "gear_mean_input_speed", "collision_torque", "resonance_speed", "error_budget", "brake_holding", "brake_emergency", "dc_link", "regeneration", "feedback_range", "feedback_resolution", "battery", "screw_joint_load", "screw_joint_housing", "application"]
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -121,16 +112,6 @@ the three torques, `moves` and `integral` are left out."""
     """With several moves only: number of the move with the largest torque, from 1."""
     integral: IntegralDemand | None = None
     """The same figures by exact integration; checks use these."""
-
-DemandMode = Literal["manual", "integral"]
-"""How the figures of a demand were found.
-
-`manual`: By the manual's equations 69.1 to 69.4
-
-`integral`: By exact integration"""
-
-Units = dict[str, str]
-"""The units of the figures, by symbol or field."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -201,14 +182,6 @@ class Check:
     """Remarks, in words."""
     errata: list[str] | None = None
     """Only where a value or limit rests on one: the ids of the errata, whose evidence stands in `notes`."""
-
-Verdict = Literal["pass", "fail", "advice", "not_checked"]
-
-Direction = Literal["at_most", "at_least"]
-
-Part = Literal["drive", "thermal", "energy", "gear", "output_bearing", "brake", "feedback", "screws"]
-
-Grade = Literal["printed", "computed", "published", "estimated", "assumed"]
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -434,17 +407,6 @@ class Recording:
     columns: list[RecordedColumn]
     """The columns that were read."""
 
-TextEncoding = Literal["utf8", "utf16", "utf16_guessed", "windows1252_guessed"]
-"""How the text of a recording was read.
-
-`utf8`: UTF-8, which every byte of the header agrees to
-
-`utf16`: UTF-16, as the mark at the beginning says
-
-`utf16_guessed`: UTF-16, guessed from the zeros between the letters
-
-`windows1252_guessed`: Windows-1252, of which Latin-1 is a part: guessed, since the header is no UTF-8"""
-
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class RecordedColumn:
@@ -458,20 +420,6 @@ class RecordedColumn:
     """Its unit."""
     unit_by: UnitBy
     """Source of the unit."""
-
-ColumnRole = Literal["time", "position", "speed", "torque"]
-"""What a column of a recording is."""
-
-UnitBy = Literal["header", "unit_row", "metadata", "project"]
-"""Source of the unit of a column.
-
-`header`: The name of the column
-
-`unit_row`: A row of units below the names
-
-`metadata`: The file's own metadata
-
-`project`: The project file"""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -761,12 +709,6 @@ class Simulation:
         """It as the answer of its only axis, as `AxesOfSimulation` has those of several."""
         return [self]
 
-ScenarioId = Literal["cycle", "emergency_stop", "power_failure", "brake_stuck", "hanging_load", "blocked_load", "encoder_failure", "battery_loss", "link_sag", "hot_ambient", "cold_grease", "collision"]
-
-Reaction = Literal["ramp", "brake", "coast"]
-
-Figures = dict[str, Figure]
-
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Figure:
@@ -813,8 +755,6 @@ class SimulatedEvent:
     title: str
     """In words."""
 
-EventKind = Literal["scenario", "ramp", "pulses_off", "brake_closes", "brake_closed", "brake_closed_moving", "brake_open", "brake_slips", "at_rest", "limited", "overload", "winding_warning", "winding_shutdown", "following_error", "link_low", "link_high", "brake_resistor", "no_position", "demagnetisation", "collision_torque", "overspeed", "diverged"]
-
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Compared:
@@ -852,8 +792,6 @@ class ControlLoop:
     """Frequency up to which it follows within 3 dB \\[Hz\\]."""
     stable: bool
     """Whether it is stable."""
-
-Loop = Literal["current", "speed", "position"]
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -1111,23 +1049,6 @@ class TableColumn:
     about: str
     """What it means and where it comes from."""
 
-ColumnKind = Literal["text", "number", "count", "word"]
-"""What a column holds.
-
-`text`: Text
-
-`number`: Numbers
-
-`count`: Whole numbers
-
-`word`: A word of a fixed set"""
-
-TableRow = dict[str, TableCell]
-"""A row: a value for each column."""
-
-TableCell = float | str | None
-"""A value of a table."""
-
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class CodeReading:
@@ -1148,13 +1069,6 @@ class CodeReading:
     notes: list[str]
     """What the manual's tables do not cover of it."""
 
-Availability = Literal["available", "on_request"]
-"""Whether a code can be ordered as it is.
-
-`available`: Yes
-
-`on_request`: On request only"""
-
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class CodeField:
@@ -1170,8 +1084,6 @@ class CodeField:
     """What that means."""
     span: list[int] | None = None
     """Its place in the text given, in bytes: begin, and end without it; `null` where it is left out."""
-
-Field = Literal["series", "size", "ratio", "winding", "feedback", "brake", "option_1", "option_2", "special"]
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -1287,13 +1199,6 @@ class SheetNote:
     text: str
     """What it says, in our words."""
 
-NoteBy = Literal["manual", "antrieb"]
-"""Who says what a note says.
-
-`manual`: The manual
-
-`antrieb`: Our own conclusion from the print"""
-
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Wiring:
@@ -1346,15 +1251,6 @@ class Connector:
     tables: list[str]
     """Table of the connector, and of its pins."""
 
-ConnectorRole = Literal["motor", "feedback", "output_encoder"]
-
-ConnectorExit = Literal["cable", "housing"]
-"""Where a connector is.
-
-`cable`: At the end of a cable
-
-`housing`: In the housing"""
-
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class ConnectorPin:
@@ -1380,8 +1276,6 @@ class ConnectorPin:
     """How far it can be trusted."""
     errata: list[str]
     """Ids of the errata that touch it."""
-
-SignalGroup = Literal["phase", "protective_earth", "brake", "ptc", "kty", "supply", "sense", "incremental", "reference", "commutation", "serial", "resolver", "shield"]
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -1414,10 +1308,6 @@ class Cable:
     """The table that prints it."""
     source: str
     """The cell that prints it."""
-
-CableRole = Literal["motor", "feedback", "output_encoder", "set"]
-
-CableFor = Literal["sinamics_s120_smc", "sinamics_s120_smc20", "simodrive", "yukondrive", "open_end"]
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -1463,10 +1353,6 @@ class Fact:
     grade: Grade
     """How far it can be trusted."""
 
-Signal = Literal["danger", "warning", "caution", "notice", "info"]
-
-Step = Literal["transport", "mounting", "wiring", "before_power", "first_motion", "after_a_day", "in_service", "shutdown", "disposal"]
-
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class FactValue:
@@ -1480,8 +1366,6 @@ class FactValue:
     """Its unit in ASCII; empty for pure numbers."""
     bound: Bound
     """What it bounds."""
-
-Bound = Literal["above", "below", "at_least", "at_most", "about", "exactly"]
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -1535,8 +1419,6 @@ class VoltageDrop:
     grade: Grade
     """How far the loss can be trusted."""
 
-Circuit = Literal["brake", "feedback_supply", "output_encoder_supply"]
-
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class WiringCheck:
@@ -1574,8 +1456,6 @@ class WiringFinding:
     """What is different."""
     action: str
     """What to do."""
-
-Severity = Literal["danger", "fault", "advice"]
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -1667,8 +1547,6 @@ class EncoderWord:
     calculation_us: float | None = None
     """Longest time until the position is ready \\[us\\]; `null` where none is known."""
 
-EncoderProtocol = Literal["endat", "ssi"]
-
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class WordField:
@@ -1720,19 +1598,6 @@ class EncoderPin:
     """Its number."""
     signal: str
     """The signal as printed."""
-
-SignalForm = Literal["voltage", "peak_voltage", "level", "share", "other"]
-"""How the value of a signal is meant.
-
-`voltage`: A voltage between its pins
-
-`peak_voltage`: A voltage at the peak of the excitation
-
-`level`: One is high, zero low
-
-`share`: A part of the amplitude, which is not printed
-
-`other`: Clocked or alternating: it does not follow the angle"""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -1830,8 +1695,6 @@ class EncoderAssumption:
     grade: Grade
     """How far it can be trusted."""
 
-EncoderAssumed = Literal["order_of_tracks", "zero_of_tracks", "zero_of_commutation", "zero_of_position", "zero_of_output", "times_of_endat", "times_of_ssi", "carrier", "deviation", "battery_lost"]
-
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Errata:
@@ -1888,26 +1751,6 @@ class ErratumCell:
     condition: str
     """Further distinction of the row."""
 
-ErratumKind = Literal["recovery", "print_error", "contradiction", "rounding", "edition"]
-"""What is wrong, and with what.
-
-`recovery`: The recovered text differs from the print
-
-`print_error`: The print itself is wrong and its neighbours prove it
-
-`contradiction`: Two printed facts exclude each other and nothing decides
-
-`rounding`: Rounded to the unsafe side or with false digits
-
-`edition`: Another edition prints otherwise"""
-
-ErratumStatus = Literal["corrected", "flagged"]
-"""Whether an erratum is settled.
-
-`corrected`: The right value is proven and used
-
-`flagged`: The print stays and is flagged"""
-
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class CatalogueCell:
@@ -1963,9 +1806,6 @@ class Torsion:
     """Units of torque, stiffness and lost angles."""
     source: str
     """Where the curve is from."""
-
-CommissionAnswer = list[DriveObject] | Commissioning
-"""`commission`: with `--for cia402` the list of objects, else the whole sheet."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -2323,15 +2163,6 @@ class Curve:
     source: str
     """Where it is from."""
 
-CurveKind = Literal["continuous", "S3", "short_time"]
-"""Duty of a curve.
-
-`continuous`: Continuous
-
-`S3`: Intermittent periodic duty
-
-`short_time`: Short time"""
-
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Bearings:
@@ -2455,10 +2286,6 @@ class Pilot:
     sources: list[str]
     """Where the figures are from."""
 
-Side = Literal["load", "housing"]
-
-FitKind = Literal["clearance", "transition", "interference"]
-
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class MountValue:
@@ -2539,8 +2366,6 @@ class JointCase:
     missing: str | None = None
     """What is missing for a verdict, in words."""
 
-LoadCase = Literal["peak", "collision", "brake", "static_moment"]
-
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Upkeep:
@@ -2604,10 +2429,6 @@ class Planned:
     """Where the date is from."""
     grade: Grade | None = None
     """How far it can be trusted; `null` where it follows from an interval that the user states."""
-
-Task = Literal["storage_end", "cleaning", "cables", "protective_earth", "screws", "seals", "encoder_recommended", "battery_empty", "encoder_latest"]
-
-Rule = Literal["at_the_latest", "recommended", "estimated", "every", "every_at_most"]
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -2882,10 +2703,194 @@ class Fault:
     """Column in characters, from 1."""
     span: list[int] | None = None
     """The offending part in bytes: begin, and end without it."""
+    heading: str | None = None
+    """The heading of the column of a table that it is about."""
+    row: int | None = None
+    """The row of the table, from 0."""
     message: str
     """What is wrong, one sentence."""
     hint: str | None = None
     """What was expected, or the nearest valid choice; `null` where nothing is near."""
+
+
+Fit = Literal["fits", "does_not_fit"]
+"""Whether nothing speaks against an actuator, or against the best of several.
+
+`fits`: It fits
+
+`does_not_fit`: It does not"""
+
+CheckId = Literal["peak_torque", "peak_speed", "mean_speed", "continuous_torque", "peak_current", "demagnetisation", "drive_current", "voltage", "inertia_ratio", "gear_mean_torque", "gear_life", "torsion", "natural_frequency", "bearing_axial", "bearing_radial", "bearing_tilting_moment", "bearing_life", "bearing_static", "tilt_angle", "ambient", "torque_speed_trace", "thermal", "overload_i2t", "gear_mean_input_speed", "collision_torque", "resonance_speed", "error_budget", "brake_holding", "brake_emergency", "dc_link", "regeneration", "feedback_range", "feedback_resolution", "battery", "screw_joint_load", "screw_joint_housing", "application"]
+
+DemandMode = Literal["manual", "integral"]
+"""How the figures of a demand were found.
+
+`manual`: By the manual's equations 69.1 to 69.4
+
+`integral`: By exact integration"""
+
+Units = dict[str, str]
+"""The units of the figures, by symbol or field."""
+
+Verdict = Literal["pass", "fail", "advice", "not_checked"]
+
+Direction = Literal["at_most", "at_least"]
+
+Part = Literal["drive", "thermal", "energy", "gear", "output_bearing", "brake", "feedback", "screws"]
+
+Grade = Literal["printed", "computed", "published", "estimated", "assumed"]
+
+TextEncoding = Literal["utf8", "utf16", "utf16_guessed", "windows1252_guessed"]
+"""How the text of a recording was read.
+
+`utf8`: UTF-8, which every byte of the header agrees to
+
+`utf16`: UTF-16, as the mark at the beginning says
+
+`utf16_guessed`: UTF-16, guessed from the zeros between the letters
+
+`windows1252_guessed`: Windows-1252, of which Latin-1 is a part: guessed, since the header is no UTF-8"""
+
+ColumnRole = Literal["time", "position", "speed", "torque"]
+"""What a column of a recording is."""
+
+UnitBy = Literal["header", "unit_row", "metadata", "project"]
+"""Source of the unit of a column.
+
+`header`: The name of the column
+
+`unit_row`: A row of units below the names
+
+`metadata`: The file's own metadata
+
+`project`: The project file"""
+
+ScenarioId = Literal["cycle", "emergency_stop", "power_failure", "brake_stuck", "hanging_load", "blocked_load", "encoder_failure", "battery_loss", "link_sag", "hot_ambient", "cold_grease", "collision"]
+
+Reaction = Literal["ramp", "brake", "coast"]
+
+Figures = dict[str, Figure]
+
+EventKind = Literal["scenario", "ramp", "pulses_off", "brake_closes", "brake_closed", "brake_closed_moving", "brake_open", "brake_slips", "at_rest", "limited", "overload", "winding_warning", "winding_shutdown", "following_error", "link_low", "link_high", "brake_resistor", "no_position", "demagnetisation", "collision_torque", "overspeed", "diverged"]
+
+Loop = Literal["current", "speed", "position"]
+
+ColumnKind = Literal["text", "number", "count", "word"]
+"""What a column holds.
+
+`text`: Text
+
+`number`: Numbers
+
+`count`: Whole numbers
+
+`word`: A word of a fixed set"""
+
+TableCell = float | str | None
+"""A value of a table."""
+
+Availability = Literal["available", "on_request"]
+"""Whether a code can be ordered as it is.
+
+`available`: Yes
+
+`on_request`: On request only"""
+
+Field = Literal["series", "size", "ratio", "winding", "feedback", "brake", "option_1", "option_2", "special"]
+
+NoteBy = Literal["manual", "antrieb"]
+"""Who says what a note says.
+
+`manual`: The manual
+
+`antrieb`: Our own conclusion from the print"""
+
+ConnectorRole = Literal["motor", "feedback", "output_encoder"]
+
+ConnectorExit = Literal["cable", "housing"]
+"""Where a connector is.
+
+`cable`: At the end of a cable
+
+`housing`: In the housing"""
+
+SignalGroup = Literal["phase", "protective_earth", "brake", "ptc", "kty", "supply", "sense", "incremental", "reference", "commutation", "serial", "resolver", "shield"]
+
+CableRole = Literal["motor", "feedback", "output_encoder", "set"]
+
+CableFor = Literal["sinamics_s120_smc", "sinamics_s120_smc20", "simodrive", "yukondrive", "open_end"]
+
+Signal = Literal["danger", "warning", "caution", "notice", "info"]
+
+Step = Literal["transport", "mounting", "wiring", "before_power", "first_motion", "after_a_day", "in_service", "shutdown", "disposal"]
+
+Bound = Literal["above", "below", "at_least", "at_most", "about", "exactly"]
+
+Circuit = Literal["brake", "feedback_supply", "output_encoder_supply"]
+
+Severity = Literal["danger", "fault", "advice"]
+
+EncoderProtocol = Literal["endat", "ssi"]
+
+SignalForm = Literal["voltage", "peak_voltage", "level", "share", "other"]
+"""How the value of a signal is meant.
+
+`voltage`: A voltage between its pins
+
+`peak_voltage`: A voltage at the peak of the excitation
+
+`level`: One is high, zero low
+
+`share`: A part of the amplitude, which is not printed
+
+`other`: Clocked or alternating: it does not follow the angle"""
+
+EncoderAssumed = Literal["order_of_tracks", "zero_of_tracks", "zero_of_commutation", "zero_of_position", "zero_of_output", "times_of_endat", "times_of_ssi", "carrier", "deviation", "battery_lost"]
+
+ErratumKind = Literal["recovery", "print_error", "contradiction", "rounding", "edition"]
+"""What is wrong, and with what.
+
+`recovery`: The recovered text differs from the print
+
+`print_error`: The print itself is wrong and its neighbours prove it
+
+`contradiction`: Two printed facts exclude each other and nothing decides
+
+`rounding`: Rounded to the unsafe side or with false digits
+
+`edition`: Another edition prints otherwise"""
+
+ErratumStatus = Literal["corrected", "flagged"]
+"""Whether an erratum is settled.
+
+`corrected`: The right value is proven and used
+
+`flagged`: The print stays and is flagged"""
+
+CommissionAnswer = list[DriveObject] | Commissioning
+"""`commission`: with `--for cia402` the list of objects, else the whole sheet."""
+
+CurveKind = Literal["continuous", "S3", "short_time"]
+"""Duty of a curve.
+
+`continuous`: Continuous
+
+`S3`: Intermittent periodic duty
+
+`short_time`: Short time"""
+
+Side = Literal["load", "housing"]
+
+FitKind = Literal["clearance", "transition", "interference"]
+
+LoadCase = Literal["peak", "collision", "brake", "static_moment"]
+
+Task = Literal["storage_end", "cleaning", "cables", "protective_earth", "screws", "seals", "encoder_recommended", "battery_empty", "encoder_latest"]
+
+Rule = Literal["at_the_latest", "recommended", "estimated", "every", "every_at_most"]
+
+TableRow = dict[str, TableCell]
+"""A row: a value for each column."""
 
 __all__ = [
     "AmbiguousColour",

@@ -88,7 +88,8 @@ def size(
         AntriebError: Every fault of the call.
     """
     pairs = [("axis", axis), ("top", top), ("all", all), ("samples", samples), ("seed", seed)]
-    return ask(answers.Sizing | answers.AxesOfSizing, "size", (text,), pairs, lang, folder=folder, deadline=deadline, memory=memory, file=file)
+    answer: answers.Sizing | answers.AxesOfSizing = ask(answers.Sizing | answers.AxesOfSizing, "size", (text,), pairs, lang, folder=folder, deadline=deadline, memory=memory, file=file)
+    return answer
 
 
 @overload
@@ -157,7 +158,8 @@ def check(
         AntriebError: Every fault of the call.
     """
     pairs = [("axis", axis), ("code", code), ("samples", samples), ("seed", seed)]
-    return ask(answers.Judgement | answers.AxesOfJudgement, "check", (text,), pairs, lang, folder=folder, deadline=deadline, memory=memory, file=file)
+    answer: answers.Judgement | answers.AxesOfJudgement = ask(answers.Judgement | answers.AxesOfJudgement, "check", (text,), pairs, lang, folder=folder, deadline=deadline, memory=memory, file=file)
+    return answer
 
 
 @overload
@@ -222,7 +224,8 @@ def explain(
         AntriebError: Every fault of the call.
     """
     pairs = [("axis", axis), ("code", code), ("check", check)]
-    return ask(answers.Explanations | answers.AxesOfExplanations, "explain", (text,), pairs, lang, folder=folder, deadline=deadline, memory=memory, file=file)
+    answer: answers.Explanations | answers.AxesOfExplanations = ask(answers.Explanations | answers.AxesOfExplanations, "explain", (text,), pairs, lang, folder=folder, deadline=deadline, memory=memory, file=file)
+    return answer
 
 
 @overload
@@ -315,7 +318,8 @@ def simulate(
         AntriebError: Every fault of the call.
     """
     pairs = [("axis", axis), ("code", code), ("scenario", scenario), ("at", at), ("reaction", reaction), ("cycles", cycles), ("cold", cold), ("every", every), ("figure", figure), ("seed", seed)]
-    return ask(answers.Simulation | answers.AxesOfSimulation, "simulate", (text,), pairs, lang, folder=folder, deadline=deadline, memory=memory, file=file)
+    answer: answers.Simulation | answers.AxesOfSimulation = ask(answers.Simulation | answers.AxesOfSimulation, "simulate", (text,), pairs, lang, folder=folder, deadline=deadline, memory=memory, file=file)
+    return answer
 
 
 def identify(
@@ -350,7 +354,8 @@ def identify(
         AntriebError: Every fault of the call.
     """
     pairs = [("axis", axis), ("code", code), ("trace", trace)]
-    return ask(answers.Identification, "identify", (text,), pairs, lang, folder=folder, deadline=deadline, memory=memory, file=file)
+    answer: answers.Identification = ask(answers.Identification, "identify", (text,), pairs, lang, folder=folder, deadline=deadline, memory=memory, file=file)
+    return answer
 
 
 def report(
@@ -389,7 +394,8 @@ def report(
         AntriebError: Every fault of the call.
     """
     pairs = [("axis", axis), ("code", code), ("full", full), ("installation", installation), ("date", date)]
-    return ask(object, "report", (text,), pairs, lang, folder=folder, deadline=deadline, memory=memory, file=file)
+    answer: bytes = ask(object, "report", (text,), pairs, lang, folder=folder, deadline=deadline, memory=memory, file=file)
+    return answer
 
 
 @overload
@@ -450,7 +456,8 @@ def compare(
         AntriebError: Every fault of the call.
     """
     pairs = [("axis", axis), ("code", code)]
-    return ask(answers.Comparison | answers.AxesOfComparison, "compare", (text,), pairs, lang, folder=folder, deadline=deadline, memory=memory, file=file)
+    answer: answers.Comparison | answers.AxesOfComparison = ask(answers.Comparison | answers.AxesOfComparison, "compare", (text,), pairs, lang, folder=folder, deadline=deadline, memory=memory, file=file)
+    return answer
 
 
 @overload
@@ -511,7 +518,8 @@ def diff(
         AntriebError: Every fault of the call.
     """
     pairs = [("axis", axis), ("code", code)]
-    return ask(answers.Difference | answers.AxesOfDifference, "diff", (old, new,), pairs, lang, folder=folder, deadline=deadline, memory=memory)
+    answer: answers.Difference | answers.AxesOfDifference = ask(answers.Difference | answers.AxesOfDifference, "diff", (old, new,), pairs, lang, folder=folder, deadline=deadline, memory=memory)
+    return answer
 
 
 @overload
@@ -611,7 +619,8 @@ def export(
         AntriebError: Every fault of the call.
     """
     pairs = [("axis", axis), ("code", code), ("table", table), ("format", format), ("top", top), ("revision", revision), ("date", date)]
-    return ask(answers.Table, "export", (text,), pairs, lang, folder=folder, deadline=deadline, memory=memory, file=file)
+    answer: answers.Table | str | bytes = ask(answers.Table, "export", (text,), pairs, lang, folder=folder, deadline=deadline, memory=memory, file=file)
+    return answer
 
 
 def code_parse(
@@ -631,7 +640,8 @@ def code_parse(
         AntriebError: Every fault of the call.
     """
     pairs = [("code", code)]
-    return ask(answers.CodeReading, "code parse", (), pairs, lang)
+    answer: answers.CodeReading = ask(answers.CodeReading, "code parse", (), pairs, lang)
+    return answer
 
 
 def code_list(
@@ -654,7 +664,8 @@ def code_list(
         AntriebError: Every fault of the call.
     """
     pairs = [("pattern", pattern), ("available", available)]
-    return ask(list[answers.ListedCode], "code list", (), pairs, lang)
+    answer: list[answers.ListedCode] = ask(list[answers.ListedCode], "code list", (), pairs, lang)
+    return answer
 
 
 def code_complete(
@@ -674,7 +685,8 @@ def code_complete(
         AntriebError: Every fault of the call.
     """
     pairs = [("code", code)]
-    return ask(answers.Completion, "code complete", (), pairs, lang)
+    answer: answers.Completion = ask(answers.Completion, "code complete", (), pairs, lang)
+    return answer
 
 
 def data(
@@ -694,7 +706,8 @@ def data(
         AntriebError: Every fault of the call.
     """
     pairs = [("code", code)]
-    return ask(answers.Sheet, "data", (), pairs, lang)
+    answer: answers.Sheet = ask(answers.Sheet, "data", (), pairs, lang)
+    return answer
 
 
 def wiring(
@@ -719,7 +732,8 @@ def wiring(
         AntriebError: Every fault of the call.
     """
     pairs = [("code", code), ("length", length), ("cross-section", cross_section)]
-    return ask(answers.Wiring, "wiring", (), pairs, lang)
+    answer: answers.Wiring = ask(answers.Wiring, "wiring", (), pairs, lang)
+    return answer
 
 
 def wiring_check(
@@ -750,7 +764,8 @@ def wiring_check(
         AntriebError: Every fault of the call.
     """
     pairs = [("code", code)]
-    return ask(answers.WiringCheck, "wiring --check", (text,), pairs, lang, folder=folder, deadline=deadline, memory=memory, file=file)
+    answer: answers.WiringCheck = ask(answers.WiringCheck, "wiring --check", (text,), pairs, lang, folder=folder, deadline=deadline, memory=memory, file=file)
+    return answer
 
 
 def encoder(
@@ -787,7 +802,8 @@ def encoder(
         AntriebError: Every fault of the call.
     """
     pairs = [("code", code), ("angle", angle), ("turn", turn), ("speed", speed), ("seed", seed), ("window", window), ("battery-lost", battery_lost), ("error", error), ("decode", decode)]
-    return ask(answers.Encoder, "encoder", (), pairs, lang)
+    answer: answers.Encoder = ask(answers.Encoder, "encoder", (), pairs, lang)
+    return answer
 
 
 def encoder_vcd(
@@ -822,7 +838,8 @@ def encoder_vcd(
         AntriebError: Every fault of the call.
     """
     pairs = [("code", code), ("angle", angle), ("turn", turn), ("speed", speed), ("seed", seed), ("time", time), ("endat", endat), ("connector", connector)]
-    return ask(object, "encoder --vcd", (), pairs, lang)
+    answer: str = ask(object, "encoder --vcd", (), pairs, lang)
+    return answer
 
 
 def errata(
@@ -842,7 +859,8 @@ def errata(
         AntriebError: Every fault of the call.
     """
     pairs = [("about", about)]
-    return ask(answers.Errata, "errata", (), pairs, lang)
+    answer: answers.Errata = ask(answers.Errata, "errata", (), pairs, lang)
+    return answer
 
 
 @overload
@@ -879,7 +897,8 @@ def catalogue_export(
         AntriebError: Every fault of the call.
     """
     pairs = [("format", format)]
-    return ask(list[answers.CatalogueCell], "catalogue export", (), pairs, lang)
+    answer: list[answers.CatalogueCell] | str = ask(list[answers.CatalogueCell], "catalogue export", (), pairs, lang)
+    return answer
 
 
 def torsion(
@@ -904,7 +923,8 @@ def torsion(
         AntriebError: Every fault of the call.
     """
     pairs = [("code", code), ("torque", torque), ("angle", angle)]
-    return ask(answers.Torsion, "torsion", (), pairs, lang)
+    answer: answers.Torsion = ask(answers.Torsion, "torsion", (), pairs, lang)
+    return answer
 
 
 def commission(
@@ -929,7 +949,8 @@ def commission(
         AntriebError: Every fault of the call.
     """
     pairs = [("code", code), ("for", for_), ("ambient", ambient)]
-    return ask(answers.CommissionAnswer, "commission", (), pairs, lang)
+    answer: answers.CommissionAnswer = ask(answers.CommissionAnswer, "commission", (), pairs, lang)
+    return answer
 
 
 def commission_out(
@@ -951,7 +972,8 @@ def commission_out(
         AntriebError: Every fault of the call.
     """
     pairs = [("code", code), ("for", for_)]
-    return ask(object, "commission --out", (), pairs, lang)
+    answer: str = ask(object, "commission --out", (), pairs, lang)
+    return answer
 
 
 def commission_checklist(
@@ -974,7 +996,8 @@ def commission_checklist(
         AntriebError: Every fault of the call.
     """
     pairs = [("code", code), ("ambient", ambient)]
-    return ask(object, "commission --checklist", (), pairs, lang)
+    answer: bytes = ask(object, "commission --checklist", (), pairs, lang)
+    return answer
 
 
 def commission_blank(
@@ -994,7 +1017,8 @@ def commission_blank(
         AntriebError: Every fault of the call.
     """
     pairs = [("code", code)]
-    return ask(object, "commission --blank", (), pairs, lang)
+    answer: str = ask(object, "commission --blank", (), pairs, lang)
+    return answer
 
 
 def commission_record(
@@ -1025,7 +1049,8 @@ def commission_record(
         AntriebError: Every fault of the call.
     """
     pairs = [("code", code)]
-    return ask(answers.Recorded, "commission --record", (text,), pairs, lang, folder=folder, deadline=deadline, memory=memory, file=file)
+    answer: answers.Recorded = ask(answers.Recorded, "commission --record", (text,), pairs, lang, folder=folder, deadline=deadline, memory=memory, file=file)
+    return answer
 
 
 def inertia(
@@ -1045,7 +1070,8 @@ def inertia(
         AntriebError: Every fault of the call.
     """
     pairs = [("body", body)]
-    return ask(answers.Inertia, "inertia", (), pairs, lang)
+    answer: answers.Inertia = ask(answers.Inertia, "inertia", (), pairs, lang)
+    return answer
 
 
 def curve(
@@ -1068,7 +1094,8 @@ def curve(
         AntriebError: Every fault of the call.
     """
     pairs = [("code", code), ("voltage", voltage)]
-    return ask(answers.Curves, "curve", (), pairs, lang)
+    answer: answers.Curves = ask(answers.Curves, "curve", (), pairs, lang)
+    return answer
 
 
 def plot(
@@ -1111,7 +1138,8 @@ def plot(
         AntriebError: Every fault of the call.
     """
     pairs = [("axis", axis), ("code", code), ("figure", figure), ("by", by), ("theme", theme), ("width", width), ("height", height)]
-    return ask(object, "plot", (text,), pairs, lang, folder=folder, deadline=deadline, memory=memory, file=file)
+    answer: Picture = ask(object, "plot", (text,), pairs, lang, folder=folder, deadline=deadline, memory=memory, file=file)
+    return answer
 
 
 @overload
@@ -1168,7 +1196,8 @@ def bearing(
         AntriebError: Every fault of the call.
     """
     pairs = [("axis", axis)]
-    return ask(answers.Bearings | answers.AxesOfBearings, "bearing", (text,), pairs, lang, folder=folder, deadline=deadline, memory=memory, file=file)
+    answer: answers.Bearings | answers.AxesOfBearings = ask(answers.Bearings | answers.AxesOfBearings, "bearing", (text,), pairs, lang, folder=folder, deadline=deadline, memory=memory, file=file)
+    return answer
 
 
 def moves(
@@ -1199,7 +1228,8 @@ def moves(
         AntriebError: Every fault of the call.
     """
     pairs = [("axis", axis)]
-    return ask(answers.Motion, "moves", (text,), pairs, lang, folder=folder, deadline=deadline, memory=memory, file=file)
+    answer: answers.Motion = ask(answers.Motion, "moves", (text,), pairs, lang, folder=folder, deadline=deadline, memory=memory, file=file)
+    return answer
 
 
 def battery(
@@ -1222,7 +1252,8 @@ def battery(
         AntriebError: Every fault of the call.
     """
     pairs = [("hours-per-day", hours_per_day), ("storage", storage)]
-    return ask(answers.Battery, "battery", (), pairs, lang)
+    answer: answers.Battery = ask(answers.Battery, "battery", (), pairs, lang)
+    return answer
 
 
 def mount(
@@ -1249,7 +1280,8 @@ def mount(
         AntriebError: Every fault of the call.
     """
     pairs = [("code", code), ("bore", bore), ("bore-load", bore_load), ("bore-housing", bore_housing)]
-    return ask(answers.Mount, "mount", (), pairs, lang)
+    answer: answers.Mount = ask(answers.Mount, "mount", (), pairs, lang)
+    return answer
 
 
 def mount_project(
@@ -1288,7 +1320,8 @@ def mount_project(
         AntriebError: Every fault of the call.
     """
     pairs = [("code", code), ("bore", bore), ("bore-load", bore_load), ("bore-housing", bore_housing), ("axis", axis)]
-    return ask(answers.Mount, "mount --project", (text,), pairs, lang, folder=folder, deadline=deadline, memory=memory, file=file)
+    answer: answers.Mount = ask(answers.Mount, "mount --project", (text,), pairs, lang, folder=folder, deadline=deadline, memory=memory, file=file)
+    return answer
 
 
 def upkeep(
@@ -1319,7 +1352,8 @@ def upkeep(
         AntriebError: Every fault of the call.
     """
     pairs = [("code", code), ("delivered", delivered), ("storage", storage), ("hours-per-day", hours_per_day), ("inspect", inspect), ("today", today)]
-    return ask(answers.Upkeep, "upkeep", (), pairs, lang)
+    answer: answers.Upkeep = ask(answers.Upkeep, "upkeep", (), pairs, lang)
+    return answer
 
 
 def upkeep_ical(
@@ -1352,7 +1386,8 @@ def upkeep_ical(
         AntriebError: Every fault of the call.
     """
     pairs = [("code", code), ("delivered", delivered), ("storage", storage), ("hours-per-day", hours_per_day), ("inspect", inspect), ("today", today), ("name", name)]
-    return ask(object, "upkeep --ical", (), pairs, lang)
+    answer: str = ask(object, "upkeep --ical", (), pairs, lang)
+    return answer
 
 
 def new(
@@ -1372,7 +1407,8 @@ def new(
         AntriebError: Every fault of the call.
     """
     pairs = [("kind", kind)]
-    return ask(object, "new", (), pairs, lang)
+    answer: str = ask(object, "new", (), pairs, lang)
+    return answer
 
 
 def glossary(
@@ -1392,7 +1428,8 @@ def glossary(
         AntriebError: Every fault of the call.
     """
     pairs = [("term", term)]
-    return ask(answers.Glossary, "glossary", (), pairs, lang)
+    answer: answers.Glossary = ask(answers.Glossary, "glossary", (), pairs, lang)
+    return answer
 
 
 def units(
@@ -1412,7 +1449,8 @@ def units(
         AntriebError: Every fault of the call.
     """
     pairs = [("quantity", quantity)]
-    return ask(answers.Units2, "units", (), pairs, lang)
+    answer: answers.Units2 = ask(answers.Units2, "units", (), pairs, lang)
+    return answer
 
 
 def licences(
@@ -1430,7 +1468,8 @@ def licences(
         AntriebError: Every fault of the call.
     """
     pairs = []
-    return ask(answers.Licences, "licences", (), pairs, lang)
+    answer: answers.Licences = ask(answers.Licences, "licences", (), pairs, lang)
+    return answer
 
 
 def schema(
@@ -1451,7 +1490,8 @@ def schema(
         AntriebError: Every fault of the call.
     """
     pairs = [("answers", answers)]
-    return ask(dict[str, object], "schema", (), pairs, lang)
+    answer: dict[str, object] = ask(dict[str, object], "schema", (), pairs, lang)
+    return answer
 
 
 code = code_parse

@@ -24,18 +24,32 @@ from typing import Literal
 pub(super) fn module(schema: &Schema) -> String {
     let mut out = HEAD.to_owned();
     let mut all: Vec<String> = Vec::new();
-    for (definition, shape) in &schema.definitions {
-        let known = class(definition);
-        let text = if is_record(shape) {
-            record(definition, shape, schema)
-        } else if is_inlined(definition) {
-            continue;
-        } else {
-            alias(definition, shape, schema)
-        };
-        out.push_str(&text);
-        all.push(known);
+    let named = || schema.definitions.iter().filter(|(definition, _)| !is_inlined(definition));
+    for (definition, shape) in named().filter(|(_, shape)| is_record(shape)) {
+        out.push_str(&record(definition, shape, schema));
     }
+    out.push_str("\n");
+    // Unlike the fields of a class a name is evaluated where it stands: behind the classes, and behind those it is made of.
+    let mut waiting: Vec<(&str, String)> = named()
+        .filter(|(_, shape)| !is_record(shape))
+        .map(|(definition, shape)| (definition.as_str(), alias(definition, shape, schema)))
+        .collect();
+    while !waiting.is_empty() {
+        let open: Vec<String> = waiting.iter().map(|(definition, _)| class(definition)).collect();
+        let needs = |text: &str, own: &str| {
+            let line = text.lines().find(|line| line.contains(" = ")).unwrap_or_default();
+            let mut names = line.split(|sign: char| !sign.is_ascii_alphanumeric());
+            names.any(|name| name != own && open.iter().any(|open| open == name))
+        };
+        let (later, now): (Vec<_>, Vec<_>) =
+            waiting.into_iter().partition(|(definition, text)| needs(text, &class(definition)));
+        if now.is_empty() {
+            break;
+        }
+        out.extend(now.into_iter().map(|(_, text)| text));
+        waiting = later;
+    }
+    all.extend(named().map(|(definition, _)| class(definition)));
     all.sort();
     let _ = write!(out, "\n__all__ = [\n");
     for known in &all {
