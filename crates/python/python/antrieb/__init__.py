@@ -16,13 +16,13 @@ from antrieb import answers
 from antrieb import questions as questions
 from antrieb._antrieb import VERSION as __version__
 from antrieb._call import AntriebError, Fault, Lang, Path, Picture, Text
-from antrieb._table import ArrowArray, ArrowStream, Sweep, Table, sweep
 from antrieb.questions import *  # noqa: F403
-from antrieb.questions import __all__ as _questions
+from antrieb._table import ArrowArray, ArrowSchema, ArrowStream, Sweep, Table, Want, sweep
 
 __all__ = [
     "AntriebError",
     "ArrowArray",
+    "ArrowSchema",
     "ArrowStream",
     "Fault",
     "Lang",
@@ -31,8 +31,9 @@ __all__ = [
     "Sweep",
     "Table",
     "Text",
+    "Want",
     "__version__",
     "answers",
     "sweep",
 ]
-__all__ += _questions
+__all__ += questions.__all__

@@ -5,6 +5,8 @@ from typing import Any, final
 
 from antrieb._arrow import ArrowArray, ArrowSchema, ArrowStream
 
+__all__ = ["VERSION", "Sweep", "Table", "ask", "run"]
+
 VERSION: str
 
 @final

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import json
 import os
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 from datetime import date
 from typing import Any, Literal
 
@@ -96,10 +96,7 @@ def handed(text: Text, name: str | None, folder: Path | None) -> tuple[str | Non
     """A text with its name and folder; of a path no text."""
     if isinstance(text, str) and ("\n" in text or not text):
         return text, name or "text", os.fspath(folder) if folder is not None else ""
-    path = os.fspath(text)
-    if not isinstance(path, str):
-        raise TypeError(f"a text or a path is expected, not {type(text).__name__}")
-    return None, path, ""
+    return None, os.fspath(text), ""
 
 
 def _written(value: Any) -> str:
@@ -107,11 +104,16 @@ def _written(value: Any) -> str:
         return "true" if value else "false"
     if isinstance(value, date):
         return value.isoformat()
-    if isinstance(value, os.PathLike):
-        return str(os.fspath(value))
     if isinstance(value, (str, int)):
         return str(value)
+    if hasattr(value, "__fspath__"):
+        return os.fsdecode(value)
     raise TypeError(f"a text is expected, not {type(value).__name__}; quantities are written with their unit")
+
+
+def _each(value: Any) -> Sequence[Any]:
+    is_one = isinstance(value, str) or not isinstance(value, Sequence)
+    return [value] if is_one else value  # pyright: ignore[reportUnknownVariableType]
 
 
 def pairs_of(values: Iterable[tuple[str, Any]]) -> list[tuple[str, str]]:
@@ -120,8 +122,7 @@ def pairs_of(values: Iterable[tuple[str, Any]]) -> list[tuple[str, str]]:
     for name, value in values:
         if value is None or value is False:
             continue
-        several: Iterable[Any] = value if isinstance(value, (list, tuple)) else [value]
-        found.extend((name, _written(each)) for each in several)
+        found.extend((name, _written(each)) for each in _each(value))
     return found
 
 

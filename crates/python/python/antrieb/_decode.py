@@ -52,15 +52,15 @@ def _map(of: Any) -> Decoder:
 
 
 def _union(kinds: tuple[Any, ...]) -> Decoder:
-    records = [kind for kind in kinds if dataclasses.is_dataclass(kind)]
-    lists = [kind for kind in kinds if typing.get_origin(kind) is list]
+    records: list[Any] = [kind for kind in kinds if dataclasses.is_dataclass(kind)]
+    lists: list[Any] = [kind for kind in kinds if typing.get_origin(kind) is list]
     if not records and not lists:
         return _as_it_is
 
     def decode(value: Any) -> Any:
-        if isinstance(value, list) and lists:
+        if lists and _is(value, list):
             return decoder(lists[0])(value)
-        if isinstance(value, dict) and records:
+        if records and _is(value, dict):
             fields: dict[str, Any] = value
             fitting = [record for record in records if _needed(record) <= fields.keys()]
             # Of several the one that knows the most of the fields.
@@ -69,6 +69,10 @@ def _union(kinds: tuple[Any, ...]) -> Decoder:
         return value
 
     return decode
+
+
+def _is(value: Any, of: type) -> bool:
+    return isinstance(value, of)
 
 
 def _key(name: str) -> str:

@@ -87,8 +87,7 @@ def size(
     Raises:
         AntriebError: Every fault of the call.
     """
-    pairs = [("axis", axis), ("top", top), ("all", all), ("samples", samples), ("seed", seed)]
-    answer: answers.Sizing | answers.AxesOfSizing = ask(answers.Sizing | answers.AxesOfSizing, "size", (text,), pairs, lang, folder=folder, deadline=deadline, memory=memory, file=file)
+    answer: answers.Sizing | answers.AxesOfSizing = ask(answers.Sizing | answers.AxesOfSizing, "size", (text,), [("axis", axis), ("top", top), ("all", all), ("samples", samples), ("seed", seed)], lang, folder=folder, deadline=deadline, memory=memory, file=file)
     return answer
 
 
@@ -157,8 +156,7 @@ def check(
     Raises:
         AntriebError: Every fault of the call.
     """
-    pairs = [("axis", axis), ("code", code), ("samples", samples), ("seed", seed)]
-    answer: answers.Judgement | answers.AxesOfJudgement = ask(answers.Judgement | answers.AxesOfJudgement, "check", (text,), pairs, lang, folder=folder, deadline=deadline, memory=memory, file=file)
+    answer: answers.Judgement | answers.AxesOfJudgement = ask(answers.Judgement | answers.AxesOfJudgement, "check", (text,), [("axis", axis), ("code", code), ("samples", samples), ("seed", seed)], lang, folder=folder, deadline=deadline, memory=memory, file=file)
     return answer
 
 
@@ -223,8 +221,7 @@ def explain(
     Raises:
         AntriebError: Every fault of the call.
     """
-    pairs = [("axis", axis), ("code", code), ("check", check)]
-    answer: answers.Explanations | answers.AxesOfExplanations = ask(answers.Explanations | answers.AxesOfExplanations, "explain", (text,), pairs, lang, folder=folder, deadline=deadline, memory=memory, file=file)
+    answer: answers.Explanations | answers.AxesOfExplanations = ask(answers.Explanations | answers.AxesOfExplanations, "explain", (text,), [("axis", axis), ("code", code), ("check", check)], lang, folder=folder, deadline=deadline, memory=memory, file=file)
     return answer
 
 
@@ -317,8 +314,7 @@ def simulate(
     Raises:
         AntriebError: Every fault of the call.
     """
-    pairs = [("axis", axis), ("code", code), ("scenario", scenario), ("at", at), ("reaction", reaction), ("cycles", cycles), ("cold", cold), ("every", every), ("figure", figure), ("seed", seed)]
-    answer: answers.Simulation | answers.AxesOfSimulation = ask(answers.Simulation | answers.AxesOfSimulation, "simulate", (text,), pairs, lang, folder=folder, deadline=deadline, memory=memory, file=file)
+    answer: answers.Simulation | answers.AxesOfSimulation = ask(answers.Simulation | answers.AxesOfSimulation, "simulate", (text,), [("axis", axis), ("code", code), ("scenario", scenario), ("at", at), ("reaction", reaction), ("cycles", cycles), ("cold", cold), ("every", every), ("figure", figure), ("seed", seed)], lang, folder=folder, deadline=deadline, memory=memory, file=file)
     return answer
 
 
@@ -353,8 +349,7 @@ def identify(
     Raises:
         AntriebError: Every fault of the call.
     """
-    pairs = [("axis", axis), ("code", code), ("trace", trace)]
-    answer: answers.Identification = ask(answers.Identification, "identify", (text,), pairs, lang, folder=folder, deadline=deadline, memory=memory, file=file)
+    answer: answers.Identification = ask(answers.Identification, "identify", (text,), [("axis", axis), ("code", code), ("trace", trace)], lang, folder=folder, deadline=deadline, memory=memory, file=file)
     return answer
 
 
@@ -393,8 +388,7 @@ def report(
     Raises:
         AntriebError: Every fault of the call.
     """
-    pairs = [("axis", axis), ("code", code), ("full", full), ("installation", installation), ("date", date)]
-    answer: bytes = ask(object, "report", (text,), pairs, lang, folder=folder, deadline=deadline, memory=memory, file=file)
+    answer: bytes = ask(object, "report", (text,), [("axis", axis), ("code", code), ("full", full), ("installation", installation), ("date", date)], lang, folder=folder, deadline=deadline, memory=memory, file=file)
     return answer
 
 
@@ -455,8 +449,7 @@ def compare(
     Raises:
         AntriebError: Every fault of the call.
     """
-    pairs = [("axis", axis), ("code", code)]
-    answer: answers.Comparison | answers.AxesOfComparison = ask(answers.Comparison | answers.AxesOfComparison, "compare", (text,), pairs, lang, folder=folder, deadline=deadline, memory=memory, file=file)
+    answer: answers.Comparison | answers.AxesOfComparison = ask(answers.Comparison | answers.AxesOfComparison, "compare", (text,), [("axis", axis), ("code", code)], lang, folder=folder, deadline=deadline, memory=memory, file=file)
     return answer
 
 
@@ -517,8 +510,7 @@ def diff(
     Raises:
         AntriebError: Every fault of the call.
     """
-    pairs = [("axis", axis), ("code", code)]
-    answer: answers.Difference | answers.AxesOfDifference = ask(answers.Difference | answers.AxesOfDifference, "diff", (old, new,), pairs, lang, folder=folder, deadline=deadline, memory=memory)
+    answer: answers.Difference | answers.AxesOfDifference = ask(answers.Difference | answers.AxesOfDifference, "diff", (old, new,), [("axis", axis), ("code", code)], lang, folder=folder, deadline=deadline, memory=memory)
     return answer
 
 
@@ -618,8 +610,7 @@ def export(
     Raises:
         AntriebError: Every fault of the call.
     """
-    pairs = [("axis", axis), ("code", code), ("table", table), ("format", format), ("top", top), ("revision", revision), ("date", date)]
-    answer: answers.Table | str | bytes = ask(answers.Table, "export", (text,), pairs, lang, folder=folder, deadline=deadline, memory=memory, file=file)
+    answer: answers.Table | str | bytes = ask(answers.Table, "export", (text,), [("axis", axis), ("code", code), ("table", table), ("format", format), ("top", top), ("revision", revision), ("date", date)], lang, folder=folder, deadline=deadline, memory=memory, file=file)
     return answer
 
 
@@ -639,8 +630,7 @@ def code_parse(
     Raises:
         AntriebError: Every fault of the call.
     """
-    pairs = [("code", code)]
-    answer: answers.CodeReading = ask(answers.CodeReading, "code parse", (), pairs, lang)
+    answer: answers.CodeReading = ask(answers.CodeReading, "code parse", (), [("code", code)], lang)
     return answer
 
 
@@ -663,8 +653,7 @@ def code_list(
     Raises:
         AntriebError: Every fault of the call.
     """
-    pairs = [("pattern", pattern), ("available", available)]
-    answer: list[answers.ListedCode] = ask(list[answers.ListedCode], "code list", (), pairs, lang)
+    answer: list[answers.ListedCode] = ask(list[answers.ListedCode], "code list", (), [("pattern", pattern), ("available", available)], lang)
     return answer
 
 
@@ -684,8 +673,7 @@ def code_complete(
     Raises:
         AntriebError: Every fault of the call.
     """
-    pairs = [("code", code)]
-    answer: answers.Completion = ask(answers.Completion, "code complete", (), pairs, lang)
+    answer: answers.Completion = ask(answers.Completion, "code complete", (), [("code", code)], lang)
     return answer
 
 
@@ -705,8 +693,7 @@ def data(
     Raises:
         AntriebError: Every fault of the call.
     """
-    pairs = [("code", code)]
-    answer: answers.Sheet = ask(answers.Sheet, "data", (), pairs, lang)
+    answer: answers.Sheet = ask(answers.Sheet, "data", (), [("code", code)], lang)
     return answer
 
 
@@ -731,8 +718,7 @@ def wiring(
     Raises:
         AntriebError: Every fault of the call.
     """
-    pairs = [("code", code), ("length", length), ("cross-section", cross_section)]
-    answer: answers.Wiring = ask(answers.Wiring, "wiring", (), pairs, lang)
+    answer: answers.Wiring = ask(answers.Wiring, "wiring", (), [("code", code), ("length", length), ("cross-section", cross_section)], lang)
     return answer
 
 
@@ -763,8 +749,7 @@ def wiring_check(
     Raises:
         AntriebError: Every fault of the call.
     """
-    pairs = [("code", code)]
-    answer: answers.WiringCheck = ask(answers.WiringCheck, "wiring --check", (text,), pairs, lang, folder=folder, deadline=deadline, memory=memory, file=file)
+    answer: answers.WiringCheck = ask(answers.WiringCheck, "wiring --check", (text,), [("code", code)], lang, folder=folder, deadline=deadline, memory=memory, file=file)
     return answer
 
 
@@ -801,8 +786,7 @@ def encoder(
     Raises:
         AntriebError: Every fault of the call.
     """
-    pairs = [("code", code), ("angle", angle), ("turn", turn), ("speed", speed), ("seed", seed), ("window", window), ("battery-lost", battery_lost), ("error", error), ("decode", decode)]
-    answer: answers.Encoder = ask(answers.Encoder, "encoder", (), pairs, lang)
+    answer: answers.Encoder = ask(answers.Encoder, "encoder", (), [("code", code), ("angle", angle), ("turn", turn), ("speed", speed), ("seed", seed), ("window", window), ("battery-lost", battery_lost), ("error", error), ("decode", decode)], lang)
     return answer
 
 
@@ -837,8 +821,7 @@ def encoder_vcd(
     Raises:
         AntriebError: Every fault of the call.
     """
-    pairs = [("code", code), ("angle", angle), ("turn", turn), ("speed", speed), ("seed", seed), ("time", time), ("endat", endat), ("connector", connector)]
-    answer: str = ask(object, "encoder --vcd", (), pairs, lang)
+    answer: str = ask(object, "encoder --vcd", (), [("code", code), ("angle", angle), ("turn", turn), ("speed", speed), ("seed", seed), ("time", time), ("endat", endat), ("connector", connector)], lang)
     return answer
 
 
@@ -858,8 +841,7 @@ def errata(
     Raises:
         AntriebError: Every fault of the call.
     """
-    pairs = [("about", about)]
-    answer: answers.Errata = ask(answers.Errata, "errata", (), pairs, lang)
+    answer: answers.Errata = ask(answers.Errata, "errata", (), [("about", about)], lang)
     return answer
 
 
@@ -896,8 +878,7 @@ def catalogue_export(
     Raises:
         AntriebError: Every fault of the call.
     """
-    pairs = [("format", format)]
-    answer: list[answers.CatalogueCell] | str = ask(list[answers.CatalogueCell], "catalogue export", (), pairs, lang)
+    answer: list[answers.CatalogueCell] | str = ask(list[answers.CatalogueCell], "catalogue export", (), [("format", format)], lang)
     return answer
 
 
@@ -922,8 +903,7 @@ def torsion(
     Raises:
         AntriebError: Every fault of the call.
     """
-    pairs = [("code", code), ("torque", torque), ("angle", angle)]
-    answer: answers.Torsion = ask(answers.Torsion, "torsion", (), pairs, lang)
+    answer: answers.Torsion = ask(answers.Torsion, "torsion", (), [("code", code), ("torque", torque), ("angle", angle)], lang)
     return answer
 
 
@@ -948,8 +928,7 @@ def commission(
     Raises:
         AntriebError: Every fault of the call.
     """
-    pairs = [("code", code), ("for", for_), ("ambient", ambient)]
-    answer: answers.CommissionAnswer = ask(answers.CommissionAnswer, "commission", (), pairs, lang)
+    answer: answers.CommissionAnswer = ask(answers.CommissionAnswer, "commission", (), [("code", code), ("for", for_), ("ambient", ambient)], lang)
     return answer
 
 
@@ -971,8 +950,7 @@ def commission_out(
     Raises:
         AntriebError: Every fault of the call.
     """
-    pairs = [("code", code), ("for", for_)]
-    answer: str = ask(object, "commission --out", (), pairs, lang)
+    answer: str = ask(object, "commission --out", (), [("code", code), ("for", for_)], lang)
     return answer
 
 
@@ -995,8 +973,7 @@ def commission_checklist(
     Raises:
         AntriebError: Every fault of the call.
     """
-    pairs = [("code", code), ("ambient", ambient)]
-    answer: bytes = ask(object, "commission --checklist", (), pairs, lang)
+    answer: bytes = ask(object, "commission --checklist", (), [("code", code), ("ambient", ambient)], lang)
     return answer
 
 
@@ -1016,8 +993,7 @@ def commission_blank(
     Raises:
         AntriebError: Every fault of the call.
     """
-    pairs = [("code", code)]
-    answer: str = ask(object, "commission --blank", (), pairs, lang)
+    answer: str = ask(object, "commission --blank", (), [("code", code)], lang)
     return answer
 
 
@@ -1048,8 +1024,7 @@ def commission_record(
     Raises:
         AntriebError: Every fault of the call.
     """
-    pairs = [("code", code)]
-    answer: answers.Recorded = ask(answers.Recorded, "commission --record", (text,), pairs, lang, folder=folder, deadline=deadline, memory=memory, file=file)
+    answer: answers.Recorded = ask(answers.Recorded, "commission --record", (text,), [("code", code)], lang, folder=folder, deadline=deadline, memory=memory, file=file)
     return answer
 
 
@@ -1069,8 +1044,7 @@ def inertia(
     Raises:
         AntriebError: Every fault of the call.
     """
-    pairs = [("body", body)]
-    answer: answers.Inertia = ask(answers.Inertia, "inertia", (), pairs, lang)
+    answer: answers.Inertia = ask(answers.Inertia, "inertia", (), [("body", body)], lang)
     return answer
 
 
@@ -1093,8 +1067,7 @@ def curve(
     Raises:
         AntriebError: Every fault of the call.
     """
-    pairs = [("code", code), ("voltage", voltage)]
-    answer: answers.Curves = ask(answers.Curves, "curve", (), pairs, lang)
+    answer: answers.Curves = ask(answers.Curves, "curve", (), [("code", code), ("voltage", voltage)], lang)
     return answer
 
 
@@ -1137,8 +1110,7 @@ def plot(
     Raises:
         AntriebError: Every fault of the call.
     """
-    pairs = [("axis", axis), ("code", code), ("figure", figure), ("by", by), ("theme", theme), ("width", width), ("height", height)]
-    answer: Picture = ask(object, "plot", (text,), pairs, lang, folder=folder, deadline=deadline, memory=memory, file=file)
+    answer: Picture = ask(object, "plot", (text,), [("axis", axis), ("code", code), ("figure", figure), ("by", by), ("theme", theme), ("width", width), ("height", height)], lang, folder=folder, deadline=deadline, memory=memory, file=file)
     return answer
 
 
@@ -1195,8 +1167,7 @@ def bearing(
     Raises:
         AntriebError: Every fault of the call.
     """
-    pairs = [("axis", axis)]
-    answer: answers.Bearings | answers.AxesOfBearings = ask(answers.Bearings | answers.AxesOfBearings, "bearing", (text,), pairs, lang, folder=folder, deadline=deadline, memory=memory, file=file)
+    answer: answers.Bearings | answers.AxesOfBearings = ask(answers.Bearings | answers.AxesOfBearings, "bearing", (text,), [("axis", axis)], lang, folder=folder, deadline=deadline, memory=memory, file=file)
     return answer
 
 
@@ -1227,8 +1198,7 @@ def moves(
     Raises:
         AntriebError: Every fault of the call.
     """
-    pairs = [("axis", axis)]
-    answer: answers.Motion = ask(answers.Motion, "moves", (text,), pairs, lang, folder=folder, deadline=deadline, memory=memory, file=file)
+    answer: answers.Motion = ask(answers.Motion, "moves", (text,), [("axis", axis)], lang, folder=folder, deadline=deadline, memory=memory, file=file)
     return answer
 
 
@@ -1251,8 +1221,7 @@ def battery(
     Raises:
         AntriebError: Every fault of the call.
     """
-    pairs = [("hours-per-day", hours_per_day), ("storage", storage)]
-    answer: answers.Battery = ask(answers.Battery, "battery", (), pairs, lang)
+    answer: answers.Battery = ask(answers.Battery, "battery", (), [("hours-per-day", hours_per_day), ("storage", storage)], lang)
     return answer
 
 
@@ -1279,8 +1248,7 @@ def mount(
     Raises:
         AntriebError: Every fault of the call.
     """
-    pairs = [("code", code), ("bore", bore), ("bore-load", bore_load), ("bore-housing", bore_housing)]
-    answer: answers.Mount = ask(answers.Mount, "mount", (), pairs, lang)
+    answer: answers.Mount = ask(answers.Mount, "mount", (), [("code", code), ("bore", bore), ("bore-load", bore_load), ("bore-housing", bore_housing)], lang)
     return answer
 
 
@@ -1319,8 +1287,7 @@ def mount_project(
     Raises:
         AntriebError: Every fault of the call.
     """
-    pairs = [("code", code), ("bore", bore), ("bore-load", bore_load), ("bore-housing", bore_housing), ("axis", axis)]
-    answer: answers.Mount = ask(answers.Mount, "mount --project", (text,), pairs, lang, folder=folder, deadline=deadline, memory=memory, file=file)
+    answer: answers.Mount = ask(answers.Mount, "mount --project", (text,), [("code", code), ("bore", bore), ("bore-load", bore_load), ("bore-housing", bore_housing), ("axis", axis)], lang, folder=folder, deadline=deadline, memory=memory, file=file)
     return answer
 
 
@@ -1351,8 +1318,7 @@ def upkeep(
     Raises:
         AntriebError: Every fault of the call.
     """
-    pairs = [("code", code), ("delivered", delivered), ("storage", storage), ("hours-per-day", hours_per_day), ("inspect", inspect), ("today", today)]
-    answer: answers.Upkeep = ask(answers.Upkeep, "upkeep", (), pairs, lang)
+    answer: answers.Upkeep = ask(answers.Upkeep, "upkeep", (), [("code", code), ("delivered", delivered), ("storage", storage), ("hours-per-day", hours_per_day), ("inspect", inspect), ("today", today)], lang)
     return answer
 
 
@@ -1385,8 +1351,7 @@ def upkeep_ical(
     Raises:
         AntriebError: Every fault of the call.
     """
-    pairs = [("code", code), ("delivered", delivered), ("storage", storage), ("hours-per-day", hours_per_day), ("inspect", inspect), ("today", today), ("name", name)]
-    answer: str = ask(object, "upkeep --ical", (), pairs, lang)
+    answer: str = ask(object, "upkeep --ical", (), [("code", code), ("delivered", delivered), ("storage", storage), ("hours-per-day", hours_per_day), ("inspect", inspect), ("today", today), ("name", name)], lang)
     return answer
 
 
@@ -1406,8 +1371,7 @@ def new(
     Raises:
         AntriebError: Every fault of the call.
     """
-    pairs = [("kind", kind)]
-    answer: str = ask(object, "new", (), pairs, lang)
+    answer: str = ask(object, "new", (), [("kind", kind)], lang)
     return answer
 
 
@@ -1427,8 +1391,7 @@ def glossary(
     Raises:
         AntriebError: Every fault of the call.
     """
-    pairs = [("term", term)]
-    answer: answers.Glossary = ask(answers.Glossary, "glossary", (), pairs, lang)
+    answer: answers.Glossary = ask(answers.Glossary, "glossary", (), [("term", term)], lang)
     return answer
 
 
@@ -1448,8 +1411,7 @@ def units(
     Raises:
         AntriebError: Every fault of the call.
     """
-    pairs = [("quantity", quantity)]
-    answer: answers.Units2 = ask(answers.Units2, "units", (), pairs, lang)
+    answer: answers.Units2 = ask(answers.Units2, "units", (), [("quantity", quantity)], lang)
     return answer
 
 
@@ -1467,8 +1429,7 @@ def licences(
     Raises:
         AntriebError: Every fault of the call.
     """
-    pairs = []
-    answer: answers.Licences = ask(answers.Licences, "licences", (), pairs, lang)
+    answer: answers.Licences = ask(answers.Licences, "licences", (), [], lang)
     return answer
 
 
@@ -1489,8 +1450,7 @@ def schema(
     Raises:
         AntriebError: Every fault of the call.
     """
-    pairs = [("answers", answers)]
-    answer: dict[str, object] = ask(dict[str, object], "schema", (), pairs, lang)
+    answer: dict[str, object] = ask(dict[str, object], "schema", (), [("answers", answers)], lang)
     return answer
 
 

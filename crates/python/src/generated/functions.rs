@@ -96,8 +96,7 @@ fn whole(entry: &Entry, schema: &Schema) -> String {
     let texts = if sources.is_empty() { "()".to_owned() } else { format!("({},)", sources.join(", ")) };
     let pairs: Vec<String> =
         entry.arguments.iter().map(|each| format!("({}, {})", quoted(each.name), name(each.name))).collect();
-    let _ = writeln!(out, "    pairs = [{}]", pairs.join(", "));
-    let mut call = format!("{}, {texts}, pairs, lang", quoted(entry.command));
+    let mut call = format!("{}, {texts}, [{}], lang", quoted(entry.command), pairs.join(", "));
     if !sources.is_empty() {
         call.push_str(", folder=folder, deadline=deadline, memory=memory");
         if sources.len() == 1 {
