@@ -1457,6 +1457,42 @@ def schema(
 code = code_parse
 catalogue = catalogue_export
 
+# A call of each command that runs; the tests put it to the function too.
+_EXAMPLES = {
+    "size": "size axis.toml --top 5",
+    "check": "check axis.toml --code CHA-25A-50-H-C1024",
+    "explain": "explain axis.toml --code CHA-25A-50-H-C1024 --check continuous_torque",
+    "simulate": "simulate axis.toml --code CHA-25A-50-H-C1024 --scenario emergency_stop",
+    "identify": "identify run.csv axis.toml --code CHA-25A-50-H-C1024",
+    "report": "report axis.toml --out axis.pdf",
+    "compare": "compare axis.toml --code CHA-25A-50-H-C1024 --code CHA-32A-50-H-C1024",
+    "diff": "diff before.toml after.toml",
+    "export": "export axis.toml --out axis.xlsx",
+    "code_parse": "code parse CHA-20A-100-H-C1024-B",
+    "code_list": "code list CHA-20A-*-H --available",
+    "code_complete": "code complete CHA-14A-100-N",
+    "data": "data CHA-20A-100-H-C1024",
+    "wiring": "wiring CHA-25A-100-H-M512P-B --check pins.csv",
+    "encoder": "encoder CHA-25A-100-H-M512P --angle \"12.5 deg\" --turn 3",
+    "errata": "errata CHA-25A-50-H-M512P",
+    "catalogue_export": "catalogue export --format csv",
+    "torsion": "torsion CHA-20A-100-H-C1024 --torque \"60 N m\"",
+    "commission": "commission CHA-25A-100-H-M512P-B --for sinamics",
+    "inertia": "inertia \"disc diameter=200mm length=20mm density=7850kg/m^3\"",
+    "curve": "curve CHA-20A-100-H-C1024 --voltage \"220 V\"",
+    "plot": "plot axis.toml --figure torque_speed --svg plane.svg",
+    "bearing": "bearing axis.toml",
+    "moves": "moves axis.toml",
+    "battery": "battery --hours-per-day 10",
+    "mount": "mount CHA-25A-100-H-M512P-B --bore K7",
+    "upkeep": "upkeep CHA-14A-50-E-M128S --delivered 2026-03-01 --storage \"6 months\" --hours-per-day 10",
+    "new": "new arm --out axis.toml",
+    "glossary": "glossary T_rms",
+    "units": "units torque",
+    "licences": "licences",
+    "schema": "schema",
+}
+
 __all__ = [
     "battery",
     "bearing",

@@ -70,7 +70,12 @@ pub(super) fn module(schema: &Schema) -> String {
             all.push(function(group));
         }
     }
-    out.push_str("\n__all__ = [\n");
+    out.push_str("\n# A call of each command that runs; the tests put it to the function too.\n_EXAMPLES = {\n");
+    for entry in LIST.iter().filter(|entry| entry.option().is_none()) {
+        let call = format!("{} {}", entry.command, entry.example);
+        let _ = writeln!(out, "    {}: {},", quoted(&function(entry.command)), quoted(call.trim()));
+    }
+    out.push_str("}\n\n__all__ = [\n");
     all.sort();
     for known in &all {
         let _ = writeln!(out, "    \"{known}\",");
