@@ -34,6 +34,15 @@ class Sweep:
         lang: str,
         memory: str | None,
     ) -> Sweep: ...
+    @staticmethod
+    def whole(
+        handed: tuple[str | None, str, str],
+        table: ArrowStream | ArrowArray,
+        pairs: Sequence[tuple[str, str]],
+        lang: str,
+        memory: str | None,
+        deadline: str | None,
+    ) -> Table: ...
     @property
     def keys(self) -> list[str]: ...
     @property

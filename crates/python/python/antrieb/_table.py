@@ -50,8 +50,8 @@ class Sweep:
         folder: Path | None = None,
         memory: str | None = None,
     ) -> None:
-        pairs = pairs_of([("axis", axis), ("want", want), ("checks", list(checks))])
-        self._sweep = _antrieb.Sweep(handed(text, file, folder), schema, pairs, lang, memory)
+        options = _options(axis, want, checks)
+        self._sweep = _antrieb.Sweep(handed(text, file, folder), schema, options, lang, memory)
 
     @property
     def keys(self) -> list[str]:
@@ -70,6 +70,10 @@ class Sweep:
     def batch(self, batch: ArrowStream | ArrowArray, first_row: int = 0) -> Table:
         """The answers of a part of a table whose first row has this number; a fault of a cell is in the column `error`."""
         return self._sweep.batch(batch, first_row)
+
+
+def _options(axis: str | None, want: Want, checks: Sequence[answers.CheckId]) -> list[tuple[str, str]]:
+    return pairs_of([("axis", axis), ("want", want), ("checks", list(checks))])
 
 
 def sweep(
@@ -112,7 +116,6 @@ def sweep(
     Raises:
         AntriebError: Every fault of the project, of the headings, or of the cells, each with heading and row.
     """
-    prepared = Sweep(
-        text, table, lang, axis=axis, want=want, checks=checks, file=file, folder=folder, memory=memory
+    return _antrieb.Sweep.whole(
+        handed(text, file, folder), table, _options(axis, want, checks), lang, memory, deadline
     )
-    return prepared.table(table, deadline=deadline)

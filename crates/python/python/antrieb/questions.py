@@ -87,7 +87,17 @@ def size(
     Raises:
         AntriebError: Every fault of the call.
     """
-    answer: answers.Sizing | answers.AxesOfSizing = ask(answers.Sizing | answers.AxesOfSizing, "size", (text,), [("axis", axis), ("top", top), ("all", all), ("samples", samples), ("seed", seed)], lang, folder=folder, deadline=deadline, memory=memory, file=file)
+    answer: answers.Sizing | answers.AxesOfSizing = ask(
+        answers.Sizing | answers.AxesOfSizing,
+        "size",
+        (text,),
+        [("axis", axis), ("top", top), ("all", all), ("samples", samples), ("seed", seed)],
+        lang,
+        file=file,
+        folder=folder,
+        deadline=deadline,
+        memory=memory,
+    )
     return answer
 
 
@@ -156,7 +166,17 @@ def check(
     Raises:
         AntriebError: Every fault of the call.
     """
-    answer: answers.Judgement | answers.AxesOfJudgement = ask(answers.Judgement | answers.AxesOfJudgement, "check", (text,), [("axis", axis), ("code", code), ("samples", samples), ("seed", seed)], lang, folder=folder, deadline=deadline, memory=memory, file=file)
+    answer: answers.Judgement | answers.AxesOfJudgement = ask(
+        answers.Judgement | answers.AxesOfJudgement,
+        "check",
+        (text,),
+        [("axis", axis), ("code", code), ("samples", samples), ("seed", seed)],
+        lang,
+        file=file,
+        folder=folder,
+        deadline=deadline,
+        memory=memory,
+    )
     return answer
 
 
@@ -221,7 +241,17 @@ def explain(
     Raises:
         AntriebError: Every fault of the call.
     """
-    answer: answers.Explanations | answers.AxesOfExplanations = ask(answers.Explanations | answers.AxesOfExplanations, "explain", (text,), [("axis", axis), ("code", code), ("check", check)], lang, folder=folder, deadline=deadline, memory=memory, file=file)
+    answer: answers.Explanations | answers.AxesOfExplanations = ask(
+        answers.Explanations | answers.AxesOfExplanations,
+        "explain",
+        (text,),
+        [("axis", axis), ("code", code), ("check", check)],
+        lang,
+        file=file,
+        folder=folder,
+        deadline=deadline,
+        memory=memory,
+    )
     return answer
 
 
@@ -314,7 +344,17 @@ def simulate(
     Raises:
         AntriebError: Every fault of the call.
     """
-    answer: answers.Simulation | answers.AxesOfSimulation = ask(answers.Simulation | answers.AxesOfSimulation, "simulate", (text,), [("axis", axis), ("code", code), ("scenario", scenario), ("at", at), ("reaction", reaction), ("cycles", cycles), ("cold", cold), ("every", every), ("figure", figure), ("seed", seed)], lang, folder=folder, deadline=deadline, memory=memory, file=file)
+    answer: answers.Simulation | answers.AxesOfSimulation = ask(
+        answers.Simulation | answers.AxesOfSimulation,
+        "simulate",
+        (text,),
+        [("axis", axis), ("code", code), ("scenario", scenario), ("at", at), ("reaction", reaction), ("cycles", cycles), ("cold", cold), ("every", every), ("figure", figure), ("seed", seed)],
+        lang,
+        file=file,
+        folder=folder,
+        deadline=deadline,
+        memory=memory,
+    )
     return answer
 
 
@@ -349,7 +389,17 @@ def identify(
     Raises:
         AntriebError: Every fault of the call.
     """
-    answer: answers.Identification = ask(answers.Identification, "identify", (text,), [("axis", axis), ("code", code), ("trace", trace)], lang, folder=folder, deadline=deadline, memory=memory, file=file)
+    answer: answers.Identification = ask(
+        answers.Identification,
+        "identify",
+        (text,),
+        [("axis", axis), ("code", code), ("trace", trace)],
+        lang,
+        file=file,
+        folder=folder,
+        deadline=deadline,
+        memory=memory,
+    )
     return answer
 
 
@@ -388,7 +438,17 @@ def report(
     Raises:
         AntriebError: Every fault of the call.
     """
-    answer: bytes = ask(object, "report", (text,), [("axis", axis), ("code", code), ("full", full), ("installation", installation), ("date", date)], lang, folder=folder, deadline=deadline, memory=memory, file=file)
+    answer: bytes = ask(
+        object,
+        "report",
+        (text,),
+        [("axis", axis), ("code", code), ("full", full), ("installation", installation), ("date", date)],
+        lang,
+        file=file,
+        folder=folder,
+        deadline=deadline,
+        memory=memory,
+    )
     return answer
 
 
@@ -449,7 +509,17 @@ def compare(
     Raises:
         AntriebError: Every fault of the call.
     """
-    answer: answers.Comparison | answers.AxesOfComparison = ask(answers.Comparison | answers.AxesOfComparison, "compare", (text,), [("axis", axis), ("code", code)], lang, folder=folder, deadline=deadline, memory=memory, file=file)
+    answer: answers.Comparison | answers.AxesOfComparison = ask(
+        answers.Comparison | answers.AxesOfComparison,
+        "compare",
+        (text,),
+        [("axis", axis), ("code", code)],
+        lang,
+        file=file,
+        folder=folder,
+        deadline=deadline,
+        memory=memory,
+    )
     return answer
 
 
@@ -510,7 +580,16 @@ def diff(
     Raises:
         AntriebError: Every fault of the call.
     """
-    answer: answers.Difference | answers.AxesOfDifference = ask(answers.Difference | answers.AxesOfDifference, "diff", (old, new,), [("axis", axis), ("code", code)], lang, folder=folder, deadline=deadline, memory=memory)
+    answer: answers.Difference | answers.AxesOfDifference = ask(
+        answers.Difference | answers.AxesOfDifference,
+        "diff",
+        (old, new,),
+        [("axis", axis), ("code", code)],
+        lang,
+        folder=folder,
+        deadline=deadline,
+        memory=memory,
+    )
     return answer
 
 
@@ -610,7 +689,17 @@ def export(
     Raises:
         AntriebError: Every fault of the call.
     """
-    answer: answers.Table | str | bytes = ask(answers.Table, "export", (text,), [("axis", axis), ("code", code), ("table", table), ("format", format), ("top", top), ("revision", revision), ("date", date)], lang, folder=folder, deadline=deadline, memory=memory, file=file)
+    answer: answers.Table | str | bytes = ask(
+        answers.Table,
+        "export",
+        (text,),
+        [("axis", axis), ("code", code), ("table", table), ("format", format), ("top", top), ("revision", revision), ("date", date)],
+        lang,
+        file=file,
+        folder=folder,
+        deadline=deadline,
+        memory=memory,
+    )
     return answer
 
 
@@ -630,7 +719,13 @@ def code_parse(
     Raises:
         AntriebError: Every fault of the call.
     """
-    answer: answers.CodeReading = ask(answers.CodeReading, "code parse", (), [("code", code)], lang)
+    answer: answers.CodeReading = ask(
+        answers.CodeReading,
+        "code parse",
+        (),
+        [("code", code)],
+        lang,
+    )
     return answer
 
 
@@ -653,7 +748,13 @@ def code_list(
     Raises:
         AntriebError: Every fault of the call.
     """
-    answer: list[answers.ListedCode] = ask(list[answers.ListedCode], "code list", (), [("pattern", pattern), ("available", available)], lang)
+    answer: list[answers.ListedCode] = ask(
+        list[answers.ListedCode],
+        "code list",
+        (),
+        [("pattern", pattern), ("available", available)],
+        lang,
+    )
     return answer
 
 
@@ -673,7 +774,13 @@ def code_complete(
     Raises:
         AntriebError: Every fault of the call.
     """
-    answer: answers.Completion = ask(answers.Completion, "code complete", (), [("code", code)], lang)
+    answer: answers.Completion = ask(
+        answers.Completion,
+        "code complete",
+        (),
+        [("code", code)],
+        lang,
+    )
     return answer
 
 
@@ -693,7 +800,13 @@ def data(
     Raises:
         AntriebError: Every fault of the call.
     """
-    answer: answers.Sheet = ask(answers.Sheet, "data", (), [("code", code)], lang)
+    answer: answers.Sheet = ask(
+        answers.Sheet,
+        "data",
+        (),
+        [("code", code)],
+        lang,
+    )
     return answer
 
 
@@ -718,7 +831,13 @@ def wiring(
     Raises:
         AntriebError: Every fault of the call.
     """
-    answer: answers.Wiring = ask(answers.Wiring, "wiring", (), [("code", code), ("length", length), ("cross-section", cross_section)], lang)
+    answer: answers.Wiring = ask(
+        answers.Wiring,
+        "wiring",
+        (),
+        [("code", code), ("length", length), ("cross-section", cross_section)],
+        lang,
+    )
     return answer
 
 
@@ -749,7 +868,17 @@ def wiring_check(
     Raises:
         AntriebError: Every fault of the call.
     """
-    answer: answers.WiringCheck = ask(answers.WiringCheck, "wiring --check", (text,), [("code", code)], lang, folder=folder, deadline=deadline, memory=memory, file=file)
+    answer: answers.WiringCheck = ask(
+        answers.WiringCheck,
+        "wiring --check",
+        (text,),
+        [("code", code)],
+        lang,
+        file=file,
+        folder=folder,
+        deadline=deadline,
+        memory=memory,
+    )
     return answer
 
 
@@ -786,7 +915,13 @@ def encoder(
     Raises:
         AntriebError: Every fault of the call.
     """
-    answer: answers.Encoder = ask(answers.Encoder, "encoder", (), [("code", code), ("angle", angle), ("turn", turn), ("speed", speed), ("seed", seed), ("window", window), ("battery-lost", battery_lost), ("error", error), ("decode", decode)], lang)
+    answer: answers.Encoder = ask(
+        answers.Encoder,
+        "encoder",
+        (),
+        [("code", code), ("angle", angle), ("turn", turn), ("speed", speed), ("seed", seed), ("window", window), ("battery-lost", battery_lost), ("error", error), ("decode", decode)],
+        lang,
+    )
     return answer
 
 
@@ -821,7 +956,13 @@ def encoder_vcd(
     Raises:
         AntriebError: Every fault of the call.
     """
-    answer: str = ask(object, "encoder --vcd", (), [("code", code), ("angle", angle), ("turn", turn), ("speed", speed), ("seed", seed), ("time", time), ("endat", endat), ("connector", connector)], lang)
+    answer: str = ask(
+        object,
+        "encoder --vcd",
+        (),
+        [("code", code), ("angle", angle), ("turn", turn), ("speed", speed), ("seed", seed), ("time", time), ("endat", endat), ("connector", connector)],
+        lang,
+    )
     return answer
 
 
@@ -841,7 +982,13 @@ def errata(
     Raises:
         AntriebError: Every fault of the call.
     """
-    answer: answers.Errata = ask(answers.Errata, "errata", (), [("about", about)], lang)
+    answer: answers.Errata = ask(
+        answers.Errata,
+        "errata",
+        (),
+        [("about", about)],
+        lang,
+    )
     return answer
 
 
@@ -878,7 +1025,13 @@ def catalogue_export(
     Raises:
         AntriebError: Every fault of the call.
     """
-    answer: list[answers.CatalogueCell] | str = ask(list[answers.CatalogueCell], "catalogue export", (), [("format", format)], lang)
+    answer: list[answers.CatalogueCell] | str = ask(
+        list[answers.CatalogueCell],
+        "catalogue export",
+        (),
+        [("format", format)],
+        lang,
+    )
     return answer
 
 
@@ -903,7 +1056,13 @@ def torsion(
     Raises:
         AntriebError: Every fault of the call.
     """
-    answer: answers.Torsion = ask(answers.Torsion, "torsion", (), [("code", code), ("torque", torque), ("angle", angle)], lang)
+    answer: answers.Torsion = ask(
+        answers.Torsion,
+        "torsion",
+        (),
+        [("code", code), ("torque", torque), ("angle", angle)],
+        lang,
+    )
     return answer
 
 
@@ -928,7 +1087,13 @@ def commission(
     Raises:
         AntriebError: Every fault of the call.
     """
-    answer: answers.CommissionAnswer = ask(answers.CommissionAnswer, "commission", (), [("code", code), ("for", for_), ("ambient", ambient)], lang)
+    answer: answers.CommissionAnswer = ask(
+        answers.CommissionAnswer,
+        "commission",
+        (),
+        [("code", code), ("for", for_), ("ambient", ambient)],
+        lang,
+    )
     return answer
 
 
@@ -950,7 +1115,13 @@ def commission_out(
     Raises:
         AntriebError: Every fault of the call.
     """
-    answer: str = ask(object, "commission --out", (), [("code", code), ("for", for_)], lang)
+    answer: str = ask(
+        object,
+        "commission --out",
+        (),
+        [("code", code), ("for", for_)],
+        lang,
+    )
     return answer
 
 
@@ -973,7 +1144,13 @@ def commission_checklist(
     Raises:
         AntriebError: Every fault of the call.
     """
-    answer: bytes = ask(object, "commission --checklist", (), [("code", code), ("ambient", ambient)], lang)
+    answer: bytes = ask(
+        object,
+        "commission --checklist",
+        (),
+        [("code", code), ("ambient", ambient)],
+        lang,
+    )
     return answer
 
 
@@ -993,7 +1170,13 @@ def commission_blank(
     Raises:
         AntriebError: Every fault of the call.
     """
-    answer: str = ask(object, "commission --blank", (), [("code", code)], lang)
+    answer: str = ask(
+        object,
+        "commission --blank",
+        (),
+        [("code", code)],
+        lang,
+    )
     return answer
 
 
@@ -1024,7 +1207,17 @@ def commission_record(
     Raises:
         AntriebError: Every fault of the call.
     """
-    answer: answers.Recorded = ask(answers.Recorded, "commission --record", (text,), [("code", code)], lang, folder=folder, deadline=deadline, memory=memory, file=file)
+    answer: answers.Recorded = ask(
+        answers.Recorded,
+        "commission --record",
+        (text,),
+        [("code", code)],
+        lang,
+        file=file,
+        folder=folder,
+        deadline=deadline,
+        memory=memory,
+    )
     return answer
 
 
@@ -1044,7 +1237,13 @@ def inertia(
     Raises:
         AntriebError: Every fault of the call.
     """
-    answer: answers.Inertia = ask(answers.Inertia, "inertia", (), [("body", body)], lang)
+    answer: answers.Inertia = ask(
+        answers.Inertia,
+        "inertia",
+        (),
+        [("body", body)],
+        lang,
+    )
     return answer
 
 
@@ -1067,7 +1266,13 @@ def curve(
     Raises:
         AntriebError: Every fault of the call.
     """
-    answer: answers.Curves = ask(answers.Curves, "curve", (), [("code", code), ("voltage", voltage)], lang)
+    answer: answers.Curves = ask(
+        answers.Curves,
+        "curve",
+        (),
+        [("code", code), ("voltage", voltage)],
+        lang,
+    )
     return answer
 
 
@@ -1110,7 +1315,17 @@ def plot(
     Raises:
         AntriebError: Every fault of the call.
     """
-    answer: Picture = ask(object, "plot", (text,), [("axis", axis), ("code", code), ("figure", figure), ("by", by), ("theme", theme), ("width", width), ("height", height)], lang, folder=folder, deadline=deadline, memory=memory, file=file)
+    answer: Picture = ask(
+        object,
+        "plot",
+        (text,),
+        [("axis", axis), ("code", code), ("figure", figure), ("by", by), ("theme", theme), ("width", width), ("height", height)],
+        lang,
+        file=file,
+        folder=folder,
+        deadline=deadline,
+        memory=memory,
+    )
     return answer
 
 
@@ -1167,7 +1382,17 @@ def bearing(
     Raises:
         AntriebError: Every fault of the call.
     """
-    answer: answers.Bearings | answers.AxesOfBearings = ask(answers.Bearings | answers.AxesOfBearings, "bearing", (text,), [("axis", axis)], lang, folder=folder, deadline=deadline, memory=memory, file=file)
+    answer: answers.Bearings | answers.AxesOfBearings = ask(
+        answers.Bearings | answers.AxesOfBearings,
+        "bearing",
+        (text,),
+        [("axis", axis)],
+        lang,
+        file=file,
+        folder=folder,
+        deadline=deadline,
+        memory=memory,
+    )
     return answer
 
 
@@ -1198,7 +1423,17 @@ def moves(
     Raises:
         AntriebError: Every fault of the call.
     """
-    answer: answers.Motion = ask(answers.Motion, "moves", (text,), [("axis", axis)], lang, folder=folder, deadline=deadline, memory=memory, file=file)
+    answer: answers.Motion = ask(
+        answers.Motion,
+        "moves",
+        (text,),
+        [("axis", axis)],
+        lang,
+        file=file,
+        folder=folder,
+        deadline=deadline,
+        memory=memory,
+    )
     return answer
 
 
@@ -1221,7 +1456,13 @@ def battery(
     Raises:
         AntriebError: Every fault of the call.
     """
-    answer: answers.Battery = ask(answers.Battery, "battery", (), [("hours-per-day", hours_per_day), ("storage", storage)], lang)
+    answer: answers.Battery = ask(
+        answers.Battery,
+        "battery",
+        (),
+        [("hours-per-day", hours_per_day), ("storage", storage)],
+        lang,
+    )
     return answer
 
 
@@ -1248,7 +1489,13 @@ def mount(
     Raises:
         AntriebError: Every fault of the call.
     """
-    answer: answers.Mount = ask(answers.Mount, "mount", (), [("code", code), ("bore", bore), ("bore-load", bore_load), ("bore-housing", bore_housing)], lang)
+    answer: answers.Mount = ask(
+        answers.Mount,
+        "mount",
+        (),
+        [("code", code), ("bore", bore), ("bore-load", bore_load), ("bore-housing", bore_housing)],
+        lang,
+    )
     return answer
 
 
@@ -1287,7 +1534,17 @@ def mount_project(
     Raises:
         AntriebError: Every fault of the call.
     """
-    answer: answers.Mount = ask(answers.Mount, "mount --project", (text,), [("code", code), ("bore", bore), ("bore-load", bore_load), ("bore-housing", bore_housing), ("axis", axis)], lang, folder=folder, deadline=deadline, memory=memory, file=file)
+    answer: answers.Mount = ask(
+        answers.Mount,
+        "mount --project",
+        (text,),
+        [("code", code), ("bore", bore), ("bore-load", bore_load), ("bore-housing", bore_housing), ("axis", axis)],
+        lang,
+        file=file,
+        folder=folder,
+        deadline=deadline,
+        memory=memory,
+    )
     return answer
 
 
@@ -1318,7 +1575,13 @@ def upkeep(
     Raises:
         AntriebError: Every fault of the call.
     """
-    answer: answers.Upkeep = ask(answers.Upkeep, "upkeep", (), [("code", code), ("delivered", delivered), ("storage", storage), ("hours-per-day", hours_per_day), ("inspect", inspect), ("today", today)], lang)
+    answer: answers.Upkeep = ask(
+        answers.Upkeep,
+        "upkeep",
+        (),
+        [("code", code), ("delivered", delivered), ("storage", storage), ("hours-per-day", hours_per_day), ("inspect", inspect), ("today", today)],
+        lang,
+    )
     return answer
 
 
@@ -1351,7 +1614,13 @@ def upkeep_ical(
     Raises:
         AntriebError: Every fault of the call.
     """
-    answer: str = ask(object, "upkeep --ical", (), [("code", code), ("delivered", delivered), ("storage", storage), ("hours-per-day", hours_per_day), ("inspect", inspect), ("today", today), ("name", name)], lang)
+    answer: str = ask(
+        object,
+        "upkeep --ical",
+        (),
+        [("code", code), ("delivered", delivered), ("storage", storage), ("hours-per-day", hours_per_day), ("inspect", inspect), ("today", today), ("name", name)],
+        lang,
+    )
     return answer
 
 
@@ -1371,7 +1640,13 @@ def new(
     Raises:
         AntriebError: Every fault of the call.
     """
-    answer: str = ask(object, "new", (), [("kind", kind)], lang)
+    answer: str = ask(
+        object,
+        "new",
+        (),
+        [("kind", kind)],
+        lang,
+    )
     return answer
 
 
@@ -1391,7 +1666,13 @@ def glossary(
     Raises:
         AntriebError: Every fault of the call.
     """
-    answer: answers.Glossary = ask(answers.Glossary, "glossary", (), [("term", term)], lang)
+    answer: answers.Glossary = ask(
+        answers.Glossary,
+        "glossary",
+        (),
+        [("term", term)],
+        lang,
+    )
     return answer
 
 
@@ -1411,7 +1692,13 @@ def units(
     Raises:
         AntriebError: Every fault of the call.
     """
-    answer: answers.Units2 = ask(answers.Units2, "units", (), [("quantity", quantity)], lang)
+    answer: answers.Units2 = ask(
+        answers.Units2,
+        "units",
+        (),
+        [("quantity", quantity)],
+        lang,
+    )
     return answer
 
 
@@ -1429,7 +1716,13 @@ def licences(
     Raises:
         AntriebError: Every fault of the call.
     """
-    answer: answers.Licences = ask(answers.Licences, "licences", (), [], lang)
+    answer: answers.Licences = ask(
+        answers.Licences,
+        "licences",
+        (),
+        [],
+        lang,
+    )
     return answer
 
 
@@ -1450,7 +1743,13 @@ def schema(
     Raises:
         AntriebError: Every fault of the call.
     """
-    answer: dict[str, object] = ask(dict[str, object], "schema", (), [("answers", answers)], lang)
+    answer: dict[str, object] = ask(
+        dict[str, object],
+        "schema",
+        (),
+        [("answers", answers)],
+        lang,
+    )
     return answer
 
 

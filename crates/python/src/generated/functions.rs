@@ -101,15 +101,17 @@ fn whole(entry: &Entry, schema: &Schema) -> String {
     let texts = if sources.is_empty() { "()".to_owned() } else { format!("({},)", sources.join(", ")) };
     let pairs: Vec<String> =
         entry.arguments.iter().map(|each| format!("({}, {})", quoted(each.name), name(each.name))).collect();
-    let mut call = format!("{}, {texts}, [{}], lang", quoted(entry.command), pairs.join(", "));
-    if !sources.is_empty() {
-        call.push_str(", folder=folder, deadline=deadline, memory=memory");
-        if sources.len() == 1 {
-            call.push_str(", file=file");
-        }
-    }
-    let record = record_type(entry, schema).unwrap_or_else(|| "object".to_owned());
-    let _ = write!(out, "    answer: {} = ask({record}, {call})\n    return answer\n", every.returns);
+    let of = record_type(entry, schema).unwrap_or_else(|| "object".to_owned());
+    let mut given = vec![of, quoted(entry.command), texts, format!("[{}]", pairs.join(", ")), "lang".to_owned()];
+    let own: &[&str] = match sources.len() {
+        0 => &[],
+        1 => &["file", "folder", "deadline", "memory"],
+        _ => &["folder", "deadline", "memory"],
+    };
+    given.extend(own.iter().map(|name| format!("{name}={name}")));
+    let _ = writeln!(out, "    answer: {} = ask(", every.returns);
+    out.extend(given.iter().map(|each| format!("        {each},\n")));
+    out.push_str("    )\n    return answer\n");
     out
 }
 

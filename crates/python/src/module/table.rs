@@ -144,13 +144,22 @@ impl Sweep {
         lang: &str,
         memory: Option<String>,
     ) -> PyResult<Self> {
-        let py = schema.py();
-        let language = Language::of_id(lang).unwrap_or_default();
-        let call = SweepCall { text: text(handed), pairs, memory, language };
-        let schema = capsules::schema(schema)?;
-        let sweep = py.detach(|| call.prepared(&schema));
-        let sweep = sweep.map_err(|why| refused(py, &why.record(None, language)))?;
-        Ok(Self { sweep, language })
+        Self::of(schema.py(), handed, &*capsules::schema(schema)?, pairs, lang, memory)
+    }
+
+    /// The answers of the rows of a table, in their order, by a sweep of its own: the table is read once.
+    #[staticmethod]
+    fn whole(
+        handed: Handed,
+        table: &Bound<'_, PyAny>,
+        pairs: Vec<(String, String)>,
+        lang: &str,
+        memory: Option<String>,
+        deadline: Option<&str>,
+    ) -> PyResult<Table> {
+        let py = table.py();
+        let (schema, batches) = capsules::table(table)?;
+        Self::of(py, handed, &schema, pairs, lang, memory)?.judged(py, &batches, deadline)
     }
 
     /// The keys of the columns, entries of lists counted from one.
@@ -171,13 +180,7 @@ impl Sweep {
         let py = table.py();
         let (schema, batches) = capsules::table(table)?;
         self.is_of(py, &schema)?;
-        let deadline = deadline.map(|text| antrieb::deadline_of(text, self.language)).transpose();
-        let deadline = deadline.map_err(|why| refused(py, &why.record(None, self.language)))?;
-        let patience = if deadline.is_some() { Patience::limited() } else { Patience::endless() };
-        let found = beside(py, &patience, deadline, || swept(&self.sweep, &batches, &patience))?;
-        let waited_s = deadline.map(|most| most.as_secs_f64());
-        let batches = found.map_err(|why| refused(py, &why.record(waited_s, self.language)))?;
-        Ok(Table { schema: self.sweep.schema(), batches })
+        self.judged(py, &batches, deadline)
     }
 
     /// The answers of one batch whose first row has this number; a fault of a cell is in the column `error`.
@@ -201,6 +204,31 @@ impl Sweep {
 }
 
 impl Sweep {
+    fn of(
+        py: Python<'_>,
+        handed: Handed,
+        schema: &Schema,
+        pairs: Vec<(String, String)>,
+        lang: &str,
+        memory: Option<String>,
+    ) -> PyResult<Self> {
+        let language = Language::of_id(lang).unwrap_or_default();
+        let call = SweepCall { text: text(handed), pairs, memory, language };
+        let sweep = py.detach(|| call.prepared(schema));
+        let sweep = sweep.map_err(|why| refused(py, &why.record(None, language)))?;
+        Ok(Self { sweep, language })
+    }
+
+    fn judged(&self, py: Python<'_>, batches: &[RecordBatch], deadline: Option<&str>) -> PyResult<Table> {
+        let deadline = deadline.map(|text| antrieb::deadline_of(text, self.language)).transpose();
+        let deadline = deadline.map_err(|why| refused(py, &why.record(None, self.language)))?;
+        let patience = if deadline.is_some() { Patience::limited() } else { Patience::endless() };
+        let found = beside(py, &patience, deadline, || swept(&self.sweep, batches, &patience))?;
+        let waited_s = deadline.map(|most| most.as_secs_f64());
+        let batches = found.map_err(|why| refused(py, &why.record(waited_s, self.language)))?;
+        Ok(Table { schema: self.sweep.schema(), batches })
+    }
+
     /// Whether a table has the columns that the sweep was prepared for.
     fn is_of(&self, py: Python<'_>, schema: &Schema) -> PyResult<()> {
         if self.sweep.keys().count() == schema.fields().len() {
