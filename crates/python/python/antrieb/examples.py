@@ -10,6 +10,7 @@ Nothing but antrieb is needed. The figures of machine and robot are assumed.
 
 from __future__ import annotations
 
+import importlib
 import importlib.util
 import math
 import pathlib
@@ -50,6 +51,11 @@ ambient = "30 degC"
 """
 
 
+def library(name: str) -> Any:
+    """What may be installed beside antrieb."""
+    return importlib.import_module(name)
+
+
 def one_axis(folder: pathlib.Path) -> None:
     """Size an axis, look at the checks of the best, draw its torque-speed plane."""
     (sizing,) = antrieb.size(ARM, top=3).axes
@@ -76,7 +82,7 @@ def payload_and_time(payloads: list[float], times: list[float]) -> antrieb.Table
     )
 
 
-def heat_map(folder: pathlib.Path) -> tuple[antrieb.Table, antrieb.Table]:
+def heat_map(folder: pathlib.Path) -> antrieb.Table:
     """How many actuators fit over payload and time of a move."""
     payloads = [0.25 * step for step in range(25)]
     times = [0.4 + 0.05 * step for step in range(25)]
@@ -92,24 +98,20 @@ def heat_map(folder: pathlib.Path) -> tuple[antrieb.Table, antrieb.Table]:
         drawn_by_matplotlib(path, payloads, times, rows)
     else:
         path.write_text(drawn(payloads, times, rows), encoding="utf-8")
-    return table, best
+    return best
 
 
 def drawn_by_matplotlib(path: pathlib.Path, payloads: list[float], times: list[float], rows: list[list[int]]) -> None:
     """The heat map by matplotlib."""
-    import matplotlib
-
-    matplotlib.use("svg")
-    from matplotlib import pyplot
-
-    library: Any = pyplot
-    figure, axes = library.subplots(layout="constrained")
+    library("matplotlib").use("svg")
+    pyplot = library("matplotlib.pyplot")
+    figure, axes = pyplot.subplots(layout="constrained")
     mesh = axes.pcolormesh(times, payloads, rows, shading="nearest")
     axes.set_xlabel("time of a move in s")
     axes.set_ylabel("payload in kg")
     figure.colorbar(mesh, label="actuators that fit")
     figure.savefig(path)
-    library.close(figure)
+    pyplot.close(figure)
 
 
 def drawn(payloads: list[float], times: list[float], rows: list[list[int]]) -> str:
@@ -181,16 +183,12 @@ def robot() -> None:
     print(f"  six actuators weigh {mass:.1f} kg")
 
 
-def by_duckdb(table: antrieb.Table, best: antrieb.Table) -> None:
-    """Which code serves how many of the axes: SQL over the Arrow tables as they are."""
+def by_duckdb(best: antrieb.Table) -> None:
+    """Which code serves how many of the axes: SQL over the Arrow table as it is."""
     if not importlib.util.find_spec("duckdb"):
         print("duckdb is not installed")
         return
-    import duckdb
-
-    library: Any = duckdb
-    database = library.connect()
-    database.register("tasks", table)
+    database = library("duckdb").connect()
     database.register("best", best)
     found = database.sql(
         "select code, count(*) as axes, max(utilisation) as most from best "
@@ -207,11 +205,11 @@ def main() -> int:
     print("1. one axis")
     one_axis(folder)
     print("2. payload and cycle time")
-    table, best = heat_map(folder)
+    best = heat_map(folder)
     print("3. six joints of a robot")
     robot()
     print("4. DuckDB over the result")
-    by_duckdb(table, best)
+    by_duckdb(best)
     print(f"pictures: {folder}")
     return 0
 
