@@ -69,6 +69,8 @@ pub enum Error {
     NoCompiler,
     /// The tool that tries the interface is neither there nor to be had.
     NoSchemathesis,
+    /// There is no Python, or it has no way to make environments and to fill them.
+    NoPython,
     /// A tool of LLVM is not there that comes with a component of the toolchain.
     NoCoverageTool {
         /// The program.
@@ -211,6 +213,11 @@ impl fmt::Display for Error {
             Self::NoSchemathesis => write!(
                 f,
                 "schemathesis is not here and could not be installed; it takes Python 3.11 or later with venv and pip"
+            ),
+            Self::NoPython => write!(
+                f,
+                "Python 3.11 or later with venv and pip is not here, or an index of packages cannot be reached: \
+                 apt-get install python3-venv"
             ),
             Self::NoCoverageTool { program } => {
                 write!(f, "{program} is not here; get it with `rustup component add llvm-tools`")

@@ -22,6 +22,7 @@ mod lint;
 mod markdown;
 pub mod notices;
 pub mod picture;
+mod python;
 mod readme;
 pub mod samples;
 pub mod site;

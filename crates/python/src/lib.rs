@@ -2,11 +2,9 @@
 //!
 //! [`Call`] is a call without any Python in it; the module that Python loads is behind the feature `extension`, which
 //! `cargo xtask ci python` and `maturin` set. The functions, their types and their documentation in `python/antrieb` are
-//! written from the list and from the schema of the answers by the test of `generated`.
+//! written from the list and from the schema of the answers by `tests/generated.rs`.
 
 mod ask;
-#[cfg(test)]
-mod generated;
 #[cfg(feature = "extension")]
 mod module;
 mod sweep;

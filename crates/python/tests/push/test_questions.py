@@ -22,7 +22,7 @@ import unittest.mock
 import antrieb
 from antrieb import _antrieb, answers, questions
 
-EXAMPLES = pathlib.Path(__file__).resolve().parents[3] / "examples"
+EXAMPLES = pathlib.Path(__file__).resolve().parents[4] / "examples"
 PROJECT = (EXAMPLES / "indexing-table.toml").read_text(encoding="utf-8")
 CODE = "CHA-25A-50-H-C1024"
 

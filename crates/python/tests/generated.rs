@@ -1,7 +1,12 @@
-//! What is written into `python/antrieb` from the list of questions and the schema of the answers. Only its test uses it.
+//! What is written into `python/antrieb` from the list of questions and the schema of the answers: functions and classes.
+//!
+//! It stands beside the library and does not link it: the library is one that an interpreter loads.
 
+#[path = "generated/functions.rs"]
 mod functions;
+#[path = "generated/names.rs"]
 mod names;
+#[path = "generated/types.rs"]
 mod types;
 
 use questions::list::records;
