@@ -5,6 +5,8 @@ from __future__ import annotations
 import os
 import pathlib
 import signal
+import subprocess
+import sys
 import tempfile
 import threading
 import time
@@ -15,6 +17,7 @@ import pyarrow as pa
 import pyarrow.dataset as ds
 import pyarrow.parquet as pq
 import ray
+import yaml
 from ray import cloudpickle
 from ray.cluster_utils import Cluster
 
@@ -22,6 +25,7 @@ import antrieb
 from antrieb import distributed
 from antrieb.examples import ARM
 
+CLUSTER = pathlib.Path(__file__).resolve().parents[4] / "examples" / "cluster"
 ROWS = 4_000
 PART_ROWS = 100
 
@@ -155,6 +159,32 @@ class OnACluster(unittest.TestCase):
         found = distributed.sweep(ARM, tasks, self.out, rows=50, part_rows=20)
         self.assertEqual((found.rows, found.failed), (50, 10))
         self.assertEqual(sum(found.reasons.values()), 10)
+
+    def test_the_job_of_the_examples_runs_on_the_cluster(self) -> None:
+        words = ["--address", self.cluster.address, "--rows", "600", "--part-rows", "200", "--out", self.out]
+        done = subprocess.run(
+            [sys.executable, str(CLUSTER / "sweep.py"), *words], capture_output=True, text=True, check=False
+        )
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertIn("600 rows in ", done.stdout)
+        self.assertEqual(len(self.finished()), 3)
+
+
+class Files(unittest.TestCase):
+    """What is handed to clusters."""
+
+    def test_the_manifests_name_what_is_there(self) -> None:
+        job = yaml.safe_load((CLUSTER / "rayjob.yaml").read_text(encoding="utf-8"))
+        self.assertEqual((job["apiVersion"], job["kind"]), ("ray.io/v1", "RayJob"))
+        self.assertIn("sweep.py", job["spec"]["entrypoint"])
+        cluster = job["spec"]["rayClusterSpec"]
+        self.assertEqual(cluster["rayVersion"], ray.__version__)
+        for group in [cluster["headGroupSpec"], *cluster["workerGroupSpecs"]]:
+            pod = group["template"]["spec"]
+            mounted = {each["name"] for container in pod["containers"] for each in container["volumeMounts"]}
+            self.assertEqual(mounted, {each["name"] for each in pod["volumes"]})
+        brought = yaml.safe_load((CLUSTER / "runtime-env.yaml").read_text(encoding="utf-8"))
+        self.assertTrue(any(f"antrieb-{antrieb.__version__}-" in each for each in brought["pip"]))
 
 
 if __name__ == "__main__":
