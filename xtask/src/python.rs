@@ -36,7 +36,8 @@ pub(crate) fn push(root: &Path) -> Result<(), Error> {
     let library = Workspace::ask(root)?.target.join("debug").join(library());
     let mut pack = Command::new(tools.program("python"));
     pack.arg(root.join("xtask").join("python").join("pack.py"));
-    let wheel = printed(pack.arg(root.join(PACKAGE).join("pyproject.toml")).arg(&library).arg(desk.folder.join("wheel")))?;
+    let wheel =
+        printed(pack.arg(root.join(PACKAGE).join("pyproject.toml")).arg(&library).arg(desk.folder.join("wheel")))?;
     let wheel = PathBuf::from(wheel.trim());
 
     let empty = Environment::new(&desk.folder.join("empty"))?;
@@ -54,7 +55,8 @@ pub(crate) fn push(root: &Path) -> Result<(), Error> {
 
 /// The checks of the types: the package by two checkers, and the stub of the native part against what is there.
 fn types(root: &Path, desk: &Desk, tools: &Environment) -> Result<(), Error> {
-    let (settings, sources) = (root.join(PACKAGE).join("pyproject.toml"), root.join(PACKAGE).join("python").join("antrieb"));
+    let (settings, sources) =
+        (root.join(PACKAGE).join("pyproject.toml"), root.join(PACKAGE).join("python").join("antrieb"));
     must_succeed(desk.at(tools.program("mypy")).arg("--config-file").arg(&settings).arg(&sources))?;
     let mut stub = desk.at(tools.program("python"));
     must_succeed(stub.args(["-m", "mypy.stubtest", "antrieb._antrieb", "--mypy-config-file"]).arg(&settings))?;
@@ -192,7 +194,11 @@ mod tests {
         for beside in [&PUSH, &NIGHT] {
             let text = beside.pinned.replace("\\\n", " ");
             let entries: Vec<&str> = text.lines().filter(|line| line.contains("==")).collect();
-            assert!(entries.len() > 5 && entries.iter().all(|entry| entry.contains("--hash=sha256:")), "{}", beside.list);
+            assert!(
+                entries.len() > 5 && entries.iter().all(|entry| entry.contains("--hash=sha256:")),
+                "{}",
+                beside.list
+            );
         }
         assert!(["maturin==", "mypy==", "basedpyright=="].iter().all(|tool| PUSH.pinned.contains(tool)));
         assert!(NIGHT.pinned.contains("ray=="));

@@ -43,7 +43,8 @@ impl SweepCall {
         let pairs = self.pairs.iter().map(|(name, value)| (Cow::Borrowed(name.as_str()), value.as_str().into()));
         let given = Given::of(&[AXIS, WANT, CHECKS], pairs, self.language)?;
         let checks = given.all(CHECKS.name);
-        let checks: Vec<CheckId> = checks.filter_map(|id| CheckId::ALL.iter().find(|check| check.id() == id).copied()).collect();
+        let checks: Vec<CheckId> =
+            checks.filter_map(|id| CheckId::ALL.iter().find(|check| check.id() == id).copied()).collect();
         let wanted = match given.text(&WANT) {
             Some("front") => Wanted::Front,
             Some("every") => Wanted::Every(checks),

@@ -45,6 +45,9 @@ fn the_package_is_that_of_the_list_and_the_schema() {
             std::fs::write(&path, &text).unwrap_or_default();
         }
         let stored = std::fs::read_to_string(&path).unwrap_or_default();
-        assert!(stored == text, "crates/python/python/antrieb/{file} is out of date: cargo xtask snapshots writes it anew");
+        assert!(
+            stored == text,
+            "crates/python/python/antrieb/{file} is out of date: cargo xtask snapshots writes it anew"
+        );
     }
 }

@@ -238,4 +238,3 @@ impl Sweep {
         Err(refused(py, &why.record(None, self.language)))
     }
 }
-

@@ -166,9 +166,12 @@ fn returned(entry: &Entry) -> &'static str {
 /// The type of the record.
 fn record_type(entry: &Entry, schema: &Schema) -> Option<String> {
     match entry.gives {
-        Gives::Record(record) | Gives::RecordOr(record, _) => {
-            Some(schema.properties.get(record.command).map_or_else(|| "object".to_owned(), |shape| of_shape(shape, schema, true)))
-        }
+        Gives::Record(record) | Gives::RecordOr(record, _) => Some(
+            schema
+                .properties
+                .get(record.command)
+                .map_or_else(|| "object".to_owned(), |shape| of_shape(shape, schema, true)),
+        ),
         Gives::Json => Some("dict[str, object]".to_owned()),
         Gives::Media(_) => None,
     }
@@ -188,7 +191,8 @@ fn forms(entry: &Entry, schema: &Schema) -> Vec<Form> {
             _ => vec![Form { by: None, returns: record }],
         },
         Gives::RecordOr(_, types) => {
-            let formats = entry.arguments.iter().find(|each| each.name == "format").map(Argument::words).unwrap_or_default();
+            let formats =
+                entry.arguments.iter().find(|each| each.name == "format").map(Argument::words).unwrap_or_default();
             let (texts, others): (Vec<&str>, Vec<&str>) =
                 formats.into_iter().filter(|word| *word != "json").partition(|word| is_text(of_ending(word, types)));
             let mut forms = vec![Form { by: Some(("format", literal(["json"]), false)), returns: record }];
@@ -269,7 +273,8 @@ fn sources(reads: Reads) -> Vec<Parameter> {
 fn takes(entry: &Entry) -> Takes {
     let mut first = sources(entry.reads);
     let mut named = Vec::new();
-    let is_first = |each: &&Argument| each.required || each.name == "code" || each.form != questions::list::Form::Option;
+    let is_first =
+        |each: &&Argument| each.required || each.name == "code" || each.form != questions::list::Form::Option;
     let (at_place, by_name): (Vec<&Argument>, Vec<&Argument>) = entry.arguments.iter().partition(is_first);
     let (must, may): (Vec<&Argument>, Vec<&Argument>) = at_place.into_iter().partition(|each| each.required);
     first.extend(must.into_iter().chain(may).map(|each| of_argument(each, entry.gives)));
@@ -292,8 +297,16 @@ fn takes(entry: &Entry) -> Takes {
             if entry.reads != Reads::TwoProjects {
                 named.push(own("file", "str", "What a text is called in faults."));
             }
-            named.push(own("folder", "Path", "Where the recordings that a text names lie; without it the current folder."));
-            named.push(own("deadline", "str", "How long the answer may take, such as `60 s`; without it what would take long is refused."));
+            named.push(own(
+                "folder",
+                "Path",
+                "Where the recordings that a text names lie; without it the current folder.",
+            ));
+            named.push(own(
+                "deadline",
+                "str",
+                "How long the answer may take, such as `60 s`; without it what would take long is refused.",
+            ));
             named.push(own("memory", "str", "How much memory the recordings may take, such as `1 GiB`."));
         }
     }
@@ -346,7 +359,8 @@ fn every_question_has_a_function_of_its_own() {
 #[test]
 fn a_form_returns_what_the_format_says() {
     let schema = Schema { properties: serde_json::Map::new(), definitions: serde_json::Map::new() };
-    let export = LIST.iter().find(|entry| entry.command == "export").map(|entry| forms(entry, &schema)).unwrap_or_default();
+    let export =
+        LIST.iter().find(|entry| entry.command == "export").map(|entry| forms(entry, &schema)).unwrap_or_default();
     let found: Vec<&str> = export.iter().map(|form| form.returns.as_str()).collect();
     assert_eq!(found, ["object", "str", "bytes"]);
     assert_eq!(of_shape(&Value::Null, &schema, true), "object");

@@ -102,9 +102,9 @@ class Sweeps(unittest.TestCase):
 
     def test_every_fault_of_a_table_has_its_heading_and_row(self) -> None:
         with self.assertRaises(antrieb.AntriebError) as caught:
-            antrieb.sweep(ARM, antrieb.Table.from_pydict({"motion[0].tme [s]": [1.0], "motion[0].payload": [1.0]}))
+            antrieb.sweep(ARM, antrieb.Table.from_pydict({"motion[0].tyme [s]": [1.0], "motion[0].payload": [1.0]}))
         headings = [getattr(fault, "heading", None) for fault in caught.exception.faults]
-        self.assertEqual(headings, ["motion[0].tme [s]", "motion[0].payload"])
+        self.assertEqual(headings, ["motion[0].tyme [s]", "motion[0].payload"])
         with self.assertRaises(antrieb.AntriebError) as caught:
             antrieb.sweep(ARM, pa.table({TIME: [1.0, None], PAYLOAD: ["heavy", "1"]}))
         places = [(getattr(fault, "heading", None), getattr(fault, "row", None)) for fault in caught.exception.faults]
