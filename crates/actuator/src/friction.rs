@@ -110,6 +110,11 @@ impl NoLoadFriction {
         }
     }
 
+    /// δ: decay of K per kelvin \[1/K\].
+    pub(crate) const fn decay_per_k(&self) -> f64 {
+        self.decay_per_k
+    }
+
     /// I_s of an I_NLS \[A\].
     pub(crate) fn counted(&self, starting: f64) -> f64 {
         starting * self.counted

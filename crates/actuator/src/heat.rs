@@ -172,6 +172,24 @@ impl HeatModel {
         })
     }
 
+    /// Whether the torque that is borne for ever falls with the speed, whatever the edge of the band.
+    ///
+    /// δ (1 − w) b Δϑ < 1
+    ///
+    /// # Symbols
+    /// δ decay of K per kelvin \[1/K\], w = R_ha/(R_wh + R_ha), b upper edge of the band, Δϑ permitted rise \[K\]
+    /// # Source
+    /// docs/theory/sweep.md
+    /// # Valid
+    /// speeds up to n_N/i; `false` says that it is not proven
+    #[must_use]
+    pub fn falls_with_the_speed(&self) -> bool {
+        let [r_wh, r_ha] = self.network.resistances_k_per_w();
+        let (low, high) = self.band;
+        let across = r_wh / (r_wh + r_ha);
+        low <= 1.0 && self.friction.decay_per_k() * across * high.max(1.0) * self.rise_permitted() < 1.0
+    }
+
     /// P_0: loss of the winding at standstill that warms it by the permitted rise.
     #[must_use]
     pub fn stall_loss(&self) -> Power {

@@ -58,7 +58,7 @@ impl Electrics {
 }
 
 impl CurrentLaw {
-    fn of(axis: &Axis, drivetrain: &Drivetrain) -> Result<Self, Missing> {
+    pub(crate) fn of(axis: &Axis, drivetrain: &Drivetrain) -> Result<Self, Missing> {
         let torque_constant = drivetrain.torque_constant_out.require("k_Tout")?;
         let motor = MotorCurrent::of(drivetrain)?;
         let law = NoLoadFriction::of(drivetrain)?;

@@ -399,7 +399,7 @@ pub fn energies<W: Watch>(axis: &Axis, actuators: &[&Parameters], watch: &W) -> 
 }
 
 /// The checks of an axis; `bare`: those alone that can fail or have a margin.
-fn made(axis: &Axis, bare: bool) -> impl Iterator<Item = CheckId> {
+pub(crate) fn made(axis: &Axis, bare: bool) -> impl Iterator<Item = CheckId> {
     CheckId::ALL.iter().copied().filter(move |id| id.is_made(axis) && (!bare || id.can_fail(axis)))
 }
 

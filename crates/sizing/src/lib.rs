@@ -30,6 +30,7 @@ mod reserve;
 mod resonance;
 #[cfg(test)]
 mod reversal_tests;
+mod screen;
 mod stage;
 mod supply;
 mod swings;
@@ -48,6 +49,7 @@ pub use list::{Asked, SpecialApplication};
 pub use notes::{BrakeStop, Budget, Note, Notes, ResonanceSpeeds};
 pub use rank::{RankKey, Standing, rank};
 pub use reserve::{Reserve, SAMPLES_ANEW, Unsought, reserve, reserve_watched};
+pub use screen::{Entrant, Found, Ranked, Screen, Screening};
 pub use supply::{MainsPhases, Supply, SupplyFrom};
 pub use trace::INSTANTS_MOST;
 pub use watch::{Unwatched, Watch, finished};

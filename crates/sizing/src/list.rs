@@ -178,6 +178,7 @@ struct ListedCheck {
     mended: Mended,
     requirement: Requirement,
     turns: bool,
+    of_the_feedback: bool,
 }
 
 impl ListedCheck {
@@ -193,6 +194,7 @@ impl ListedCheck {
             mended: Mended::LoadOrPace,
             requirement: Requirement::None,
             turns: false,
+            of_the_feedback: false,
         }
     }
 
@@ -215,6 +217,11 @@ impl ListedCheck {
     /// `stated`: whether the project limits the check, by the key or another one.
     const fn limited_by(self, key: &'static str, stated: fn(&Axis) -> bool) -> Self {
         Self { requirement: Requirement::Limit(key, stated), ..self }
+    }
+
+    /// It looks at the feedback; what does not is the same for actuators that differ in it alone.
+    const fn of_the_feedback(self) -> Self {
+        Self { of_the_feedback: true, ..self }
     }
 
     /// Value and limit are a turn or a speed of the output shaft, which a line behind it follows.
@@ -324,7 +331,7 @@ checks! {
         .at_least().margin(Margin::Recommendation);
     /// Sum of all angular errors against what is permitted.
     ErrorBudget: ListedCheck::new("error_budget", Feedback, Further, Actuator(gear_checks::error_budget))
-        .of_the_output()
+        .of_the_output().of_the_feedback()
         .limited_by("requirements.angle_error_max", |Axis { asked, .. }| {
             asked.angle_error_max.is_some() || asked.deviation_max.is_some()
         });
@@ -342,14 +349,14 @@ checks! {
         .limited_by("requirements.regeneration_power_max", |axis| axis.asked.regeneration_power_max.is_some());
     /// Travel against the absolute range of the feedback.
     FeedbackRange: ListedCheck::new("feedback_range", Feedback, Further, Concerned(feedback_checks::range))
-        .of_the_output().limited_by("requirements.absolute", |axis| axis.asked.absolute == Some(true));
+        .of_the_output().of_the_feedback().limited_by("requirements.absolute", |axis| axis.asked.absolute == Some(true));
     /// Step of the position at the output against the largest permitted.
     FeedbackResolution: ListedCheck::new("feedback_resolution", Feedback, Further, Actuator(feedback_checks::resolution))
-        .mended_by(Mended::Neither).of_the_output()
+        .mended_by(Mended::Neither).of_the_output().of_the_feedback()
         .limited_by("requirements.resolution_max", |axis| axis.asked.resolution_max.is_some());
     /// Life of the encoder's battery against the life required.
     Battery: ListedCheck::new("battery", Feedback, Further, Concerned(feedback_checks::battery))
-        .at_least().mended_by(Mended::Neither)
+        .at_least().mended_by(Mended::Neither).of_the_feedback()
         .limited_by("requirements.battery_life_min", |axis| axis.asked.battery_life_min.is_some());
     /// Peak torque against what the screws of the load transmit.
     ScrewJointLoad: ListedCheck::new("screw_joint_load", Screws, Further, Actuator(joint_checks::load));
@@ -409,6 +416,11 @@ impl CheckId {
     #[must_use]
     pub const fn is_of_the_output(self) -> bool {
         self.entry().turns
+    }
+
+    /// Whether it looks at the feedback.
+    pub(crate) const fn is_of_the_feedback(self) -> bool {
+        self.entry().of_the_feedback
     }
 
     /// Whether its answer depends neither on the load nor on the pace of the motion.

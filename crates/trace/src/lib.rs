@@ -240,6 +240,13 @@ impl Gram {
         self.0.iter().zip(a).map(|(row, a)| a * row.iter().zip(b).map(|(g, b)| g * b).sum::<f64>()).sum()
     }
 
+    /// G_ij = ∫ x_i x_j dt with x = (α, T_L, σ, ω).
+    #[must_use]
+    #[inline]
+    pub const fn sums(&self) -> &[[f64; 4]; 4] {
+        &self.0
+    }
+
     /// ∫σ² dt: time in motion.
     #[inline]
     pub const fn moving(&self) -> f64 {
@@ -331,6 +338,20 @@ impl Block {
     }
 }
 
+/// A short cycle as few bounds of its signals, and instants within them.
+#[derive(Clone, Debug, Default)]
+pub struct Outline {
+    /// Bounds of the signals, which together hold the whole cycle.
+    pub extents: Vec<Extent>,
+    /// The signals at some instants.
+    pub nodes: Vec<[f64; 4]>,
+    /// Whether every signal is straight between its nodes.
+    pub is_straight: bool,
+}
+
+/// A panel is looked at in stretches of so many parts between neighbouring nodes.
+const STRETCH: usize = 4;
+
 /// A block holds about so many nodes.
 const BLOCK: usize = 128;
 
@@ -403,6 +424,26 @@ impl Trace {
     pub fn samples(&self) -> [usize; 2] {
         let each = |strip: &Strip| [strip.intervals() + 1, strip.cost()];
         self.strips.iter().map(each).fold([0; 2], |[samples, cost], [a, b]| [samples + a, cost + b])
+    }
+
+    /// The cycle as few bounds of its signals, and instants within them; `None` of a cycle that is not short.
+    #[must_use]
+    pub fn outline(&self, outline: &mut Outline) -> bool {
+        outline.extents.clear();
+        outline.nodes.clear();
+        outline.is_straight = true;
+        if !self.is_short() {
+            return false;
+        }
+        for kept in self.panels.iter().filter(|kept| !kept.like.is_copy) {
+            let panel = self.panel(kept);
+            outline.is_straight &= panel.is_straight();
+            let stretches = panel.stretches(STRETCH);
+            let extents = if stretches.is_empty() { std::slice::from_ref(&kept.extent) } else { stretches };
+            outline.extents.extend_from_slice(extents);
+            outline.nodes.extend(panel.nodes.iter().step_by(STRETCH).chain(panel.nodes.last()).map(Node::signals));
+        }
+        true
     }
 
     /// Sums of the products of the signals over the whole cycle.

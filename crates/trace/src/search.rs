@@ -3,7 +3,7 @@
 
 use super::near::{Branch, Near};
 use super::recording::{Cell, Inside, Strip};
-use super::{Block, Extent, Group, Kept, Node, Panel, Trace};
+use super::{Block, Extent, Group, Kept, Node, Panel, STRETCH, Trace};
 
 /// What is not higher by more than this share of the highest is not looked for: rounding makes as much.
 const ROUNDING: f64 = 1e-12;
@@ -22,9 +22,6 @@ const PLACES: f64 = (1 << 24) as f64;
 
 /// Of more corners than these it is first asked whether what lies between them counts.
 const FEW: usize = 4;
-
-/// A panel is looked at in stretches of so many parts between neighbouring nodes.
-const STRETCH: usize = 4;
 
 /// A parabola serves where it is off at its vertex by at most this share of its bend.
 const GOOD: f64 = 0.05;

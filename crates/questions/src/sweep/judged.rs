@@ -8,7 +8,7 @@ use configurator::{Requirements, availability};
 use order_code::OrderCode;
 use project::Project;
 use quantities::{Language, Measure};
-use sizing::{Axis, Check, CheckId, Depth, Judgement, RankKey, Standing, Verdict};
+use sizing::{Axis, CheckId, Depth, Judgement, Ranked, Screen, Screening, Standing, Verdict};
 
 /// The answer of a row.
 #[derive(Clone, Debug, PartialEq)]
@@ -68,28 +68,48 @@ pub struct OnFront {
 pub(super) struct Entrant<'p> {
     code: OrderCode,
     parameters: &'p Parameters,
-    /// Whether its code breaks a rule with the required options.
+    /// Whether its series has the required options.
+    has_options: bool,
+    /// Whether its code breaks a rule with them.
     is_barred: bool,
 }
 
 impl<'p> Entrant<'p> {
+    /// Every actuator of the catalogue.
     pub(super) fn all(project: &'p Project) -> Vec<Self> {
-        let known = actuators_of(project, project.option_1.is_some()).iter();
         let of = |(code, parameters): &'p (OrderCode, Parameters)| {
-            let code = with_options(project, code)?;
-            let optional = code.option_1.is_some() || code.option_2.is_some();
-            Some(Self { code, parameters, is_barred: optional && availability(&code).is_err() })
+            let ordered = with_options(project, code);
+            let optional = ordered.filter(|code| code.option_1.is_some() || code.option_2.is_some());
+            Self {
+                code: ordered.unwrap_or(*code),
+                parameters,
+                has_options: ordered.is_some(),
+                is_barred: optional.is_some_and(|code| availability(&code).is_err()),
+            }
         };
-        known.filter_map(of).collect()
+        actuators_of(project, project.option_1.is_some()).iter().map(of).collect()
     }
 
-    fn meets(&self, requirements: &Requirements) -> bool {
-        !self.is_barred && requirements.unmet(&self.code, self.parameters).next().is_none()
+    /// The actuators ranked for many axes.
+    pub(super) fn screen(entrants: &[Self]) -> Screen {
+        let of = |entrant: &Self| sizing::Entrant {
+            parameters: entrant.parameters,
+            size: entrant.code.size.number(),
+            mass_kg: entrant.mass_kg().unwrap_or(f64::INFINITY),
+        };
+        Screen::of(&entrants.iter().map(of).collect::<Vec<_>>())
+    }
+
+    fn mass_kg(&self) -> Option<f64> {
+        self.parameters.mass.known().map(|mass| mass.value.si())
+    }
+
+    pub(super) fn meets(&self, requirements: &Requirements) -> bool {
+        self.has_options && !self.is_barred && requirements.unmet(&self.code, self.parameters).next().is_none()
     }
 
     fn standing(&self, judgement: &Judgement, meets: bool) -> Standing {
-        let mass = self.parameters.mass.known().map(|mass| mass.value.si());
-        Standing::of(judgement, meets, self.code.size.number(), mass)
+        Standing::of(judgement, meets, self.code.size.number(), self.mass_kg())
     }
 }
 
@@ -105,70 +125,50 @@ impl<'r> Row<'r> {
         Self { project, axis: &project.axis, requirements: &project.requirements }
     }
 
-    /// The answer: of one code, or of the catalogue.
-    pub(super) fn judged(
-        &self,
-        entrants: &[Entrant<'_>],
-        code: Option<&OrderCode>,
-        wanted: &Wanted,
-        language: Language,
-    ) -> Result<Judged, String> {
-        let single;
-        let (entrants, depth) = match code {
-            None => (entrants, Depth::Rank),
-            Some(code) => {
-                let no_data = || refusal_text(&Refusal::NoData, None, language);
-                let bare = OrderCode { option_1: None, option_2: None, special: false, ..*code };
-                let mut known = actuators_of(self.project, code.has_output_encoder()).iter();
-                let (_, parameters) = known.find(|(known, _)| *known == bare).ok_or_else(no_data)?;
-                single = [Entrant { code: *code, parameters, is_barred: availability(code).is_err() }];
-                (&single[..], Depth::Margins)
-            }
-        };
+    /// The best of the catalogue.
+    pub(super) fn best(&self, entrants: &[Entrant<'_>], screening: &mut Screening<'_>, meets: &[bool]) -> Best {
+        let found = screening.found(self.axis, meets);
+        let ranked = found.best.or(found.miss);
+        let code = |ranked: Ranked| entrants.get(ranked.entrant).map(|entrant| entrant.code);
+        Best {
+            fit: u32::try_from(found.fit).unwrap_or(u32::MAX),
+            code: found.best.and_then(code),
+            utilisation: ranked.and_then(|ranked| finite(ranked.utilisation)),
+            tightest: ranked.and_then(|ranked| ranked.tightest),
+        }
+    }
+
+    /// The answer of one code.
+    ///
+    /// # Errors
+    /// Where there is no data for it.
+    pub(super) fn of_code(&self, code: &OrderCode, wanted: &Wanted, language: Language) -> Result<Judged, String> {
+        let bare = OrderCode { option_1: None, option_2: None, special: false, ..*code };
+        let mut known = actuators_of(self.project, code.has_output_encoder()).iter();
+        let found = known.find(|(known, _)| *known == bare);
+        let (_, parameters) = found.ok_or_else(|| refusal_text(&Refusal::NoData, None, language))?;
+        let entrant = Entrant { code: *code, parameters, has_options: true, is_barred: availability(code).is_err() };
+        let alone = std::slice::from_ref(&entrant);
         Ok(match wanted {
-            Wanted::Best => Judged::Best(self.best(entrants, depth)),
-            Wanted::Every(checks) => Judged::Every(self.every(entrants, checks)),
-            Wanted::Front => Judged::Front(self.front(entrants, depth)),
+            Wanted::Best => Judged::Best(self.single(&entrant)),
+            Wanted::Every(checks) => Judged::Every(self.every(alone, checks)),
+            Wanted::Front => Judged::Front(self.front(alone)),
         })
     }
 
-    fn best(&self, entrants: &[Entrant<'_>], depth: Depth) -> Best {
-        let mut judge = sizing::Judge::of(self.axis, depth);
-        let mut fit = 0;
-        let mut best: Option<(RankKey, OrderCode, Judgement)> = None;
-        let mut miss: Option<(RankKey, Judgement)> = None;
-        for entrant in entrants {
-            let judgement = judge.next(entrant.parameters, &mut |_, _| {});
-            let meets = entrant.meets(self.requirements);
-            let standing = entrant.standing(&judgement, meets);
-            let key = RankKey::of(&standing);
-            if standing.fits {
-                fit += 1;
-                if best.as_ref().is_none_or(|(other, ..)| key < *other) {
-                    best = Some((key, entrant.code, judgement));
-                }
-            } else if meets && !is_of_another_place(&judgement) && miss.as_ref().is_none_or(|(other, _)| key < *other) {
-                miss = Some((key, judgement));
-            }
-        }
-        match (best, miss) {
-            (Some((_, code, judgement)), _) => Best {
-                fit,
-                code: Some(code),
-                utilisation: finite(judgement.utilisation()),
-                tightest: judgement.tightest().map(|check| check.id),
-            },
-            (None, Some((_, judgement))) => Best {
-                fit,
-                code: None,
-                utilisation: finite(judgement.utilisation()),
-                tightest: judgement.worst_failure().map(|check| check.id),
-            },
-            (None, None) => Best { fit, code: None, utilisation: None, tightest: None },
+    fn single(&self, entrant: &Entrant<'_>) -> Best {
+        let judgement = sizing::judge(self.axis, entrant.parameters, Depth::Margins);
+        let fits = entrant.standing(&judgement, entrant.meets(self.requirements)).fits;
+        let tightest = judgement.worst_failure().or_else(|| judgement.tightest());
+        Best {
+            fit: u32::from(fits),
+            code: fits.then_some(entrant.code),
+            utilisation: finite(judgement.utilisation()),
+            tightest: tightest.map(|check| check.id),
         }
     }
 
-    fn every(&self, entrants: &[Entrant<'_>], wanted: &[CheckId]) -> Vec<Every> {
+    pub(super) fn every(&self, entrants: &[Entrant<'_>], wanted: &[CheckId]) -> Vec<Every> {
         let mut judge = sizing::Judge::of(self.axis, Depth::Full);
         let of = |entrant: &Entrant<'_>| {
             let judgement = judge.next(entrant.parameters, &mut |_, _| {});
@@ -185,11 +185,11 @@ impl<'r> Row<'r> {
                 checks: wanted.iter().map(check).collect(),
             }
         };
-        entrants.iter().map(of).collect()
+        entrants.iter().filter(|entrant| entrant.has_options).map(of).collect()
     }
 
-    fn front(&self, entrants: &[Entrant<'_>], depth: Depth) -> Vec<OnFront> {
-        let mut judge = sizing::Judge::of(self.axis, depth);
+    pub(super) fn front(&self, entrants: &[Entrant<'_>]) -> Vec<OnFront> {
+        let mut judge = sizing::Judge::of(self.axis, Depth::Rank);
         let of = |entrant: &Entrant<'_>| {
             let judgement = judge.next(entrant.parameters, &mut |_, _| {});
             let standing = entrant.standing(&judgement, entrant.meets(self.requirements));
@@ -219,12 +219,6 @@ impl OnFront {
         let pairs = || self.figures().into_iter().zip(other.figures());
         pairs().all(|(own, other)| own <= other) && pairs().any(|(own, other)| own < other)
     }
-}
-
-/// Whether it fails where neither load nor pace matter, such as a voltage: then it is no near miss.
-fn is_of_another_place(judgement: &Judgement) -> bool {
-    let fails = |check: &Check| check.verdict == Verdict::Fail && check.id.is_of_the_place();
-    judgement.checks.iter().any(fails)
 }
 
 /// A utilisation; `None` where a limit of zero is exceeded.

@@ -1,15 +1,38 @@
 //! What rows have in common: the project with their words in it, and the actuators that are judged.
 
-use super::judged::{Entrant, Row};
-use super::{Answer, Holds, Sweep, Value};
+use super::judged::{Entrant, Judged, Row};
+use super::{Answer, Holds, Sweep, Value, Wanted};
 use crate::reading::read_all;
+use order_code::OrderCode;
 use project::{Heading, Project, Varied};
+use sizing::{Screen, Screening};
 use std::collections::BTreeMap;
-use std::sync::{Arc, Mutex, PoisonError};
+use std::sync::{Arc, Mutex, OnceLock, PoisonError};
 
 /// The project file with some words in it, read with the numbers of one row.
 pub(super) struct Template {
     project: Project,
+    /// Of the project's own catalogue, where it has one.
+    own_screen: OnceLock<Screen>,
+}
+
+/// The actuators of the catalogue ranked for many axes: without options, and with the encoder at the output.
+static SCREENS: [OnceLock<Screen>; 2] = [const { OnceLock::new() }; 2];
+
+impl Template {
+    const fn of(project: Project) -> Self {
+        Self { project, own_screen: OnceLock::new() }
+    }
+
+    fn screen(&self, entrants: &[Entrant<'_>]) -> &Screen {
+        let [bare, with_encoder] = &SCREENS;
+        let known = match (&self.project.own_catalogue, self.project.option_1) {
+            (Some(_), _) => &self.own_screen,
+            (None, Some(_)) => with_encoder,
+            (None, None) => bare,
+        };
+        known.get_or_init(|| Entrant::screen(entrants))
+    }
 }
 
 /// Templates by their words.
@@ -29,7 +52,7 @@ impl Sweep {
         if let Some(known) = lock().get(words) {
             return Ok(Arc::clone(known));
         }
-        let made = Arc::new(Template { project: self.project_with(values)? });
+        let made = Arc::new(Template::of(self.project_with(values)?));
         let mut kept = lock();
         if kept.len() >= KEPT_MOST {
             kept.clear();
@@ -68,40 +91,64 @@ pub(super) struct Judge<'s> {
     project: &'s Project,
     varied: Varied<'s>,
     entrants: Vec<Entrant<'s>>,
+    screening: Screening<'s>,
+    /// Of each entrant whether it meets what the project requires besides the checks.
+    meets: Vec<bool>,
+    numbers: Vec<f64>,
 }
 
 impl<'s> Judge<'s> {
     pub(super) fn of(template: &'s Template, sweep: &'s Sweep) -> Self {
         let project = &template.project;
         let paths = sweep.numbers().map(|heading| heading.path.as_str()).collect();
-        Self { sweep, project, varied: Varied::over(project, paths), entrants: Entrant::all(project) }
+        let entrants = Entrant::all(project);
+        Self {
+            sweep,
+            project,
+            varied: Varied::over(project, paths),
+            screening: Screening::of(template.screen(&entrants)),
+            meets: entrants.iter().map(|entrant| entrant.meets(&project.requirements)).collect(),
+            entrants,
+            numbers: Vec::new(),
+        }
     }
 
     /// The answer of a row.
     pub(super) fn row(&mut self, values: &[Value<'_>]) -> Answer {
+        let code = self.sweep.code(values);
         // Which of several ratios is the best takes a judgement of the catalogue for each: the row is read by itself.
         if !self.project.ratios.is_empty() {
             let project = self.sweep.project_with(values)?;
-            return self.judged(&Row::of(&project), values);
+            return self.judged(&Row::of(&project), code.as_ref(), true);
         }
-        let numbers: Vec<f64> = self
-            .sweep
-            .columns
-            .iter()
-            .zip(values)
-            .filter_map(|(column, value)| match (&column.holds, value) {
+        self.numbers.clear();
+        self.numbers.extend(self.sweep.columns.iter().zip(values).filter_map(|(column, value)| {
+            match (&column.holds, value) {
                 (Holds::Key(heading), Value::Number(number)) => heading.si(*number),
                 _ => None,
-            })
-            .collect();
-        let variant = self.varied.at(&numbers).map_err(|faults| self.sweep.reasons(&faults))?;
+            }
+        }));
+        let variant = self.varied.at(&self.numbers).map_err(|faults| self.sweep.reasons(&faults))?;
         let requirements = variant.requirements.as_ref().unwrap_or(&self.project.requirements);
         let row = Row { axis: &variant.axis, requirements, project: self.project };
-        self.judged(&row, values)
+        self.judged(&row, code.as_ref(), variant.requirements.is_some())
     }
 
-    fn judged(&self, row: &Row<'_>, values: &[Value<'_>]) -> Answer {
-        let code = self.sweep.code(values);
-        row.judged(&self.entrants, code.as_ref(), &self.sweep.options.wanted, self.sweep.options.language)
+    fn judged(&mut self, row: &Row<'_>, code: Option<&OrderCode>, meets_anew: bool) -> Answer {
+        let options = &self.sweep.options;
+        if let Some(code) = code {
+            return row.of_code(code, &options.wanted, options.language);
+        }
+        Ok(match &options.wanted {
+            Wanted::Best => {
+                if meets_anew {
+                    self.meets.clear();
+                    self.meets.extend(self.entrants.iter().map(|entrant| entrant.meets(row.requirements)));
+                }
+                Judged::Best(row.best(&self.entrants, &mut self.screening, &self.meets))
+            }
+            Wanted::Every(checks) => Judged::Every(row.every(&self.entrants, checks)),
+            Wanted::Front => Judged::Front(row.front(&self.entrants)),
+        })
     }
 }

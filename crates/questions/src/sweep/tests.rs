@@ -1,6 +1,5 @@
 use super::*;
 use project::NoFiles;
-use std::fmt::Write as _;
 
 pub(super) const MOVE: &str = "format = 1\n[load]\ninertia = \"1 kg m^2\"\nfriction_torque = \"5 N m\"\n[[motion]]\n\
     law = \"trapezoid\"\ndistance = \"90 deg\"\ntime = \"0.5 s\"\n[[motion]]\nlaw = \"dwell\"\ntime = \"1 s\"\n";
@@ -70,4 +69,78 @@ fn a_row_is_answered_as_the_project_with_its_values() {
     }
     assert_eq!(found[3], Err("`load.inertia` must not be negative, not \"-1 kg m^2\"".to_owned()));
     assert!(best(&found[0]).fit > 50 && best(&found[2]).code.is_none());
+}
+
+/// A row with a seeded value for every quantity and number of a project, near the stated one: `size` of the text with it says the
+/// same. Every example is taken, so every mechanism.
+#[test]
+fn every_example_with_seeded_values_is_answered_as_by_size() {
+    let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/../../examples");
+    let mut state = 11_u64;
+    let mut share = move || {
+        state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+        (state >> 11) as f64 / (1_u64 << 53) as f64
+    };
+    let (mut judged, mut fitting, mut failing, mut impossible) = (0, 0, 0, 0);
+    let mut files: Vec<_> = std::fs::read_dir(folder).unwrap().map(|entry| entry.unwrap().path()).collect();
+    files.sort();
+    for path in files.iter().filter(|path| path.extension().is_some_and(|end| end == "toml")) {
+        let text = std::fs::read_to_string(path).unwrap();
+        let Ok(project) = crate::read(&text) else { continue };
+        if project.is_of_several() {
+            continue;
+        }
+        let inputs: Vec<project::Input> = project::inputs(&text)
+            .into_iter()
+            .filter(|input| input.amount.is_some_and(|(value, _)| value != 0.0) && !input.path.starts_with("actuator"))
+            .filter(|input| {
+                !input.path.starts_with("twin")
+                    && Heading::read(&heading(input), Counted::FromOne, None).is_ok_and(|heading| heading.is_number())
+            })
+            .collect();
+        let headings: Vec<String> = inputs.iter().map(heading).collect();
+        let headings: Vec<&str> = headings.iter().map(String::as_str).collect();
+        let sweep = sweep(&text, &headings).unwrap_or_else(|faults| panic!("{}: {faults:?}", path.display()));
+        for row in 0..ROWS {
+            // From hardly changed to far away.
+            let spread = [0.02, 0.2, 1.0, 2.5][row % 4];
+            let values: Vec<f64> =
+                inputs.iter().map(|input| input.amount.unwrap().0 * (spread * (2.0 * share() - 1.0)).exp()).collect();
+            let cells: Vec<Cells<'_>> = values.iter().map(|value| numbers(&[*value])).collect();
+            let found = sweep.judge(&cells, &Patience::endless()).unwrap().remove(0);
+            let mut with_them = text.clone();
+            for (input, value) in inputs.iter().zip(&values) {
+                let written = Heading::read(&heading(input), Counted::FromOne, None).unwrap().written(*value);
+                with_them = edit(&with_them, &input.path, Edit::Value(&written)).unwrap();
+            }
+            let context = format!("{} {headings:?} {values:?}", path.display());
+            judged += 1;
+            match sized(&with_them) {
+                Ok(expected) => {
+                    assert_eq!(best(&found), expected, "{context}");
+                    *(if expected.fit > 0 { &mut fitting } else { &mut failing }) += 1;
+                }
+                Err(why) => {
+                    impossible += 1;
+                    assert!(found.is_err(), "{context}: {why}");
+                }
+            }
+        }
+    }
+    assert!(
+        fitting > judged / 5 && failing > judged / 20 && impossible > 0,
+        "{judged} {fitting} {failing} {impossible}"
+    );
+}
+
+/// Rows of each example.
+const ROWS: usize = 16;
+
+fn heading(input: &project::Input) -> String {
+    let (_, unit) = input.amount.unwrap();
+    if unit.ascii.is_empty() || unit.ascii == "1" {
+        input.path.clone()
+    } else {
+        format!("{} [{}]", input.path, unit.ascii)
+    }
 }

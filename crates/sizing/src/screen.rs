@@ -1,0 +1,339 @@
+//! Many axes and the whole catalogue: which actuators fit, and the best of them, without judging every one by every check.
+//!
+//! For most checks of most actuators two bounds of the utilisation are quick to find, above and below what the check itself finds
+//! ([`bounds`]). Where both lie on one side of the limit the verdict is decided; elsewhere the check itself is made. Only of the
+//! few actuators that may be the best the utilisation is found, by the checks whose bounds leave room for the largest. A verdict and a
+//! figure are always those of [`judge`](crate::judge()): a bound decides nothing within [`ROOM`](bounds::ROOM) of a limit.
+
+mod bounds;
+mod catalogue;
+
+use crate::axis::Axis;
+use crate::bearing_checks::Borne;
+use crate::check::{Check, CheckId, Verdict};
+use crate::currents::Currents;
+use crate::electrics::Electrics;
+use crate::judge::{Depth, Judgement, made};
+use crate::list::{Answer, Case};
+use crate::notes::Note;
+use crate::rank::{RankKey, Standing};
+use actuator::Parameters;
+use bounds::{Bounds, Figures};
+use catalogue::{Conditions, Group};
+use derivation::Workings;
+use motion::Hold;
+use quantities::Measure;
+use std::cell::RefCell;
+use std::sync::Arc;
+
+pub use catalogue::{Entrant, Screen};
+
+/// What is found of the actuators for one axis.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Found {
+    /// How many fit.
+    pub fit: usize,
+    /// The best of them.
+    pub best: Option<Ranked>,
+    /// Where none fits, the one that misses by least, of those that meet what is required and are of the right class.
+    pub miss: Option<Ranked>,
+}
+
+/// An actuator with what it is ranked by.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Ranked {
+    /// Its place among the entrants.
+    pub entrant: usize,
+    /// Its largest utilisation.
+    pub utilisation: f64,
+    /// The check with it; of a miss the one that is exceeded most.
+    pub tightest: Option<CheckId>,
+}
+
+/// Judges one axis after the other.
+pub struct Screening<'s> {
+    screen: &'s Screen,
+    conditions: Option<Conditions<'s>>,
+    figures: Figures,
+    bounds: Vec<Bounds>,
+}
+
+/// What speaks against a group of actuators.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum State {
+    Fits { holds: bool },
+    Fails,
+}
+
+impl<'s> Screening<'s> {
+    /// With nothing known of any axis.
+    #[must_use]
+    pub fn of(screen: &'s Screen) -> Self {
+        Self { screen, conditions: None, figures: Figures::default(), bounds: Vec::new() }
+    }
+
+    /// How many fit, and the best of them; `meets`: of each entrant whether it meets what is required besides the checks.
+    pub fn found(&mut self, axis: &Axis, meets: &[bool]) -> Found {
+        let screen = self.screen;
+        let groups = screen.groups(axis);
+        let known = self.conditions.take().filter(|known| known.are_of(axis));
+        let conditions = self.conditions.insert(known.unwrap_or_else(|| Conditions::of(screen, axis)));
+        let has_outline = self.figures.take(axis);
+        self.bounds.clear();
+        let figures = &self.figures;
+        let bounds = groups.iter().map(|group| match has_outline.then(|| screen.drive(group)).flatten() {
+            Some(drive) => Bounds::of(figures, group, drive, conditions),
+            None => Bounds::UNKNOWN,
+        });
+        self.bounds.extend(bounds);
+        let (of_bearing, others): (Vec<CheckId>, Vec<CheckId>) =
+            others(axis).into_iter().partition(|id| matches!(id.answer(), Answer::Bearing(_)));
+        let borne = RefCell::new(vec![None; screen.bearings]);
+        let row = Row { axis, meets, others, of_bearing, borne, has_outline };
+        row.found(groups, &self.bounds)
+    }
+}
+
+/// The checks that can fail and for which there are no bounds; those of the brake only where they may matter.
+fn others(axis: &Axis) -> Vec<CheckId> {
+    let no_brake = is_without_brake(axis);
+    let no_loads = axis.bearing.as_ref().is_none_or(|duty| !duty.has_loads);
+    let is_other = |id: &CheckId| {
+        let is_of_the_brake = matches!(id, CheckId::BrakeHolding | CheckId::BrakeEmergency);
+        let is_of_the_bearing = matches!(id.answer(), Answer::Bearing(_));
+        !(bounds::COVERED.contains(id) || (is_of_the_brake && no_brake) || (is_of_the_bearing && no_loads))
+    };
+    made(axis, true).filter(is_other).collect()
+}
+
+/// Whether no check of the brake can fail, nor have a utilisation that counts: nothing hangs, no segment is held by a brake, and
+/// nothing is required of it.
+fn is_without_brake(axis: &Axis) -> bool {
+    let asked = &axis.asked;
+    let nothing_hangs = axis.moments().holding_torque.si() <= 0.0;
+    let held = axis.motion.stretches().iter().any(|stretch| stretch.hold != Hold::Motor);
+    nothing_hangs
+        && !held
+        && asked.stop_angle_max.is_none()
+        && asked.emergency_stops.is_none()
+        && asked.service_life.is_none()
+}
+
+/// The axis of a row.
+struct Row<'r> {
+    axis: &'r Axis,
+    meets: &'r [bool],
+    others: Vec<CheckId>,
+    /// Those that actuators with the same output bearing share, and what they found of each bearing.
+    of_bearing: Vec<CheckId>,
+    borne: RefCell<Vec<Option<Arc<OfBearing>>>>,
+    has_outline: bool,
+}
+
+/// What the checks of an output bearing found.
+#[derive(Debug, Default)]
+struct OfBearing {
+    fails: bool,
+    shares: Vec<(f64, CheckId)>,
+}
+
+impl Row<'_> {
+    fn found(&self, groups: &[Group], bounds: &[Bounds]) -> Found {
+        let mut fit = 0;
+        let mut open: Vec<(usize, State)> = Vec::with_capacity(groups.len());
+        for (place, (group, bounds)) in groups.iter().zip(bounds).enumerate() {
+            let meeting = group.members.iter().filter(|member| self.meets(member.entrant)).count();
+            if meeting == 0 {
+                continue;
+            }
+            let state = self.state(group, bounds);
+            if let State::Fits { .. } = state {
+                fit += meeting;
+            }
+            open.push((place, state));
+        }
+        let best = (fit > 0).then(|| self.best(groups, bounds, &mut open)).flatten();
+        let miss = if fit == 0 { self.miss(groups, bounds, &mut open) } else { None };
+        Found { fit, best, miss }
+    }
+
+    fn meets(&self, entrant: usize) -> bool {
+        self.meets.get(entrant).copied().unwrap_or(false)
+    }
+
+    /// Whether a group fits, by its bounds and, where these leave it open, by the checks themselves.
+    fn state(&self, group: &Group, bounds: &Bounds) -> State {
+        if bounds.fails() {
+            return State::Fails;
+        }
+        if self.borne(group).is_some_and(|borne| borne.fails) {
+            return State::Fails;
+        }
+        let open = bounds.open();
+        if open.is_empty() && self.others.is_empty() && self.has_outline {
+            return State::Fits { holds: true };
+        }
+        if bounds.is_unknown() {
+            let judgement = self.judged(&group.representative);
+            let fits = judgement.fits();
+            return if fits { State::Fits { holds: !judgement.leaves_load_unheld() } } else { State::Fails };
+        }
+        let mut holds = true;
+        let mut fails = false;
+        with_case(self.axis, &group.representative, |case| {
+            for id in open.iter().chain(self.others.iter().copied()) {
+                let Some(check) = checked(id, case) else { continue };
+                holds &= id != CheckId::BrakeHolding || !check.notes.contains(&Note::NothingHoldsWithoutPower);
+                if check.verdict == Verdict::Fail {
+                    fails = true;
+                    return;
+                }
+            }
+        });
+        if fails { State::Fails } else { State::Fits { holds } }
+    }
+
+    /// What the checks of the output bearing found, made for the first actuator that has it.
+    fn borne(&self, group: &Group) -> Option<Arc<OfBearing>> {
+        let duty = self.axis.bearing.as_ref().filter(|_| !self.of_bearing.is_empty())?;
+        let mut all = self.borne.borrow_mut();
+        let known = all.get_mut(group.bearing)?;
+        let found = known.get_or_insert_with(|| {
+            let borne = Borne::of(self.axis, duty, &group.representative.output_bearing);
+            let mut found = OfBearing::default();
+            for id in &self.of_bearing {
+                let Answer::Bearing(answer) = id.answer() else { continue };
+                let check = answer(&borne, &mut Workings::off());
+                found.fails |= check.verdict == Verdict::Fail;
+                found.shares.extend(check.utilisation.filter(|_| id.has_margin()).map(|share| (share, *id)));
+            }
+            Arc::new(found)
+        });
+        Some(Arc::clone(found))
+    }
+
+    fn judged(&self, actuator: &Parameters) -> Judgement {
+        crate::judge::judge(self.axis, actuator, Depth::Rank)
+    }
+
+    /// The best of the groups that fit, with its best member.
+    fn best(&self, groups: &[Group], bounds: &[Bounds], open: &mut Vec<(usize, State)>) -> Option<Ranked> {
+        let key = |group: &Group, holds: bool, utilisation: f64, mass_kg: f64| {
+            RankKey::of(&Standing { fits: true, holds, size: group.size, utilisation, mass_kg })
+        };
+        let mut best: Option<(RankKey, usize, Ranked)> = None;
+        let mut candidates: Vec<(RankKey, usize, bool)> = open
+            .drain(..)
+            .filter_map(|(place, state)| {
+                let State::Fits { holds } = state else { return None };
+                let (group, bounds) = (groups.get(place)?, bounds.get(place)?);
+                Some((key(group, holds, bounds.least(), 0.0), place, holds))
+            })
+            .collect();
+        while let Some(at) = candidates.iter().enumerate().min_by_key(|(_, (key, ..))| *key).map(|(at, _)| at) {
+            let (least, place, holds) = candidates.swap_remove(at);
+            if best.as_ref().is_some_and(|(key, ..)| least > *key) {
+                break;
+            }
+            let (Some(group), Some(bounds)) = (groups.get(place), bounds.get(place)) else { continue };
+            let (utilisation, tightest) = self.utilisation(group, bounds);
+            let members = group.members.iter().filter(|member| self.meets(member.entrant));
+            let member = members.min_by(|a, b| a.mass_kg.total_cmp(&b.mass_kg).then(a.entrant.cmp(&b.entrant)));
+            let Some(member) = member else { continue };
+            let key = key(group, holds, utilisation, member.mass_kg);
+            let found = (key, member.entrant, Ranked { entrant: member.entrant, utilisation, tightest });
+            if best.as_ref().is_none_or(|(other, entrant, _)| (key, member.entrant) < (*other, *entrant)) {
+                best = Some(found);
+            }
+        }
+        best.map(|(.., ranked)| ranked)
+    }
+
+    /// The largest utilisation of a group that fits, by the checks whose bounds leave room for it.
+    fn utilisation(&self, group: &Group, bounds: &Bounds) -> (f64, Option<CheckId>) {
+        if bounds.is_unknown() {
+            let judgement = self.judged(&group.representative);
+            return (judgement.utilisation(), judgement.tightest().map(|check| check.id));
+        }
+        let mut largest = 0.0_f64;
+        let mut tightest: Option<(f64, CheckId)> = None;
+        with_case(self.axis, &group.representative, |case| {
+            let ids = bounds.contenders().iter().chain(self.others.iter().copied());
+            let borne = self.borne(group);
+            let known = borne.iter().flat_map(|borne| borne.shares.iter().copied());
+            let mut shares: Vec<(f64, CheckId)> = ids
+                .filter(|id| id.has_margin())
+                .filter_map(|id| Some((checked(id, case)?.utilisation?, id)))
+                .chain(known)
+                .collect();
+            // Of equal ones the last in the order of the answers.
+            shares.sort_unstable_by_key(|(_, id)| id.place());
+            for (share, id) in shares {
+                largest = largest.max(share);
+                if tightest.is_none_or(|(other, _)| share.total_cmp(&other).is_ge()) {
+                    tightest = Some((share, id));
+                }
+            }
+        });
+        (largest, tightest.map(|(_, id)| id))
+    }
+
+    /// Of the groups that do not fit the one that misses by least.
+    fn miss(&self, groups: &[Group], bounds: &[Bounds], open: &mut Vec<(usize, State)>) -> Option<Ranked> {
+        let key = |group: &Group, utilisation: f64, mass_kg: f64| {
+            RankKey::of(&Standing { fits: false, holds: true, size: group.size, utilisation, mass_kg })
+        };
+        let mut best: Option<(RankKey, usize, Ranked)> = None;
+        let mut candidates: Vec<(RankKey, usize)> = open
+            .drain(..)
+            .filter_map(|(place, _)| {
+                let (group, bounds) = (groups.get(place)?, bounds.get(place)?);
+                (!bounds.is_of_another_place()).then(|| (key(group, bounds.least_first(), 0.0), place))
+            })
+            .collect();
+        while let Some(at) = candidates.iter().enumerate().min_by_key(|(_, (key, ..))| *key).map(|(at, _)| at) {
+            let (least, place) = candidates.swap_remove(at);
+            if best.as_ref().is_some_and(|(key, ..)| least > *key) {
+                break;
+            }
+            let Some(group) = groups.get(place) else { continue };
+            let judgement = self.judged(&group.representative);
+            let is_elsewhere = |check: &Check| check.verdict == Verdict::Fail && check.id.is_of_the_place();
+            if judgement.checks.iter().any(is_elsewhere) {
+                continue;
+            }
+            let utilisation = judgement.utilisation();
+            let members = group.members.iter().filter(|member| self.meets(member.entrant));
+            let member = members.min_by(|a, b| a.mass_kg.total_cmp(&b.mass_kg).then(a.entrant.cmp(&b.entrant)));
+            let Some(member) = member else { continue };
+            let key = key(group, utilisation, member.mass_kg);
+            if best.as_ref().is_none_or(|(other, entrant, _)| (key, member.entrant) < (*other, *entrant)) {
+                let tightest = judgement.worst_failure().map(|check| check.id);
+                best = Some((key, member.entrant, Ranked { entrant: member.entrant, utilisation, tightest }));
+            }
+        }
+        best.map(|(.., ranked)| ranked)
+    }
+}
+
+/// A check of an actuator, made as [`judge`](crate::judge()) makes it.
+fn checked(id: CheckId, case: &Case<'_>) -> Option<Check> {
+    id.answer().of(case, &mut Workings::off())
+}
+
+/// What the checks of an actuator look at.
+fn with_case(axis: &Axis, actuator: &Parameters, look: impl FnOnce(&Case<'_>)) {
+    let electrics = Electrics::of(axis, actuator);
+    let demand = actuator.inertia_out.known().map(|inertia| axis.demand(inertia.value));
+    let currents = Currents::of(axis, actuator, &electrics);
+    let bearing = axis.bearing.as_ref().map(|duty| Borne::of(axis, duty, &actuator.output_bearing));
+    look(&Case {
+        axis,
+        actuator,
+        demand: demand.as_ref(),
+        manual: None,
+        electrics: &electrics,
+        currents: currents.as_ref(),
+        bearing: bearing.as_ref(),
+    });
+}

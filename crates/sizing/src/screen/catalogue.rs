@@ -1,0 +1,323 @@
+//! What of the actuators is the same for every axis, and what is the same for axes at one place.
+
+use crate::axis::Axis;
+use crate::electrics::CurrentLaw;
+use crate::judge::made;
+use actuator::{Drivetrain, FrictionAt, HeatModel, MotorVoltage, NoLoadFriction, OutputBearing, Parameters, ShortTime};
+use derivation::Workings;
+use provenance::Datum;
+use quantities::{AngularVelocity, ElectricPotential, Measure, ThermodynamicTemperature, Time};
+use std::sync::Arc;
+
+/// An actuator that is ranked.
+#[derive(Clone, Copy, Debug)]
+pub struct Entrant<'p> {
+    /// Its data.
+    pub parameters: &'p Parameters,
+    /// Its frame size.
+    pub size: u16,
+    /// Its mass in kilograms; infinite if not known.
+    pub mass_kg: f64,
+}
+
+/// Actuators that are ranked for many axes.
+pub struct Screen {
+    drives: Vec<Option<Drive>>,
+    /// Different output bearings.
+    pub(super) bearings: usize,
+    /// Those that differ in their feedback alone are one group.
+    groups: Vec<Group>,
+    /// Each by itself, for axes that limit what the feedback gives.
+    singles: Vec<Group>,
+}
+
+/// A member of a group.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Member {
+    pub(super) entrant: usize,
+    pub(super) mass_kg: f64,
+}
+
+/// Actuators with the same answers to every check.
+pub(super) struct Group {
+    pub(super) representative: Parameters,
+    pub(super) members: Vec<Member>,
+    pub(super) size: u16,
+    /// Its place among the drivetrains, and that of its output bearing among the bearings.
+    pub(super) drive: usize,
+    pub(super) bearing: usize,
+    /// J_out \[kgm²\]
+    pub(super) inertia: f64,
+    /// Heat of the coil of an open brake \[W\].
+    pub(super) coil_w: f64,
+}
+
+/// What a drivetrain is for every axis.
+pub(super) struct Drive {
+    pub(super) drivetrain: Arc<Drivetrain>,
+    pub(super) heat: HeatModel,
+    friction: NoLoadFriction,
+    pub(super) voltage: Option<MotorVoltage>,
+    /// T_max \[Nm\]
+    pub(super) torque_max: f64,
+    /// n_mot,max/i and n_N/i [rad/s]
+    pub(super) speed_max: f64,
+    pub(super) speed_rated: f64,
+    /// k_Tout \[Nm/A\]
+    pub(super) torque_constant: f64,
+    pub(super) ratio: f64,
+    /// I_max, I_E \[A\]
+    pub(super) current_max: Option<f64>,
+    pub(super) current_demagnetisation: Option<f64>,
+    /// Whether a published short-time curve may permit more than I_max.
+    pub(super) has_short_time_curve: bool,
+    /// Whether published curves scale the model of heat.
+    pub(super) has_curves: bool,
+    /// Whether both curves of intermittent duty are published.
+    pub(super) has_intermittent_curves: bool,
+    /// I_0 \[A\]
+    pub(super) stall_current: f64,
+    /// T_A \[Nm\]
+    pub(super) average_torque_max: Option<f64>,
+    /// n_in,av [rad/s]
+    pub(super) input_speed_mean_max: Option<f64>,
+    /// What the screws transmit \[Nm\].
+    pub(super) transmissible_load: Option<f64>,
+    pub(super) transmissible_housing: Option<f64>,
+    pub(super) continuous: Continuous,
+}
+
+/// Continuous torque over the mean speed: lower edge and upper edge at equal steps of the speed up to n_N/i, both falling.
+pub(super) struct Continuous {
+    step: f64,
+    edges: Vec<[f64; 2]>,
+    /// By this share a value between two steps may lie beside them: none where the fall is proven.
+    beside: f64,
+}
+
+/// Steps of the speed.
+const STEPS: u32 = 512;
+
+/// What falls at every step and is not proven to fall between them may lie so much beside; assumed, since it is smooth.
+const BESIDE: f64 = 1e-3;
+
+impl Continuous {
+    /// `None` where they do not fall.
+    fn of(drivetrain: &Drivetrain, heat: &HeatModel, rated: f64) -> Option<Self> {
+        let (end, is_proven) = match drivetrain.continuous_curve.known() {
+            Some(curve) => {
+                let points = curve.value.points();
+                let falls = points.iter().zip(points.iter().skip(1)).all(|(a, b)| b.torque.si() <= a.torque.si());
+                (points.last().map_or(rated, |end| end.speed.si()), falls)
+            }
+            None => (rated, heat.falls_with_the_speed()),
+        };
+        let step = end / f64::from(STEPS);
+        let at = |place: u32| {
+            let speed = AngularVelocity::from_si(step * f64::from(place));
+            let found = actuator::continuous_torque_with(drivetrain, Some(heat), speed, &mut Workings::off()).ok()?;
+            Some([found.limit.value.si(), found.upper.si()])
+        };
+        let edges: Vec<[f64; 2]> = (0..=STEPS).map(at).collect::<Option<_>>()?;
+        let falls = |[low, high]: &[f64; 2], [next_low, next_high]: &[f64; 2]| next_low <= low && next_high <= high;
+        let falls = edges.iter().zip(edges.iter().skip(1)).all(|(one, next)| falls(one, next));
+        falls.then_some(Self { step, edges, beside: if is_proven { 0.0 } else { BESIDE } })
+    }
+
+    /// Bounds of the lower edge and of the upper edge at a speed, each the lower one first.
+    #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a place of the table")]
+    pub(super) fn at(&self, speed: f64) -> [[f64; 2]; 2] {
+        let last = self.edges.len().saturating_sub(1);
+        let place = ((speed / self.step).max(0.0) as usize).min(last);
+        let edges = |place: usize| self.edges.get(place.min(last)).copied().unwrap_or([0.0; 2]);
+        // A place further on both sides: the quotient is rounded.
+        let ([above, upper_above], [below, upper_below]) = (edges(place.saturating_sub(1)), edges(place + 2));
+        let wider = |[low, high]: [f64; 2]| [low * (1.0 - self.beside), high * (1.0 + self.beside)];
+        [wider([below, above]), wider([upper_below, upper_above])]
+    }
+}
+
+impl Screen {
+    /// The actuators in the order of the catalogue.
+    #[must_use]
+    pub fn of(entrants: &[Entrant<'_>]) -> Self {
+        let mut drives: Vec<(&Arc<Drivetrain>, Option<Drive>)> = Vec::new();
+        let mut groups: Vec<Group> = Vec::new();
+        let mut singles = Vec::with_capacity(entrants.len());
+        let mut bearings: Vec<&OutputBearing> = Vec::new();
+        for (place, entrant) in entrants.iter().enumerate() {
+            let parameters = entrant.parameters;
+            let known = drives.iter().position(|(known, _)| Arc::ptr_eq(known, &parameters.drivetrain));
+            let drive = known.unwrap_or_else(|| {
+                drives.push((&parameters.drivetrain, Drive::of(&parameters.drivetrain)));
+                drives.len() - 1
+            });
+            let own = &parameters.output_bearing;
+            let bearing = bearings.iter().position(|known| *known == own).unwrap_or_else(|| {
+                bearings.push(own);
+                bearings.len() - 1
+            });
+            let group = || Group::of(entrant, place, (drive, bearing));
+            singles.push(group());
+            let equal = groups.iter_mut().rev().find(|known| known.drive == drive && known.is_like(parameters));
+            match equal {
+                Some(known) => known.members.push(Member { entrant: place, mass_kg: entrant.mass_kg }),
+                None => groups.push(group()),
+            }
+        }
+        let bearings = bearings.len();
+        Self { drives: drives.into_iter().map(|(_, drive)| drive).collect(), bearings, groups, singles }
+    }
+
+    /// The actuators whose answers are the same for an axis.
+    pub(super) fn groups(&self, axis: &Axis) -> &[Group] {
+        if made(axis, true).any(|id| id.is_of_the_feedback()) { &self.singles } else { &self.groups }
+    }
+
+    pub(super) fn drive(&self, group: &Group) -> Option<&Drive> {
+        self.drives.get(group.drive)?.as_ref()
+    }
+}
+
+impl Group {
+    fn of(entrant: &Entrant<'_>, place: usize, (drive, bearing): (usize, usize)) -> Self {
+        let parameters = entrant.parameters;
+        let coil = match (parameters.brake.voltage.known(), parameters.brake.holding_current.known()) {
+            (Some(voltage), Some(current)) => voltage.value.si() * current.value.si().abs(),
+            _ => 0.0,
+        };
+        Self {
+            representative: parameters.clone(),
+            members: vec![Member { entrant: place, mass_kg: entrant.mass_kg }],
+            size: entrant.size,
+            drive,
+            bearing,
+            // Without it the drive is unknown to bounds, see `Screen::of`.
+            inertia: parameters.inertia_out.known().map_or(f64::NAN, |inertia| inertia.value.si()),
+            coil_w: coil,
+        }
+    }
+
+    /// Whether an actuator with the same drivetrain differs in its feedback alone.
+    fn is_like(&self, other: &Parameters) -> bool {
+        let own = &self.representative;
+        own.inertia_out == other.inertia_out && own.brake == other.brake
+    }
+}
+
+fn si<Q: Measure>(datum: &Datum<Q>) -> Option<f64> {
+    datum.known().map(|known| known.value.si())
+}
+
+impl Drive {
+    /// `None` where a datum that most checks need is not known.
+    fn of(drivetrain: &Arc<Drivetrain>) -> Option<Self> {
+        let heat = HeatModel::of(drivetrain).ok()?;
+        let speed_rated = actuator::speed_rated_out(drivetrain).ok()?.value.si();
+        let [half, quarter] = &drivetrain.s3_curves;
+        let (half, quarter) = (half.known().is_some(), quarter.known().is_some());
+        let continuous_curve = drivetrain.continuous_curve.known().is_some();
+        Some(Self {
+            friction: NoLoadFriction::of(drivetrain).ok()?,
+            voltage: MotorVoltage::of(drivetrain).ok(),
+            torque_max: si(&drivetrain.torque_max)?,
+            speed_max: actuator::speed_max(drivetrain).ok()?.value.si(),
+            speed_rated,
+            torque_constant: si(&drivetrain.torque_constant_out)?,
+            ratio: drivetrain.ratio.known()?.value,
+            current_max: si(&drivetrain.current_max),
+            current_demagnetisation: si(&drivetrain.current_demagnetisation),
+            has_short_time_curve: drivetrain.short_time_curve.known().is_some(),
+            has_curves: half || quarter || continuous_curve,
+            has_intermittent_curves: half && quarter,
+            stall_current: si(&drivetrain.stall_current)?,
+            average_torque_max: si(&drivetrain.gear.average_torque_max),
+            input_speed_mean_max: si(&drivetrain.gear.input_speed_mean_max),
+            transmissible_load: si(&drivetrain.screw_joint_load.transmissible_torque),
+            transmissible_housing: si(&drivetrain.screw_joint_housing.transmissible_torque),
+            continuous: Continuous::of(drivetrain, &heat, speed_rated)?,
+            heat,
+            drivetrain: Arc::clone(drivetrain),
+        })
+    }
+}
+
+/// A friction: counted part and growth with the speed, as current \[A\], [A/(rad/s)], and the starting current \[A\].
+#[derive(Clone, Copy, Debug, Default)]
+pub(super) struct Friction {
+    pub(super) counted: f64,
+    pub(super) starting: f64,
+    pub(super) constant: f64,
+}
+
+impl Friction {
+    fn of(friction: &FrictionAt) -> Self {
+        Self { counted: friction.counted.si(), starting: friction.starting.si(), constant: friction.constant.si() }
+    }
+
+    /// At a speed \[A\].
+    pub(super) fn at(&self, speed: f64) -> f64 {
+        self.counted + self.constant * speed
+    }
+}
+
+/// What a drivetrain is at one place: ambient temperature and supply.
+pub(super) struct Place<'p> {
+    /// Friction of a gear as cold as the air, of one as warm as the air of the cycle, and of the warmest.
+    pub(super) cold: Friction,
+    pub(super) at_ambient: Friction,
+    pub(super) warmest: Friction,
+    /// Ambient temperature \[K\].
+    pub(super) ambient_k: f64,
+    pub(super) short_time: Option<ShortTime<'p>>,
+}
+
+/// What the drivetrains are for axes with the same ambient temperature and supply.
+pub(super) struct Conditions<'p> {
+    ambient: Option<ThermodynamicTemperature>,
+    pub(super) terminal: Option<ElectricPotential>,
+    places: Vec<Option<Place<'p>>>,
+}
+
+impl<'p> Conditions<'p> {
+    pub(super) fn of(screen: &'p Screen, axis: &Axis) -> Self {
+        let (ambient, terminal) = (axis.ambient, axis.terminal_voltage());
+        let place = |drive: &'p Drive| {
+            let law = CurrentLaw::of(axis, &drive.drivetrain).ok()?;
+            let air = ambient.unwrap_or_else(|| drive.heat.ambient_reference());
+            Some(Place {
+                cold: Friction::of(&law.cold),
+                at_ambient: Friction::of(&drive.friction.at(air)),
+                warmest: Friction::of(&law.warmest),
+                ambient_k: air.si(),
+                short_time: ShortTime::of(&drive.drivetrain, terminal, &law.cold).ok(),
+            })
+        };
+        let places = screen.drives.iter().map(|drive| drive.as_ref().and_then(place)).collect();
+        Self { ambient, terminal, places }
+    }
+
+    /// Whether they are those of an axis.
+    pub(super) fn are_of(&self, axis: &Axis) -> bool {
+        let bits = |value: Option<f64>| value.map(f64::to_bits);
+        bits(self.ambient.map(Measure::si)) == bits(axis.ambient.map(Measure::si))
+            && bits(self.terminal.map(Measure::si)) == bits(axis.terminal_voltage().map(Measure::si))
+    }
+
+    pub(super) fn place(&self, drive: usize) -> Option<&Place<'p>> {
+        self.places.get(drive)?.as_ref()
+    }
+}
+
+/// Bounds of the largest over the mean of a lag of what is nowhere negative, in the steady cycle, and of the least over the mean.
+///
+/// λ/(1 − e^(−λ)) ≤ 1 + λ/2 + λ²/12, and λ less
+///
+/// # Symbols
+/// λ = t_0/τ
+/// # Source
+/// docs/theory/sweep.md
+pub(super) fn swing(cycle_s: f64, tau: Time) -> [f64; 2] {
+    let share = cycle_s / tau.si();
+    [(1.0 - share / 2.0).max(0.0), 1.0 + share / 2.0 + share * share / 12.0]
+}
