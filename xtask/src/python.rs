@@ -31,7 +31,7 @@ pub(crate) fn push(root: &Path) -> Result<(), Error> {
     let desk = Desk::clear(root, "python")?;
     let tools = ready(root, &PUSH)?;
     // With the features of the tests of the workspace: alone it would compile most dependencies a second time.
-    let all = ["build", "--quiet", "--workspace", "--all-targets", "--features", "python/extension"];
+    let all = ["build", "--quiet", "--workspace", "--lib", "--bins", "--tests", "--features", "python/extension"];
     must_succeed(&mut cargo(root, &all))?;
     let library = Workspace::ask(root)?.target.join("debug").join(library());
     let mut pack = Command::new(tools.program("python"));
