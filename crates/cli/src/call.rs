@@ -185,6 +185,11 @@ impl Call<'_> {
         [file.path().to_owned()].into_iter().chain(recordings).collect()
     }
 
+    /// The files beside the project.
+    pub(crate) fn beside(&self) -> Option<Beside> {
+        self.files.first().map(|file| file.beside.clone())
+    }
+
     /// Bytes of memory that the project is allowed.
     pub(crate) fn memory(&self) -> u64 {
         self.files.first().map_or(questions::MEMORY_USUAL, |file| file.beside().grant.memory)

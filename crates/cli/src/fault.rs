@@ -47,15 +47,15 @@ fn talk(why: &Unanswered, said: &mut Vec<String>, language: Language) {
             let found = report(terminal::code(language), text, &code_worded(text, refusal), language);
             found + &nearest(refusal, language)
         }
+        Unanswered::Table { .. } => {
+            let faults = why.faults(waited_s(), language).errors;
+            faults.iter().map(|fault| in_table(fault, language)).collect()
+        }
         Unanswered::File { name, message, .. } => format!("{error}: {}: {}\n", seen(name), seen(message)),
         Unanswered::Option { name, fault: (message, hint) } => {
             format!("{error}: --{name}: {}\n{}", seen(message), hinted(hint))
         }
         Unanswered::Message((message, hint)) => format!("{error}: {}\n{}", seen(message), hinted(hint)),
-        Unanswered::Table { .. } => {
-            let faults = why.faults(None, language).errors;
-            faults.iter().map(|fault| format!("{error}: {}\n{}", seen(&fault.message), hinted(&fault.hint))).collect()
-        }
         Unanswered::Usage(errors) => {
             errors.iter().map(|fault| format!("{error}: {}\n{}", seen(&fault.message), hinted(&fault.hint))).collect()
         }
@@ -69,6 +69,15 @@ fn talk(why: &Unanswered, said: &mut Vec<String>, language: Language) {
     if !said.contains(&text) {
         said.push(text);
     }
+}
+
+/// A fault of a table with its file, heading and row.
+fn in_table(fault: &answers::Fault, language: Language) -> String {
+    let row = fault.row.map(|row| words::sweeps::row(&row, language));
+    let place: Vec<String> = fault.file.iter().chain(&fault.heading).cloned().chain(row).collect();
+    let place = if place.is_empty() { String::new() } else { format!("{}: ", place.join(", ")) };
+    let hint = fault.hint.as_deref().map(|hint| format!("  {}\n", seen(hint))).unwrap_or_default();
+    format!("{}: {}{}\n{hint}", error_word(language), seen(&place), seen(&fault.message))
 }
 
 /// The codes that are near one that is none.

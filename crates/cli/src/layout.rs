@@ -4,7 +4,7 @@ use crate::call::Show;
 use crate::command::own;
 use crate::{
     chapter, code, commission, compare, data, diff, encoder, errata, explain, export, glossary, inertia, judge,
-    licences, mount, moves, plot, report, simulate, upkeep, wiring,
+    licences, mount, moves, plot, report, simulate, sweep, upkeep, wiring,
 };
 use clap::Command;
 use quantities::Language;
@@ -20,6 +20,7 @@ pub(crate) struct Layout {
 const LAYOUTS: &[Layout] = &[
     shown(&list::size::ENTRY, judge::size).with(own::size),
     shown(&list::check::ENTRY, judge::check),
+    shown(&list::sweep::ENTRY, sweep::sweep),
     shown(&list::simulate::ENTRY, simulate::simulate).with(own::picture),
     shown(&list::identify::ENTRY, simulate::identify),
     shown(&list::report::ENTRY, report::report).with(own::report),

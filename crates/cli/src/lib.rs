@@ -36,6 +36,7 @@ mod save;
 mod serve;
 mod simulate;
 mod source;
+mod sweep;
 mod table;
 mod tolerance;
 mod upkeep;

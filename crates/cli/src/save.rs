@@ -33,6 +33,19 @@ impl Desk<'_> {
         disk::save(files, self.inputs, self.force).map_err(|why| unwritten(&why, self.language))
     }
 
+    /// Writes a file piece by piece.
+    pub(crate) fn save_by(
+        &self,
+        file: &Path,
+        write: impl FnOnce(&mut std::fs::File) -> Result<(), Unanswered>,
+    ) -> Result<(), Unanswered> {
+        disk::end_on_signals();
+        disk::save_by(file, self.inputs, self.force, write).map_err(|why| match why {
+            disk::Unsaved::Unwritten(why) => unwritten(&why, self.language),
+            disk::Unsaved::Other(why) => why,
+        })
+    }
+
     /// Whether files could be written there, before the work for them begins.
     pub(crate) fn ready(&self, files: &[&Path]) -> Result<(), Unanswered> {
         disk::ready(files, self.inputs, self.force).map_err(|why| unwritten(&why, self.language))

@@ -9,7 +9,7 @@ mod save;
 mod unfinished;
 
 pub use read::{Beside, Links, read_within};
-pub use save::{Unwritten, ready, save};
+pub use save::{Unsaved, Unwritten, ready, save, save_by};
 #[cfg(unix)]
 pub use unfinished::end_on_signals;
 

@@ -55,6 +55,46 @@ pub fn save(files: &[(&Path, &[u8])], inputs: &[PathBuf], force: bool) -> Result
     Ok(())
 }
 
+/// Writes one file as [`save`] does, but piece by piece: for what is too large to be held.
+///
+/// # Errors
+/// Why it cannot be written; what `write` says otherwise.
+pub fn save_by<E>(
+    path: &Path,
+    inputs: &[PathBuf],
+    force: bool,
+    write: impl FnOnce(&mut std::fs::File) -> Result<(), E>,
+) -> Result<(), Unsaved<E>> {
+    #[cfg(unix)]
+    crate::unfinished::refuse_large_files();
+    let places = places(std::iter::once(path), inputs, force).map_err(Unsaved::Unwritten)?;
+    let Some(place) = places.first() else { return Ok(()) };
+    place.target.parent().into_iter().for_each(left::clear);
+    let unfinished = Unfinished;
+    let failed = |error: &std::io::Error| Unsaved::Unwritten(unwritten(place.asked, system(error)));
+    let mut file = begin(place, &unfinished).map_err(|error| failed(&error))?;
+    write(file.as_file_mut()).map_err(Unsaved::Other)?;
+    file.as_file().sync_all().map_err(|error| failed(&error))?;
+    let renaming = unfinished.hold();
+    let staged = file.into_temp_path();
+    let kept = if force { staged.persist(&place.target) } else { staged.persist_noclobber(&place.target) };
+    kept.map_err(|fault| {
+        let exists = fault.error.kind() == ErrorKind::AlreadyExists;
+        Unsaved::Unwritten(unwritten(place.asked, if exists { SaveTrouble::Exists } else { system(&fault.error) }))
+    })?;
+    drop(renaming);
+    Ok(())
+}
+
+/// Why a file is not written.
+#[derive(Debug)]
+pub enum Unsaved<E> {
+    /// The file itself.
+    Unwritten(Unwritten),
+    /// What was to be written.
+    Other(E),
+}
+
 /// Whether files could be written there, asked before the work for them begins.
 ///
 /// # Errors
@@ -138,17 +178,23 @@ fn place(asked: &Path, force: bool) -> Result<Destination<'_>, SaveTrouble> {
 }
 
 fn stage(place: &Destination<'_>, bytes: &[u8], unfinished: &Unfinished) -> std::io::Result<TempPath> {
+    let mut file = begin(place, unfinished)?;
+    file.write_all(bytes)?;
+    file.as_file().sync_all()?;
+    Ok(file.into_temp_path())
+}
+
+/// A file beside its place.
+fn begin(place: &Destination<'_>, unfinished: &Unfinished) -> std::io::Result<NamedTempFile> {
     let folder = place.target.parent().unwrap_or(Path::new("."));
     let mut builder = Builder::new();
     builder.prefix(left::PREFIX);
     readable(&mut builder);
-    let mut file: NamedTempFile = unfinished.made(|| builder.tempfile_in(folder))?;
+    let file: NamedTempFile = unfinished.made(|| builder.tempfile_in(folder))?;
     if place.exists {
         keep(file.as_file(), &place.target)?;
     }
-    file.write_all(bytes)?;
-    file.as_file().sync_all()?;
-    Ok(file.into_temp_path())
+    Ok(file)
 }
 
 /// As any other file, less what the user's mask takes away; a temporary file is private otherwise.

@@ -4,29 +4,21 @@ use crate::Text;
 use arrow_array::RecordBatch;
 use arrow_schema::Schema;
 use quantities::Language;
-use questions::list::{AXIS, Argument, ArgumentKind, Given, Unanswered};
-use questions::{CheckId, Patience};
+use questions::Patience;
+use questions::list::sweep::{Args, ENTRY};
+use questions::list::{Argument, Given, Unanswered};
 use std::borrow::Cow;
-use sweep_io::{Options, Sweep, TableFaults, Wanted};
-use words::help;
-use words::help::values;
+use sweep_io::{Sweep, TableFaults};
 
-/// What is wanted of each row.
-const WANT: Argument = Argument::option("want", values::what, help::explain_check)
-    .of(ArgumentKind::Word(|| vec!["best", "every", "front"]))
-    .usually("best");
-
-/// Checks whose verdicts are wanted of every actuator.
-const CHECKS: Argument = Argument::option("checks", values::check, help::explain_check)
-    .of(ArgumentKind::Word(|| CheckId::ALL.iter().map(|check| check.id()).collect()))
-    .repeated();
+/// The argument that is handed over as it is, not named.
+const TABLE: &str = "table";
 
 /// A sweep that is put: what is read once for all rows.
 #[derive(Clone, Debug)]
 pub struct SweepCall {
     /// The project.
     pub text: Text,
-    /// Names and values of the options: `axis`, `want`, `checks`.
+    /// Names and values of the options: those of the question `sweep` but its table.
     pub pairs: Vec<(String, String)>,
     /// How much memory recordings may take, as it is written.
     pub memory: Option<String>,
@@ -41,17 +33,9 @@ impl SweepCall {
     /// Every fault of the options; those of the project; those of the headings.
     pub fn prepared(&self, table: &Schema) -> Result<Sweep, Unanswered> {
         let pairs = self.pairs.iter().map(|(name, value)| (Cow::Borrowed(name.as_str()), value.as_str().into()));
-        let given = Given::of(&[AXIS, WANT, CHECKS], pairs, self.language)?;
-        let checks = given.all(CHECKS.name);
-        let checks: Vec<CheckId> =
-            checks.filter_map(|id| CheckId::ALL.iter().find(|check| check.id() == id).copied()).collect();
-        let wanted = match given.text(&WANT) {
-            Some("front") => Wanted::Front,
-            Some("every") => Wanted::Every(checks),
-            _ if checks.is_empty() => Wanted::Best,
-            _ => Wanted::Every(checks),
-        };
-        let options = Options { axis: given.text(&AXIS).map(str::to_owned), wanted, language: self.language };
+        let arguments = ENTRY.arguments.iter().copied().filter(|argument| argument.name != TABLE);
+        let given = Given::of(&arguments.collect::<Vec<Argument>>(), pairs, self.language)?;
+        let options = Args::read(&given)?.options(self.language);
         let memory = antrieb::memory_allowed(self.memory.clone(), self.language)?;
         let file = self.text.read(memory, self.language)?;
         let source = file.source();
@@ -79,7 +63,7 @@ pub fn swept(sweep: &Sweep, batches: &[RecordBatch], patience: &Patience) -> Res
         sweep.check(batch, *first, &mut faults);
     }
     if !faults.is_empty() {
-        return Err(Unanswered::Table { name: "table".into(), faults });
+        return Err(Unanswered::Table { name: TABLE.into(), faults });
     }
     numbered.iter().map(|(batch, first)| sweep.batch(batch, *first, patience)).collect()
 }

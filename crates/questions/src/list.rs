@@ -44,6 +44,7 @@ pub mod report;
 pub mod schema;
 pub mod simulate;
 pub mod size;
+pub mod sweep;
 pub mod torsion;
 pub mod units;
 pub mod upkeep;
@@ -64,6 +65,7 @@ use words::{Word, help};
 pub const LIST: &[&Entry] = &[
     &size::ENTRY,
     &check::ENTRY,
+    &sweep::ENTRY,
     &explain::ENTRY,
     &simulate::ENTRY,
     &identify::ENTRY,

@@ -42,6 +42,11 @@ impl Patience {
         self.cancel();
     }
 
+    /// So many steps are to come.
+    pub fn expect_steps(&self, steps: usize) {
+        self.expect(steps);
+    }
+
     /// Whether it ended by the deadline, not by a cancellation.
     #[must_use]
     pub fn is_late(&self) -> bool {

@@ -4,11 +4,15 @@
 //! whose headings or cells cannot be read is refused with every fault.
 
 mod cells;
+pub mod csv;
 mod judged;
+pub mod sample;
+mod summary;
 mod template;
 
 pub use cells::{CellFault, Cells, TableFaults};
 pub use judged::{Best, Every, Judged, OnFront};
+pub use summary::{MissedBy, NotJudged, SweepRow, SweepSummary, Tally};
 
 use crate::codes::read_code;
 use crate::list::Unanswered;

@@ -4,6 +4,10 @@
 
 mod batch;
 mod columns;
+mod files;
+mod tally;
 
 pub use batch::Sweep;
+pub use files::{Answers, Batches, Format, part};
+pub use tally::count;
 pub use questions::sweep::{CODE, CellFault, Options, TableFaults, Wanted};

@@ -68,6 +68,31 @@ texts! {
         "Time between two rows of the trace (\"1 ms\")" | "Zeit zwischen zwei Zeilen des Verlaufs (\"1 ms\")";
     simulate_seed =
         "Seed of the errors of gear and encoder (0)" | "Startwert der Fehler von Getriebe und Geber (0)";
+    sweep =
+        "Judge many axes: a table whose columns are keys of the project"
+        | "Viele Achsen beurteilen: eine Tabelle, deren Spalten Schlüssel des Projekts sind";
+    sweep_table =
+        "Table of the rows, .csv or .parquet; headings such as \"load.inertia [kg m^2]\", \"motion[0].time [s]\", \"code\""
+        | "Tabelle der Zeilen, .csv oder .parquet; Überschriften wie \"load.inertia [kg m^2]\", \"motion[0].time [s]\", \"code\"";
+    sweep_check =
+        "Every code of every row, with verdict and utilisation of this check; several times"
+        | "Jede Bestellbezeichnung jeder Zeile, mit Urteil und Auslastung dieses Nachweises; mehrmals";
+    sweep_front =
+        "Of each row the codes that no other fitting one beats in mass, length and margin"
+        | "Je Zeile die Bestellbezeichnungen, die keine andere passende in Masse, Länge und Reserve übertrifft";
+    sweep_out =
+        "The answers as .csv or .parquet; an interrupted call continues"
+        | "Die Antworten als .csv oder .parquet; ein unterbrochener Aufruf setzt fort";
+    new_key =
+        "For `new sweep`: a key with its range or values, \"load.inertia [kg m^2] = 0.1..10 log\"; several times"
+        | "Für `new sweep`: ein Schlüssel mit Bereich oder Werten, \"load.inertia [kg m^2] = 0.1..10 log\"; mehrmals";
+    new_samples =
+        "For `new sweep`: rows that are drawn, or steps of each range of a grid (100)"
+        | "Für `new sweep`: gezogene Zeilen, oder Stufen jedes Bereichs eines Gitters (100)";
+    new_by =
+        "For `new sweep`: how the ranges are covered (sobol)"
+        | "Für `new sweep`: wie die Bereiche abgedeckt werden (sobol)";
+    new_seed = "For `new sweep`: seed of the samples (1)" | "Für `new sweep`: Startwert der Stichproben (1)";
     identify =
         "Estimate load, friction and torque constant from a recorded run"
         | "Last, Reibung und Drehmomentkonstante aus einem aufgezeichneten Lauf schätzen";

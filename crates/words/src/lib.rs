@@ -42,6 +42,7 @@ mod schema;
 pub mod serving;
 pub mod simulation;
 mod stage;
+pub mod sweeps;
 pub mod tables;
 pub mod terminal;
 pub mod terms;
@@ -121,6 +122,7 @@ pub const MODULES: &[(&str, &[Text])] = &[
     ("requests", requests::TEXTS),
     ("serving", serving::TEXTS),
     ("simulation", simulation::TEXTS),
+    ("sweeps", sweeps::TEXTS),
     ("tables", tables::TEXTS),
     ("terminal", terminal::TEXTS),
     ("terms", terms::TEXTS),

@@ -17,7 +17,7 @@ from antrieb import questions as questions
 from antrieb._antrieb import VERSION as __version__
 from antrieb._call import AntriebError, Fault, Lang, Path, Picture, Text
 from antrieb.questions import *  # noqa: F403
-from antrieb._table import ArrowArray, ArrowSchema, ArrowStream, Sweep, Table, Want, sweep
+from antrieb._table import ArrowArray, ArrowSchema, ArrowStream, Sweep, Table, sweep
 
 __all__ = [
     "AntriebError",
@@ -31,7 +31,6 @@ __all__ = [
     "Sweep",
     "Table",
     "Text",
-    "Want",
     "__version__",
     "answers",
     "sweep",

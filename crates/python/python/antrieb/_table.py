@@ -3,17 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import Literal
 
 from antrieb import _antrieb, answers
 from antrieb._antrieb import Table
 from antrieb._arrow import ArrowArray, ArrowSchema, ArrowStream
 from antrieb._call import Lang, Path, Text, handed, pairs_of
 
-Want = Literal["best", "every", "front"]
-"""What is wanted of each row: the best actuator, every actuator, or those that no other beats in mass, length and reserve."""
-
-__all__ = ["ArrowArray", "ArrowSchema", "ArrowStream", "Sweep", "Table", "Want", "sweep"]
+__all__ = ["ArrowArray", "ArrowSchema", "ArrowStream", "Sweep", "Table", "sweep"]
 
 
 class Sweep:
@@ -25,8 +21,8 @@ class Sweep:
             `load.inertia [kg m^2]`, `motion[0].time [s]`; `code` judges each row for one ordering code.
         lang: Language of the texts: `en` or `de`.
         axis: Only this axis of a project with several.
-        want: What is wanted of each row.
-        checks: Checks whose verdicts are wanted of every actuator.
+        check: Checks whose verdicts are wanted: every actuator is answered, not only the best.
+        front: The actuators that no other beats in mass, length and reserve.
         file: What a text is called in faults.
         folder: Where the recordings that a text names lie; without it the current folder.
         memory: How much memory the recordings may take, such as `1 GiB`.
@@ -44,13 +40,13 @@ class Sweep:
         lang: Lang = "en",
         *,
         axis: str | None = None,
-        want: Want = "best",
-        checks: Sequence[answers.CheckId] = (),
+        check: Sequence[answers.CheckId] = (),
+        front: bool = False,
         file: str | None = None,
         folder: Path | None = None,
         memory: str | None = None,
     ) -> None:
-        options = _options(axis, want, checks)
+        options = _options(axis, check, front)
         self._sweep = _antrieb.Sweep(handed(text, file, folder), schema, options, lang, memory)
 
     @property
@@ -72,8 +68,8 @@ class Sweep:
         return self._sweep.batch(batch, first_row)
 
 
-def _options(axis: str | None, want: Want, checks: Sequence[answers.CheckId]) -> list[tuple[str, str]]:
-    return pairs_of([("axis", axis), ("want", want), ("checks", list(checks))])
+def _options(axis: str | None, check: Sequence[answers.CheckId], front: bool) -> list[tuple[str, str]]:
+    return pairs_of([("axis", axis), ("check", list(check)), ("front", front)])
 
 
 def sweep(
@@ -82,8 +78,8 @@ def sweep(
     lang: Lang = "en",
     *,
     axis: str | None = None,
-    want: Want = "best",
-    checks: Sequence[answers.CheckId] = (),
+    check: Sequence[answers.CheckId] = (),
+    front: bool = False,
     file: str | None = None,
     folder: Path | None = None,
     deadline: str | None = None,
@@ -100,22 +96,21 @@ def sweep(
             `motion[0].law` have none; `code` judges each row for one ordering code.
         lang: Language of the texts: `en` or `de`.
         axis: Only this axis of a project with several.
-        want: What is wanted of each row: `best` the best actuator, `every` every actuator, `front` those that no other beats
-            in mass, length and reserve.
-        checks: Checks whose verdicts are wanted of every actuator.
+        check: Checks whose verdicts are wanted: every actuator is answered, not only the best.
+        front: The actuators that no other beats in mass, length and reserve.
         file: What a text is called in faults.
         folder: Where the recordings that a text names lie; without it the current folder.
         deadline: How long the answer may take, such as `60 s`.
         memory: How much memory the recordings may take, such as `1 GiB`.
 
     Returns:
-        An Arrow table, a row for each row of `best`: `row` (from 0), `fit` (how many actuators fit), `code` (the best of
+        An Arrow table, a row for each row: `row` (from 0), `fit` (how many actuators fit), `code` (the best of
         them), `utilisation` (of its tightest check, 1 is the limit), `tightest` (that check), `error` (why the row could not
-        be judged). With `every` and `front` a row for each actuator, `mass [kg]`, `length [mm]`.
+        be judged). With `check` and `front` a row for each actuator.
 
     Raises:
         AntriebError: Every fault of the project, of the headings, or of the cells, each with heading and row.
     """
     return _antrieb.Sweep.whole(
-        handed(text, file, folder), table, _options(axis, want, checks), lang, memory, deadline
+        handed(text, file, folder), table, _options(axis, check, front), lang, memory, deadline
     )

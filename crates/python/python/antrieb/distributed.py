@@ -28,7 +28,6 @@ from typing import Any
 from antrieb import Sweep, __version__, answers
 from antrieb._arrow import ArrowArray, ArrowStream
 from antrieb._call import Lang, Path, Text, handed
-from antrieb._table import Want
 
 Makes = Callable[[int, int], ArrowStream | ArrowArray]
 """Makes the tasks of a part from the id of its first and their number: the same table for the same ids."""
@@ -63,10 +62,10 @@ class Spec:
     """The language of the reasons."""
     axis: str | None = None
     """The axis of a project with several."""
-    want: Want = "best"
-    """What is wanted of each row."""
-    checks: tuple[answers.CheckId, ...] = ()
+    check: tuple[answers.CheckId, ...] = ()
     """Checks whose verdicts are wanted of every actuator."""
+    front: bool = False
+    """The actuators that no other beats."""
 
 
 @dataclasses.dataclass(frozen=True, kw_only=True)
@@ -96,7 +95,7 @@ class Summary:
     found: int = 0
     """Of these in parts that an earlier call had finished."""
     fitting: int = 0
-    """Rows for which an actuator fits; with `every` and `front`: rows of the answer that fit."""
+    """Rows for which an actuator fits; with `check` and `front`: rows of the answer that fit."""
     failed: int = 0
     """Rows that could not be judged."""
     reasons: dict[str, int] = dataclasses.field(default_factory=dict[str, int])
@@ -163,8 +162,8 @@ def specified(
     lang: Lang = "en",
     *,
     axis: str | None = None,
-    want: Want = "best",
-    checks: Sequence[answers.CheckId] = (),
+    check: Sequence[answers.CheckId] = (),
+    front: bool = False,
     file: str | None = None,
     folder: Path | None = None,
 ) -> Spec:
@@ -180,8 +179,8 @@ def specified(
         out=os.path.abspath(os.fspath(out)),
         lang=lang,
         axis=axis,
-        want=want,
-        checks=tuple(checks),
+        check=tuple(check),
+        front=front,
     )
 
 
@@ -194,8 +193,8 @@ def _prepared(spec: Spec, schema: Any) -> Sweep:
         schema,
         spec.lang,
         axis=spec.axis,
-        want=spec.want,
-        checks=spec.checks,
+        check=spec.check,
+        front=spec.front,
         file=spec.name,
         folder=spec.folder,
     )
@@ -259,8 +258,8 @@ def _manifest(spec: Spec, all_parts: Sequence[Part]) -> dict[str, Any]:
         "project": hashlib.sha256(spec.text.encode()).hexdigest(),
         "axis": spec.axis,
         "lang": spec.lang,
-        "want": spec.want,
-        "checks": list(spec.checks),
+        "check": list(spec.check),
+        "front": spec.front,
         "rows": sum(part.count for part in all_parts),
         "parts": hashlib.sha256(json.dumps(described).encode()).hexdigest(),
     }
@@ -313,8 +312,8 @@ def sweep(
     rows: int | None = None,
     part_rows: int = 100_000,
     axis: str | None = None,
-    want: Want = "best",
-    checks: Sequence[answers.CheckId] = (),
+    check: Sequence[answers.CheckId] = (),
+    front: bool = False,
     file: str | None = None,
     folder: Path | None = None,
     address: str | None = None,
@@ -333,8 +332,8 @@ def sweep(
         rows: How many tasks a function makes.
         part_rows: Rows of a part: some seconds of work for one core.
         axis: Only this axis of a project with several.
-        want: What is wanted of each row, as in `antrieb.sweep`.
-        checks: Checks whose verdicts are wanted of every actuator.
+        check: Checks whose verdicts are wanted, as in `antrieb.sweep`.
+        front: The actuators that no other beats, as in `antrieb.sweep`.
         file: What a text is called in faults.
         folder: Where the recordings that a text names lie, on every worker; without it the current folder.
         address: The Ray cluster (`auto` for the one this runs in); without it a running one, else this machine.
@@ -353,7 +352,7 @@ def sweep(
     os.environ.setdefault("RAY_USAGE_STATS_ENABLED", "0")
     engine = _library("ray")
     begin = time.monotonic()
-    spec = specified(text, out, lang, axis=axis, want=want, checks=checks, file=file, folder=folder)
+    spec = specified(text, out, lang, axis=axis, check=check, front=front, file=file, folder=folder)
     makes = tasks if callable(tasks) else None
     all_parts = list(parts(tasks, rows=rows, part_rows=part_rows))
     ready(spec, all_parts, makes)

@@ -81,13 +81,15 @@ class Questions(unittest.TestCase):
         for name in ("axis.toml", "before.toml"):
             pathlib.Path(name).write_text(PROJECT, encoding="utf-8")
         pathlib.Path("after.toml").write_text(PROJECT.replace("inertia = \"", "inertia = \"1", 1), encoding="utf-8")
+        # The name is that of the example; over a question a table is read as CSV.
+        pathlib.Path("tasks.parquet").write_text("load.inertia [kg m^2]\n1.0\n1.3\n", encoding="utf-8")
         run = command("simulate", "axis.toml", "--code", CODE, "--out", "run.csv")
         assert run.returncode in (0, 1), run.stderr
 
     def test_every_question_answers_as_its_command(self) -> None:
         for name, example in questions._EXAMPLES.items():
             with self.subTest(name):
-                function = getattr(antrieb, name)
+                function = getattr(questions, name)
                 named, whole = call_of(function, example)
                 seen: list[tuple[str, bytes]] = []
 

@@ -83,10 +83,10 @@ class Sweeps(unittest.TestCase):
 
     def test_every_actuator_and_the_front(self) -> None:
         table = antrieb.Table.from_pydict(columns(2, 1))
-        every = antrieb.sweep(ARM, table, want="every", checks=["peak_torque"])
+        every = antrieb.sweep(ARM, table, check=["peak_torque"])
         self.assertIn("peak_torque.verdict", every.column_names)
         self.assertEqual(len(every), 2 * 276)
-        front = antrieb.sweep(ARM, table, want="front")
+        front = antrieb.sweep(ARM, table, front=True)
         self.assertIn("mass [kg]", front.column_names)
 
     def test_a_row_that_cannot_be_judged_says_why(self) -> None:
@@ -112,7 +112,7 @@ class Sweeps(unittest.TestCase):
         with self.assertRaises(antrieb.AntriebError):
             antrieb.sweep(ARM, pa.table({"code": ["CHA-20B-100-H-C1024"]}))
         with self.assertRaises(antrieb.AntriebError):
-            antrieb.sweep(ARM, antrieb.Table.from_pydict({TIME: [1.0]}), checks=["peak_torqe"])  # type: ignore[list-item]
+            antrieb.sweep(ARM, antrieb.Table.from_pydict({TIME: [1.0]}), check=["peak_torque_"])  # type: ignore[list-item]
 
     def test_what_is_no_table_is_refused(self) -> None:
         for wrong in ([1.0], {"a": [1.0]}, pa.array([1.0]), None):

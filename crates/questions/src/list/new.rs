@@ -1,8 +1,9 @@
 //! `new KIND`: a commented project file to fill in.
 
-use super::given::{arguments, text};
+use super::given::{arguments, count, lines, text};
 use super::{Answer, Argument, ArgumentKind, Asked, Entry, Form, Gives, OutputFile, Reads, Unanswered, media};
 use crate::sizing_use::Refusal;
+pub use crate::sweep::sample::{METHODS, Method, SAMPLES_MOST, table};
 pub use crate::templates::{Template, template, template_kinds};
 use words::help::values;
 use words::{help, requests};
@@ -12,9 +13,23 @@ arguments! {
     pub struct Args {
         /// The kind.
         kind: Option<String> = Argument::option("kind", values::kind, requests::kind)
-            .of(ArgumentKind::Word(|| template_kinds().collect())).form(Form::Bare).required() => text,
+            .of(ArgumentKind::Word(|| template_kinds().chain([SWEEP]).collect())).form(Form::Bare).required() => text,
+        /// Of a table: keys with their ranges, a line each.
+        key: String = Argument::option("key", values::text, help::new_key).repeated() => lines,
+        /// Of a table: how its ranges are covered.
+        by: Option<String> = Argument::option("by", values::name, help::new_by)
+            .of(ArgumentKind::Word(|| METHODS.to_vec())).usually("sobol") => text,
+        /// Of a table: its rows, or the steps of each range.
+        samples: usize = Argument::option("samples", values::n, help::new_samples)
+            .of(ArgumentKind::Whole(1, SAMPLES_MOST)).usually("100") => count,
+        /// Of a table: from which the samples follow.
+        seed: usize = Argument::option("seed", values::n, help::new_seed)
+            .of(ArgumentKind::Whole(0, u32::MAX as u64)).usually("1") => count,
     }
 }
+
+/// The kind of a table of rows for a sweep.
+const SWEEP: &str = "sweep";
 
 /// The question.
 pub const ENTRY: Entry = Entry {
@@ -23,10 +38,14 @@ pub const ENTRY: Entry = Entry {
     about: help::new,
     reads: Reads::Nothing,
     arguments: Args::ARGUMENTS,
-    gives: Gives::Media(&[media::TOML]),
-    writes: &[OutputFile::of("out", &[media::TOML], help::new_out)],
+    gives: Gives::Media(&[media::TOML, media::CSV]),
+    writes: &[OutputFile::of("out", &[media::TOML, media::CSV], help::new_out)],
     example: "arm --out axis.toml",
-    answer: Some(|asked| Ok(Answer::text(media::TOML, found(asked, USUAL_NAME)?.text))),
+    answer: Some(|asked| {
+        let is_table = asked.given.all("kind").any(|kind| kind == SWEEP);
+        let media = if is_table { media::CSV } else { media::TOML };
+        Ok(Answer::text(media, found(asked, USUAL_NAME)?.text))
+    }),
 };
 
 /// What the header of a new project calls its file, where it has no name.
@@ -37,6 +56,12 @@ pub const USUAL_NAME: &str = "axis.toml";
 /// # Errors
 /// Where there is no such kind.
 pub fn found(asked: &Asked<'_>, file: &str) -> Result<Template, Unanswered> {
-    let kind = Args::read(&asked.given)?.kind.unwrap_or_default();
+    let args = Args::read(&asked.given)?;
+    let kind = args.kind.unwrap_or_default();
+    if kind == SWEEP {
+        let method = args.by.as_deref().and_then(Method::of).unwrap_or(Method::Sobol);
+        let text = table(args.key.lines(), method, args.samples, args.seed as u64, asked.language)?;
+        return Ok(Template { text, recording: None });
+    }
     Ok(template(&kind, file, asked.language).ok_or(Refusal::NoData)?)
 }

@@ -1,0 +1,182 @@
+//! What a sweep found, counted.
+
+use super::{Answer, Every, Judged};
+use answers::Number;
+use quantities::Language;
+use schemars::JsonSchema;
+use serde::Serialize;
+use sizing::CheckId;
+use std::collections::BTreeMap;
+
+/// So many different reasons are listed.
+const REASONS_MOST: usize = 20;
+
+/// So many different reasons are counted apart.
+const COUNTED_MOST: usize = 10_000;
+
+/// What the rows of a table were answered with.
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
+pub struct SweepSummary {
+    /// The file of the answers; `null` where there is none.
+    pub file: Option<String>,
+    /// Rows of the table.
+    pub rows: u64,
+    /// Rows for which an actuator fits.
+    pub fitting: u64,
+    /// Rows for which none fits, by the tightest check of the nearest miss, most first.
+    pub none_fits: Vec<MissedBy>,
+    /// Rows that are not judged, by the reason, most first.
+    pub not_judged: Vec<NotJudged>,
+    /// Rows with further reasons.
+    pub further: u64,
+    /// The answers of the rows; empty where a file holds them.
+    pub answers: Vec<SweepRow>,
+}
+
+/// Rows that miss by a check.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, JsonSchema)]
+pub struct MissedBy {
+    /// The check; `null` where no actuator is of the required class.
+    pub check: Option<&'static str>,
+    /// In words.
+    pub title: String,
+    /// How many rows.
+    pub rows: u64,
+}
+
+/// Rows that are not judged for a reason.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, JsonSchema)]
+pub struct NotJudged {
+    /// The reason.
+    pub message: String,
+    /// How many rows.
+    pub rows: u64,
+}
+
+/// The answer of a row.
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
+pub struct SweepRow {
+    /// The row, from 0.
+    pub row: u64,
+    /// How many codes fit.
+    pub fit: Option<u32>,
+    /// The best of them.
+    pub code: Option<String>,
+    /// Its largest utilisation; where none fits that of the nearest miss.
+    pub utilisation: Option<Number>,
+    /// The check with it.
+    pub tightest: Option<&'static str>,
+    /// Why the row is not judged.
+    pub error: Option<String>,
+}
+
+impl SweepRow {
+    /// The answer of a row; of several codes a line for each.
+    #[must_use]
+    pub fn of(row: u64, answer: &Answer) -> Vec<Self> {
+        let empty = || Self { row, fit: None, code: None, utilisation: None, tightest: None, error: None };
+        let share = |share: Option<f64>| share.map(|share| Number::in_unit(share, &quantities::unit::ONE));
+        let of = |code: Option<String>, utilisation: Option<f64>, tightest: Option<CheckId>| Self {
+            code,
+            utilisation: share(utilisation),
+            tightest: tightest.map(CheckId::id),
+            ..empty()
+        };
+        match answer {
+            Ok(Judged::Best(best)) => {
+                let found = of(best.code.map(|code| code.to_string()), best.utilisation, best.tightest);
+                vec![Self { fit: Some(best.fit), ..found }]
+            }
+            Ok(Judged::Every(all)) => {
+                let each = |one: &Every| Self {
+                    fit: Some(u32::from(one.fits)),
+                    ..of(Some(one.code.to_string()), one.utilisation, one.tightest)
+                };
+                all.iter().map(each).collect()
+            }
+            Ok(Judged::Front(front)) => {
+                front.iter().map(|one| of(Some(one.code.to_string()), Some(one.utilisation), one.tightest)).collect()
+            }
+            Err(why) => vec![Self { error: Some(why.clone()), ..empty() }],
+        }
+    }
+}
+
+/// Counts what rows are answered with.
+#[derive(Clone, Debug, Default)]
+pub struct Tally {
+    rows: u64,
+    fitting: u64,
+    missed: BTreeMap<Option<String>, u64>,
+    refused: BTreeMap<String, u64>,
+    further: u64,
+}
+
+impl Tally {
+    /// Adds the answer of a row.
+    pub fn add(&mut self, answer: &Answer) {
+        match answer {
+            Ok(Judged::Best(best)) => self.judged(best.fit > 0, best.tightest.map(CheckId::id)),
+            Ok(Judged::Every(all)) => self.judged(all.iter().any(|one| one.fits), None),
+            Ok(Judged::Front(front)) => self.judged(!front.is_empty(), None),
+            Err(why) => self.refused(why),
+        }
+    }
+
+    /// Adds a row for which something fits, or nothing, by the check of the nearest miss.
+    pub fn judged(&mut self, fits: bool, tightest: Option<&str>) {
+        self.rows += 1;
+        if fits {
+            self.fitting += 1;
+        } else {
+            *self.missed.entry(tightest.map(str::to_owned)).or_default() += 1;
+        }
+    }
+
+    /// Adds a row that is not judged.
+    pub fn refused(&mut self, why: &str) {
+        self.rows += 1;
+        if let Some(count) = self.refused.get_mut(why) {
+            *count += 1;
+        } else if self.refused.len() < COUNTED_MOST {
+            self.refused.insert(why.to_owned(), 1);
+        } else {
+            self.further += 1;
+        }
+    }
+
+    /// Rows so far.
+    #[must_use]
+    pub const fn rows(&self) -> u64 {
+        self.rows
+    }
+
+    /// The summary in a language.
+    #[must_use]
+    pub fn summary(&self, file: Option<String>, language: Language) -> SweepSummary {
+        let title = |id: Option<CheckId>| {
+            id.map_or_else(|| words::sweeps::no_class(language).to_owned(), |id| words::check_title(id, language))
+        };
+        let check = |id: &Option<String>| CheckId::ALL.iter().copied().find(|check| Some(check.id()) == id.as_deref());
+        let mut none_fits: Vec<MissedBy> = self
+            .missed
+            .iter()
+            .map(|(id, rows)| MissedBy { check: check(id).map(CheckId::id), title: title(check(id)), rows: *rows })
+            .collect();
+        none_fits.sort_by_key(|each| std::cmp::Reverse(each.rows));
+        let mut not_judged: Vec<NotJudged> =
+            self.refused.iter().map(|(why, rows)| NotJudged { message: why.clone(), rows: *rows }).collect();
+        not_judged.sort_by_key(|each| std::cmp::Reverse(each.rows));
+        let beyond: u64 = not_judged.iter().skip(REASONS_MOST).map(|each| each.rows).sum();
+        not_judged.truncate(REASONS_MOST);
+        SweepSummary {
+            file,
+            rows: self.rows,
+            fitting: self.fitting,
+            none_fits,
+            not_judged,
+            further: self.further + beyond,
+            answers: Vec::new(),
+        }
+    }
+}
