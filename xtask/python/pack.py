@@ -33,7 +33,7 @@ def main(pyproject: pathlib.Path, library: pathlib.Path, folder: pathlib.Path) -
     platform = sysconfig.get_platform().replace("-", "_").replace(".", "_")
     tag = f"cp311-abi3-{platform}"
     stem = f"{project['name']}-{version}"
-    head = [f"Name: {project['name']}", f"Version: {version}", f"Requires-Python: {project['requires-python']}"]
+    head = [f"Name: {project['name']}", f"Version: {version}", f"Summary: {project['description']}", f"Requires-Python: {project['requires-python']}"]
     for extra, needs in project["optional-dependencies"].items():
         head.append(f"Provides-Extra: {extra}")
         head.extend(f'Requires-Dist: {each} ; extra == "{extra}"' for each in needs)

@@ -186,8 +186,8 @@ impl Call<'_> {
     }
 
     /// The files beside the project.
-    pub(crate) fn beside(&self) -> Option<Beside> {
-        self.files.first().map(|file| file.beside.clone())
+    pub(crate) fn beside(&self) -> Option<disk::Beside> {
+        self.files.first().map(|file| file.beside().clone())
     }
 
     /// Bytes of memory that the project is allowed.

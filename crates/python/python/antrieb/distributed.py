@@ -93,7 +93,7 @@ class Summary:
     rows: int = 0
     """Rows answered."""
     found: int = 0
-    """Of these in parts that an earlier call had finished."""
+    """Of these in parts that were finished already: by an earlier call, or by a worker that was lost after it."""
     fitting: int = 0
     """Rows for which an actuator fits; with `check` and `front`: rows of the answer that fit."""
     failed: int = 0

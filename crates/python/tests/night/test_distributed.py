@@ -26,8 +26,8 @@ from antrieb import distributed
 from antrieb.examples import ARM
 
 CLUSTER = pathlib.Path(__file__).resolve().parents[4] / "examples" / "cluster"
-ROWS = 4_000
-PART_ROWS = 100
+ROWS = 1_500
+PART_ROWS = 50
 
 # The workers do not know this file.
 cloudpickle.register_pickle_by_value(__import__(__name__, fromlist=["*"]))
@@ -124,7 +124,8 @@ class OnACluster(unittest.TestCase):
             thread.join()
         self.log(f"{found}")
         self.assertEqual(len(lost), 2)
-        self.assertEqual((found.rows, found.parts, found.found), (ROWS, ROWS // PART_ROWS, 0))
+        # What a worker had finished before it was lost is found, not judged again.
+        self.assertEqual((found.rows, found.parts), (ROWS, ROWS // PART_ROWS))
         answers = whole(self.out)
         self.assertEqual(answers.column("row").to_pylist(), list(range(ROWS)))
         self.assertTrue(answers.replace_schema_metadata(None).equals(self.expected))
