@@ -16,7 +16,7 @@ use sweep_io::{Answers, Batches, Format, Sweep, TableFaults};
 use words::{file_trouble, sweeps};
 
 /// Rows of a part.
-const PART: usize = 1 << 16;
+const PART: usize = 1 << 14;
 
 /// The file that says to what the parts belong.
 const MARK: &str = "sweep";
@@ -235,14 +235,20 @@ fn shown(summary: &SweepSummary, language: Language) -> String {
     let _ = writeln!(text, "{}", sweeps::fitting(&summary.fitting, &share(summary.fitting), language));
     let missed: u64 = summary.none_fits.iter().map(|each| each.rows).sum();
     if missed > 0 {
-        let _ = writeln!(text, "{}; {}:", sweeps::none_fits(&missed, &share(missed), language), sweeps::tightest(language));
+        let _ =
+            writeln!(text, "{}; {}:", sweeps::none_fits(&missed, &share(missed), language), sweeps::tightest(language));
         for each in &summary.none_fits {
             let _ = writeln!(text, "  {:>10}  {}", each.rows, each.title);
         }
     }
     let refused: u64 = summary.not_judged.iter().map(|each| each.rows).sum::<u64>() + summary.further;
     if refused > 0 {
-        let _ = writeln!(text, "{}; {}:", sweeps::not_judged(&refused, &share(refused), language), sweeps::reason(language));
+        let _ = writeln!(
+            text,
+            "{}; {}:",
+            sweeps::not_judged(&refused, &share(refused), language),
+            sweeps::reason(language)
+        );
         for each in &summary.not_judged {
             let _ = writeln!(text, "  {:>10}  {}", each.rows, each.message);
         }

@@ -1,6 +1,6 @@
 //! What can be wrong with what the user wrote, and what would help: identifiers with their arguments, in no language.
 
-use crate::{Column, ids};
+use crate::{Column, TabularFault, ids};
 use actuator::{BatteryFault, CurveFault};
 use mechanism::{BodyError, Geometry, TableFault};
 use motion::{MoveFault, PointsFault, RecordedFault};
@@ -209,60 +209,8 @@ pub enum Fault {
     NoMechanism,
     /// More than one load.
     TooManyMechanisms,
-    /// A heading of a table whose values cannot differ from row to row.
-    NoColumn {
-        /// Path of the key.
-        path: String,
-    },
-    /// A heading that states a unit of what is measured in none.
-    UnitOfNoQuantity {
-        /// Path of the key.
-        path: String,
-        /// The unit.
-        unit: String,
-    },
-    /// Two headings of a table with the same key.
-    ColumnTwice {
-        /// Path of the key.
-        path: String,
-    },
-    /// A heading with an entry of a list that the project does not have.
-    NoEntry {
-        /// Path of the key.
-        path: String,
-        /// How many entries it has.
-        count: usize,
-    },
-    /// A cell of a table without a value.
-    NoValue {
-        /// Path of the key.
-        path: String,
-    },
-    /// A cell of a table with something else than a number.
-    NotANumber {
-        /// Path of the key.
-        path: String,
-        /// As written, shortened.
-        written: String,
-    },
-    /// A cell of a table with a number where a text belongs.
-    NoText {
-        /// Path of the key.
-        path: String,
-        /// As written.
-        written: String,
-    },
-    /// A column of a table whose cells are neither numbers nor texts.
-    CellType {
-        /// Path of the key.
-        path: String,
-        /// What stands there.
-        found: String,
-    },
-    /// A table without a row.
-    NoRows,
-    /// A table without a column.
-    NoColumns,
+    /// Of a table whose columns are keys.
+    Tabular(TabularFault),
     /// A value along a line where the load has no fixed travel per revolution.
     NoLine {
         /// What is along a line: a key or a file.
@@ -447,16 +395,7 @@ impl Fault {
             Self::NoMechanism => "no_mechanism",
             Self::TooManyMechanisms => "too_many_mechanisms",
             Self::NoLine { .. } => "no_line",
-            Self::NoColumn { .. } => "no_column",
-            Self::UnitOfNoQuantity { .. } => "unit_of_no_quantity",
-            Self::ColumnTwice { .. } => "column_twice",
-            Self::NoEntry { .. } => "no_entry",
-            Self::NoValue { .. } => "no_value",
-            Self::NotANumber { .. } => "not_a_number",
-            Self::NoText { .. } => "no_text",
-            Self::CellType { .. } => "cell_type",
-            Self::NoRows => "no_rows",
-            Self::NoColumns => "no_columns",
+            Self::Tabular(fault) => fault.id(),
             Self::RodTooShort => "rod_too_short",
             Self::Geometry(fault) => fault.id(),
             Self::BeyondRange { .. } => "beyond_range",

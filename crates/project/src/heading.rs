@@ -1,10 +1,11 @@
 //! Headings of a table whose columns are keys of a project: each is the key with the unit of its numbers.
+#![allow(clippy::result_large_err, reason = "a fault is found once for a table, not for each of its rows")]
 
 use crate::edit::key_at;
 use crate::key::{Key, Kind};
 use crate::read::{MAGNITUDES, Reader, nearest, shortened};
 use crate::root::KEYS;
-use crate::{Fault, Hint, Range};
+use crate::{Fault, Hint, Range, TabularFault};
 use quantities::{Dimension, QuantityError, Unit};
 
 /// Longest excerpt of a heading in a fault, in characters.
@@ -90,11 +91,13 @@ impl Heading {
             | Kind::Table(_)
             | Kind::OneOrMany(..)
             | Kind::Bodies
-            | Kind::Variants(_) => return Err((Fault::NoColumn { path }, nearest_key(name, counted))),
+            | Kind::Variants(_) => {
+                return Err((Fault::Tabular(TabularFault::NoColumn { path }), nearest_key(name, counted)));
+            }
         };
         if let (Some(unit), false) = (unit, matches!(cells, CellKind::Quantity(..))) {
             let unit = shortened(unit, HEADING_SHOWN);
-            return Err((Fault::UnitOfNoQuantity { path, unit }, None));
+            return Err((Fault::Tabular(TabularFault::UnitOfNoQuantity { path, unit }), None));
         }
         Ok(Self { path, key, cells })
     }
@@ -127,7 +130,9 @@ impl Heading {
         }
         let (path, written) = (self.path.clone(), self.written(cell));
         match self.cells {
-            _ if !cell.is_finite() => Some(Fault::NotANumber { path, written: cell.to_string() }),
+            _ if !cell.is_finite() => {
+                Some(Fault::Tabular(TabularFault::NotANumber { path, written: cell.to_string() }))
+            }
             CellKind::Quantity(unit, range) => {
                 let mut reader = Reader::new(&written);
                 let dimensions = [unit.dimension];
@@ -324,7 +329,10 @@ mod tests {
             ("requirement.ambient [degC]", "requirements.ambient"),
         ] {
             let (fault, hint) = read(written).unwrap_err();
-            assert!(matches!(fault, Fault::UnknownKey { .. } | Fault::NoColumn { .. }), "{written}: {fault:?}");
+            assert!(
+                matches!(fault, Fault::UnknownKey { .. } | Fault::Tabular(TabularFault::NoColumn { .. })),
+                "{written}: {fault:?}"
+            );
             assert_eq!(hint, Some(Hint::DidYouMean(near.to_owned())), "{written}");
         }
     }
@@ -334,9 +342,15 @@ mod tests {
         for written in ["load.inertia", "load.inertia [kg]", "load.inertia [kgm3]", "motion[0].distance [s]"] {
             assert!(matches!(read(written), Err((Fault::Quantity { .. }, _))), "{written}");
         }
-        assert!(matches!(read("motion[0].law [s]"), Err((Fault::UnitOfNoQuantity { .. }, _))));
+        assert!(matches!(read("motion[0].law [s]"), Err((Fault::Tabular(TabularFault::UnitOfNoQuantity { .. }), _))));
         for written in ["load", "axis.name", "format", "mechanism.table.points"] {
-            assert!(matches!(read(written), Err((Fault::NoColumn { .. } | Fault::UnknownKey { .. }, _))), "{written}");
+            assert!(
+                matches!(
+                    read(written),
+                    Err((Fault::Tabular(TabularFault::NoColumn { .. }) | Fault::UnknownKey { .. }, _))
+                ),
+                "{written}"
+            );
         }
     }
 

@@ -32,6 +32,7 @@ mod schema;
 mod section;
 mod stage;
 mod stated;
+mod tabular;
 mod tolerance;
 mod twin;
 mod value;
@@ -74,6 +75,7 @@ pub use roles::Within;
 pub use root::KEYS;
 pub use schema::{SchemaText, schema};
 pub use stage::RatioAnswer;
+pub use tabular::TabularFault;
 pub use tolerance::{ALL_CORNERS_MOST, Tolerance, Variant, Varied, sign};
 pub use twin::TwinInput;
 

@@ -19,7 +19,7 @@ use crate::list::Unanswered;
 use crate::patience::{Patience, Stopped};
 use crate::reading::read_all;
 use order_code::OrderCode;
-use project::{Counted, Edit, Fault, Files, Heading, Hint, edit, written};
+use project::{Counted, Edit, Fault, Files, Heading, Hint, TabularFault, edit, written};
 use quantities::Language;
 use rayon::prelude::*;
 use sizing::{CheckId, Watch};
@@ -295,7 +295,7 @@ fn columns(
             };
             let path = key(&holds);
             if columns.iter().any(|other| key(&other.holds) == path) {
-                return Err((Fault::ColumnTwice { path }, None));
+                return Err((Fault::Tabular(TabularFault::ColumnTwice { path }), None));
             }
             Ok(holds)
         });
@@ -305,7 +305,7 @@ fn columns(
         }
     }
     if headings.is_empty() {
-        faults.add(CellFault::of("", None, &(Fault::NoColumns, None), language));
+        faults.add(CellFault::of("", None, &(Fault::Tabular(TabularFault::NoColumns), None), language));
     }
     if faults.is_empty() { Ok(columns) } else { Err(faults) }
 }
@@ -320,7 +320,7 @@ fn missing_entry(known: &[project::Written], own: &str, heading: &Heading) -> Re
         }
         let list = entry.rsplit_once('[').map_or(entry, |(list, _)| list);
         let count = (1..).take_while(|n| known.iter().any(|each| each.path == format!("{list}[{n}]"))).count();
-        return Err((Fault::NoEntry { path: heading.path.clone(), count }, None));
+        return Err((Fault::Tabular(TabularFault::NoEntry { path: heading.path.clone(), count }), None));
     }
     Ok(())
 }

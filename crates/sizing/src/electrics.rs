@@ -26,6 +26,7 @@ pub(crate) fn edges(limit: &ContinuousLimit) -> Edges {
 }
 
 /// The motor current of a torque, with the friction of a gear as cold as the air.
+#[derive(Clone)]
 pub(crate) struct CurrentLaw {
     pub(crate) motor: MotorCurrent,
     /// k_Tout \[Nm/A\]
@@ -42,20 +43,40 @@ pub(crate) struct CurrentLaw {
 
 impl Electrics {
     pub(crate) fn of(axis: &Axis, drivetrain: &Drivetrain) -> Self {
-        let heat = HeatModel::of(drivetrain);
+        let laws = (CurrentLaw::of(axis, drivetrain), HeatModel::of(drivetrain), MotorVoltage::of(drivetrain));
+        Self::with(axis, drivetrain, laws)
+    }
+
+    /// With the laws of the drivetrain known.
+    pub(crate) fn with(
+        axis: &Axis,
+        drivetrain: &Drivetrain,
+        (current, heat, voltage): (
+            Result<CurrentLaw, Missing>,
+            Result<HeatModel, Missing>,
+            Result<MotorVoltage, Missing>,
+        ),
+    ) -> Self {
         let (model, mut off) = (heat.as_ref().ok(), Workings::off());
         let speed = axis.moments.speed_mean();
         let continuous = actuator::continuous_torque_with(drivetrain, model, speed, &mut off);
         let remark = continuous.as_ref().ok().and_then(|limit| edges(limit).remark());
-        Self {
-            current: CurrentLaw::of(axis, drivetrain),
-            voltage: MotorVoltage::of(drivetrain),
-            estimated: remark.map_or(Notes::NONE, |remark| remark.into()),
-            continuous,
-            heat,
-        }
+        Self { current, voltage, estimated: remark.map_or(Notes::NONE, |remark| remark.into()), continuous, heat }
     }
 }
+
+impl Electrics {
+    /// With nothing known: for checks that look at none of it.
+    pub(crate) const UNKNOWN: Self = Self {
+        current: Err(UNKNOWN),
+        heat: Err(UNKNOWN),
+        voltage: Err(UNKNOWN),
+        continuous: Err(UNKNOWN),
+        estimated: Notes::NONE,
+    };
+}
+
+const UNKNOWN: Missing = Missing { symbol: "" };
 
 impl CurrentLaw {
     pub(crate) fn of(axis: &Axis, drivetrain: &Drivetrain) -> Result<Self, Missing> {

@@ -18,7 +18,7 @@ use crate::list::{Answer, Case};
 use crate::notes::Note;
 use crate::rank::{RankKey, Standing};
 use actuator::Parameters;
-use bounds::{Bounds, Figures};
+use bounds::{Bounds, Figures, Shared};
 use catalogue::{Conditions, Group};
 use derivation::Workings;
 use motion::Hold;
@@ -81,15 +81,23 @@ impl<'s> Screening<'s> {
         let has_outline = self.figures.take(axis);
         self.bounds.clear();
         let figures = &self.figures;
-        let bounds = groups.iter().map(|group| match has_outline.then(|| screen.drive(group)).flatten() {
-            Some(drive) => Bounds::of(figures, group, drive, conditions),
+        let terminal = conditions.terminal.map(Measure::si);
+        let known = screen.drives().iter().zip(conditions.places());
+        let shared: Vec<Option<Shared<'_>>> = known
+            .map(|(drive, place)| {
+                let (drive, place) = drive.as_ref().zip(place.as_ref()).filter(|_| has_outline)?;
+                Some(Shared::of(figures, drive, place, terminal))
+            })
+            .collect();
+        let bounds = groups.iter().map(|group| match shared.get(group.drive).and_then(Option::as_ref) {
+            Some(shared) => Bounds::of(figures, group, shared),
             None => Bounds::UNKNOWN,
         });
         self.bounds.extend(bounds);
         let (of_bearing, others): (Vec<CheckId>, Vec<CheckId>) =
             others(axis).into_iter().partition(|id| matches!(id.answer(), Answer::Bearing(_)));
         let borne = RefCell::new(vec![None; screen.bearings]);
-        let row = Row { axis, meets, others, of_bearing, borne, has_outline };
+        let row = Row { axis, meets, others, of_bearing, borne, has_outline, screen, conditions };
         row.found(groups, &self.bounds)
     }
 }
@@ -128,6 +136,8 @@ struct Row<'r> {
     of_bearing: Vec<CheckId>,
     borne: RefCell<Vec<Option<Arc<OfBearing>>>>,
     has_outline: bool,
+    screen: &'r Screen,
+    conditions: &'r Conditions<'r>,
 }
 
 /// What the checks of an output bearing found.
@@ -180,8 +190,9 @@ impl Row<'_> {
         }
         let mut holds = true;
         let mut fails = false;
-        with_case(self.axis, &group.representative, |case| {
-            for id in open.iter().chain(self.others.iter().copied()) {
+        let ids: Vec<CheckId> = open.iter().chain(self.others.iter().copied()).collect();
+        self.with_case(group, &ids, |case| {
+            for id in ids.iter().copied() {
                 let Some(check) = checked(id, case) else { continue };
                 holds &= id != CheckId::BrakeHolding || !check.notes.contains(&Note::NothingHoldsWithoutPower);
                 if check.verdict == Verdict::Fail {
@@ -257,15 +268,13 @@ impl Row<'_> {
         }
         let mut largest = 0.0_f64;
         let mut tightest: Option<(f64, CheckId)> = None;
-        with_case(self.axis, &group.representative, |case| {
-            let ids = bounds.contenders().iter().chain(self.others.iter().copied());
+        let ids: Vec<CheckId> =
+            bounds.contenders().iter().chain(self.others.iter().copied()).filter(|id| id.has_margin()).collect();
+        self.with_case(group, &ids, |case| {
             let borne = self.borne(group);
             let known = borne.iter().flat_map(|borne| borne.shares.iter().copied());
-            let mut shares: Vec<(f64, CheckId)> = ids
-                .filter(|id| id.has_margin())
-                .filter_map(|id| Some((checked(id, case)?.utilisation?, id)))
-                .chain(known)
-                .collect();
+            let mut shares: Vec<(f64, CheckId)> =
+                ids.iter().filter_map(|id| Some((checked(*id, case)?.utilisation?, *id))).chain(known).collect();
             // Of equal ones the last in the order of the answers.
             shares.sort_unstable_by_key(|(_, id)| id.place());
             for (share, id) in shares {
@@ -321,19 +330,42 @@ fn checked(id: CheckId, case: &Case<'_>) -> Option<Check> {
     id.answer().of(case, &mut Workings::off())
 }
 
-/// What the checks of an actuator look at.
-fn with_case(axis: &Axis, actuator: &Parameters, look: impl FnOnce(&Case<'_>)) {
-    let electrics = Electrics::of(axis, actuator);
-    let demand = actuator.inertia_out.known().map(|inertia| axis.demand(inertia.value));
-    let currents = Currents::of(axis, actuator, &electrics);
-    let bearing = axis.bearing.as_ref().map(|duty| Borne::of(axis, duty, &actuator.output_bearing));
-    look(&Case {
-        axis,
-        actuator,
-        demand: demand.as_ref(),
-        manual: None,
-        electrics: &electrics,
-        currents: currents.as_ref(),
-        bearing: bearing.as_ref(),
-    });
+/// Whether a check looks at currents, voltages or heat.
+fn is_electric(id: CheckId) -> bool {
+    match id.answer() {
+        Answer::Drivetrain(_) | Answer::Bearing(_) => false,
+        Answer::Actuator(_) | Answer::Concerned(_) => {
+            !matches!(id, CheckId::PeakTorque | CheckId::ScrewJointLoad | CheckId::ScrewJointHousing)
+        }
+    }
+}
+
+impl Row<'_> {
+    /// What some checks of an actuator look at.
+    fn with_case(&self, group: &Group, ids: &[CheckId], look: impl FnOnce(&Case<'_>)) {
+        let (axis, actuator) = (self.axis, &group.representative);
+        let made;
+        let electrics = if ids.iter().copied().any(is_electric) {
+            let drive = self.screen.drives().get(group.drive).and_then(Option::as_ref);
+            made = match drive.zip(self.conditions.place(group.drive)) {
+                Some((drive, place)) => place.electrics(axis, drive),
+                None => Electrics::of(axis, actuator),
+            };
+            &made
+        } else {
+            &Electrics::UNKNOWN
+        };
+        let demand = actuator.inertia_out.known().map(|inertia| axis.demand(inertia.value));
+        let currents = Currents::of(axis, actuator, electrics);
+        let bearing = axis.bearing.as_ref().map(|duty| Borne::of(axis, duty, &actuator.output_bearing));
+        look(&Case {
+            axis,
+            actuator,
+            demand: demand.as_ref(),
+            manual: None,
+            electrics,
+            currents: currents.as_ref(),
+            bearing: bearing.as_ref(),
+        });
+    }
 }

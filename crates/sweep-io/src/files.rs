@@ -99,7 +99,8 @@ impl Iterator for Batches {
 impl Lines {
     fn open(file: File, skipped: u64, rows: usize, language: Language) -> Result<Self, String> {
         let empty = Arc::new(Schema::empty());
-        let mut lines = Self { source: BufReader::with_capacity(1 << 18, file), schema: empty, rows, line: 0, language };
+        let mut lines =
+            Self { source: BufReader::with_capacity(1 << 18, file), schema: empty, rows, line: 0, language };
         let head = lines.next()?.unwrap_or_default();
         let heads = csv::cells(head.trim_start_matches('\u{feff}'));
         let heads = heads.ok_or_else(|| sweeps::open_quote(&lines.line, language))?;
@@ -119,7 +120,8 @@ impl Lines {
             let mut bytes = Vec::new();
             self.line += 1;
             let most = LINE_MOST as u64 + 1;
-            let read = self.source.by_ref().take(most).read_until(b'\n', &mut bytes).map_err(|error| error.to_string())?;
+            let read =
+                self.source.by_ref().take(most).read_until(b'\n', &mut bytes).map_err(|error| error.to_string())?;
             if read == 0 {
                 return Ok(None);
             }

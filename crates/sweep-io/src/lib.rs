@@ -9,5 +9,5 @@ mod tally;
 
 pub use batch::Sweep;
 pub use files::{Answers, Batches, Format, part};
-pub use tally::count;
 pub use questions::sweep::{CODE, CellFault, Options, TableFaults, Wanted};
+pub use tally::count;

@@ -172,7 +172,7 @@ impl Extent {
 
     /// All J α + T_L of the nodes lie between these.
     #[inline]
-    fn torques(&self, inertia: f64) -> (f64, f64) {
+    pub fn torques(&self, inertia: f64) -> (f64, f64) {
         // A joint that takes T_L − J α asks with a negative inertia.
         let (a, b) = (inertia * self.acceleration_rad_s2.0, inertia * self.acceleration_rad_s2.1);
         (a.min(b) + self.load_nm.0, a.max(b) + self.load_nm.1)

@@ -236,37 +236,7 @@ pub fn fault_text(fault: &Fault, language: Language) -> String {
             "an axis has one load: `[load]` or one table of `[mechanism.…]`",
             "eine Achse hat eine Last: `[load]` oder eine Tabelle aus `[mechanism.…]`",
         ),
-        Fault::NoColumn { path } => e(
-            format!("`{path}` cannot be a column: its values do not stand in a cell"),
-            format!("`{path}` kann keine Spalte sein: die Werte passen nicht in eine Zelle"),
-        ),
-        Fault::UnitOfNoQuantity { path, unit } => e(
-            format!("`{path}` is measured in no unit, the heading states \"{unit}\""),
-            format!("`{path}` hat keine Einheit, die Überschrift nennt „{unit}“"),
-        ),
-        Fault::ColumnTwice { path } => {
-            e(format!("two columns have the key `{path}`"), format!("zwei Spalten haben den Schlüssel `{path}`"))
-        }
-        Fault::NoEntry { path, count } => e(
-            format!("`{path}`: the project has no such entry, its list has {count}"),
-            format!("`{path}`: diesen Eintrag hat das Projekt nicht, die Liste hat {count}"),
-        ),
-        Fault::NoValue { path } => e(format!("`{path}`: the cell is empty"), format!("`{path}`: die Zelle ist leer")),
-        Fault::NotANumber { path, written } => {
-            e(format!("`{path}`: \"{written}\" is not a number"), format!("`{path}`: „{written}“ ist keine Zahl"))
-        }
-        Fault::NoText { path, written } => e(
-            format!("`{path}`: the number {written} stands where a word belongs"),
-            format!("`{path}`: die Zahl {written} steht, wo ein Wort stehen muss"),
-        ),
-        Fault::CellType { path, found } => e(
-            format!("`{path}`: a column of the type {found} is not read; its cells must be numbers or texts"),
-            format!(
-                "`{path}`: eine Spalte vom Typ {found} wird nicht gelesen; ihre Zellen müssen Zahlen oder Texte sein"
-            ),
-        ),
-        Fault::NoRows => t("the table has no row", "die Tabelle hat keine Zeile"),
-        Fault::NoColumns => t("the table has no column", "die Tabelle hat keine Spalte"),
+        Fault::Tabular(fault) => crate::sweeps::fault(fault, language),
         Fault::NoLine { path } => e(
             format!("`{path}` is written along a line, but this load has no fixed travel per revolution"),
             format!("`{path}` ist längs einer Linie angegeben, diese Last hat aber keinen festen Weg je Umdrehung"),

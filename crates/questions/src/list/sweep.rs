@@ -1,9 +1,7 @@
 //! `sweep PROJECT`: many axes, a table whose columns are keys of the project.
 
 use super::given::{arguments, flag, text};
-use super::{
-    AXIS, Answer, Argument, ArgumentKind, Asked, Entry, Gives, OutputFile, Reads, Record, Unanswered, media,
-};
+use super::{AXIS, Answer, Argument, ArgumentKind, Asked, Entry, Gives, OutputFile, Reads, Record, Unanswered, media};
 use crate::sizing_use::Refusal;
 use crate::sweep::{Cells, Options, Sweep, SweepRow, SweepSummary, TableFaults, Tally, Wanted, csv};
 use project::Files;
@@ -75,11 +73,8 @@ pub fn found(asked: &Asked<'_>) -> Result<SweepSummary, Unanswered> {
     let language = asked.language;
     let source = asked.source()?;
     let name = args.table.clone().unwrap_or_default();
-    let refused = |message: String, is_too_large| Unanswered::File {
-        name: seen(&name).into_owned(),
-        message,
-        is_too_large,
-    };
+    let refused =
+        |message: String, is_too_large| Unanswered::File { name: seen(&name).into_owned(), message, is_too_large };
     let mut text = String::new();
     let opened = source.files.open(&name).and_then(|file| file.take(BYTES_MOST + 1).read_to_string(&mut text));
     opened.map_err(|error| refused(words::file_trouble(&error, language), false))?;

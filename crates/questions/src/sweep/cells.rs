@@ -1,8 +1,9 @@
 //! The cells of a table, and what is wrong with them.
+#![allow(clippy::result_large_err, reason = "a fault is found once for a table, not for each of its rows")]
 
 use super::{Column, Holds, Value};
 use crate::codes::read_code;
-use project::{CellKind, Fault, Hint};
+use project::{CellKind, Fault, Hint, TabularFault};
 use quantities::{Language, seen};
 use std::borrow::Cow;
 use words::{fault_text, hint_text};
@@ -58,7 +59,7 @@ impl TableFaults {
     /// Adds that there is no row, where there is none.
     pub fn refuse_empty(&mut self, rows: usize, language: Language) {
         if rows == 0 {
-            self.add(CellFault::of("", None, &(Fault::NoRows, None), language));
+            self.add(CellFault::of("", None, &(Fault::Tabular(TabularFault::NoRows), None), language));
         }
     }
 
@@ -104,7 +105,7 @@ impl Cells<'_> {
     /// Adds what is wrong with them under a heading.
     pub(super) fn check(&self, column: &Column, first_row: u64, language: Language, faults: &mut TableFaults) {
         if let Self::Other(found, _) = self {
-            let fault = Fault::CellType { path: column.key().to_owned(), found: found.clone() };
+            let fault = Fault::Tabular(TabularFault::CellType { path: column.key().to_owned(), found: found.clone() });
             return faults.add(CellFault::of(&column.written, None, &(fault, None), language));
         }
         for row in 0..self.len() {
@@ -147,14 +148,17 @@ impl Column {
     /// What stands in a cell.
     fn cell<'c>(&self, cells: &'c Cells<'_>, row: usize) -> Result<Value<'c>, Wrong> {
         let path = || self.key().to_owned();
-        let empty = || Wrong::Key(Fault::NoValue { path: path() }, None);
+        let empty = || Wrong::Key(Fault::Tabular(TabularFault::NoValue { path: path() }), None);
         match cells {
             Cells::Numbers(numbers) => {
                 let number = numbers.get(row).copied().flatten().ok_or_else(empty)?;
                 if self.is_number() {
                     return Ok(Value::Number(number));
                 }
-                Err(Wrong::Key(Fault::NoText { path: path(), written: number.to_string() }, None))
+                Err(Wrong::Key(
+                    Fault::Tabular(TabularFault::NoText { path: path(), written: number.to_string() }),
+                    None,
+                ))
             }
             Cells::Texts(texts) => {
                 let text = texts.get(row).and_then(Option::as_ref).ok_or_else(empty)?.trim();
@@ -167,10 +171,12 @@ impl Column {
                 let number = text.parse().map(Value::Number);
                 number.map_err(|_| {
                     let written: String = text.chars().take(60).collect();
-                    Wrong::Key(Fault::NotANumber { path: path(), written }, None)
+                    Wrong::Key(Fault::Tabular(TabularFault::NotANumber { path: path(), written }), None)
                 })
             }
-            Cells::Other(found, _) => Err(Wrong::Key(Fault::CellType { path: path(), found: found.clone() }, None)),
+            Cells::Other(found, _) => {
+                Err(Wrong::Key(Fault::Tabular(TabularFault::CellType { path: path(), found: found.clone() }), None))
+            }
         }
     }
 
@@ -198,7 +204,9 @@ impl Column {
         let value = match self.cell(cells, row) {
             Ok(value) => value,
             Err(Wrong::Key(fault, _)) => return Err(fault),
-            Err(Wrong::Code { .. }) => return Err(Fault::NoValue { path: self.key().to_owned() }),
+            Err(Wrong::Code { .. }) => {
+                return Err(Fault::Tabular(TabularFault::NoValue { path: self.key().to_owned() }));
+            }
         };
         if let (Holds::Key(heading), Value::Number(number)) = (&self.holds, &value)
             && heading.is_number()

@@ -114,7 +114,11 @@ pub fn table<'k>(
                 Values::Listed(listed) => listed.get(place).cloned().unwrap_or_default(),
                 Values::Range(low, high, is_log) => {
                     range -= 1;
-                    #[allow(clippy::cast_precision_loss, clippy::cast_possible_truncation, reason = "at most a million")]
+                    #[allow(
+                        clippy::cast_precision_loss,
+                        clippy::cast_possible_truncation,
+                        reason = "at most a million"
+                    )]
                     let share = match method {
                         Method::Grid => place as f64 / (count.max(2) - 1) as f64,
                         Method::LatinHypercube | Method::Sobol => {
@@ -191,7 +195,12 @@ fn uniform(generator: &mut Pcg64Mcg) -> f64 {
 ///
 /// # Source
 /// McKay, Beckman, Conover: A comparison of three methods for selecting values of input variables, Technometrics 21 (1979) 239
-#[allow(clippy::cast_precision_loss, clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "at most a million")]
+#[allow(
+    clippy::cast_precision_loss,
+    clippy::cast_possible_truncation,
+    clippy::cast_sign_loss,
+    reason = "at most a million"
+)]
 fn latin_hypercube(ranges: usize, samples: usize, seed: u64) -> Vec<Vec<f64>> {
     let mut rows = vec![vec![0.0; ranges]; samples];
     for dimension in 0..ranges {
@@ -297,8 +306,22 @@ mod tests {
     #[test]
     fn the_sequence_is_that_of_another_tool() {
         let expected = [
-            0.2197265625, 0.0966796875, 0.5185546875, 0.6767578125, 0.2802734375, 0.9072265625, 0.0458984375, 0.8994140625,
-            0.5009765625, 0.0693359375, 0.0849609375, 0.2548828125, 0.1611328125, 0.3837890625, 0.1435546875, 0.3701171875,
+            0.2197265625,
+            0.0966796875,
+            0.5185546875,
+            0.6767578125,
+            0.2802734375,
+            0.9072265625,
+            0.0458984375,
+            0.8994140625,
+            0.5009765625,
+            0.0693359375,
+            0.0849609375,
+            0.2548828125,
+            0.1611328125,
+            0.3837890625,
+            0.1435546875,
+            0.3701171875,
         ];
         assert_eq!(sobol(16, 1001, 0)[1000], expected);
         assert_eq!(sobol(5, 5, 0)[4], [0.375, 0.375, 0.625, 0.875, 0.375]);

@@ -1,9 +1,10 @@
 //! Bounds of the utilisation of each check, from few figures of the axis and of the actuator.
 
-use super::catalogue::{Conditions, Drive, Friction, Group, Place, swing};
+use super::catalogue::{Drive, Friction, Group, Place, swing};
 use crate::axis::Axis;
 use crate::check::CheckId;
 use crate::supply::Edge;
+use actuator::MotorVoltage;
 use quantities::{AngularVelocity, Measure};
 use trace::Outline;
 
@@ -162,25 +163,29 @@ impl Bounds {
         Ids(may_be.fold(0, |all, (place, _)| all | 1 << place) | self.open)
     }
 
-    pub(super) fn of(figures: &Figures, group: &Group, drive: &Drive, conditions: &Conditions<'_>) -> Self {
-        let Some(place) = conditions.place(group.drive).filter(|_| !group.inertia.is_nan()) else {
+    pub(super) fn of(figures: &Figures, group: &Group, shared: &Shared<'_>) -> Self {
+        if group.inertia.is_nan() {
             return Self::UNKNOWN;
-        };
-        let mut found = Self { room: figures.room, ..Self::NONE };
-        found.speeds(figures, drive);
+        }
+        let mut found = shared.bounds;
+        if found.fails {
+            return found;
+        }
         let torques = figures.torque_peak(group.inertia);
         let square = figures.torque_square(group.inertia);
-        found.torques(figures, group, drive, (torques, square));
-        found.place(figures, drive);
+        found.torques(figures, group, shared, (torques, square));
         if found.fails {
             return found;
         }
-        found.currents(figures, (group, drive, place), conditions);
+        found.currents(figures, group, shared);
         if found.fails {
             return found;
         }
-        found.heat(figures, (group, drive, place), square);
-        found.trace(figures, (drive, place), torques);
+        found.heat(figures, group, shared, square);
+        let [_, peak] = torques;
+        if let Some(least) = shared.short_time {
+            found.take(10, [0.0, peak / least]);
+        }
         found
     }
 
@@ -218,17 +223,18 @@ impl Bounds {
         if let Some(limit) = drive.input_speed_mean_max {
             self.take(13, share(figures.speed_mean * drive.ratio, limit));
         }
-    }
-
-    fn torques(&mut self, figures: &Figures, group: &Group, drive: &Drive, (peak, square): ([f64; 2], f64)) {
-        self.take(0, peak.map(|torque| torque / drive.torque_max));
-        let effective = square.sqrt();
-        let [[low, high], [upper_low, upper_high]] = drive.continuous.at(figures.speed_mean);
-        self.take_beside(3, [effective / high, effective / low], [effective / upper_high, effective / upper_low]);
         let load = if figures.has_collision { f64::INFINITY } else { figures.load_peak };
         if let Some(limit) = drive.transmissible_load {
             self.take(14, [figures.load_peak / limit, load / limit]);
         }
+    }
+
+    fn torques(&mut self, figures: &Figures, group: &Group, shared: &Shared<'_>, (peak, square): ([f64; 2], f64)) {
+        let drive = shared.drive;
+        self.take(0, peak.map(|torque| torque / drive.torque_max));
+        let effective = square.sqrt();
+        let [[low, high], [upper_low, upper_high]] = shared.continuous;
+        self.take_beside(3, [effective / high, effective / low], [effective / upper_high, effective / upper_low]);
         if let Some(limit) = drive.transmissible_housing {
             // |T_L| + (J_out/i) |α|
             let inertia = group.inertia / drive.ratio;
@@ -264,23 +270,23 @@ impl Bounds {
         }
     }
 
-    fn currents(
-        &mut self,
-        figures: &Figures,
-        (group, drive, place): (&Group, &Drive, &Place<'_>),
-        conditions: &Conditions<'_>,
-    ) {
-        let per_torque = 1.0 / drive.torque_constant;
-        let (inertia, cold, warmest) = (group.inertia, &place.cold, &place.warmest);
-        let weights = |friction: &Friction| [inertia * per_torque, per_torque, friction.counted, friction.constant];
-        let (of_cold, of_warmest) = (weights(cold), weights(warmest));
+    fn currents(&mut self, figures: &Figures, group: &Group, shared: &Shared<'_>) {
+        let (drive, cold, warmest) = (shared.drive, &shared.place.cold, &shared.place.warmest);
+        let (inertia, per_torque) = (group.inertia, shared.per_torque);
         let mut high = 0.0_f64;
         let mut volts = 0.0_f64;
         for extent in &figures.outline.extents {
-            let ((a, b), (c, d)) = (extent.range(of_cold), extent.range(of_warmest));
-            let current = b.max(d).max(-a).max(-c);
+            let (least, most) = extent.torques(inertia);
+            let ((back, forth), (slowest, fastest)) = (extent.direction, extent.speeds_rad_s);
+            // Of any friction between both, a sum of parts with the sign of the motion.
+            let of = |friction: &Friction, direction: f64, speed: f64| {
+                direction * friction.counted + speed * friction.constant
+            };
+            let upper = most * per_torque + of(cold, forth, fastest).max(of(warmest, forth, fastest));
+            let lower = least * per_torque + of(cold, back, slowest).min(of(warmest, back, slowest));
+            let current = upper.max(-lower);
             high = high.max(current);
-            if let Some(motor) = drive.voltage.as_ref().filter(|_| conditions.terminal.is_some()) {
+            if let Some(motor) = &shared.motor {
                 volts = volts.max(motor.most(AngularVelocity::from_si(extent.speed_rad_s), current));
             }
         }
@@ -300,13 +306,13 @@ impl Bounds {
         if let Some(limit) = drive.current_demagnetisation {
             self.take(5, [low / limit, high / limit]);
         }
-        if let (Some(terminal), Some(_)) = (conditions.terminal, &drive.voltage) {
-            self.take(6, [0.0, volts / terminal.si()]);
+        if let (Some(terminal), Some(_)) = (shared.terminal, &shared.motor) {
+            self.take(6, [0.0, volts / terminal]);
         }
     }
 
-    fn heat(&mut self, figures: &Figures, (group, drive, place): (&Group, &Drive, &Place<'_>), square: f64) {
-        let per_torque = 1.0 / drive.torque_constant;
+    fn heat(&mut self, figures: &Figures, group: &Group, shared: &Shared<'_>, square: f64) {
+        let (drive, place, per_torque) = (shared.drive, shared.place, shared.per_torque);
         let [[_, _, a_s, a_w], [_, _, t_s, t_w], [_, _, moving, travelled], [.., w_w]] = &figures.means;
         let of_square = square * per_torque * per_torque;
         let of_direction = (group.inertia * a_s + t_s) * per_torque;
@@ -340,16 +346,11 @@ impl Bounds {
         let copper = [current_low, current_high].map(|square| law.copper_ohm() * square);
         let friction = [friction(warm), friction(cool)];
         let coil = group.coil_w * figures.open_share;
-        let network = drive.heat.network();
-        let ([r_wh, r_ha], gains) = (network.resistances_k_per_w(), network.winding());
-        let [quick, slow] = network.time_constants().map(|tau| swing(figures.duration, tau));
-        let most = |gain: f64, [least, most]: [f64; 2]| if gain >= 0.0 { gain * most } else { gain * least };
-        let ([cu_quick, cu_slow], [f_quick, f_slow]) = (gains.copper, gains.friction);
+        let [r_wh, r_ha] = shared.resistances;
+        let [by_copper, by_friction] = shared.gains;
         let [copper_low, copper_high] = copper;
         let [friction_low, friction_high] = friction;
-        let high = copper_high * (most(cu_quick, quick) + most(cu_slow, slow))
-            + friction_high * (most(f_quick, quick) + most(f_slow, slow))
-            + coil * r_ha;
+        let high = copper_high * by_copper + friction_high * by_friction + coil * r_ha;
         let low = copper_low * (r_wh + r_ha) + friction_low * r_ha + coil * r_ha;
         let permitted = drive.heat.winding_limit().si() - place.ambient_k;
         // What the published curves permit of intermittent duty the model permits at least, see `PublishedDuty`.
@@ -366,16 +367,61 @@ impl Bounds {
         } else {
             self.take(11, [0.0, f64::INFINITY]);
         }
-        let [_, most] = swing(figures.duration, drive.heat.winding_time_constant());
         let stalled = drive.stall_current * drive.stall_current;
-        self.take(12, [0.0, current_high / stalled * most]);
+        self.take(12, [0.0, current_high / stalled * shared.swing]);
     }
+}
 
-    fn trace(&mut self, figures: &Figures, (drive, place): (&Drive, &Place<'_>), [_, peak]: [f64; 2]) {
-        let Some(short_time) = &place.short_time else { return };
-        let [still, fastest] = [0.0, figures.speed_peak].map(AngularVelocity::from_si);
-        let [least, _] = short_time.least_between(still, fastest);
-        self.take(10, [0.0, peak / least.si().min(drive.torque_max)]);
+/// What the actuators of one drivetrain have in common for an axis.
+pub(super) struct Shared<'c> {
+    drive: &'c Drive,
+    place: &'c Place<'c>,
+    bounds: Bounds,
+    per_torque: f64,
+    /// Bounds of the continuous torque and of its upper edge.
+    continuous: [[f64; 2]; 2],
+    /// The least torque that is permitted for a short time up to the peak speed.
+    short_time: Option<f64>,
+    terminal: Option<f64>,
+    motor: Option<MotorVoltage>,
+    /// R_wh, R_ha
+    resistances: [f64; 2],
+    /// Largest rise of the winding per mean of copper loss and of friction.
+    gains: [f64; 2],
+    /// Largest over mean of the supervision's lag.
+    swing: f64,
+}
+
+impl<'c> Shared<'c> {
+    /// `None` where nothing is known of a drivetrain.
+    pub(super) fn of(figures: &Figures, drive: &'c Drive, place: &'c Place<'c>, terminal: Option<f64>) -> Self {
+        let mut bounds = Bounds { room: figures.room, ..Bounds::NONE };
+        bounds.speeds(figures, drive);
+        bounds.place(figures, drive);
+        let short_time = place.short_time.as_ref().map(|short_time| {
+            let [still, fastest] = [0.0, figures.speed_peak].map(AngularVelocity::from_si);
+            let [least, _] = short_time.least_between(still, fastest);
+            least.si().min(drive.torque_max)
+        });
+        let network = drive.heat.network();
+        let [quick, slow] = network.time_constants().map(|tau| swing(figures.duration, tau));
+        let most = |gain: f64, [least, most]: [f64; 2]| if gain >= 0.0 { gain * most } else { gain * least };
+        let sum = |[of_quick, of_slow]: [f64; 2]| most(of_quick, quick) + most(of_slow, slow);
+        let gains = network.winding();
+        let [_, swing] = swing(figures.duration, drive.heat.winding_time_constant());
+        Self {
+            drive,
+            place,
+            bounds,
+            per_torque: 1.0 / drive.torque_constant,
+            continuous: drive.continuous.at(figures.speed_mean),
+            short_time,
+            terminal,
+            motor: drive.voltage.filter(|_| terminal.is_some()),
+            resistances: network.resistances_k_per_w(),
+            gains: [sum(gains.copper), sum(gains.friction)],
+            swing,
+        }
     }
 }
 

@@ -1,11 +1,11 @@
 //! What of the actuators is the same for every axis, and what is the same for axes at one place.
 
 use crate::axis::Axis;
-use crate::electrics::CurrentLaw;
+use crate::electrics::{CurrentLaw, Electrics};
 use crate::judge::made;
 use actuator::{Drivetrain, FrictionAt, HeatModel, MotorVoltage, NoLoadFriction, OutputBearing, Parameters, ShortTime};
 use derivation::Workings;
-use provenance::Datum;
+use provenance::{Datum, Missing};
 use quantities::{AngularVelocity, ElectricPotential, Measure, ThermodynamicTemperature, Time};
 use std::sync::Arc;
 
@@ -174,8 +174,8 @@ impl Screen {
         if made(axis, true).any(|id| id.is_of_the_feedback()) { &self.singles } else { &self.groups }
     }
 
-    pub(super) fn drive(&self, group: &Group) -> Option<&Drive> {
-        self.drives.get(group.drive)?.as_ref()
+    pub(super) fn drives(&self) -> &[Option<Drive>] {
+        &self.drives
     }
 }
 
@@ -263,6 +263,7 @@ impl Friction {
 
 /// What a drivetrain is at one place: ambient temperature and supply.
 pub(super) struct Place<'p> {
+    law: CurrentLaw,
     /// Friction of a gear as cold as the air, of one as warm as the air of the cycle, and of the warmest.
     pub(super) cold: Friction,
     pub(super) at_ambient: Friction,
@@ -279,6 +280,14 @@ pub(super) struct Conditions<'p> {
     places: Vec<Option<Place<'p>>>,
 }
 
+impl Place<'_> {
+    /// The laws of a drivetrain for an axis, as [`Electrics::of`] makes them.
+    pub(super) fn electrics(&self, axis: &Axis, drive: &Drive) -> Electrics {
+        let missing = Missing { symbol: "U_M" };
+        Electrics::with(axis, &drive.drivetrain, (Ok(self.law.clone()), Ok(drive.heat), drive.voltage.ok_or(missing)))
+    }
+}
+
 impl<'p> Conditions<'p> {
     pub(super) fn of(screen: &'p Screen, axis: &Axis) -> Self {
         let (ambient, terminal) = (axis.ambient, axis.terminal_voltage());
@@ -291,6 +300,7 @@ impl<'p> Conditions<'p> {
                 warmest: Friction::of(&law.warmest),
                 ambient_k: air.si(),
                 short_time: ShortTime::of(&drive.drivetrain, terminal, &law.cold).ok(),
+                law,
             })
         };
         let places = screen.drives.iter().map(|drive| drive.as_ref().and_then(place)).collect();
@@ -302,6 +312,10 @@ impl<'p> Conditions<'p> {
         let bits = |value: Option<f64>| value.map(f64::to_bits);
         bits(self.ambient.map(Measure::si)) == bits(axis.ambient.map(Measure::si))
             && bits(self.terminal.map(Measure::si)) == bits(axis.terminal_voltage().map(Measure::si))
+    }
+
+    pub(super) fn places(&self) -> &[Option<Place<'p>>] {
+        &self.places
     }
 
     pub(super) fn place(&self, drive: usize) -> Option<&Place<'p>> {

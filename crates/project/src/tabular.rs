@@ -1,0 +1,79 @@
+//! What can be wrong with a table whose columns are keys of a project.
+
+/// One fault of a table whose columns are keys.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum TabularFault {
+    /// A heading of a table whose values cannot differ from row to row.
+    NoColumn {
+        /// Path of the key.
+        path: String,
+    },
+    /// A heading that states a unit of what is measured in none.
+    UnitOfNoQuantity {
+        /// Path of the key.
+        path: String,
+        /// The unit.
+        unit: String,
+    },
+    /// Two headings of a table with the same key.
+    ColumnTwice {
+        /// Path of the key.
+        path: String,
+    },
+    /// A heading with an entry of a list that the project does not have.
+    NoEntry {
+        /// Path of the key.
+        path: String,
+        /// How many entries it has.
+        count: usize,
+    },
+    /// A cell of a table without a value.
+    NoValue {
+        /// Path of the key.
+        path: String,
+    },
+    /// A cell of a table with something else than a number.
+    NotANumber {
+        /// Path of the key.
+        path: String,
+        /// As written, shortened.
+        written: String,
+    },
+    /// A cell of a table with a number where a text belongs.
+    NoText {
+        /// Path of the key.
+        path: String,
+        /// As written.
+        written: String,
+    },
+    /// A column of a table whose cells are neither numbers nor texts.
+    CellType {
+        /// Path of the key.
+        path: String,
+        /// What stands there.
+        found: String,
+    },
+    /// A table without a row.
+    NoRows,
+    /// A table without a column.
+    NoColumns,
+}
+
+impl TabularFault {
+    /// The identifier used in data exchange.
+    #[must_use]
+    pub const fn id(&self) -> &'static str {
+        match self {
+            Self::NoColumn { .. } => "no_column",
+            Self::UnitOfNoQuantity { .. } => "unit_of_no_quantity",
+            Self::ColumnTwice { .. } => "column_twice",
+            Self::NoEntry { .. } => "no_entry",
+            Self::NoValue { .. } => "no_value",
+            Self::NotANumber { .. } => "not_a_number",
+            Self::NoText { .. } => "no_text",
+            Self::CellType { .. } => "cell_type",
+            Self::NoRows => "no_rows",
+            Self::NoColumns => "no_columns",
+        }
+    }
+}
