@@ -535,6 +535,66 @@ class AxesOfJudgement:
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
+class SweepSummary:
+    """What the rows of a table were answered with."""
+
+    file: str | None = None
+    """The file of the answers; `null` where there is none."""
+    rows: int
+    """Rows of the table."""
+    fitting: int
+    """Rows for which an actuator fits."""
+    none_fits: list[MissedBy]
+    """Rows for which none fits, by the tightest check of the nearest miss, most first."""
+    not_judged: list[NotJudged]
+    """Rows that are not judged, by the reason, most first."""
+    further: int
+    """Rows with further reasons."""
+    answers: list[SweepRow]
+    """The answers of the rows; empty where a file holds them."""
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class MissedBy:
+    """Rows that miss by a check."""
+
+    check: str | None = None
+    """The check; `null` where no actuator is of the required class."""
+    title: str
+    """In words."""
+    rows: int
+    """How many rows."""
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class NotJudged:
+    """Rows that are not judged for a reason."""
+
+    message: str
+    """The reason."""
+    rows: int
+    """How many rows."""
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class SweepRow:
+    """The answer of a row."""
+
+    row: int
+    """The row, from 0."""
+    fit: int | None = None
+    """How many codes fit."""
+    code: str | None = None
+    """The best of them."""
+    utilisation: float | None = None
+    """Its largest utilisation; where none fits that of the nearest miss."""
+    tightest: str | None = None
+    """The check with it."""
+    error: str | None = None
+    """Why the row is not judged."""
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
 class Explanations:
     """`explain`: the checks of an actuator with their derivations."""
 
@@ -3007,6 +3067,7 @@ __all__ = [
     "LoadCase",
     "Loop",
     "Measured",
+    "MissedBy",
     "ModelParameter",
     "Motion",
     "Mount",
@@ -3015,6 +3076,7 @@ __all__ = [
     "NeededLimit",
     "Node",
     "NotAvailable",
+    "NotJudged",
     "NotSought",
     "NoteBy",
     "OpenField",
@@ -3054,6 +3116,8 @@ __all__ = [
     "Stage",
     "StageRatio",
     "Step",
+    "SweepRow",
+    "SweepSummary",
     "Table",
     "TableCell",
     "TableColumn",

@@ -180,6 +180,53 @@ def check(
     return answer
 
 
+def sweep(
+    text: Text,
+    table: Path,
+    lang: Lang = "en",
+    *,
+    axis: str | None = None,
+    check: Literal["peak_torque", "peak_speed", "mean_speed", "continuous_torque", "peak_current", "demagnetisation", "drive_current", "voltage", "inertia_ratio", "gear_mean_torque", "gear_life", "torsion", "natural_frequency", "bearing_axial", "bearing_radial", "bearing_tilting_moment", "bearing_life", "bearing_static", "tilt_angle", "ambient", "torque_speed_trace", "thermal", "overload_i2t", "gear_mean_input_speed", "collision_torque", "resonance_speed", "error_budget", "brake_holding", "brake_emergency", "dc_link", "regeneration", "feedback_range", "feedback_resolution", "battery", "screw_joint_load", "screw_joint_housing", "application"] | Sequence[Literal["peak_torque", "peak_speed", "mean_speed", "continuous_torque", "peak_current", "demagnetisation", "drive_current", "voltage", "inertia_ratio", "gear_mean_torque", "gear_life", "torsion", "natural_frequency", "bearing_axial", "bearing_radial", "bearing_tilting_moment", "bearing_life", "bearing_static", "tilt_angle", "ambient", "torque_speed_trace", "thermal", "overload_i2t", "gear_mean_input_speed", "collision_torque", "resonance_speed", "error_budget", "brake_holding", "brake_emergency", "dc_link", "regeneration", "feedback_range", "feedback_resolution", "battery", "screw_joint_load", "screw_joint_housing", "application"]] | None = None,
+    front: bool = False,
+    file: str | None = None,
+    folder: Path | None = None,
+    deadline: str | None = None,
+    memory: str | None = None,
+) -> answers.SweepSummary:
+    """Judge many axes: a table whose columns are keys of the project.
+
+    Args:
+        text: The project as text, or the path of its file.
+        table: Table of the rows, .csv or .parquet; headings such as "load.inertia [kg m^2]", "motion[0].time [s]", "code".
+        lang: Language of the texts: `en` or `de`.
+        axis: Only this axis of a project with several.
+        check: Every code of every row, with verdict and utilisation of this check; several times.
+        front: Of each row the codes that no other fitting one beats in mass, length and margin.
+        file: What a text is called in faults.
+        folder: Where the recordings that a text names lie; without it the current folder.
+        deadline: How long the answer may take, such as `60 s`; without it what would take long is refused.
+        memory: How much memory the recordings may take, such as `1 GiB`.
+
+    Returns:
+        The record, as `--json` has it, as typed objects; units as `antrieb.answers` states.
+
+    Raises:
+        AntriebError: Every fault of the call.
+    """
+    answer: answers.SweepSummary = ask(
+        answers.SweepSummary,
+        "sweep",
+        (text,),
+        [("axis", axis), ("table", table), ("check", check), ("front", front)],
+        lang,
+        file=file,
+        folder=folder,
+        deadline=deadline,
+        memory=memory,
+    )
+    return answer
+
+
 @overload
 def explain(
     text: Text,
@@ -1625,14 +1672,23 @@ def upkeep_ical(
 
 
 def new(
-    kind: Literal["manual", "table", "arm", "screw", "belt", "recording", "turntable", "conveyor", "slider_crank", "joint", "hoist", "winder", "scissor_lift", "four_bar"],
+    kind: Literal["manual", "table", "arm", "screw", "belt", "recording", "turntable", "conveyor", "slider_crank", "joint", "hoist", "winder", "scissor_lift", "four_bar", "sweep"],
     lang: Lang = "en",
+    *,
+    key: str | Sequence[str] | None = None,
+    by: Literal["sobol", "lhs", "grid"] = "sobol",
+    samples: int = 100,
+    seed: int = 1,
 ) -> str:
     """A commented project file to fill in.
 
     Args:
         kind: Kind of the project.
         lang: Language of the texts: `en` or `de`.
+        key: For `new sweep`: a key with its range or values, "load.inertia [kg m^2] = 0.1..10 log"; several times.
+        by: For `new sweep`: how the ranges are covered (sobol).
+        samples: For `new sweep`: rows that are drawn, or steps of each range of a grid (100). 1 to 1000000.
+        seed: For `new sweep`: seed of the samples (1).
 
     Returns:
         The text of the file.
@@ -1644,7 +1700,7 @@ def new(
         object,
         "new",
         (),
-        [("kind", kind)],
+        [("kind", kind), ("key", key), ("by", by), ("samples", samples), ("seed", seed)],
         lang,
     )
     return answer
@@ -1760,6 +1816,7 @@ catalogue = catalogue_export
 _EXAMPLES = {
     "size": "size axis.toml --top 5",
     "check": "check axis.toml --code CHA-25A-50-H-C1024",
+    "sweep": "sweep axis.toml --table tasks.parquet --out best.parquet",
     "explain": "explain axis.toml --code CHA-25A-50-H-C1024 --check continuous_torque",
     "simulate": "simulate axis.toml --code CHA-25A-50-H-C1024 --scenario emergency_stop",
     "identify": "identify run.csv axis.toml --code CHA-25A-50-H-C1024",
@@ -1829,6 +1886,7 @@ __all__ = [
     "schema",
     "simulate",
     "size",
+    "sweep",
     "torsion",
     "units",
     "upkeep",
