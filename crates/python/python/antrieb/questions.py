@@ -1886,7 +1886,6 @@ __all__ = [
     "schema",
     "simulate",
     "size",
-    "sweep",
     "torsion",
     "units",
     "upkeep",

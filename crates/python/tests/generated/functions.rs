@@ -28,6 +28,9 @@ from antrieb._call import Lang, Path, Picture, Text, ask
 
 "#;
 
+/// Questions that the package has in another form under the same name: a sweep there takes tables, not files.
+const REPLACED: [&str; 1] = ["sweep"];
+
 /// A parameter of a function.
 #[derive(Clone)]
 struct Parameter {
@@ -76,6 +79,7 @@ pub(super) fn module(schema: &Schema) -> String {
         let _ = writeln!(out, "    {}: {},", quoted(&function(entry.command)), quoted(call.trim()));
     }
     out.push_str("}\n\n__all__ = [\n");
+    all.retain(|known| !REPLACED.contains(&known.as_str()));
     all.sort();
     for known in &all {
         let _ = writeln!(out, "    \"{known}\",");
