@@ -28,7 +28,7 @@ pub(super) fn module(schema: &Schema) -> String {
     for (definition, shape) in named().filter(|(_, shape)| is_record(shape)) {
         out.push_str(&record(definition, shape, schema));
     }
-    out.push_str("\n");
+    out.push('\n');
     // Unlike the fields of a class a name is evaluated where it stands: behind the classes, and behind those it is made of.
     let mut waiting: Vec<(&str, String)> = named()
         .filter(|(_, shape)| !is_record(shape))
