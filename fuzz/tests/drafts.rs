@@ -111,7 +111,7 @@ fn the_examples_keep_the_promises() {
 fn drafts_are_simulated() {
     let code = order_code::parse("CHA-25A-100-H-C1024-B").unwrap().code;
     let (mut ran, mut refused) = (0, 0);
-    for case in 0..1200 {
+    for case in 0..1800 {
         let bytes = bytes(case);
         let text = draft::project(&mut Unstructured::new(&bytes), false).unwrap();
         if !text.contains("[twin]") {

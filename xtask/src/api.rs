@@ -7,7 +7,7 @@ use std::path::{Path, PathBuf};
 use std::process::{Child, Command, Stdio};
 
 use crate::cargo::{Workspace, must_succeed, spelled};
-use crate::python::Environment;
+use crate::environment::Environment;
 use crate::{Error, samples};
 
 /// The tool with all that it needs, each with its sums.

@@ -5,7 +5,7 @@ use std::path::Path;
 use std::process::{Command, Stdio};
 
 use crate::cargo::must_succeed;
-use crate::python::Environment;
+use crate::environment::Environment;
 use crate::{Error, samples};
 
 /// The clients, each with its sums.

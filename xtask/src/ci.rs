@@ -2,14 +2,14 @@
 //!
 //! A push waits for what finds a fault of the change: lints, tests, documents, the page with a server. One debug build of the
 //! workspace serves all of it. What needs a build of its own or looks for faults as long as it may runs at night: the optimised
-//! program, the page without a server, benches, a thousand kills of a program that saves, a day of the digital twin, fuzz campaigns, the coverage of the corpora.
+//! program, the page without a server, a cluster that loses nodes, benches, a thousand kills of a program that saves, a day of the digital twin, fuzz campaigns, the coverage of the corpora.
 
 use std::path::Path;
 use std::time::Instant;
 
 use crate::cargo::Workspace;
 use crate::{
-    Error, api, bench, book, browser, canopen, data, fuzz, german, lint, notices, readme, site, standard, test, tidy,
+    Error, api, bench, book, browser, canopen, data, fuzz, german, lint, notices, python, readme, site, standard, test, tidy,
     tools,
 };
 use forecast::{Cost, Forecast};
@@ -45,6 +45,7 @@ const PUSH: &[Step] = &[
     step("readme", Cost::on_one(60), readme::run),
     step("api", Cost::on_one(120), api::run),
     step("browser", Cost::on_one(120), browser::served),
+    step("python", Cost::on_one(120), python::push),
 ];
 
 const NIGHTLY: &[Step] = &[
@@ -52,6 +53,7 @@ const NIGHTLY: &[Step] = &[
     step("release", Cost::shared(1200), lint::release),
     step("site", Cost::shared(480), site::run),
     step("browser", Cost::on_one(300), browser::both),
+    step("python", Cost::shared(240), python::night),
     step("bench", Cost::shared(150), |root| bench::run(root, &[])),
     step("canopen", Cost::on_one(10), canopen::run),
     step("kills", Cost::on_one(180), test::kills),
@@ -122,7 +124,8 @@ fn all(steps: &[Step], root: &Path, mut forecast: Forecast, strict: bool) -> Res
                 | Error::NoBrowser { .. }
                 | Error::NoCoverageTool { .. }
                 | Error::NoSchemathesis
-                | Error::NoCanopen,
+                | Error::NoCanopen
+                | Error::NoPython,
             ) if !strict => "NOT RUN",
             Err(_) => "FAILED",
         };

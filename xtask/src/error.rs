@@ -71,6 +71,8 @@ pub enum Error {
     NoSchemathesis,
     /// The clients of the virtual drive are neither there nor to be had.
     NoCanopen,
+    /// There is no Python, or it has no way to make environments and to fill them.
+    NoPython,
     /// A tool of LLVM is not there that comes with a component of the toolchain.
     NoCoverageTool {
         /// The program.
@@ -217,6 +219,11 @@ impl fmt::Display for Error {
             Self::NoCanopen => write!(
                 f,
                 "python-canopen is not here and could not be installed; it takes Python 3.11 or later with venv and pip"
+            ),
+            Self::NoPython => write!(
+                f,
+                "Python 3.11 or later with venv and pip is not here, or an index of packages cannot be reached: \
+                 apt-get install python3-venv"
             ),
             Self::NoCoverageTool { program } => {
                 write!(f, "{program} is not here; get it with `rustup component add llvm-tools`")

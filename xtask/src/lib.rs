@@ -23,6 +23,7 @@ mod lint;
 mod markdown;
 pub mod notices;
 pub mod picture;
+mod environment;
 mod python;
 mod readme;
 pub mod samples;

@@ -10,7 +10,10 @@ use xtask::{
 const COMMANDS: [(&str, &str); 16] = [
     ("test", "every test of the workspace, documentation examples and the fuzz corpora among them"),
     ("ci", "everything CI runs for a push, in its order, or the steps named after it; stops at the first failure"),
-    ("nightly", "what CI runs once a day: optimised builds, the page without a server, benches, fuzz campaigns"),
+    (
+        "nightly",
+        "what CI runs once a day: optimised builds, the page without a server, Python on a cluster, benches, fuzz campaigns",
+    ),
     ("tools", "installs the tools that ci needs beside Rust, under target/tools"),
     ("tidy", "the house rules: layers, lengths, marks, the map of the house, data files"),
     ("data", "cross-checks of the data"),

@@ -1,6 +1,6 @@
 //! THIRD-PARTY.md: whose work is in the program, under which licence, and the texts that must go with it.
 //!
-//! Made from what cargo says of the dependencies of `antrieb` on the systems of `deny.toml` and from the files that these
+//! Made from what cargo says of the dependencies of `antrieb` and of the package for Python on the systems of `deny.toml` and from the files that these
 //! crates bring. Which licences may occur at all is held by `cargo deny`; here one is taken where several are offered.
 
 use std::collections::{BTreeMap, BTreeSet};
@@ -8,14 +8,18 @@ use std::fmt::Write as _;
 use std::fs;
 use std::path::Path;
 
-use cargo_metadata::{DependencyKind, Metadata, Package, PackageId, TargetKind};
+use cargo_metadata::{CargoOpt, DependencyKind, Metadata, Package, PackageId, TargetKind};
 use spdx::{Expression, LicenseReq, Licensee, ParseMode};
 
 use crate::Error;
 use crate::cargo::metadata;
 
 const FILE: &str = "THIRD-PARTY.md";
-const ROOT_PACKAGE: &str = "antrieb";
+/// The program, and the package for Python, which is the program and what Python loads it with.
+const ROOT_PACKAGES: [&str; 2] = ["antrieb", "python"];
+
+/// What a part of them is behind.
+const FEATURE: &str = "python/extension";
 
 const SYSTEMS: [&str; 4] =
     ["x86_64-unknown-linux-gnu", "aarch64-unknown-linux-gnu", "aarch64-apple-darwin", "x86_64-pc-windows-msvc"];
@@ -68,7 +72,9 @@ pub(crate) fn check(root: &Path) -> Result<(), Error> {
 fn text(root: &Path) -> Result<String, Error> {
     let platforms: Vec<String> =
         SYSTEMS.iter().flat_map(|system| ["--filter-platform".to_owned(), (*system).to_owned()]).collect();
-    let metadata_found = metadata(root, |command| command.other_options(platforms))?;
+    let metadata_found = metadata(root, |command| {
+        command.features(CargoOpt::SomeFeatures(vec![FEATURE.to_owned()])).other_options(platforms)
+    })?;
     let mut taken = TAKEN.iter().filter_map(|name| Licensee::parse(name).ok()).collect::<Vec<_>>();
     taken.dedup();
     let mut crates = Vec::new();
@@ -99,7 +105,7 @@ fn text(root: &Path) -> Result<String, Error> {
 const HEAD: &str = "# Third parties\n\nantrieb itself is under the [MIT licence](LICENSE). The program is built with the work of others: \
 the crates below, with the licence that is taken where they offer several, fonts and data. This file is made by \
 `cargo xtask notices` from the lock file; whoever passes a built program on passes this file on with it.\n\n\
-Without the typesetting engine (`--no-default-features`) a part of them is in the program; the list is that of the whole.\n";
+Without the typesetting engine (`--no-default-features`) a part of them is in the program; the list is that of the whole, with what the package for Python adds.\n";
 
 /// The crates whose code is in the program, by name: normal dependencies, no macros, no build scripts, nothing of tests.
 fn linked(metadata_found: &Metadata) -> Vec<&Package> {
@@ -111,7 +117,7 @@ fn linked(metadata_found: &Metadata) -> Vec<&Package> {
     let mut open: Vec<&PackageId> = metadata_found
         .packages
         .iter()
-        .filter(|package| package.name == ROOT_PACKAGE)
+        .filter(|package| ROOT_PACKAGES.contains(&package.name.as_str()))
         .map(|package| &package.id)
         .collect();
     while let Some(id) = open.pop() {

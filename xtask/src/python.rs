@@ -1,50 +1,206 @@
-//! Environments of Python under `target/tools`, each with what its requirements pin.
+//! The package for Python: the wheel installed into an empty environment, its tests, examples and types; at night the wheel that
+//! is handed out, with the engine of clusters.
 
 use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
 
 use crate::Error;
-use crate::cargo::{Workspace, must_succeed};
+use crate::cargo::{Workspace, cargo, must_succeed, spelled};
 
-/// An environment, named as the folder of its `requirements.txt` beside this crate's sources.
-pub(crate) struct Environment {
-    pub(crate) name: &'static str,
-    /// The requirements, each with its sums.
-    pub(crate) pinned: &'static str,
-    /// What it means that it cannot be installed.
-    pub(crate) missing: fn() -> Error,
+/// What is installed beside the wheel, with its sums.
+struct Beside {
+    /// The folder under `target/tools`.
+    name: &'static str,
+    /// The list in `xtask/python`.
+    list: &'static str,
+    pinned: &'static str,
 }
 
-/// An environment that is there.
-pub(crate) struct Ready(PathBuf);
+const PUSH: Beside = Beside { name: "python", list: "push.txt", pinned: include_str!("../python/push.txt") };
+const NIGHT: Beside = Beside { name: "python-night", list: "night.txt", pinned: include_str!("../python/night.txt") };
 
-impl Ready {
-    /// A program of it.
-    pub(crate) fn program(&self, name: &str) -> PathBuf {
-        let bin = self.0.join(if cfg!(windows) { "Scripts" } else { "bin" });
-        bin.join(format!("{name}{}", std::env::consts::EXE_SUFFIX))
+/// Where the package is.
+const PACKAGE: &str = "crates/python";
+
+/// The wheel out of what the tests of the workspace are built of, in an empty environment and beside libraries of tables; the types.
+///
+/// # Errors
+/// Where there is no Python, something does not build, or a test fails.
+pub(crate) fn push(root: &Path) -> Result<(), Error> {
+    let desk = Desk::clear(root, "python")?;
+    let tools = ready(root, &PUSH)?;
+    // With the features of the tests of the workspace: alone it would compile most dependencies a second time.
+    let all = ["build", "--quiet", "--workspace", "--lib", "--bins", "--tests", "--features", "python/extension"];
+    must_succeed(&mut cargo(root, &all))?;
+    let library = Workspace::ask(root)?.target.join("debug").join(library());
+    let mut pack = Command::new(tools.program("python"));
+    pack.arg(root.join("xtask").join("python").join("pack.py"));
+    let wheel =
+        printed(pack.arg(root.join(PACKAGE).join("pyproject.toml")).arg(&library).arg(desk.folder.join("wheel")))?;
+    let wheel = PathBuf::from(wheel.trim());
+
+    let empty = Environment::new(&desk.folder.join("empty"))?;
+    empty.install(&wheel)?;
+    must_succeed(desk.at(empty.program("antrieb")).arg("--version"))?;
+    must_succeed(desk.at(empty.program("python")).args(["-m", "antrieb.examples", "alone"]))?;
+
+    tools.install(&wheel)?;
+    must_succeed(desk.at(tools.program("python")).args(["-m", "antrieb.examples", "pictures"]))?;
+    let python = root.join(PACKAGE);
+    let tests = ["-m", "unittest", "discover", "--start-directory"];
+    must_succeed(desk.at(tools.program("python")).args(tests).arg(python.join("tests").join("push")))?;
+    types(root, &desk, &tools)
+}
+
+/// The checks of the types: the package by two checkers, and the stub of the native part against what is there.
+fn types(root: &Path, desk: &Desk, tools: &Environment) -> Result<(), Error> {
+    let (settings, sources) =
+        (root.join(PACKAGE).join("pyproject.toml"), root.join(PACKAGE).join("python").join("antrieb"));
+    must_succeed(desk.at(tools.program("mypy")).arg("--config-file").arg(&settings).arg(&sources))?;
+    let mut stub = desk.at(tools.program("python"));
+    must_succeed(stub.args(["-m", "mypy.stubtest", "antrieb._antrieb", "--mypy-config-file"]).arg(&settings))?;
+    // The checker pyright as a package that needs nothing from elsewhere.
+    let mut pyright = desk.at(tools.program("basedpyright"));
+    pyright.arg("--project").arg(&settings).arg("--pythonpath").arg(tools.program("python"));
+    must_succeed(pyright.arg(&sources))
+}
+
+/// The wheel that is handed out, beside the engine of clusters: a cluster that loses a worker and a node.
+///
+/// # Errors
+/// Where there is no Python, something does not build, or a test fails.
+pub(crate) fn night(root: &Path) -> Result<(), Error> {
+    let desk = Desk::clear(root, "python-night")?;
+    let (makers, tools) = (ready(root, &PUSH)?, ready(root, &NIGHT)?);
+    let folder = desk.folder.join("wheel");
+    let mut build = Command::new(makers.program("maturin"));
+    build.args(["build", "--locked", "--manifest-path"]).arg(root.join(PACKAGE).join("Cargo.toml"));
+    must_succeed(build.arg("--out").arg(&folder).current_dir(root))?;
+    let wheels = fs::read_dir(&folder).map_err(|source| Error::File { path: folder.clone(), source })?;
+    for wheel in wheels.filter_map(Result::ok) {
+        tools.install(&wheel.path())?;
+    }
+    let tests = root.join(PACKAGE).join("tests").join("night");
+    // Without a network of its own the engine looks for one outside.
+    let alone = Command::new("unshare").args(["--net", "true"]).stderr(Stdio::null()).status();
+    let mut run = if alone.is_ok_and(|status| status.success()) {
+        let mut run = desk.at(PathBuf::from("unshare"));
+        run.args(["--net", "sh", "-c", "ip link set lo up; exec \"$@\"", "sh"]).arg(tools.program("python"));
+        run
+    } else {
+        desk.at(tools.program("python"))
+    };
+    run.args(["-m", "unittest", "discover", "--verbose", "--start-directory"]).arg(tests);
+    // Its settings and the token that it writes stay in the desk.
+    must_succeed(run.env("HOME", &desk.folder).env("RAY_USAGE_STATS_ENABLED", "0"))
+}
+
+/// A folder for one run.
+struct Desk {
+    folder: PathBuf,
+}
+
+impl Desk {
+    fn clear(root: &Path, name: &str) -> Result<Self, Error> {
+        let folder = Workspace::ask(root)?.target.join("xtask").join(name);
+        if folder.exists() {
+            fs::remove_dir_all(&folder).map_err(|source| Error::File { path: folder.clone(), source })?;
+        }
+        fs::create_dir_all(&folder).map_err(|source| Error::File { path: folder.clone(), source })?;
+        Ok(Self { folder })
+    }
+
+    /// A program in this folder, so that no package is found by where it is called.
+    fn at(&self, program: PathBuf) -> Command {
+        let mut command = Command::new(program);
+        command.current_dir(&self.folder).stdin(Stdio::null()).env("PYTHONDONTWRITEBYTECODE", "1");
+        command
     }
 }
 
+/// An environment of Python.
+struct Environment {
+    folder: PathBuf,
+}
+
 impl Environment {
-    /// Installs it where it is not there yet, or holds something else.
-    pub(crate) fn ready(&self, root: &Path) -> Result<Ready, Error> {
-        let ready = Ready(Workspace::ask(root)?.target.join("tools").join(self.name));
-        let whole = ready.0.join("whole");
-        if fs::read_to_string(&whole).is_ok_and(|pinned| pinned == self.pinned) {
-            return Ok(ready);
-        }
-        eprintln!("{}: installing {} …", self.name, self.name);
-        let quiet = |command: &mut Command| must_succeed(command.stdin(Stdio::null())).map_err(|_| (self.missing)());
-        let python = |python: &str| quiet(Command::new(python).args(["-m", "venv", "--clear"]).arg(&ready.0));
-        python("python3").or_else(|_| python("python"))?;
-        let mut pip = Command::new(ready.program("python"));
+    fn new(folder: &Path) -> Result<Self, Error> {
+        let made = |python: &str| {
+            let mut command = Command::new(python);
+            command.args(["-m", "venv", "--clear"]).arg(folder).stdin(Stdio::null());
+            must_succeed(&mut command)
+        };
+        made("python3").or_else(|_| made("python")).map_err(|_| Error::NoPython)?;
+        Ok(Self { folder: folder.to_owned() })
+    }
+
+    fn program(&self, name: &str) -> PathBuf {
+        let bin = self.folder.join(if cfg!(windows) { "Scripts" } else { "bin" });
+        bin.join(format!("{name}{}", std::env::consts::EXE_SUFFIX))
+    }
+
+    fn pip(&self) -> Command {
+        let mut pip = Command::new(self.program("python"));
         pip.args(["-m", "pip", "install", "--quiet", "--disable-pip-version-check", "--no-input", "--no-deps"]);
-        pip.args(["--only-binary", ":all:", "--require-hashes", "--requirement"]);
-        quiet(pip.arg(root.join("xtask").join(self.name).join("requirements.txt")))?;
-        // An environment that is half installed is not found.
-        fs::write(&whole, self.pinned).map_err(|source| Error::File { path: whole, source })?;
-        Ok(ready)
+        pip.stdin(Stdio::null()).env("PIP_ROOT_USER_ACTION", "ignore");
+        pip
+    }
+
+    /// Installs a wheel and nothing that it could need.
+    fn install(&self, wheel: &Path) -> Result<(), Error> {
+        must_succeed(self.pip().args(["--no-index", "--force-reinstall"]).arg(wheel))
+    }
+}
+
+/// An environment with what is installed beside the wheel, made where it is not there yet.
+fn ready(root: &Path, beside: &Beside) -> Result<Environment, Error> {
+    let folder = Workspace::ask(root)?.target.join("tools").join(beside.name);
+    let whole = folder.join("whole");
+    if fs::read_to_string(&whole).is_ok_and(|pinned| pinned == beside.pinned) {
+        return Ok(Environment { folder });
+    }
+    eprintln!("python: installing what xtask/python/{} lists …", beside.list);
+    let made = Environment::new(&folder)?;
+    let mut pip = made.pip();
+    pip.args(["--only-binary", ":all:", "--require-hashes", "--requirement"]);
+    must_succeed(pip.arg(root.join("xtask").join("python").join(beside.list))).map_err(|_| Error::NoPython)?;
+    // An environment that is half installed is not found.
+    fs::write(&whole, beside.pinned).map_err(|source| Error::File { path: whole, source })?;
+    Ok(made)
+}
+
+/// The library that cargo builds.
+fn library() -> String {
+    format!("{}_antrieb{}", std::env::consts::DLL_PREFIX, std::env::consts::DLL_SUFFIX)
+}
+
+/// What a program prints.
+fn printed(command: &mut Command) -> Result<String, Error> {
+    let output = command.stdin(Stdio::null()).stderr(Stdio::inherit()).output();
+    let output = output.map_err(|source| Error::NotStarted { command: spelled(command), source })?;
+    if output.status.success() {
+        return Ok(String::from_utf8_lossy(&output.stdout).into_owned());
+    }
+    Err(Error::Failed { command: spelled(command), status: output.status.to_string() })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn everything_beside_the_wheel_is_pinned_with_its_sums() {
+        for beside in [&PUSH, &NIGHT] {
+            let text = beside.pinned.replace("\\\n", " ");
+            let entries: Vec<&str> = text.lines().filter(|line| line.contains("==")).collect();
+            assert!(
+                entries.len() > 5 && entries.iter().all(|entry| entry.contains("--hash=sha256:")),
+                "{}",
+                beside.list
+            );
+        }
+        assert!(["maturin==", "mypy==", "basedpyright=="].iter().all(|tool| PUSH.pinned.contains(tool)));
+        assert!(NIGHT.pinned.contains("ray=="));
     }
 }

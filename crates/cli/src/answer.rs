@@ -5,7 +5,6 @@ pub(crate) use questions::answer::written;
 use serde::Serialize;
 use std::borrow::Cow;
 use std::io::Write;
-use std::process::ExitCode;
 use words::file_trouble;
 
 /// The answer of a command.
@@ -85,7 +84,7 @@ impl Answer {
 
     /// Writes data and talk; colours are dropped where the stream is no terminal. A pipe that the reader closed is
     /// no fault; anything else that stdout refuses is.
-    pub(crate) fn write(self, language: Language) -> ExitCode {
+    pub(crate) fn write(self, language: Language) -> u8 {
         let _ = anstream::stderr().write_all(safe(&self.talk).as_bytes());
         let mut out = anstream::stdout();
         let mut pieces = pieces(&self.data);
@@ -94,9 +93,9 @@ impl Answer {
         match written {
             Err(error) if error.kind() != std::io::ErrorKind::BrokenPipe => {
                 let _ = writeln!(anstream::stderr(), "antrieb: stdout: {}", file_trouble(&error, language));
-                ExitCode::from(2)
+                2
             }
-            _ => ExitCode::from(self.code),
+            _ => self.code,
         }
     }
 }

@@ -1,21 +1,21 @@
 //! A call of a command as a question: its files are read, its arguments become texts for the list.
 
 use crate::answer::Answer;
-use crate::fault::{memory, path_text, read_bytes, unanswered};
+use crate::fault::{memory, unanswered};
 use crate::layout::Layout;
 use crate::save::not_to_stdout;
+use crate::source::SourceFile as File;
 use crate::waiting::{patience, time_limit};
 use clap::ArgMatches;
 use clap::parser::ValueSource;
-use disk::{Beside, Links};
-use project::{Grant, Project, Reach};
+use project::Project;
 use quantities::{Language, seen};
-use questions::list::{ArgumentKind, Asked, Entry, Form, Given, LIST, Reads, Source, Unanswered};
+use questions::list::{ArgumentKind, Asked, Entry, Form, Given, LIST, Reads, Unanswered};
 use questions::read_code;
 use std::borrow::Cow;
 use std::path::{Path, PathBuf};
 use std::time::{SystemTime, UNIX_EPOCH};
-use words::{Usage, file_trouble, terminal, usage_text};
+use words::{Usage, terminal, usage_text};
 
 /// Seconds of a day.
 const DAY_S: u64 = 86_400;
@@ -29,12 +29,16 @@ pub(crate) struct Call<'m> {
     files: Vec<File>,
 }
 
-/// A file that a question is about.
-pub(crate) struct File {
-    path: PathBuf,
-    name: String,
-    bytes: Vec<u8>,
-    beside: Beside,
+/// The days since the first of 1970 by the clock of this machine.
+#[must_use]
+pub fn days_since_1970() -> Option<u64> {
+    SystemTime::now().duration_since(UNIX_EPOCH).ok().map(|time| time.as_secs() / DAY_S)
+}
+
+/// A file that is named in a call: what is named from where the caller stands is not looked for beside the project.
+#[must_use]
+pub fn named_file(value: &str) -> String {
+    std::path::absolute(value).map_or_else(|_| value.to_owned(), |path| path.to_string_lossy().into_owned())
 }
 
 /// How the terminal shows the answer to a question.
@@ -89,32 +93,11 @@ fn read(entry: &Entry, matches: &ArgMatches, language: Language) -> Result<Vec<F
         (Reads::Project | Reads::Pins | Reads::Measured, None) => &["project"],
     };
     let memory = memory::allowed(matches, language)?;
-    let each =
-        |name: &&str| File::read(&matches.get_one::<PathBuf>(name).cloned().unwrap_or_default(), memory, language);
+    let each = |name: &&str| {
+        let path = matches.get_one::<PathBuf>(name).cloned().unwrap_or_default();
+        File::read(&path, memory, language)
+    };
     names.iter().map(each).collect()
-}
-
-impl File {
-    /// Reads a file that a call names.
-    pub(crate) fn read(path: &Path, memory: u64, language: Language) -> Result<Self, Unanswered> {
-        let piped = path.as_os_str() == "-";
-        let name = if piped { "stdin".to_owned() } else { path_text(path) };
-        let bytes = read_bytes(path).map_err(|error| Unanswered::File {
-            name: name.clone(),
-            message: file_trouble(&error, language),
-            is_too_large: false,
-        })?;
-        let path = if piped { PathBuf::new() } else { path.to_owned() };
-        // As in a shell, any path is taken that the caller may read.
-        let grant = Grant { memory, reach: Reach::Anywhere };
-        let folder = path.parent().unwrap_or(Path::new("")).to_owned();
-        Ok(Self { path, name, bytes, beside: Beside { folder, links: Links::Followed, grant } })
-    }
-
-    /// As a question reads it.
-    pub(crate) fn source(&self) -> Source<'_> {
-        Source { name: self.name.clone(), bytes: Cow::Borrowed(&self.bytes), files: &self.beside }
-    }
 }
 
 impl Call<'_> {
@@ -135,13 +118,8 @@ impl Call<'_> {
             let values = self.matches.get_raw(argument.name).into_iter().flatten();
             let values: Vec<String> = values.map(|value| value.to_string_lossy().into_owned()).collect();
             match (argument.kind, argument.form) {
-                // What the caller names from where it stands is not looked for beside the project.
                 (ArgumentKind::File, _) => {
-                    let absolute = |value: &String| {
-                        std::path::absolute(value)
-                            .map_or_else(|_| value.clone(), |path| path.to_string_lossy().into_owned())
-                    };
-                    pairs.extend(values.iter().map(|value| (argument.name.into(), absolute(value).into())));
+                    pairs.extend(values.iter().map(|value| (argument.name.into(), named_file(value).into())));
                 }
                 (ArgumentKind::Flag, _) => pairs.push((argument.name.into(), "true".into())),
                 (_, Form::Words) => pairs.push((argument.name.into(), values.join(" ").into())),
@@ -155,7 +133,7 @@ impl Call<'_> {
         Ok(Asked {
             given,
             sources: sources.collect(),
-            days_since_1970: SystemTime::now().duration_since(UNIX_EPOCH).ok().map(|time| time.as_secs() / DAY_S),
+            days_since_1970: days_since_1970(),
             patience: patience(),
             refuses_long: time_limit().is_none(),
             language: self.language,
@@ -203,18 +181,18 @@ impl Call<'_> {
     pub(crate) fn inputs<'p>(&self, projects: impl IntoIterator<Item = &'p Project>) -> Vec<PathBuf> {
         let Some(file) = self.files.first() else { return Vec::new() };
         let recordings = projects.into_iter().flat_map(|project| &project.recordings);
-        let recordings = recordings.map(|read| file.beside.folder.join(&read.file));
-        [file.path.clone()].into_iter().chain(recordings).collect()
+        let recordings = recordings.map(|read| file.beside().folder.join(&read.file));
+        [file.path().to_owned()].into_iter().chain(recordings).collect()
     }
 
     /// The files beside the project.
-    pub(crate) fn beside(&self) -> Option<Beside> {
-        self.files.first().map(|file| file.beside.clone())
+    pub(crate) fn beside(&self) -> Option<disk::Beside> {
+        self.files.first().map(|file| file.beside().clone())
     }
 
     /// Bytes of memory that the project is allowed.
     pub(crate) fn memory(&self) -> u64 {
-        self.files.first().map_or(questions::MEMORY_USUAL, |file| file.beside.grant.memory)
+        self.files.first().map_or(questions::MEMORY_USUAL, |file| file.beside().grant.memory)
     }
 
     /// A remark on each code that was not written canonically.

@@ -1,7 +1,7 @@
 //! `drive`: the virtual drive of a code.
 
 use crate::answer::Answer;
-use crate::call::File;
+use crate::source::SourceFile;
 use crate::fault::{memory, unanswered};
 use crate::waiting::patience;
 use clap::ArgMatches;
@@ -39,7 +39,7 @@ fn answer(matches: &ArgMatches, language: Language) -> Result<Answer, Unanswered
     let inertia = inertia.map_err(|fault| Unanswered::option("inertia", fault))?;
     let project = match matches.get_one::<PathBuf>("project-file") {
         Some(path) => {
-            of_file(&File::read(path, memory::allowed(matches, language)?, language)?, word("axis"), language)?
+            of_file(&SourceFile::read(path, memory::allowed(matches, language)?, language)?, word("axis"), language)?
         }
         None => bare_axis(&code, inertia, language)?,
     };
@@ -88,7 +88,7 @@ fn bound(port: Option<u16>, protocol: DriveProtocol, time: Time) -> Result<Drive
 }
 
 /// The axis of a project.
-fn of_file(file: &File, axis: Option<&str>, language: Language) -> Result<Project, Unanswered> {
+fn of_file(file: &SourceFile, axis: Option<&str>, language: Language) -> Result<Project, Unanswered> {
     let asked = Asked {
         given: Given::of(&[AXIS], [], language)?,
         sources: vec![file.source()],

@@ -8,16 +8,16 @@ use clap::ArgMatches;
 use quantities::Language;
 use questions::list::{Asked, LIST, Unanswered};
 use std::path::Path;
-use std::process::{Command, ExitCode};
+use std::process::Command;
 use words::terminal;
 
-/// Reports and forms over HTTP.
-pub(crate) const PRESS: Option<page::Press> = None;
+/// What writes reports and forms over HTTP; none in this program.
+pub const PRESS: Option<page::Press> = None;
 
 /// Lets cargo build and run the program with the engine, where this one was started by `cargo run` and the command needs it.
 ///
 /// Returns the exit code of that program, or nothing where the command is for this one.
-pub(crate) fn by_cargo(matches: &ArgMatches, language: Language) -> Option<ExitCode> {
+pub(crate) fn by_cargo(matches: &ArgMatches, language: Language) -> Option<u8> {
     let (command, found) = matches.subcommand()?;
     let entry = LIST.iter().find(|entry| entry.command() == command)?;
     let needs_engine = entry.files().any(|file| file.is_pdf() && found.contains_id(file.option));
@@ -31,7 +31,7 @@ pub(crate) fn by_cargo(matches: &ArgMatches, language: Language) -> Option<ExitC
     }
     // If cargo cannot be started, the refusal says how to get the report.
     let status = command.arg("--").args(std::env::args_os().skip(1)).status().ok()?;
-    Some(ExitCode::from(status.code().and_then(|code| u8::try_from(code).ok()).unwrap_or(2)))
+    Some(status.code().and_then(|code| u8::try_from(code).ok()).unwrap_or(2))
 }
 
 /// `antrieb report PROJECT --out FILE`

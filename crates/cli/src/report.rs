@@ -103,8 +103,8 @@ pub(crate) fn write(call: &Call<'_>, asked: &Asked<'_>, out: &Path, as_json: boo
     Ok(Answer::data(data).fits(fits))
 }
 
-/// Reports and forms over HTTP.
-pub(crate) const PRESS: Option<Press> = Some(Press {
+/// What writes reports and forms over HTTP.
+pub const PRESS: Option<Press> = Some(Press {
     report: served,
     checklist: |sheet, language| report::checklist_pdf(sheet, language).map_err(|fault| fault.message(language)),
 });

@@ -96,8 +96,12 @@ pub(crate) fn respond(call: &Call<'_>, shell: &dyn Shell, patience: &Patience) -
     answered.unwrap_or_else(|unanswered| refused(&unanswered, shell, language))
 }
 
+/// The answer to a question: its record, or what is drawn, typeset or written as tables for it.
+///
+/// # Errors
+/// Why there is none.
 #[cfg(feature = "interface")]
-fn reply(entry: &Entry, asked: &Asked<'_>, shell: &dyn Shell) -> Result<Reply, Unanswered> {
+pub fn reply(entry: &Entry, asked: &Asked<'_>, shell: &dyn Shell) -> Result<Reply, Unanswered> {
     let Some(answer) = entry.answer else { return made::reply(entry.command, asked, shell) };
     let answer = answer(asked)?;
     let reply = Reply::of(200, answer.media, answer.text);

@@ -41,6 +41,8 @@ mod verdict;
 mod versions;
 mod waiting;
 
+#[cfg(feature = "interface")]
+pub use api::reply;
 pub use api::{methods, misdirected, wrong_method};
 pub use assets::ASSETS;
 pub use call::{

@@ -14,10 +14,10 @@ macro_rules! files {
     ($folder:literal: $($name:literal)*) => { [$(($name, include_str!(concat!("../../../docs/theory/", $folder, $name)))),*] };
 }
 
-const CHAPTERS: [(&str, &str); 23] = files![
+const CHAPTERS: [(&str, &str); 24] = files![
     "": "battery.md" "brake.md" "continuous-torque.md" "current.md" "demand.md" "energy.md" "error-budget.md" "feedback.md"
     "flange-loads.md" "gear.md" "mechanisms.md" "moments.md" "motion-laws.md" "output-bearing.md" "overload.md"
-    "recorded-motion.md" "screw-joint.md" "short-time-torque.md" "stage.md" "thermal.md" "tolerances.md" "twin.md" "voltage.md"
+    "recorded-motion.md" "screw-joint.md" "short-time-torque.md" "stage.md" "sweep.md" "thermal.md" "tolerances.md" "twin.md" "voltage.md"
 ];
 const PICTURES: [(&str, &str); 2] = files!["pictures/": "continuous-20A.svg" "heat-shares.svg"];
 

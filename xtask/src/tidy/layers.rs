@@ -20,7 +20,7 @@ pub(super) enum Room {
 }
 
 /// Every crate of the workspace by package name. A new crate is entered here first.
-const ROOMS: [(&str, Room); 40] = [
+const ROOMS: [(&str, Room); 41] = [
     ("numeric", Room::Layer(0)),
     ("quantities", Room::Layer(0)),
     ("provenance", Room::Layer(0)),
@@ -55,6 +55,7 @@ const ROOMS: [(&str, Room); 40] = [
     ("site", Room::Layer(9)),
     ("antrieb", Room::Layer(10)),
     ("antrieb-quick", Room::Layer(10)),
+    ("python", Room::Layer(11)),
     ("testkit", Room::DevOnly),
     ("xtask", Room::Outside),
     ("benches", Room::Outside),

@@ -18,7 +18,14 @@ const UNITS: [(&str, u64); 6] =
 
 /// The memory that `--memory` allows, else the variable, else the usual one.
 pub(crate) fn allowed(matches: &ArgMatches, language: Language) -> Result<u64, Unanswered> {
-    let said = matches.try_get_one::<String>("memory").ok().flatten().cloned();
+    allowed_by(matches.try_get_one::<String>("memory").ok().flatten().cloned(), language)
+}
+
+/// The memory that a call states, else the variable `ANTRIEB_MEMORY`, else the usual one, in bytes.
+///
+/// # Errors
+/// What is no size, or one out of bounds.
+pub fn allowed_by(said: Option<String>, language: Language) -> Result<u64, Unanswered> {
     let Some(written) = said.or_else(|| std::env::var(VARIABLE).ok()) else { return Ok(MEMORY_USUAL) };
     bytes(&written).ok_or_else(|| {
         let hint = usage_hint(&UsageHint::Memory, language);

@@ -1,0 +1,117 @@
+//! The command line of antrieb: stdout is data, stderr is talk.
+//!
+//! Exit code 0: fits, or answered; 1: does not fit; 2: the question could not be answered. A library, so that a program other
+//! than `antrieb` itself can be it: the package for Python carries it too.
+#![allow(clippy::print_stdout, clippy::print_stderr, reason = "this face speaks to the terminal")]
+
+mod answer;
+mod call;
+mod chapter;
+mod code;
+mod command;
+mod commission;
+mod compare;
+mod data;
+mod diff;
+mod drive;
+mod encoder;
+mod errata;
+mod explain;
+mod export;
+mod fault;
+mod glossary;
+mod inertia;
+mod judge;
+mod laid_out;
+mod layout;
+mod licences;
+mod mount;
+mod moves;
+mod plot;
+#[cfg(test)]
+mod reference;
+#[cfg_attr(not(feature = "report"), path = "no_report.rs")]
+mod report;
+mod reserve;
+mod save;
+mod serve;
+mod simulate;
+mod source;
+mod sweep;
+mod table;
+mod tolerance;
+mod upkeep;
+mod waiting;
+mod wiring;
+
+use answer::Answer;
+pub use call::{days_since_1970, named_file};
+use clap::ArgMatches;
+pub use fault::memory::allowed_by as memory_allowed;
+use quantities::{Language, Measure, Time};
+use questions::list::Unanswered;
+pub use report::PRESS;
+pub use source::SourceFile;
+use std::ffi::OsString;
+use std::time::Duration;
+
+/// Answers a call of the command line, the name of the program first; gives the exit code.
+#[must_use]
+pub fn run(call: Vec<OsString>) -> u8 {
+    let language = command::language_of(call.iter().cloned());
+    let arguments = command::with_help_asked(call.into_iter());
+    let as_json = command::json_of(&arguments);
+    let matches = match command::build(language).try_get_matches_from(arguments) {
+        Ok(matches) => matches,
+        Err(error) if error.use_stderr() => return command::usage::refused(&error, as_json, language).write(language),
+        Err(help) => {
+            // A closed pipe is the reader's business.
+            let _ = help.print();
+            return 0;
+        }
+    };
+    let json = matches.get_flag("json");
+    let most = match deadline(&matches, language) {
+        Ok(most) => most,
+        Err(why) => return fault::unanswered(&why, json, language).write(language),
+    };
+    #[cfg(not(feature = "report"))]
+    if let Some(outcome) = report::by_cargo(&matches, language) {
+        return outcome;
+    }
+    // A server waits for requests; its work has no progress.
+    let waiting = (!matches!(matches.subcommand_name(), Some("serve" | "drive")))
+        .then(|| waiting::Waiting::begin(language, most));
+    let answer = dispatch(&matches, language);
+    drop(waiting);
+    answer.write(language)
+}
+
+/// How long the answer may take, where a command has the option.
+fn deadline(matches: &ArgMatches, language: Language) -> Result<Option<Duration>, Unanswered> {
+    let Some((_, found)) = matches.subcommand() else { return Ok(None) };
+    let text = found.try_get_one::<String>("deadline").ok().flatten();
+    text.map(|text| deadline_of(text, language)).transpose()
+}
+
+/// A deadline as it is written, `10 s`.
+///
+/// # Errors
+/// What is no time.
+pub fn deadline_of(text: &str, language: Language) -> Result<Duration, Unanswered> {
+    let time = questions::read_quantity::<Time>(text, language);
+    let time = time.map_err(|fault| Unanswered::option("deadline", fault))?;
+    // A day is as good as for ever.
+    Ok(Duration::from_secs_f64(time.si().clamp(0.0, 86_400.0)))
+}
+
+fn dispatch(matches: &ArgMatches, language: Language) -> Answer {
+    let json = matches.get_flag("json");
+    match matches.subcommand() {
+        Some(("serve", found)) => serve::serve(found, json, language),
+        Some(("drive", found)) => drive::drive(found, json, language),
+        Some(("completions", found)) => command::completions(found, language),
+        Some(("man", found)) => command::man(found, json, language),
+        _ => call::answer(matches, json, language).unwrap_or_else(Answer::none),
+    }
+}

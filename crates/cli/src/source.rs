@@ -1,0 +1,65 @@
+//! A file that a question is about, with the files that it may name.
+
+use crate::fault::{path_text, read_bytes};
+use disk::{Beside, Links};
+use project::{Grant, Reach};
+use quantities::Language;
+use questions::list::{Source, Unanswered};
+use std::borrow::Cow;
+use std::path::{Path, PathBuf};
+use words::file_trouble;
+
+/// A file that a question is about: a project, a list or a record.
+#[derive(Clone, Debug)]
+pub struct SourceFile {
+    path: PathBuf,
+    name: String,
+    bytes: Vec<u8>,
+    beside: Beside,
+}
+
+impl SourceFile {
+    /// The file at a path, `-` for standard input; its recordings may take so many bytes of memory.
+    ///
+    /// # Errors
+    /// What the system says.
+    pub fn read(path: &Path, memory: u64, language: Language) -> Result<Self, Unanswered> {
+        let piped = path.as_os_str() == "-";
+        let name = if piped { "stdin".to_owned() } else { path_text(path) };
+        let bytes = read_bytes(path).map_err(|error| Unanswered::File {
+            name: name.clone(),
+            message: file_trouble(&error, language),
+            is_too_large: false,
+        })?;
+        let path = if piped { Path::new("") } else { path };
+        let folder = path.parent().unwrap_or(Path::new(""));
+        Ok(Self { path: path.to_owned(), ..Self::of_text(name, bytes, folder, memory) })
+    }
+
+    /// A text with a name for its faults, as if it lay in a folder.
+    #[must_use]
+    pub fn of_text(name: String, bytes: Vec<u8>, folder: &Path, memory: u64) -> Self {
+        // As in a shell, any path is taken that the caller may read.
+        let grant = Grant { memory, reach: Reach::Anywhere };
+        let beside = Beside { folder: folder.to_owned(), links: Links::Followed, grant };
+        Self { path: PathBuf::new(), name, bytes, beside }
+    }
+
+    /// Where it lies; empty for a text.
+    #[must_use]
+    pub fn path(&self) -> &Path {
+        &self.path
+    }
+
+    /// The files that it may name.
+    #[must_use]
+    pub const fn beside(&self) -> &Beside {
+        &self.beside
+    }
+
+    /// It as a question takes it.
+    #[must_use]
+    pub fn source(&self) -> Source<'_> {
+        Source { name: self.name.clone(), bytes: Cow::Borrowed(&self.bytes), files: &self.beside }
+    }
+}

@@ -1,0 +1,151 @@
+"""Calls of the native part: values become texts for the questions, answers become objects, faults an exception."""
+
+from __future__ import annotations
+
+import json
+import os
+from collections.abc import Iterable, Sequence
+from datetime import date
+from typing import Any, Literal
+
+from antrieb import _antrieb, answers
+from antrieb._decode import decoder
+
+Lang = Literal["en", "de"]
+"""The language of texts."""
+
+Path = str | os.PathLike[str]
+"""The path of a file or a folder."""
+
+Text = str | os.PathLike[str]
+"""A text, or the path of its file: a `str` of one line is a path."""
+
+Fault = answers.Fault | answers.CodeFault
+"""A fault of a call or of an ordering code."""
+
+JSON = "application/json"
+SVG = "image/svg+xml"
+TEXTS = ("text/", "application/toml")
+
+
+class AntriebError(ValueError):
+    """Why a question has no answer: every fault of the call, with place, expectation and the nearest valid choice."""
+
+    faults: tuple[Fault, ...]
+    """Every fault, in the order of the text."""
+
+    nearest: tuple[answers.ListedCode, ...]
+    """Of a wrong ordering code: the nearest codes that can be ordered."""
+
+    def __init__(self, record: dict[str, Any]) -> None:
+        of = answers.CodeFaults if "nearest" in record else answers.Faults
+        found: answers.CodeFaults | answers.Faults = decoder(of)(record)
+        self.faults = tuple(found.errors)
+        self.nearest = tuple(found.nearest_codes) if isinstance(found, answers.CodeFaults) else ()
+        self.record = record
+        lines = [_line(fault) for fault in self.faults]
+        lines.extend(f"  {code.code}" for code in self.nearest)
+        super().__init__("\n".join(lines))
+
+    def __reduce__(self) -> tuple[type[AntriebError], tuple[dict[str, Any]]]:
+        # What travels between processes is the record.
+        return type(self), (self.record,)
+
+
+def _line(fault: Fault) -> str:
+    """A fault as compilers write it: `axis.toml:3:11: message (hint)`."""
+    place: list[str] = []
+    if isinstance(fault, answers.Fault):
+        place.extend(str(each) for each in (fault.file, fault.line, fault.column) if each is not None)
+        place.extend(each for each in (fault.option, fault.heading) if each is not None)
+        if fault.row is not None:
+            place.append(f"row {fault.row}")
+    else:
+        place.append(str(fault.position))
+    hint = f" ({fault.hint})" if fault.hint else ""
+    return ":".join(place) + (": " if place else "") + fault.message + hint
+
+
+class Picture:
+    """A picture as SVG; a notebook shows it."""
+
+    __slots__ = ("svg",)
+
+    svg: str
+    """The picture."""
+
+    def __init__(self, svg: str) -> None:
+        self.svg = svg
+
+    def _repr_svg_(self) -> str:
+        return self.svg
+
+    def __str__(self) -> str:
+        return self.svg
+
+    def __repr__(self) -> str:
+        return f"<Picture of {len(self.svg)} bytes>"
+
+    def save(self, path: Path) -> None:
+        """Write it to a file."""
+        with open(path, "w", encoding="utf-8") as file:
+            file.write(self.svg)
+
+
+def handed(text: Text, name: str | None, folder: Path | None) -> tuple[str | None, str, str]:
+    """A text with its name and folder; of a path no text."""
+    if isinstance(text, str) and ("\n" in text or not text):
+        return text, name or "text", os.fspath(folder) if folder is not None else ""
+    return None, os.fspath(text), ""
+
+
+def _written(value: Any) -> str:
+    if isinstance(value, bool):
+        return "true" if value else "false"
+    if isinstance(value, date):
+        return value.isoformat()
+    if isinstance(value, (str, int)):
+        return str(value)
+    if hasattr(value, "__fspath__"):
+        return os.fsdecode(value)
+    raise TypeError(f"a text is expected, not {type(value).__name__}; quantities are written with their unit")
+
+
+def _each(value: Any) -> Sequence[Any]:
+    is_one = isinstance(value, str) or not isinstance(value, Sequence)
+    return [value] if is_one else value  # pyright: ignore[reportUnknownVariableType]
+
+
+def pairs_of(values: Iterable[tuple[str, Any]]) -> list[tuple[str, str]]:
+    """Names and texts of arguments, those that are given."""
+    found: list[tuple[str, str]] = []
+    for name, value in values:
+        if value is None or value is False:
+            continue
+        found.extend((name, _written(each)) for each in _each(value))
+    return found
+
+
+def ask(
+    of: Any,
+    command: str,
+    texts: tuple[Text, ...],
+    pairs: Iterable[tuple[str, Any]],
+    lang: Lang,
+    *,
+    file: str | None = None,
+    folder: Path | None = None,
+    deadline: str | None = None,
+    memory: str | None = None,
+) -> Any:
+    """The answer to a question of the list; a record as the type `of`."""
+    names = (file,) if len(texts) == 1 else ("old", "new")
+    sources = [handed(text, name, folder) for text, name in zip(texts, names, strict=False)]
+    media, body = _antrieb.ask(command, sources, pairs_of(pairs), lang, deadline, memory)
+    if media == JSON:
+        return decoder(of)(json.loads(body))
+    if media == SVG:
+        return Picture(body.decode())
+    if media.startswith(TEXTS):
+        return body.decode()
+    return body

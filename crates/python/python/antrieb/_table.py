@@ -1,0 +1,116 @@
+"""Sweeps: many axes at once, an Arrow table in and an Arrow table out."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from antrieb import _antrieb, answers
+from antrieb._antrieb import Table
+from antrieb._arrow import ArrowArray, ArrowSchema, ArrowStream
+from antrieb._call import Lang, Path, Text, handed, pairs_of
+
+__all__ = ["ArrowArray", "ArrowSchema", "ArrowStream", "Sweep", "Table", "sweep"]
+
+
+class Sweep:
+    """A sweep over tables of the same columns: project and headings are read once, tables are judged one after the other.
+
+    Args:
+        text: The project as text, or the path of its file.
+        schema: The columns: a schema, or a table that has them. A heading is a key of the project with its unit,
+            `load.inertia [kg m^2]`, `motion[0].time [s]`; `code` judges each row for one ordering code.
+        lang: Language of the texts: `en` or `de`.
+        axis: Only this axis of a project with several.
+        check: Checks whose verdicts are wanted: every actuator is answered, not only the best.
+        front: The actuators that no other beats in mass, length and reserve.
+        file: What a text is called in faults.
+        folder: Where the recordings that a text names lie; without it the current folder.
+        memory: How much memory the recordings may take, such as `1 GiB`.
+
+    Raises:
+        AntriebError: Every fault of the project, or every fault of the headings.
+    """
+
+    __slots__ = ("_sweep",)
+
+    def __init__(
+        self,
+        text: Text,
+        schema: ArrowStream | ArrowArray | ArrowSchema,
+        lang: Lang = "en",
+        *,
+        axis: str | None = None,
+        check: Sequence[answers.CheckId] = (),
+        front: bool = False,
+        file: str | None = None,
+        folder: Path | None = None,
+        memory: str | None = None,
+    ) -> None:
+        options = _options(axis, check, front)
+        self._sweep = _antrieb.Sweep(handed(text, file, folder), schema, options, lang, memory)
+
+    @property
+    def keys(self) -> list[str]:
+        """The keys of the columns, entries of lists counted from one."""
+        return self._sweep.keys
+
+    @property
+    def answers(self) -> Table:
+        """The columns of the answers, as an empty table."""
+        return self._sweep.answers
+
+    def table(self, table: ArrowStream | ArrowArray, *, deadline: str | None = None) -> Table:
+        """The answers of all rows; `AntriebError` with every fault of the cells before any row is judged."""
+        return self._sweep.table(table, deadline)
+
+    def batch(self, batch: ArrowStream | ArrowArray, first_row: int = 0) -> Table:
+        """The answers of a part of a table whose first row has this number; a fault of a cell is in the column `error`."""
+        return self._sweep.batch(batch, first_row)
+
+
+def _options(axis: str | None, check: Sequence[answers.CheckId], front: bool) -> list[tuple[str, str]]:
+    return pairs_of([("axis", axis), ("check", list(check)), ("front", front)])
+
+
+def sweep(
+    text: Text,
+    table: ArrowStream | ArrowArray,
+    lang: Lang = "en",
+    *,
+    axis: str | None = None,
+    check: Sequence[answers.CheckId] = (),
+    front: bool = False,
+    file: str | None = None,
+    folder: Path | None = None,
+    deadline: str | None = None,
+    memory: str | None = None,
+) -> Table:
+    """Judge many axes: a project, and a table whose columns are keys of it.
+
+    Each row is the project with the values of the row. Verdicts and digits are those of `size`.
+
+    Args:
+        text: The project as text, or the path of its file.
+        table: Any Arrow table (pyarrow, polars, pandas, DuckDB, `antrieb.Table`). A heading is a key of the project with its
+            unit, `load.inertia [kg m^2]`, `motion[0].time [s]`, `requirements.ambient [degC]`; words of the project such as
+            `motion[0].law` have none; `code` judges each row for one ordering code.
+        lang: Language of the texts: `en` or `de`.
+        axis: Only this axis of a project with several.
+        check: Checks whose verdicts are wanted: every actuator is answered, not only the best.
+        front: The actuators that no other beats in mass, length and reserve.
+        file: What a text is called in faults.
+        folder: Where the recordings that a text names lie; without it the current folder.
+        deadline: How long the answer may take, such as `60 s`.
+        memory: How much memory the recordings may take, such as `1 GiB`.
+
+    Returns:
+        An Arrow table, a row for each row: `row` (from 0), `fit` (how many actuators fit), `code` (the best of
+        them), `utilisation` (of its tightest check, 1 is the limit), `tightest` (that check), `error` (why the row could not
+        be judged). With `check` and `front` a row for each actuator.
+
+    Raises:
+        AntriebError: Every fault of the project, of the headings, or of the cells, each with heading and row.
+    """
+    return _antrieb.Sweep.whole(
+        handed(text, file, folder), table, _options(axis, check, front), lang, memory, deadline
+    )

@@ -1,0 +1,218 @@
+"""Four examples: `python -m antrieb.examples [FOLDER]` runs them and writes their pictures into the folder.
+
+1. One axis: what fits, the checks of one actuator, the torque-speed plane.
+2. A sweep over payload and cycle time as a heat map: drawn by matplotlib where it is installed, else as SVG by own means.
+3. The six joints of a small robot in one project.
+4. DuckDB over the result of the sweep, where it is installed.
+
+Nothing but antrieb is needed. The figures of machine and robot are assumed.
+"""
+
+from __future__ import annotations
+
+import importlib
+import importlib.util
+import math
+import pathlib
+import sys
+from typing import Any
+
+import antrieb
+
+ARM = """format = 1
+[axis]
+name = "loading arm"
+[mechanism.arm]
+inertia = "0.55 kg m^2"
+mass = "6 kg"
+centre_distance = "220 mm"
+payload_distance = "450 mm"
+axis_tilt = "90 deg"
+start_angle = "-20 deg"
+friction_torque = "1.5 N m"
+[[motion]]
+law = "modified_sine"
+distance = "100 deg"
+time = "1.2 s"
+payload = "2.5 kg"
+[[motion]]
+law = "modified_sine"
+distance = "-100 deg"
+time = "1.2 s"
+[[motion]]
+law = "dwell"
+time = "0.5 s"
+hold = "motor"
+[bearing]
+overhang = "60 mm"
+[requirements]
+supply = "560 V"
+ambient = "30 degC"
+"""
+
+
+def library(name: str) -> Any:
+    """What may be installed beside antrieb."""
+    return importlib.import_module(name)
+
+
+def one_axis(folder: pathlib.Path) -> None:
+    """Size an axis, look at the checks of the best, draw its torque-speed plane."""
+    (sizing,) = antrieb.size(ARM, top=3).axes
+    print(f"{sizing.axis}: {sizing.answer or 'nothing'} fits; {sizing.fitting} of {sizing.judged} actuators do")
+    for each in sizing.ranking:
+        share = "" if each.utilisation is None else f"{100 * each.utilisation:5.1f} %"
+        print(f"  {each.code:24} {share} {each.tightest}")
+    (judged,) = antrieb.check(ARM, sizing.answer).axes
+    for check in judged.checks:
+        if check.verdict in ("fail", "advice") or check.id == judged.tightest:
+            print(f"  {check.title}: {check.value} of {check.limit} {check.unit} ({check.verdict}; {check.source})")
+    antrieb.plot(ARM, "torque_speed", sizing.answer).save(folder / "torque-speed.svg")
+
+
+def payload_and_time(payloads: list[float], times: list[float]) -> antrieb.Table:
+    """Every payload with every time of a move: one row each."""
+    pairs = [(payload, time) for payload in payloads for time in times]
+    return antrieb.Table.from_pydict(
+        {
+            "motion[0].payload [kg]": [payload for payload, _ in pairs],
+            "motion[0].time [s]": [time for _, time in pairs],
+            "motion[1].time [s]": [time for _, time in pairs],
+        }
+    )
+
+
+def heat_map(folder: pathlib.Path) -> antrieb.Table:
+    """How many actuators fit over payload and time of a move."""
+    payloads = [0.25 * step for step in range(25)]
+    times = [0.4 + 0.05 * step for step in range(25)]
+    table = payload_and_time(payloads, times)
+    best = antrieb.sweep(ARM, table)
+    columns = best.to_pydict()
+    fit: list[int] = columns["fit"]
+    codes = {code for code in columns["code"] if code}
+    print(f"{len(best)} axes judged: the best is one of {len(codes)} codes; nothing fits {fit.count(0)} of them")
+    rows = [fit[len(times) * index : len(times) * (index + 1)] for index in range(len(payloads))]
+    path = folder / "heat-map.svg"
+    if importlib.util.find_spec("matplotlib"):
+        drawn_by_matplotlib(path, payloads, times, rows)
+    else:
+        path.write_text(drawn(payloads, times, rows), encoding="utf-8")
+    return best
+
+
+def drawn_by_matplotlib(path: pathlib.Path, payloads: list[float], times: list[float], rows: list[list[int]]) -> None:
+    """The heat map by matplotlib."""
+    library("matplotlib").use("svg")
+    pyplot = library("matplotlib.pyplot")
+    figure, axes = pyplot.subplots(layout="constrained")
+    mesh = axes.pcolormesh(times, payloads, rows, shading="nearest")
+    axes.set_xlabel("time of a move in s")
+    axes.set_ylabel("payload in kg")
+    figure.colorbar(mesh, label="actuators that fit")
+    figure.savefig(path)
+    pyplot.close(figure)
+
+
+def drawn(payloads: list[float], times: list[float], rows: list[list[int]]) -> str:
+    """The heat map by own means: a rectangle for each axis, with its figures as a tip."""
+    side, left, low = 14, 60, 40
+    width, height = left + side * len(times) + 20, low + side * len(payloads) + 20
+    most = max(1, *(max(row) for row in rows))
+    parts = [f'<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 {width} {height}" font-family="sans-serif" font-size="11">']
+    for index, (payload, row) in enumerate(zip(payloads, rows, strict=True)):
+        y = height - low - side * (index + 1)
+        for place, (time, fit) in enumerate(zip(times, row, strict=True)):
+            light = 95 - 60 * math.sqrt(fit / most)
+            parts.append(
+                f'<rect x="{left + side * place}" y="{y}" width="{side}" height="{side}" fill="hsl(215 60% {light:.0f}%)">'
+                f"<title>{payload:g} kg, {time:.2f} s: {fit}</title></rect>"
+            )
+    base = height - low
+    parts.append(f'<text x="{left}" y="{base + 15}">{times[0]:.2f}</text>')
+    parts.append(f'<text x="{left + side * len(times)}" y="{base + 15}" text-anchor="end">{times[-1]:.2f}</text>')
+    parts.append(f'<text x="{left}" y="{base + 32}">time of a move in s; darker: more actuators fit, at most {most}</text>')
+    parts.append(f'<text x="{left - 5}" y="{base}" text-anchor="end">{payloads[0]:g} kg</text>')
+    parts.append(f'<text x="{left - 5}" y="{base - side * len(payloads) + 11}" text-anchor="end">{payloads[-1]:g} kg</text>')
+    return "".join(parts) + "</svg>\n"
+
+
+PAYLOAD_KG = 3.0
+GRAVITY_M_S2 = 9.81
+# Joint: mass of all behind it in kg, distance of its centre from the axis in m, reach of the tool from the axis in m, angle
+# of a move in deg, its time in s, whether gravity acts about it.
+JOINTS: list[tuple[str, float, float, float, float, float, bool]] = [
+    ("J1 base", 26.0, 0.22, 0.75, 120, 0.9, False),
+    ("J2 shoulder", 19.0, 0.24, 0.70, 70, 0.8, True),
+    ("J3 elbow", 9.0, 0.14, 0.42, 90, 0.7, True),
+    ("J4 roll", 5.0, 0.03, 0.10, 180, 0.7, False),
+    ("J5 wrist", 2.6, 0.06, 0.16, 100, 0.6, True),
+    ("J6 flange", 0.8, 0.02, 0.05, 180, 0.6, False),
+]
+
+
+def joint(name: str, mass: float, centre: float, reach: float, angle: float, time: float, weighs: bool) -> str:
+    """One joint as an axis: there, back, and a pause; the payload at the reach of the tool."""
+    own = mass * centre**2 * 1.3
+    if weighs:
+        mechanism = (
+            f'[axis.mechanism.arm]\ninertia = "{own:.4f} kg m^2"\nmass = "{mass} kg"\n'
+            f'centre_distance = "{centre} m"\npayload_distance = "{reach} m"\naxis_tilt = "90 deg"\nstart_angle = "0 deg"\n'
+        )
+        carried, held = f'payload = "{PAYLOAD_KG} kg"\n', '[axis.bearing]\noverhang = "50 mm"\n'
+    else:
+        mechanism = f'[axis.load]\ninertia = "{own + PAYLOAD_KG * reach**2:.4f} kg m^2"\nfriction_torque = "1 N m"\n'
+        carried, held = "", ""
+    move = '[[axis.motion]]\nlaw = "modified_sine"\ndistance = "{} deg"\ntime = "{} s"\n'
+    return (
+        f'[[axis]]\nname = "{name}"\n{mechanism}{move.format(angle, time)}{carried}{move.format(-angle, time)}{carried}'
+        f'[[axis.motion]]\nlaw = "dwell"\ntime = "0.6 s"\nhold = "motor"\n{held}'
+        f'[axis.requirements]\nsupply = "560 V"\nambient = "30 degC"\nbrake = true\n'
+    )
+
+
+def robot() -> None:
+    """Size the six joints of a robot at once."""
+    sizing = antrieb.size("format = 1\n" + "".join(joint(*each) for each in JOINTS), file="robot.toml", top=1)
+    mass = 0.0
+    for each in sizing.axes:
+        best = each.ranking[0] if each.ranking else None
+        mass += best.mass_kg if best and best.mass_kg else 0.0
+        share = f"{100 * best.utilisation:5.1f} %" if best and best.utilisation is not None else ""
+        print(f"  {each.axis:12} {each.answer or 'nothing fits':24} {share} {best.tightest if best else ''}")
+    print(f"  six actuators weigh {mass:.1f} kg")
+
+
+def by_duckdb(best: antrieb.Table) -> None:
+    """Which code serves how many of the axes: SQL over the Arrow table as it is."""
+    if not importlib.util.find_spec("duckdb"):
+        print("duckdb is not installed")
+        return
+    database = library("duckdb").connect()
+    database.register("best", best)
+    found = database.sql(
+        "select code, count(*) as axes, max(utilisation) as most from best "
+        "where code is not null group by code order by axes desc limit 5"
+    )
+    for code, axes, most in found.fetchall():
+        print(f"  {code:24} {axes:4} axes, {100 * most:5.1f} % at most")
+
+
+def main() -> int:
+    """Run all of them."""
+    folder = pathlib.Path(sys.argv[1] if len(sys.argv) > 1 else "antrieb-examples")
+    folder.mkdir(parents=True, exist_ok=True)
+    print("1. one axis")
+    one_axis(folder)
+    print("2. payload and cycle time")
+    best = heat_map(folder)
+    print("3. six joints of a robot")
+    robot()
+    print("4. DuckDB over the result")
+    by_duckdb(best)
+    print(f"pictures: {folder}")
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,1895 @@
+"""The questions of antrieb as functions: each answers as the command of its name does.
+
+This file is written from the list of questions by `cargo xtask snapshots`; do not edit it. A quantity is a text with its unit,
+`"40 1/min"`. A question about a project takes its text, or the path of its file; a text of one line is a path. Recordings that
+it names are opened beside the file, those of a text in `folder`. `file` names a text in faults. A call that would take long is
+refused at once unless `deadline` states how long it may take (`"60 s"`); recordings take `memory` at most (`"1 GiB"`). Every
+fault of a call is in one `AntriebError`.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from datetime import date as Day
+from typing import Literal, overload
+
+from antrieb import answers
+from antrieb._call import Lang, Path, Picture, Text, ask
+
+
+
+@overload
+def size(
+    text: Text,
+    lang: Lang = "en",
+    *,
+    axis: str,
+    top: int = 10,
+    all: bool = False,
+    samples: int | None = None,
+    seed: int | None = None,
+    file: str | None = None,
+    folder: Path | None = None,
+    deadline: str | None = None,
+    memory: str | None = None,
+) -> answers.Sizing: ...
+
+
+@overload
+def size(
+    text: Text,
+    lang: Lang = "en",
+    *,
+    axis: None = None,
+    top: int = 10,
+    all: bool = False,
+    samples: int | None = None,
+    seed: int | None = None,
+    file: str | None = None,
+    folder: Path | None = None,
+    deadline: str | None = None,
+    memory: str | None = None,
+) -> answers.Sizing | answers.AxesOfSizing: ...
+
+
+def size(
+    text: Text,
+    lang: Lang = "en",
+    *,
+    axis: str | None = None,
+    top: int = 10,
+    all: bool = False,
+    samples: int | None = None,
+    seed: int | None = None,
+    file: str | None = None,
+    folder: Path | None = None,
+    deadline: str | None = None,
+    memory: str | None = None,
+) -> answers.Sizing | answers.AxesOfSizing:
+    """Rank the whole catalogue for an axis.
+
+    Args:
+        text: The project as text, or the path of its file.
+        lang: Language of the texts: `en` or `de`.
+        axis: Only this axis of a project with several.
+        top: How many fitting actuators to show (10). 1 to 65535.
+        all: Show every actuator, the rejected ones with their reason.
+        samples: Samples within the tolerances of the project (10000, or fewer where each costs more). 1 to 1000000.
+        seed: Seed of the samples; the same seed draws the same (1).
+        file: What a text is called in faults.
+        folder: Where the recordings that a text names lie; without it the current folder.
+        deadline: How long the answer may take, such as `60 s`; without it what would take long is refused.
+        memory: How much memory the recordings may take, such as `1 GiB`.
+
+    Returns:
+        The record, as `--json` has it, as typed objects; units as `antrieb.answers` states.
+
+    Raises:
+        AntriebError: Every fault of the call.
+    """
+    answer: answers.Sizing | answers.AxesOfSizing = ask(
+        answers.Sizing | answers.AxesOfSizing,
+        "size",
+        (text,),
+        [("axis", axis), ("top", top), ("all", all), ("samples", samples), ("seed", seed)],
+        lang,
+        file=file,
+        folder=folder,
+        deadline=deadline,
+        memory=memory,
+    )
+    return answer
+
+
+@overload
+def check(
+    text: Text,
+    code: str | None = None,
+    lang: Lang = "en",
+    *,
+    axis: str,
+    samples: int | None = None,
+    seed: int | None = None,
+    file: str | None = None,
+    folder: Path | None = None,
+    deadline: str | None = None,
+    memory: str | None = None,
+) -> answers.Judgement: ...
+
+
+@overload
+def check(
+    text: Text,
+    code: str | None = None,
+    lang: Lang = "en",
+    *,
+    axis: None = None,
+    samples: int | None = None,
+    seed: int | None = None,
+    file: str | None = None,
+    folder: Path | None = None,
+    deadline: str | None = None,
+    memory: str | None = None,
+) -> answers.Judgement | answers.AxesOfJudgement: ...
+
+
+def check(
+    text: Text,
+    code: str | None = None,
+    lang: Lang = "en",
+    *,
+    axis: str | None = None,
+    samples: int | None = None,
+    seed: int | None = None,
+    file: str | None = None,
+    folder: Path | None = None,
+    deadline: str | None = None,
+    memory: str | None = None,
+) -> answers.Judgement | answers.AxesOfJudgement:
+    """Judge one actuator, every check with its margin.
+
+    Args:
+        text: The project as text, or the path of its file.
+        code: Ordering code; without it the project's own [actuator] is judged.
+        lang: Language of the texts: `en` or `de`.
+        axis: Only this axis of a project with several.
+        samples: Samples within the tolerances of the project (10000, or fewer where each costs more). 1 to 1000000.
+        seed: Seed of the samples; the same seed draws the same (1).
+        file: What a text is called in faults.
+        folder: Where the recordings that a text names lie; without it the current folder.
+        deadline: How long the answer may take, such as `60 s`; without it what would take long is refused.
+        memory: How much memory the recordings may take, such as `1 GiB`.
+
+    Returns:
+        The record, as `--json` has it, as typed objects; units as `antrieb.answers` states.
+
+    Raises:
+        AntriebError: Every fault of the call.
+    """
+    answer: answers.Judgement | answers.AxesOfJudgement = ask(
+        answers.Judgement | answers.AxesOfJudgement,
+        "check",
+        (text,),
+        [("axis", axis), ("code", code), ("samples", samples), ("seed", seed)],
+        lang,
+        file=file,
+        folder=folder,
+        deadline=deadline,
+        memory=memory,
+    )
+    return answer
+
+
+def sweep(
+    text: Text,
+    table: Path,
+    lang: Lang = "en",
+    *,
+    axis: str | None = None,
+    check: Literal["peak_torque", "peak_speed", "mean_speed", "continuous_torque", "peak_current", "demagnetisation", "drive_current", "voltage", "inertia_ratio", "gear_mean_torque", "gear_life", "torsion", "natural_frequency", "bearing_axial", "bearing_radial", "bearing_tilting_moment", "bearing_life", "bearing_static", "tilt_angle", "ambient", "torque_speed_trace", "thermal", "overload_i2t", "gear_mean_input_speed", "collision_torque", "resonance_speed", "error_budget", "brake_holding", "brake_emergency", "dc_link", "regeneration", "feedback_range", "feedback_resolution", "battery", "screw_joint_load", "screw_joint_housing", "application"] | Sequence[Literal["peak_torque", "peak_speed", "mean_speed", "continuous_torque", "peak_current", "demagnetisation", "drive_current", "voltage", "inertia_ratio", "gear_mean_torque", "gear_life", "torsion", "natural_frequency", "bearing_axial", "bearing_radial", "bearing_tilting_moment", "bearing_life", "bearing_static", "tilt_angle", "ambient", "torque_speed_trace", "thermal", "overload_i2t", "gear_mean_input_speed", "collision_torque", "resonance_speed", "error_budget", "brake_holding", "brake_emergency", "dc_link", "regeneration", "feedback_range", "feedback_resolution", "battery", "screw_joint_load", "screw_joint_housing", "application"]] | None = None,
+    front: bool = False,
+    file: str | None = None,
+    folder: Path | None = None,
+    deadline: str | None = None,
+    memory: str | None = None,
+) -> answers.SweepSummary:
+    """Judge many axes: a table whose columns are keys of the project.
+
+    Args:
+        text: The project as text, or the path of its file.
+        table: Table of the rows, .csv or .parquet; headings such as "load.inertia [kg m^2]", "motion[0].time [s]", "code".
+        lang: Language of the texts: `en` or `de`.
+        axis: Only this axis of a project with several.
+        check: Every code of every row, with verdict and utilisation of this check; several times.
+        front: Of each row the codes that no other fitting one beats in mass, length and margin.
+        file: What a text is called in faults.
+        folder: Where the recordings that a text names lie; without it the current folder.
+        deadline: How long the answer may take, such as `60 s`; without it what would take long is refused.
+        memory: How much memory the recordings may take, such as `1 GiB`.
+
+    Returns:
+        The record, as `--json` has it, as typed objects; units as `antrieb.answers` states.
+
+    Raises:
+        AntriebError: Every fault of the call.
+    """
+    answer: answers.SweepSummary = ask(
+        answers.SweepSummary,
+        "sweep",
+        (text,),
+        [("axis", axis), ("table", table), ("check", check), ("front", front)],
+        lang,
+        file=file,
+        folder=folder,
+        deadline=deadline,
+        memory=memory,
+    )
+    return answer
+
+
+@overload
+def explain(
+    text: Text,
+    code: str | None = None,
+    lang: Lang = "en",
+    *,
+    axis: str,
+    check: Literal["peak_torque", "peak_speed", "mean_speed", "continuous_torque", "peak_current", "demagnetisation", "drive_current", "voltage", "inertia_ratio", "gear_mean_torque", "gear_life", "torsion", "natural_frequency", "bearing_axial", "bearing_radial", "bearing_tilting_moment", "bearing_life", "bearing_static", "tilt_angle", "ambient", "torque_speed_trace", "thermal", "overload_i2t", "gear_mean_input_speed", "collision_torque", "resonance_speed", "error_budget", "brake_holding", "brake_emergency", "dc_link", "regeneration", "feedback_range", "feedback_resolution", "battery", "screw_joint_load", "screw_joint_housing", "application"] | None = None,
+    file: str | None = None,
+    folder: Path | None = None,
+    deadline: str | None = None,
+    memory: str | None = None,
+) -> answers.Explanations: ...
+
+
+@overload
+def explain(
+    text: Text,
+    code: str | None = None,
+    lang: Lang = "en",
+    *,
+    axis: None = None,
+    check: Literal["peak_torque", "peak_speed", "mean_speed", "continuous_torque", "peak_current", "demagnetisation", "drive_current", "voltage", "inertia_ratio", "gear_mean_torque", "gear_life", "torsion", "natural_frequency", "bearing_axial", "bearing_radial", "bearing_tilting_moment", "bearing_life", "bearing_static", "tilt_angle", "ambient", "torque_speed_trace", "thermal", "overload_i2t", "gear_mean_input_speed", "collision_torque", "resonance_speed", "error_budget", "brake_holding", "brake_emergency", "dc_link", "regeneration", "feedback_range", "feedback_resolution", "battery", "screw_joint_load", "screw_joint_housing", "application"] | None = None,
+    file: str | None = None,
+    folder: Path | None = None,
+    deadline: str | None = None,
+    memory: str | None = None,
+) -> answers.Explanations | answers.AxesOfExplanations: ...
+
+
+def explain(
+    text: Text,
+    code: str | None = None,
+    lang: Lang = "en",
+    *,
+    axis: str | None = None,
+    check: Literal["peak_torque", "peak_speed", "mean_speed", "continuous_torque", "peak_current", "demagnetisation", "drive_current", "voltage", "inertia_ratio", "gear_mean_torque", "gear_life", "torsion", "natural_frequency", "bearing_axial", "bearing_radial", "bearing_tilting_moment", "bearing_life", "bearing_static", "tilt_angle", "ambient", "torque_speed_trace", "thermal", "overload_i2t", "gear_mean_input_speed", "collision_torque", "resonance_speed", "error_budget", "brake_holding", "brake_emergency", "dc_link", "regeneration", "feedback_range", "feedback_resolution", "battery", "screw_joint_load", "screw_joint_housing", "application"] | None = None,
+    file: str | None = None,
+    folder: Path | None = None,
+    deadline: str | None = None,
+    memory: str | None = None,
+) -> answers.Explanations | answers.AxesOfExplanations:
+    """Derive the checks of one actuator, figures put in.
+
+    Args:
+        text: The project as text, or the path of its file.
+        code: Ordering code; without it the project's own [actuator] is explained.
+        lang: Language of the texts: `en` or `de`.
+        axis: Only this axis of a project with several.
+        check: One check, for example continuous_torque; all without it.
+        file: What a text is called in faults.
+        folder: Where the recordings that a text names lie; without it the current folder.
+        deadline: How long the answer may take, such as `60 s`; without it what would take long is refused.
+        memory: How much memory the recordings may take, such as `1 GiB`.
+
+    Returns:
+        The record, as `--json` has it, as typed objects; units as `antrieb.answers` states.
+
+    Raises:
+        AntriebError: Every fault of the call.
+    """
+    answer: answers.Explanations | answers.AxesOfExplanations = ask(
+        answers.Explanations | answers.AxesOfExplanations,
+        "explain",
+        (text,),
+        [("axis", axis), ("code", code), ("check", check)],
+        lang,
+        file=file,
+        folder=folder,
+        deadline=deadline,
+        memory=memory,
+    )
+    return answer
+
+
+@overload
+def simulate(
+    text: Text,
+    code: str | None = None,
+    lang: Lang = "en",
+    *,
+    axis: str,
+    scenario: Literal["cycle", "emergency_stop", "power_failure", "brake_stuck", "hanging_load", "blocked_load", "encoder_failure", "battery_loss", "link_sag", "hot_ambient", "cold_grease", "collision"] | None = None,
+    at: str | None = None,
+    reaction: Literal["ramp", "brake", "coast"] | None = None,
+    cycles: int | None = None,
+    cold: bool = False,
+    every: str | None = None,
+    figure: Literal["simulation", "control_loops"] = "simulation",
+    seed: int = 0,
+    file: str | None = None,
+    folder: Path | None = None,
+    deadline: str | None = None,
+    memory: str | None = None,
+) -> answers.Simulation: ...
+
+
+@overload
+def simulate(
+    text: Text,
+    code: str | None = None,
+    lang: Lang = "en",
+    *,
+    axis: None = None,
+    scenario: Literal["cycle", "emergency_stop", "power_failure", "brake_stuck", "hanging_load", "blocked_load", "encoder_failure", "battery_loss", "link_sag", "hot_ambient", "cold_grease", "collision"] | None = None,
+    at: str | None = None,
+    reaction: Literal["ramp", "brake", "coast"] | None = None,
+    cycles: int | None = None,
+    cold: bool = False,
+    every: str | None = None,
+    figure: Literal["simulation", "control_loops"] = "simulation",
+    seed: int = 0,
+    file: str | None = None,
+    folder: Path | None = None,
+    deadline: str | None = None,
+    memory: str | None = None,
+) -> answers.Simulation | answers.AxesOfSimulation: ...
+
+
+def simulate(
+    text: Text,
+    code: str | None = None,
+    lang: Lang = "en",
+    *,
+    axis: str | None = None,
+    scenario: Literal["cycle", "emergency_stop", "power_failure", "brake_stuck", "hanging_load", "blocked_load", "encoder_failure", "battery_loss", "link_sag", "hot_ambient", "cold_grease", "collision"] | None = None,
+    at: str | None = None,
+    reaction: Literal["ramp", "brake", "coast"] | None = None,
+    cycles: int | None = None,
+    cold: bool = False,
+    every: str | None = None,
+    figure: Literal["simulation", "control_loops"] = "simulation",
+    seed: int = 0,
+    file: str | None = None,
+    folder: Path | None = None,
+    deadline: str | None = None,
+    memory: str | None = None,
+) -> answers.Simulation | answers.AxesOfSimulation:
+    """Simulate an axis with one actuator: motor, gear, load, control, scenario.
+
+    Args:
+        text: The project as text, or the path of its file.
+        code: Ordering code; without it the project's own [actuator] is judged.
+        lang: Language of the texts: `en` or `de`.
+        axis: Only this axis of a project with several.
+        scenario: What happens; without it what the project states, else the cycle.
+        at: When it happens, such as "300 ms"; without it when the axis is fastest.
+        reaction: How the drive ends a motion (along a ramp).
+        cycles: Cycles that are run (1). 1 to 100000.
+        cold: Begin as cold as the ambient air, not settled.
+        every: Time between two rows of the trace ("1 ms").
+        figure: The picture of --svg and --png: the course, or the responses of the control loops (simulation).
+        seed: Seed of the errors of gear and encoder (0).
+        file: What a text is called in faults.
+        folder: Where the recordings that a text names lie; without it the current folder.
+        deadline: How long the answer may take, such as `60 s`; without it what would take long is refused.
+        memory: How much memory the recordings may take, such as `1 GiB`.
+
+    Returns:
+        The record, as `--json` has it, as typed objects; units as `antrieb.answers` states.
+
+    Raises:
+        AntriebError: Every fault of the call.
+    """
+    answer: answers.Simulation | answers.AxesOfSimulation = ask(
+        answers.Simulation | answers.AxesOfSimulation,
+        "simulate",
+        (text,),
+        [("axis", axis), ("code", code), ("scenario", scenario), ("at", at), ("reaction", reaction), ("cycles", cycles), ("cold", cold), ("every", every), ("figure", figure), ("seed", seed)],
+        lang,
+        file=file,
+        folder=folder,
+        deadline=deadline,
+        memory=memory,
+    )
+    return answer
+
+
+def identify(
+    text: Text,
+    trace: Path,
+    code: str | None = None,
+    lang: Lang = "en",
+    *,
+    axis: str | None = None,
+    file: str | None = None,
+    folder: Path | None = None,
+    deadline: str | None = None,
+    memory: str | None = None,
+) -> answers.Identification:
+    """Estimate load, friction and torque constant from a recorded run.
+
+    Args:
+        text: The project as text, or the path of its file.
+        trace: Recorded run with the columns of a trace.
+        code: Ordering code; without it the project's own [actuator] is judged.
+        lang: Language of the texts: `en` or `de`.
+        axis: Only this axis of a project with several.
+        file: What a text is called in faults.
+        folder: Where the recordings that a text names lie; without it the current folder.
+        deadline: How long the answer may take, such as `60 s`; without it what would take long is refused.
+        memory: How much memory the recordings may take, such as `1 GiB`.
+
+    Returns:
+        The record, as `--json` has it, as typed objects; units as `antrieb.answers` states.
+
+    Raises:
+        AntriebError: Every fault of the call.
+    """
+    answer: answers.Identification = ask(
+        answers.Identification,
+        "identify",
+        (text,),
+        [("axis", axis), ("code", code), ("trace", trace)],
+        lang,
+        file=file,
+        folder=folder,
+        deadline=deadline,
+        memory=memory,
+    )
+    return answer
+
+
+def report(
+    text: Text,
+    code: str | None = None,
+    lang: Lang = "en",
+    *,
+    axis: str | None = None,
+    full: bool = False,
+    installation: bool = False,
+    date: str | None = None,
+    file: str | None = None,
+    folder: Path | None = None,
+    deadline: str | None = None,
+    memory: str | None = None,
+) -> bytes:
+    """The results as a PDF to sign.
+
+    Args:
+        text: The project as text, or the path of its file.
+        code: Ordering code; without it the project's own [actuator], else the best of the catalogue.
+        lang: Language of the texts: `en` or `de`.
+        axis: Only this axis of a project with several.
+        full: With the derivation of every check, all sources and all codes as appendices.
+        installation: With wiring, mounting and commissioning of the code; with upkeep where --delivered states its beginning.
+        date: Date of the document, 2026-11-21; none without it, so that the same call gives the same bytes.
+        file: What a text is called in faults.
+        folder: Where the recordings that a text names lie; without it the current folder.
+        deadline: How long the answer may take, such as `60 s`; without it what would take long is refused.
+        memory: How much memory the recordings may take, such as `1 GiB`.
+
+    Returns:
+        The bytes of the file.
+
+    Raises:
+        AntriebError: Every fault of the call.
+    """
+    answer: bytes = ask(
+        object,
+        "report",
+        (text,),
+        [("axis", axis), ("code", code), ("full", full), ("installation", installation), ("date", date)],
+        lang,
+        file=file,
+        folder=folder,
+        deadline=deadline,
+        memory=memory,
+    )
+    return answer
+
+
+@overload
+def compare(
+    text: Text,
+    code: str | Sequence[str],
+    lang: Lang = "en",
+    *,
+    axis: str,
+    file: str | None = None,
+    folder: Path | None = None,
+    deadline: str | None = None,
+    memory: str | None = None,
+) -> answers.Comparison: ...
+
+
+@overload
+def compare(
+    text: Text,
+    code: str | Sequence[str],
+    lang: Lang = "en",
+    *,
+    axis: None = None,
+    file: str | None = None,
+    folder: Path | None = None,
+    deadline: str | None = None,
+    memory: str | None = None,
+) -> answers.Comparison | answers.AxesOfComparison: ...
+
+
+def compare(
+    text: Text,
+    code: str | Sequence[str],
+    lang: Lang = "en",
+    *,
+    axis: str | None = None,
+    file: str | None = None,
+    folder: Path | None = None,
+    deadline: str | None = None,
+    memory: str | None = None,
+) -> answers.Comparison | answers.AxesOfComparison:
+    """Two to five actuators side by side, check by check.
+
+    Args:
+        text: The project as text, or the path of its file.
+        code: Ordering code; given once for each actuator.
+        lang: Language of the texts: `en` or `de`.
+        axis: Only this axis of a project with several.
+        file: What a text is called in faults.
+        folder: Where the recordings that a text names lie; without it the current folder.
+        deadline: How long the answer may take, such as `60 s`; without it what would take long is refused.
+        memory: How much memory the recordings may take, such as `1 GiB`.
+
+    Returns:
+        The record, as `--json` has it, as typed objects; units as `antrieb.answers` states.
+
+    Raises:
+        AntriebError: Every fault of the call.
+    """
+    answer: answers.Comparison | answers.AxesOfComparison = ask(
+        answers.Comparison | answers.AxesOfComparison,
+        "compare",
+        (text,),
+        [("axis", axis), ("code", code)],
+        lang,
+        file=file,
+        folder=folder,
+        deadline=deadline,
+        memory=memory,
+    )
+    return answer
+
+
+@overload
+def diff(
+    old: Text,
+    new: Text,
+    code: str | None = None,
+    lang: Lang = "en",
+    *,
+    axis: str,
+    folder: Path | None = None,
+    deadline: str | None = None,
+    memory: str | None = None,
+) -> answers.Difference: ...
+
+
+@overload
+def diff(
+    old: Text,
+    new: Text,
+    code: str | None = None,
+    lang: Lang = "en",
+    *,
+    axis: None = None,
+    folder: Path | None = None,
+    deadline: str | None = None,
+    memory: str | None = None,
+) -> answers.Difference | answers.AxesOfDifference: ...
+
+
+def diff(
+    old: Text,
+    new: Text,
+    code: str | None = None,
+    lang: Lang = "en",
+    *,
+    axis: str | None = None,
+    folder: Path | None = None,
+    deadline: str | None = None,
+    memory: str | None = None,
+) -> answers.Difference | answers.AxesOfDifference:
+    """What another revision of a project changes in each check.
+
+    Args:
+        old: The project before as text, or the path of its file.
+        new: The project after as text, or the path of its file.
+        code: Ordering code; without it the project's own [actuator], else the best before.
+        lang: Language of the texts: `en` or `de`.
+        axis: Only this axis of a project with several.
+        folder: Where the recordings that a text names lie; without it the current folder.
+        deadline: How long the answer may take, such as `60 s`; without it what would take long is refused.
+        memory: How much memory the recordings may take, such as `1 GiB`.
+
+    Returns:
+        The record, as `--json` has it, as typed objects; units as `antrieb.answers` states.
+
+    Raises:
+        AntriebError: Every fault of the call.
+    """
+    answer: answers.Difference | answers.AxesOfDifference = ask(
+        answers.Difference | answers.AxesOfDifference,
+        "diff",
+        (old, new,),
+        [("axis", axis), ("code", code)],
+        lang,
+        folder=folder,
+        deadline=deadline,
+        memory=memory,
+    )
+    return answer
+
+
+@overload
+def export(
+    text: Text,
+    code: str | None = None,
+    lang: Lang = "en",
+    *,
+    axis: str | None = None,
+    table: Literal["inputs", "assumptions", "demand", "motion", "candidates", "checks", "course"] | None = None,
+    format: Literal["json"] = "json",
+    top: int = 20,
+    revision: str | None = None,
+    date: str | None = None,
+    file: str | None = None,
+    folder: Path | None = None,
+    deadline: str | None = None,
+    memory: str | None = None,
+) -> answers.Table: ...
+
+
+@overload
+def export(
+    text: Text,
+    code: str | None = None,
+    lang: Lang = "en",
+    *,
+    axis: str | None = None,
+    table: Literal["inputs", "assumptions", "demand", "motion", "candidates", "checks", "course"] | None = None,
+    format: Literal["csv"],
+    top: int = 20,
+    revision: str | None = None,
+    date: str | None = None,
+    file: str | None = None,
+    folder: Path | None = None,
+    deadline: str | None = None,
+    memory: str | None = None,
+) -> str: ...
+
+
+@overload
+def export(
+    text: Text,
+    code: str | None = None,
+    lang: Lang = "en",
+    *,
+    axis: str | None = None,
+    table: Literal["inputs", "assumptions", "demand", "motion", "candidates", "checks", "course"] | None = None,
+    format: Literal["parquet", "xlsx"],
+    top: int = 20,
+    revision: str | None = None,
+    date: str | None = None,
+    file: str | None = None,
+    folder: Path | None = None,
+    deadline: str | None = None,
+    memory: str | None = None,
+) -> bytes: ...
+
+
+def export(
+    text: Text,
+    code: str | None = None,
+    lang: Lang = "en",
+    *,
+    axis: str | None = None,
+    table: Literal["inputs", "assumptions", "demand", "motion", "candidates", "checks", "course"] | None = None,
+    format: Literal["json", "csv", "parquet", "xlsx"] = "json",
+    top: int = 20,
+    revision: str | None = None,
+    date: str | None = None,
+    file: str | None = None,
+    folder: Path | None = None,
+    deadline: str | None = None,
+    memory: str | None = None,
+) -> answers.Table | str | bytes:
+    """The results as a workbook, or one table as CSV, JSON or Parquet.
+
+    Args:
+        text: The project as text, or the path of its file.
+        code: Ordering code; without it the project's own [actuator], else the best.
+        lang: Language of the texts: `en` or `de`.
+        axis: Only this axis of a project with several.
+        table: One table: inputs, assumptions, demand, motion, candidates, checks, course.
+        format: Json, csv or parquet for one table, xlsx for the workbook; without it json where a table is named, else xlsx.
+        top: How many of the ranking the tables hold (20). 1 to 65535.
+        revision: Revision for the first sheet.
+        date: Date for the first sheet; none without it, so that the same call gives the same bytes.
+        file: What a text is called in faults.
+        folder: Where the recordings that a text names lie; without it the current folder.
+        deadline: How long the answer may take, such as `60 s`; without it what would take long is refused.
+        memory: How much memory the recordings may take, such as `1 GiB`.
+
+    Returns:
+        The record as typed objects with `format="json"`, else the file.
+
+    Raises:
+        AntriebError: Every fault of the call.
+    """
+    answer: answers.Table | str | bytes = ask(
+        answers.Table,
+        "export",
+        (text,),
+        [("axis", axis), ("code", code), ("table", table), ("format", format), ("top", top), ("revision", revision), ("date", date)],
+        lang,
+        file=file,
+        folder=folder,
+        deadline=deadline,
+        memory=memory,
+    )
+    return answer
+
+
+def code_parse(
+    code: str,
+    lang: Lang = "en",
+) -> answers.CodeReading:
+    """Read a code and explain each field.
+
+    Args:
+        code: Ordering code, for example CHA-20A-100-H-C1024-B.
+        lang: Language of the texts: `en` or `de`.
+
+    Returns:
+        The record, as `--json` has it, as typed objects; units as `antrieb.answers` states.
+
+    Raises:
+        AntriebError: Every fault of the call.
+    """
+    answer: answers.CodeReading = ask(
+        answers.CodeReading,
+        "code parse",
+        (),
+        [("code", code)],
+        lang,
+    )
+    return answer
+
+
+def code_list(
+    pattern: str | None = None,
+    lang: Lang = "en",
+    *,
+    available: bool = False,
+) -> list[answers.ListedCode]:
+    """List the valid codes.
+
+    Args:
+        pattern: Partial code, for example CHA-20A-*-H; all without it.
+        lang: Language of the texts: `en` or `de`.
+        available: Only codes that are available without asking.
+
+    Returns:
+        The record, as `--json` has it, as typed objects; units as `antrieb.answers` states.
+
+    Raises:
+        AntriebError: Every fault of the call.
+    """
+    answer: list[answers.ListedCode] = ask(
+        list[answers.ListedCode],
+        "code list",
+        (),
+        [("pattern", pattern), ("available", available)],
+        lang,
+    )
+    return answer
+
+
+def code_complete(
+    code: str,
+    lang: Lang = "en",
+) -> answers.Completion:
+    """Complete a partial code and say what may follow.
+
+    Args:
+        code: Partial code; * stands for any value of a field.
+        lang: Language of the texts: `en` or `de`.
+
+    Returns:
+        The record, as `--json` has it, as typed objects; units as `antrieb.answers` states.
+
+    Raises:
+        AntriebError: Every fault of the call.
+    """
+    answer: answers.Completion = ask(
+        answers.Completion,
+        "code complete",
+        (),
+        [("code", code)],
+        lang,
+    )
+    return answer
+
+
+def data(
+    code: str,
+    lang: Lang = "en",
+) -> answers.Sheet:
+    """Data sheet of one actuator, each value with its table.
+
+    Args:
+        code: Ordering code.
+        lang: Language of the texts: `en` or `de`.
+
+    Returns:
+        The record, as `--json` has it, as typed objects; units as `antrieb.answers` states.
+
+    Raises:
+        AntriebError: Every fault of the call.
+    """
+    answer: answers.Sheet = ask(
+        answers.Sheet,
+        "data",
+        (),
+        [("code", code)],
+        lang,
+    )
+    return answer
+
+
+def wiring(
+    code: str,
+    lang: Lang = "en",
+    *,
+    length: str | None = None,
+    cross_section: str | None = None,
+) -> answers.Wiring:
+    """Connectors, pins and cables of one actuator, and what is wrong in a list of pins.
+
+    Args:
+        code: Ordering code.
+        lang: Language of the texts: `en` or `de`.
+        length: Length of the cable, such as "15 m": voltage lost by brake and encoder supply.
+        cross_section: Cross-section of its wires, such as "1 mm²".
+
+    Returns:
+        The record, as `--json` has it, as typed objects; units as `antrieb.answers` states.
+
+    Raises:
+        AntriebError: Every fault of the call.
+    """
+    answer: answers.Wiring = ask(
+        answers.Wiring,
+        "wiring",
+        (),
+        [("code", code), ("length", length), ("cross-section", cross_section)],
+        lang,
+    )
+    return answer
+
+
+def wiring_check(
+    text: Text,
+    code: str,
+    lang: Lang = "en",
+    *,
+    file: str | None = None,
+    folder: Path | None = None,
+    deadline: str | None = None,
+    memory: str | None = None,
+) -> answers.WiringCheck:
+    """A list of pins compared with the print.
+
+    Args:
+        text: The list of pins in CSV as text, or the path of its file.
+        code: Ordering code.
+        lang: Language of the texts: `en` or `de`.
+        file: What a text is called in faults.
+        folder: Where the recordings that a text names lie; without it the current folder.
+        deadline: How long the answer may take, such as `60 s`; without it what would take long is refused.
+        memory: How much memory the recordings may take, such as `1 GiB`.
+
+    Returns:
+        The record, as `--json` has it, as typed objects; units as `antrieb.answers` states.
+
+    Raises:
+        AntriebError: Every fault of the call.
+    """
+    answer: answers.WiringCheck = ask(
+        answers.WiringCheck,
+        "wiring --check",
+        (text,),
+        [("code", code)],
+        lang,
+        file=file,
+        folder=folder,
+        deadline=deadline,
+        memory=memory,
+    )
+    return answer
+
+
+def encoder(
+    code: str,
+    lang: Lang = "en",
+    *,
+    angle: str | None = None,
+    turn: str | None = None,
+    speed: str | None = None,
+    seed: int | None = None,
+    window: str | None = None,
+    battery_lost: bool = False,
+    error: bool = False,
+    decode: str | None = None,
+) -> answers.Encoder:
+    """Signals and words of the encoders of one actuator at an angle; a word read back.
+
+    Args:
+        code: Ordering code.
+        lang: Language of the texts: `en` or `de`.
+        angle: Angle of the motor shaft, clockwise seen from the front, such as "12.5 deg". Without it `0 deg`.
+        turn: Whole turns of the motor shaft before it. Without it `0`.
+        speed: Speed of the motor shaft, such as "300 rad/s". Without it `0 1/min`.
+        seed: Let the encoder deviate within its accuracy, by this seed; without it the encoder sees the true angle.
+        window: Angle over which the signals are shown; without it two periods of each.
+        battery_lost: Battery and supply have failed together (M128S).
+        error: The encoder reports an error (EnDat).
+        decode: Read this word, bits in the order sent, and say what is wrong with it.
+
+    Returns:
+        The record, as `--json` has it, as typed objects; units as `antrieb.answers` states.
+
+    Raises:
+        AntriebError: Every fault of the call.
+    """
+    answer: answers.Encoder = ask(
+        answers.Encoder,
+        "encoder",
+        (),
+        [("code", code), ("angle", angle), ("turn", turn), ("speed", speed), ("seed", seed), ("window", window), ("battery-lost", battery_lost), ("error", error), ("decode", decode)],
+        lang,
+    )
+    return answer
+
+
+def encoder_vcd(
+    code: str,
+    lang: Lang = "en",
+    *,
+    angle: str | None = None,
+    turn: str | None = None,
+    speed: str | None = None,
+    seed: int | None = None,
+    time: str | None = None,
+    endat: Literal["2.2", "2.1"] = "2.2",
+    connector: Literal["feedback", "output_encoder"] = "feedback",
+) -> str:
+    """The digital signals of an encoder over time, as a value change dump (VCD).
+
+    Args:
+        code: Ordering code.
+        lang: Language of the texts: `en` or `de`.
+        angle: Angle of the motor shaft, clockwise seen from the front, such as "12.5 deg". Without it `0 deg`.
+        turn: Whole turns of the motor shaft before it. Without it `0`.
+        speed: Speed of the motor shaft, such as "300 rad/s". Without it `0 1/min`.
+        seed: Let the encoder deviate within its accuracy, by this seed; without it the encoder sees the true angle.
+        time: Length of the trace (--vcd). Without it `1 ms`.
+        endat: Command set of the EnDat word in the trace.
+        connector: Encoder in the trace.
+
+    Returns:
+        The text of the file.
+
+    Raises:
+        AntriebError: Every fault of the call.
+    """
+    answer: str = ask(
+        object,
+        "encoder --vcd",
+        (),
+        [("code", code), ("angle", angle), ("turn", turn), ("speed", speed), ("seed", seed), ("time", time), ("endat", endat), ("connector", connector)],
+        lang,
+    )
+    return answer
+
+
+def errata(
+    about: str | None = None,
+    lang: Lang = "en",
+) -> answers.Errata:
+    """What is wrong or in doubt in the print, and what is used.
+
+    Args:
+        about: Ordering code, number of a table, or id of an erratum; all without it.
+        lang: Language of the texts: `en` or `de`.
+
+    Returns:
+        The record, as `--json` has it, as typed objects; units as `antrieb.answers` states.
+
+    Raises:
+        AntriebError: Every fault of the call.
+    """
+    answer: answers.Errata = ask(
+        answers.Errata,
+        "errata",
+        (),
+        [("about", about)],
+        lang,
+    )
+    return answer
+
+
+@overload
+def catalogue_export(
+    lang: Lang = "en",
+    *,
+    format: Literal["json"] = "json",
+) -> list[answers.CatalogueCell]: ...
+
+
+@overload
+def catalogue_export(
+    lang: Lang = "en",
+    *,
+    format: Literal["csv"],
+) -> str: ...
+
+
+def catalogue_export(
+    lang: Lang = "en",
+    *,
+    format: Literal["json", "csv"] = "json",
+) -> list[answers.CatalogueCell] | str:
+    """Every cell of the maker's tables in long form.
+
+    Args:
+        lang: Language of the texts: `en` or `de`.
+        format: Csv (default) or json.
+
+    Returns:
+        The record as typed objects with `format="json"`, else the file.
+
+    Raises:
+        AntriebError: Every fault of the call.
+    """
+    answer: list[answers.CatalogueCell] | str = ask(
+        list[answers.CatalogueCell],
+        "catalogue export",
+        (),
+        [("format", format)],
+        lang,
+    )
+    return answer
+
+
+def torsion(
+    code: str,
+    lang: Lang = "en",
+    *,
+    torque: str | None = None,
+    angle: str | None = None,
+) -> answers.Torsion:
+    """Torsion of the gear under a torque, or the torque of an angle.
+
+    Args:
+        code: Ordering code.
+        lang: Language of the texts: `en` or `de`.
+        torque: Torque at the output, for example "60 N m".
+        angle: Angle of torsion, for example "1 arcmin", instead of the torque.
+
+    Returns:
+        The record, as `--json` has it, as typed objects; units as `antrieb.answers` states.
+
+    Raises:
+        AntriebError: Every fault of the call.
+    """
+    answer: answers.Torsion = ask(
+        answers.Torsion,
+        "torsion",
+        (),
+        [("code", code), ("torque", torque), ("angle", angle)],
+        lang,
+    )
+    return answer
+
+
+def commission(
+    code: str,
+    lang: Lang = "en",
+    *,
+    for_: Literal["sinamics", "cia402", "plain"] | None = None,
+    ambient: str | None = None,
+) -> answers.CommissionAnswer:
+    """Values for the drive, check-lists, and the judgement of what was measured.
+
+    Args:
+        code: Ordering code.
+        lang: Language of the texts: `en` or `de`.
+        for_: Form of the values: sinamics, cia402, plain.
+        ambient: Temperature at which winding and sensors are measured (20 degC).
+
+    Returns:
+        The record, as `--json` has it, as typed objects; units as `antrieb.answers` states.
+
+    Raises:
+        AntriebError: Every fault of the call.
+    """
+    answer: answers.CommissionAnswer = ask(
+        answers.CommissionAnswer,
+        "commission",
+        (),
+        [("code", code), ("for", for_), ("ambient", ambient)],
+        lang,
+    )
+    return answer
+
+
+def commission_out(
+    code: str,
+    for_: Literal["sinamics", "cia402"],
+    lang: Lang = "en",
+) -> str:
+    """Values for the drive as a file: parameters line by line (sinamics), or an EDS (cia402).
+
+    Args:
+        code: Ordering code.
+        for_: Form of the values: sinamics, cia402, plain.
+        lang: Language of the texts: `en` or `de`.
+
+    Returns:
+        The text of the file.
+
+    Raises:
+        AntriebError: Every fault of the call.
+    """
+    answer: str = ask(
+        object,
+        "commission --out",
+        (),
+        [("code", code), ("for", for_)],
+        lang,
+    )
+    return answer
+
+
+def commission_checklist(
+    code: str,
+    lang: Lang = "en",
+    *,
+    ambient: str | None = None,
+) -> bytes:
+    """The check-lists as PDF, a form to fill in on the screen or on paper.
+
+    Args:
+        code: Ordering code.
+        lang: Language of the texts: `en` or `de`.
+        ambient: Temperature at which winding and sensors are measured (20 degC).
+
+    Returns:
+        The bytes of the file.
+
+    Raises:
+        AntriebError: Every fault of the call.
+    """
+    answer: bytes = ask(
+        object,
+        "commission --checklist",
+        (),
+        [("code", code), ("ambient", ambient)],
+        lang,
+    )
+    return answer
+
+
+def commission_blank(
+    code: str,
+    lang: Lang = "en",
+) -> str:
+    """Write an empty record of measured values to fill in.
+
+    Args:
+        code: Ordering code.
+        lang: Language of the texts: `en` or `de`.
+
+    Returns:
+        The text of the file.
+
+    Raises:
+        AntriebError: Every fault of the call.
+    """
+    answer: str = ask(
+        object,
+        "commission --blank",
+        (),
+        [("code", code)],
+        lang,
+    )
+    return answer
+
+
+def commission_record(
+    text: Text,
+    code: str,
+    lang: Lang = "en",
+    *,
+    file: str | None = None,
+    folder: Path | None = None,
+    deadline: str | None = None,
+    memory: str | None = None,
+) -> answers.Recorded:
+    """Measured values judged, with likely causes.
+
+    Args:
+        text: The measured values as text, or the path of their file.
+        code: Ordering code.
+        lang: Language of the texts: `en` or `de`.
+        file: What a text is called in faults.
+        folder: Where the recordings that a text names lie; without it the current folder.
+        deadline: How long the answer may take, such as `60 s`; without it what would take long is refused.
+        memory: How much memory the recordings may take, such as `1 GiB`.
+
+    Returns:
+        The record, as `--json` has it, as typed objects; units as `antrieb.answers` states.
+
+    Raises:
+        AntriebError: Every fault of the call.
+    """
+    answer: answers.Recorded = ask(
+        answers.Recorded,
+        "commission --record",
+        (text,),
+        [("code", code)],
+        lang,
+        file=file,
+        folder=folder,
+        deadline=deadline,
+        memory=memory,
+    )
+    return answer
+
+
+def inertia(
+    body: str | Sequence[str],
+    lang: Lang = "en",
+) -> answers.Inertia:
+    """Moment of inertia of solid bodies.
+
+    Args:
+        body: Each body in quotes, for example "disc diameter=200mm length=20mm density=7850kg/m^3".
+        lang: Language of the texts: `en` or `de`.
+
+    Returns:
+        The record, as `--json` has it, as typed objects; units as `antrieb.answers` states.
+
+    Raises:
+        AntriebError: Every fault of the call.
+    """
+    answer: answers.Inertia = ask(
+        answers.Inertia,
+        "inertia",
+        (),
+        [("body", body)],
+        lang,
+    )
+    return answer
+
+
+def curve(
+    code: str,
+    lang: Lang = "en",
+    *,
+    voltage: str | None = None,
+) -> answers.Curves:
+    """Curves of the torque-speed plane.
+
+    Args:
+        code: Ordering code.
+        lang: Language of the texts: `en` or `de`.
+        voltage: Terminal voltage of the motor, rms, for example "220 V"; without it the maker's range holds.
+
+    Returns:
+        The record, as `--json` has it, as typed objects; units as `antrieb.answers` states.
+
+    Raises:
+        AntriebError: Every fault of the call.
+    """
+    answer: answers.Curves = ask(
+        answers.Curves,
+        "curve",
+        (),
+        [("code", code), ("voltage", voltage)],
+        lang,
+    )
+    return answer
+
+
+def plot(
+    text: Text,
+    figure: Literal["torque_speed", "cycle", "utilisation", "torsion", "bearing_load", "candidate_map"],
+    code: str | None = None,
+    lang: Lang = "en",
+    *,
+    axis: str | None = None,
+    by: Literal["mass", "length"] = "mass",
+    theme: Literal["light", "dark"] = "light",
+    width: str | None = None,
+    height: str | None = None,
+    file: str | None = None,
+    folder: Path | None = None,
+    deadline: str | None = None,
+    memory: str | None = None,
+) -> Picture:
+    """A picture of an axis on an actuator, as SVG or PNG.
+
+    Args:
+        text: The project as text, or the path of its file.
+        figure: Which picture.
+        code: Ordering code; without it the project's own [actuator], else the best of the catalogue.
+        lang: Language of the texts: `en` or `de`.
+        axis: Only this axis of a project with several.
+        by: Candidate_map over mass (default) or length.
+        theme: Light (default) or dark.
+        width: Width of the picture, for example "160 mm".
+        height: Height of the picture; it grows if its content needs it.
+        file: What a text is called in faults.
+        folder: Where the recordings that a text names lie; without it the current folder.
+        deadline: How long the answer may take, such as `60 s`; without it what would take long is refused.
+        memory: How much memory the recordings may take, such as `1 GiB`.
+
+    Returns:
+        The picture.
+
+    Raises:
+        AntriebError: Every fault of the call.
+    """
+    answer: Picture = ask(
+        object,
+        "plot",
+        (text,),
+        [("axis", axis), ("code", code), ("figure", figure), ("by", by), ("theme", theme), ("width", width), ("height", height)],
+        lang,
+        file=file,
+        folder=folder,
+        deadline=deadline,
+        memory=memory,
+    )
+    return answer
+
+
+@overload
+def bearing(
+    text: Text,
+    lang: Lang = "en",
+    *,
+    axis: str,
+    file: str | None = None,
+    folder: Path | None = None,
+    deadline: str | None = None,
+    memory: str | None = None,
+) -> answers.Bearings: ...
+
+
+@overload
+def bearing(
+    text: Text,
+    lang: Lang = "en",
+    *,
+    axis: None = None,
+    file: str | None = None,
+    folder: Path | None = None,
+    deadline: str | None = None,
+    memory: str | None = None,
+) -> answers.Bearings | answers.AxesOfBearings: ...
+
+
+def bearing(
+    text: Text,
+    lang: Lang = "en",
+    *,
+    axis: str | None = None,
+    file: str | None = None,
+    folder: Path | None = None,
+    deadline: str | None = None,
+    memory: str | None = None,
+) -> answers.Bearings | answers.AxesOfBearings:
+    """The output bearing of every size under a project's loads.
+
+    Args:
+        text: The project as text, or the path of its file.
+        lang: Language of the texts: `en` or `de`.
+        axis: Only this axis of a project with several.
+        file: What a text is called in faults.
+        folder: Where the recordings that a text names lie; without it the current folder.
+        deadline: How long the answer may take, such as `60 s`; without it what would take long is refused.
+        memory: How much memory the recordings may take, such as `1 GiB`.
+
+    Returns:
+        The record, as `--json` has it, as typed objects; units as `antrieb.answers` states.
+
+    Raises:
+        AntriebError: Every fault of the call.
+    """
+    answer: answers.Bearings | answers.AxesOfBearings = ask(
+        answers.Bearings | answers.AxesOfBearings,
+        "bearing",
+        (text,),
+        [("axis", axis)],
+        lang,
+        file=file,
+        folder=folder,
+        deadline=deadline,
+        memory=memory,
+    )
+    return answer
+
+
+def moves(
+    text: Text,
+    lang: Lang = "en",
+    *,
+    axis: str | None = None,
+    file: str | None = None,
+    folder: Path | None = None,
+    deadline: str | None = None,
+    memory: str | None = None,
+) -> answers.Motion:
+    """The motion of an axis, every segment with what follows from it.
+
+    Args:
+        text: The project as text, or the path of its file.
+        lang: Language of the texts: `en` or `de`.
+        axis: Only this axis of a project with several.
+        file: What a text is called in faults.
+        folder: Where the recordings that a text names lie; without it the current folder.
+        deadline: How long the answer may take, such as `60 s`; without it what would take long is refused.
+        memory: How much memory the recordings may take, such as `1 GiB`.
+
+    Returns:
+        The record, as `--json` has it, as typed objects; units as `antrieb.answers` states.
+
+    Raises:
+        AntriebError: Every fault of the call.
+    """
+    answer: answers.Motion = ask(
+        answers.Motion,
+        "moves",
+        (text,),
+        [("axis", axis)],
+        lang,
+        file=file,
+        folder=folder,
+        deadline=deadline,
+        memory=memory,
+    )
+    return answer
+
+
+def battery(
+    hours_per_day: str,
+    lang: Lang = "en",
+    *,
+    storage: str | None = None,
+) -> answers.Battery:
+    """Life of the battery of a buffered encoder.
+
+    Args:
+        hours_per_day: Hours of operation a day, 0 to 24.
+        lang: Language of the texts: `en` or `de`.
+        storage: Storage before operation, for example "1 a"; none without it.
+
+    Returns:
+        The record, as `--json` has it, as typed objects; units as `antrieb.answers` states.
+
+    Raises:
+        AntriebError: Every fault of the call.
+    """
+    answer: answers.Battery = ask(
+        answers.Battery,
+        "battery",
+        (),
+        [("hours-per-day", hours_per_day), ("storage", storage)],
+        lang,
+    )
+    return answer
+
+
+def mount(
+    code: str,
+    lang: Lang = "en",
+    *,
+    bore: str | None = None,
+    bore_load: str | None = None,
+    bore_housing: str | None = None,
+) -> answers.Mount:
+    """Fits, screws and their utilisation, mass: how an actuator is mounted.
+
+    Args:
+        code: Ordering code.
+        lang: Language of the texts: `en` or `de`.
+        bore: Bore over both pilots: a zone such as K7, or limit deviations such as "+12/-3 um"; H7 without it, as the manual recommends.
+        bore_load: Bore of the load, where it is another.
+        bore_housing: Bore of the machine, where it is another.
+
+    Returns:
+        The record, as `--json` has it, as typed objects; units as `antrieb.answers` states.
+
+    Raises:
+        AntriebError: Every fault of the call.
+    """
+    answer: answers.Mount = ask(
+        answers.Mount,
+        "mount",
+        (),
+        [("code", code), ("bore", bore), ("bore-load", bore_load), ("bore-housing", bore_housing)],
+        lang,
+    )
+    return answer
+
+
+def mount_project(
+    text: Text,
+    code: str,
+    lang: Lang = "en",
+    *,
+    bore: str | None = None,
+    bore_load: str | None = None,
+    bore_housing: str | None = None,
+    axis: str | None = None,
+    file: str | None = None,
+    folder: Path | None = None,
+    deadline: str | None = None,
+    memory: str | None = None,
+) -> answers.Mount:
+    """How an actuator is mounted under the torques and loads of a project.
+
+    Args:
+        text: The project as text, or the path of its file.
+        code: Ordering code.
+        lang: Language of the texts: `en` or `de`.
+        bore: Bore over both pilots: a zone such as K7, or limit deviations such as "+12/-3 um"; H7 without it, as the manual recommends.
+        bore_load: Bore of the load, where it is another.
+        bore_housing: Bore of the machine, where it is another.
+        axis: Only this axis of a project with several.
+        file: What a text is called in faults.
+        folder: Where the recordings that a text names lie; without it the current folder.
+        deadline: How long the answer may take, such as `60 s`; without it what would take long is refused.
+        memory: How much memory the recordings may take, such as `1 GiB`.
+
+    Returns:
+        The record, as `--json` has it, as typed objects; units as `antrieb.answers` states.
+
+    Raises:
+        AntriebError: Every fault of the call.
+    """
+    answer: answers.Mount = ask(
+        answers.Mount,
+        "mount --project",
+        (text,),
+        [("code", code), ("bore", bore), ("bore-load", bore_load), ("bore-housing", bore_housing), ("axis", axis)],
+        lang,
+        file=file,
+        folder=folder,
+        deadline=deadline,
+        memory=memory,
+    )
+    return answer
+
+
+def upkeep(
+    code: str,
+    delivered: str | Day,
+    lang: Lang = "en",
+    *,
+    storage: str | None = None,
+    hours_per_day: str | None = None,
+    inspect: str | None = None,
+    today: str | Day | None = None,
+) -> answers.Upkeep:
+    """Plan with dates for storage, upkeep and exchange, shutting down, disposal.
+
+    Args:
+        code: Ordering code.
+        delivered: Day of delivery, 2026-03-01.
+        lang: Language of the texts: `en` or `de`.
+        storage: Storage before service: a time such as "1 a" or "6 months", or the day on which it ends.
+        hours_per_day: Hours of operation a day, 0 to 24, for the battery of the encoder.
+        inspect: Interval of what the manual wants regularly, such as "6 months"; a year without it, listed as assumed.
+        today: Day to look from: it marks what has passed, and the next date of each series.
+
+    Returns:
+        The record, as `--json` has it, as typed objects; units as `antrieb.answers` states.
+
+    Raises:
+        AntriebError: Every fault of the call.
+    """
+    answer: answers.Upkeep = ask(
+        answers.Upkeep,
+        "upkeep",
+        (),
+        [("code", code), ("delivered", delivered), ("storage", storage), ("hours-per-day", hours_per_day), ("inspect", inspect), ("today", today)],
+        lang,
+    )
+    return answer
+
+
+def upkeep_ical(
+    code: str,
+    delivered: str | Day,
+    lang: Lang = "en",
+    *,
+    storage: str | None = None,
+    hours_per_day: str | None = None,
+    inspect: str | None = None,
+    today: str | Day | None = None,
+    name: str | None = None,
+) -> str:
+    """The same plan as iCalendar.
+
+    Args:
+        code: Ordering code.
+        delivered: Day of delivery, 2026-03-01.
+        lang: Language of the texts: `en` or `de`.
+        storage: Storage before service: a time such as "1 a" or "6 months", or the day on which it ends.
+        hours_per_day: Hours of operation a day, 0 to 24, for the battery of the encoder.
+        inspect: Interval of what the manual wants regularly, such as "6 months"; a year without it, listed as assumed.
+        today: Day to look from: it marks what has passed, and the next date of each series.
+        name: Name of the actuator in the calendar: distinguishes two of one code.
+
+    Returns:
+        The text of the file.
+
+    Raises:
+        AntriebError: Every fault of the call.
+    """
+    answer: str = ask(
+        object,
+        "upkeep --ical",
+        (),
+        [("code", code), ("delivered", delivered), ("storage", storage), ("hours-per-day", hours_per_day), ("inspect", inspect), ("today", today), ("name", name)],
+        lang,
+    )
+    return answer
+
+
+def new(
+    kind: Literal["manual", "table", "arm", "screw", "belt", "recording", "turntable", "conveyor", "slider_crank", "joint", "hoist", "winder", "scissor_lift", "four_bar", "sweep"],
+    lang: Lang = "en",
+    *,
+    key: str | Sequence[str] | None = None,
+    by: Literal["sobol", "lhs", "grid"] = "sobol",
+    samples: int = 100,
+    seed: int = 1,
+) -> str:
+    """A commented project file to fill in.
+
+    Args:
+        kind: Kind of the project.
+        lang: Language of the texts: `en` or `de`.
+        key: For `new sweep`: a key with its range or values, "load.inertia [kg m^2] = 0.1..10 log"; several times.
+        by: For `new sweep`: how the ranges are covered (sobol).
+        samples: For `new sweep`: rows that are drawn, or steps of each range of a grid (100). 1 to 1000000.
+        seed: For `new sweep`: seed of the samples (1).
+
+    Returns:
+        The text of the file.
+
+    Raises:
+        AntriebError: Every fault of the call.
+    """
+    answer: str = ask(
+        object,
+        "new",
+        (),
+        [("kind", kind), ("key", key), ("by", by), ("samples", samples), ("seed", seed)],
+        lang,
+    )
+    return answer
+
+
+def glossary(
+    term: str | None = None,
+    lang: Lang = "en",
+) -> answers.Glossary:
+    """Words and symbols with their meaning, in both languages.
+
+    Args:
+        term: Symbol, name or word, for example T_rms; all without it.
+        lang: Language of the texts: `en` or `de`.
+
+    Returns:
+        The record, as `--json` has it, as typed objects; units as `antrieb.answers` states.
+
+    Raises:
+        AntriebError: Every fault of the call.
+    """
+    answer: answers.Glossary = ask(
+        answers.Glossary,
+        "glossary",
+        (),
+        [("term", term)],
+        lang,
+    )
+    return answer
+
+
+def units(
+    quantity: str | None = None,
+    lang: Lang = "en",
+) -> answers.Units2:
+    """Units that are read, every spelling and its value in SI.
+
+    Args:
+        quantity: Quantity or unit, for example torque or rpm; all without it.
+        lang: Language of the texts: `en` or `de`.
+
+    Returns:
+        The record, as `--json` has it, as typed objects; units as `antrieb.answers` states.
+
+    Raises:
+        AntriebError: Every fault of the call.
+    """
+    answer: answers.Units2 = ask(
+        answers.Units2,
+        "units",
+        (),
+        [("quantity", quantity)],
+        lang,
+    )
+    return answer
+
+
+def licences(
+    lang: Lang = "en",
+) -> answers.Licences:
+    """Licences of antrieb and of all that is built into it, fonts included.
+
+    Args:
+        lang: Language of the texts: `en` or `de`.
+
+    Returns:
+        The record, as `--json` has it, as typed objects; units as `antrieb.answers` states.
+
+    Raises:
+        AntriebError: Every fault of the call.
+    """
+    answer: answers.Licences = ask(
+        answers.Licences,
+        "licences",
+        (),
+        [],
+        lang,
+    )
+    return answer
+
+
+def schema(
+    lang: Lang = "en",
+    *,
+    answers: bool = False,
+) -> dict[str, object]:
+    """JSON Schema of the project file, or of the answers.
+
+    Args:
+        lang: Language of the texts: `en` or `de`.
+        answers: What --json writes for each command.
+
+    Returns:
+        JSON as Python has it.
+
+    Raises:
+        AntriebError: Every fault of the call.
+    """
+    answer: dict[str, object] = ask(
+        dict[str, object],
+        "schema",
+        (),
+        [("answers", answers)],
+        lang,
+    )
+    return answer
+
+
+code = code_parse
+catalogue = catalogue_export
+
+# A call of each command that runs; the tests put it to the function too.
+_EXAMPLES = {
+    "size": "size axis.toml --top 5",
+    "check": "check axis.toml --code CHA-25A-50-H-C1024",
+    "sweep": "sweep axis.toml --table tasks.parquet --out best.parquet",
+    "explain": "explain axis.toml --code CHA-25A-50-H-C1024 --check continuous_torque",
+    "simulate": "simulate axis.toml --code CHA-25A-50-H-C1024 --scenario emergency_stop",
+    "identify": "identify run.csv axis.toml --code CHA-25A-50-H-C1024",
+    "report": "report axis.toml --out axis.pdf",
+    "compare": "compare axis.toml --code CHA-25A-50-H-C1024 --code CHA-32A-50-H-C1024",
+    "diff": "diff before.toml after.toml",
+    "export": "export axis.toml --out axis.xlsx",
+    "code_parse": "code parse CHA-20A-100-H-C1024-B",
+    "code_list": "code list CHA-20A-*-H --available",
+    "code_complete": "code complete CHA-14A-100-N",
+    "data": "data CHA-20A-100-H-C1024",
+    "wiring": "wiring CHA-25A-100-H-M512P-B --check pins.csv",
+    "encoder": "encoder CHA-25A-100-H-M512P --angle \"12.5 deg\" --turn 3",
+    "errata": "errata CHA-25A-50-H-M512P",
+    "catalogue_export": "catalogue export --format csv",
+    "torsion": "torsion CHA-20A-100-H-C1024 --torque \"60 N m\"",
+    "commission": "commission CHA-25A-100-H-M512P-B --for sinamics",
+    "inertia": "inertia \"disc diameter=200mm length=20mm density=7850kg/m^3\"",
+    "curve": "curve CHA-20A-100-H-C1024 --voltage \"220 V\"",
+    "plot": "plot axis.toml --figure torque_speed --svg plane.svg",
+    "bearing": "bearing axis.toml",
+    "moves": "moves axis.toml",
+    "battery": "battery --hours-per-day 10",
+    "mount": "mount CHA-25A-100-H-M512P-B --bore K7",
+    "upkeep": "upkeep CHA-14A-50-E-M128S --delivered 2026-03-01 --storage \"6 months\" --hours-per-day 10",
+    "new": "new arm --out axis.toml",
+    "glossary": "glossary T_rms",
+    "units": "units torque",
+    "licences": "licences",
+    "schema": "schema",
+}
+
+__all__ = [
+    "battery",
+    "bearing",
+    "catalogue",
+    "catalogue_export",
+    "check",
+    "code",
+    "code_complete",
+    "code_list",
+    "code_parse",
+    "commission",
+    "commission_blank",
+    "commission_checklist",
+    "commission_out",
+    "commission_record",
+    "compare",
+    "curve",
+    "data",
+    "diff",
+    "encoder",
+    "encoder_vcd",
+    "errata",
+    "explain",
+    "export",
+    "glossary",
+    "identify",
+    "inertia",
+    "licences",
+    "mount",
+    "mount_project",
+    "moves",
+    "new",
+    "plot",
+    "report",
+    "schema",
+    "simulate",
+    "size",
+    "torsion",
+    "units",
+    "upkeep",
+    "upkeep_ical",
+    "wiring",
+    "wiring_check",
+]

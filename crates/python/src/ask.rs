@@ -1,0 +1,147 @@
+//! A call from Python as a question of the list.
+
+use antrieb::SourceFile;
+use page::{Reply, Shell};
+use project::{Files, NoFiles};
+use quantities::Language;
+use questions::Patience;
+use questions::list::{ArgumentKind, Asked, Entry, Given, LIST, Unanswered};
+use std::borrow::Cow;
+use std::path::{Path, PathBuf};
+use std::time::Duration;
+
+/// A text that a question is about, or where it lies.
+#[derive(Clone, Debug)]
+pub enum Text {
+    /// A file.
+    At(PathBuf),
+    /// The text itself, what it is called in faults, and the folder of the recordings that it may name.
+    Is {
+        /// The text.
+        text: String,
+        /// What it is called.
+        name: String,
+        /// The folder.
+        folder: PathBuf,
+    },
+}
+
+/// A call.
+#[derive(Clone, Debug)]
+pub struct Call {
+    /// The command of the question.
+    pub command: String,
+    /// The texts that it is about.
+    pub texts: Vec<Text>,
+    /// Names and values of its arguments.
+    pub pairs: Vec<(String, String)>,
+    /// How long it may take.
+    pub deadline: Option<Duration>,
+    /// How much memory recordings may take, as it is written.
+    pub memory: Option<String>,
+    /// The language of the texts.
+    pub language: Language,
+}
+
+/// What a call is answered with.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Outcome {
+    /// The answer.
+    Answered(Reply),
+    /// The record of the faults.
+    Refused(String),
+}
+
+impl Call {
+    /// What ends the work: a deadline that the caller measures, or only the caller.
+    #[must_use]
+    pub fn patience(&self) -> Patience {
+        if self.deadline.is_some() { Patience::limited() } else { Patience::endless() }
+    }
+
+    /// The answer.
+    #[must_use]
+    pub fn answer(&self, patience: &Patience) -> Outcome {
+        self.answered(patience).map_or_else(|why| self.refused(&why), Outcome::Answered)
+    }
+
+    fn answered(&self, patience: &Patience) -> Result<Reply, Unanswered> {
+        let entry = entry(&self.command)?;
+        let memory = antrieb::memory_allowed(self.memory.clone(), self.language)?;
+        let read = self.texts.iter().map(|text| text.read(memory, self.language));
+        let files: Vec<SourceFile> = read.collect::<Result<_, _>>()?;
+        let asked = Asked {
+            given: Given::of(entry.arguments, self.given(entry), self.language)?,
+            sources: files.iter().map(SourceFile::source).collect(),
+            days_since_1970: antrieb::days_since_1970(),
+            patience,
+            refuses_long: self.deadline.is_none(),
+            language: self.language,
+        };
+        page::reply(entry, &asked, &Here { files: files.first() })
+    }
+
+    fn given<'c>(&'c self, entry: &Entry) -> Vec<(Cow<'c, str>, Cow<'c, str>)> {
+        let is_file = |name: &str| {
+            entry.arguments.iter().any(|known| known.name == name && matches!(known.kind, ArgumentKind::File))
+        };
+        let pairs = self.pairs.iter().map(|(name, value)| {
+            let value = if is_file(name) { antrieb::named_file(value).into() } else { Cow::Borrowed(value.as_str()) };
+            (Cow::Borrowed(name.as_str()), value)
+        });
+        pairs.collect()
+    }
+
+    fn refused(&self, why: &Unanswered) -> Outcome {
+        Outcome::Refused(why.record(self.deadline.map(|most| most.as_secs_f64()), self.language))
+    }
+}
+
+/// The question of a command.
+fn entry(command: &str) -> Result<&'static Entry, Unanswered> {
+    let found = LIST.iter().copied().find(|entry| entry.command == command);
+    found.ok_or(Unanswered::Refused(questions::Refusal::NoData, None))
+}
+
+impl Text {
+    /// Reads it.
+    ///
+    /// # Errors
+    /// What the system says of the file.
+    pub fn read(&self, memory: u64, language: Language) -> Result<SourceFile, Unanswered> {
+        match self {
+            Self::At(path) => SourceFile::read(path, memory, language),
+            Self::Is { text, name, folder } => {
+                Ok(SourceFile::of_text(name.clone(), text.clone().into_bytes(), Path::new(folder), memory))
+            }
+        }
+    }
+}
+
+/// What this machine provides for an answer.
+struct Here<'f> {
+    files: Option<&'f SourceFile>,
+}
+
+impl Shell for Here<'_> {
+    fn files(&self) -> &dyn Files {
+        self.files.map_or(&NoFiles, |file| file.beside())
+    }
+
+    fn days_since_1970(&self) -> Option<u64> {
+        antrieb::days_since_1970()
+    }
+
+    fn report(&self) -> Option<page::WritesReport> {
+        antrieb::PRESS.map(|press| press.report)
+    }
+
+    fn checklist(&self) -> Option<page::WritesChecklist> {
+        antrieb::PRESS.map(|press| press.checklist)
+    }
+
+    fn version(&self, _: &[u8]) -> String {
+        // No page is open that could hold an older one.
+        String::new()
+    }
+}

@@ -1,0 +1,112 @@
+//! The module `antrieb._antrieb`.
+
+mod capsules;
+mod table;
+
+use crate::{Call, Outcome, Text};
+use pyo3::intern;
+use pyo3::prelude::*;
+use quantities::Language;
+use questions::Patience;
+use std::borrow::Cow;
+use std::path::PathBuf;
+use std::sync::mpsc::{RecvTimeoutError, channel};
+use std::time::{Duration, Instant};
+
+/// So often a call looks whether it is interrupted.
+const TICK: Duration = Duration::from_millis(20);
+
+/// Runs a piece of work beside the interpreter, which goes on meanwhile; an interrupt or a deadline ends it before its next step.
+pub(crate) fn beside<T: Send>(
+    py: Python<'_>,
+    patience: &Patience,
+    deadline: Option<Duration>,
+    work: impl FnOnce() -> T + Send,
+) -> PyResult<T> {
+    let begin = Instant::now();
+    py.detach(|| {
+        std::thread::scope(|scope| {
+            let (done, is_done) = channel::<()>();
+            let worker = scope.spawn(move || {
+                let _done = done;
+                work()
+            });
+            let mut interrupted = None;
+            while is_done.recv_timeout(TICK) == Err(RecvTimeoutError::Timeout) {
+                if deadline.is_some_and(|most| begin.elapsed() > most) {
+                    patience.expire();
+                }
+                if interrupted.is_none()
+                    && let Err(interrupt) = Python::attach(|py| py.check_signals())
+                {
+                    interrupted = Some(interrupt);
+                    patience.cancel();
+                }
+            }
+            let found = worker.join().unwrap_or_else(|panic| std::panic::resume_unwind(panic));
+            interrupted.map_or(Ok(found), Err)
+        })
+    })
+}
+
+/// A text or a file, as the functions of the package hand it over: text, name, folder; a file without a text.
+type Handed = (Option<String>, String, PathBuf);
+
+fn text((text, name, folder): Handed) -> Text {
+    match text {
+        Some(text) => Text::Is { text, name, folder },
+        None => Text::At(PathBuf::from(name)),
+    }
+}
+
+/// The exception with the faults of a record.
+fn refused(py: Python<'_>, record: &str) -> PyErr {
+    let made = || {
+        let record = py.import(intern!(py, "json"))?.call_method1("loads", (record,))?;
+        py.import(intern!(py, "antrieb._call"))?.getattr("AntriebError")?.call1((record,))
+    };
+    made().map_or_else(|error| error, PyErr::from_value)
+}
+
+/// The native part of antrieb: what the functions of the package call.
+#[pymodule(gil_used = false)]
+mod _antrieb {
+    use super::*;
+
+    #[pymodule_export]
+    use super::table::{Sweep, Table};
+
+    /// Answers a question: its media type and the answer. Faults are raised as `AntriebError`.
+    #[pyfunction]
+    #[pyo3(signature = (command, texts, pairs, lang, deadline, memory))]
+    fn ask(
+        py: Python<'_>,
+        command: String,
+        texts: Vec<Handed>,
+        pairs: Vec<(String, String)>,
+        lang: &str,
+        deadline: Option<&str>,
+        memory: Option<String>,
+    ) -> PyResult<(&'static str, Cow<'static, [u8]>)> {
+        let language = Language::of_id(lang).unwrap_or_default();
+        let deadline = deadline.map(|text| antrieb::deadline_of(text, language)).transpose();
+        let deadline = deadline.map_err(|why| refused(py, &why.record(None, language)))?;
+        let texts = texts.into_iter().map(text).collect();
+        let call = Call { command, texts, pairs, deadline, memory, language };
+        let patience = call.patience();
+        match beside(py, &patience, deadline, || call.answer(&patience))? {
+            Outcome::Answered(reply) => Ok((reply.media, reply.body.into())),
+            Outcome::Refused(record) => Err(refused(py, &record)),
+        }
+    }
+
+    /// Answers a call of the command line, the name of the program first; gives the exit code.
+    #[pyfunction]
+    fn run(py: Python<'_>, call: Vec<std::ffi::OsString>) -> u8 {
+        py.detach(|| antrieb::run(call))
+    }
+
+    /// The version.
+    #[pymodule_export]
+    const VERSION: &str = env!("CARGO_PKG_VERSION");
+}

@@ -1,0 +1,53 @@
+//! What is written into `python/antrieb` from the list of questions and the schema of the answers: functions and classes.
+//!
+//! It stands beside the library and does not link it: the library is one that an interpreter loads.
+
+#[path = "generated/functions.rs"]
+mod functions;
+#[path = "generated/names.rs"]
+mod names;
+#[path = "generated/types.rs"]
+mod types;
+
+use questions::list::records;
+use serde_json::{Map, Value};
+use std::path::Path;
+
+/// Names and descriptions of the schema of the answers.
+struct Schema {
+    properties: Map<String, Value>,
+    definitions: Map<String, Value>,
+}
+
+impl Schema {
+    fn of_the_answers() -> Self {
+        let mut whole = answers::schema(&records());
+        let mut part = |name: &str| match whole.get_mut(name).map(Value::take) {
+            Some(Value::Object(fields)) => fields,
+            _ => Map::new(),
+        };
+        Self { properties: part("properties"), definitions: part("$defs") }
+    }
+}
+
+/// The files with their content.
+fn files() -> [(&'static str, String); 2] {
+    let schema = Schema::of_the_answers();
+    [("answers.py", types::module(&schema)), ("questions.py", functions::module(&schema))]
+}
+
+#[test]
+fn the_package_is_that_of_the_list_and_the_schema() {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("python").join("antrieb");
+    for (file, text) in files() {
+        let path = folder.join(file);
+        if std::env::var_os("INSTA_UPDATE").is_some_and(|value| value == "always") {
+            std::fs::write(&path, &text).unwrap_or_default();
+        }
+        let stored = std::fs::read_to_string(&path).unwrap_or_default();
+        assert!(
+            stored == text,
+            "crates/python/python/antrieb/{file} is out of date: cargo xtask snapshots writes it anew"
+        );
+    }
+}

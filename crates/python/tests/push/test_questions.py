@@ -1,0 +1,257 @@
+"""Every question of the list as a function: the answer of its command, as typed objects; faults with their places."""
+
+from __future__ import annotations
+
+import dataclasses
+import inspect
+import json
+import os
+import pathlib
+import pickle
+import shlex
+import signal
+import subprocess
+import sys
+import tempfile
+import threading
+import time
+import typing
+import unittest
+import unittest.mock
+
+import antrieb
+from antrieb import _antrieb, answers, questions
+
+EXAMPLES = pathlib.Path(__file__).resolve().parents[4] / "examples"
+PROJECT = (EXAMPLES / "indexing-table.toml").read_text(encoding="utf-8")
+CODE = "CHA-25A-50-H-C1024"
+
+
+def command(*words: str, folder: str = ".") -> subprocess.CompletedProcess[bytes]:
+    """A call of the command line of the same package."""
+    return subprocess.run([sys.executable, "-m", "antrieb", *words], capture_output=True, cwd=folder, check=False)
+
+
+def call_of(function: typing.Any, example: str) -> tuple[dict[str, typing.Any], bool]:
+    """The example of a command as the arguments of its function, and whether all of it: files that only the command reads or
+    writes are left out."""
+    parameters = inspect.signature(function).parameters
+    hints = typing.get_type_hints(function)
+    words = shlex.split(example)
+    while words and words[0].isalpha() and not words[0].isupper() and function.__name__.split("_")[0] == words[0]:
+        del words[: function.__name__.count("_") + 1]
+    sources = [name for name in parameters if name in ("text", "old", "new")]
+    places = [
+        name
+        for name, each in parameters.items()
+        if each.kind is each.POSITIONAL_OR_KEYWORD and name not in ("text", "old", "new", "lang")
+    ]
+    whole = True
+    named: dict[str, typing.Any] = {}
+    while words:
+        word = words.pop(0)
+        if word.startswith("--"):
+            name = word[2:].replace("-", "_")
+            name = name + "_" if name + "_" in parameters else name
+            value: typing.Any = True if hints.get(name) is bool else words.pop(0)
+            if name == "out" and "format" in parameters:
+                name, value = "format", pathlib.Path(value).suffix[1:]
+            whole = whole and name in parameters and name != "format"
+            if name in parameters:
+                several = name in named and not isinstance(named[name], list)
+                named[name] = [named[name], value] if several else value
+        elif word.endswith(".toml") and sources:
+            named[sources.pop(0)] = pathlib.Path(word)
+        else:
+            named[places.pop(0)] = word
+    return named, whole
+
+
+class Questions(unittest.TestCase):
+    """The list walked."""
+
+    folder: tempfile.TemporaryDirectory[str]
+
+    @classmethod
+    def setUpClass(cls) -> None:
+        cls.folder = tempfile.TemporaryDirectory()
+        cls.addClassCleanup(cls.folder.cleanup)
+        cls.addClassCleanup(os.chdir, os.getcwd())
+        os.chdir(cls.folder.name)
+        for name in ("axis.toml", "before.toml"):
+            pathlib.Path(name).write_text(PROJECT, encoding="utf-8")
+        pathlib.Path("after.toml").write_text(PROJECT.replace("inertia = \"", "inertia = \"1", 1), encoding="utf-8")
+        # The name is that of the example; over a question a table is read as CSV.
+        pathlib.Path("tasks.parquet").write_text("load.inertia [kg m^2]\n1.0\n1.3\n", encoding="utf-8")
+        run = command("simulate", "axis.toml", "--code", CODE, "--out", "run.csv")
+        assert run.returncode in (0, 1), run.stderr
+
+    def test_every_question_answers_as_its_command(self) -> None:
+        for name, example in questions._EXAMPLES.items():
+            with self.subTest(name):
+                function = getattr(questions, name)
+                named, whole = call_of(function, example)
+                seen: list[tuple[str, bytes]] = []
+
+                def ask(*arguments: typing.Any, native: typing.Any = _antrieb.ask) -> tuple[str, bytes]:
+                    seen.append(native(*arguments))
+                    return seen[-1]
+
+                with unittest.mock.patch.object(_antrieb, "ask", ask):
+                    answer = function(**named)
+                media, body = seen[0]
+                self.assertIsNotNone(answer)
+                if media == "application/json" and whole:
+                    done = command(*shlex.split(example), "--json")
+                    self.assertEqual(done.stdout, body, done.stderr)
+                elif media == "application/pdf":
+                    self.assertTrue(answer.startswith(b"%PDF-"))
+                elif media.startswith("image/svg"):
+                    self.assertTrue(answer._repr_svg_().startswith("<svg"))
+
+    def test_every_function_is_of_the_package(self) -> None:
+        for name in questions.__all__:
+            self.assertTrue(inspect.getdoc(getattr(antrieb, name)), name)
+        self.assertIs(antrieb.code, antrieb.code_parse)
+        self.assertIs(antrieb.catalogue, antrieb.catalogue_export)
+
+    def test_questions_of_an_option(self) -> None:
+        code = "CHA-25A-100-H-M512P-B"
+        self.assertTrue(antrieb.wiring_check(EXAMPLES / "pins.csv", code).findings)
+        self.assertIn("BEGIN:VCALENDAR", antrieb.upkeep_ical(code, "2026-03-01"))
+        self.assertIn("$enddefinitions", antrieb.encoder_vcd(code))
+        self.assertTrue(antrieb.commission_checklist(code).startswith(b"%PDF-"))
+        self.assertIn("[", antrieb.commission_blank(code))
+        self.assertIsInstance(antrieb.mount_project(PROJECT, code), answers.Mount)
+        self.assertIsInstance(antrieb.export(PROJECT, table="checks"), answers.Table)
+        self.assertTrue(antrieb.export(PROJECT, format="xlsx").startswith(b"PK"))
+        self.assertTrue(antrieb.export(PROJECT, table="checks", format="csv").startswith("code,"))
+        objects = antrieb.commission(code, for_="cia402")
+        self.assertIsInstance(objects, list)
+
+    def test_texts_and_paths_are_the_same(self) -> None:
+        of_text = antrieb.size(PROJECT, top=1)
+        self.assertEqual(of_text, antrieb.size("axis.toml", top=1))
+        self.assertEqual(of_text, antrieb.size(pathlib.Path("axis.toml"), top=1))
+        self.assertEqual(antrieb.size(PROJECT, "de", top=1).verdict, of_text.verdict)
+
+    def test_answers_are_typed(self) -> None:
+        (sizing,) = antrieb.size(PROJECT, top=2).axes
+        self.assertIsInstance(sizing, answers.Sizing)
+        self.assertIsInstance(sizing.ranking[0].checks[0], answers.Check)
+        self.assertEqual(sizing.ranking[0].checks[0].direction, "at_most")
+        self.assertTrue(dataclasses.asdict(sizing))
+        both = antrieb.size(EXAMPLES / "two-axes.toml", top=1)
+        self.assertIsInstance(both, answers.AxesOfSizing)
+        self.assertEqual(len(both.axes), 2)
+        one = antrieb.size(EXAMPLES / "two-axes.toml", axis=both.axes[0].axis, top=1)
+        self.assertIsInstance(one, answers.Sizing)
+
+    def test_recordings_are_opened_beside_the_file(self) -> None:
+        path = EXAMPLES / "robot-joint.toml"
+        at_its_place = antrieb.size(path, top=1)
+        self.assertEqual(antrieb.size(path.read_text(encoding="utf-8"), folder=EXAMPLES, top=1), at_its_place)
+        with self.assertRaises(antrieb.AntriebError) as caught:
+            antrieb.size(path.read_text(encoding="utf-8"))
+        self.assertIn("robot-joint.csv", str(caught.exception))
+
+
+class Faults(unittest.TestCase):
+    """What cannot be answered."""
+
+    def test_every_fault_comes_with_place_and_hint(self) -> None:
+        wrong = 'format = 1\n[load]\ninertja = "1 kg m^2"\n[[motion]]\nlaw = "manual"\nspeed = "40"\n'
+        with self.assertRaises(antrieb.AntriebError) as caught:
+            antrieb.size(wrong, file="wrong.toml")
+        faults = caught.exception.faults
+        self.assertGreater(len(faults), 2)
+        by_id = {fault.id: fault for fault in faults}
+        unknown = by_id["unknown_key"]
+        assert isinstance(unknown, answers.Fault)
+        self.assertEqual((unknown.file, unknown.line, unknown.column), ("wrong.toml", 3, 1))
+        self.assertEqual(unknown.hint, "did you mean `inertia`?")
+        self.assertIn("wrong.toml:3:1: ", str(caught.exception))
+        again = pickle.loads(pickle.dumps(caught.exception))
+        self.assertEqual(again.faults, faults)
+
+    def test_a_wrong_code_has_the_nearest_ones(self) -> None:
+        with self.assertRaises(antrieb.AntriebError) as caught:
+            antrieb.data("CHA-20B-100-H-C1024")
+        self.assertIn("CHA-20A-100-H-C1024", [each.code for each in caught.exception.nearest])
+
+    def test_faults_of_arguments_are_reported_together(self) -> None:
+        with self.assertRaises(antrieb.AntriebError) as caught:
+            antrieb.size(PROJECT, top=0, samples=0)
+        self.assertEqual([fault.option for fault in caught.exception.faults], ["top", "samples"])
+        with self.assertRaises(antrieb.AntriebError):
+            antrieb.size("nowhere.toml")
+        with self.assertRaises(antrieb.AntriebError) as caught:
+            antrieb.size(PROJECT, deadline="soon")
+        self.assertIn("deadline", str(caught.exception))
+        with self.assertRaises(TypeError):
+            antrieb.curve(CODE, voltage=220.0)
+
+    def test_the_language_is_that_of_the_call(self) -> None:
+        with self.assertRaises(antrieb.AntriebError) as caught:
+            antrieb.size("nowhere.toml", "de")
+        self.assertIn("gibt es nicht", str(caught.exception))
+
+
+class Work(unittest.TestCase):
+    """Threads, interrupts, deadlines."""
+
+    TOLERANT = EXAMPLES / "tolerances.toml"
+
+    def test_other_threads_go_on(self) -> None:
+        ticks: list[float] = []
+        done = threading.Event()
+
+        def tick() -> None:
+            while not done.is_set():
+                ticks.append(time.monotonic())
+                time.sleep(0.002)
+
+        thread = threading.Thread(target=tick)
+        thread.start()
+        antrieb.report(PROJECT)
+        done.set()
+        thread.join()
+        halted = max((after - before for before, after in zip(ticks, ticks[1:], strict=False)), default=0.0)
+        self.assertGreater(len(ticks), 20)
+        self.assertLess(halted, 0.5)
+
+    def test_a_deadline_ends_the_work(self) -> None:
+        begin = time.monotonic()
+        with self.assertRaises(antrieb.AntriebError):
+            antrieb.size(self.TOLERANT, all=True, samples=1_000_000, deadline="0.3 s")
+        self.assertLess(time.monotonic() - begin, 20.0)
+
+    @unittest.skipIf(os.name == "nt", "signals of another kind")
+    def test_an_interrupt_ends_the_work(self) -> None:
+        threading.Timer(0.3, signal.raise_signal, [signal.SIGINT]).start()
+        begin = time.monotonic()
+        with self.assertRaises(KeyboardInterrupt):
+            antrieb.size(self.TOLERANT, all=True, samples=1_000_000, deadline="600 s")
+        self.assertLess(time.monotonic() - begin, 20.0)
+
+
+class CommandLine(unittest.TestCase):
+    """The command of the wheel."""
+
+    def test_the_exit_code_is_that_of_the_answer(self) -> None:
+        with tempfile.TemporaryDirectory() as folder:
+            pathlib.Path(folder, "axis.toml").write_text(PROJECT, encoding="utf-8")
+            fits = command("size", "axis.toml", "--json", folder=folder)
+            self.assertEqual(fits.returncode, 0, fits.stderr)
+            self.assertEqual(json.loads(fits.stdout)["verdict"], "fits")
+            refused = command("size", "nowhere.toml", folder=folder)
+            self.assertEqual((refused.returncode, refused.stdout), (2, b""))
+            report = command("report", "axis.toml", "--out", "axis.pdf", folder=folder)
+            self.assertEqual(report.returncode, 0, report.stderr)
+            self.assertTrue(pathlib.Path(folder, "axis.pdf").read_bytes().startswith(b"%PDF-"))
+        version = command("--version")
+        self.assertEqual(version.stdout.decode().strip(), f"antrieb {antrieb.__version__}")
+
+
+if __name__ == "__main__":
+    unittest.main()

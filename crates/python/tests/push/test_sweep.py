@@ -1,0 +1,134 @@
+"""Sweeps: any Arrow table in, an Arrow table out, with the verdicts and digits of `size`."""
+
+from __future__ import annotations
+
+import random
+import signal
+import threading
+import time
+import unittest
+
+import duckdb
+import pyarrow as pa
+
+import antrieb
+from antrieb.examples import ARM
+
+INERTIA = "mechanism.arm.inertia [kg m^2]"
+PAYLOAD = "motion[0].payload [kg]"
+TIME = "motion[0].time [s]"
+
+
+def columns(rows: int, seed: int) -> dict[str, list[float]]:
+    """Random axes, the same for a seed."""
+    chance = random.Random(seed)
+    return {
+        INERTIA: [round(chance.uniform(0.1, 2.0), 3) for _ in range(rows)],
+        PAYLOAD: [round(chance.uniform(0.0, 12.0), 2) for _ in range(rows)],
+        TIME: [round(chance.uniform(0.5, 2.0), 2) for _ in range(rows)],
+    }
+
+
+class Sweeps(unittest.TestCase):
+    """The function and the object."""
+
+    def test_verdicts_are_those_of_size(self) -> None:
+        given = columns(12, 7)
+        best = antrieb.sweep(ARM, antrieb.Table.from_pydict(given)).to_pydict()
+        for row in range(12):
+            project = (
+                ARM.replace("0.55 kg m^2", f"{given[INERTIA][row]} kg m^2")
+                .replace("2.5 kg", f"{given[PAYLOAD][row]} kg")
+                .replace('"1.2 s"', f'"{given[TIME][row]} s"', 1)
+            )
+            (sizing,) = antrieb.size(project, top=1).axes
+            with self.subTest(row):
+                self.assertEqual(best["fit"][row], sizing.fitting)
+                self.assertEqual(best["code"][row], sizing.answer)
+                first = sizing.ranking[0] if sizing.ranking else None
+                if sizing.answer and first and first.utilisation is not None:
+                    self.assertEqual(float(f"{best['utilisation'][row]:.11e}"), first.utilisation)
+                    self.assertEqual(best["tightest"][row], first.tightest)
+
+    def test_every_kind_of_table_is_taken_and_handed_over(self) -> None:
+        given = columns(16, 3)
+        own = antrieb.Table.from_pydict(given)
+        whole = pa.table(own)
+        self.assertEqual(whole.to_pydict(), given)
+        expected = antrieb.sweep(ARM, own).to_pydict()
+        parts = pa.Table.from_batches(whole.to_batches(max_chunksize=7))
+        tables = {
+            "pyarrow": whole,
+            "in parts": parts,
+            "a batch": whole.combine_chunks().to_batches()[0],
+            "a reader": pa.RecordBatchReader.from_batches(whole.schema, whole.to_batches()),
+            "of texts": pa.table({name: [str(each) for each in values] for name, values in given.items()}),
+            "duckdb": duckdb.connect().from_arrow(whole).to_arrow_table(),
+        }
+        for name, table in tables.items():
+            with self.subTest(name):
+                found = antrieb.sweep(ARM, table)
+                self.assertEqual(found.to_pydict(), expected)
+                self.assertEqual(pa.table(found).to_pydict(), expected)
+                self.assertEqual(pa.schema(found).names, found.column_names)
+
+    def test_a_part_is_the_same_as_in_the_whole(self) -> None:
+        table = pa.table(antrieb.Table.from_pydict(columns(18, 5)))
+        whole = pa.table(antrieb.sweep(ARM, table))
+        prepared = antrieb.Sweep(ARM, table.schema)
+        self.assertEqual(prepared.answers.column_names, whole.column_names)
+        for first in range(0, 18, 8):
+            part = table.slice(first, 8)
+            self.assertTrue(pa.table(prepared.batch(part, first)).equals(whole.slice(first, 8).combine_chunks()))
+
+    def test_every_actuator_and_the_front(self) -> None:
+        table = antrieb.Table.from_pydict(columns(2, 1))
+        every = antrieb.sweep(ARM, table, check=["peak_torque"])
+        self.assertIn("peak_torque.verdict", every.column_names)
+        self.assertEqual(len(every), 2 * 276)
+        front = antrieb.sweep(ARM, table, front=True)
+        self.assertIn("mass [kg]", front.column_names)
+
+    def test_a_row_that_cannot_be_judged_says_why(self) -> None:
+        found = antrieb.sweep(ARM, antrieb.Table.from_pydict({TIME: [1.0, -1.0, 1.0]})).to_pydict()
+        self.assertIsNone(found["error"][0])
+        self.assertIsNotNone(found["error"][1])
+        self.assertEqual(found["code"][0], found["code"][2])
+
+    def test_an_empty_table_has_no_answers(self) -> None:
+        empty = antrieb.sweep(ARM, pa.table({TIME: pa.array([], pa.float64())}))
+        self.assertEqual(len(empty), 0)
+        self.assertEqual(empty.column_names[0], "row")
+
+    def test_every_fault_of_a_table_has_its_heading_and_row(self) -> None:
+        with self.assertRaises(antrieb.AntriebError) as caught:
+            antrieb.sweep(ARM, antrieb.Table.from_pydict({"motion[0].tyme [s]": [1.0], "motion[0].payload": [1.0]}))
+        headings = [getattr(fault, "heading", None) for fault in caught.exception.faults]
+        self.assertEqual(headings, ["motion[0].tyme [s]", "motion[0].payload"])
+        with self.assertRaises(antrieb.AntriebError) as caught:
+            antrieb.sweep(ARM, pa.table({TIME: [1.0, None], PAYLOAD: ["heavy", "1"]}))
+        places = [(getattr(fault, "heading", None), getattr(fault, "row", None)) for fault in caught.exception.faults]
+        self.assertEqual(sorted(places, key=str), [(PAYLOAD, 0), (TIME, 1)])
+        with self.assertRaises(antrieb.AntriebError):
+            antrieb.sweep(ARM, pa.table({"code": ["CHA-20B-100-H-C1024"]}))
+        with self.assertRaises(antrieb.AntriebError):
+            antrieb.sweep(ARM, antrieb.Table.from_pydict({TIME: [1.0]}), check=["peak_torque_"])  # type: ignore[list-item]
+
+    def test_what_is_no_table_is_refused(self) -> None:
+        for wrong in ([1.0], {"a": [1.0]}, pa.array([1.0]), None):
+            with self.subTest(type(wrong)), self.assertRaises(TypeError):
+                antrieb.sweep(ARM, wrong)  # type: ignore[arg-type]
+        with self.assertRaises(ValueError):
+            antrieb.Table.from_pydict({"a": [1.0], "b": []})
+
+    def test_an_interrupt_ends_a_sweep(self) -> None:
+        table = antrieb.Table.from_pydict(columns(20_000, 2))
+        threading.Timer(0.5, signal.raise_signal, [signal.SIGINT]).start()
+        begin = time.monotonic()
+        with self.assertRaises(KeyboardInterrupt):
+            antrieb.sweep(ARM, table)
+        self.assertLess(time.monotonic() - begin, 30.0)
+
+
+if __name__ == "__main__":
+    unittest.main()
