@@ -9,8 +9,8 @@ use std::time::Instant;
 
 use crate::cargo::Workspace;
 use crate::{
-    Error, api, bench, book, browser, canopen, data, fuzz, german, lint, notices, python, readme, site, standard, test, tidy,
-    tools,
+    Error, api, bench, book, browser, canopen, data, fuzz, german, lint, notices, python, readme, site, standard, test,
+    tidy, tools,
 };
 use forecast::{Cost, Forecast};
 

@@ -1,8 +1,8 @@
 //! `drive`: the virtual drive of a code.
 
 use crate::answer::Answer;
-use crate::source::SourceFile;
 use crate::fault::{memory, unanswered};
+use crate::source::SourceFile;
 use crate::waiting::patience;
 use clap::ArgMatches;
 use order_code::OrderCode;

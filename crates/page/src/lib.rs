@@ -64,7 +64,7 @@ pub fn respond(call: &Call<'_>, shell: &dyn Shell, patience: &Patience) -> Reply
     }
     #[cfg(feature = "theory")]
     if let Some(name) = call.path.strip_prefix("/theory/") {
-        return theory::file(name);
+        return theory::file(name, call.language());
     }
     #[cfg(feature = "interface")]
     if api::is_path(call.path) {

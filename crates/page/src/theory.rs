@@ -28,7 +28,7 @@ pub fn theory_files() -> impl Iterator<Item = String> {
 }
 
 /// A file of the theory.
-pub(crate) fn file(name: &str) -> Reply {
+pub(crate) fn file(name: &str, language: Language) -> Reply {
     if let Some((_, svg)) = name.strip_prefix("pictures/").and_then(|name| PICTURES.iter().find(|(of, _)| *of == name))
     {
         return Reply::of(200, "image/svg+xml", *svg);
@@ -38,7 +38,7 @@ pub(crate) fn file(name: &str) -> Reply {
         .and_then(|name| CHAPTERS.iter().find(|(of, _)| of.strip_suffix(".md") == Some(name)));
     match chapter {
         Some((_, text)) => Reply::of(200, crate::HTML, shown(text)),
-        None => Reply::text(404, page::no_such_page(Language::En)),
+        None => Reply::text(404, page::no_such_page(language)),
     }
 }
 
@@ -147,9 +147,9 @@ mod tests {
         assert_eq!(CHAPTERS.map(|(name, _)| name.to_owned()).to_vec(), names("", ".md"));
         assert_eq!(PICTURES.map(|(name, _)| name.to_owned()).to_vec(), names("pictures", ".svg"));
         for name in theory_files() {
-            assert_eq!(file(&name).status, 200, "{name}");
+            assert_eq!(file(&name, Language::default()).status, 200, "{name}");
         }
-        assert_eq!(file("../gear.html").status, 404);
+        assert_eq!(file("../gear.html", Language::default()).status, 404);
     }
 
     /// Every anchor that a chapter links to within the theory is a heading of its page.

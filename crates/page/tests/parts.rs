@@ -1,4 +1,4 @@
-//! What the browser has already is not sent again: put back in its place, the page is the one that would be sent whole.
+//! Parts that a browser shows are not sent again: put back in their places, the page is the one that would be sent whole.
 #![allow(clippy::unwrap_used, clippy::panic, clippy::indexing_slicing, reason = "a test fails loudly")]
 
 mod shell;

@@ -76,8 +76,8 @@ texts! {
         "Judge many axes: a table whose columns are keys of the project"
         | "Viele Achsen beurteilen: eine Tabelle, deren Spalten Schlüssel des Projekts sind";
     sweep_table =
-        "Table of the rows, .csv or .parquet; headings such as \"load.inertia [kg m^2]\", \"motion[0].time [s]\", \"code\""
-        | "Tabelle der Zeilen, .csv oder .parquet; Überschriften wie \"load.inertia [kg m^2]\", \"motion[0].time [s]\", \"code\"";
+        "Table of the rows, .csv or .parquet; headings such as \"motion[0].time [s]\", \"requirements.ambient [degC]\", \"code\""
+        | "Tabelle der Zeilen, .csv oder .parquet; Überschriften wie \"motion[0].time [s]\", \"requirements.ambient [degC]\", \"code\"";
     sweep_check =
         "Every code of every row, with verdict and utilisation of this check; several times"
         | "Jede Bestellbezeichnung jeder Zeile, mit Urteil und Auslastung dieses Nachweises; mehrmals";
@@ -88,8 +88,8 @@ texts! {
         "The answers as .csv or .parquet; an interrupted call continues"
         | "Die Antworten als .csv oder .parquet; ein unterbrochener Aufruf setzt fort";
     new_key =
-        "For `new sweep`: a key with its range or values, \"load.inertia [kg m^2] = 0.1..10 log\"; several times"
-        | "Für `new sweep`: ein Schlüssel mit Bereich oder Werten, \"load.inertia [kg m^2] = 0.1..10 log\"; mehrmals";
+        "For `new sweep`: a key with its range or values, \"motion[0].time [s] = 1..3 log\"; several times"
+        | "Für `new sweep`: ein Schlüssel mit Bereich oder Werten, \"motion[0].time [s] = 1..3 log\"; mehrmals";
     new_samples =
         "For `new sweep`: rows that are drawn, or steps of each range of a grid (100)"
         | "Für `new sweep`: gezogene Zeilen, oder Stufen jedes Bereichs eines Gitters (100)";

@@ -7,8 +7,8 @@ use quantities::Language;
 
 texts! {
     written(file, rows) = "{file}: {rows} rows" | "{file}: {rows} Zeilen";
-    fitting(rows, share) = "an actuator fits: {rows} rows ({share} %)" | "ein Antrieb passt: {rows} Zeilen ({share} %)";
-    none_fits(rows, share) = "none fits: {rows} rows ({share} %)" | "keiner passt: {rows} Zeilen ({share} %)";
+    fitting(rows, share) = "an actuator fits: {rows} rows ({share} %)" | "ein Antrieb ist geeignet: {rows} Zeilen ({share} %)";
+    none_fits(rows, share) = "none fits: {rows} rows ({share} %)" | "keiner ist geeignet: {rows} Zeilen ({share} %)";
     not_judged(rows, share) = "not judged: {rows} rows ({share} %)" | "nicht beurteilt: {rows} Zeilen ({share} %)";
     tightest = "tightest check of the nearest miss" | "engster Nachweis des nächstbesten Antriebs";
     no_class = "no actuator of the required class" | "kein Antrieb der geforderten Klasse";
@@ -45,8 +45,8 @@ texts! {
     sample_key(written) =
         "\"{written}\" is no key with its values" | "„{written}“ ist kein Schlüssel mit seinen Werten";
     sample_key_hint =
-        "write \"load.inertia [kg m^2] = 0.1..10\", \"… = 0.1..10 log\" or \"… = 0.1; 0.5; 2\""
-        | "„load.inertia [kg m^2] = 0.1..10“, „… = 0.1..10 log“ oder „… = 0.1; 0.5; 2“ schreiben";
+        "write \"motion[0].time [s] = 1..3\", \"… = 1..3 log\" or \"… = 1; 2; 3\""
+        | "„motion[0].time [s] = 1..3“, „… = 1..3 log“ oder „… = 1; 2; 3“ schreiben";
     no_sample_keys = "no key is stated" | "kein Schlüssel angegeben";
     log_needs_positive(key) =
         "`{key}`: a logarithmic range begins above zero" | "`{key}`: ein logarithmischer Bereich beginnt über null";

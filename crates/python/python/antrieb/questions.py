@@ -197,7 +197,7 @@ def sweep(
 
     Args:
         text: The project as text, or the path of its file.
-        table: Table of the rows, .csv or .parquet; headings such as "load.inertia [kg m^2]", "motion[0].time [s]", "code".
+        table: Table of the rows, .csv or .parquet; headings such as "motion[0].time [s]", "requirements.ambient [degC]", "code".
         lang: Language of the texts: `en` or `de`.
         axis: Only this axis of a project with several.
         check: Every code of every row, with verdict and utilisation of this check; several times.
@@ -1685,7 +1685,7 @@ def new(
     Args:
         kind: Kind of the project.
         lang: Language of the texts: `en` or `de`.
-        key: For `new sweep`: a key with its range or values, "load.inertia [kg m^2] = 0.1..10 log"; several times.
+        key: For `new sweep`: a key with its range or values, "motion[0].time [s] = 1..3 log"; several times.
         by: For `new sweep`: how the ranges are covered (sobol).
         samples: For `new sweep`: rows that are drawn, or steps of each range of a grid (100). 1 to 1000000.
         seed: For `new sweep`: seed of the samples (1).
