@@ -745,6 +745,8 @@ class Simulation:
     """Temperatures of winding and housing at the start \\[°C\\]."""
     summary: Figures
     """The run in figures."""
+    averaged: Figures | None = None
+    """Operation over days by the mean losses of the cycle, in figures; `null` where no days are requested."""
     verdicts: list[SimulatedVerdict]
     """Figures with a limit."""
     events: list[SimulatedEvent]
@@ -893,7 +895,7 @@ class Identification:
     estimates: list[Identified95]
     """The estimates."""
     overrides: str
-    """Lines of the project file with the measured values of the actuator."""
+    """Lines of the project file with the measured values of actuator and load."""
     notes: list[str]
     """What the estimate rests on, in words."""
 

@@ -314,6 +314,8 @@ def simulate(
     reaction: Literal["ramp", "brake", "coast"] | None = None,
     cycles: int | None = None,
     cold: bool = False,
+    days: int | None = None,
+    hours_per_day: str | None = None,
     every: str | None = None,
     figure: Literal["simulation", "control_loops"] = "simulation",
     seed: int = 0,
@@ -336,6 +338,8 @@ def simulate(
     reaction: Literal["ramp", "brake", "coast"] | None = None,
     cycles: int | None = None,
     cold: bool = False,
+    days: int | None = None,
+    hours_per_day: str | None = None,
     every: str | None = None,
     figure: Literal["simulation", "control_loops"] = "simulation",
     seed: int = 0,
@@ -357,6 +361,8 @@ def simulate(
     reaction: Literal["ramp", "brake", "coast"] | None = None,
     cycles: int | None = None,
     cold: bool = False,
+    days: int | None = None,
+    hours_per_day: str | None = None,
     every: str | None = None,
     figure: Literal["simulation", "control_loops"] = "simulation",
     seed: int = 0,
@@ -377,6 +383,8 @@ def simulate(
         reaction: How the drive ends a motion (along a ramp).
         cycles: Cycles that are run (1). 1 to 100000.
         cold: Begin as cold as the ambient air, not settled.
+        days: Also run so many days by the mean losses of the cycle: temperatures, energy. 1 to 3660.
+        hours_per_day: Operation a day, in hours (24).
         every: Time between two rows of the trace ("1 ms").
         figure: The picture of --svg and --png: the course, or the responses of the control loops (simulation).
         seed: Seed of the errors of gear and encoder (0).
@@ -395,7 +403,7 @@ def simulate(
         answers.Simulation | answers.AxesOfSimulation,
         "simulate",
         (text,),
-        [("axis", axis), ("code", code), ("scenario", scenario), ("at", at), ("reaction", reaction), ("cycles", cycles), ("cold", cold), ("every", every), ("figure", figure), ("seed", seed)],
+        [("axis", axis), ("code", code), ("scenario", scenario), ("at", at), ("reaction", reaction), ("cycles", cycles), ("cold", cold), ("days", days), ("hours-per-day", hours_per_day), ("every", every), ("figure", figure), ("seed", seed)],
         lang,
         file=file,
         folder=folder,
