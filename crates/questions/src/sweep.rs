@@ -1,6 +1,6 @@
 //! Many axes at once: a project and a table whose columns are keys of the project; each row is the project with its values.
 //!
-//! What the rows have in common is read once ([`template`]). A row whose axis cannot be is answered with the reason; a table
+//! What the rows have in common is read once (`template`). A row whose axis cannot be is answered with the reason; a table
 //! whose headings or cells cannot be read is refused with every fault.
 #![allow(clippy::result_large_err, reason = "a fault is found once for a table, not for each of its rows")]
 
