@@ -18,7 +18,7 @@ pub fn root() -> PathBuf {
 /// The catalogue as the command ranks it: the ten best judged by every check.
 #[must_use]
 pub fn size(project: &Project) -> Sizing<'_> {
-    sized(project, 10, &Patience::endless()).unwrap_or_else(|refusal| unreachable!("nobody stops it: {refusal:?}"))
+    sized(project, 10, &Patience::endless()).unwrap_or_else(|refusal| unreachable!("nothing cancels it: {refusal:?}"))
 }
 
 /// The release binary, built by the same cargo into the target folder that this bench runs from.

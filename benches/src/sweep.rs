@@ -62,7 +62,7 @@ fn main() -> ExitCode {
     let mut measured = Vec::new();
     for (name, ranges) in [("mixed rows", MIXED), ("rows that reject no actuator", HARD)] {
         let cells = table(&ranges, rows);
-        let judge = || sweep.judge(&cells, &Patience::endless()).expect("nobody stops it");
+        let judge = || sweep.judge(&cells, &Patience::endless()).expect("nothing cancels it");
         let fit = |answer: &questions::sweep::Answer| match answer {
             Ok(Judged::Best(best)) => f64::from(best.fit),
             other => panic!("{other:?}"),
