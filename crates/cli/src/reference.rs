@@ -131,6 +131,24 @@ mod tests {
         }
     }
 
+    /// What the README lists is what there is: each command, and each check of drive, gear, energy, brake, feedback and screws.
+    #[test]
+    fn the_readme_lists_every_command_and_check() {
+        use questions::{CheckId, Part};
+        let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../README.md");
+        let readme = std::fs::read_to_string(path).unwrap();
+        let root = build(Language::En);
+        let commands = root.get_subcommands().map(|command| format!("`{} ", command.get_name()));
+        let plain = |start: &String| start.replace(' ', "`");
+        let missing: Vec<String> =
+            commands.filter(|start| !readme.contains(start) && !readme.contains(&plain(start))).collect();
+        assert!(missing.is_empty(), "commands: {missing:?}");
+        let listed = CheckId::ALL.iter().filter(|check| check.part() != Part::OutputBearing);
+        let missing: Vec<&str> =
+            listed.map(|check| check.id()).filter(|id| !readme.contains(&format!("`{id}`"))).collect();
+        assert!(missing.is_empty(), "checks: {missing:?}");
+    }
+
     /// Every question of the list is a command with all its arguments, is described on the page, and is shown.
     #[test]
     fn every_question_of_the_list_is_a_command() {
