@@ -1,6 +1,7 @@
 //! Words about solid bodies.
 
 use super::either;
+use crate::pick;
 use mechanism::BodyError;
 use project::{BodyKind, BodyShape};
 use quantities::unit::{KILOGRAM, KILOGRAM_PER_CUBIC_METRE, MILLIMETRE};
@@ -19,10 +20,7 @@ pub const fn shape_title(shape: &BodyShape, language: Language) -> &'static str 
         BodyKind::Point => ("point", "Punktmasse"),
         BodyKind::Rod => ("rod", "Stab"),
     };
-    match language {
-        Language::En => en,
-        Language::De => de,
-    }
+    pick(language, en, de)
 }
 
 /// What is wrong with a body that cannot be.

@@ -1,6 +1,7 @@
 //! Words about errata.
 
 use super::{condition_text, either};
+use crate::texts::said;
 use catalogue::{Erratum, ErratumKind};
 use quantities::Language;
 
@@ -33,7 +34,7 @@ pub fn erratum_status(corrected: bool, language: Language) -> &'static str {
 pub fn erratum_place(erratum: &'static Erratum, language: Language) -> String {
     let mut parts = Vec::new();
     if !erratum.table.is_empty() {
-        parts.push(either(language, format!("table {}", erratum.table), format!("Tabelle {}", erratum.table)));
+        parts.push(said!(language => "table {}" | "Tabelle {}", erratum.table));
     }
     match erratum.cell() {
         Some(cell) => {

@@ -91,6 +91,14 @@ pub use usage::{Usage, UsageHint, usage_hint, usage_text};
 
 use quantities::Language;
 
+/// That of the language.
+pub(crate) const fn pick<T: Copy>(language: Language, en: T, de: T) -> T {
+    match language {
+        Language::En => en,
+        Language::De => de,
+    }
+}
+
 /// Chooses between the two languages.
 pub(crate) fn either(language: Language, en: impl Into<String>, de: impl Into<String>) -> String {
     match language {

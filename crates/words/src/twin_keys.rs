@@ -1,13 +1,11 @@
 //! Words of the keys of `[twin]`.
 
+use crate::pick;
 use project::names::{ReplacedName, TwinName};
 use quantities::Language;
 
 const fn of(language: Language, en: &'static str, de: &'static str) -> &'static str {
-    match language {
-        Language::En => en,
-        Language::De => de,
-    }
+    pick(language, en, de)
 }
 
 /// What a key of the simulation is for.

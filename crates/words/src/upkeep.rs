@@ -1,6 +1,7 @@
 //! Words about storage, upkeep, shutting down and disposal.
 
 use super::{battery_fault, either};
+use crate::texts::said;
 use crate::texts::texts;
 use chrono::NaiveDate;
 use installation::calendar::{DateFault, INTERVAL_MOST_YEARS, Interval, IntervalFault, YEARS};
@@ -35,11 +36,11 @@ pub fn task_title(task: Task, language: Language) -> String {
 pub fn rule_text(rule: Rule, interval: Option<Interval>, language: Language) -> String {
     let every = interval.map(|interval| every(interval, language)).unwrap_or_default();
     match rule {
-        Rule::AtTheLatest => either(language, "at the latest", "spätestens"),
-        Rule::Recommended => either(language, "recommended", "empfohlen"),
-        Rule::Estimated => either(language, "estimated", "geschätzt"),
+        Rule::AtTheLatest => said!(language => "at the latest" | "spätestens"),
+        Rule::Recommended => said!(language => "recommended" | "empfohlen"),
+        Rule::Estimated => said!(language => "estimated" | "geschätzt"),
         Rule::Every => every,
-        Rule::EveryAtMost => either(language, format!("at least {every}"), format!("mindestens {every}")),
+        Rule::EveryAtMost => said!(language => "at least {every}" | "mindestens {every}"),
     }
 }
 
@@ -52,7 +53,7 @@ fn every(interval: Interval, language: Language) -> String {
     };
     match count {
         1 => either(language, one_en, one_de),
-        count => either(language, format!("every {count} {many_en}"), format!("alle {count} {many_de}")),
+        count => said!(language => "every {count} {many_en}" | "alle {count} {many_de}"),
     }
 }
 

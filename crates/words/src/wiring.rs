@@ -4,6 +4,8 @@ mod checked;
 
 pub use checked::{difference_action, difference_text, list_fault, list_fault_hint};
 
+use crate::pick;
+use crate::texts::said;
 use crate::texts::texts;
 use catalogue::Cell;
 use installation::wiring::{
@@ -90,10 +92,7 @@ texts! {
 
 /// Chooses between two fixed texts.
 pub(crate) const fn one_of(language: Language, en: &'static str, de: &'static str) -> &'static str {
-    match language {
-        Language::En => en,
-        Language::De => de,
-    }
+    pick(language, en, de)
 }
 
 /// A printed cell in the language; a dash where there is none.
@@ -125,49 +124,54 @@ pub fn signal_meaning(signal: Signal, language: Language) -> String {
     };
     let text = match signal.meaning {
         Meaning::Phase(name) => named("motor phase", "Motorphase", name),
-        Meaning::ProtectiveEarth => e("protective earth", "Schutzleiter"),
-        Meaning::Brake => e("supply of the holding brake", "Versorgung der Haltebremse"),
-        Meaning::Ptc => e(
-            "PTC thermistors of the winding, one of two ends without polarity",
-            "Kaltleiter (PTC) der Wicklung, eines von zwei Enden ohne Polung",
+        Meaning::ProtectiveEarth => said!(language => "protective earth" | "Schutzleiter"),
+        Meaning::Brake => said!(language => "supply of the holding brake" | "Versorgung der Haltebremse"),
+        Meaning::Ptc => said!(language =>
+            "PTC thermistors of the winding, one of two ends without polarity"
+            | "Kaltleiter (PTC) der Wicklung, eines von zwei Enden ohne Polung"
         ),
-        Meaning::Kty => e("temperature sensor KTY 84-130 of the winding", "Temperatursensor KTY 84-130 der Wicklung"),
-        Meaning::Supply => e("supply of the encoder", "Versorgung des Gebers"),
-        Meaning::Ground => e("ground of the encoder supply", "Masse der Geberversorgung"),
-        Meaning::SupplySense => e("sense line of the supply", "Sense-Leitung der Versorgung"),
-        Meaning::GroundSense => e("sense line of the ground", "Sense-Leitung der Masse"),
+        Meaning::Kty => said!(language =>
+            "temperature sensor KTY 84-130 of the winding"
+            | "Temperatursensor KTY 84-130 der Wicklung"
+        ),
+        Meaning::Supply => said!(language => "supply of the encoder" | "Versorgung des Gebers"),
+        Meaning::Ground => said!(language => "ground of the encoder supply" | "Masse der Geberversorgung"),
+        Meaning::SupplySense => said!(language => "sense line of the supply" | "Sense-Leitung der Versorgung"),
+        Meaning::GroundSense => said!(language => "sense line of the ground" | "Sense-Leitung der Masse"),
         Meaning::Track(name, form) => {
             let form = match form {
-                Form::Sinusoidal => e("sinusoidal", "sinusförmig"),
-                Form::Sine => e("sine", "Sinus"),
-                Form::Cosine => e("cosine", "Kosinus"),
-                Form::Square => e("square wave RS422", "Rechteck RS422"),
+                Form::Sinusoidal => said!(language => "sinusoidal" | "sinusförmig"),
+                Form::Sine => said!(language => "sine" | "Sinus"),
+                Form::Cosine => said!(language => "cosine" | "Kosinus"),
+                Form::Square => said!(language => "square wave RS422" | "Rechteck RS422"),
             };
             format!("{}, {form}", named("incremental track", "Inkrementalspur", name))
         }
-        Meaning::Reference => e("reference signal", "Referenzsignal"),
-        Meaning::Zero => e("reference signal, RS422", "Referenzsignal, RS422"),
+        Meaning::Reference => said!(language => "reference signal" | "Referenzsignal"),
+        Meaning::Zero => said!(language => "reference signal, RS422" | "Referenzsignal, RS422"),
         Meaning::CommutationTrack(name) => {
-            format!("{}, {}", named("commutation track", "Kommutierungsspur", name), e("sinusoidal", "sinusförmig"))
+            format!(
+                "{}, {}",
+                named("commutation track", "Kommutierungsspur", name),
+                said!(language => "sinusoidal" | "sinusförmig")
+            )
         }
         Meaning::CommutationPhase(name) => {
             format!("{}, RS422", named("commutation signal", "Kommutierungssignal", name))
         }
-        Meaning::Data(protocol) => {
-            crate::either(language, format!("{} data", serial(protocol)), format!("{}-Daten", serial(protocol)))
+        Meaning::Data(protocol) => said!(language => "{} data" | "{}-Daten", serial(protocol)),
+        Meaning::Clock(protocol) => said!(language => "{} clock" | "{}-Takt", serial(protocol)),
+        Meaning::ResolverSine => said!(language => "sine winding of the resolver" | "Sinuswicklung des Resolvers"),
+        Meaning::ResolverCosine => {
+            said!(language => "cosine winding of the resolver" | "Kosinuswicklung des Resolvers")
         }
-        Meaning::Clock(protocol) => {
-            crate::either(language, format!("{} clock", serial(protocol)), format!("{}-Takt", serial(protocol)))
-        }
-        Meaning::ResolverSine => e("sine winding of the resolver", "Sinuswicklung des Resolvers"),
-        Meaning::ResolverCosine => e("cosine winding of the resolver", "Kosinuswicklung des Resolvers"),
-        Meaning::Excitation => e("excitation of the resolver", "Erregung des Resolvers"),
-        Meaning::Shield => e("inner shield of the cable", "innerer Schirm des Kabels"),
+        Meaning::Excitation => said!(language => "excitation of the resolver" | "Erregung des Resolvers"),
+        Meaning::Shield => said!(language => "inner shield of the cable" | "innerer Schirm des Kabels"),
     };
     match signal.polarity {
         None => text,
-        Some(Polarity::Plus) => format!("{text}, {}", e("plus", "Plus")),
-        Some(Polarity::Minus) => format!("{text}, {}", e("minus", "Minus")),
+        Some(Polarity::Plus) => format!("{text}, {}", said!(language => "plus" | "Plus")),
+        Some(Polarity::Minus) => format!("{text}, {}", said!(language => "minus" | "Minus")),
     }
 }
 
