@@ -4,28 +4,16 @@ use catalogue::{Cell, Table};
 use order_code::OrderCode;
 use provenance::{Datum, Grade, Source, Sourced};
 use quantities::unit::MILLIMETRE;
-use quantities::{Length, Measure, QuantityError, Unit, parse_as};
+use quantities::{Length, Measure, QuantityError, Unit, identified, parse_as};
 
-/// The side of the actuator that a joint is on.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Side {
-    /// The output flange, which carries the load.
-    Load,
-    /// The housing, which the machine carries.
-    Housing,
-}
-
-impl Side {
-    /// Both sides.
-    pub const ALL: &'static [Self] = &[Self::Load, Self::Housing];
-
-    /// Identifier in data exchange.
-    #[must_use]
-    pub const fn id(self) -> &'static str {
-        match self {
-            Self::Load => "load",
-            Self::Housing => "housing",
-        }
+identified! {
+    /// The side of the actuator that a joint is on.
+    #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+    pub enum Side {
+        /// The output flange, which carries the load.
+        Load = "load",
+        /// The housing, which the machine carries.
+        Housing = "housing",
     }
 }
 
@@ -47,29 +35,16 @@ pub enum Bore {
     Limits(Deviations),
 }
 
-/// What a fit is by ISO 286-1.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum FitKind {
-    /// Never interference; no clearance in the extreme case.
-    Clearance,
-    /// Clearance or interference, as the parts turn out.
-    Transition,
-    /// Never clearance.
-    Interference,
-}
-
-impl FitKind {
-    /// All kinds.
-    pub const ALL: &'static [Self] = &[Self::Clearance, Self::Transition, Self::Interference];
-
-    /// Identifier in data exchange.
-    #[must_use]
-    pub const fn id(self) -> &'static str {
-        match self {
-            Self::Clearance => "clearance",
-            Self::Transition => "transition",
-            Self::Interference => "interference",
-        }
+identified! {
+    /// What a fit is by ISO 286-1.
+    #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+    pub enum FitKind {
+        /// Never interference; no clearance in the extreme case.
+        Clearance = "clearance",
+        /// Clearance or interference, as the parts turn out.
+        Transition = "transition",
+        /// Never clearance.
+        Interference = "interference",
     }
 }
 
