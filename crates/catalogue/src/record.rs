@@ -1,6 +1,6 @@
 //! The records of the embedded data.
 
-use provenance::CellRef;
+use provenance::{CellRef, Grade, Source, Sourced};
 use quantities::identified;
 
 /// The meaning of a cell's text after errata, in the printed unit.
@@ -80,6 +80,12 @@ impl Cell {
     #[must_use]
     pub fn limit(&self) -> Value {
         self.checks_use.unwrap_or(self.value)
+    }
+
+    /// A value as this cell has it; computed where checks use another one than the printed.
+    pub const fn sourced<T>(&'static self, value: T) -> Sourced<T> {
+        let grade = if self.checks_use.is_some() { Grade::Computed } else { Grade::Printed };
+        Sourced { value, source: Source::Cell(&self.place), grade, errata: self.errata }
     }
 
     /// The text of the cell in English; German is what stands printed.

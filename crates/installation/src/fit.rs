@@ -202,7 +202,7 @@ pub fn deviations(zone: &str, nominal: Length) -> Datum<Deviations> {
             errata: upper.errata,
         })
     });
-    read.map_or(Datum::NotPrinted, Datum::Known)
+    Datum::of(read)
 }
 
 /// The clearance between a bore and the pilot in it.
@@ -245,17 +245,9 @@ pub fn fit(code: &OrderCode, side: Side, bore: Option<Bore>) -> Option<Fit> {
     let cell = catalogue::size_cell(code.size, code.ratio, symbol)?;
     let (nominal, pilot_zone) = cell.corrected.split_once(' ')?;
     let unit = Unit::of_dimension(Length::DIMENSION, cell.unit)?;
-    let printed = |cell: &'static Cell| (Source::Cell(&cell.place), cell.errata);
-    let (source, errata) = printed(cell);
-    let nominal = Sourced {
-        value: Length::from_si(unit.to_si(quantities::parse_german(nominal)?)),
-        source,
-        grade: Grade::Printed,
-        errata,
-    };
+    let nominal = cell.sourced(Length::from_si(unit.to_si(quantities::parse_german(nominal)?)));
     let zone = catalogue::table(cell.place.table)?.cells().iter().find(|cell| cell.place.symbol == zone_symbol)?;
-    let (source, errata) = printed(zone);
-    let recommended = Sourced { value: zone.corrected, source, grade: Grade::Printed, errata };
+    let recommended = zone.sourced(zone.corrected);
     let pilot = deviations(pilot_zone, nominal.value).known()?.clone();
     let bore = bore.unwrap_or(Bore::Zone(recommended.value));
     let (bore_deviations, bore_source) = match bore {
