@@ -1,6 +1,5 @@
 //! Words about solid bodies.
 
-use super::either;
 use crate::pick;
 use mechanism::BodyError;
 use project::{BodyKind, BodyShape};
@@ -59,5 +58,5 @@ pub(super) fn fault(error: &BodyError, language: Language) -> String {
             "das Massenträgheitsmoment liegt außerhalb des Zahlenbereichs",
         ),
     };
-    either(language, en, de)
+    pick(language, en, de).to_owned()
 }

@@ -1,6 +1,6 @@
 //! Words of what the commissioning knows by identifier: parameters, gaps, measurands, bands, causes.
 
-use super::{commission, either};
+use super::commission;
 use crate::pick;
 use crate::texts::said;
 use installation::commission::cia402::ObjectId;
@@ -153,7 +153,7 @@ pub fn gap_text(gap: Gap, language: Language) -> String {
             );
         }
     };
-    either(language, en, de)
+    pick(language, en, de).to_owned()
 }
 
 /// The name of an object in its profile, in which it stands in English everywhere.
@@ -358,5 +358,5 @@ pub fn cause_text(cause: Cause, language: Language) -> String {
             );
         }
     };
-    either(language, en, de)
+    pick(language, en, de).to_owned()
 }

@@ -1,8 +1,9 @@
 //! Words about the faults of what the user wrote.
 
 use super::quantity::hint_of_several;
-use super::{bodies, either, motion, quantity_fault, recording};
+use super::{bodies, motion, quantity_fault, recording};
 use crate::geometry::geometry;
+use crate::pick;
 use crate::texts::said;
 use actuator::{BatteryFault, CurveFault};
 use mechanism::{BodyError, TableFault};
@@ -452,7 +453,7 @@ fn curve(fault: CurveFault, language: Language) -> String {
             ("the torques of a curve must not be negative", "die Drehmomente einer Kennlinie dürfen nicht negativ sein")
         }
     };
-    either(language, en, de)
+    pick(language, en, de).to_owned()
 }
 
 fn table(fault: TableFault, language: Language) -> String {
@@ -468,7 +469,7 @@ fn table(fault: TableFault, language: Language) -> String {
             ("a moment of inertia must not be negative", "ein Massenträgheitsmoment darf nicht negativ sein")
         }
     };
-    either(language, en, de)
+    pick(language, en, de).to_owned()
 }
 
 /// What is wrong with the times for the battery.
@@ -482,7 +483,7 @@ pub fn battery_fault(fault: &BatteryFault, language: Language) -> String {
             ("the battery model covers 0 a to 3 a of storage", "das Batteriemodell gilt für 0 a bis 3 a Lagerung")
         }
     };
-    either(language, en, de)
+    pick(language, en, de).to_owned()
 }
 
 /// What the system says about a file that cannot be read.
@@ -493,6 +494,7 @@ pub fn file_trouble(error: &std::io::Error, language: Language) -> String {
 
 pub(crate) fn trouble_text(trouble: &FileTrouble, language: Language) -> String {
     use std::io::ErrorKind;
+    let system = &trouble.system;
     let (en, de) = match (trouble.unopened, trouble.kind, trouble.code) {
         (Some(Unopened::NoRegularFile), ..) => (
             "this is a pipe, a device or a socket, not a regular file",
@@ -544,13 +546,9 @@ pub(crate) fn trouble_text(trouble: &FileTrouble, language: Language) -> String 
         (_, _, Some(23 | 24)) if cfg!(unix) => ("too many files are open", "zu viele Dateien sind offen"),
         (_, _, Some(40 | 62)) if cfg!(unix) => ("links lead in a circle", "Verknüpfungen führen im Kreis"),
         (_, _, Some(code)) => {
-            return either(
-                language,
-                trouble.system.clone(),
-                format!("Fehler {code} des Betriebssystems („{}“)", trouble.system),
-            );
+            return said!(language => "{system}" | "Fehler {code} des Betriebssystems („{system}“)");
         }
-        (_, _, None) => return either(language, trouble.system.clone(), format!("„{}“", trouble.system)),
+        (_, _, None) => return said!(language => "{system}" | "„{system}“"),
     };
-    either(language, en, de)
+    pick(language, en, de).to_owned()
 }

@@ -99,14 +99,6 @@ pub(crate) const fn pick<T: Copy>(language: Language, en: T, de: T) -> T {
     }
 }
 
-/// Chooses between the two languages.
-pub(crate) fn either(language: Language, en: impl Into<String>, de: impl Into<String>) -> String {
-    match language {
-        Language::En => en.into(),
-        Language::De => de.into(),
-    }
-}
-
 /// A text with its first letter large, as a title has it.
 #[must_use]
 pub fn capitalised(text: &str) -> String {

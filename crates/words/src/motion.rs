@@ -1,6 +1,5 @@
 //! Words about motions that cannot be.
 
-use crate::either;
 use crate::pick;
 use crate::texts::said;
 use motion::{Law, MoveFault, Needed, PointsFault, RecordedFault};
@@ -281,5 +280,5 @@ fn needed_words(needed: Needed, language: Language) -> String {
             ("speed and either time or distance", "speed und entweder time oder distance")
         }
     };
-    either(language, en, de)
+    pick(language, en, de).to_owned()
 }

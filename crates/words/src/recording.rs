@@ -2,7 +2,7 @@
 
 mod beyond;
 
-use crate::either;
+use crate::pick;
 use crate::texts::said;
 use beyond::{beyond, damage};
 use quantities::unit::SECOND;
@@ -353,8 +353,8 @@ fn seconds(time: Time, language: Language) -> String {
 
 /// A time with all the digits that it was written with.
 fn stamp(stamp: Stamp, language: Language) -> String {
-    let number = stamp.value.to_string();
-    format!("{} {}", either(language, number.as_str(), number.replace('.', ",")), stamp.unit.symbol)
+    let number = stamp.value.to_string().replace('.', pick(language, ".", ","));
+    format!("{number} {}", stamp.unit.symbol)
 }
 
 const fn role_key(role: Role) -> &'static str {
@@ -398,11 +398,8 @@ fn valid_units(role: Role, language: Language) -> String {
         format!("{} ({})", dimension.name_with_article(language), names.join(", "))
     };
     let expected: Vec<String> = role.dimensions().iter().map(units).collect();
-    either(
-        language,
-        format!("expected {}", expected.join(" or ")),
-        format!("erwartet wird {}", expected.join(" oder ")),
-    )
+    let expected = expected.join(pick(language, " or ", " oder "));
+    said!(language => "expected {expected}" | "erwartet wird {expected}")
 }
 
 /// The names of columns; more would only fill the screen.

@@ -1,6 +1,5 @@
 //! Words about results: checks, requirements, sources.
 
-use crate::either;
 use crate::pick;
 use crate::texts::said;
 use actuator::CurveKind;
@@ -69,7 +68,7 @@ pub fn check_title(id: CheckId, language: Language) -> String {
         CheckId::ScrewJointHousing => ("screws, housing", "Schrauben, Gehäuse"),
         CheckId::Application => ("application", "Anwendungsbereich"),
     };
-    either(language, en, de)
+    pick(language, en, de).to_owned()
 }
 
 /// The cycle of the curves of intermittent duty in minutes.
@@ -107,7 +106,7 @@ pub fn verdict_word(verdict: Verdict, language: Language) -> String {
         Verdict::Advice => ("advice", "Hinweis"),
         Verdict::NotChecked => ("not checked", "nicht geprüft"),
     };
-    either(language, en, de)
+    pick(language, en, de).to_owned()
 }
 
 /// How many checks came to a verdict.
@@ -214,7 +213,7 @@ pub fn without_limit(language: Language) -> String {
 /// The field's word for a symbol, from the glossary; the symbol itself where the glossary has none.
 #[must_use]
 pub fn symbol_term(symbol: &str, language: Language) -> String {
-    catalogue::term(symbol).map_or_else(|| symbol.to_owned(), |term| either(language, term.en, term.de))
+    catalogue::term(symbol).map_or_else(|| symbol.to_owned(), |term| pick(language, term.en, term.de).to_owned())
 }
 
 /// Words of table conditions in German, longer phrases before their parts.
@@ -445,7 +444,7 @@ pub fn figure_term(symbol: &str, language: Language) -> String {
         "T_peak" => ("peak torque", "Spitzendrehmoment"),
         _ => return symbol_term(symbol, language),
     };
-    either(language, en, de)
+    pick(language, en, de).to_owned()
 }
 
 /// What stands behind a grade, in a sentence.

@@ -1,6 +1,6 @@
 //! Words about files that cannot be written.
 
-use crate::either;
+use crate::pick;
 use crate::texts::said;
 use project::FileTrouble;
 use quantities::Language;
@@ -70,7 +70,7 @@ pub fn save_trouble(trouble: &SaveTrouble, language: Language) -> String {
         }
         SaveTrouble::System(found) => return super::faults::trouble_text(found, language),
     };
-    either(language, en, de)
+    pick(language, en, de).to_owned()
 }
 
 #[cfg(test)]

@@ -1,7 +1,6 @@
 //! Words about sweeps: many axes in a table.
 
-use crate::texts::said;
-use crate::texts::texts;
+use crate::texts::{said, texts};
 use project::TabularFault;
 use quantities::Language;
 

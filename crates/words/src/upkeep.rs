@@ -1,8 +1,8 @@
 //! Words about storage, upkeep, shutting down and disposal.
 
-use super::{battery_fault, either};
-use crate::texts::said;
-use crate::texts::texts;
+use super::battery_fault;
+use crate::pick;
+use crate::texts::{said, texts};
 use chrono::NaiveDate;
 use installation::calendar::{DateFault, INTERVAL_MOST_YEARS, Interval, IntervalFault, YEARS};
 use installation::upkeep::{PlanNote, Rule, Task, UpkeepFault};
@@ -28,7 +28,7 @@ pub fn task_title(task: Task, language: Language) -> String {
         Task::BatteryEmpty => ("battery of the encoder used up", "Batterie des Gebers verbraucht"),
         Task::EncoderLatest => ("exchange of the encoder, at the latest", "Tausch des Gebers, spätestens"),
     };
-    either(language, en, de)
+    pick(language, en, de).to_owned()
 }
 
 /// How binding a date is, with the interval of a series.
@@ -52,7 +52,7 @@ fn every(interval: Interval, language: Language) -> String {
         Interval::Days(days) => (days, ["every day", "jeden Tag", "days", "Tage"]),
     };
     match count {
-        1 => either(language, one_en, one_de),
+        1 => pick(language, one_en, one_de).to_owned(),
         count => said!(language => "every {count} {many_en}" | "alle {count} {many_de}"),
     }
 }

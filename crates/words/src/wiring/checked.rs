@@ -1,7 +1,8 @@
 //! Words about a list of pins: why it cannot be read, and what is different in it.
 
-use super::{one_of, role_name};
+use super::role_name;
 use crate::hint_text;
+use crate::pick;
 use crate::texts::said;
 use installation::wiring::{Column, Difference, Finding, Group, ListFault, Role};
 use project::Hint;
@@ -23,7 +24,7 @@ fn group_name(group: Group, language: Language) -> &'static str {
         Group::Resolver => ("resolver winding", "Resolverwicklung"),
         Group::Shield => ("inner shield", "innerer Schirm"),
     };
-    one_of(language, en, de)
+    pick(language, en, de)
 }
 
 /// What is different, in one sentence.
@@ -163,17 +164,17 @@ pub const fn difference_action(finding: &Finding, language: Language) -> &'stati
         }
         _ => ("wire as printed", "verdrahten wie abgedruckt"),
     };
-    one_of(language, en, de)
+    pick(language, en, de)
 }
 
 /// The head of a column, as the documentation has it.
 const fn column_name(column: Column, language: Language) -> &'static str {
     match column {
-        Column::Connector => one_of(language, "connector", "Stecker"),
-        Column::Pin => one_of(language, "pin", "Stift"),
-        Column::Signal => one_of(language, "signal", "Signal"),
-        Column::Colour => one_of(language, "colour", "Farbe"),
-        Column::Shield => one_of(language, "shield", "Schirm"),
+        Column::Connector => pick(language, "connector", "Stecker"),
+        Column::Pin => pick(language, "pin", "Stift"),
+        Column::Signal => pick(language, "signal", "Signal"),
+        Column::Colour => pick(language, "colour", "Farbe"),
+        Column::Shield => pick(language, "shield", "Schirm"),
     }
 }
 
@@ -237,7 +238,7 @@ pub fn list_fault_hint(fault: &ListFault, language: Language) -> Option<String> 
             let names: Vec<&str> = Role::ALL.iter().map(|role| role.id()).collect();
             valid(&names)
         }
-        ListFault::ShieldUnclear { .. } => valid(&[one_of(language, "yes", "ja"), one_of(language, "no", "nein")]),
+        ListFault::ShieldUnclear { .. } => valid(&[pick(language, "yes", "ja"), pick(language, "no", "nein")]),
         ListFault::ColumnTwice { .. } | ListFault::Ragged { .. } | ListFault::CellEmpty { .. } | ListFault::More => {
             None
         }
