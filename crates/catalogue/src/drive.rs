@@ -3,7 +3,7 @@
 use crate::record::{Cell, Table};
 use crate::series::{SeriesData, winding_data};
 use order_code::{Feedback, Ratio, Size, Winding};
-use provenance::{Datum, Grade, Source, Sourced};
+use provenance::Datum;
 use quantities::{Measure, Unit};
 use std::collections::BTreeMap;
 use std::sync::LazyLock;

@@ -4,7 +4,7 @@ use crate::parameters::by_size;
 use actuator::{Accuracy, Brake, Feedback, FeedbackSide, ScrewJoint};
 use catalogue::{Cell, Drive, SeriesData, Table};
 use order_code::{Brake as BrakeOrdered, FeedbackKind, OrderCode, Series};
-use provenance::{Datum, Grade, Source, Sourced};
+use provenance::{Datum, Grade, Sourced};
 use quantities::{Angle, Measure};
 use std::borrow::Cow;
 use std::sync::LazyLock;

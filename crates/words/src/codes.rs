@@ -26,7 +26,7 @@ pub fn describe_field(field: Field, language: Language) -> &'static str {
 /// What one field of a code means, as the series states it.
 #[must_use]
 pub fn describe_token(code: &OrderCode, field: Field, language: Language) -> String {
-    code.meaning(field).map_or_else(String::new, |[en, de]| pick(language, en, de).to_owned())
+    code.meaning(field).map_or_else(String::new, |[en, de]| pick(language, &en, &de).clone())
 }
 
 /// What the printed tables do not cover of a code, in words.

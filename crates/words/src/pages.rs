@@ -1,6 +1,5 @@
 //! Words of the reference pages that are made from the program: of the commands, of the project file.
 
-use crate::pick;
 use crate::texts::texts;
 
 texts! {
