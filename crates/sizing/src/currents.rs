@@ -1,7 +1,7 @@
 //! The checks of current and voltage.
 
 use crate::axis::Axis;
-use crate::check::{Check, CheckId, Verdict};
+use crate::check::{CheckId, Verdict};
 use crate::comparison::{AT_THE_LIMIT, Comparison, cite};
 use crate::electrics::Electrics;
 use crate::list::{Case, Outcome};

@@ -1,7 +1,7 @@
 //! The DC link, the drive, and every instant of the cycle against the torque-speed plane.
 
 use crate::axis::Axis;
-use crate::check::{Check, CheckId, Verdict};
+use crate::check::{CheckId, Verdict};
 use crate::comparison::{Asking, Comparison, Edges};
 use crate::currents::Currents;
 use crate::list::{Case, Outcome};

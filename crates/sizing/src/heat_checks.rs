@@ -1,7 +1,7 @@
 //! The checks of heat: continuous torque, temperature of the winding, overload supervision.
 
 use crate::axis::Axis;
-use crate::check::{Check, CheckId};
+use crate::check::CheckId;
 use crate::comparison::{Comparison, Edges, cite};
 use crate::currents::{Currents, coil_loss};
 use crate::list::{Case, Outcome};
