@@ -3,7 +3,7 @@
 use crate::pick;
 use crate::texts::texts;
 use quantities::Language;
-use twin::{EventKind, Fault, Loop, Reaction, ScenarioId};
+use twin::{EventKind, Fault, Loop, ScenarioId};
 
 texts! {
     title(code, axis) = "Simulation of {code}: {axis}" | "Simulation von {code}: {axis}";
@@ -223,17 +223,6 @@ pub fn scenario_title(scenario: ScenarioId, language: Language) -> String {
         ScenarioId::HotAmbient => ("warmest ambient", "wärmste Umgebung"),
         ScenarioId::ColdGrease => ("cold grease", "kaltes Fett"),
         ScenarioId::Collision => ("collision", "Kollision"),
-    };
-    pick(language, en, de).to_owned()
-}
-
-/// How the drive reacts.
-#[must_use]
-pub fn reaction_title(reaction: Reaction, language: Language) -> String {
-    let (en, de) = match reaction {
-        Reaction::Ramp => ("ramp", "Rampe"),
-        Reaction::Brake => ("brake", "Bremse"),
-        Reaction::Coast => ("coast", "Auslaufen"),
     };
     pick(language, en, de).to_owned()
 }
