@@ -6,7 +6,7 @@ use provenance::{Datum, Grade, Source, Sourced};
 use quantities::{Angle, Length, Measure, Torque};
 
 /// What is known of the accuracy of the gear, at the output.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, Default, PartialEq)]
 pub struct Accuracy {
     /// Transmission accuracy: largest deviation to one side plus the largest to the other over one turn, unloaded.
     pub transmission_accuracy: Datum<Angle>,
@@ -21,13 +21,8 @@ pub struct Accuracy {
 impl Accuracy {
     /// A gear of unknown accuracy.
     #[must_use]
-    pub const fn unknown() -> Self {
-        Self {
-            transmission_accuracy: Datum::NotPrinted,
-            repeatability: Datum::NotPrinted,
-            hysteresis_loss: Datum::NotPrinted,
-            lost_motion: Datum::NotPrinted,
-        }
+    pub fn unknown() -> Self {
+        Self::default()
     }
 }
 

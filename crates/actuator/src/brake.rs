@@ -9,7 +9,7 @@ use quantities::{
 };
 
 /// What is known of the brake. Without a brake every datum is [`Datum::NotApplicable`].
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, Default, PartialEq)]
 pub struct Brake {
     /// T_Br: holding torque at the output.
     pub holding_torque: Datum<Torque>,
@@ -32,17 +32,8 @@ pub struct Brake {
 impl Brake {
     /// A brake of which nothing is known.
     #[must_use]
-    pub const fn unknown() -> Self {
-        Self {
-            holding_torque: Datum::NotPrinted,
-            voltage: Datum::NotPrinted,
-            opening_current: Datum::NotPrinted,
-            holding_current: Datum::NotPrinted,
-            opening_time: Datum::NotPrinted,
-            closing_time: Datum::NotPrinted,
-            brakings_max: Datum::NotPrinted,
-            emergency_max: Datum::NotPrinted,
-        }
+    pub fn unknown() -> Self {
+        Self::default()
     }
 
     /// No brake at all.

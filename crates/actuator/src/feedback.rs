@@ -5,16 +5,17 @@ use provenance::{Datum, Grade, Sourced};
 use quantities::{Angle, Measure, Time};
 
 /// The shaft that a feedback sits on.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum FeedbackSide {
     /// On the motor: its errors reach the output divided by the ratio.
+    #[default]
     Motor,
     /// On the output.
     Output,
 }
 
 /// What is known of one feedback system, at the shaft that it sits on.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, Default, PartialEq)]
 pub struct Feedback {
     /// The shaft it sits on.
     pub side: FeedbackSide,
@@ -42,19 +43,8 @@ pub struct Feedback {
 impl Feedback {
     /// A motor feedback of which nothing is known.
     #[must_use]
-    pub const fn unknown() -> Self {
-        Self {
-            side: FeedbackSide::Motor,
-            resolution: Datum::NotPrinted,
-            resolution_absolute: Datum::NotPrinted,
-            accuracy: Datum::NotPrinted,
-            turns_absolute: Datum::NotPrinted,
-            single_turn_absolute: false,
-            buffered_by_battery: false,
-            battery: Datum::NotPrinted,
-            battery_life_typical: Datum::NotPrinted,
-            exchange_interval: Datum::NotPrinted,
-        }
+    pub fn unknown() -> Self {
+        Self::default()
     }
 
     /// No feedback on this shaft.

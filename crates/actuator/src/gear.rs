@@ -6,7 +6,7 @@ use quantities::unit::{HOUR, REVOLUTION_PER_MINUTE};
 use quantities::{Angle, AngularVelocity, Frequency, Measure, MomentOfInertia, Time, Torque, TorsionalStiffness};
 
 /// What is known of the gear.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, Default, PartialEq)]
 pub struct Gear {
     /// T_1: end of the first stiffness region.
     pub torque_1: Datum<Torque>,
@@ -41,23 +41,8 @@ pub struct Gear {
 impl Gear {
     /// A gear of which nothing is known.
     #[must_use]
-    pub const fn unknown() -> Self {
-        Self {
-            torque_1: Datum::NotPrinted,
-            torque_2: Datum::NotPrinted,
-            stiffness: [Datum::NotPrinted, Datum::NotPrinted, Datum::NotPrinted],
-            rated_torque: Datum::NotPrinted,
-            average_torque_max: Datum::NotPrinted,
-            collision_torque_max: Datum::NotPrinted,
-            collision_cycles: Datum::NotPrinted,
-            nominal_life: Datum::NotPrinted,
-            life_reference_speed: Datum::NotPrinted,
-            life_ratio: Datum::NotPrinted,
-            ratcheting_torque: Datum::NotPrinted,
-            buckling_torque: Datum::NotPrinted,
-            input_speed_max: Datum::NotPrinted,
-            input_speed_mean_max: Datum::NotPrinted,
-        }
+    pub fn unknown() -> Self {
+        Self::default()
     }
 
     /// The torsion curve, if all five of its values are known.

@@ -10,7 +10,7 @@ use provenance::{Datum, Missing};
 use quantities::{AngularVelocity, ElectricCurrent, Measure, Power, ThermodynamicTemperature, Time, Torque};
 
 /// What the family's heat model is calibrated with; another maker's actuator has none of it unless its owner states it.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, Default, PartialEq)]
 pub struct Heat {
     /// w = R_ha/(R_wh + R_ha): share of the thermal resistance that lies between housing and air.
     pub housing_share: Datum<f64>,
@@ -40,20 +40,8 @@ pub struct Heat {
 impl Heat {
     /// Nothing is known.
     #[must_use]
-    pub const fn unknown() -> Self {
-        Self {
-            housing_share: Datum::NotPrinted,
-            stall_loss_factor: Datum::NotPrinted,
-            loss_band: Datum::NotPrinted,
-            intermittent_cycle: Datum::NotPrinted,
-            intermittent_band_high: Datum::NotPrinted,
-            gear_band: Datum::NotPrinted,
-            ambient_reference: Datum::NotPrinted,
-            winding_warning: Datum::NotPrinted,
-            winding_shutdown: Datum::NotPrinted,
-            winding_time_constant: Datum::NotPrinted,
-            housing_time_constant: Datum::NotPrinted,
-        }
+    pub fn unknown() -> Self {
+        Self::default()
     }
 }
 

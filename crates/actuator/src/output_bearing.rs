@@ -27,7 +27,7 @@ impl BearingType {
 }
 
 /// What is known of an output bearing.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, Default, PartialEq)]
 pub struct OutputBearing {
     /// Type.
     pub kind: Datum<BearingType>,
@@ -54,19 +54,8 @@ pub struct OutputBearing {
 impl OutputBearing {
     /// A bearing of which nothing is known.
     #[must_use]
-    pub const fn unknown() -> Self {
-        Self {
-            kind: Datum::NotPrinted,
-            pitch_diameter: Datum::NotPrinted,
-            offset: Datum::NotPrinted,
-            dynamic_rating: Datum::NotPrinted,
-            static_rating: Datum::NotPrinted,
-            tilting_moment_max: Datum::NotPrinted,
-            axial_max: Datum::NotPrinted,
-            radial_max: Datum::NotPrinted,
-            tilting_stiffness: Datum::NotPrinted,
-            swing_min: Datum::NotPrinted,
-        }
+    pub fn unknown() -> Self {
+        Self::default()
     }
 }
 

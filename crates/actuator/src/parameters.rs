@@ -164,7 +164,7 @@ impl DerefMut for Parameters {
 impl Drivetrain {
     /// One of which nothing is known yet.
     #[must_use]
-    pub const fn unknown() -> Self {
+    pub fn unknown() -> Self {
         Self {
             ratio: Datum::NotPrinted,
             torque_max: Datum::NotPrinted,

@@ -5,7 +5,7 @@ use quantities::{Force, Length, Measure, Ratio, Torque};
 use std::borrow::Cow;
 
 /// What is known of one circle of screws.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, Default, PartialEq)]
 pub struct ScrewJoint {
     /// Number of screws.
     pub count: Datum<f64>,
@@ -24,15 +24,8 @@ pub struct ScrewJoint {
 impl ScrewJoint {
     /// A joint of which nothing is known.
     #[must_use]
-    pub const fn unknown() -> Self {
-        Self {
-            count: Datum::NotPrinted,
-            size: Datum::NotPrinted,
-            grade: Datum::NotPrinted,
-            bolt_circle: Datum::NotPrinted,
-            tightening_torque: Datum::NotPrinted,
-            transmissible_torque: Datum::NotPrinted,
-        }
+    pub fn unknown() -> Self {
+        Self::default()
     }
 }
 

@@ -66,35 +66,35 @@ macro_rules! identified {
 }
 
 identified! {
-    CableFor as "CableFor": CableFor::ALL;
-    CableRole as "CableRole": CableRole::ALL;
-    Circuit as "Circuit": Circuit::ALL;
-    Group as "SignalGroup": Group::ALL;
-    Role as "ConnectorRole": Role::ALL;
-    Severity as "Severity": Severity::ALL;
-    Bound as "Bound": Bound::ALL;
-    Signal as "Signal": Signal::ALL;
-    Step as "Step": Step::ALL;
+    CableFor as "CableFor": &CableFor::ALL;
+    CableRole as "CableRole": &CableRole::ALL;
+    Circuit as "Circuit": &Circuit::ALL;
+    Group as "SignalGroup": &Group::ALL;
+    Role as "ConnectorRole": &Role::ALL;
+    Severity as "Severity": &Severity::ALL;
+    Bound as "Bound": &Bound::ALL;
+    Signal as "Signal": &Signal::ALL;
+    Step as "Step": &Step::ALL;
     CheckId as "CheckId": CheckId::ALL;
     EventKind as "EventKind": EventKind::ALL;
     Loop as "Loop": &Loop::ALL;
     Reaction as "Reaction": &Reaction::ALL;
     ScenarioId as "ScenarioId": ScenarioId::ALL;
-    Verdict as "Verdict": &[Verdict::Pass, Verdict::Fail, Verdict::Advice, Verdict::NotChecked];
-    Direction as "Direction": &[Direction::AtMost, Direction::AtLeast];
-    Part as "Part": Part::ALL;
+    Verdict as "Verdict": &Verdict::ALL;
+    Direction as "Direction": &Direction::ALL;
+    Part as "Part": &Part::ALL;
     Field as "Field": Field::ALL;
     Grade as "Grade": &[Grade::Printed, Grade::Computed, Grade::Published, Grade::Estimated, Grade::Assumed];
 }
 
 identified! {
     feedback::Protocol as "EncoderProtocol": feedback::Protocol::ALL;
-    installation::encoder::Assumed as "EncoderAssumed": installation::encoder::Assumed::ALL;
-    installation::fit::Side as "Side": installation::fit::Side::ALL;
-    installation::fit::FitKind as "FitKind": installation::fit::FitKind::ALL;
-    installation::joint::LoadCase as "LoadCase": installation::joint::LoadCase::ALL;
-    installation::upkeep::Task as "Task": installation::upkeep::Task::ALL;
-    installation::upkeep::Rule as "Rule": installation::upkeep::Rule::ALL;
+    installation::encoder::Assumed as "EncoderAssumed": &installation::encoder::Assumed::ALL;
+    installation::fit::Side as "Side": &installation::fit::Side::ALL;
+    installation::fit::FitKind as "FitKind": &installation::fit::FitKind::ALL;
+    installation::joint::LoadCase as "LoadCase": &installation::joint::LoadCase::ALL;
+    installation::upkeep::Task as "Task": &installation::upkeep::Task::ALL;
+    installation::upkeep::Rule as "Rule": &installation::upkeep::Rule::ALL;
 }
 
 /// Whether nothing speaks against an actuator, or against the best of several.

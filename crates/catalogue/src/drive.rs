@@ -3,7 +3,7 @@
 use crate::record::{Cell, Table};
 use crate::series::{SeriesData, winding_data};
 use order_code::{Feedback, Ratio, Size, Winding};
-use provenance::{Datum, Grade, Source, Sourced};
+use provenance::Datum;
 use quantities::{Measure, Unit};
 use std::collections::BTreeMap;
 use std::sync::LazyLock;
@@ -132,12 +132,7 @@ static SIZE_CELLS: LazyLock<BTreeMap<&'static str, Vec<&'static Cell>>> = LazyLo
 pub fn datum_of<Q: Measure>(cell: &'static Cell) -> Datum<Q> {
     let unit = Unit::of_dimension(Q::DIMENSION, cell.unit);
     match (cell.limit().number(), unit) {
-        (Some(value), Some(unit)) => Datum::Known(Sourced {
-            value: Q::from_si(unit.to_si(value)),
-            source: Source::Cell(&cell.place),
-            grade: if cell.checks_use.is_some() { Grade::Computed } else { Grade::Printed },
-            errata: cell.errata,
-        }),
+        (Some(value), Some(unit)) => Datum::Known(cell.sourced(Q::from_si(unit.to_si(value)))),
         _ => Datum::NotPrinted,
     }
 }

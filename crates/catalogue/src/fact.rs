@@ -2,6 +2,7 @@
 
 use order_code::{Brake, Feedback, OrderCode, Series, Size, Winding};
 use provenance::Grade;
+use quantities::identified;
 
 /// One statement of a source in our own words, with the figures in it.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -81,95 +82,80 @@ pub struct FactValue {
     pub bound: Bound,
 }
 
-macro_rules! words {
-    ($(#[$doc:meta])* $name:ident { $($(#[$vdoc:meta])* $variant:ident => $id:literal),* $(,)? }) => {
-        $(#[$doc])*
-        #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-        pub enum $name { $($(#[$vdoc])* $variant),* }
-
-        impl $name {
-            /// Every value, in order.
-            pub const ALL: &'static [Self] = &[$(Self::$variant),*];
-
-            /// The identifier used in the data and in data exchange.
-            #[must_use]
-            pub const fn id(self) -> &'static str {
-                match self { $(Self::$variant => $id),* }
-            }
-        }
-    };
-}
-
-words! {
+identified! {
     /// The answer that shows a fact.
-    Topic {
+    #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+    pub enum Topic {
         /// Connectors, pins and cables.
-        Wiring => "wiring",
+        Wiring = "wiring",
         /// Joints, fits, heat into the machine.
-        Mount => "mount",
+        Mount = "mount",
         /// Parameters of the drive and the first motion.
-        Commission => "commission",
+        Commission = "commission",
         /// Service, storage, disposal.
-        Upkeep => "upkeep",
+        Upkeep = "upkeep",
         /// Every one of them.
-        Safety => "safety",
+        Safety = "safety",
     }
 }
 
-words! {
+identified! {
     /// Signal words of ISO 3864-2 and ANSI Z535.6, gravest first.
-    Signal {
+    #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+    pub enum Signal {
         /// Death or grave injury follows.
-        Danger => "danger",
+        Danger = "danger",
         /// Death or grave injury may follow.
-        Warning => "warning",
+        Warning = "warning",
         /// Light injury may follow.
-        Caution => "caution",
+        Caution = "caution",
         /// Damage to things may follow.
-        Notice => "notice",
+        Notice = "notice",
         /// Worth knowing.
-        Info => "info",
+        Info = "info",
     }
 }
 
-words! {
+identified! {
     /// When a fact matters, in the order of a machine's life.
-    Step {
+    #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+    pub enum Step {
         /// Transport and storage.
-        Transport => "transport",
+        Transport = "transport",
         /// Mounting in the machine.
-        Mounting => "mounting",
+        Mounting = "mounting",
         /// Electrical installation.
-        Wiring => "wiring",
+        Wiring = "wiring",
         /// Before the power is switched on.
-        BeforePower => "before_power",
+        BeforePower = "before_power",
         /// The first motion.
-        FirstMotion => "first_motion",
+        FirstMotion = "first_motion",
         /// After the first day of operation.
-        AfterADay => "after_a_day",
+        AfterADay = "after_a_day",
         /// In service.
-        InService => "in_service",
+        InService = "in_service",
         /// Shutting down and work on a machine that stands.
-        Shutdown => "shutdown",
+        Shutdown = "shutdown",
         /// Taking out of service.
-        Disposal => "disposal",
+        Disposal = "disposal",
     }
 }
 
-words! {
+identified! {
     /// What a figure says about the thing it is the figure of.
-    Bound {
+    #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+    pub enum Bound {
         /// More than the figure.
-        Above => "above",
+        Above = "above",
         /// Less than the figure.
-        Below => "below",
+        Below = "below",
         /// The figure or more.
-        AtLeast => "at_least",
+        AtLeast = "at_least",
         /// The figure or less.
-        AtMost => "at_most",
+        AtMost = "at_most",
         /// Around the figure.
-        About => "about",
+        About = "about",
         /// The figure.
-        Exactly => "exactly",
+        Exactly = "exactly",
     }
 }

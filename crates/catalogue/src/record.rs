@@ -1,6 +1,7 @@
 //! The records of the embedded data.
 
-use provenance::CellRef;
+use provenance::{CellRef, Grade, Source, Sourced};
+use quantities::identified;
 
 /// The meaning of a cell's text after errata, in the printed unit.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -79,6 +80,12 @@ impl Cell {
     #[must_use]
     pub fn limit(&self) -> Value {
         self.checks_use.unwrap_or(self.value)
+    }
+
+    /// A value as this cell has it; computed where checks use another one than the printed.
+    pub const fn sourced<T>(&'static self, value: T) -> Sourced<T> {
+        let grade = if self.checks_use.is_some() { Grade::Computed } else { Grade::Printed };
+        Sourced { value, source: Source::Cell(&self.place), grade, errata: self.errata }
     }
 
     /// The text of the cell in English; German is what stands printed.
@@ -174,32 +181,20 @@ impl Table {
     }
 }
 
-/// What is wrong, and with what.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-pub enum ErratumKind {
-    /// The recovered text differs from the print.
-    Recovery,
-    /// The print itself is wrong and its neighbours prove it.
-    PrintError,
-    /// Two printed facts exclude each other and nothing decides.
-    Contradiction,
-    /// Rounded to the unsafe side or with false digits.
-    Rounding,
-    /// Another edition prints otherwise.
-    Edition,
-}
-
-impl ErratumKind {
-    /// The identifier used in `errata.toml` and in data exchange.
-    #[must_use]
-    pub const fn id(self) -> &'static str {
-        match self {
-            Self::Recovery => "recovery",
-            Self::PrintError => "print_error",
-            Self::Contradiction => "contradiction",
-            Self::Rounding => "rounding",
-            Self::Edition => "edition",
-        }
+identified! {
+    /// What is wrong, and with what.
+    #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+    pub enum ErratumKind {
+        /// The recovered text differs from the print.
+        Recovery = "recovery",
+        /// The print itself is wrong and its neighbours prove it.
+        PrintError = "print_error",
+        /// Two printed facts exclude each other and nothing decides.
+        Contradiction = "contradiction",
+        /// Rounded to the unsafe side or with false digits.
+        Rounding = "rounding",
+        /// Another edition prints otherwise.
+        Edition = "edition",
     }
 }
 

@@ -27,28 +27,26 @@ fn cell(series: Series, drive: &str, symbol: &str) -> Option<&'static Cell> {
     of(drive).or_else(|| of(size)).or_else(|| of(""))
 }
 
-/// A calibration is ours: an estimate, cited by its cell.
-fn estimated<T>(datum: Datum<T>) -> Datum<T> {
-    match datum {
-        Datum::Known(known) => {
-            let source = match known.source {
-                Source::Cell(cell) => Source::Published(cell),
-                other => other,
-            };
-            Datum::Known(Sourced { source, grade: Grade::Estimated, ..known })
-        }
-        unknown => unknown,
-    }
+/// A value of a table that is not of the manual, cited by its cell: a published one, or a calibration of ours, which is
+/// an estimate.
+pub(crate) fn published_as<T>(grade: Grade, datum: Datum<T>) -> Datum<T> {
+    datum.map(|known| {
+        let source = match known.source {
+            Source::Cell(cell) => Source::Published(cell),
+            other => other,
+        };
+        Sourced { source, grade, ..known }
+    })
 }
 
 /// A pure number of a drive.
 pub(crate) fn number(series: Series, drive: &str, symbol: &str) -> Datum<f64> {
-    estimated(parts::number_of(cell(series, drive, symbol)))
+    published_as(Grade::Estimated, parts::number_of(cell(series, drive, symbol)))
 }
 
 /// A quantity of a drive.
 pub(crate) fn quantity<Q: Measure>(series: Series, drive: &str, symbol: &str) -> Datum<Q> {
-    estimated(cell(series, drive, symbol).map_or(Datum::NotPrinted, catalogue::datum_of))
+    published_as(Grade::Estimated, parts::quantity_of(cell(series, drive, symbol)))
 }
 
 /// A band of a drive by its two edges.
@@ -72,19 +70,9 @@ pub(crate) fn inertia_ratio_recommended(series: Series) -> Datum<f64> {
     let cells = catalogue::table(SeriesData::of(series).preselection).map(Table::cells).unwrap_or_default();
     let factor = |cell: &'static Cell| {
         let (factor, _) = cell.corrected.strip_prefix('≤')?.split_once("J_out")?;
-        Some((cell, quantities::parse_german(factor.trim())?))
+        Some(cell.sourced(quantities::parse_german(factor.trim())?))
     };
-    cells.iter().filter(|cell| cell.place.symbol == "J_L").find_map(factor).map_or(
-        Datum::NotPrinted,
-        |(cell, value)| {
-            Datum::Known(Sourced {
-                value,
-                source: Source::Cell(&cell.place),
-                grade: Grade::Printed,
-                errata: cell.errata,
-            })
-        },
-    )
+    Datum::of(cells.iter().filter(|cell| cell.place.symbol == "J_L").find_map(factor))
 }
 
 /// Below this swing the output bearing may fret: the figure of a fact of the series.
@@ -126,10 +114,7 @@ pub struct Assumed {
 #[must_use]
 pub fn assumed() -> Assumed {
     fn assume<T>(datum: Datum<T>) -> Datum<T> {
-        match datum {
-            Datum::Known(known) => Datum::Known(Sourced { grade: Grade::Assumed, ..known }),
-            unknown => unknown,
-        }
+        datum.map(|known| Sourced { grade: Grade::Assumed, ..known })
     }
     let series = Series::default();
     Assumed {
@@ -180,7 +165,7 @@ pub(crate) fn battery_of(feedback: Feedback) -> Datum<Battery> {
         };
         Some(capacity.clone().map(|_| value))
     })();
-    found.map_or(Datum::NotPrinted, Datum::Known)
+    Datum::of(found)
 }
 
 #[cfg(test)]

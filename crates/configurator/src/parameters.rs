@@ -38,7 +38,6 @@ fn drivetrain(drive: &Drive, code: &OrderCode) -> Drivetrain {
     let starting = winding.map_or("", |data| data.starting_current);
     let curve = |which| published_curve(code, which);
     let [cold, warm] = no_load_cells(drive, code);
-    let no_load = |cell: Option<&'static Cell>| cell.map_or(Datum::NotPrinted, catalogue::datum_of);
     Drivetrain {
         ratio: RATIOS.get(code.series().place()).map_or(Datum::NotPrinted, |place| {
             Datum::Known(Sourced {
@@ -60,8 +59,8 @@ fn drivetrain(drive: &Drive, code: &OrderCode) -> Drivetrain {
         stall_current_motor: largest_stall_current(drive, code),
         stall_current_includes_friction: winding.is_none_or(|data| data.stall_current_includes_friction),
         no_load_starting_current: drive.datum("I_NLS", starting, feedback, ratio),
-        no_load_current_constant_cold: no_load(cold),
-        no_load_current_constant_warm: no_load(warm),
+        no_load_current_constant_cold: parts::quantity_of(cold),
+        no_load_current_constant_warm: parts::quantity_of(warm),
         no_load_temperatures: temperatures(cold, warm),
         friction_printed_from: family::quantity(code.series(), "", "friction_printed_from"),
         friction_cold_growth: family::cold_growth(code.series()),
@@ -70,7 +69,7 @@ fn drivetrain(drive: &Drive, code: &OrderCode) -> Drivetrain {
         voltage_constant_motor: drive.datum("k_EM", "20 degC", feedback, ratio),
         resistance_ll: drive.datum("R_LL", "20 degC", feedback, ratio),
         inductance_ll: drive.datum("L_LL", "", feedback, ratio),
-        pole_pairs: plain_number(drive, "p", code),
+        pole_pairs: parts::number_of(drive.cell("p", "", feedback, ratio)),
         hollow_shaft: drive.datum("d_H", "", feedback, ratio),
         dc_link_max: drive.datum("U_DCmax", "", feedback, ratio),
         terminal_voltage_min: terminal_voltage_min(drive, code),
@@ -132,10 +131,7 @@ fn heat(drive: &Drive, code: &OrderCode) -> Heat {
     let number = |symbol| family::number(series, drive.name, symbol);
     let time = |symbol| family::quantity(series, drive.name, symbol);
     let loss_band = family::band(series, drive.name, "loss_band_low", "loss_band_high");
-    let ambient_reference = match ambient_range(code.winding) {
-        Datum::Known(range) => Datum::Known(range.map(|(_, highest)| highest)),
-        _ => Datum::NotPrinted,
-    };
+    let ambient_reference = ambient_range(code.winding).map(|range| range.map(|(_, highest)| highest));
     Heat {
         gear_band: number("s3_gear_band"),
         ambient_reference,
@@ -154,12 +150,9 @@ fn heat(drive: &Drive, code: &OrderCode) -> Heat {
 /// The lower end of the printed range of the terminal voltage: `220 ... 430`.
 fn terminal_voltage_min(drive: &Drive, code: &OrderCode) -> Datum<quantities::ElectricPotential> {
     match drive.cell("U_M", "", code.feedback, code.ratio).map(|cell| (cell, cell.value)) {
-        Some((cell, catalogue::Value::Range { low, .. })) => Datum::Known(Sourced {
-            value: quantities::ElectricPotential::from_si(low),
-            source: Source::Cell(&cell.place),
-            grade: Grade::Printed,
-            errata: cell.errata,
-        }),
+        Some((cell, catalogue::Value::Range { low, .. })) => {
+            Datum::Known(cell.sourced(quantities::ElectricPotential::from_si(low)))
+        }
         _ => Datum::NotPrinted,
     }
 }
@@ -172,32 +165,15 @@ fn ambient_range(winding: Winding) -> Datum<(ThermodynamicTemperature, Thermodyn
     {
         Some((cell, catalogue::Value::Range { low, high })) => {
             let celsius = |value| ThermodynamicTemperature::new_in(value, &DEGREE_CELSIUS);
-            Datum::Known(Sourced {
-                value: (celsius(low), celsius(high)),
-                source: Source::Cell(&cell.place),
-                grade: Grade::Printed,
-                errata: cell.errata,
-            })
+            Datum::Known(cell.sourced((celsius(low), celsius(high))))
         }
         _ => Datum::NotPrinted,
     }
 }
 
-fn plain_number(drive: &Drive, symbol: &str, code: &OrderCode) -> Datum<f64> {
-    match drive.cell(symbol, "", code.feedback, code.ratio).and_then(|cell| Some((cell, cell.limit().number()?))) {
-        Some((cell, value)) => Datum::Known(Sourced {
-            value,
-            source: Source::Cell(&cell.place),
-            grade: Grade::Printed,
-            errata: cell.errata,
-        }),
-        None => Datum::NotPrinted,
-    }
-}
-
 /// A value of the tables headed by size.
 pub(crate) fn by_size<Q: Measure>(code: &OrderCode, symbol: &str) -> Datum<Q> {
-    catalogue::size_cell(code.size, code.ratio, symbol).map_or(Datum::NotPrinted, catalogue::datum_of)
+    parts::quantity_of(catalogue::size_cell(code.size, code.ratio, symbol))
 }
 
 /// What tables 54.3 and 54.4 print about the gear, and the published ratings where there are any.
@@ -211,12 +187,8 @@ fn gear(code: &OrderCode) -> Gear {
         average_torque_max: published_rating(code, "T_A"),
         collision_torque_max: published_rating(code, "T_M"),
         collision_cycles: of_the_life(code, "collision_cycles", None, parts::number_of),
-        nominal_life: of_the_life(code, "L_n", Some(data.gear_series), |cell| {
-            cell.map_or(Datum::NotPrinted, catalogue::datum_of)
-        }),
-        life_reference_speed: of_the_life(code, "n_N_gear", None, |cell| {
-            cell.map_or(Datum::NotPrinted, catalogue::datum_of)
-        }),
+        nominal_life: of_the_life(code, "L_n", Some(data.gear_series), parts::quantity_of),
+        life_reference_speed: of_the_life(code, "n_N_gear", None, parts::quantity_of),
         life_ratio: of_the_life(code, "life_ratio_50_10", None, parts::number_of),
         ratcheting_torque: published("ratcheting-torque", "T_ratchet", code, code.ratio.as_str()),
         buckling_torque: published("ratcheting-torque", "T_buckle", code, ""),
@@ -236,7 +208,7 @@ fn of_the_life<T>(
     let cells = catalogue::table(SeriesData::of(code.series()).gear_life).map(Table::cells).unwrap_or_default();
     let is_of = |condition: &str| series.is_none_or(|series| condition.contains(series));
     let found = cells.iter().find(|cell| cell.place.symbol == symbol && is_of(cell.place.condition));
-    published_as(value(found))
+    family::published_as(Grade::Published, value(found))
 }
 
 /// A rating of the interchangeable gear with the same T_R, from another maker's catalogue.
@@ -257,21 +229,7 @@ fn published<Q: Measure>(table: &str, symbol: &str, code: &OrderCode, ratio: &st
         .cells()
         .iter()
         .find(|cell| cell.place.symbol == symbol && cell.place.drive == head && cell.place.ratio == ratio);
-    published_as(cell.map_or(Datum::NotPrinted, catalogue::datum_of::<Q>))
-}
-
-/// A value of a published table, cited as such.
-fn published_as<T>(datum: Datum<T>) -> Datum<T> {
-    match datum {
-        Datum::Known(mut known) => {
-            if let Source::Cell(cell) = known.source {
-                known.source = Source::Published(cell);
-            }
-            known.grade = Grade::Published;
-            Datum::Known(known)
-        }
-        unknown => unknown,
-    }
+    family::published_as(Grade::Published, parts::quantity_of(cell))
 }
 
 /// What table 55.1 prints about the output bearing of a size.
@@ -282,11 +240,10 @@ fn output_bearing(code: &OrderCode) -> OutputBearing {
             "F" => BearingType::FourPoint,
             _ => return None,
         };
-        let source = Source::Cell(&cell.place);
-        Some(Datum::Known(Sourced { value, source, grade: Grade::Printed, errata: cell.errata }))
+        Some(cell.sourced(value))
     });
     OutputBearing {
-        kind: kind.unwrap_or(Datum::NotPrinted),
+        kind: Datum::of(kind),
         pitch_diameter: by_size(code, "d_p"),
         offset: by_size(code, "R"),
         dynamic_rating: by_size(code, "C"),
@@ -324,23 +281,13 @@ fn published_curve(code: &OrderCode, which: &str) -> Datum<Curve> {
         place.condition == which && place.ratio == code.ratio.as_str() && place.drive == head
     };
     let cell = tables.iter().filter_map(|table| catalogue::table(table)).flat_map(Table::cells).find(is_it);
-    let Some((cell, points)) = cell.and_then(|cell| Some((cell, published_curve_points(cell.corrected)?))) else {
-        return Datum::NotPrinted;
+    let point = |(speed, torque)| CurvePoint {
+        speed: AngularVelocity::new_in(speed, &REVOLUTION_PER_MINUTE),
+        torque: Torque::new_in(torque, &NEWTON_METRE),
     };
-    let points = points
-        .into_iter()
-        .map(|(speed, torque)| CurvePoint {
-            speed: AngularVelocity::new_in(speed, &REVOLUTION_PER_MINUTE),
-            torque: Torque::new_in(torque, &NEWTON_METRE),
-        })
-        .collect();
-    match Curve::new(points) {
-        Ok(curve) => Datum::Known(Sourced {
-            value: curve,
-            source: Source::Published(&cell.place),
-            grade: Grade::Published,
-            errata: cell.errata,
-        }),
-        Err(_) => Datum::NotPrinted,
-    }
+    let curve = cell.and_then(|cell| {
+        let points = published_curve_points(cell.corrected)?.into_iter().map(point).collect();
+        Some(cell.sourced(Curve::new(points).ok()?))
+    });
+    family::published_as(Grade::Published, Datum::of(curve))
 }

@@ -4,22 +4,19 @@ use crate::parameters::by_size;
 use actuator::{Accuracy, Brake, Feedback, FeedbackSide, ScrewJoint};
 use catalogue::{Cell, Drive, SeriesData, Table};
 use order_code::{Brake as BrakeOrdered, FeedbackKind, OrderCode, Series};
-use provenance::{Datum, Grade, Source, Sourced};
+use provenance::{Datum, Grade, Sourced};
 use quantities::{Angle, Measure};
 use std::borrow::Cow;
 use std::sync::LazyLock;
 
 /// A pure number of a cell.
 pub(crate) fn number_of(cell: Option<&'static Cell>) -> Datum<f64> {
-    match cell.and_then(|cell| Some((cell, cell.limit().number()?))) {
-        Some((cell, value)) => Datum::Known(Sourced {
-            value,
-            source: Source::Cell(&cell.place),
-            grade: if cell.checks_use.is_some() { Grade::Computed } else { Grade::Printed },
-            errata: cell.errata,
-        }),
-        None => Datum::NotPrinted,
-    }
+    Datum::of(cell.and_then(|cell| Some(cell.sourced(cell.limit().number()?))))
+}
+
+/// The quantity of a cell that may be missing.
+pub(crate) fn quantity_of<Q: Measure>(cell: Option<&'static Cell>) -> Datum<Q> {
+    cell.map_or(Datum::NotPrinted, catalogue::datum_of)
 }
 
 /// What the tables `*.2` and `*.3` of a drive print about its brake.
@@ -56,15 +53,10 @@ pub(crate) fn feedback_cell(series: Series, name: &str, symbol: &str) -> Option<
 
 /// A full turn divided by a printed number of steps.
 fn step_of(cell: Option<&'static Cell>) -> Datum<Angle> {
-    match number_of(cell) {
-        Datum::Known(steps) => Datum::Known(Sourced {
-            value: Angle::from_si(std::f64::consts::TAU / steps.value),
-            source: steps.source,
-            grade: steps.grade.worst(Grade::Computed),
-            errata: steps.errata,
-        }),
-        _ => Datum::NotPrinted,
-    }
+    number_of(cell).map(|steps| {
+        let grade = steps.grade.worst(Grade::Computed);
+        Sourced { grade, ..steps.map(|steps| Angle::from_si(std::f64::consts::TAU / steps)) }
+    })
 }
 
 /// A datum that does not apply where its row is not printed.
@@ -87,12 +79,12 @@ pub(crate) fn feedback(code: &OrderCode) -> Feedback {
 
 fn printed_feedback(ordered: order_code::Feedback) -> Feedback {
     let cell = |symbol| feedback_cell(ordered.series(), ordered.as_str(), symbol);
-    let value = |symbol| cell(symbol).map_or(Datum::NotPrinted, catalogue::datum_of);
+    let value = |symbol| quantity_of(cell(symbol));
     Feedback {
         side: FeedbackSide::Motor,
         resolution: step_of(cell("resolution_motor_inc")),
         resolution_absolute: if_printed(step_of(cell("positions_per_turn"))),
-        accuracy: cell("accuracy").map_or(Datum::NotPrinted, catalogue::datum_of),
+        accuracy: quantity_of(cell("accuracy")),
         turns_absolute: if_printed(number_of(cell("turns"))),
         // A resolver has one pole pair here (table 58.2), so its angle is one of a whole turn.
         single_turn_absolute: match ordered.kind() {
@@ -113,9 +105,9 @@ pub(crate) fn feedback_out(code: &OrderCode) -> Feedback {
     let cell = |symbol| feedback_cell(code.series(), option.as_str(), symbol);
     Feedback {
         // The rows of the output are printed directly, rounded; this one has no row of its steps.
-        resolution: cell("resolution_out").map_or(Datum::NotPrinted, catalogue::datum_of),
+        resolution: quantity_of(cell("resolution_out")),
         resolution_absolute: step_of(cell("positions_per_turn")),
-        accuracy: cell("accuracy").map_or(Datum::NotPrinted, catalogue::datum_of),
+        accuracy: quantity_of(cell("accuracy")),
         single_turn_absolute: true,
         ..absent
     }
@@ -143,14 +135,9 @@ struct JointRows {
 
 fn screw_joint(code: &OrderCode, rows: &JointRows) -> ScrewJoint {
     let cell = |symbol| catalogue::size_cell(code.size, code.ratio, symbol);
-    let text = |symbol| match cell(symbol).filter(|cell| !cell.corrected.is_empty() && cell.corrected != "-") {
-        Some(cell) => Datum::Known(Sourced {
-            value: Cow::Borrowed(cell.corrected),
-            source: Source::Cell(&cell.place),
-            grade: Grade::Printed,
-            errata: cell.errata,
-        }),
-        None => Datum::NotPrinted,
+    let text = |symbol| {
+        let cell = cell(symbol).filter(|cell| !cell.corrected.is_empty() && cell.corrected != "-");
+        Datum::of(cell.map(|cell| cell.sourced(Cow::Borrowed(cell.corrected))))
     };
     ScrewJoint {
         count: number_of(cell(rows.count)),

@@ -3,10 +3,10 @@
 use crate::drawing::{Drawing, Figure};
 use crate::labels::{amount, listed, subject};
 use order_code::OrderCode;
-use plot::{Area, Axis, Dash, Hatch, Label, Line, Markers, Note, Reference, Shape, Tone, Width, XyChart};
+use plot::{Area, Axis, Dash, Hatch, Item, Label, Line, Markers, Note, Reference, Shape, Tone, Width, XyChart};
 use project::Project;
 use quantities::unit::{NEWTON_METRE, REVOLUTION_PER_MINUTE, SECOND, VOLT};
-use quantities::{AngularVelocity, Language, Measure, Torque, format_number, format_significant};
+use quantities::{AngularVelocity, Language, Measure, Torque, Unit, format_number, format_significant};
 use questions::{Candidate, CheckId, Course, CurveKind, CurvePoint, PerformanceCurve, Plane, Sample};
 use words::{minutes, pictures, terms};
 
@@ -284,7 +284,7 @@ fn has_short_time(plane: &Plane) -> bool {
 
 /// Largest torque and largest speed of an actuator whose curves cannot be drawn, each where it is known.
 fn known(candidate: &Candidate<'_>) -> [Option<(f64, &'static str, String)>; 2] {
-    let of = |id: CheckId, unit: &'static quantities::Unit, symbol: &'static str| {
+    let of = |id: CheckId, unit: &'static Unit, symbol: &'static str| {
         let check = candidate.judgement.checks.iter().find(|check| check.id == id)?;
         let limit = check.limit.filter(|limit| limit.si > 0.0)?;
         Some((unit.from_si(limit.si), symbol, check.id.id().to_owned()))
@@ -302,30 +302,23 @@ fn with_known(mut chart: XyChart, candidate: &Candidate<'_>, language: Language)
         let name = pictures::largest_torque_and_speed(language);
         chart = chart.with(line.label(name).class("known-limits"));
     }
-    let both = torque.is_some() && speed.is_some();
-    if let Some((value, symbol, check)) = torque {
-        let label = Label::symbol(symbol).text(&number(value, NEWTON_METRE.symbol));
+    let (both, mut marks) = (torque.is_some() && speed.is_some(), Vec::new());
+    let mut mark = |known, unit: &Unit, corner: fn(f64) -> Point, line: fn(f64) -> Reference| {
+        let Some((value, symbol, check)): Option<(f64, _, String)> = known else { return };
+        let label = Label::symbol(symbol).text(&number(value, unit.symbol));
         for (value, label) in [(value, label), (-value, Label::default())] {
-            if both && !label.is_empty() {
-                chart = chart.with(Note::new(0.0, value, label).tone(Tone::ShortTime).data("check", &check));
-            } else if !both {
-                let line = Reference::horizontal(value).tone(Tone::ShortTime).dash(Dash::Dashed);
-                chart = chart.with(line.label(label).data("check", &check));
+            let (x, y) = corner(value);
+            if !both {
+                let line = line(value).tone(Tone::ShortTime).dash(Dash::Dashed).label(label).data("check", &check);
+                marks.push(Item::from(line));
+            } else if !label.is_empty() {
+                marks.push(Item::from(Note::new(x, y, label).tone(Tone::ShortTime).data("check", &check)));
             }
         }
-    }
-    if let Some((value, symbol, check)) = speed {
-        let label = Label::symbol(symbol).text(&number(value, REVOLUTION_PER_MINUTE.symbol));
-        for (value, label) in [(value, label), (-value, Label::default())] {
-            if both && !label.is_empty() {
-                chart = chart.with(Note::new(value, 0.0, label).tone(Tone::ShortTime).data("check", &check));
-            } else if !both {
-                let line = Reference::vertical(value).tone(Tone::ShortTime).dash(Dash::Dashed);
-                chart = chart.with(line.label(label).data("check", &check));
-            }
-        }
-    }
-    chart
+    };
+    mark(torque, &NEWTON_METRE, |torque| (0.0, torque), Reference::horizontal);
+    mark(speed, &REVOLUTION_PER_MINUTE, |speed| (speed, 0.0), Reference::vertical);
+    chart.with_all(marks)
 }
 
 fn caption_of_known(candidate: &Candidate<'_>, language: Language) -> String {

@@ -21,7 +21,7 @@ use quantities::unit::{
     MILLISECOND, NEWTON_METRE, NEWTON_METRE_PER_AMPERE, OHM, ONE, REVOLUTION_PER_MINUTE, VOLT,
     VOLT_PER_THOUSAND_REVOLUTIONS,
 };
-use quantities::{Measure, MomentOfInertia, ThermodynamicTemperature, Unit};
+use quantities::{Measure, MomentOfInertia, ThermodynamicTemperature, Unit, identified};
 
 macro_rules! parameters {
     ($($(#[$doc:meta])* $name:ident => $id:literal, $symbol:literal, $unit:ident, $conversion:ident;)+) => {
@@ -139,53 +139,26 @@ parameters! {
     BrakeHoldingTorque => "brake_holding_torque", "T_Br", NEWTON_METRE, AsPrinted;
 }
 
-/// How a value follows from what is printed.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Conversion {
-    /// The printed value, after errata.
-    AsPrinted,
-    /// 1e-4 kgm² in print, kgm² here.
-    FromTenThousandths,
-    /// Half of the value between two terminals: the winding is a star (cha-manual section 11.1).
-    PhaseOfStar,
-    /// √2 times the rms value: the current is a sine.
-    Amplitude,
-    /// f_N = p n_N/60.
-    Frequency,
-    /// U = k_EM n_N/1000.
-    EmfOfSpeed,
-    /// T = k_TM I_0.
-    TorqueOfCurrent,
-    /// The smaller one of two.
-    Smaller,
-}
-
-impl Conversion {
-    /// Every one.
-    pub const ALL: [Self; 8] = [
-        Self::AsPrinted,
-        Self::FromTenThousandths,
-        Self::PhaseOfStar,
-        Self::Amplitude,
-        Self::Frequency,
-        Self::EmfOfSpeed,
-        Self::TorqueOfCurrent,
-        Self::Smaller,
-    ];
-
-    /// The identifier in data exchange.
-    #[must_use]
-    pub const fn id(self) -> &'static str {
-        match self {
-            Self::AsPrinted => "as_printed",
-            Self::FromTenThousandths => "from_1e-4_kgm2",
-            Self::PhaseOfStar => "half_of_line_to_line",
-            Self::Amplitude => "rms_times_sqrt_2",
-            Self::Frequency => "p*n_N/60",
-            Self::EmfOfSpeed => "k_EM*n_N",
-            Self::TorqueOfCurrent => "k_TM*I_0",
-            Self::Smaller => "min(I_max, I_E)",
-        }
+identified! {
+    /// How a value follows from what is printed.
+    #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+    pub enum Conversion {
+        /// The printed value, after errata.
+        AsPrinted = "as_printed",
+        /// 1e-4 kgm² in print, kgm² here.
+        FromTenThousandths = "from_1e-4_kgm2",
+        /// Half of the value between two terminals: the winding is a star (cha-manual section 11.1).
+        PhaseOfStar = "half_of_line_to_line",
+        /// √2 times the rms value: the current is a sine.
+        Amplitude = "rms_times_sqrt_2",
+        /// f_N = p n_N/60.
+        Frequency = "p*n_N/60",
+        /// U = k_EM n_N/1000.
+        EmfOfSpeed = "k_EM*n_N",
+        /// T = k_TM I_0.
+        TorqueOfCurrent = "k_TM*I_0",
+        /// The smaller one of two.
+        Smaller = "min(I_max, I_E)",
     }
 }
 

@@ -10,7 +10,7 @@ use feedback::{
 };
 use order_code::OrderCode;
 use provenance::Datum;
-use quantities::{Angle, EffectiveVoltage, ElectricPotential, Frequency, Measure, Unit};
+use quantities::{Angle, EffectiveVoltage, ElectricPotential, Frequency, Measure, Unit, identified};
 
 /// Steps within a period of the sine tracks, as the tables count them: 8 bit.
 ///
@@ -31,61 +31,30 @@ pub struct Fitted {
     pub cells: Vec<&'static Cell>,
 }
 
-/// What the manual leaves open about an encoder, or the simulation does not hold.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-pub enum Assumed {
-    /// Which of both tracks leads.
-    OrderOfTracks,
-    /// Where the angle zero lies against the tracks, and the width of the mark.
-    ZeroOfTracks,
-    /// Where the commutation signals begin.
-    ZeroOfCommutation,
-    /// The zero of the position against the rotor.
-    ZeroOfPosition,
-    /// The zero of the output encoder against that of the motor.
-    ZeroOfOutput,
-    /// The times of `EnDat`.
-    TimesOfEndat,
-    /// The times of SSI.
-    TimesOfSsi,
-    /// The frequency of the excitation, and that the windings do not shift its phase.
-    Carrier,
-    /// The course of the deviation.
-    Deviation,
-    /// The count of turns begins at zero after the battery was lost.
-    BatteryLost,
-}
-
-impl Assumed {
-    /// Every assumption.
-    pub const ALL: &'static [Self] = &[
-        Self::OrderOfTracks,
-        Self::ZeroOfTracks,
-        Self::ZeroOfCommutation,
-        Self::ZeroOfPosition,
-        Self::ZeroOfOutput,
-        Self::TimesOfEndat,
-        Self::TimesOfSsi,
-        Self::Carrier,
-        Self::Deviation,
-        Self::BatteryLost,
-    ];
-
-    /// The identifier used in data exchange.
-    #[must_use]
-    pub const fn id(self) -> &'static str {
-        match self {
-            Self::OrderOfTracks => "order_of_tracks",
-            Self::ZeroOfTracks => "zero_of_tracks",
-            Self::ZeroOfCommutation => "zero_of_commutation",
-            Self::ZeroOfPosition => "zero_of_position",
-            Self::ZeroOfOutput => "zero_of_output",
-            Self::TimesOfEndat => "times_of_endat",
-            Self::TimesOfSsi => "times_of_ssi",
-            Self::Carrier => "carrier",
-            Self::Deviation => "deviation",
-            Self::BatteryLost => "battery_lost",
-        }
+identified! {
+    /// What the manual leaves open about an encoder, or the simulation does not hold.
+    #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+    pub enum Assumed {
+        /// Which of both tracks leads.
+        OrderOfTracks = "order_of_tracks",
+        /// Where the angle zero lies against the tracks, and the width of the mark.
+        ZeroOfTracks = "zero_of_tracks",
+        /// Where the commutation signals begin.
+        ZeroOfCommutation = "zero_of_commutation",
+        /// The zero of the position against the rotor.
+        ZeroOfPosition = "zero_of_position",
+        /// The zero of the output encoder against that of the motor.
+        ZeroOfOutput = "zero_of_output",
+        /// The times of `EnDat`.
+        TimesOfEndat = "times_of_endat",
+        /// The times of SSI.
+        TimesOfSsi = "times_of_ssi",
+        /// The frequency of the excitation, and that the windings do not shift its phase.
+        Carrier = "carrier",
+        /// The course of the deviation.
+        Deviation = "deviation",
+        /// The count of turns begins at zero after the battery was lost.
+        BatteryLost = "battery_lost",
     }
 }
 

@@ -4,28 +4,16 @@ use catalogue::{Cell, Table};
 use order_code::OrderCode;
 use provenance::{Datum, Grade, Source, Sourced};
 use quantities::unit::MILLIMETRE;
-use quantities::{Length, Measure, QuantityError, Unit, parse_as};
+use quantities::{Length, Measure, QuantityError, Unit, identified, parse_as};
 
-/// The side of the actuator that a joint is on.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Side {
-    /// The output flange, which carries the load.
-    Load,
-    /// The housing, which the machine carries.
-    Housing,
-}
-
-impl Side {
-    /// Both sides.
-    pub const ALL: &'static [Self] = &[Self::Load, Self::Housing];
-
-    /// Identifier in data exchange.
-    #[must_use]
-    pub const fn id(self) -> &'static str {
-        match self {
-            Self::Load => "load",
-            Self::Housing => "housing",
-        }
+identified! {
+    /// The side of the actuator that a joint is on.
+    #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+    pub enum Side {
+        /// The output flange, which carries the load.
+        Load = "load",
+        /// The housing, which the machine carries.
+        Housing = "housing",
     }
 }
 
@@ -47,29 +35,16 @@ pub enum Bore {
     Limits(Deviations),
 }
 
-/// What a fit is by ISO 286-1.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum FitKind {
-    /// Never interference; no clearance in the extreme case.
-    Clearance,
-    /// Clearance or interference, as the parts turn out.
-    Transition,
-    /// Never clearance.
-    Interference,
-}
-
-impl FitKind {
-    /// All kinds.
-    pub const ALL: &'static [Self] = &[Self::Clearance, Self::Transition, Self::Interference];
-
-    /// Identifier in data exchange.
-    #[must_use]
-    pub const fn id(self) -> &'static str {
-        match self {
-            Self::Clearance => "clearance",
-            Self::Transition => "transition",
-            Self::Interference => "interference",
-        }
+identified! {
+    /// What a fit is by ISO 286-1.
+    #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+    pub enum FitKind {
+        /// Never interference; no clearance in the extreme case.
+        Clearance = "clearance",
+        /// Clearance or interference, as the parts turn out.
+        Transition = "transition",
+        /// Never clearance.
+        Interference = "interference",
     }
 }
 
@@ -227,7 +202,7 @@ pub fn deviations(zone: &str, nominal: Length) -> Datum<Deviations> {
             errata: upper.errata,
         })
     });
-    read.map_or(Datum::NotPrinted, Datum::Known)
+    Datum::of(read)
 }
 
 /// The clearance between a bore and the pilot in it.
@@ -270,17 +245,9 @@ pub fn fit(code: &OrderCode, side: Side, bore: Option<Bore>) -> Option<Fit> {
     let cell = catalogue::size_cell(code.size, code.ratio, symbol)?;
     let (nominal, pilot_zone) = cell.corrected.split_once(' ')?;
     let unit = Unit::of_dimension(Length::DIMENSION, cell.unit)?;
-    let printed = |cell: &'static Cell| (Source::Cell(&cell.place), cell.errata);
-    let (source, errata) = printed(cell);
-    let nominal = Sourced {
-        value: Length::from_si(unit.to_si(quantities::parse_german(nominal)?)),
-        source,
-        grade: Grade::Printed,
-        errata,
-    };
+    let nominal = cell.sourced(Length::from_si(unit.to_si(quantities::parse_german(nominal)?)));
     let zone = catalogue::table(cell.place.table)?.cells().iter().find(|cell| cell.place.symbol == zone_symbol)?;
-    let (source, errata) = printed(zone);
-    let recommended = Sourced { value: zone.corrected, source, grade: Grade::Printed, errata };
+    let recommended = zone.sourced(zone.corrected);
     let pilot = deviations(pilot_zone, nominal.value).known()?.clone();
     let bore = bore.unwrap_or(Bore::Zone(recommended.value));
     let (bore_deviations, bore_source) = match bore {

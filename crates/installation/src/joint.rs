@@ -4,34 +4,20 @@ use crate::fit::Side;
 use actuator::{JointLoad, LoadedJoint, Parameters, ScrewJoint, clamp_force, joint_utilisation, loaded_joint};
 use order_code::OrderCode;
 use provenance::{Datum, Grade, Source, Sourced};
-use quantities::{Force, Length, Measure, Ratio, Torque};
+use quantities::{Force, Length, Measure, Ratio, Torque, identified};
 
-/// What loads a joint.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum LoadCase {
-    /// Acceleration and braking.
-    Peak,
-    /// A collision of the load.
-    Collision,
-    /// The brake stops or holds the load.
-    Brake,
-    /// A moment on the axis at rest, without torque.
-    StaticMoment,
-}
-
-impl LoadCase {
-    /// All cases.
-    pub const ALL: &'static [Self] = &[Self::Peak, Self::Collision, Self::Brake, Self::StaticMoment];
-
-    /// Identifier in data exchange.
-    #[must_use]
-    pub const fn id(self) -> &'static str {
-        match self {
-            Self::Peak => "peak",
-            Self::Collision => "collision",
-            Self::Brake => "brake",
-            Self::StaticMoment => "static_moment",
-        }
+identified! {
+    /// What loads a joint.
+    #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+    pub enum LoadCase {
+        /// Acceleration and braking.
+        Peak = "peak",
+        /// A collision of the load.
+        Collision = "collision",
+        /// The brake stops or holds the load.
+        Brake = "brake",
+        /// A moment on the axis at rest, without torque.
+        StaticMoment = "static_moment",
     }
 }
 

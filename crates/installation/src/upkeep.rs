@@ -8,7 +8,7 @@ use chrono::{Days, NaiveDate};
 use order_code::OrderCode;
 use provenance::{Datum, Grade, Source};
 use quantities::unit::{DAY, YEAR};
-use quantities::{Measure, Time};
+use quantities::{Measure, Time, identified};
 
 /// How long an actuator is stored before it goes into service.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -34,59 +34,32 @@ pub struct UpkeepAsked {
     pub today: Option<NaiveDate>,
 }
 
-/// Something that is to be done or ends.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Task {
-    /// The permitted storage ends.
-    StorageEnd,
-    /// The surfaces that give off the heat are cleaned.
-    Cleaning,
-    /// Cables and drag chain are inspected.
-    Cables,
-    /// The protective earth is inspected.
-    ProtectiveEarth,
-    /// The screws of housing and load are checked.
-    Screws,
-    /// The radial shaft seals and what stands or lies on them.
-    Seals,
-    /// The exchange of the encoder that is recommended.
-    EncoderRecommended,
-    /// The battery of the encoder is used up, by the model.
-    BatteryEmpty,
-    /// The encoder must be exchanged at the latest.
-    EncoderLatest,
+identified! {
+    /// Something that is to be done or ends.
+    #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+    pub enum Task {
+        /// The permitted storage ends.
+        StorageEnd = "storage_end",
+        /// The surfaces that give off the heat are cleaned.
+        Cleaning = "cleaning",
+        /// Cables and drag chain are inspected.
+        Cables = "cables",
+        /// The protective earth is inspected.
+        ProtectiveEarth = "protective_earth",
+        /// The screws of housing and load are checked.
+        Screws = "screws",
+        /// The radial shaft seals and what stands or lies on them.
+        Seals = "seals",
+        /// The exchange of the encoder that is recommended.
+        EncoderRecommended = "encoder_recommended",
+        /// The battery of the encoder is used up, by the model.
+        BatteryEmpty = "battery_empty",
+        /// The encoder must be exchanged at the latest.
+        EncoderLatest = "encoder_latest",
+    }
 }
 
 impl Task {
-    /// All tasks.
-    pub const ALL: &'static [Self] = &[
-        Self::StorageEnd,
-        Self::Cleaning,
-        Self::Cables,
-        Self::ProtectiveEarth,
-        Self::Screws,
-        Self::Seals,
-        Self::EncoderRecommended,
-        Self::BatteryEmpty,
-        Self::EncoderLatest,
-    ];
-
-    /// Identifier in data exchange.
-    #[must_use]
-    pub const fn id(self) -> &'static str {
-        match self {
-            Self::StorageEnd => "storage_end",
-            Self::Cleaning => "cleaning",
-            Self::Cables => "cables",
-            Self::ProtectiveEarth => "protective_earth",
-            Self::Screws => "screws",
-            Self::Seals => "seals",
-            Self::EncoderRecommended => "encoder_recommended",
-            Self::BatteryEmpty => "battery_empty",
-            Self::EncoderLatest => "encoder_latest",
-        }
-    }
-
     /// The fact that it rests on.
     const fn fact(self) -> &'static str {
         match self {
@@ -103,36 +76,20 @@ impl Task {
     }
 }
 
-/// How binding a date is.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Rule {
-    /// Not after this date.
-    AtTheLatest,
-    /// On this date, by recommendation.
-    Recommended,
-    /// Estimated to happen on this date.
-    Estimated,
-    /// At intervals.
-    Every,
-    /// At intervals, which must not be longer.
-    EveryAtMost,
-}
-
-impl Rule {
-    /// All rules.
-    pub const ALL: &'static [Self] =
-        &[Self::AtTheLatest, Self::Recommended, Self::Estimated, Self::Every, Self::EveryAtMost];
-
-    /// Identifier in data exchange.
-    #[must_use]
-    pub const fn id(self) -> &'static str {
-        match self {
-            Self::AtTheLatest => "at_the_latest",
-            Self::Recommended => "recommended",
-            Self::Estimated => "estimated",
-            Self::Every => "every",
-            Self::EveryAtMost => "every_at_most",
-        }
+identified! {
+    /// How binding a date is.
+    #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+    pub enum Rule {
+        /// Not after this date.
+        AtTheLatest = "at_the_latest",
+        /// On this date, by recommendation.
+        Recommended = "recommended",
+        /// Estimated to happen on this date.
+        Estimated = "estimated",
+        /// At intervals.
+        Every = "every",
+        /// At intervals, which must not be longer.
+        EveryAtMost = "every_at_most",
     }
 }
 

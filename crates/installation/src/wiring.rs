@@ -15,6 +15,7 @@ pub use signal::{Form, Group, Meaning, Polarity, Protocol, Signal};
 use catalogue::SeriesData;
 use catalogue::{Cell, Table};
 use order_code::{Brake, OrderCode};
+use quantities::identified;
 
 /// The wiring of one ordering code.
 #[derive(Clone, Debug)]
@@ -37,29 +38,16 @@ impl Wiring {
     }
 }
 
-/// What a connector is for.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-pub enum Role {
-    /// Motor phases, protective earth, brake.
-    Motor,
-    /// Motor feedback.
-    Feedback,
-    /// Encoder at the gear output, option EC.
-    OutputEncoder,
-}
-
-impl Role {
-    /// Every role, in the order of the answer.
-    pub const ALL: &'static [Self] = &[Self::Motor, Self::Feedback, Self::OutputEncoder];
-
-    /// The identifier used in data exchange.
-    #[must_use]
-    pub const fn id(self) -> &'static str {
-        match self {
-            Self::Motor => "motor",
-            Self::Feedback => "feedback",
-            Self::OutputEncoder => "output_encoder",
-        }
+identified! {
+    /// What a connector is for.
+    #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+    pub enum Role {
+        /// Motor phases, protective earth, brake.
+        Motor = "motor",
+        /// Motor feedback.
+        Feedback = "feedback",
+        /// Encoder at the gear output, option EC.
+        OutputEncoder = "output_encoder",
     }
 }
 
@@ -148,85 +136,42 @@ pub struct Absence {
     pub table: &'static str,
 }
 
-/// What a code, or the manual, does not have.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-pub enum Absent {
-    /// The code has no brake: its pins are free.
-    Brake,
-    /// The pin-out of the motor connector is printed for other sizes only.
-    MotorPins,
-    /// No PTC thermistor is led out.
-    Ptc,
-    /// No KTY sensor is led out.
-    Kty,
-    /// No sense lines.
-    Sense,
-    /// No pin for a shield.
-    ShieldPin,
-    /// No wire colours are printed.
-    Colours,
-    /// The size of the mating coupling is not printed.
-    MatingSize,
-    /// No cable for SINAMICS.
-    SinamicsCable,
-    /// No cable set with open end.
-    OpenCable,
-    /// No cable set for `YukonDrive`.
-    YukonCable,
-    /// No cable for SIMODRIVE.
-    SimodriveCable,
-    /// Where the contacts sit in the insert: the figures of the manual are not in the text it was recovered from.
-    Arrangement,
-    /// Which half of the pair is pin and which is socket.
-    Gender,
-    /// Cross-sections of the wires.
-    CrossSection,
-    /// What the option on the exit of cable and connectors changes on the connectors.
-    ExitOption,
-}
-
-impl Absent {
-    /// Every absence.
-    pub const ALL: &'static [Self] = &[
-        Self::Brake,
-        Self::MotorPins,
-        Self::Ptc,
-        Self::Kty,
-        Self::Sense,
-        Self::ShieldPin,
-        Self::Colours,
-        Self::MatingSize,
-        Self::SinamicsCable,
-        Self::OpenCable,
-        Self::YukonCable,
-        Self::SimodriveCable,
-        Self::Arrangement,
-        Self::Gender,
-        Self::CrossSection,
-        Self::ExitOption,
-    ];
-
-    /// The identifier used in data exchange.
-    #[must_use]
-    pub const fn id(self) -> &'static str {
-        match self {
-            Self::Brake => "brake",
-            Self::MotorPins => "motor_pins",
-            Self::Ptc => "ptc",
-            Self::Kty => "kty",
-            Self::Sense => "sense_lines",
-            Self::ShieldPin => "shield_pin",
-            Self::Colours => "wire_colours",
-            Self::MatingSize => "mating_size",
-            Self::SinamicsCable => "cable_sinamics",
-            Self::OpenCable => "cable_open_end",
-            Self::YukonCable => "cable_yukondrive",
-            Self::SimodriveCable => "cable_simodrive",
-            Self::Arrangement => "contact_arrangement",
-            Self::Gender => "contact_gender",
-            Self::CrossSection => "cross_section",
-            Self::ExitOption => "exit_option",
-        }
+identified! {
+    /// What a code, or the manual, does not have.
+    #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+    pub enum Absent {
+        /// The code has no brake: its pins are free.
+        Brake = "brake",
+        /// The pin-out of the motor connector is printed for other sizes only.
+        MotorPins = "motor_pins",
+        /// No PTC thermistor is led out.
+        Ptc = "ptc",
+        /// No KTY sensor is led out.
+        Kty = "kty",
+        /// No sense lines.
+        Sense = "sense_lines",
+        /// No pin for a shield.
+        ShieldPin = "shield_pin",
+        /// No wire colours are printed.
+        Colours = "wire_colours",
+        /// The size of the mating coupling is not printed.
+        MatingSize = "mating_size",
+        /// No cable for SINAMICS.
+        SinamicsCable = "cable_sinamics",
+        /// No cable set with open end.
+        OpenCable = "cable_open_end",
+        /// No cable set for `YukonDrive`.
+        YukonCable = "cable_yukondrive",
+        /// No cable for SIMODRIVE.
+        SimodriveCable = "cable_simodrive",
+        /// Where the contacts sit in the insert: the figures of the manual are not in the text it was recovered from.
+        Arrangement = "contact_arrangement",
+        /// Which half of the pair is pin and which is socket.
+        Gender = "contact_gender",
+        /// Cross-sections of the wires.
+        CrossSection = "cross_section",
+        /// What the option on the exit of cable and connectors changes on the connectors.
+        ExitOption = "exit_option",
     }
 }
 

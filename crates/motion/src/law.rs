@@ -3,30 +3,32 @@
 use crate::faults::MoveFault;
 use crate::piece::Piece;
 use crate::{seven_phase, solve};
-use quantities::{Angle, AngularAcceleration, AngularJerk, AngularVelocity, Time};
+use quantities::{Angle, AngularAcceleration, AngularJerk, AngularVelocity, Time, identified};
 use std::f64::consts::PI;
 
-/// A law of motion.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Law {
-    /// Constant acceleration, constant speed, constant deceleration.
-    Trapezoid,
-    /// Constant acceleration, constant deceleration; VDI 2143 calls it quadratic parabola.
-    Triangle,
-    /// Seven phases of constant jerk, the shortest move within the limits.
-    Jerk,
-    /// Polynomial of the fifth degree (3-4-5), VDI 2143.
-    Polynomial5,
-    /// Modified sine (Neklutin), VDI 2143.
-    ModifiedSine,
-    /// Modified acceleration trapezoid, VDI 2143.
-    ModifiedTrapezoid,
-    /// Simple sine (simple harmonic), VDI 2143.
-    SimpleSine,
-    /// Inclined sine (cycloid, Bestehorn), VDI 2143.
-    InclinedSine,
-    /// Constant speed.
-    Constant,
+identified! {
+    /// A law of motion.
+    #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+    pub enum Law {
+        /// Constant acceleration, constant speed, constant deceleration.
+        Trapezoid = "trapezoid",
+        /// Constant acceleration, constant deceleration; VDI 2143 calls it quadratic parabola.
+        Triangle = "triangle",
+        /// Seven phases of constant jerk, the shortest move within the limits.
+        Jerk = "jerk",
+        /// Polynomial of the fifth degree (3-4-5), VDI 2143.
+        Polynomial5 = "polynomial_5",
+        /// Modified sine (Neklutin), VDI 2143.
+        ModifiedSine = "modified_sine",
+        /// Modified acceleration trapezoid, VDI 2143.
+        ModifiedTrapezoid = "modified_trapezoid",
+        /// Simple sine (simple harmonic), VDI 2143.
+        SimpleSine = "simple_sine",
+        /// Inclined sine (cycloid, Bestehorn), VDI 2143.
+        InclinedSine = "inclined_sine",
+        /// Constant speed.
+        Constant = "constant",
+    }
 }
 
 /// What is known of a move. Distance or speed carry the direction; acceleration and jerk are magnitudes.
@@ -60,35 +62,6 @@ pub struct Solved {
 }
 
 impl Law {
-    /// Every law.
-    pub const ALL: [Self; 9] = [
-        Self::Trapezoid,
-        Self::Triangle,
-        Self::Jerk,
-        Self::Polynomial5,
-        Self::ModifiedSine,
-        Self::ModifiedTrapezoid,
-        Self::SimpleSine,
-        Self::InclinedSine,
-        Self::Constant,
-    ];
-
-    /// The identifier used in project files and data exchange.
-    #[must_use]
-    pub const fn id(self) -> &'static str {
-        match self {
-            Self::Trapezoid => "trapezoid",
-            Self::Triangle => "triangle",
-            Self::Jerk => "jerk",
-            Self::Polynomial5 => "polynomial_5",
-            Self::ModifiedSine => "modified_sine",
-            Self::ModifiedTrapezoid => "modified_trapezoid",
-            Self::SimpleSine => "simple_sine",
-            Self::InclinedSine => "inclined_sine",
-            Self::Constant => "constant",
-        }
-    }
-
     /// C_v = v_max T/s and C_a = a_max T²/s of the normalised law from rest to rest; the trapezoid with thirds.
     ///
     /// # Source

@@ -2,30 +2,20 @@
 
 use crate::piece::Piece;
 use numeric::Symmetric;
-use quantities::{Angle, AngularAcceleration, AngularVelocity, Measure, Time};
+use quantities::{Angle, AngularAcceleration, AngularVelocity, Measure, Time, identified};
 
-/// Which spline goes through the points.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Spline {
-    /// Third degree: position, speed and acceleration are continuous (C²), the jerk steps at the points.
-    Cubic,
-    /// Fifth degree: jerk and its derivative are continuous too (C⁴).
-    Quintic,
+identified! {
+    /// Which spline goes through the points.
+    #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+    pub enum Spline {
+        /// Third degree: position, speed and acceleration are continuous (C²), the jerk steps at the points.
+        Cubic = "cubic",
+        /// Fifth degree: jerk and its derivative are continuous too (C⁴).
+        Quintic = "quintic",
+    }
 }
 
 impl Spline {
-    /// Every spline.
-    pub const ALL: [Self; 2] = [Self::Cubic, Self::Quintic];
-
-    /// The identifier used in project files and data exchange.
-    #[must_use]
-    pub const fn id(self) -> &'static str {
-        match self {
-            Self::Cubic => "cubic",
-            Self::Quintic => "quintic",
-        }
-    }
-
     /// So many derivatives of the position are continuous at the points.
     #[must_use]
     pub const fn continuity(self) -> u8 {

@@ -49,7 +49,7 @@ pub(crate) fn of(candidate: &Candidate<'_>, prefix: &str, language: Language) ->
                     th scope="col" { (capitalised(terms::unit(l))) }
                     th.number scope="col" { (crate::tip::of_word(terms::utilisation_short(l), l)) }
                 } }
-                @for part in Part::ALL {
+                @for part in &Part::ALL {
                     @if of_part(*part).next().is_some() {
                         tbody {
                             tr.part { th colspan="5" scope="rowgroup" { (part_title(*part, l)) } }

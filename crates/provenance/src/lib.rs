@@ -230,17 +230,32 @@ impl<T> Sourced<T> {
 }
 
 /// A value that may not exist. Absence is a type of its own and says why.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, Default, PartialEq)]
 pub enum Datum<T> {
     /// The value is known.
     Known(Sourced<T>),
     /// The source has a place for it, but prints a dash, or has no such row.
+    #[default]
     NotPrinted,
     /// The question makes no sense for this product (a brake datum without a brake).
     NotApplicable,
 }
 
 impl<T> Datum<T> {
+    /// What was found, or not printed.
+    pub fn of(found: Option<Sourced<T>>) -> Self {
+        found.map_or(Self::NotPrinted, Self::Known)
+    }
+
+    /// The known value converted together with its provenance; what is not known stays so.
+    pub fn map<U>(self, convert: impl FnOnce(Sourced<T>) -> Sourced<U>) -> Datum<U> {
+        match self {
+            Self::Known(known) => Datum::Known(convert(known)),
+            Self::NotPrinted => Datum::NotPrinted,
+            Self::NotApplicable => Datum::NotApplicable,
+        }
+    }
+
     /// The known value, if there is one.
     pub const fn known(&self) -> Option<&Sourced<T>> {
         match self {

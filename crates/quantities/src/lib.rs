@@ -23,6 +23,7 @@ mod algebra;
 mod dimension;
 mod error;
 mod format;
+mod ids;
 mod measure;
 mod parse;
 mod seen;

@@ -6,7 +6,7 @@ use installation::commission::cia402::{self, Object};
 use installation::commission::sinamics::{self, Setting};
 use order_code::OrderCode;
 use quantities::unit::DEGREE_CELSIUS;
-use quantities::{Language, Measure, ThermodynamicTemperature};
+use quantities::{Language, Measure, ThermodynamicTemperature, identified};
 use std::fmt::Write as _;
 use words::{commission, conversion_text, gap_text, measured_key_text, object_name, parameter_name};
 
@@ -14,31 +14,20 @@ pub use project::measured;
 pub use room::Commissioning;
 pub use room::recorded::judge;
 
-/// What a list of values is made for.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum DriveForm {
-    /// The parameter list of a SINAMICS drive.
-    Sinamics,
-    /// The objects of CiA 402.
-    Cia402,
-    /// The neutral list.
-    Plain,
+identified! {
+    /// What a list of values is made for.
+    #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+    pub enum DriveForm {
+        /// The parameter list of a SINAMICS drive.
+        Sinamics = "sinamics",
+        /// The objects of CiA 402.
+        Cia402 = "cia402",
+        /// The neutral list.
+        Plain = "plain",
+    }
 }
 
 impl DriveForm {
-    /// Every form.
-    pub const ALL: [Self; 3] = [Self::Sinamics, Self::Cia402, Self::Plain];
-
-    /// Its identifier.
-    #[must_use]
-    pub const fn id(self) -> &'static str {
-        match self {
-            Self::Sinamics => "sinamics",
-            Self::Cia402 => "cia402",
-            Self::Plain => "plain",
-        }
-    }
-
     /// The form of an identifier.
     #[must_use]
     pub fn of_id(id: &str) -> Option<Self> {

@@ -4,6 +4,7 @@ use crate::axis::{Axis, BearingDuty};
 use crate::check::{Check, CheckId, Verdict};
 use crate::comparison::{Asking, Comparison, against_asked, equation, not_checked};
 use crate::flange::{CycleLoads, Peak};
+use crate::list::Outcome;
 use crate::notes::{Note, Notes};
 use crate::swings::SmallSwings;
 use crate::workings;
@@ -21,15 +22,15 @@ const MODEL: Source = Source::Model { name: "output-bearing" };
 const DERIVED: Source = Source::Model { name: "flange-loads" };
 
 /// F_a ≤ F_A,dyn(max) alone (table 55.1, footnote 4).
-pub(crate) fn axial(borne: &Borne<'_>, work: &mut Workings) -> Check {
-    let limit = borne.bearing.axial_max.require("F_A_dyn_max");
+pub(crate) fn axial(borne: &Borne<'_>, work: &mut Workings) -> Outcome {
+    let limit = borne.bearing.axial_max.require("F_A_dyn_max")?;
     let names = ("F_a", Finding::AxialForceMax, "bearing.axial_force");
     force(CheckId::BearingAxial, borne, (names, |loads| loads.axial), ("F_A_dyn_max", limit), work)
 }
 
 /// F_r ≤ F_R,dyn(max) alone (table 55.1, footnote 4).
-pub(crate) fn radial(borne: &Borne<'_>, work: &mut Workings) -> Check {
-    let limit = borne.bearing.radial_max.require("F_R_dyn_max");
+pub(crate) fn radial(borne: &Borne<'_>, work: &mut Workings) -> Outcome {
+    let limit = borne.bearing.radial_max.require("F_R_dyn_max")?;
     let names = ("F_r", Finding::RadialForceMax, "bearing.radial_force");
     force(CheckId::BearingRadial, borne, (names, |loads| loads.radial), ("F_R_dyn_max", limit), work)
 }
@@ -93,27 +94,25 @@ fn force<Q: Measure>(
     id: CheckId,
     borne: &Borne<'_>,
     (names, of): (Names, fn(&CycleLoads) -> Peak),
-    (symbol, limit): (&'static str, Result<&Sourced<Q>, Missing>),
+    (symbol, limit): (&'static str, &Sourced<Q>),
     work: &mut Workings,
-) -> Check {
+) -> Outcome {
     let (axis, duty) = (borne.axis, borne.duty);
-    let known = if duty.has_loads { duty.forces_known(axis) } else { Err(Missing { symbol: names.2 }) };
-    match limit.and_then(|limit| known.map(|()| limit)) {
-        Ok(limit) => {
-            let peak = of(borne.loads());
-            let source = if duty.derived.is_some() { DERIVED } else { Source::Project { key: names.2.into() } };
-            largest_force(duty, names, peak.value, work);
-            work.given(symbol, &NEWTON, limit);
-            work.limit(symbol);
-            Comparison {
-                at: instant(duty, peak),
-                notes: Notes::fixed(&[Note::LoadsOneAtATime]),
-                ..Comparison::with(id, &NEWTON, peak.value, source, limit)
-            }
-            .answer(Verdict::Fail)
-        }
-        Err(missing) => not_checked(id, missing),
+    if !duty.has_loads {
+        return Err(Missing { symbol: names.2 });
     }
+    duty.forces_known(axis)?;
+    let peak = of(borne.loads());
+    let source = if duty.derived.is_some() { DERIVED } else { Source::Project { key: names.2.into() } };
+    largest_force(duty, names, peak.value, work);
+    work.given(symbol, &NEWTON, limit);
+    work.limit(symbol);
+    Ok(Comparison {
+        at: instant(duty, peak),
+        notes: Notes::fixed(&[Note::LoadsOneAtATime]),
+        ..Comparison::with(id, &NEWTON, peak.value, source, limit)
+    }
+    .answer(Verdict::Fail))
 }
 
 /// Whether every segment carries the same.
@@ -252,24 +251,20 @@ fn only_load<'a>(axis: &Axis, duty: &'a BearingDuty) -> Option<&'a FlangeLoad> {
 }
 
 /// M ≤ M_dyn(max): from the tilt that the gear allows, so it holds even where the life would allow more.
-pub(crate) fn tilting_moment(borne: &Borne<'_>, work: &mut Workings) -> Check {
+pub(crate) fn tilting_moment(borne: &Borne<'_>, work: &mut Workings) -> Outcome {
     let id = CheckId::BearingTiltingMoment;
-    let found = borne.largest_moment().and_then(|m| Ok((m, borne.bearing.tilting_moment_max.require("M_dyn_max")?)));
-    match found {
-        Ok((moment, limit)) => {
-            explain_largest_moment(borne, work);
-            work.value("M");
-            work.given("M_dyn_max", &NEWTON_METRE, limit);
-            work.limit("M_dyn_max");
-            let at = instant(borne.duty, moment);
-            Comparison { at, ..Comparison::with(id, &NEWTON_METRE, moment.value, MODEL, limit) }.answer(Verdict::Fail)
-        }
-        Err(missing) => not_checked(id, missing),
-    }
+    let moment = borne.largest_moment()?;
+    let limit = borne.bearing.tilting_moment_max.require("M_dyn_max")?;
+    explain_largest_moment(borne, work);
+    work.value("M");
+    work.given("M_dyn_max", &NEWTON_METRE, limit);
+    work.limit("M_dyn_max");
+    let at = instant(borne.duty, moment);
+    Ok(Comparison { at, ..Comparison::with(id, &NEWTON_METRE, moment.value, MODEL, limit) }.answer(Verdict::Fail))
 }
 
 /// L_10 ≥ the life required (eq. 74.1, 74.3).
-pub(crate) fn life(borne: &Borne<'_>, work: &mut Workings) -> Check {
+pub(crate) fn life(borne: &Borne<'_>, work: &mut Workings) -> Outcome {
     let Borne { axis, duty, bearing, .. } = *borne;
     let id = CheckId::BearingLife;
     let found = (|| {
@@ -318,7 +313,7 @@ pub(crate) fn life(borne: &Borne<'_>, work: &mut Workings) -> Check {
         Err(missing) => not_checked(id, missing),
     };
     fretting(axis, bearing, &mut check);
-    check
+    Ok(check)
 }
 
 /// Small swings may fret the bearing, whatever its life by rolling is: a remark, and advice for a life that does
@@ -414,48 +409,40 @@ fn explain_equivalent_load(
 
 /// f_s = C_0/P_0 ≥ the least of the operating condition (eq. 76.1, table 76.3), of the largest F_r, F_a and M of the cycle
 /// taken together, as the maker's sister series does (docs/theory/output-bearing.md).
-pub(crate) fn static_safety(borne: &Borne<'_>, work: &mut Workings) -> Check {
+pub(crate) fn static_safety(borne: &Borne<'_>, work: &mut Workings) -> Outcome {
     let id = CheckId::BearingStatic;
     let (duty, bearing) = (borne.duty, borne.bearing);
-    let found = (|| {
-        let offset = bearing.offset.require("R")?;
-        let pitch = bearing.pitch_diameter.require("d_p")?;
-        let rating = bearing.static_rating.require("C_0")?;
-        duty.moment_known(borne.axis)?;
-        let largest = borne.loads();
-        let load = FlangeLoad {
-            radial_force: Force::from_si(largest.radial.value),
-            radial_distance: Length::from_si(0.0),
-            axial_force: Force::from_si(largest.axial.value),
-            axial_distance: Length::from_si(0.0),
-        };
-        let moment = Torque::from_si(largest.moment.value);
-        let safety = actuator::static_safety(rating.value, &load, moment, pitch.value);
-        if !safety.is_finite() {
-            return Err(Missing { symbol: "F_r" });
-        }
-        if work.is_on() {
-            match duty.loads.first().filter(|_| duty.derived.is_none() && is_constant(duty)) {
-                Some(load) => load_moment(duty, load, offset, Finding::EverySegmentInMotion, work),
-                None => explain_largest(largest, duty, work),
-            }
-            work.given("d_p", &METRE, pitch);
-            work.given("C_0", &NEWTON, rating);
-            let equivalent = rating.value.si() / safety;
-            work.formula("P_0", &NEWTON, equivalent, "F_r + 2*M/d_p + 0.44*F_a", &equation("76.1"));
-            work.formula("f_s", &ONE, safety, "C_0/P_0", &equation("76.1"));
-            work.value("f_s");
-        }
-        Ok(safety)
-    })();
-    match found {
-        Ok(safety) => {
-            let asked = duty.operating_condition.map(crate::axis::OperatingCondition::static_safety_min);
-            work.asked("f_s_min", &ONE, asked, id);
-            against_asked(id, &ONE, safety, asked, equation("76.1"))
-        }
-        Err(missing) => not_checked(id, missing),
+    let offset = bearing.offset.require("R")?;
+    let pitch = bearing.pitch_diameter.require("d_p")?;
+    let rating = bearing.static_rating.require("C_0")?;
+    duty.moment_known(borne.axis)?;
+    let largest = borne.loads();
+    let load = FlangeLoad {
+        radial_force: Force::from_si(largest.radial.value),
+        radial_distance: Length::from_si(0.0),
+        axial_force: Force::from_si(largest.axial.value),
+        axial_distance: Length::from_si(0.0),
+    };
+    let moment = Torque::from_si(largest.moment.value);
+    let safety = actuator::static_safety(rating.value, &load, moment, pitch.value);
+    if !safety.is_finite() {
+        return Err(Missing { symbol: "F_r" });
     }
+    if work.is_on() {
+        match duty.loads.first().filter(|_| duty.derived.is_none() && is_constant(duty)) {
+            Some(load) => load_moment(duty, load, offset, Finding::EverySegmentInMotion, work),
+            None => explain_largest(largest, duty, work),
+        }
+        work.given("d_p", &METRE, pitch);
+        work.given("C_0", &NEWTON, rating);
+        let equivalent = rating.value.si() / safety;
+        work.formula("P_0", &NEWTON, equivalent, "F_r + 2*M/d_p + 0.44*F_a", &equation("76.1"));
+        work.formula("f_s", &ONE, safety, "C_0/P_0", &equation("76.1"));
+        work.value("f_s");
+    }
+    let asked = duty.operating_condition.map(crate::axis::OperatingCondition::static_safety_min);
+    work.asked("f_s_min", &ONE, asked, id);
+    Ok(against_asked(id, &ONE, safety, asked, equation("76.1")))
 }
 
 /// The workings of the largest loads of the cycle, each by itself: `F_r`, `F_a` and `M`.
@@ -470,15 +457,10 @@ fn explain_largest(largest: &CycleLoads, duty: &BearingDuty, work: &mut Workings
 }
 
 /// γ = M/K_B ≤ the tilt permitted (eq. 76.4).
-pub(crate) fn tilt_angle(borne: &Borne<'_>, work: &mut Workings) -> Check {
+pub(crate) fn tilt_angle(borne: &Borne<'_>, work: &mut Workings) -> Outcome {
     let id = CheckId::TiltAngle;
-    let found = borne
-        .largest_moment()
-        .and_then(|m| Ok((Torque::from_si(m.value), borne.bearing.tilting_stiffness.require("K_B")?)));
-    let (moment, stiffness) = match found {
-        Ok(found) => found,
-        Err(missing) => return not_checked(id, missing),
-    };
+    let moment = Torque::from_si(borne.largest_moment()?.value);
+    let stiffness = borne.bearing.tilting_stiffness.require("K_B")?;
     let tilt = actuator::tilt_angle(moment, stiffness.value).si();
     explain_largest_moment(borne, work);
     work.given("K_B", &NEWTON_METRE_PER_ARCMINUTE, stiffness);
@@ -486,5 +468,5 @@ pub(crate) fn tilt_angle(borne: &Borne<'_>, work: &mut Workings) -> Check {
     work.value("gamma");
     let limit = borne.duty.tilt_max.map(Measure::si);
     work.asked("gamma_max", &ARCMINUTE, limit, id);
-    against_asked(id, &ARCMINUTE, tilt, limit, equation("76.4"))
+    Ok(against_asked(id, &ARCMINUTE, tilt, limit, equation("76.4")))
 }

@@ -4,7 +4,7 @@ use crate::axis::Axis;
 use crate::brake_times::brakings;
 use crate::check::{Amount, Check, CheckId, Verdict};
 use crate::comparison::{Asking, Comparison, against_asked, not_checked};
-use crate::list::Case;
+use crate::list::{Case, Outcome};
 use crate::notes::{BrakeStop, Note, Notes};
 use crate::workings;
 use actuator::{Brake, Parameters, StopOutcome};
@@ -60,30 +60,29 @@ impl Held {
 const HOLDING_TORQUE: Missing = Missing { symbol: "mechanism.joint.holding_torque" };
 
 /// The torque that holds the load; none where there is no brake and none is required.
-pub(crate) fn holding(case: &Case<'_>, work: &mut Workings) -> Option<Check> {
+pub(crate) fn holding(case: &Case<'_>, work: &mut Workings) -> Option<Outcome> {
     let Case { axis, actuator, .. } = *case;
-    let id = CheckId::BrakeHolding;
     Some(match Held::of(axis, actuator) {
-        Held::Free => free(axis, work),
-        Held::Absent => absent(axis, work),
-        Held::Unheld => unheld(axis, work),
+        Held::Free => Ok(free(axis, work)),
+        Held::Absent => Ok(absent(axis, work)),
+        Held::Unheld => Ok(unheld(axis, work)),
         Held::Unconcerned => return None,
         Held::NotPrinted => {
-            let mut check = not_checked(id, Missing { symbol: "T_Br" });
+            let mut check = not_checked(CheckId::BrakeHolding, Missing { symbol: "T_Br" });
             check.notes.push(Note::HangingLoad);
-            check
+            Ok(check)
         }
-        Held::LoadNotKnown => not_checked(id, HOLDING_TORQUE),
+        Held::LoadNotKnown => Err(HOLDING_TORQUE),
         Held::Braked => held(axis, actuator, &actuator.brake, work),
     })
 }
 
 /// The stop by the brake alone; none where there is no brake or it is not known whether there is one.
-pub(crate) fn emergency(case: &Case<'_>, work: &mut Workings) -> Option<Check> {
+pub(crate) fn emergency(case: &Case<'_>, work: &mut Workings) -> Option<Outcome> {
     let Case { axis, actuator, .. } = *case;
     match Held::of(axis, actuator) {
         Held::Free | Held::Absent | Held::Unheld | Held::Unconcerned | Held::NotPrinted => None,
-        Held::LoadNotKnown => Some(not_checked(CheckId::BrakeEmergency, HOLDING_TORQUE)),
+        Held::LoadNotKnown => Some(Err(HOLDING_TORQUE)),
         Held::Braked => Some(stop(axis, actuator, &actuator.brake, work)),
     }
 }
@@ -175,12 +174,9 @@ fn total_inertia(axis: &Axis, actuator: &Parameters) -> Result<MomentOfInertia, 
 
 /// T_Br ≥ S times gravity, process and external torque at every instant, without the help of friction: the drive may fail
 /// at any. With a stated service life also the number of brakings; the tighter one of torque and number is reported.
-fn held(axis: &Axis, actuator: &Parameters, brake: &Brake, work: &mut Workings) -> Check {
+fn held(axis: &Axis, actuator: &Parameters, brake: &Brake, work: &mut Workings) -> Outcome {
     let id = CheckId::BrakeHolding;
-    let limit = match brake.holding_torque.require("T_Br") {
-        Ok(limit) => limit,
-        Err(missing) => return not_checked(id, missing),
-    };
+    let limit = brake.holding_torque.require("T_Br")?;
     let torque = axis.moments().holding_torque;
     let safety = axis.asked.holding_safety.unwrap_or(1.0);
     let model = Source::Model { name: "brake" };
@@ -225,7 +221,7 @@ fn held(axis: &Axis, actuator: &Parameters, brake: &Brake, work: &mut Workings) 
         too_short
             .map(|(shortest, times)| Note::DwellTooShortForBrake { shortest, needed: times.closing + times.opening }),
     );
-    check
+    Ok(check)
 }
 
 /// Whether the first of two checks is nearer to its limit, or further beyond it.
@@ -257,23 +253,16 @@ fn explain_brakings(axis: &Axis, brake: &Brake, each_cycle: f64, work: &mut Work
 }
 
 /// A stop from the peak speed by the brake alone, the load driving on: its angle, and how many of them.
-fn stop(axis: &Axis, actuator: &Parameters, brake: &Brake, work: &mut Workings) -> Check {
+fn stop(axis: &Axis, actuator: &Parameters, brake: &Brake, work: &mut Workings) -> Outcome {
     let id = CheckId::BrakeEmergency;
-    let found = (|| {
-        let torque = brake.holding_torque.require("T_Br")?.value;
-        let closing = brake.closing_time.require("t_c")?.value;
-        let stated = !matches!(axis.mechanism.kind, mechanism::MechanismKind::Joint(_));
-        if !stated && axis.moments().inertia_max.si() <= 0.0 {
-            return Err(Missing { symbol: "J_L" });
-        }
-        // The heaviest load is hardest to stop.
-        let inertia = actuator.inertia_out.require("J_out")?.value + axis.moments().inertia_max;
-        Ok((torque, closing, inertia))
-    })();
-    let (torque, closing, inertia) = match found {
-        Ok(found) => found,
-        Err(missing) => return not_checked(id, missing),
-    };
+    let torque = brake.holding_torque.require("T_Br")?.value;
+    let closing = brake.closing_time.require("t_c")?.value;
+    let stated = !matches!(axis.mechanism.kind, mechanism::MechanismKind::Joint(_));
+    if !stated && axis.moments().inertia_max.si() <= 0.0 {
+        return Err(Missing { symbol: "J_L" });
+    }
+    // The heaviest load is hardest to stop.
+    let inertia = actuator.inertia_out.require("J_out")?.value + axis.moments().inertia_max;
     let source = Source::Model { name: "brake" };
     let driving = axis.moments().holding_torque;
     let permitted = brake.emergency_max.known();
@@ -295,7 +284,7 @@ fn stop(axis: &Axis, actuator: &Parameters, brake: &Brake, work: &mut Workings) 
                 work.limit("T_Br");
             }
             check.notes.push(Note::BrakeDoesNotStop);
-            return check;
+            return Ok(check);
         }
     };
     let mut by_number = false;
@@ -329,7 +318,7 @@ fn stop(axis: &Axis, actuator: &Parameters, brake: &Brake, work: &mut Workings) 
     let permitted = permitted.map(|permitted| permitted.value);
     let stop = BrakeStop { angle: stop.angle, time: stop.time, energy: stop.energy, permitted };
     check.notes.push(Note::BrakeStop(Box::new(stop)));
-    check
+    Ok(check)
 }
 
 /// The workings of the angle of a stop by the brake alone, `phi_stop`.

@@ -3,29 +3,22 @@
 use crate::notes::Notes;
 use derivation::Step;
 use provenance::{Grade, Source};
-use quantities::{Time, Unit};
+use quantities::{Time, Unit, identified};
 
 pub use crate::list::CheckId;
 
-/// How a value must lie to its limit.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Direction {
-    /// Value ≤ limit; the utilisation is value by limit.
-    AtMost,
-    /// Value ≥ limit; the utilisation is limit by value.
-    AtLeast,
+identified! {
+    /// How a value must lie to its limit.
+    #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+    pub enum Direction {
+        /// Value ≤ limit; the utilisation is value by limit.
+        AtMost = "at_most",
+        /// Value ≥ limit; the utilisation is limit by value.
+        AtLeast = "at_least",
+    }
 }
 
 impl Direction {
-    /// The identifier used in data exchange.
-    #[must_use]
-    pub const fn id(self) -> &'static str {
-        match self {
-            Self::AtMost => "at_most",
-            Self::AtLeast => "at_least",
-        }
-    }
-
     /// The sign between a value and its limit that is true: ≤, >, ≥ or <.
     #[must_use]
     pub fn relation(self, passes: bool, value: f64, limit: f64) -> &'static str {
@@ -52,72 +45,34 @@ pub enum Margin {
     Range,
 }
 
-/// The part of the actuator that a check is about.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-#[allow(missing_docs, reason = "the names say it")]
-pub enum Part {
-    Drive,
-    Thermal,
-    Energy,
-    Gear,
-    OutputBearing,
-    Brake,
-    Feedback,
-    Screws,
-}
-
-impl Part {
-    /// Every part, in the order of a report.
-    pub const ALL: &[Self] = &[
-        Self::Drive,
-        Self::Thermal,
-        Self::Energy,
-        Self::Gear,
-        Self::OutputBearing,
-        Self::Brake,
-        Self::Feedback,
-        Self::Screws,
-    ];
-
-    /// The identifier used in data exchange.
-    #[must_use]
-    pub const fn id(self) -> &'static str {
-        match self {
-            Self::Drive => "drive",
-            Self::Thermal => "thermal",
-            Self::Energy => "energy",
-            Self::Gear => "gear",
-            Self::OutputBearing => "output_bearing",
-            Self::Brake => "brake",
-            Self::Feedback => "feedback",
-            Self::Screws => "screws",
-        }
+identified! {
+    /// The part of the actuator that a check is about.
+    #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+    #[allow(missing_docs, reason = "the names say it")]
+    pub enum Part {
+        Drive = "drive",
+        Thermal = "thermal",
+        Energy = "energy",
+        Gear = "gear",
+        OutputBearing = "output_bearing",
+        Brake = "brake",
+        Feedback = "feedback",
+        Screws = "screws",
     }
 }
 
-/// The answer of a check.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Verdict {
-    /// Inside the limit.
-    Pass,
-    /// Outside the limit.
-    Fail,
-    /// Inside every limit, but a recommendation is broken.
-    Advice,
-    /// A datum is missing; see [`Check::missing`].
-    NotChecked,
-}
-
-impl Verdict {
-    /// The identifier used in data exchange.
-    #[must_use]
-    pub const fn id(self) -> &'static str {
-        match self {
-            Self::Pass => "pass",
-            Self::Fail => "fail",
-            Self::Advice => "advice",
-            Self::NotChecked => "not_checked",
-        }
+identified! {
+    /// The answer of a check.
+    #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+    pub enum Verdict {
+        /// Inside the limit.
+        Pass = "pass",
+        /// Outside the limit.
+        Fail = "fail",
+        /// Inside every limit, but a recommendation is broken.
+        Advice = "advice",
+        /// A datum is missing; see [`Check::missing`].
+        NotChecked = "not_checked",
     }
 }
 

@@ -2,9 +2,9 @@
 
 use crate::axis::Axis;
 use crate::check::{Amount, Check, CheckId, Verdict};
-use crate::comparison::{Comparison, cite, equation, not_checked};
+use crate::comparison::{Comparison, cite, equation};
 use crate::demand::ManualDemand;
-use crate::list::Case;
+use crate::list::{Case, Outcome};
 use crate::notes::{Note, Notes};
 use crate::workings;
 use actuator::{Drivetrain, Parameters};
@@ -35,14 +35,11 @@ pub(crate) fn demand_source(manual: Option<&ManualDemand>, number: &'static str)
 }
 
 /// T_peak ≤ T_max (cha-manual 7.1: T_1 < T_max; glossary T_max: largest accelerating and braking torque).
-pub(crate) fn peak_torque(case: &Case<'_>, work: &mut Workings) -> Check {
+pub(crate) fn peak_torque(case: &Case<'_>, work: &mut Workings) -> Outcome {
     let Case { axis, actuator, demand, manual, .. } = *case;
     let id = CheckId::PeakTorque;
-    let (limit, demand) = match (actuator.torque_max.require("T_max"), demand) {
-        (Ok(limit), Some(demand)) => (limit, demand),
-        (Err(missing), _) => return not_checked(id, missing),
-        (_, None) => return not_checked(id, Missing { symbol: "J_out" }),
-    };
+    let limit = actuator.torque_max.require("T_max")?;
+    let demand = demand.ok_or(Missing { symbol: "J_out" })?;
     let value_source = demand_source(manual, "69.1");
     let mut notes = braking_note(manual);
     cite(&mut notes, inertia_errata(actuator));
@@ -61,94 +58,77 @@ pub(crate) fn peak_torque(case: &Case<'_>, work: &mut Workings) -> Check {
     work.value("T_peak");
     work.given("T_max", &NEWTON_METRE, limit);
     work.limit("T_max");
-    Comparison {
+    Ok(Comparison {
         at: Some(demand.torque_peak_at),
         notes,
         ..Comparison::with(id, &NEWTON_METRE, demand.torque_peak.si(), value_source, limit)
     }
-    .answer(Verdict::Fail)
+    .answer(Verdict::Fail))
 }
 
 /// n_peak ≤ n_mot,max / i, the exact quotient.
-pub(crate) fn peak_speed(axis: &Axis, actuator: &Drivetrain, work: &mut Workings) -> Check {
+pub(crate) fn peak_speed(axis: &Axis, actuator: &Drivetrain, work: &mut Workings) -> Outcome {
     let id = CheckId::PeakSpeed;
-    match actuator::speed_max_with(actuator, work) {
-        Ok(limit) => {
-            let key = if axis.motion.recordings().is_empty() { "motion.speed" } else { "motion.file" };
-            let source = Source::Project { key: key.into() };
-            let value = axis.moments.speed_peak.si();
-            work.limit("n_max");
-            work.found("n_peak", &REVOLUTION_PER_MINUTE, value, Finding::PeakSpeed, &source, Grade::Computed);
-            work.value("n_peak");
-            Comparison {
-                at: Some(axis.moments.speed_peak_at),
-                ..Comparison::with(id, &REVOLUTION_PER_MINUTE, value, source, &limit)
-            }
-            .answer(Verdict::Fail)
-        }
-        Err(missing) => not_checked(id, missing),
+    let limit = actuator::speed_max_with(actuator, work)?;
+    let key = if axis.motion.recordings().is_empty() { "motion.speed" } else { "motion.file" };
+    let source = Source::Project { key: key.into() };
+    let value = axis.moments.speed_peak.si();
+    work.limit("n_max");
+    work.found("n_peak", &REVOLUTION_PER_MINUTE, value, Finding::PeakSpeed, &source, Grade::Computed);
+    work.value("n_peak");
+    Ok(Comparison {
+        at: Some(axis.moments.speed_peak_at),
+        ..Comparison::with(id, &REVOLUTION_PER_MINUTE, value, source, &limit)
     }
+    .answer(Verdict::Fail))
 }
 
 /// n_av ≤ n_N / i.
-pub(crate) fn mean_speed(axis: &Axis, actuator: &Drivetrain, work: &mut Workings) -> Check {
+pub(crate) fn mean_speed(axis: &Axis, actuator: &Drivetrain, work: &mut Workings) -> Outcome {
     let id = CheckId::MeanSpeed;
-    match actuator::speed_rated_out_with(actuator, work) {
-        Ok(limit) => {
-            let value = axis.moments.speed_mean().si();
-            work.limit("n_N_out");
-            workings::mean_speed(axis, work);
-            work.value("n_av");
-            Comparison::with(id, &REVOLUTION_PER_MINUTE, value, equation("69.3"), &limit).answer(Verdict::Fail)
-        }
-        Err(missing) => not_checked(id, missing),
-    }
+    let limit = actuator::speed_rated_out_with(actuator, work)?;
+    let value = axis.moments.speed_mean().si();
+    work.limit("n_N_out");
+    workings::mean_speed(axis, work);
+    work.value("n_av");
+    Ok(Comparison::with(id, &REVOLUTION_PER_MINUTE, value, equation("69.3"), &limit).answer(Verdict::Fail))
 }
 
 /// J_L ≤ k_J J_out is recommended for highly dynamic duty.
-pub(crate) fn inertia_ratio(case: &Case<'_>, work: &mut Workings) -> Check {
+pub(crate) fn inertia_ratio(case: &Case<'_>, work: &mut Workings) -> Outcome {
     let Case { axis, actuator, .. } = *case;
     let id = CheckId::InertiaRatio;
     if matches!(axis.mechanism.kind, mechanism::MechanismKind::Joint(_)) && axis.moments.inertia_max.si() <= 0.0 {
-        return not_checked(id, Missing { symbol: "mechanism.joint.inertia" });
+        return Err(Missing { symbol: "mechanism.joint.inertia" });
     }
-    let factor = actuator.inertia_ratio_recommended.require("k_J");
-    match actuator.inertia_out.require("J_out").and_then(|own| Ok((own, factor?))) {
-        Ok((own, factor)) => {
-            let source = match axis.by_the_manual() {
-                Some(_) => Source::Project { key: "load.inertia".into() },
-                None => Source::Model { name: "mechanisms" },
-            };
-            let (value, limit) = (axis.moments.inertia_max.si(), factor.value * own.value.si());
-            workings::own_inertia(actuator, work);
-            work.found("J_L", &KILOGRAM_SQUARE_METRE, value, Finding::LargestInertia, &source, Grade::Computed);
-            work.value("J_L");
-            let table = Source::Model { name: "demand" };
-            work.given_number("k_J", factor);
-            work.formula("J_L_rec", &KILOGRAM_SQUARE_METRE, limit, "k_J*J_out", &table);
-            work.limit("J_L_rec");
-            Comparison {
-                limit,
-                grade: own.grade.worst(factor.grade).worst(Grade::Computed),
-                notes: Note::RecommendationForHighDynamics { factor: factor.value }.into(),
-                ..Comparison::with(id, &KILOGRAM_SQUARE_METRE, value, source, own)
-            }
-            .answer(Verdict::Advice)
-        }
-        Err(missing) => not_checked(id, missing),
+    let own = actuator.inertia_out.require("J_out")?;
+    let factor = actuator.inertia_ratio_recommended.require("k_J")?;
+    let source = match axis.by_the_manual() {
+        Some(_) => Source::Project { key: "load.inertia".into() },
+        None => Source::Model { name: "mechanisms" },
+    };
+    let (value, limit) = (axis.moments.inertia_max.si(), factor.value * own.value.si());
+    workings::own_inertia(actuator, work);
+    work.found("J_L", &KILOGRAM_SQUARE_METRE, value, Finding::LargestInertia, &source, Grade::Computed);
+    work.value("J_L");
+    let table = Source::Model { name: "demand" };
+    work.given_number("k_J", factor);
+    work.formula("J_L_rec", &KILOGRAM_SQUARE_METRE, limit, "k_J*J_out", &table);
+    work.limit("J_L_rec");
+    Ok(Comparison {
+        limit,
+        grade: own.grade.worst(factor.grade).worst(Grade::Computed),
+        notes: Note::RecommendationForHighDynamics { factor: factor.value }.into(),
+        ..Comparison::with(id, &KILOGRAM_SQUARE_METRE, value, source, own)
     }
+    .answer(Verdict::Advice))
 }
 
 /// The stated ambient temperature against the range that the actuator's data hold for (tables 13.1 and 13.2).
-pub(crate) fn ambient(axis: &Axis, actuator: &Drivetrain, work: &mut Workings) -> Check {
+pub(crate) fn ambient(axis: &Axis, actuator: &Drivetrain, work: &mut Workings) -> Outcome {
     let id = CheckId::Ambient;
-    let stated = axis.ambient.ok_or(Missing { symbol: "requirements.ambient" });
-    let found =
-        stated.and_then(|stated| Ok((stated, actuator.ambient_range.require("ambient_temperature_operation")?)));
-    let (stated, range) = match found {
-        Ok(found) => found,
-        Err(missing) => return not_checked(id, missing),
-    };
+    let stated = axis.ambient.ok_or(Missing { symbol: "requirements.ambient" })?;
+    let range = actuator.ambient_range.require("ambient_temperature_operation")?;
     let (low, high) = (range.value.0.si(), range.value.1.si());
     // A difference of a nanokelvin is a rounding of the conversion, not a warmer place.
     let inside = stated.si() >= low - 1e-9 && stated.si() <= high + 1e-9;
@@ -158,7 +138,7 @@ pub(crate) fn ambient(axis: &Axis, actuator: &Drivetrain, work: &mut Workings) -
     work.value("theta_a");
     work.figure("theta_limit", &DEGREE_CELSIUS, nearest, &range.source, range.grade);
     work.limit("theta_limit");
-    Check {
+    Ok(Check {
         id,
         verdict: if inside { Verdict::Pass } else { Verdict::Fail },
         value: Some(Amount { si: stated.si(), unit: &DEGREE_CELSIUS }),
@@ -171,7 +151,7 @@ pub(crate) fn ambient(axis: &Axis, actuator: &Drivetrain, work: &mut Workings) -
         missing: None,
         notes: Notes::NONE,
         workings: Box::default(),
-    }
+    })
 }
 
 #[cfg(test)]

@@ -1,10 +1,10 @@
 //! The checks of current and voltage.
 
 use crate::axis::Axis;
-use crate::check::{Check, CheckId, Verdict};
-use crate::comparison::{AT_THE_LIMIT, Comparison, cite, not_checked};
+use crate::check::{CheckId, Verdict};
+use crate::comparison::{AT_THE_LIMIT, Comparison, cite};
 use crate::electrics::Electrics;
-use crate::list::Case;
+use crate::list::{Case, Outcome};
 use crate::notes::{Note, Notes};
 use crate::supply::Edge;
 use crate::workings;
@@ -375,17 +375,12 @@ impl Sought for Overcurrent<'_> {
 }
 
 /// U ≤ (U_DC/√2) · reserve: the motor's terminal voltage at every instant of the cycle, winding hot.
-pub(crate) fn voltage(case: &Case<'_>, work: &mut Workings) -> Check {
+pub(crate) fn voltage(case: &Case<'_>, work: &mut Workings) -> Outcome {
     let Case { axis, actuator, electrics, currents, .. } = *case;
     let id = CheckId::Voltage;
-    let Some(supply) = axis.supply else {
-        return not_checked(id, Missing { symbol: "requirements.supply" });
-    };
-    let found = electrics.voltage.as_ref().and_then(|motor| Ok((motor, currents?)));
-    let (motor, currents) = match found {
-        Ok(found) => found,
-        Err(missing) => return not_checked(id, *missing),
-    };
+    let supply = axis.supply.ok_or(Missing { symbol: "requirements.supply" })?;
+    let motor = electrics.voltage.as_ref().map_err(|missing| *missing)?;
+    let currents = currents.map_err(|missing| *missing)?;
     let terminal = Terminal { motor, currents };
     let (worst, at) = axis.trace.largest(&terminal);
     let (cold, warm) = (currents.cold, &currents.warm);
@@ -404,7 +399,7 @@ pub(crate) fn voltage(case: &Case<'_>, work: &mut Workings) -> Check {
         work.formula("U_M", &VOLT, limit, "U_DC/sqrt(2)*m", &model);
         work.limit("U_M");
     }
-    Comparison {
+    Ok(Comparison {
         id,
         unit: &VOLT,
         value: worst,
@@ -416,7 +411,7 @@ pub(crate) fn voltage(case: &Case<'_>, work: &mut Workings) -> Check {
         errata: &[],
         notes: currents.notes.clone(),
     }
-    .answer(Verdict::Fail)
+    .answer(Verdict::Fail))
 }
 
 /// I_peak ≤ I_max.
@@ -424,26 +419,23 @@ pub(crate) fn voltage(case: &Case<'_>, work: &mut Workings) -> Check {
 /// Both states count: what only the cold gear needs beyond I_max is advice, for the drive limits the current until the gear
 /// is warm. Where a short-time curve is published, the current of that curve is permitted too: the printed I_max is not
 /// below it in the maker's reckoning.
-pub(crate) fn peak_current(case: &Case<'_>, work: &mut Workings) -> Check {
-    current_check(case, (CheckId::PeakCurrent, "I_max", case.actuator.current_max.require("I_max")), work)
+pub(crate) fn peak_current(case: &Case<'_>, work: &mut Workings) -> Outcome {
+    current_check(case, (CheckId::PeakCurrent, "I_max", case.actuator.current_max.require("I_max")?), work)
 }
 
 /// I_peak ≤ I_E, at which demagnetisation begins, in both states.
-pub(crate) fn demagnetisation(case: &Case<'_>, work: &mut Workings) -> Check {
-    let limit = case.actuator.current_demagnetisation.require("I_E");
+pub(crate) fn demagnetisation(case: &Case<'_>, work: &mut Workings) -> Outcome {
+    let limit = case.actuator.current_demagnetisation.require("I_E")?;
     current_check(case, (CheckId::Demagnetisation, "I_E", limit), work)
 }
 
 fn current_check(
     case: &Case<'_>,
-    (id, symbol, limit): (CheckId, &'static str, Result<&Sourced<ElectricCurrent>, Missing>),
+    (id, symbol, limit): (CheckId, &'static str, &Sourced<ElectricCurrent>),
     work: &mut Workings,
-) -> Check {
+) -> Outcome {
     let Case { axis, actuator, currents, .. } = *case;
-    let (limit, currents) = match limit.and_then(|limit| Ok((limit, currents.map_err(|missing| *missing)?))) {
-        Ok(found) => found,
-        Err(missing) => return not_checked(id, missing),
-    };
+    let currents = currents.map_err(|missing| *missing)?;
     let curve = if id == CheckId::PeakCurrent { published_short_time(axis, actuator) } else { None };
     let printed = limit.value.si();
     let published = curve.map(|curve| &curve.value);
@@ -477,7 +469,7 @@ fn current_check(
     if by_cold_only {
         notes.push(Note::UntilWarm);
     }
-    Comparison {
+    Ok(Comparison {
         id,
         unit: &AMPERE,
         value: current,
@@ -489,7 +481,7 @@ fn current_check(
         errata: limit.errata,
         notes,
     }
-    .answer(if by_cold_only { Verdict::Advice } else { Verdict::Fail })
+    .answer(if by_cold_only { Verdict::Advice } else { Verdict::Fail }))
 }
 
 /// The published short-time curve, where it holds at the terminal voltage of the axis.

@@ -1,10 +1,10 @@
 //! The DC link, the drive, and every instant of the cycle against the torque-speed plane.
 
 use crate::axis::Axis;
-use crate::check::{Check, CheckId, Verdict};
-use crate::comparison::{Asking, Comparison, Edges, not_checked};
+use crate::check::{CheckId, Verdict};
+use crate::comparison::{Asking, Comparison, Edges};
 use crate::currents::Currents;
-use crate::list::Case;
+use crate::list::{Case, Outcome};
 use crate::notes::Note;
 use crate::supply::Edge;
 use crate::workings;
@@ -18,13 +18,10 @@ use trace::{Extent, Node, Panel, Sought};
 /// U_DC ≤ U_DCmax, the largest *stationary* voltage. What energy that comes back adds may pass it for a short time while
 /// braking (glossary of the manual), no source says how far and how long: with the rise that the project permits above
 /// U_DCmax the answer is advice.
-pub(crate) fn dc_link(axis: &Axis, actuator: &Drivetrain, work: &mut Workings) -> Check {
+pub(crate) fn dc_link(axis: &Axis, actuator: &Drivetrain, work: &mut Workings) -> Outcome {
     let (id, rise) = (CheckId::DcLink, axis.asked.dc_link_rise);
-    let supply = axis.supply.ok_or(Missing { symbol: "requirements.supply" });
-    let (link, limit) = match supply.and_then(|supply| Ok((supply, actuator.dc_link_max.require("U_DCmax")?))) {
-        Ok(found) => found,
-        Err(missing) => return not_checked(id, missing),
-    };
+    let link = axis.supply.ok_or(Missing { symbol: "requirements.supply" })?;
+    let limit = actuator.dc_link_max.require("U_DCmax")?;
     let (source, supply) = (link.source(), link.at(Edge::High));
     link.explain(Edge::High, work);
     // A supply that is too high is the fault, whatever comes on top of it.
@@ -48,7 +45,7 @@ pub(crate) fn dc_link(axis: &Axis, actuator: &Drivetrain, work: &mut Workings) -
     };
     work.given("U_DCmax", &VOLT, limit);
     work.limit("U_DCmax");
-    check
+    Ok(check)
 }
 
 /// The share of the short-time torque at its speed needed at an instant; while braking, that of T_max.
@@ -120,20 +117,13 @@ impl Sought for Share<'_> {
 ///
 /// Where no short-time curve is published, what lies between the torque with a cold gear within I_max and the upper edge,
 /// which leaves I_max to its own check, is advice.
-pub(crate) fn torque_speed_trace(case: &Case<'_>, work: &mut Workings) -> Check {
+pub(crate) fn torque_speed_trace(case: &Case<'_>, work: &mut Workings) -> Outcome {
     let Case { axis, actuator, currents, .. } = *case;
     let id = CheckId::TorqueSpeedTrace;
     let terminal = axis.terminal_voltage();
-    let found = (|| {
-        let currents = currents.map_err(|missing| *missing)?;
-        let highest = actuator.torque_max.require("T_max")?;
-        let short_time = ShortTime::of(actuator, terminal, currents.cold())?;
-        Ok((currents, highest, short_time))
-    })();
-    let (currents, highest, short_time) = match found {
-        Ok(found) => found,
-        Err(missing) => return not_checked(id, missing),
-    };
+    let currents = currents.map_err(|missing| *missing)?;
+    let highest = actuator.torque_max.require("T_max")?;
+    let short_time = ShortTime::of(actuator, terminal, currents.cold())?;
     let lower = Share::of(currents.inertia, highest.value.si(), &short_time);
     let (found, worst) = axis.trace.largest(&lower);
     let (torque, is_braking) = (lower.torque(&worst).abs(), lower.is_braking(&worst));
@@ -158,11 +148,11 @@ pub(crate) fn torque_speed_trace(case: &Case<'_>, work: &mut Workings) -> Check 
     let limit = curve.limit.value.si();
     let upper = if beyond { limit } else { curve.upper.si().max(torque) };
     let edges = Edges { limit, upper, unit: &NEWTON_METRE };
-    Comparison {
+    Ok(Comparison {
         at: Some(Time::from_si(worst.time_s)),
         ..Comparison::with(id, &NEWTON_METRE, torque, Source::Model { name: "demand" }, &curve.limit)
     }
-    .between(edges)
+    .between(edges))
 }
 
 /// The motor current against what the drive of the machine gives: its peak, its effective value over the cycle, and the
@@ -180,13 +170,10 @@ pub(crate) fn torque_speed_trace(case: &Case<'_>, work: &mut Workings) -> Check 
 /// the settled cycle, the others in the settled cycle; a cycle follows itself. Within its continuous effective value the drive
 /// is assumed to recover between two stretches: its own overload integral is not modelled. A stretch that begins and ends
 /// between two neighbouring nodes of a curved panel is not counted.
-pub(crate) fn drive_current(case: &Case<'_>, work: &mut Workings) -> Check {
+pub(crate) fn drive_current(case: &Case<'_>, work: &mut Workings) -> Outcome {
     let Case { axis, actuator, currents, .. } = *case;
     let (id, source) = (CheckId::DriveCurrent, Source::Model { name: "current" });
-    let currents = match currents {
-        Ok(currents) => currents,
-        Err(missing) => return not_checked(id, *missing),
-    };
+    let currents = currents.map_err(|missing| *missing)?;
     let duration = axis.moments.duration.si();
     let [peak, continuous] = [axis.asked.drive_current_peak, axis.asked.drive_current_continuous];
     let peak = peak.map(|limit| {
@@ -204,9 +191,7 @@ pub(crate) fn drive_current(case: &Case<'_>, work: &mut Workings) -> Check {
     });
     let share = |driven: &Driven| driven.value / driven.limit;
     let found = [peak, effective, stretch].into_iter().flatten().max_by(|a, b| share(a).total_cmp(&share(b)));
-    let Some(Driven { of, value, limit }) = found else {
-        return not_checked(id, Missing { symbol: "drive.current_continuous" });
-    };
+    let Driven { of, value, limit } = found.ok_or(Missing { symbol: "drive.current_continuous" })?;
     let (unit, key): (&'static Unit, _) = match of {
         Of::Peak(_) => (&AMPERE, "drive.current_peak"),
         Of::Effective => (&AMPERE, "drive.current_continuous"),
@@ -232,7 +217,7 @@ pub(crate) fn drive_current(case: &Case<'_>, work: &mut Workings) -> Check {
     };
     work.value(symbols.0);
     work.asked_by(symbols.1, unit, limit, key);
-    Comparison {
+    Ok(Comparison {
         id,
         unit,
         value,
@@ -244,7 +229,7 @@ pub(crate) fn drive_current(case: &Case<'_>, work: &mut Workings) -> Check {
         errata: &[],
         notes: currents.notes.clone(),
     }
-    .between(Edges { limit, upper: limit, unit })
+    .between(Edges { limit, upper: limit, unit }))
 }
 
 /// One of the quantities that a drive limits.

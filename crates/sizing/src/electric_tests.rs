@@ -1,4 +1,5 @@
 use super::*;
+use crate::check::Check;
 use crate::judge::{Depth, judge};
 use actuator::Parameters;
 use mechanism::{Extra, Mechanism};

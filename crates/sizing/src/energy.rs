@@ -9,7 +9,7 @@ use crate::check::{Check, CheckId};
 use crate::comparison::{Asking, against_asked, not_checked};
 use crate::currents::{Currents, SPEED};
 use crate::electrics::Electrics;
-use crate::list::Case;
+use crate::list::{Case, Outcome};
 use crate::notes::Note;
 use crate::watch::Watch;
 use actuator::{Parameters, TerminalPower};
@@ -488,13 +488,9 @@ pub(crate) fn regenerations<W: Watch>(
 ///
 /// P = 1.5 R I² + k_TM I ω_mot at every instant; P < 0 is given back. Friction is in I, so it is taken off what the
 /// load returns. What is taken besides is the balance: E_mot = ∫P dt + E_reg.
-pub(crate) fn regeneration(case: &Case<'_>, work: &mut Workings) -> Check {
-    let axis = case.axis;
-    let power = match CyclePower::of(case.actuator, case.currents) {
-        Ok(power) => power,
-        Err(missing) => return not_checked(CheckId::Regeneration, missing),
-    };
-    check_of(axis, &power, &balance(axis, &power), work)
+pub(crate) fn regeneration(case: &Case<'_>, work: &mut Workings) -> Outcome {
+    let power = CyclePower::of(case.actuator, case.currents)?;
+    Ok(check_of(case.axis, &power, &balance(case.axis, &power), work))
 }
 
 fn check_of(axis: &Axis, power: &CyclePower<'_>, balance: &Balance, work: &mut Workings) -> Check {

@@ -2,8 +2,8 @@
 
 use crate::axis::Axis;
 use crate::check::{Amount, Check, CheckId, Verdict};
-use crate::comparison::{Asking, against_asked, not_checked};
-use crate::list::Case;
+use crate::comparison::{Asking, against_asked};
+use crate::list::{Case, Outcome};
 use crate::notes::{Note, Notes};
 use actuator::{Feedback, FeedbackSide, Parameters};
 use derivation::{Finding, Workings};
@@ -21,11 +21,11 @@ fn absolute(actuator: &Parameters) -> Option<(f64, &Feedback)> {
 
 /// Travel ≤ absolute range in turns of the output; an axis that turns on and on leaves it unless N/i is a whole number.
 /// None where the position need not be absolute.
-pub(crate) fn range(case: &Case<'_>, work: &mut Workings) -> Option<Check> {
+pub(crate) fn range(case: &Case<'_>, work: &mut Workings) -> Option<Outcome> {
     (case.axis.asked.absolute != Some(false)).then(|| absolute_travel(case.axis, case.actuator, work))
 }
 
-fn absolute_travel(axis: &Axis, actuator: &Parameters, work: &mut Workings) -> Check {
+fn absolute_travel(axis: &Axis, actuator: &Parameters, work: &mut Workings) -> Outcome {
     let id = CheckId::FeedbackRange;
     let moments = axis.moments();
     let endless = !moments.is_swing() && moments.angle_travelled.si() > 0.0;
@@ -35,7 +35,7 @@ fn absolute_travel(axis: &Axis, actuator: &Parameters, work: &mut Workings) -> C
     if actuator.feedback.turns_absolute == Datum::NotPrinted
         && actuator.feedback_out.turns_absolute == Datum::NotApplicable
     {
-        return not_checked(id, Missing { symbol: "turns" });
+        return Err(Missing { symbol: "turns" });
     }
     let what = Finding::Travel;
     work.found("phi", &REVOLUTION, travel, what, &source, Grade::Computed);
@@ -63,7 +63,7 @@ fn absolute_travel(axis: &Axis, actuator: &Parameters, work: &mut Workings) -> C
             check.limit_source = Some(source);
             check.verdict = Verdict::Fail;
         }
-        return check;
+        return Ok(check);
     };
     let limit = turns * std::f64::consts::TAU;
     let lost = endless && feedback.endless_axis_loses_reference(&actuator.ratio) == Some(true);
@@ -83,75 +83,62 @@ fn absolute_travel(axis: &Axis, actuator: &Parameters, work: &mut Workings) -> C
         check.verdict = if within { Verdict::Pass } else { Verdict::Fail };
         check.utilisation = (!lost).then(|| travel / limit);
     }
-    check
+    Ok(check)
 }
 
 /// Step at the output ≤ the largest step permitted.
-pub(crate) fn resolution(case: &Case<'_>, work: &mut Workings) -> Check {
+pub(crate) fn resolution(case: &Case<'_>, work: &mut Workings) -> Outcome {
     let Case { axis, actuator, .. } = *case;
     let id = CheckId::FeedbackResolution;
     let of = |feedback: &Feedback| feedback.resolution_out(&actuator.ratio).known().cloned();
     // A feedback at the output does not replace the finer one on the motor.
-    match of(&actuator.feedback) {
-        Some(step) => {
-            let asked = axis.asked.resolution_max.map(Measure::si);
-            if let (Some(motor), Some(ratio)) = (actuator.feedback.resolution.known(), actuator.ratio.known()) {
-                work.given("s_mot", &ARCSECOND, motor);
-                work.given_number("i", ratio);
-                work.formula("s_out", &ARCSECOND, step.value.si(), "s_mot/i", &step.source);
-                work.value("s_out");
-            }
-            work.asked("s_perm", &ARCSECOND, asked, id);
-            let mut check = against_asked(id, &ARCSECOND, step.value.si(), asked, step.source);
-            check.grade = Some(step.grade);
-            check
-        }
-        None => not_checked(id, Missing { symbol: "resolution_motor_inc" }),
+    let step = of(&actuator.feedback).ok_or(Missing { symbol: "resolution_motor_inc" })?;
+    let asked = axis.asked.resolution_max.map(Measure::si);
+    if let (Some(motor), Some(ratio)) = (actuator.feedback.resolution.known(), actuator.ratio.known()) {
+        work.given("s_mot", &ARCSECOND, motor);
+        work.given_number("i", ratio);
+        work.formula("s_out", &ARCSECOND, step.value.si(), "s_mot/i", &step.source);
+        work.value("s_out");
     }
+    work.asked("s_perm", &ARCSECOND, asked, id);
+    let mut check = against_asked(id, &ARCSECOND, step.value.si(), asked, step.source);
+    check.grade = Some(step.grade);
+    Ok(check)
 }
 
 /// Life of the encoder's battery for the stated operation a day and storage before.
 /// None where the encoder has no battery.
-pub(crate) fn battery(case: &Case<'_>, work: &mut Workings) -> Option<Check> {
+pub(crate) fn battery(case: &Case<'_>, work: &mut Workings) -> Option<Outcome> {
     let feedback = &case.actuator.feedback;
     feedback.buffered_by_battery.then(|| battery_life(case.axis, feedback, work))
 }
 
-fn battery_life(axis: &Axis, feedback: &Feedback, work: &mut Workings) -> Check {
+fn battery_life(axis: &Axis, feedback: &Feedback, work: &mut Workings) -> Outcome {
     let id = CheckId::Battery;
-    let Some(operation) = axis.asked.operation_per_day else {
-        return not_checked(id, Missing { symbol: "requirements.operation_per_day" });
-    };
+    const OPERATION: Missing = Missing { symbol: "requirements.operation_per_day" };
+    let operation = axis.asked.operation_per_day.ok_or(OPERATION)?;
     let storage = axis.asked.storage.unwrap_or_else(|| Time::from_si(0.0));
-    let model = match feedback.battery.require("battery_capacity") {
-        Ok(model) => model,
-        Err(missing) => return not_checked(id, missing),
-    };
-    match model.value.life(operation, storage) {
-        Ok(battery) => {
-            let asked = axis.asked.battery_life_min.map(Measure::si);
-            if work.is_on() {
-                let project = |key: &'static str| Source::Project { key: key.into() };
-                let (operated, stored) = (project("requirements.operation_per_day"), project("requirements.storage"));
-                work.figure("t_op", &HOUR, operation.si(), &operated, Grade::Printed);
-                let grade = if axis.asked.storage.is_some() { Grade::Printed } else { Grade::Assumed };
-                work.figure("t_store", &YEAR, storage.si(), &stored, grade);
-                let what = Finding::BatteryLife;
-                let life = &battery.life;
-                work.found("L_bat", &YEAR, life.value.si(), what, &life.source, life.grade);
-                work.value("L_bat");
-            }
-            work.asked("L_asked", &YEAR, asked, id);
-            let mut check = against_asked(id, &YEAR, battery.life.value.si(), asked, battery.life.source.clone());
-            check.grade = Some(battery.life.grade);
-            check.notes.push(Note::BatteryExchange {
-                recommended: battery.exchange_recommended,
-                latest: battery.exchange_latest,
-            });
-            check
-        }
-        Err(_) => not_checked(id, Missing { symbol: "requirements.operation_per_day" }),
+    let model = feedback.battery.require("battery_capacity")?;
+    let battery = model.value.life(operation, storage).map_err(|_| OPERATION)?;
+    let asked = axis.asked.battery_life_min.map(Measure::si);
+    if work.is_on() {
+        let project = |key: &'static str| Source::Project { key: key.into() };
+        let (operated, stored) = (project("requirements.operation_per_day"), project("requirements.storage"));
+        work.figure("t_op", &HOUR, operation.si(), &operated, Grade::Printed);
+        let grade = if axis.asked.storage.is_some() { Grade::Printed } else { Grade::Assumed };
+        work.figure("t_store", &YEAR, storage.si(), &stored, grade);
+        let what = Finding::BatteryLife;
+        let life = &battery.life;
+        work.found("L_bat", &YEAR, life.value.si(), what, &life.source, life.grade);
+        work.value("L_bat");
     }
+    work.asked("L_asked", &YEAR, asked, id);
+    let mut check = against_asked(id, &YEAR, battery.life.value.si(), asked, battery.life.source.clone());
+    check.grade = Some(battery.life.grade);
+    check
+        .notes
+        .push(Note::BatteryExchange { recommended: battery.exchange_recommended, latest: battery.exchange_latest });
+    Ok(check)
 }
 
 /// The workings of the absolute range in turns of the output, `N_out`.

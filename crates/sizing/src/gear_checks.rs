@@ -4,7 +4,7 @@ use crate::axis::Axis;
 use crate::bearing_checks::{self, Borne};
 use crate::check::{Check, CheckId, Verdict};
 use crate::comparison::{Asking, Comparison, against_asked, equation, not_checked};
-use crate::list::Case;
+use crate::list::{Case, Outcome};
 use crate::notes::{Budget, Note, Notes};
 use crate::stage;
 use crate::workings;
@@ -23,26 +23,21 @@ use quantities::{Angle, AngularVelocity, Measure, Ratio, Torque};
 const MODEL: Source = Source::Model { name: "gear" };
 
 /// i n_av ≤ n_in,av; only where a limit of the gear is published.
-pub(crate) fn mean_input_speed(case: &Case<'_>, work: &mut Workings) -> Check {
+pub(crate) fn mean_input_speed(case: &Case<'_>, work: &mut Workings) -> Outcome {
     let Case { axis, actuator, .. } = *case;
     let id = CheckId::GearMeanInputSpeed;
-    let found =
-        actuator.gear.input_speed_mean_max.require("n_in_av").and_then(|l| Ok((l, actuator.ratio.require("i")?)));
-    match found {
-        Ok((limit, ratio)) => {
-            let speed = axis.moments().speed_mean().si() * ratio.value;
-            explain_input_speed(axis, ratio, speed, work);
-            work.value("n_in");
-            work.given("n_in_av", &REVOLUTION_PER_MINUTE, limit);
-            work.limit("n_in_av");
-            Comparison {
-                notes: Notes::fixed(&[Note::RatingOfInterchangeableGear]),
-                ..Comparison::with(id, &REVOLUTION_PER_MINUTE, speed, equation("69.3"), limit)
-            }
-            .answer(Verdict::Fail)
-        }
-        Err(missing) => not_checked(id, missing),
+    let limit = actuator.gear.input_speed_mean_max.require("n_in_av")?;
+    let ratio = actuator.ratio.require("i")?;
+    let speed = axis.moments().speed_mean().si() * ratio.value;
+    explain_input_speed(axis, ratio, speed, work);
+    work.value("n_in");
+    work.given("n_in_av", &REVOLUTION_PER_MINUTE, limit);
+    work.limit("n_in_av");
+    Ok(Comparison {
+        notes: Notes::fixed(&[Note::RatingOfInterchangeableGear]),
+        ..Comparison::with(id, &REVOLUTION_PER_MINUTE, speed, equation("69.3"), limit)
     }
+    .answer(Verdict::Fail))
 }
 
 /// The workings of the mean input speed, `n_in`.
@@ -54,12 +49,10 @@ fn explain_input_speed(axis: &Axis, ratio: &Sourced<f64>, speed: f64, work: &mut
 
 /// T_k ≤ T_M, and the number of collisions; only where a rating of the gear is published. Above the torque at which a
 /// cup-type gear of the same size ratchets it is against advice in any case.
-pub(crate) fn collision(case: &Case<'_>, work: &mut Workings) -> Check {
+pub(crate) fn collision(case: &Case<'_>, work: &mut Workings) -> Outcome {
     let Case { axis, actuator, .. } = *case;
     let (id, gear) = (CheckId::CollisionTorque, &actuator.gear);
-    let Some(torque) = axis.asked.collision_torque else {
-        return not_checked(id, Missing { symbol: "requirements.collision_torque" });
-    };
+    let torque = axis.asked.collision_torque.ok_or(Missing { symbol: "requirements.collision_torque" })?;
     let ratchets = gear.ratcheting_torque.known();
     let note = ratchets.map(|ratcheting| Note::Ratcheting {
         ratcheting: ratcheting.value,
@@ -80,7 +73,7 @@ pub(crate) fn collision(case: &Case<'_>, work: &mut Workings) -> Check {
                 None => not_checked(id, missing),
             };
             check.notes.extend(note);
-            return check;
+            return Ok(check);
         }
     };
     let key = |key: &'static str| Source::Project { key: key.into() };
@@ -111,7 +104,7 @@ pub(crate) fn collision(case: &Case<'_>, work: &mut Workings) -> Check {
     check.notes.push(Note::RatingOfInterchangeableGear);
     check.notes.extend(permitted.map(Note::CollisionsPermitted));
     check.notes.extend(note);
-    check
+    Ok(check)
 }
 
 /// The workings of the number of collisions, `N`, and of that which the gear stands, `N_k`.
@@ -132,7 +125,7 @@ fn explain_collisions(axis: &Axis, actuator: &Parameters, (count, permitted): (f
 }
 
 /// Sum of all angular errors at the output, and its deviation at the lever arm.
-pub(crate) fn error_budget(case: &Case<'_>, work: &mut Workings) -> Check {
+pub(crate) fn error_budget(case: &Case<'_>, work: &mut Workings) -> Outcome {
     let Case { axis, actuator, .. } = *case;
     let id = CheckId::ErrorBudget;
     let bearing = &actuator.output_bearing;
@@ -144,11 +137,11 @@ pub(crate) fn error_budget(case: &Case<'_>, work: &mut Workings) -> Check {
         position_loop: if axis.asked.loop_at_output { PositionLoop::Output } else { PositionLoop::Motor },
     };
     if axis.asked.loop_at_output && matches!(actuator.feedback_out.accuracy, Datum::NotApplicable) {
-        return not_checked(id, Missing { symbol: "EC" });
+        return Err(Missing { symbol: "EC" });
     }
     let mut budget = actuator::error_budget(actuator, &case);
     if budget.contributions.is_empty() {
-        return not_checked(id, Missing { symbol: "transmission_accuracy" });
+        return Err(Missing { symbol: "transmission_accuracy" });
     }
     if let Some(stage) = &axis.mechanism.stage {
         stage::behind(stage, &mut budget, case.torque);
@@ -185,7 +178,7 @@ pub(crate) fn error_budget(case: &Case<'_>, work: &mut Workings) -> Check {
     check.grade = Some(budget.grade());
     let (root_sum_square, missing) = (budget.root_sum_square(), budget.missing.len());
     check.notes.push(Note::Budget(Box::new(Budget { root_sum_square, deviation, missing })));
-    check
+    Ok(check)
 }
 
 /// The workings of the sum of all angular errors, `phi_sum`: what is not known counts as nothing, and says so.
@@ -292,23 +285,19 @@ fn explain_feedback(
 }
 
 /// T_av ≤ T_A; only where a rating of the gear is published.
-pub(crate) fn mean_torque(axis: &Axis, actuator: &Drivetrain, work: &mut Workings) -> Check {
+pub(crate) fn mean_torque(axis: &Axis, actuator: &Drivetrain, work: &mut Workings) -> Outcome {
     let id = CheckId::GearMeanTorque;
-    match actuator.gear.average_torque_max.require("T_A") {
-        Ok(limit) => {
-            let mean = axis.load_cubic_mean();
-            explain_mean_torque(mean, work);
-            work.value("T_av");
-            work.given("T_A", &NEWTON_METRE, limit);
-            work.limit("T_A");
-            Comparison {
-                notes: Notes::fixed(&[Note::RatingOfInterchangeableGear]),
-                ..Comparison::with(id, &NEWTON_METRE, mean.si(), MODEL, limit)
-            }
-            .answer(Verdict::Fail)
-        }
-        Err(missing) => not_checked(id, missing),
+    let limit = actuator.gear.average_torque_max.require("T_A")?;
+    let mean = axis.load_cubic_mean();
+    explain_mean_torque(mean, work);
+    work.value("T_av");
+    work.given("T_A", &NEWTON_METRE, limit);
+    work.limit("T_A");
+    Ok(Comparison {
+        notes: Notes::fixed(&[Note::RatingOfInterchangeableGear]),
+        ..Comparison::with(id, &NEWTON_METRE, mean.si(), MODEL, limit)
     }
+    .answer(Verdict::Fail))
 }
 
 /// The workings of the cubic mean torque, `T_av`.
@@ -318,44 +307,39 @@ fn explain_mean_torque(mean: Torque, work: &mut Workings) {
 }
 
 /// L_10 of the wave-generator bearing against the life required.
-pub(crate) fn life(axis: &Axis, actuator: &Drivetrain, work: &mut Workings) -> Check {
+pub(crate) fn life(axis: &Axis, actuator: &Drivetrain, work: &mut Workings) -> Outcome {
     let id = CheckId::GearLife;
-    let found = (|| {
-        let rated = actuator.gear.rated_torque.require("T_N")?;
-        let ratio = actuator.ratio.require("i")?;
-        let mean = axis.load_cubic_mean();
-        let speed = AngularVelocity::from_si(axis.moments().speed_mean().si() * ratio.value);
-        if speed.si() <= 0.0 || mean.si() <= 0.0 {
-            return Err(Missing { symbol: "gear_load" });
-        }
-        if work.is_on() {
-            explain_input_speed(axis, ratio, speed.si(), work);
-            explain_mean_torque(mean, work);
-            work.given("T_N", &NEWTON_METRE, rated);
-        }
-        let law = LifeLaw::of(&actuator.gear)?;
-        let life = law.l10_with(rated.value, mean, speed, work);
-        // Next to no load: the life is beyond every number.
-        if life.si().is_finite() { Ok((life, rated.grade)) } else { Err(Missing { symbol: "gear_load" }) }
-    })();
-    match found {
-        Ok((life, grade)) => {
-            work.value("L_10");
-            let asked = axis.asked.gear_life_min.map(Measure::si);
-            work.asked("L_10_min", &HOUR, asked, id);
-            let mut check = against_asked(id, &HOUR, life.si(), asked, MODEL);
-            check.grade = Some(grade.worst(Grade::Computed));
-            check.notes.push(Note::RatingOfInterchangeableGear);
-            check
-        }
-        Err(missing) => not_checked(id, missing),
+    let rated = actuator.gear.rated_torque.require("T_N")?;
+    let ratio = actuator.ratio.require("i")?;
+    let mean = axis.load_cubic_mean();
+    let speed = AngularVelocity::from_si(axis.moments().speed_mean().si() * ratio.value);
+    if speed.si() <= 0.0 || mean.si() <= 0.0 {
+        return Err(Missing { symbol: "gear_load" });
     }
+    if work.is_on() {
+        explain_input_speed(axis, ratio, speed.si(), work);
+        explain_mean_torque(mean, work);
+        work.given("T_N", &NEWTON_METRE, rated);
+    }
+    let law = LifeLaw::of(&actuator.gear)?;
+    let life = law.l10_with(rated.value, mean, speed, work);
+    // Next to no load: the life is beyond every number.
+    if !life.si().is_finite() {
+        return Err(Missing { symbol: "gear_load" });
+    }
+    work.value("L_10");
+    let asked = axis.asked.gear_life_min.map(Measure::si);
+    work.asked("L_10_min", &HOUR, asked, id);
+    let mut check = against_asked(id, &HOUR, life.si(), asked, MODEL);
+    check.grade = Some(rated.grade.worst(Grade::Computed));
+    check.notes.push(Note::RatingOfInterchangeableGear);
+    Ok(check)
 }
 
 /// Torsion of the gear under the largest torque of the load.
-pub(crate) fn torsion(axis: &Axis, actuator: &Drivetrain, work: &mut Workings) -> Check {
+pub(crate) fn torsion(axis: &Axis, actuator: &Drivetrain, work: &mut Workings) -> Outcome {
     let id = CheckId::Torsion;
-    let Some(curve) = actuator.gear.torsion() else { return not_checked(id, Missing { symbol: "K_1" }) };
+    let curve = actuator.gear.torsion().ok_or(Missing { symbol: "K_1" })?;
     let worst = axis.moments().load_peak;
     let source = Source::Equation { number: "73.1" };
     let limit = axis.asked.torsion_max.map(Measure::si);
@@ -368,7 +352,7 @@ pub(crate) fn torsion(axis: &Axis, actuator: &Drivetrain, work: &mut Workings) -
     work.asked("phi_max", &ARCMINUTE, limit, id);
     let mut check = against_asked(id, &ARCMINUTE, angle.si(), limit, source);
     check.at = Some(axis.moments().load_peak_at);
-    check
+    Ok(check)
 }
 
 /// The workings of the torsion under the largest torque of the load, `phi`, by the equation of the region that it

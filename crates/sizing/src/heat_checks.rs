@@ -1,10 +1,10 @@
 //! The checks of heat: continuous torque, temperature of the winding, overload supervision.
 
 use crate::axis::Axis;
-use crate::check::{Check, CheckId};
-use crate::comparison::{Comparison, Edges, cite, not_checked};
+use crate::check::CheckId;
+use crate::comparison::{Comparison, Edges, cite};
 use crate::currents::{Currents, coil_loss};
-use crate::list::Case;
+use crate::list::{Case, Outcome};
 use crate::notes::{Note, Notes};
 use crate::workings;
 use actuator::{ContinuousLimit, Gains, Parameters, PublishedDuty};
@@ -22,19 +22,16 @@ const SHORT_CYCLE_SHARE: f64 = 0.2;
 const THERMAL: Source = Source::Model { name: "thermal" };
 
 /// T_rms ≤ continuous torque at n_av (cha-manual 7.1: the point (n_av, T_rms) inside the continuous zone).
-pub(crate) fn continuous_torque(case: &Case<'_>, work: &mut Workings) -> Check {
+pub(crate) fn continuous_torque(case: &Case<'_>, work: &mut Workings) -> Outcome {
     let Case { axis, actuator, electrics, demand, manual, .. } = *case;
     let id = CheckId::ContinuousTorque;
-    let Some(demand) = demand else { return not_checked(id, Missing { symbol: "J_out" }) };
+    let demand = demand.ok_or(Missing { symbol: "J_out" })?;
     workings::mean_speed(axis, work);
     if work.is_on() {
         // The same once more, for its workings.
         let _ = actuator::continuous_torque_with(actuator, electrics.heat.as_ref().ok(), demand.speed_mean, work);
     }
-    let limit = match &electrics.continuous {
-        Ok(limit) => limit,
-        Err(missing) => return not_checked(id, *missing),
-    };
+    let limit = electrics.continuous.as_ref().map_err(|missing| *missing)?;
     work.limit("T_cont");
     workings::effective_torque(axis, actuator, demand, manual, work);
     work.value("T_rms");
@@ -56,8 +53,8 @@ pub(crate) fn continuous_torque(case: &Case<'_>, work: &mut Workings) -> Check {
     }
     let edges = crate::electrics::edges(limit);
     let source = crate::checks::demand_source(manual, "69.2");
-    Comparison { notes, ..Comparison::with(id, &NEWTON_METRE, demand.torque_rms.si(), source, &limit.limit) }
-        .between(edges)
+    Ok(Comparison { notes, ..Comparison::with(id, &NEWTON_METRE, demand.torque_rms.si(), source, &limit.limit) }
+        .between(edges))
 }
 
 /// What the published curves permit at the duty of the cycle.
@@ -84,17 +81,12 @@ fn temperature_lags(currents: &Currents<'_>, gains: Gains) -> Result<[Lag; 2], M
 ///
 /// ϑ_w − ϑ_a ≤ b (80 °C − ϑ_a) with b the lower edge of the band: pass; above the upper edge: fail; between them advice.
 /// Where curves are published the model is scaled to agree with them, and has no band.
-pub(crate) fn thermal(case: &Case<'_>, work: &mut Workings) -> Check {
+pub(crate) fn thermal(case: &Case<'_>, work: &mut Workings) -> Outcome {
     let Case { axis, actuator, currents, .. } = *case;
     let id = CheckId::Thermal;
-    let found = currents.map_err(|missing| *missing).and_then(|currents| {
-        let (model, settled) = currents.heat()?;
-        Ok((currents, model, settled, temperature_lags(currents, model.network().winding())?))
-    });
-    let (currents, model, settled, lags) = match found {
-        Ok(found) => found,
-        Err(missing) => return not_checked(id, missing),
-    };
+    let currents = currents.map_err(|missing| *missing)?;
+    let (model, settled) = currents.heat()?;
+    let lags = temperature_lags(currents, model.network().winding())?;
     let ambient = axis.ambient.unwrap_or_else(|| model.ambient_reference());
     // The coil of an open brake warms the housing; its mean counts.
     let coil = coil_loss(axis, actuator).si();
@@ -156,25 +148,20 @@ pub(crate) fn thermal(case: &Case<'_>, work: &mut Workings) -> Check {
     .between(Edges { limit: at(low), upper: at(high), unit: &DEGREE_CELSIUS });
     // A temperature has no share of a limit; its rise above the air has.
     check.utilisation = (room > 0.0).then(|| rise / (low * room));
-    check
+    Ok(check)
 }
 
 /// The first-order mean of (I/I_0)² with τ_w stays below one: what a drive's I²t supervision looks at.
 ///
 /// What the continuous curve permits at the mean speed this check permits too, with the friction of the cycle; above what
 /// the winding's heat permits it fails, between the two it is advice.
-pub(crate) fn overload(case: &Case<'_>, work: &mut Workings) -> Check {
+pub(crate) fn overload(case: &Case<'_>, work: &mut Workings) -> Outcome {
     let Case { axis, actuator, electrics, currents, .. } = *case;
     let id = CheckId::OverloadI2t;
-    let found = currents.map_err(|missing| *missing).and_then(|currents| {
-        let stall = actuator.stall_current.require("I_0")?;
-        let (model, _) = currents.heat()?;
-        Ok((currents, model, stall, electrics.continuous.as_ref().map_err(|missing| *missing)?))
-    });
-    let (currents, model, stall, continuous) = match found {
-        Ok(found) => found,
-        Err(missing) => return not_checked(id, missing),
-    };
+    let currents = currents.map_err(|missing| *missing)?;
+    let stall = actuator.stall_current.require("I_0")?;
+    let (model, _) = currents.heat()?;
+    let continuous = electrics.continuous.as_ref().map_err(|missing| *missing)?;
     let stalled = stall.value.si() * stall.value.si();
     let tau = model.winding_time_constant();
     let form = Form::square(currents.settled_weights()).scale(1.0 / stalled);
@@ -200,7 +187,7 @@ pub(crate) fn overload(case: &Case<'_>, work: &mut Workings) -> Check {
     let what = Finding::OverloadPermitted;
     work.found("y_perm", &ONE, low, what, &source, Grade::Estimated);
     work.limit("y_perm");
-    Comparison {
+    Ok(Comparison {
         id,
         unit: &ONE,
         value: peak.value,
@@ -212,5 +199,5 @@ pub(crate) fn overload(case: &Case<'_>, work: &mut Workings) -> Check {
         errata: stall.errata,
         notes: Notes::NONE,
     }
-    .between(Edges { limit: low, upper: high, unit: &ONE })
+    .between(Edges { limit: low, upper: high, unit: &ONE }))
 }

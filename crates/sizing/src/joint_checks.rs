@@ -3,7 +3,7 @@
 use crate::axis::Axis;
 use crate::check::{Amount, Check, CheckId, Verdict};
 use crate::comparison::{Comparison, not_checked};
-use crate::list::Case;
+use crate::list::{Case, Outcome};
 use crate::notes::Note;
 use crate::workings;
 use actuator::{Parameters, ScrewJoint};
@@ -14,26 +14,26 @@ use quantities::{Measure, Time, Torque};
 use trace::{Convex, Extent, Node};
 
 /// The torque through the joint of the load against what its screws transmit.
-pub(crate) fn load(case: &Case<'_>, work: &mut Workings) -> Check {
+pub(crate) fn load(case: &Case<'_>, work: &mut Workings) -> Outcome {
     let through = load_torque(case.axis, work);
     joint(CheckId::ScrewJointLoad, (&case.actuator.screw_joint_load, "transmissible_torque_load"), through, work)
 }
 
 /// The torque through the joint of the housing against what its screws transmit.
-pub(crate) fn housing(case: &Case<'_>, work: &mut Workings) -> Check {
-    let through = housing_torque(case.axis, case.actuator, work);
+pub(crate) fn housing(case: &Case<'_>, work: &mut Workings) -> Outcome {
+    let through = housing_torque(case.axis, case.actuator, work)?;
     let joined = (&case.actuator.screw_joint_housing, "transmissible_torque_housing");
     joint(CheckId::ScrewJointHousing, joined, through, work)
 }
 
 /// The approvals that the field of application needs against those at hand: one is needed, none is at hand.
-pub(crate) fn application(_: &Case<'_>, work: &mut Workings) -> Check {
+pub(crate) fn application(_: &Case<'_>, work: &mut Workings) -> Outcome {
     let source = Source::Project { key: "requirements.special_application".into() };
     work.figure("approvals_needed", &ONE, 1.0, &source, Grade::Printed);
     work.value("approvals_needed");
     work.figure("approvals", &ONE, 0.0, &source, Grade::Assumed);
     work.limit("approvals");
-    Check {
+    Ok(Check {
         verdict: Verdict::Advice,
         missing: None,
         value: Some(Amount { si: 1.0, unit: &ONE }),
@@ -42,7 +42,7 @@ pub(crate) fn application(_: &Case<'_>, work: &mut Workings) -> Check {
         value_source: Some(source),
         notes: Note::ApprovalNeeded.into(),
         ..not_checked(CheckId::Application, Missing { symbol: "approval" })
-    }
+    })
 }
 
 /// Torque through a joint, the instant of it, and its symbol in the workings.
@@ -57,14 +57,14 @@ fn collision(axis: &Axis, cycle: f64, work: &mut Workings) -> Option<Through> {
 }
 
 /// What passes through the joint of the load: the torque of the load. The rotor turns on the other side of it.
-fn load_torque(axis: &Axis, work: &mut Workings) -> Result<Through, Missing> {
+fn load_torque(axis: &Axis, work: &mut Workings) -> Through {
     let moments = axis.moments();
     if let Some(collision) = collision(axis, moments.load_peak.si(), work) {
-        return Ok(collision);
+        return collision;
     }
     let what = Finding::PeakLoad;
     work.found("T_j", &NEWTON_METRE, moments.load_peak.si(), what, &workings::DEMAND, Grade::Computed);
-    Ok((moments.load_peak, Some(moments.load_peak_at), "T_j"))
+    (moments.load_peak, Some(moments.load_peak_at), "T_j")
 }
 
 /// What passes through the joint of the housing.
@@ -117,24 +117,16 @@ fn housing_torque(axis: &Axis, actuator: &Parameters, work: &mut Workings) -> Re
 fn joint(
     id: CheckId,
     (joint, symbol): (&ScrewJoint, &'static str),
-    through: Result<Through, Missing>,
+    (torque, at, name): Through,
     work: &mut Workings,
-) -> Check {
-    let (torque, at, name) = match through {
-        Ok(through) => through,
-        Err(missing) => return not_checked(id, missing),
-    };
+) -> Outcome {
     work.value(name);
-    match joint.transmissible_torque.require(symbol) {
-        Ok(limit) => {
-            work.given("T_trans", &NEWTON_METRE, limit);
-            work.limit("T_trans");
-            let source = match name {
-                "T_k" => Source::Project { key: "requirements.collision_torque".into() },
-                _ => Source::Model { name: "demand" },
-            };
-            Comparison { at, ..Comparison::with(id, &NEWTON_METRE, torque.si(), source, limit) }.answer(Verdict::Fail)
-        }
-        Err(missing) => not_checked(id, missing),
-    }
+    let limit = joint.transmissible_torque.require(symbol)?;
+    work.given("T_trans", &NEWTON_METRE, limit);
+    work.limit("T_trans");
+    let source = match name {
+        "T_k" => Source::Project { key: "requirements.collision_torque".into() },
+        _ => Source::Model { name: "demand" },
+    };
+    Ok(Comparison { at, ..Comparison::with(id, &NEWTON_METRE, torque.si(), source, limit) }.answer(Verdict::Fail))
 }

@@ -407,10 +407,10 @@ pub(crate) fn made(axis: &Axis, bare: bool) -> impl Iterator<Item = CheckId> {
 #[inline]
 fn answered(id: CheckId, case: &Case<'_>, explain: bool) -> Option<Check> {
     if !explain {
-        return id.answer().of(case, &mut Workings::off());
+        return id.of(case, &mut Workings::off());
     }
     let mut work = Workings::on();
-    let mut check = id.answer().of(case, &mut work)?;
+    let mut check = id.of(case, &mut work)?;
     check.workings = work.into_steps().into();
     Some(check)
 }

@@ -5,6 +5,7 @@ use crate::bearing_checks::{self, Borne};
 use crate::brake_checks;
 use crate::check::{Check, Direction, Margin, Part};
 use crate::checks;
+use crate::comparison::not_checked;
 use crate::currents::{self, Currents};
 use crate::demand::{Demand, ManualDemand};
 use crate::electric_checks;
@@ -111,25 +112,17 @@ pub(crate) struct Case<'c> {
 #[derive(Clone, Copy)]
 pub(crate) enum Answer {
     /// Each actuator has its own answer.
-    Actuator(fn(&Case<'_>, &mut Workings) -> Check),
+    Actuator(fn(&Case<'_>, &mut Workings) -> Outcome),
     /// As above; no answer where the check does not concern the actuator, such as one without a brake.
-    Concerned(fn(&Case<'_>, &mut Workings) -> Option<Check>),
+    Concerned(fn(&Case<'_>, &mut Workings) -> Option<Outcome>),
     /// All actuators with the same drivetrain share the answer.
-    Drivetrain(fn(&Axis, &Drivetrain, &mut Workings) -> Check),
+    Drivetrain(fn(&Axis, &Drivetrain, &mut Workings) -> Outcome),
     /// All actuators with the same output bearing share the answer; none where no loads are known.
-    Bearing(fn(&Borne<'_>, &mut Workings) -> Check),
+    Bearing(fn(&Borne<'_>, &mut Workings) -> Outcome),
 }
 
-impl Answer {
-    pub(crate) fn of(self, case: &Case<'_>, work: &mut Workings) -> Option<Check> {
-        match self {
-            Self::Actuator(answer) => Some(answer(case, work)),
-            Self::Concerned(answer) => answer(case, work),
-            Self::Drivetrain(answer) => Some(answer(case.axis, case.actuator, work)),
-            Self::Bearing(answer) => Some(answer(case.bearing?, work)),
-        }
-    }
-}
+/// The answer of a check, or the datum that it lacks.
+pub(crate) type Outcome = Result<Check, Missing>;
 
 /// When a check is judged. The stages follow each other, and within one the order is that of the list.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -445,6 +438,17 @@ impl CheckId {
 
     pub(crate) const fn answer(self) -> Answer {
         self.entry().answer
+    }
+
+    /// Its answer in a case: not checked where a datum is missing, none where it does not concern the actuator.
+    pub(crate) fn of(self, case: &Case<'_>, work: &mut Workings) -> Option<Check> {
+        let found = match self.answer() {
+            Answer::Actuator(answer) => answer(case, work),
+            Answer::Concerned(answer) => answer(case, work)?,
+            Answer::Drivetrain(answer) => answer(case.axis, case.actuator, work),
+            Answer::Bearing(answer) => answer(case.bearing?, work),
+        };
+        Some(found.unwrap_or_else(|missing| not_checked(self, missing)))
     }
 
     /// The key of the project that states its limit or switches it on.

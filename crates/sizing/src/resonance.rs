@@ -2,8 +2,8 @@
 
 use crate::axis::Axis;
 use crate::check::{Amount, Check, CheckId, Verdict};
-use crate::comparison::{Asking, against_asked, not_checked};
-use crate::list::Case;
+use crate::comparison::{Asking, against_asked};
+use crate::list::{Case, Outcome};
 use crate::notes::{Note, ResonanceSpeeds};
 use crate::stage;
 use crate::workings;
@@ -93,38 +93,34 @@ fn frequency(stiffness: TorsionalStiffness, load: f64, rotor: Rotor) -> Frequenc
 }
 
 /// First natural frequency of the load on the softest region of the gear, against the least that is asked.
-pub(crate) fn natural_frequency(case: &Case<'_>, work: &mut Workings) -> Check {
+pub(crate) fn natural_frequency(case: &Case<'_>, work: &mut Workings) -> Outcome {
     let Case { axis, actuator, .. } = *case;
     let id = CheckId::NaturalFrequency;
     let [softest, _, _] = &actuator.gear.stiffness;
-    let found = softest
-        .require("K_1")
-        .and_then(|k| if axis.moments().inertia_max.si() > 0.0 { Ok(k) } else { Err(Missing { symbol: "J_L" }) })
-        .map(|k| stage::in_series(&axis.mechanism, k));
-    match found {
-        Ok(k) => {
-            let load = axis.moments().inertia_max.si();
-            let blocked = frequency(k.value, load, Rotor::Blocked);
-            let asked = axis.asked.natural_frequency_min.map(Measure::si);
-            work.given("K_1", &NEWTON_METRE_PER_RADIAN, &k);
-            if work.is_on() {
-                let source = match axis.by_the_manual() {
-                    Some(_) => Source::Project { key: "load.inertia".into() },
-                    None => Source::Model { name: "mechanisms" },
-                };
-                work.found("J_L", &KILOGRAM_SQUARE_METRE, load, Finding::LargestInertia, &source, Grade::Computed);
-            }
-            work.formula("f", &HERTZ, blocked.si(), "sqrt(K_1/J_L)/(2*pi)", &MODEL);
-            work.value("f");
-            work.asked("f_min", &HERTZ, asked, id);
-            let mut check = against_asked(id, &HERTZ, blocked.si(), asked, MODEL);
-            if let Some(own) = own_inertia(actuator) {
-                check.notes.push(Note::FreeRotor(frequency(k.value, load, Rotor::Free(own))));
-            }
-            check
-        }
-        Err(missing) => not_checked(id, missing),
+    let k = softest.require("K_1")?;
+    let load = axis.moments().inertia_max.si();
+    if load <= 0.0 {
+        return Err(Missing { symbol: "J_L" });
     }
+    let k = stage::in_series(&axis.mechanism, k);
+    let blocked = frequency(k.value, load, Rotor::Blocked);
+    let asked = axis.asked.natural_frequency_min.map(Measure::si);
+    work.given("K_1", &NEWTON_METRE_PER_RADIAN, &k);
+    if work.is_on() {
+        let source = match axis.by_the_manual() {
+            Some(_) => Source::Project { key: "load.inertia".into() },
+            None => Source::Model { name: "mechanisms" },
+        };
+        work.found("J_L", &KILOGRAM_SQUARE_METRE, load, Finding::LargestInertia, &source, Grade::Computed);
+    }
+    work.formula("f", &HERTZ, blocked.si(), "sqrt(K_1/J_L)/(2*pi)", &MODEL);
+    work.value("f");
+    work.asked("f_min", &HERTZ, asked, id);
+    let mut check = against_asked(id, &HERTZ, blocked.si(), asked, MODEL);
+    if let Some(own) = own_inertia(actuator) {
+        check.notes.push(Note::FreeRotor(frequency(k.value, load, Rotor::Free(own))));
+    }
+    Ok(check)
 }
 
 /// J_out, where it is known and not zero.
@@ -172,22 +168,15 @@ fn lines(
 /// Distance of the speeds that the cycle holds from those at which the wave generator excites the load (2 i n/60 = f on
 /// each region of stiffness, with blocked and with free rotor), relative to the latter, each with the inertia that the
 /// load has meanwhile. To hold such a speed is against advice; to pass through is not.
-pub(crate) fn resonance(case: &Case<'_>, work: &mut Workings) -> Check {
+pub(crate) fn resonance(case: &Case<'_>, work: &mut Workings) -> Outcome {
     let Case { axis, actuator, .. } = *case;
     let id = CheckId::ResonanceSpeed;
-    let found = (|| {
-        let ratio = actuator.ratio.require("i")?;
-        let [k1, k2, k3] = &actuator.gear.stiffness;
-        let stiffness = [k1.require("K_1")?, k2.require("K_2")?, k3.require("K_3")?];
-        if axis.moments().inertia_max.si() <= 0.0 {
-            return Err(Missing { symbol: "J_L" });
-        }
-        Ok((ratio, stiffness))
-    })();
-    let (ratio, stiffness) = match found {
-        Ok(found) => found,
-        Err(missing) => return not_checked(id, missing),
-    };
+    let ratio = actuator.ratio.require("i")?;
+    let [k1, k2, k3] = &actuator.gear.stiffness;
+    let stiffness = [k1.require("K_1")?, k2.require("K_2")?, k3.require("K_3")?];
+    if axis.moments().inertia_max.si() <= 0.0 {
+        return Err(Missing { symbol: "J_L" });
+    }
     let stiffness = stiffness.map(|k| stage::in_series(&axis.mechanism, k));
     let stiffness = stiffness.each_ref().map(|k| &**k);
     let own = own_inertia(actuator);
@@ -209,7 +198,7 @@ pub(crate) fn resonance(case: &Case<'_>, work: &mut Workings) -> Check {
         true => Verdict::Pass,
         false => Verdict::Advice,
     };
-    Check {
+    Ok(Check {
         id,
         verdict,
         value: Some(Amount { si: value, unit: &PERCENT }),
@@ -222,7 +211,7 @@ pub(crate) fn resonance(case: &Case<'_>, work: &mut Workings) -> Check {
         missing: open.then_some("recorded_speed"),
         notes: speeds_note(axis, &stiffness, ratio.value, own).into(),
         workings: Box::default(),
-    }
+    })
 }
 
 /// The resonance speeds over every inertia of the cycle.

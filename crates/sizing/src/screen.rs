@@ -214,7 +214,7 @@ impl Row<'_> {
             let mut found = OfBearing::default();
             for id in &self.of_bearing {
                 let Answer::Bearing(answer) = id.answer() else { continue };
-                let check = answer(&borne, &mut Workings::off());
+                let Ok(check) = answer(&borne, &mut Workings::off()) else { continue };
                 found.fails |= check.verdict == Verdict::Fail;
                 found.shares.extend(check.utilisation.filter(|_| id.has_margin()).map(|share| (share, *id)));
             }
@@ -327,7 +327,7 @@ impl Row<'_> {
 
 /// A check of an actuator, made as [`judge`](crate::judge()) makes it.
 fn checked(id: CheckId, case: &Case<'_>) -> Option<Check> {
-    id.answer().of(case, &mut Workings::off())
+    id.of(case, &mut Workings::off())
 }
 
 /// Whether a check looks at currents, voltages or heat.

@@ -1,6 +1,6 @@
 //! What is assumed where the project states nothing.
 
-use super::either;
+use crate::pick;
 use motion::Spline;
 use project::Assumption;
 use quantities::Language;
@@ -159,5 +159,5 @@ pub fn assumption_text(assumption: Assumption, language: Language) -> String {
             "mit einer Zwischenstufe ruht der Mechanismus auf eigenen Lagern: der Flansch trägt nur die Stufe",
         ),
     };
-    either(language, en, de)
+    pick(language, en, de).to_owned()
 }

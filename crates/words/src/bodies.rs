@@ -1,6 +1,7 @@
 //! Words about solid bodies.
 
-use super::either;
+use crate::pick;
+use crate::texts::said;
 use mechanism::BodyError;
 use project::{BodyKind, BodyShape};
 use quantities::unit::{KILOGRAM, KILOGRAM_PER_CUBIC_METRE, MILLIMETRE};
@@ -19,47 +20,54 @@ pub const fn shape_title(shape: &BodyShape, language: Language) -> &'static str 
         BodyKind::Point => ("point", "Punktmasse"),
         BodyKind::Rod => ("rod", "Stab"),
     };
-    match language {
-        Language::En => en,
-        Language::De => de,
-    }
+    pick(language, en, de)
 }
 
 /// What is wrong with a body that cannot be.
 pub(super) fn fault(error: &BodyError, language: Language) -> String {
     let positive = |key: &str, si: f64, unit: &Unit, or_zero: bool| {
         let value = format!("{} {}", format_significant(unit.from_si(si), 4, language), unit.symbol);
-        let (en, de) = if or_zero {
-            ("must not be negative", "darf nicht negativ sein")
+        if or_zero {
+            said!(language =>
+                "`{key}` must not be negative, not {value}"
+                | "`{key}` darf nicht negativ sein, nicht {value}"
+            )
         } else {
-            ("must be greater than zero", "muss größer als null sein")
-        };
-        (format!("`{key}` {en}, not {value}"), format!("`{key}` {de}, nicht {value}"))
-    };
-    let fixed = |en: &str, de: &str| (en.to_owned(), de.to_owned());
-    let (en, de) = match error {
-        BodyError::DimensionOutOfRange { field, value } => positive(field, value.si(), &MILLIMETRE, *field == "inner"),
-        BodyError::InnerNotBelowOuter { .. } => {
-            fixed("`inner` must be smaller than `outer`", "`inner` muss kleiner als `outer` sein")
+            said!(language =>
+                "`{key}` must be greater than zero, not {value}"
+                | "`{key}` muss größer als null sein, nicht {value}"
+            )
         }
-        BodyError::NoMass => fixed("neither `mass` nor `density` is given", "weder `mass` noch `density` angegeben"),
-        BodyError::MassAndDensity { .. } => fixed(
-            "`mass` and `density` are both given; one gives the other",
-            "`mass` und `density` sind beide angegeben; eines ergibt das andere",
+    };
+    match error {
+        BodyError::DimensionOutOfRange { field, value } => positive(field, value.si(), &MILLIMETRE, *field == "inner"),
+        BodyError::InnerNotBelowOuter { .. } => said!(language =>
+            "`inner` must be smaller than `outer`"
+            | "`inner` muss kleiner als `outer` sein"
         ),
-        BodyError::NoVolume => fixed(
-            "this shape has no volume, so `density` gives no mass",
-            "diese Form hat kein Volumen, `density` ergibt also keine Masse",
+        BodyError::NoMass => said!(language =>
+            "neither `mass` nor `density` is given"
+            | "weder `mass` noch `density` angegeben"
+        ),
+        BodyError::MassAndDensity { .. } => said!(language =>
+            "`mass` and `density` are both given; one gives the other"
+            | "`mass` und `density` sind beide angegeben; eines ergibt das andere"
+        ),
+        BodyError::NoVolume => said!(language =>
+            "this shape has no volume, so `density` gives no mass"
+            | "diese Form hat kein Volumen, `density` ergibt also keine Masse"
         ),
         BodyError::MassOutOfRange { mass } => positive("mass", mass.si(), &KILOGRAM, false),
         BodyError::DensityOutOfRange { density } => positive("density", density.si(), &KILOGRAM_PER_CUBIC_METRE, false),
         BodyError::DistanceOutOfRange { distance } => positive("distance", distance.si(), &MILLIMETRE, true),
-        BodyError::NoPiece => fixed("`count` must be at least 1", "`count` muss mindestens 1 sein"),
-        BodyError::AngleNotFinite => fixed("`angle` is no finite number", "`angle` ist keine endliche Zahl"),
-        BodyError::BeyondNumbers => fixed(
-            "the inertia is beyond the range of numbers",
-            "das Massenträgheitsmoment liegt außerhalb des Zahlenbereichs",
+        BodyError::NoPiece => said!(language => "`count` must be at least 1" | "`count` muss mindestens 1 sein"),
+        BodyError::AngleNotFinite => said!(language =>
+            "`angle` is no finite number"
+            | "`angle` ist keine endliche Zahl"
         ),
-    };
-    either(language, en, de)
+        BodyError::BeyondNumbers => said!(language =>
+            "the inertia is beyond the range of numbers"
+            | "das Massenträgheitsmoment liegt außerhalb des Zahlenbereichs"
+        ),
+    }
 }

@@ -1,6 +1,8 @@
 //! Words of what the commissioning knows by identifier: parameters, gaps, measurands, bands, causes.
 
-use super::{commission, either};
+use super::commission;
+use crate::pick;
+use crate::texts::said;
 use installation::commission::cia402::ObjectId;
 use installation::commission::expected::{Band, Measurand};
 use installation::commission::recorded::{Cause, Unjudged};
@@ -74,13 +76,6 @@ pub fn parameter_name(id: ParameterId, language: Language) -> &'static str {
     pick(language, en, de)
 }
 
-const fn pick(language: Language, en: &'static str, de: &'static str) -> &'static str {
-    match language {
-        Language::En => en,
-        Language::De => de,
-    }
-}
-
 /// How a value follows from what is printed.
 #[must_use]
 pub const fn conversion_text(conversion: Conversion, language: Language) -> &'static str {
@@ -152,14 +147,13 @@ pub fn gap_text(gap: Gap, language: Language) -> String {
         Gap::NotPrinted(id) => {
             let name = parameter_name(id, language);
             let symbol = id.symbol();
-            return either(
-                language,
-                format!("{name} ({symbol}): not printed for this code; ask the maker before you rely on it"),
-                format!("{name} ({symbol}): für diesen Code nicht gedruckt; vor Gebrauch beim Hersteller fragen"),
+            return said!(language =>
+                "{name} ({symbol}): not printed for this code; ask the maker before you rely on it"
+                | "{name} ({symbol}): für diesen Code nicht gedruckt; vor Gebrauch beim Hersteller fragen"
             );
         }
     };
-    either(language, en, de)
+    pick(language, en, de).to_owned()
 }
 
 /// The name of an object in its profile, in which it stands in English everywhere.
@@ -257,18 +251,16 @@ pub fn cause_text(cause: Cause, language: Language) -> String {
         ),
         Cause::WindingTemperature(celsius) => {
             let celsius = shown(celsius);
-            return either(
-                language,
-                format!("a winding at {celsius} °C would have it: temperature not stated or not converted rightly"),
-                format!("eine Wicklung mit {celsius} °C hätte ihn: Temperatur falsch angegeben oder nicht umgerechnet"),
+            return said!(language =>
+                "a winding at {celsius} °C would have it: temperature not stated or not converted rightly"
+                | "eine Wicklung mit {celsius} °C hätte ihn: Temperatur falsch angegeben oder nicht umgerechnet"
             );
         }
         Cause::Leads(ohm) => {
             let ohm = shown(ohm);
-            return either(
-                language,
-                format!("{ohm} Ω of leads and contacts are in it: measure with four wires"),
-                format!("{ohm} Ω Leitungen und Kontakte sind enthalten: vierpolig messen"),
+            return said!(language =>
+                "{ohm} Ω of leads and contacts are in it: measure with four wires"
+                | "{ohm} Ω Leitungen und Kontakte sind enthalten: vierpolig messen"
             );
         }
         Cause::Open => {
@@ -301,14 +293,9 @@ pub fn cause_text(cause: Cause, language: Language) -> String {
         ),
         Cause::KtyPolesOrTemperature(celsius) => {
             let celsius = shown(celsius);
-            return either(
-                language,
-                format!(
-                    "the sensor reads {celsius} °C: poles exchanged, measuring current other than 2 mA, or temperature stated wrongly"
-                ),
-                format!(
-                    "der Sensor zeigt {celsius} °C: verpolt, Messstrom anders als 2 mA oder Temperatur falsch angegeben"
-                ),
+            return said!(language =>
+                "the sensor reads {celsius} °C: poles exchanged, measuring current other than 2 mA, or temperature stated wrongly"
+                | "der Sensor zeigt {celsius} °C: verpolt, Messstrom anders als 2 mA oder Temperatur falsch angegeben"
             );
         }
         Cause::OtherSensor => (
@@ -358,26 +345,18 @@ pub fn cause_text(cause: Cause, language: Language) -> String {
             "zählt umgekehrt: Gebersignale oder Motorphasen vertauscht oder der Regler invertiert die Position",
         ),
         Cause::OtherRatio(ratio) => {
-            return either(
-                language,
-                format!("this is a gear of ratio {ratio}: look at the type plate and at the gear ratio in the drive"),
-                format!(
-                    "das ist ein Getriebe mit Untersetzung {ratio}: Typenschild und Getriebefaktor im Regler prüfen"
-                ),
+            return said!(language =>
+                "this is a gear of ratio {ratio}: look at the type plate and at the gear ratio in the drive"
+                | "das ist ein Getriebe mit Untersetzung {ratio}: Typenschild und Getriebefaktor im Regler prüfen"
             );
         }
         Cause::PolePairs(pairs) => {
             let pairs = shown(pairs);
-            return either(
-                language,
-                format!(
-                    "the motor would have {pairs} pole pairs: pole pairs set wrongly make the speed off by the same factor"
-                ),
-                format!(
-                    "der Motor hätte {pairs} Polpaare: falsch gesetzte Polpaare verfälschen die Drehzahl um denselben Faktor"
-                ),
+            return said!(language =>
+                "the motor would have {pairs} pole pairs: pole pairs set wrongly make the speed off by the same factor"
+                | "der Motor hätte {pairs} Polpaare: falsch gesetzte Polpaare verfälschen die Drehzahl um denselben Faktor"
             );
         }
     };
-    either(language, en, de)
+    pick(language, en, de).to_owned()
 }

@@ -1,5 +1,6 @@
 //! Symbols of derivations, and what was searched or integrated.
 
+use crate::pick;
 use quantities::Language;
 use sizing::derivation::Finding;
 
@@ -186,10 +187,7 @@ pub fn found_text(what: Finding, language: Language) -> String {
         }
         Finding::BatteryLife => ("life for t_op a day after t_store", "Lebensdauer bei t_op je Tag nach t_store"),
     };
-    with_shown_symbols(match language {
-        Language::En => en,
-        Language::De => de,
-    })
+    with_shown_symbols(pick(language, en, de))
 }
 
 /// The symbols among the words of a text as people write them: `theta_g` is ϑ_g.
@@ -415,10 +413,7 @@ const TERMS: &[(&str, &str, &str)] = &[
 pub fn step_term(symbol: &str, unit: &str, language: Language) -> &'static str {
     let of_unit = BY_UNIT.iter().find(|(name, of, ..)| *name == symbol && *of == unit).map(|(.., en, de)| (en, de));
     let found = of_unit.or_else(|| TERMS.iter().find(|(name, ..)| *name == symbol).map(|(_, en, de)| (en, de)));
-    found.map_or("", |(en, de)| match language {
-        Language::En => en,
-        Language::De => de,
-    })
+    found.map_or("", |(en, de)| pick(language, en, de))
 }
 
 /// Every symbol of the derivations with its meaning, English and German; one symbol may have several.

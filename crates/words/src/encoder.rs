@@ -1,5 +1,6 @@
 //! Words about signals and words of encoders.
 
+use crate::pick;
 use crate::texts::texts;
 use installation::encoder::Assumed;
 use provenance::Grade;
@@ -174,10 +175,7 @@ pub const fn assumed(what: Assumed, language: Language) -> &'static str {
             "nach dem Ausfall zählen die Umdrehungen von null an; die Anleitung sagt nur, dass die Position fehlerhaft ist",
         ),
     };
-    match language {
-        Language::En => en,
-        Language::De => de,
-    }
+    pick(language, en, de)
 }
 
 /// How far an assumption can be trusted.

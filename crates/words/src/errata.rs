@@ -1,6 +1,8 @@
 //! Words about errata.
 
-use super::{condition_text, either};
+use super::condition_text;
+use crate::pick;
+use crate::texts::said;
 use catalogue::{Erratum, ErratumKind};
 use quantities::Language;
 
@@ -33,7 +35,7 @@ pub fn erratum_status(corrected: bool, language: Language) -> &'static str {
 pub fn erratum_place(erratum: &'static Erratum, language: Language) -> String {
     let mut parts = Vec::new();
     if !erratum.table.is_empty() {
-        parts.push(either(language, format!("table {}", erratum.table), format!("Tabelle {}", erratum.table)));
+        parts.push(said!(language => "table {}" | "Tabelle {}", erratum.table));
     }
     match erratum.cell() {
         Some(cell) => {
@@ -44,7 +46,7 @@ pub fn erratum_place(erratum: &'static Erratum, language: Language) -> String {
             }
             parts.push(condition_text(cell.place.condition, language));
         }
-        None => parts.push(either(language, erratum.place, erratum.place_de)),
+        None => parts.push(pick(language, erratum.place, erratum.place_de).to_owned()),
     }
     parts.retain(|part| !part.is_empty());
     parts.join(", ")

@@ -1,24 +1,20 @@
 //! Comments and names in the examples, which are project files to begin with.
 
+use crate::pick;
+use crate::texts::said;
 use quantities::Language;
 
 /// A comment or a name of an example, which has it in English, in a language; `None` for a text that no example has.
 #[must_use]
 pub fn example_text(english: &str, language: Language) -> Option<&'static str> {
     let (en, de) = EXAMPLE_TEXTS.iter().find(|(en, _)| *en == english)?;
-    Some(match language {
-        Language::En => en,
-        Language::De => de,
-    })
+    Some(pick(language, en, de))
 }
 
 /// How an example is run.
 #[must_use]
 pub fn how_to_run(file: &str, language: Language) -> String {
-    match language {
-        Language::En => format!("Run: antrieb size {file}"),
-        Language::De => format!("Aufruf: antrieb size {file} --lang de"),
-    }
+    said!(language => "Run: antrieb size {file}" | "Aufruf: antrieb size {file} --lang de")
 }
 
 /// Every comment and name of the examples, English and German.

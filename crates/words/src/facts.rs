@@ -1,23 +1,21 @@
 //! Words about facts that a source states in prose.
 
-use super::either;
+use crate::pick;
+use crate::texts::said;
 use catalogue::{Fact, Signal, Step};
 use quantities::Language;
 
 /// What a fact says.
 #[must_use]
 pub const fn fact_text(fact: &Fact, language: Language) -> &'static str {
-    match language {
-        Language::En => fact.en,
-        Language::De => fact.de,
-    }
+    pick(language, fact.en, fact.de)
 }
 
 /// Where a fact stands: `cha-manual section 9.4`.
 #[must_use]
 pub fn fact_source(fact: &Fact, language: Language) -> String {
     let (document, section) = (fact.document, fact.section);
-    either(language, format!("{document} section {section}"), format!("{document} Abschnitt {section}"))
+    said!(language => "{document} section {section}" | "{document} Abschnitt {section}")
 }
 
 /// The signal word as ISO 3864-2 and ANSI Z535.6 write it.
@@ -30,10 +28,7 @@ pub const fn signal_word(signal: Signal, language: Language) -> &'static str {
         Signal::Notice => ("NOTICE", "HINWEIS"),
         Signal::Info => ("INFO", "INFO"),
     };
-    match language {
-        Language::En => en,
-        Language::De => de,
-    }
+    pick(language, en, de)
 }
 
 /// When a fact matters, as the heading of a check-list.
@@ -50,8 +45,5 @@ pub const fn step_title(step: Step, language: Language) -> &'static str {
         Step::Shutdown => ("shutting down and maintenance", "Stillsetzen und Wartung"),
         Step::Disposal => ("taking out of service", "Außerbetriebnahme"),
     };
-    match language {
-        Language::En => en,
-        Language::De => de,
-    }
+    pick(language, en, de)
 }

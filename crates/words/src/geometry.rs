@@ -1,5 +1,6 @@
 //! Words of what is wrong with the lengths and angles of a mechanism.
 
+use crate::pick;
 use mechanism::Geometry;
 use quantities::Language;
 
@@ -42,8 +43,5 @@ pub(crate) const fn geometry(fault: Geometry, language: Language) -> &'static st
             "die Kurbel läuft nicht um: ground und crank müssen sich um mehr unterscheiden als coupler und rocker",
         ),
     };
-    match language {
-        Language::En => en,
-        Language::De => de,
-    }
+    pick(language, en, de)
 }

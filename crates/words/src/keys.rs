@@ -1,7 +1,8 @@
 //! Words of the keys of the project file.
 
-use super::either;
 use crate::mechanism_keys::{mechanism_key_text, mechanism_text};
+use crate::pick;
+use crate::texts::said;
 use crate::twin_keys::{replaced_key_text, twin_key_text};
 use project::names::{
     ActuatorName, AxisName, BearingName, BodyName, ColumnsName, CounterweightName, CurveName, DriveName,
@@ -16,7 +17,7 @@ use quantities::Language;
 pub fn key_text(key: &Key, language: Language) -> String {
     let about = about_text(key.about, language);
     let assumed = if key.note.is_some() {
-        either(language, ", listed as assumed", ", als angenommen genannt")
+        said!(language => ", listed as assumed" | ", als angenommen genannt")
     } else {
         "".into()
     };
@@ -24,11 +25,7 @@ pub fn key_text(key: &Key, language: Language) -> String {
     let is_number = default.parse::<f64>().is_ok();
     let mark = language.decimal_mark().to_string();
     let default = if is_number { default.replace('.', &mark) } else { default };
-    either(
-        language,
-        format!("{about}; {default} without it{assumed}"),
-        format!("{about}; ohne Angabe {default}{assumed}"),
-    )
+    said!(language => "{about}; {default} without it{assumed}" | "{about}; ohne Angabe {default}{assumed}")
 }
 
 /// What a key of the project file is for.
@@ -554,8 +551,5 @@ pub const fn about_text(about: About, language: Language) -> &'static str {
             "Dauerbetriebskennlinie durch ihre Eckpunkte, ab Stillstand",
         ),
     };
-    match language {
-        Language::En => en,
-        Language::De => de,
-    }
+    pick(language, en, de)
 }

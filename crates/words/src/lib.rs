@@ -91,11 +91,11 @@ pub use usage::{Usage, UsageHint, usage_hint, usage_text};
 
 use quantities::Language;
 
-/// Chooses between the two languages.
-pub(crate) fn either(language: Language, en: impl Into<String>, de: impl Into<String>) -> String {
+/// That of the language.
+pub(crate) const fn pick<T: Copy>(language: Language, en: T, de: T) -> T {
     match language {
-        Language::En => en.into(),
-        Language::De => de.into(),
+        Language::En => en,
+        Language::De => de,
     }
 }
 

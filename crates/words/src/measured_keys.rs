@@ -1,5 +1,6 @@
 //! Words of the keys of a record of measured values.
 
+use crate::pick;
 use crate::{commission, measurand_name, terms};
 use installation::commission::expected::Measurand;
 use project::MeasuredKey;
@@ -47,10 +48,7 @@ pub const fn measured_label(key: MeasuredKey, language: Language) -> &'static st
         | MeasuredKey::Brake(_)
         | MeasuredKey::NoLoad(NoLoadName::current) => ("", ""),
     };
-    match language {
-        Language::En => en,
-        Language::De => de,
-    }
+    pick(language, en, de)
 }
 
 /// What a key of a record is for.
@@ -131,8 +129,5 @@ pub const fn measured_key_text(key: MeasuredKey, language: Language) -> &'static
         MeasuredKey::NoLoad(NoLoadName::current) => ("rms, torque-producing", "effektiv, drehmomentbildend"),
         MeasuredKey::NoLoad(NoLoadName::temperature) => ("of the housing", "des Gehäuses"),
     };
-    match language {
-        Language::En => en,
-        Language::De => de,
-    }
+    pick(language, en, de)
 }

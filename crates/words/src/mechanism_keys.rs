@@ -1,5 +1,6 @@
 //! Words of the mechanisms and of their keys.
 
+use crate::pick;
 use project::names::{
     ArmName, BeltName, ConveyorName, FourBarName, HoistName, JointName, MechanismName, MechanismsName, ScissorLiftName,
     ScrewName, SliderCrankName, TableName, TurntableName, WinderName,
@@ -32,10 +33,7 @@ pub(crate) const fn mechanism_text(name: MechanismsName, language: Language) -> 
             "Massenträgheitsmoment und Moment über der Stellung",
         ),
     };
-    match language {
-        Language::En => en,
-        Language::De => de,
-    }
+    pick(language, en, de)
 }
 
 /// What a key of a mechanism is for.
@@ -134,8 +132,5 @@ pub(crate) const fn mechanism_key_text(name: MechanismName, language: Language) 
             "größtes Moment, das den Arm im Stillstand hält, für die Bremse",
         ),
     };
-    match language {
-        Language::En => en,
-        Language::De => de,
-    }
+    pick(language, en, de)
 }

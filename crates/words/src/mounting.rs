@@ -1,6 +1,7 @@
 //! Words about mounting: fits, bores, screw joints.
 
-use super::{either, quantity_fault, quantity_hint};
+use super::{quantity_fault, quantity_hint};
+use crate::pick;
 use crate::texts::texts;
 use installation::fit::{BoreFault, FitKind, Side};
 use installation::joint::LoadCase;
@@ -14,7 +15,7 @@ pub fn side_title(side: Side, language: Language) -> String {
         Side::Load => ("load", "Last"),
         Side::Housing => ("housing", "Gehäuse"),
     };
-    either(language, en, de)
+    pick(language, en, de).to_owned()
 }
 
 /// What a fit is by ISO 286-1.
@@ -25,7 +26,7 @@ pub fn fit_word(kind: FitKind, language: Language) -> String {
         FitKind::Transition => ("transition fit", "Übergangspassung"),
         FitKind::Interference => ("interference fit", "Übermaßpassung"),
     };
-    either(language, en, de)
+    pick(language, en, de).to_owned()
 }
 
 /// What loads a joint.
@@ -37,7 +38,7 @@ pub fn load_case_title(case: LoadCase, language: Language) -> String {
         LoadCase::Brake => ("brake holds or stops", "Bremse hält oder stoppt"),
         LoadCase::StaticMoment => ("tilting at rest", "Kippen im Stillstand"),
     };
-    either(language, en, de)
+    pick(language, en, de).to_owned()
 }
 
 /// What is wrong with a bore, and what would be right.

@@ -1,78 +1,59 @@
 //! What the data in print say, which have their texts in both languages.
 
+use crate::pick;
 use catalogue::{Cell, Document, Erratum, Footnote, Table, Term, Word};
 use quantities::Language;
 
 /// The title of a printed table.
 #[must_use]
 pub const fn table_title(table: &Table, language: Language) -> &'static str {
-    match language {
-        Language::En => table.title_en,
-        Language::De => table.title_de,
-    }
+    pick(language, table.title_en, table.title_de)
 }
 
 /// What a note of a printed table says.
 #[must_use]
 pub const fn table_note(note: &Footnote, language: Language) -> &'static str {
-    match language {
-        Language::En => note.en,
-        Language::De => note.de,
-    }
+    pick(language, note.en, note.de)
 }
 
 /// What a cell says after errata.
 #[must_use]
 pub fn cell_text(cell: &Cell, language: Language) -> &'static str {
-    match language {
-        Language::En => cell.corrected_en(),
-        Language::De => cell.corrected,
-    }
+    pick(language, cell.corrected_en(), cell.corrected)
 }
 
 /// What an erratum recovered, what is printed, and what is right.
 #[must_use]
 pub const fn erratum_readings(erratum: &Erratum, language: Language) -> (Option<&'static str>, [&'static str; 2]) {
-    match language {
-        Language::En => (erratum.recovered, [erratum.printed, erratum.corrected]),
-        Language::De => (erratum.recovered_de, [erratum.printed_de, erratum.corrected_de]),
-    }
+    pick(
+        language,
+        (erratum.recovered, [erratum.printed, erratum.corrected]),
+        (erratum.recovered_de, [erratum.printed_de, erratum.corrected_de]),
+    )
 }
 
 /// The remark on a document, which there is in English only; empty in another language.
 #[must_use]
 pub const fn document_note(document: &Document, language: Language) -> &'static str {
-    match language {
-        Language::En => document.note,
-        Language::De => "",
-    }
+    pick(language, document.note, "")
 }
 
 /// What a word of the glossary means.
 #[must_use]
 pub const fn word_meaning(word: &Word, language: Language) -> &'static str {
-    match language {
-        Language::En => word.about_en,
-        Language::De => word.about_de,
-    }
+    pick(language, word.about_en, word.about_de)
 }
 
 /// The remark on a term of the glossary.
 #[must_use]
 pub const fn term_remark(term: &Term, language: Language) -> &'static str {
-    match language {
-        Language::En => term.note_en,
-        Language::De => term.note_de,
-    }
+    pick(language, term.note_en, term.note_de)
 }
 
 /// A text in both languages: that of the requested language first.
 #[must_use]
 pub const fn own_and_foreign<'t>(en: &'t str, de: &'t str, language: Language) -> [&'t str; 2] {
-    match language {
-        Language::En => [en, de],
-        Language::De => [de, en],
-    }
+    pick(language, [en, de], [de, en])
 }
 
 /// Printed numbers have a decimal comma; English readers get a point. Texts stay as they are.

@@ -1,6 +1,6 @@
 //! Words about texts that are no quantities, and plain numbers.
 
-use super::either;
+use crate::texts::said;
 use quantities::{Dimension, Language, QuantityError, format_significant};
 
 /// What is wrong with a text that should be a quantity, in one sentence.
@@ -8,42 +8,35 @@ use quantities::{Dimension, Language, QuantityError, format_significant};
 pub fn quantity_fault(error: &QuantityError, language: Language) -> String {
     let wanted = |expected: Dimension| {
         let (name, example) = (expected.name_with_article(language), expected.example());
-        either(
-            language,
-            format!("expected {name} such as \"{example}\""),
-            format!("erwartet wird {name}, zum Beispiel „{example}“"),
-        )
+        said!(language => "expected {name} such as \"{example}\"" | "erwartet wird {name}, zum Beispiel „{example}“")
     };
     match error {
         QuantityError::Empty { expected, .. } => {
             let wanted = wanted(*expected);
-            either(language, format!("empty, {wanted}"), format!("leer: {wanted}"))
+            said!(language => "empty, {wanted}" | "leer: {wanted}")
         }
         QuantityError::NumberMissing { found, expected, .. } => {
             let wanted = wanted(*expected);
-            either(
-                language,
-                format!("the number is missing before \"{found}\", {wanted}"),
-                format!("Zahl fehlt vor „{found}“: {wanted}"),
+            said!(language =>
+                "the number is missing before \"{found}\", {wanted}"
+                | "Zahl fehlt vor „{found}“: {wanted}"
             )
         }
         QuantityError::NumberUnreadable { found, .. } => {
-            either(language, format!("\"{found}\" is not a number"), format!("„{found}“ ist keine Zahl"))
+            said!(language => "\"{found}\" is not a number" | "„{found}“ ist keine Zahl")
         }
         QuantityError::DecimalComma { found, .. } => {
-            either(language, format!("decimal comma in \"{found}\""), format!("Dezimalkomma in „{found}“"))
+            said!(language => "decimal comma in \"{found}\"" | "Dezimalkomma in „{found}“")
         }
-        QuantityError::NotFinite { found, .. } => either(
-            language,
-            format!("\"{found}\" is not a finite number"),
-            format!("„{found}“ ist keine endliche Zahl"),
-        ),
+        QuantityError::NotFinite { found, .. } => {
+            said!(language => "\"{found}\" is not a finite number" | "„{found}“ ist keine endliche Zahl")
+        }
         QuantityError::UnitMissing { expected, .. } => {
             let wanted = wanted(*expected);
-            either(language, format!("the unit is missing, {wanted}"), format!("Einheit fehlt: {wanted}"))
+            said!(language => "the unit is missing, {wanted}" | "Einheit fehlt: {wanted}")
         }
         QuantityError::UnitUnknown { found, .. } => {
-            either(language, format!("unknown unit \"{found}\""), format!("unbekannte Einheit „{found}“"))
+            said!(language => "unknown unit \"{found}\"" | "unbekannte Einheit „{found}“")
         }
         QuantityError::WrongQuantity { found, measures, expected, .. } => {
             let name = measures.name(language);
@@ -58,17 +51,15 @@ pub fn quantity_fault(error: &QuantityError, language: Language) -> String {
             }
         }
         QuantityError::ToleranceMissing { .. } => {
-            either(language, "the half-width of the tolerance is missing", "die halbe Breite der Toleranz fehlt")
+            said!(language => "the half-width of the tolerance is missing" | "die halbe Breite der Toleranz fehlt")
         }
-        QuantityError::ToleranceNegative { .. } => either(
-            language,
-            "the half-width of a tolerance must not be negative",
-            "die halbe Breite einer Toleranz darf nicht negativ sein",
+        QuantityError::ToleranceNegative { .. } => said!(language =>
+            "the half-width of a tolerance must not be negative"
+            | "die halbe Breite einer Toleranz darf nicht negativ sein"
         ),
-        QuantityError::ToleranceOfOffsetScale { .. } => either(
-            language,
-            "a percent of a temperature in °C has no meaning: its zero is arbitrary",
-            "ein Prozentsatz einer Temperatur in °C hat keine Bedeutung: ihr Nullpunkt ist willkürlich",
+        QuantityError::ToleranceOfOffsetScale { .. } => said!(language =>
+            "a percent of a temperature in °C has no meaning: its zero is arbitrary"
+            | "ein Prozentsatz einer Temperatur in °C hat keine Bedeutung: ihr Nullpunkt ist willkürlich"
         ),
     }
 }
@@ -98,24 +89,22 @@ pub fn quantity_hint(error: &QuantityError, language: Language) -> Option<String
                 (Some(unit), Language::De) => format!("gemeint ist vielleicht „{}“; {units}", unit.ascii),
             })
         }
-        QuantityError::WrongQuantity { measures: Dimension::EffectiveVoltage, expected: Dimension::Voltage, .. } => {
-            Some(match language {
-                Language::En => "a DC voltage is stated, \"560 V\"; for the mains of a rectifier there is [requirements] mains = \"400 V\""
-                    .to_owned(),
-                Language::De => "angegeben wird eine Gleichspannung, „560 V“; für das Netz eines Gleichrichters gibt es [requirements] mains = \"400 V\""
-                    .to_owned(),
-            })
-        }
+        QuantityError::WrongQuantity {
+            measures: Dimension::EffectiveVoltage, expected: Dimension::Voltage, ..
+        } => Some(said!(language =>
+            "a DC voltage is stated, \"560 V\"; for the mains of a rectifier there is [requirements] mains = \"400 V\""
+            | "angegeben wird eine Gleichspannung, „560 V“; für das Netz eines Gleichrichters gibt es [requirements] mains = \"400 V\""
+        )),
         QuantityError::WrongQuantity { expected, .. } => Some(units(*expected, language)),
         QuantityError::ToleranceNegative { .. } => None,
-        QuantityError::ToleranceMissing { .. } => Some(match language {
-            Language::En => "for example \"± 10 %\", or a quantity of the same kind".to_owned(),
-            Language::De => "zum Beispiel „± 10 %“, oder eine Größe derselben Art".to_owned(),
-        }),
-        QuantityError::ToleranceOfOffsetScale { .. } => Some(match language {
-            Language::En => "write the half-width in kelvin, for example \"40 degC ± 5 K\"".to_owned(),
-            Language::De => "die halbe Breite in Kelvin schreiben, zum Beispiel „40 degC ± 5 K“".to_owned(),
-        }),
+        QuantityError::ToleranceMissing { .. } => Some(said!(language =>
+            "for example \"± 10 %\", or a quantity of the same kind"
+            | "zum Beispiel „± 10 %“, oder eine Größe derselben Art"
+        )),
+        QuantityError::ToleranceOfOffsetScale { .. } => Some(said!(language =>
+            "write the half-width in kelvin, for example \"40 degC ± 5 K\""
+            | "die halbe Breite in Kelvin schreiben, zum Beispiel „40 degC ± 5 K“"
+        )),
     }
 }
 
@@ -143,10 +132,7 @@ pub(crate) fn hint_of_several(error: &QuantityError, also: &[Dimension], languag
 fn units(dimension: Dimension, language: Language) -> String {
     let names: Vec<&str> = dimension.units().iter().map(|unit| unit.ascii).collect();
     let (name, names) = (dimension.name(language), names.join(", "));
-    match language {
-        Language::En => format!("units of {name}: {names}"),
-        Language::De => format!("Einheiten für {name}: {names}"),
-    }
+    said!(language => "units of {name}: {names}" | "Einheiten für {name}: {names}")
 }
 
 /// The number with a decimal point; where the comma may have grouped thousands, also without it.
@@ -156,10 +142,7 @@ fn point_hint(found: &str, language: Language) -> String {
     let point = format!("{whole}{zero}.{fraction}");
     let grouped = Some((whole, fraction)).filter(|_| zero.is_empty() && fraction.len() == 3);
     match (language, grouped) {
-        _ if found.ends_with('…') => match language {
-            Language::En => "write a decimal point".to_owned(),
-            Language::De => "mit Dezimalpunkt schreiben".to_owned(),
-        },
+        _ if found.ends_with('…') => said!(language => "write a decimal point" | "mit Dezimalpunkt schreiben"),
         (Language::En, None) => format!("write a decimal point: {point}"),
         (Language::De, None) => format!("mit Dezimalpunkt schreiben: {point}"),
         (Language::En, Some((whole, fraction))) => {

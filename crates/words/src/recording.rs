@@ -2,7 +2,8 @@
 
 mod beyond;
 
-use super::either;
+use crate::pick;
+use crate::texts::said;
 use beyond::{beyond, damage};
 use quantities::unit::SECOND;
 use quantities::{Dimension, Language, Measure, Time, Unit, format_significant};
@@ -10,93 +11,89 @@ use recording::{Encoding, Fault, FileRow, GAP_FACTOR, KnownBy, MAGNITUDE_MAX, Ne
 
 /// What is wrong with a recording, and what to do about it.
 pub(super) fn fault(fault: &Fault, language: Language) -> (String, Option<String>) {
-    let e = |en: String, de: String| either(language, en, de);
-    let t = |en: &str, de: &str| Some(either(language, en, de));
     let q = |text: &str| quoted(text, language);
     match fault {
         Fault::ReadFailed { line, kind } => (
-            e(
-                format!("line {line}: the file cannot be read on: {kind}"),
-                format!("Zeile {line}: die Datei ist nicht weiter lesbar: {kind}"),
+            said!(language =>
+                "line {line}: the file cannot be read on: {kind}"
+                | "Zeile {line}: die Datei ist nicht weiter lesbar: {kind}"
             ),
             None,
         ),
         Fault::NoHeader => (
-            either(language, "the file has no header line", "die Datei hat keine Kopfzeile"),
-            t(
-                "the first line names the columns, for example time [s];q [deg]",
-                "die erste Zeile nennt die Spalten, zum Beispiel time [s];q [deg]",
-            ),
+            said!(language => "the file has no header line" | "die Datei hat keine Kopfzeile"),
+            Some(said!(language =>
+                "the first line names the columns, for example time [s];q [deg]"
+                | "die erste Zeile nennt die Spalten, zum Beispiel time [s];q [deg]"
+            )),
         ),
         Fault::LineTooLong { line, most } => (
-            e(
-                format!("line {line}: longer than {} KiB", most / 1024),
-                format!("Zeile {line}: länger als {} KiB", most / 1024),
-            ),
-            t("is this a CSV with one sample per line?", "ist das eine CSV mit einem Abtastwert je Zeile?"),
+            said!(language => "line {line}: longer than {} KiB" | "Zeile {line}: länger als {} KiB", most / 1024),
+            Some(said!(language =>
+                "is this a CSV with one sample per line?"
+                | "ist das eine CSV mit einem Abtastwert je Zeile?"
+            )),
         ),
         Fault::QuoteOpen { line } => (
-            e(
-                format!("line {line}: a cell in quotes does not end in this line"),
-                format!("Zeile {line}: eine Zelle in Anführungszeichen endet nicht in dieser Zeile"),
+            said!(language =>
+                "line {line}: a cell in quotes does not end in this line"
+                | "Zeile {line}: eine Zelle in Anführungszeichen endet nicht in dieser Zeile"
             ),
             None,
         ),
         Fault::Ragged { line, found, expected } => (
-            e(
-                format!("line {line}: {found} cells, the header has {expected}"),
-                format!("Zeile {line}: {found} Zellen, die Kopfzeile hat {expected}"),
+            said!(language =>
+                "line {line}: {found} cells, the header has {expected}"
+                | "Zeile {line}: {found} Zellen, die Kopfzeile hat {expected}"
             ),
             None,
         ),
         Fault::WindowReversed { from, to } => {
             let (from, to) = (seconds(*from, language), seconds(*to, language));
             (
-                e(
-                    format!("the window ends at {to}, before it begins at {from}"),
-                    format!("das Zeitfenster endet bei {to}, bevor es bei {from} beginnt"),
+                said!(language =>
+                    "the window ends at {to}, before it begins at {from}"
+                    | "das Zeitfenster endet bei {to}, bevor es bei {from} beginnt"
                 ),
                 None,
             )
         }
         Fault::TooFewSamples { found, least, outside, span } => (
             match outside {
-                0 => e(
-                    format!("the file has {found} samples, at least {least} are needed"),
-                    format!("die Datei hat {found} Abtastwerte, nötig sind mindestens {least}"),
+                0 => said!(language =>
+                    "the file has {found} samples, at least {least} are needed"
+                    | "die Datei hat {found} Abtastwerte, nötig sind mindestens {least}"
                 ),
-                _ => e(
-                    format!("{found} samples lie in the window and {outside} outside, at least {least} are needed"),
-                    format!(
-                        "im Zeitfenster liegen {found} Abtastwerte, außerhalb {outside}; nötig sind mindestens {least}"
-                    ),
+                _ => said!(language =>
+                    "{found} samples lie in the window and {outside} outside, at least {least} are needed"
+                    | "im Zeitfenster liegen {found} Abtastwerte, außerhalb {outside}; nötig sind mindestens {least}"
                 ),
             },
             span.filter(|_| *outside > 0).map(|[first, last]| {
                 let (first, last) = (stamp(first, language), stamp(last, language));
-                e(format!("the file runs from {first} to {last}"), format!("die Datei reicht von {first} bis {last}"))
+                said!(language => "the file runs from {first} to {last}" | "die Datei reicht von {first} bis {last}")
             }),
         ),
         Fault::TooManySamples { most } => (
-            e(format!("the file has more than {most} samples"), format!("die Datei hat mehr als {most} Abtastwerte")),
-            t("select a part with from and to", "mit from und to einen Abschnitt wählen"),
+            said!(language => "the file has more than {most} samples" | "die Datei hat mehr als {most} Abtastwerte"),
+            Some(said!(language => "select a part with from and to" | "mit from und to einen Abschnitt wählen")),
         ),
         Fault::ParquetUnreadable { reason } => {
             let reason = damage(reason, language);
             (
-                e(
-                    format!("the Parquet file cannot be read: {reason}"),
-                    format!("die Parquet-Datei ist nicht lesbar: {reason}"),
+                said!(language =>
+                    "the Parquet file cannot be read: {reason}"
+                    | "die Parquet-Datei ist nicht lesbar: {reason}"
                 ),
-                t(
-                    "uncompressed, snappy, zstd, gzip and lz4 files without encryption are read",
-                    "gelesen werden unverschlüsselte Dateien ohne Kompression oder mit snappy, zstd, gzip, lz4",
-                ),
+                Some(said!(language =>
+                    "uncompressed, snappy, zstd, gzip and lz4 files without encryption are read"
+                    | "gelesen werden unverschlüsselte Dateien ohne Kompression oder mit snappy, zstd, gzip, lz4"
+                )),
             )
         }
         Fault::Beyond { limit, found, most } => beyond(*limit, *found, *most, language),
         Fault::More { count: 0, .. } => {
-            (either(language, "the rest of the file was not read", "der Rest der Datei wurde nicht gelesen"), None)
+            (said!(language => "the rest of the file was not read" | "der Rest der Datei wurde nicht gelesen"), None)
         }
         Fault::More { count, stopped } => (
             {
@@ -105,55 +102,53 @@ pub(super) fn fault(fault: &Fault, language: Language) -> (String, Option<String
                     count => (format!("{count} more faults"), format!("{count} weitere Fehler")),
                 };
                 match stopped {
-                    false => e(format!("and {faults}"), format!("und {further}")),
-                    true => e(
-                        format!("and {faults}; the rest of the file was not read"),
-                        format!("und {further}; der Rest der Datei wurde nicht gelesen"),
+                    false => said!(language => "and {faults}" | "und {further}"),
+                    true => said!(language =>
+                        "and {faults}; the rest of the file was not read"
+                        | "und {further}; der Rest der Datei wurde nicht gelesen"
                     ),
                 }
             },
             None,
         ),
         Fault::ColumnUnknown { role, name, nearest, headers } => (
-            e(
-                format!("no column is named {} ({})", q(name), role_text(*role, language)),
-                format!("keine Spalte heißt {} ({})", q(name), role_text(*role, language)),
+            said!(language =>
+                "no column is named {} ({})"
+                | "keine Spalte heißt {} ({})", q(name), role_text(*role, language)
             ),
             Some(match nearest {
-                Some(nearest) => e(format!("did you mean {}?", q(nearest)), format!("ist {} gemeint?", q(nearest))),
+                Some(nearest) => said!(language => "did you mean {}?" | "ist {} gemeint?", q(nearest)),
                 None => columns(headers, language),
             }),
         ),
         Fault::ColumnTwice { column, roles: [first, second] } => {
             let (first, second) = (role_text(*first, language), role_text(*second, language));
             (
-                e(
-                    format!("the column {} is named as {first} and as {second}", q(column)),
-                    format!("die Spalte {} ist als {first} und als {second} angegeben", q(column)),
+                said!(language =>
+                    "the column {} is named as {first} and as {second}"
+                    | "die Spalte {} ist als {first} und als {second} angegeben", q(column)
                 ),
                 None,
             )
         }
         Fault::NoTable => (
-            either(
-                language,
-                "this is no table of numbers: no number stands under the first line",
-                "das ist keine Tabelle aus Zahlen: unter der ersten Zeile steht keine Zahl",
+            said!(language =>
+                "this is no table of numbers: no number stands under the first line"
+                | "das ist keine Tabelle aus Zahlen: unter der ersten Zeile steht keine Zahl"
             ),
-            t(
-                "the first line names the columns, for example time [s];q [deg], and a row of numbers follows",
-                "die erste Zeile nennt die Spalten, zum Beispiel time [s];q [deg], dann folgt eine Zeile mit Zahlen",
-            ),
+            Some(said!(language =>
+                "the first line names the columns, for example time [s];q [deg], and a row of numbers follows"
+                | "die erste Zeile nennt die Spalten, zum Beispiel time [s];q [deg], dann folgt eine Zeile mit Zahlen"
+            )),
         ),
         Fault::TimeMissing { headers, near } => (
-            either(language, "no column of time is found", "es gibt keine Spalte für die Zeit"),
+            said!(language => "no column of time is found" | "es gibt keine Spalte für die Zeit"),
             Some(columns_and_names(headers, near, "time", &[Role::Time], language)),
         ),
         Fault::CourseMissing { headers, near } => (
-            either(
-                language,
-                "neither a column of position nor one of speed is found",
-                "es gibt weder eine Spalte für die Position noch eine für die Geschwindigkeit",
+            said!(language =>
+                "neither a column of position nor one of speed is found"
+                | "es gibt weder eine Spalte für die Position noch eine für die Geschwindigkeit"
             ),
             Some(columns_and_names(headers, near, "position or speed", &[Role::Position, Role::Speed], language)),
         ),
@@ -161,33 +156,27 @@ pub(super) fn fault(fault: &Fault, language: Language) -> (String, Option<String
             let list = list(columns, language);
             let (role, key) = (role_text(*role, language), role_key(*role));
             (
-                e(
-                    format!("several columns could be the {role}: {list}"),
-                    format!("mehrere Spalten kommen für {role} in Frage: {list}"),
+                said!(language =>
+                    "several columns could be the {role}: {list}"
+                    | "mehrere Spalten kommen für {role} in Frage: {list}"
                 ),
-                Some(e(format!("name the one in columns.{key}"), format!("die richtige in columns.{key} nennen"))),
+                Some(said!(language => "name the one in columns.{key}" | "die richtige in columns.{key} nennen")),
             )
         }
         Fault::UnitMissing { role, column } => (
-            e(format!("the unit of {} is missing", q(column)), format!("die Einheit von {} fehlt", q(column))),
-            Some(e(
-                format!(
-                    "write it behind the name, for example {}, or in a row under the header",
-                    header(column, *role)
-                ),
-                format!(
-                    "sie steht hinter dem Namen, zum Beispiel {}, oder in einer Zeile unter der Kopfzeile",
-                    header(column, *role)
-                ),
+            said!(language => "the unit of {} is missing" | "die Einheit von {} fehlt", q(column)),
+            Some(said!(language =>
+                "write it behind the name, for example {}, or in a row under the header"
+                | "sie steht hinter dem Namen, zum Beispiel {}, oder in einer Zeile unter der Kopfzeile", header(column, *role)
             )),
         ),
         Fault::UnitUnknown { role, column, text, by, nearest } => (
-            e(
-                format!("{} is not a known unit ({}, {})", q(text), q(column), known_by(*by, language)),
-                format!("{} ist keine bekannte Einheit ({}, {})", q(text), q(column), known_by(*by, language)),
+            said!(language =>
+                "{} is not a known unit ({}, {})"
+                | "{} ist keine bekannte Einheit ({}, {})", q(text), q(column), known_by(*by, language)
             ),
             Some(match nearest {
-                Some(unit) => e(format!("did you mean {}?", q(unit.ascii)), format!("ist {} gemeint?", q(unit.ascii))),
+                Some(unit) => said!(language => "did you mean {}?" | "ist {} gemeint?", q(unit.ascii)),
                 None => valid_units(*role, language),
             }),
         ),
@@ -195,9 +184,9 @@ pub(super) fn fault(fault: &Fault, language: Language) -> (String, Option<String
             let (measures, by) = (unit.dimension.name(language), known_by(*by, language));
             let (unit, column, role_name) = (q(unit.ascii), q(column), role_text(*role, language));
             (
-                e(
-                    format!("{unit} is a unit of {measures}, {column} is read as {role_name} ({by})"),
-                    format!("{unit} ist eine Einheit für {measures}, {column} wird als {role_name} gelesen ({by})"),
+                said!(language =>
+                    "{unit} is a unit of {measures}, {column} is read as {role_name} ({by})"
+                    | "{unit} ist eine Einheit für {measures}, {column} wird als {role_name} gelesen ({by})"
                 ),
                 Some(valid_units(*role, language)),
             )
@@ -205,19 +194,9 @@ pub(super) fn fault(fault: &Fault, language: Language) -> (String, Option<String
         Fault::UnitContradiction { column, units: [first, second], by: [first_by, second_by] } => {
             let (first_by, second_by) = (known_by(*first_by, language), known_by(*second_by, language));
             (
-                e(
-                    format!(
-                        "two units for {}: {} ({first_by}) and {} ({second_by})",
-                        q(column),
-                        first.ascii,
-                        second.ascii
-                    ),
-                    format!(
-                        "zwei Einheiten für {}: {} ({first_by}) und {} ({second_by})",
-                        q(column),
-                        first.ascii,
-                        second.ascii
-                    ),
+                said!(language =>
+                    "two units for {}: {} ({first_by}) and {} ({second_by})"
+                    | "zwei Einheiten für {}: {} ({first_by}) und {} ({second_by})", q(column), first.ascii, second.ascii
                 ),
                 None,
             )
@@ -225,124 +204,96 @@ pub(super) fn fault(fault: &Fault, language: Language) -> (String, Option<String
         Fault::CourseMixed { position, speed } => {
             let (position, speed) = (position.name_with_article(language), speed.name_with_article(language));
             (
-                e(
-                    format!("position and speed do not belong together: {position} and {speed}"),
-                    format!("Position und Geschwindigkeit widersprechen sich: {position} und {speed}"),
+                said!(language =>
+                    "position and speed do not belong together: {position} and {speed}"
+                    | "Position und Geschwindigkeit widersprechen sich: {position} und {speed}"
                 ),
-                Some(either(language, "leave one of the two columns out", "eine der beiden Spalten weglassen")),
+                Some(said!(language => "leave one of the two columns out" | "eine der beiden Spalten weglassen")),
             )
         }
         Fault::ColumnType { column, found } => (
-            e(
-                format!("the column {} holds {found}, no plain numbers", q(column)),
-                format!("die Spalte {} enthält {found}, keine einfachen Zahlen", q(column)),
+            said!(language =>
+                "the column {} holds {found}, no plain numbers"
+                | "die Spalte {} enthält {found}, keine einfachen Zahlen", q(column)
             ),
-            Some(either(
-                language,
-                "float, double and integers without a scale are read",
-                "gelesen werden float, double und ganze Zahlen ohne Skalierung",
+            Some(said!(language =>
+                "float, double and integers without a scale are read"
+                | "gelesen werden float, double und ganze Zahlen ohne Skalierung"
             )),
         ),
         Fault::ValueMissing { at, column } => (
-            e(
-                format!("{}: the value of {} is missing", place(*at, language), q(column)),
-                format!("{}: der Wert von {} fehlt", place(*at, language), q(column)),
+            said!(language =>
+                "{}: the value of {} is missing"
+                | "{}: der Wert von {} fehlt", place(*at, language), q(column)
             ),
             None,
         ),
         Fault::ValueUnreadable { at, column, text } => (
             match text {
-                Some(text) => e(
-                    format!("{}: {} in {} is not a number", place(*at, language), q(text), q(column)),
-                    format!("{}: {} in {} ist keine Zahl", place(*at, language), q(text), q(column)),
+                Some(text) => said!(language =>
+                    "{}: {} in {} is not a number"
+                    | "{}: {} in {} ist keine Zahl", place(*at, language), q(text), q(column)
                 ),
-                None => e(
-                    format!("{}: the value of {} is not a number", place(*at, language), q(column)),
-                    format!("{}: der Wert von {} ist keine Zahl", place(*at, language), q(column)),
+                None => said!(language =>
+                    "{}: the value of {} is not a number"
+                    | "{}: der Wert von {} ist keine Zahl", place(*at, language), q(column)
                 ),
             },
             None,
         ),
         Fault::ValueNotFinite { at, column, text } => (
-            e(
-                format!("{}: {} in {} is not a finite number", place(*at, language), q(text), q(column)),
-                format!("{}: {} in {} ist keine endliche Zahl", place(*at, language), q(text), q(column)),
+            said!(language =>
+                "{}: {} in {} is not a finite number"
+                | "{}: {} in {} ist keine endliche Zahl", place(*at, language), q(text), q(column)
             ),
             None,
         ),
         Fault::ValueImplausible { at, column, text } => {
             let most = format_significant(MAGNITUDE_MAX, 1, language);
             (
-                e(
-                    format!(
-                        "{}: {} in {} is more than any machine does; read are magnitudes up to {most} in SI",
-                        place(*at, language),
-                        q(text),
-                        q(column)
-                    ),
-                    format!(
-                        "{}: {} in {} ist mehr, als eine Maschine tut; gelesen werden Beträge bis {most} in SI",
-                        place(*at, language),
-                        q(text),
-                        q(column)
-                    ),
+                said!(language =>
+                    "{}: {} in {} is more than any machine does; read are magnitudes up to {most} in SI"
+                    | "{}: {} in {} ist mehr, als eine Maschine tut; gelesen werden Beträge bis {most} in SI", place(*at, language), q(text), q(column)
                 ),
-                Some(either(language, "is the unit of the column right?", "stimmt die Einheit der Spalte?")),
+                Some(said!(language => "is the unit of the column right?" | "stimmt die Einheit der Spalte?")),
             )
         }
         Fault::TooClose { at, length } => {
             let (length, least) = (seconds(*length, language), seconds(Time::from_si(STEP_MIN_S), language));
             (
-                e(
-                    format!(
-                        "{}: only {length} after the sample before, at least {least} are needed",
-                        place(*at, language)
-                    ),
-                    format!(
-                        "{}: nur {length} nach dem Abtastwert davor, nötig sind mindestens {least}",
-                        place(*at, language)
-                    ),
+                said!(language =>
+                    "{}: only {length} after the sample before, at least {least} are needed"
+                    | "{}: nur {length} nach dem Abtastwert davor, nötig sind mindestens {least}", place(*at, language)
                 ),
-                Some(either(language, "is the unit of time right?", "stimmt die Einheit der Zeit?")),
+                Some(said!(language => "is the unit of time right?" | "stimmt die Einheit der Zeit?")),
             )
         }
         Fault::DecimalMixed { line, column, text, decided } => (
-            e(
-                format!("line {line}: {} in {} has another decimal sign than line {decided}", q(text), q(column)),
-                format!(
-                    "Zeile {line}: {} in {} hat ein anderes Dezimalzeichen als Zeile {decided}",
-                    q(text),
-                    q(column)
-                ),
+            said!(language =>
+                "line {line}: {} in {} has another decimal sign than line {decided}"
+                | "Zeile {line}: {} in {} hat ein anderes Dezimalzeichen als Zeile {decided}", q(text), q(column)
             ),
-            Some(either(
-                language,
-                "use either points or commas in the whole file, and no sign between thousands",
-                "in der ganzen Datei entweder Punkt oder Komma, und kein Zeichen zwischen Tausendern",
+            Some(said!(language =>
+                "use either points or commas in the whole file, and no sign between thousands"
+                | "in der ganzen Datei entweder Punkt oder Komma, und kein Zeichen zwischen Tausendern"
             )),
         ),
         Fault::ThousandsGrouped { at, column, text } => (
-            e(
-                format!("{}: {} in {} has signs between its thousands", place(*at, language), q(text), q(column)),
-                format!(
-                    "{}: {} in {} hat Trennzeichen zwischen den Tausendern",
-                    place(*at, language),
-                    q(text),
-                    q(column)
-                ),
+            said!(language =>
+                "{}: {} in {} has signs between its thousands"
+                | "{}: {} in {} hat Trennzeichen zwischen den Tausendern", place(*at, language), q(text), q(column)
             ),
-            Some(either(
-                language,
-                "export the numbers without a thousands separator: 1234.5 or 1234,5",
-                "die Zahlen ohne Tausendertrennzeichen ausgeben: 1234,5 oder 1234.5",
+            Some(said!(language =>
+                "export the numbers without a thousands separator: 1234.5 or 1234,5"
+                | "die Zahlen ohne Tausendertrennzeichen ausgeben: 1234,5 oder 1234.5"
             )),
         ),
         Fault::Backwards { at, time, before } => {
             let (time, before) = (stamp(*time, language), stamp(*before, language));
             (
-                e(
-                    format!("{}: time runs backwards, {time} follows {before}", place(*at, language)),
-                    format!("{}: die Zeit läuft rückwärts, {time} folgt auf {before}", place(*at, language)),
+                said!(language =>
+                    "{}: time runs backwards, {time} follows {before}"
+                    | "{}: die Zeit läuft rückwärts, {time} folgt auf {before}", place(*at, language)
                 ),
                 None,
             )
@@ -350,10 +301,7 @@ pub(super) fn fault(fault: &Fault, language: Language) -> (String, Option<String
         Fault::SameTime { at, first, time } => {
             let (at, first, time) = (place(*at, language), place(*first, language), stamp(*time, language));
             (
-                e(
-                    format!("{at}: the same time as {first}, {time}"),
-                    format!("{at}: dieselbe Zeit wie {first}, {time}"),
-                ),
+                said!(language => "{at}: the same time as {first}, {time}" | "{at}: dieselbe Zeit wie {first}, {time}"),
                 None,
             )
         }
@@ -361,30 +309,17 @@ pub(super) fn fault(fault: &Fault, language: Language) -> (String, Option<String
             let (length, median) = (seconds(*length, language), seconds(*median, language));
             let factor = format_significant(GAP_FACTOR, 2, language);
             (
-                e(
-                    format!(
-                        "{}: a gap of {length} before this sample, more than {factor} times the median interval of {median}",
-                        place(*at, language)
-                    ),
-                    format!(
-                        "{}: vor diesem Abtastwert liegt eine Lücke von {length}, mehr als das {factor}-Fache des mittleren \
-                         Abstands (Median) von {median}",
-                        place(*at, language)
-                    ),
-                ),
-                Some(either(
-                    language,
-                    "select a part with from and to, or accept gaps with gaps = \"allow\"",
-                    "mit from und to einen Abschnitt wählen oder Lücken mit gaps = \"allow\" zulassen",
+                said!(language => "{}: a gap of {length} before this sample, more than {factor} times the median interval of {median}" | "{}: vor diesem Abtastwert liegt eine Lücke von {length}, mehr als das {factor}-Fache des mittleren \
+                         Abstands (Median) von {median}", place(*at, language)),
+                Some(said!(language =>
+                    "select a part with from and to, or accept gaps with gaps = \"allow\""
+                    | "mit from und to einen Abschnitt wählen oder Lücken mit gaps = \"allow\" zulassen"
                 )),
             )
         }
         Fault::Repeated { first, more } => {
             let (message, hint) = self::fault(first, language);
-            let more = match language {
-                Language::En => format!("{message}; {more} more like it"),
-                Language::De => format!("{message}; {more} weitere dieser Art"),
-            };
+            let more = said!(language => "{message}; {more} more like it" | "{message}; {more} weitere dieser Art");
             (more, hint)
         }
     }
@@ -398,17 +333,17 @@ pub fn encoding_guess(encoding: Option<Encoding>, language: Language) -> Option<
         Encoding::Utf16Guessed => "UTF-16",
         Encoding::Windows1252Guessed => "Windows-1252",
     };
-    Some(either(language, format!("text taken for {name}"), format!("Text vermutlich {name}, so gelesen")))
+    Some(said!(language => "text taken for {name}" | "Text vermutlich {name}, so gelesen"))
 }
 
 fn quoted(text: &str, language: Language) -> String {
-    either(language, format!("\"{text}\""), format!("„{text}“"))
+    said!(language => "\"{text}\"" | "„{text}“")
 }
 
 fn place(at: FileRow, language: Language) -> String {
     match at {
-        FileRow::Line(number) => either(language, format!("line {number}"), format!("Zeile {number}")),
-        FileRow::Row(number) => either(language, format!("row {number}"), format!("Reihe {number}")),
+        FileRow::Line(number) => said!(language => "line {number}" | "Zeile {number}"),
+        FileRow::Row(number) => said!(language => "row {number}" | "Reihe {number}"),
     }
 }
 
@@ -418,8 +353,8 @@ fn seconds(time: Time, language: Language) -> String {
 
 /// A time with all the digits that it was written with.
 fn stamp(stamp: Stamp, language: Language) -> String {
-    let number = stamp.value.to_string();
-    format!("{} {}", either(language, number.as_str(), number.replace('.', ",")), stamp.unit.symbol)
+    let number = stamp.value.to_string().replace('.', pick(language, ".", ","));
+    format!("{number} {}", stamp.unit.symbol)
 }
 
 const fn role_key(role: Role) -> &'static str {
@@ -435,19 +370,19 @@ const fn role_key(role: Role) -> &'static str {
 #[must_use]
 pub fn role_text(role: Role, language: Language) -> String {
     match role {
-        Role::Time => either(language, "time", "Zeit"),
-        Role::Position => either(language, "position", "Position"),
-        Role::Speed => either(language, "speed", "Geschwindigkeit"),
-        Role::Torque => either(language, "torque or force", "Drehmoment oder Kraft"),
+        Role::Time => said!(language => "time" | "Zeit"),
+        Role::Position => said!(language => "position" | "Position"),
+        Role::Speed => said!(language => "speed" | "Geschwindigkeit"),
+        Role::Torque => said!(language => "torque or force" | "Drehmoment oder Kraft"),
     }
 }
 
 fn known_by(by: KnownBy, language: Language) -> String {
     match by {
-        KnownBy::Header => either(language, "in the header", "in der Kopfzeile"),
-        KnownBy::UnitRow => either(language, "in the row of units", "in der Einheitenzeile"),
-        KnownBy::Metadata => either(language, "in the metadata", "in den Metadaten"),
-        KnownBy::Layout => either(language, "in the project file", "in der Projektdatei"),
+        KnownBy::Header => said!(language => "in the header" | "in der Kopfzeile"),
+        KnownBy::UnitRow => said!(language => "in the row of units" | "in der Einheitenzeile"),
+        KnownBy::Metadata => said!(language => "in the metadata" | "in den Metadaten"),
+        KnownBy::Layout => said!(language => "in the project file" | "in der Projektdatei"),
     }
 }
 
@@ -463,11 +398,8 @@ fn valid_units(role: Role, language: Language) -> String {
         format!("{} ({})", dimension.name_with_article(language), names.join(", "))
     };
     let expected: Vec<String> = role.dimensions().iter().map(units).collect();
-    either(
-        language,
-        format!("expected {}", expected.join(" or ")),
-        format!("erwartet wird {}", expected.join(" oder ")),
-    )
+    let expected = expected.join(pick(language, " or ", " oder "));
+    said!(language => "expected {expected}" | "erwartet wird {expected}")
 }
 
 /// The names of columns; more would only fill the screen.
@@ -482,7 +414,7 @@ fn list(names: &[String], language: Language) -> String {
 
 fn columns(headers: &[String], language: Language) -> String {
     let list = list(headers, language);
-    either(language, format!("the columns are {list}"), format!("die Spalten sind {list}"))
+    said!(language => "the columns are {list}" | "die Spalten sind {list}")
 }
 
 /// The lines that name the columns which were probably meant, or the columns and the names that are recognised.
@@ -501,19 +433,17 @@ fn columns_and_names(
         let units: Vec<String> = near.iter().filter(|near| !near.has_unit).map(|near| pair(near, "…")).collect();
         let units = if units.is_empty() { String::new() } else { format!("; units = {}", table(units)) };
         let columns = columns(headers, language);
-        return either(
-            language,
-            format!("{columns}; to be stated in the project where they are meant: columns = {names}{units}"),
-            format!("{columns}; im Projekt anzugeben, wenn diese gemeint sind: columns = {names}{units}"),
+        return said!(language =>
+            "{columns}; to be stated in the project where they are meant: columns = {names}{units}"
+            | "{columns}; im Projekt anzugeben, wenn diese gemeint sind: columns = {names}{units}"
         );
     }
     let names: Vec<&str> = roles.iter().flat_map(|role| role.names()).copied().collect();
     let (columns, names) = (columns(headers, language), names.join(", "));
     let keys_de = keys.replace(" or ", " oder ");
-    either(
-        language,
-        format!("{columns}; recognised are {names}, another one is named under {keys}"),
-        format!("{columns}; erkannt werden {names}, eine andere wird unter {keys_de} genannt"),
+    said!(language =>
+        "{columns}; recognised are {names}, another one is named under {keys}"
+        | "{columns}; erkannt werden {names}, eine andere wird unter {keys_de} genannt"
     )
 }
 

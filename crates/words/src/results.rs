@@ -1,6 +1,7 @@
 //! Words about results: checks, requirements, sources.
 
-use super::either;
+use crate::pick;
+use crate::texts::said;
 use actuator::CurveKind;
 use configurator::Unmet;
 use order_code::Brake;
@@ -22,10 +23,7 @@ pub const fn part_title(part: Part, language: Language) -> &'static str {
         Part::Feedback => ("Feedback", "Messsystem"),
         Part::Screws => ("Screw joints", "Schraubenverbindungen"),
     };
-    match language {
-        Language::En => en,
-        Language::De => de,
-    }
+    pick(language, en, de)
 }
 
 /// The title of a check.
@@ -70,7 +68,7 @@ pub fn check_title(id: CheckId, language: Language) -> String {
         CheckId::ScrewJointHousing => ("screws, housing", "Schrauben, Gehäuse"),
         CheckId::Application => ("application", "Anwendungsbereich"),
     };
-    either(language, en, de)
+    pick(language, en, de).to_owned()
 }
 
 /// The cycle of the curves of intermittent duty in minutes.
@@ -84,18 +82,17 @@ pub fn minutes(cycle: Time, language: Language) -> String {
 #[must_use]
 pub fn curve_title(kind: &CurveKind, language: Language) -> String {
     match kind {
-        CurveKind::Continuous => either(language, "continuous duty", "Dauerbetrieb"),
+        CurveKind::Continuous => said!(language => "continuous duty" | "Dauerbetrieb"),
         CurveKind::S3 { duty, cycle } => {
             let share = format_number(duty.si() * 100.0, 0, language);
             let cycle = minutes(*cycle, language);
-            either(
-                language,
-                format!("intermittent duty S3, {share} % of {cycle} min"),
-                format!("Aussetzbetrieb S3, {share} % von {cycle} min"),
+            said!(language =>
+                "intermittent duty S3, {share} % of {cycle} min"
+                | "Aussetzbetrieb S3, {share} % von {cycle} min"
             )
         }
         CurveKind::ShortTime => {
-            either(language, "short time: acceleration and braking", "Kurzzeitbetrieb: Beschleunigen und Bremsen")
+            said!(language => "short time: acceleration and braking" | "Kurzzeitbetrieb: Beschleunigen und Bremsen")
         }
     }
 }
@@ -109,7 +106,7 @@ pub fn verdict_word(verdict: Verdict, language: Language) -> String {
         Verdict::Advice => ("advice", "Hinweis"),
         Verdict::NotChecked => ("not checked", "nicht geprüft"),
     };
-    either(language, en, de)
+    pick(language, en, de).to_owned()
 }
 
 /// How many checks came to a verdict.
@@ -152,50 +149,38 @@ impl Counts {
 pub fn standing_text(fits: bool, unheld: bool, counts: &Counts, language: Language) -> String {
     let (all, missing) = (counts.checks(), counts.not_checked);
     let mut text = match (fits, counts.failed) {
-        (true, _) => either(language, "fits", "geeignet"),
-        (false, 0) => either(language, "does not fit", "nicht geeignet"),
-        (false, 1) => either(
-            language,
-            format!("does not fit: 1 of {all} checks fails"),
-            format!("nicht geeignet: 1 von {all} Nachweisen nicht erfüllt"),
+        (true, _) => said!(language => "fits" | "geeignet"),
+        (false, 0) => said!(language => "does not fit" | "nicht geeignet"),
+        (false, 1) => said!(language =>
+            "does not fit: 1 of {all} checks fails"
+            | "nicht geeignet: 1 von {all} Nachweisen nicht erfüllt"
         ),
-        (false, failed) => either(
-            language,
-            format!("does not fit: {failed} of {all} checks fail"),
-            format!("nicht geeignet: {failed} von {all} Nachweisen nicht erfüllt"),
+        (false, failed) => said!(language =>
+            "does not fit: {failed} of {all} checks fail"
+            | "nicht geeignet: {failed} von {all} Nachweisen nicht erfüllt"
         ),
     };
     if !fits {
         return text;
     }
     if unheld {
-        text += &either(
-            language,
-            ", but the load hangs and nothing holds it without power",
-            ", aber die Last hängt und ohne Strom hält sie nichts",
+        text += &said!(language =>
+            ", but the load hangs and nothing holds it without power"
+            | ", aber die Last hängt und ohne Strom hält sie nichts"
         );
     }
     text += &match missing {
         0 => String::new(),
-        1 => either(
-            language,
-            format!("; 1 of {all} checks needs data"),
-            format!("; bei 1 von {all} Nachweisen fehlen Angaben"),
-        ),
-        _ => either(
-            language,
-            format!("; {missing} of {all} checks need data"),
-            format!("; bei {missing} von {all} Nachweisen fehlen Angaben"),
+        1 => said!(language => "; 1 of {all} checks needs data" | "; bei 1 von {all} Nachweisen fehlen Angaben"),
+        _ => said!(language =>
+            "; {missing} of {all} checks need data"
+            | "; bei {missing} von {all} Nachweisen fehlen Angaben"
         ),
     };
     text += &match counts.requirements_open {
         0 => String::new(),
-        1 => either(language, "; 1 requirement needs data", "; bei 1 Anforderung fehlen Angaben"),
-        open => either(
-            language,
-            format!("; {open} requirements need data"),
-            format!("; bei {open} Anforderungen fehlen Angaben"),
-        ),
+        1 => said!(language => "; 1 requirement needs data" | "; bei 1 Anforderung fehlen Angaben"),
+        open => said!(language => "; {open} requirements need data" | "; bei {open} Anforderungen fehlen Angaben"),
     };
     text
 }
@@ -222,13 +207,13 @@ pub fn counts_text(counts: &Counts, language: Language) -> String {
 /// The verdict of a check that has a value: without a limit of the project it is only shown.
 #[must_use]
 pub fn without_limit(language: Language) -> String {
-    either(language, "no limit stated", "ohne Grenze")
+    said!(language => "no limit stated" | "ohne Grenze")
 }
 
 /// The field's word for a symbol, from the glossary; the symbol itself where the glossary has none.
 #[must_use]
 pub fn symbol_term(symbol: &str, language: Language) -> String {
-    catalogue::term(symbol).map_or_else(|| symbol.to_owned(), |term| either(language, term.en, term.de))
+    catalogue::term(symbol).map_or_else(|| symbol.to_owned(), |term| pick(language, term.en, term.de).to_owned())
 }
 
 /// Words of table conditions in German, longer phrases before their parts.
@@ -288,29 +273,27 @@ fn with_points(text: &str) -> String {
 #[must_use]
 pub fn check_missing(symbol: &str, language: Language) -> String {
     if symbol == "recorded_speed" {
-        return either(
-            language,
-            "not known: which speeds the recording holds",
-            "nicht bekannt: welche Drehzahlen die Aufzeichnung hält",
+        return said!(language =>
+            "not known: which speeds the recording holds"
+            | "nicht bekannt: welche Drehzahlen die Aufzeichnung hält"
         );
     }
     let geometry = symbol.starts_with("bearing.") && symbol != "bearing.operating_condition";
     if symbol == "gear_load" {
-        return either(
-            language,
-            "no load: the gear carries no torque in motion, and nothing limits its life",
-            "keine Last: das Getriebe überträgt in Bewegung kein Moment, nichts begrenzt seine Lebensdauer",
+        return said!(language =>
+            "no load: the gear carries no torque in motion, and nothing limits its life"
+            | "keine Last: das Getriebe überträgt in Bewegung kein Moment, nichts begrenzt seine Lebensdauer"
         );
     }
     if symbol.starts_with("mechanism.") || symbol.starts_with("stage.") || geometry {
-        return either(language, format!("not stated: {symbol}"), format!("nicht angegeben: {symbol}"));
+        return said!(language => "not stated: {symbol}" | "nicht angegeben: {symbol}");
     }
     if symbol.contains('.') {
-        return either(language, format!("no limit given: {symbol}"), format!("keine Grenze angegeben: {symbol}"));
+        return said!(language => "no limit given: {symbol}" | "keine Grenze angegeben: {symbol}");
     }
     let term = symbol_term(symbol, language);
     let shown = if term == symbol { symbol.to_owned() } else { format!("{symbol}, {term}") };
-    either(language, format!("not known: {shown}"), format!("nicht bekannt: {shown}"))
+    said!(language => "not known: {shown}" | "nicht bekannt: {shown}")
 }
 
 pub(super) fn with_unit(si: f64, unit: &Unit, digits: usize, language: Language) -> String {
@@ -321,10 +304,7 @@ pub(super) fn with_unit(si: f64, unit: &Unit, digits: usize, language: Language)
 /// Why an erratum says what it says.
 #[must_use]
 pub fn evidence_text(id: &str, language: Language) -> &'static str {
-    catalogue::erratum(id).map_or("", |erratum| match language {
-        Language::En => erratum.evidence,
-        Language::De => erratum.evidence_de,
-    })
+    catalogue::erratum(id).map_or("", |erratum| pick(language, erratum.evidence, erratum.evidence_de))
 }
 
 /// A grade in one word.
@@ -352,10 +332,10 @@ pub fn requirement_title(unmet: &Unmet, language: Language) -> String {
         Unmet::SupplyTooLow { .. } => ("supply voltage", "Versorgungsspannung"),
         Unmet::NotKnown { symbol } => {
             let term = symbol_term(symbol, language);
-            return either(language, format!("requirement open ({term})"), format!("Anforderung offen ({term})"));
+            return said!(language => "requirement open ({term})" | "Anforderung offen ({term})");
         }
     };
-    either(language, format!("requirement {en}"), format!("Anforderung {de}"))
+    said!(language => "requirement {en}" | "Anforderung {de}")
 }
 
 /// A requirement that is not met.
@@ -365,44 +345,29 @@ pub fn unmet_text(unmet: &Unmet, language: Language) -> String {
     let volt = |si| with_unit(si, &VOLT, 3, language);
     let kg = |si: f64| format!("{} {}", format_number(KILOGRAM.from_si(si), 1, language), KILOGRAM.symbol);
     match unmet {
-        Unmet::Feedback(feedback) => either(
-            language,
-            format!("feedback {feedback} is not among those permitted"),
-            format!("Feedback {feedback} ist nicht zugelassen"),
+        Unmet::Feedback(feedback) => said!(language =>
+            "feedback {feedback} is not among those permitted"
+            | "Feedback {feedback} ist nicht zugelassen"
         ),
-        Unmet::Brake(Brake::Without) => either(language, "has no brake", "hat keine Bremse"),
-        Unmet::Brake(Brake::With) => either(language, "has a brake", "hat eine Bremse"),
-        Unmet::HollowShaft { has, needs } => either(
-            language,
-            format!("hollow shaft {} is narrower than {}", mm(has.si()), mm(needs.si())),
-            format!("Hohlwelle {} ist enger als {}", mm(has.si()), mm(needs.si())),
+        Unmet::Brake(Brake::Without) => said!(language => "has no brake" | "hat keine Bremse"),
+        Unmet::Brake(Brake::With) => said!(language => "has a brake" | "hat eine Bremse"),
+        Unmet::HollowShaft { has, needs } => said!(language =>
+            "hollow shaft {} is narrower than {}"
+            | "Hohlwelle {} ist enger als {}", mm(has.si()), mm(needs.si())
         ),
-        Unmet::Length { has, permits } => either(
-            language,
-            format!("length {} is above {}", mm(has.si()), mm(permits.si())),
-            format!("Länge {} liegt über {}", mm(has.si()), mm(permits.si())),
-        ),
-        Unmet::Mass { has, permits } => either(
-            language,
-            format!("mass {} is above {}", kg(has.si()), kg(permits.si())),
-            format!("Masse {} liegt über {}", kg(has.si()), kg(permits.si())),
-        ),
-        Unmet::SupplyTooLow { needs, gives } => either(
-            language,
-            format!(
-                "the supply gives {} at the motor terminals, the winding needs {}",
-                volt(gives.si()),
-                volt(needs.si())
-            ),
-            format!(
-                "die Versorgung gibt {} an den Motorklemmen, die Wicklung braucht {}",
-                volt(gives.si()),
-                volt(needs.si())
-            ),
+        Unmet::Length { has, permits } => {
+            said!(language => "length {} is above {}" | "Länge {} liegt über {}", mm(has.si()), mm(permits.si()))
+        }
+        Unmet::Mass { has, permits } => {
+            said!(language => "mass {} is above {}" | "Masse {} liegt über {}", kg(has.si()), kg(permits.si()))
+        }
+        Unmet::SupplyTooLow { needs, gives } => said!(language =>
+            "the supply gives {} at the motor terminals, the winding needs {}"
+            | "die Versorgung gibt {} an den Motorklemmen, die Wicklung braucht {}", volt(gives.si()), volt(needs.si())
         ),
         Unmet::NotKnown { symbol } => {
             let term = symbol_term(symbol, language);
-            either(language, format!("{symbol} ({term}) is not known"), format!("{symbol} ({term}) ist nicht bekannt"))
+            said!(language => "{symbol} ({term}) is not known" | "{symbol} ({term}) ist nicht bekannt")
         }
     }
 }
@@ -413,14 +378,12 @@ pub fn source_text(source: &Source, language: Language) -> String {
     match source {
         Source::Cell(cell) => cell_text(cell, language),
         Source::Published(cell) => format!("{} ({})", cell.document, cell_text(cell, language)),
-        Source::Equation { number } => {
-            either(language, format!("{MANUAL} eq. {number}"), format!("{MANUAL} Gl. {number}"))
-        }
+        Source::Equation { number } => said!(language => "{MANUAL} eq. {number}" | "{MANUAL} Gl. {number}"),
         Source::Model { name } => {
             let german = MODELS.iter().find(|(model, _)| model == name).map_or(*name, |(_, german)| german);
-            either(language, format!("model {name}"), format!("Modell {german}"))
+            said!(language => "model {name}" | "Modell {german}")
         }
-        Source::Project { key } => either(language, format!("project {key}"), format!("Projekt {key}")),
+        Source::Project { key } => said!(language => "project {key}" | "Projekt {key}"),
     }
 }
 
@@ -448,7 +411,7 @@ const MODELS: [(&str, &str); 19] = [
 ];
 
 fn cell_text(cell: &CellRef, language: Language) -> String {
-    let mut text = either(language, "table ", "Tabelle ");
+    let mut text = said!(language => "table " | "Tabelle ");
     text.push_str(cell.table);
     text.push_str(", ");
     text.push_str(cell.symbol);
@@ -464,10 +427,9 @@ fn cell_text(cell: &CellRef, language: Language) -> String {
 /// The stated rule of the ranking.
 #[must_use]
 pub fn ranking_rule(language: Language) -> String {
-    either(
-        language,
-        "order: what fits comes first, then by smaller frame size, lower highest utilisation and lower mass",
-        "Reihenfolge: Geeignetes zuerst, dann nach kleinerer Baugröße, niedrigerer höchster Auslastung und geringerer Masse",
+    said!(language =>
+        "order: what fits comes first, then by smaller frame size, lower highest utilisation and lower mass"
+        | "Reihenfolge: Geeignetes zuerst, dann nach kleinerer Baugröße, niedrigerer höchster Auslastung und geringerer Masse"
     )
 }
 
@@ -482,7 +444,7 @@ pub fn figure_term(symbol: &str, language: Language) -> String {
         "T_peak" => ("peak torque", "Spitzendrehmoment"),
         _ => return symbol_term(symbol, language),
     };
-    either(language, en, de)
+    pick(language, en, de).to_owned()
 }
 
 /// What stands behind a grade, in a sentence.

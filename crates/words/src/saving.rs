@@ -1,6 +1,7 @@
 //! Words about files that cannot be written.
 
-use super::either;
+use crate::pick;
+use crate::texts::said;
 use project::FileTrouble;
 use quantities::Language;
 
@@ -47,10 +48,9 @@ pub fn save_trouble(trouble: &SaveTrouble, language: Language) -> String {
         ),
         SaveTrouble::NoFolder => ("there is no such folder", "diesen Ordner gibt es nicht"),
         SaveTrouble::LinkLeadsAway { target } => {
-            return either(
-                language,
-                format!("the link leads out of its folder, to {target}; name that file itself"),
-                format!("die Verknüpfung führt aus ihrem Ordner hinaus, zu {target}; die Datei dort selbst nennen"),
+            return said!(language =>
+                "the link leads out of its folder, to {target}; name that file itself"
+                | "die Verknüpfung führt aus ihrem Ordner hinaus, zu {target}; die Datei dort selbst nennen"
             );
         }
         SaveTrouble::LinkToNothing => ("the link leads to nothing", "die Verknüpfung führt ins Leere"),
@@ -70,7 +70,7 @@ pub fn save_trouble(trouble: &SaveTrouble, language: Language) -> String {
         }
         SaveTrouble::System(found) => return super::faults::trouble_text(found, language),
     };
-    either(language, en, de)
+    pick(language, en, de).to_owned()
 }
 
 #[cfg(test)]

@@ -1,6 +1,7 @@
 //! Words of the schema of the project file.
 
-use super::{either, key_text};
+use super::key_text;
+use crate::texts::said;
 use project::SchemaText;
 use quantities::{Dimension, Language};
 
@@ -17,9 +18,8 @@ pub fn schema_text(text: SchemaText, language: Language) -> String {
 fn quantity(dimension: Dimension, language: Language) -> String {
     let (name, example) = (dimension.name(language), dimension.example());
     let half = if dimension == Dimension::Temperature { "5 K" } else { "10 %" };
-    either(
-        language,
-        format!("{name} with its unit, perhaps with a tolerance: \"{example}\", \"{example} ± {half}\""),
-        format!("{name} mit Einheit, vielleicht mit Toleranz: \"{example}\", \"{example} ± {half}\""),
+    said!(language =>
+        "{name} with its unit, perhaps with a tolerance: \"{example}\", \"{example} ± {half}\""
+        | "{name} mit Einheit, vielleicht mit Toleranz: \"{example}\", \"{example} ± {half}\""
     )
 }

@@ -1,9 +1,9 @@
 //! Words about the digital twin.
 
-use super::either;
+use crate::pick;
 use crate::texts::texts;
 use quantities::Language;
-use twin::{EventKind, Fault, Loop, Reaction, ScenarioId};
+use twin::{EventKind, Fault, Loop, ScenarioId};
 
 texts! {
     title(code, axis) = "Simulation of {code}: {axis}" | "Simulation von {code}: {axis}";
@@ -224,18 +224,7 @@ pub fn scenario_title(scenario: ScenarioId, language: Language) -> String {
         ScenarioId::ColdGrease => ("cold grease", "kaltes Fett"),
         ScenarioId::Collision => ("collision", "Kollision"),
     };
-    either(language, en, de)
-}
-
-/// How the drive reacts.
-#[must_use]
-pub fn reaction_title(reaction: Reaction, language: Language) -> String {
-    let (en, de) = match reaction {
-        Reaction::Ramp => ("ramp", "Rampe"),
-        Reaction::Brake => ("brake", "Bremse"),
-        Reaction::Coast => ("coast", "Auslaufen"),
-    };
-    either(language, en, de)
+    pick(language, en, de).to_owned()
 }
 
 /// What happened.
@@ -267,7 +256,7 @@ pub fn event_title(event: EventKind, language: Language) -> String {
         EventKind::Overspeed => ("speed too high", "Drehzahl zu hoch"),
         EventKind::Diverged => ("the run diverges and ends", "der Lauf divergiert und endet"),
     };
-    either(language, en, de)
+    pick(language, en, de).to_owned()
 }
 
 /// A loop of the control.
@@ -278,7 +267,7 @@ pub fn loop_title(of: Loop, language: Language) -> String {
         Loop::Speed => ("speed", "Drehzahl"),
         Loop::Position => ("position", "Lage"),
     };
-    either(language, en, de)
+    pick(language, en, de).to_owned()
 }
 
 /// Why nothing is simulated.

@@ -1,6 +1,6 @@
 //! Words about the stage between actuator and mechanism.
 
-use super::either;
+use crate::texts::said;
 use project::RatioAnswer;
 use quantities::{Language, format_number, format_significant};
 
@@ -11,19 +11,17 @@ pub fn ratios_text(ratios: &[RatioAnswer], language: Language) -> String {
         let ratio = format_significant(answer.ratio, 4, language);
         let share = format_number(answer.utilisation * 100.0, 1, language);
         let found = match (&answer.answer, answer.fitting) {
-            (Some(code), 1) => either(
-                language,
-                format!("{code} at {share} %, the only one that fits"),
-                format!("{code} bei {share} %, der einzige geeignete"),
+            (Some(code), 1) => said!(language =>
+                "{code} at {share} %, the only one that fits"
+                | "{code} bei {share} %, der einzige geeignete"
             ),
-            (Some(code), many) => either(
-                language,
-                format!("{code} at {share} %, {many} fit"),
-                format!("{code} bei {share} %, {many} sind geeignet"),
+            (Some(code), many) => said!(language =>
+                "{code} at {share} %, {many} fit"
+                | "{code} bei {share} %, {many} sind geeignet"
             ),
-            (None, _) => either(language, "none fits", "keiner ist geeignet"),
+            (None, _) => said!(language => "none fits" | "keiner ist geeignet"),
         };
-        let chosen = if answer.chosen { either(language, " (chosen)", " (gewählt)") } else { String::new() };
+        let chosen = if answer.chosen { said!(language => " (chosen)" | " (gewählt)") } else { String::new() };
         format!("{ratio}: {found}{chosen}")
     });
     each.collect::<Vec<_>>().join("; ")

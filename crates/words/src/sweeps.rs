@@ -1,7 +1,6 @@
 //! Words about sweeps: many axes in a table.
 
-use crate::either;
-use crate::texts::texts;
+use crate::texts::{said, texts};
 use project::TabularFault;
 use quantities::Language;
 
@@ -57,41 +56,37 @@ texts! {
 
 /// What is wrong with a table whose columns are keys, in one sentence.
 pub(crate) fn fault(fault: &TabularFault, language: Language) -> String {
-    let e = |en: String, de: String| either(language, en, de);
-    let t = |en: &str, de: &str| either(language, en, de);
     match fault {
-        TabularFault::NoColumn { path } => e(
-            format!("`{path}` cannot be a column: its values do not stand in a cell"),
-            format!("`{path}` kann keine Spalte sein: die Werte passen nicht in eine Zelle"),
+        TabularFault::NoColumn { path } => said!(language =>
+            "`{path}` cannot be a column: its values do not stand in a cell"
+            | "`{path}` kann keine Spalte sein: die Werte passen nicht in eine Zelle"
         ),
-        TabularFault::UnitOfNoQuantity { path, unit } => e(
-            format!("`{path}` is measured in no unit, the heading states \"{unit}\""),
-            format!("`{path}` hat keine Einheit, die Überschrift nennt „{unit}“"),
+        TabularFault::UnitOfNoQuantity { path, unit } => said!(language =>
+            "`{path}` is measured in no unit, the heading states \"{unit}\""
+            | "`{path}` hat keine Einheit, die Überschrift nennt „{unit}“"
         ),
         TabularFault::ColumnTwice { path } => {
-            e(format!("two columns have the key `{path}`"), format!("zwei Spalten haben den Schlüssel `{path}`"))
+            said!(language => "two columns have the key `{path}`" | "zwei Spalten haben den Schlüssel `{path}`")
         }
-        TabularFault::NoEntry { path, count } => e(
-            format!("`{path}`: the project has no such entry, its list has {count}"),
-            format!("`{path}`: diesen Eintrag hat das Projekt nicht, die Liste hat {count}"),
+        TabularFault::NoEntry { path, count } => said!(language =>
+            "`{path}`: the project has no such entry, its list has {count}"
+            | "`{path}`: diesen Eintrag hat das Projekt nicht, die Liste hat {count}"
         ),
         TabularFault::NoValue { path } => {
-            e(format!("`{path}`: the cell is empty"), format!("`{path}`: die Zelle ist leer"))
+            said!(language => "`{path}`: the cell is empty" | "`{path}`: die Zelle ist leer")
         }
         TabularFault::NotANumber { path, written } => {
-            e(format!("`{path}`: \"{written}\" is not a number"), format!("`{path}`: „{written}“ ist keine Zahl"))
+            said!(language => "`{path}`: \"{written}\" is not a number" | "`{path}`: „{written}“ ist keine Zahl")
         }
-        TabularFault::NoText { path, written } => e(
-            format!("`{path}`: the number {written} stands where a word belongs"),
-            format!("`{path}`: die Zahl {written} steht, wo ein Wort stehen muss"),
+        TabularFault::NoText { path, written } => said!(language =>
+            "`{path}`: the number {written} stands where a word belongs"
+            | "`{path}`: die Zahl {written} steht, wo ein Wort stehen muss"
         ),
-        TabularFault::CellType { path, found } => e(
-            format!("`{path}`: a column of the type {found} is not read; its cells must be numbers or texts"),
-            format!(
-                "`{path}`: eine Spalte vom Typ {found} wird nicht gelesen; ihre Zellen müssen Zahlen oder Texte sein"
-            ),
+        TabularFault::CellType { path, found } => said!(language =>
+            "`{path}`: a column of the type {found} is not read; its cells must be numbers or texts"
+            | "`{path}`: eine Spalte vom Typ {found} wird nicht gelesen; ihre Zellen müssen Zahlen oder Texte sein"
         ),
-        TabularFault::NoRows => t("the table has no row", "die Tabelle hat keine Zeile"),
-        TabularFault::NoColumns => t("the table has no column", "die Tabelle hat keine Spalte"),
+        TabularFault::NoRows => said!(language => "the table has no row" | "die Tabelle hat keine Zeile"),
+        TabularFault::NoColumns => said!(language => "the table has no column" | "die Tabelle hat keine Spalte"),
     }
 }

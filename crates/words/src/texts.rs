@@ -92,3 +92,20 @@ macro_rules! texts {
 }
 
 pub(crate) use texts;
+
+/// A text in a language, written as in [`texts`]: its English and its German, then what both put in besides the names in scope.
+///
+/// ```text
+/// said!(language => "axis \"{name}\"" | "Achse „{name}“")
+/// said!(language => "no column is named {}" | "keine Spalte heißt {}", quoted(name, language))
+/// ```
+macro_rules! said {
+    ($language:expr => $en:literal | $de:literal $(, $arg:expr)*) => {
+        match $language {
+            ::quantities::Language::En => format!($en $(, $arg)*),
+            ::quantities::Language::De => format!($de $(, $arg)*),
+        }
+    };
+}
+
+pub(crate) use said;

@@ -1,14 +1,8 @@
 //! Words of the keys of `[twin]`.
 
+use crate::pick;
 use project::names::{ReplacedName, TwinName};
 use quantities::Language;
-
-const fn of(language: Language, en: &'static str, de: &'static str) -> &'static str {
-    match language {
-        Language::En => en,
-        Language::De => de,
-    }
-}
 
 /// What a key of the simulation is for.
 #[rustfmt::skip] // one line per key and language
@@ -34,7 +28,7 @@ pub(crate) const fn twin_key_text(name: TwinName, language: Language) -> &'stati
         TwinName::following_error_max => ("following error at which the drive stops", "Schleppfehler, bei dem der Regler anhält"),
         TwinName::measured => ("measured values in the place of those of the tables and of the model", "gemessene Werte anstelle der Werte aus Tabellen und Modell"),
     };
-    of(language, en, de)
+    pick(language, en, de)
 }
 
 /// What a measured value is.
@@ -86,5 +80,5 @@ pub(crate) const fn replaced_key_text(name: ReplacedName, language: Language) ->
         ReplacedName::load_gravity_angle => ("angle of the centre of mass above the horizontal at position 0", "Winkel des Schwerpunkts über der Waagerechten in Stellung 0"),
         ReplacedName::load_external => ("external torque of the load", "äußeres Moment der Last"),
     };
-    of(language, en, de)
+    pick(language, en, de)
 }

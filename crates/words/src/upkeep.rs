@@ -1,7 +1,8 @@
 //! Words about storage, upkeep, shutting down and disposal.
 
-use super::{battery_fault, either};
-use crate::texts::texts;
+use super::battery_fault;
+use crate::pick;
+use crate::texts::{said, texts};
 use chrono::NaiveDate;
 use installation::calendar::{DateFault, INTERVAL_MOST_YEARS, Interval, IntervalFault, YEARS};
 use installation::upkeep::{PlanNote, Rule, Task, UpkeepFault};
@@ -27,7 +28,7 @@ pub fn task_title(task: Task, language: Language) -> String {
         Task::BatteryEmpty => ("battery of the encoder used up", "Batterie des Gebers verbraucht"),
         Task::EncoderLatest => ("exchange of the encoder, at the latest", "Tausch des Gebers, spätestens"),
     };
-    either(language, en, de)
+    pick(language, en, de).to_owned()
 }
 
 /// How binding a date is, with the interval of a series.
@@ -35,11 +36,11 @@ pub fn task_title(task: Task, language: Language) -> String {
 pub fn rule_text(rule: Rule, interval: Option<Interval>, language: Language) -> String {
     let every = interval.map(|interval| every(interval, language)).unwrap_or_default();
     match rule {
-        Rule::AtTheLatest => either(language, "at the latest", "spätestens"),
-        Rule::Recommended => either(language, "recommended", "empfohlen"),
-        Rule::Estimated => either(language, "estimated", "geschätzt"),
+        Rule::AtTheLatest => said!(language => "at the latest" | "spätestens"),
+        Rule::Recommended => said!(language => "recommended" | "empfohlen"),
+        Rule::Estimated => said!(language => "estimated" | "geschätzt"),
         Rule::Every => every,
-        Rule::EveryAtMost => either(language, format!("at least {every}"), format!("mindestens {every}")),
+        Rule::EveryAtMost => said!(language => "at least {every}" | "mindestens {every}"),
     }
 }
 
@@ -51,8 +52,8 @@ fn every(interval: Interval, language: Language) -> String {
         Interval::Days(days) => (days, ["every day", "jeden Tag", "days", "Tage"]),
     };
     match count {
-        1 => either(language, one_en, one_de),
-        count => either(language, format!("every {count} {many_en}"), format!("alle {count} {many_de}")),
+        1 => pick(language, one_en, one_de).to_owned(),
+        count => said!(language => "every {count} {many_en}" | "alle {count} {many_de}"),
     }
 }
 

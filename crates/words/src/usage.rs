@@ -1,6 +1,7 @@
 //! Words about calls that cannot be understood.
 
-use super::{either, hint_text};
+use super::hint_text;
+use crate::texts::said;
 use project::Hint;
 use quantities::Language;
 
@@ -75,47 +76,42 @@ pub enum UsageHint {
 /// What is wrong with a call, in one sentence.
 #[must_use]
 pub fn usage_text(usage: &Usage, language: Language) -> String {
-    let e = |en: String, de: String| either(language, en, de);
-    let t = |en: &str, de: &str| either(language, en, de);
     match usage {
         Usage::UnknownCommand { written } => {
-            e(format!("unknown command \"{written}\""), format!("unbekannter Befehl „{written}“"))
+            said!(language => "unknown command \"{written}\"" | "unbekannter Befehl „{written}“")
         }
         Usage::UnknownOption { written } => {
-            e(format!("unknown option \"{written}\""), format!("unbekannte Option „{written}“"))
+            said!(language => "unknown option \"{written}\"" | "unbekannte Option „{written}“")
         }
-        Usage::Missing { names } => e(format!("{names} is missing"), format!("es fehlt {names}")),
+        Usage::Missing { names } => said!(language => "{names} is missing" | "es fehlt {names}"),
         Usage::BadValue { written, name } => {
-            e(format!("\"{written}\" is no value for {name}"), format!("„{written}“ ist kein Wert für {name}"))
+            said!(language => "\"{written}\" is no value for {name}" | "„{written}“ ist kein Wert für {name}")
         }
         Usage::ValueMissing { name } => {
-            e(format!("{name} is given without its value"), format!("{name} steht ohne Wert"))
+            said!(language => "{name} is given without its value" | "{name} steht ohne Wert")
         }
-        Usage::Twice { name } => e(format!("{name} is given twice"), format!("{name} steht zweimal")),
-        Usage::NoCommand => t("a command is missing", "es fehlt ein Befehl"),
-        Usage::NotUtf8 => t("an argument is not UTF-8 text", "ein Argument ist kein UTF-8-Text"),
-        Usage::TooLong { most } => e(format!("longer than {most} characters"), format!("länger als {most} Zeichen")),
+        Usage::Twice { name } => said!(language => "{name} is given twice" | "{name} steht zweimal"),
+        Usage::NoCommand => said!(language => "a command is missing" | "es fehlt ein Befehl"),
+        Usage::NotUtf8 => said!(language => "an argument is not UTF-8 text" | "ein Argument ist kein UTF-8-Text"),
+        Usage::TooLong { most } => said!(language => "longer than {most} characters" | "länger als {most} Zeichen"),
         Usage::NoMemory { written } => {
-            e(format!("\"{written}\" is no amount of memory"), format!("„{written}“ ist keine Speichermenge"))
+            said!(language => "\"{written}\" is no amount of memory" | "„{written}“ ist keine Speichermenge")
         }
-        Usage::Other => t("the call cannot be understood", "der Aufruf ist nicht zu verstehen"),
+        Usage::Other => said!(language => "the call cannot be understood" | "der Aufruf ist nicht zu verstehen"),
     }
 }
 
 /// What would be right, in words.
 #[must_use]
 pub fn usage_hint(hint: &UsageHint, language: Language) -> String {
-    let t = |en: &str, de: &str| either(language, en, de);
     match hint {
         UsageHint::Words(hint) => hint_text(hint, language),
-        UsageHint::Range(from, to) => {
-            either(language, format!("valid is {from} to {to}"), format!("gültig ist {from} bis {to}"))
-        }
-        UsageHint::WholeNumber => t("a whole number is expected", "erwartet wird eine ganze Zahl"),
+        UsageHint::Range(from, to) => said!(language => "valid is {from} to {to}" | "gültig ist {from} bis {to}"),
+        UsageHint::WholeNumber => said!(language => "a whole number is expected" | "erwartet wird eine ganze Zahl"),
         UsageHint::Memory => {
-            t("1 MiB to 64 GiB, for example \"512 MiB\"", "1 MiB bis 64 GiB, zum Beispiel \"512 MiB\"")
+            said!(language => "1 MiB to 64 GiB, for example \"512 MiB\"" | "1 MiB bis 64 GiB, zum Beispiel \"512 MiB\"")
         }
-        UsageHint::Help => t("--help shows the syntax", "--help zeigt den Aufruf"),
+        UsageHint::Help => said!(language => "--help shows the syntax" | "--help zeigt den Aufruf"),
     }
 }
 

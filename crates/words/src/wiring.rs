@@ -4,7 +4,8 @@ mod checked;
 
 pub use checked::{difference_action, difference_text, list_fault, list_fault_hint};
 
-use crate::texts::texts;
+use crate::pick;
+use crate::texts::{said, texts};
 use catalogue::Cell;
 use installation::wiring::{
     Absent, CableFor, CableRole, Circuit, DropVerdict, Form, Meaning, Polarity, Protocol, Role, Severity, Signal,
@@ -88,14 +89,6 @@ texts! {
         | "Stecker mit {poles} Polen, {thread}. Stifte: {pins}.";
 }
 
-/// Chooses between two fixed texts.
-pub(crate) const fn one_of(language: Language, en: &'static str, de: &'static str) -> &'static str {
-    match language {
-        Language::En => en,
-        Language::De => de,
-    }
-}
-
 /// A printed cell in the language; a dash where there is none.
 #[must_use]
 pub fn cell_or_dash(cell: Option<&'static Cell>, language: Language) -> &'static str {
@@ -106,10 +99,10 @@ pub fn cell_or_dash(cell: Option<&'static Cell>, language: Language) -> &'static
 #[must_use]
 pub const fn role_name(role: Role, language: Language) -> &'static str {
     match role {
-        Role::Motor => one_of(language, "motor connector", "Motorstecker"),
-        Role::Feedback => one_of(language, "connector of the motor feedback", "Stecker des Motorfeedbacks"),
+        Role::Motor => pick(language, "motor connector", "Motorstecker"),
+        Role::Feedback => pick(language, "connector of the motor feedback", "Stecker des Motorfeedbacks"),
         Role::OutputEncoder => {
-            one_of(language, "connector of the encoder at the output (EC)", "Stecker des Gebers am Abtrieb (EC)")
+            pick(language, "connector of the encoder at the output (EC)", "Stecker des Gebers am Abtrieb (EC)")
         }
     }
 }
@@ -117,57 +110,61 @@ pub const fn role_name(role: Role, language: Language) -> &'static str {
 /// What a signal is, with its end of the pair.
 #[must_use]
 pub fn signal_meaning(signal: Signal, language: Language) -> String {
-    let e = |en: &str, de: &str| crate::either(language, en, de);
-    let named = |en: &str, de: &str, name: char| format!("{} {name}", e(en, de));
+    let named = |en: &str, de: &str, name: char| format!("{} {name}", pick(language, en, de));
     let serial = |protocol| match protocol {
         Protocol::EnDat => "EnDat",
         Protocol::Ssi => "SSI",
     };
     let text = match signal.meaning {
         Meaning::Phase(name) => named("motor phase", "Motorphase", name),
-        Meaning::ProtectiveEarth => e("protective earth", "Schutzleiter"),
-        Meaning::Brake => e("supply of the holding brake", "Versorgung der Haltebremse"),
-        Meaning::Ptc => e(
-            "PTC thermistors of the winding, one of two ends without polarity",
-            "Kaltleiter (PTC) der Wicklung, eines von zwei Enden ohne Polung",
+        Meaning::ProtectiveEarth => said!(language => "protective earth" | "Schutzleiter"),
+        Meaning::Brake => said!(language => "supply of the holding brake" | "Versorgung der Haltebremse"),
+        Meaning::Ptc => said!(language =>
+            "PTC thermistors of the winding, one of two ends without polarity"
+            | "Kaltleiter (PTC) der Wicklung, eines von zwei Enden ohne Polung"
         ),
-        Meaning::Kty => e("temperature sensor KTY 84-130 of the winding", "Temperatursensor KTY 84-130 der Wicklung"),
-        Meaning::Supply => e("supply of the encoder", "Versorgung des Gebers"),
-        Meaning::Ground => e("ground of the encoder supply", "Masse der Geberversorgung"),
-        Meaning::SupplySense => e("sense line of the supply", "Sense-Leitung der Versorgung"),
-        Meaning::GroundSense => e("sense line of the ground", "Sense-Leitung der Masse"),
+        Meaning::Kty => said!(language =>
+            "temperature sensor KTY 84-130 of the winding"
+            | "Temperatursensor KTY 84-130 der Wicklung"
+        ),
+        Meaning::Supply => said!(language => "supply of the encoder" | "Versorgung des Gebers"),
+        Meaning::Ground => said!(language => "ground of the encoder supply" | "Masse der Geberversorgung"),
+        Meaning::SupplySense => said!(language => "sense line of the supply" | "Sense-Leitung der Versorgung"),
+        Meaning::GroundSense => said!(language => "sense line of the ground" | "Sense-Leitung der Masse"),
         Meaning::Track(name, form) => {
             let form = match form {
-                Form::Sinusoidal => e("sinusoidal", "sinusförmig"),
-                Form::Sine => e("sine", "Sinus"),
-                Form::Cosine => e("cosine", "Kosinus"),
-                Form::Square => e("square wave RS422", "Rechteck RS422"),
+                Form::Sinusoidal => said!(language => "sinusoidal" | "sinusförmig"),
+                Form::Sine => said!(language => "sine" | "Sinus"),
+                Form::Cosine => said!(language => "cosine" | "Kosinus"),
+                Form::Square => said!(language => "square wave RS422" | "Rechteck RS422"),
             };
             format!("{}, {form}", named("incremental track", "Inkrementalspur", name))
         }
-        Meaning::Reference => e("reference signal", "Referenzsignal"),
-        Meaning::Zero => e("reference signal, RS422", "Referenzsignal, RS422"),
+        Meaning::Reference => said!(language => "reference signal" | "Referenzsignal"),
+        Meaning::Zero => said!(language => "reference signal, RS422" | "Referenzsignal, RS422"),
         Meaning::CommutationTrack(name) => {
-            format!("{}, {}", named("commutation track", "Kommutierungsspur", name), e("sinusoidal", "sinusförmig"))
+            format!(
+                "{}, {}",
+                named("commutation track", "Kommutierungsspur", name),
+                said!(language => "sinusoidal" | "sinusförmig")
+            )
         }
         Meaning::CommutationPhase(name) => {
             format!("{}, RS422", named("commutation signal", "Kommutierungssignal", name))
         }
-        Meaning::Data(protocol) => {
-            crate::either(language, format!("{} data", serial(protocol)), format!("{}-Daten", serial(protocol)))
+        Meaning::Data(protocol) => said!(language => "{} data" | "{}-Daten", serial(protocol)),
+        Meaning::Clock(protocol) => said!(language => "{} clock" | "{}-Takt", serial(protocol)),
+        Meaning::ResolverSine => said!(language => "sine winding of the resolver" | "Sinuswicklung des Resolvers"),
+        Meaning::ResolverCosine => {
+            said!(language => "cosine winding of the resolver" | "Kosinuswicklung des Resolvers")
         }
-        Meaning::Clock(protocol) => {
-            crate::either(language, format!("{} clock", serial(protocol)), format!("{}-Takt", serial(protocol)))
-        }
-        Meaning::ResolverSine => e("sine winding of the resolver", "Sinuswicklung des Resolvers"),
-        Meaning::ResolverCosine => e("cosine winding of the resolver", "Kosinuswicklung des Resolvers"),
-        Meaning::Excitation => e("excitation of the resolver", "Erregung des Resolvers"),
-        Meaning::Shield => e("inner shield of the cable", "innerer Schirm des Kabels"),
+        Meaning::Excitation => said!(language => "excitation of the resolver" | "Erregung des Resolvers"),
+        Meaning::Shield => said!(language => "inner shield of the cable" | "innerer Schirm des Kabels"),
     };
     match signal.polarity {
         None => text,
-        Some(Polarity::Plus) => format!("{text}, {}", e("plus", "Plus")),
-        Some(Polarity::Minus) => format!("{text}, {}", e("minus", "Minus")),
+        Some(Polarity::Plus) => format!("{text}, {}", said!(language => "plus" | "Plus")),
+        Some(Polarity::Minus) => format!("{text}, {}", said!(language => "minus" | "Minus")),
     }
 }
 
@@ -175,9 +172,9 @@ pub fn signal_meaning(signal: Signal, language: Language) -> String {
 #[must_use]
 pub const fn unconnected(has_wire: bool, language: Language) -> &'static str {
     if has_wire {
-        one_of(language, "no signal; the wire is there", "kein Signal; die Ader ist vorhanden")
+        pick(language, "no signal; the wire is there", "kein Signal; die Ader ist vorhanden")
     } else {
-        one_of(language, "not connected", "nicht belegt")
+        pick(language, "not connected", "nicht belegt")
     }
 }
 
@@ -185,11 +182,11 @@ pub const fn unconnected(has_wire: bool, language: Language) -> &'static str {
 #[must_use]
 pub const fn cable_role(role: CableRole, language: Language) -> &'static str {
     match role {
-        CableRole::Motor => one_of(language, "motor", "Motor"),
-        CableRole::Feedback => one_of(language, "motor feedback", "Motorfeedback"),
-        CableRole::OutputEncoder => one_of(language, "encoder at the output", "Geber am Abtrieb"),
+        CableRole::Motor => pick(language, "motor", "Motor"),
+        CableRole::Feedback => pick(language, "motor feedback", "Motorfeedback"),
+        CableRole::OutputEncoder => pick(language, "encoder at the output", "Geber am Abtrieb"),
         CableRole::Set => {
-            one_of(language, "set; what it holds is not printed", "Kabelsatz; der Inhalt ist nicht abgedruckt")
+            pick(language, "set; what it holds is not printed", "Kabelsatz; der Inhalt ist nicht abgedruckt")
         }
     }
 }
@@ -198,11 +195,11 @@ pub const fn cable_role(role: CableRole, language: Language) -> &'static str {
 #[must_use]
 pub const fn cable_goal(goal: CableFor, language: Language) -> &'static str {
     match goal {
-        CableFor::SinamicsSmc => one_of(language, "SINAMICS S120 with SMC module", "SINAMICS S120 mit SMC-Modul"),
-        CableFor::SinamicsSmc20 => one_of(language, "SINAMICS S120 with SMC20", "SINAMICS S120 mit SMC20"),
+        CableFor::SinamicsSmc => pick(language, "SINAMICS S120 with SMC module", "SINAMICS S120 mit SMC-Modul"),
+        CableFor::SinamicsSmc20 => pick(language, "SINAMICS S120 with SMC20", "SINAMICS S120 mit SMC20"),
         CableFor::Simodrive => "SIMODRIVE",
         CableFor::YukonDrive => "YukonDrive",
-        CableFor::OpenEnd => one_of(language, "open end", "offenes Kabelende"),
+        CableFor::OpenEnd => pick(language, "open end", "offenes Kabelende"),
     }
 }
 
@@ -260,17 +257,17 @@ pub const fn absent_text(absent: Absent, language: Language) -> &'static str {
             "was Option 2 an Steckern und Stiften ändert: nicht angegeben; gezeigt ist der Standard",
         ),
     };
-    one_of(language, en, de)
+    pick(language, en, de)
 }
 
 /// The circuit whose wires lose voltage.
 #[must_use]
 pub const fn circuit_name(circuit: Circuit, language: Language) -> &'static str {
     match circuit {
-        Circuit::Brake => one_of(language, "brake while it opens", "Bremse beim Öffnen"),
-        Circuit::Feedback => one_of(language, "supply of the motor feedback", "Versorgung des Motorfeedbacks"),
+        Circuit::Brake => pick(language, "brake while it opens", "Bremse beim Öffnen"),
+        Circuit::Feedback => pick(language, "supply of the motor feedback", "Versorgung des Motorfeedbacks"),
         Circuit::OutputEncoder => {
-            one_of(language, "supply of the encoder at the output", "Versorgung des Gebers am Abtrieb")
+            pick(language, "supply of the encoder at the output", "Versorgung des Gebers am Abtrieb")
         }
     }
 }
@@ -280,21 +277,21 @@ pub const fn circuit_name(circuit: Circuit, language: Language) -> &'static str 
 pub const fn drop_reason(verdict: DropVerdict, language: Language) -> &'static str {
     match verdict {
         DropVerdict::Pass => "",
-        DropVerdict::Fail => one_of(
+        DropVerdict::Fail => pick(
             language,
             "less than the least voltage arrives on a warm wire",
             "bei warmer Ader kommt weniger als die Mindestspannung an",
         ),
-        DropVerdict::NoCrossSection => one_of(language, "no --cross-section given", "kein --cross-section angegeben"),
+        DropVerdict::NoCrossSection => pick(language, "no --cross-section given", "kein --cross-section angegeben"),
         DropVerdict::NoTolerance => {
-            one_of(language, "no tolerance of the supply is stated", "keine Toleranz der Versorgung angegeben")
+            pick(language, "no tolerance of the supply is stated", "keine Toleranz der Versorgung angegeben")
         }
-        DropVerdict::NoOpeningCurrent => one_of(
+        DropVerdict::NoOpeningCurrent => pick(
             language,
             "the opening current is not stated; the loss is that of the holding current",
             "der Öffnungsstrom ist nicht angegeben; der Verlust ist der des Haltestroms",
         ),
-        DropVerdict::NoNominal => one_of(
+        DropVerdict::NoNominal => pick(
             language,
             "a range is stated: the drive has to supply the least voltage and the loss together",
             "angegeben ist ein Bereich: der Regler muss Mindestspannung und Verlust zusammen liefern",
@@ -306,8 +303,8 @@ pub const fn drop_reason(verdict: DropVerdict, language: Language) -> &'static s
 #[must_use]
 pub const fn severity_word(severity: Severity, language: Language) -> &'static str {
     match severity {
-        Severity::Danger => one_of(language, "danger", "Gefahr"),
-        Severity::Fault => one_of(language, "fault", "Fehler"),
-        Severity::Advice => one_of(language, "advice", "Hinweis"),
+        Severity::Danger => pick(language, "danger", "Gefahr"),
+        Severity::Fault => pick(language, "fault", "Fehler"),
+        Severity::Advice => pick(language, "advice", "Hinweis"),
     }
 }

@@ -3,42 +3,31 @@
 use super::recorded::{REVERSED, counting_fact};
 use super::{Commissioning, Parameter, ParameterId, clean};
 use catalogue::Fact;
+use quantities::identified;
 use quantities::unit::{MILLIAMPERE, MILLINEWTON_METRE, ONE, REVOLUTION_PER_MINUTE};
 
-/// A type of CiA 301.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum DataType {
-    /// 8 bit with sign.
-    Integer8,
-    /// 16 bit with sign.
-    Integer16,
-    /// 32 bit with sign.
-    Integer32,
-    /// 8 bit without sign.
-    Unsigned8,
-    /// 16 bit without sign.
-    Unsigned16,
-    /// 32 bit without sign.
-    Unsigned32,
-    /// Text.
-    VisibleString,
+identified! {
+    /// A type of CiA 301.
+    #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+    pub enum DataType {
+        /// 8 bit with sign.
+        Integer8 = "INTEGER8",
+        /// 16 bit with sign.
+        Integer16 = "INTEGER16",
+        /// 32 bit with sign.
+        Integer32 = "INTEGER32",
+        /// 8 bit without sign.
+        Unsigned8 = "UNSIGNED8",
+        /// 16 bit without sign.
+        Unsigned16 = "UNSIGNED16",
+        /// 32 bit without sign.
+        Unsigned32 = "UNSIGNED32",
+        /// Text.
+        VisibleString = "VISIBLE_STRING",
+    }
 }
 
 impl DataType {
-    /// Its name in CiA 301.
-    #[must_use]
-    pub const fn id(self) -> &'static str {
-        match self {
-            Self::Integer8 => "INTEGER8",
-            Self::Integer16 => "INTEGER16",
-            Self::Integer32 => "INTEGER32",
-            Self::Unsigned8 => "UNSIGNED8",
-            Self::Unsigned16 => "UNSIGNED16",
-            Self::Unsigned32 => "UNSIGNED32",
-            Self::VisibleString => "VISIBLE_STRING",
-        }
-    }
-
     /// Its number in CiA 301, as an EDS has it.
     #[must_use]
     pub const fn number(self) -> u16 {
@@ -104,23 +93,14 @@ pub enum ObjectId {
     GearShaftRevolutions,
 }
 
-/// How an exact value becomes a whole one.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Rounding {
-    /// To the nearest: the error is half a unit at most. For what others are related to.
-    Nearest,
-    /// Downwards: the error is less than one unit. For limits.
-    Down,
-}
-
-impl Rounding {
-    /// The identifier in data exchange.
-    #[must_use]
-    pub const fn id(self) -> &'static str {
-        match self {
-            Self::Nearest => "nearest",
-            Self::Down => "down",
-        }
+identified! {
+    /// How an exact value becomes a whole one.
+    #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+    pub enum Rounding {
+        /// To the nearest: the error is half a unit at most. For what others are related to.
+        Nearest = "nearest",
+        /// Downwards: the error is less than one unit. For limits.
+        Down = "down",
     }
 }
 

@@ -5,85 +5,46 @@ use actuator::{NoLoadFriction, copper_resistance};
 use catalogue::{Cell, Value};
 use provenance::{Grade, Source};
 use quantities::unit::{AMPERE, DEGREE_CELSIUS, MILLIHENRY, MILLISECOND, OHM, ONE, VOLT};
-use quantities::{AngularVelocity, ElectricalResistance, Measure, ThermodynamicTemperature, Unit};
+use quantities::{AngularVelocity, ElectricalResistance, Measure, ThermodynamicTemperature, Unit, identified};
 
-/// What is measured.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Measurand {
-    /// Resistance between two terminals at the temperature of the winding.
-    ResistanceLl,
-    /// Inductance between two terminals.
-    InductanceLl,
-    /// Induced voltage between two terminals at a speed of the motor, rms.
-    Emf,
-    /// Resistance of the KTY at a temperature.
-    Kty,
-    /// Resistance of the PTC at a temperature.
-    Ptc,
-    /// Voltage at the brake.
-    BrakeVoltage,
-    /// Current while the brake opens.
-    BrakeOpeningCurrent,
-    /// Current that keeps it open.
-    BrakeHoldingCurrent,
-    /// Time until it is open.
-    BrakeOpeningTime,
-    /// Time until it is closed.
-    BrakeClosingTime,
-    /// Current without load at a speed, rms.
-    NoLoadCurrent,
-    /// Whether the flange turns against the motor.
-    DirectionFlange,
-    /// Whether the position rises while the motor turns clockwise.
-    DirectionPosition,
-    /// Speed of the motor over that of the flange.
-    Ratio,
-    /// Electrical over mechanical frequency of the motor.
-    PolePairs,
+identified! {
+    /// What is measured.
+    #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+    pub enum Measurand {
+        /// Resistance between two terminals at the temperature of the winding.
+        ResistanceLl = "resistance_ll",
+        /// Inductance between two terminals.
+        InductanceLl = "inductance_ll",
+        /// Induced voltage between two terminals at a speed of the motor, rms.
+        Emf = "emf",
+        /// Resistance of the KTY at a temperature.
+        Kty = "kty",
+        /// Resistance of the PTC at a temperature.
+        Ptc = "ptc",
+        /// Voltage at the brake.
+        BrakeVoltage = "brake_voltage",
+        /// Current while the brake opens.
+        BrakeOpeningCurrent = "brake_opening_current",
+        /// Current that keeps it open.
+        BrakeHoldingCurrent = "brake_holding_current",
+        /// Time until it is open.
+        BrakeOpeningTime = "brake_opening_time",
+        /// Time until it is closed.
+        BrakeClosingTime = "brake_closing_time",
+        /// Whether the flange turns against the motor.
+        DirectionFlange = "direction_flange",
+        /// Whether the position rises while the motor turns clockwise.
+        DirectionPosition = "direction_position",
+        /// Speed of the motor over that of the flange.
+        Ratio = "ratio",
+        /// Electrical over mechanical frequency of the motor.
+        PolePairs = "pole_pairs",
+        /// Current without load at a speed, rms.
+        NoLoadCurrent = "no_load_current",
+    }
 }
 
 impl Measurand {
-    /// Every one, in the order of the record.
-    pub const ALL: [Self; 15] = [
-        Self::ResistanceLl,
-        Self::InductanceLl,
-        Self::Emf,
-        Self::Kty,
-        Self::Ptc,
-        Self::BrakeVoltage,
-        Self::BrakeOpeningCurrent,
-        Self::BrakeHoldingCurrent,
-        Self::BrakeOpeningTime,
-        Self::BrakeClosingTime,
-        Self::DirectionFlange,
-        Self::DirectionPosition,
-        Self::Ratio,
-        Self::PolePairs,
-        Self::NoLoadCurrent,
-    ];
-
-    /// The identifier in data exchange.
-    #[must_use]
-    pub const fn id(self) -> &'static str {
-        match self {
-            Self::ResistanceLl => "resistance_ll",
-            Self::InductanceLl => "inductance_ll",
-            Self::Emf => "emf",
-            Self::Kty => "kty",
-            Self::Ptc => "ptc",
-            Self::BrakeVoltage => "brake_voltage",
-            Self::BrakeOpeningCurrent => "brake_opening_current",
-            Self::BrakeHoldingCurrent => "brake_holding_current",
-            Self::BrakeOpeningTime => "brake_opening_time",
-            Self::BrakeClosingTime => "brake_closing_time",
-            Self::NoLoadCurrent => "no_load_current",
-            Self::DirectionFlange => "direction_flange",
-            Self::DirectionPosition => "direction_position",
-            Self::Ratio => "ratio",
-            Self::PolePairs => "pole_pairs",
-        }
-    }
-
     /// The unit in which it is shown.
     #[must_use]
     pub fn unit(self) -> &'static Unit {
@@ -98,45 +59,29 @@ impl Measurand {
     }
 }
 
-/// What the band about a value rests on.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Band {
-    /// A tolerance that the manual prints.
-    Printed,
-    /// What another maker lets the data of its servo motors be off: R ±10 %, k_E ±7.5 % (simodrive-611a).
-    ServoMotors,
-    /// ±3 % of the sensor's data sheet (nxp-kty84), there for 100 °C.
-    KtySheet,
-    /// The bounds of DIN 44081.
-    Din44081,
-    /// What a joint with such a gear was identified to lie off its catalogue (table friction-identified): one share of the
-    /// constant part, another of that which grows with the speed.
-    Friction,
-    /// No source states one: ours.
-    Ours,
-    /// There is one right answer; 2 % are ours, for reading two values.
-    Exact,
+identified! {
+    /// What the band about a value rests on.
+    #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+    pub enum Band {
+        /// A tolerance that the manual prints.
+        Printed = "printed",
+        /// What another maker lets the data of its servo motors be off: R ±10 %, k_E ±7.5 % (simodrive-611a).
+        ServoMotors = "servo_motors",
+        /// ±3 % of the sensor's data sheet (nxp-kty84), there for 100 °C.
+        KtySheet = "kty_data_sheet",
+        /// The bounds of DIN 44081.
+        Din44081 = "din_44081",
+        /// What a joint with such a gear was identified to lie off its catalogue (table friction-identified): one share of the
+        /// constant part, another of that which grows with the speed.
+        Friction = "friction",
+        /// No source states one: ours.
+        Ours = "ours",
+        /// There is one right answer; 2 % are ours, for reading two values.
+        Exact = "exact",
+    }
 }
 
 impl Band {
-    /// Every one.
-    pub const ALL: [Self; 7] =
-        [Self::Printed, Self::ServoMotors, Self::KtySheet, Self::Din44081, Self::Friction, Self::Ours, Self::Exact];
-
-    /// The identifier in data exchange.
-    #[must_use]
-    pub const fn id(self) -> &'static str {
-        match self {
-            Self::Printed => "printed",
-            Self::ServoMotors => "servo_motors",
-            Self::KtySheet => "kty_data_sheet",
-            Self::Din44081 => "din_44081",
-            Self::Friction => "friction",
-            Self::Ours => "ours",
-            Self::Exact => "exact",
-        }
-    }
-
     /// Whether a value outside is wrong by itself; otherwise it is only advice.
     #[must_use]
     pub const fn is_firm(self) -> bool {

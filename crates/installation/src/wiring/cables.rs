@@ -3,6 +3,7 @@
 use super::{Role, holds};
 use catalogue::{Cell, SeriesData, Table};
 use order_code::{Brake, OrderCode};
+use quantities::identified;
 
 /// A cable with its material number.
 #[derive(Clone, Copy, Debug)]
@@ -17,32 +18,18 @@ pub struct Cable {
     pub goal: CableFor,
 }
 
-/// What a cable connects.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-pub enum CableRole {
-    /// The motor connector.
-    Motor,
-    /// The connector of the motor feedback.
-    Feedback,
-    /// The connector of the encoder at the output.
-    OutputEncoder,
-    /// A set under one number; what it holds is not printed.
-    Set,
-}
-
-impl CableRole {
-    /// Every role.
-    pub const ALL: &'static [Self] = &[Self::Motor, Self::Feedback, Self::OutputEncoder, Self::Set];
-
-    /// The identifier used in data exchange.
-    #[must_use]
-    pub const fn id(self) -> &'static str {
-        match self {
-            Self::Motor => "motor",
-            Self::Feedback => "feedback",
-            Self::OutputEncoder => "output_encoder",
-            Self::Set => "set",
-        }
+identified! {
+    /// What a cable connects.
+    #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+    pub enum CableRole {
+        /// The motor connector.
+        Motor = "motor",
+        /// The connector of the motor feedback.
+        Feedback = "feedback",
+        /// The connector of the encoder at the output.
+        OutputEncoder = "output_encoder",
+        /// A set under one number; what it holds is not printed.
+        Set = "set",
     }
 }
 
@@ -62,36 +49,20 @@ pub struct LengthCode {
     pub letters: &'static str,
 }
 
-/// What a cable goes to.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-pub enum CableFor {
-    /// SINAMICS S120 with a sensor module SMC.
-    SinamicsSmc,
-    /// SINAMICS S120 with the sensor module SMC20.
-    SinamicsSmc20,
-    /// SIMODRIVE.
-    Simodrive,
-    /// `YukonDrive`.
-    YukonDrive,
-    /// Anything: its end is open.
-    OpenEnd,
-}
-
-impl CableFor {
-    /// Every goal.
-    pub const ALL: &'static [Self] =
-        &[Self::SinamicsSmc, Self::SinamicsSmc20, Self::Simodrive, Self::YukonDrive, Self::OpenEnd];
-
-    /// The identifier used in data exchange.
-    #[must_use]
-    pub const fn id(self) -> &'static str {
-        match self {
-            Self::SinamicsSmc => "sinamics_s120_smc",
-            Self::SinamicsSmc20 => "sinamics_s120_smc20",
-            Self::Simodrive => "simodrive",
-            Self::YukonDrive => "yukondrive",
-            Self::OpenEnd => "open_end",
-        }
+identified! {
+    /// What a cable goes to.
+    #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+    pub enum CableFor {
+        /// SINAMICS S120 with a sensor module SMC.
+        SinamicsSmc = "sinamics_s120_smc",
+        /// SINAMICS S120 with the sensor module SMC20.
+        SinamicsSmc20 = "sinamics_s120_smc20",
+        /// SIMODRIVE.
+        Simodrive = "simodrive",
+        /// `YukonDrive`.
+        YukonDrive = "yukondrive",
+        /// Anything: its end is open.
+        OpenEnd = "open_end",
     }
 }
 

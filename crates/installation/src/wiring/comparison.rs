@@ -4,6 +4,7 @@ use super::pin_list::{ListedPin, PinList};
 use super::signal::{is_nothing, plain, printed_signals, spellings};
 use super::{Connector, Pin, Role, Wiring};
 use crate::wiring::signal::Group;
+use quantities::identified;
 
 /// What a comparison found.
 #[derive(Clone, Debug)]
@@ -24,29 +25,16 @@ impl Comparison {
     }
 }
 
-/// How grave a finding is.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-pub enum Severity {
-    /// People or parts can be harmed.
-    Danger,
-    /// It will not work, or not be recognised.
-    Fault,
-    /// Worth a look.
-    Advice,
-}
-
-impl Severity {
-    /// Every severity, gravest first.
-    pub const ALL: &'static [Self] = &[Self::Danger, Self::Fault, Self::Advice];
-
-    /// The identifier used in data exchange.
-    #[must_use]
-    pub const fn id(self) -> &'static str {
-        match self {
-            Self::Danger => "danger",
-            Self::Fault => "fault",
-            Self::Advice => "advice",
-        }
+identified! {
+    /// How grave a finding is.
+    #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+    pub enum Severity {
+        /// People or parts can be harmed.
+        Danger = "danger",
+        /// It will not work, or not be recognised.
+        Fault = "fault",
+        /// Worth a look.
+        Advice = "advice",
     }
 }
 
@@ -211,7 +199,7 @@ impl Finding {
 pub fn compare(wiring: &Wiring, list: &PinList) -> Comparison {
     let mut findings = Vec::new();
     let mut agreeing = 0;
-    for &role in Role::ALL {
+    for role in Role::ALL {
         let rows: Vec<&ListedPin> = list.pins.iter().filter(|listed| listed.role == role).collect();
         let finding = |line, difference| Finding { role, line, pin: String::new(), expected: "", difference };
         match (wiring.connector(role), rows.first()) {

@@ -4,7 +4,7 @@ use catalogue::SeriesData;
 use catalogue::{Cell, Table, Value};
 use order_code::{Brake, FeedbackKind, OrderCode};
 use provenance::{CellRef, Datum, Source, Sourced};
-use quantities::{Area, ElectricCurrent, ElectricPotential, ElectricalResistivity, Length, Measure};
+use quantities::{Area, ElectricCurrent, ElectricPotential, ElectricalResistivity, Length, Measure, identified};
 
 /// A warm wire: 70 °C, the limit of PVC insulation in continuous operation (IEC 60364-5-52); assumed.
 pub const HOT: WireHot = WireHot { degrees_celsius: 70.0 };
@@ -19,29 +19,16 @@ pub struct WireHot {
 /// Temperature that the resistivity holds for \[°C\].
 const REFERENCE_DEGC: f64 = 20.0;
 
-/// A circuit whose wires lose voltage.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-pub enum Circuit {
-    /// The holding brake while it opens.
-    Brake,
-    /// Supply of the motor feedback.
-    Feedback,
-    /// Supply of the encoder at the output.
-    OutputEncoder,
-}
-
-impl Circuit {
-    /// Every circuit.
-    pub const ALL: &'static [Self] = &[Self::Brake, Self::Feedback, Self::OutputEncoder];
-
-    /// The identifier used in data exchange.
-    #[must_use]
-    pub const fn id(self) -> &'static str {
-        match self {
-            Self::Brake => "brake",
-            Self::Feedback => "feedback_supply",
-            Self::OutputEncoder => "output_encoder_supply",
-        }
+identified! {
+    /// A circuit whose wires lose voltage.
+    #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+    pub enum Circuit {
+        /// The holding brake while it opens.
+        Brake = "brake",
+        /// Supply of the motor feedback.
+        Feedback = "feedback_supply",
+        /// Supply of the encoder at the output.
+        OutputEncoder = "output_encoder_supply",
     }
 }
 

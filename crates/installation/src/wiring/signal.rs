@@ -2,6 +2,7 @@
 
 use super::Role;
 use order_code::{Feedback, FeedbackKind};
+use quantities::identified;
 
 /// A signal as printed in a table, distinct from all others of its connector.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -88,73 +89,36 @@ pub enum Protocol {
     Ssi,
 }
 
-/// Signals of one kind.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-pub enum Group {
-    /// Motor phases.
-    Phase,
-    /// Protective earth.
-    Earth,
-    /// Holding brake.
-    Brake,
-    /// PTC thermistors.
-    Ptc,
-    /// KTY sensor.
-    Kty,
-    /// Supply and ground of the encoder.
-    Supply,
-    /// Sense lines.
-    Sense,
-    /// Incremental tracks.
-    Incremental,
-    /// Reference mark and zero pulse.
-    Reference,
-    /// Commutation.
-    Commutation,
-    /// Data and clock.
-    Serial,
-    /// Windings of the resolver.
-    Resolver,
-    /// Shield.
-    Shield,
-}
-
-impl Group {
-    /// Every group.
-    pub const ALL: &'static [Self] = &[
-        Self::Phase,
-        Self::Earth,
-        Self::Brake,
-        Self::Ptc,
-        Self::Kty,
-        Self::Supply,
-        Self::Sense,
-        Self::Incremental,
-        Self::Reference,
-        Self::Commutation,
-        Self::Serial,
-        Self::Resolver,
-        Self::Shield,
-    ];
-
-    /// The identifier used in data exchange.
-    #[must_use]
-    pub const fn id(self) -> &'static str {
-        match self {
-            Self::Phase => "phase",
-            Self::Earth => "protective_earth",
-            Self::Brake => "brake",
-            Self::Ptc => "ptc",
-            Self::Kty => "kty",
-            Self::Supply => "supply",
-            Self::Sense => "sense",
-            Self::Incremental => "incremental",
-            Self::Reference => "reference",
-            Self::Commutation => "commutation",
-            Self::Serial => "serial",
-            Self::Resolver => "resolver",
-            Self::Shield => "shield",
-        }
+identified! {
+    /// Signals of one kind.
+    #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+    pub enum Group {
+        /// Motor phases.
+        Phase = "phase",
+        /// Protective earth.
+        Earth = "protective_earth",
+        /// Holding brake.
+        Brake = "brake",
+        /// PTC thermistors.
+        Ptc = "ptc",
+        /// KTY sensor.
+        Kty = "kty",
+        /// Supply and ground of the encoder.
+        Supply = "supply",
+        /// Sense lines.
+        Sense = "sense",
+        /// Incremental tracks.
+        Incremental = "incremental",
+        /// Reference mark and zero pulse.
+        Reference = "reference",
+        /// Commutation.
+        Commutation = "commutation",
+        /// Data and clock.
+        Serial = "serial",
+        /// Windings of the resolver.
+        Resolver = "resolver",
+        /// Shield.
+        Shield = "shield",
     }
 }
 

@@ -1,6 +1,7 @@
 //! What of a drawing moves: where each group stands at an angle of the mechanism.
 
 use super::Point;
+use quantities::identified;
 use std::f64::consts::TAU;
 
 /// Where a group stands beside its place in the still drawing: stretched and turned about its point, then shifted.
@@ -41,26 +42,16 @@ impl Placement {
     }
 }
 
-/// How a group goes on beyond its table.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Beyond {
-    /// From its end as from its beginning: a revolution after the other, or straight on.
-    On,
-    /// It stays.
-    Stay,
-    /// It begins anew where it began.
-    Anew,
-}
-
-impl Beyond {
-    /// Its name for scripts.
-    #[must_use]
-    pub const fn id(self) -> &'static str {
-        match self {
-            Self::On => "on",
-            Self::Stay => "stay",
-            Self::Anew => "anew",
-        }
+identified! {
+    /// How a group goes on beyond its table.
+    #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+    pub enum Beyond {
+        /// From its end as from its beginning: a revolution after the other, or straight on.
+        On = "on",
+        /// It stays.
+        Stay = "stay",
+        /// It begins anew where it began.
+        Anew = "anew",
     }
 }
 

@@ -4,8 +4,8 @@ use super::check::{assumptions, check, demand};
 use super::motion;
 use crate::limits::{NeededLimit, limits_needed};
 use crate::mends::Mend;
-use crate::sizing_use::{Candidate, CandidateId, Objection, Sizing};
-use crate::texts::unsought_text;
+use crate::sizing_use::{Candidate, CandidateId, Sizing};
+use crate::texts::{objection_text, unsought_text};
 use crate::tolerance::{Assessment, PointKind};
 use answers::{
     Assessed, Fit, Id, Influence, Judgement, NotSought, Number, Quantiles, Ranked, Rejection, Stage, StageRatio,
@@ -16,20 +16,12 @@ use project::{ALL_CORNERS_MOST, Project};
 use quantities::unit::{DEGREE_CELSIUS, KILOGRAM, SECOND};
 use quantities::{Language, Measure};
 use sizing::{Reserve, SAMPLES_ANEW, Verdict};
-use words::{describe_field, describe_rule, ranking_rule, unmet_text};
-
-fn objection(candidate: &Candidate<'_>, objection: &Objection, language: Language) -> String {
-    match (objection, &candidate.id) {
-        (Objection::Unmet(unmet), _) => unmet_text(unmet, language),
-        (Objection::Rule(rule), CandidateId::Code(code)) => describe_rule(code, rule, language),
-        (Objection::Rule(rule), CandidateId::Own(_)) => rule.table.to_owned(),
-    }
-}
+use words::{describe_field, ranking_rule};
 
 /// What speaks against a candidate besides a failing check, in words.
 #[must_use]
 pub fn objections(candidate: &Candidate<'_>, language: Language) -> Vec<String> {
-    candidate.objections.iter().map(|each| objection(candidate, each, language)).collect()
+    candidate.objections.iter().map(|each| objection_text(candidate, each, language)).collect()
 }
 
 fn names(fields: &[Field], language: Language) -> Vec<String> {

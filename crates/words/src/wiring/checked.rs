@@ -1,7 +1,9 @@
 //! Words about a list of pins: why it cannot be read, and what is different in it.
 
-use super::{one_of, role_name};
-use crate::{either, hint_text};
+use super::role_name;
+use crate::hint_text;
+use crate::pick;
+use crate::texts::said;
 use installation::wiring::{Column, Difference, Finding, Group, ListFault, Role};
 use project::Hint;
 use quantities::Language;
@@ -22,94 +24,87 @@ fn group_name(group: Group, language: Language) -> &'static str {
         Group::Resolver => ("resolver winding", "Resolverwicklung"),
         Group::Shield => ("inner shield", "innerer Schirm"),
     };
-    one_of(language, en, de)
+    pick(language, en, de)
 }
 
 /// What is different, in one sentence.
 #[must_use]
 pub fn difference_text(finding: &Finding, language: Language) -> String {
-    let e = |en: String, de: String| either(language, en, de);
     let Finding { pin, expected, .. } = finding;
     let connector = role_name(finding.role, language);
     match &finding.difference {
         Difference::NoSuchConnector => {
-            e(format!("the code has no {connector}"), format!("der Code hat keinen {connector}"))
+            said!(language => "the code has no {connector}" | "der Code hat keinen {connector}")
         }
         Difference::ConnectorNotListed => {
-            e(format!("{connector}: not in the list"), format!("{connector}: nicht in der Liste"))
+            said!(language => "{connector}: not in the list" | "{connector}: nicht in der Liste")
         }
-        Difference::PinsNotPrinted => e(
-            format!("{connector}: the pins are not printed for this code"),
-            format!("{connector}: die Stifte sind für diesen Code nicht abgedruckt"),
+        Difference::PinsNotPrinted => said!(language =>
+            "{connector}: the pins are not printed for this code"
+            | "{connector}: die Stifte sind für diesen Code nicht abgedruckt"
         ),
-        Difference::OtherEncoder { of } => e(
-            format!(
-                "this is the pin-out of the {}: the plug is the same, supply and ground are exchanged",
-                role_name(*of, language)
-            ),
-            format!(
-                "das ist die Belegung: {}; die Kupplung ist gleich, Versorgung und Masse sind vertauscht",
-                role_name(*of, language)
-            ),
+        Difference::OtherEncoder { of } => said!(language =>
+            "this is the pin-out of the {}: the plug is the same, supply and ground are exchanged"
+            | "das ist die Belegung: {}; die Kupplung ist gleich, Versorgung und Masse sind vertauscht", role_name(*of, language)
         ),
-        Difference::NoSuchPin => e(format!("there is no pin `{pin}`"), format!("einen Stift `{pin}` gibt es nicht")),
+        Difference::NoSuchPin => said!(language => "there is no pin `{pin}`" | "einen Stift `{pin}` gibt es nicht"),
         Difference::PinTwice { first } => {
-            e(format!("pin {pin} stands in line {first} already"), format!("Stift {pin} steht schon in Zeile {first}"))
+            said!(language => "pin {pin} stands in line {first} already" | "Stift {pin} steht schon in Zeile {first}")
         }
         Difference::Reversed { group, with } => {
             let name = group_name(*group, language);
-            e(
-                format!("{name}: polarity reversed, pins {pin} and {with} are exchanged"),
-                format!("{name}: verpolt, die Stifte {pin} und {with} sind vertauscht"),
+            said!(language =>
+                "{name}: polarity reversed, pins {pin} and {with} are exchanged"
+                | "{name}: verpolt, die Stifte {pin} und {with} sind vertauscht"
             )
         }
-        Difference::Swapped { with, written, .. } => e(
-            format!("pins {pin} and {with} are exchanged: {pin} is {expected}, not {written}"),
-            format!("die Stifte {pin} und {with} sind vertauscht: {pin} ist {expected}, nicht {written}"),
+        Difference::Swapped { with, written, .. } => said!(language =>
+            "pins {pin} and {with} are exchanged: {pin} is {expected}, not {written}"
+            | "die Stifte {pin} und {with} sind vertauscht: {pin} ist {expected}, nicht {written}"
         ),
         Difference::WrongPin { written, belongs, .. } => {
             let belongs = belongs.join(", ");
             if *expected == "-" {
-                return e(
-                    format!("{written} on pin {pin}, which is not connected; it belongs on pin {belongs}"),
-                    format!("{written} auf Stift {pin}, der nicht belegt ist; es gehört auf Stift {belongs}"),
+                return said!(language =>
+                    "{written} on pin {pin}, which is not connected; it belongs on pin {belongs}"
+                    | "{written} auf Stift {pin}, der nicht belegt ist; es gehört auf Stift {belongs}"
                 );
             }
-            e(
-                format!("{written} on pin {pin}, which is {expected}; it belongs on pin {belongs}"),
-                format!("{written} auf Stift {pin}, der {expected} ist; es gehört auf Stift {belongs}"),
+            said!(language =>
+                "{written} on pin {pin}, which is {expected}; it belongs on pin {belongs}"
+                | "{written} auf Stift {pin}, der {expected} ist; es gehört auf Stift {belongs}"
             )
         }
-        Difference::ForeignSignal { written } => e(
-            format!("this connector has no signal {written}; pin {pin} is {expected}"),
-            format!("ein Signal {written} hat dieser Stecker nicht; Stift {pin} ist {expected}"),
+        Difference::ForeignSignal { written } => said!(language =>
+            "this connector has no signal {written}; pin {pin} is {expected}"
+            | "ein Signal {written} hat dieser Stecker nicht; Stift {pin} ist {expected}"
         ),
         Difference::UnknownSignal { written, nearest } => {
-            let near = nearest.map(|near| e(format!(", perhaps {near}"), format!(", vielleicht {near}")));
+            let near = nearest.map(|near| said!(language => ", perhaps {near}" | ", vielleicht {near}"));
             let near = near.unwrap_or_default();
-            e(
-                format!("unknown signal `{written}`{near}; pin {pin} is {expected}"),
-                format!("unbekanntes Signal `{written}`{near}; Stift {pin} ist {expected}"),
+            said!(language =>
+                "unknown signal `{written}`{near}; pin {pin} is {expected}"
+                | "unbekanntes Signal `{written}`{near}; Stift {pin} ist {expected}"
             )
         }
-        Difference::NotConnected { written } => e(
-            format!("{written} on pin {pin}, which is not connected"),
-            format!("{written} auf Stift {pin}, der nicht belegt ist"),
+        Difference::NotConnected { written } => said!(language =>
+            "{written} on pin {pin}, which is not connected"
+            | "{written} auf Stift {pin}, der nicht belegt ist"
         ),
-        Difference::LeftOpen { .. } => e(
-            format!("pin {pin} is left open; it is {expected}"),
-            format!("Stift {pin} ist offen gelassen; er ist {expected}"),
+        Difference::LeftOpen { .. } => said!(language =>
+            "pin {pin} is left open; it is {expected}"
+            | "Stift {pin} ist offen gelassen; er ist {expected}"
         ),
-        Difference::Missing { .. } => e(
-            format!("pin {pin} ({expected}) is not in the list"),
-            format!("Stift {pin} ({expected}) fehlt in der Liste"),
+        Difference::Missing { .. } => said!(language =>
+            "pin {pin} ({expected}) is not in the list"
+            | "Stift {pin} ({expected}) fehlt in der Liste"
         ),
         Difference::Unshielded => {
-            e(format!("wire of pin {pin} without a shield"), format!("Ader von Stift {pin} ohne Schirm"))
+            said!(language => "wire of pin {pin} without a shield" | "Ader von Stift {pin} ohne Schirm")
         }
-        Difference::Colour { written, printed } => e(
-            format!("pin {pin}: colour {written}, printed {printed}"),
-            format!("Stift {pin}: Farbe {written}, abgedruckt {printed}"),
+        Difference::Colour { written, printed } => said!(language =>
+            "pin {pin}: colour {written}, printed {printed}"
+            | "Stift {pin}: Farbe {written}, abgedruckt {printed}"
         ),
     }
 }
@@ -169,57 +164,56 @@ pub const fn difference_action(finding: &Finding, language: Language) -> &'stati
         }
         _ => ("wire as printed", "verdrahten wie abgedruckt"),
     };
-    one_of(language, en, de)
+    pick(language, en, de)
 }
 
 /// The head of a column, as the documentation has it.
 const fn column_name(column: Column, language: Language) -> &'static str {
     match column {
-        Column::Connector => one_of(language, "connector", "Stecker"),
-        Column::Pin => one_of(language, "pin", "Stift"),
-        Column::Signal => one_of(language, "signal", "Signal"),
-        Column::Colour => one_of(language, "colour", "Farbe"),
-        Column::Shield => one_of(language, "shield", "Schirm"),
+        Column::Connector => pick(language, "connector", "Stecker"),
+        Column::Pin => pick(language, "pin", "Stift"),
+        Column::Signal => pick(language, "signal", "Signal"),
+        Column::Colour => pick(language, "colour", "Farbe"),
+        Column::Shield => pick(language, "shield", "Schirm"),
     }
 }
 
 /// Why a list cannot be read, in one sentence.
 #[must_use]
 pub fn list_fault(fault: &ListFault, language: Language) -> String {
-    let e = |en: String, de: String| either(language, en, de);
     match fault {
-        ListFault::Empty => e("the list is empty".into(), "die Liste ist leer".into()),
+        ListFault::Empty => said!(language => "the list is empty" | "die Liste ist leer"),
         ListFault::NoRows => {
-            e("the list has a header and no row".into(), "die Liste hat einen Kopf und keine Zeile".into())
+            said!(language => "the list has a header and no row" | "die Liste hat einen Kopf und keine Zeile")
         }
         ListFault::ColumnMissing { column, found } => {
             let (name, found) = (column_name(*column, language), found.join(", "));
-            e(format!("no column `{name}`; there are {found}"), format!("keine Spalte `{name}`; es gibt {found}"))
+            said!(language => "no column `{name}`; there are {found}" | "keine Spalte `{name}`; es gibt {found}")
         }
         ListFault::ColumnTwice { column, .. } => {
             let name = column_name(*column, language);
-            e(format!("two columns for `{name}`"), format!("zwei Spalten für `{name}`"))
+            said!(language => "two columns for `{name}`" | "zwei Spalten für `{name}`")
         }
         ListFault::ColumnUnknown { head, .. } => {
-            e(format!("unknown column `{head}`"), format!("unbekannte Spalte `{head}`"))
+            said!(language => "unknown column `{head}`" | "unbekannte Spalte `{head}`")
         }
-        ListFault::Ragged { found, expected, .. } => e(
-            format!("{found} cells where the header has {expected}"),
-            format!("{found} Zellen, der Kopf hat {expected}"),
+        ListFault::Ragged { found, expected, .. } => said!(language =>
+            "{found} cells where the header has {expected}"
+            | "{found} Zellen, der Kopf hat {expected}"
         ),
         ListFault::CellEmpty { column, .. } => {
             let name = column_name(*column, language);
-            e(format!("`{name}` is empty"), format!("`{name}` ist leer"))
+            said!(language => "`{name}` is empty" | "`{name}` ist leer")
         }
         ListFault::ConnectorUnknown { written, .. } => {
-            e(format!("unknown connector `{written}`"), format!("unbekannter Stecker `{written}`"))
+            said!(language => "unknown connector `{written}`" | "unbekannter Stecker `{written}`")
         }
-        ListFault::ShieldUnclear { written, .. } => e(
-            format!("`{written}` does not say whether the wire is shielded"),
-            format!("`{written}` sagt nicht, ob die Ader geschirmt ist"),
+        ListFault::ShieldUnclear { written, .. } => said!(language =>
+            "`{written}` does not say whether the wire is shielded"
+            | "`{written}` sagt nicht, ob die Ader geschirmt ist"
         ),
         ListFault::More => {
-            e("there are more faults than are listed here".into(), "es gibt mehr Fehler, als hier stehen".into())
+            said!(language => "there are more faults than are listed here" | "es gibt mehr Fehler, als hier stehen")
         }
     }
 }
@@ -244,7 +238,7 @@ pub fn list_fault_hint(fault: &ListFault, language: Language) -> Option<String> 
             let names: Vec<&str> = Role::ALL.iter().map(|role| role.id()).collect();
             valid(&names)
         }
-        ListFault::ShieldUnclear { .. } => valid(&[one_of(language, "yes", "ja"), one_of(language, "no", "nein")]),
+        ListFault::ShieldUnclear { .. } => valid(&[pick(language, "yes", "ja"), pick(language, "no", "nein")]),
         ListFault::ColumnTwice { .. } | ListFault::Ragged { .. } | ListFault::CellEmpty { .. } | ListFault::More => {
             None
         }
