@@ -40,7 +40,7 @@ pub(crate) fn simulate(call: &Call<'_>, asked: &Asked<'_>) -> Result<Answer, Una
     let fits = runs.iter().all(questions::Simulated::fits);
     let mut records: Vec<answers::Simulation> = runs.iter().map(|run| answer::simulation(run, language)).collect();
     if let (Some(file), Some(format), Some(run), Some(record)) = (file, format, runs.first(), records.first_mut()) {
-        let table = tables::trace(&run.course, language);
+        let table = tables::trace(&run.course, &args.signals, language);
         let bytes = match format {
             Format::Parquet => tables::parquet(&table).map_err(|error| Unanswered::message(error.message(language)))?,
             Format::Csv | Format::Json | Format::Workbook => tables::csv(&table).into_bytes(),

@@ -32,6 +32,7 @@ mod plane;
 mod preview;
 mod reading;
 mod sheet;
+mod signal;
 mod simulate;
 mod sizing_use;
 mod subject;
@@ -57,6 +58,7 @@ pub use configurator::Unmet;
 pub use limits::limits_needed;
 pub use simulate::Simulated;
 pub use sizing::{Amount, Check, CheckId, Demand, Direction, Part, Reserve, Verdict};
+pub use signal::{SIGNALS, Signal, TIME};
 pub use sizing_use::{
     Candidate, CandidateId, Objection, Refusal, Sizing, check, check_own, explain, explain_own, reserve_of, size,
 };

@@ -140,7 +140,8 @@ fn a_measured_load_that_replaces_nothing_is_refused() {
     let text = format!("{crank}\n[twin.measured]\nload_inertia = \"1 kg m^2\"\n");
     let (patience, none) = (Patience::endless(), One(String::new()));
     let asked = asked(simulate::Args::ARGUMENTS, &[CODE], &text, &none, &patience);
-    let why = (simulate::ENTRY.answer.unwrap())(&asked).unwrap_err();
+    let args = simulate::Args::read(&asked.given).unwrap();
+    let why = simulate::record(&args, &asked).unwrap_err();
     let faults = why.faults(None, Language::En);
     assert!(faults.errors[0].message.contains("measured.load_inertia"), "{faults:?}");
 }

@@ -70,6 +70,12 @@ texts! {
     simulate_hours = "Operation a day, in hours (24)" | "Betrieb am Tag in Stunden (24)";
     simulate_every =
         "Time between two rows of the trace (\"1 ms\")" | "Zeit zwischen zwei Zeilen des Verlaufs (\"1 ms\")";
+    simulate_signals =
+        "Signals of the trace, separated by commas; all without it"
+        | "Größen des Verlaufs, durch Komma getrennt; ohne Angabe alle";
+    simulate_format =
+        "Json for the summary (default), csv or parquet for the trace"
+        | "json für die Zusammenfassung (Vorgabe), csv oder parquet für den Verlauf";
     simulate_seed =
         "Seed of the errors of gear and encoder (0)" | "Startwert der Fehler von Getriebe und Geber (0)";
     sweep =

@@ -204,6 +204,9 @@ texts! {
     dc_link = "DC link" | "Zwischenkreis";
     braked = "brake closed" | "Bremse geschlossen";
     trace_written(file, rows) = "{file}: {rows} rows" | "{file}: {rows} Zeilen";
+    signals_need_a_format =
+        "signals are columns of the trace: with `format` csv or parquet"
+        | "Größen sind Spalten des Verlaufs: mit `format` csv oder parquet";
     ending_of_a_trace = "the trace is a .csv or .parquet file" | "der Verlauf ist eine Datei .csv oder .parquet";
 }
 

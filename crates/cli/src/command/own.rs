@@ -53,6 +53,11 @@ pub(crate) fn plot(command: Command, language: Language) -> Command {
     command.after_help(help::plot_without_files(language))
 }
 
+/// How a picture looks; signals are those of the file of the course.
+pub(crate) fn simulate(command: Command, language: Language) -> Command {
+    picture(command.mut_arg("signals", |signals| signals.requires("out")), language)
+}
+
 /// How a picture looks.
 pub(crate) fn picture(command: Command, language: Language) -> Command {
     command.args([plot::THEME, plot::WIDTH, plot::HEIGHT].map(|argument| question::of(&argument, language)))

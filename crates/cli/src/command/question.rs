@@ -101,8 +101,8 @@ fn sources(entry: &Entry, language: Language) -> Vec<Arg> {
 /// An argument as the library of the command line has it.
 pub(super) fn of(argument: &Argument, language: Language) -> Arg {
     let words = argument.words();
-    let about = if argument.required && !words.is_empty() {
-        // A call without a right word fails, so the help lists them.
+    let about = if (argument.required || argument.is_list()) && !words.is_empty() {
+        // A call without a right word fails, so the help lists them; of a list the question itself reports every wrong one.
         format!("{}: {}", (argument.about)(language), words.join(", "))
     } else {
         (argument.about)(language).to_owned()
@@ -120,8 +120,9 @@ pub(super) fn of(argument: &Argument, language: Language) -> Arg {
     arg = arg.value_name((argument.value)(language)).allow_hyphen_values(argument.signed);
     arg = match argument.kind {
         ArgumentKind::Whole(least, most) => arg.value_parser(value_parser!(u64).range(least..=most)),
-        ArgumentKind::Word(_) => arg.value_parser(PossibleValuesParser::new(words)),
-        ArgumentKind::Text | ArgumentKind::Code | ArgumentKind::Date | ArgumentKind::File | ArgumentKind::Flag => arg,
+        ArgumentKind::Word(_) if !argument.is_list() => arg.value_parser(PossibleValuesParser::new(words)),
+        ArgumentKind::Word(_)
+        | ArgumentKind::Text | ArgumentKind::Code | ArgumentKind::Date | ArgumentKind::File | ArgumentKind::Flag => arg,
     };
     if argument.repeated && argument.form == Form::Option {
         arg = arg.action(ArgAction::Append);

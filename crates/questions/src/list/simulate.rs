@@ -2,11 +2,13 @@
 
 use super::given::{arguments, count, flag, number, some, some_code_among, text, word};
 use super::{
-    AXIS, Argument, ArgumentKind, Asked, Cost, Entry, Gives, OutputFile, Reads, Record, Unanswered, argument, media,
+    AXIS, Answer, Argument, ArgumentKind, Asked, Cost, Entry, Given, Gives, OutputFile, Reads, Record, Unanswered,
+    argument, media,
 };
 use crate::answer;
 use crate::chapters::{read_hours, read_quantity};
 use crate::patience::Patience;
+use crate::signal::Signal;
 use crate::simulate::{NotRun, ROWS_MOST, STEPS_MOST, Simulated, Wanted, simulate};
 use order_code::OrderCode;
 use project::Project;
@@ -43,6 +45,12 @@ arguments! {
         hours_per_day: Option<Time> = Argument::option("hours-per-day", values::hours, help::simulate_hours) => some(read_hours),
         /// Time between two rows of the course.
         every: Option<Time> = Argument::option("every", values::time, help::simulate_every) => some(read_quantity),
+        /// The signals of the course; none means all.
+        signals: Vec<&'static Signal> = Argument::option("signals", values::names, help::simulate_signals)
+            .of(ArgumentKind::Word(Signal::ids)).repeated() => signals,
+        /// What is answered; on the command line the ending of the file.
+        format: Option<String> = Argument::option("format", values::format, help::simulate_format)
+            .of(ArgumentKind::Word(|| FORMATS.to_vec())) => text,
         /// The picture that is drawn.
         figure: Option<String> = Argument::option("figure", values::figure, help::simulate_figure)
             .of(ArgumentKind::Word(|| FIGURES.to_vec())).usually("simulation") => text,
@@ -58,6 +66,20 @@ const DAYS_MOST: u32 = 3660;
 /// The pictures of a run, by their identifiers.
 pub const FIGURES: [&str; 2] = ["simulation", "control_loops"];
 
+/// What is answered: the record, or the course as a table.
+const FORMATS: [&str; 3] = ["json", "csv", "parquet"];
+
+/// Signals in the order in which they are named, each once.
+fn signals(given: &Given, argument: &Argument) -> Result<Vec<&'static Signal>, Unanswered> {
+    let mut named: Vec<&'static Signal> = Vec::new();
+    for signal in given.all(argument.name).filter_map(Signal::of_id) {
+        if named.iter().all(|known| known.id != signal.id) {
+            named.push(signal);
+        }
+    }
+    Ok(named)
+}
+
 fn reaction(id: &str) -> Option<Reaction> {
     Reaction::ALL.into_iter().find(|each| each.id() == id)
 }
@@ -69,22 +91,31 @@ pub const ENTRY: Entry = Entry {
     about: help::simulate,
     reads: Reads::Project,
     arguments: Args::ARGUMENTS,
-    gives: Gives::Record(Record::of::<answers::Answered<answers::Simulation>>("simulate")),
+    gives: Gives::RecordOr(
+        Record::of::<answers::Answered<answers::Simulation>>("simulate"),
+        &[media::CSV, media::PARQUET],
+    ),
     writes: &[
         OutputFile::of("out", &[media::CSV, media::PARQUET], help::simulate_trace),
         OutputFile::of("svg", &[media::SVG], help::svg),
         OutputFile::of("png", &[media::PNG], help::png),
     ],
     example: "axis.toml --code CHA-25A-50-H-C1024 --scenario emergency_stop",
-    answer: Some(|asked| {
-        let args = Args::read(&asked.given)?;
-        let axes = asked.axes(args.axis.as_deref(), Cost::Other)?;
-        asked.record_of_each(&axes, |project| {
-            let found = args.simulated(project, asked, false)?;
-            Ok((answer::simulation(&found, asked.language), found.fits()))
-        })
-    }),
+    answer: None,
 };
+
+/// The record about each axis.
+///
+/// # Errors
+/// Faults of project and arguments; why nothing is simulated.
+pub fn record(args: &Args, asked: &Asked<'_>) -> Result<Answer, Unanswered> {
+    let axes = asked.axes(args.axis.as_deref(), Cost::Other)?;
+    asked.record_of_each(&axes, |project| {
+        let found = args.simulated(project, asked, false)?;
+        Ok((answer::simulation(&found, asked.language), found.fits()))
+    })
+}
+
 
 /// Rows of a course without a stated time between them, at most.
 const ROWS_USUAL_S: f64 = 1e-3;

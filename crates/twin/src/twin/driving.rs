@@ -164,7 +164,7 @@ impl Twin<'_> {
             ScenarioId::HangingLoad => self.react(Reaction::Brake),
             ScenarioId::BlockedLoad => self.stop = Some(self.stop_here(0.0)),
             ScenarioId::Collision => self.stop = Some(self.stop_here(self.state.x[5].signum())),
-            ScenarioId::EncoderFailure => self.encoder.frozen_rad = Some(self.angle()),
+            ScenarioId::EncoderFailure => self.fail(),
             ScenarioId::LinkSag => self.supply_share = SAG.0,
             ScenarioId::Cycle
             | ScenarioId::BrakeStuck
