@@ -1,7 +1,7 @@
 //! A failure of an encoder: what it sends then, what a drive reads of it, and how the drive notices it.
 
-use crate::endat::{self, ErrorBits, Timing};
 use crate::encoder::{Absolute, Encoder, Interface, Protocol};
+use crate::endat::{self, ErrorBits, Timing};
 use crate::ssi::{self, Position, monoflop};
 use crate::{CommutationPhases, Quadrature, Shaft, SquareTracks, TrackingLoop, Word, commutation_sector};
 use quantities::{Angle, AngularVelocity, Measure};
@@ -229,7 +229,8 @@ impl Reader {
                 let steps = (passed_s * TrackingLoop::RATE_HZ).round().clamp(0.0, LOOKS_MOST) as u32;
                 for step in 1..=steps {
                     let at = from + (seen.si() - from) * f64::from(step) / f64::from(steps);
-                    let windings = self.damaged(resolver.envelope(Angle::from_si(at)).map(|share| share / resolver.ratio));
+                    let windings =
+                        self.damaged(resolver.envelope(Angle::from_si(at)).map(|share| share / resolver.ratio));
                     self.read_rad = self.tracking.step(windings).angle.si() / pairs;
                 }
                 bounded(self.damaged(resolver.envelope(seen).map(|share| share / resolver.ratio)), RESOLVER_BOUNDS)
@@ -363,8 +364,8 @@ fn apart(one: f64, other: f64) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::{Resolver, SinePair};
     use crate::ssi::Format;
+    use crate::{Resolver, SinePair};
     use quantities::{EffectiveVoltage, Frequency};
 
     /// A period of a current loop at 16 kHz \[s\].
@@ -378,10 +379,8 @@ mod tests {
     }
 
     fn all() -> [Encoder; 5] {
-        let square = Interface::Square {
-            tracks: SquareTracks { periods: 2048 },
-            commutation: CommutationPhases { periods: 5 },
-        };
+        let square =
+            Interface::Square { tracks: SquareTracks { periods: 2048 }, commutation: CommutationPhases { periods: 5 } };
         let resolver = Resolver {
             pole_pairs: 1,
             excitation: EffectiveVoltage::from_si(7.0),

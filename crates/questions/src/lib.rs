@@ -56,9 +56,9 @@ pub use subject::{candidate_for, candidate_of_tables};
 // The judgement of an axis.
 pub use configurator::Unmet;
 pub use limits::limits_needed;
+pub use signal::{SIGNALS, Signal, TIME};
 pub use simulate::Simulated;
 pub use sizing::{Amount, Check, CheckId, Demand, Direction, Part, Reserve, Verdict};
-pub use signal::{SIGNALS, Signal, TIME};
 pub use sizing_use::{
     Candidate, CandidateId, Objection, Refusal, Sizing, check, check_own, explain, explain_own, reserve_of, size,
 };

@@ -55,13 +55,9 @@ pub const TIME: Signal =
 
 /// All of them, in the order of the columns. Names and headings are the contract with scripts and with `identify`.
 pub const SIGNALS: &[Signal] = &[
-    Signal::new(
-        ("wanted_position", "wanted_position_rad"),
-        tables::angle,
-        simulation::wanted,
-        &RADIAN,
-        |s| s.wanted_rad,
-    ),
+    Signal::new(("wanted_position", "wanted_position_rad"), tables::angle, simulation::wanted, &RADIAN, |s| {
+        s.wanted_rad
+    }),
     Signal::new(
         ("wanted_speed", "wanted_speed_rad_s"),
         terms::rotary_speed,
@@ -70,13 +66,9 @@ pub const SIGNALS: &[Signal] = &[
         |s| s.wanted_rad_s,
     ),
     Signal::new(("position", "position_rad"), tables::angle, simulation::of_the_load, &RADIAN, |s| s.position_rad),
-    Signal::new(
-        ("speed", "speed_rad_s"),
-        terms::rotary_speed,
-        simulation::of_the_load,
-        &RADIAN_PER_SECOND,
-        |s| s.speed_rad_s,
-    ),
+    Signal::new(("speed", "speed_rad_s"), terms::rotary_speed, simulation::of_the_load, &RADIAN_PER_SECOND, |s| {
+        s.speed_rad_s
+    }),
     Signal::new(
         ("acceleration", "acceleration_rad_s2"),
         terms::acceleration,
@@ -84,13 +76,9 @@ pub const SIGNALS: &[Signal] = &[
         &RADIAN_PER_SECOND_SQUARED,
         |s| s.acceleration_rad_s2,
     ),
-    Signal::new(
-        ("motor_position", "motor_position_rad"),
-        tables::angle,
-        simulation::of_the_motor,
-        &RADIAN,
-        |s| s.motor_rad,
-    ),
+    Signal::new(("motor_position", "motor_position_rad"), tables::angle, simulation::of_the_motor, &RADIAN, |s| {
+        s.motor_rad
+    }),
     Signal::new(
         ("motor_speed", "motor_speed_rad_s"),
         terms::rotary_speed,
@@ -99,20 +87,12 @@ pub const SIGNALS: &[Signal] = &[
         |s| s.motor_rad_s,
     ),
     Signal::new(("torque", "torque_nm"), tables::torque, simulation::torque_peak, &NEWTON_METRE, |s| s.torque_nm),
-    Signal::new(
-        ("current_q", "current_q_a"),
-        tables::motor_current,
-        simulation::peak_of_a_phase,
-        &AMPERE,
-        |s| s.current_q_a,
-    ),
-    Signal::new(
-        ("current_d", "current_d_a"),
-        tables::motor_current,
-        simulation::peak_of_a_phase,
-        &AMPERE,
-        |s| s.current_d_a,
-    ),
+    Signal::new(("current_q", "current_q_a"), tables::motor_current, simulation::peak_of_a_phase, &AMPERE, |s| {
+        s.current_q_a
+    }),
+    Signal::new(("current_d", "current_d_a"), tables::motor_current, simulation::peak_of_a_phase, &AMPERE, |s| {
+        s.current_d_a
+    }),
     Signal::new(("voltage_q", "voltage_q_v"), simulation::voltage, simulation::peak_of_a_phase, &VOLT, |s| {
         s.voltage_q_v
     }),
@@ -120,20 +100,12 @@ pub const SIGNALS: &[Signal] = &[
         s.voltage_d_v
     }),
     Signal::new(("link", "link_v"), simulation::voltage, simulation::dc_link, &VOLT, |s| s.link_v),
-    Signal::new(
-        ("winding", "winding_degc"),
-        terms::winding,
-        tables::temperature_about,
-        &DEGREE_CELSIUS,
-        |s| s.winding_k,
-    ),
-    Signal::new(
-        ("housing", "housing_degc"),
-        terms::housing,
-        tables::temperature_about,
-        &DEGREE_CELSIUS,
-        |s| s.housing_k,
-    ),
+    Signal::new(("winding", "winding_degc"), terms::winding, tables::temperature_about, &DEGREE_CELSIUS, |s| {
+        s.winding_k
+    }),
+    Signal::new(("housing", "housing_degc"), terms::housing, tables::temperature_about, &DEGREE_CELSIUS, |s| {
+        s.housing_k
+    }),
     Signal::new(("sensor", "sensor_degc"), simulation::sensor, simulation::sensor, &DEGREE_CELSIUS, |s| s.sensor_k),
     Signal::new(("overload", "overload"), tables::overload, tables::overload_about, &ONE, |s| s.overload),
     Signal::new(
@@ -155,7 +127,8 @@ mod tests {
     fn a_heading_is_the_name_with_its_unit() {
         for Signal { id, column, unit, .. } in std::iter::once(&TIME).chain(SIGNALS) {
             let spelled: String = unit.ascii.to_lowercase().replace(['/', ' '], "_").replace('^', "");
-            let expected = if **unit == ONE { (*id).to_owned() } else { format!("{id}_{}", spelled.replace("n_m", "nm")) };
+            let expected =
+                if **unit == ONE { (*id).to_owned() } else { format!("{id}_{}", spelled.replace("n_m", "nm")) };
             assert_eq!(*column, expected);
         }
         assert!(Signal::of_id("time").is_none() && Signal::of_id("speed").is_some());

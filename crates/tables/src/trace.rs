@@ -14,8 +14,7 @@ pub fn trace(samples: &[TwinSample], signals: &[&Signal], language: Language) ->
     let named = if signals.is_empty() { all.as_slice() } else { signals };
     let shown: Vec<&Signal> = std::iter::once(&TIME).chain(named.iter().copied()).collect();
     // The name has the unit already.
-    let heading =
-        |each: &&Signal| column(each.column, each.title, ColumnContent::Number, None, each.about, language);
+    let heading = |each: &&Signal| column(each.column, each.title, ColumnContent::Number, None, each.about, language);
     let values = samples.iter().flat_map(|sample| shown.iter().map(|each| each.unit.from_si((each.of)(sample))));
     Table {
         name: "trace",

@@ -96,7 +96,7 @@ pub struct Scenario {
     pub at_s: Option<f64>,
     /// How the drive reacts to a stop on demand and to its own faults.
     pub reaction: Reaction,
-    /// How the feedback fails; without it one of its tracks is lost.
+    /// How the feedback fails; without it no signal arrives.
     pub failure: Option<Failure>,
     /// So many cycles are run; none means one.
     pub cycles: u32,

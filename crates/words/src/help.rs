@@ -60,6 +60,9 @@ texts! {
         | "Wann es geschieht, etwa \"300 ms\"; ohne Angabe, wenn die Achse am schnellsten ist";
     simulate_reaction =
         "How the drive ends a motion (along a ramp)" | "Wie der Regler eine Bewegung beendet (an einer Rampe)";
+    simulate_failure =
+        "How the encoder fails in its scenario; without it no signal arrives"
+        | "Wie der Geber in seinem Szenario ausfällt; ohne Angabe kommt kein Signal an";
     simulate_cycles = "Cycles that are run (1)" | "Gerechnete Zyklen (1)";
     simulate_cold =
         "Begin as cold as the ambient air, not settled"

@@ -2,6 +2,7 @@
 
 use super::either;
 use crate::texts::texts;
+use feedback::{Failure, Finding};
 use quantities::Language;
 use twin::{EventKind, Fault, Loop, Reaction, ScenarioId};
 
@@ -116,6 +117,19 @@ texts! {
     refused_battery =
         "the scenario needs a feedback with battery, and the actuator has none"
         | "das Szenario braucht einen Geber mit Batterie, und der Antrieb hat keinen";
+    refused_encoder =
+        "the scenario needs an encoder whose signals are known: state an ordering code"
+        | "das Szenario braucht einen Geber, dessen Signale bekannt sind: eine Bestellbezeichnung angeben";
+    refused_failure_of_encoder(failure) =
+        "the encoder of this actuator cannot fail so: {failure}" | "der Geber dieses Antriebs kann so nicht ausfallen: {failure}";
+    refused_failure(scenario) =
+        "a failure of the encoder belongs to the scenario {scenario}" | "ein Ausfall des Gebers gehört zum Szenario {scenario}";
+    noticed(failure, time, finding, angle) =
+        "Encoder: {failure}; noticed after {time} ms: {finding}; the angle read was then {angle}° beside the true one at the output."
+        | "Geber: {failure}; erkannt nach {time} ms: {finding}; der gelesene Winkel lag dann am Abtrieb um {angle}° neben dem wahren.";
+    not_noticed(failure, angle) =
+        "Encoder: {failure}; the drive does not notice it; at the end the angle read is {angle}° beside the true one at the output."
+        | "Geber: {failure}; der Regler bemerkt es nicht; am Ende liegt der gelesene Winkel am Abtrieb um {angle}° neben dem wahren.";
     refused_late(end) = "the scenario takes place after the end of the run, {end} s" | "das Szenario liegt nach dem Ende des Laufs, {end} s";
     refused_moving = "the scenario begins at rest, and the axis moves then" | "das Szenario beginnt im Stillstand, und die Achse bewegt sich dann";
     refused_resting = "the scenario needs a moving axis, and it rests then" | "das Szenario braucht eine bewegte Achse, und sie steht dann";
@@ -262,13 +276,51 @@ pub fn event_title(event: EventKind, language: Language) -> String {
         EventKind::LinkLow => ("DC link: undervoltage", "Zwischenkreis: Unterspannung"),
         EventKind::LinkHigh => ("DC link: overvoltage", "Zwischenkreis: Überspannung"),
         EventKind::BrakeResistor => ("brake resistor on", "Bremswiderstand ein"),
-        EventKind::NoPosition => ("no valid position", "keine gültige Position"),
+        EventKind::NoPosition => {
+            ("failure of the encoder noticed: no valid position", "Ausfall des Gebers erkannt: keine gültige Position")
+        }
+        EventKind::TurnsLost => {
+            ("the encoder has lost its turns, unseen", "der Geber hat seine Umdrehungen verloren, unbemerkt")
+        }
         EventKind::Demagnetisation => ("demagnetisation current reached", "Entmagnetisierungsstrom erreicht"),
         EventKind::CollisionTorque => {
             ("collision torque of the gear exceeded", "Kollisionsmoment des Getriebes überschritten")
         }
         EventKind::Overspeed => ("speed too high", "Drehzahl zu hoch"),
         EventKind::Diverged => ("the run diverges and ends", "der Lauf divergiert und endet"),
+    };
+    either(language, en, de)
+}
+
+/// How an encoder fails; without a failure of its own it is the battery.
+#[must_use]
+pub fn failure_title(failure: Option<Failure>, language: Language) -> String {
+    let (en, de) = match failure {
+        Some(Failure::Track) => ("one track or winding gives no signal", "eine Spur oder Wicklung gibt kein Signal"),
+        Some(Failure::Amplitude) => ("signals with a quarter of their level", "Signale mit einem Viertel ihres Pegels"),
+        Some(Failure::Cable) => ("no signal arrives", "kein Signal kommt an"),
+        Some(Failure::Check) => ("words arrive with a wrong bit", "Telegramme kommen mit einem falschen Bit an"),
+        Some(Failure::ErrorBit) => ("the encoder reports an error", "der Geber meldet einen Fehler"),
+        Some(Failure::DataLine) => ("the data line stays low", "die Datenleitung bleibt auf Low"),
+        None => ("turns lost with the battery", "Umdrehungen mit der Batterie verloren"),
+    };
+    either(language, en, de)
+}
+
+/// What a drive notices of it.
+#[must_use]
+pub fn finding_title(finding: Finding, language: Language) -> String {
+    let (en, de) = match finding {
+        Finding::Amplitude => ("level of the signals out of its bounds", "Pegel der Signale außerhalb seiner Grenzen"),
+        Finding::Commutation => (
+            "counted angle beside that of the commutation signals",
+            "gezählter Winkel neben dem der Kommutierungssignale",
+        ),
+        Finding::Sector => ("commutation signals all alike", "Kommutierungssignale alle gleich"),
+        Finding::Start => ("word without start bit", "Telegramm ohne Startbit"),
+        Finding::Check => ("word with wrong check", "Telegramm mit falscher Prüfsumme"),
+        Finding::ErrorBit => ("error bit of the word", "Fehlerbit des Telegramms"),
+        Finding::Difference => ("absolute position beside the counted one", "absolute Position neben der gezählten"),
     };
     either(language, en, de)
 }
@@ -295,6 +347,10 @@ pub fn simulation_fault(fault: &Fault, language: Language) -> String {
         Fault::StepTooLong { substeps } => crate::simulation::refused_step(substeps, language),
         Fault::NoBrake => crate::simulation::refused_brake(language).to_owned(),
         Fault::NoOutputEncoder => crate::simulation::refused_output_encoder(language).to_owned(),
+        Fault::NoEncoder => crate::simulation::refused_encoder(language).to_owned(),
+        Fault::NotOfThisEncoder(failure) => {
+            crate::simulation::refused_failure_of_encoder(&failure_title(Some(*failure), language), language)
+        }
         Fault::NoBattery => crate::simulation::refused_battery(language).to_owned(),
         Fault::AfterTheEnd { end_s } => {
             crate::simulation::refused_late(&quantities::format_significant(*end_s, 4, language), language)

@@ -122,7 +122,11 @@ pub(super) fn of(argument: &Argument, language: Language) -> Arg {
         ArgumentKind::Whole(least, most) => arg.value_parser(value_parser!(u64).range(least..=most)),
         ArgumentKind::Word(_) if !argument.is_list() => arg.value_parser(PossibleValuesParser::new(words)),
         ArgumentKind::Word(_)
-        | ArgumentKind::Text | ArgumentKind::Code | ArgumentKind::Date | ArgumentKind::File | ArgumentKind::Flag => arg,
+        | ArgumentKind::Text
+        | ArgumentKind::Code
+        | ArgumentKind::Date
+        | ArgumentKind::File
+        | ArgumentKind::Flag => arg,
     };
     if argument.repeated && argument.form == Form::Option {
         arg = arg.action(ArgAction::Append);

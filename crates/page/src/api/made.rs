@@ -6,7 +6,9 @@ use quantities::Language;
 use questions::Refusal;
 use questions::answer::written;
 use questions::list::plot::Args as Looks;
-use questions::list::{Asked, Cost, Unanswered, commission_checklist, export, media, plot, report, simulate, upkeep_calendar};
+use questions::list::{
+    Asked, Cost, Unanswered, commission_checklist, export, media, plot, report, simulate, upkeep_calendar,
+};
 use tables::{Format, Front, Subject};
 use words::{requests, simulation, terminal};
 

@@ -10,6 +10,7 @@ use crate::chapters::{read_hours, read_quantity};
 use crate::patience::Patience;
 use crate::signal::Signal;
 use crate::simulate::{NotRun, ROWS_MOST, STEPS_MOST, Simulated, Wanted, simulate};
+use feedback::Failure;
 use order_code::OrderCode;
 use project::Project;
 use quantities::unit::HOUR;
@@ -33,6 +34,9 @@ arguments! {
         /// How the drive reacts.
         reaction: Option<Reaction> = Argument::option("reaction", values::name, help::simulate_reaction)
             .of(ArgumentKind::Word(|| Reaction::ALL.map(Reaction::id).to_vec())) => word(reaction),
+        /// How the encoder fails.
+        failure: Option<Failure> = Argument::option("failure", values::name, help::simulate_failure)
+            .of(ArgumentKind::Word(|| Failure::ALL.iter().map(|each| each.id()).collect())) => word(failure),
         /// Cycles that are run.
         cycles: Option<u32> = Argument::option("cycles", values::n, help::simulate_cycles)
             .of(ArgumentKind::Whole(1, 100_000)) => number,
@@ -80,6 +84,10 @@ fn signals(given: &Given, argument: &Argument) -> Result<Vec<&'static Signal>, U
     Ok(named)
 }
 
+fn failure(id: &str) -> Option<Failure> {
+    Failure::ALL.iter().copied().find(|each| each.id() == id)
+}
+
 fn reaction(id: &str) -> Option<Reaction> {
     Reaction::ALL.into_iter().find(|each| each.id() == id)
 }
@@ -116,7 +124,6 @@ pub fn record(args: &Args, asked: &Asked<'_>) -> Result<Answer, Unanswered> {
     })
 }
 
-
 /// Rows of a course without a stated time between them, at most.
 const ROWS_USUAL_S: f64 = 1e-3;
 
@@ -147,6 +154,10 @@ impl Args {
         if self.days.is_some() && scenario != ScenarioId::Cycle {
             return Err(Unanswered::option("days", (simulation::refused_days(asked.language).to_owned(), None)));
         }
+        if self.failure.is_some() && scenario != ScenarioId::EncoderFailure {
+            let why = simulation::refused_failure(&ScenarioId::EncoderFailure.id(), asked.language);
+            return Err(Unanswered::option("failure", (why, None)));
+        }
         let day = Time::new_in(24.0, &HOUR).si();
         let wanted = Wanted {
             operation: self.days.map(|periods| Operation { periods, period_s: day, running_s: hours / 24.0 * day }),
@@ -154,6 +165,7 @@ impl Args {
                 id: scenario,
                 at_s: self.at.map(Time::si).or(stated.at_s),
                 reaction: self.reaction.unwrap_or(stated.reaction),
+                failure: self.failure.or(stated.failure),
                 cycles: self.cycles.unwrap_or_else(|| stated.cycles.max(1)),
                 cold: self.cold || stated.cold,
             },

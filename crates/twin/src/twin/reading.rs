@@ -3,12 +3,12 @@
 use super::Twin;
 use crate::scenario::{EventKind, Failed, Reaction, ScenarioId};
 use crate::setup::{Fault, Setup};
-use feedback::{Failure, Finding, Reader};
+use feedback::{Failure, Finding, Interface, Reader};
 use quantities::{Angle, AngularVelocity, Measure};
 use std::f64::consts::TAU;
 
 /// What fails where nothing else is stated.
-const FAILURE_USUAL: Failure = Failure::Track;
+const FAILURE_USUAL: Failure = Failure::Cable;
 
 /// The state of the feedback.
 #[derive(Clone, Debug)]
@@ -72,6 +72,12 @@ impl Twin<'_> {
     #[must_use]
     pub fn can_fail(&self) -> bool {
         can_fail(&self.setup).is_ok()
+    }
+
+    /// Whether the feedback on the motor is a resolver.
+    #[must_use]
+    pub fn has_resolver(&self) -> bool {
+        self.setup.encoder.is_some_and(|encoder| matches!(encoder.interface, Interface::Resolver(_)))
     }
 
     /// The feedback fails now.
