@@ -64,7 +64,8 @@ pub(crate) fn simulate(call: &Call<'_>, asked: &Asked<'_>) -> Result<Answer, Una
             let text = shown(&chapter::simulation(record, language), language);
             match (&record.trace, runs.first()) {
                 (Some(file), Some(run)) => {
-                    format!("{text}\n{}\n", simulation::trace_written(file, &run.course.len(), language))
+                    let every = quantities::format_significant(run.every_s() * 1e3, 4, language);
+                    format!("{text}\n{}\n", simulation::trace_written(file, &run.course.len(), &every, language))
                 }
                 _ => text,
             }

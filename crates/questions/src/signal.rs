@@ -76,6 +76,9 @@ pub const SIGNALS: &[Signal] = &[
         &RADIAN_PER_SECOND_SQUARED,
         |s| s.acceleration_rad_s2,
     ),
+    Signal::new(("measured_position", "measured_position_rad"), tables::angle, simulation::measured, &RADIAN, |s| {
+        s.measured_rad
+    }),
     Signal::new(("motor_position", "motor_position_rad"), tables::angle, simulation::of_the_motor, &RADIAN, |s| {
         s.motor_rad
     }),

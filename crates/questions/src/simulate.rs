@@ -365,6 +365,12 @@ impl Simulated<'_> {
         matches!(self.scenario.id, ScenarioId::Cycle | ScenarioId::HotAmbient | ScenarioId::ColdGrease)
     }
 
+    /// Time between two rows of the course \[s\]: a whole number of periods of the current loop.
+    #[must_use]
+    pub fn every_s(&self) -> f64 {
+        self.course.get(1).map_or(0.0, |row| row.time_s)
+    }
+
     /// The figures that have a limit.
     pub(crate) fn judged(&self) -> Vec<Judged> {
         let (actuator, summary) = (&self.parameters.actuator, &self.summary);

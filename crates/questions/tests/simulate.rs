@@ -139,7 +139,7 @@ fn an_encoder_that_fails_is_answered_with_what_is_noticed() {
     let stated = format!("{TABLE}\n[twin]\nscenario = \"encoder_failure\"\nfailure = \"amplitude\"\n");
     assert_eq!(answered(&stated, &[CODE]).unwrap().0["encoder_failure"]["failure"], "amplitude");
     let refused = |found: Result<serde_json::Value, Unanswered>| message(&found.unwrap_err());
-    assert!(refused(failure("CHA-25A-100-H-C1024", &[("failure", "check")])).contains("wrong bit"));
+    assert!(refused(failure("CHA-25A-100-H-C1024", &[("failure", "check")])).contains("track, amplitude, cable"));
     let other = answered(TABLE, &[CODE, ("failure", "track")]).map(|(record, _)| record);
     assert!(refused(other).contains("encoder_failure"));
     let lost = answered(TABLE, &[("code", "CHA-17A-100-H-M128S"), ("scenario", "battery_loss")]).unwrap().0;
@@ -147,6 +147,17 @@ fn an_encoder_that_fails_is_answered_with_what_is_noticed() {
     assert!(
         lost["encoder_failure"]["finding"].is_null() && lost["encoder_failure"]["error"].as_f64().unwrap() < -7000.0
     );
+}
+
+/// Every wrong option of a run at once.
+#[test]
+fn wrong_options_are_reported_together() {
+    let wrong =
+        [CODE, ("scenario", "collision"), ("every", "20 us"), ("at", "-1 s"), ("days", "3"), ("failure", "track")];
+    let faults = answered(TABLE, &wrong).unwrap_err().faults(None, Language::En).errors;
+    let options: Vec<_> = faults.iter().filter_map(|fault| fault.option.as_deref()).collect();
+    assert_eq!(options, ["every", "at", "days", "failure"], "{faults:?}");
+    assert!(faults[0].message.contains("62.5"), "{faults:?}");
 }
 
 /// Signals are named with commas or one by one; every wrong name is refused at once, with the one that was probably meant.

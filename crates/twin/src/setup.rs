@@ -141,8 +141,13 @@ pub enum Fault {
     NoBattery,
     /// The feedback fails, and its signals are not known.
     NoEncoder,
-    /// The feedback cannot fail so.
-    NotOfThisEncoder(Failure),
+    /// The feedback cannot fail so, but in these ways.
+    NotOfThisEncoder {
+        /// How it shall fail.
+        failure: Failure,
+        /// How it can.
+        possible: [Option<Failure>; Failure::ALL.len()],
+    },
     /// The position loop is closed at the output, and no encoder is there.
     NoOutputEncoder,
     /// The scenario takes place after the end of the run.

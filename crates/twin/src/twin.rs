@@ -54,6 +54,8 @@ pub struct Sample {
     pub speed_rad_s: f64,
     /// Acceleration of the load [rad/s²].
     pub acceleration_rad_s2: f64,
+    /// Position that the drive reads \[rad\]: as that of the load at the start.
+    pub measured_rad: f64,
     /// Angle of the motor over i \[rad\].
     pub motor_rad: f64,
     /// Speed of the motor over i [rad/s].
@@ -516,6 +518,7 @@ impl<'a> Twin<'a> {
             position_rad: position,
             speed_rad_s: speed,
             acceleration_rad_s2: self.state.acceleration_rad_s2,
+            measured_rad: self.measured_rad(),
             motor_rad: theta,
             motor_rad_s: omega,
             torque_nm: self.state.gear_nm,

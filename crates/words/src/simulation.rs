@@ -120,8 +120,9 @@ texts! {
     refused_encoder =
         "the scenario needs an encoder whose signals are known: state an ordering code"
         | "das Szenario braucht einen Geber, dessen Signale bekannt sind: eine Bestellbezeichnung angeben";
-    refused_failure_of_encoder(failure) =
-        "the encoder of this actuator cannot fail so: {failure}" | "der Geber dieses Antriebs kann so nicht ausfallen: {failure}";
+    refused_failure_of_encoder(failure, possible) =
+        "the encoder of this actuator cannot fail so: {failure}; possible are {possible}"
+        | "der Geber dieses Antriebs kann so nicht ausfallen: {failure}; möglich sind {possible}";
     refused_failure(scenario) =
         "a failure of the encoder belongs to the scenario {scenario}" | "ein Ausfall des Gebers gehört zum Szenario {scenario}";
     noticed(failure, time, finding, angle) =
@@ -138,6 +139,9 @@ texts! {
     too_many_steps(steps, most) =
         "{steps} steps are more than are run without a time limit, {most}: run fewer cycles or state --deadline"
         | "{steps} Schritte sind mehr als ohne Zeitgrenze gerechnet werden, {most}: weniger Zyklen rechnen oder --deadline angeben";
+    refused_every(period) =
+        "at least {period} µs lie between two rows, a period of the current loop"
+        | "zwischen zwei Zeilen liegen mindestens {period} µs, eine Periode der Stromregelung";
     too_many_rows(rows, most) = "{rows} rows of the trace are more than {most}: state a longer --every" | "{rows} Zeilen des Verlaufs sind mehr als {most}: ein längeres --every angeben";
     trace = "course of the simulation" | "Verlauf der Simulation";
     trace_about = "one row for each instant, at the output unless the name says motor" | "eine Zeile je Zeitpunkt, am Abtrieb, wenn der Name nicht motor nennt";
@@ -211,13 +215,14 @@ texts! {
         | "{name}: Durchtritt {crossover} Hz, Phasenreserve {margin}°, Bandbreite {bandwidth} Hz.";
     wanted = "set-point" | "Sollwert";
     of_the_load = "of the load" | "der Last";
+    measured = "as the drive reads it" | "wie der Regler sie liest";
     of_the_motor = "of the motor over the ratio" | "des Motors durch die Untersetzung";
     peak_of_a_phase = "peak of a phase" | "Scheitelwert eines Strangs";
     sensor = "sensor of the winding" | "Fühler der Wicklung";
     voltage = "voltage" | "Spannung";
     dc_link = "DC link" | "Zwischenkreis";
     braked = "brake closed" | "Bremse geschlossen";
-    trace_written(file, rows) = "{file}: {rows} rows" | "{file}: {rows} Zeilen";
+    trace_written(file, rows, every) = "{file}: {rows} rows, one each {every} ms" | "{file}: {rows} Zeilen, eine je {every} ms";
     signals_need_a_format =
         "signals are columns of the trace: with `format` csv or parquet"
         | "Größen sind Spalten des Verlaufs: mit `format` csv oder parquet";
@@ -348,8 +353,10 @@ pub fn simulation_fault(fault: &Fault, language: Language) -> String {
         Fault::NoBrake => crate::simulation::refused_brake(language).to_owned(),
         Fault::NoOutputEncoder => crate::simulation::refused_output_encoder(language).to_owned(),
         Fault::NoEncoder => crate::simulation::refused_encoder(language).to_owned(),
-        Fault::NotOfThisEncoder(failure) => {
-            crate::simulation::refused_failure_of_encoder(&failure_title(Some(*failure), language), language)
+        Fault::NotOfThisEncoder { failure, possible } => {
+            let possible: Vec<&str> = possible.iter().flatten().map(|each| each.id()).collect();
+            let title = failure_title(Some(*failure), language);
+            crate::simulation::refused_failure_of_encoder(&title, &possible.join(", "), language)
         }
         Fault::NoBattery => crate::simulation::refused_battery(language).to_owned(),
         Fault::AfterTheEnd { end_s } => {

@@ -14,9 +14,9 @@ use feedback::Failure;
 use order_code::OrderCode;
 use project::Project;
 use quantities::unit::HOUR;
-use quantities::{Language, Measure, Time};
+use quantities::{Language, Measure, Time, format_significant};
 pub use twin::ScenarioId;
-use twin::{Operation, Reaction, Scenario};
+use twin::{CURRENT_RATE_HZ, Operation, Reaction, Scenario};
 use words::{help, help::values, simulation};
 
 arguments! {
@@ -30,7 +30,7 @@ arguments! {
         scenario: Option<ScenarioId> = Argument::option("scenario", values::name, help::simulate_scenario)
             .of(ArgumentKind::Word(|| ScenarioId::ALL.iter().map(|each| each.id()).collect())) => word(ScenarioId::of),
         /// When it happens.
-        at: Option<Time> = Argument::option("at", values::time, help::simulate_at) => some(read_quantity),
+        at: Option<Time> = Argument::option("at", values::time, help::simulate_at).signed() => some(read_quantity),
         /// How the drive reacts.
         reaction: Option<Reaction> = Argument::option("reaction", values::name, help::simulate_reaction)
             .of(ArgumentKind::Word(|| Reaction::ALL.map(Reaction::id).to_vec())) => word(reaction),
@@ -48,7 +48,7 @@ arguments! {
         /// Operation a day.
         hours_per_day: Option<Time> = Argument::option("hours-per-day", values::hours, help::simulate_hours) => some(read_hours),
         /// Time between two rows of the course.
-        every: Option<Time> = Argument::option("every", values::time, help::simulate_every) => some(read_quantity),
+        every: Option<Time> = Argument::option("every", values::time, help::simulate_every).signed() => some(read_quantity),
         /// The signals of the course; none means all.
         signals: Vec<&'static Signal> = Argument::option("signals", values::names, help::simulate_signals)
             .of(ArgumentKind::Word(Signal::ids)).repeated() => signals,
@@ -140,23 +140,37 @@ impl Args {
     ) -> Result<Simulated<'p>, Unanswered> {
         let stated = &project.twin.scenario;
         let every = self.every.map_or(ROWS_USUAL_S, Time::si);
-        if every.is_nan() || every <= 0.0 {
-            return Err(Unanswered::option("every", (simulation::refused_range(&"every", asked.language), None)));
-        }
         let scenario = self.scenario.unwrap_or(stated.id);
         let hours = self.hours_per_day.map_or(24.0, |time| time.in_unit(&HOUR));
-        if !(0.0..=24.0).contains(&hours) || (self.hours_per_day.is_some() && self.days.is_none()) {
-            return Err(Unanswered::option(
+        let language = asked.language;
+        let period_us = format_significant(1e6 / CURRENT_RATE_HZ, 4, language);
+        let wrong = [
+            (
+                "every",
+                every.is_nan() || every * CURRENT_RATE_HZ < 1.0 - 1e-9,
+                simulation::refused_every(&period_us, language),
+            ),
+            ("at", self.at.is_some_and(|at| at.si() < 0.0), simulation::refused_range(&"at", language)),
+            (
                 "hours-per-day",
-                (simulation::refused_hours(asked.language).to_owned(), None),
-            ));
-        }
-        if self.days.is_some() && scenario != ScenarioId::Cycle {
-            return Err(Unanswered::option("days", (simulation::refused_days(asked.language).to_owned(), None)));
-        }
-        if self.failure.is_some() && scenario != ScenarioId::EncoderFailure {
-            let why = simulation::refused_failure(&ScenarioId::EncoderFailure.id(), asked.language);
-            return Err(Unanswered::option("failure", (why, None)));
+                !(0.0..=24.0).contains(&hours) || (self.hours_per_day.is_some() && self.days.is_none()),
+                simulation::refused_hours(language).to_owned(),
+            ),
+            (
+                "days",
+                self.days.is_some() && scenario != ScenarioId::Cycle,
+                simulation::refused_days(language).to_owned(),
+            ),
+            (
+                "failure",
+                self.failure.is_some() && scenario != ScenarioId::EncoderFailure,
+                simulation::refused_failure(&ScenarioId::EncoderFailure.id(), language),
+            ),
+        ];
+        let wrong = wrong.into_iter().filter(|(_, is_wrong, _)| *is_wrong);
+        let faults: Vec<Unanswered> = wrong.map(|(name, _, why)| Unanswered::option(name, (why, None))).collect();
+        if !faults.is_empty() {
+            return Err(Unanswered::together(faults));
         }
         let day = Time::new_in(24.0, &HOUR).si();
         let wanted = Wanted {

@@ -159,7 +159,7 @@ impl<'a> Twin<'a> {
         }
     }
 
-    fn measured_rad(&self) -> f64 {
+    pub(super) fn measured_rad(&self) -> f64 {
         self.position_seen(self.angle()) - self.offset_rad
     }
 

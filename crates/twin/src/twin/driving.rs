@@ -68,10 +68,10 @@ impl Twin<'_> {
         }
         let rests = self.state.x[3].abs() < 1e-4 * self.machine.speed_max
             && self.state.x[5].abs() < 1e-3 * self.machine.speed_max;
-        if self.phase == Phase::Off && rests && self.happened && !self.has(EventKind::AtRest) {
+        let stands = self.gathered.stop(time, self.happened, rests, self.state.x[4]);
+        if self.phase == Phase::Off && stands && !self.has(EventKind::AtRest) {
             self.note(EventKind::AtRest);
         }
-        self.gathered.stop(time, self.happened, rests, self.state.x[4]);
     }
 
     /// The brake within the cycle.

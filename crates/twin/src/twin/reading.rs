@@ -37,7 +37,9 @@ pub(super) fn can_fail(setup: &Setup<'_>) -> Result<(), Fault> {
     let encoder = setup.encoder.ok_or(Fault::NoEncoder)?;
     let failure = setup.scenario.failure.unwrap_or(FAILURE_USUAL);
     if setup.scenario.id == ScenarioId::EncoderFailure && !encoder.failures().any(|each| each == failure) {
-        return Err(Fault::NotOfThisEncoder(failure));
+        let mut possible = [None; Failure::ALL.len()];
+        possible.iter_mut().zip(encoder.failures()).for_each(|(place, each)| *place = Some(each));
+        return Err(Fault::NotOfThisEncoder { failure, possible });
     }
     Ok(())
 }
@@ -104,7 +106,9 @@ impl Twin<'_> {
     /// Reads a feedback that has failed, every period of the current loop until it is noticed.
     pub(super) fn read(&mut self, time: f64) {
         let (ratio, seen, theta) = (self.machine.ratio, self.seen(), self.state.x[2]);
-        let Some(failing) = self.encoder.failing.as_mut().filter(|failing| failing.noticed.is_none()) else { return };
+        // What fails in a period is sampled in the next.
+        let is_open = |failing: &&mut Failing| failing.noticed.is_none() && time > failing.since_s;
+        let Some(failing) = self.encoder.failing.as_mut().filter(is_open) else { return };
         let found = failing.reader.take(Angle::from_si(ratio * seen), time);
         let error = failing.reader.read_rad() / ratio - theta;
         if let Err(finding) = found {

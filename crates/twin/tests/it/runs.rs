@@ -38,7 +38,11 @@ fn every_scenario_ends_and_its_balance_closes() {
             let has = |kind| twin.events().iter().any(|event| event.kind == kind);
             match id {
                 ScenarioId::PowerFailure => assert!(has(EventKind::BrakeClosedMoving) && summary.stop_s.is_some()),
-                ScenarioId::HangingLoad => assert!(summary.stop_rad.unwrap() > 0.0 && has(EventKind::BrakeCloses)),
+                ScenarioId::HangingLoad => {
+                    let at_rest = twin.events().iter().find(|event| event.kind == EventKind::AtRest).unwrap();
+                    assert!(summary.stop_rad.unwrap() > 0.0 && has(EventKind::BrakeCloses));
+                    assert!((at_rest.time_s - summary.stop_s.unwrap()).abs() < 1e-3, "{at_rest:?}");
+                }
                 ScenarioId::EncoderFailure => assert!(has(EventKind::NoPosition) && has(EventKind::PulsesOff)),
                 ScenarioId::BatteryLoss => {
                     assert!(has(EventKind::TurnsLost) && !has(EventKind::NoPosition) && !has(EventKind::PulsesOff));
@@ -95,7 +99,10 @@ fn a_failed_encoder_is_noticed_by_what_it_sends() {
     };
     assert_eq!(refused(None, None), Some(Fault::NoEncoder));
     let ssi = encoder(CODE);
-    assert_eq!(refused(Some(Failure::Check), Some(&ssi)), Some(Fault::NotOfThisEncoder(Failure::Check)));
+    let why = refused(Some(Failure::Check), Some(&ssi));
+    let Some(Fault::NotOfThisEncoder { failure: Failure::Check, possible }) = why else { panic!("{why:?}") };
+    let possible: Vec<Failure> = possible.into_iter().flatten().collect();
+    assert_eq!(possible, [Failure::Track, Failure::Amplitude, Failure::Cable, Failure::DataLine]);
 }
 
 /// 2048 turns are lost at i = 80: 25.6 turns of the output, which the position loop then travels, as far as the run lasts.
