@@ -92,11 +92,11 @@ section! {
         delay: bool;
         limits: bool;
         noise: bool;
-        position_gain: f64 => within(0.0, 1e5), example("25");
-        speed_gain: f64 => within(0.0, 1e9), example("900");
+        position_gain: f64 => within(1e-3, 1e5), example("25");
+        speed_gain: f64 => within(1e-6, 1e9), example("900");
         speed_time: Time => positive, example("5 ms");
         speed_filter: Time => not_negative, example("0.2 ms");
-        current_gain: f64 => within(0.0, 1e6), example("20");
+        current_gain: f64 => within(1e-6, 1e6), example("20");
         current_time: Time => positive, example("1.4 ms");
         following_error_max: Angle => positive, example("1 deg");
         measured: MeasuredSection;

@@ -110,8 +110,8 @@ texts! {
         "Estimate load, friction and torque constant from a recorded run"
         | "Last, Reibung und Drehmomentkonstante aus einem aufgezeichneten Lauf schätzen";
     identify_trace =
-        "Recorded run with the columns of a trace"
-        | "Aufgezeichneter Lauf mit den Spalten eines Verlaufs";
+        "Recorded run (.csv) with the columns of a trace"
+        | "Aufgezeichneter Lauf (.csv) mit den Spalten eines Verlaufs";
     simulate_figure =
         "The picture of --svg and --png: the course, or the responses of the control loops (simulation)"
         | "Das Bild von --svg und --png: der Verlauf oder die Frequenzgänge der Regelkreise (simulation)";
