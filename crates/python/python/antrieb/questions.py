@@ -318,7 +318,7 @@ def simulate(
     days: int | None = None,
     hours_per_day: str | None = None,
     every: str | None = None,
-    signals: Literal["wanted_position", "wanted_speed", "position", "speed", "acceleration", "motor_position", "motor_speed", "torque", "current_q", "current_d", "voltage_q", "voltage_d", "link", "winding", "housing", "sensor", "overload", "following_error", "brake"] | Sequence[Literal["wanted_position", "wanted_speed", "position", "speed", "acceleration", "motor_position", "motor_speed", "torque", "current_q", "current_d", "voltage_q", "voltage_d", "link", "winding", "housing", "sensor", "overload", "following_error", "brake"]] | None = None,
+    signals: Literal["wanted_position", "wanted_speed", "position", "speed", "acceleration", "measured_position", "motor_position", "motor_speed", "torque", "current_q", "current_d", "voltage_q", "voltage_d", "link", "winding", "housing", "sensor", "overload", "following_error", "brake"] | Sequence[Literal["wanted_position", "wanted_speed", "position", "speed", "acceleration", "measured_position", "motor_position", "motor_speed", "torque", "current_q", "current_d", "voltage_q", "voltage_d", "link", "winding", "housing", "sensor", "overload", "following_error", "brake"]] | None = None,
     format: Literal["json"] = "json",
     figure: Literal["simulation", "control_loops"] = "simulation",
     seed: int = 0,
@@ -345,7 +345,7 @@ def simulate(
     days: int | None = None,
     hours_per_day: str | None = None,
     every: str | None = None,
-    signals: Literal["wanted_position", "wanted_speed", "position", "speed", "acceleration", "motor_position", "motor_speed", "torque", "current_q", "current_d", "voltage_q", "voltage_d", "link", "winding", "housing", "sensor", "overload", "following_error", "brake"] | Sequence[Literal["wanted_position", "wanted_speed", "position", "speed", "acceleration", "motor_position", "motor_speed", "torque", "current_q", "current_d", "voltage_q", "voltage_d", "link", "winding", "housing", "sensor", "overload", "following_error", "brake"]] | None = None,
+    signals: Literal["wanted_position", "wanted_speed", "position", "speed", "acceleration", "measured_position", "motor_position", "motor_speed", "torque", "current_q", "current_d", "voltage_q", "voltage_d", "link", "winding", "housing", "sensor", "overload", "following_error", "brake"] | Sequence[Literal["wanted_position", "wanted_speed", "position", "speed", "acceleration", "measured_position", "motor_position", "motor_speed", "torque", "current_q", "current_d", "voltage_q", "voltage_d", "link", "winding", "housing", "sensor", "overload", "following_error", "brake"]] | None = None,
     format: Literal["json"] = "json",
     figure: Literal["simulation", "control_loops"] = "simulation",
     seed: int = 0,
@@ -372,7 +372,7 @@ def simulate(
     days: int | None = None,
     hours_per_day: str | None = None,
     every: str | None = None,
-    signals: Literal["wanted_position", "wanted_speed", "position", "speed", "acceleration", "motor_position", "motor_speed", "torque", "current_q", "current_d", "voltage_q", "voltage_d", "link", "winding", "housing", "sensor", "overload", "following_error", "brake"] | Sequence[Literal["wanted_position", "wanted_speed", "position", "speed", "acceleration", "motor_position", "motor_speed", "torque", "current_q", "current_d", "voltage_q", "voltage_d", "link", "winding", "housing", "sensor", "overload", "following_error", "brake"]] | None = None,
+    signals: Literal["wanted_position", "wanted_speed", "position", "speed", "acceleration", "measured_position", "motor_position", "motor_speed", "torque", "current_q", "current_d", "voltage_q", "voltage_d", "link", "winding", "housing", "sensor", "overload", "following_error", "brake"] | Sequence[Literal["wanted_position", "wanted_speed", "position", "speed", "acceleration", "measured_position", "motor_position", "motor_speed", "torque", "current_q", "current_d", "voltage_q", "voltage_d", "link", "winding", "housing", "sensor", "overload", "following_error", "brake"]] | None = None,
     format: Literal["csv"],
     figure: Literal["simulation", "control_loops"] = "simulation",
     seed: int = 0,
@@ -399,7 +399,7 @@ def simulate(
     days: int | None = None,
     hours_per_day: str | None = None,
     every: str | None = None,
-    signals: Literal["wanted_position", "wanted_speed", "position", "speed", "acceleration", "motor_position", "motor_speed", "torque", "current_q", "current_d", "voltage_q", "voltage_d", "link", "winding", "housing", "sensor", "overload", "following_error", "brake"] | Sequence[Literal["wanted_position", "wanted_speed", "position", "speed", "acceleration", "motor_position", "motor_speed", "torque", "current_q", "current_d", "voltage_q", "voltage_d", "link", "winding", "housing", "sensor", "overload", "following_error", "brake"]] | None = None,
+    signals: Literal["wanted_position", "wanted_speed", "position", "speed", "acceleration", "measured_position", "motor_position", "motor_speed", "torque", "current_q", "current_d", "voltage_q", "voltage_d", "link", "winding", "housing", "sensor", "overload", "following_error", "brake"] | Sequence[Literal["wanted_position", "wanted_speed", "position", "speed", "acceleration", "measured_position", "motor_position", "motor_speed", "torque", "current_q", "current_d", "voltage_q", "voltage_d", "link", "winding", "housing", "sensor", "overload", "following_error", "brake"]] | None = None,
     format: Literal["parquet"],
     figure: Literal["simulation", "control_loops"] = "simulation",
     seed: int = 0,
@@ -425,7 +425,7 @@ def simulate(
     days: int | None = None,
     hours_per_day: str | None = None,
     every: str | None = None,
-    signals: Literal["wanted_position", "wanted_speed", "position", "speed", "acceleration", "motor_position", "motor_speed", "torque", "current_q", "current_d", "voltage_q", "voltage_d", "link", "winding", "housing", "sensor", "overload", "following_error", "brake"] | Sequence[Literal["wanted_position", "wanted_speed", "position", "speed", "acceleration", "motor_position", "motor_speed", "torque", "current_q", "current_d", "voltage_q", "voltage_d", "link", "winding", "housing", "sensor", "overload", "following_error", "brake"]] | None = None,
+    signals: Literal["wanted_position", "wanted_speed", "position", "speed", "acceleration", "measured_position", "motor_position", "motor_speed", "torque", "current_q", "current_d", "voltage_q", "voltage_d", "link", "winding", "housing", "sensor", "overload", "following_error", "brake"] | Sequence[Literal["wanted_position", "wanted_speed", "position", "speed", "acceleration", "measured_position", "motor_position", "motor_speed", "torque", "current_q", "current_d", "voltage_q", "voltage_d", "link", "winding", "housing", "sensor", "overload", "following_error", "brake"]] | None = None,
     format: Literal["json", "csv", "parquet"] = "json",
     figure: Literal["simulation", "control_loops"] = "simulation",
     seed: int = 0,
@@ -495,7 +495,7 @@ def identify(
 
     Args:
         text: The project as text, or the path of its file.
-        trace: Recorded run with the columns of a trace.
+        trace: Recorded run (.csv) with the columns of a trace.
         code: Ordering code; without it the project's own [actuator] is judged.
         lang: Language of the texts: `en` or `de`.
         axis: Only this axis of a project with several.
