@@ -308,7 +308,7 @@ pub fn failure_title(failure: Option<Failure>, language: Language) -> String {
         Some(Failure::Cable) => ("no signal arrives", "kein Signal kommt an"),
         Some(Failure::Check) => ("words arrive with a wrong bit", "Telegramme kommen mit einem falschen Bit an"),
         Some(Failure::ErrorBit) => ("the encoder reports an error", "der Geber meldet einen Fehler"),
-        Some(Failure::DataLine) => ("the data line stays low", "die Datenleitung bleibt auf Low"),
+        Some(Failure::DataLine) => ("the data line stays low", "die Datenleitung bleibt auf niedrigem Pegel"),
         None => ("turns lost with the battery", "Umdrehungen mit der Batterie verloren"),
     };
     either(language, en, de)
