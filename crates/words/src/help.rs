@@ -73,6 +73,7 @@ texts! {
     simulate_hours = "Operation a day, in hours (24)" | "Betrieb am Tag in Stunden (24)";
     simulate_every =
         "Time between two rows of the trace (\"1 ms\")" | "Zeit zwischen zwei Zeilen des Verlaufs (\"1 ms\")";
+    signals = "Signals" | "Größen";
     simulate_signals =
         "Signals of the trace, separated by commas; all without it"
         | "Größen des Verlaufs, durch Komma getrennt; ohne Angabe alle";
