@@ -69,8 +69,12 @@ impl Twin<'_> {
         let rests = self.state.x[3].abs() < 1e-4 * self.machine.speed_max
             && self.state.x[5].abs() < 1e-3 * self.machine.speed_max;
         let stands = self.gathered.stop(time, self.happened, rests, self.state.x[4]);
-        if self.phase == Phase::Off && stands && !self.has(EventKind::AtRest) {
+        let is_noted = self.has(EventKind::AtRest);
+        if self.phase == Phase::Off && stands && !is_noted {
             self.note(EventKind::AtRest);
+        } else if self.phase == Phase::Off && !rests && is_noted {
+            // It hung still for a moment, or slips again.
+            self.events.retain(|event| event.kind != EventKind::AtRest);
         }
     }
 
