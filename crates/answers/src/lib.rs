@@ -74,7 +74,8 @@ pub use reference::reference;
 pub use schema::{Answered, Axes, Record, VERSION, schema};
 pub use sheet::{CatalogueCell, NoteBy, Sheet, SheetNote, SheetSection, SheetValue};
 pub use simulation::{
-    Compared, ControlLoop, Figure, Figures, ModelParameter, SimulatedEvent, SimulatedVerdict, Simulation,
+    Compared, ControlLoop, EncoderFailure, Figure, Figures, ModelParameter, SimulatedEvent, SimulatedVerdict,
+    Simulation,
 };
 pub use sizing::{CheckId, Direction, Part, Verdict};
 pub use units::Units;

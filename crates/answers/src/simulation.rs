@@ -45,6 +45,8 @@ pub struct Simulation {
     pub verdicts: Vec<SimulatedVerdict>,
     /// What happened, by time.
     pub events: Vec<SimulatedEvent>,
+    /// How the encoder failed; `null`: it did not.
+    pub encoder_failure: Option<EncoderFailure>,
     /// What the sizing said, what the twin shows, and why they differ; of the cycle alone.
     pub comparison: Vec<Compared>,
     /// The loops of the control, the innermost first.
@@ -129,6 +131,21 @@ pub struct SimulatedEvent {
     /// What.
     pub event: Id<EventKind>,
     /// In words.
+    pub title: String,
+}
+
+/// An encoder that fails, and what the drive notices of it.
+#[derive(Clone, Debug, PartialEq, serde::Serialize, JsonSchema)]
+pub struct EncoderFailure {
+    /// What fails: a failure of the scenario, or `battery`.
+    pub failure: &'static str,
+    /// How the drive notices it; `null`: it does not.
+    pub finding: Option<&'static str>,
+    /// After which time \[ms\].
+    pub after: Option<Number>,
+    /// The angle that is read less the true one, at the output, when it is noticed, else at the end \[°\].
+    pub error: Number,
+    /// The whole in words.
     pub title: String,
 }
 

@@ -21,7 +21,7 @@ const LAYOUTS: &[Layout] = &[
     shown(&list::size::ENTRY, judge::size).with(own::size),
     shown(&list::check::ENTRY, judge::check),
     shown(&list::sweep::ENTRY, sweep::sweep),
-    shown(&list::simulate::ENTRY, simulate::simulate).with(own::picture),
+    shown(&list::simulate::ENTRY, simulate::simulate).with(own::simulate),
     shown(&list::identify::ENTRY, simulate::identify),
     shown(&list::report::ENTRY, report::report).with(own::report),
     shown(&list::explain::ENTRY, explain::explain),

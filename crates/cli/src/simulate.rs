@@ -40,7 +40,7 @@ pub(crate) fn simulate(call: &Call<'_>, asked: &Asked<'_>) -> Result<Answer, Una
     let fits = runs.iter().all(questions::Simulated::fits);
     let mut records: Vec<answers::Simulation> = runs.iter().map(|run| answer::simulation(run, language)).collect();
     if let (Some(file), Some(format), Some(run), Some(record)) = (file, format, runs.first(), records.first_mut()) {
-        let table = tables::trace(&run.course, language);
+        let table = tables::trace(&run.course, &args.signals, language);
         let bytes = match format {
             Format::Parquet => tables::parquet(&table).map_err(|error| Unanswered::message(error.message(language)))?,
             Format::Csv | Format::Json | Format::Workbook => tables::csv(&table).into_bytes(),
@@ -64,7 +64,8 @@ pub(crate) fn simulate(call: &Call<'_>, asked: &Asked<'_>) -> Result<Answer, Una
             let text = shown(&chapter::simulation(record, language), language);
             match (&record.trace, runs.first()) {
                 (Some(file), Some(run)) => {
-                    format!("{text}\n{}\n", simulation::trace_written(file, &run.course.len(), language))
+                    let every = quantities::format_significant(run.every_s() * 1e3, 4, language);
+                    format!("{text}\n{}\n", simulation::trace_written(file, &run.course.len(), &every, language))
                 }
                 _ => text,
             }

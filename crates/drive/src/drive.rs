@@ -269,6 +269,9 @@ impl<'a> Drive<'a> {
             (0x2010, 0) if disturbance(value) == ScenarioId::BatteryLoss && !self.has_battery => {
                 return Err(Abort::Value);
             }
+            (0x2010, 0) if disturbance(value) == ScenarioId::EncoderFailure && !self.twin.can_fail() => {
+                return Err(Abort::Value);
+            }
             // What fails with the battery is the supply of the drive's electronics.
             (0x2010, 0) if disturbance(value) == ScenarioId::BatteryLoss && self.state.has_torque() => {
                 return Err(Abort::State);
@@ -314,7 +317,7 @@ impl<'a> Drive<'a> {
 
     /// What the supervision found, and the following error.
     fn supervise(&mut self) {
-        let found = self.twin.present().iter().filter_map(|event| Trouble::of(*event)).next();
+        let found = self.twin.present().iter().find_map(|event| Trouble::of(*event, &self.twin));
         if let Some(trouble) = found {
             self.raise(trouble);
         }
@@ -374,7 +377,8 @@ impl<'a> Drive<'a> {
 
     /// Resets a fault whose cause is gone: 15.
     pub(crate) fn reset_fault(&mut self) {
-        let remains = self.twin.present().iter().any(|event| Trouble::of(*event).is_some()) || self.twin.is_over();
+        let remains =
+            self.twin.present().iter().any(|event| Trouble::of(*event, &self.twin).is_some()) || self.twin.is_over();
         if self.state == State::Fault && !remains {
             self.trouble = None;
             self.emergencies.push((0, 0));

@@ -1,6 +1,7 @@
 //! Faults of the drive: error codes and the bits of the error register.
 
-use twin::EventKind;
+use feedback::Finding;
+use twin::{EventKind, Twin};
 
 /// A fault of the drive.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -15,8 +16,12 @@ pub enum Trouble {
     Winding,
     /// The simulation left every bound.
     Diverged,
-    /// No valid position.
-    Feedback,
+    /// No valid position: the resolver.
+    Resolver,
+    /// No valid position: the tracks of the encoder.
+    Incremental,
+    /// No valid position: the words of the encoder.
+    Position,
     /// The controller is no longer heard.
     Guarding,
     /// Speed too high.
@@ -27,13 +32,15 @@ pub enum Trouble {
 
 impl Trouble {
     /// Every one.
-    pub const ALL: [Self; 9] = [
+    pub const ALL: [Self; 11] = [
         Self::LinkHigh,
         Self::LinkLow,
         Self::Overload,
         Self::Winding,
         Self::Diverged,
-        Self::Feedback,
+        Self::Resolver,
+        Self::Incremental,
+        Self::Position,
         Self::Guarding,
         Self::Overspeed,
         Self::Following,
@@ -42,7 +49,8 @@ impl Trouble {
     /// Its code in 603Fh and in the emergency message.
     ///
     /// # Source
-    /// cia-301, cia-402
+    /// cia-301, cia-402; of sensors: resolver 1, incremental sensor 1, position, as Beckhoff's EtherCAT slave stack code names them
+    /// in `cia402appl.h`
     #[must_use]
     pub const fn code(self) -> u16 {
         match self {
@@ -51,7 +59,9 @@ impl Trouble {
             Self::Overload => 0x2350,
             Self::Winding => 0x4310,
             Self::Diverged => 0x6100,
-            Self::Feedback => 0x7300,
+            Self::Resolver => 0x7303,
+            Self::Incremental => 0x7305,
+            Self::Position => 0x7320,
             Self::Guarding => 0x8130,
             Self::Overspeed => 0x8400,
             Self::Following => 0x8611,
@@ -71,7 +81,7 @@ impl Trouble {
                 Self::LinkHigh | Self::LinkLow => 1 << 2,
                 Self::Winding => 1 << 3,
                 Self::Guarding => 1 << 4,
-                Self::Feedback | Self::Overspeed | Self::Following => 1 << 5,
+                Self::Resolver | Self::Incremental | Self::Position | Self::Overspeed | Self::Following => 1 << 5,
                 Self::Diverged => 0,
             }
     }
@@ -81,19 +91,20 @@ impl Trouble {
     pub const fn can_ramp(self) -> bool {
         match self {
             Self::Overload | Self::Winding | Self::Following | Self::Guarding => true,
-            Self::LinkHigh | Self::LinkLow | Self::Diverged | Self::Feedback | Self::Overspeed => false,
+            Self::LinkHigh | Self::LinkLow | Self::Diverged | Self::Overspeed => false,
+            Self::Resolver | Self::Incremental | Self::Position => false,
         }
     }
 
-    /// The fault that the supervision of the twin reports.
-    pub(crate) const fn of(event: EventKind) -> Option<Self> {
+    /// The fault that the supervision of a twin reports.
+    pub(crate) fn of(event: EventKind, twin: &Twin<'_>) -> Option<Self> {
         match event {
             EventKind::Overload => Some(Self::Overload),
             EventKind::WindingShutdown => Some(Self::Winding),
             EventKind::FollowingError => Some(Self::Following),
             EventKind::LinkLow => Some(Self::LinkLow),
             EventKind::LinkHigh => Some(Self::LinkHigh),
-            EventKind::NoPosition => Some(Self::Feedback),
+            EventKind::NoPosition => Some(Self::of_feedback(twin)),
             EventKind::Overspeed => Some(Self::Overspeed),
             EventKind::Diverged => Some(Self::Diverged),
             EventKind::Scenario
@@ -108,8 +119,19 @@ impl Trouble {
             | EventKind::Limited
             | EventKind::WindingWarning
             | EventKind::BrakeResistor
+            | EventKind::TurnsLost
             | EventKind::Demagnetisation
             | EventKind::CollisionTorque => None,
+        }
+    }
+
+    /// The fault of a feedback that has failed, by what the drive noticed.
+    fn of_feedback(twin: &Twin<'_>) -> Self {
+        let noticed = twin.failed().and_then(|failed| failed.noticed);
+        match noticed {
+            _ if twin.has_resolver() => Self::Resolver,
+            Some((Finding::Start | Finding::Check | Finding::ErrorBit | Finding::Difference, _)) => Self::Position,
+            Some((Finding::Amplitude | Finding::Commutation | Finding::Sector, _)) | None => Self::Incremental,
         }
     }
 }

@@ -2,12 +2,13 @@
 //!
 //! A [`Shaft`] stands or turns; an [`Encoder`] with plain parameters shows it as tracks, edges and words, and decoders read them
 //! back: [`SineDecoder`], [`Quadrature`], [`TrackingLoop`], [`endat::Frame`], [`ssi::Position`]. A [`Deviation`] bends the angle
-//! that an encoder sees, within its accuracy. Knows no catalogue, no pin and no language.
+//! that an encoder sees, within its accuracy. A [`Reader`] is a drive that reads a failed encoder until it notices. Knows no catalogue, no pin and no language.
 
 mod bits;
 mod deviation;
 mod encoder;
 pub mod endat;
+mod failure;
 mod quadrature;
 mod resolver;
 mod shaft;
@@ -19,6 +20,7 @@ mod trace;
 pub use bits::{BitsFault, Word};
 pub use deviation::Deviation;
 pub use encoder::{Absolute, Encoder, Interface, Protocol, Signal, Value};
+pub use failure::{Failure, Finding, Reader};
 pub use quadrature::{MissedEdge, Quadrature};
 pub use resolver::{Resolver, Tracked, TrackingLoop, Windings};
 pub use shaft::Shaft;

@@ -116,6 +116,13 @@ impl TrackingLoop {
         Self { integral: 0.0, compensated: 0.0, angle_rad: angle.si() }
     }
 
+    /// A loop that follows a steady speed without an error: the integrator holds what the second one needs of it.
+    #[must_use]
+    pub fn turning(angle: Angle, speed: AngularVelocity) -> Self {
+        let integral = speed.si() * (1.0 - Self::B) / (1.0 - Self::A);
+        Self { integral, compensated: speed.si(), angle_rad: angle.si() }
+    }
+
     /// The acceleration that leaves an error of one radian: k_1 k_2 (1 − a)/(1 − b) \[1/s²\].
     #[must_use]
     pub const fn acceleration_constant() -> f64 {

@@ -4,6 +4,7 @@ use crate::about::About;
 use crate::own::own;
 use crate::section::section;
 use crate::value::choices;
+use ::feedback::Failure;
 use ::twin::{Gains, Limits, Reaction, Scenario, ScenarioId, Switches};
 use provenance::{Datum, Sourced};
 use quantities::{
@@ -52,6 +53,14 @@ impl TwinInput {
 
 choices! {
     Reaction { Ramp = "ramp", Brake = "brake", Coast = "coast" }
+    Failure {
+        Track = "track",
+        Amplitude = "amplitude",
+        Cable = "cable",
+        Check = "check",
+        ErrorBit = "error_bit",
+        DataLine = "data_line",
+    }
     ScenarioId {
         Cycle = "cycle",
         EmergencyStop = "emergency_stop",
@@ -74,6 +83,7 @@ section! {
         scenario: ScenarioId;
         at: Time => not_negative, example("0.3 s");
         reaction: Reaction;
+        failure: Failure;
         cycles: u32 => whole(1, 100_000), example("10");
         cold: bool;
         friction: bool;
@@ -82,11 +92,11 @@ section! {
         delay: bool;
         limits: bool;
         noise: bool;
-        position_gain: f64 => within(0.0, 1e5), example("25");
-        speed_gain: f64 => within(0.0, 1e9), example("900");
+        position_gain: f64 => within(1e-3, 1e5), example("25");
+        speed_gain: f64 => within(1e-6, 1e9), example("900");
         speed_time: Time => positive, example("5 ms");
         speed_filter: Time => not_negative, example("0.2 ms");
-        current_gain: f64 => within(0.0, 1e6), example("20");
+        current_gain: f64 => within(1e-6, 1e6), example("20");
         current_time: Time => positive, example("1.4 ms");
         following_error_max: Angle => positive, example("1 deg");
         measured: MeasuredSection;
@@ -214,6 +224,7 @@ impl TwinSection {
                 id: self.scenario.value().unwrap_or_default(),
                 at_s: time(self.at.value()),
                 reaction: self.reaction.value().unwrap_or_default(),
+                failure: self.failure.value(),
                 cycles: self.cycles.value().unwrap_or(1),
                 cold: self.cold.value().unwrap_or(false),
             },

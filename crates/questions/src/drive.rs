@@ -63,7 +63,10 @@ pub fn with_drive<T>(
         objects: cia402::objects(&about),
         has_battery: about.actuator.feedback.buffered_by_battery,
     };
-    let mut setup = Setup { seed: u64::from(seed), ..ready.setup() };
+    let encoder = crate::simulate::encoder_of(code);
+    let failure = project.twin.scenario.failure;
+    let scenario = twin::Scenario { failure, ..twin::Scenario::default() };
+    let mut setup = Setup { seed: u64::from(seed), scenario, encoder: encoder.as_ref(), ..ready.setup() };
     let made = ready.controlled(&mut setup).and_then(|_| Drive::new(&setup, &given));
     let drive = made.map_err(|fault| Unanswered::message(simulation::simulation_fault(&fault, language)))?;
     Ok(run(drive))

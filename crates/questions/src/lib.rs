@@ -32,6 +32,7 @@ mod plane;
 mod preview;
 mod reading;
 mod sheet;
+mod signal;
 mod simulate;
 mod sizing_use;
 mod subject;
@@ -55,6 +56,7 @@ pub use subject::{candidate_for, candidate_of_tables};
 // The judgement of an axis.
 pub use configurator::Unmet;
 pub use limits::limits_needed;
+pub use signal::{SIGNALS, Signal, TIME};
 pub use simulate::Simulated;
 pub use sizing::{Amount, Check, CheckId, Demand, Direction, Part, Reserve, Verdict};
 pub use sizing_use::{

@@ -3,6 +3,7 @@
 use crate::patience::{Patience, Stopped};
 use crate::sizing_use::{Candidate, Refusal, check, check_own};
 use actuator::{Parameters as Actuator, natural_frequency, natural_frequency_free};
+use installation::wiring::Role;
 use mechanism::Extra;
 use order_code::OrderCode;
 use project::Project;
@@ -10,8 +11,8 @@ use provenance::{Grade, Source};
 use quantities::{ElectricPotential, Frequency, Measure, MomentOfInertia};
 use sizing::{CheckId, Verdict, Watch as _};
 use twin::{
-    Averaged, Event, EventKind, Fault, Gains, LoopResponse, Operation, Parameters, Sample, Scenario, ScenarioId, Setup,
-    Summary, Twin,
+    Averaged, Event, EventKind, Failed, Fault, Gains, LoopResponse, Operation, Parameters, Sample, Scenario,
+    ScenarioId, Setup, Summary, Twin,
 };
 
 /// So many steps are run where the call states no time limit: about ten seconds on one core.
@@ -77,6 +78,8 @@ pub struct Simulated<'p> {
     pub summary: Summary,
     /// What happened.
     pub events: Vec<Event>,
+    /// How the feedback failed.
+    pub failed: Option<Failed>,
     /// The course, where it was requested.
     pub course: Vec<Sample>,
     /// The loops of the control.
@@ -144,7 +147,8 @@ pub(crate) fn simulate<'p>(
     };
     let ready = Ready::of(project, &candidate);
     let (ambient_k, assumed_v) = (ready.ambient_k, ready.assumed_v);
-    let mut setup = Setup { scenario: wanted.scenario, seed: wanted.seed, ..ready.setup() };
+    let encoder = code.and_then(encoder_of);
+    let mut setup = Setup { scenario: wanted.scenario, seed: wanted.seed, encoder: encoder.as_ref(), ..ready.setup() };
     let (gains, gains_stated) = ready.controlled(&mut setup)?;
     let loops = LoopResponse::of(&setup)?;
     if gains_stated && loops.iter().any(|each| !each.margins.stable) {
@@ -226,8 +230,8 @@ pub(crate) fn simulate<'p>(
         &ready.parameters.actuator,
         project.axis.mechanism.inertia(start.position_rad, ready.extras().first().unwrap_or(&ready.none)),
     );
-    let found = (twin.summary(), twin.events().to_vec(), twin.left_out().to_vec(), twin.steps());
-    let (summary, events, left_out, steps) = found;
+    let found = (twin.summary(), twin.events().to_vec(), twin.left_out().to_vec(), twin.steps(), twin.failed());
+    let (summary, events, left_out, steps, failed) = found;
     let substeps = setup.substeps;
     Ok(Simulated {
         project,
@@ -236,6 +240,7 @@ pub(crate) fn simulate<'p>(
         seed: wanted.seed,
         summary,
         events,
+        failed,
         course,
         loops,
         gains,
@@ -250,6 +255,12 @@ pub(crate) fn simulate<'p>(
         resonance,
         parameters: ready.parameters,
     })
+}
+
+/// The signals of the feedback on the motor of a code.
+pub(crate) fn encoder_of(code: &OrderCode) -> Option<feedback::Encoder> {
+    let fitted = installation::encoder::encoders(code)?;
+    fitted.into_iter().find(|each| each.role == Role::Feedback).map(|each| each.encoder)
 }
 
 /// What a twin of an axis with an actuator needs.
@@ -352,6 +363,12 @@ impl Simulated<'_> {
     /// Whether the scenario is a cycle that shall run through.
     fn runs_through(&self) -> bool {
         matches!(self.scenario.id, ScenarioId::Cycle | ScenarioId::HotAmbient | ScenarioId::ColdGrease)
+    }
+
+    /// Time between two rows of the course \[s\]: a whole number of periods of the current loop.
+    #[must_use]
+    pub fn every_s(&self) -> f64 {
+        self.course.get(1).map_or(0.0, |row| row.time_s)
     }
 
     /// The figures that have a limit.

@@ -124,6 +124,24 @@ fn the_overrides_make_a_wrong_project_run_like_the_right_one() {
     }
 }
 
+/// Every cell that is no number is reported with its line; a Parquet file is named as one.
+#[test]
+fn every_wrong_cell_of_a_run_is_reported() {
+    let text = arm("2.4 kg m^2", "5 kg", "");
+    let refused = |trace: String| {
+        let (patience, files) = (Patience::endless(), One(trace));
+        let asked = asked(identify::Args::ARGUMENTS, &[CODE, ("trace", "run.csv")], &text, &files, &patience);
+        let faults = identify::found(&asked).unwrap_err().faults(None, Language::En).errors;
+        faults.into_iter().map(|fault| fault.message).collect::<Vec<_>>()
+    };
+    let head = "time_s,position_rad,speed_rad_s,acceleration_rad_s2,motor_speed_rad_s,torque_nm,current_q_a\n";
+    let faults = refused(format!("{head}0,0,0,0,0,0,0\nx,0,0,0,0,0,0\n1,0,0,0,0,0,\n"));
+    assert_eq!(faults.len(), 2, "{faults:?}");
+    assert!(faults[0].contains("line 3") && faults[1].contains("line 4") && faults[1].contains("current_q_a"));
+    assert_eq!(refused(format!("{head}{}", "a,b,c,d,e,f,g\n".repeat(100))).len(), 20);
+    assert!(refused("PAR1".to_owned())[0].contains("Parquet"));
+}
+
 /// What a run at the limit of the current does not say is said.
 #[test]
 fn a_run_at_the_limit_says_what_it_leaves_open() {
@@ -140,7 +158,8 @@ fn a_measured_load_that_replaces_nothing_is_refused() {
     let text = format!("{crank}\n[twin.measured]\nload_inertia = \"1 kg m^2\"\n");
     let (patience, none) = (Patience::endless(), One(String::new()));
     let asked = asked(simulate::Args::ARGUMENTS, &[CODE], &text, &none, &patience);
-    let why = (simulate::ENTRY.answer.unwrap())(&asked).unwrap_err();
+    let args = simulate::Args::read(&asked.given).unwrap();
+    let why = simulate::record(&args, &asked).unwrap_err();
     let faults = why.faults(None, Language::En);
     assert!(faults.errors[0].message.contains("measured.load_inertia"), "{faults:?}");
 }

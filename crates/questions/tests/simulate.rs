@@ -26,7 +26,7 @@ fn answered(text: &str, pairs: &[(&str, &str)]) -> Result<(serde_json::Value, bo
         refuses_long: true,
         language: Language::En,
     };
-    let answer = (simulate::ENTRY.answer.unwrap())(&asked)?;
+    let answer = simulate::record(&simulate::Args::read(&asked.given)?, &asked)?;
     Ok((serde_json::from_str(&answer.text).unwrap(), answer.fits))
 }
 
@@ -119,4 +119,62 @@ fn a_missing_parameter_is_named() {
     let text = TABLE.to_owned() + own;
     let why = message(&answered(&text, &[]).unwrap_err());
     assert!(why.contains("p is not known"), "{why}");
+}
+
+/// A failed encoder: what the drive notices and when, in figures and in words; what cannot be is refused.
+#[test]
+fn an_encoder_that_fails_is_answered_with_what_is_noticed() {
+    let failure = |code: &str, more: &[(&str, &str)]| {
+        let (code, scenario) = (("code", code), ("scenario", "encoder_failure"));
+        answered(TABLE, &[&[code, scenario], more].concat()).map(|(record, _)| record)
+    };
+    let record = failure("CHA-25A-100-H-M512P", &[("failure", "check")]).unwrap();
+    let found = &record["encoder_failure"];
+    assert_eq!((&found["failure"], &found["finding"]), (&"check".into(), &"check".into()), "{found}");
+    let after = found["after"].as_f64().unwrap();
+    assert!((0.05..0.7).contains(&after), "{found}");
+    assert!(found["title"].as_str().unwrap().contains(" ms"), "{found}");
+    assert!(record["events"].as_array().unwrap().iter().any(|event| event["event"] == "no_position"));
+    assert!(answered(TABLE, &[CODE]).unwrap().0["encoder_failure"].is_null());
+    let stated = format!("{TABLE}\n[twin]\nscenario = \"encoder_failure\"\nfailure = \"amplitude\"\n");
+    assert_eq!(answered(&stated, &[CODE]).unwrap().0["encoder_failure"]["failure"], "amplitude");
+    let refused = |found: Result<serde_json::Value, Unanswered>| message(&found.unwrap_err());
+    assert!(refused(failure("CHA-25A-100-H-C1024", &[("failure", "check")])).contains("track, amplitude, cable"));
+    let other = answered(TABLE, &[CODE, ("failure", "track")]).map(|(record, _)| record);
+    assert!(refused(other).contains("encoder_failure"));
+    let lost = answered(TABLE, &[("code", "CHA-17A-100-H-M128S"), ("scenario", "battery_loss")]).unwrap().0;
+    assert_eq!(lost["encoder_failure"]["failure"], "battery");
+    assert!(
+        lost["encoder_failure"]["finding"].is_null() && lost["encoder_failure"]["error"].as_f64().unwrap() < -7000.0
+    );
+}
+
+/// Every wrong option of a run at once.
+#[test]
+fn wrong_options_are_reported_together() {
+    let wrong =
+        [CODE, ("scenario", "collision"), ("every", "20 us"), ("at", "-1 s"), ("days", "3"), ("failure", "track")];
+    let faults = answered(TABLE, &wrong).unwrap_err().faults(None, Language::En).errors;
+    let options: Vec<_> = faults.iter().filter_map(|fault| fault.option.as_deref()).collect();
+    assert_eq!(options, ["every", "at", "days", "failure"], "{faults:?}");
+    assert!(faults[0].message.contains("62.5"), "{faults:?}");
+}
+
+/// Signals are named with commas or one by one; every wrong name is refused at once, with the one that was probably meant.
+#[test]
+fn signals_are_named_and_wrong_names_are_refused_together() {
+    let read = |pairs: &[(&'static str, &'static str)]| {
+        let pairs = pairs.iter().map(|(name, value)| (Cow::Borrowed(*name), Cow::Borrowed(*value)));
+        let given = Given::of(simulate::Args::ARGUMENTS, pairs, Language::En)?;
+        simulate::Args::read(&given).map(|args| args.signals.iter().map(|signal| signal.id).collect::<Vec<_>>())
+    };
+    assert_eq!(read(&[]).unwrap(), Vec::<&str>::new());
+    assert_eq!(read(&[("signals", "current_q, speed,current_q")]).unwrap(), ["current_q", "speed"]);
+    assert_eq!(read(&[("signals", "torque"), ("signals", "link")]).unwrap(), ["torque", "link"]);
+    let faults =
+        read(&[("signals", "curent_q,speed,spede"), ("signals", "")]).unwrap_err().faults(None, Language::En).errors;
+    assert_eq!(faults.len(), 3, "{faults:?}");
+    assert!(faults[0].hint.as_deref().unwrap().contains("current_q"), "{faults:?}");
+    assert!(faults[1].hint.as_deref().unwrap().contains("speed"), "{faults:?}");
+    assert!(faults[2].hint.as_deref().unwrap().contains("winding"), "all names: {faults:?}");
 }

@@ -40,6 +40,12 @@ impl Rows {
         Self(Held::LeftOut(count))
     }
 
+    /// Rows of so many numbers, each row as it is.
+    #[must_use]
+    pub fn numbered(columns: usize, values: impl Iterator<Item = f64>) -> Self {
+        Self(Held::Series { columns, values: values.map(|value| rounded(value).unwrap_or(f64::NAN)).collect() })
+    }
+
     /// How many there are, made or not.
     #[must_use]
     pub const fn len(&self) -> usize {

@@ -1,5 +1,7 @@
 //! What happens to the axis: scenarios and the reaction of the drive.
 
+use feedback::{Failure, Finding};
+
 /// How a drive ends a motion.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Reaction {
@@ -63,9 +65,9 @@ scenarios! {
     HangingLoad "hanging_load";
     /// The load is clamped at an instant.
     BlockedLoad "blocked_load";
-    /// The angle that the feedback reports freezes at an instant.
+    /// The feedback fails at an instant.
     EncoderFailure "encoder_failure";
-    /// The battery of the feedback is empty at start: no valid position.
+    /// Battery and supply of the feedback have failed before the start: it has lost its turns, and its word is valid.
     BatteryLoss "battery_loss";
     /// The supply of the DC link drops for a while.
     LinkSag "link_sag";
@@ -94,10 +96,23 @@ pub struct Scenario {
     pub at_s: Option<f64>,
     /// How the drive reacts to a stop on demand and to its own faults.
     pub reaction: Reaction,
+    /// How the feedback fails; without it no signal arrives.
+    pub failure: Option<Failure>,
     /// So many cycles are run; none means one.
     pub cycles: u32,
     /// Whether the drive begins cold, as the ambient air; warm is the settled state of the repeated cycle.
     pub cold: bool,
+}
+
+/// How the feedback failed, and what the drive noticed.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Failed {
+    /// What failed; `None`: the battery, and with it the turns.
+    pub failure: Option<Failure>,
+    /// What the drive noticed, and how long after the failure \[s\]; `None`: nothing.
+    pub noticed: Option<(Finding, f64)>,
+    /// The angle that it read less the true one, at the output \[rad\]: when it noticed, else at the end.
+    pub error_rad: f64,
 }
 
 /// Something that happened.
@@ -166,8 +181,10 @@ events! {
     LinkHigh "link_high";
     /// The brake resistor was switched on.
     BrakeResistor "brake_resistor";
-    /// The feedback reports no valid position.
+    /// The drive notices that the feedback has failed: no valid position.
     NoPosition "no_position";
+    /// The feedback has lost its turns, which nothing shows.
+    TurnsLost "turns_lost";
     /// The current reached that of demagnetisation.
     Demagnetisation "demagnetisation";
     /// The gear passed more than the collision torque.

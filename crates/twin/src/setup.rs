@@ -4,6 +4,7 @@ use crate::control::Gains;
 use crate::drive::Limits;
 use crate::parameters::Parameters;
 use crate::scenario::Scenario;
+use feedback::{Encoder, Failure};
 use mechanism::{Extra, Mechanism};
 use motion::Motion;
 use provenance::Missing;
@@ -68,6 +69,8 @@ pub struct Setup<'a> {
     pub gains: Option<Gains>,
     /// What is supervised; without it what follows from the data.
     pub limits: Option<Limits>,
+    /// The signals of the feedback on the motor; without them it cannot fail.
+    pub encoder: Option<&'a Encoder>,
     /// Whether the position loop is closed over the encoder at the output instead of that of the motor.
     pub loop_at_output: bool,
     /// Within this angle of its last position the axis counts as settled \[rad\].
@@ -106,6 +109,7 @@ impl<'a> Setup<'a> {
             start_k: None,
             gains: None,
             limits: None,
+            encoder: None,
             loop_at_output: false,
             settled_rad: std::f64::consts::TAU / 21_600.0,
             substeps: SUBSTEPS_USUAL,
@@ -135,6 +139,15 @@ pub enum Fault {
     NoBrake,
     /// The scenario needs a battery in the feedback, and it has none.
     NoBattery,
+    /// The feedback fails, and its signals are not known.
+    NoEncoder,
+    /// The feedback cannot fail so, but in these ways.
+    NotOfThisEncoder {
+        /// How it shall fail.
+        failure: Failure,
+        /// How it can.
+        possible: [Option<Failure>; Failure::ALL.len()],
+    },
     /// The position loop is closed at the output, and no encoder is there.
     NoOutputEncoder,
     /// The scenario takes place after the end of the run.

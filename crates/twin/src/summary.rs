@@ -163,10 +163,11 @@ impl Gathered {
         self.overload = self.overload.max(overload);
     }
 
-    /// The stop after the event of a scenario.
-    pub(crate) fn stop(&mut self, time: f64, happened: bool, rests: bool, position: f64) {
+    /// The stop after the event of a scenario; whether the axis stands for good, as far as is known. One that hangs is at rest for a
+    /// moment before it sags.
+    pub(crate) fn stop(&mut self, time: f64, happened: bool, rests: bool, position: f64) -> bool {
         if !happened {
-            return;
+            return false;
         }
         let (_, last) = *self.stop_from.get_or_insert((time, position));
         if self.stop.is_none() {
@@ -181,6 +182,7 @@ impl Gathered {
                 self.stop = None;
             }
         }
+        self.stop.is_some()
     }
 
     pub(crate) fn summary(

@@ -2,6 +2,7 @@
 
 mod commanded;
 mod driving;
+mod reading;
 mod start;
 mod supervision;
 
@@ -24,6 +25,7 @@ use std::f64::consts::{SQRT_2, TAU};
 
 use commanded::Commanded;
 pub use commanded::Reading;
+use reading::Encoder;
 
 /// Duration of a period of the current loop \[s\].
 pub(crate) const PERIOD_S: f64 = 1.0 / CURRENT_RATE_HZ;
@@ -52,6 +54,8 @@ pub struct Sample {
     pub speed_rad_s: f64,
     /// Acceleration of the load [rad/s²].
     pub acceleration_rad_s2: f64,
+    /// Position that the drive reads \[rad\]: as that of the load at the start.
+    pub measured_rad: f64,
     /// Angle of the motor over i \[rad\].
     pub motor_rad: f64,
     /// Speed of the motor over i [rad/s].
@@ -80,15 +84,6 @@ pub struct Sample {
     pub following_rad: f64,
     /// Whether the brake is closed.
     pub braked: bool,
-}
-
-/// The state of the feedback.
-#[derive(Clone, Copy, Debug)]
-struct Encoder {
-    accuracy_rad: f64,
-    step_rad: f64,
-    phases: [f64; 2],
-    frozen_rad: Option<f64>,
 }
 
 /// A run.
@@ -184,6 +179,7 @@ impl<'a> Twin<'a> {
             ScenarioId::BatteryLoss if !setup.parameters.actuator.feedback.buffered_by_battery => {
                 return Err(Fault::NoBattery);
             }
+            ScenarioId::EncoderFailure | ScenarioId::BatteryLoss => reading::can_fail(&setup)?,
             _ => {}
         }
         let start = course.at(0.0);
@@ -217,7 +213,7 @@ impl<'a> Twin<'a> {
         for _ in 0..6 {
             theta = position + twist + plant.kinematic.map_or(0.0, |error| error.at(theta));
         }
-        let closed = start.braked.is_some() || matches!(scenario, ScenarioId::BatteryLoss);
+        let closed = start.braked.is_some();
         let brake = BrakeState::new(machine.brake, closed, scenario == ScenarioId::BrakeStuck);
         plant.brake_nm = brake.torque_nm();
         let usual = Gains::usual(
@@ -230,7 +226,7 @@ impl<'a> Twin<'a> {
         let gains = setup.gains.unwrap_or(usual);
         let control = Control::at_rest(gains, &plant, setup.switches.delay, theta, holding);
         let resting = brake.closed && start.braked.is_some();
-        let pulses = !resting && scenario != ScenarioId::BatteryLoss;
+        let pulses = !resting;
         let free = |held: f64| if held > 0.0 { 0.0 } else { 1.0 };
         let mut state = State {
             x: [0.0, if pulses { control.current_wanted } else { 0.0 }, theta, 0.0, position, 0.0],
@@ -278,14 +274,8 @@ impl<'a> Twin<'a> {
         let mut random = Random::new(setup.seed ^ 0x5eed);
         let phases = [(); 2].map(|()| TAU * random.uniform());
         let [accuracy_rad, step_rad] = machine.feedback_rad;
-        let encoder = Encoder { accuracy_rad, step_rad, phases, frozen_rad: None };
-        let phase = if scenario == ScenarioId::BatteryLoss {
-            Phase::Off
-        } else if resting {
-            Phase::Resting
-        } else {
-            Phase::Running
-        };
+        let encoder = Encoder { accuracy_rad, step_rad, phases, failing: None, lost_rad: 0.0 };
+        let phase = if resting { Phase::Resting } else { Phase::Running };
         let mut twin = Self {
             stored_at_start_j: plant.stored(&state),
             offset_rad: theta - position,
@@ -326,13 +316,13 @@ impl<'a> Twin<'a> {
             ambient_k,
             commanded,
         };
-        if scenario == ScenarioId::BatteryLoss {
-            twin.note(EventKind::NoPosition);
-        }
         // The angle at which the drive starts is the one that it measures.
         let measured = twin.angle();
         twin.offset_rad = twin.position_seen(measured) - position;
         twin.control = Control::at_rest(gains, &twin.plant, setup.switches.delay, measured, holding);
+        if scenario == ScenarioId::BatteryLoss && twin.commanded.is_none() {
+            twin.lose_turns();
+        }
         Ok(twin)
     }
 
@@ -411,27 +401,6 @@ impl<'a> Twin<'a> {
         }
     }
 
-    /// The measured angle of the motor, over i \[rad\].
-    fn angle(&self) -> f64 {
-        let theta = self.state.x[2];
-        if let Some(frozen) = self.encoder.frozen_rad {
-            return frozen;
-        }
-        if !self.setup.switches.noise {
-            return theta;
-        }
-        let [a, b] = self.encoder.phases;
-        let alpha = self.machine.ratio * theta;
-        // Two lines a turn of the motor whose sum stays within the printed accuracy.
-        let error = self.encoder.accuracy_rad * (0.6 * (alpha + a).sin() + 0.4 * (2.0 * alpha + b).sin());
-        let measured = theta + error;
-        if self.encoder.step_rad > 0.0 {
-            (measured / self.encoder.step_rad).round() * self.encoder.step_rad
-        } else {
-            measured
-        }
-    }
-
     /// What the position loop measures: the angle of the motor, or that of the encoder at the output \[rad\].
     fn position_seen(&self, motor_rad: f64) -> f64 {
         let Some([accuracy, step]) = self.machine.feedback_out_rad.filter(|_| self.setup.loop_at_output) else {
@@ -464,6 +433,9 @@ impl<'a> Twin<'a> {
                 Phase::Ramp(_) | Phase::Holding(_) | Phase::Off => self.point.state = [position, 0.0, 0.0],
             }
         }
+        if self.encoder.failing.is_some() {
+            self.read(time);
+        }
         self.voltage = if self.state.pulses { self.controlled() } else { [0.0; 2] };
         let [_, _, theta, omega, position, speed] = self.state.x;
         if let Some(local) = self.load.near(self.point.segment, position, speed, self.state.acceleration_rad_s2) {
@@ -494,7 +466,8 @@ impl<'a> Twin<'a> {
 
     /// The voltage that the control puts out in this period.
     fn controlled(&mut self) -> [f64; 2] {
-        let [mut i_d, mut i_q, ..] = self.state.x;
+        let [i_d, i_q, ..] = self.state.x;
+        let [mut i_d, mut i_q] = self.seen_by_the_drive([i_d, i_q]);
         let noise = self.setup.parameters.model.current_noise.value;
         if self.setup.switches.noise && noise > 0.0 {
             i_d += noise * self.random.normal();
@@ -529,7 +502,7 @@ impl<'a> Twin<'a> {
         if self.control.limited {
             self.note(EventKind::Limited);
         }
-        voltage
+        self.given_by_the_drive(voltage)
     }
 
     /// The state now.
@@ -545,6 +518,7 @@ impl<'a> Twin<'a> {
             position_rad: position,
             speed_rad_s: speed,
             acceleration_rad_s2: self.state.acceleration_rad_s2,
+            measured_rad: self.measured_rad(),
             motor_rad: theta,
             motor_rad_s: omega,
             torque_nm: self.state.gear_nm,

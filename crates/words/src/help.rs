@@ -60,6 +60,9 @@ texts! {
         | "Wann es geschieht, etwa \"300 ms\"; ohne Angabe, wenn die Achse am schnellsten ist";
     simulate_reaction =
         "How the drive ends a motion (along a ramp)" | "Wie der Regler eine Bewegung beendet (an einer Rampe)";
+    simulate_failure =
+        "How the encoder fails in its scenario; without it no signal arrives"
+        | "Wie der Geber in seinem Szenario ausfällt; ohne Angabe kommt kein Signal an";
     simulate_cycles = "Cycles that are run (1)" | "Gerechnete Zyklen (1)";
     simulate_cold =
         "Begin as cold as the ambient air, not settled"
@@ -70,6 +73,13 @@ texts! {
     simulate_hours = "Operation a day, in hours (24)" | "Betrieb am Tag in Stunden (24)";
     simulate_every =
         "Time between two rows of the trace (\"1 ms\")" | "Zeit zwischen zwei Zeilen des Verlaufs (\"1 ms\")";
+    signals = "Signals" | "Größen";
+    simulate_signals =
+        "Signals of the trace, separated by commas; all without it"
+        | "Größen des Verlaufs, durch Komma getrennt; ohne Angabe alle";
+    simulate_format =
+        "Json for the summary (default), csv or parquet for the trace"
+        | "json für die Zusammenfassung (Vorgabe), csv oder parquet für den Verlauf";
     simulate_seed =
         "Seed of the errors of gear and encoder (0)" | "Startwert der Fehler von Getriebe und Geber (0)";
     sweep =
@@ -101,8 +111,8 @@ texts! {
         "Estimate load, friction and torque constant from a recorded run"
         | "Last, Reibung und Drehmomentkonstante aus einem aufgezeichneten Lauf schätzen";
     identify_trace =
-        "Recorded run with the columns of a trace"
-        | "Aufgezeichneter Lauf mit den Spalten eines Verlaufs";
+        "Recorded run (.csv) with the columns of a trace"
+        | "Aufgezeichneter Lauf (.csv) mit den Spalten eines Verlaufs";
     simulate_figure =
         "The picture of --svg and --png: the course, or the responses of the control loops (simulation)"
         | "Das Bild von --svg und --png: der Verlauf oder die Frequenzgänge der Regelkreise (simulation)";

@@ -2,6 +2,7 @@
 
 use crate::pick;
 use crate::texts::texts;
+use feedback::{Failure, Finding};
 use quantities::Language;
 use twin::{EventKind, Fault, Loop, ScenarioId};
 
@@ -116,6 +117,20 @@ texts! {
     refused_battery =
         "the scenario needs a feedback with battery, and the actuator has none"
         | "das Szenario braucht einen Geber mit Batterie, und der Antrieb hat keinen";
+    refused_encoder =
+        "the scenario needs an encoder whose signals are known: state an ordering code"
+        | "das Szenario braucht einen Geber, dessen Signale bekannt sind: eine Bestellbezeichnung angeben";
+    refused_failure_of_encoder(failure, possible) =
+        "the encoder of this actuator cannot fail so: {failure}; possible are {possible}"
+        | "der Geber dieses Antriebs kann so nicht ausfallen: {failure}; möglich sind {possible}";
+    refused_failure(scenario) =
+        "a failure of the encoder belongs to the scenario {scenario}" | "ein Ausfall des Gebers gehört zum Szenario {scenario}";
+    noticed(failure, time, finding, angle) =
+        "Encoder: {failure}; noticed after {time} ms: {finding}; the angle read was then {angle}° beside the true one at the output."
+        | "Geber: {failure}; erkannt nach {time} ms: {finding}; der gelesene Winkel lag dann am Abtrieb um {angle}° neben dem wahren.";
+    not_noticed(failure, angle) =
+        "Encoder: {failure}; the drive does not notice it; at the end the angle read is {angle}° beside the true one at the output."
+        | "Geber: {failure}; der Regler bemerkt es nicht; am Ende liegt der gelesene Winkel am Abtrieb um {angle}° neben dem wahren.";
     refused_late(end) = "the scenario takes place after the end of the run, {end} s" | "das Szenario liegt nach dem Ende des Laufs, {end} s";
     refused_moving = "the scenario begins at rest, and the axis moves then" | "das Szenario beginnt im Stillstand, und die Achse bewegt sich dann";
     refused_resting = "the scenario needs a moving axis, and it rests then" | "das Szenario braucht eine bewegte Achse, und sie steht dann";
@@ -124,6 +139,9 @@ texts! {
     too_many_steps(steps, most) =
         "{steps} steps are more than are run without a time limit, {most}: run fewer cycles or state --deadline"
         | "{steps} Schritte sind mehr als ohne Zeitgrenze gerechnet werden, {most}: weniger Zyklen rechnen oder --deadline angeben";
+    refused_every(period) =
+        "at least {period} µs lie between two rows, a period of the current loop"
+        | "zwischen zwei Zeilen liegen mindestens {period} µs, eine Periode der Stromregelung";
     too_many_rows(rows, most) = "{rows} rows of the trace are more than {most}: state a longer --every" | "{rows} Zeilen des Verlaufs sind mehr als {most}: ein längeres --every angeben";
     trace = "course of the simulation" | "Verlauf der Simulation";
     trace_about = "one row for each instant, at the output unless the name says motor" | "eine Zeile je Zeitpunkt, am Abtrieb, wenn der Name nicht motor nennt";
@@ -171,6 +189,8 @@ texts! {
     lines_for_the_project = "lines for the project" | "Zeilen für das Projekt";
     no_such_trace(name) = "{name} cannot be read" | "{name} kann nicht gelesen werden";
     trace_too_large(name, most) = "{name} is larger than {most} MiB" | "{name} ist größer als {most} MiB";
+    trace_is_parquet(name) =
+        "{name} is a Parquet file: a run is read as .csv" | "{name} ist eine Parquet-Datei: ein Lauf wird als .csv gelesen";
     trace_lacks(columns) = "the trace lacks columns: {columns}" | "dem Verlauf fehlen Spalten: {columns}";
     trace_not_a_number(line, column) = "line {line}: the value of {column} is no number" | "Zeile {line}: der Wert von {column} ist keine Zahl";
     trace_too_short = "too few samples in motion" | "zu wenige Abtastwerte in Bewegung";
@@ -197,13 +217,17 @@ texts! {
         | "{name}: Durchtritt {crossover} Hz, Phasenreserve {margin}°, Bandbreite {bandwidth} Hz.";
     wanted = "set-point" | "Sollwert";
     of_the_load = "of the load" | "der Last";
+    measured = "as the drive reads it" | "wie der Regler sie liest";
     of_the_motor = "of the motor over the ratio" | "des Motors durch die Untersetzung";
     peak_of_a_phase = "peak of a phase" | "Scheitelwert eines Strangs";
     sensor = "sensor of the winding" | "Fühler der Wicklung";
     voltage = "voltage" | "Spannung";
     dc_link = "DC link" | "Zwischenkreis";
     braked = "brake closed" | "Bremse geschlossen";
-    trace_written(file, rows) = "{file}: {rows} rows" | "{file}: {rows} Zeilen";
+    trace_written(file, rows, every) = "{file}: {rows} rows, one each {every} ms" | "{file}: {rows} Zeilen, eine je {every} ms";
+    signals_need_a_format =
+        "signals are columns of the trace: with `format` csv or parquet"
+        | "Größen sind Spalten des Verlaufs: mit `format` csv oder parquet";
     ending_of_a_trace = "the trace is a .csv or .parquet file" | "der Verlauf ist eine Datei .csv oder .parquet";
 }
 
@@ -248,7 +272,12 @@ pub fn event_title(event: EventKind, language: Language) -> String {
         EventKind::LinkLow => ("DC link: undervoltage", "Zwischenkreis: Unterspannung"),
         EventKind::LinkHigh => ("DC link: overvoltage", "Zwischenkreis: Überspannung"),
         EventKind::BrakeResistor => ("brake resistor on", "Bremswiderstand ein"),
-        EventKind::NoPosition => ("no valid position", "keine gültige Position"),
+        EventKind::NoPosition => {
+            ("failure of the encoder noticed: no valid position", "Ausfall des Gebers erkannt: keine gültige Position")
+        }
+        EventKind::TurnsLost => {
+            ("the encoder has lost its turns, unseen", "der Geber hat seine Umdrehungen verloren, unbemerkt")
+        }
         EventKind::Demagnetisation => ("demagnetisation current reached", "Entmagnetisierungsstrom erreicht"),
         EventKind::CollisionTorque => {
             ("collision torque of the gear exceeded", "Kollisionsmoment des Getriebes überschritten")
@@ -257,6 +286,39 @@ pub fn event_title(event: EventKind, language: Language) -> String {
         EventKind::Diverged => ("the run diverges and ends", "der Lauf divergiert und endet"),
     };
     pick(language, en, de).to_owned()
+}
+
+/// How an encoder fails; without a failure of its own it is the battery.
+#[must_use]
+pub fn failure_title(failure: Option<Failure>, language: Language) -> String {
+    let (en, de) = match failure {
+        Some(Failure::Track) => ("one track or winding gives no signal", "eine Spur oder Wicklung gibt kein Signal"),
+        Some(Failure::Amplitude) => ("signals with a quarter of their level", "Signale mit einem Viertel ihres Pegels"),
+        Some(Failure::Cable) => ("no signal arrives", "kein Signal kommt an"),
+        Some(Failure::Check) => ("words arrive with a wrong bit", "Telegramme kommen mit einem falschen Bit an"),
+        Some(Failure::ErrorBit) => ("the encoder reports an error", "der Geber meldet einen Fehler"),
+        Some(Failure::DataLine) => ("the data line stays low", "die Datenleitung bleibt auf niedrigem Pegel"),
+        None => ("turns lost with the battery", "Umdrehungen mit der Batterie verloren"),
+    };
+    either(language, en, de)
+}
+
+/// What a drive notices of it.
+#[must_use]
+pub fn finding_title(finding: Finding, language: Language) -> String {
+    let (en, de) = match finding {
+        Finding::Amplitude => ("level of the signals out of its bounds", "Pegel der Signale außerhalb seiner Grenzen"),
+        Finding::Commutation => (
+            "counted angle beside that of the commutation signals",
+            "gezählter Winkel neben dem der Kommutierungssignale",
+        ),
+        Finding::Sector => ("commutation signals all alike", "Kommutierungssignale alle gleich"),
+        Finding::Start => ("word without start bit", "Telegramm ohne Startbit"),
+        Finding::Check => ("word with wrong check", "Telegramm mit falscher Prüfsumme"),
+        Finding::ErrorBit => ("error bit of the word", "Fehlerbit des Telegramms"),
+        Finding::Difference => ("absolute position beside the counted one", "absolute Position neben der gezählten"),
+    };
+    either(language, en, de)
 }
 
 /// A loop of the control.
@@ -281,6 +343,12 @@ pub fn simulation_fault(fault: &Fault, language: Language) -> String {
         Fault::StepTooLong { substeps } => crate::simulation::refused_step(substeps, language),
         Fault::NoBrake => crate::simulation::refused_brake(language).to_owned(),
         Fault::NoOutputEncoder => crate::simulation::refused_output_encoder(language).to_owned(),
+        Fault::NoEncoder => crate::simulation::refused_encoder(language).to_owned(),
+        Fault::NotOfThisEncoder { failure, possible } => {
+            let possible: Vec<&str> = possible.iter().flatten().map(|each| each.id()).collect();
+            let title = failure_title(Some(*failure), language);
+            crate::simulation::refused_failure_of_encoder(&title, &possible.join(", "), language)
+        }
         Fault::NoBattery => crate::simulation::refused_battery(language).to_owned(),
         Fault::AfterTheEnd { end_s } => {
             crate::simulation::refused_late(&quantities::format_significant(*end_s, 4, language), language)

@@ -11,6 +11,7 @@ pub(crate) const fn twin_key_text(name: TwinName, language: Language) -> &'stati
         TwinName::scenario => ("what happens to the axis", "was mit der Achse geschieht"),
         TwinName::at => ("when the scenario takes place", "wann das Szenario eintritt"),
         TwinName::reaction => ("how the drive ends a motion", "wie der Regler eine Bewegung beendet"),
+        TwinName::failure => ("how the encoder fails; without it no signal arrives", "wie der Geber ausfällt; ohne Angabe kommt kein Signal an"),
         TwinName::cycles => ("cycles that are run", "gerechnete Zyklen"),
         TwinName::cold => ("whether everything is as cold as the air at the start", "ob zu Beginn alles so kalt wie die Luft ist"),
         TwinName::friction => ("false leaves out friction of motor and gear", "false lässt die Reibung von Motor und Getriebe weg"),

@@ -76,6 +76,10 @@ pub(super) fn twin(page: &mut Page<'_, '_>) -> Result<()> {
         let reaction = *page.u.choose(&["ramp", "brake", "coast"])?;
         page.word("reaction", reaction);
     }
+    if page.u.ratio(1, 3)? {
+        let failure = *page.u.choose(&["track", "amplitude", "cable", "check", "error_bit", "data_line"])?;
+        page.word("failure", failure);
+    }
     for switch in SWITCHES {
         if page.seldom()? {
             let on: bool = page.u.arbitrary()?;

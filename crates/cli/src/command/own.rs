@@ -4,6 +4,7 @@ use super::question;
 use clap::builder::{PossibleValuesParser, ValueParser};
 use clap::{Arg, ArgAction, ArgGroup, Command, value_parser};
 use quantities::Language;
+use questions::SIGNALS;
 use questions::list::{plot, report, wiring};
 use words::help;
 use words::help::values;
@@ -51,6 +52,17 @@ pub(crate) fn catalogue(command: Command, _: Language) -> Command {
 /// Where a picture without a file goes.
 pub(crate) fn plot(command: Command, language: Language) -> Command {
     command.after_help(help::plot_without_files(language))
+}
+
+/// How a picture looks; signals are those of the file of the course, and are listed below the options.
+pub(crate) fn simulate(command: Command, language: Language) -> Command {
+    let mut listed = format!("{}:", help::signals(language));
+    for names in SIGNALS.chunks(5) {
+        let names: Vec<&str> = names.iter().map(|signal| signal.id).collect();
+        listed.push_str("\n  ");
+        listed.push_str(&names.join(" "));
+    }
+    picture(command.mut_arg("signals", |signals| signals.requires("out")).after_help(listed), language)
 }
 
 /// How a picture looks.

@@ -1,10 +1,11 @@
 //! The command of a question: its arguments and files from the list, and what its layout adds.
 
 use crate::layout::Layout;
-use clap::builder::PossibleValuesParser;
+use clap::builder::{PossibleValue, PossibleValuesParser, StringValueParser, TypedValueParser};
 use clap::{Arg, ArgAction, Command, value_parser};
 use quantities::Language;
 use questions::list::{Argument, ArgumentKind, Entry, Form, Gives, LIST, OutputFile, Reads, media};
+use std::ffi::OsStr;
 use words::help::{self, values};
 
 /// The command of a question.
@@ -98,6 +99,22 @@ fn sources(entry: &Entry, language: Language) -> Vec<Arg> {
     words.into_iter().map(|word| word.required(true)).collect()
 }
 
+/// Words of which a value lists some: they are shown as the possible ones, and the question itself reports every wrong one.
+#[derive(Clone)]
+struct AnyOf(Vec<&'static str>);
+
+impl TypedValueParser for AnyOf {
+    type Value = String;
+
+    fn parse_ref(&self, command: &Command, arg: Option<&Arg>, value: &OsStr) -> Result<String, clap::Error> {
+        StringValueParser::new().parse_ref(command, arg, value)
+    }
+
+    fn possible_values(&self) -> Option<Box<dyn Iterator<Item = PossibleValue> + '_>> {
+        Some(Box::new(self.0.iter().map(PossibleValue::new)))
+    }
+}
+
 /// An argument as the library of the command line has it.
 pub(super) fn of(argument: &Argument, language: Language) -> Arg {
     let words = argument.words();
@@ -120,6 +137,7 @@ pub(super) fn of(argument: &Argument, language: Language) -> Arg {
     arg = arg.value_name((argument.value)(language)).allow_hyphen_values(argument.signed);
     arg = match argument.kind {
         ArgumentKind::Whole(least, most) => arg.value_parser(value_parser!(u64).range(least..=most)),
+        ArgumentKind::Word(_) if argument.is_list() => arg.value_parser(AnyOf(words)),
         ArgumentKind::Word(_) => arg.value_parser(PossibleValuesParser::new(words)),
         ArgumentKind::Text | ArgumentKind::Code | ArgumentKind::Date | ArgumentKind::File | ArgumentKind::Flag => arg,
     };

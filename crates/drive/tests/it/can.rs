@@ -93,10 +93,10 @@ fn heartbeat_emergency_and_reset() {
     sdo(&mut node, [0x2B, 0x17, 0x10, 0, 50, 0, 0, 0]);
     node.advance(200);
     assert_eq!(node.take(), [Frame::new(0x701, &[127]); 2]);
-    // Frozen encoder: 0x7300, register 0x21.
+    // No signal of the encoder: 0x7305, register 0x21.
     sdo(&mut node, [0x2F, 0x10, 0x20, 0, 3, 0, 0, 0]);
     node.advance(20);
-    assert!(node.take().contains(&Frame::new(0x081, &[0x00, 0x73, 0x21, 0, 0, 0, 0, 0])));
+    assert!(node.take().contains(&Frame::new(0x081, &[0x05, 0x73, 0x21, 0, 0, 0, 0, 0])));
     assert_eq!(node.drive().state(), State::Fault);
     node.receive(&Frame::new(0, &[129, 1]));
     assert_eq!(node.take(), [Frame::new(0x701, &[0])]);

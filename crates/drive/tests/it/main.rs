@@ -11,12 +11,13 @@ mod objects;
 mod states;
 
 use drive::{Address, Drive, Given, State, Value};
+use feedback::{Encoder, Failure};
 use installation::commission::{cia402, commission};
 use mechanism::{Extra, Friction, Mechanism};
 use motion::{Closing, ManualMove, Motion, SegmentSpec};
 use quantities::unit::REVOLUTION_PER_MINUTE;
 use quantities::{AngularVelocity, Measure, MomentOfInertia, Time, Torque};
-use twin::{Parameters, Setup};
+use twin::{Parameters, Scenario, Setup};
 
 /// With a brake, M512P: its position rises with the motor clockwise.
 const CODE: &str = "CHA-25A-100-H-M512P-B";
@@ -28,6 +29,8 @@ struct Axis {
     motion: Motion,
     extras: Vec<Extra>,
     given: Given,
+    encoder: Encoder,
+    failure: Option<Failure>,
 }
 
 impl Axis {
@@ -49,6 +52,8 @@ impl Axis {
             mechanism: Mechanism { friction, ..mechanism },
             motion: Motion::new(&[SegmentSpec::Manual(each)], None, Closing::SingleMove).unwrap(),
             extras: vec![Extra::none()],
+            encoder: installation::encoder::encoders(&code).unwrap().remove(0).encoder,
+            failure: None,
             given: Given {
                 node: 1,
                 name: format!("antrieb {code}"),
@@ -60,7 +65,12 @@ impl Axis {
     }
 
     fn drive(&self) -> Drive<'_> {
-        let setup = Setup::of(&self.parameters, &self.mechanism, &self.motion, &self.extras);
+        let scenario = Scenario { failure: self.failure, ..Scenario::default() };
+        let setup = Setup {
+            scenario,
+            encoder: Some(&self.encoder),
+            ..Setup::of(&self.parameters, &self.mechanism, &self.motion, &self.extras)
+        };
         let mut drive = Drive::new(&setup, &self.given).unwrap();
         drive.advance(2);
         drive

@@ -6,20 +6,23 @@ use quantities::Language;
 use questions::Refusal;
 use questions::answer::written;
 use questions::list::plot::Args as Looks;
-use questions::list::{Asked, Unanswered, commission_checklist, export, media, plot, report, upkeep_calendar};
+use questions::list::{
+    Asked, Cost, Unanswered, commission_checklist, export, media, plot, report, simulate, upkeep_calendar,
+};
 use tables::{Format, Front, Subject};
-use words::{requests, terminal};
+use words::{requests, simulation, terminal};
 
 /// How an answer is made.
 type Makes = fn(&Asked<'_>, &dyn Shell) -> Result<Reply, Unanswered>;
 
 /// The questions whose answers are made here, by their commands.
-const MADE: [(&str, Makes); 6] = [
+const MADE: [(&str, Makes); 7] = [
     (super::OPENAPI.command, openapi),
     (plot::ENTRY.command, drawn),
     (report::ENTRY.command, typeset),
     (commission_checklist::ENTRY.command, checklist),
     (export::ENTRY.command, tabled),
+    (simulate::ENTRY.command, simulated),
     (upkeep_calendar::ENTRY.command, calendar),
 ];
 
@@ -94,6 +97,31 @@ fn calendar(asked: &Asked<'_>, _: &dyn Shell) -> Result<Reply, Unanswered> {
     let (plan, found, name) = upkeep_calendar::found(asked)?;
     let text = tables::calendar(&plan, &found, name.as_deref(), asked.language);
     Ok(Reply::of(200, media::CALENDAR, text).saved_as(&format!("{}.ics", found.code)))
+}
+
+/// The record of a run, or its course as a table.
+fn simulated(asked: &Asked<'_>, _: &dyn Shell) -> Result<Reply, Unanswered> {
+    let language = asked.language;
+    let args = simulate::Args::read(&asked.given)?;
+    let format = args.format.as_deref().and_then(Format::of_ending).filter(|format| *format != Format::Json);
+    let Some(format) = format else {
+        if args.signals.is_empty() {
+            let answer = simulate::record(&args, asked)?;
+            return Ok(Reply::of(200, answer.media, answer.text));
+        }
+        return Err(Unanswered::option("signals", (simulation::signals_need_a_format(language).to_owned(), None)));
+    };
+    let (_, project) = asked.axis(args.axis.as_deref(), Cost::Other)?;
+    let run = args.simulated(&project, asked, true)?;
+    let table = tables::trace(&run.course, &args.signals, language);
+    let (media, bytes) = match format {
+        Format::Parquet => {
+            let bytes = tables::parquet(&table).map_err(|error| Unanswered::message(error.message(language)))?;
+            (media::PARQUET, bytes)
+        }
+        Format::Csv | Format::Json | Format::Workbook => (media::CSV, tables::csv(&table).into_bytes()),
+    };
+    Ok(Reply::of(200, media, bytes).saved_as(&format!("{}.{}", table.name, format.ending())))
 }
 
 fn tabled(asked: &Asked<'_>, shell: &dyn Shell) -> Result<Reply, Unanswered> {

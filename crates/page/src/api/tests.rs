@@ -135,6 +135,30 @@ fn tables_come_in_every_format() {
     }
 }
 
+/// The course of a run: time and the named signals with their units, in the order of the call; without a format the record.
+#[test]
+fn the_course_of_a_run_comes_as_a_table() {
+    let query = "code=CHA-25A-100-H-C1024&signals=speed,current_q&every=100+ms&format=csv";
+    let reply = post("/api/v1/simulate", query, PROJECT);
+    assert_eq!((reply.status, reply.media), (200, media::CSV), "{}", String::from_utf8_lossy(&reply.body));
+    let text = String::from_utf8_lossy(&reply.body).into_owned();
+    let mut lines = text.lines().filter(|line| !line.starts_with('#'));
+    assert_eq!(lines.next(), Some("time_s,speed_rad_s,current_q_a"));
+    assert!(lines.next().is_some_and(|line| line.starts_with("0,")), "{text}");
+    assert_eq!(lines.nth(1).map(|line| line.split(',').count()), Some(3));
+    let whole = post("/api/v1/simulate", "code=CHA-25A-100-H-C1024&format=parquet&every=100+ms", PROJECT);
+    assert!(whole.body.starts_with(b"PAR1"));
+    let record = post("/api/v1/simulate", "code=CHA-25A-100-H-C1024", PROJECT);
+    assert!(record.media == media::JSON && json(&record)["summary"].is_object());
+    for query in ["signals=speed", "signals=sped&format=csv", "format=xlsx"] {
+        assert_eq!(
+            post("/api/v1/simulate", &format!("code=CHA-25A-100-H-C1024&{query}"), PROJECT).status,
+            422,
+            "{query}"
+        );
+    }
+}
+
 #[test]
 fn a_picture_is_svg() {
     let reply = post("/api/v1/plot", "figure=torque_speed&theme=dark&width=100+mm", PROJECT);

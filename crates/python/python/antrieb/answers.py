@@ -751,6 +751,8 @@ class Simulation:
     """Figures with a limit."""
     events: list[SimulatedEvent]
     """What happened, by time."""
+    encoder_failure: EncoderFailure | None = None
+    """How the encoder failed; `null`: it did not."""
     comparison: list[Compared]
     """What the sizing said, what the twin shows, and why they differ; of the cycle alone."""
     loops: list[ControlLoop]
@@ -816,6 +818,22 @@ class SimulatedEvent:
     """What."""
     title: str
     """In words."""
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class EncoderFailure:
+    """An encoder that fails, and what the drive notices of it."""
+
+    failure: str
+    """What fails: a failure of the scenario, or `battery`."""
+    finding: str | None = None
+    """How the drive notices it; `null`: it does not."""
+    after: float | None = None
+    """After which time \\[ms\\]."""
+    error: float | None
+    """The angle that is read less the true one, at the output, when it is noticed, else at the end \\[°\\]."""
+    title: str
+    """The whole in words."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -2833,7 +2851,7 @@ Reaction = Literal["ramp", "brake", "coast"]
 
 Figures = dict[str, Figure]
 
-EventKind = Literal["scenario", "ramp", "pulses_off", "brake_closes", "brake_closed", "brake_closed_moving", "brake_open", "brake_slips", "at_rest", "limited", "overload", "winding_warning", "winding_shutdown", "following_error", "link_low", "link_high", "brake_resistor", "no_position", "demagnetisation", "collision_torque", "overspeed", "diverged"]
+EventKind = Literal["scenario", "ramp", "pulses_off", "brake_closes", "brake_closed", "brake_closed_moving", "brake_open", "brake_slips", "at_rest", "limited", "overload", "winding_warning", "winding_shutdown", "following_error", "link_low", "link_high", "brake_resistor", "no_position", "turns_lost", "demagnetisation", "collision_torque", "overspeed", "diverged"]
 
 Loop = Literal["current", "speed", "position"]
 
@@ -3022,6 +3040,7 @@ __all__ = [
     "EncoderAssumption",
     "EncoderCarrier",
     "EncoderCurve",
+    "EncoderFailure",
     "EncoderPin",
     "EncoderProtocol",
     "EncoderShaft",

@@ -312,11 +312,14 @@ def simulate(
     scenario: Literal["cycle", "emergency_stop", "power_failure", "brake_stuck", "hanging_load", "blocked_load", "encoder_failure", "battery_loss", "link_sag", "hot_ambient", "cold_grease", "collision"] | None = None,
     at: str | None = None,
     reaction: Literal["ramp", "brake", "coast"] | None = None,
+    failure: Literal["track", "amplitude", "cable", "check", "error_bit", "data_line"] | None = None,
     cycles: int | None = None,
     cold: bool = False,
     days: int | None = None,
     hours_per_day: str | None = None,
     every: str | None = None,
+    signals: Literal["wanted_position", "wanted_speed", "position", "speed", "acceleration", "measured_position", "motor_position", "motor_speed", "torque", "current_q", "current_d", "voltage_q", "voltage_d", "link", "winding", "housing", "sensor", "overload", "following_error", "brake"] | Sequence[Literal["wanted_position", "wanted_speed", "position", "speed", "acceleration", "measured_position", "motor_position", "motor_speed", "torque", "current_q", "current_d", "voltage_q", "voltage_d", "link", "winding", "housing", "sensor", "overload", "following_error", "brake"]] | None = None,
+    format: Literal["json"] = "json",
     figure: Literal["simulation", "control_loops"] = "simulation",
     seed: int = 0,
     file: str | None = None,
@@ -336,11 +339,14 @@ def simulate(
     scenario: Literal["cycle", "emergency_stop", "power_failure", "brake_stuck", "hanging_load", "blocked_load", "encoder_failure", "battery_loss", "link_sag", "hot_ambient", "cold_grease", "collision"] | None = None,
     at: str | None = None,
     reaction: Literal["ramp", "brake", "coast"] | None = None,
+    failure: Literal["track", "amplitude", "cable", "check", "error_bit", "data_line"] | None = None,
     cycles: int | None = None,
     cold: bool = False,
     days: int | None = None,
     hours_per_day: str | None = None,
     every: str | None = None,
+    signals: Literal["wanted_position", "wanted_speed", "position", "speed", "acceleration", "measured_position", "motor_position", "motor_speed", "torque", "current_q", "current_d", "voltage_q", "voltage_d", "link", "winding", "housing", "sensor", "overload", "following_error", "brake"] | Sequence[Literal["wanted_position", "wanted_speed", "position", "speed", "acceleration", "measured_position", "motor_position", "motor_speed", "torque", "current_q", "current_d", "voltage_q", "voltage_d", "link", "winding", "housing", "sensor", "overload", "following_error", "brake"]] | None = None,
+    format: Literal["json"] = "json",
     figure: Literal["simulation", "control_loops"] = "simulation",
     seed: int = 0,
     file: str | None = None,
@@ -348,6 +354,60 @@ def simulate(
     deadline: str | None = None,
     memory: str | None = None,
 ) -> answers.Simulation | answers.AxesOfSimulation: ...
+
+
+@overload
+def simulate(
+    text: Text,
+    code: str | None = None,
+    lang: Lang = "en",
+    *,
+    axis: str | None = None,
+    scenario: Literal["cycle", "emergency_stop", "power_failure", "brake_stuck", "hanging_load", "blocked_load", "encoder_failure", "battery_loss", "link_sag", "hot_ambient", "cold_grease", "collision"] | None = None,
+    at: str | None = None,
+    reaction: Literal["ramp", "brake", "coast"] | None = None,
+    failure: Literal["track", "amplitude", "cable", "check", "error_bit", "data_line"] | None = None,
+    cycles: int | None = None,
+    cold: bool = False,
+    days: int | None = None,
+    hours_per_day: str | None = None,
+    every: str | None = None,
+    signals: Literal["wanted_position", "wanted_speed", "position", "speed", "acceleration", "measured_position", "motor_position", "motor_speed", "torque", "current_q", "current_d", "voltage_q", "voltage_d", "link", "winding", "housing", "sensor", "overload", "following_error", "brake"] | Sequence[Literal["wanted_position", "wanted_speed", "position", "speed", "acceleration", "measured_position", "motor_position", "motor_speed", "torque", "current_q", "current_d", "voltage_q", "voltage_d", "link", "winding", "housing", "sensor", "overload", "following_error", "brake"]] | None = None,
+    format: Literal["csv"],
+    figure: Literal["simulation", "control_loops"] = "simulation",
+    seed: int = 0,
+    file: str | None = None,
+    folder: Path | None = None,
+    deadline: str | None = None,
+    memory: str | None = None,
+) -> str: ...
+
+
+@overload
+def simulate(
+    text: Text,
+    code: str | None = None,
+    lang: Lang = "en",
+    *,
+    axis: str | None = None,
+    scenario: Literal["cycle", "emergency_stop", "power_failure", "brake_stuck", "hanging_load", "blocked_load", "encoder_failure", "battery_loss", "link_sag", "hot_ambient", "cold_grease", "collision"] | None = None,
+    at: str | None = None,
+    reaction: Literal["ramp", "brake", "coast"] | None = None,
+    failure: Literal["track", "amplitude", "cable", "check", "error_bit", "data_line"] | None = None,
+    cycles: int | None = None,
+    cold: bool = False,
+    days: int | None = None,
+    hours_per_day: str | None = None,
+    every: str | None = None,
+    signals: Literal["wanted_position", "wanted_speed", "position", "speed", "acceleration", "measured_position", "motor_position", "motor_speed", "torque", "current_q", "current_d", "voltage_q", "voltage_d", "link", "winding", "housing", "sensor", "overload", "following_error", "brake"] | Sequence[Literal["wanted_position", "wanted_speed", "position", "speed", "acceleration", "measured_position", "motor_position", "motor_speed", "torque", "current_q", "current_d", "voltage_q", "voltage_d", "link", "winding", "housing", "sensor", "overload", "following_error", "brake"]] | None = None,
+    format: Literal["parquet"],
+    figure: Literal["simulation", "control_loops"] = "simulation",
+    seed: int = 0,
+    file: str | None = None,
+    folder: Path | None = None,
+    deadline: str | None = None,
+    memory: str | None = None,
+) -> bytes: ...
 
 
 def simulate(
@@ -359,18 +419,21 @@ def simulate(
     scenario: Literal["cycle", "emergency_stop", "power_failure", "brake_stuck", "hanging_load", "blocked_load", "encoder_failure", "battery_loss", "link_sag", "hot_ambient", "cold_grease", "collision"] | None = None,
     at: str | None = None,
     reaction: Literal["ramp", "brake", "coast"] | None = None,
+    failure: Literal["track", "amplitude", "cable", "check", "error_bit", "data_line"] | None = None,
     cycles: int | None = None,
     cold: bool = False,
     days: int | None = None,
     hours_per_day: str | None = None,
     every: str | None = None,
+    signals: Literal["wanted_position", "wanted_speed", "position", "speed", "acceleration", "measured_position", "motor_position", "motor_speed", "torque", "current_q", "current_d", "voltage_q", "voltage_d", "link", "winding", "housing", "sensor", "overload", "following_error", "brake"] | Sequence[Literal["wanted_position", "wanted_speed", "position", "speed", "acceleration", "measured_position", "motor_position", "motor_speed", "torque", "current_q", "current_d", "voltage_q", "voltage_d", "link", "winding", "housing", "sensor", "overload", "following_error", "brake"]] | None = None,
+    format: Literal["json", "csv", "parquet"] = "json",
     figure: Literal["simulation", "control_loops"] = "simulation",
     seed: int = 0,
     file: str | None = None,
     folder: Path | None = None,
     deadline: str | None = None,
     memory: str | None = None,
-) -> answers.Simulation | answers.AxesOfSimulation:
+) -> answers.Simulation | answers.AxesOfSimulation | str | bytes:
     """Simulate an axis with one actuator: motor, gear, load, control, scenario.
 
     Args:
@@ -381,11 +444,14 @@ def simulate(
         scenario: What happens; without it what the project states, else the cycle.
         at: When it happens, such as "300 ms"; without it when the axis is fastest.
         reaction: How the drive ends a motion (along a ramp).
+        failure: How the encoder fails in its scenario; without it no signal arrives.
         cycles: Cycles that are run (1). 1 to 100000.
         cold: Begin as cold as the ambient air, not settled.
         days: Also run so many days by the mean losses of the cycle: temperatures, energy. 1 to 3660.
         hours_per_day: Operation a day, in hours (24).
         every: Time between two rows of the trace ("1 ms").
+        signals: Signals of the trace, separated by commas; all without it.
+        format: Json for the summary (default), csv or parquet for the trace.
         figure: The picture of --svg and --png: the course, or the responses of the control loops (simulation).
         seed: Seed of the errors of gear and encoder (0).
         file: What a text is called in faults.
@@ -394,16 +460,16 @@ def simulate(
         memory: How much memory the recordings may take, such as `1 GiB`.
 
     Returns:
-        The record, as `--json` has it, as typed objects; units as `antrieb.answers` states.
+        The record as typed objects with `format="json"`, else the file.
 
     Raises:
         AntriebError: Every fault of the call.
     """
-    answer: answers.Simulation | answers.AxesOfSimulation = ask(
+    answer: answers.Simulation | answers.AxesOfSimulation | str | bytes = ask(
         answers.Simulation | answers.AxesOfSimulation,
         "simulate",
         (text,),
-        [("axis", axis), ("code", code), ("scenario", scenario), ("at", at), ("reaction", reaction), ("cycles", cycles), ("cold", cold), ("days", days), ("hours-per-day", hours_per_day), ("every", every), ("figure", figure), ("seed", seed)],
+        [("axis", axis), ("code", code), ("scenario", scenario), ("at", at), ("reaction", reaction), ("failure", failure), ("cycles", cycles), ("cold", cold), ("days", days), ("hours-per-day", hours_per_day), ("every", every), ("signals", signals), ("format", format), ("figure", figure), ("seed", seed)],
         lang,
         file=file,
         folder=folder,
@@ -429,7 +495,7 @@ def identify(
 
     Args:
         text: The project as text, or the path of its file.
-        trace: Recorded run with the columns of a trace.
+        trace: Recorded run (.csv) with the columns of a trace.
         code: Ordering code; without it the project's own [actuator] is judged.
         lang: Language of the texts: `en` or `de`.
         axis: Only this axis of a project with several.

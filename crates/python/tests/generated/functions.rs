@@ -51,8 +51,8 @@ struct Takes {
 
 /// A form of a function: what differs of its parameters, and what it returns.
 struct Form {
-    /// The parameter, its type, and whether it must be given.
-    by: Option<(&'static str, String, bool)>,
+    /// The parameters, each with its type, and whether it must be given.
+    by: Vec<(&'static str, String, bool)>,
     returns: String,
 }
 
@@ -97,7 +97,7 @@ fn whole(entry: &Entry, schema: &Schema) -> String {
             let _ = write!(out, "\n\n@overload\n{} ...\n", head(entry, &takes, form).trim_end());
         }
     }
-    let every = Form { by: None, returns: union(forms.iter().map(|form| form.returns.as_str())) };
+    let every = Form { by: Vec::new(), returns: union(forms.iter().map(|form| form.returns.as_str())) };
     out.push_str("\n\n");
     out.push_str(&head(entry, &takes, &every));
     let _ = writeln!(out, "    \"\"\"{}\"\"\"", about(entry, &takes));
@@ -122,7 +122,7 @@ fn whole(entry: &Entry, schema: &Schema) -> String {
 /// The first line of a form.
 fn head(entry: &Entry, takes: &Takes, form: &Form) -> String {
     let mut takes = takes.clone();
-    if let Some((by, of, is_required)) = &form.by {
+    for (by, of, is_required) in &form.by {
         for parameter in takes.first.iter_mut().chain(&mut takes.named).filter(|each| each.name == *by) {
             parameter.of.clone_from(of);
             parameter.usual = parameter.usual.take().filter(|_| !is_required);
@@ -185,28 +185,36 @@ fn record_type(entry: &Entry, schema: &Schema) -> Option<String> {
 fn forms(entry: &Entry, schema: &Schema) -> Vec<Form> {
     let record = record_type(entry, schema).unwrap_or_default();
     match entry.gives {
-        Gives::Media(types) => vec![Form { by: None, returns: of_media(types) }],
-        Gives::Json => vec![Form { by: None, returns: record }],
-        Gives::Record(_) => match (one_of_several(&record), entry.arguments.iter().any(|each| each.name == "axis")) {
-            (Some(one), true) => vec![
-                Form { by: Some(("axis", "str".to_owned(), true)), returns: one },
-                Form { by: Some(("axis", "None".to_owned(), false)), returns: record },
-            ],
-            _ => vec![Form { by: None, returns: record }],
-        },
+        Gives::Media(types) => vec![Form { by: Vec::new(), returns: of_media(types) }],
+        Gives::Json => vec![Form { by: Vec::new(), returns: record }],
+        Gives::Record(_) => forms_of_axes(entry, record),
         Gives::RecordOr(_, types) => {
             let formats =
                 entry.arguments.iter().find(|each| each.name == "format").map(Argument::words).unwrap_or_default();
             let (texts, others): (Vec<&str>, Vec<&str>) =
                 formats.into_iter().filter(|word| *word != "json").partition(|word| is_text(of_ending(word, types)));
-            let mut forms = vec![Form { by: Some(("format", literal(["json"]), false)), returns: record }];
+            let mut forms = forms_of_axes(entry, record);
+            for form in &mut forms {
+                form.by.push(("format", literal(["json"]), false));
+            }
             for (words, returns) in [(texts, "str"), (others, "bytes")] {
                 if !words.is_empty() {
-                    forms.push(Form { by: Some(("format", literal(words), true)), returns: returns.to_owned() });
+                    forms.push(Form { by: vec![("format", literal(words), true)], returns: returns.to_owned() });
                 }
             }
             forms
         }
+    }
+}
+
+/// The forms of a record: of an axis that is named there is one.
+fn forms_of_axes(entry: &Entry, record: String) -> Vec<Form> {
+    match (one_of_several(&record), entry.arguments.iter().any(|each| each.name == "axis")) {
+        (Some(one), true) => vec![
+            Form { by: vec![("axis", "str".to_owned(), true)], returns: one },
+            Form { by: vec![("axis", "None".to_owned(), false)], returns: record },
+        ],
+        _ => vec![Form { by: Vec::new(), returns: record }],
     }
 }
 

@@ -86,6 +86,12 @@ class Questions(unittest.TestCase):
         run = command("simulate", "axis.toml", "--code", CODE, "--out", "run.csv")
         assert run.returncode in (0, 1), run.stderr
 
+    def test_the_course_of_a_run_is_a_table(self) -> None:
+        text = antrieb.simulate(PROJECT, CODE, signals=["speed", "torque"], every="10 ms", format="csv")
+        self.assertEqual(text.splitlines()[0], "time_s,speed_rad_s,torque_nm")
+        with self.assertRaises(antrieb.AntriebError):
+            antrieb.simulate(PROJECT, CODE, signals="speed")
+
     def test_every_question_answers_as_its_command(self) -> None:
         for name, example in questions._EXAMPLES.items():
             with self.subTest(name):

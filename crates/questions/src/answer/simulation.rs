@@ -2,15 +2,17 @@
 
 use crate::simulate::{COMPARED, Judged, JudgedId, Simulated};
 use answers::{
-    Compared, ControlLoop, Figure, Figures, Id, ModelParameter, Number, SimulatedEvent, SimulatedVerdict, Simulation,
+    Compared, ControlLoop, EncoderFailure, Figure, Figures, Id, ModelParameter, Number, SimulatedEvent,
+    SimulatedVerdict, Simulation,
 };
+use feedback::Failure;
 use quantities::unit::{
     AMPERE, ARCMINUTE, DEGREE, DEGREE_CELSIUS, HERTZ, HOUR, JOULE, KELVIN_DIFFERENCE, NEWTON_METRE, ONE,
     REVOLUTION_PER_MINUTE, SECOND, VOLT, WATT_HOUR,
 };
 use quantities::{Language, Measure, Unit, format_significant};
 use sizing::CheckId;
-use twin::{Averaged, Gains, LoopResponse, Operation, Parameter, ScenarioId};
+use twin::{Averaged, Failed, Gains, LoopResponse, Operation, Parameter, ScenarioId};
 use words::{Word, check_title, simulation, source_text};
 
 /// A run.
@@ -35,6 +37,7 @@ pub fn simulation(run: &Simulated<'_>, language: Language) -> Simulation {
         averaged: run.averaged.as_ref().map(|(operation, found)| Figures(averaged(operation, found, language))),
         verdicts: run.judged().iter().map(|judged| verdict(judged, language)).collect(),
         events: run.events.iter().map(|event| happened(event, language)).collect(),
+        encoder_failure: run.failed.as_ref().map(|failed| encoder_failure(failed, language)),
         comparison: comparison(run, language),
         loops: run.loops.iter().map(|each| control_loop(each, language)).collect(),
         gains: Figures(gains(&run.gains)),
@@ -42,6 +45,29 @@ pub fn simulation(run: &Simulated<'_>, language: Language) -> Simulation {
         parameters: run.parameters.list().into_iter().map(|each| parameter(each, language)).collect(),
         notes: notes(run, language),
         trace: None,
+    }
+}
+
+fn encoder_failure(failed: &Failed, language: Language) -> EncoderFailure {
+    let error = Number::in_unit(failed.error_rad, &DEGREE);
+    let shown = |value: f64| format_significant(value, 3, language);
+    let failure = simulation::failure_title(failed.failure, language);
+    let angle = shown(DEGREE.from_si(failed.error_rad));
+    EncoderFailure {
+        failure: failed.failure.map_or("battery", Failure::id),
+        finding: failed.noticed.map(|(finding, _)| finding.id()),
+        after: failed.noticed.map(|(_, after_s)| Number(after_s * 1e3)),
+        error,
+        title: match failed.noticed {
+            Some((finding, after_s)) => simulation::noticed(
+                &failure,
+                &shown(after_s * 1e3),
+                &simulation::finding_title(finding, language),
+                &angle,
+                language,
+            ),
+            None => simulation::not_noticed(&failure, &angle, language),
+        },
     }
 }
 

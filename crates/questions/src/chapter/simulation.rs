@@ -68,6 +68,9 @@ pub fn simulation(record: &Simulation, language: Language) -> Chapter {
         let shown = record.events.iter().take(EVENTS_MOST);
         chapter.grid(heads, shown.map(|event| vec![number(Some(event.time)), event.title.clone()]).collect());
     }
+    if let Some(failure) = &record.encoder_failure {
+        chapter.text(failure.title.clone());
+    }
     if !record.comparison.is_empty() {
         section(&mut chapter, simulation::agreement(language));
         let heads = vec![

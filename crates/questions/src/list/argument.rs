@@ -46,7 +46,7 @@ pub enum ArgumentKind {
     Flag,
     /// A whole number from and to.
     Whole(u64, u64),
-    /// One of these words.
+    /// One of these words; of an argument that may be given several times also some of them with commas between them.
     Word(fn() -> Vec<&'static str>),
 }
 
@@ -148,6 +148,17 @@ impl Argument {
             | ArgumentKind::Flag
             | ArgumentKind::Whole(..) => Vec::new(),
         }
+    }
+
+    /// Whether a value is a list of words with commas between them.
+    #[must_use]
+    pub const fn is_list(&self) -> bool {
+        self.repeated && matches!(self.kind, ArgumentKind::Word(_))
+    }
+
+    /// The values that a text names: of a list its words.
+    pub(super) fn parts<'v>(&self, value: &'v str) -> Vec<&'v str> {
+        if self.is_list() { value.split(',').map(str::trim).collect() } else { vec![value] }
     }
 
     /// A value as it is kept, or what would be right.

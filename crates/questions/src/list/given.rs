@@ -45,11 +45,13 @@ impl Given {
                 errors.push(usage(argument.name, &twice, None, language));
                 continue;
             }
-            match argument.checked(&value) {
-                Ok(value) => given.values.push((argument.name, value.into_owned())),
-                Err(hint) => {
-                    let what = Usage::BadValue { written: shown(&value), name: argument.name.to_owned() };
-                    errors.push(usage(argument.name, &what, hint, language));
+            for value in argument.parts(&value) {
+                match argument.checked(value) {
+                    Ok(value) => given.values.push((argument.name, value.into_owned())),
+                    Err(hint) => {
+                        let what = Usage::BadValue { written: shown(value), name: argument.name.to_owned() };
+                        errors.push(usage(argument.name, &what, hint, language));
+                    }
                 }
             }
         }

@@ -112,7 +112,11 @@ pub fn found(asked: &Asked<'_>) -> Result<Identification, Unanswered> {
     if bytes.len() as u64 > TRACE_MOST {
         return Err(fault(simulation::trace_too_large(&seen(&name), &(TRACE_MOST >> 20), language)));
     }
-    let run = observed(&String::from_utf8_lossy(&bytes), language).map_err(fault)?;
+    if bytes.starts_with(b"PAR1") {
+        return Err(fault(simulation::trace_is_parquet(&seen(&name), language)));
+    }
+    let run = observed(&String::from_utf8_lossy(&bytes), language)
+        .map_err(|faults| Unanswered::together(faults.into_iter().map(fault).collect()))?;
     let limit = candidate.parameters.current_max.known().map(|known| SQRT_2 * known.value.si());
     let twin::Identification { estimates, at_limit } = identify(&run, limit).map_err(|why| {
         fault(match why {
@@ -143,24 +147,36 @@ pub fn found(asked: &Asked<'_>) -> Result<Identification, Unanswered> {
     })
 }
 
+/// So many faults of a run are reported.
+const FAULTS_MOST: usize = 20;
+
 /// The columns of a run.
-fn observed(text: &str, language: Language) -> Result<Observed, String> {
+fn observed(text: &str, language: Language) -> Result<Observed, Vec<String>> {
     let mut lines = text.lines().filter(|line| !line.starts_with('#'));
     let heads: Vec<&str> = lines.next().unwrap_or_default().trim_start_matches('\u{feff}').split(',').collect();
     let places = COLUMNS.map(|column| heads.iter().position(|head| head.trim() == column));
     let lacking: Vec<&str> =
         COLUMNS.iter().zip(&places).filter(|(_, place)| place.is_none()).map(|(column, _)| *column).collect();
     if !lacking.is_empty() {
-        return Err(simulation::trace_lacks(&lacking.join(", "), language));
+        return Err(vec![simulation::trace_lacks(&lacking.join(", "), language)]);
     }
+    let mut faults = Vec::new();
     let mut columns: [Vec<f64>; 7] = Default::default();
     for (line, text) in (2_usize..).zip(lines).filter(|(_, text)| !text.trim().is_empty()) {
         let cells: Vec<&str> = text.split(',').collect();
         for ((column, place), name) in columns.iter_mut().zip(&places).zip(COLUMNS) {
             let value = place.and_then(|place| cells.get(place)?.trim().parse::<f64>().ok());
-            let value = value.filter(|value| value.is_finite());
-            column.push(value.ok_or_else(|| simulation::trace_not_a_number(&line, &name, language))?);
+            match value.filter(|value| value.is_finite()) {
+                Some(value) => column.push(value),
+                None if faults.len() < FAULTS_MOST => {
+                    faults.push(simulation::trace_not_a_number(&line, &name, language));
+                }
+                None => {}
+            }
         }
+    }
+    if !faults.is_empty() {
+        return Err(faults);
     }
     let [time_s, position_rad, speed_rad_s, acceleration_rad_s2, motor_rad_s, torque_nm, current_q_a] = columns;
     Ok(Observed { time_s, position_rad, speed_rad_s, acceleration_rad_s2, motor_rad_s, torque_nm, current_q_a })
@@ -263,7 +279,9 @@ fn overrides(estimates: &[Estimate], taken: impl Fn(Identified) -> bool) -> Stri
             continue;
         }
         let value = Number::in_unit(si, unit).written().unwrap_or(si);
-        lines.push_str(&format!("{key} = \"{value:.5} {}\"\n", unit.ascii));
+        // Five digits, of a small value too; what is a billionth of a unit is nothing.
+        let value = if value.abs() < 1e-9 { 0.0 } else { format!("{value:.4e}").parse().unwrap_or(value) };
+        lines.push_str(&format!("{key} = \"{value} {}\"\n", unit.ascii));
     }
     lines
 }

@@ -2,18 +2,21 @@
 
 use super::given::{arguments, count, flag, number, some, some_code_among, text, word};
 use super::{
-    AXIS, Argument, ArgumentKind, Asked, Cost, Entry, Gives, OutputFile, Reads, Record, Unanswered, argument, media,
+    AXIS, Answer, Argument, ArgumentKind, Asked, Cost, Entry, Given, Gives, OutputFile, Reads, Record, Unanswered,
+    argument, media,
 };
 use crate::answer;
 use crate::chapters::{read_hours, read_quantity};
 use crate::patience::Patience;
+use crate::signal::Signal;
 use crate::simulate::{NotRun, ROWS_MOST, STEPS_MOST, Simulated, Wanted, simulate};
+use feedback::Failure;
 use order_code::OrderCode;
 use project::Project;
 use quantities::unit::HOUR;
-use quantities::{Language, Measure, Time};
+use quantities::{Language, Measure, Time, format_significant};
 pub use twin::ScenarioId;
-use twin::{Operation, Reaction, Scenario};
+use twin::{CURRENT_RATE_HZ, Operation, Reaction, Scenario};
 use words::{help, help::values, simulation};
 
 arguments! {
@@ -27,10 +30,13 @@ arguments! {
         scenario: Option<ScenarioId> = Argument::option("scenario", values::name, help::simulate_scenario)
             .of(ArgumentKind::Word(|| ScenarioId::ALL.iter().map(|each| each.id()).collect())) => word(ScenarioId::of),
         /// When it happens.
-        at: Option<Time> = Argument::option("at", values::time, help::simulate_at) => some(read_quantity),
+        at: Option<Time> = Argument::option("at", values::time, help::simulate_at).signed() => some(read_quantity),
         /// How the drive reacts.
         reaction: Option<Reaction> = Argument::option("reaction", values::name, help::simulate_reaction)
             .of(ArgumentKind::Word(|| Reaction::ALL.map(Reaction::id).to_vec())) => word(reaction),
+        /// How the encoder fails.
+        failure: Option<Failure> = Argument::option("failure", values::name, help::simulate_failure)
+            .of(ArgumentKind::Word(|| Failure::ALL.iter().map(|each| each.id()).collect())) => word(failure),
         /// Cycles that are run.
         cycles: Option<u32> = Argument::option("cycles", values::n, help::simulate_cycles)
             .of(ArgumentKind::Whole(1, 100_000)) => number,
@@ -42,7 +48,13 @@ arguments! {
         /// Operation a day.
         hours_per_day: Option<Time> = Argument::option("hours-per-day", values::hours, help::simulate_hours) => some(read_hours),
         /// Time between two rows of the course.
-        every: Option<Time> = Argument::option("every", values::time, help::simulate_every) => some(read_quantity),
+        every: Option<Time> = Argument::option("every", values::time, help::simulate_every).signed() => some(read_quantity),
+        /// The signals of the course; none means all.
+        signals: Vec<&'static Signal> = Argument::option("signals", values::names, help::simulate_signals)
+            .of(ArgumentKind::Word(Signal::ids)).repeated() => signals,
+        /// What is answered; on the command line the ending of the file.
+        format: Option<String> = Argument::option("format", values::format, help::simulate_format)
+            .of(ArgumentKind::Word(|| FORMATS.to_vec())) => text,
         /// The picture that is drawn.
         figure: Option<String> = Argument::option("figure", values::figure, help::simulate_figure)
             .of(ArgumentKind::Word(|| FIGURES.to_vec())).usually("simulation") => text,
@@ -58,6 +70,24 @@ const DAYS_MOST: u32 = 3660;
 /// The pictures of a run, by their identifiers.
 pub const FIGURES: [&str; 2] = ["simulation", "control_loops"];
 
+/// What is answered: the record, or the course as a table.
+const FORMATS: [&str; 3] = ["json", "csv", "parquet"];
+
+/// Signals in the order in which they are named, each once.
+fn signals(given: &Given, argument: &Argument) -> Result<Vec<&'static Signal>, Unanswered> {
+    let mut named: Vec<&'static Signal> = Vec::new();
+    for signal in given.all(argument.name).filter_map(Signal::of_id) {
+        if named.iter().all(|known| known.id != signal.id) {
+            named.push(signal);
+        }
+    }
+    Ok(named)
+}
+
+fn failure(id: &str) -> Option<Failure> {
+    Failure::ALL.iter().copied().find(|each| each.id() == id)
+}
+
 fn reaction(id: &str) -> Option<Reaction> {
     Reaction::ALL.into_iter().find(|each| each.id() == id)
 }
@@ -69,22 +99,30 @@ pub const ENTRY: Entry = Entry {
     about: help::simulate,
     reads: Reads::Project,
     arguments: Args::ARGUMENTS,
-    gives: Gives::Record(Record::of::<answers::Answered<answers::Simulation>>("simulate")),
+    gives: Gives::RecordOr(
+        Record::of::<answers::Answered<answers::Simulation>>("simulate"),
+        &[media::CSV, media::PARQUET],
+    ),
     writes: &[
         OutputFile::of("out", &[media::CSV, media::PARQUET], help::simulate_trace),
         OutputFile::of("svg", &[media::SVG], help::svg),
         OutputFile::of("png", &[media::PNG], help::png),
     ],
     example: "axis.toml --code CHA-25A-50-H-C1024 --scenario emergency_stop",
-    answer: Some(|asked| {
-        let args = Args::read(&asked.given)?;
-        let axes = asked.axes(args.axis.as_deref(), Cost::Other)?;
-        asked.record_of_each(&axes, |project| {
-            let found = args.simulated(project, asked, false)?;
-            Ok((answer::simulation(&found, asked.language), found.fits()))
-        })
-    }),
+    answer: None,
 };
+
+/// The record about each axis.
+///
+/// # Errors
+/// Faults of project and arguments; why nothing is simulated.
+pub fn record(args: &Args, asked: &Asked<'_>) -> Result<Answer, Unanswered> {
+    let axes = asked.axes(args.axis.as_deref(), Cost::Other)?;
+    asked.record_of_each(&axes, |project| {
+        let found = args.simulated(project, asked, false)?;
+        Ok((answer::simulation(&found, asked.language), found.fits()))
+    })
+}
 
 /// Rows of a course without a stated time between them, at most.
 const ROWS_USUAL_S: f64 = 1e-3;
@@ -102,19 +140,37 @@ impl Args {
     ) -> Result<Simulated<'p>, Unanswered> {
         let stated = &project.twin.scenario;
         let every = self.every.map_or(ROWS_USUAL_S, Time::si);
-        if every.is_nan() || every <= 0.0 {
-            return Err(Unanswered::option("every", (simulation::refused_range(&"every", asked.language), None)));
-        }
         let scenario = self.scenario.unwrap_or(stated.id);
         let hours = self.hours_per_day.map_or(24.0, |time| time.in_unit(&HOUR));
-        if !(0.0..=24.0).contains(&hours) || (self.hours_per_day.is_some() && self.days.is_none()) {
-            return Err(Unanswered::option(
+        let language = asked.language;
+        let period_us = format_significant(1e6 / CURRENT_RATE_HZ, 4, language);
+        let wrong = [
+            (
+                "every",
+                every.is_nan() || every * CURRENT_RATE_HZ < 1.0 - 1e-9,
+                simulation::refused_every(&period_us, language),
+            ),
+            ("at", self.at.is_some_and(|at| at.si() < 0.0), simulation::refused_range(&"at", language)),
+            (
                 "hours-per-day",
-                (simulation::refused_hours(asked.language).to_owned(), None),
-            ));
-        }
-        if self.days.is_some() && scenario != ScenarioId::Cycle {
-            return Err(Unanswered::option("days", (simulation::refused_days(asked.language).to_owned(), None)));
+                !(0.0..=24.0).contains(&hours) || (self.hours_per_day.is_some() && self.days.is_none()),
+                simulation::refused_hours(language).to_owned(),
+            ),
+            (
+                "days",
+                self.days.is_some() && scenario != ScenarioId::Cycle,
+                simulation::refused_days(language).to_owned(),
+            ),
+            (
+                "failure",
+                self.failure.is_some() && scenario != ScenarioId::EncoderFailure,
+                simulation::refused_failure(&ScenarioId::EncoderFailure.id(), language),
+            ),
+        ];
+        let wrong = wrong.into_iter().filter(|(_, is_wrong, _)| *is_wrong);
+        let faults: Vec<Unanswered> = wrong.map(|(name, _, why)| Unanswered::option(name, (why, None))).collect();
+        if !faults.is_empty() {
+            return Err(Unanswered::together(faults));
         }
         let day = Time::new_in(24.0, &HOUR).si();
         let wanted = Wanted {
@@ -123,6 +179,7 @@ impl Args {
                 id: scenario,
                 at_s: self.at.map(Time::si).or(stated.at_s),
                 reaction: self.reaction.unwrap_or(stated.reaction),
+                failure: self.failure.or(stated.failure),
                 cycles: self.cycles.unwrap_or_else(|| stated.cycles.max(1)),
                 cold: self.cold || stated.cold,
             },

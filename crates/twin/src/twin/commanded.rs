@@ -119,15 +119,12 @@ impl<'a> Twin<'a> {
     pub fn disturb(&mut self, what: ScenarioId) {
         self.stop = None;
         self.supply_share = 1.0;
-        self.encoder.frozen_rad = None;
+        self.encoder.failing = None;
         self.brake.stuck = false;
         match what {
             ScenarioId::BlockedLoad => self.stop = Some(self.stop_here(0.0)),
             ScenarioId::Collision => self.stop = Some(self.stop_here(self.state.x[5].signum())),
-            ScenarioId::EncoderFailure => {
-                self.encoder.frozen_rad = Some(self.angle());
-                self.happens_s = Some(self.time_s());
-            }
+            ScenarioId::EncoderFailure => self.fail(),
             ScenarioId::PowerFailure => self.supply_share = 0.0,
             ScenarioId::LinkSag => self.supply_share = super::SAG.0,
             ScenarioId::BrakeStuck => self.brake.stuck = true,
@@ -162,7 +159,7 @@ impl<'a> Twin<'a> {
         }
     }
 
-    fn measured_rad(&self) -> f64 {
+    pub(super) fn measured_rad(&self) -> f64 {
         self.position_seen(self.angle()) - self.offset_rad
     }
 

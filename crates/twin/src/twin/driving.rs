@@ -68,10 +68,14 @@ impl Twin<'_> {
         }
         let rests = self.state.x[3].abs() < 1e-4 * self.machine.speed_max
             && self.state.x[5].abs() < 1e-3 * self.machine.speed_max;
-        if self.phase == Phase::Off && rests && self.happened && !self.has(EventKind::AtRest) {
+        let stands = self.gathered.stop(time, self.happened, rests, self.state.x[4]);
+        let is_noted = self.has(EventKind::AtRest);
+        if self.phase == Phase::Off && stands && !is_noted {
             self.note(EventKind::AtRest);
+        } else if self.phase == Phase::Off && !rests && is_noted {
+            // It hung still for a moment, or slips again.
+            self.events.retain(|event| event.kind != EventKind::AtRest);
         }
-        self.gathered.stop(time, self.happened, rests, self.state.x[4]);
     }
 
     /// The brake within the cycle.
@@ -164,7 +168,7 @@ impl Twin<'_> {
             ScenarioId::HangingLoad => self.react(Reaction::Brake),
             ScenarioId::BlockedLoad => self.stop = Some(self.stop_here(0.0)),
             ScenarioId::Collision => self.stop = Some(self.stop_here(self.state.x[5].signum())),
-            ScenarioId::EncoderFailure => self.encoder.frozen_rad = Some(self.angle()),
+            ScenarioId::EncoderFailure => self.fail(),
             ScenarioId::LinkSag => self.supply_share = SAG.0,
             ScenarioId::Cycle
             | ScenarioId::BrakeStuck

@@ -6,9 +6,6 @@ use crate::scenario::{EventKind, Reaction, ScenarioId};
 use actuator::{Losses, Temperatures, overload_slope};
 use quantities::{ElectricCurrent, Measure, Ratio, ThermodynamicTemperature, Time};
 
-/// The drive notices a frozen angle after so long \[s\]. A guess.
-const NOTICED_S: f64 = 2e-3;
-
 impl Twin<'_> {
     /// Temperatures, supervision, and what follows the temperatures, once a millisecond.
     pub(super) fn supervise(&mut self) {
@@ -76,10 +73,7 @@ impl Twin<'_> {
         if warning.is_some_and(|limit| self.sensor_k > limit) {
             self.note(EventKind::WindingWarning);
         }
-        if self.encoder.frozen_rad.is_some() && self.happens_s.is_some_and(|at| time > at + NOTICED_S) {
-            let reaction = if self.brake.exists() { Reaction::Brake } else { Reaction::Coast };
-            self.fault(EventKind::NoPosition, reaction);
-        }
+        self.no_position();
         if !self.setup.switches.limits {
             return;
         }

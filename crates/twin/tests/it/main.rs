@@ -19,6 +19,11 @@ fn parameters(code: &str) -> Parameters {
     Parameters::of(&configurator::parameters(&order_code::parse(code).unwrap().code).unwrap())
 }
 
+/// The signals of its feedback.
+fn encoder(code: &str) -> feedback::Encoder {
+    installation::encoder::encoders(&order_code::parse(code).unwrap().code).unwrap().remove(0).encoder
+}
+
 /// A load at the output.
 fn load(inertia: f64, friction: f64) -> Mechanism {
     Mechanism::direct(MomentOfInertia::from_si(inertia), Torque::from_si(friction))

@@ -1,6 +1,7 @@
 //! Scenarios, balance, determinism, bounds.
 
-use super::{NOTHING, load, one_move, parameters};
+use super::{NOTHING, encoder, load, one_move, parameters};
+use feedback::{Failure, Finding};
 use mechanism::{Friction, Mechanism};
 use provenance::{Grade, Source, Sourced};
 use quantities::{Measure, Torque};
@@ -11,7 +12,7 @@ const CODE: &str = "CHA-17A-80-H-M128S-B";
 /// Every scenario to its end; of each the events.
 #[test]
 fn every_scenario_ends_and_its_balance_closes() {
-    let parameters = parameters(CODE);
+    let (parameters, encoder) = (parameters(CODE), encoder(CODE));
     let (hanging, motion, extras) = (
         Mechanism { friction: Friction { external: Torque::from_si(3.0), ..Friction::none() }, ..load(0.3, 1.0) },
         one_move(30.0, 0.1, 0.3, 0.2),
@@ -20,7 +21,8 @@ fn every_scenario_ends_and_its_balance_closes() {
     for id in ScenarioId::ALL {
         for reaction in Reaction::ALL {
             let scenario = Scenario { id: *id, reaction, ..Scenario::default() };
-            let setup = Setup { scenario, ..Setup::of(&parameters, &hanging, &motion, &extras) };
+            let encoder = Some(&encoder);
+            let setup = Setup { scenario, encoder, ..Setup::of(&parameters, &hanging, &motion, &extras) };
             let mut twin = Twin::new(&setup).unwrap();
             twin.advance(u64::MAX);
             let summary = twin.summary();
@@ -36,9 +38,15 @@ fn every_scenario_ends_and_its_balance_closes() {
             let has = |kind| twin.events().iter().any(|event| event.kind == kind);
             match id {
                 ScenarioId::PowerFailure => assert!(has(EventKind::BrakeClosedMoving) && summary.stop_s.is_some()),
-                ScenarioId::HangingLoad => assert!(summary.stop_rad.unwrap() > 0.0 && has(EventKind::BrakeCloses)),
+                ScenarioId::HangingLoad => {
+                    let at_rest = twin.events().iter().find(|event| event.kind == EventKind::AtRest).unwrap();
+                    assert!(summary.stop_rad.unwrap() > 0.0 && has(EventKind::BrakeCloses));
+                    assert!((at_rest.time_s - summary.stop_s.unwrap()).abs() < 1e-3, "{at_rest:?}");
+                }
                 ScenarioId::EncoderFailure => assert!(has(EventKind::NoPosition) && has(EventKind::PulsesOff)),
-                ScenarioId::BatteryLoss => assert!(has(EventKind::NoPosition) && summary.throughput_j == 0.0),
+                ScenarioId::BatteryLoss => {
+                    assert!(has(EventKind::TurnsLost) && !has(EventKind::NoPosition) && !has(EventKind::PulsesOff));
+                }
                 ScenarioId::BrakeStuck => assert!(has(EventKind::Limited) && has(EventKind::BrakeSlips)),
                 ScenarioId::Collision | ScenarioId::BlockedLoad => assert!(has(EventKind::Limited)),
                 ScenarioId::LinkSag => assert!(has(EventKind::Scenario) && summary.link_v[0] < 550.0, "{summary:?}"),
@@ -47,6 +55,71 @@ fn every_scenario_ends_and_its_balance_closes() {
             }
         }
     }
+}
+
+/// What the drive notices of a failed encoder, and when: a word with a wrong check when it has arrived while its tracks still show
+/// the angle; a lost track within a turn of the motor, and the angle that was read by then is wrong.
+#[test]
+fn a_failed_encoder_is_noticed_by_what_it_sends() {
+    let (mechanism, motion, extras) = (load(0.3, 1.0), one_move(20.0, 0.1, 0.3, 0.2), NOTHING());
+    let run = |code: &str, failure: Failure, at_s: Option<f64>| {
+        let (parameters, encoder) = (parameters(code), encoder(code));
+        let scenario = Scenario { id: ScenarioId::EncoderFailure, failure: Some(failure), at_s, ..Scenario::default() };
+        let setup = Setup { scenario, encoder: Some(&encoder), ..Setup::of(&parameters, &mechanism, &motion, &extras) };
+        let mut twin = Twin::new(&setup).unwrap();
+        twin.advance(u64::MAX);
+        let failed = twin.failed().unwrap();
+        let has = twin.events().iter().any(|event| event.kind == EventKind::NoPosition);
+        assert_eq!(failed.noticed.is_some(), has, "{code} {failure:?}");
+        assert!(!twin.events().iter().any(|event| event.kind == EventKind::Diverged), "{code} {failure:?}");
+        (failed, twin.summary())
+    };
+    let period = 1.0 / twin::CURRENT_RATE_HZ;
+    let (failed, _) = run("CHA-25A-50-H-M512P", Failure::Check, None);
+    let (finding, after) = failed.noticed.unwrap();
+    assert_eq!(finding, Finding::Check);
+    assert!(after > 53e-6 && after < 0.5e-3 + 3.0 * period && failed.error_rad.abs() < 1e-4, "{failed:?}");
+    for code in ["CHA-20A-50-H-C1024", "CHA-14A-50-N-RES", "CHA-14A-50-N-D2048", CODE] {
+        for failure in [Failure::Track, Failure::Cable] {
+            let (failed, summary) = run(code, failure, None);
+            let (_, after) = failed.noticed.unwrap_or_else(|| panic!("{code} {failure:?}"));
+            assert!(after <= 60.0 / (20.0 * 50.0) && summary.stop_s.is_some(), "{code} {failure:?} {after}");
+            if failure == Failure::Cable {
+                assert!(after < 1.5 * period, "{code} {after}");
+            }
+        }
+    }
+    // Before the motion the axis stands: a square track that is lost shows nothing, and the axis follows its own wrong angle.
+    let (failed, _) = run("CHA-14A-50-N-D2048", Failure::Track, Some(0.0));
+    assert!(failed.noticed.is_some_and(|(finding, _)| finding == Finding::Commutation), "{failed:?}");
+    let parameters = parameters(CODE);
+    let refused = |failure, encoder| {
+        let scenario = Scenario { id: ScenarioId::EncoderFailure, failure, ..Scenario::default() };
+        Twin::new(&Setup { scenario, encoder, ..Setup::of(&parameters, &mechanism, &motion, &extras) }).err()
+    };
+    assert_eq!(refused(None, None), Some(Fault::NoEncoder));
+    let ssi = encoder(CODE);
+    let why = refused(Some(Failure::Check), Some(&ssi));
+    let Some(Fault::NotOfThisEncoder { failure: Failure::Check, possible }) = why else { panic!("{why:?}") };
+    let possible: Vec<Failure> = possible.into_iter().flatten().collect();
+    assert_eq!(possible, [Failure::Track, Failure::Amplitude, Failure::Cable, Failure::DataLine]);
+}
+
+/// 2048 turns are lost at i = 80: 25.6 turns of the output, which the position loop then travels, as far as the run lasts.
+#[test]
+fn a_lost_battery_sends_the_axis_off() {
+    let (parameters, encoder) = (parameters(CODE), encoder(CODE));
+    let (mechanism, motion, extras) = (load(0.3, 1.0), one_move(20.0, 0.1, 0.3, 0.2), NOTHING());
+    let scenario = Scenario { id: ScenarioId::BatteryLoss, ..Scenario::default() };
+    let setup = Setup { scenario, encoder: Some(&encoder), ..Setup::of(&parameters, &mechanism, &motion, &extras) };
+    let mut twin = Twin::new(&setup).unwrap();
+    twin.advance(u64::MAX);
+    let failed = twin.failed().unwrap();
+    assert_eq!((failed.failure, failed.noticed), (None, None));
+    let turn = std::f64::consts::TAU;
+    assert!((failed.error_rad / turn + 25.6).abs() < 1.0 / 80.0 + 1e-9, "{failed:?}");
+    let way = twin.sample().position_rad;
+    assert!(way > 0.5 * turn && way < 25.6 * turn, "{way}");
 }
 
 /// Same setup, same bits, in steps of any size; another seed, another run.

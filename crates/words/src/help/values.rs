@@ -25,6 +25,7 @@ texts! {
     lang = "LANG" | "SPRACHE";
     length = "LENGTH" | "LÄNGE";
     name = "NAME";
+    names = "NAME,…";
     new = "NEW" | "NEU";
     old = "OLD" | "ALT";
     pattern = "PATTERN" | "MUSTER";
