@@ -23,7 +23,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
         SweepCall { text: Text::At(PathBuf::from(project)), pairs: vec![], memory: None, language: Language::En };
     let begin = Instant::now();
     let why = |why: questions::list::Unanswered| why.record(None, Language::En);
-    let sweep = call.prepared(&table.schema()).map_err(why)?;
+    let sweep = call.prepared(&table.schema(), std::slice::from_ref(&table)).map_err(why)?;
     let answers = swept(&sweep, &[table], &Patience::endless()).map_err(why)?;
     println!("{:.4} {}", begin.elapsed().as_secs_f64(), answers.iter().map(RecordBatch::num_rows).sum::<usize>());
     Ok(())

@@ -6,10 +6,18 @@ use project::TabularFault;
 use quantities::Language;
 
 texts! {
-    written(file, rows) = "{file}: {rows} rows" | "{file}: {rows} Zeilen";
-    fitting(rows, share) = "an actuator fits: {rows} rows ({share} %)" | "ein Antrieb ist geeignet: {rows} Zeilen ({share} %)";
-    none_fits(rows, share) = "none fits: {rows} rows ({share} %)" | "keiner ist geeignet: {rows} Zeilen ({share} %)";
-    not_judged(rows, share) = "not judged: {rows} rows ({share} %)" | "nicht beurteilt: {rows} Zeilen ({share} %)";
+    written(rows, file) =
+        "{file}: {rows} row" | "{file}: {rows} Zeile",
+        "{file}: {rows} rows" | "{file}: {rows} Zeilen";
+    fitting(rows, share) =
+        "an actuator fits: {rows} row ({share} %)" | "ein Antrieb ist geeignet: {rows} Zeile ({share} %)",
+        "an actuator fits: {rows} rows ({share} %)" | "ein Antrieb ist geeignet: {rows} Zeilen ({share} %)";
+    none_fits(rows, share) =
+        "none fits: {rows} row ({share} %)" | "keiner ist geeignet: {rows} Zeile ({share} %)",
+        "none fits: {rows} rows ({share} %)" | "keiner ist geeignet: {rows} Zeilen ({share} %)";
+    not_judged(rows, share) =
+        "not judged: {rows} row ({share} %)" | "nicht beurteilt: {rows} Zeile ({share} %)",
+        "not judged: {rows} rows ({share} %)" | "nicht beurteilt: {rows} Zeilen ({share} %)";
     tightest = "tightest check of the nearest miss" | "engster Nachweis des nächstbesten Antriebs";
     no_class = "no actuator of the required class" | "kein Antrieb der geforderten Klasse";
     reason = "reason" | "Grund";
@@ -17,6 +25,8 @@ texts! {
     further = "further reasons" | "weitere Gründe";
     keys(keys) = "columns: {keys}" | "Spalten: {keys}";
     resumed(parts, rows) =
+        "{parts} part with {rows} rows of an interrupted run is kept"
+        | "{parts} Teil mit {rows} Zeilen eines unterbrochenen Laufs wird übernommen",
         "{parts} parts with {rows} rows of an interrupted run are kept"
         | "{parts} Teile mit {rows} Zeilen eines unterbrochenen Laufs werden übernommen";
     begun_anew =
@@ -25,7 +35,9 @@ texts! {
     ending_of_a_table =
         "the ending of a table is .csv or .parquet" | "die Endung einer Tabelle ist .csv oder .parquet";
     unreadable(file, why) = "{file}: not readable as a table: {why}" | "{file}: als Tabelle nicht lesbar: {why}";
-    ragged(line, found, expected) =
+    ragged(found, line, expected) =
+        "line {line} has {found} cell, the headings are {expected}"
+        | "Zeile {line} hat {found} Zelle, die Überschriften sind {expected}",
         "line {line} has {found} cells, the headings are {expected}"
         | "Zeile {line} hat {found} Zellen, die Überschriften sind {expected}";
     not_utf_8(line) = "line {line} is not UTF-8" | "Zeile {line} ist kein UTF-8";
@@ -91,6 +103,10 @@ pub(crate) fn fault(fault: &TabularFault, language: Language) -> String {
                 "`{path}`: eine Spalte vom Typ {found} wird nicht gelesen; ihre Zellen müssen Zahlen oder Texte sein"
             ),
         ),
+        TabularFault::Ragged { line, found, expected } => ragged(*found, line, expected, language),
+        TabularFault::OpenQuote { line } => open_quote(line, language),
+        TabularFault::NotUtf8 { line } => not_utf_8(line, language),
+        TabularFault::LongLine { line, most } => long_line(line, most, language),
         TabularFault::NoRows => t("the table has no row", "die Tabelle hat keine Zeile"),
         TabularFault::NoColumns => t("the table has no column", "die Tabelle hat keine Spalte"),
     }
