@@ -92,8 +92,8 @@ def heat_map(folder: pathlib.Path) -> antrieb.Table:
     fit: list[int] = columns["fit"]
     sizes: list[str] = [code[:7] if code else "" for code in columns["code"]]
     print(f"{len(best)} axes judged: the best is of one of {len({*sizes} - {''})} sizes; nothing fits {fit.count(0)} of them")
-    starts = range(0, len(fit), len(times))
-    counts, names = ([each[start : start + len(times)] for start in starts] for each in (fit, sizes))
+    ends = [(start, start + len(times)) for start in range(0, len(fit), len(times))]
+    counts, names = [fit[start:end] for start, end in ends], [sizes[start:end] for start, end in ends]
     for lang, words in WORDS.items():
         x, y = Axis(label=words.time, values=times), Axis(label=words.payload, values=payloads)
         picture = drawn(words.title, x, y, counts, names, legend=words.legend, none=words.none, comma=lang == "de")
