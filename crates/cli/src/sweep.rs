@@ -267,12 +267,20 @@ fn shown(summary: &SweepSummary, language: Language) -> String {
     let share = |rows: u64| format_number(100.0 * rows as f64 / summary.rows.max(1) as f64, 1, language);
     let counted = |rows: u64| usize::try_from(rows).unwrap_or(usize::MAX);
     let mut text = String::new();
-    let _ = writeln!(text, "{}", sweeps::written(counted(summary.rows), &summary.file.clone().unwrap_or_default(), language));
+    let _ = writeln!(
+        text,
+        "{}",
+        sweeps::written(counted(summary.rows), &summary.file.clone().unwrap_or_default(), language)
+    );
     let _ = writeln!(text, "{}", sweeps::fitting(counted(summary.fitting), &share(summary.fitting), language));
     let missed: u64 = summary.none_fits.iter().map(|each| each.rows).sum();
     if missed > 0 {
-        let _ =
-            writeln!(text, "{}; {}:", sweeps::none_fits(counted(missed), &share(missed), language), sweeps::tightest(language));
+        let _ = writeln!(
+            text,
+            "{}; {}:",
+            sweeps::none_fits(counted(missed), &share(missed), language),
+            sweeps::tightest(language)
+        );
         for each in &summary.none_fits {
             let _ = writeln!(text, "  {:>10}  {}", each.rows, each.title);
         }

@@ -135,7 +135,8 @@ fn a_sweep_over_http_has_the_answers_of_the_command() {
         assert_eq!(found["error"].as_str().unwrap_or_default(), error, "{line}");
     }
 
-    std::fs::write(path("wrong.csv"), "mechanism.belt.mas [kg],motion[0].payload [kg],code\n1,much,CHA-99\n1\n").unwrap();
+    std::fs::write(path("wrong.csv"), "mechanism.belt.mas [kg],motion[0].payload [kg],code\n1,much,CHA-99\n1\n")
+        .unwrap();
     let (head, faults) = ask("wrong.csv");
     assert!(head.starts_with("HTTP/1.1 422 "), "{head}");
     assert_eq!(faults["errors"].as_array().unwrap().len(), 4, "{faults}");

@@ -113,7 +113,10 @@ fn an_axis_that_is_not_named_is_reported_beside_the_faults_of_the_table() {
         let faults = faults["errors"].as_array().unwrap();
         assert_eq!((found.code, faults.len()), (2, 3), "{faults:?}");
         assert!(faults[0]["message"].as_str().unwrap().contains("swivel, lift"), "{faults:?}");
-        assert_eq!((faults[1]["id"].as_str(), faults[1]["heading"].as_str()), (Some("unknown_key"), Some("motion[0].tyme [s]")));
+        assert_eq!(
+            (faults[1]["id"].as_str(), faults[1]["heading"].as_str()),
+            (Some("unknown_key"), Some("motion[0].tyme [s]"))
+        );
         assert_eq!((faults[2]["id"].as_str(), faults[2]["row"].as_u64()), (Some("not_a_number"), Some(0)));
     }
 }
@@ -193,7 +196,8 @@ fn a_row_has_the_digits_of_size_with_the_edited_file() {
         let file = put(folder, "axis.toml", text);
         let mut table = columns.iter().map(|(heading, ..)| *heading).collect::<Vec<_>>().join(",");
         for row in 0..3 {
-            write!(table, "\n{}", columns.iter().map(|(.., values)| values[row]).collect::<Vec<_>>().join(",")).unwrap();
+            write!(table, "\n{}", columns.iter().map(|(.., values)| values[row]).collect::<Vec<_>>().join(","))
+                .unwrap();
         }
         let (tasks, out) = (put(folder, "tasks.csv", &table), path(folder, "best.csv"));
         let named: Vec<&str> = axis.iter().flat_map(|name| ["--axis", name]).collect();
@@ -287,7 +291,11 @@ fn runs_that_are_killed_at_any_moment_continue_with_the_same_bytes() {
             assert!(!is_there || std::fs::read(&out).unwrap() == whole, "{ending}: the answer is not whole");
             assert!(was_killed || is_there, "{ending}: a run ended without its answer");
             (killed, in_a_row) = (killed + usize::from(was_killed), in_a_row + usize::from(was_killed));
-            eprintln!("{ending}: {:.2} s of {:.2} s: {kept} parts kept, answer {is_there}", moment.as_secs_f64(), length.as_secs_f64());
+            eprintln!(
+                "{ending}: {:.2} s of {:.2} s: {kept} parts kept, answer {is_there}",
+                moment.as_secs_f64(),
+                length.as_secs_f64()
+            );
             // Thrice in a row, then a run that nothing interrupts.
             if !is_there && (in_a_row >= 3 || killed == kills()) {
                 let last = run(&arguments);
@@ -302,7 +310,9 @@ fn runs_that_are_killed_at_any_moment_continue_with_the_same_bytes() {
                 std::fs::remove_file(&out).unwrap();
             }
         }
-        eprintln!("{ending}: {killed} runs killed, {finished} answers with the bytes of an uninterrupted run, {resumed} continued");
+        eprintln!(
+            "{ending}: {killed} runs killed, {finished} answers with the bytes of an uninterrupted run, {resumed} continued"
+        );
         assert!(finished > 0 && (kills() < 20 || resumed > 0));
     }
 }
@@ -328,7 +338,10 @@ fn parts_that_are_kept_are_counted_and_those_of_others_removed() {
     std::fs::remove_file(&out).ok();
     let resumed = run(&arguments);
     assert_eq!(resumed.code, 0, "{}", resumed.err);
-    let said = ["2 parts with 32768 rows of an interrupted run are kept", "3 parts with 36000 rows of an interrupted run are kept"];
+    let said = [
+        "2 parts with 32768 rows of an interrupted run are kept",
+        "3 parts with 36000 rows of an interrupted run are kept",
+    ];
     assert!(said.iter().any(|said| resumed.err.contains(said)), "{}", resumed.err);
     assert!(!second.exists());
     std::fs::create_dir(folder.join("other.csv.parts")).unwrap();

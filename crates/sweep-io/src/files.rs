@@ -123,9 +123,8 @@ impl Batches {
             From::Csv(lines, rows) => {
                 let columns = lines.rows(*rows).map_err(|broken| Unread::of(broken, language))?;
                 let array = |cells: Vec<Option<String>>| Arc::new(StringArray::from(cells)) as ArrayRef;
-                let batch = |columns: Columns| {
-                    RecordBatch::try_new(self.schema(), columns.into_iter().map(array).collect())
-                };
+                let batch =
+                    |columns: Columns| RecordBatch::try_new(self.schema(), columns.into_iter().map(array).collect());
                 columns.map(batch).transpose().map_err(trouble)
             }
         }

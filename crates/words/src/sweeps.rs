@@ -35,17 +35,6 @@ texts! {
     ending_of_a_table =
         "the ending of a table is .csv or .parquet" | "die Endung einer Tabelle ist .csv oder .parquet";
     unreadable(file, why) = "{file}: not readable as a table: {why}" | "{file}: als Tabelle nicht lesbar: {why}";
-    ragged(found, line, expected) =
-        "line {line} has {found} cell, the headings are {expected}"
-        | "Zeile {line} hat {found} Zelle, die Überschriften sind {expected}",
-        "line {line} has {found} cells, the headings are {expected}"
-        | "Zeile {line} hat {found} Zellen, die Überschriften sind {expected}";
-    not_utf_8(line) = "line {line} is not UTF-8" | "Zeile {line} ist kein UTF-8";
-    open_quote(line) =
-        "line {line}: a quoted cell does not end in this line"
-        | "Zeile {line}: eine Zelle in Anführungszeichen endet nicht in dieser Zeile";
-    long_line(line, most) =
-        "line {line} is longer than {most} bytes" | "Zeile {line} ist länger als {most} Byte";
     too_many_rows(rows, most) =
         "the table has {rows} rows; {most} are judged here at most, more by `antrieb sweep`"
         | "die Tabelle hat {rows} Zeilen; hier werden höchstens {most} beurteilt, mehr mit `antrieb sweep`";
@@ -103,10 +92,23 @@ pub(crate) fn fault(fault: &TabularFault, language: Language) -> String {
                 "`{path}`: eine Spalte vom Typ {found} wird nicht gelesen; ihre Zellen müssen Zahlen oder Texte sein"
             ),
         ),
-        TabularFault::Ragged { line, found, expected } => ragged(*found, line, expected, language),
-        TabularFault::OpenQuote { line } => open_quote(line, language),
-        TabularFault::NotUtf8 { line } => not_utf_8(line, language),
-        TabularFault::LongLine { line, most } => long_line(line, most, language),
+        TabularFault::Ragged { line, found, expected } => {
+            let cells = if *found == 1 { t("cell", "Zelle") } else { t("cells", "Zellen") };
+            e(
+                format!("line {line} has {found} {cells}, the headings are {expected}"),
+                format!("Zeile {line} hat {found} {cells}, die Überschriften sind {expected}"),
+            )
+        }
+        TabularFault::OpenQuote { line } => e(
+            format!("line {line}: a quoted cell does not end in this line"),
+            format!("Zeile {line}: eine Zelle in Anführungszeichen endet nicht in dieser Zeile"),
+        ),
+        TabularFault::NotUtf8 { line } => {
+            e(format!("line {line} is not UTF-8"), format!("Zeile {line} ist kein UTF-8"))
+        }
+        TabularFault::LongLine { line, most } => {
+            e(format!("line {line} is longer than {most} bytes"), format!("Zeile {line} ist länger als {most} Byte"))
+        }
         TabularFault::NoRows => t("the table has no row", "die Tabelle hat keine Zeile"),
         TabularFault::NoColumns => t("the table has no column", "die Tabelle hat keine Spalte"),
     }

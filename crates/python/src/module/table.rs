@@ -220,13 +220,7 @@ impl Sweep {
     }
 
     /// The answers; faults of the cells first where they are not checked yet.
-    fn judged(
-        &self,
-        py: Python<'_>,
-        batches: &[RecordBatch],
-        deadline: Option<&str>,
-        checks: bool,
-    ) -> PyResult<Table> {
+    fn judged(&self, py: Python<'_>, batches: &[RecordBatch], deadline: Option<&str>, checks: bool) -> PyResult<Table> {
         let deadline = deadline.map(|text| antrieb::deadline_of(text, self.language)).transpose();
         let deadline = deadline.map_err(|why| refused(py, &why.record(None, self.language)))?;
         let patience = if deadline.is_some() { Patience::limited() } else { Patience::endless() };

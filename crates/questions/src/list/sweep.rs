@@ -146,7 +146,11 @@ struct Shelf(BTreeMap<String, Vec<u8>>);
 
 impl Shelf {
     /// Those of the axes of a project; of one that is not read, none.
-    fn of(source: &Source<'_>, projects: Result<&[Project], &Unanswered>, language: Language) -> Result<Self, Unanswered> {
+    fn of(
+        source: &Source<'_>,
+        projects: Result<&[Project], &Unanswered>,
+        language: Language,
+    ) -> Result<Self, Unanswered> {
         let mut found = BTreeMap::new();
         for name in projects.unwrap_or_default().iter().flat_map(|project| &project.recordings).map(|read| &read.file) {
             let mut bytes = Vec::new();

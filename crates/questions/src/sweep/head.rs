@@ -39,12 +39,7 @@ impl Head {
 
     /// Reads the headings of a table for a project, by its text and its axes or why they cannot be read.
     #[must_use]
-    pub fn read(
-        text: &str,
-        projects: Result<Vec<Project>, Unanswered>,
-        headings: &[&str],
-        options: Options,
-    ) -> Self {
+    pub fn read(text: &str, projects: Result<Vec<Project>, Unanswered>, headings: &[&str], options: Options) -> Self {
         let known = written(text);
         let (axis, refused) = match projects {
             Ok(projects) => of_projects(projects, &options),
