@@ -120,7 +120,7 @@ WORDS = {
         "none fits",
     ),
     "de": Words(
-        "Ladearm: wie viele Antriebe geeignet sind, und die Baugröße des besten",
+        "Ladearm: Anzahl geeigneter Antriebe und Baugröße des besten",
         "Zeit einer Bewegung in s",
         "Nutzlast in kg",
         "geeignete\nAntriebe",
