@@ -261,7 +261,7 @@ fn runs_that_are_killed_at_any_moment_continue_with_the_same_bytes() {
         let whole = path(folder, &format!("whole.{ending}"));
         let begun = Instant::now();
         assert_eq!(run(&["sweep", &axis, "--table", &table, "--out", &whole]).code, 0);
-        let (length, whole) = (begun.elapsed(), std::fs::read(&whole).unwrap());
+        let (mut length, whole) = (begun.elapsed(), std::fs::read(&whole).unwrap());
         let out = folder.join(format!("best.{ending}"));
         let parts = folder.join(format!("best.{ending}.parts"));
         let arguments = ["sweep", &axis, "--table", &table, "--out", out.to_str().unwrap()];
@@ -290,6 +290,10 @@ fn runs_that_are_killed_at_any_moment_continue_with_the_same_bytes() {
             let is_there = out.exists();
             assert!(!is_there || std::fs::read(&out).unwrap() == whole, "{ending}: the answer is not whole");
             assert!(was_killed || is_there, "{ending}: a run ended without its answer");
+            if !was_killed {
+                // The first run was slower, for neighbours are at work.
+                length = length.min(moment);
+            }
             (killed, in_a_row) = (killed + usize::from(was_killed), in_a_row + usize::from(was_killed));
             eprintln!(
                 "{ending}: {:.2} s of {:.2} s: {kept} parts kept, answer {is_there}",
