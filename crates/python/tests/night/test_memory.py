@@ -17,7 +17,7 @@ from antrieb.examples import ARM
 MOST_BYTES = 500 << 20
 PART = 50_000
 # A row with a code costs the checks of one actuator.
-CODES = ["CHA-25A-50-H-C1024", "CHA-32A-100-H-C1024", "CHA-17A-100-H-C1024"]
+CODES = ["CHA-25A-50-H-C1024", "CHA-32A-100-H-C1024", "CHA-20A-100-H-C1024"]
 
 
 def written(path: pathlib.Path, rows: int) -> None:
