@@ -1,7 +1,8 @@
 """What the way through Python and Arrow adds to a sweep: python sweep_python.py KERNEL PROJECT ROWS [RUNS]
 
 KERNEL is the example `kernel` of the crate `python`, which judges the same rows without Python. Both run in turn, each on one core
-(RAYON_NUM_THREADS=1); the least processor time of some runs counts, which neighbours disturb the least.
+(RAYON_NUM_THREADS=1); the least user time of some runs counts, which neighbours disturb the least. PROJECT has a load and a move of
+which the time is stated.
 """
 
 from __future__ import annotations
@@ -21,18 +22,18 @@ def table(rows: int) -> antrieb.Table:
     """The rows of the kernel."""
     return antrieb.Table.from_pydict(
         {
-            "motion[0].payload [kg]": [row % 1000 / 100.0 for row in range(rows)],
+            "load.inertia [kg m^2]": [0.05 + row % 1000 / 200.0 for row in range(rows)],
             "motion[0].time [s]": [0.5 + (row // 1000) % 1000 / 666.0 for row in range(rows)],
         }
     )
 
 
 def kernel(program: str, project: str, rows: int) -> float:
-    """Processor time of the kernel alone."""
+    """User time of the kernel alone, its start included."""
     before = resource.getrusage(resource.RUSAGE_CHILDREN)
     subprocess.run([program, project, str(rows)], check=True, stdout=subprocess.DEVNULL)
     after = resource.getrusage(resource.RUSAGE_CHILDREN)
-    return after.ru_utime + after.ru_stime - before.ru_utime - before.ru_stime
+    return after.ru_utime - before.ru_utime
 
 
 def main() -> None:
@@ -44,9 +45,9 @@ def main() -> None:
     alone, through = [], []
     for _ in range(runs):
         alone.append(kernel(program, project, rows))
-        begin = time.process_time()
+        begin = resource.getrusage(resource.RUSAGE_SELF).ru_utime
         antrieb.sweep(project, given)
-        through.append(time.process_time() - begin)
+        through.append(resource.getrusage(resource.RUSAGE_SELF).ru_utime - begin)
     least, most = min(alone), min(through)
     print(f"{rows} rows: kernel {least:.3f} s, through Python {most:.3f} s: {100 * (most / least - 1):+.2f} %")
     one = table(1)

@@ -72,6 +72,7 @@ impl Drop for Ends {
 
 /// The program, installed into an environment of its own where it is not there yet.
 fn ready(root: &Path) -> Result<PathBuf, Error> {
-    let environment = Environment { name: "schemathesis", pinned: PINNED, missing: || Error::NoSchemathesis };
+    let (list, missing) = ("schemathesis/requirements.txt", || Error::NoSchemathesis);
+    let environment = Environment { name: "schemathesis", list, pinned: PINNED, missing };
     Ok(environment.ready(root)?.program("schemathesis"))
 }

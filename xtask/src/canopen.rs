@@ -13,7 +13,8 @@ const PINNED: &str = include_str!("../canopen/requirements.txt");
 
 /// Runs the script of `validation/drive`.
 pub(crate) fn run(root: &Path) -> Result<(), Error> {
-    let environment = Environment { name: "canopen", pinned: PINNED, missing: || Error::NoCanopen };
+    let (list, missing) = ("canopen/requirements.txt", || Error::NoCanopen);
+    let environment = Environment { name: "canopen", list, pinned: PINNED, missing };
     let python = environment.ready(root)?.program("python");
     let program = samples::built(root)?;
     let script = root.join("validation").join("drive").join("canopen402.py");

@@ -2,7 +2,7 @@
 //!
 //! A push waits for what finds a fault of the change: lints, tests, documents, the page with a server. One debug build of the
 //! workspace serves all of it. What needs a build of its own or looks for faults as long as it may runs at night: the optimised
-//! program, the page without a server, a cluster that loses nodes, benches, a thousand kills of a program that saves, a day of the digital twin, fuzz campaigns, the coverage of the corpora.
+//! program, the page without a server, a cluster that loses nodes, benches, a thousand kills of a program that saves and of sweeps, a day of the digital twin, fuzz campaigns, the coverage of the corpora.
 
 use std::path::Path;
 use std::time::Instant;
@@ -53,10 +53,10 @@ const NIGHTLY: &[Step] = &[
     step("release", Cost::shared(1200), lint::release),
     step("site", Cost::shared(480), site::run),
     step("browser", Cost::on_one(300), browser::both),
-    step("python", Cost::shared(240), python::night),
+    step("python", Cost::shared(300), python::night),
     step("bench", Cost::shared(150), |root| bench::run(root, &[])),
     step("canopen", Cost::on_one(10), canopen::run),
-    step("kills", Cost::on_one(180), test::kills),
+    step("kills", Cost::on_one(360), test::kills),
     step("day", Cost::on_one(900), test::day),
     step("fuzz", Cost::on_one(450), fuzz::step),
     step("coverage", Cost::shared(450), fuzz::coverage),

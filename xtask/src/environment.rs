@@ -1,4 +1,4 @@
-//! Environments of Python under `target/tools`, each with what its requirements pin.
+//! Environments of Python: under `target/tools` those with what a list pins, and empty ones.
 
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -7,10 +7,13 @@ use std::process::{Command, Stdio};
 use crate::Error;
 use crate::cargo::{Workspace, must_succeed};
 
-/// An environment, named as the folder of its `requirements.txt` beside this crate's sources.
+/// An environment with what a list pins.
 pub(crate) struct Environment {
+    /// Its folder under `target/tools`.
     pub(crate) name: &'static str,
-    /// The requirements, each with its sums.
+    /// The list under `xtask`.
+    pub(crate) list: &'static str,
+    /// What stands in it, each with its sums.
     pub(crate) pinned: &'static str,
     /// What it means that it cannot be installed.
     pub(crate) missing: fn() -> Error,
@@ -19,32 +22,51 @@ pub(crate) struct Environment {
 /// An environment that is there.
 pub(crate) struct Ready(PathBuf);
 
+impl Environment {
+    /// Installs it where it is not there yet, or holds something else.
+    pub(crate) fn ready(&self, root: &Path) -> Result<Ready, Error> {
+        let folder = Workspace::ask(root)?.target.join("tools").join(self.name);
+        let whole = folder.join("whole");
+        if fs::read_to_string(&whole).is_ok_and(|pinned| pinned == self.pinned) {
+            return Ok(Ready(folder));
+        }
+        eprintln!("{}: installing what xtask/{} lists …", self.name, self.list);
+        let made = Ready::empty(folder, self.missing)?;
+        let mut pip = made.pip();
+        pip.args(["--only-binary", ":all:", "--require-hashes", "--requirement"]);
+        must_succeed(pip.arg(root.join("xtask").join(self.list))).map_err(|_| (self.missing)())?;
+        // An environment that is half installed is not found.
+        fs::write(&whole, self.pinned).map_err(|source| Error::File { path: whole, source })?;
+        Ok(made)
+    }
+}
+
 impl Ready {
+    /// An environment without any package.
+    pub(crate) fn empty(folder: PathBuf, missing: fn() -> Error) -> Result<Self, Error> {
+        let made = |python: &str| {
+            let mut command = Command::new(python);
+            must_succeed(command.args(["-m", "venv", "--clear"]).arg(&folder).stdin(Stdio::null()))
+        };
+        made("python3").or_else(|_| made("python")).map_err(|_| missing())?;
+        Ok(Self(folder))
+    }
+
     /// A program of it.
     pub(crate) fn program(&self, name: &str) -> PathBuf {
         let bin = self.0.join(if cfg!(windows) { "Scripts" } else { "bin" });
         bin.join(format!("{name}{}", std::env::consts::EXE_SUFFIX))
     }
-}
 
-impl Environment {
-    /// Installs it where it is not there yet, or holds something else.
-    pub(crate) fn ready(&self, root: &Path) -> Result<Ready, Error> {
-        let ready = Ready(Workspace::ask(root)?.target.join("tools").join(self.name));
-        let whole = ready.0.join("whole");
-        if fs::read_to_string(&whole).is_ok_and(|pinned| pinned == self.pinned) {
-            return Ok(ready);
-        }
-        eprintln!("{}: installing {} …", self.name, self.name);
-        let quiet = |command: &mut Command| must_succeed(command.stdin(Stdio::null())).map_err(|_| (self.missing)());
-        let python = |python: &str| quiet(Command::new(python).args(["-m", "venv", "--clear"]).arg(&ready.0));
-        python("python3").or_else(|_| python("python"))?;
-        let mut pip = Command::new(ready.program("python"));
+    /// Installs a wheel and nothing that it could need.
+    pub(crate) fn install(&self, wheel: &Path) -> Result<(), Error> {
+        must_succeed(self.pip().args(["--no-index", "--force-reinstall"]).arg(wheel))
+    }
+
+    fn pip(&self) -> Command {
+        let mut pip = Command::new(self.program("python"));
         pip.args(["-m", "pip", "install", "--quiet", "--disable-pip-version-check", "--no-input", "--no-deps"]);
-        pip.args(["--only-binary", ":all:", "--require-hashes", "--requirement"]);
-        quiet(pip.arg(root.join("xtask").join(self.name).join("requirements.txt")))?;
-        // An environment that is half installed is not found.
-        fs::write(&whole, self.pinned).map_err(|source| Error::File { path: whole, source })?;
-        Ok(ready)
+        pip.stdin(Stdio::null()).env("PIP_ROOT_USER_ACTION", "ignore");
+        pip
     }
 }

@@ -7,18 +7,21 @@ use std::process::{Command, Stdio};
 
 use crate::Error;
 use crate::cargo::{Workspace, cargo, must_succeed, spelled};
+use crate::environment::{Environment, Ready};
 
-/// What is installed beside the wheel, with its sums.
-struct Beside {
-    /// The folder under `target/tools`.
-    name: &'static str,
-    /// The list in `xtask/python`.
-    list: &'static str,
-    pinned: &'static str,
-}
-
-const PUSH: Beside = Beside { name: "python", list: "push.txt", pinned: include_str!("../python/push.txt") };
-const NIGHT: Beside = Beside { name: "python-night", list: "night.txt", pinned: include_str!("../python/night.txt") };
+/// What is installed beside the wheel in a push, and in a night.
+const PUSH: Environment = Environment {
+    name: "python",
+    list: "python/push.txt",
+    pinned: include_str!("../python/push.txt"),
+    missing: || Error::NoPython,
+};
+const NIGHT: Environment = Environment {
+    name: "python-night",
+    list: "python/night.txt",
+    pinned: include_str!("../python/night.txt"),
+    missing: || Error::NoPython,
+};
 
 /// Where the package is.
 const PACKAGE: &str = "crates/python";
@@ -29,7 +32,7 @@ const PACKAGE: &str = "crates/python";
 /// Where there is no Python, something does not build, or a test fails.
 pub(crate) fn push(root: &Path) -> Result<(), Error> {
     let desk = Desk::clear(root, "python")?;
-    let tools = ready(root, &PUSH)?;
+    let tools = PUSH.ready(root)?;
     // With the features of the tests of the workspace: alone it would compile most dependencies a second time.
     let all = ["build", "--quiet", "--workspace", "--lib", "--bins", "--tests", "--features", "python/extension"];
     must_succeed(&mut cargo(root, &all))?;
@@ -40,21 +43,39 @@ pub(crate) fn push(root: &Path) -> Result<(), Error> {
         printed(pack.arg(root.join(PACKAGE).join("pyproject.toml")).arg(&library).arg(desk.folder.join("wheel")))?;
     let wheel = PathBuf::from(wheel.trim());
 
-    let empty = Environment::new(&desk.folder.join("empty"))?;
+    let empty = Ready::empty(desk.folder.join("empty"), PUSH.missing)?;
     empty.install(&wheel)?;
     must_succeed(desk.at(empty.program("antrieb")).arg("--version"))?;
     must_succeed(desk.at(empty.program("python")).args(["-m", "antrieb.examples", "alone"]))?;
 
     tools.install(&wheel)?;
     must_succeed(desk.at(tools.program("python")).args(["-m", "antrieb.examples", "pictures"]))?;
+    shown(root, &desk.folder.join("pictures"))?;
     let python = root.join(PACKAGE);
     let tests = ["-m", "unittest", "discover", "--start-directory"];
     must_succeed(desk.at(tools.program("python")).args(tests).arg(python.join("tests").join("push")))?;
     types(root, &desk, &tools)
 }
 
+/// The guides show the heat map that the examples draw.
+fn shown(root: &Path, pictures: &Path) -> Result<(), Error> {
+    const DRAW: &str = "python -m antrieb.examples; it is one of the pictures in target/xtask/python/pictures";
+    for (guide, file) in [
+        ("docs/guide/pictures/heat-map.svg", "heat-map-en.svg"),
+        ("docs/anleitung/pictures/heat-map.svg", "heat-map-de.svg"),
+    ] {
+        let read = |path: PathBuf| fs::read_to_string(&path).map_err(|source| Error::File { path, source });
+        let (stored, drawn) = (read(root.join(guide))?, read(pictures.join(file))?);
+        if stored != drawn {
+            let same = stored.lines().zip(drawn.lines()).take_while(|(stored, drawn)| stored == drawn).count();
+            return Err(Error::Stale { file: guide, line: same + 1, command: DRAW });
+        }
+    }
+    Ok(())
+}
+
 /// The checks of the types: the package by two checkers, and the stub of the native part against what is there.
-fn types(root: &Path, desk: &Desk, tools: &Environment) -> Result<(), Error> {
+fn types(root: &Path, desk: &Desk, tools: &Ready) -> Result<(), Error> {
     let (settings, sources) =
         (root.join(PACKAGE).join("pyproject.toml"), root.join(PACKAGE).join("python").join("antrieb"));
     must_succeed(desk.at(tools.program("mypy")).arg("--config-file").arg(&settings).arg(&sources))?;
@@ -72,7 +93,7 @@ fn types(root: &Path, desk: &Desk, tools: &Environment) -> Result<(), Error> {
 /// Where there is no Python, something does not build, or a test fails.
 pub(crate) fn night(root: &Path) -> Result<(), Error> {
     let desk = Desk::clear(root, "python-night")?;
-    let (makers, tools) = (ready(root, &PUSH)?, ready(root, &NIGHT)?);
+    let (makers, tools) = (PUSH.ready(root)?, NIGHT.ready(root)?);
     let folder = desk.folder.join("wheel");
     let mut build = Command::new(makers.program("maturin"));
     build.args(["build", "--locked", "--manifest-path"]).arg(root.join(PACKAGE).join("Cargo.toml"));
@@ -119,57 +140,6 @@ impl Desk {
     }
 }
 
-/// An environment of Python.
-struct Environment {
-    folder: PathBuf,
-}
-
-impl Environment {
-    fn new(folder: &Path) -> Result<Self, Error> {
-        let made = |python: &str| {
-            let mut command = Command::new(python);
-            command.args(["-m", "venv", "--clear"]).arg(folder).stdin(Stdio::null());
-            must_succeed(&mut command)
-        };
-        made("python3").or_else(|_| made("python")).map_err(|_| Error::NoPython)?;
-        Ok(Self { folder: folder.to_owned() })
-    }
-
-    fn program(&self, name: &str) -> PathBuf {
-        let bin = self.folder.join(if cfg!(windows) { "Scripts" } else { "bin" });
-        bin.join(format!("{name}{}", std::env::consts::EXE_SUFFIX))
-    }
-
-    fn pip(&self) -> Command {
-        let mut pip = Command::new(self.program("python"));
-        pip.args(["-m", "pip", "install", "--quiet", "--disable-pip-version-check", "--no-input", "--no-deps"]);
-        pip.stdin(Stdio::null()).env("PIP_ROOT_USER_ACTION", "ignore");
-        pip
-    }
-
-    /// Installs a wheel and nothing that it could need.
-    fn install(&self, wheel: &Path) -> Result<(), Error> {
-        must_succeed(self.pip().args(["--no-index", "--force-reinstall"]).arg(wheel))
-    }
-}
-
-/// An environment with what is installed beside the wheel, made where it is not there yet.
-fn ready(root: &Path, beside: &Beside) -> Result<Environment, Error> {
-    let folder = Workspace::ask(root)?.target.join("tools").join(beside.name);
-    let whole = folder.join("whole");
-    if fs::read_to_string(&whole).is_ok_and(|pinned| pinned == beside.pinned) {
-        return Ok(Environment { folder });
-    }
-    eprintln!("python: installing what xtask/python/{} lists …", beside.list);
-    let made = Environment::new(&folder)?;
-    let mut pip = made.pip();
-    pip.args(["--only-binary", ":all:", "--require-hashes", "--requirement"]);
-    must_succeed(pip.arg(root.join("xtask").join("python").join(beside.list))).map_err(|_| Error::NoPython)?;
-    // An environment that is half installed is not found.
-    fs::write(&whole, beside.pinned).map_err(|source| Error::File { path: whole, source })?;
-    Ok(made)
-}
-
 /// The library that cargo builds.
 fn library() -> String {
     format!("{}_antrieb{}", std::env::consts::DLL_PREFIX, std::env::consts::DLL_SUFFIX)
@@ -191,7 +161,7 @@ mod tests {
 
     #[test]
     fn everything_beside_the_wheel_is_pinned_with_its_sums() {
-        for beside in [&PUSH, &NIGHT] {
+        for beside in [PUSH, NIGHT] {
             let text = beside.pinned.replace("\\\n", " ");
             let entries: Vec<&str> = text.lines().filter(|line| line.contains("==")).collect();
             assert!(

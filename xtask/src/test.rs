@@ -36,11 +36,17 @@ pub fn run(root: &Path) -> Result<(), Error> {
 /// So many saves are begun for each signal in a night; some six of ten are ended before they have ended themselves, a thousand in all.
 const KILLS: &str = "1800";
 
-/// The campaign of a night against a program that saves: ended at any instant by each signal, no file is lost.
+/// So many sweeps are killed in a night, of each format of the answers.
+const SWEEP_KILLS: &str = "60";
+
+/// The campaign of a night against a program that saves: ended at any instant by each signal, no file is lost; and against sweeps, each
+/// of which continues the one that was killed.
 ///
 /// # Errors
-/// A save that left a part of a file.
+/// A save that left a part of a file, a sweep with other bytes.
 pub(crate) fn kills(root: &Path) -> Result<(), Error> {
+    let mut sweeps = cargo(root, &["test", "--package", "antrieb", "--test", "sweep", "at_any_moment"]);
+    must_succeed(sweeps.args(["--", "--nocapture"]).env("ANTRIEB_SWEEP_KILLS", SWEEP_KILLS))?;
     let mut command = cargo(root, &["test", "--package", "antrieb", "--test", "saving", "at_any_instant"]);
     must_succeed(command.args(["--", "--nocapture", "--test-threads", "1"]).env("ANTRIEB_SAVE_RUNS", KILLS))
 }

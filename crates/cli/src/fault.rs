@@ -29,8 +29,26 @@ pub(crate) fn read_bytes(path: &Path) -> std::io::Result<Vec<u8>> {
 pub(crate) fn unanswered(why: &Unanswered, as_json: bool, language: Language) -> Answer {
     let mut said: Vec<String> = Vec::new();
     talk(why, &mut said, language);
+    if is_about_text(why) {
+        said.push(closing(why.faults(waited_s(), language).errors.len(), language));
+    }
     let data = if as_json { why.record(waited_s(), language) } else { String::new() };
     Answer { data, talk: said.concat(), code: 2 }
+}
+
+/// Whether faults of a text are among the reasons.
+fn is_about_text(why: &Unanswered) -> bool {
+    match why {
+        Unanswered::Text { .. } => true,
+        Unanswered::Together(all) => all.iter().any(is_about_text),
+        Unanswered::Code { .. }
+        | Unanswered::Table { .. }
+        | Unanswered::File { .. }
+        | Unanswered::Option { .. }
+        | Unanswered::Message(_)
+        | Unanswered::Usage(_)
+        | Unanswered::Refused(..) => false,
+    }
 }
 
 /// What the terminal says of each reason, each once.
@@ -44,8 +62,9 @@ fn talk(why: &Unanswered, said: &mut Vec<String>, language: Language) {
         }
         Unanswered::Text { name, text, faults } => report(name, text, faults, language),
         Unanswered::Code { text, refusal, .. } => {
-            let found = report(terminal::code(language), text, &code_worded(text, refusal), language);
-            found + &nearest(refusal, language)
+            let faults = code_worded(text, refusal);
+            let found = report(terminal::code(language), text, &faults, language);
+            found + &closing(faults.len(), language) + &nearest(refusal, language)
         }
         Unanswered::Table { .. } => {
             let faults = why.faults(waited_s(), language).errors;
@@ -122,9 +141,14 @@ fn report(file: &str, text: &str, faults: &[Worded], language: Language) -> Stri
         talk.push_str(&excerpt::show(text, &of_text, &style));
         talk.push('\n');
     }
-    let counted = match faults.len() {
+    talk
+}
+
+/// How many faults there are, and that they ended the work.
+fn closing(faults: usize, language: Language) -> String {
+    let counted = match faults {
         51.. => terminal::more_than_fifty_errors(language).to_owned(),
         count => terminal::errors(count, language),
     };
-    talk + &format!("antrieb: {counted}; {}\n", terminal::nothing_was_calculated(language))
+    format!("antrieb: {counted}; {}\n", terminal::nothing_was_calculated(language))
 }

@@ -12,7 +12,7 @@ use std::fmt::Write as _;
 use std::fs::File;
 use std::io::{BufWriter, Read as _, Write as _};
 use std::path::{Path, PathBuf};
-use sweep_io::{Answers, Batches, Format, Sweep, TableFaults};
+use sweep_io::{Answers, Batches, Format, Head, Sweep, Unread};
 use words::{file_trouble, sweeps};
 
 /// Rows of a part.
@@ -23,10 +23,16 @@ const MARK: &str = "sweep";
 
 /// A table, and where its answers go.
 struct Job<'c> {
-    table: &'c Path,
-    format: Format,
+    table: Table<'c>,
     out: &'c Path,
     answers: Format,
+    language: Language,
+}
+
+/// A table in a file.
+struct Table<'c> {
+    path: &'c Path,
+    format: Format,
     language: Language,
 }
 
@@ -34,27 +40,36 @@ struct Job<'c> {
 pub(crate) fn sweep(call: &Call<'_>, asked: &Asked<'_>) -> Result<Answer, Unanswered> {
     let language = call.language;
     let args = sweep::Args::read(&asked.given)?;
-    let table = PathBuf::from(args.table.clone().unwrap_or_default());
-    let Some(out) = call.path("out") else { return Ok(Answer::none()) };
-    let ending = |option| Unanswered::option(option, (sweeps::ending_of_a_table(language).to_owned(), None));
-    let format = Format::of(&table).ok_or_else(|| ending("table"))?;
-    let answers = Format::of(out).ok_or_else(|| ending("out"))?;
-    let job = Job { table: &table, format, out, answers, language };
+    let path = PathBuf::from(args.table.clone().unwrap_or_default());
+    let (Some(out), Some(beside)) = (call.path("out"), call.beside()) else { return Ok(Answer::none()) };
     let source = asked.source()?;
-    let projects = source.projects(asked.patience, language)?;
-    let mut inputs = call.inputs(&projects);
-    inputs.push(table.clone());
-    let desk = Desk { inputs: &inputs, force: call.flag("force"), language };
-    desk.ready(&[out])?;
     let text = source.text(language)?;
-    let head = job.open(0)?.schema();
-    let Some(beside) = call.beside() else { return Ok(Answer::none()) };
-    let sweep = Sweep::new((&source.name, text), Box::new(beside), &head, args.options(language))
-        .map_err(|why| why.of_table(&path_text(&table)))?;
-    let rows = job.checked(&sweep)?;
+    let projects = source.projects(asked.patience, language);
+    let mut inputs = call.inputs(projects.as_deref().unwrap_or_default());
+    inputs.push(path.clone());
+    let desk = Desk { inputs: &inputs, force: call.flag("force"), language };
+    let ending = |option| Unanswered::option(option, (sweeps::ending_of_a_table(language).to_owned(), None));
+    let place = Format::of(out).ok_or_else(|| ending("out"));
+    let place = place.and_then(|answers| desk.ready(&[out]).map(|()| answers));
+    let opened = Format::of(&path).ok_or_else(|| ending("table")).and_then(|format| {
+        let table = Table { path: &path, format, language };
+        table.open(0).map(|batches| (table, batches))
+    });
+    let ready = match opened {
+        Ok((table, batches)) => {
+            let head = Head::read(text, projects, &batches.schema(), args.options(language));
+            table.checked(batches, head, beside).map(|(sweep, rows)| (table, sweep, rows))
+        }
+        Err(unread) => Err(Unanswered::together(projects.err().into_iter().chain([unread]).collect())),
+    };
+    let (table, sweep, rows, answers) = match (ready, place) {
+        (Ok((table, sweep, rows)), Ok(answers)) => (table, sweep, rows, answers),
+        (ready, place) => return Err(Unanswered::together(ready.err().into_iter().chain(place.err()).collect())),
+    };
+    let job = Job { table, out, answers, language };
     let parts = Parts::of(&job, text, &format!("{args:?} {}", language.id()))?;
     let mut talk = format!("{}\n", sweeps::keys(&sweep.keys().collect::<Vec<_>>().join(", "), language));
-    talk += &parts.remark(language);
+    talk += &parts.remark(rows);
     parts.judged(&job, &sweep, rows, asked)?;
     let mut tally = Tally::default();
     desk.save_by(out, |file| parts.together(&job, &sweep, rows, file, &mut tally))?;
@@ -64,28 +79,46 @@ pub(crate) fn sweep(call: &Call<'_>, asked: &Asked<'_>) -> Result<Answer, Unansw
     Ok(Answer { talk, ..Answer::data(data) }.fits(summary.fitting > 0))
 }
 
-impl Job<'_> {
+impl Table<'_> {
     /// A sentence about the table.
     fn refused(&self, why: &str) -> Unanswered {
-        Unanswered::message(sweeps::unreadable(&path_text(self.table), &why, self.language))
+        Unanswered::message(sweeps::unreadable(&path_text(self.path), &why, self.language))
+    }
+
+    fn file(&self) -> Result<File, Unanswered> {
+        File::open(self.path).map_err(|error| self.refused(&file_trouble(&error, self.language)))
     }
 
     /// The table from a row on.
     fn open(&self, skipped: u64) -> Result<Batches, Unanswered> {
-        let file = File::open(self.table).map_err(|error| self.refused(&file_trouble(&error, self.language)))?;
-        Batches::open(file, self.format, skipped, PART, self.language).map_err(|why| self.refused(&why))
+        let opened = Batches::open(self.file()?, self.format, skipped, PART, self.language);
+        opened.map_err(|why| self.refused(&why.text(self.language)))
     }
 
-    /// The rows of the table, all of whose cells can be read.
-    fn checked(&self, sweep: &Sweep) -> Result<u64, Unanswered> {
-        let (mut rows, mut faults) = (0, TableFaults::default());
-        for batch in self.open(0)? {
-            let batch = batch.map_err(|why| self.refused(&why))?;
-            sweep.check(&batch, rows, &mut faults);
-            rows += batch.num_rows() as u64;
+    /// The sweep over the table and its rows, all of whose cells can be read.
+    fn checked(&self, mut batches: Batches, mut head: Head, beside: disk::Beside) -> Result<(Sweep, u64), Unanswered> {
+        let mut rows = 0;
+        let unread = loop {
+            match batches.next(self.language) {
+                Ok(Some(batch)) => {
+                    head.check(&batch, rows);
+                    rows += batch.num_rows() as u64;
+                }
+                Ok(None) => {
+                    head.refuse_empty(rows);
+                    break None;
+                }
+                Err(Unread::Line(fault)) => {
+                    head.refuse_line(fault, rows);
+                    rows += 1;
+                }
+                Err(Unread::Table(why)) => break Some(self.refused(&why)),
+            }
+        };
+        match (head.ready(&path_text(self.path), Box::new(beside)), unread) {
+            (Ok(sweep), None) => Ok((sweep, rows)),
+            (ready, unread) => Err(Unanswered::together(ready.err().into_iter().chain(unread).collect())),
         }
-        faults.refuse_empty(usize::try_from(rows).unwrap_or(usize::MAX), self.language);
-        if faults.is_empty() { Ok(rows) } else { Err(Unanswered::Table { name: path_text(self.table), faults }) }
     }
 }
 
@@ -111,10 +144,10 @@ impl Parts {
         for text in [env!("CARGO_PKG_VERSION"), project, request, &name] {
             hasher.update(&(text.len() as u64).to_le_bytes()).update(text.as_bytes());
         }
-        let mut table = File::open(job.table).map_err(|error| job.refused(&file_trouble(&error, language)))?;
+        let mut table = job.table.file()?;
         let mut buffer = vec![0; 1 << 18];
         loop {
-            let read = table.read(&mut buffer).map_err(|error| job.refused(&file_trouble(&error, language)))?;
+            let read = table.read(&mut buffer).map_err(|error| job.table.refused(&file_trouble(&error, language)))?;
             if read == 0 {
                 break;
             }
@@ -142,12 +175,13 @@ impl Parts {
         self.folder.join(name(index))
     }
 
-    fn remark(&self, language: Language) -> String {
+    /// What became of parts that were there; `rows` are those of the table.
+    fn remark(&self, rows: u64) -> String {
         if self.begun_anew {
-            return format!("{}\n", sweeps::begun_anew(language));
+            return format!("{}\n", sweeps::begun_anew(self.language));
         }
-        let rows = self.kept * PART;
-        if self.kept == 0 { String::new() } else { format!("{}\n", sweeps::resumed(&self.kept, &rows, language)) }
+        let kept = rows.min((self.kept * PART) as u64);
+        if self.kept == 0 { String::new() } else { format!("{}\n", sweeps::resumed(self.kept, &kept, self.language)) }
     }
 
     fn failed(&self, why: &str) -> Unanswered {
@@ -162,10 +196,10 @@ impl Parts {
         }
         asked.patience.expect_steps(usize::try_from(rows - first).unwrap_or(usize::MAX));
         let mut index = self.kept as u64;
-        let mut batches = job.open(first)?;
+        let mut batches = job.table.open(first)?;
         while first < rows {
-            let Some(batch) = batches.next() else { break };
-            let batch = batch.map_err(|why| job.refused(&why))?;
+            let batch = batches.next(self.language).map_err(|why| job.table.refused(&why.text(self.language)))?;
+            let Some(batch) = batch else { break };
             let answers = sweep.batch(&batch, first, asked.patience).map_err(|why| self.kept_in(why))?;
             let bytes = sweep_io::part(&answers).map_err(|why| self.failed(&why))?;
             put(&self.folder, &name(index), &bytes)
@@ -192,12 +226,13 @@ impl Parts {
         tally: &mut Tally,
     ) -> Result<(), Unanswered> {
         let failed = |why: String| self.failed(&why);
+        let unread = |why: Unread| self.failed(&why.text(self.language));
         let mut answers =
             Answers::begin(BufWriter::with_capacity(1 << 18, file), job.answers, sweep.schema()).map_err(failed)?;
         for index in 0..rows.div_ceil(PART as u64) {
             let part = File::open(self.path(index)).map_err(|error| failed(file_trouble(&error, self.language)))?;
-            for batch in Batches::open(part, Format::Parquet, 0, PART, self.language).map_err(failed)? {
-                let batch = batch.map_err(failed)?;
+            let mut batches = Batches::open(part, Format::Parquet, 0, PART, self.language).map_err(unread)?;
+            while let Some(batch) = batches.next(self.language).map_err(unread)? {
                 sweep_io::count(&batch, tally);
                 answers.add(&batch).map_err(failed)?;
             }
@@ -230,13 +265,22 @@ fn put(folder: &Path, name: &str, bytes: &[u8]) -> std::io::Result<()> {
 fn shown(summary: &SweepSummary, language: Language) -> String {
     #[allow(clippy::cast_precision_loss, reason = "counts of rows")]
     let share = |rows: u64| format_number(100.0 * rows as f64 / summary.rows.max(1) as f64, 1, language);
+    let counted = |rows: u64| usize::try_from(rows).unwrap_or(usize::MAX);
     let mut text = String::new();
-    let _ = writeln!(text, "{}", sweeps::written(&summary.file.clone().unwrap_or_default(), &summary.rows, language));
-    let _ = writeln!(text, "{}", sweeps::fitting(&summary.fitting, &share(summary.fitting), language));
+    let _ = writeln!(
+        text,
+        "{}",
+        sweeps::written(counted(summary.rows), &summary.file.clone().unwrap_or_default(), language)
+    );
+    let _ = writeln!(text, "{}", sweeps::fitting(counted(summary.fitting), &share(summary.fitting), language));
     let missed: u64 = summary.none_fits.iter().map(|each| each.rows).sum();
     if missed > 0 {
-        let _ =
-            writeln!(text, "{}; {}:", sweeps::none_fits(&missed, &share(missed), language), sweeps::tightest(language));
+        let _ = writeln!(
+            text,
+            "{}; {}:",
+            sweeps::none_fits(counted(missed), &share(missed), language),
+            sweeps::tightest(language)
+        );
         for each in &summary.none_fits {
             let _ = writeln!(text, "  {:>10}  {}", each.rows, each.title);
         }
@@ -246,7 +290,7 @@ fn shown(summary: &SweepSummary, language: Language) -> String {
         let _ = writeln!(
             text,
             "{}; {}:",
-            sweeps::not_judged(&refused, &share(refused), language),
+            sweeps::not_judged(counted(refused), &share(refused), language),
             sweeps::reason(language)
         );
         for each in &summary.not_judged {

@@ -83,6 +83,67 @@ fn the_answers_of_a_server_are_those_of_the_commands() {
     assert_eq!(String::from_utf8(body).unwrap(), run_with(&["size", "-", "--json"], faulty).out);
 }
 
+/// A table beside the project, as the description of the interface has it: the answers are those that the command writes, and the
+/// faults its faults.
+#[test]
+fn a_sweep_over_http_has_the_answers_of_the_command() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = |name: &str| folder.path().join(name).to_str().unwrap().to_owned();
+    let project = std::fs::read(root().join("examples/two-axes.toml")).unwrap();
+    std::fs::write(path("axis.toml"), &project).unwrap();
+    let rows = "8,2\n-1,2\n900,2\n9,1\n8.5,0\n";
+    std::fs::write(path("tasks.csv"), format!("mechanism.belt.mass [kg],motion[0].payload [kg]\n{rows}")).unwrap();
+    let server = Started::new(&[&path(""), "--port", "0"]);
+    let (_, described) = server.ask("GET /api/v1/openapi.json", "", b"");
+    let described: serde_json::Value = serde_json::from_slice(&described).unwrap();
+    let operation = &described["paths"]["/api/v1/sweep"]["post"];
+    let names: Vec<&str> =
+        operation["parameters"].as_array().unwrap().iter().filter_map(|each| each["name"].as_str()).collect();
+    assert!(names.contains(&"table") && names.contains(&"axis"), "{operation}");
+    assert!(operation["requestBody"]["content"]["application/toml"].is_object(), "{operation}");
+
+    let ask = |table: &str| {
+        let line = format!("POST /api/v1/sweep?file=axis.toml&table={table}&axis=lift");
+        let (head, body) = server.ask(&line, "content-type: application/toml\r\n", &project);
+        (head, serde_json::from_slice::<serde_json::Value>(&body).unwrap())
+    };
+    let command = |table: &str| {
+        let (file, table, out) = (path("axis.toml"), path(table), path("best.csv"));
+        run(&["sweep", &file, "--table", &table, "--axis", "lift", "--out", &out, "--force", "--json"])
+    };
+    let (head, answer) = ask("tasks.csv");
+    assert!(head.starts_with("HTTP/1.1 200 "), "{head}: {answer}");
+    let written = command("tasks.csv");
+    let record: serde_json::Value = serde_json::from_str(&written.out).unwrap();
+    for field in ["rows", "fitting", "none_fits", "not_judged", "further"] {
+        assert_eq!(answer[field], record[field], "{field}");
+    }
+    assert_eq!((answer["rows"].as_u64(), answer["not_judged"][0]["rows"].as_u64()), (Some(5), Some(1)), "{answer}");
+    let lines = std::fs::read_to_string(path("best.csv")).unwrap();
+    let answers = answer["answers"].as_array().unwrap();
+    assert_eq!(answers.len() + 1, lines.lines().count());
+    for (found, line) in answers.iter().zip(lines.lines().skip(1)) {
+        let cells: Vec<&str> = line.splitn(6, ',').collect();
+        assert_eq!(found["row"].to_string(), cells[0], "{line}");
+        assert_eq!(found["fit"].as_u64(), cells[1].parse().ok(), "{line}");
+        assert_eq!(found["code"].as_str().unwrap_or_default(), cells[2], "{line}");
+        let rounded = cells[3].parse::<f64>().ok().and_then(|share| format!("{share:.11e}").parse::<f64>().ok());
+        assert_eq!(found["utilisation"].as_f64(), rounded, "{line}");
+        assert_eq!(found["tightest"].as_str().unwrap_or_default(), cells[4], "{line}");
+        let quoted = cells[5].strip_prefix('"').and_then(|cell| cell.strip_suffix('"'));
+        let error = quoted.map_or(cells[5].to_owned(), |cell| cell.replace("\"\"", "\""));
+        assert_eq!(found["error"].as_str().unwrap_or_default(), error, "{line}");
+    }
+
+    std::fs::write(path("wrong.csv"), "mechanism.belt.mas [kg],motion[0].payload [kg],code\n1,much,CHA-99\n1\n")
+        .unwrap();
+    let (head, faults) = ask("wrong.csv");
+    assert!(head.starts_with("HTTP/1.1 422 "), "{head}");
+    assert_eq!(faults["errors"].as_array().unwrap().len(), 4, "{faults}");
+    let of_command = command("wrong.csv").out.replace(&path("wrong.csv"), "wrong.csv");
+    assert_eq!(faults, serde_json::from_str::<serde_json::Value>(&of_command).unwrap());
+}
+
 #[cfg(unix)]
 #[test]
 fn a_server_ends_when_it_is_reported_to() {

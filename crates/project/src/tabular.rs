@@ -53,6 +53,32 @@ pub enum TabularFault {
         /// What stands there.
         found: String,
     },
+    /// A line of a table with another number of cells than there are headings.
+    Ragged {
+        /// The line, counted from one.
+        line: u64,
+        /// How many cells it has.
+        found: usize,
+        /// How many headings there are.
+        expected: usize,
+    },
+    /// A line of a table in which a quoted cell does not end.
+    OpenQuote {
+        /// The line, counted from one.
+        line: u64,
+    },
+    /// A line of a table that is not UTF-8.
+    NotUtf8 {
+        /// The line, counted from one.
+        line: u64,
+    },
+    /// A line of a table that is too long.
+    LongLine {
+        /// The line, counted from one.
+        line: u64,
+        /// Bytes of the longest.
+        most: usize,
+    },
     /// A table without a row.
     NoRows,
     /// A table without a column.
@@ -72,6 +98,10 @@ impl TabularFault {
             Self::NotANumber { .. } => "not_a_number",
             Self::NoText { .. } => "no_text",
             Self::CellType { .. } => "cell_type",
+            Self::Ragged { .. } => "ragged",
+            Self::OpenQuote { .. } => "open_quote",
+            Self::NotUtf8 { .. } => "not_utf_8",
+            Self::LongLine { .. } => "long_line",
             Self::NoRows => "no_rows",
             Self::NoColumns => "no_columns",
         }

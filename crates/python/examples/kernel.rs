@@ -1,6 +1,7 @@
 //! The rows of `benches/baseline/sweep_python.py` judged without Python: what its way through Python and Arrow is compared with.
 //!
-//! `cargo run --release -p python --example kernel -- PROJECT ROWS` prints the seconds of one pass on one core.
+//! `RAYON_NUM_THREADS=1 cargo run --release -p python --no-default-features --example kernel -- PROJECT ROWS` prints the seconds of
+//! one pass on one core. The project has a load and a move of which the time is stated.
 #![allow(clippy::print_stdout, reason = "it prints what it measures")]
 
 use _antrieb::{SweepCall, Text, swept};
@@ -16,14 +17,14 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     let [project, rows] = &words[..] else { return Err("PROJECT ROWS".into()) };
     let rows: u32 = rows.parse()?;
     let of = |make: fn(u32) -> f64| -> ArrayRef { Arc::new(Float64Array::from_iter_values((0..rows).map(make))) };
-    let payload = of(|row| f64::from(row % 1000) / 100.0);
+    let inertia = of(|row| 0.05 + f64::from(row % 1000) / 200.0);
     let time = of(|row| 0.5 + f64::from((row / 1000) % 1000) / 666.0);
-    let table = RecordBatch::try_from_iter([("motion[0].payload [kg]", payload), ("motion[0].time [s]", time)])?;
+    let table = RecordBatch::try_from_iter([("load.inertia [kg m^2]", inertia), ("motion[0].time [s]", time)])?;
     let call =
         SweepCall { text: Text::At(PathBuf::from(project)), pairs: vec![], memory: None, language: Language::En };
     let begin = Instant::now();
     let why = |why: questions::list::Unanswered| why.record(None, Language::En);
-    let sweep = call.prepared(&table.schema()).map_err(why)?;
+    let sweep = call.prepared(&table.schema(), std::slice::from_ref(&table)).map_err(why)?;
     let answers = swept(&sweep, &[table], &Patience::endless()).map_err(why)?;
     println!("{:.4} {}", begin.elapsed().as_secs_f64(), answers.iter().map(RecordBatch::num_rows).sum::<usize>());
     Ok(())

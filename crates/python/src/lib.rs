@@ -10,4 +10,4 @@ mod module;
 mod sweep;
 
 pub use ask::{Call, Outcome, Text};
-pub use sweep::{SweepCall, swept};
+pub use sweep::{SweepCall, checked, swept};

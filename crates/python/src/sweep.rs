@@ -8,7 +8,7 @@ use questions::Patience;
 use questions::list::sweep::{Args, ENTRY};
 use questions::list::{Argument, Given, Unanswered};
 use std::borrow::Cow;
-use sweep_io::{Sweep, TableFaults};
+use sweep_io::{Head, Sweep, TableFaults};
 
 /// The argument that is handed over as it is, not named.
 const TABLE: &str = "table";
@@ -27,11 +27,11 @@ pub struct SweepCall {
 }
 
 impl SweepCall {
-    /// The sweep over tables of these columns.
+    /// The sweep over tables of these columns; what stands in the cells of `batches`, all or none of one, is checked too.
     ///
     /// # Errors
-    /// Every fault of the options; those of the project; those of the headings.
-    pub fn prepared(&self, table: &Schema) -> Result<Sweep, Unanswered> {
+    /// Every fault of the options; else every fault of the project, of the headings and of the cells.
+    pub fn prepared(&self, table: &Schema, batches: &[RecordBatch]) -> Result<Sweep, Unanswered> {
         let pairs = self.pairs.iter().map(|(name, value)| (Cow::Borrowed(name.as_str()), value.as_str().into()));
         let arguments = ENTRY.arguments.iter().copied().filter(|argument| argument.name != TABLE);
         let given = Given::of(&arguments.collect::<Vec<Argument>>(), pairs, self.language)?;
@@ -40,30 +40,36 @@ impl SweepCall {
         let file = self.text.read(memory, self.language)?;
         let source = file.source();
         let text = source.text(self.language)?;
-        Sweep::new((&source.name, text), Box::new(file.beside().clone()), table, options)
+        let files = Box::new(file.beside().clone());
+        let mut head = Head::of((&source.name, text), &*files, table, options);
+        numbered(batches).for_each(|(batch, first_row)| head.check(batch, first_row));
+        head.ready(TABLE, files)
     }
 }
 
-/// The answers to all batches of a table.
+/// Each batch with the number of its first row.
+fn numbered(batches: &[RecordBatch]) -> impl Iterator<Item = (&RecordBatch, u64)> {
+    batches.iter().scan(0, |next, batch| {
+        let first = *next;
+        *next += batch.num_rows() as u64;
+        Some((batch, first))
+    })
+}
+
+/// The faults of the cells of a table whose sweep is prepared already.
 ///
 /// # Errors
-/// Every fault of the cells, before any row is judged; a cancelled `patience`.
-pub fn swept(sweep: &Sweep, batches: &[RecordBatch], patience: &Patience) -> Result<Vec<RecordBatch>, Unanswered> {
-    let mut first_row = 0;
-    let numbered: Vec<(&RecordBatch, u64)> = batches
-        .iter()
-        .map(|batch| {
-            let first = first_row;
-            first_row += batch.num_rows() as u64;
-            (batch, first)
-        })
-        .collect();
+/// All of them.
+pub fn checked(sweep: &Sweep, batches: &[RecordBatch]) -> Result<(), Unanswered> {
     let mut faults = TableFaults::default();
-    for (batch, first) in &numbered {
-        sweep.check(batch, *first, &mut faults);
-    }
-    if !faults.is_empty() {
-        return Err(Unanswered::Table { name: TABLE.into(), faults });
-    }
-    numbered.iter().map(|(batch, first)| sweep.batch(batch, *first, patience)).collect()
+    numbered(batches).for_each(|(batch, first_row)| sweep.check(batch, first_row, &mut faults));
+    if faults.is_empty() { Ok(()) } else { Err(Unanswered::Table { name: TABLE.into(), faults }) }
+}
+
+/// The answers to all batches of a table whose cells are checked.
+///
+/// # Errors
+/// A cancelled `patience`.
+pub fn swept(sweep: &Sweep, batches: &[RecordBatch], patience: &Patience) -> Result<Vec<RecordBatch>, Unanswered> {
+    numbered(batches).map(|(batch, first_row)| sweep.batch(batch, first_row, patience)).collect()
 }

@@ -6,21 +6,22 @@
 
 mod cells;
 pub mod csv;
+mod head;
 mod judged;
 pub mod sample;
 mod summary;
 mod template;
 
 pub use cells::{CellFault, Cells, TableFaults};
+pub use head::Head;
 pub use judged::{Best, Every, Judged, OnFront};
 pub use summary::{MissedBy, NotJudged, SweepRow, SweepSummary, Tally};
 
 use crate::codes::read_code;
 use crate::list::Unanswered;
 use crate::patience::{Patience, Stopped};
-use crate::reading::read_all;
 use order_code::OrderCode;
-use project::{Counted, Edit, Fault, Files, Heading, TabularFault, edit, written};
+use project::{Edit, Files, Heading, edit};
 use quantities::Language;
 use rayon::prelude::*;
 use sizing::{CheckId, Watch};
@@ -92,35 +93,17 @@ enum Value<'c> {
 pub type Answer = Result<Judged, String>;
 
 impl Sweep {
-    /// Reads the project and the headings of the table.
+    /// Reads a project, by its name and text, and the headings of a table.
     ///
     /// # Errors
-    /// Every fault of the project, or every fault of the headings.
+    /// Every fault of the project and of the headings.
     pub fn new(
-        (name, text): (&str, &str),
+        project: (&str, &str),
         files: Box<dyn Files + Send + Sync>,
         headings: &[&str],
         options: Options,
     ) -> Result<Self, Unanswered> {
-        let language = options.language;
-        let projects = read_all(text, &*files).map_err(|faults| Unanswered::Text {
-            name: name.to_owned(),
-            text: text.to_owned(),
-            faults: words::worded(&faults, language),
-        })?;
-        let is_of_several = projects.iter().any(|project| project.is_of_several());
-        let found = crate::subject::picked(projects, options.axis.as_deref(), language).map_err(Unanswered::message)?;
-        let place = match found.as_slice() {
-            [(place, _)] => *place,
-            several => {
-                let names = crate::subject::names(several.iter().map(|(_, project)| project));
-                return Err(Unanswered::message(words::terminal::several_axes(&names, language)));
-            }
-        };
-        let axis = (place, is_of_several);
-        let columns = columns(text, headings, axis, language)
-            .map_err(|faults| Unanswered::Table { name: String::new(), faults })?;
-        Ok(Self { text: text.to_owned(), files, axis, columns, options, templates: Templates::default() })
+        Head::of(project, &*files, headings, options).ready("", files)
     }
 
     /// The headings in their order, keys with their entries counted from one.
@@ -266,66 +249,6 @@ impl Sweep {
         };
         self.columns.iter().zip(values).find_map(of)
     }
-}
-
-/// Every heading read.
-fn columns(
-    text: &str,
-    headings: &[&str],
-    (axis, is_of_several): (usize, bool),
-    language: Language,
-) -> Result<Vec<Column>, TableFaults> {
-    let counted = Counted::of(headings.iter().copied());
-    let mut faults = TableFaults::default();
-    let mut columns: Vec<Column> = Vec::new();
-    let known = written(text).unwrap_or_default();
-    for heading in headings {
-        let holds = if heading.trim() == CODE {
-            Ok(Holds::Code)
-        } else {
-            Heading::read(heading, counted, is_of_several.then_some(axis)).map(Holds::Key)
-        };
-        let holds = holds.and_then(|holds| {
-            if let Holds::Key(found) = &holds {
-                let own = if is_of_several { format!("axis[{}].", axis + 1) } else { String::new() };
-                if let Some(fault) = missing_entry(&known, &own, found) {
-                    return Err((Fault::Tabular(fault), None));
-                }
-            }
-            let key = |holds: &Holds| match holds {
-                Holds::Code => CODE.to_owned(),
-                Holds::Key(heading) => heading.path.clone(),
-            };
-            let path = key(&holds);
-            if columns.iter().any(|other| key(&other.holds) == path) {
-                return Err((Fault::Tabular(TabularFault::ColumnTwice { path }), None));
-            }
-            Ok(holds)
-        });
-        match holds {
-            Ok(holds) => columns.push(Column { written: (*heading).to_owned(), holds }),
-            Err(objection) => faults.add(CellFault::of(heading, None, &objection, language)),
-        }
-    }
-    if headings.is_empty() {
-        faults.add(CellFault::of("", None, &(Fault::Tabular(TabularFault::NoColumns), None), language));
-    }
-    if faults.is_empty() { Ok(columns) } else { Err(faults) }
-}
-
-/// An entry of a list that the project does not have.
-fn missing_entry(known: &[project::Written], own: &str, heading: &Heading) -> Option<TabularFault> {
-    let path = format!("{own}{}", heading.path);
-    for (at, _) in path.match_indices(']') {
-        let entry = path.get(..=at).unwrap_or_default();
-        if entry.len() <= own.len() || known.iter().any(|each| each.path == entry) {
-            continue;
-        }
-        let list = entry.rsplit_once('[').map_or(entry, |(list, _)| list);
-        let count = (1..).take_while(|n| known.iter().any(|each| each.path == format!("{list}[{n}]"))).count();
-        return Some(TabularFault::NoEntry { path: heading.path.clone(), count });
-    }
-    None
 }
 
 #[cfg(test)]

@@ -3,35 +3,66 @@
 use crate::columns::cells;
 use arrow_array::{ArrayRef, BooleanArray, Float64Array, RecordBatch, StringArray, UInt32Array, UInt64Array};
 use arrow_schema::{ArrowError, DataType, Field, Schema, SchemaRef};
-use project::Files;
+use project::{Files, Project, TabularFault};
 use quantities::unit::MILLIMETRE;
 use questions::list::Unanswered;
-use questions::sweep::{Answer, Best, Every, Judged, OnFront, Options, TableFaults, Wanted};
+use questions::sweep::{self, Answer, Best, Every, Judged, OnFront, Options, TableFaults, Wanted};
 use questions::{CheckId, Patience, Refusal};
 use std::sync::Arc;
 
 /// A project and the headings of a table, ready for record batches.
 pub struct Sweep {
-    sweep: questions::sweep::Sweep,
+    sweep: sweep::Sweep,
     schema: SchemaRef,
 }
 
-impl Sweep {
-    /// Reads a project, by its name and text, and the headings of a table.
-    ///
-    /// # Errors
-    /// Every fault of the project, or every fault of the headings.
-    pub fn new(
-        project: (&str, &str),
-        files: Box<dyn Files + Send + Sync>,
-        table: &Schema,
-        options: Options,
-    ) -> Result<Self, Unanswered> {
-        let headings: Vec<&str> = table.fields().iter().map(|field| field.name().as_str()).collect();
+/// The head of a table before its cells are read: [`sweep::Head`] over record batches.
+pub struct Head {
+    head: sweep::Head,
+    schema: SchemaRef,
+}
+
+impl Head {
+    /// Reads a project, by its name and text, and the headings of a table for it.
+    #[must_use]
+    pub fn of(project: (&str, &str), files: &dyn Files, table: &Schema, options: Options) -> Self {
         let schema = answered(&options.wanted);
-        Ok(Self { sweep: questions::sweep::Sweep::new(project, files, &headings, options)?, schema })
+        Self { head: sweep::Head::of(project, files, &headings(table), options), schema }
     }
 
+    /// Reads the headings of a table for a project, by its text and its axes or why they cannot be read.
+    #[must_use]
+    pub fn read(text: &str, projects: Result<Vec<Project>, Unanswered>, table: &Schema, options: Options) -> Self {
+        let schema = answered(&options.wanted);
+        Self { head: sweep::Head::read(text, projects, &headings(table), options), schema }
+    }
+
+    /// Looks for faults of the cells of a batch, whose first row has this number.
+    pub fn check(&mut self, batch: &RecordBatch, first_row: u64) {
+        let cells: Vec<_> = batch.columns().iter().map(cells).collect();
+        self.head.check(&cells, first_row);
+    }
+
+    /// Adds that the row of this number is no row of the table.
+    pub fn refuse_line(&mut self, fault: TabularFault, row: u64) {
+        self.head.refuse_line(fault, row);
+    }
+
+    /// Adds that there is no row, where there is none.
+    pub fn refuse_empty(&mut self, rows: u64) {
+        self.head.refuse_empty(rows);
+    }
+
+    /// The sweep over tables with these headings.
+    ///
+    /// # Errors
+    /// Every fault of the project, of the headings and of the cells that were checked; `table` is what the table is called.
+    pub fn ready(self, table: &str, files: Box<dyn Files + Send + Sync>) -> Result<Sweep, Unanswered> {
+        Ok(Sweep { sweep: self.head.ready(table, files)?, schema: self.schema })
+    }
+}
+
+impl Sweep {
     /// The columns of the answer.
     #[must_use]
     pub fn schema(&self) -> SchemaRef {
@@ -63,6 +94,10 @@ impl Sweep {
         };
         RecordBatch::try_new(self.schema(), columns).map_err(|error| trouble(&error))
     }
+}
+
+fn headings(table: &Schema) -> Vec<&str> {
+    table.fields().iter().map(|field| field.name().as_str()).collect()
 }
 
 /// What the library says.

@@ -7,13 +7,13 @@ use parquet::arrow::ArrowWriter;
 use parquet::arrow::arrow_reader::{ParquetRecordBatchReader, ParquetRecordBatchReaderBuilder};
 use parquet::basic::Compression;
 use parquet::file::properties::WriterProperties;
+use project::TabularFault;
 use quantities::Language;
-use questions::sweep::csv;
+use questions::sweep::csv::{self, Broken, Columns, Lines};
 use std::fs::File;
-use std::io::{BufRead, BufReader, Read, Write};
+use std::io::{BufReader, Write};
 use std::path::Path;
 use std::sync::Arc;
-use words::sweeps;
 
 /// The format of a table.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -37,125 +37,97 @@ impl Format {
     }
 }
 
-/// Longest line of a table in CSV.
-const LINE_MOST: usize = 1 << 20;
-
 /// A table that is read a batch at a time.
-pub enum Batches {
-    /// From text.
-    Csv(Box<Lines>),
-    /// From pages.
-    Parquet(SchemaRef, Box<ParquetRecordBatchReader>),
+pub struct Batches {
+    schema: SchemaRef,
+    from: From,
 }
 
-/// The lines of a table.
-pub struct Lines {
-    source: BufReader<File>,
-    schema: SchemaRef,
-    rows: usize,
-    line: u64,
-    language: Language,
+enum From {
+    /// Text, and how many rows a batch has.
+    Csv(Box<Lines<BufReader<File>>>, usize),
+    /// Pages.
+    Parquet(Box<ParquetRecordBatchReader>),
+}
+
+/// Why there is no batch.
+#[derive(Debug)]
+pub enum Unread {
+    /// The line of a row is wrong; the next batch is behind it.
+    Line(TabularFault),
+    /// The table is not read further, why in a sentence.
+    Table(String),
+}
+
+impl Unread {
+    fn of(broken: Broken, language: Language) -> Self {
+        match broken {
+            Broken::Line(fault) => Self::Line(fault),
+            unread @ Broken::Unread(_) => Self::Table(unread.text(language)),
+        }
+    }
+
+    /// In one sentence.
+    #[must_use]
+    pub fn text(self, language: Language) -> String {
+        match self {
+            Self::Line(fault) => Broken::Line(fault).text(language),
+            Self::Table(why) => why,
+        }
+    }
+}
+
+/// What a library says of a table.
+fn trouble(error: impl std::fmt::Display) -> Unread {
+    Unread::Table(error.to_string())
 }
 
 impl Batches {
     /// A table from a row on, so many rows at a time.
     ///
     /// # Errors
-    /// Why it cannot be read, in a sentence.
-    pub fn open(file: File, format: Format, skipped: u64, rows: usize, language: Language) -> Result<Self, String> {
+    /// Why it cannot be read.
+    pub fn open(file: File, format: Format, skipped: u64, rows: usize, language: Language) -> Result<Self, Unread> {
         match format {
             Format::Parquet => {
-                let builder = ParquetRecordBatchReaderBuilder::try_new(file).map_err(|error| error.to_string())?;
+                let builder = ParquetRecordBatchReaderBuilder::try_new(file).map_err(trouble)?;
                 let schema = Arc::clone(builder.schema());
                 let skipped = usize::try_from(skipped).unwrap_or(usize::MAX);
-                let reader = builder.with_batch_size(rows).with_offset(skipped).build();
-                Ok(Self::Parquet(schema, Box::new(reader.map_err(|error| error.to_string())?)))
+                let reader = builder.with_batch_size(rows).with_offset(skipped).build().map_err(trouble)?;
+                Ok(Self { schema, from: From::Parquet(Box::new(reader)) })
             }
-            Format::Csv => Lines::open(file, skipped, rows, language).map(|lines| Self::Csv(Box::new(lines))),
+            Format::Csv => {
+                let broken = |broken| Unread::of(broken, language);
+                let mut lines = Lines::open(BufReader::with_capacity(1 << 18, file)).map_err(broken)?;
+                lines.skip(skipped).map_err(broken)?;
+                let field = |name: &String| Field::new(name, DataType::Utf8, true);
+                let schema = Arc::new(Schema::new(lines.headings().iter().map(field).collect::<Vec<_>>()));
+                Ok(Self { schema, from: From::Csv(Box::new(lines), rows) })
+            }
         }
     }
 
     /// Its headings with the types of their cells.
     #[must_use]
     pub fn schema(&self) -> SchemaRef {
-        match self {
-            Self::Csv(lines) => Arc::clone(&lines.schema),
-            Self::Parquet(schema, _) => Arc::clone(schema),
-        }
-    }
-}
-
-impl Iterator for Batches {
-    type Item = Result<RecordBatch, String>;
-
-    fn next(&mut self) -> Option<Self::Item> {
-        match self {
-            Self::Csv(lines) => lines.batch().transpose(),
-            Self::Parquet(_, reader) => reader.next().map(|batch| batch.map_err(|error| error.to_string())),
-        }
-    }
-}
-
-impl Lines {
-    fn open(file: File, skipped: u64, rows: usize, language: Language) -> Result<Self, String> {
-        let empty = Arc::new(Schema::empty());
-        let mut lines =
-            Self { source: BufReader::with_capacity(1 << 18, file), schema: empty, rows, line: 0, language };
-        let head = lines.next()?.unwrap_or_default();
-        let heads = csv::cells(head.trim_start_matches('\u{feff}'));
-        let heads = heads.ok_or_else(|| sweeps::open_quote(&lines.line, language))?;
-        let fields: Vec<Field> = heads.iter().map(|name| Field::new(name.trim(), DataType::Utf8, true)).collect();
-        lines.schema = Arc::new(Schema::new(fields));
-        for _ in 0..skipped {
-            if lines.next()?.is_none() {
-                break;
-            }
-        }
-        Ok(lines)
+        Arc::clone(&self.schema)
     }
 
-    /// The next line that is not empty.
-    fn next(&mut self) -> Result<Option<String>, String> {
-        loop {
-            let mut bytes = Vec::new();
-            self.line += 1;
-            let most = LINE_MOST as u64 + 1;
-            let read =
-                self.source.by_ref().take(most).read_until(b'\n', &mut bytes).map_err(|error| error.to_string())?;
-            if read == 0 {
-                return Ok(None);
-            }
-            if bytes.len() > LINE_MOST {
-                return Err(sweeps::long_line(&self.line, &LINE_MOST, self.language));
-            }
-            while bytes.last().is_some_and(|byte| matches!(byte, b'\n' | b'\r')) {
-                bytes.pop();
-            }
-            let text = String::from_utf8(bytes).map_err(|_| sweeps::not_utf_8(&self.line, self.language))?;
-            if !text.trim().is_empty() {
-                return Ok(Some(text));
+    /// The next rows; `None` behind the last.
+    ///
+    /// # Errors
+    /// Why they cannot be read.
+    pub fn next(&mut self, language: Language) -> Result<Option<RecordBatch>, Unread> {
+        match &mut self.from {
+            From::Parquet(reader) => reader.next().transpose().map_err(trouble),
+            From::Csv(lines, rows) => {
+                let columns = lines.rows(*rows).map_err(|broken| Unread::of(broken, language))?;
+                let array = |cells: Vec<Option<String>>| Arc::new(StringArray::from(cells)) as ArrayRef;
+                let batch =
+                    |columns: Columns| RecordBatch::try_new(self.schema(), columns.into_iter().map(array).collect());
+                columns.map(batch).transpose().map_err(trouble)
             }
         }
-    }
-
-    fn batch(&mut self) -> Result<Option<RecordBatch>, String> {
-        let count = self.schema.fields().len();
-        let mut columns: Vec<Vec<Option<String>>> = vec![Vec::new(); count];
-        for _ in 0..self.rows {
-            let Some(line) = self.next()? else { break };
-            let cells = csv::cells(&line).ok_or_else(|| sweeps::open_quote(&self.line, self.language))?;
-            if cells.len() != count {
-                return Err(sweeps::ragged(&self.line, &cells.len(), &count, self.language));
-            }
-            let cell = |cell: &str| Some(cell.to_owned()).filter(|cell| !cell.is_empty());
-            columns.iter_mut().zip(&cells).for_each(|(column, text)| column.push(cell(text)));
-        }
-        if columns.first().is_none_or(Vec::is_empty) {
-            return Ok(None);
-        }
-        let columns: Vec<ArrayRef> =
-            columns.into_iter().map(|cells| Arc::new(StringArray::from(cells)) as ArrayRef).collect();
-        RecordBatch::try_new(Arc::clone(&self.schema), columns).map(Some).map_err(|error| error.to_string())
     }
 }
 

@@ -7,7 +7,7 @@ mod columns;
 mod files;
 mod tally;
 
-pub use batch::Sweep;
-pub use files::{Answers, Batches, Format, part};
+pub use batch::{Head, Sweep};
+pub use files::{Answers, Batches, Format, Unread, part};
 pub use questions::sweep::{CODE, CellFault, Options, TableFaults, Wanted};
 pub use tally::count;

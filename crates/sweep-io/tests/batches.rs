@@ -7,7 +7,7 @@ use arrow_array::{Array, ArrayRef, Float32Array, Float64Array, Int64Array, Recor
 use project::NoFiles;
 use questions::Patience;
 use std::sync::Arc;
-use sweep_io::{Options, Sweep, TableFaults, Wanted};
+use sweep_io::{Head, Options, Sweep, TableFaults, Wanted};
 
 const MOVE: &str = "format = 1\n[load]\ninertia = \"1 kg m^2\"\nfriction_torque = \"5 N m\"\n[[motion]]\n\
     law = \"trapezoid\"\ndistance = \"90 deg\"\ntime = \"0.5 s\"\n[[motion]]\nlaw = \"dwell\"\ntime = \"1 s\"\n";
@@ -18,7 +18,7 @@ fn batch(columns: Vec<(&str, ArrayRef)>) -> RecordBatch {
 
 fn sweep(batch: &RecordBatch, wanted: Wanted) -> Sweep {
     let options = Options { wanted, ..Options::default() };
-    Sweep::new(("axis.toml", MOVE), Box::new(NoFiles), &batch.schema(), options).unwrap()
+    Head::of(("axis.toml", MOVE), &NoFiles, &batch.schema(), options).ready("tasks", Box::new(NoFiles)).unwrap()
 }
 
 #[test]
@@ -68,8 +68,8 @@ fn every_fault_of_headings_and_cells_is_reported_at_once() {
         ("load.friction_torque", Arc::new(Float64Array::from(vec![1.0]))),
         ("motion[0].time [kg]", Arc::new(Float64Array::from(vec![1.0]))),
     ]);
-    let refused = Sweep::new(("axis.toml", MOVE), Box::new(NoFiles), &table.schema(), Options::default());
-    let faults = refused.err().unwrap().faults(None, Options::default().language).errors;
+    let head = Head::of(("axis.toml", MOVE), &NoFiles, &table.schema(), Options::default());
+    let faults = head.ready("tasks", Box::new(NoFiles)).err().unwrap().faults(None, Options::default().language).errors;
     let ids: Vec<_> = faults.iter().map(|fault| (fault.id.unwrap(), fault.heading.clone().unwrap())).collect();
     assert_eq!(
         ids,
@@ -80,6 +80,17 @@ fn every_fault_of_headings_and_cells_is_reported_at_once() {
         ]
     );
     assert!(faults[0].hint.as_ref().unwrap().contains("load.inertia"));
+    // Below headings that are read the cells are looked at beside the wrong ones.
+    let table = batch(vec![
+        ("load.inerta [kg m^2]", Arc::new(Float64Array::from(vec![None, Some(1.0)])) as ArrayRef),
+        ("motion[0].time [s]", Arc::new(StringArray::from(vec![Some("0.5"), None]))),
+        ("motion[0].law", Arc::new(StringArray::from(vec!["trapezoid", "trapezoyd"]))),
+    ]);
+    let mut head = Head::of(("axis.toml", MOVE), &NoFiles, &table.schema(), Options::default());
+    head.check(&table, 7);
+    let faults = head.ready("tasks", Box::new(NoFiles)).err().unwrap().faults(None, Options::default().language).errors;
+    let found: Vec<_> = faults.iter().map(|fault| (fault.id.unwrap(), fault.row)).collect();
+    assert_eq!(found, [("unknown_key", None), ("no_value", Some(8)), ("not_a_choice", Some(8))]);
     let table = batch(vec![
         ("load.inertia [kg m^2]", Arc::new(StringArray::from(vec!["1.5", "heavy"])) as ArrayRef),
         ("motion[0].time [s]", Arc::new(Float64Array::from(vec![None, Some(1.0)]))),

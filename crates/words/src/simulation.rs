@@ -300,7 +300,7 @@ pub fn failure_title(failure: Option<Failure>, language: Language) -> String {
         Some(Failure::DataLine) => ("the data line stays low", "die Datenleitung bleibt auf niedrigem Pegel"),
         None => ("turns lost with the battery", "Umdrehungen mit der Batterie verloren"),
     };
-    either(language, en, de)
+    pick(language, en, de).to_owned()
 }
 
 /// What a drive notices of it.
@@ -318,7 +318,7 @@ pub fn finding_title(finding: Finding, language: Language) -> String {
         Finding::ErrorBit => ("error bit of the word", "Fehlerbit des Telegramms"),
         Finding::Difference => ("absolute position beside the counted one", "absolute Position neben der gezählten"),
     };
-    either(language, en, de)
+    pick(language, en, de).to_owned()
 }
 
 /// A loop of the control.

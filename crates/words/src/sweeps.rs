@@ -1,14 +1,23 @@
 //! Words about sweeps: many axes in a table.
 
+use crate::pick;
 use crate::texts::{said, texts};
 use project::TabularFault;
 use quantities::Language;
 
 texts! {
-    written(file, rows) = "{file}: {rows} rows" | "{file}: {rows} Zeilen";
-    fitting(rows, share) = "an actuator fits: {rows} rows ({share} %)" | "ein Antrieb ist geeignet: {rows} Zeilen ({share} %)";
-    none_fits(rows, share) = "none fits: {rows} rows ({share} %)" | "keiner ist geeignet: {rows} Zeilen ({share} %)";
-    not_judged(rows, share) = "not judged: {rows} rows ({share} %)" | "nicht beurteilt: {rows} Zeilen ({share} %)";
+    written(rows, file) =
+        "{file}: {rows} row" | "{file}: {rows} Zeile",
+        "{file}: {rows} rows" | "{file}: {rows} Zeilen";
+    fitting(rows, share) =
+        "an actuator fits: {rows} row ({share} %)" | "ein Antrieb ist geeignet: {rows} Zeile ({share} %)",
+        "an actuator fits: {rows} rows ({share} %)" | "ein Antrieb ist geeignet: {rows} Zeilen ({share} %)";
+    none_fits(rows, share) =
+        "none fits: {rows} row ({share} %)" | "keiner ist geeignet: {rows} Zeile ({share} %)",
+        "none fits: {rows} rows ({share} %)" | "keiner ist geeignet: {rows} Zeilen ({share} %)";
+    not_judged(rows, share) =
+        "not judged: {rows} row ({share} %)" | "nicht beurteilt: {rows} Zeile ({share} %)",
+        "not judged: {rows} rows ({share} %)" | "nicht beurteilt: {rows} Zeilen ({share} %)";
     tightest = "tightest check of the nearest miss" | "engster Nachweis des nächstbesten Antriebs";
     no_class = "no actuator of the required class" | "kein Antrieb der geforderten Klasse";
     reason = "reason" | "Grund";
@@ -16,6 +25,8 @@ texts! {
     further = "further reasons" | "weitere Gründe";
     keys(keys) = "columns: {keys}" | "Spalten: {keys}";
     resumed(parts, rows) =
+        "{parts} part with {rows} rows of an interrupted run is kept"
+        | "{parts} Teil mit {rows} Zeilen eines unterbrochenen Laufs wird übernommen",
         "{parts} parts with {rows} rows of an interrupted run are kept"
         | "{parts} Teile mit {rows} Zeilen eines unterbrochenen Laufs werden übernommen";
     begun_anew =
@@ -24,15 +35,6 @@ texts! {
     ending_of_a_table =
         "the ending of a table is .csv or .parquet" | "die Endung einer Tabelle ist .csv oder .parquet";
     unreadable(file, why) = "{file}: not readable as a table: {why}" | "{file}: als Tabelle nicht lesbar: {why}";
-    ragged(line, found, expected) =
-        "line {line} has {found} cells, the headings are {expected}"
-        | "Zeile {line} hat {found} Zellen, die Überschriften sind {expected}";
-    not_utf_8(line) = "line {line} is not UTF-8" | "Zeile {line} ist kein UTF-8";
-    open_quote(line) =
-        "line {line}: a quoted cell does not end in this line"
-        | "Zeile {line}: eine Zelle in Anführungszeichen endet nicht in dieser Zeile";
-    long_line(line, most) =
-        "line {line} is longer than {most} bytes" | "Zeile {line} ist länger als {most} Byte";
     too_many_rows(rows, most) =
         "the table has {rows} rows; {most} are judged here at most, more by `antrieb sweep`"
         | "die Tabelle hat {rows} Zeilen; hier werden höchstens {most} beurteilt, mehr mit `antrieb sweep`";
@@ -85,6 +87,22 @@ pub(crate) fn fault(fault: &TabularFault, language: Language) -> String {
         TabularFault::CellType { path, found } => said!(language =>
             "`{path}`: a column of the type {found} is not read; its cells must be numbers or texts"
             | "`{path}`: eine Spalte vom Typ {found} wird nicht gelesen; ihre Zellen müssen Zahlen oder Texte sein"
+        ),
+        TabularFault::Ragged { line, found, expected } => {
+            let cells = pick(language, ("cell", "cells"), ("Zelle", "Zellen"));
+            let cells = if *found == 1 { cells.0 } else { cells.1 };
+            said!(language =>
+                "line {line} has {found} {cells}, the headings are {expected}"
+                | "Zeile {line} hat {found} {cells}, die Überschriften sind {expected}"
+            )
+        }
+        TabularFault::OpenQuote { line } => said!(language =>
+            "line {line}: a quoted cell does not end in this line"
+            | "Zeile {line}: eine Zelle in Anführungszeichen endet nicht in dieser Zeile"
+        ),
+        TabularFault::NotUtf8 { line } => said!(language => "line {line} is not UTF-8" | "Zeile {line} ist kein UTF-8"),
+        TabularFault::LongLine { line, most } => said!(language =>
+            "line {line} is longer than {most} bytes" | "Zeile {line} ist länger als {most} Byte"
         ),
         TabularFault::NoRows => said!(language => "the table has no row" | "die Tabelle hat keine Zeile"),
         TabularFault::NoColumns => said!(language => "the table has no column" | "die Tabelle hat keine Spalte"),

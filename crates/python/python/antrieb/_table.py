@@ -28,7 +28,7 @@ class Sweep:
         memory: How much memory the recordings may take, such as `1 GiB`.
 
     Raises:
-        AntriebError: Every fault of the project, or every fault of the headings.
+        AntriebError: Every fault of the project and of the headings.
     """
 
     __slots__ = ("_sweep",)
@@ -109,7 +109,7 @@ def sweep(
         be judged). With `check` and `front` a row for each actuator.
 
     Raises:
-        AntriebError: Every fault of the project, of the headings, or of the cells, each with heading and row.
+        AntriebError: Every fault of the project, of the headings and of the cells, each with its place.
     """
     return _antrieb.Sweep.whole(
         handed(text, file, folder), table, _options(axis, check, front), lang, memory, deadline

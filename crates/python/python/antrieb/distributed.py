@@ -269,7 +269,7 @@ def ready(spec: Spec, all_parts: Sequence[Part], tasks: Makes | None = None) -> 
     """Make the folder ready, and find the faults of project and headings before any part is judged.
 
     Raises:
-        AntriebError: Every fault of the project or of the headings.
+        AntriebError: Every fault of the project and of the headings.
         ValueError: The folder holds parts of another sweep.
     """
     out = pathlib.Path(spec.out)
@@ -345,7 +345,7 @@ def sweep(
         A summary: rows, how many fit, why rows failed.
 
     Raises:
-        AntriebError: Every fault of the project or of the headings, before any part is judged.
+        AntriebError: Every fault of the project and of the headings, before any part is judged.
         ValueError: The folder holds parts of another sweep.
     """
     # It would report its use to its makers.

@@ -1,7 +1,7 @@
 """Four examples: `python -m antrieb.examples [FOLDER]` runs them and writes their pictures into the folder.
 
 1. One axis: what fits, the checks of one actuator, the torque-speed plane.
-2. A sweep over payload and cycle time as a heat map: drawn by matplotlib where it is installed, else as SVG by own means.
+2. A sweep over payload and cycle time as a heat map.
 3. The six joints of a small robot in one project.
 4. DuckDB over the result of the sweep, where it is installed.
 
@@ -12,12 +12,12 @@ from __future__ import annotations
 
 import importlib
 import importlib.util
-import math
 import pathlib
 import sys
-from typing import Any
+from typing import Any, NamedTuple
 
 import antrieb
+from antrieb._heat import Axis, drawn
 
 ARM = """format = 1
 [axis]
@@ -83,58 +83,50 @@ def payload_and_time(payloads: list[float], times: list[float]) -> antrieb.Table
 
 
 def heat_map(folder: pathlib.Path) -> antrieb.Table:
-    """How many actuators fit over payload and time of a move."""
+    """How many actuators fit over payload and time of a move, and of which size the best is."""
     payloads = [0.25 * step for step in range(25)]
     times = [0.4 + 0.05 * step for step in range(25)]
     table = payload_and_time(payloads, times)
     best = antrieb.sweep(ARM, table)
     columns = best.to_pydict()
     fit: list[int] = columns["fit"]
-    codes = {code for code in columns["code"] if code}
-    print(f"{len(best)} axes judged: the best is one of {len(codes)} codes; nothing fits {fit.count(0)} of them")
-    rows = [fit[len(times) * index : len(times) * (index + 1)] for index in range(len(payloads))]
-    path = folder / "heat-map.svg"
-    if importlib.util.find_spec("matplotlib"):
-        drawn_by_matplotlib(path, payloads, times, rows)
-    else:
-        path.write_text(drawn(payloads, times, rows), encoding="utf-8")
+    sizes: list[str] = [code[:7] if code else "" for code in columns["code"]]
+    print(f"{len(best)} axes judged: the best is of one of {len({*sizes} - {''})} sizes; nothing fits {fit.count(0)} of them")
+    ends = [(start, start + len(times)) for start in range(0, len(fit), len(times))]
+    counts, names = [fit[start:end] for start, end in ends], [sizes[start:end] for start, end in ends]
+    for lang, words in WORDS.items():
+        x, y = Axis(label=words.time, values=times), Axis(label=words.payload, values=payloads)
+        picture = drawn(words.title, x, y, counts, names, legend=words.legend, none=words.none, comma=lang == "de")
+        picture.save(folder / f"heat-map-{lang}.svg")
     return best
 
 
-def drawn_by_matplotlib(path: pathlib.Path, payloads: list[float], times: list[float], rows: list[list[int]]) -> None:
-    """The heat map by matplotlib."""
-    library("matplotlib").use("svg")
-    pyplot = library("matplotlib.pyplot")
-    figure, axes = pyplot.subplots(layout="constrained")
-    mesh = axes.pcolormesh(times, payloads, rows, shading="nearest")
-    axes.set_xlabel("time of a move in s")
-    axes.set_ylabel("payload in kg")
-    figure.colorbar(mesh, label="actuators that fit")
-    figure.savefig(path)
-    pyplot.close(figure)
+class Words(NamedTuple):
+    """What stands in the heat map."""
+
+    title: str
+    time: str
+    payload: str
+    legend: str
+    none: str
 
 
-def drawn(payloads: list[float], times: list[float], rows: list[list[int]]) -> str:
-    """The heat map by own means: a rectangle for each axis, with its figures as a tip."""
-    side, left, low = 14, 60, 40
-    width, height = left + side * len(times) + 20, low + side * len(payloads) + 20
-    most = max(1, *(max(row) for row in rows))
-    parts = [f'<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 {width} {height}" font-family="sans-serif" font-size="11">']
-    for index, (payload, row) in enumerate(zip(payloads, rows, strict=True)):
-        y = height - low - side * (index + 1)
-        for place, (time, fit) in enumerate(zip(times, row, strict=True)):
-            light = 95 - 60 * math.sqrt(fit / most)
-            parts.append(
-                f'<rect x="{left + side * place}" y="{y}" width="{side}" height="{side}" fill="hsl(215 60% {light:.0f}%)">'
-                f"<title>{payload:g} kg, {time:.2f} s: {fit}</title></rect>"
-            )
-    base = height - low
-    parts.append(f'<text x="{left}" y="{base + 15}">{times[0]:.2f}</text>')
-    parts.append(f'<text x="{left + side * len(times)}" y="{base + 15}" text-anchor="end">{times[-1]:.2f}</text>')
-    parts.append(f'<text x="{left}" y="{base + 32}">time of a move in s; darker: more actuators fit, at most {most}</text>')
-    parts.append(f'<text x="{left - 5}" y="{base}" text-anchor="end">{payloads[0]:g} kg</text>')
-    parts.append(f'<text x="{left - 5}" y="{base - side * len(payloads) + 11}" text-anchor="end">{payloads[-1]:g} kg</text>')
-    return "".join(parts) + "</svg>\n"
+WORDS = {
+    "en": Words(
+        "Loading arm: how many actuators fit, and the size of the best",
+        "time of a move in s",
+        "payload in kg",
+        "actuators\nthat fit",
+        "none fits",
+    ),
+    "de": Words(
+        "Ladearm: Anzahl geeigneter Antriebe und Baugröße des besten",
+        "Zeit einer Bewegung in s",
+        "Nutzlast in kg",
+        "geeignete\nAntriebe",
+        "keiner",
+    ),
+}
 
 
 PAYLOAD_KG = 3.0

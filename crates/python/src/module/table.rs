@@ -3,7 +3,7 @@
 use super::{Handed, beside, refused, text};
 use crate::SweepCall;
 use crate::module::capsules;
-use crate::sweep::swept;
+use crate::sweep::{checked, swept};
 use arrow_array::cast::AsArray;
 use arrow_array::types::{Float64Type, Int64Type, UInt32Type, UInt64Type};
 use arrow_array::{Array, ArrayRef, BooleanArray, Float64Array, Int64Array, RecordBatch, StringArray};
@@ -144,7 +144,7 @@ impl Sweep {
         lang: &str,
         memory: Option<String>,
     ) -> PyResult<Self> {
-        Self::of(schema.py(), handed, &*capsules::schema(schema)?, pairs, lang, memory)
+        Self::of(schema.py(), handed, (&*capsules::schema(schema)?, &[]), pairs, lang, memory)
     }
 
     /// The answers of the rows of a table, in their order, by a sweep of its own: the table is read once.
@@ -159,7 +159,7 @@ impl Sweep {
     ) -> PyResult<Table> {
         let py = table.py();
         let (schema, batches) = capsules::table(table)?;
-        Self::of(py, handed, &schema, pairs, lang, memory)?.judged(py, &batches, deadline)
+        Self::of(py, handed, (&schema, &batches), pairs, lang, memory)?.judged(py, &batches, deadline, false)
     }
 
     /// The keys of the columns, entries of lists counted from one.
@@ -180,7 +180,7 @@ impl Sweep {
         let py = table.py();
         let (schema, batches) = capsules::table(table)?;
         self.is_of(py, &schema)?;
-        self.judged(py, &batches, deadline)
+        self.judged(py, &batches, deadline, true)
     }
 
     /// The answers of one batch whose first row has this number; a fault of a cell is in the column `error`.
@@ -207,23 +207,29 @@ impl Sweep {
     fn of(
         py: Python<'_>,
         handed: Handed,
-        schema: &Schema,
+        (schema, batches): (&Schema, &[RecordBatch]),
         pairs: Vec<(String, String)>,
         lang: &str,
         memory: Option<String>,
     ) -> PyResult<Self> {
         let language = Language::of_id(lang).unwrap_or_default();
         let call = SweepCall { text: text(handed), pairs, memory, language };
-        let sweep = py.detach(|| call.prepared(schema));
+        let sweep = py.detach(|| call.prepared(schema, batches));
         let sweep = sweep.map_err(|why| refused(py, &why.record(None, language)))?;
         Ok(Self { sweep, language })
     }
 
-    fn judged(&self, py: Python<'_>, batches: &[RecordBatch], deadline: Option<&str>) -> PyResult<Table> {
+    /// The answers; faults of the cells first where they are not checked yet.
+    fn judged(&self, py: Python<'_>, batches: &[RecordBatch], deadline: Option<&str>, checks: bool) -> PyResult<Table> {
         let deadline = deadline.map(|text| antrieb::deadline_of(text, self.language)).transpose();
         let deadline = deadline.map_err(|why| refused(py, &why.record(None, self.language)))?;
         let patience = if deadline.is_some() { Patience::limited() } else { Patience::endless() };
-        let found = beside(py, &patience, deadline, || swept(&self.sweep, batches, &patience))?;
+        let found = beside(py, &patience, deadline, || {
+            if checks {
+                checked(&self.sweep, batches)?;
+            }
+            swept(&self.sweep, batches, &patience)
+        })?;
         let waited_s = deadline.map(|most| most.as_secs_f64());
         let batches = found.map_err(|why| refused(py, &why.record(waited_s, self.language)))?;
         Ok(Table { schema: self.sweep.schema(), batches })

@@ -111,6 +111,18 @@ class Sweeps(unittest.TestCase):
         self.assertEqual(sorted(places, key=str), [(PAYLOAD, 0), (TIME, 1)])
         with self.assertRaises(antrieb.AntriebError):
             antrieb.sweep(ARM, pa.table({"code": ["CHA-20B-100-H-C1024"]}))
+        # Cells below headings that are read are looked at beside wrong headings and a wrong project.
+        wrong = pa.table({"motion[0].tyme [s]": [None, 1.0], TIME: [1.0, None], "code": ["CHA-99", "CHA-25A-50-H-C1024"]})
+        for project, more in ((ARM, []), (ARM.replace("6 kg", "6 m"), ["unit_of_another_quantity"])):
+            with self.assertRaises(antrieb.AntriebError) as caught:
+                antrieb.sweep(project, wrong)
+            found = [(getattr(fault, "heading", None), getattr(fault, "row", None)) for fault in caught.exception.faults]
+            expected = [(None, None)] * len(more) + [("motion[0].tyme [s]", None), (TIME, 1), ("code", 0)]
+            self.assertEqual(found, expected)
+            self.assertEqual([getattr(fault, "id", None) for fault in caught.exception.faults][: len(more)], more)
+        prepared = antrieb.Sweep(ARM, pa.table({TIME: [1.0]}).schema)
+        with self.assertRaises(antrieb.AntriebError):
+            prepared.table(pa.table({TIME: [1.0, None]}))
         with self.assertRaises(antrieb.AntriebError):
             antrieb.sweep(ARM, antrieb.Table.from_pydict({TIME: [1.0]}), check=["peak_torque_"])  # type: ignore[list-item]
 

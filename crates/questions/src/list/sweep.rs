@@ -1,15 +1,18 @@
 //! `sweep PROJECT`: many axes, a table whose columns are keys of the project.
 
 use super::given::{arguments, flag, text};
-use super::{AXIS, Answer, Argument, ArgumentKind, Asked, Entry, Gives, OutputFile, Reads, Record, Unanswered, media};
+use super::{
+    AXIS, Answer, Argument, ArgumentKind, Asked, Entry, Gives, OutputFile, Reads, Record, Source, Unanswered, media,
+};
 use crate::sizing_use::Refusal;
-use crate::sweep::{Cells, Options, Sweep, SweepRow, SweepSummary, TableFaults, Tally, Wanted, csv};
-use project::Files;
+use crate::sweep::csv::{Broken, Columns, Lines};
+use crate::sweep::{Cells, Head, Options, SweepRow, SweepSummary, Tally, Wanted};
+use project::{Files, Project};
 use quantities::{Language, seen};
 use sizing::CheckId;
 use std::borrow::Cow;
 use std::collections::BTreeMap;
-use std::io::Read as _;
+use std::io::{Cursor, Read as _};
 use words::{help, help::values, sweeps, terminal};
 
 arguments! {
@@ -67,64 +70,92 @@ impl Args {
 /// The answers of a small table in CSV, as a record.
 ///
 /// # Errors
-/// Faults of the project or of the table; one that is too long.
+/// Faults of the project and of the table; one that is too long.
 pub fn found(asked: &Asked<'_>) -> Result<SweepSummary, Unanswered> {
     let args = Args::read(&asked.given)?;
     let language = asked.language;
     let source = asked.source()?;
+    let text = source.text(language)?;
+    let projects = source.projects(asked.patience, language);
     let name = args.table.clone().unwrap_or_default();
-    let refused =
-        |message: String, is_too_large| Unanswered::File { name: seen(&name).into_owned(), message, is_too_large };
-    let mut text = String::new();
-    let opened = source.files.open(&name).and_then(|file| file.take(BYTES_MOST + 1).read_to_string(&mut text));
-    opened.map_err(|error| refused(words::file_trouble(&error, language), false))?;
-    if text.len() as u64 > BYTES_MOST {
-        return Err(refused(terminal::file_too_large(&BYTES_MOST, language), true));
-    }
-    let mut lines = text.lines();
-    let headings = csv::cells(lines.next().unwrap_or_default().trim_start_matches('\u{feff}')).unwrap_or_default();
-    let rows: Vec<&str> = lines.filter(|line| !line.trim().is_empty()).collect();
-    if rows.len() > ROWS_MOST {
-        return Err(Unanswered::message(sweeps::too_many_rows(&rows.len(), &ROWS_MOST, language)));
-    }
-    let mut columns: Vec<Vec<Option<Cow<'_, str>>>> = vec![Vec::with_capacity(rows.len()); headings.len()];
-    for (line, row) in (2_usize..).zip(rows) {
-        let cells = csv::cells(row).ok_or_else(|| refused(sweeps::open_quote(&line, language), false))?;
-        if cells.len() != headings.len() {
-            return Err(refused(sweeps::ragged(&line, &cells.len(), &headings.len(), language), false));
+    let (mut lines, shelf) = match (opened(source, &name, language), Shelf::of(source, projects.as_deref(), language)) {
+        (Ok(lines), Ok(shelf)) => (lines, shelf),
+        (lines, shelf) => {
+            let why = projects.err().into_iter().chain(lines.err()).chain(shelf.err());
+            return Err(Unanswered::together(why.collect()));
         }
-        columns.iter_mut().zip(cells).for_each(|(column, cell)| column.push(Some(cell)));
+    };
+    let headings: Vec<String> = lines.headings().to_vec();
+    let headings: Vec<&str> = headings.iter().map(String::as_str).collect();
+    let mut head = Head::read(text, projects, &headings, args.options(language));
+    let mut columns: Columns = vec![Vec::new(); headings.len()];
+    let mut rows = 0;
+    loop {
+        match lines.rows(ROWS_MOST) {
+            Ok(None) => break,
+            Ok(Some(part)) => {
+                let count = part.first().map_or(0, Vec::len) as u64;
+                head.check(&cells(&part), rows);
+                rows += count;
+                columns.iter_mut().zip(part).for_each(|(all, cells)| all.extend(cells));
+            }
+            Err(Broken::Line(fault)) => {
+                head.refuse_line(fault, rows);
+                rows += 1;
+            }
+            Err(Broken::Unread(error)) => return Err(refused(&name, words::file_trouble(&error, language))),
+        }
     }
-    let headings: Vec<&str> = headings.iter().map(AsRef::as_ref).collect();
-    let cells: Vec<Cells<'_>> = columns.into_iter().map(Cells::Texts).collect();
-    let files = Shelf::of(asked)?;
-    let sweep = Sweep::new((&source.name, source.text(language)?), Box::new(files), &headings, args.options(language))
-        .map_err(|why| why.of_table(&name))?;
-    let mut faults = TableFaults::default();
-    sweep.check(&cells, 0, &mut faults);
-    faults.refuse_empty(cells.first().map_or(0, Cells::len), language);
-    if !faults.is_empty() {
-        return Err(Unanswered::Table { name, faults });
+    head.refuse_empty(rows);
+    let ready = head.ready(&name, Box::new(shelf));
+    if rows > ROWS_MOST as u64 {
+        let too_many = Unanswered::message(sweeps::too_many_rows(&rows, &ROWS_MOST, language));
+        return Err(Unanswered::together(ready.err().into_iter().chain([too_many]).collect()));
     }
-    let answers = sweep.judge(&cells, asked.patience).map_err(|_| Unanswered::from(Refusal::Stopped))?;
+    let sweep = ready?;
+    let answers = sweep.judge(&cells(&columns), asked.patience).map_err(|_| Unanswered::from(Refusal::Stopped))?;
     let mut tally = Tally::default();
     answers.iter().for_each(|answer| tally.add(answer));
     let rows = (0..).zip(&answers).flat_map(|(row, answer)| SweepRow::of(row, answer));
     Ok(SweepSummary { answers: rows.collect(), ..tally.summary(None, language) })
 }
 
+/// The lines of a table, whose bytes are read at once.
+fn opened(source: &Source<'_>, name: &str, language: Language) -> Result<Lines<Cursor<Vec<u8>>>, Unanswered> {
+    let mut bytes = Vec::new();
+    let read = source.files.open(name).and_then(|file| file.take(BYTES_MOST + 1).read_to_end(&mut bytes));
+    read.map_err(|error| refused(name, words::file_trouble(&error, language)))?;
+    if bytes.len() as u64 > BYTES_MOST {
+        let message = terminal::file_too_large(&BYTES_MOST, language);
+        return Err(Unanswered::File { name: seen(name).into_owned(), message, is_too_large: true });
+    }
+    Lines::open(Cursor::new(bytes)).map_err(|broken| refused(name, broken.text(language)))
+}
+
+fn refused(name: &str, message: String) -> Unanswered {
+    Unanswered::File { name: seen(name).into_owned(), message, is_too_large: false }
+}
+
+fn cells(columns: &Columns) -> Vec<Cells<'_>> {
+    let texts = columns.iter().map(|cells| cells.iter().map(|cell| cell.as_deref().map(Cow::Borrowed)).collect());
+    texts.map(Cells::Texts).collect()
+}
+
 /// The recordings of a project, read once.
 struct Shelf(BTreeMap<String, Vec<u8>>);
 
 impl Shelf {
-    fn of(asked: &Asked<'_>) -> Result<Self, Unanswered> {
-        let source = asked.source()?;
-        let projects = source.projects(asked.patience, asked.language)?;
+    /// Those of the axes of a project; of one that is not read, none.
+    fn of(
+        source: &Source<'_>,
+        projects: Result<&[Project], &Unanswered>,
+        language: Language,
+    ) -> Result<Self, Unanswered> {
         let mut found = BTreeMap::new();
-        for name in projects.iter().flat_map(|project| &project.recordings).map(|read| &read.file) {
+        for name in projects.unwrap_or_default().iter().flat_map(|project| &project.recordings).map(|read| &read.file) {
             let mut bytes = Vec::new();
             let read = source.files.open(name).and_then(|mut file| file.read_to_end(&mut bytes));
-            read.map_err(|error| Unanswered::message(words::file_trouble(&error, asked.language)))?;
+            read.map_err(|error| Unanswered::message(words::file_trouble(&error, language)))?;
             found.insert(name.clone(), bytes);
         }
         Ok(Self(found))

@@ -92,15 +92,6 @@ impl Unanswered {
         }
     }
 
-    /// The same, faults of a table under its name.
-    #[must_use]
-    pub fn of_table(self, table: &str) -> Self {
-        match self {
-            Self::Table { faults, .. } => Self::Table { name: table.to_owned(), faults },
-            other => other,
-        }
-    }
-
     /// Why a project was not read.
     #[must_use]
     pub fn unread(unread: Unread, name: &str, text: &str, language: Language) -> Self {

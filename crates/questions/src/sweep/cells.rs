@@ -56,13 +56,6 @@ impl TableFaults {
         }
     }
 
-    /// Adds that there is no row, where there is none.
-    pub fn refuse_empty(&mut self, rows: usize, language: Language) {
-        if rows == 0 {
-            self.add(CellFault::of("", None, &(Fault::Tabular(TabularFault::NoRows), None), language));
-        }
-    }
-
     /// Whether there is none.
     #[must_use]
     pub const fn is_empty(&self) -> bool {

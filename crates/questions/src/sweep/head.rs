@@ -1,0 +1,179 @@
+//! The head of a table: its headings, read for a project that may have faults of its own, and the faults of the cells below them.
+#![allow(clippy::result_large_err, reason = "a fault is found once for a table, not for each of its rows")]
+
+use super::template::Templates;
+use super::{CODE, CellFault, Cells, Column, Holds, Options, Sweep, TableFaults};
+use crate::list::Unanswered;
+use crate::reading::{Unread, read_all};
+use crate::subject::{names, picked};
+use project::{Counted, Fault, Files, Heading, Objection, Project, TabularFault, Written, written};
+
+/// A project and the headings of a table before its cells are read: faults of all three are collected and reported together.
+pub struct Head {
+    text: String,
+    /// Why the project cannot be swept.
+    refused: Option<Unanswered>,
+    axis: Axis,
+    /// Those whose headings are read.
+    columns: Vec<Option<Column>>,
+    faults: TableFaults,
+    options: Options,
+}
+
+/// The axis of a file.
+#[derive(Clone, Copy)]
+struct Axis {
+    /// Its place, where it is known.
+    place: Option<usize>,
+    is_of_several: bool,
+}
+
+impl Head {
+    /// Reads a project, by its name and text, and the headings of a table for it.
+    #[must_use]
+    pub fn of((name, text): (&str, &str), files: &dyn Files, headings: &[&str], options: Options) -> Self {
+        let unread = |faults| Unanswered::unread(Unread::Faults(faults), name, text, options.language);
+        let projects = read_all(text, files).map_err(unread);
+        Self::read(text, projects, headings, options)
+    }
+
+    /// Reads the headings of a table for a project, by its text and its axes or why they cannot be read.
+    #[must_use]
+    pub fn read(text: &str, projects: Result<Vec<Project>, Unanswered>, headings: &[&str], options: Options) -> Self {
+        let known = written(text);
+        let (axis, refused) = match projects {
+            Ok(projects) => of_projects(projects, &options),
+            Err(why) => (of_text(known.as_deref().unwrap_or_default(), options.axis.as_deref()), Some(why)),
+        };
+        let mut head =
+            Self { text: text.to_owned(), refused, axis, columns: Vec::new(), faults: TableFaults::default(), options };
+        let counted = Counted::of(headings.iter().copied());
+        for heading in headings {
+            let column = head.column(heading, counted, known.as_deref()).map_err(|objection| {
+                head.faults.add(CellFault::of(heading, None, &objection, head.options.language));
+            });
+            head.columns.push(column.ok());
+        }
+        if headings.is_empty() {
+            let none = (Fault::Tabular(TabularFault::NoColumns), None);
+            head.faults.add(CellFault::of("", None, &none, head.options.language));
+        }
+        head
+    }
+
+    fn column(&self, heading: &str, counted: Counted, known: Option<&[Written]>) -> Result<Column, Objection> {
+        let holds = if heading.trim() == CODE {
+            Holds::Code
+        } else {
+            // Which of several does not matter for what a key holds.
+            let place = self.axis.is_of_several.then(|| self.axis.place.unwrap_or(0));
+            Holds::Key(Heading::read(heading, counted, place)?)
+        };
+        if let (Holds::Key(found), Some(known), Some(own)) = (&holds, known, self.axis.path())
+            && let Some(fault) = missing_entry(known, &own, found)
+        {
+            return Err((Fault::Tabular(fault), None));
+        }
+        let column = Column { written: heading.to_owned(), holds };
+        if self.columns.iter().flatten().any(|other| other.key() == column.key()) {
+            return Err((Fault::Tabular(TabularFault::ColumnTwice { path: column.key().to_owned() }), None));
+        }
+        Ok(column)
+    }
+
+    /// Looks for faults of some rows, of which the first has this number, in every column whose heading is read: cells that are
+    /// empty, are no numbers, or name nothing that there is.
+    pub fn check(&mut self, cells: &[Cells<'_>], first_row: u64) {
+        for (column, cells) in self.columns.iter().zip(cells) {
+            if let Some(column) = column {
+                cells.check(column, first_row, self.options.language, &mut self.faults);
+            }
+        }
+    }
+
+    /// Adds that the row of this number is no row of the table.
+    pub fn refuse_line(&mut self, fault: TabularFault, row: u64) {
+        self.faults.add(CellFault::of("", Some(row), &(Fault::Tabular(fault), None), self.options.language));
+    }
+
+    /// Adds that there is no row, where there is none.
+    pub fn refuse_empty(&mut self, rows: u64) {
+        if rows == 0 {
+            let none = (Fault::Tabular(TabularFault::NoRows), None);
+            self.faults.add(CellFault::of("", None, &none, self.options.language));
+        }
+    }
+
+    /// The sweep over tables with these headings.
+    ///
+    /// # Errors
+    /// Every fault of the project, of the headings and of the cells that were checked; `table` is what the table is called.
+    pub fn ready(self, table: &str, files: Box<dyn Files + Send + Sync>) -> Result<Sweep, Unanswered> {
+        let mut why: Vec<Unanswered> = self.refused.into_iter().collect();
+        if !self.faults.is_empty() {
+            why.push(Unanswered::Table { name: table.to_owned(), faults: self.faults });
+        }
+        match self.axis.place {
+            Some(place) if why.is_empty() => Ok(Sweep {
+                text: self.text,
+                files,
+                axis: (place, self.axis.is_of_several),
+                columns: self.columns.into_iter().flatten().collect(),
+                options: self.options,
+                templates: Templates::default(),
+            }),
+            _ => Err(Unanswered::together(why)),
+        }
+    }
+}
+
+impl Axis {
+    /// What its paths begin with in the file; `None` where it is not known.
+    fn path(self) -> Option<String> {
+        if self.is_of_several { self.place.map(|place| format!("axis[{}].", place + 1)) } else { Some(String::new()) }
+    }
+}
+
+/// The only axis, or the one that is named; else why there is none.
+fn of_projects(projects: Vec<Project>, options: &Options) -> (Axis, Option<Unanswered>) {
+    let language = options.language;
+    let is_of_several = projects.iter().any(Project::is_of_several);
+    let (place, refused) = match picked(projects, options.axis.as_deref(), language) {
+        Err(why) => (None, Some(why)),
+        Ok(found) => match found.as_slice() {
+            [(place, _)] => (Some(*place), None),
+            several => {
+                let names = names(several.iter().map(|(_, project)| project));
+                (None, Some(words::terminal::several_axes(&names, language)))
+            }
+        },
+    };
+    (Axis { place, is_of_several }, refused.map(Unanswered::message))
+}
+
+/// The axis of a text that is no project.
+fn of_text(known: &[Written], wanted: Option<&str>) -> Axis {
+    let has = |path: &str| known.iter().any(|each| each.path == path);
+    let count = (1..).take_while(|number| has(&format!("axis[{number}]"))).count();
+    let is_named = |place: &usize| {
+        let path = format!("axis[{}].name", place + 1);
+        known.iter().any(|each| each.path == path && each.value.as_deref() == wanted)
+    };
+    let place = if wanted.is_some() { (0..count).find(is_named) } else { (count < 2).then_some(0) };
+    Axis { place, is_of_several: count > 0 }
+}
+
+/// An entry of a list that the project does not have.
+fn missing_entry(known: &[Written], own: &str, heading: &Heading) -> Option<TabularFault> {
+    let path = format!("{own}{}", heading.path);
+    for (at, _) in path.match_indices(']') {
+        let entry = path.get(..=at).unwrap_or_default();
+        if entry.len() <= own.len() || known.iter().any(|each| each.path == entry) {
+            continue;
+        }
+        let list = entry.rsplit_once('[').map_or(entry, |(list, _)| list);
+        let count = (1..).take_while(|n| known.iter().any(|each| each.path == format!("{list}[{n}]"))).count();
+        return Some(TabularFault::NoEntry { path: heading.path.clone(), count });
+    }
+    None
+}
