@@ -23,6 +23,10 @@ pub(crate) fn in_sight(stage: &Stage<'_>) -> Worded {
             tab.until("Math.abs(document.querySelector('#plot-cycle .frame').clientWidth - document.querySelector('#plot-cycle').dataset.width) < 8")?;
             let hidden = tab.run(script, vec![json!(sought)])?;
             expect(hidden == json!([]), || format!("{language}, {width} × {height}: out of sight: {hidden}"))?;
+            let wide = tab.eval("(() => { const list = document.querySelector('#list'); return list.scrollWidth - list.clientWidth; })()")?;
+            expect(wide.as_f64().is_some_and(|wide| wide < 1.0), || {
+                format!("{language}, {width} × {height}: the list is {wide} px wider than its pane")
+            })?;
             let scrolls = tab.eval("document.documentElement.scrollHeight > innerHeight + 1")?;
             expect(scrolls == json!(false), || format!("{language}, {width} × {height}: the window scrolls"))?;
         }

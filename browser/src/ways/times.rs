@@ -11,7 +11,7 @@ use std::io::Write;
 const KEYS: usize = 40;
 
 /// The page before it listens: what a browser fetches at first, packed as hosts do.
-const WEIGHT_MOST: usize = 350_000;
+const WEIGHT_MOST: usize = 100_000;
 
 pub(crate) fn times(stage: &Stage<'_>) -> Worded {
     let tab = &stage.tab;

@@ -19,12 +19,7 @@ pub(crate) fn shown(call: &Call<'_>) -> Markup {
     html! {
         (DOCTYPE)
         html lang=(l.id()) data-theme=[(theme == Theme::Dark).then_some("dark")] {
-            head {
-                meta charset="utf-8";
-                meta name="viewport" content="width=device-width, initial-scale=1";
-                title { (page::title(l)) }
-                link rel="stylesheet" href="/assets/page.css";
-            }
+            (crate::frame::head(&html! {}, page::title(l), "/assets/page.css", &html! {}))
             body.gallery {
                 main.start {
                     h1 { (page::components(l)) }

@@ -49,7 +49,7 @@ pub use call::{
     Call, FileEntry, Folder, Method, Press, Reply, ReportAsked, SaveFault, Shell, Storage, WritesChecklist,
     WritesReport,
 };
-pub use frame::ICON;
+pub use frame::head;
 pub use names::{is_project_name, recording_names};
 #[cfg(feature = "theory")]
 pub use theory::theory_files;

@@ -143,8 +143,9 @@
 
   // One after the other: an answer is that of the files as they are.
   let before = ready;
-  function answer(question, body) {
+  function answer(question, body, signal) {
     const ask = async () => {
+      signal?.throwIfAborted();
       const now_s = Math.floor(Date.now() / 1000);
       await sync();
       if (question.path.startsWith('/api/')) {
@@ -179,7 +180,8 @@
     const body = options.body === undefined || options.body === null ? new Response() : new Response(options.body);
     const media = new Headers(options.headers).get('content-type') ?? body.headers.get('content-type');
     const question = { post: options.method?.toUpperCase() === 'POST', path: decoded(url.pathname), query: url.search.slice(1), media };
-    const { head, body: bytes } = await answer(question, new Uint8Array(await body.arrayBuffer()));
+    const { head, body: bytes } = await answer(question, new Uint8Array(await body.arrayBuffer()), options.signal);
+    options.signal?.throwIfAborted();
     return new Response(head.status === 204 ? null : bytes, { status: head.status, headers: [['content-type', head.media], ...head.headers] });
   };
 

@@ -53,24 +53,22 @@ pub fn files([engine, interface]: [&[u8]; 2], notices: &str) -> std::io::Result<
 /// The page that is shown until the engine has answered.
 fn index() -> String {
     let both = |word: fn(Language) -> &'static str| html! { @for l in Language::ALL { p lang=(l.id()) { (word(l)) } } };
+    let policy = html! {
+        meta http-equiv="content-security-policy" content=(PreEscaped(POLICY));
+        meta name="referrer" content="same-origin";
+    };
+    let scripts = html! {
+        link rel="preload" as="script" href="assets/htmx.min.js";
+        @for l in Language::ALL {
+            template lang=(l.id()) data-failed=(requests::failed_inside(l)) data-full=(words::page::browser_keeps_nothing(l))
+                data-none=(words::page::no_engine(l)) {}
+        }
+        script src="site.js" {}
+    };
     html! {
         (DOCTYPE)
         html lang="en" {
-            head {
-                meta charset="utf-8";
-                meta name="viewport" content="width=device-width, initial-scale=1";
-                meta http-equiv="content-security-policy" content=(PreEscaped(POLICY));
-                meta name="referrer" content="same-origin";
-                title { (words::page::title(Language::default())) }
-                link rel="icon" href=(page::ICON);
-                link rel="stylesheet" href="assets/page.css";
-                link rel="preload" as="script" href="assets/htmx.min.js";
-                @for l in Language::ALL {
-                    template lang=(l.id()) data-failed=(requests::failed_inside(l)) data-full=(words::page::browser_keeps_nothing(l))
-                        data-none=(words::page::no_engine(l)) {}
-                }
-                script src="site.js" {}
-            }
+            (page::head(&policy, words::page::title(Language::default()), "assets/page.css", &scripts))
             body {
                 header { h1 { "antrieb" } }
                 main.start id="waiting" role="status" { (both(words::page::engine_comes)) noscript { (both(words::page::needs_scripts)) } }
