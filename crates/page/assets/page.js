@@ -427,10 +427,13 @@ document.addEventListener('click', (event) => {
   else if (of('project')) project();
   else if (of('recording')) choose('.csv,.txt,.parquet', (file) => record(file, file.name));
   else if (of('close')) shut();
-  else if (of('shuts')) setTimeout(shut);
+  else if (of('shuts')) shuts = of('shuts');
   else if (of('instant')) { lead(of('instant')); jump(Number(of('instant').dataset.instant)); }
   else if (of('into')) { const field = document.getElementById(of('into').dataset.into); field.value = event.target.closest('button').value; field.dispatchEvent(new Event('change', { bubbles: true })); }
 });
+// What shuts the drawer stays in it until it is answered: what waits for its turn must still be of the page.
+let shuts = null;
+document.addEventListener('htmx:finally:request', (event) => { if (shuts && event.detail.ctx.sourceElement === shuts) { shuts = null; shut(); } });
 // A mark in a picture leads to the row of its check.
 let led = null;
 function lead(mark) {

@@ -186,6 +186,7 @@ pub(crate) fn view(
                     (overlay::controls(until_s, is_narrowed, l))
                     (picture(state, "bearing-load", drawn(), &marks, &none))
                 }
+                View::Simulation if !crate::WHOLE => {}
                 View::Simulation => (crate::simulated::view(state, project, candidate, patience)),
                 View::ErrorBudget => {
                     (tolerances::place(state, project, candidate, shell))
@@ -216,6 +217,7 @@ pub(crate) fn drawing(
         View::TorqueSpeed => figure(Figure::TorqueSpeed),
         View::Bearing => figure(Figure::BearingLoad),
         View::ErrorBudget => figure(Figure::Torsion),
+        View::Simulation if !crate::WHOLE => Err(NoFigure::OfARun),
         View::Simulation => crate::simulated::run(state, project, candidate, patience)
             .map(|run| figures::simulation_within(&run, state.window, l))
             .map_err(|_| NoFigure::OfARun),

@@ -67,7 +67,7 @@ pub(crate) fn whole(call: &Call<'_>, shell: &dyn Shell, patience: &Patience) -> 
                     Err((held, why)) => { (unfinished(&state, &held, shell, &waiting::stopped(&why, false, Some("/work"), shell, patience, l), patience)) }
                 }
                 (waiting::place(l))
-                aside id="detail" aria-live="polite" { @if call.field("tool").is_some() { (tools::pane(call, shell, patience)) } }
+                aside id="detail" aria-live="polite" { @if crate::WHOLE && call.field("tool").is_some() { (tools::pane(call, shell, patience)) } }
                 dialog id="palette" aria-label=(page::find(l)) {}
             }
         }

@@ -9,7 +9,7 @@
   html.lang = asked.get('lang') ?? (navigator.language.startsWith('de') ? 'de' : 'en');
   const words = (name) => (document.querySelector(`template[lang=${CSS.escape(html.lang)}]`) ?? document.querySelector('template')).dataset[name];
 
-  // In the worker: the engine of the page, and for what is below /api/ the larger one; each made anew where it has failed.
+  // In the worker: the engine of the page and the larger one; each made anew where it has failed.
   function work() {
     const modules = {};
     let engines = {};
@@ -38,9 +38,8 @@
       const answered = Object.values(engines).map((each) => { engine = each; return answer({ put, gone }, body); });
       return answered[0] ?? { head: { status: 204 }, body: new Uint8Array() };
     }
-    function asked(head, body) {
+    function asked(head, body, name) {
       if (head.put || head.gone) return note(head, body);
-      const name = head.ask?.path.startsWith('/api/') ? 'interface' : 'engine';
       engine = engines[name];
       if (!engine) begin(name);
       return answer(head, body);
@@ -61,7 +60,7 @@
     self.onmessage = ({ data }) => {
       if (data.module) { modules[data.name] = data.module; return; }
       let answered;
-      try { answered = asked(data.head, data.body); } catch (error) { engines = {}; answered = { head: { status: 500, failed: String(error) } }; }
+      try { answered = asked(data.head, data.body, data.of); } catch (error) { engines = {}; answered = { head: { status: 500, failed: String(error) } }; }
       self.postMessage({ id: data.id, ...answered }, answered.body ? [answered.body.buffer] : []);
     };
   }
@@ -71,9 +70,9 @@
   const waiting = new Map();
   let last = 0;
   worker.onmessage = ({ data }) => { waiting.get(data.id)(data); waiting.delete(data.id); };
-  const said = (head, body = new Uint8Array()) => new Promise((done) => {
+  const said = (head, body = new Uint8Array(), of = 'engine') => new Promise((done) => {
     waiting.set(++last, done);
-    worker.postMessage({ id: last, head, body });
+    worker.postMessage({ id: last, head, body, of });
   });
   const script = (path, set = {}) => new Promise((done, failed) => {
     const element = Object.assign(document.createElement('script'), set, { src: new URL(path, home).href, onload: done, onerror: failed });
@@ -141,6 +140,12 @@
   const forget = (name) => kept('readwrite', (files, stamps) => { stamps.delete(name); return files.delete(name); });
   const alone = (action) => navigator.locks?.request('antrieb', action) ?? action();
 
+  // What is below /api/, the tools and the simulation need the larger engine, which is fetched with the first of them.
+  const FORM_MEDIA = 'application/x-www-form-urlencoded';
+  function larger({ path, query, media }, body) {
+    if (path.startsWith('/api/') || path === '/tools' || new URLSearchParams(query).has('tool')) return true;
+    return (media ?? '').startsWith(FORM_MEDIA) && new URLSearchParams(new TextDecoder().decode(body)).getAll('view').pop() === 'simulation';
+  }
   // One after the other: an answer is that of the files as they are.
   let before = ready;
   function answer(question, body, signal) {
@@ -148,14 +153,15 @@
       signal?.throwIfAborted();
       const now_s = Math.floor(Date.now() / 1000);
       await sync();
-      if (question.path.startsWith('/api/')) {
+      const of = larger(question, body ?? new Uint8Array()) ? 'interface' : 'engine';
+      if (of === 'interface') {
         try { await engine('interface'); } catch (error) {
           console.error(error);
           loaded.delete('interface');
           return plain(503, words('none'));
         }
       }
-      const reply = await said({ ask: { language: html.lang, now_s, ...question } }, body);
+      const reply = await said({ ask: { language: html.lang, now_s, ...question } }, body, of);
       if (reply.head.failed) {
         console.error(reply.head.failed);
         return plain(500, words('failed'));
@@ -230,7 +236,6 @@
     return modules.get(name);
   }
   const form = (fields) => new TextEncoder().encode(new URLSearchParams(fields).toString());
-  const FORM_MEDIA = 'application/x-www-form-urlencoded';
   function first() {
     const sent = sessionStorage.getItem(FORM);
     const state = sessionStorage.getItem(STATE);
