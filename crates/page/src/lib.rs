@@ -59,7 +59,7 @@ use questions::Patience;
 /// Answers a request.
 #[must_use]
 pub fn respond(call: &Call<'_>, shell: &dyn Shell, patience: &Patience) -> Reply {
-    if let Some(name) = call.path.strip_prefix("/assets/") {
+    if let Some(name) = call.path.strip_prefix("/assets/").filter(|_| WHOLE) {
         return assets::asset(name);
     }
     #[cfg(feature = "theory")]
@@ -104,8 +104,8 @@ pub fn respond(call: &Call<'_>, shell: &dyn Shell, patience: &Patience) -> Reply
     }
 }
 
-/// Whether all is here: the engine that a browser fetches first goes without the tools and the simulation, besides what is below
-/// `/api/`; what asks for one of them is put to the larger one (`larger` in `site.js`).
+/// Whether all is here: the engine that a browser fetches first goes without the tools and the simulation, without what is below
+/// `/api/`, and without the files that lie beside it; what requests one of them is put to the larger one (`larger` in `site.js`).
 const WHOLE: bool = cfg!(feature = "interface");
 
 /// Where a recording is brought; its body may be larger than that of others.

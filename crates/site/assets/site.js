@@ -70,7 +70,9 @@
   const waiting = new Map();
   let last = 0;
   worker.onmessage = ({ data }) => { waiting.get(data.id)(data); waiting.delete(data.id); };
-  const said = (head, body = new Uint8Array(), of = 'engine') => new Promise((done) => {
+  // A folder that is opened as a file has the larger one alone: there nothing is fetched, and its scripts come from it too.
+  const FIRST = isFile ? 'interface' : 'engine';
+  const said = (head, body = new Uint8Array(), of = FIRST) => new Promise((done) => {
     waiting.set(++last, done);
     worker.postMessage({ id: last, head, body, of });
   });
@@ -98,7 +100,7 @@
     if (!loaded.has(name)) loaded.set(name, compiled(name).then((module) => worker.postMessage({ name, module })));
     return loaded.get(name);
   }
-  const ready = engine('engine');
+  const ready = engine(FIRST);
 
   // What is kept: a file by its name, and a stamp of each that tells which of them another tab has written.
   const database = new Promise((done, failed) => {
@@ -153,7 +155,7 @@
       signal?.throwIfAborted();
       const now_s = Math.floor(Date.now() / 1000);
       await sync();
-      const of = larger(question, body ?? new Uint8Array()) ? 'interface' : 'engine';
+      const of = isFile || larger(question, body ?? new Uint8Array()) ? 'interface' : 'engine';
       if (of === 'interface') {
         try { await engine('interface'); } catch (error) {
           console.error(error);
