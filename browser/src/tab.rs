@@ -178,7 +178,7 @@ impl Tab {
         }
     }
 
-    /// Waits until something is there and its requests are listened to: what an answer has just brought is not at once.
+    /// Waits until something is there and its events are listened to, which follows its insertion.
     fn listens(&self, selector: &str) -> Worded {
         self.there(selector)?;
         let found = format!("document.querySelector({})", json!(selector));
