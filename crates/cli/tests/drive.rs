@@ -208,7 +208,7 @@ fn a_drive_ends_in_good_order() {
 #[test]
 fn what_cannot_be_driven_is_reported() {
     let taken = Drive::new(&[]);
-    let port = taken.address.rsplit(':').next().unwrap();
+    let port = taken.0.line.rsplit(':').next().unwrap();
     for (arguments, word) in [
         (["drive", CODE, "--port", port].as_slice(), "taken by another program"),
         (&["drive", "CHA-25A-100-H-M512X"], "M512X"),
