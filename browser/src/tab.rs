@@ -154,7 +154,7 @@ impl Tab {
     }
 
     pub(crate) fn click(&self, selector: &str) -> Worded {
-        self.there(selector)?;
+        self.listens(selector)?;
         // Folds are opened as a person would who looks for what is inside.
         self.run(
             &format!(
@@ -164,15 +164,30 @@ impl Tab {
             ),
             vec![json!(selector)],
         )?;
-        self.runtime.block_on(async {
-            let found = self.client.find(Locator::Css(selector)).await.map_err(message)?;
-            found.click().await.map_err(|error| format!("{selector}: {error}"))
-        })
+        let begin = Instant::now();
+        loop {
+            let clicked = self.runtime.block_on(async {
+                let found = self.client.find(Locator::Css(selector)).await.map_err(message)?;
+                found.click().await.map_err(|error| format!("{selector}: {error}"))
+            });
+            // An answer may put another in its place between the two.
+            let is_gone = clicked.as_ref().is_err_and(|error| error.contains("stale element"));
+            if !is_gone || begin.elapsed() > PATIENCE {
+                return clicked;
+            }
+        }
+    }
+
+    /// Waits until something is there and its events are listened to, which follows its insertion.
+    fn listens(&self, selector: &str) -> Worded {
+        self.there(selector)?;
+        let found = format!("document.querySelector({})", json!(selector));
+        self.until(&format!("{found}?.matches('[hx-post], [hx-get]') === false || {found}?._htmx?.initialized"))
     }
 
     /// Puts a text in the place of what a field holds, and leaves the field.
     pub(crate) fn fill(&self, selector: &str, text: &str) -> Worded {
-        self.there(selector)?;
+        self.listens(selector)?;
         self.run(
             &format!(
                 "const found = document.querySelector(arguments_[0]); {SHOWN} \

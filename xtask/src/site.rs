@@ -11,7 +11,7 @@ use crate::cargo::{Workspace, cargo, must_succeed};
 const TARGET: &str = "wasm32-wasip1";
 
 /// Bytes that the engine may take as a browser fetches it, packed with brotli.
-const ENGINE_MOST: usize = 5 << 18;
+const ENGINE_MOST: usize = 1 << 20;
 
 /// Where the folder is.
 pub(crate) fn folder(root: &Path) -> Result<PathBuf, Error> {
@@ -27,8 +27,8 @@ pub fn run(root: &Path) -> Result<(), Error> {
     let target = Workspace::ask(root)?.target;
     let built = |name: &str, features: &[&str]| -> Result<PathBuf, Error> {
         let library = ["rustc", "--locked", "--quiet", "--package", "site", "--lib", "--crate-type", "cdylib"];
-        must_succeed(cargo(root, &library).args(["--profile", "site", "--target", TARGET]).args(features))?;
-        let made = target.join(TARGET).join("site");
+        must_succeed(cargo(root, &library).args(["--profile", "engine", "--target", TARGET]).args(features))?;
+        let made = target.join(TARGET).join("engine");
         let (from, to) = (made.join("site.wasm"), made.join(name));
         fs::copy(&from, &to).map_err(|source| Error::File { path: from, source })?;
         Ok(to)

@@ -66,7 +66,10 @@ pub(crate) fn language_and_dark(stage: &Stage<'_>) -> Worded {
     tab.until("document.documentElement.dataset.theme === 'dark'")?;
     let dark = tab.eval("getComputedStyle(document.documentElement).backgroundColor")?;
     expect(light != dark, || format!("as light as before: {dark}"))?;
-    tab.says("#text", "44 kg")
+    tab.says("#text", "44 kg")?;
+    // At the next visit it is as dark.
+    stage.start("en")?;
+    tab.until("document.documentElement.dataset.theme === 'dark'")
 }
 
 pub(crate) fn compare(stage: &Stage<'_>) -> Worded {

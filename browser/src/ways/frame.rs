@@ -23,6 +23,10 @@ pub(crate) fn in_sight(stage: &Stage<'_>) -> Worded {
             tab.until("Math.abs(document.querySelector('#plot-cycle .frame').clientWidth - document.querySelector('#plot-cycle').dataset.width) < 8")?;
             let hidden = tab.run(script, vec![json!(sought)])?;
             expect(hidden == json!([]), || format!("{language}, {width} × {height}: out of sight: {hidden}"))?;
+            let wide = tab.eval("(() => { const list = document.querySelector('#list'); return list.scrollWidth - list.clientWidth; })()")?;
+            expect(wide.as_f64().is_some_and(|wide| wide < 1.0), || {
+                format!("{language}, {width} × {height}: the list is {wide} px wider than its pane")
+            })?;
             let scrolls = tab.eval("document.documentElement.scrollHeight > innerHeight + 1")?;
             expect(scrolls == json!(false), || format!("{language}, {width} × {height}: the window scrolls"))?;
         }
@@ -233,11 +237,16 @@ pub(crate) fn actions_to_an_answer(stage: &Stage<'_>) -> Worded {
         tab.until("document.activeElement.matches('#begin input')")?;
         let mut actions = 1;
         for (place, value) in values.iter().enumerate() {
-            tab.run("document.activeElement.select();", Vec::new())?;
+            tab.run("document.activeElement.select(); window.typedIn = document.activeElement;", Vec::new())?;
             tab.keys(value)?;
+            // The browser takes what is typed in its own time.
+            tab.until(&format!("window.typedIn.value === {}", json!(value)))?;
             actions += value.chars().count();
             if place + 1 < values.len() {
                 tab.keys(&key::TAB.to_string())?;
+                tab.until(
+                    "document.activeElement.matches('#begin input') && document.activeElement !== window.typedIn",
+                )?;
                 actions += 1;
             }
         }
@@ -253,6 +262,7 @@ pub(crate) fn actions_to_an_answer(stage: &Stage<'_>) -> Worded {
         .map(|row| f64::from(row) * 0.01)
         .map(|t| format!("{t:.2};{:.4}\n", 45.0 - 45.0 * (t * std::f64::consts::PI).cos()))
         .collect();
+    tab.there("[data-recording]")?;
     tab.paste(&format!("t in s;phi in deg\n{rows}"))?;
     tab.click("#recording-replaces")?;
     tab.until("document.querySelector('#text').value.includes('law = \"recorded\"') && !document.querySelector('#verdict.old')")?;

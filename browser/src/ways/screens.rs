@@ -87,6 +87,8 @@ pub(crate) fn as_they_were(stage: &Stage<'_>) -> Worded {
             settled(stage)?;
             let name = format!("{}-{language}.png", state.name);
             let png = tab.picture()?;
+            // The next one is not in the theme of this one.
+            tab.run("localStorage.removeItem('antrieb-theme');", Vec::new())?;
             fs::write(large.join(&name), &png).map_err(|error| error.to_string())?;
             let seen = shrunk(&png)?;
             let path = small.join(&name);

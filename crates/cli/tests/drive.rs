@@ -4,50 +4,27 @@
 
 mod run;
 
-use run::{root, run};
+use run::{Started, root, run};
 use std::io::{BufRead, BufReader, ErrorKind, Read, Write};
 use std::net::TcpStream;
-use std::process::{Child, Command, Stdio};
 use std::time::{Duration, Instant};
 
 const CODE: &str = "CHA-25A-100-H-M512P-B";
 
 /// A drive that ends with the test.
-struct Started {
-    child: Child,
-    address: String,
-}
+struct Drive(Started);
 
-impl Started {
+impl Drive {
     fn new(arguments: &[&str]) -> Self {
-        let mut child = Command::new(env!("CARGO_BIN_EXE_antrieb"))
-            .args(["drive", CODE, "--port", "0"])
-            .args(arguments)
-            .current_dir(root())
-            .env_remove("ANTRIEB_LANG")
-            .env_remove("ANTRIEB_MEMORY")
-            .stdout(Stdio::piped())
-            .stderr(Stdio::piped())
-            .spawn()
-            .unwrap();
-        let mut line = String::new();
-        BufReader::new(child.stdout.as_mut().unwrap()).read_line(&mut line).unwrap();
-        let address = line.trim_end().to_owned();
-        assert!(address.starts_with("127.0.0.1:"), "{address}");
-        Self { child, address }
+        let started = Started::new(&[&["drive", CODE, "--port", "0"], arguments].concat());
+        assert!(started.line.starts_with("127.0.0.1:"), "{}", started.line);
+        Self(started)
     }
 
     fn connect(&self) -> TcpStream {
-        let stream = TcpStream::connect(&self.address).unwrap();
+        let stream = TcpStream::connect(&self.0.line).unwrap();
         stream.set_read_timeout(Some(Duration::from_secs(60))).unwrap();
         stream
-    }
-}
-
-impl Drop for Started {
-    fn drop(&mut self) {
-        let _ = self.child.kill();
-        let _ = self.child.wait();
     }
 }
 
@@ -81,7 +58,7 @@ fn is_closed(mut stream: TcpStream) -> bool {
 #[test]
 fn a_move_by_lines_is_the_same_in_every_run() {
     let moved = || {
-        let drive = Started::new(&["--time", "stepped", "--project", "examples/indexing-table.toml"]);
+        let drive = Drive::new(&["--time", "stepped", "--project", "examples/indexing-table.toml"]);
         let mut lines = Lines(BufReader::new(drive.connect()));
         assert_eq!(lines.number("6041"), 0x250);
         for (control, word) in [(0x06, 0x231), (0x07, 0x233), (0x0F, 0x237)] {
@@ -110,7 +87,7 @@ fn a_move_by_lines_is_the_same_in_every_run() {
 /// In real time the clock moves the axis while no client says anything.
 #[test]
 fn real_time_goes_on_by_itself() {
-    let drive = Started::new(&[]);
+    let drive = Drive::new(&[]);
     let mut lines = Lines(BufReader::new(drive.connect()));
     assert_eq!(lines.ask("step 1"), "error real_time");
     for request in ["write 6060 3", "write 60FF 1000000", "write 6040 6", "write 6040 15"] {
@@ -128,7 +105,7 @@ fn real_time_goes_on_by_itself() {
 /// Two clients on one bus: each hears the other and the drive.
 #[test]
 fn frames_reach_every_client_of_the_bus() {
-    let drive = Started::new(&["--protocol", "socketcand", "--time", "stepped", "--node", "7"]);
+    let drive = Drive::new(&["--protocol", "socketcand", "--time", "stepped", "--node", "7"]);
     let said = |stream: &mut TcpStream, text: &str| stream.write_all(text.as_bytes()).unwrap();
     let heard = |stream: &mut TcpStream| {
         let (mut message, mut byte) = (String::new(), [0]);
@@ -176,7 +153,7 @@ fn frames_reach_every_client_of_the_bus() {
 /// A browser, a line without an end, a ninth client, noise: the connection ends, the drive goes on.
 #[test]
 fn what_is_no_client_is_turned_away() {
-    let drive = Started::new(&["--time", "stepped"]);
+    let drive = Drive::new(&["--time", "stepped"]);
     for text in [
         "POST / HTTP/1.1\r\nHost: localhost\r\n\r\nwrite 6040 6\n".to_owned(),
         "x".repeat(5000),
@@ -210,7 +187,7 @@ fn what_is_no_client_is_turned_away() {
         }
         assert!(begin.elapsed() < Duration::from_secs(20));
     }
-    let noise = Started::new(&["--protocol", "socketcand"]);
+    let noise = Drive::new(&["--protocol", "socketcand"]);
     for text in ["GET / HTTP/1.1\r\n\r\n", "< send 601 8 0 0 0 0 0 0 0 0 >", "< send 601 9 >", &"<".repeat(400)] {
         let mut stream = noise.connect();
         let _ = stream.write_all(text.as_bytes());
@@ -221,21 +198,17 @@ fn what_is_no_client_is_turned_away() {
 #[cfg(unix)]
 #[test]
 fn a_drive_ends_in_good_order() {
-    let mut drive = Started::new(&["--lang", "de"]);
+    let mut drive = Drive::new(&["--lang", "de"]);
     // With the first answer it also watches for its end.
     assert!(Lines(BufReader::new(drive.connect())).ask("time").starts_with("ok "));
-    let id = drive.child.id().to_string();
-    assert!(Command::new("kill").args(["-TERM", &id]).status().unwrap().success());
-    assert_eq!(drive.child.wait().unwrap().code(), Some(0));
-    let mut said = String::new();
-    drive.child.stderr.take().unwrap().read_to_string(&mut said).unwrap();
+    let said = drive.0.ended_by("-TERM");
     assert!(said.starts_with("virtueller Regler unter 127.0.0.1:") && said.ends_with("Strg+C beendet es\n"), "{said}");
 }
 
 #[test]
 fn what_cannot_be_driven_is_reported() {
-    let taken = Started::new(&[]);
-    let port = taken.address.rsplit(':').next().unwrap();
+    let taken = Drive::new(&[]);
+    let port = taken.0.line.rsplit(':').next().unwrap();
     for (arguments, word) in [
         (["drive", CODE, "--port", port].as_slice(), "taken by another program"),
         (&["drive", "CHA-25A-100-H-M512X"], "M512X"),

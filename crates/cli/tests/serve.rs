@@ -3,36 +3,25 @@
 
 mod run;
 
-use run::{root, run, run_with};
-use std::io::{BufRead, BufReader, Read, Write};
+use run::{Started, root, run, run_with};
+use std::io::{Read, Write};
 use std::net::TcpStream;
-use std::process::{Child, Command, Stdio};
 use std::time::Duration;
 
 /// A server that is started with arguments, and ended with the test.
-struct Started {
-    child: Child,
+struct Server {
+    started: Started,
     address: String,
     token: String,
 }
 
-impl Started {
+impl Server {
     fn new(arguments: &[&str]) -> Self {
-        let mut child = Command::new(env!("CARGO_BIN_EXE_antrieb"))
-            .arg("serve")
-            .args(arguments)
-            .current_dir(root())
-            .env_remove("ANTRIEB_LANG")
-            .env_remove("ANTRIEB_MEMORY")
-            .stdout(Stdio::piped())
-            .stderr(Stdio::piped())
-            .spawn()
-            .unwrap();
-        let mut line = String::new();
-        BufReader::new(child.stdout.as_mut().unwrap()).read_line(&mut line).unwrap();
-        let parts = line.strip_prefix("http://").and_then(|rest| rest.trim_end().split_once("/?token="));
-        let (address, token) = parts.unwrap_or_else(|| panic!("{line:?}"));
-        Self { child, address: address.to_owned(), token: token.to_owned() }
+        let started = Started::new(&[&["serve"], arguments].concat());
+        let parts = started.line.strip_prefix("http://").and_then(|rest| rest.split_once("/?token="));
+        let (address, token) = parts.unwrap_or_else(|| panic!("{:?}", started.line));
+        let (address, token) = (address.to_owned(), token.to_owned());
+        Self { started, address, token }
     }
 
     /// Head and body of an answer.
@@ -52,16 +41,9 @@ impl Started {
     }
 }
 
-impl Drop for Started {
-    fn drop(&mut self) {
-        let _ = self.child.kill();
-        let _ = self.child.wait();
-    }
-}
-
 #[test]
 fn the_answers_of_a_server_are_those_of_the_commands() {
-    let server = Started::new(&["examples", "--port", "0"]);
+    let server = Server::new(&["examples", "--port", "0"]);
     assert!(server.address.starts_with("127.0.0.1:"), "{}", server.address);
     let (head, _) = server.ask("GET /health", "", b"");
     assert!(head.starts_with("HTTP/1.1 200 "), "{head}");
@@ -148,21 +130,17 @@ fn a_sweep_over_http_has_the_answers_of_the_command() {
 #[test]
 fn a_server_ends_when_it_is_reported_to() {
     for signal in ["-INT", "-TERM", "-HUP"] {
-        let mut server = Started::new(&["--port", "0", "--lang", "de"]);
+        let mut server = Server::new(&["--port", "0", "--lang", "de"]);
         let (head, _) = server.ask("GET /health", "", b"");
         assert!(head.starts_with("HTTP/1.1 200 "), "{head}");
-        let id = server.child.id().to_string();
-        assert!(Command::new("kill").args([signal, &id]).status().unwrap().success());
-        assert_eq!(server.child.wait().unwrap().code(), Some(0), "{signal}");
-        let mut said = String::new();
-        server.child.stderr.take().unwrap().read_to_string(&mut said).unwrap();
+        let said = server.started.ended_by(signal);
         assert_eq!(said, "Strg+C beendet es\n");
     }
 }
 
 #[test]
 fn what_cannot_be_served_is_reported() {
-    let taken = Started::new(&["--port", "0"]);
+    let taken = Server::new(&["--port", "0"]);
     let port = taken.address.rsplit(':').next().unwrap();
     for (arguments, word) in [
         (["serve", "--port", port].as_slice(), "taken by another program"),

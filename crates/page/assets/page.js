@@ -46,6 +46,24 @@ document.addEventListener('htmx:before:request', (event) => {
   else if (source !== text()) body.set('text', text().value);
   const good = $('#state [name=good]');
   if (good) body.set('good', good.value);
+  interrupt(event.detail.ctx);
+});
+
+// The picture of a long recording is drawn beside the answers and waits for none of them. What is asked next ends it: its cores
+// and its insertion would delay the numbers. Where the answer asks for no other picture, it is drawn after all.
+let drawn = null;
+let interrupted = null;
+function interrupt(ctx) {
+  const { action } = ctx.request;
+  if (action.endsWith('/picture')) drawn = ctx;
+  else if (action.endsWith('/work') && drawn) { interrupted = drawn.sourceElement; drawn.request.abort(); drawn = null; }
+}
+document.addEventListener('htmx:finally:request', (event) => {
+  const { ctx } = event.detail;
+  if (drawn === ctx) drawn = null;
+  if (!interrupted || !ctx.request.action.endsWith('/work')) return;
+  interrupted.dispatchEvent(new Event('antrieb:again'));
+  interrupted = null;
 });
 
 // Undo and redo are former texts.
@@ -409,10 +427,13 @@ document.addEventListener('click', (event) => {
   else if (of('project')) project();
   else if (of('recording')) choose('.csv,.txt,.parquet', (file) => record(file, file.name));
   else if (of('close')) shut();
-  else if (of('shuts')) setTimeout(shut);
+  else if (of('shuts')) shuts = of('shuts');
   else if (of('instant')) { lead(of('instant')); jump(Number(of('instant').dataset.instant)); }
   else if (of('into')) { const field = document.getElementById(of('into').dataset.into); field.value = event.target.closest('button').value; field.dispatchEvent(new Event('change', { bubbles: true })); }
 });
+// What shuts the drawer stays in it until it is answered: what waits for its turn must still be of the page.
+let shuts = null;
+document.addEventListener('htmx:finally:request', (event) => { if (shuts && event.detail.ctx.sourceElement === shuts) { shuts = null; shut(); } });
 // A mark in a picture leads to the row of its check.
 let led = null;
 function lead(mark) {
@@ -436,7 +457,20 @@ document.addEventListener('click', (event) => {
   const button = event.target.closest?.('#language, #theme');
   if (!button) return;
   for (const [name, value] of Object.entries(JSON.parse(button.getAttribute('hx-vals')))) { const field = $(`#state [name=${name}]`); if (field) field.value = value; }
+  if (button.id === 'theme') try { localStorage.setItem(THEME, $('#state [name=theme]').value); } catch { /* a browser that keeps nothing */ }
 }, true);
+// The theme of the last visit, else that of the machine.
+const THEME = 'antrieb-theme';
+function themed() {
+  let wanted = null;
+  try { wanted = localStorage.getItem(THEME); } catch { /* a browser that keeps nothing */ }
+  wanted ??= matchMedia('(prefers-color-scheme: dark)').matches ? 'dark' : 'light';
+  const held = $('#state [name=theme]');
+  if (!held || held.value === wanted || new URLSearchParams(location.search).has('theme')) return;
+  if (wanted === 'dark') document.documentElement.dataset.theme = wanted; else delete document.documentElement.dataset.theme;
+  held.value = wanted;
+  htmx.ajax('POST', '/', { source: $('#theme'), target: 'body', swap: 'outerMorph', values: { theme: wanted } });
+}
 document.addEventListener('input', (event) => { if (event.target.id === 'file') { $('#file-name').textContent = event.target.value; } });
 // The versions of this session, the last first: undo leads to them too.
 document.addEventListener('click', (event) => {
@@ -460,3 +494,4 @@ document.addEventListener('click', (event) => {
 // A module runs when the page is there.
 right();
 draft();
+themed();

@@ -29,7 +29,7 @@ export function cursor() {
   while (place.childElementCount > all.length) place.lastChild.remove();
   all.forEach(({ symbol, label, value, unit, digits }, number) => {
     const [name, amount, of] = place.children[number].children;
-    name.textContent = label ? `${symbol} ${label}` : symbol;
+    named(name, symbol, label);
     amount.textContent = shown(value, digits);
     of.textContent = unit;
   });
@@ -46,6 +46,15 @@ function format(digits) {
   const name = document.documentElement.lang + digits;
   if (!formats.has(name)) formats.set(name, new Intl.NumberFormat(document.documentElement.lang, { maximumSignificantDigits: 4, maximumFractionDigits: digits, roundingPriority: 'lessPrecision', signDisplay: 'negative' }));
   return formats.get(name);
+}
+// A symbol with what stands below its line, and the name of the curve where its picture has several.
+function named(place, symbol, label = '') {
+  if (place.dataset.of === symbol + label) return;
+  place.dataset.of = symbol + label;
+  const [stem, below] = symbol.split('_');
+  place.replaceChildren(stem);
+  if (below) place.append(Object.assign(document.createElement('sub'), { textContent: below }));
+  if (label) place.append(` ${label}`);
 }
 function cell() {
   const span = document.createElement('span');
@@ -110,7 +119,8 @@ function read(figure, time) {
   for (const panel of panels(figure)) {
     const p = numbers(panel);
     const { symbol, unit } = panel.dataset;
-    for (const curve of panel.querySelectorAll('g.line')) {
+    const curves = panel.querySelectorAll('g.line');
+    for (const curve of curves) {
       const path = curve.querySelector('path');
       if (!path) continue;
       const column = columns?.[number++];
@@ -118,7 +128,7 @@ function read(figure, time) {
       const value = column ? at(x, y, time) : atY(p, at(x, y, xOf(p, time)));
       // A line is drawn to a hundredth of a pixel, a curve thinned to a fine part of its range: no more digits than that.
       const step = (p.yMax - p.yMin) / (column ? 2e4 : (p.bottom - p.top) * 20);
-      found.push({ symbol, label: curve.dataset.label ?? '', unit, exact: value, value: Math.round(value / step) * step + 0, digits: Math.max(0, Math.min(6, 1 - Math.ceil(Math.log10(step)))) });
+      found.push({ symbol, label: curves.length > 1 ? curve.dataset.label ?? '' : '', unit, exact: value, value: Math.round(value / step) * step + 0, digits: Math.max(0, Math.min(6, 1 - Math.ceil(Math.log10(step)))) });
     }
   }
   return found;

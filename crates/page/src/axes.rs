@@ -62,7 +62,8 @@ pub(crate) fn together(state: &State, held: &Held, patience: &Patience) -> Resul
             div.wide tabindex="0" role="region" aria-labelledby="together-title" {
                 table {
                     thead { tr {
-                        @for head in [terms::axis(l), terms::ordering_code(l), terms::verdict(l), terms::check(l), terms::utilisation_short(l)] { th scope="col" { (capitalised(head)) } }
+                        @for head in [terms::axis(l), terms::ordering_code(l), terms::verdict(l), terms::check(l)] { th scope="col" { (capitalised(head)) } }
+                        th.number scope="col" { (capitalised(terms::utilisation_short(l))) }
                         @for (symbol, _, unit) in figures { th.number scope="col" { (crate::chapters::symbol(symbol)) " / " (unit) } }
                         th.number scope="col" { (capitalised(terms::mass(l))) " / " (KILOGRAM.symbol) }
                         th.number scope="col" { (capitalised(page::power_taken(l))) " / " (WATT.symbol) }
@@ -71,7 +72,7 @@ pub(crate) fn together(state: &State, held: &Held, patience: &Patience) -> Resul
                     tbody { @for (place, (project, row)) in rows.iter().enumerate() { tr {
                         th scope="row" { button.plain type="button" hx-post="/work" hx-vals=(vals(&[("axis", &place.to_string()), ("code", "")])) { (project.name) } }
                         @if let Some(row) = row {
-                            td { (row.code) } td class=(row.class) { (row.standing) } td { (row.tightest) } td.number { (row.utilisation) " %" }
+                            td.code { (row.code) } td class=(row.class) { (row.standing) } td { (row.tightest) } td.number { (row.utilisation) }
                             @for (_, value, _) in &row.figures { td.number { (value) } }
                             td.number { (number(row.mass_kg, 2)) } td.number { (number(row.taken_w, 0)) } td.number { (number(row.returned_w, 0)) }
                         }
@@ -102,7 +103,7 @@ fn row(state: &State, project: &Project, candidate: &Candidate<'_>) -> Row {
         class: verdict_class(verdict),
         code: candidate.id.to_string(),
         standing: if candidate.fits() { standing } else { format!("{standing}; {}", reason(candidate, l)) },
-        tightest: tightest.map(|check| check_title(check.id, l)).unwrap_or_default(),
+        tightest: tightest.map(|check| capitalised(&check_title(check.id, l))).unwrap_or_default(),
         utilisation: percent(tightest.and_then(|check| check.utilisation), l),
         figures: figures.unwrap_or_default(),
         mass_kg: candidate.parameters.mass.known().map(|mass| KILOGRAM.from_si(mass.value.si())),

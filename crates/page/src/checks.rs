@@ -83,13 +83,13 @@ fn row(check: &Check, worst: &[overlay::Worst<'_>], prefix: &str, language: Lang
             td.number { (figure_text(check.limit, l)) }
             td { (unit_text(check.value.or(check.limit))) }
             td.number {
-                @if let Some(share) = share { svg.bar viewBox="0 0 150 8" preserveAspectRatio="none" aria-hidden="true" { rect x="0" y="0" width=(share) height="8" {} path d="M100 0V8" {} } " " }
                 (margin_text(check, l))
                 @if let Some(at) = check.at {
                     " " button type="button" class={ "mark-number " (class) } data-instant=(at.si()) title={ (page::jump_to_worst(l)) ": " (page::worst_instant(&format_significant(at.si(), 3, l), l)) } aria-label={ (page::jump_to_worst(l)) ": " (page::worst_instant(&format_significant(at.si(), 3, l), l)) } {
                         (overlay::number(worst, check).map_or_else(String::new, |number| number.to_string()))
                     }
                 }
+                @if let Some(share) = share { svg.bar viewBox="0 0 150 8" preserveAspectRatio="none" aria-hidden="true" { rect x="0" y="0" width=(share) height="8" {} path d="M100 0V8" {} } }
             }
         }
         tr class={ "about " (class) } { td colspan="5" { (about(check, prefix, l)) } }

@@ -12,7 +12,7 @@ use quantities::unit::WATT;
 use quantities::{Language, Measure, format_number};
 use questions::list::check::reserve_unasked;
 use questions::texts::{demand_figures, reserve_lines};
-use questions::{Candidate, Patience, power_over_cycle};
+use questions::{Candidate, CandidateId, Patience, power_over_cycle};
 use words::{capitalised, page};
 
 /// The pane, of a candidate judged with every check.
@@ -139,9 +139,12 @@ fn later(state: &State, candidate: &Candidate<'_>, shell: &dyn Shell) -> Markup 
         state.window,
         state.room
     );
+    // It need not be sought again.
+    let code = if let CandidateId::Code(code) = &candidate.id { code.to_string() } else { String::new() };
     html! {
         div id="view" data-same="" {}
-        span hidden id={ "later-" (shell.version(about.as_bytes())) } hx-post="/picture" hx-trigger="load" hx-target="#view" hx-swap="outerMorph" {}
+        span hidden id={ "later-" (shell.version(about.as_bytes())) } hx-post="/picture" hx-trigger="load, antrieb:again"
+            hx-vals=(vals(&[("code", &code)])) hx-sync="#demands:replace" hx-target="#view" hx-swap="outerMorph" {}
     }
 }
 
@@ -183,6 +186,7 @@ pub(crate) fn view(
                     (overlay::controls(until_s, is_narrowed, l))
                     (picture(state, "bearing-load", drawn(), &marks, &none))
                 }
+                View::Simulation if !crate::WHOLE => {}
                 View::Simulation => (crate::simulated::view(state, project, candidate, patience)),
                 View::ErrorBudget => {
                     (tolerances::place(state, project, candidate, shell))
@@ -213,6 +217,7 @@ pub(crate) fn drawing(
         View::TorqueSpeed => figure(Figure::TorqueSpeed),
         View::Bearing => figure(Figure::BearingLoad),
         View::ErrorBudget => figure(Figure::Torsion),
+        View::Simulation if !crate::WHOLE => Err(NoFigure::OfARun),
         View::Simulation => crate::simulated::run(state, project, candidate, patience)
             .map(|run| figures::simulation_within(&run, state.window, l))
             .map_err(|_| NoFigure::OfARun),

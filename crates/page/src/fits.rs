@@ -175,7 +175,7 @@ fn ranking(state: &State, sizing: &Sizing<'_>, looked_at: Option<&Candidate<'_>>
     let below: Vec<_> = rest.iter().filter(|(_, each)| is_it(each)).copied().collect();
     let own = sizing.own.as_ref();
     html! {
-        (part(filters(state, sizing)))
+        @if own.is_some() || !fitting.is_empty() { (part(filters(state, sizing))) }
         @if own.is_some() || !first.is_empty() {
             table.ranking {
                 (heads(state))
@@ -196,10 +196,15 @@ fn ranking(state: &State, sizing: &Sizing<'_>, looked_at: Option<&Candidate<'_>>
                 } @else { summary hx-post="/work" hx-vals=(vals(&[("fold", REST)])) { (title) } }
             } }))
         }
-        p.small { span id="answer" { @if fitting.is_empty() { strong.fail { (capitalised(terminal::no_actuator_fits(l))) } ". " } (capitalised(&terminal::judged(fitting.len(), &sizing.candidates.len(), l))) } ". " (page::shown_of(&count, &fitting.len(), l)) ". " (capitalised(&ranking_rule(l))) "." }
+        p.small {
+            span id="answer" { @if fitting.is_empty() { strong.fail { (capitalised(terminal::no_actuator_fits(l))) } ". " } (capitalised(&terminal::judged(fitting.len(), &sizing.candidates.len(), l))) } ". "
+            @if !fitting.is_empty() { (page::shown_of(&count, &fitting.len(), l)) ". " (capitalised(&ranking_rule(l))) "." }
+        }
+        // What it would take is said of the nearest of the others.
+        @if fitting.is_empty() && own.is_none() { button type="button" id="go-rejected" hx-post="/work" hx-vals=(vals(&[("list", List::Rejected.id())])) { (page::why_not(l)) } }
         @if state.marked.len() >= 2 {
             button type="button" id="compare" hx-post="/compare" hx-target="#detail" hx-swap="innerHTML" { (page::side_by_side(l)) }
-        } @else { p.small { (page::compare_about(l)) } }
+        } @else if own.is_some() || fitting.len() > 1 { p.small { (page::compare_about(l)) } }
     }
 }
 
@@ -212,7 +217,7 @@ fn heads(state: &State) -> Markup {
     let head = |sort: Sort, title: &str, unit: &str| {
         let is_it = state.sort == sort;
         html! {
-            th.number scope="col" aria-sort=[is_it.then_some(if sort == Sort::Bore { "descending" } else { "ascending" })] {
+            th class={ "number " (sort.id()) } scope="col" aria-sort=[is_it.then_some(if sort == Sort::Bore { "descending" } else { "ascending" })] {
                 button.sort type="button" hx-post="/work" hx-vals=(vals(&[("sort", sort.id())])) title=(page::sort_by(&title, l)) {
                     (title) @if !unit.is_empty() { " " span.unit { (unit) } }
                 }
@@ -223,7 +228,7 @@ fn heads(state: &State) -> Markup {
         thead { tr {
             (head(Sort::Rank, "#", ""))
             th scope="col" { (capitalised(terms::ordering_code(l))) }
-            (head(Sort::Utilisation, &capitalised(terms::utilisation_short(l)), ""))
+            (head(Sort::Utilisation, capitalised(terms::utilisation_short(l)).trim_end_matches(" %"), "%"))
             (head(Sort::Mass, "m", KILOGRAM.symbol))
             (head(Sort::Length, "L", MILLIMETRE.symbol))
             (head(Sort::Bore, "d", MILLIMETRE.symbol))
@@ -268,10 +273,10 @@ fn row(state: &State, rank: Option<usize>, candidate: &Candidate<'_>, looked_at:
                     @if candidate.leaves_load_unheld() { " " span.fail.small { (page::load_hangs(l)) } }
                 }
                 td.number title=(tightest) {
+                    (percent(Some(share), l))
                     svg.bar viewBox="0 0 150 8" preserveAspectRatio="none" aria-hidden="true" { rect x="0" y="0" width=((share * 100.0).clamp(0.0, 150.0)) height="8" {} path d="M100 0V8" {} }
-                    " " (percent(Some(share), l))
                 }
-                td.number { (mass) } td.number { (length) } td.number { (bore) }
+                td.number { (mass) } td.number.length { (length) } td.number.bore { (bore) }
                 td.number.advice { @if advice > 0 { (advice) } }
                 td.number.unchecked { @if open > 0 { (open) } }
             }

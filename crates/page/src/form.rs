@@ -444,14 +444,14 @@ impl Form<'_> {
         let others = |path: &str| path.rsplit_once('.').is_some_and(|(above, _)| above == mechanism);
         let is_ours = |path: &str| path == mechanism || path == load || others(path) || Some(path) == chosen;
         html! { @for (_, fault) in self.held.faults.iter().filter(|(at, _)| at.as_deref().is_some_and(is_ours)) {
-            p.fault { (fault.message) @if let Some(hint) = &fault.hint { " – " (hint) } }
+            p.fault { (crate::verdict::worded(&fault.message, fault.hint.as_deref())) }
         } }
     }
 
     /// The fault of a table as a whole.
     pub(crate) fn fault_at(&self, path: &str) -> Markup {
         html! { @for (_, fault) in self.held.faults.iter().filter(|(at, _)| at.as_deref() == Some(path)) {
-            p.fault { (fault.message) @if let Some(hint) = &fault.hint { " – " (hint) } }
+            p.fault { (crate::verdict::worded(&fault.message, fault.hint.as_deref())) }
         } }
     }
 
@@ -500,7 +500,7 @@ impl Form<'_> {
                 @if let Some((_, count)) = self.needed.iter().find(|(key, _)| path.strip_prefix(self.prefix) == Some(key)) { p.small.needed { (page::checks_wait(*count, l)) } }
                 @if wrong {
                     div.fault id=(described) {
-                        @for (_, fault) in &faults { p { (fault.message) @if let Some(hint) = &fault.hint { " – " (hint) } } }
+                        @for (_, fault) in &faults { p { (crate::verdict::worded(&fault.message, fault.hint.as_deref())) } }
                     }
                 }
             }

@@ -17,7 +17,32 @@ use questions::{Candidate, CandidateId, CheckId, Patience, Refusal, check, check
 use words::{check_title, page};
 
 /// The sign of the page in a browser.
-pub const ICON: &str = "data:image/svg+xml,%3Csvg xmlns='http://www.w3.org/2000/svg' viewBox='0 0 16 16'%3E%3Ccircle cx='8' cy='8' r='6' fill='none' stroke='%231d5fa8' stroke-width='3'/%3E%3C/svg%3E";
+const ICON: &str = "data:image/svg+xml,%3Csvg xmlns='http://www.w3.org/2000/svg' viewBox='0 0 16 16'%3E%3Ccircle cx='8' cy='8' r='6' fill='none' stroke='%231d5fa8' stroke-width='3'/%3E%3C/svg%3E";
+
+/// The head of any page: what holds for all that follows it, its title, its sign, the address of its style, and its scripts.
+#[must_use]
+pub fn head(first: &Markup, title: &str, style: &str, scripts: &Markup) -> Markup {
+    html! {
+        head {
+            meta charset="utf-8";
+            meta name="viewport" content="width=device-width, initial-scale=1";
+            (first)
+            title { (title) }
+            link rel="icon" href=(ICON);
+            link rel="stylesheet" href=(style);
+            (scripts)
+        }
+    }
+}
+
+/// The scripts of the workbench and what they are set to.
+fn scripts() -> Markup {
+    html! {
+        meta name="htmx-config" content=r#"{"includeIndicatorCSS":false,"history":false,"noSwap":[204,304,"4xx","5xx"]}"#;
+        script src="/assets/htmx.min.js" defer {}
+        @for name in ["page.js", "panes.js", "folder.js", "tools.js", "sketch.js"] { script type="module" src={ "/assets/" (name) } {} }
+    }
+}
 
 /// The page with a project, or where one begins.
 pub(crate) fn whole(call: &Call<'_>, shell: &dyn Shell, patience: &Patience) -> Markup {
@@ -32,20 +57,7 @@ pub(crate) fn whole(call: &Call<'_>, shell: &dyn Shell, patience: &Patience) -> 
     html! {
         (DOCTYPE)
         html lang=(l.id()) data-theme=[dark.then_some("dark")] {
-            head {
-                meta charset="utf-8";
-                meta name="viewport" content="width=device-width, initial-scale=1";
-                meta name="htmx-config" content=r#"{"includeIndicatorCSS":false,"history":false,"noSwap":[204,304,"4xx","5xx"]}"#;
-                title { (page::title(l)) }
-                link rel="icon" href=(ICON);
-                link rel="stylesheet" href="/assets/page.css";
-                script src="/assets/htmx.min.js" defer {}
-                script type="module" src="/assets/page.js" {}
-                script type="module" src="/assets/panes.js" {}
-                script type="module" src="/assets/folder.js" {}
-                script type="module" src="/assets/tools.js" {}
-                script type="module" src="/assets/sketch.js" {}
-            }
+            (head(&html! {}, page::title(l), "/assets/page.css", &scripts()))
             body hx-target:inherited="#work" hx-swap:inherited="outerMorph" hx-include:inherited="#state, [form=state]" hx-sync:inherited="#work:queue all" {
                 (laws::symbols(laws::words()))
                 template id="units" { (crate::value::lists()) }
@@ -55,7 +67,7 @@ pub(crate) fn whole(call: &Call<'_>, shell: &dyn Shell, patience: &Patience) -> 
                     Err((held, why)) => { (unfinished(&state, &held, shell, &waiting::stopped(&why, false, Some("/work"), shell, patience, l), patience)) }
                 }
                 (waiting::place(l))
-                aside id="detail" aria-live="polite" { @if call.field("tool").is_some() { (tools::pane(call, shell, patience)) } }
+                aside id="detail" aria-live="polite" { @if crate::WHOLE && call.field("tool").is_some() { (tools::pane(call, shell, patience)) } }
                 dialog id="palette" aria-label=(page::find(l)) {}
             }
         }

@@ -19,12 +19,7 @@ pub(crate) fn shown(call: &Call<'_>) -> Markup {
     html! {
         (DOCTYPE)
         html lang=(l.id()) data-theme=[(theme == Theme::Dark).then_some("dark")] {
-            head {
-                meta charset="utf-8";
-                meta name="viewport" content="width=device-width, initial-scale=1";
-                title { (page::title(l)) }
-                link rel="stylesheet" href="/assets/page.css";
-            }
+            (crate::frame::head(&html! {}, page::title(l), "/assets/page.css", &html! {}))
             body.gallery {
                 main.start {
                     h1 { (page::components(l)) }
@@ -106,7 +101,7 @@ fn table(language: Language) -> Markup {
                 tr class=(checks::verdict_class(verdict)) {
                     th scope="row" { span.verdict {} (verdict_word(verdict, language)) }
                     td.number { "12" } td.number { "18" } td { "Nm" }
-                    td.number { svg.bar viewBox="0 0 150 8" preserveAspectRatio="none" aria-hidden="true" { rect x="0" y="0" width="66" height="8" {} path d="M100 0V8" {} } " 66" }
+                    td.number { "66" svg.bar viewBox="0 0 150 8" preserveAspectRatio="none" aria-hidden="true" { rect x="0" y="0" width="66" height="8" {} path d="M100 0V8" {} } }
                 }
             } }
         }

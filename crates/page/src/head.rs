@@ -50,6 +50,7 @@ pub(crate) fn of_start(state: &State) -> Markup {
                 @for other in Language::ALL { @if other != state.language {
                     a.button href={ "/?lang=" (other.id()) } lang=(other.id()) { (page::other_language(state.language)) }
                 } }
+                (theme(state))
             }
         }
     }

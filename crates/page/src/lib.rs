@@ -49,7 +49,7 @@ pub use call::{
     Call, FileEntry, Folder, Method, Press, Reply, ReportAsked, SaveFault, Shell, Storage, WritesChecklist,
     WritesReport,
 };
-pub use frame::ICON;
+pub use frame::head;
 pub use names::{is_project_name, recording_names};
 #[cfg(feature = "theory")]
 pub use theory::theory_files;
@@ -59,7 +59,7 @@ use questions::Patience;
 /// Answers a request.
 #[must_use]
 pub fn respond(call: &Call<'_>, shell: &dyn Shell, patience: &Patience) -> Reply {
-    if let Some(name) = call.path.strip_prefix("/assets/") {
+    if let Some(name) = call.path.strip_prefix("/assets/").filter(|_| WHOLE) {
         return assets::asset(name);
     }
     #[cfg(feature = "theory")]
@@ -84,7 +84,7 @@ pub fn respond(call: &Call<'_>, shell: &dyn Shell, patience: &Patience) -> Reply
         (Method::Post, CANCEL) => waiting::cancelled(call, shell),
         (Method::Post, "/explain") => html(frame::explained(call, shell, patience)),
         (Method::Post, "/compare") => html(frame::compared(call, shell, patience)),
-        (Method::Post, "/tools") => html(tools::pane(call, shell, patience)),
+        (Method::Post, "/tools") if WHOLE => html(tools::pane(call, shell, patience)),
         (Method::Get, "/find") => html(find::found(call)),
         (Method::Get, "/gallery") => html(gallery::shown(call)),
         (Method::Get, "/keys") => html(find::keyboard(call)),
@@ -103,6 +103,10 @@ pub fn respond(call: &Call<'_>, shell: &dyn Shell, patience: &Patience) -> Reply
         _ => Reply::text(404, words::page::no_such_page(call.language())),
     }
 }
+
+/// Whether all is here: the engine that a browser fetches first goes without the tools and the simulation, without what is below
+/// `/api/`, and without the files that lie beside it; what requests one of them is put to the larger one (`larger` in `site.js`).
+const WHOLE: bool = cfg!(feature = "interface");
 
 /// Where a recording is brought; its body may be larger than that of others.
 pub const RECORDING: &str = "/recording";

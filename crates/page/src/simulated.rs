@@ -8,8 +8,8 @@ use maud::{Markup, html};
 use project::{Project, key_at};
 use quantities::{Language, Unit, format_significant};
 use questions::list::simulate::{ScenarioId, of_scenario};
-use questions::{Candidate, CandidateId, Patience, Simulated, answer, chapter};
-use words::{about_text, capitalised, page, short_label, simulation};
+use questions::{Candidate, CandidateId, Patience, Simulated, Verdict, answer, chapter};
+use words::{about_text, capitalised, page, short_label, simulation, verdict_word};
 
 /// The run of the scenario that is chosen, else of the one that the project states.
 ///
@@ -47,6 +47,7 @@ pub(crate) fn view(state: &State, project: &Project, candidate: &Candidate<'_>, 
         @match &found {
             Ok(run) => {
                 @let record = answer::simulation(run, l);
+                (exceeded(&record, l))
                 (overlay::controls(run.summary.time_s, state.window.is_some(), l))
                 (picture(state, "simulation", Ok(figures::simulation_within(run, state.window, l)), &none, &none))
                 (gains(state, &record, l))
@@ -55,6 +56,20 @@ pub(crate) fn view(state: &State, project: &Project, candidate: &Candidate<'_>, 
             Err(why) => p.empty { (capitalised(why)) },
         }
     }
+}
+
+/// What goes over its limit in the run, above the picture of it; all figures and events stand below it.
+fn exceeded(record: &answers::Simulation, language: Language) -> Markup {
+    let number = |value: Option<answers::Number>| {
+        value.map_or_else(|| String::from("–"), |value| format_significant(value.0, 4, language))
+    };
+    let failed: Vec<_> = record.verdicts.iter().filter(|each| *each.verdict == Verdict::Fail).collect();
+    html! { @if !failed.is_empty() {
+        p.fail { strong { (capitalised(&verdict_word(Verdict::Fail, language))) ": " } @for (place, each) in failed.iter().enumerate() {
+            @if place > 0 { "; " }
+            (each.title) " " (number(each.value)) " > " (number(each.limit)) " " (Unit::of(each.unit).map_or(each.unit, |unit| unit.symbol))
+        } }
+    } }
 }
 
 /// The gains in use, each leading to its field: another one runs anew, and the instant stays where it is.

@@ -45,20 +45,9 @@ pub(crate) fn file(name: &str, language: Language) -> Reply {
 /// A chapter as a page.
 fn shown(text: &str) -> String {
     let (title, body) = set(text);
-    html! {
-        (DOCTYPE)
-        html lang="en" {
-            head {
-                meta charset="utf-8";
-                meta name="viewport" content="width=device-width, initial-scale=1";
-                title { (title) " – antrieb" }
-                link rel="icon" href=(crate::ICON);
-                link rel="stylesheet" href="../assets/page.css";
-            }
-            body.theory { main { (PreEscaped(body)) } }
-        }
-    }
-    .into_string()
+    let none = html! {};
+    let head = crate::frame::head(&none, &format!("{title} – antrieb"), "../assets/page.css", &none);
+    html! { (DOCTYPE) html lang="en" { (head) body.theory { main { (PreEscaped(body)) } } } }.into_string()
 }
 
 /// Title and text of a chapter as HTML: headings can be led to, links within the theory lead to its pages, those that lead

@@ -128,6 +128,16 @@ pub(crate) fn would_fit(call: &Call<'_>, shell: &dyn Shell, patience: &Patience)
     } }
 }
 
+/// A fault with what may mend it; what stands between grave accents is of the file.
+pub(crate) fn worded(message: &str, hint: Option<&str>) -> Markup {
+    let set = |text: &str| {
+        html! { @for (place, piece) in text.split('`').enumerate() {
+            @if place % 2 == 1 { code { (piece) } } @else { (piece) }
+        } }
+    };
+    html! { (set(message)) @if let Some(hint) = hint { " – " (set(hint)) } }
+}
+
 /// All faults of the text, each leading to its field, to the axis that has it, or to its line in the text.
 fn faults(state: &State, held: &Held, fields: &str, language: Language) -> Markup {
     let prefix = state.prefix.as_str();
@@ -156,8 +166,7 @@ fn faults(state: &State, held: &Held, fields: &str, language: Language) -> Marku
                 (None, Some(axis)) => button.plain type="button" hx-post="/work" hx-vals=(vals(&[("axis", &axis.to_string()), ("code", "")])) { (at) },
                 (None, None) => a href="#text" data-line=(fault.line) { (at) },
             }
-            ": " (fault.message)
-            @if let Some(hint) = &fault.hint { " – " (hint) }
+            ": " (worded(&fault.message, fault.hint.as_deref()))
         }
     };
     let more = held.faults.len().saturating_sub(1);

@@ -9,7 +9,7 @@
   html.lang = asked.get('lang') ?? (navigator.language.startsWith('de') ? 'de' : 'en');
   const words = (name) => (document.querySelector(`template[lang=${CSS.escape(html.lang)}]`) ?? document.querySelector('template')).dataset[name];
 
-  // In the worker: the engine of the page, and for what is below /api/ the larger one; each made anew where it has failed.
+  // In the worker: the engine of the page and the larger one; each made anew where it has failed.
   function work() {
     const modules = {};
     let engines = {};
@@ -38,9 +38,8 @@
       const answered = Object.values(engines).map((each) => { engine = each; return answer({ put, gone }, body); });
       return answered[0] ?? { head: { status: 204 }, body: new Uint8Array() };
     }
-    function asked(head, body) {
+    function asked(head, body, name) {
       if (head.put || head.gone) return note(head, body);
-      const name = head.ask?.path.startsWith('/api/') ? 'interface' : 'engine';
       engine = engines[name];
       if (!engine) begin(name);
       return answer(head, body);
@@ -61,7 +60,7 @@
     self.onmessage = ({ data }) => {
       if (data.module) { modules[data.name] = data.module; return; }
       let answered;
-      try { answered = asked(data.head, data.body); } catch (error) { engines = {}; answered = { head: { status: 500, failed: String(error) } }; }
+      try { answered = asked(data.head, data.body, data.of); } catch (error) { engines = {}; answered = { head: { status: 500, failed: String(error) } }; }
       self.postMessage({ id: data.id, ...answered }, answered.body ? [answered.body.buffer] : []);
     };
   }
@@ -71,9 +70,11 @@
   const waiting = new Map();
   let last = 0;
   worker.onmessage = ({ data }) => { waiting.get(data.id)(data); waiting.delete(data.id); };
-  const said = (head, body = new Uint8Array()) => new Promise((done) => {
+  // A folder that is opened as a file has the larger one alone: there nothing is fetched, and its scripts come from it too.
+  const FIRST = isFile ? 'interface' : 'engine';
+  const said = (head, body = new Uint8Array(), of = FIRST) => new Promise((done) => {
     waiting.set(++last, done);
-    worker.postMessage({ id: last, head, body });
+    worker.postMessage({ id: last, head, body, of });
   });
   const script = (path, set = {}) => new Promise((done, failed) => {
     const element = Object.assign(document.createElement('script'), set, { src: new URL(path, home).href, onload: done, onerror: failed });
@@ -99,7 +100,7 @@
     if (!loaded.has(name)) loaded.set(name, compiled(name).then((module) => worker.postMessage({ name, module })));
     return loaded.get(name);
   }
-  const ready = engine('engine');
+  const ready = engine(FIRST);
 
   // What is kept: a file by its name, and a stamp of each that tells which of them another tab has written.
   const database = new Promise((done, failed) => {
@@ -141,20 +142,28 @@
   const forget = (name) => kept('readwrite', (files, stamps) => { stamps.delete(name); return files.delete(name); });
   const alone = (action) => navigator.locks?.request('antrieb', action) ?? action();
 
+  // What is below /api/, the tools and the simulation need the larger engine, which is fetched with the first of them.
+  const FORM_MEDIA = 'application/x-www-form-urlencoded';
+  function larger({ path, query, media }, body) {
+    if (path.startsWith('/api/') || path === '/tools' || new URLSearchParams(query).has('tool')) return true;
+    return (media ?? '').startsWith(FORM_MEDIA) && new URLSearchParams(new TextDecoder().decode(body)).getAll('view').pop() === 'simulation';
+  }
   // One after the other: an answer is that of the files as they are.
   let before = ready;
-  function answer(question, body) {
+  function answer(question, body, signal) {
     const ask = async () => {
+      signal?.throwIfAborted();
       const now_s = Math.floor(Date.now() / 1000);
       await sync();
-      if (question.path.startsWith('/api/')) {
+      const of = isFile || larger(question, body ?? new Uint8Array()) ? 'interface' : 'engine';
+      if (of === 'interface') {
         try { await engine('interface'); } catch (error) {
           console.error(error);
           loaded.delete('interface');
           return plain(503, words('none'));
         }
       }
-      const reply = await said({ ask: { language: html.lang, now_s, ...question } }, body);
+      const reply = await said({ ask: { language: html.lang, now_s, ...question } }, body, of);
       if (reply.head.failed) {
         console.error(reply.head.failed);
         return plain(500, words('failed'));
@@ -179,7 +188,8 @@
     const body = options.body === undefined || options.body === null ? new Response() : new Response(options.body);
     const media = new Headers(options.headers).get('content-type') ?? body.headers.get('content-type');
     const question = { post: options.method?.toUpperCase() === 'POST', path: decoded(url.pathname), query: url.search.slice(1), media };
-    const { head, body: bytes } = await answer(question, new Uint8Array(await body.arrayBuffer()));
+    const { head, body: bytes } = await answer(question, new Uint8Array(await body.arrayBuffer()), options.signal);
+    options.signal?.throwIfAborted();
     return new Response(head.status === 204 ? null : bytes, { status: head.status, headers: [['content-type', head.media], ...head.headers] });
   };
 
@@ -228,7 +238,6 @@
     return modules.get(name);
   }
   const form = (fields) => new TextEncoder().encode(new URLSearchParams(fields).toString());
-  const FORM_MEDIA = 'application/x-www-form-urlencoded';
   function first() {
     const sent = sessionStorage.getItem(FORM);
     const state = sessionStorage.getItem(STATE);

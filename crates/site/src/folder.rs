@@ -17,8 +17,8 @@ const POLICY: &str = "default-src 'self'; img-src 'self' data: blob:; style-src 
     script-src 'self' blob: 'wasm-unsafe-eval'; worker-src 'self' blob:; connect-src 'self'; base-uri 'none'; \
     form-action 'self'; object-src 'none'";
 
-/// The engines in scripts.
-const PACKED: [&str; 2] = ["engine.js", "interface.js"];
+/// The larger engine in a script.
+const PACKED: &str = "interface.js";
 
 const SITE_JS: &str = include_str!("../assets/site.js");
 const WORKER_JS: &str = include_str!("../assets/sw.js");
@@ -26,15 +26,14 @@ const WORKER_JS: &str = include_str!("../assets/sw.js");
 /// Files by their paths in the folder, for the engine in these bytes and the larger one that also has the interface.
 ///
 /// # Errors
-/// What is in the way of packing the engines.
+/// What is in the way of packing the engine.
 pub fn files([engine, interface]: [&[u8]; 2], notices: &str) -> std::io::Result<Vec<(String, Vec<u8>)>> {
     let mut files = vec![
         ("index.html".to_owned(), index().into_bytes()),
         ("site.js".to_owned(), SITE_JS.into()),
         ("engine.wasm".to_owned(), engine.to_vec()),
         ("interface.wasm".to_owned(), interface.to_vec()),
-        ("engine.js".to_owned(), packed(engine)?.into_bytes()),
-        ("interface.js".to_owned(), packed(interface)?.into_bytes()),
+        (PACKED.to_owned(), packed(interface)?.into_bytes()),
         ("THIRD-PARTY.md".to_owned(), notices.into()),
     ];
     let assets = page::ASSETS.iter().map(|name| format!("assets/{name}"));
@@ -53,24 +52,22 @@ pub fn files([engine, interface]: [&[u8]; 2], notices: &str) -> std::io::Result<
 /// The page that is shown until the engine has answered.
 fn index() -> String {
     let both = |word: fn(Language) -> &'static str| html! { @for l in Language::ALL { p lang=(l.id()) { (word(l)) } } };
+    let policy = html! {
+        meta http-equiv="content-security-policy" content=(PreEscaped(POLICY));
+        meta name="referrer" content="same-origin";
+    };
+    let scripts = html! {
+        link rel="preload" as="script" href="assets/htmx.min.js";
+        @for l in Language::ALL {
+            template lang=(l.id()) data-failed=(requests::failed_inside(l)) data-full=(words::page::browser_keeps_nothing(l))
+                data-none=(words::page::no_engine(l)) {}
+        }
+        script src="site.js" {}
+    };
     html! {
         (DOCTYPE)
         html lang="en" {
-            head {
-                meta charset="utf-8";
-                meta name="viewport" content="width=device-width, initial-scale=1";
-                meta http-equiv="content-security-policy" content=(PreEscaped(POLICY));
-                meta name="referrer" content="same-origin";
-                title { (words::page::title(Language::default())) }
-                link rel="icon" href=(page::ICON);
-                link rel="stylesheet" href="assets/page.css";
-                link rel="preload" as="script" href="assets/htmx.min.js";
-                @for l in Language::ALL {
-                    template lang=(l.id()) data-failed=(requests::failed_inside(l)) data-full=(words::page::browser_keeps_nothing(l))
-                        data-none=(words::page::no_engine(l)) {}
-                }
-                script src="site.js" {}
-            }
+            (page::head(&policy, words::page::title(Language::default()), "assets/page.css", &scripts))
             body {
                 header { h1 { "antrieb" } }
                 main.start id="waiting" role="status" { (both(words::page::engine_comes)) noscript { (both(words::page::needs_scripts)) } }
@@ -93,8 +90,8 @@ fn kept(files: &[(String, Vec<u8>)]) -> String {
     let mut names = vec!["./"];
     for (name, bytes) in files {
         let _ = version.update(name.as_bytes()).update(&(bytes.len() as u64).to_le_bytes()).update(bytes);
-        // Only a folder that is opened as a file needs the packed engines, and there is no worker there.
-        if !PACKED.contains(&name.as_str()) {
+        // Only a folder that is opened as a file needs the packed engine, and there is no worker there.
+        if name != PACKED {
             names.push(name);
         }
     }

@@ -66,8 +66,8 @@ pub(crate) const fn mechanism_key_text(name: MechanismName, language: Language) 
         ),
         MechanismName::Arm(ArmName::mass) => ("mass of the arm", "Masse des Arms"),
         MechanismName::Arm(ArmName::centre_distance) => (
-            "distance of its centre of mass from the axis",
-            "Abstand seines Schwerpunkts von der Drehachse",
+            "distance of the arm's centre of mass from the axis",
+            "Abstand des Schwerpunkts des Arms von der Drehachse",
         ),
         MechanismName::Arm(ArmName::axis_tilt) => (
             "tilt of the rotation axis from the vertical; 90 deg for a horizontal axis",
@@ -115,10 +115,10 @@ pub(crate) const fn mechanism_key_text(name: MechanismName, language: Language) 
         MechanismName::FourBar(FourBarName::crossed) => ("true: coupler and rocker lie crossed", "true: Koppel und Schwinge liegen überkreuzt"),
         MechanismName::FourBar(FourBarName::inertia) => ("moment of inertia of the crank and what turns with it", "Massenträgheitsmoment der Kurbel und dessen, was mit ihr dreht"),
         MechanismName::FourBar(FourBarName::coupler_mass) => ("mass of the coupler", "Masse der Koppel"),
-        MechanismName::FourBar(FourBarName::coupler_centre) => ("distance of its centre of mass from the crank pin", "Abstand ihres Schwerpunkts vom Kurbelzapfen"),
+        MechanismName::FourBar(FourBarName::coupler_centre) => ("distance of the coupler's centre of mass from the crank pin", "Abstand des Schwerpunkts der Koppel vom Kurbelzapfen"),
         MechanismName::FourBar(FourBarName::coupler_inertia) => ("moment of inertia of the coupler about its centre of mass", "Massenträgheitsmoment der Koppel um ihren Schwerpunkt"),
         MechanismName::FourBar(FourBarName::rocker_mass) => ("mass of the rocker, for its weight", "Masse der Schwinge, für ihr Gewicht"),
-        MechanismName::FourBar(FourBarName::rocker_centre) => ("distance of its centre of mass from its pivot", "Abstand ihres Schwerpunkts vom Drehpunkt"),
+        MechanismName::FourBar(FourBarName::rocker_centre) => ("distance of the rocker's centre of mass from its pivot", "Abstand des Schwerpunkts der Schwinge vom Drehpunkt"),
         MechanismName::FourBar(FourBarName::rocker_inertia) => ("moment of inertia of the rocker and its load about its pivot", "Massenträgheitsmoment von Schwinge und Last um den Drehpunkt"),
         MechanismName::FourBar(FourBarName::rocker_torque) => ("torque on the rocker against its positive direction", "Moment an der Schwinge gegen ihre positive Richtung"),
         MechanismName::FourBar(FourBarName::axis_tilt) => ("tilt of the axes from the vertical; 90 deg where the linkage stands upright", "Neigung der Achsen gegen die Senkrechte; 90 deg bei stehendem Gelenkviereck"),

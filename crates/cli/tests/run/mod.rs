@@ -2,9 +2,9 @@
 
 #![allow(dead_code, reason = "each test file uses its part")]
 
-use std::io::Write;
+use std::io::{BufRead, BufReader, Read, Write};
 use std::path::PathBuf;
-use std::process::{Command, Stdio};
+use std::process::{Child, Command, Stdio};
 
 pub(crate) struct Run {
     pub(crate) out: String,
@@ -35,20 +35,57 @@ const PROGRAM: &str = match (option_env!("CARGO_BIN_EXE_antrieb"), option_env!("
     (None, None) => "antrieb",
 };
 
-fn run_as(arguments: &[&str], input: &[u8], columns: &str) -> Run {
-    let mut child = Command::new(PROGRAM)
+/// The program as it is without settings of the machine, its streams at hand.
+fn command(arguments: &[&str]) -> Command {
+    let mut command = Command::new(PROGRAM);
+    command
         .args(arguments)
         .current_dir(root())
         .env_remove("ANTRIEB_LANG")
+        .env_remove("ANTRIEB_MEMORY")
         // Cargo runs the tests; the program would let it build the report.
         .env_remove("CARGO")
         .env_remove("CLICOLOR_FORCE")
-        .env("COLUMNS", columns)
         .stdin(Stdio::piped())
         .stdout(Stdio::piped())
-        .stderr(Stdio::piped())
-        .spawn()
-        .unwrap();
+        .stderr(Stdio::piped());
+    command
+}
+
+/// A program that runs until it is ended, here with the test at the latest; its first line says where it is reached.
+pub(crate) struct Started {
+    child: Child,
+    pub(crate) line: String,
+}
+
+impl Started {
+    pub(crate) fn new(arguments: &[&str]) -> Self {
+        let mut child = command(arguments).stdin(Stdio::null()).spawn().unwrap();
+        let mut line = String::new();
+        BufReader::new(child.stdout.as_mut().unwrap()).read_line(&mut line).unwrap();
+        Self { child, line: line.trim_end().to_owned() }
+    }
+
+    /// Ends it by a signal, of which it takes note; gives what it said on the way.
+    pub(crate) fn ended_by(&mut self, signal: &str) -> String {
+        let id = self.child.id().to_string();
+        assert!(Command::new("kill").args([signal, &id]).status().unwrap().success());
+        assert_eq!(self.child.wait().unwrap().code(), Some(0), "{signal}");
+        let mut said = String::new();
+        self.child.stderr.take().unwrap().read_to_string(&mut said).unwrap();
+        said
+    }
+}
+
+impl Drop for Started {
+    fn drop(&mut self) {
+        let _ = self.child.kill();
+        let _ = self.child.wait();
+    }
+}
+
+fn run_as(arguments: &[&str], input: &[u8], columns: &str) -> Run {
+    let mut child = command(arguments).env("COLUMNS", columns).spawn().unwrap();
     // A program that refuses early closes its input; that is its right.
     let _ = child.stdin.take().unwrap().write_all(input);
     let output = child.wait_with_output().unwrap();
