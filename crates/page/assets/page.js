@@ -214,8 +214,13 @@ export function shut() {
 htmx.registerExtension('antrieb', {
   htmx_before_morph_node: (_, { newNode }) => newNode.dataset?.same === undefined,
   // Styles of elements are set by scripts alone; taken away and set again they would have the style of all inside computed twice.
-  htmx_before_morph_attr: (element, { attrName }) => attrName !== 'style' && (attrName !== 'open' || !folds.has(element.id)),
+  htmx_before_morph_attr: (element, { attrName }) => attrName !== 'style' && (attrName !== 'open' || !folds.has(element.id)) && !(attrName === 'value' && isAhead(element)),
 });
+// A field of a calculator that was changed behind the request keeps what it holds: the next request carries it.
+let carried = null;
+document.addEventListener('htmx:before:swap', (event) => { carried = event.detail.ctx.request?.body; });
+const isAhead = (element) => element.form?.id === 'tool' && carried instanceof URLSearchParams && carried.has(element.name)
+  && carried.get(element.name) !== element.value;
 document.addEventListener('htmx:after:swap', () => {
   if (!$('[data-same]:not(#view, #reserve)')) return;
   for (const each of all('[data-part]')) delete each.dataset.part;
