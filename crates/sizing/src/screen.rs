@@ -18,7 +18,7 @@ use crate::list::{Answer, Case};
 use crate::notes::Note;
 use crate::rank::{RankKey, Standing};
 use actuator::Parameters;
-use bounds::{Bounds, Figures, Shared};
+use bounds::{Bounds, BoundsOfOne, Figures};
 use catalogue::{Conditions, Group};
 use derivation::Workings;
 use motion::Hold;
@@ -75,30 +75,18 @@ impl<'s> Screening<'s> {
     /// How many fit, and the best of them; `meets`: of each entrant whether it meets what is required besides the checks.
     pub fn found(&mut self, axis: &Axis, meets: &[bool]) -> Found {
         let screen = self.screen;
-        let groups = screen.groups(axis);
-        let known = self.conditions.take().filter(|known| known.are_of(axis));
+        let known = self.conditions.take().filter(|known| known.are_of(screen, axis));
         let conditions = self.conditions.insert(known.unwrap_or_else(|| Conditions::of(screen, axis)));
-        let has_outline = self.figures.take(axis);
-        self.bounds.clear();
+        let has_outline = self.figures.take(axis, conditions);
         let figures = &self.figures;
-        let terminal = conditions.terminal.map(Measure::si);
-        let known = screen.drives().iter().zip(conditions.places());
-        let shared: Vec<Option<Shared<'_>>> = known
-            .map(|(drive, place)| {
-                let (drive, place) = drive.as_ref().zip(place.as_ref()).filter(|_| has_outline)?;
-                Some(Shared::of(figures, drive, place, terminal))
-            })
-            .collect();
-        let bounds = groups.iter().map(|group| match shared.get(group.drive).and_then(Option::as_ref) {
-            Some(shared) => Bounds::of(figures, group, shared),
-            None => Bounds::UNKNOWN,
-        });
-        self.bounds.extend(bounds);
+        self.bounds.clear();
+        let of = |four| if has_outline { Bounds::of(figures, four) } else { Bounds::UNKNOWN };
+        self.bounds.extend(conditions.fours.iter().map(of));
         let (of_bearing, others): (Vec<CheckId>, Vec<CheckId>) =
             others(axis).into_iter().partition(|id| matches!(id.answer(), Answer::Bearing(_)));
         let borne = RefCell::new(vec![None; screen.bearings]);
-        let row = Row { axis, meets, others, of_bearing, borne, has_outline, screen, conditions };
-        row.found(groups, &self.bounds)
+        let row = Row { axis, meets, others, of_bearing, borne, has_outline, conditions };
+        row.found(&self.bounds)
     }
 }
 
@@ -136,8 +124,14 @@ struct Row<'r> {
     of_bearing: Vec<CheckId>,
     borne: RefCell<Vec<Option<Arc<OfBearing>>>>,
     has_outline: bool,
-    screen: &'r Screen,
     conditions: &'r Conditions<'r>,
+}
+
+/// A group that meets what is required, with what is known of it.
+struct Open<'r> {
+    group: &'r Group,
+    bounds: BoundsOfOne<'r>,
+    state: State,
 }
 
 /// What the checks of an output bearing found.
@@ -148,22 +142,25 @@ struct OfBearing {
 }
 
 impl Row<'_> {
-    fn found(&self, groups: &[Group], bounds: &[Bounds]) -> Found {
+    fn found(&self, bounds: &[Bounds]) -> Found {
         let mut fit = 0;
-        let mut open: Vec<(usize, State)> = Vec::with_capacity(groups.len());
-        for (place, (group, bounds)) in groups.iter().zip(bounds).enumerate() {
-            let meeting = group.members.iter().filter(|member| self.meets(member.entrant)).count();
-            if meeting == 0 {
-                continue;
+        let mut open: Vec<Open<'_>> = Vec::with_capacity(self.conditions.groups.len());
+        for (groups, bounds) in self.conditions.groups.chunks(4).zip(bounds) {
+            for (place, group) in groups.iter().enumerate() {
+                let meeting = group.members.iter().filter(|member| self.meets(member.entrant)).count();
+                if meeting == 0 {
+                    continue;
+                }
+                let bounds = bounds.of_one(place);
+                let state = self.state(group, bounds);
+                if let State::Fits { .. } = state {
+                    fit += meeting;
+                }
+                open.push(Open { group, bounds, state });
             }
-            let state = self.state(group, bounds);
-            if let State::Fits { .. } = state {
-                fit += meeting;
-            }
-            open.push((place, state));
         }
-        let best = (fit > 0).then(|| self.best(groups, bounds, &mut open)).flatten();
-        let miss = if fit == 0 { self.miss(groups, bounds, &mut open) } else { None };
+        let best = if fit > 0 { self.best(&open) } else { None };
+        let miss = if fit == 0 { self.miss(&open) } else { None };
         Found { fit, best, miss }
     }
 
@@ -172,7 +169,7 @@ impl Row<'_> {
     }
 
     /// Whether a group fits, by its bounds and, where these leave it open, by the checks themselves.
-    fn state(&self, group: &Group, bounds: &Bounds) -> State {
+    fn state(&self, group: &Group, bounds: BoundsOfOne<'_>) -> State {
         if bounds.fails() {
             return State::Fails;
         }
@@ -228,26 +225,22 @@ impl Row<'_> {
     }
 
     /// The best of the groups that fit, with its best member.
-    fn best(&self, groups: &[Group], bounds: &[Bounds], open: &mut Vec<(usize, State)>) -> Option<Ranked> {
+    fn best<'c>(&self, open: &'c [Open<'c>]) -> Option<Ranked> {
         let key = |group: &Group, holds: bool, utilisation: f64, mass_kg: f64| {
             RankKey::of(&Standing { fits: true, holds, size: group.size, utilisation, mass_kg })
         };
         let mut best: Option<(RankKey, usize, Ranked)> = None;
-        let mut candidates: Vec<(RankKey, usize, bool)> = open
-            .drain(..)
-            .filter_map(|(place, state)| {
-                let State::Fits { holds } = state else { return None };
-                let (group, bounds) = (groups.get(place)?, bounds.get(place)?);
-                Some((key(group, holds, bounds.least(), 0.0), place, holds))
-            })
-            .collect();
-        while let Some(at) = candidates.iter().enumerate().min_by_key(|(_, (key, ..))| *key).map(|(at, _)| at) {
-            let (least, place, holds) = candidates.swap_remove(at);
+        let candidate = |open: &'c Open<'c>| match open.state {
+            State::Fits { holds } => Some((key(open.group, holds, open.bounds.least(), 0.0), open, holds)),
+            State::Fails => None,
+        };
+        let mut candidates: Vec<(RankKey, &Open<'_>, bool)> = open.iter().filter_map(candidate).collect();
+        while let Some(at) = least_of(&candidates, |(key, ..)| *key) {
+            let (least, Open { group, bounds, .. }, holds) = candidates.swap_remove(at);
             if best.as_ref().is_some_and(|(key, ..)| least > *key) {
                 break;
             }
-            let (Some(group), Some(bounds)) = (groups.get(place), bounds.get(place)) else { continue };
-            let (utilisation, tightest) = self.utilisation(group, bounds);
+            let (utilisation, tightest) = self.utilisation(group, *bounds);
             let members = group.members.iter().filter(|member| self.meets(member.entrant));
             let member = members.min_by(|a, b| a.mass_kg.total_cmp(&b.mass_kg).then(a.entrant.cmp(&b.entrant)));
             let Some(member) = member else { continue };
@@ -261,7 +254,7 @@ impl Row<'_> {
     }
 
     /// The largest utilisation of a group that fits, by the checks whose bounds leave room for it.
-    fn utilisation(&self, group: &Group, bounds: &Bounds) -> (f64, Option<CheckId>) {
+    fn utilisation(&self, group: &Group, bounds: BoundsOfOne<'_>) -> (f64, Option<CheckId>) {
         if bounds.is_unknown() {
             let judgement = self.judged(&group.representative);
             return (judgement.utilisation(), judgement.tightest().map(|check| check.id));
@@ -288,24 +281,19 @@ impl Row<'_> {
     }
 
     /// Of the groups that do not fit the one that misses by least.
-    fn miss(&self, groups: &[Group], bounds: &[Bounds], open: &mut Vec<(usize, State)>) -> Option<Ranked> {
+    fn miss(&self, open: &[Open<'_>]) -> Option<Ranked> {
         let key = |group: &Group, utilisation: f64, mass_kg: f64| {
             RankKey::of(&Standing { fits: false, holds: true, size: group.size, utilisation, mass_kg })
         };
         let mut best: Option<(RankKey, usize, Ranked)> = None;
-        let mut candidates: Vec<(RankKey, usize)> = open
-            .drain(..)
-            .filter_map(|(place, _)| {
-                let (group, bounds) = (groups.get(place)?, bounds.get(place)?);
-                (!bounds.is_of_another_place()).then(|| (key(group, bounds.least_first(), 0.0), place))
-            })
-            .collect();
-        while let Some(at) = candidates.iter().enumerate().min_by_key(|(_, (key, ..))| *key).map(|(at, _)| at) {
-            let (least, place) = candidates.swap_remove(at);
+        let here = open.iter().filter(|open| !open.bounds.is_of_another_place());
+        let mut candidates: Vec<(RankKey, &Group)> =
+            here.map(|open| (key(open.group, open.bounds.least_first(), 0.0), open.group)).collect();
+        while let Some(at) = least_of(&candidates, |(key, _)| *key) {
+            let (least, group) = candidates.swap_remove(at);
             if best.as_ref().is_some_and(|(key, ..)| least > *key) {
                 break;
             }
-            let Some(group) = groups.get(place) else { continue };
             let judgement = self.judged(&group.representative);
             let is_elsewhere = |check: &Check| check.verdict == Verdict::Fail && check.id.is_of_the_place();
             if judgement.checks.iter().any(is_elsewhere) {
@@ -323,6 +311,11 @@ impl Row<'_> {
         }
         best.map(|(.., ranked)| ranked)
     }
+}
+
+/// The place of the first of the least ones.
+fn least_of<T>(all: &[T], key: impl Fn(&T) -> RankKey) -> Option<usize> {
+    all.iter().enumerate().min_by_key(|(_, each)| key(each)).map(|(place, _)| place)
 }
 
 /// A check of an actuator, made as [`judge`](crate::judge()) makes it.
@@ -346,9 +339,9 @@ impl Row<'_> {
         let (axis, actuator) = (self.axis, &group.representative);
         let made;
         let electrics = if ids.iter().copied().any(is_electric) {
-            let drive = self.screen.drives().get(group.drive).and_then(Option::as_ref);
-            made = match drive.zip(self.conditions.place(group.drive)) {
-                Some((drive, place)) => place.electrics(axis, drive),
+            let is_limited = ids.iter().any(|id| matches!(id, CheckId::ContinuousTorque | CheckId::OverloadI2t));
+            made = match self.conditions.drive(group.drive) {
+                Some((drive, place)) => place.electrics(axis, drive, is_limited),
                 None => Electrics::of(axis, actuator),
             };
             &made
