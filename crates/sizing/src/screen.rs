@@ -86,7 +86,7 @@ impl<'s> Screening<'s> {
             others(axis).into_iter().partition(|id| matches!(id.answer(), Answer::Bearing(_)));
         let borne = RefCell::new(vec![None; screen.bearings]);
         let row = Row { axis, meets, others, of_bearing, borne, has_outline, conditions };
-        row.found(&self.bounds)
+        row.found(figures, &mut self.bounds)
     }
 }
 
@@ -127,11 +127,22 @@ struct Row<'r> {
     conditions: &'r Conditions<'r>,
 }
 
-/// A group that meets what is required, with what is known of it.
-struct Open<'r> {
-    group: &'r Group,
-    bounds: BoundsOfOne<'r>,
+/// A group that meets what is required: its place, and what is known of it.
+struct Open {
+    four: usize,
+    place: usize,
+    size: u16,
     state: State,
+}
+
+impl Open {
+    /// What comes first in the order of those that fit.
+    const fn class(&self) -> Option<(bool, u16)> {
+        match self.state {
+            State::Fits { holds } => Some((!holds, self.size)),
+            State::Fails => None,
+        }
+    }
 }
 
 /// What the checks of an output bearing found.
@@ -142,26 +153,39 @@ struct OfBearing {
 }
 
 impl Row<'_> {
-    fn found(&self, bounds: &[Bounds]) -> Found {
+    fn found(&self, figures: &Figures, bounds: &mut [Bounds]) -> Found {
         let mut fit = 0;
-        let mut open: Vec<Open<'_>> = Vec::with_capacity(self.conditions.groups.len());
-        for (groups, bounds) in self.conditions.groups.chunks(4).zip(bounds) {
+        let mut open: Vec<Open> = Vec::with_capacity(self.conditions.groups.len());
+        for (four, (groups, bounds)) in self.conditions.groups.chunks(4).zip(bounds.iter()).enumerate() {
             for (place, group) in groups.iter().enumerate() {
                 let meeting = group.members.iter().filter(|member| self.meets(member.entrant)).count();
                 if meeting == 0 {
                     continue;
                 }
-                let bounds = bounds.of_one(place);
-                let state = self.state(group, bounds);
+                let state = self.state(group, bounds.of_one(place));
                 if let State::Fits { .. } = state {
                     fit += meeting;
                 }
-                open.push(Open { group, bounds, state });
+                open.push(Open { four, place, size: group.size, state });
             }
         }
-        let best = if fit > 0 { self.best(&open) } else { None };
-        let miss = if fit == 0 { self.miss(&open) } else { None };
-        Found { fit, best, miss }
+        if fit == 0 {
+            return Found { fit, best: None, miss: self.miss(&open, bounds) };
+        }
+        // The best is mostly one of those that come first by what costs nothing.
+        let first = open.iter().filter_map(Open::class).min();
+        for open in open.iter().filter(|open| open.class() == first) {
+            if let (Some(bounds), Some(four)) = (bounds.get_mut(open.four), self.conditions.fours.get(open.four)) {
+                bounds.look_below(figures, four);
+            }
+        }
+        Found { fit, best: self.best(&open, bounds), miss: None }
+    }
+
+    /// A group with its bounds.
+    fn group<'b>(&self, open: &Open, bounds: &'b [Bounds]) -> Option<(&Group, BoundsOfOne<'b>)> {
+        let group = self.conditions.groups.get(4 * open.four + open.place)?;
+        Some((group, bounds.get(open.four)?.of_one(open.place)))
     }
 
     fn meets(&self, entrant: usize) -> bool {
@@ -225,29 +249,30 @@ impl Row<'_> {
     }
 
     /// The best of the groups that fit, with its best member.
-    fn best<'c>(&self, open: &'c [Open<'c>]) -> Option<Ranked> {
+    fn best(&self, open: &[Open], bounds: &[Bounds]) -> Option<Ranked> {
         let key = |group: &Group, holds: bool, utilisation: f64, mass_kg: f64| {
             RankKey::of(&Standing { fits: true, holds, size: group.size, utilisation, mass_kg })
         };
         let mut best: Option<(RankKey, usize, Ranked)> = None;
-        let candidate = |open: &'c Open<'c>| match open.state {
-            State::Fits { holds } => Some((key(open.group, holds, open.bounds.least(), 0.0), open, holds)),
-            State::Fails => None,
+        let candidate = |open: &Open| {
+            let State::Fits { holds } = open.state else { return None };
+            let (group, bounds) = self.group(open, bounds)?;
+            Some((key(group, holds, bounds.least(), 0.0), group, bounds, holds))
         };
-        let mut candidates: Vec<(RankKey, &Open<'_>, bool)> = open.iter().filter_map(candidate).collect();
+        let mut candidates: Vec<(RankKey, &Group, BoundsOfOne<'_>, bool)> = open.iter().filter_map(candidate).collect();
         while let Some(at) = least_of(&candidates, |(key, ..)| *key) {
-            let (least, Open { group, bounds, .. }, holds) = candidates.swap_remove(at);
+            let (least, group, bounds, holds) = candidates.swap_remove(at);
             if best.as_ref().is_some_and(|(key, ..)| least > *key) {
                 break;
             }
-            let (utilisation, tightest) = self.utilisation(group, *bounds);
+            let (utilisation, tightest) = self.utilisation(group, bounds);
             let members = group.members.iter().filter(|member| self.meets(member.entrant));
             let member = members.min_by(|a, b| a.mass_kg.total_cmp(&b.mass_kg).then(a.entrant.cmp(&b.entrant)));
             let Some(member) = member else { continue };
             let key = key(group, holds, utilisation, member.mass_kg);
-            let found = (key, member.entrant, Ranked { entrant: member.entrant, utilisation, tightest });
             if best.as_ref().is_none_or(|(other, entrant, _)| (key, member.entrant) < (*other, *entrant)) {
-                best = Some(found);
+                best = Some((key, member.entrant, Ranked { entrant: member.entrant, utilisation, tightest }));
+                candidates.retain(|(least, ..)| *least <= key);
             }
         }
         best.map(|(.., ranked)| ranked)
@@ -281,14 +306,16 @@ impl Row<'_> {
     }
 
     /// Of the groups that do not fit the one that misses by least.
-    fn miss(&self, open: &[Open<'_>]) -> Option<Ranked> {
+    fn miss(&self, open: &[Open], bounds: &[Bounds]) -> Option<Ranked> {
         let key = |group: &Group, utilisation: f64, mass_kg: f64| {
             RankKey::of(&Standing { fits: false, holds: true, size: group.size, utilisation, mass_kg })
         };
         let mut best: Option<(RankKey, usize, Ranked)> = None;
-        let here = open.iter().filter(|open| !open.bounds.is_of_another_place());
-        let mut candidates: Vec<(RankKey, &Group)> =
-            here.map(|open| (key(open.group, open.bounds.least_first(), 0.0), open.group)).collect();
+        let candidate = |open: &Open| {
+            let (group, bounds) = self.group(open, bounds)?;
+            (!bounds.is_of_another_place()).then(|| (key(group, bounds.least_first(), 0.0), group))
+        };
+        let mut candidates: Vec<(RankKey, &Group)> = open.iter().filter_map(candidate).collect();
         while let Some(at) = least_of(&candidates, |(key, _)| *key) {
             let (least, group) = candidates.swap_remove(at);
             if best.as_ref().is_some_and(|(key, ..)| least > *key) {
@@ -307,6 +334,7 @@ impl Row<'_> {
             if best.as_ref().is_none_or(|(other, entrant, _)| (key, member.entrant) < (*other, *entrant)) {
                 let tightest = judgement.worst_failure().map(|check| check.id);
                 best = Some((key, member.entrant, Ranked { entrant: member.entrant, utilisation, tightest }));
+                candidates.retain(|(least, _)| *least <= key);
             }
         }
         best.map(|(.., ranked)| ranked)

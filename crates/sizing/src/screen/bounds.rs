@@ -30,9 +30,7 @@ pub(super) const COVERED: [CheckId; COUNT] = [
 
 const COUNT: usize = 16;
 
-/// The first of them that looks at an actuator which no check of the first stage rejects.
-const FIRST_OF_SURVIVORS: usize = 10;
-
+/// The places of the checks that neither load nor pace can mend.
 const AMBIENT: u64 = 1 << 8;
 const DC_LINK: u64 = 1 << 9;
 
@@ -122,17 +120,19 @@ impl Figures {
         self.of_drives.get(place).unwrap_or(&OfDrive::UNKNOWN)
     }
 
-    /// Bounds of the largest |J α + T_L|.
-    fn torque_peak(&self, inertia: f64x4) -> [f64x4; 2] {
-        let (mut low, mut high) = (f64x4::ZERO, f64x4::ZERO);
-        for [a, t, ..] in &self.outline.nodes {
-            low = low.fast_max((inertia * all(*a) + all(*t)).abs());
-        }
-        for Bound { extent, .. } in &self.bounds {
+    /// Below the largest |J α + T_L|.
+    fn torque_peak_low(&self, inertia: f64x4) -> f64x4 {
+        let of = |low: f64x4, [a, t, ..]: &[f64; 4]| low.fast_max((inertia * all(*a) + all(*t)).abs());
+        self.outline.nodes.iter().fold(f64x4::ZERO, of)
+    }
+
+    /// Above it.
+    fn torque_peak_high(&self, inertia: f64x4) -> f64x4 {
+        let of = |high: f64x4, Bound { extent, .. }: &Bound| {
             let (least, most) = torques(extent, inertia);
-            high = high.fast_max(most).fast_max(-least);
-        }
-        [low, high]
+            high.fast_max(most).fast_max(-least)
+        };
+        self.bounds.iter().fold(f64x4::ZERO, of)
     }
 
     /// Mean of (J α + T_L)².
@@ -240,20 +240,27 @@ impl OfDrive {
     }
 }
 
-/// Bounds of four actuators.
+/// Bounds of four actuators. Those below cost as much as those above and are found only where they count.
 #[derive(Clone, Debug)]
 pub(super) struct Bounds {
+    /// Above the first something fails, below the second it does not.
+    limits: [f64x4; 2],
     room: f64,
-    /// Of each: whether it fails for sure, whether where neither load nor pace matter, whether nothing is known.
-    fails: [bool; 4],
     is_elsewhere: [bool; 4],
     is_unknown: [bool; 4],
+    has_low: bool,
+    /// Whether it fails for sure.
+    fails: f64x4,
     /// Bit k: whether the check at place k is decided by itself only.
-    open: [u64; 4],
-    least_first: [f64; 4],
-    least: [f64; 4],
+    open: f64x4,
+    least_first: f64x4,
+    least: f64x4,
     /// Above the utilisation of each check.
     high: [f64x4; COUNT],
+    /// Mean of (J α + T_L)².
+    square: f64x4,
+    /// Bounds of K in the settled cycle.
+    constant: [f64x4; 2],
 }
 
 /// The bounds of one actuator.
@@ -264,82 +271,50 @@ pub(super) struct BoundsOfOne<'b> {
 }
 
 impl BoundsOfOne<'_> {
-    fn own<T: Copy>(&self, all: &[T; 4], otherwise: T) -> T {
-        all.get(self.place).copied().unwrap_or(otherwise)
+    fn own(&self, all: &f64x4) -> f64 {
+        all.as_array().get(self.place).copied().unwrap_or(f64::NAN)
+    }
+
+    fn is(&self, all: &[bool; 4]) -> bool {
+        all.get(self.place).copied().unwrap_or(true)
     }
 
     /// Whether nothing is known: then the actuator is judged.
     pub(super) fn is_unknown(&self) -> bool {
-        self.own(&self.of.is_unknown, true)
+        self.is(&self.of.is_unknown)
     }
 
     /// Whether it fails for sure.
     pub(super) fn fails(&self) -> bool {
-        self.own(&self.of.fails, false)
+        !self.is_unknown() && (self.is(&self.of.is_elsewhere) || self.own(&self.of.fails).to_bits() != 0)
     }
 
     /// Whether it fails where neither load nor pace matter.
     pub(super) fn is_of_another_place(&self) -> bool {
-        self.own(&self.of.is_elsewhere, false)
+        !self.is_unknown() && self.is(&self.of.is_elsewhere)
     }
 
     /// At most its utilisation.
     pub(super) fn least(&self) -> f64 {
-        self.own(&self.of.least, 0.0) * (1.0 - self.of.room)
+        self.own(&self.of.least) * (1.0 - self.of.room)
     }
 
     /// At most the utilisation by the checks of the first stage.
     pub(super) fn least_first(&self) -> f64 {
-        self.own(&self.of.least_first, 0.0) * (1.0 - self.of.room)
+        self.own(&self.of.least_first) * (1.0 - self.of.room)
     }
 
     /// The checks that its bounds leave open.
     pub(super) fn open(&self) -> Ids {
-        Ids(self.own(&self.of.open, u64::MAX))
+        Ids(self.own(&self.of.open).to_bits())
     }
 
     /// The checks whose utilisation may be the largest.
     pub(super) fn contenders(&self) -> Ids {
         let least = self.least();
-        let may_be = |high: &f64x4| self.own(high.as_array(), f64::INFINITY) * (1.0 + self.of.room) >= least;
+        let may_be = |high: &f64x4| self.own(high) * (1.0 + self.of.room) >= least;
         let places = self.of.high.iter().enumerate().filter(|(_, high)| may_be(high));
         Ids(places.fold(0, |all, (place, _)| all | 1 << place) | self.open().0)
-    }
-}
-
-/// Bounds of four actuators on their way.
-struct Found {
-    /// Above the first something fails, below the second it does not.
-    limits: [f64x4; 2],
-    fails: f64x4,
-    open: f64x4,
-    least: f64x4,
-    high: [f64x4; COUNT],
-}
-
-impl Found {
-    /// A check with bounds of its utilisation, which fails above one.
-    #[inline]
-    fn take(&mut self, at: usize, [low, high]: [f64x4; 2]) {
-        self.take_beside(at, [low, high], [low, high]);
-    }
-
-    /// A check with bounds of its utilisation and of its value by the edge above which it fails.
-    #[inline]
-    fn take_beside(&mut self, at: usize, [low, high]: [f64x4; 2], [sure, most]: [f64x4; 2]) {
-        if let Some(known) = self.high.get_mut(at) {
-            *known = high;
-        }
-        self.least = self.least.max(low);
-        let [above, below] = self.limits;
-        self.fails |= sure.simd_gt(above);
-        // Not a number is open too.
-        self.open |= !most.simd_lt(below) & all(f64::from_bits(1 << at));
-    }
-
-    /// Whether all four fail.
-    fn all_fail(&self) -> bool {
-        self.fails.all()
     }
 }
 
@@ -351,104 +326,141 @@ impl Bounds {
 
     /// Nothing is known.
     pub(super) const UNKNOWN: Self = Self {
+        limits: [f64x4::ONE; 2],
         room: ROOM,
-        fails: [false; 4],
         is_elsewhere: [false; 4],
         is_unknown: [true; 4],
-        open: [u64::MAX; 4],
-        least_first: [0.0; 4],
-        least: [0.0; 4],
+        has_low: true,
+        fails: f64x4::ZERO,
+        open: all(f64::from_bits((1 << COUNT) - 1)),
+        least_first: f64x4::ZERO,
+        least: f64x4::ZERO,
         high: [all(f64::INFINITY); COUNT],
+        square: f64x4::ZERO,
+        constant: [f64x4::ZERO; 2],
     };
 
+    /// Those above, and where these leave something open those below.
     pub(super) fn of(figures: &Figures, four: &Four) -> Self {
         let of_drives = four.drives.map(|drive| figures.of_drive(drive));
-        let is_elsewhere = of_drives.map(|of_drive| of_drive.is_elsewhere);
-        let mut found = Found {
+        let above = f64x4::from(of_drives.map(|of_drive| of_drive.above));
+        let mut found = Self {
             limits: [all(1.0 + figures.room), all(1.0 - figures.room)],
+            room: figures.room,
+            is_elsewhere: of_drives.map(|of_drive| of_drive.is_elsewhere),
+            is_unknown: four.is_unknown,
+            has_low: false,
             fails: f64x4::ZERO,
             open: f64x4::from(of_drives.map(|of_drive| f64::from_bits(of_drive.open))),
-            least: f64x4::from(of_drives.map(|of_drive| of_drive.above)),
+            least_first: above,
+            least: above,
             high: [f64x4::ZERO; COUNT],
+            square: figures.torque_square(four.inertia),
+            constant: [f64x4::ZERO; 2],
         };
-        let least_first = found.of_four(figures, four, of_drives);
-        let fails = found.fails.to_array().map(|fails| fails.to_bits() != 0);
-        let fails = std::array::from_fn(|place| {
-            let at = |all: &[bool; 4]| all.get(place).copied().unwrap_or(false);
-            (at(&fails) || at(&is_elsewhere)) && !at(&four.is_unknown)
-        });
-        Self {
-            room: figures.room,
-            fails,
-            is_elsewhere,
-            is_unknown: four.is_unknown,
-            open: found.open.to_array().map(f64::to_bits),
-            least_first: least_first.to_array(),
-            least: found.least.to_array(),
-            high: found.high,
+        found.look_above(figures, four, of_drives);
+        if found.open.to_array().iter().any(|open| open.to_bits() != 0) {
+            found.look_below(figures, four);
         }
+        found
     }
-}
 
-impl Found {
-    /// The checks one stage after the other, as long as one of the four may fit; the least of the first stage.
-    fn of_four(&mut self, figures: &Figures, four: &Four, of_drives: [&OfDrive; 4]) -> f64x4 {
-        let peak = figures.torque_peak(four.inertia);
-        let square = figures.torque_square(four.inertia);
-        self.speeds(figures, four);
-        self.take(0, peak.map(|torque| torque * four.per_torque_max));
-        let effective = square.sqrt();
-        let edge = |edge: fn(&OfDrive) -> f64| effective * f64x4::from(of_drives.map(edge));
-        self.take_beside(
-            3,
-            [edge(|drive| drive.continuous[0][1]), edge(|drive| drive.continuous[0][0])],
-            [edge(|drive| drive.continuous[1][1]), edge(|drive| drive.continuous[1][0])],
-        );
-        if self.all_fail() {
-            return self.least;
+    /// A check whose utilisation is below this.
+    #[inline]
+    fn below(&mut self, at: usize, high: f64x4) {
+        self.below_beside(at, high, high);
+    }
+
+    /// A check whose utilisation is below the first, and its value by the edge above which it fails below the second.
+    #[inline]
+    fn below_beside(&mut self, at: usize, high: f64x4, most: f64x4) {
+        if let Some(known) = self.high.get_mut(at) {
+            *known = high;
         }
-        self.currents(figures, four);
-        let least_first = self.least;
-        if self.all_fail() {
-            return least_first;
-        }
+        let [_, below] = self.limits;
+        // Not a number is open too.
+        self.open |= !most.simd_lt(below) & all(f64::from_bits(1 << at));
+    }
+
+    /// A check whose utilisation is above this.
+    #[inline]
+    fn above(&mut self, low: f64x4) {
+        self.above_beside(low, low);
+    }
+
+    /// The same, and its value by the edge above which it fails above the second.
+    #[inline]
+    fn above_beside(&mut self, low: f64x4, sure: f64x4) {
+        let [above, _] = self.limits;
+        self.least = self.least.max(low);
+        self.fails |= sure.simd_gt(above);
+    }
+
+    /// A check whose utilisation is known.
+    fn known(&mut self, at: usize, share: f64x4) {
+        self.below(at, share);
+        self.above(share);
+    }
+
+    fn look_above(&mut self, figures: &Figures, four: &Four, of_drives: [&OfDrive; 4]) {
+        self.known(1, all(figures.speed_peak) * four.per_speed_max);
+        self.known(2, all(figures.speed_mean) * four.per_speed_rated);
+        self.known(7, all(figures.load_mean) * four.per_average_torque_max);
+        self.least_first = self.least;
+        self.known(13, all(figures.speed_mean) * four.per_input_speed_mean_max);
+        let of_drive = |figure: fn(&OfDrive) -> f64| f64x4::from(of_drives.map(figure));
+        let peak = figures.torque_peak_high(four.inertia);
+        self.below(0, peak * four.per_torque_max);
+        self.below(10, peak * of_drive(|drive| drive.short_time));
+        let effective = self.square.sqrt();
+        let [share, most] = [of_drive(|drive| drive.continuous[0][0]), of_drive(|drive| drive.continuous[1][0])];
+        self.below_beside(3, effective * share, effective * most);
         self.joints(figures, four);
-        let per_short_time = f64x4::from(of_drives.map(|drive| drive.short_time));
-        let [_, peak] = peak;
-        self.take(FIRST_OF_SURVIVORS, [f64x4::ZERO, peak * per_short_time]);
-        self.heat(figures, four, of_drives, square);
-        least_first
+        self.currents_above(figures, four);
+        self.heat_above(figures, four, of_drives);
     }
 
-    fn speeds(&mut self, figures: &Figures, four: &Four) {
-        let share = |value: f64, per_limit: f64x4| [all(value) * per_limit; 2];
-        self.take(1, share(figures.speed_peak, four.per_speed_max));
-        self.take(2, share(figures.speed_mean, four.per_speed_rated));
-        self.take(7, share(figures.load_mean, four.per_average_torque_max));
-    }
-
-    /// What the gear's input and the screws bear.
-    fn joints(&mut self, figures: &Figures, four: &Four) {
-        self.take(13, [all(figures.speed_mean) * four.per_input_speed_mean_max; 2]);
-        let load = all(figures.load_peak) * four.per_transmissible_load;
-        // |T_L| + (J_out/i) |α|
-        let mut housing = f64x4::ZERO;
-        for Bound { acceleration, load, .. } in &figures.bounds {
-            housing = housing.fast_max(four.inertia_in * all(*acceleration) + all(*load));
+    /// What is below the utilisations, unless it is known already.
+    pub(super) fn look_below(&mut self, figures: &Figures, four: &Four) {
+        if self.has_low {
+            return;
         }
-        let housing = housing * four.per_transmissible_housing;
-        let [load_most, housing] =
-            [load, housing].map(|most| if figures.has_collision { all(f64::INFINITY) } else { most });
-        self.take(14, [load, load_most]);
-        self.take(15, [f64x4::ZERO, housing]);
+        self.has_low = true;
+        let of_drives = four.drives.map(|drive| figures.of_drive(drive));
+        let of_drive = |figure: fn(&OfDrive) -> f64| f64x4::from(of_drives.map(figure));
+        let beyond_first = self.least;
+        self.least = self.least_first;
+        self.above(figures.torque_peak_low(four.inertia) * four.per_torque_max);
+        let effective = self.square.sqrt();
+        let [share, sure] = [of_drive(|drive| drive.continuous[0][1]), of_drive(|drive| drive.continuous[1][1])];
+        self.above_beside(effective * share, effective * sure);
+        self.currents_below(figures, four);
+        self.least_first = self.least;
+        self.least = self.least.max(beyond_first);
+        let rise = self.rise_below(figures, four);
+        let [share, sure] = [of_drive(|drive| drive.rise[0][0]), of_drive(|drive| drive.rise[1][0])];
+        self.above_beside(rise * share, rise * sure);
     }
 
-    fn currents(&mut self, figures: &Figures, four: &Four) {
-        let (inertia, per_torque) = (four.inertia, four.per_torque);
+    /// What the screws bear.
+    fn joints(&mut self, figures: &Figures, four: &Four) {
+        let load = all(figures.load_peak) * four.per_transmissible_load;
+        self.above(load);
+        // |T_L| + (J_out/i) |α|
+        let most = |most: f64x4, Bound { acceleration, load, .. }: &Bound| {
+            most.fast_max(four.inertia_in * all(*acceleration) + all(*load))
+        };
+        let housing = figures.bounds.iter().fold(f64x4::ZERO, most) * four.per_transmissible_housing;
+        let [load, housing] = [load, housing].map(|most| if figures.has_collision { all(f64::INFINITY) } else { most });
+        self.below(14, load);
+        self.below(15, housing);
+    }
+
+    fn currents_above(&mut self, figures: &Figures, four: &Four) {
         let ([cold, cold_k], [warm, warm_k]) = (four.cold, four.warmest);
         let (mut high, mut volts) = (f64x4::ZERO, f64x4::ZERO);
         for Bound { extent, .. } in &figures.bounds {
-            let (least, most) = torques(extent, inertia);
+            let (least, most) = torques(extent, four.inertia);
             let ((back, forth), (slowest, fastest)) = (extent.direction, extent.speeds_rad_s);
             // Of any friction between both, a sum of parts with the sign of the motion.
             let of = |direction: f64, speed: f64| {
@@ -456,18 +468,27 @@ impl Found {
                 (of(cold, cold_k), of(warm, warm_k))
             };
             let (by_cold, by_warm) = of(forth, fastest);
-            let upper = most * per_torque + by_cold.fast_max(by_warm);
+            let upper = most * four.per_torque + by_cold.fast_max(by_warm);
             let (by_cold, by_warm) = of(back, slowest);
-            let lower = least * per_torque + by_cold.fast_min(by_warm);
+            let lower = least * four.per_torque + by_cold.fast_min(by_warm);
             let current = upper.fast_max(-lower);
             high = high.fast_max(current);
             if figures.terminal.is_some() {
                 volts = volts.fast_max(four.voltage(extent.speed_rad_s, current));
             }
         }
+        self.below(4, high * four.per_current_max);
+        self.below(5, high * four.per_current_demagnetisation);
+        if let Some(terminal) = figures.terminal {
+            self.below(6, volts * all(1.0 / terminal) * four.has_voltage);
+        }
+    }
+
+    fn currents_below(&mut self, figures: &Figures, four: &Four) {
+        let ([cold, cold_k], [warm, warm_k]) = (four.cold, four.warmest);
         let (mut low, mut sure) = (f64x4::ZERO, f64x4::ZERO);
         for [a, t, s, w] in &figures.outline.nodes {
-            let torque = (inertia * all(*a) + all(*t)) * per_torque;
+            let torque = (four.inertia * all(*a) + all(*t)) * four.per_torque;
             let (s, w) = (all(*s), all(w.abs()));
             let most = cold + cold_k * w;
             low = low.fast_max((torque + s * most).abs());
@@ -477,84 +498,134 @@ impl Found {
             let magnitude = torque.abs();
             sure = sure.fast_max(braking.select((magnitude - most).fast_max(f64x4::ZERO), magnitude + least));
         }
-        let share = |current: f64x4| current * four.per_current_max;
         // A published curve may permit more than I_max.
-        self.take_beside(
-            4,
-            [share(low) * four.without_curve, share(high)],
-            [share(sure) * four.without_curve, share(high)],
-        );
-        self.take(5, [low, high].map(|current| current * four.per_current_demagnetisation));
-        if let Some(terminal) = figures.terminal {
-            self.take(6, [f64x4::ZERO, volts * all(1.0 / terminal) * four.has_voltage]);
-        }
+        let per_limit = four.per_current_max * four.without_curve;
+        self.above_beside(low * per_limit, sure * per_limit);
+        self.above(low * four.per_current_demagnetisation);
     }
 
-    fn heat(&mut self, figures: &Figures, four: &Four, of_drives: [&OfDrive; 4], square: f64x4) {
-        let [[_, _, a_s, a_w], [_, _, t_s, t_w], [_, _, moving, travelled], [.., w_w]] =
-            figures.means.map(|row| row.map(all));
-        let per_torque = four.per_torque;
-        let of_square = square * per_torque * per_torque;
-        let of_direction = (four.inertia * a_s + t_s) * per_torque;
-        let of_speed = (four.inertia * a_w + t_w) * per_torque;
-        let two = all(2.0);
-        // Mean of I²: of I_T + I_s σ + K ω a parabola in I_s and in K, largest at a corner.
-        let mean = |counted: f64x4, constant: f64x4| {
-            of_square
-                + counted * (counted * moving + two * (of_direction + constant * travelled))
-                + constant * (constant * w_w + two * of_speed)
-        };
-        let friction = |starting: f64x4, constant: f64x4| four.friction_v_s * (starting * travelled + constant * w_w);
-        let ([warm_starting, warm_counted, warm_k], [cool_starting, cool_counted, cool_k]) =
-            (four.warm_air, four.at_ambient);
+    fn heat_above(&mut self, figures: &Figures, four: &Four, of_drives: [&OfDrive; 4]) {
+        let means = Means::of(figures, four, self.square);
+        let ([warm_starting, warm, warm_k], [cool_starting, cool, cool_k]) = (four.warm_air, four.at_ambient);
         let coil = four.coil_w * all(figures.open_share);
-        let [r_wh, r_ha] = four.resistances;
+        let [_, r_ha] = four.resistances;
         // The losses fall as the housing warms: then two temperatures of which each is that of the losses of the other one
         // hold the settled one between them.
-        let rise = |constant: f64x4| {
-            let copper = four.copper_ohm * mean(warm_counted, constant).fast_max(f64x4::ZERO);
-            r_ha * (copper + friction(warm_starting, constant) + coil)
-        };
-        let settled = |constant: f64x4| warm_k.fast_max(cool_k * (-four.decay * rise(constant)).exp());
-        let slope =
-            two * four.copper_ohm * (of_speed + warm_counted * travelled + warm_k * w_w) + four.friction_v_s * w_w;
-        let falls = four.is_steady & slope.simd_ge(f64x4::ZERO);
+        let falls = four.is_steady & means.by_constant(four, warm, warm_k).simd_ge(f64x4::ZERO);
         let [least_k, most_k] = if falls.any() {
-            let most = settled(settled(cool_k));
-            let least = settled(most);
+            let exponent = |constant: f64x4| {
+                let copper = four.copper_ohm * means.square(warm, constant).fast_max(f64x4::ZERO);
+                four.decay * r_ha * (copper + means.friction(four, warm_starting, constant) + coil)
+            };
+            let least = warm_k.fast_max(cool_k * decay_below(exponent(cool_k)));
+            let most = warm_k.fast_max(cool_k * decay_above(exponent(least)));
+            let least = warm_k.fast_max(cool_k * decay_below(exponent(most)));
             [falls.select(least * all(1.0 - SETTLED), warm_k), falls.select(most * all(1.0 + SETTLED), cool_k)]
         } else {
             [warm_k, cool_k]
         };
-        let current_high = mean(warm_counted, least_k)
-            .fast_max(mean(warm_counted, most_k))
-            .fast_max(mean(cool_counted, least_k))
-            .fast_max(mean(cool_counted, most_k))
-            .fast_max(f64x4::ZERO);
-        let vertex = if figures.means[3][3] > 0.0 {
-            (-(of_speed + warm_counted * travelled) / w_w).fast_max(least_k).fast_min(most_k)
-        } else {
-            least_k
-        };
-        let current_low = four.is_steady.select(mean(warm_counted, vertex).fast_max(f64x4::ZERO), f64x4::ZERO);
-        let [copper_low, copper_high] = [current_low, current_high].map(|square| four.copper_ohm * square);
-        let [friction_low, friction_high] = [friction(warm_starting, least_k), friction(cool_starting, most_k)];
+        self.constant = [least_k, most_k];
+        // A parabola in I_s and in K is largest at a corner.
+        let corners = |counted: f64x4| means.square(counted, least_k).fast_max(means.square(counted, most_k));
+        let mut square = corners(cool).fast_max(f64x4::ZERO);
+        if !four.is_steady.all() {
+            square = square.fast_max(corners(warm));
+        }
         let of_drive = |figure: fn(&OfDrive) -> f64| f64x4::from(of_drives.map(figure));
         let [by_copper, by_friction] = [of_drive(|drive| drive.gains[0]), of_drive(|drive| drive.gains[1])];
-        let high = copper_high * by_copper + friction_high * by_friction + coil * r_ha;
-        let low = copper_low * (r_wh + r_ha) + friction_low * r_ha + coil * r_ha;
-        self.take_beside(
-            11,
-            [low * of_drive(|drive| drive.rise[0][0]), high * of_drive(|drive| drive.rise[0][1])],
-            [low * of_drive(|drive| drive.rise[1][0]), high * of_drive(|drive| drive.rise[1][1])],
-        );
-        let swing = of_drive(|drive| drive.swing);
-        self.take(12, [f64x4::ZERO, current_high * four.per_stalled * swing]);
+        let friction = means.friction(four, cool_starting, most_k);
+        let rise = four.copper_ohm * square * by_copper + friction * by_friction + coil * r_ha;
+        let [share, most] = [of_drive(|drive| drive.rise[0][1]), of_drive(|drive| drive.rise[1][1])];
+        self.below_beside(11, rise * share, rise * most);
+        self.below(12, square * four.per_stalled * of_drive(|drive| drive.swing));
+    }
+
+    /// Below the largest rise of the winding: its mean \[K\].
+    fn rise_below(&self, figures: &Figures, four: &Four) -> f64x4 {
+        let means = Means::of(figures, four, self.square);
+        let ([starting, counted, _], [least_k, most_k]) = (four.warm_air, self.constant);
+        let square = means.square(counted, means.vertex(counted).fast_max(least_k).fast_min(most_k));
+        let square = four.is_steady.select(square.fast_max(f64x4::ZERO), f64x4::ZERO);
+        let [r_wh, r_ha] = four.resistances;
+        let housing = means.friction(four, starting, least_k) + four.coil_w * all(figures.open_share);
+        four.copper_ohm * square * (r_wh + r_ha) + housing * r_ha
+    }
+}
+
+/// Means over the cycle from which the losses follow for any friction.
+struct Means {
+    /// Of I_T², I_T σ and I_T ω.
+    square: f64x4,
+    direction: f64x4,
+    speed: f64x4,
+    /// Of σ², |ω| and ω².
+    moving: f64x4,
+    travelled: f64x4,
+    speed_square: f64x4,
+}
+
+impl Means {
+    fn of(figures: &Figures, four: &Four, square: f64x4) -> Self {
+        let [[_, _, a_s, a_w], [_, _, t_s, t_w], [_, _, moving, travelled], [.., w_w]] =
+            figures.means.map(|row| row.map(all));
+        Self {
+            square: square * four.per_torque * four.per_torque,
+            direction: (four.inertia * a_s + t_s) * four.per_torque,
+            speed: (four.inertia * a_w + t_w) * four.per_torque,
+            moving,
+            travelled,
+            speed_square: w_w,
+        }
+    }
+
+    /// Mean of I² = (I_T + I_s σ + K ω)², a convex parabola in I_s and in K.
+    fn square(&self, counted: f64x4, constant: f64x4) -> f64x4 {
+        let two = all(2.0);
+        self.square
+            + counted * (counted * self.moving + two * (self.direction + constant * self.travelled))
+            + constant * (constant * self.speed_square + two * self.speed)
+    }
+
+    /// The K at which it is least.
+    fn vertex(&self, counted: f64x4) -> f64x4 {
+        let at_rest = self.speed_square.simd_eq(f64x4::ZERO);
+        at_rest.select(f64x4::ZERO, -(self.speed + counted * self.travelled) / self.speed_square)
+    }
+
+    /// Friction loss \[W\].
+    fn friction(&self, four: &Four, starting: f64x4, constant: f64x4) -> f64x4 {
+        four.friction_v_s * (starting * self.travelled + constant * self.speed_square)
+    }
+
+    /// Growth of both losses with K; it rises with K.
+    fn by_constant(&self, four: &Four, counted: f64x4, constant: f64x4) -> f64x4 {
+        let of_square = self.speed + counted * self.travelled + constant * self.speed_square;
+        all(2.0) * four.copper_ohm * of_square + four.friction_v_s * self.speed_square
     }
 }
 
 /// The friction of the settled cycle is known to this share: the root of its equation is found to 10⁻¹⁰ of the temperature.
 const SETTLED: f64 = 1e-7;
+
+/// Below e^(−x): the eighth power of 1 − y + y²/2 − y³/6, y = x/8.
+fn decay_below(x: f64x4) -> f64x4 {
+    let y = x * all(0.125);
+    let root = f64x4::ONE - y * (f64x4::ONE - y * (all(0.5) - y * all(1.0 / 6.0)));
+    eighth_power(root.fast_max(f64x4::ZERO))
+}
+
+/// Above it: the same with y⁴/24.
+fn decay_above(x: f64x4) -> f64x4 {
+    let y = x * all(0.125);
+    let root = f64x4::ONE - y * (f64x4::ONE - y * (all(0.5) - y * (all(1.0 / 6.0) - y * all(1.0 / 24.0))));
+    eighth_power(root.fast_min(f64x4::ONE))
+}
+
+fn eighth_power(root: f64x4) -> f64x4 {
+    let square = root * root;
+    let fourth = square * square;
+    fourth * fourth
+}
 
 /// Some of the covered checks.
 #[derive(Clone, Copy, Debug)]

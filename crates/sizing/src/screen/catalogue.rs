@@ -2,8 +2,8 @@
 
 use super::bounds::all;
 use crate::axis::Axis;
+use crate::check::CheckId;
 use crate::electrics::{CurrentLaw, Electrics};
-use crate::judge::made;
 use actuator::{Drivetrain, FrictionAt, HeatModel, MotorVoltage, NoLoadFriction, OutputBearing, Parameters, ShortTime};
 use derivation::Workings;
 use provenance::{Datum, Missing};
@@ -217,7 +217,8 @@ impl Screen {
 
     /// The actuators whose answers are the same for an axis.
     pub(super) fn groups(&self, axis: &Axis) -> &[Group] {
-        if made(axis, true).any(|id| id.is_of_the_feedback()) { &self.singles } else { &self.groups }
+        let limits = |id: &CheckId| id.is_of_the_feedback() && id.is_made(axis) && id.can_fail(axis);
+        if CheckId::ALL.iter().any(limits) { &self.singles } else { &self.groups }
     }
 }
 
@@ -411,7 +412,7 @@ pub(super) struct Four {
     /// I_NLS, I_s and K of a gear as warm as the air of the cycle, and of the warmest.
     pub(super) at_ambient: [f64x4; 3],
     pub(super) warm_air: [f64x4; 3],
-    /// Whether I_NLS is the same in both.
+    /// Whether I_NLS is the same in both, and K falls from one to the other.
     pub(super) is_steady: f64x4,
     /// Decay of K \[1/K\]
     pub(super) decay: f64x4,
@@ -441,6 +442,7 @@ impl Four {
         };
         let ([_, cold, cold_k], at_ambient) = (friction(|place, _| place.cold), friction(|place, _| place.at_ambient));
         let warm_air @ [_, warm, warm_k] = friction(|place, _| place.warmest);
+        let decay = lanes(&|_, drive, _| drive.friction.decay_per_k());
         let motor = |place: usize| {
             lanes(&|_, drive, _| drive.voltage.and_then(|motor| motor.constants().get(place).copied()).unwrap_or(0.0))
         };
@@ -465,8 +467,10 @@ impl Four {
             warmest: [warm, warm_k],
             at_ambient,
             warm_air,
-            is_steady: at_ambient[0].simd_eq(warm_air[0]) & at_ambient[1].simd_eq(warm_air[1]),
-            decay: lanes(&|_, drive, _| drive.friction.decay_per_k()),
+            is_steady: at_ambient[0].simd_eq(warm_air[0])
+                & at_ambient[1].simd_eq(warm_air[1])
+                & decay.simd_ge(f64x4::ZERO),
+            decay,
             copper_ohm: lanes(&|_, drive, _| drive.heat.losses().copper_ohm()),
             friction_v_s: lanes(&|_, drive, _| drive.heat.losses().friction_v_s_per_rad()),
             resistances: [0, 1].map(|place| {
