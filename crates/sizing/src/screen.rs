@@ -79,9 +79,14 @@ impl<'s> Screening<'s> {
         let conditions = self.conditions.insert(known.unwrap_or_else(|| Conditions::of(screen, axis)));
         let has_outline = self.figures.take(axis, conditions);
         let figures = &self.figures;
-        self.bounds.clear();
-        let of = |four| if has_outline { Bounds::of(figures, four) } else { Bounds::UNKNOWN };
-        self.bounds.extend(conditions.fours.iter().map(of));
+        self.bounds.resize_with(conditions.fours.len(), || Bounds::UNKNOWN);
+        for (bounds, four) in self.bounds.iter_mut().zip(&conditions.fours) {
+            if has_outline {
+                bounds.look(figures, four);
+            } else {
+                *bounds = Bounds::UNKNOWN;
+            }
+        }
         let (of_bearing, others): (Vec<CheckId>, Vec<CheckId>) =
             others(axis).into_iter().partition(|id| matches!(id.answer(), Answer::Bearing(_)));
         let borne = RefCell::new(vec![None; screen.bearings]);
@@ -179,7 +184,7 @@ impl Row<'_> {
                 bounds.look_below(figures, four);
             }
         }
-        Found { fit, best: self.best(&open, bounds), miss: None }
+        Found { fit, best: self.best(&open, bounds, first), miss: None }
     }
 
     /// A group with its bounds.
@@ -248,8 +253,8 @@ impl Row<'_> {
         crate::judge::judge(self.axis, actuator, Depth::Rank)
     }
 
-    /// The best of the groups that fit, with its best member.
-    fn best(&self, open: &[Open], bounds: &[Bounds]) -> Option<Ranked> {
+    /// The best of the groups that fit, with its best member; `first`: the class that comes first.
+    fn best(&self, open: &[Open], bounds: &[Bounds], first: Option<(bool, u16)>) -> Option<Ranked> {
         let key = |group: &Group, holds: bool, utilisation: f64, mass_kg: f64| {
             RankKey::of(&Standing { fits: true, holds, size: group.size, utilisation, mass_kg })
         };
@@ -259,21 +264,29 @@ impl Row<'_> {
             let (group, bounds) = self.group(open, bounds)?;
             Some((key(group, holds, bounds.least(), 0.0), group, bounds, holds))
         };
-        let mut candidates: Vec<(RankKey, &Group, BoundsOfOne<'_>, bool)> = open.iter().filter_map(candidate).collect();
-        while let Some(at) = least_of(&candidates, |(key, ..)| *key) {
-            let (least, group, bounds, holds) = candidates.swap_remove(at);
-            if best.as_ref().is_some_and(|(key, ..)| least > *key) {
+        let mut candidates: Vec<(RankKey, &Group, BoundsOfOne<'_>, bool)> = Vec::new();
+        for is_first in [true, false] {
+            // Whatever is certain comes before all of a later class.
+            if best.as_ref().is_some_and(|(.., ranked)| ranked.utilisation <= 1.0) {
                 break;
             }
-            let (utilisation, tightest) = self.utilisation(group, bounds);
-            let members = group.members.iter().filter(|member| self.meets(member.entrant));
-            let member = members.min_by(|a, b| a.mass_kg.total_cmp(&b.mass_kg).then(a.entrant.cmp(&b.entrant)));
-            let Some(member) = member else { continue };
-            let key = key(group, holds, utilisation, member.mass_kg);
-            if best.as_ref().is_none_or(|(other, entrant, _)| (key, member.entrant) < (*other, *entrant)) {
-                best = Some((key, member.entrant, Ranked { entrant: member.entrant, utilisation, tightest }));
-                candidates.retain(|(least, ..)| *least <= key);
+            candidates.extend(open.iter().filter(|open| (open.class() == first) == is_first).filter_map(candidate));
+            while let Some(at) = least_of(&candidates, |(key, ..)| *key) {
+                let (least, group, bounds, holds) = candidates.swap_remove(at);
+                if best.as_ref().is_some_and(|(key, ..)| least > *key) {
+                    break;
+                }
+                let (utilisation, tightest) = self.utilisation(group, bounds);
+                let members = group.members.iter().filter(|member| self.meets(member.entrant));
+                let member = members.min_by(|a, b| a.mass_kg.total_cmp(&b.mass_kg).then(a.entrant.cmp(&b.entrant)));
+                let Some(member) = member else { continue };
+                let key = key(group, holds, utilisation, member.mass_kg);
+                if best.as_ref().is_none_or(|(other, entrant, _)| (key, member.entrant) < (*other, *entrant)) {
+                    best = Some((key, member.entrant, Ranked { entrant: member.entrant, utilisation, tightest }));
+                    candidates.retain(|(least, ..)| *least <= key);
+                }
             }
+            candidates.clear();
         }
         best.map(|(.., ranked)| ranked)
     }

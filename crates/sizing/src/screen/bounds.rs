@@ -340,29 +340,24 @@ impl Bounds {
         constant: [f64x4::ZERO; 2],
     };
 
-    /// Those above, and where these leave something open those below.
-    pub(super) fn of(figures: &Figures, four: &Four) -> Self {
+    /// Takes those above, and where these leave something open those below.
+    pub(super) fn look(&mut self, figures: &Figures, four: &Four) {
         let of_drives = four.drives.map(|drive| figures.of_drive(drive));
         let above = f64x4::from(of_drives.map(|of_drive| of_drive.above));
-        let mut found = Self {
-            limits: [all(1.0 + figures.room), all(1.0 - figures.room)],
-            room: figures.room,
-            is_elsewhere: of_drives.map(|of_drive| of_drive.is_elsewhere),
-            is_unknown: four.is_unknown,
-            has_low: false,
-            fails: f64x4::ZERO,
-            open: f64x4::from(of_drives.map(|of_drive| f64::from_bits(of_drive.open))),
-            least_first: above,
-            least: above,
-            high: [f64x4::ZERO; COUNT],
-            square: figures.torque_square(four.inertia),
-            constant: [f64x4::ZERO; 2],
-        };
-        found.look_above(figures, four, of_drives);
-        if found.open.to_array().iter().any(|open| open.to_bits() != 0) {
-            found.look_below(figures, four);
+        self.limits = [all(1.0 + figures.room), all(1.0 - figures.room)];
+        self.room = figures.room;
+        self.is_elsewhere = of_drives.map(|of_drive| of_drive.is_elsewhere);
+        self.is_unknown = four.is_unknown;
+        self.has_low = false;
+        self.fails = f64x4::ZERO;
+        self.open = f64x4::from(of_drives.map(|of_drive| f64::from_bits(of_drive.open)));
+        self.least = above;
+        self.high = [f64x4::ZERO; COUNT];
+        self.square = figures.torque_square(four.inertia);
+        self.look_above(figures, four, of_drives);
+        if self.open.to_array().iter().any(|open| open.to_bits() != 0) {
+            self.look_below(figures, four);
         }
-        found
     }
 
     /// A check whose utilisation is below this.
