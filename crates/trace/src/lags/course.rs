@@ -123,7 +123,8 @@ pub(super) fn turn(courses: &[Course], states: &[f64], duration: f64, least: f64
 /// Of so many nodes the input is a parabola.
 const PARABOLA: usize = 3;
 
-/// Powers of the share that count: what the next one of a λ of 0.5 would add is 0.5¹⁶/16! of it, 10⁻¹⁸.
+/// Powers of the share that count: from the third on each factor is λ/(k + 1) of the one before, so that of a λ of 0.5 the next
+/// one is 0.5¹³ · 3!/16! of the third, 10⁻¹⁶.
 const POWERS: usize = 16;
 
 impl Course {
