@@ -9,10 +9,11 @@
     reason = "a bench fails loudly and prints what it measured"
 )]
 
-use benches::{Gates, least_processor_s, numpy, sort, timed};
+use benches::{Gates, least_processor_s, numpy, processor_s, sort, timed};
 use project::NoFiles;
 use questions::Patience;
 use questions::sweep::{Cells, Judged, Options, Sweep};
+use rayon::ThreadPool;
 use std::hint::black_box;
 use std::process::ExitCode;
 
@@ -62,13 +63,17 @@ const TOGETHER: f64 = 0.9;
 /// With independent work two free cores gain at least this much.
 const TWO_FREE: f64 = 1.6;
 
+/// So much more processor time a row takes with two threads than with one, beside independent work, at most.
+const HINDRANCE: f64 = 1.25;
+
 /// Numbers that a thread sorts to show what another one costs it: for about as long as two thousand rows take.
 const SORTED: usize = 500_000;
 
-/// How much quicker two threads are than one.
-struct Gains {
-    rows: f64,
-    independent: f64,
+/// What two threads are to one: how much quicker, and by how much more processor time the same work takes.
+#[derive(Clone, Copy)]
+struct Two {
+    gain: f64,
+    cost: f64,
 }
 
 fn median(mut values: Vec<f64>) -> f64 {
@@ -76,18 +81,32 @@ fn median(mut values: Vec<f64>) -> f64 {
     values.get(values.len() / 2).copied().unwrap_or(f64::NAN)
 }
 
-/// Both in turn, so that whatever else the machine does meets both.
-fn gains(one: &rayon::ThreadPool, two: &rayon::ThreadPool, judge: &(dyn Fn() + Sync)) -> Gains {
-    let round = |_| {
-        let alone = timed(|| one.install(|| sort(SORTED))).as_secs_f64();
-        let both = timed(|| drop(two.install(|| rayon::join(|| sort(SORTED), || sort(SORTED))))).as_secs_f64();
-        let by_one = timed(|| one.install(judge)).as_secs_f64();
-        let by_two = timed(|| two.install(judge)).as_secs_f64();
-        Gains { rows: by_one / by_two, independent: 2.0 * alone / both }
+/// Time and processor time of the threads of a pool; the latter is not a number where the system does not say it.
+fn spent(pool: &ThreadPool, work: &(dyn Fn() + Sync)) -> [f64; 2] {
+    let used = || pool.broadcast(|_| processor_s().unwrap_or(f64::NAN)).into_iter().sum::<f64>();
+    let before = used();
+    let time = timed(|| pool.install(work));
+    [time.as_secs_f64(), used() - before]
+}
+
+/// With rows and with independent work, in turn, so that whatever else the machine does meets both.
+fn two_to_one(one: &ThreadPool, two: &ThreadPool, judge: &(dyn Fn() + Sync)) -> [Two; 2] {
+    let of = |[alone, alone_cpu]: [f64; 2], [both, both_cpu]: [f64; 2]| Two {
+        gain: alone / both,
+        cost: both_cpu / alone_cpu,
     };
-    let rounds: Vec<Gains> = (0..9).map(round).collect();
-    let of = |gain: fn(&Gains) -> f64| median(rounds.iter().map(gain).collect());
-    Gains { rows: of(|gains| gains.rows), independent: of(|gains| gains.independent) }
+    let twice = || {
+        sort(SORTED);
+        sort(SORTED);
+    };
+    let each = || drop(rayon::join(|| sort(SORTED), || sort(SORTED)));
+    let rounds: Vec<[Two; 2]> =
+        (0..9).map(|_| [of(spent(one, judge), spent(two, judge)), of(spent(one, &twice), spent(two, &each))]).collect();
+    [0, 1].map(|place| {
+        let of =
+            |figure: fn(&Two) -> f64| median(rounds.iter().filter_map(|round| round.get(place)).map(figure).collect());
+        Two { gain: of(|two| two.gain), cost: of(|two| two.cost) }
+    })
 }
 
 fn main() -> ExitCode {
@@ -115,18 +134,30 @@ fn main() -> ExitCode {
         println!("{name}: {:.1} of the catalogue fit on average", fitting / rows as f64);
         println!("  {:.1} µs of processor time a row, {:.0} rows a second", 1e6 * row_s, 1.0 / row_s);
         if let Some((time, _)) = baseline {
-            gates.times_faster_s(&format!("{name}, against NumPy over the catalogue"), row_s, time.as_secs_f64(), NUMPY);
+            gates.times_faster_s(
+                &format!("{name}, against NumPy over the catalogue"),
+                row_s,
+                time.as_secs_f64(),
+                NUMPY,
+            );
         }
-        let Gains { rows: gain, independent } = gains(&one, &two, &judge);
-        println!("  two threads: {gain:.2} × as quick as one, with independent work {independent:.2} ×");
-        if independent >= TWO_FREE {
+        let [rows, independent] = two_to_one(&one, &two, &judge);
+        println!("  two threads: {:.2} × as quick as one, with independent work {:.2} ×", rows.gain, independent.gain);
+        if rows.cost.is_finite() {
             gates.share_at_most(
-                &format!("{name}, two threads with independent work"),
-                independent / gain,
+                &format!("{name}, processor time of two threads over that of one"),
+                rows.cost / independent.cost,
+                ("that with independent work", HINDRANCE),
+            );
+        }
+        if independent.gain >= TWO_FREE {
+            gates.share_at_most(
+                &format!("{name}, what two threads gain with independent work"),
+                independent.gain / rows.gain,
                 ("the gain with rows", 1.0 / TOGETHER),
             );
         } else {
-            println!("  no two cores are free: what two threads gain is not judged");
+            println!("  no two cores are free: the gain of two threads is not judged");
         }
     }
     gates.close()
