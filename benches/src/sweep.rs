@@ -99,7 +99,9 @@ fn two_to_one(one: &ThreadPool, two: &ThreadPool, judge: &(dyn Fn() + Sync)) -> 
         sort(SORTED);
         sort(SORTED);
     };
-    let each = || drop(rayon::join(|| sort(SORTED), || sort(SORTED)));
+    let each = || {
+        rayon::join(|| sort(SORTED), || sort(SORTED));
+    };
     let rounds: Vec<[Two; 2]> =
         (0..9).map(|_| [of(spent(one, judge), spent(two, judge)), of(spent(one, &twice), spent(two, &each))]).collect();
     [0, 1].map(|place| {

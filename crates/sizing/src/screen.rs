@@ -7,6 +7,8 @@
 
 mod bounds;
 mod catalogue;
+mod figures;
+mod losses;
 
 use crate::axis::Axis;
 use crate::bearing_checks::Borne;
@@ -18,9 +20,10 @@ use crate::list::{Answer, Case};
 use crate::notes::Note;
 use crate::rank::{RankKey, Standing};
 use actuator::Parameters;
-use bounds::{Bounds, BoundsOfOne, Figures};
+use bounds::{Bounds, BoundsOfOne};
 use catalogue::{Conditions, Group};
 use derivation::Workings;
+use figures::Figures;
 use motion::Hold;
 use quantities::Measure;
 use std::cell::RefCell;

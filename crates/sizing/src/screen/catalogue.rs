@@ -1,6 +1,6 @@
 //! What of the actuators is the same for every axis, and what is the same for axes at one place.
 
-use super::bounds::all;
+use super::figures::all;
 use crate::axis::Axis;
 use crate::check::CheckId;
 use crate::electrics::{CurrentLaw, Electrics};
