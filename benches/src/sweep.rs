@@ -1,6 +1,7 @@
 //! Many axes against the whole catalogue: rows of one move each with inertia, friction, time and distance of their own.
 //!
-//! Baseline: the NumPy script with vectors over the catalogue, which makes no checks of instants, heat and energy.
+//! Baselines: the NumPy script with vectors over the catalogue, which makes no checks of instants, heat and energy; for two threads
+//! what they gain over one with independent work in the same run.
 #![allow(
     clippy::print_stdout,
     clippy::expect_used,
@@ -8,10 +9,11 @@
     reason = "a bench fails loudly and prints what it measured"
 )]
 
-use benches::{Gates, against, numpy, sort};
+use benches::{Gates, least_processor_s, numpy, processor_s, sort, timed};
 use project::NoFiles;
 use questions::Patience;
 use questions::sweep::{Cells, Judged, Options, Sweep};
+use rayon::ThreadPool;
 use std::hint::black_box;
 use std::process::ExitCode;
 
@@ -52,6 +54,63 @@ fn table(ranges: &Ranges, rows: usize) -> Vec<Cells<'static>> {
     columns.into_iter().map(Cells::Numbers).collect()
 }
 
+/// So many times the baseline takes longer at least.
+const NUMPY: f64 = 5.0;
+
+/// The share of what two threads gain with independent work that they gain with rows at least: 1.8 of 2.
+const TOGETHER: f64 = 0.9;
+
+/// With independent work two free cores gain at least this much.
+const TWO_FREE: f64 = 1.6;
+
+/// So much more processor time a row takes with two threads than with one, beside independent work, at most.
+const HINDRANCE: f64 = 1.25;
+
+/// Numbers that a thread sorts to show what another one costs it: for about as long as two thousand rows take.
+const SORTED: usize = 500_000;
+
+/// What two threads are to one: how much quicker, and by how much more processor time the same work takes.
+#[derive(Clone, Copy)]
+struct Two {
+    gain: f64,
+    cost: f64,
+}
+
+fn median(mut values: Vec<f64>) -> f64 {
+    values.sort_by(f64::total_cmp);
+    values.get(values.len() / 2).copied().unwrap_or(f64::NAN)
+}
+
+/// Time and processor time of the threads of a pool; the latter is not a number where the system does not say it.
+fn spent(pool: &ThreadPool, work: &(dyn Fn() + Sync)) -> [f64; 2] {
+    let used = || pool.broadcast(|_| processor_s().unwrap_or(f64::NAN)).into_iter().sum::<f64>();
+    let before = used();
+    let time = timed(|| pool.install(work));
+    [time.as_secs_f64(), used() - before]
+}
+
+/// With rows and with independent work, in turn, so that whatever else the machine does meets both.
+fn two_to_one(one: &ThreadPool, two: &ThreadPool, judge: &(dyn Fn() + Sync)) -> [Two; 2] {
+    let of = |[alone, alone_cpu]: [f64; 2], [both, both_cpu]: [f64; 2]| Two {
+        gain: alone / both,
+        cost: both_cpu / alone_cpu,
+    };
+    let twice = || {
+        sort(SORTED);
+        sort(SORTED);
+    };
+    let each = || {
+        rayon::join(|| sort(SORTED), || sort(SORTED));
+    };
+    let rounds: Vec<[Two; 2]> =
+        (0..9).map(|_| [of(spent(one, judge), spent(two, judge)), of(spent(one, &twice), spent(two, &each))]).collect();
+    [0, 1].map(|place| {
+        let of =
+            |figure: fn(&Two) -> f64| median(rounds.iter().filter_map(|round| round.get(place)).map(figure).collect());
+        Two { gain: of(|two| two.gain), cost: of(|two| two.cost) }
+    })
+}
+
 fn main() -> ExitCode {
     let mut gates = Gates::default();
     let rows = rows();
@@ -59,7 +118,10 @@ fn main() -> ExitCode {
     let sweep = sweep.unwrap_or_else(|why| panic!("the table is valid: {why:?}"));
     let pool = |threads: usize| rayon::ThreadPoolBuilder::new().num_threads(threads).build().expect("threads");
     let (one, two) = (pool(1), pool(2));
-    let mut measured = Vec::new();
+    let baseline = numpy(&[]);
+    if baseline.is_none() {
+        println!("no Python with NumPy here: the ratio to it is not measured");
+    }
     for (name, ranges) in [("mixed rows", MIXED), ("rows that reject no actuator", HARD)] {
         let cells = table(&ranges, rows);
         let judge = || sweep.judge(&cells, &Patience::endless()).expect("nothing cancels it");
@@ -68,34 +130,37 @@ fn main() -> ExitCode {
             other => panic!("{other:?}"),
         };
         let fitting: f64 = one.install(judge).iter().map(fit).sum();
-        let found = against(
-            5,
-            || sort(10_000),
-            || {
-                black_box(one.install(judge));
-            },
-        );
-        let by_two = against(
-            5,
-            || sort(10_000),
-            || {
-                black_box(two.install(judge));
-            },
-        );
-        let each = |times: benches::Times| times.least.as_secs_f64() / rows as f64 * 1e6;
+        let judge = || drop(black_box(judge()));
+        // On the thread of the pool, whose time is counted.
+        let row_s = one.install(|| least_processor_s(7, 1, judge)) / rows as f64;
         println!("{name}: {:.1} of the catalogue fit on average", fitting / rows as f64);
-        println!("  one thread: {:.1} µs a row, {:.0} rows a second", each(found.measured), 1e6 / each(found.measured));
-        let gain = each(found.measured) / each(by_two.measured);
-        println!("  two threads: {:.1} µs a row, {gain:.2} × as quick", each(by_two.measured));
-        let of_row = |time: std::time::Duration| time.div_f64(rows as f64);
-        let benches::Times { least, median, most } = found.measured;
-        measured.push((name, benches::Times { least: of_row(least), median: of_row(median), most: of_row(most) }));
-    }
-    match numpy(&[]) {
-        Some((time, _)) => measured.iter().for_each(|(name, row)| {
-            gates.times_faster(&format!("{name}, against NumPy over the catalogue"), *row, time, 1.5);
-        }),
-        None => println!("  no Python with NumPy here: the ratio to it is not measured"),
+        println!("  {:.1} µs of processor time a row, {:.0} rows a second", 1e6 * row_s, 1.0 / row_s);
+        if let Some((time, _)) = baseline {
+            gates.times_faster_s(
+                &format!("{name}, against NumPy over the catalogue"),
+                row_s,
+                time.as_secs_f64(),
+                NUMPY,
+            );
+        }
+        let [rows, independent] = two_to_one(&one, &two, &judge);
+        println!("  two threads: {:.2} × as quick as one, with independent work {:.2} ×", rows.gain, independent.gain);
+        if rows.cost.is_finite() {
+            gates.share_at_most(
+                &format!("{name}, processor time of two threads over that of one"),
+                rows.cost / independent.cost,
+                ("that with independent work", HINDRANCE),
+            );
+        }
+        if independent.gain >= TWO_FREE {
+            gates.share_at_most(
+                &format!("{name}, what two threads gain with independent work"),
+                independent.gain / rows.gain,
+                ("the gain with rows", 1.0 / TOGETHER),
+            );
+        } else {
+            println!("  no two cores are free: the gain of two threads is not judged");
+        }
     }
     gates.close()
 }

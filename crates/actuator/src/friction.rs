@@ -110,8 +110,9 @@ impl NoLoadFriction {
         }
     }
 
-    /// δ: decay of K per kelvin \[1/K\].
-    pub(crate) const fn decay_per_k(&self) -> f64 {
+    /// δ: decay of K per kelvin \[1/K\], between ϑ_p and ϑ_w.
+    #[must_use]
+    pub const fn decay_per_k(&self) -> f64 {
         self.decay_per_k
     }
 

@@ -89,16 +89,10 @@ impl MotorVoltage {
         ElectricPotential::from_si((1.5 * (u_d * u_d + u_q * u_q)).sqrt())
     }
 
-    /// No terminal voltage at a speed and a current of at most these magnitudes is above this \[V\].
-    ///
-    /// # Symbols
-    /// current \[A\]
-    /// # Source
-    /// docs/theory/voltage.md: both components grow with speed and current where the motor drives, and are smaller where it brakes
+    /// p i, R \[Ω\], L \[H\] and ψ \[Vs\] per phase of the star.
     #[must_use]
-    pub fn most(&self, speed_out: AngularVelocity, current_a: f64) -> f64 {
-        let (u_d, u_q) = self.components(speed_out, ElectricCurrent::from_si(current_a));
-        (1.5 * (u_d * u_d + u_q * u_q)).sqrt()
+    pub const fn constants(&self) -> [f64; 4] {
+        [self.pole_pairs * self.ratio, self.resistance_ohm, self.inductance_h, self.flux_vs]
     }
 
     /// The workings of [`MotorVoltage::at`]; the caller has noted the speed `n` and the current `I`, the result is `U_LL`.

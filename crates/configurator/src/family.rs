@@ -130,12 +130,15 @@ pub fn assumed() -> Assumed {
 /// later.
 #[must_use]
 pub fn brake_times() -> Option<(Time, Time)> {
-    let printed = |symbol: &str| {
-        let cells = catalogue::tables().iter().filter(|table| table.is_of_the_manual()).flat_map(Table::cells);
-        let times = cells.filter(|cell| cell.place.symbol == symbol).map(catalogue::datum_of::<Time>);
-        times.filter_map(|time| Some(time.known()?.value)).max_by(|a, b| a.si().total_cmp(&b.si()))
-    };
-    Some((printed("t_c")?, printed("t_o")?))
+    static TIMES: LazyLock<Option<(Time, Time)>> = LazyLock::new(|| {
+        let printed = |symbol: &str| {
+            let cells = catalogue::tables().iter().filter(|table| table.is_of_the_manual()).flat_map(Table::cells);
+            let times = cells.filter(|cell| cell.place.symbol == symbol).map(catalogue::datum_of::<Time>);
+            times.filter_map(|time| Some(time.known()?.value)).max_by(|a, b| a.si().total_cmp(&b.si()))
+        };
+        Some((printed("t_c")?, printed("t_o")?))
+    });
+    *TIMES
 }
 
 /// The battery of the first series' encoder that has one.

@@ -7,6 +7,8 @@
 
 mod bounds;
 mod catalogue;
+mod figures;
+mod losses;
 
 use crate::axis::Axis;
 use crate::bearing_checks::Borne;
@@ -18,9 +20,10 @@ use crate::list::{Answer, Case};
 use crate::notes::Note;
 use crate::rank::{RankKey, Standing};
 use actuator::Parameters;
-use bounds::{Bounds, Figures, Shared};
+use bounds::{Bounds, BoundsOfOne};
 use catalogue::{Conditions, Group};
 use derivation::Workings;
+use figures::Figures;
 use motion::Hold;
 use quantities::Measure;
 use std::cell::RefCell;
@@ -75,30 +78,23 @@ impl<'s> Screening<'s> {
     /// How many fit, and the best of them; `meets`: of each entrant whether it meets what is required besides the checks.
     pub fn found(&mut self, axis: &Axis, meets: &[bool]) -> Found {
         let screen = self.screen;
-        let groups = screen.groups(axis);
-        let known = self.conditions.take().filter(|known| known.are_of(axis));
+        let known = self.conditions.take().filter(|known| known.are_of(screen, axis));
         let conditions = self.conditions.insert(known.unwrap_or_else(|| Conditions::of(screen, axis)));
-        let has_outline = self.figures.take(axis);
-        self.bounds.clear();
+        let has_outline = self.figures.take(axis, conditions);
         let figures = &self.figures;
-        let terminal = conditions.terminal.map(Measure::si);
-        let known = screen.drives().iter().zip(conditions.places());
-        let shared: Vec<Option<Shared<'_>>> = known
-            .map(|(drive, place)| {
-                let (drive, place) = drive.as_ref().zip(place.as_ref()).filter(|_| has_outline)?;
-                Some(Shared::of(figures, drive, place, terminal))
-            })
-            .collect();
-        let bounds = groups.iter().map(|group| match shared.get(group.drive).and_then(Option::as_ref) {
-            Some(shared) => Bounds::of(figures, group, shared),
-            None => Bounds::UNKNOWN,
-        });
-        self.bounds.extend(bounds);
+        self.bounds.resize_with(conditions.fours.len(), || Bounds::UNKNOWN);
+        for (bounds, four) in self.bounds.iter_mut().zip(&conditions.fours) {
+            if has_outline {
+                bounds.look(figures, four);
+            } else {
+                *bounds = Bounds::UNKNOWN;
+            }
+        }
         let (of_bearing, others): (Vec<CheckId>, Vec<CheckId>) =
             others(axis).into_iter().partition(|id| matches!(id.answer(), Answer::Bearing(_)));
         let borne = RefCell::new(vec![None; screen.bearings]);
-        let row = Row { axis, meets, others, of_bearing, borne, has_outline, screen, conditions };
-        row.found(groups, &self.bounds)
+        let row = Row { axis, meets, others, of_bearing, borne, has_outline, conditions };
+        row.found(figures, &mut self.bounds)
     }
 }
 
@@ -136,8 +132,25 @@ struct Row<'r> {
     of_bearing: Vec<CheckId>,
     borne: RefCell<Vec<Option<Arc<OfBearing>>>>,
     has_outline: bool,
-    screen: &'r Screen,
     conditions: &'r Conditions<'r>,
+}
+
+/// A group that meets what is required: its place, and what is known of it.
+struct Open {
+    four: usize,
+    place: usize,
+    size: u16,
+    state: State,
+}
+
+impl Open {
+    /// What comes first in the order of those that fit.
+    const fn class(&self) -> Option<(bool, u16)> {
+        match self.state {
+            State::Fits { holds } => Some((!holds, self.size)),
+            State::Fails => None,
+        }
+    }
 }
 
 /// What the checks of an output bearing found.
@@ -148,23 +161,39 @@ struct OfBearing {
 }
 
 impl Row<'_> {
-    fn found(&self, groups: &[Group], bounds: &[Bounds]) -> Found {
+    fn found(&self, figures: &Figures, bounds: &mut [Bounds]) -> Found {
         let mut fit = 0;
-        let mut open: Vec<(usize, State)> = Vec::with_capacity(groups.len());
-        for (place, (group, bounds)) in groups.iter().zip(bounds).enumerate() {
-            let meeting = group.members.iter().filter(|member| self.meets(member.entrant)).count();
-            if meeting == 0 {
-                continue;
+        let mut open: Vec<Open> = Vec::with_capacity(self.conditions.groups.len());
+        for (four, (groups, bounds)) in self.conditions.groups.chunks(4).zip(bounds.iter()).enumerate() {
+            for (place, group) in groups.iter().enumerate() {
+                let meeting = group.members.iter().filter(|member| self.meets(member.entrant)).count();
+                if meeting == 0 {
+                    continue;
+                }
+                let state = self.state(group, bounds.of_one(place));
+                if let State::Fits { .. } = state {
+                    fit += meeting;
+                }
+                open.push(Open { four, place, size: group.size, state });
             }
-            let state = self.state(group, bounds);
-            if let State::Fits { .. } = state {
-                fit += meeting;
-            }
-            open.push((place, state));
         }
-        let best = (fit > 0).then(|| self.best(groups, bounds, &mut open)).flatten();
-        let miss = if fit == 0 { self.miss(groups, bounds, &mut open) } else { None };
-        Found { fit, best, miss }
+        if fit == 0 {
+            return Found { fit, best: None, miss: self.miss(&open, bounds) };
+        }
+        // The best is mostly one of those that come first by what costs nothing.
+        let first = open.iter().filter_map(Open::class).min();
+        for open in open.iter().filter(|open| open.class() == first) {
+            if let (Some(bounds), Some(four)) = (bounds.get_mut(open.four), self.conditions.fours.get(open.four)) {
+                bounds.look_below(figures, four);
+            }
+        }
+        Found { fit, best: self.best(&open, bounds, first), miss: None }
+    }
+
+    /// A group with its bounds.
+    fn group<'b>(&self, open: &Open, bounds: &'b [Bounds]) -> Option<(&Group, BoundsOfOne<'b>)> {
+        let group = self.conditions.groups.get(4 * open.four + open.place)?;
+        Some((group, bounds.get(open.four)?.of_one(open.place)))
     }
 
     fn meets(&self, entrant: usize) -> bool {
@@ -172,7 +201,7 @@ impl Row<'_> {
     }
 
     /// Whether a group fits, by its bounds and, where these leave it open, by the checks themselves.
-    fn state(&self, group: &Group, bounds: &Bounds) -> State {
+    fn state(&self, group: &Group, bounds: BoundsOfOne<'_>) -> State {
         if bounds.fails() {
             return State::Fails;
         }
@@ -227,41 +256,46 @@ impl Row<'_> {
         crate::judge::judge(self.axis, actuator, Depth::Rank)
     }
 
-    /// The best of the groups that fit, with its best member.
-    fn best(&self, groups: &[Group], bounds: &[Bounds], open: &mut Vec<(usize, State)>) -> Option<Ranked> {
+    /// The best of the groups that fit, with its best member; `first`: the class that comes first.
+    fn best(&self, open: &[Open], bounds: &[Bounds], first: Option<(bool, u16)>) -> Option<Ranked> {
         let key = |group: &Group, holds: bool, utilisation: f64, mass_kg: f64| {
             RankKey::of(&Standing { fits: true, holds, size: group.size, utilisation, mass_kg })
         };
         let mut best: Option<(RankKey, usize, Ranked)> = None;
-        let mut candidates: Vec<(RankKey, usize, bool)> = open
-            .drain(..)
-            .filter_map(|(place, state)| {
-                let State::Fits { holds } = state else { return None };
-                let (group, bounds) = (groups.get(place)?, bounds.get(place)?);
-                Some((key(group, holds, bounds.least(), 0.0), place, holds))
-            })
-            .collect();
-        while let Some(at) = candidates.iter().enumerate().min_by_key(|(_, (key, ..))| *key).map(|(at, _)| at) {
-            let (least, place, holds) = candidates.swap_remove(at);
-            if best.as_ref().is_some_and(|(key, ..)| least > *key) {
+        let candidate = |open: &Open| {
+            let State::Fits { holds } = open.state else { return None };
+            let (group, bounds) = self.group(open, bounds)?;
+            Some((key(group, holds, bounds.least(), 0.0), group, bounds, holds))
+        };
+        let mut candidates: Vec<(RankKey, &Group, BoundsOfOne<'_>, bool)> = Vec::new();
+        for is_first in [true, false] {
+            // Whatever is certain comes before all of a later class.
+            if best.as_ref().is_some_and(|(.., ranked)| ranked.utilisation <= 1.0) {
                 break;
             }
-            let (Some(group), Some(bounds)) = (groups.get(place), bounds.get(place)) else { continue };
-            let (utilisation, tightest) = self.utilisation(group, bounds);
-            let members = group.members.iter().filter(|member| self.meets(member.entrant));
-            let member = members.min_by(|a, b| a.mass_kg.total_cmp(&b.mass_kg).then(a.entrant.cmp(&b.entrant)));
-            let Some(member) = member else { continue };
-            let key = key(group, holds, utilisation, member.mass_kg);
-            let found = (key, member.entrant, Ranked { entrant: member.entrant, utilisation, tightest });
-            if best.as_ref().is_none_or(|(other, entrant, _)| (key, member.entrant) < (*other, *entrant)) {
-                best = Some(found);
+            candidates.extend(open.iter().filter(|open| (open.class() == first) == is_first).filter_map(candidate));
+            while let Some(at) = least_of(&candidates, |(key, ..)| *key) {
+                let (least, group, bounds, holds) = candidates.swap_remove(at);
+                if best.as_ref().is_some_and(|(key, ..)| least > *key) {
+                    break;
+                }
+                let (utilisation, tightest) = self.utilisation(group, bounds);
+                let members = group.members.iter().filter(|member| self.meets(member.entrant));
+                let member = members.min_by(|a, b| a.mass_kg.total_cmp(&b.mass_kg).then(a.entrant.cmp(&b.entrant)));
+                let Some(member) = member else { continue };
+                let key = key(group, holds, utilisation, member.mass_kg);
+                if best.as_ref().is_none_or(|(other, entrant, _)| (key, member.entrant) < (*other, *entrant)) {
+                    best = Some((key, member.entrant, Ranked { entrant: member.entrant, utilisation, tightest }));
+                    candidates.retain(|(least, ..)| *least <= key);
+                }
             }
+            candidates.clear();
         }
         best.map(|(.., ranked)| ranked)
     }
 
     /// The largest utilisation of a group that fits, by the checks whose bounds leave room for it.
-    fn utilisation(&self, group: &Group, bounds: &Bounds) -> (f64, Option<CheckId>) {
+    fn utilisation(&self, group: &Group, bounds: BoundsOfOne<'_>) -> (f64, Option<CheckId>) {
         if bounds.is_unknown() {
             let judgement = self.judged(&group.representative);
             return (judgement.utilisation(), judgement.tightest().map(|check| check.id));
@@ -288,24 +322,21 @@ impl Row<'_> {
     }
 
     /// Of the groups that do not fit the one that misses by least.
-    fn miss(&self, groups: &[Group], bounds: &[Bounds], open: &mut Vec<(usize, State)>) -> Option<Ranked> {
+    fn miss(&self, open: &[Open], bounds: &[Bounds]) -> Option<Ranked> {
         let key = |group: &Group, utilisation: f64, mass_kg: f64| {
             RankKey::of(&Standing { fits: false, holds: true, size: group.size, utilisation, mass_kg })
         };
         let mut best: Option<(RankKey, usize, Ranked)> = None;
-        let mut candidates: Vec<(RankKey, usize)> = open
-            .drain(..)
-            .filter_map(|(place, _)| {
-                let (group, bounds) = (groups.get(place)?, bounds.get(place)?);
-                (!bounds.is_of_another_place()).then(|| (key(group, bounds.least_first(), 0.0), place))
-            })
-            .collect();
-        while let Some(at) = candidates.iter().enumerate().min_by_key(|(_, (key, ..))| *key).map(|(at, _)| at) {
-            let (least, place) = candidates.swap_remove(at);
+        let candidate = |open: &Open| {
+            let (group, bounds) = self.group(open, bounds)?;
+            (!bounds.is_of_another_place()).then(|| (key(group, bounds.least_first(), 0.0), group))
+        };
+        let mut candidates: Vec<(RankKey, &Group)> = open.iter().filter_map(candidate).collect();
+        while let Some(at) = least_of(&candidates, |(key, _)| *key) {
+            let (least, group) = candidates.swap_remove(at);
             if best.as_ref().is_some_and(|(key, ..)| least > *key) {
                 break;
             }
-            let Some(group) = groups.get(place) else { continue };
             let judgement = self.judged(&group.representative);
             let is_elsewhere = |check: &Check| check.verdict == Verdict::Fail && check.id.is_of_the_place();
             if judgement.checks.iter().any(is_elsewhere) {
@@ -319,10 +350,16 @@ impl Row<'_> {
             if best.as_ref().is_none_or(|(other, entrant, _)| (key, member.entrant) < (*other, *entrant)) {
                 let tightest = judgement.worst_failure().map(|check| check.id);
                 best = Some((key, member.entrant, Ranked { entrant: member.entrant, utilisation, tightest }));
+                candidates.retain(|(least, _)| *least <= key);
             }
         }
         best.map(|(.., ranked)| ranked)
     }
+}
+
+/// The place of the first of the least ones.
+fn least_of<T>(all: &[T], key: impl Fn(&T) -> RankKey) -> Option<usize> {
+    all.iter().enumerate().min_by_key(|(_, each)| key(each)).map(|(place, _)| place)
 }
 
 /// A check of an actuator, made as [`judge`](crate::judge()) makes it.
@@ -346,9 +383,9 @@ impl Row<'_> {
         let (axis, actuator) = (self.axis, &group.representative);
         let made;
         let electrics = if ids.iter().copied().any(is_electric) {
-            let drive = self.screen.drives().get(group.drive).and_then(Option::as_ref);
-            made = match drive.zip(self.conditions.place(group.drive)) {
-                Some((drive, place)) => place.electrics(axis, drive),
+            let is_limited = ids.iter().any(|id| matches!(id, CheckId::ContinuousTorque | CheckId::OverloadI2t));
+            made = match self.conditions.drive(group.drive) {
+                Some((drive, place)) => place.electrics(axis, drive, is_limited),
                 None => Electrics::of(axis, actuator),
             };
             &made

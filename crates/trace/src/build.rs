@@ -493,6 +493,9 @@ pub fn instants(mechanism: &Mechanism, motion: &Motion) -> Vec<(usize, f64)> {
 fn parts(mechanism: &Mechanism, piece: &Piece) -> f64 {
     let [amplitude, frequency, _] = piece.harmonic;
     let phase = if amplitude == 0.0 { 0.0 } else { frequency * piece.duration_s / PANEL_PHASE };
+    if !mechanism.depends_on_position() {
+        return phase.ceil();
+    }
     let [low, high] = extremes(piece);
     let angle = mechanism.smooth_over(low, high).map_or(0.0, |panel| turned(mechanism, piece) * TAU / panel);
     phase.max(angle).ceil()

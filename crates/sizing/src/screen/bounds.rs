@@ -1,12 +1,10 @@
-//! Bounds of the utilisation of each check, from few figures of the axis and of the actuator.
+//! Bounds of the utilisation of each check, from few figures of the axis and of four actuators at a time.
 
-use super::catalogue::{Drive, Friction, Group, Place, swing};
-use crate::axis::Axis;
+use super::catalogue::Four;
+use super::figures::{Bound, Figures, OfDrive, all, torques};
+use super::losses::{Means, decay_above, decay_below};
 use crate::check::CheckId;
-use crate::supply::Edge;
-use actuator::MotorVoltage;
-use quantities::{AngularVelocity, Measure};
-use trace::Outline;
+use wide::f64x4;
 
 /// The checks with bounds, in the order of their places in [`Bounds`].
 pub(super) const COVERED: [CheckId; COUNT] = [
@@ -30,404 +28,322 @@ pub(super) const COVERED: [CheckId; COUNT] = [
 
 const COUNT: usize = 16;
 
-/// The first of them that looks at an actuator which no check of the first stage rejects.
-const FIRST_OF_SURVIVORS: usize = 10;
-
 /// So near a limit a bound decides nothing: far above the rounding of the sums.
 pub(super) const ROOM: f64 = 1e-6;
 
-/// The same where a signal is curved: what lies between its nodes is known to such a share.
-const ROOM_CURVED: f64 = 1e-3;
-
-/// So near an edge of the range of temperatures the check itself decides \[K\].
-const EDGE_K: f64 = 1e-6;
-
-/// Figures of an axis.
-#[derive(Default)]
-pub(super) struct Figures {
-    outline: Outline,
-    room: f64,
-    duration: f64,
-    duty: f64,
-    speed_mean: f64,
-    speed_peak: f64,
-    load_peak: f64,
-    load_mean: f64,
-    open_share: f64,
-    has_collision: bool,
-    ambient: Option<f64>,
-    supply: Option<f64>,
-    /// Means of the products of (α, T_L, σ, ω).
-    means: [[f64; 4]; 4],
-}
-
-impl Figures {
-    /// Those of an axis; whether there are any.
-    pub(super) fn take(&mut self, axis: &Axis) -> bool {
-        if !axis.trace.outline(&mut self.outline) {
-            return false;
-        }
-        let moments = axis.moments();
-        self.room = if self.outline.is_straight { ROOM } else { ROOM_CURVED };
-        self.ambient = axis.ambient.map(Measure::si);
-        self.duration = moments.duration.si();
-        self.duty = moments.duty_factor();
-        self.speed_mean = moments.speed_mean().si();
-        self.speed_peak = moments.speed_peak.si();
-        self.load_peak = moments.load_peak.si();
-        self.load_mean = axis.load_cubic_mean().si();
-        self.open_share = axis.brake_open_share().si();
-        self.has_collision = axis.asked.collision_torque.is_some();
-        self.supply = axis.supply.as_ref().map(|supply| supply.at(Edge::High).si());
-        self.means = axis.trace.gram().sums().map(|row| row.map(|sum| sum / self.duration));
-        self.duration > 0.0
-    }
-
-    /// Bounds of the largest |J α + T_L|.
-    fn torque_peak(&self, inertia: f64) -> [f64; 2] {
-        let low = self.outline.nodes.iter().fold(0.0_f64, |most, [a, t, ..]| most.max((inertia * a + t).abs()));
-        let high = self.outline.extents.iter().fold(0.0_f64, |most, extent| most.max(extent.torque(inertia)));
-        [low, high]
-    }
-
-    /// Mean of (J α + T_L)².
-    fn torque_square(&self, inertia: f64) -> f64 {
-        let [[aa, at, ..], [_, tt, ..], ..] = &self.means;
-        (inertia * inertia * aa + 2.0 * inertia * at + tt).max(0.0)
-    }
-}
-
-/// Bounds of one actuator.
-#[derive(Clone, Copy, Debug)]
+/// Bounds of four actuators. Those below cost as much as those above and are found only where they count.
+#[derive(Clone, Debug)]
 pub(super) struct Bounds {
-    is_unknown: bool,
-    fails: bool,
-    is_elsewhere: bool,
+    /// Above the first something fails, below the second it does not.
+    limits: [f64x4; 2],
     room: f64,
+    is_elsewhere: [bool; 4],
+    is_unknown: [bool; 4],
+    has_low: bool,
+    /// Whether it fails for sure.
+    fails: f64x4,
     /// Bit k: whether the check at place k is decided by itself only.
-    open: u32,
-    least_first: f64,
-    least: f64,
-    /// Above the utilisation of each.
-    high: [f64; COUNT],
+    open: f64x4,
+    least_first: f64x4,
+    least: f64x4,
+    /// Above the utilisation of each check.
+    high: [f64x4; COUNT],
+    /// Mean of (J α + T_L)².
+    square: f64x4,
+    /// Bounds of K in the settled cycle.
+    constant: [f64x4; 2],
 }
 
-impl Bounds {
-    /// Nothing is known: the actuator is judged.
-    pub(super) const UNKNOWN: Self = Self {
-        is_unknown: true,
-        fails: false,
-        is_elsewhere: false,
-        room: ROOM,
-        open: u32::MAX,
-        least_first: 0.0,
-        least: 0.0,
-        high: [f64::INFINITY; COUNT],
-    };
+/// The bounds of one actuator.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct BoundsOfOne<'b> {
+    of: &'b Bounds,
+    place: usize,
+}
 
-    const NONE: Self = Self { is_unknown: false, open: 0, high: [0.0; COUNT], ..Self::UNKNOWN };
+impl BoundsOfOne<'_> {
+    fn own(&self, all: &f64x4) -> f64 {
+        all.as_array().get(self.place).copied().unwrap_or(f64::NAN)
+    }
 
-    pub(super) const fn is_unknown(&self) -> bool {
-        self.is_unknown
+    fn is(&self, all: &[bool; 4]) -> bool {
+        all.get(self.place).copied().unwrap_or(true)
+    }
+
+    /// Whether nothing is known: then the actuator is judged.
+    pub(super) fn is_unknown(&self) -> bool {
+        self.is(&self.of.is_unknown)
     }
 
     /// Whether it fails for sure.
-    pub(super) const fn fails(&self) -> bool {
-        self.fails
+    pub(super) fn fails(&self) -> bool {
+        !self.is_unknown() && (self.is(&self.of.is_elsewhere) || self.own(&self.of.fails).to_bits() != 0)
     }
 
     /// Whether it fails where neither load nor pace matter.
-    pub(super) const fn is_of_another_place(&self) -> bool {
-        self.is_elsewhere
+    pub(super) fn is_of_another_place(&self) -> bool {
+        !self.is_unknown() && self.is(&self.of.is_elsewhere)
     }
 
     /// At most its utilisation.
     pub(super) fn least(&self) -> f64 {
-        self.least * (1.0 - self.room)
+        self.own(&self.of.least) * (1.0 - self.of.room)
     }
 
     /// At most the utilisation by the checks of the first stage.
     pub(super) fn least_first(&self) -> f64 {
-        self.least_first * (1.0 - self.room)
+        self.own(&self.of.least_first) * (1.0 - self.of.room)
     }
 
     /// The checks that its bounds leave open.
     pub(super) fn open(&self) -> Ids {
-        Ids(self.open)
+        Ids(self.own(&self.of.open).to_bits())
     }
 
     /// The checks whose utilisation may be the largest.
     pub(super) fn contenders(&self) -> Ids {
         let least = self.least();
-        let may_be = self.high.iter().enumerate().filter(|(_, high)| **high * (1.0 + self.room) >= least);
-        Ids(may_be.fold(0, |all, (place, _)| all | 1 << place) | self.open)
+        let may_be = |high: &f64x4| self.own(high) * (1.0 + self.of.room) >= least;
+        let places = self.of.high.iter().enumerate().filter(|(_, high)| may_be(high));
+        Ids(places.fold(0, |all, (place, _)| all | 1 << place) | self.open().0)
+    }
+}
+
+impl Bounds {
+    /// Of one of the four.
+    pub(super) const fn of_one(&self, place: usize) -> BoundsOfOne<'_> {
+        BoundsOfOne { of: self, place }
     }
 
-    pub(super) fn of(figures: &Figures, group: &Group, shared: &Shared<'_>) -> Self {
-        if group.inertia.is_nan() {
-            return Self::UNKNOWN;
+    /// Nothing is known.
+    pub(super) const UNKNOWN: Self = Self {
+        limits: [f64x4::ONE; 2],
+        room: ROOM,
+        is_elsewhere: [false; 4],
+        is_unknown: [true; 4],
+        has_low: true,
+        fails: f64x4::ZERO,
+        open: all(f64::from_bits((1 << COUNT) - 1)),
+        least_first: f64x4::ZERO,
+        least: f64x4::ZERO,
+        high: [all(f64::INFINITY); COUNT],
+        square: f64x4::ZERO,
+        constant: [f64x4::ZERO; 2],
+    };
+
+    /// Takes those above, and where these leave something open those below.
+    pub(super) fn look(&mut self, figures: &Figures, four: &Four) {
+        let of_drives = four.drives.map(|drive| figures.of_drive(drive));
+        let above = f64x4::from(of_drives.map(|of_drive| of_drive.above));
+        self.limits = [all(1.0 + figures.room), all(1.0 - figures.room)];
+        self.room = figures.room;
+        self.is_elsewhere = of_drives.map(|of_drive| of_drive.is_elsewhere);
+        self.is_unknown = four.is_unknown;
+        self.has_low = false;
+        self.fails = f64x4::ZERO;
+        self.open = f64x4::from(of_drives.map(|of_drive| f64::from_bits(of_drive.open)));
+        self.least = above;
+        self.high = [f64x4::ZERO; COUNT];
+        self.square = figures.torque_square(four.inertia);
+        self.look_above(figures, four, of_drives);
+        if self.open.to_array().iter().any(|open| open.to_bits() != 0) {
+            self.look_below(figures, four);
         }
-        let mut found = shared.bounds;
-        if found.fails {
-            return found;
-        }
-        let torques = figures.torque_peak(group.inertia);
-        let square = figures.torque_square(group.inertia);
-        found.torques(figures, group, shared, (torques, square));
-        if found.fails {
-            return found;
-        }
-        found.currents(figures, group, shared);
-        if found.fails {
-            return found;
-        }
-        found.heat(figures, group, shared, square);
-        let [_, peak] = torques;
-        if let Some(least) = shared.short_time {
-            found.take(10, [0.0, peak / least]);
-        }
-        found
     }
 
-    /// A check with bounds of its utilisation, which fails above one.
-    fn take(&mut self, at: usize, [low, high]: [f64; 2]) {
-        self.take_beside(at, [low, high], [low, high]);
+    /// A check whose utilisation is below this.
+    #[inline]
+    fn below(&mut self, at: usize, high: f64x4) {
+        self.below_beside(at, high, high);
     }
 
-    /// A check with bounds of its utilisation and of its value by the edge above which it fails.
-    fn take_beside(&mut self, at: usize, [low, high]: [f64; 2], [sure, most]: [f64; 2]) {
+    /// A check whose utilisation is below the first, and its value by the edge above which it fails below the second.
+    #[inline]
+    fn below_beside(&mut self, at: usize, high: f64x4, most: f64x4) {
         if let Some(known) = self.high.get_mut(at) {
             *known = high;
         }
-        self.least = self.least.max(low);
-        if at < FIRST_OF_SURVIVORS {
-            self.least_first = self.least_first.max(low);
-        }
-        if sure > 1.0 + self.room {
-            self.fails = true;
-        }
+        let [_, below] = self.limits;
         // Not a number is open too.
-        let is_sure = most < 1.0 - self.room;
-        if !is_sure {
-            self.open |= 1 << at;
-        }
+        self.open |= !most.simd_lt(below) & all(f64::from_bits(1 << at));
     }
 
-    fn speeds(&mut self, figures: &Figures, drive: &Drive) {
-        let share = |value: f64, limit: f64| [value / limit; 2];
-        self.take(1, share(figures.speed_peak, drive.speed_max));
-        self.take(2, share(figures.speed_mean, drive.speed_rated));
-        if let Some(limit) = drive.average_torque_max {
-            self.take(7, share(figures.load_mean, limit));
-        }
-        if let Some(limit) = drive.input_speed_mean_max {
-            self.take(13, share(figures.speed_mean * drive.ratio, limit));
-        }
-        let load = if figures.has_collision { f64::INFINITY } else { figures.load_peak };
-        if let Some(limit) = drive.transmissible_load {
-            self.take(14, [figures.load_peak / limit, load / limit]);
-        }
+    /// A check whose utilisation is above this.
+    #[inline]
+    fn above(&mut self, low: f64x4) {
+        self.above_beside(low, low);
     }
 
-    fn torques(&mut self, figures: &Figures, group: &Group, shared: &Shared<'_>, (peak, square): ([f64; 2], f64)) {
-        let drive = shared.drive;
-        self.take(0, peak.map(|torque| torque / drive.torque_max));
-        let effective = square.sqrt();
-        let [[low, high], [upper_low, upper_high]] = shared.continuous;
-        self.take_beside(3, [effective / high, effective / low], [effective / upper_high, effective / upper_low]);
-        if let Some(limit) = drive.transmissible_housing {
-            // |T_L| + (J_out/i) |α|
-            let inertia = group.inertia / drive.ratio;
-            let of = |most: f64, extent: &trace::Extent| most.max(extent.torque(inertia)).max(extent.torque(-inertia));
-            let housing = figures.outline.extents.iter().fold(0.0, of);
-            let housing = if figures.has_collision { f64::INFINITY } else { housing };
-            self.take(15, [0.0, housing / limit]);
-        }
+    /// The same, and its value by the edge above which it fails above the second.
+    #[inline]
+    fn above_beside(&mut self, low: f64x4, sure: f64x4) {
+        let [above, _] = self.limits;
+        self.least = self.least.max(low);
+        self.fails |= sure.simd_gt(above);
     }
 
-    /// Ambient temperature and supply, which neither load nor pace can mend.
-    fn place(&mut self, figures: &Figures, drive: &Drive) {
-        if let (Some(air), Some(range)) = (figures.ambient, drive.drivetrain.ambient_range.known()) {
-            let (low, high) = (range.value.0.si(), range.value.1.si());
-            // The check itself decides at an edge of the range.
-            if air < low - EDGE_K || air > high + EDGE_K {
-                self.fails = true;
-                self.is_elsewhere = true;
-            } else if air < low + EDGE_K || air > high - EDGE_K {
-                self.open |= 1 << 8;
-            }
-        }
-        if let (Some(supply), Some(limit)) = (figures.supply, drive.drivetrain.dc_link_max.known()) {
-            let share = supply / limit.value.si();
-            if share > 1.0 + ROOM {
-                self.fails = true;
-                self.is_elsewhere = true;
-                self.least = self.least.max(share);
-                self.least_first = self.least_first.max(share);
-            } else if share > 1.0 - ROOM {
-                self.open |= 1 << 9;
-            }
-        }
+    /// A check whose utilisation is known.
+    fn known(&mut self, at: usize, share: f64x4) {
+        self.below(at, share);
+        self.above(share);
     }
 
-    fn currents(&mut self, figures: &Figures, group: &Group, shared: &Shared<'_>) {
-        let (drive, cold, warmest) = (shared.drive, &shared.place.cold, &shared.place.warmest);
-        let (inertia, per_torque) = (group.inertia, shared.per_torque);
-        let mut high = 0.0_f64;
-        let mut volts = 0.0_f64;
-        for extent in &figures.outline.extents {
-            let (least, most) = extent.torques(inertia);
+    fn look_above(&mut self, figures: &Figures, four: &Four, of_drives: [&OfDrive; 4]) {
+        self.known(1, all(figures.speed_peak) * four.per_speed_max);
+        self.known(2, all(figures.speed_mean) * four.per_speed_rated);
+        self.known(7, all(figures.load_mean) * four.per_average_torque_max);
+        self.least_first = self.least;
+        self.known(13, all(figures.speed_mean) * four.per_input_speed_mean_max);
+        let of_drive = |figure: fn(&OfDrive) -> f64| f64x4::from(of_drives.map(figure));
+        let peak = figures.torque_peak_high(four.inertia);
+        self.below(0, peak * four.per_torque_max);
+        self.below(10, peak * of_drive(|drive| drive.short_time));
+        let effective = self.square.sqrt();
+        let [share, most] = [of_drive(|drive| drive.continuous[0][0]), of_drive(|drive| drive.continuous[1][0])];
+        self.below_beside(3, effective * share, effective * most);
+        self.joints(figures, four);
+        self.currents_above(figures, four);
+        self.heat_above(figures, four, of_drives);
+    }
+
+    /// What is below the utilisations, unless it is known already.
+    pub(super) fn look_below(&mut self, figures: &Figures, four: &Four) {
+        if self.has_low {
+            return;
+        }
+        self.has_low = true;
+        let of_drives = four.drives.map(|drive| figures.of_drive(drive));
+        let of_drive = |figure: fn(&OfDrive) -> f64| f64x4::from(of_drives.map(figure));
+        let beyond_first = self.least;
+        self.least = self.least_first;
+        self.above(figures.torque_peak_low(four.inertia) * four.per_torque_max);
+        let effective = self.square.sqrt();
+        let [share, sure] = [of_drive(|drive| drive.continuous[0][1]), of_drive(|drive| drive.continuous[1][1])];
+        self.above_beside(effective * share, effective * sure);
+        self.currents_below(figures, four);
+        self.least_first = self.least;
+        self.least = self.least.max(beyond_first);
+        let rise = self.rise_below(figures, four);
+        let [share, sure] = [of_drive(|drive| drive.rise[0][0]), of_drive(|drive| drive.rise[1][0])];
+        self.above_beside(rise * share, rise * sure);
+    }
+
+    /// What the screws bear.
+    fn joints(&mut self, figures: &Figures, four: &Four) {
+        let load = all(figures.load_peak) * four.per_transmissible_load;
+        self.above(load);
+        // |T_L| + (J_out/i) |α|
+        let most = |most: f64x4, Bound { acceleration, load, .. }: &Bound| {
+            most.fast_max(four.inertia_in * all(*acceleration) + all(*load))
+        };
+        let housing = figures.bounds.iter().fold(f64x4::ZERO, most) * four.per_transmissible_housing;
+        let [load, housing] = [load, housing].map(|most| if figures.has_collision { all(f64::INFINITY) } else { most });
+        self.below(14, load);
+        self.below(15, housing);
+    }
+
+    fn currents_above(&mut self, figures: &Figures, four: &Four) {
+        let ([cold, cold_k], [warm, warm_k]) = (four.cold, four.warmest);
+        let (mut high, mut volts) = (f64x4::ZERO, f64x4::ZERO);
+        for Bound { extent, .. } in &figures.bounds {
+            let (least, most) = torques(extent, four.inertia);
             let ((back, forth), (slowest, fastest)) = (extent.direction, extent.speeds_rad_s);
             // Of any friction between both, a sum of parts with the sign of the motion.
-            let of = |friction: &Friction, direction: f64, speed: f64| {
-                direction * friction.counted + speed * friction.constant
+            let of = |direction: f64, speed: f64| {
+                let of = |counted: f64x4, constant: f64x4| all(direction) * counted + all(speed) * constant;
+                (of(cold, cold_k), of(warm, warm_k))
             };
-            let upper = most * per_torque + of(cold, forth, fastest).max(of(warmest, forth, fastest));
-            let lower = least * per_torque + of(cold, back, slowest).min(of(warmest, back, slowest));
-            let current = upper.max(-lower);
-            high = high.max(current);
-            if let Some(motor) = &shared.motor {
-                volts = volts.max(motor.most(AngularVelocity::from_si(extent.speed_rad_s), current));
+            let (by_cold, by_warm) = of(forth, fastest);
+            let upper = most * four.per_torque + by_cold.fast_max(by_warm);
+            let (by_cold, by_warm) = of(back, slowest);
+            let lower = least * four.per_torque + by_cold.fast_min(by_warm);
+            let current = upper.fast_max(-lower);
+            high = high.fast_max(current);
+            if figures.terminal.is_some() {
+                volts = volts.fast_max(four.voltage(extent.speed_rad_s, current));
             }
         }
-        let (mut low, mut sure) = (0.0_f64, 0.0_f64);
+        self.below(4, high * four.per_current_max);
+        self.below(5, high * four.per_current_demagnetisation);
+        if let Some(terminal) = figures.terminal {
+            self.below(6, volts * all(1.0 / terminal) * four.has_voltage);
+        }
+    }
+
+    fn currents_below(&mut self, figures: &Figures, four: &Four) {
+        let ([cold, cold_k], [warm, warm_k]) = (four.cold, four.warmest);
+        let (mut low, mut sure) = (f64x4::ZERO, f64x4::ZERO);
         for [a, t, s, w] in &figures.outline.nodes {
-            let torque = (inertia * a + t) * per_torque;
-            low = low.max((torque + s * cold.at(w.abs())).abs());
+            let torque = (four.inertia * all(*a) + all(*t)) * four.per_torque;
+            let (s, w) = (all(*s), all(w.abs()));
+            let most = cold + cold_k * w;
+            low = low.fast_max((torque + s * most).abs());
             // Of any friction between both.
-            let [least, most] = [warmest, cold].map(|friction| s.abs() * friction.at(w.abs()));
-            let braking = torque * s < 0.0;
-            sure = sure.max(if braking { (torque.abs() - most).max(0.0) } else { torque.abs() + least });
+            let [least, most] = [warm + warm_k * w, most].map(|friction| s.abs() * friction);
+            let braking = (torque * s).simd_lt(f64x4::ZERO);
+            let magnitude = torque.abs();
+            sure = sure.fast_max(braking.select((magnitude - most).fast_max(f64x4::ZERO), magnitude + least));
         }
-        if let Some(limit) = drive.current_max {
-            let [low, sure] = if drive.has_short_time_curve { [0.0; 2] } else { [low, sure] };
-            self.take_beside(4, [low / limit, high / limit], [sure / limit, high / limit]);
-        }
-        if let Some(limit) = drive.current_demagnetisation {
-            self.take(5, [low / limit, high / limit]);
-        }
-        if let (Some(terminal), Some(_)) = (shared.terminal, &shared.motor) {
-            self.take(6, [0.0, volts / terminal]);
-        }
+        // A published curve may permit more than I_max.
+        let per_limit = four.per_current_max * four.without_curve;
+        self.above_beside(low * per_limit, sure * per_limit);
+        self.above(low * four.per_current_demagnetisation);
     }
 
-    fn heat(&mut self, figures: &Figures, group: &Group, shared: &Shared<'_>, square: f64) {
-        let (drive, place, per_torque) = (shared.drive, shared.place, shared.per_torque);
-        let [[_, _, a_s, a_w], [_, _, t_s, t_w], [_, _, moving, travelled], [.., w_w]] = &figures.means;
-        let of_square = square * per_torque * per_torque;
-        let of_direction = (group.inertia * a_s + t_s) * per_torque;
-        let of_speed = (group.inertia * a_w + t_w) * per_torque;
-        // Mean of I²: of I_T + I_s σ + K ω a parabola in I_s and in K, largest at a corner.
-        let mean = |counted: f64, constant: f64| {
-            of_square
-                + counted * (counted * moving + 2.0 * of_direction + 2.0 * constant * travelled)
-                + constant * (constant * w_w + 2.0 * of_speed)
-        };
-        let (warm, cool) = (&place.warmest, &place.at_ambient);
-        let corners = [
-            mean(warm.counted, warm.constant),
-            mean(warm.counted, cool.constant),
-            mean(cool.counted, warm.constant),
-            mean(cool.counted, cool.constant),
-        ];
-        let current_high = corners.into_iter().fold(0.0, f64::max);
-        #[allow(clippy::float_cmp, reason = "the same number, or another one")]
-        let current_low = if warm.counted == cool.counted {
-            let vertex = -(of_speed + warm.counted * travelled) / w_w;
-            let constant = if vertex.is_nan() { warm.constant } else { vertex.max(warm.constant).min(cool.constant) };
-            mean(warm.counted, constant).max(0.0)
+    fn heat_above(&mut self, figures: &Figures, four: &Four, of_drives: [&OfDrive; 4]) {
+        let means = Means::of(figures, four, self.square);
+        let ([warm_starting, warm, warm_k], [cool_starting, cool, cool_k]) = (four.warm_air, four.at_ambient);
+        let coil = four.coil_w * all(figures.open_share);
+        let [_, r_ha] = four.resistances;
+        // The losses fall as the housing warms: then two temperatures of which each is that of the losses of the other one
+        // hold the settled one between them.
+        let falls = four.is_steady & means.by_constant(four, warm, warm_k).simd_ge(f64x4::ZERO);
+        let [least_k, most_k] = if falls.any() {
+            let exponent = |constant: f64x4| {
+                let copper = four.copper_ohm * means.square(warm, constant).fast_max(f64x4::ZERO);
+                four.decay * r_ha * (copper + means.friction(four, warm_starting, constant) + coil)
+            };
+            let least = warm_k.fast_max(cool_k * decay_below(exponent(cool_k)));
+            let most = warm_k.fast_max(cool_k * decay_above(exponent(least)));
+            let least = warm_k.fast_max(cool_k * decay_below(exponent(most)));
+            [falls.select(least * all(1.0 - SETTLED), warm_k), falls.select(most * all(1.0 + SETTLED), cool_k)]
         } else {
-            0.0
+            [warm_k, cool_k]
         };
-        let law = drive.heat.losses();
-        let friction = |friction: &Friction| {
-            law.friction_v_s_per_rad() * (friction.starting * travelled + friction.constant * w_w)
-        };
-        let copper = [current_low, current_high].map(|square| law.copper_ohm() * square);
-        let friction = [friction(warm), friction(cool)];
-        let coil = group.coil_w * figures.open_share;
-        let [r_wh, r_ha] = shared.resistances;
-        let [by_copper, by_friction] = shared.gains;
-        let [copper_low, copper_high] = copper;
-        let [friction_low, friction_high] = friction;
-        let high = copper_high * by_copper + friction_high * by_friction + coil * r_ha;
-        let low = copper_low * (r_wh + r_ha) + friction_low * r_ha + coil * r_ha;
-        let permitted = drive.heat.winding_limit().si() - place.ambient_k;
-        // What the published curves permit of intermittent duty the model permits at least, see `PublishedDuty`.
-        let scales_down = figures.duty <= 0.5 && drive.has_intermittent_curves;
-        let (edge, upper) =
-            if drive.has_curves { (1.0, 1.0) } else { drive.heat.band(AngularVelocity::from_si(figures.speed_mean)) };
-        if permitted > 0.0 && (!drive.has_curves || scales_down) {
-            let low = if drive.has_curves { 0.0 } else { low };
-            self.take_beside(
-                11,
-                [low / (edge * permitted), high / (edge * permitted)],
-                [0.0, high / (upper * permitted)],
-            );
-        } else {
-            self.take(11, [0.0, f64::INFINITY]);
+        self.constant = [least_k, most_k];
+        // A parabola in I_s and in K is largest at a corner.
+        let corners = |counted: f64x4| means.square(counted, least_k).fast_max(means.square(counted, most_k));
+        let mut square = corners(cool).fast_max(f64x4::ZERO);
+        if !four.is_steady.all() {
+            square = square.fast_max(corners(warm));
         }
-        let stalled = drive.stall_current * drive.stall_current;
-        self.take(12, [0.0, current_high / stalled * shared.swing]);
+        let of_drive = |figure: fn(&OfDrive) -> f64| f64x4::from(of_drives.map(figure));
+        let [by_copper, by_friction] = [of_drive(|drive| drive.gains[0]), of_drive(|drive| drive.gains[1])];
+        let friction = means.friction(four, cool_starting, most_k);
+        let rise = four.copper_ohm * square * by_copper + friction * by_friction + coil * r_ha;
+        let [share, most] = [of_drive(|drive| drive.rise[0][1]), of_drive(|drive| drive.rise[1][1])];
+        self.below_beside(11, rise * share, rise * most);
+        self.below(12, square * four.per_stalled * of_drive(|drive| drive.swing));
+    }
+
+    /// Below the largest rise of the winding: its mean \[K\].
+    fn rise_below(&self, figures: &Figures, four: &Four) -> f64x4 {
+        let means = Means::of(figures, four, self.square);
+        let ([starting, counted, _], [least_k, most_k]) = (four.warm_air, self.constant);
+        let square = means.square(counted, means.vertex(counted).fast_max(least_k).fast_min(most_k));
+        let square = four.is_steady.select(square.fast_max(f64x4::ZERO), f64x4::ZERO);
+        let [r_wh, r_ha] = four.resistances;
+        let housing = means.friction(four, starting, least_k) + four.coil_w * all(figures.open_share);
+        four.copper_ohm * square * (r_wh + r_ha) + housing * r_ha
     }
 }
 
-/// What the actuators of one drivetrain have in common for an axis.
-pub(super) struct Shared<'c> {
-    drive: &'c Drive,
-    place: &'c Place<'c>,
-    bounds: Bounds,
-    per_torque: f64,
-    /// Bounds of the continuous torque and of its upper edge.
-    continuous: [[f64; 2]; 2],
-    /// The least torque that is permitted for a short time up to the peak speed.
-    short_time: Option<f64>,
-    terminal: Option<f64>,
-    motor: Option<MotorVoltage>,
-    /// R_wh, R_ha
-    resistances: [f64; 2],
-    /// Largest rise of the winding per mean of copper loss and of friction.
-    gains: [f64; 2],
-    /// Largest over mean of the supervision's lag.
-    swing: f64,
-}
-
-impl<'c> Shared<'c> {
-    /// `None` where nothing is known of a drivetrain.
-    pub(super) fn of(figures: &Figures, drive: &'c Drive, place: &'c Place<'c>, terminal: Option<f64>) -> Self {
-        let mut bounds = Bounds { room: figures.room, ..Bounds::NONE };
-        bounds.speeds(figures, drive);
-        bounds.place(figures, drive);
-        let short_time = place.short_time.as_ref().map(|short_time| {
-            let [still, fastest] = [0.0, figures.speed_peak].map(AngularVelocity::from_si);
-            let [least, _] = short_time.least_between(still, fastest);
-            least.si().min(drive.torque_max)
-        });
-        let network = drive.heat.network();
-        let [quick, slow] = network.time_constants().map(|tau| swing(figures.duration, tau));
-        let most = |gain: f64, [least, most]: [f64; 2]| if gain >= 0.0 { gain * most } else { gain * least };
-        let sum = |[of_quick, of_slow]: [f64; 2]| most(of_quick, quick) + most(of_slow, slow);
-        let gains = network.winding();
-        let [_, swing] = swing(figures.duration, drive.heat.winding_time_constant());
-        Self {
-            drive,
-            place,
-            bounds,
-            per_torque: 1.0 / drive.torque_constant,
-            continuous: drive.continuous.at(figures.speed_mean),
-            short_time,
-            terminal,
-            motor: drive.voltage.filter(|_| terminal.is_some()),
-            resistances: network.resistances_k_per_w(),
-            gains: [sum(gains.copper), sum(gains.friction)],
-            swing,
-        }
-    }
-}
+/// The friction of the settled cycle is known to this share: the root of its equation is found to 10⁻¹⁰ of the temperature.
+const SETTLED: f64 = 1e-7;
 
 /// Some of the covered checks.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Ids(u32);
+pub(super) struct Ids(u64);
 
 impl Ids {
     pub(super) const fn is_empty(self) -> bool {

@@ -1,13 +1,15 @@
 //! What of the actuators is the same for every axis, and what is the same for axes at one place.
 
+use super::figures::all;
 use crate::axis::Axis;
+use crate::check::CheckId;
 use crate::electrics::{CurrentLaw, Electrics};
-use crate::judge::made;
 use actuator::{Drivetrain, FrictionAt, HeatModel, MotorVoltage, NoLoadFriction, OutputBearing, Parameters, ShortTime};
 use derivation::Workings;
 use provenance::{Datum, Missing};
 use quantities::{AngularVelocity, ElectricPotential, Measure, ThermodynamicTemperature, Time};
 use std::sync::Arc;
+use wide::f64x4;
 
 /// An actuator that is ranked.
 #[derive(Clone, Copy, Debug)]
@@ -73,8 +75,8 @@ pub(super) struct Drive {
     pub(super) has_short_time_curve: bool,
     /// Whether published curves scale the model of heat.
     pub(super) has_curves: bool,
-    /// Whether both curves of intermittent duty are published.
-    pub(super) has_intermittent_curves: bool,
+    /// What it says of them, where all are published.
+    pub(super) published: Option<Published>,
     /// I_0 \[A\]
     pub(super) stall_current: f64,
     /// T_A \[Nm\]
@@ -84,7 +86,51 @@ pub(super) struct Drive {
     /// What the screws transmit \[Nm\].
     pub(super) transmissible_load: Option<f64>,
     pub(super) transmissible_housing: Option<f64>,
+    /// Ambient temperature in operation \[K\], U_DCmax \[V\]
+    pub(super) ambient_range: Option<(f64, f64)>,
+    pub(super) dc_link_max: Option<f64>,
     pub(super) continuous: Continuous,
+}
+
+/// Least and largest rise of the winding that the model finds on published curves, as shares of the permitted rise.
+pub(super) struct Published {
+    /// On the continuous curve, on those of half and of a quarter duty.
+    continuous: [f64; 2],
+    half: [f64; 2],
+    quarter: [f64; 2],
+}
+
+/// Steps of the speed at which the model is compared with published curves.
+const PUBLISHED_STEPS: u32 = 256;
+
+impl Published {
+    /// Of the speeds between two steps nothing is proven; the range is wider by the largest change of a step, assumed, since
+    /// curves and model are smooth between corners.
+    fn of(drivetrain: &Drivetrain, heat: &HeatModel) -> Option<Self> {
+        let [half, quarter] = &drivetrain.s3_curves;
+        let curves = [drivetrain.continuous_curve.known()?, half.known()?, quarter.known()?];
+        let end = curves.iter().filter_map(|curve| curve.value.points().last()).map(|end| end.speed.si());
+        let step = end.fold(0.0, f64::max) / f64::from(PUBLISHED_STEPS);
+        let range = |duty: f64| {
+            // Beyond its end a curve counts as at it.
+            let at = |place: u32| {
+                let speed = AngularVelocity::from_si(step * f64::from(place) * duty);
+                Some(actuator::published_duty(drivetrain, heat, duty, speed)?.rise_share)
+            };
+            let shares: Vec<f64> = (0..=PUBLISHED_STEPS).map(at).collect::<Option<_>>()?;
+            let (low, high) =
+                shares.iter().fold((f64::INFINITY, 0.0_f64), |(low, high), x| (low.min(*x), high.max(*x)));
+            let change = shares.iter().zip(shares.iter().skip(1)).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
+            (low > 2.0 * change).then_some([low - change, high + change])
+        };
+        Some(Self { continuous: range(1.0)?, half: range(0.5)?, quarter: range(0.25)? })
+    }
+
+    /// Bounds of the rise at a duty factor: between the curves next to it.
+    pub(super) fn rise_shares(&self, duty: f64) -> [f64; 2] {
+        let ([a, b], [c, d]) = if duty > 0.5 { (self.continuous, self.half) } else { (self.half, self.quarter) };
+        [a.min(c), b.max(d)]
+    }
 }
 
 /// Continuous torque over the mean speed: lower edge and upper edge at equal steps of the speed up to n_N/i, both falling.
@@ -171,11 +217,8 @@ impl Screen {
 
     /// The actuators whose answers are the same for an axis.
     pub(super) fn groups(&self, axis: &Axis) -> &[Group] {
-        if made(axis, true).any(|id| id.is_of_the_feedback()) { &self.singles } else { &self.groups }
-    }
-
-    pub(super) fn drives(&self) -> &[Option<Drive>] {
-        &self.drives
+        let limits = |id: &CheckId| id.is_of_the_feedback() && id.is_made(axis) && id.can_fail(axis);
+        if CheckId::ALL.iter().any(limits) { &self.singles } else { &self.groups }
     }
 }
 
@@ -229,12 +272,14 @@ impl Drive {
             current_demagnetisation: si(&drivetrain.current_demagnetisation),
             has_short_time_curve: drivetrain.short_time_curve.known().is_some(),
             has_curves: half || quarter || continuous_curve,
-            has_intermittent_curves: half && quarter,
+            published: Published::of(drivetrain, &heat),
             stall_current: si(&drivetrain.stall_current)?,
             average_torque_max: si(&drivetrain.gear.average_torque_max),
             input_speed_mean_max: si(&drivetrain.gear.input_speed_mean_max),
             transmissible_load: si(&drivetrain.screw_joint_load.transmissible_torque),
             transmissible_housing: si(&drivetrain.screw_joint_housing.transmissible_torque),
+            ambient_range: drivetrain.ambient_range.known().map(|range| (range.value.0.si(), range.value.1.si())),
+            dc_link_max: si(&drivetrain.dc_link_max),
             continuous: Continuous::of(drivetrain, &heat, speed_rated)?,
             heat,
             drivetrain: Arc::clone(drivetrain),
@@ -254,11 +299,6 @@ impl Friction {
     fn of(friction: &FrictionAt) -> Self {
         Self { counted: friction.counted.si(), starting: friction.starting.si(), constant: friction.constant.si() }
     }
-
-    /// At a speed \[A\].
-    pub(super) fn at(&self, speed: f64) -> f64 {
-        self.counted + self.constant * speed
-    }
 }
 
 /// What a drivetrain is at one place: ambient temperature and supply.
@@ -273,18 +313,27 @@ pub(super) struct Place<'p> {
     pub(super) short_time: Option<ShortTime<'p>>,
 }
 
-/// What the drivetrains are for axes with the same ambient temperature and supply.
+/// What the actuators are for axes with the same ambient temperature and supply.
 pub(super) struct Conditions<'p> {
     ambient: Option<ThermodynamicTemperature>,
     pub(super) terminal: Option<ElectricPotential>,
+    drives: &'p [Option<Drive>],
     places: Vec<Option<Place<'p>>>,
+    pub(super) groups: &'p [Group],
+    pub(super) fours: Vec<Four>,
 }
 
 impl Place<'_> {
-    /// The laws of a drivetrain for an axis, as [`Electrics::of`] makes them.
-    pub(super) fn electrics(&self, axis: &Axis, drive: &Drive) -> Electrics {
+    /// The laws of a drivetrain for an axis, as [`Electrics::of`] makes them; `is_limited`: with the continuous torque, which
+    /// only some checks look at.
+    pub(super) fn electrics(&self, axis: &Axis, drive: &Drive, is_limited: bool) -> Electrics {
         let missing = Missing { symbol: "U_M" };
-        Electrics::with(axis, &drive.drivetrain, (Ok(self.law.clone()), Ok(drive.heat), drive.voltage.ok_or(missing)))
+        let laws = (Ok(self.law.clone()), Ok(drive.heat), drive.voltage.ok_or(missing));
+        if is_limited {
+            return Electrics::with(axis, &drive.drivetrain, laws);
+        }
+        let (current, heat, voltage) = laws;
+        Electrics { current, heat, voltage, ..Electrics::UNKNOWN }
     }
 }
 
@@ -303,23 +352,142 @@ impl<'p> Conditions<'p> {
                 law,
             })
         };
-        let places = screen.drives.iter().map(|drive| drive.as_ref().and_then(place)).collect();
-        Self { ambient, terminal, places }
+        let drives = screen.drives.as_slice();
+        let places: Vec<_> = drives.iter().map(|drive| drive.as_ref().and_then(place)).collect();
+        let groups = screen.groups(axis);
+        let known = |group: &Group| {
+            let drive = drives.get(group.drive)?.as_ref()?;
+            Some((drive, places.get(group.drive)?.as_ref()?))
+        };
+        let fours = groups.chunks(4).map(|four| Four::of(four, known)).collect();
+        Self { ambient, terminal, drives, groups, fours, places }
     }
 
     /// Whether they are those of an axis.
-    pub(super) fn are_of(&self, axis: &Axis) -> bool {
+    pub(super) fn are_of(&self, screen: &Screen, axis: &Axis) -> bool {
         let bits = |value: Option<f64>| value.map(f64::to_bits);
         bits(self.ambient.map(Measure::si)) == bits(axis.ambient.map(Measure::si))
             && bits(self.terminal.map(Measure::si)) == bits(axis.terminal_voltage().map(Measure::si))
+            && std::ptr::eq(self.groups, screen.groups(axis))
     }
 
-    pub(super) fn places(&self) -> &[Option<Place<'p>>] {
-        &self.places
+    /// Each drivetrain, where enough is known of it.
+    pub(super) fn drives(&self) -> impl Iterator<Item = Option<(&'p Drive, &Place<'p>)>> {
+        self.drives.iter().zip(&self.places).map(|(drive, place)| drive.as_ref().zip(place.as_ref()))
     }
 
-    pub(super) fn place(&self, drive: usize) -> Option<&Place<'p>> {
-        self.places.get(drive)?.as_ref()
+    /// One of them.
+    pub(super) fn drive(&self, place: usize) -> Option<(&'p Drive, &Place<'p>)> {
+        self.drives.get(place)?.as_ref().zip(self.places.get(place)?.as_ref())
+    }
+}
+
+/// Four groups at one place, each number in the lane of its group; the inverse of a limit that is not known is zero.
+pub(super) struct Four {
+    /// Places of the drivetrains.
+    pub(super) drives: [usize; 4],
+    pub(super) is_unknown: [bool; 4],
+    /// J_out and J_out/i \[kgm²\]
+    pub(super) inertia: f64x4,
+    pub(super) inertia_in: f64x4,
+    /// 1/k_Tout
+    pub(super) per_torque: f64x4,
+    pub(super) per_torque_max: f64x4,
+    pub(super) per_speed_max: f64x4,
+    pub(super) per_speed_rated: f64x4,
+    pub(super) per_average_torque_max: f64x4,
+    /// i over the limit.
+    pub(super) per_input_speed_mean_max: f64x4,
+    pub(super) per_transmissible_load: f64x4,
+    pub(super) per_transmissible_housing: f64x4,
+    pub(super) per_current_max: f64x4,
+    pub(super) per_current_demagnetisation: f64x4,
+    /// One, or zero where a published short-time curve may permit more than I_max.
+    pub(super) without_curve: f64x4,
+    /// 1/I_0²
+    pub(super) per_stalled: f64x4,
+    /// I_s and K of a gear as cold as the air, and of the warmest.
+    pub(super) cold: [f64x4; 2],
+    pub(super) warmest: [f64x4; 2],
+    /// I_NLS, I_s and K of a gear as warm as the air of the cycle, and of the warmest.
+    pub(super) at_ambient: [f64x4; 3],
+    pub(super) warm_air: [f64x4; 3],
+    /// Whether I_NLS is the same in both, and K falls from one to the other.
+    pub(super) is_steady: f64x4,
+    /// Decay of K \[1/K\]
+    pub(super) decay: f64x4,
+    pub(super) copper_ohm: f64x4,
+    pub(super) friction_v_s: f64x4,
+    /// R_wh, R_ha \[K/W\]
+    pub(super) resistances: [f64x4; 2],
+    pub(super) coil_w: f64x4,
+    /// One where the voltage is known, and p i, R, L and ψ.
+    pub(super) has_voltage: f64x4,
+    motor: [f64x4; 4],
+}
+
+impl Four {
+    fn of<'k>(groups: &'k [Group], known: impl Fn(&'k Group) -> Option<(&'k Drive, &'k Place<'k>)>) -> Self {
+        let found: [Option<(&Group, &Drive, &Place<'_>)>; 4] = std::array::from_fn(|place| {
+            let group = groups.get(place).filter(|group| group.inertia >= 0.0)?;
+            known(group).map(|(drive, place)| (group, drive, place))
+        });
+        let lanes = |of: &dyn Fn(&Group, &Drive, &Place<'_>) -> f64| {
+            f64x4::from(found.map(|found| found.map_or(0.0, |(group, drive, place)| of(group, drive, place))))
+        };
+        let per = |limit: fn(&Drive) -> Option<f64>| lanes(&|_, drive, _| limit(drive).map_or(0.0, f64::recip));
+        let friction = |of: fn(&Place<'_>, &Drive) -> Friction| {
+            let part = |part: fn(&Friction) -> f64| lanes(&|_, drive, place| part(&of(place, drive)));
+            [part(|friction| friction.starting), part(|friction| friction.counted), part(|friction| friction.constant)]
+        };
+        let ([_, cold, cold_k], at_ambient) = (friction(|place, _| place.cold), friction(|place, _| place.at_ambient));
+        let warm_air @ [_, warm, warm_k] = friction(|place, _| place.warmest);
+        let decay = lanes(&|_, drive, _| drive.friction.decay_per_k());
+        let motor = |place: usize| {
+            lanes(&|_, drive, _| drive.voltage.and_then(|motor| motor.constants().get(place).copied()).unwrap_or(0.0))
+        };
+        Self {
+            drives: std::array::from_fn(|place| groups.get(place).map_or(usize::MAX, |group| group.drive)),
+            is_unknown: found.map(|found| found.is_none()),
+            inertia: lanes(&|group, _, _| group.inertia),
+            inertia_in: lanes(&|group, drive, _| group.inertia / drive.ratio),
+            per_torque: lanes(&|_, drive, _| 1.0 / drive.torque_constant),
+            per_torque_max: per(|drive| Some(drive.torque_max)),
+            per_speed_max: per(|drive| Some(drive.speed_max)),
+            per_speed_rated: per(|drive| Some(drive.speed_rated)),
+            per_average_torque_max: per(|drive| drive.average_torque_max),
+            per_input_speed_mean_max: per(|drive| drive.input_speed_mean_max.map(|limit| limit / drive.ratio)),
+            per_transmissible_load: per(|drive| drive.transmissible_load),
+            per_transmissible_housing: per(|drive| drive.transmissible_housing),
+            per_current_max: per(|drive| drive.current_max),
+            per_current_demagnetisation: per(|drive| drive.current_demagnetisation),
+            without_curve: lanes(&|_, drive, _| if drive.has_short_time_curve { 0.0 } else { 1.0 }),
+            per_stalled: per(|drive| Some(drive.stall_current * drive.stall_current)),
+            cold: [cold, cold_k],
+            warmest: [warm, warm_k],
+            at_ambient,
+            warm_air,
+            is_steady: at_ambient[0].simd_eq(warm_air[0])
+                & at_ambient[1].simd_eq(warm_air[1])
+                & decay.simd_ge(f64x4::ZERO),
+            decay,
+            copper_ohm: lanes(&|_, drive, _| drive.heat.losses().copper_ohm()),
+            friction_v_s: lanes(&|_, drive, _| drive.heat.losses().friction_v_s_per_rad()),
+            resistances: [0, 1].map(|place| {
+                lanes(&|_, drive, _| drive.heat.network().resistances_k_per_w().get(place).copied().unwrap_or(0.0))
+            }),
+            coil_w: lanes(&|group, _, _| group.coil_w),
+            has_voltage: lanes(&|_, drive, _| if drive.voltage.is_some() { 1.0 } else { 0.0 }),
+            motor: std::array::from_fn(motor),
+        }
+    }
+
+    /// No terminal voltage at a speed and a current of at most these magnitudes is above this \[V\], see [`MotorVoltage::most`].
+    pub(super) fn voltage(&self, speed_rad_s: f64, current: f64x4) -> f64x4 {
+        let [turns, resistance, inductance, flux] = self.motor;
+        let (omega, i_q) = (turns * all(speed_rad_s), current * all(std::f64::consts::SQRT_2));
+        let (u_d, u_q) = (omega * inductance * i_q, resistance * i_q + omega * flux);
+        (all(1.5) * (u_d * u_d + u_q * u_q)).sqrt()
     }
 }
 

@@ -97,6 +97,9 @@ pub(super) fn turn(courses: &[Course], states: &[f64], duration: f64, least: f64
     if courses.iter().all(|course| course.lambda <= slow && course.count >= many) {
         return turn_by_nodes(courses, states, least);
     }
+    if courses.iter().all(|course| course.lambda <= slow && course.count <= PARABOLA) {
+        return turn_by_powers(courses, states, least);
+    }
     let slope = |s: f64| sum(&|course, start| course.slope(start, s));
     let mut last = (0.0, slope(0.0));
     let mut best = None;
@@ -110,6 +113,79 @@ pub(super) fn turn(courses: &[Course], states: &[f64], duration: f64, least: f64
             if value > most {
                 most = value;
                 best = Some((at, value));
+            }
+        }
+        last = here;
+    }
+    best
+}
+
+/// Of so many nodes the input is a parabola.
+const PARABOLA: usize = 3;
+
+/// Powers of the share that count: from the third on each factor is λ/(k + 1) of the one before, so that of a λ of 0.5 the next
+/// one is 0.5¹³ · 3!/16! of the third, 10⁻¹⁶.
+const POWERS: usize = 16;
+
+impl Course {
+    /// The factors of the powers of the share in the input: a parabola or a line through its nodes.
+    const fn parabola(&self) -> [f64; 3] {
+        let [first, second, third, ..] = self.input;
+        if self.count == PARABOLA {
+            [first, 4.0 * second - 3.0 * first - third, 2.0 * (first - 2.0 * second + third)]
+        } else {
+            [first, second - first, 0.0]
+        }
+    }
+
+    /// Adds the factors of the powers of the share in the lag of a parabola, and returns how many of them count.
+    ///
+    /// y_(k+1) = λ (u_k − y_k)/(k + 1), y_0 the lag at the beginning
+    ///
+    /// # Source
+    /// docs/theory/moments.md
+    /// # Valid
+    /// λ ≤ 0.5
+    fn add_powers(&self, start: f64, sums: &mut [f64; POWERS]) -> usize {
+        let input = self.parabola();
+        let scale = input.iter().fold(start.abs(), |most, u| most.max(u.abs()));
+        let inputs = input.into_iter().chain(std::iter::repeat(0.0));
+        let (mut power, mut order, mut count) = (start, 1.0, 0);
+        for (sum, u) in sums.iter_mut().zip(inputs) {
+            *sum += power;
+            count += 1;
+            if count > PARABOLA && power.abs() <= 1e-18 * scale {
+                break;
+            }
+            power = self.lambda * (u - power) / order;
+            order += 1.0;
+        }
+        count
+    }
+}
+
+/// The same of parabolas, whose lags over a short panel are a few powers of the share.
+fn turn_by_powers(courses: &[Course], states: &[f64], least: f64) -> Option<(f64, f64)> {
+    let (mut sums, mut slopes) = ([0.0; POWERS], [0.0; POWERS]);
+    let count = courses.iter().zip(states).map(|(course, state)| course.add_powers(*state, &mut sums)).max()?;
+    let mut order = 1.0;
+    for (slope, sum) in slopes.iter_mut().zip(sums.iter().skip(1)) {
+        *slope = order * sum;
+        order += 1.0;
+    }
+    let (sums, slopes) = (sums.get(..count)?, slopes.get(..count.saturating_sub(1))?);
+    let at = |factors: &[f64], s: f64| factors.iter().rev().fold(0.0, |value, factor| value * s + factor);
+    let (mut best, mut most) = (None, least);
+    let mut last = (0.0, slopes.first().copied()?);
+    for part in 1..=PARTS {
+        let s = f64::from(part) / f64::from(PARTS);
+        let here = (s, at(slopes, s));
+        if last.1 > 0.0 && here.1 < 0.0 {
+            let s = root(|s| at(slopes, s), last, here, CLOSE);
+            let value = at(sums, s);
+            if value > most {
+                most = value;
+                best = Some((s, value));
             }
         }
         last = here;
