@@ -75,7 +75,7 @@ fn a_sweep_over_http_has_the_answers_of_the_command() {
     std::fs::write(path("axis.toml"), &project).unwrap();
     let rows = "8,2\n-1,2\n900,2\n9,1\n8.5,0\n";
     std::fs::write(path("tasks.csv"), format!("mechanism.belt.mass [kg],motion[0].payload [kg]\n{rows}")).unwrap();
-    let server = Started::new(&[&path(""), "--port", "0"]);
+    let server = Server::new(&[&path(""), "--port", "0"]);
     let (_, described) = server.ask("GET /api/v1/openapi.json", "", b"");
     let described: serde_json::Value = serde_json::from_slice(&described).unwrap();
     let operation = &described["paths"]["/api/v1/sweep"]["post"];

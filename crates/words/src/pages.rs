@@ -55,7 +55,7 @@ texts! {
         | "Jeder Befehl mit seinen Argumenten, wie in `antrieb help`. Diese Seite ist aus der Befehlszeile erzeugt; die Antworten erklärt die Anleitung.";
     every_command_takes = "Options of every command" | "Optionen jedes Befehls";
     columns_of_arguments = "| argument | meaning |" | "| Argument | Bedeutung |";
-    pick(words) = "one of {words}" | "eines von {words}";
+    one_of(words) = "one of {words}" | "eines von {words}";
     without_it(value) = "{value} without it" | "ohne Angabe {value}";
     required = "required" | "nötig";
     several = "more than once" | "mehrfach";
