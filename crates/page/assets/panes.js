@@ -1,5 +1,5 @@
 // The frame: borders that move, the room of the pictures, menus, the drawer, the palette and the keys.
-import { back, away, isAway, opened, shut, tell } from './page.js';
+import { away, back, isAway, isDrawing, opened, shut, tell } from './page.js';
 
 const $ = (selector) => document.querySelector(selector);
 const all = (selector) => [...document.querySelectorAll(selector)];
@@ -62,9 +62,11 @@ function fit() {
     const found = room();
     if (!found || !$('#state')) return;
     const { figure, width, height } = found;
-    const off = Math.abs(width - Number(figure.dataset.width)) > 6 || Math.abs(height - Number(figure.dataset.height)) > 12;
-    $('#state [name=width]').value = width;
-    $('#state [name=height]').value = height;
+    const [wide, high] = [$('#state [name=width]'), $('#state [name=height]')];
+    // A picture that is being drawn has the size that was requested last; another request would only end it.
+    const [ofWidth, ofHeight] = isDrawing() ? [wide.value, high.value] : [figure.dataset.width, figure.dataset.height];
+    const off = Math.abs(width - Number(ofWidth)) > 6 || Math.abs(height - Number(ofHeight)) > 12;
+    [wide.value, high.value] = [width, height];
     kept('antrieb-room', `${width} ${height}`);
     if (off && !isAway()) htmx.ajax('POST', '/work', { source: $('#state') });
   }, 60);
