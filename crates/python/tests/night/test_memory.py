@@ -48,8 +48,10 @@ class Memory(unittest.TestCase):
         project = folder / "arm.toml"
         project.write_text(ARM, encoding="utf-8")
         words = ["sweep", str(project), "--table", str(tasks), "--out", str(best)]
-        process = subprocess.Popen([sys.executable, "-m", "antrieb", *words], stdout=subprocess.DEVNULL)
-        _, status, usage = os.wait4(process.pid, 0)
+        # Opened for writing alone: `subprocess.DEVNULL` is open for both and taken for an output that was closed.
+        with open(os.devnull, "w", encoding="utf-8") as null:
+            process = subprocess.Popen([sys.executable, "-m", "antrieb", *words], stdout=null)
+            _, status, usage = os.wait4(process.pid, 0)
         process.returncode = os.waitstatus_to_exitcode(status)
         self.assertEqual(process.returncode, 0)
         self.assertEqual(pq.read_metadata(best).num_rows, rows)
