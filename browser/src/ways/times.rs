@@ -105,6 +105,9 @@ fn weight(stage: &Stage<'_>) -> Worded<usize> {
 /// Samples of a long recording.
 const LONG: u32 = 100_000;
 
+/// Script and layout of one moved instant at most, in half of the frames \[ms\]: what leaves the browser time to draw 60 a second.
+const OWN_MOST: f64 = 8.0;
+
 /// A long recording: its numbers come before its picture, and the instant moves through it with every frame.
 pub(crate) fn a_long_recording(stage: &Stage<'_>) -> Worded {
     let tab = &stage.tab;
@@ -128,18 +131,24 @@ pub(crate) fn a_long_recording(stage: &Stage<'_>) -> Worded {
     stage.change("#f-load-inertia", "1.6 kg m^2")?;
     tab.until(&format!("{torque} !== {before}"))?;
     let (half, most) = keys(stage)?;
-    // The instant moved at every frame for two seconds.
+    // The instant moved at every frame for two seconds, once the picture of the last key is drawn: until then the server has one of the cores.
+    stage.ready()?;
     let script = "const range = document.querySelector('#instant'); range.focus(); \
         document.querySelector('figure.plot').dispatchEvent(new PointerEvent('pointerdown', { bubbles: true })); \
         await new Promise((done) => setTimeout(done, 1500)); \
-        const begin = performance.now(); let frames = 0; \
-        await new Promise((done) => { const step = (now) => { frames++; range.value = (now - begin) % 1000; range.dispatchEvent(new Event('input', { bubbles: true })); \
+        const begin = performance.now(); let frames = 0; const own = []; \
+        await new Promise((done) => { const step = (now) => { frames++; range.value = (now - begin) % 1000; \
+          const from = performance.now(); range.dispatchEvent(new Event('input', { bubbles: true })); range.getBoundingClientRect(); \
+          own.push(performance.now() - from); \
           if (now - begin < 2000) requestAnimationFrame(step); else done(); }; requestAnimationFrame(step); }); \
-        return 1000 * frames / (performance.now() - begin);";
-    let frames = number(&tab.run(script, Vec::new())?);
+        own.sort((a, b) => a - b); \
+        return [1000 * frames / (performance.now() - begin), own[Math.floor(own.length / 2)]];";
+    let moved = tab.run(script, Vec::new())?;
+    let [frames, own] = [0, 1].map(|at| moved.get(at).map_or(f64::NAN, number));
     println!(
-        "       {}: {LONG} samples: key to numbers {half:.0} ms (95 of 100 within {most:.0} ms), {frames:.0} frames a second while the instant moves",
+        "       {}: {LONG} samples: key to numbers {half:.0} ms (95 of 100 within {most:.0} ms), {frames:.0} frames a second while the instant moves, {own:.1} ms of script and layout each",
         stage.shell.name()
     );
-    expect(frames > 20.0, || format!("{frames:.0} frames a second"))
+    // What the browser needs for its own drawing, without a graphics card, is not the page's.
+    expect(own < OWN_MOST, || format!("{own:.1} ms of script and layout for a frame"))
 }

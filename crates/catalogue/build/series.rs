@@ -79,8 +79,13 @@ impl Writer<'_> {
         let Some(found) = self.code.windings.iter().find(of) else { return String::new() };
         format!(
             "WindingData {{ general: {:?}, general_head: {:?}, starting_current: {:?}, \
-             stall_current_includes_friction: {}, ptc: {} }}",
-            found.general, found.general_head, found.starting_current, found.stall_current_includes_friction, found.ptc
+             stall_current_includes_friction: {}, ptc: {}, without_kty: &{:?} }}",
+            found.general,
+            found.general_head,
+            found.starting_current,
+            found.stall_current_includes_friction,
+            found.ptc,
+            found.without_kty
         )
     }
 

@@ -84,8 +84,10 @@ pub struct WindingData {
     pub starting_current: &'static str,
     /// Whether I_0 = T_0/k_Tout + I_NLS, or T_0/k_Tout.
     pub stall_current_includes_friction: bool,
-    /// Whether the winding has a PTC.
+    /// Whether a PTC is led out of the winding.
     pub ptc: bool,
+    /// Feedbacks whose connector does not carry the KTY, as their words.
+    pub without_kty: &'static [&'static str],
 }
 
 /// A drive that tables are headed by.

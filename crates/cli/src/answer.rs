@@ -89,7 +89,7 @@ impl Answer {
         let mut out = anstream::stdout();
         let mut pieces = pieces(&self.data);
         let written = pieces.try_for_each(|piece| out.write_all(safe(piece).as_bytes())).and_then(|()| out.flush());
-        let written = written.and_then(|()| if self.data.is_empty() { Ok(()) } else { is_open() });
+        let written = written.and_then(|()| if self.data.is_empty() { Ok(()) } else { startup::stdout_is_open() });
         match written {
             Err(error) if error.kind() != std::io::ErrorKind::BrokenPipe => {
                 let _ = writeln!(anstream::stderr(), "antrieb: stdout: {}", file_trouble(&error, language));
@@ -98,26 +98,6 @@ impl Answer {
             _ => self.code,
         }
     }
-}
-
-/// Whether somewhere takes the output. Where the caller has closed it the runtime puts `/dev/null` in its place, open for reading
-/// and writing; a caller that sends the output there opens it for writing alone.
-///
-/// # Errors
-/// Where it was closed.
-#[cfg(unix)]
-fn is_open() -> std::io::Result<()> {
-    use rustix::fs::{FileType, OFlags, fcntl_getfl, fstat, stat};
-    let out = std::io::stdout();
-    let mode = fcntl_getfl(&out)? & OFlags::ACCMODE;
-    let (own, null) = (fstat(&out)?, stat("/dev/null")?);
-    let is_null = FileType::from_raw_mode(own.st_mode) == FileType::CharacterDevice && own.st_rdev == null.st_rdev;
-    if mode == OFlags::RDWR && is_null { Err(rustix::io::Errno::BADF.into()) } else { Ok(()) }
-}
-
-#[cfg(not(unix))]
-fn is_open() -> std::io::Result<()> {
-    Ok(())
 }
 
 #[cfg(test)]

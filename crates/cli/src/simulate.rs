@@ -25,7 +25,8 @@ pub(crate) fn simulate(call: &Call<'_>, asked: &Asked<'_>) -> Result<Answer, Una
     let axes = asked.axes(args.axis.as_deref(), Cost::Other)?;
     let inputs = call.inputs(axes.iter().map(|(_, project)| project));
     let desk = Desk { inputs: &inputs, force: call.flag("force"), language };
-    let draws = plot::is_asked(call);
+    // As of `plot`: without a file the picture goes to standard output.
+    let draws = plot::is_asked(call) || call.text("figure").is_some();
     if draws {
         plot::destination(call, &inputs)?;
     }
@@ -49,10 +50,7 @@ pub(crate) fn simulate(call: &Call<'_>, asked: &Asked<'_>) -> Result<Answer, Una
         record.trace = Some(path_text(file));
     }
     if let Some(run) = runs.first().filter(|_| draws) {
-        let drawing = match args.figure.as_deref() {
-            Some("control_loops") => figures::control_loops(run, language),
-            _ => figures::simulation(run, language),
-        };
+        let drawing = figures::of_a_run(args.figure.as_deref(), run, language);
         let answer = plot::put(&drawing, call, &inputs)?;
         let code = if answer.code == 0 { u8::from(!fits) } else { answer.code };
         return Ok(Answer { code, ..answer });

@@ -331,7 +331,7 @@ fn a_limit_of_the_size_leaves_nothing_behind() {
 #[test]
 fn a_closed_standard_output_is_a_fault() {
     let program = env!("CARGO_BIN_EXE_antrieb");
-    for (to, code) in [(">&-", 2), (">/dev/null", 0)] {
+    for (to, code) in [(">&-", 2), (">/dev/null", 0), ("1<>/dev/null", 0), ("<&- 2>&- >&-", 2)] {
         let line = format!("exec {program} code parse CHA-25A-100-H-C1024 {to}");
         let found = std::process::Command::new("bash").args(["-c", &line]).output().unwrap();
         assert_eq!(found.status.code(), Some(code), "{to}: {}", String::from_utf8_lossy(&found.stderr));

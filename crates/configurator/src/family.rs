@@ -3,7 +3,7 @@
 use crate::parts;
 use actuator::Battery;
 use catalogue::{Cell, SeriesData, Table};
-use order_code::{Feedback, FeedbackKind, Series};
+use order_code::{Feedback, FeedbackKind, OrderCode, Series};
 use provenance::{CellRef, Datum, Grade, Source, Sourced};
 use quantities::unit::DEGREE;
 use quantities::{Angle, Measure, Ratio, ThermodynamicTemperature, Time};
@@ -93,6 +93,27 @@ pub(crate) fn winding_threshold(series: Series, which: &str) -> Datum<Thermodyna
         (Some(Datum::Known(known)), Some(place)) => Datum::Known(Sourced { source: Source::Cell(place), ..known }),
         _ => Datum::NotPrinted,
     }
+}
+
+/// T_NAT: the temperature at which the PTC of the winding responds, by the size.
+///
+/// # Errors
+/// `NotApplicable` where the connector of the motor does not lead the PTC out.
+pub(crate) fn ptc_response(code: &OrderCode) -> Datum<ThermodynamicTemperature> {
+    match ptc_cell(code) {
+        _ if !catalogue::winding_data(code.winding).is_some_and(|data| data.ptc) => Datum::NotApplicable,
+        Some(cell) => catalogue::datum_of(cell),
+        None => Datum::NotPrinted,
+    }
+}
+
+/// The cell of the response temperature T_NAT of the PTC of a size.
+#[must_use]
+pub fn ptc_cell(code: &OrderCode) -> Option<&'static Cell> {
+    let head = format!("{}-{}", code.series().as_str(), code.size);
+    catalogue::cells()
+        .iter()
+        .find(|cell| cell.place.symbol == "T_NAT" && cell.place.drive.split(" / ").any(|drive| drive == head))
 }
 
 /// What another maker's actuator is taken to have where its owner does not say: each an assumption.

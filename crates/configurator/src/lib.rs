@@ -14,7 +14,7 @@ mod rules;
 
 pub use actuators::{actuators, catalogue_actuators};
 pub use codes::{Choice, all, broken_by_all, choices, complete, tokens_of_size};
-pub use family::{Assumed, assumed, battery, brake_times};
+pub use family::{Assumed, assumed, battery, brake_times, ptc_cell};
 pub use nearest::{nearest, nearest_to};
 pub use parameters::{parameters, published_curve_points};
 pub use requirements::{Requirements, Unmet};

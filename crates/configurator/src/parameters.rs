@@ -137,6 +137,9 @@ fn heat(drive: &Drive, code: &OrderCode) -> Heat {
         ambient_reference,
         winding_warning: family::winding_threshold(series, "warning"),
         winding_shutdown: family::winding_threshold(series, "shutdown"),
+        ptc_response: family::ptc_response(code),
+        without_kty: catalogue::winding_data(code.winding)
+            .is_some_and(|data| data.without_kty.contains(&code.feedback.as_str())),
         housing_share: number("housing_share"),
         stall_loss_factor: number("stall_loss_factor"),
         loss_band,

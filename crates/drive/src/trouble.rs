@@ -100,7 +100,7 @@ impl Trouble {
     pub(crate) fn of(event: EventKind, twin: &Twin<'_>) -> Option<Self> {
         match event {
             EventKind::Overload => Some(Self::Overload),
-            EventKind::WindingShutdown => Some(Self::Winding),
+            EventKind::WindingShutdown | EventKind::PtcResponse => Some(Self::Winding),
             EventKind::FollowingError => Some(Self::Following),
             EventKind::LinkLow => Some(Self::LinkLow),
             EventKind::LinkHigh => Some(Self::LinkHigh),

@@ -24,7 +24,7 @@ pub use fault::NoFigure;
 pub use map::{By, MapPoint, candidate_map, nearest};
 pub use plane::{curves, torque_speed};
 pub use plot::{Picture, Size, Style, Theme};
-pub use simulation::{control_loops, simulation, simulation_within};
+pub use simulation::{control_loops, of_a_run, simulation, simulation_within};
 pub use torsion::{torsion, torsion_curve};
 pub use tracks::encoder_tracks;
 pub use utilisation::utilisation;

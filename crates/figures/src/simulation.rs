@@ -17,6 +17,15 @@ const PANEL_MM: f64 = 27.0;
 /// A line of a panel: tone, dash, label, value in SI.
 type Curve<'l> = (Tone, Option<Dash>, &'l str, fn(&TwinSample) -> f64);
 
+/// The picture of a run with an identifier of [`questions::list::simulate::FIGURES`]; without one the course.
+#[must_use]
+pub fn of_a_run(id: Option<&str>, run: &Simulated<'_>, language: Language) -> Drawing {
+    match id {
+        Some("control_loops") => control_loops(run, language),
+        _ => simulation(run, language),
+    }
+}
+
 /// Position, speed, torque, current, following error, DC link and temperatures over the run.
 #[must_use]
 pub fn simulation(run: &Simulated<'_>, language: Language) -> Drawing {

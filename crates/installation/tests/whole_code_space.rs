@@ -7,6 +7,7 @@ use installation::fit::{Bore, FitKind, Side, read_bore};
 use installation::joint::LoadCase;
 use installation::mount::{MountAsked, mount};
 use installation::upkeep::{Storage, Task, UpkeepAsked, upkeep};
+use installation::wiring::{Absent, wiring};
 use order_code::{Brake, OrderCode};
 use quantities::unit::HOUR;
 use quantities::{Measure, Time};
@@ -34,6 +35,25 @@ fn every_code_with_data_can_be_mounted_and_no_other() {
         assert_eq!(stated, found.hoist != Some(false), "{code}");
     }
     assert!(with_data > 900, "{with_data}");
+}
+
+/// What the parameters of an actuator say of the sensors in its winding is what its connectors lead out.
+#[test]
+fn the_sensors_of_the_winding_are_those_that_the_connectors_lead_out() {
+    let mut found = std::collections::BTreeSet::new();
+    for code in codes() {
+        let (Some(wiring), Some(actuator)) = (wiring(code), configurator::parameters(code)) else { continue };
+        // Where no pins of the motor are printed, nothing is said of the PTC.
+        let is_absent = |what| wiring.absences.iter().any(|absence| absence.what == what);
+        if is_absent(Absent::MotorPins) {
+            continue;
+        }
+        let heat = &actuator.heat;
+        assert_eq!(heat.without_kty, is_absent(Absent::Kty), "{code}");
+        assert_eq!(heat.ptc_response.known().is_none(), is_absent(Absent::Ptc), "{code}");
+        found.insert((heat.without_kty, heat.ptc_response.known().is_some()));
+    }
+    assert_eq!(found.into_iter().collect::<Vec<_>>(), [(false, false), (false, true), (true, true)]);
 }
 
 /// As wide as both tolerances together, whatever the bore; and the kind is what its clearances are.

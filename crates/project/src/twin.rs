@@ -9,7 +9,7 @@ use ::twin::{Gains, Limits, Reaction, Scenario, ScenarioId, Switches};
 use provenance::{Datum, Sourced};
 use quantities::{
     Angle, ElectricCurrent, ElectricalResistance, Energy, Inductance, Measure, MomentOfInertia, NoLoadCurrentConstant,
-    Time, Torque, TorqueConstant, TorsionalStiffness, ViscousFriction, VoltageConstant,
+    ThermodynamicTemperature, Time, Torque, TorqueConstant, TorsionalStiffness, ViscousFriction, VoltageConstant,
 };
 
 /// The simulation as the project states it.
@@ -158,6 +158,7 @@ plain!(
     Inductance,
     MomentOfInertia,
     NoLoadCurrentConstant,
+    ThermodynamicTemperature,
     Time,
     Torque,
     TorqueConstant,
@@ -198,6 +199,8 @@ replaced! {
     kinematic_share_4: f64 => within(0.0, 1.0), example("0.1");
     kinematic_share_out: f64 => within(0.0, 1.0), example("0.25");
     sensor_lag: Time => not_negative;
+    ptc_lag: Time => not_negative;
+    ptc_response_temperature: ThermodynamicTemperature => positive;
     link_energy: Energy => positive;
     supply_resistance: ElectricalResistance => not_negative;
     brake_resistor: ElectricalResistance => positive;

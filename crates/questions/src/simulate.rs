@@ -348,9 +348,10 @@ pub(crate) const COMPARED: [(CheckId, Shown); 6] = [
 ];
 
 /// The events that are faults of the drive.
-const FAULTS: [EventKind; 8] = [
+const FAULTS: [EventKind; 9] = [
     EventKind::Overload,
     EventKind::WindingShutdown,
+    EventKind::PtcResponse,
     EventKind::FollowingError,
     EventKind::LinkLow,
     EventKind::LinkHigh,

@@ -161,8 +161,11 @@ pub struct Winding {
     pub starting_current: String,
     /// Whether I_0 = T_0/k_Tout + I_NLS.
     pub stall_current_includes_friction: bool,
-    /// Whether it has a PTC.
+    /// Whether a PTC is led out of it.
     pub ptc: bool,
+    /// Feedbacks whose connector does not carry the KTY.
+    #[serde(default)]
+    pub without_kty: Vec<String>,
 }
 
 /// What a feedback is.

@@ -195,6 +195,7 @@ impl Reader {
                 starting_current: &each.starting_current,
                 stall_current_includes_friction: each.stall_current_includes_friction,
                 ptc: each.ptc,
+                without_kty: leaked(each.without_kty.iter().map(String::as_str)),
             })),
             feedback_tables: leaked(code.words("feedback").iter().filter_map(feedback).map(|each| &*each.table)),
             drives: leaked(

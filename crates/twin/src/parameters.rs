@@ -142,6 +142,7 @@ data! {
     "housing_share" heat.housing_share: f64;
     "winding_warning" heat.winding_warning: ThermodynamicTemperature;
     "winding_shutdown" heat.winding_shutdown: ThermodynamicTemperature;
+    "ptc_response_temperature" heat.ptc_response: ThermodynamicTemperature;
 }
 
 /// The three stiffnesses stand in an array, which the lines above cannot name.
@@ -195,8 +196,10 @@ model! {
     kinematic_share_4: Ratio = 0.1, Assumed;
     /// Share with one period per turn of the output. A guess.
     kinematic_share_out: Ratio = 0.25, Assumed;
-    /// Time constant of the temperature sensors in the winding. A guess.
+    /// Time constant of the KTY in the winding. A guess.
     sensor_lag: Time = 10.0, Assumed;
+    /// Time constant of the PTC in the winding, a smaller bead. A guess.
+    ptc_lag: Time = 5.0, Assumed;
     /// Energy that the capacitor of the DC link holds at the voltage of the supply: 470 µF at 560 V.
     link_energy: Energy = 73.7, Assumed;
     /// Resistance of the supply of the DC link.

@@ -173,6 +173,8 @@ events! {
     WindingWarning "winding_warning";
     /// The sensor of the winding reached its shutdown.
     WindingShutdown "winding_shutdown";
+    /// The PTC of the winding responds.
+    PtcResponse "ptc_response";
     /// The position lags behind its set-point by more than is permitted.
     FollowingError "following_error";
     /// The DC link is below its least voltage.

@@ -76,7 +76,7 @@ pub struct Sample {
     pub winding_k: f64,
     /// Housing \[K\].
     pub housing_k: f64,
-    /// What the sensor of the winding shows \[K\].
+    /// What the KTY of the winding shows \[K\].
     pub sensor_k: f64,
     /// State of the overload supervision; it trips above one.
     pub overload: f64,
@@ -110,6 +110,7 @@ pub struct Twin<'a> {
     supply_share: f64,
     temperatures: Temperatures,
     sensor_k: f64,
+    ptc_k: f64,
     overload: f64,
     encoder: Encoder,
     random: Random,
@@ -291,6 +292,7 @@ impl<'a> Twin<'a> {
                 housing: ThermodynamicTemperature::from_si(housing),
             },
             sensor_k: winding,
+            ptc_k: winding,
             overload: 0.0,
             encoder,
             random,

@@ -78,8 +78,8 @@ texts! {
         "Signals of the trace, separated by commas; all without it"
         | "Größen des Verlaufs, durch Komma getrennt; ohne Angabe alle";
     simulate_format =
-        "Json for the summary (default), csv or parquet for the trace"
-        | "json für die Zusammenfassung (Vorgabe), csv oder parquet für den Verlauf";
+        "Json for the summary (default), csv or parquet for the trace, svg for a picture"
+        | "json für die Zusammenfassung (Vorgabe), csv oder parquet für den Verlauf, svg für ein Bild";
     simulate_seed =
         "Seed of the errors of gear and encoder (0)" | "Startwert der Fehler von Getriebe und Geber (0)";
     sweep =
@@ -114,8 +114,8 @@ texts! {
         "Recorded run (.csv) with the columns of a trace"
         | "Aufgezeichneter Lauf (.csv) mit den Spalten eines Verlaufs";
     simulate_figure =
-        "The picture of --svg and --png: the course, or the responses of the control loops (simulation)"
-        | "Das Bild von --svg und --png: der Verlauf oder die Frequenzgänge der Regelkreise (simulation)";
+        "Which picture: the course, or the responses of the control loops (simulation)"
+        | "Welches Bild: der Verlauf oder die Frequenzgänge der Regelkreise (simulation)";
     simulate_trace = "Write the course as .csv or .parquet" | "Den Verlauf als .csv oder .parquet schreiben";
     code = "Read, list and complete ordering codes" | "Bestellbezeichnungen lesen, auflisten und ergänzen";
     code_parse = "Read a code and explain each field" | "Einen Code lesen und jedes Feld erklären";

@@ -228,6 +228,7 @@ texts! {
     signals_need_a_format =
         "signals are columns of the trace: with `format` csv or parquet"
         | "Größen sind Spalten des Verlaufs: mit `format` csv oder parquet";
+    figure_needs_a_format = "a picture is answered with `format` svg" | "ein Bild kommt mit `format` svg";
     ending_of_a_trace = "the trace is a .csv or .parquet file" | "der Verlauf ist eine Datei .csv oder .parquet";
 }
 
@@ -268,6 +269,7 @@ pub fn event_title(event: EventKind, language: Language) -> String {
         EventKind::Overload => ("overload supervision I²t trips", "Überlastüberwachung I²t löst aus"),
         EventKind::WindingWarning => ("winding: warning temperature", "Wicklung: Warntemperatur"),
         EventKind::WindingShutdown => ("winding: shutdown temperature", "Wicklung: Abschalttemperatur"),
+        EventKind::PtcResponse => ("winding: the PTC responds", "Wicklung: der PTC spricht an"),
         EventKind::FollowingError => ("following error too large", "Schleppfehler zu groß"),
         EventKind::LinkLow => ("DC link: undervoltage", "Zwischenkreis: Unterspannung"),
         EventKind::LinkHigh => ("DC link: overvoltage", "Zwischenkreis: Überspannung"),

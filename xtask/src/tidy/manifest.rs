@@ -51,7 +51,7 @@ impl Member {
 }
 
 /// Members with a table of their own: that of the workspace, but that a file of theirs may lift the ban on unsafe code.
-const OWN_LINTS: [&str; 2] = ["python", "site"];
+const OWN_LINTS: [&str; 3] = ["python", "site", "startup"];
 
 /// Every member takes the lints of the workspace; cargo does not report which do.
 pub(super) fn lints(root: &Path) -> Vec<Finding> {

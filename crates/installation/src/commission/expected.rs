@@ -187,7 +187,7 @@ impl Commissioning {
     /// The bound of a cold PTC; `None` without one, and from T_NAT − 20 K on, where the standard says nothing for a while.
     #[must_use]
     pub fn expected_ptc(&self, sensor: ThermodynamicTemperature) -> Option<Expected> {
-        let response = sensors::ptc_response(&self.code).filter(|_| self.has_ptc())?;
+        let response = configurator::ptc_cell(&self.code).filter(|_| self.has_ptc())?;
         let celsius = response.limit().number()?;
         let cold = sensors::ptc_bounds().into_iter().next()?;
         let from_response = sensor.in_unit(&DEGREE_CELSIUS) - celsius;

@@ -1,7 +1,6 @@
 //! Temperature sensors: the resistance of the KTY over its temperature, and the corner points of the PTC.
 
 use catalogue::Cell;
-use order_code::OrderCode;
 use quantities::unit::DEGREE_CELSIUS;
 use quantities::{ElectricalResistance, Measure, ThermodynamicTemperature};
 
@@ -51,15 +50,6 @@ pub fn kty_cell(temperature: ThermodynamicTemperature) -> Option<&'static Cell> 
 /// The temperature at which a cell of that table holds: `typical, 80 degC`.
 fn cell_celsius(cell: &Cell) -> Option<f64> {
     cell.place.condition.split([' ', ',']).find_map(|part| part.parse().ok())
-}
-
-/// The cell of the response temperature T_NAT of the PTC of a size.
-#[must_use]
-pub fn ptc_response(code: &OrderCode) -> Option<&'static Cell> {
-    let head = format!("{}-{}", code.series().as_str(), code.size);
-    catalogue::cells()
-        .iter()
-        .find(|cell| cell.place.symbol == "T_NAT" && cell.place.drive.split(" / ").any(|drive| drive == head))
 }
 
 /// The bounds of a single PTC (DIN 44081), as the table has them: up to T_NAT − 20 K, at −5 K, +5 K, +15 K.
@@ -120,7 +110,7 @@ mod tests {
     fn the_ptc_responds_at_120_or_145_degrees() {
         let of = |code: &str| {
             let code = order_code::parse(code).unwrap().code;
-            ptc_response(&code).and_then(|cell| cell.value.number())
+            configurator::ptc_cell(&code).and_then(|cell| cell.value.number())
         };
         assert_eq!(of("CHA-17A-50-E-RES"), Some(120.0));
         assert_eq!(of("CHA-20A-50-H-C1024"), Some(145.0));

@@ -1,11 +1,10 @@
 //! The answers that are drawn, typeset or written as tables.
 
 use crate::{Reply, ReportAsked, Shell};
-use figures::{By, Figure, NoFigure, Size, Theme};
-use quantities::Language;
+use figures::{By, Drawing, Figure, NoFigure, Size, Theme};
+use quantities::{Language, Length};
 use questions::Refusal;
 use questions::answer::written;
-use questions::list::plot::Args as Looks;
 use questions::list::{
     Asked, Cost, Unanswered, commission_checklist, export, media, plot, report, simulate, upkeep_calendar,
 };
@@ -53,18 +52,25 @@ fn drawn(asked: &Asked<'_>, _: &dyn Shell) -> Result<Reply, Unanswered> {
         NoFigure::Refused(refusal) => refusal.into(),
         other => Unanswered::message(other.message(None, asked.language)),
     })?;
-    let size = size(&args, drawing.size_mm, asked.language)?;
-    let theme = if args.theme == Some(true) { Theme::Dark } else { Theme::Light };
-    let svg = drawing.render(&drawing.style(size, theme, asked.language)).into_svg();
-    Ok(Reply::of(200, media::SVG, svg))
+    picture(&drawing, args.theme, [args.width, args.height], asked.language)
 }
 
-fn size(args: &Looks, usual: (f64, f64), language: Language) -> Result<Size, Unanswered> {
+/// A picture with the stated colours, width and height.
+fn picture(
+    drawing: &Drawing,
+    is_dark: Option<bool>,
+    [width, height]: [Option<Length>; 2],
+    language: Language,
+) -> Result<Reply, Unanswered> {
     let side = |name, length: Option<_>, usual| {
         let side = length.map_or(Ok(usual), |length| figures::side_mm(length, language));
         side.map_err(|what| Unanswered::option(name, (what, None)))
     };
-    Ok(Size::millimetres(side("width", args.width, usual.0)?, side("height", args.height, usual.1)?))
+    let usual = drawing.size_mm;
+    let size = Size::millimetres(side("width", width, usual.0)?, side("height", height, usual.1)?);
+    let theme = if is_dark == Some(true) { Theme::Dark } else { Theme::Light };
+    let svg = drawing.render(&drawing.style(size, theme, language)).into_svg();
+    Ok(Reply::of(200, media::SVG, svg))
 }
 
 fn typeset(asked: &Asked<'_>, shell: &dyn Shell) -> Result<Reply, Unanswered> {
@@ -99,17 +105,30 @@ fn calendar(asked: &Asked<'_>, _: &dyn Shell) -> Result<Reply, Unanswered> {
     Ok(Reply::of(200, media::CALENDAR, text).saved_as(&format!("{}.ics", found.code)))
 }
 
-/// The record of a run, or its course as a table.
+/// The record of a run, its course as a table, or a picture of it.
 fn simulated(asked: &Asked<'_>, _: &dyn Shell) -> Result<Reply, Unanswered> {
     let language = asked.language;
     let args = simulate::Args::read(&asked.given)?;
+    let stated = |name: &'static str, why: &str| Unanswered::option(name, (why.to_owned(), None));
+    if args.format.as_deref() == Some(simulate::PICTURE_FORMAT) {
+        if !args.signals.is_empty() {
+            return Err(stated("signals", simulation::signals_need_a_format(language)));
+        }
+        let (_, project) = asked.axis(args.axis.as_deref(), Cost::Other)?;
+        let run = args.simulated(&project, asked, true)?;
+        let drawing = figures::of_a_run(args.figure.as_deref(), &run, language);
+        return picture(&drawing, args.theme, [args.width, args.height], language);
+    }
+    if args.figure.as_deref().is_some_and(|figure| figure != simulate::FIGURES[0]) {
+        return Err(stated("figure", simulation::figure_needs_a_format(language)));
+    }
     let format = args.format.as_deref().and_then(Format::of_ending).filter(|format| *format != Format::Json);
     let Some(format) = format else {
         if args.signals.is_empty() {
             let answer = simulate::record(&args, asked)?;
             return Ok(Reply::of(200, answer.media, answer.text));
         }
-        return Err(Unanswered::option("signals", (simulation::signals_need_a_format(language).to_owned(), None)));
+        return Err(stated("signals", simulation::signals_need_a_format(language)));
     };
     let (_, project) = asked.axis(args.axis.as_deref(), Cost::Other)?;
     let run = args.simulated(&project, asked, true)?;

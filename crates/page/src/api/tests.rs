@@ -150,7 +150,20 @@ fn the_course_of_a_run_comes_as_a_table() {
     assert!(whole.body.starts_with(b"PAR1"));
     let record = post("/api/v1/simulate", "code=CHA-25A-100-H-C1024", PROJECT);
     assert!(record.media == media::JSON && json(&record)["summary"].is_object());
-    for query in ["signals=speed", "signals=sped&format=csv", "format=xlsx"] {
+    for (query, title) in [("", "Simulation"), ("&figure=control_loops&theme=dark&width=150+mm", "Control")] {
+        let reply = post("/api/v1/simulate", &format!("code=CHA-25A-100-H-C1024&format=svg{query}"), PROJECT);
+        let text = String::from_utf8_lossy(&reply.body);
+        assert_eq!((reply.status, reply.media), (200, media::SVG), "{text}");
+        assert!(text.starts_with("<svg") && text.contains(title), "{title}: {}", text.get(..600).unwrap_or_default());
+    }
+    for query in [
+        "signals=speed",
+        "signals=sped&format=csv",
+        "format=xlsx",
+        "figure=control_loops",
+        "format=svg&signals=speed",
+        "format=svg&width=1+mm",
+    ] {
         assert_eq!(
             post("/api/v1/simulate", &format!("code=CHA-25A-100-H-C1024&{query}"), PROJECT).status,
             422,

@@ -204,7 +204,7 @@ fn thresholds(about: &Commissioning, language: Language) -> Vec<SensorThreshold>
             source: joined(&sources, None, language),
         });
     }
-    let Some(response) = sensors::ptc_response(&about.code).filter(|_| about.has_ptc()) else { return found };
+    let Some(response) = configurator::ptc_cell(&about.code).filter(|_| about.has_ptc()) else { return found };
     let Some(celsius) = response.limit().number() else { return found };
     let corners = [
         (-20.0, commission::ptc_cold(language)),

@@ -1,5 +1,6 @@
 //! `simulate PROJECT`: the digital twin of an axis with an actuator.
 
+use super::plot::{HEIGHT, THEME, WIDTH};
 use super::given::{arguments, count, flag, number, some, some_code_among, text, word};
 use super::{
     AXIS, Answer, Argument, ArgumentKind, Asked, Cost, Entry, Given, Gives, OutputFile, Reads, Record, Unanswered,
@@ -14,7 +15,7 @@ use feedback::Failure;
 use order_code::OrderCode;
 use project::Project;
 use quantities::unit::HOUR;
-use quantities::{Language, Measure, Time, format_significant};
+use quantities::{Language, Length, Measure, Time, format_significant};
 pub use twin::ScenarioId;
 use twin::{CURRENT_RATE_HZ, Operation, Reaction, Scenario};
 use words::{help, help::values, simulation};
@@ -57,7 +58,13 @@ arguments! {
             .of(ArgumentKind::Word(|| FORMATS.to_vec())) => text,
         /// The picture that is drawn.
         figure: Option<String> = Argument::option("figure", values::figure, help::simulate_figure)
-            .of(ArgumentKind::Word(|| FIGURES.to_vec())).usually("simulation") => text,
+            .of(ArgumentKind::Word(|| FIGURES.to_vec())).usually(FIGURES[0]) => text,
+        /// Dark colours.
+        theme: Option<bool> = THEME => word(|theme| Some(theme == "dark")),
+        /// Width of the picture.
+        width: Option<Length> = WIDTH => some(read_quantity),
+        /// Height of the picture.
+        height: Option<Length> = HEIGHT => some(read_quantity),
         /// Seed of phases and noise.
         seed: usize = Argument::option("seed", values::n, help::simulate_seed)
             .of(ArgumentKind::Whole(0, u32::MAX as u64)).usually("0") => count,
@@ -70,8 +77,11 @@ const DAYS_MOST: u32 = 3660;
 /// The pictures of a run, by their identifiers.
 pub const FIGURES: [&str; 2] = ["simulation", "control_loops"];
 
-/// What is answered: the record, or the course as a table.
-const FORMATS: [&str; 3] = ["json", "csv", "parquet"];
+/// What is answered: the record, the course as a table, or a picture.
+const FORMATS: [&str; 4] = ["json", "csv", "parquet", PICTURE_FORMAT];
+
+/// The format that is a picture.
+pub const PICTURE_FORMAT: &str = "svg";
 
 /// Signals in the order in which they are named, each once.
 fn signals(given: &Given, argument: &Argument) -> Result<Vec<&'static Signal>, Unanswered> {
@@ -101,7 +111,7 @@ pub const ENTRY: Entry = Entry {
     arguments: Args::ARGUMENTS,
     gives: Gives::RecordOr(
         Record::of::<answers::Answered<answers::Simulation>>("simulate"),
-        &[media::CSV, media::PARQUET],
+        &[media::CSV, media::PARQUET, media::SVG],
     ),
     writes: &[
         OutputFile::of("out", &[media::CSV, media::PARQUET], help::simulate_trace),

@@ -4,6 +4,7 @@ use super::{PERIOD_S, SAG, SLOW_EVERY, Twin};
 use crate::drive::Phase;
 use crate::scenario::{EventKind, Reaction, ScenarioId};
 use actuator::{Losses, Temperatures, overload_slope};
+use provenance::Datum;
 use quantities::{ElectricCurrent, Measure, Ratio, ThermodynamicTemperature, Time};
 
 impl Twin<'_> {
@@ -20,8 +21,9 @@ impl Twin<'_> {
                 warmed(&self.temperatures, &heat, slow.copper_j / step, slow.heat_j / step, self.ambient_k, step);
             let (winding, housing) = (self.temperatures.winding.si(), self.temperatures.housing.si());
             self.machine.warm(&mut self.plant, winding, housing);
-            let lag = self.setup.parameters.model.sensor_lag.value.max(step);
-            self.sensor_k += (winding - self.sensor_k) * step / lag;
+            let model = &self.setup.parameters.model;
+            self.sensor_k += (winding - self.sensor_k) * step / model.sensor_lag.value.max(step);
+            self.ptc_k += (winding - self.ptc_k) * step / model.ptc_lag.value.max(step);
             if let Some(stall) = self.machine.stall_current_a {
                 let current = ElectricCurrent::from_si((slow.square_a2_s / step).sqrt());
                 let slope = |state: f64| {
@@ -68,9 +70,14 @@ impl Twin<'_> {
         if self.setup.scenario.id == ScenarioId::LinkSag && self.happens_s.is_some_and(|at| time > at + SAG.1) {
             self.supply_share = 1.0;
         }
-        let shutdown = self.setup.parameters.actuator.heat.winding_shutdown.known().map(|known| known.value.si());
-        let warning = self.setup.parameters.actuator.heat.winding_warning.known().map(|known| known.value.si());
-        if warning.is_some_and(|limit| self.sensor_k > limit) {
+        let heat = &self.setup.parameters.actuator.heat;
+        let passed = |limit: &Datum<ThermodynamicTemperature>, sensor_k: f64| {
+            limit.known().is_some_and(|limit| sensor_k > limit.value.si())
+        };
+        let warns = !heat.without_kty && passed(&heat.winding_warning, self.sensor_k);
+        let shuts_down = !heat.without_kty && passed(&heat.winding_shutdown, self.sensor_k);
+        let responds = passed(&heat.ptc_response, self.ptc_k);
+        if warns {
             self.note(EventKind::WindingWarning);
         }
         self.no_position();
@@ -78,8 +85,11 @@ impl Twin<'_> {
             return;
         }
         let reaction = self.limits.reaction;
-        if shutdown.is_some_and(|limit| self.sensor_k > limit) {
+        if shuts_down {
             self.fault(EventKind::WindingShutdown, reaction);
+        }
+        if responds {
+            self.fault(EventKind::PtcResponse, reaction);
         }
         if self.overload > 1.0 {
             self.fault(EventKind::Overload, reaction);

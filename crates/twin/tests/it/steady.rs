@@ -157,6 +157,63 @@ fn the_overload_supervision_trips_at_its_time() {
     assert!((tripped - wanted).abs() < 2e-3, "{tripped} {wanted}");
 }
 
+/// Where no connector leads the KTY out, the PTC is what protects the winding: without a lag it responds when the winding passes
+/// T_NAT, with a lag L when W_0 exp(−t/L) + ∫ W(s) exp(−(t − s)/L) ds/L does. Held by a clamped load on a housing that is hot already.
+#[test]
+fn the_ptc_responds_where_no_kty_is_led_out() {
+    let (motion, extras) = (
+        motion::Motion::new(
+            &[motion::SegmentSpec::Dwell(Time::from_si(1.5), motion::Hold::Motor)],
+            None,
+            motion::Closing::SingleMove,
+        )
+        .unwrap(),
+        NOTHING(),
+    );
+    let run = |code: &str, lag_s: f64, held: f64| {
+        let mut parameters = parameters(code);
+        replaced(&mut parameters, "winding_time_constant", 0.5);
+        replaced(&mut parameters, "housing_time_constant", 1e12);
+        replaced(&mut parameters, "ptc_lag", lag_s);
+        let stall = parameters.actuator.stall_current_motor.known().unwrap().value.si();
+        let constant = parameters.actuator.torque_constant_out.known().unwrap().value.si();
+        let torque = Torque::from_si(held * stall * constant);
+        let mechanism = Mechanism { friction: Friction { external: torque, ..Friction::none() }, ..load(1.3, 0.0) };
+        let scenario = Scenario { reaction: Reaction::Coast, ..Scenario::default() };
+        let start_k = Some([273.15 + 119.0, 273.15 + 110.0]);
+        let setup = Setup { scenario, start_k, ..Setup::of(&parameters, &mechanism, &motion, &extras) };
+        let mut twin = Twin::new(&setup).unwrap();
+        let mut winding = vec![twin.sample().winding_k];
+        while !twin.is_over() {
+            // A millisecond.
+            twin.advance(16);
+            winding.push(twin.sample().winding_k);
+        }
+        let when = |kind| twin.events().iter().find(|event| event.kind == kind).map(|event| event.time_s);
+        (when(EventKind::PtcResponse), when(EventKind::WindingShutdown), winding)
+    };
+    let limit = 273.15 + 120.0;
+    let (at_once, shutdown, winding) = run("CHA-17A-100-N-D2048", 0.0, 0.8);
+    let passed = winding.iter().position(|kelvin| *kelvin > limit).unwrap();
+    assert_eq!(shutdown, None);
+    #[allow(clippy::cast_precision_loss, reason = "some hundred")]
+    let passed = passed as f64 * 1e-3;
+    assert!((at_once.unwrap() - passed).abs() < 1.5e-3, "{at_once:?} {passed}");
+    let lag = 0.3;
+    let (later, _, winding) = run("CHA-17A-100-N-D2048", lag, 0.8);
+    let later = later.unwrap();
+    let at = |index: usize| winding[index] * (-(later - index as f64 * 1e-3) / lag).exp();
+    #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "some hundred")]
+    let last = (later * 1e3).round() as usize;
+    let integral: f64 = (0..last).map(|index| 0.5e-3 * (at(index) + at(index + 1))).sum();
+    let sensor = winding[0] * (-later / lag).exp() + integral / lag;
+    assert!((sensor - limit).abs() < 0.05 && later > passed, "{sensor} {later} {passed}");
+    // Held cool, it does not respond; and where the KTY is read, that is first.
+    assert_eq!(run("CHA-17A-100-N-D2048", 0.0, 0.0).0, None);
+    let (ptc, shutdown, _) = run("CHA-17A-100-N-RES", 0.0, 0.8);
+    assert!(shutdown.is_some_and(|at| at < 2e-3) && ptc.is_none_or(|at| at >= shutdown.unwrap()));
+}
+
 /// Held at a torque for long the winding ends where the thermal network says.
 #[test]
 fn the_thermal_end_value_is_that_of_the_network() {
