@@ -26,7 +26,7 @@ pub(crate) fn simulate(call: &Call<'_>, asked: &Asked<'_>) -> Result<Answer, Una
     let inputs = call.inputs(axes.iter().map(|(_, project)| project));
     let desk = Desk { inputs: &inputs, force: call.flag("force"), language };
     // As of `plot`: without a file the picture goes to standard output.
-    let draws = plot::is_asked(call) || call.text("figure").is_some();
+    let draws = plot::is_asked(call) || args.figure.is_some();
     if draws {
         plot::destination(call, &inputs)?;
     }

@@ -179,3 +179,24 @@ fn axes_are_compared_with_those_of_the_same_name() {
     let none = run_with(&["diff", "examples/two-axes.toml", "-"], old.replace("name = \"", "name = \"x").as_bytes());
     assert_eq!(none.code, 2);
 }
+
+/// A run that was written as Parquet is identified as the one that was written as CSV, whose numbers are shorter.
+#[test]
+fn a_run_is_identified_from_either_format() {
+    let folder = tempfile::tempdir().unwrap();
+    let code = "CHA-25A-50-H-C1024";
+    let estimates = |ending: &str| {
+        let out = path(folder.path(), &format!("run.{ending}"));
+        let wrote = run(&["simulate", PROJECT, "--code", code, "--out", &out, "--cold"]);
+        assert!(wrote.code <= 1, "{}", wrote.err);
+        let found = run(&["identify", &out, PROJECT, "--code", code, "--json"]);
+        assert_eq!(found.code, 0, "{}", found.err);
+        serde_json::from_str::<Value>(&found.out).unwrap()["estimates"].as_array().unwrap().clone()
+    };
+    let (csv, parquet) = (estimates("csv"), estimates("parquet"));
+    assert!(csv.len() == parquet.len() && csv.len() > 2, "{csv:?}");
+    for (one, other) in csv.iter().zip(&parquet) {
+        let [value, again] = [&one["value"], &other["value"]].map(|n| n.as_f64().unwrap());
+        assert!((value - again).abs() <= 1e-9 + 1e-6 * value.abs(), "{one} {other}");
+    }
+}

@@ -124,7 +124,7 @@ fn the_overrides_make_a_wrong_project_run_like_the_right_one() {
     }
 }
 
-/// Every cell that is no number is reported with its line; a Parquet file is named as one.
+/// Every cell that is no number is reported with its line, and a Parquet file that cannot be read.
 #[test]
 fn every_wrong_cell_of_a_run_is_reported() {
     let text = arm("2.4 kg m^2", "5 kg", "");
@@ -140,6 +140,9 @@ fn every_wrong_cell_of_a_run_is_reported() {
     assert!(faults[0].contains("line 3") && faults[1].contains("line 4") && faults[1].contains("current_q_a"));
     assert_eq!(refused(format!("{head}{}", "a,b,c,d,e,f,g\n".repeat(100))).len(), 20);
     assert!(refused("PAR1".to_owned())[0].contains("Parquet"));
+    // Columns that are missing are one fault, beside those of the cells.
+    let lacking = refused("time_s,torque_nm\n0,x\n".to_owned());
+    assert!(lacking.len() == 2 && lacking[0].contains("speed_rad_s") && lacking[1].contains("line 2"), "{lacking:?}");
 }
 
 /// What a run at the limit of the current does not say is said.

@@ -40,7 +40,7 @@ pub use limits::{
     STEP_MIN_S, UNPACKED_BYTES_MAX,
 };
 pub use packed::{Packing, unpacked};
-pub use parquet::{read_parquet, read_parquet_within};
+pub use parquet::{read_columns, read_parquet, read_parquet_within};
 pub use series::{Along, ColumnRead, Course, Effort, Encoding, KnownBy, Recording, Series};
 
 pub use ::bytes::Bytes;

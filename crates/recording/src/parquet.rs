@@ -54,6 +54,94 @@ pub fn read_parquet_within(file: Bytes, layout: &Layout, memory: &mut Memory) ->
     faults.outcome(recording)
 }
 
+/// Columns of numbers by their names, as they are written: no unit is read and nothing is converted. `None` in the place of a
+/// column that the file does not have. What they hold is taken from the memory.
+///
+/// # Errors
+/// All faults of the file: columns that hold no numbers, values that are missing or not finite.
+pub fn read_columns(file: &Bytes, names: &[&str], memory: &mut Memory) -> Result<Vec<Option<Vec<f64>>>, Vec<Fault>> {
+    let mut faults = Faults::default();
+    let found = columns_of(file, names, memory, &mut faults);
+    faults.outcome(found)
+}
+
+fn columns_of(file: &Bytes, names: &[&str], memory: &mut Memory, faults: &mut Faults) -> Option<Vec<Option<Vec<f64>>>> {
+    let footer = Footer::read(file).map_err(|fault| faults.push(fault)).ok()?;
+    let mut used: Vec<Used<'_>> = Vec::new();
+    let mut places = Vec::new();
+    for name in names {
+        let found = footer.columns.iter().enumerate().find(|(_, column)| column.path == *name);
+        places.push(found.map(|_| used.len()));
+        let Some((index, column)) = found else { continue };
+        match kind(column) {
+            Some(kind) => used.push(Used { index, name: excerpt(name), kind, column }),
+            None => faults.push(Fault::ColumnType { column: excerpt(name), found: type_name(column) }),
+        }
+    }
+    let bytes = footer.rows.saturating_mul(8 * used.len() as u64);
+    if !faults.none() || memory.take(bytes).map_err(|fault| faults.push(fault)).is_err() {
+        return None;
+    }
+    let mut values = vec![Vec::new(); used.len()];
+    let wanted: Vec<usize> = used.iter().map(|column| column.index).collect();
+    let (spent, mut number) = (Arc::default(), 0_u64);
+    let walked = footer.groups(&wanted, |_, chunks| {
+        let mut streams = opened(file, &used, chunks, memory, &spent)?;
+        while let count @ 1.. = filled(&mut streams)? {
+            for (stream, values) in streams.iter().zip(&mut values) {
+                for (row, cell) in (number + 1..).zip(&stream.cells) {
+                    let (at, column) = (FileRow::Row(row), stream.name);
+                    match *cell {
+                        Cell::Null => faults.push(Fault::ValueMissing { at, column: column.to_owned() }),
+                        Cell::Float(value) if !value.is_finite() => faults.push(not_finite(at, column, value)),
+                        Cell::Float(value) => values.push(value),
+                        Cell::Integer(value) => values.push(value as f64),
+                    }
+                }
+            }
+            number += count as u64;
+            // The footer counts the rows that memory was taken for.
+            if number > footer.rows {
+                return Err(Fault::ParquetUnreadable { reason: Damage::Lengths });
+            }
+        }
+        Ok(())
+    });
+    if let Err(fault) = walked {
+        faults.push(fault);
+        return None;
+    }
+    let mut values = values.into_iter();
+    Some(places.into_iter().map(|place| place.and_then(|_| values.next())).collect())
+}
+
+/// The columns of a row group, opened.
+fn opened<'f>(
+    file: &Bytes,
+    used: &'f [Used<'f>],
+    chunks: Vec<Chunk>,
+    memory: &Memory,
+    spent: &Arc<AtomicU64>,
+) -> Result<Vec<Stream<'f>>, Fault> {
+    let open = |(column, chunk): (&'f Used<'f>, Chunk)| {
+        let memory = (memory.clone(), used.len());
+        let pages = Pages::new(file.clone(), chunk, column.column, memory, Arc::clone(spent))?;
+        Stream::open(column, pages)
+    };
+    used.iter().zip(chunks).map(open).collect()
+}
+
+/// The next rows of all columns; their number, which is zero at the end.
+fn filled(streams: &mut [Stream<'_>]) -> Result<usize, Fault> {
+    let counts = streams.iter_mut().map(Stream::fill).collect::<Result<Vec<_>, ParquetError>>();
+    let mut counts = counts.map_err(unreadable)?.into_iter();
+    let count = counts.next().unwrap_or(0);
+    if counts.any(|other| other != count) {
+        return Err(Fault::ParquetUnreadable { reason: Damage::Lengths });
+    }
+    Ok(count)
+}
+
 /// What the library refuses, as a fault; the faults of pages come through it unchanged.
 fn unreadable(error: ParquetError) -> Fault {
     // Messages of the library may quote the file; the bound keeps them readable.
@@ -195,19 +283,9 @@ struct Pass<'f> {
 impl<'f> Pass<'f> {
     /// Reads the rows of a group; false if no further row can be kept.
     fn rows(&mut self, chunks: Vec<Chunk>, gather: &mut Gather<'_>, faults: &mut Faults) -> Result<bool, Fault> {
-        let open = |(column, chunk): (&'f Used<'f>, Chunk)| {
-            let memory = (gather.memory(), self.used.len());
-            let pages = Pages::new(self.file.clone(), chunk, column.column, memory, Arc::clone(&self.spent))?;
-            Stream::open(column, pages)
-        };
-        let mut streams = self.used.iter().zip(chunks).map(open).collect::<Result<Vec<_>, Fault>>()?;
+        let mut streams = opened(self.file, self.used, chunks, &gather.memory(), &self.spent)?;
         loop {
-            let counts = streams.iter_mut().map(Stream::fill).collect::<Result<Vec<_>, ParquetError>>();
-            let mut counts = counts.map_err(unreadable)?.into_iter();
-            let count = counts.next().unwrap_or(0);
-            if counts.any(|other| other != count) {
-                return Err(Fault::ParquetUnreadable { reason: Damage::Lengths });
-            }
+            let count = filled(&mut streams)?;
             if count == 0 {
                 return Ok(true);
             }

@@ -5,7 +5,8 @@
 use quantities::unit::{DEGREE, MICROSECOND, NEWTON_METRE};
 use quantities::{Measure, Time};
 use recording::{
-    Bytes, ColumnSpec, Damage, Fault, FileRow, KnownBy, Layout, Recording, Role, SAMPLES_MAX, read_parquet,
+    Bytes, ColumnSpec, Damage, Fault, FileRow, KnownBy, Layout, Memory, Recording, Role, SAMPLES_MAX, read_columns,
+    read_parquet,
 };
 
 const PANDAS: &[u8] = include_bytes!("data/pandas_snappy.parquet");
@@ -98,6 +99,27 @@ fn a_list_is_no_column_of_numbers() {
     let position = ColumnSpec { name: Some("x.list.element".into()), ..ColumnSpec::default() };
     let found = read(NULL, &Layout { position, ..Layout::default() }).unwrap_err();
     assert!(matches!(found.as_slice(), [Fault::ColumnType { .. }]), "{found:?}");
+}
+
+/// Numbers as they are written, whatever their type and in whatever row groups; a column that is not there is none.
+#[test]
+fn columns_are_read_by_their_names() {
+    let columns =
+        |bytes: &'static [u8], names: &[&str]| read_columns(&Bytes::from_static(bytes), names, &mut Memory::default());
+    let angle = |k: usize| 90.0 * (1.0 - (std::f64::consts::TAU * 5.0 * k as f64 / 1000.0).cos());
+    let read = columns(PANDAS, &["q [deg]", "nothing", "time [ms]"]).unwrap();
+    let [Some(q), None, Some(time)] = read.as_slice() else { panic!("{read:?}") };
+    assert_eq!((q.len(), time.len(), time[0], time[199]), (200, 200, 5000.0, 5199.0));
+    assert!(q.iter().enumerate().all(|(k, value)| (value - angle(k)).abs() < 1e-12));
+    let read = columns(PYARROW, &["q"]).unwrap();
+    assert!(read[0].as_ref().unwrap().iter().enumerate().all(|(k, value)| (value - angle(k)).abs() < 1e-12));
+    assert_eq!(read[0].as_ref().unwrap().len(), 200);
+    let found = columns(NULL, &["q [deg]", "t [s]"]).unwrap_err();
+    assert_eq!(found, [Fault::ValueMissing { at: FileRow::Row(3), column: String::from("q [deg]") }]);
+    assert!(matches!(columns(PANDAS, &["note"]).unwrap_err().as_slice(), [Fault::ColumnType { .. }]));
+    let small = read_columns(&Bytes::from_static(PANDAS), &["q [deg]"], &mut Memory::new(1599)).unwrap_err();
+    assert!(matches!(small.as_slice(), [Fault::Beyond { found: 1600, .. }]), "{small:?}");
+    assert!(columns(&PANDAS[..PANDAS.len() / 2], &["q [deg]"]).is_err());
 }
 
 #[test]

@@ -111,8 +111,8 @@ texts! {
         "Estimate load, friction and torque constant from a recorded run"
         | "Last, Reibung und Drehmomentkonstante aus einem aufgezeichneten Lauf schätzen";
     identify_trace =
-        "Recorded run (.csv) with the columns of a trace"
-        | "Aufgezeichneter Lauf (.csv) mit den Spalten eines Verlaufs";
+        "Recorded run (.csv or .parquet) with the columns of a trace"
+        | "Aufgezeichneter Lauf (.csv oder .parquet) mit den Spalten eines Verlaufs";
     simulate_figure =
         "Which picture: the course, or the responses of the control loops (simulation)"
         | "Welches Bild: der Verlauf oder die Frequenzgänge der Regelkreise (simulation)";

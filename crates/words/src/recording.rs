@@ -9,6 +9,12 @@ use quantities::unit::SECOND;
 use quantities::{Dimension, Language, Measure, Time, Unit, format_significant};
 use recording::{Encoding, Fault, FileRow, GAP_FACTOR, KnownBy, MAGNITUDE_MAX, NearColumn, Role, STEP_MIN_S, Stamp};
 
+/// What is wrong with a file of a recording, in one sentence.
+#[must_use]
+pub fn recording_text(found: &Fault, language: Language) -> String {
+    fault(found, language).0
+}
+
 /// What is wrong with a recording, and what to do about it.
 pub(super) fn fault(fault: &Fault, language: Language) -> (String, Option<String>) {
     let q = |text: &str| quoted(text, language);

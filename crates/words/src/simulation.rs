@@ -189,8 +189,6 @@ texts! {
     lines_for_the_project = "lines for the project" | "Zeilen für das Projekt";
     no_such_trace(name) = "{name} cannot be read" | "{name} kann nicht gelesen werden";
     trace_too_large(name, most) = "{name} is larger than {most} MiB" | "{name} ist größer als {most} MiB";
-    trace_is_parquet(name) =
-        "{name} is a Parquet file: a run is read as .csv" | "{name} ist eine Parquet-Datei: ein Lauf wird als .csv gelesen";
     trace_lacks(columns) = "the trace lacks columns: {columns}" | "dem Verlauf fehlen Spalten: {columns}";
     trace_not_a_number(line, column) = "line {line}: the value of {column} is no number" | "Zeile {line}: der Wert von {column} ist keine Zahl";
     trace_too_short = "too few samples in motion" | "zu wenige Abtastwerte in Bewegung";

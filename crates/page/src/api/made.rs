@@ -119,7 +119,7 @@ fn simulated(asked: &Asked<'_>, _: &dyn Shell) -> Result<Reply, Unanswered> {
         let drawing = figures::of_a_run(args.figure.as_deref(), &run, language);
         return picture(&drawing, args.theme, [args.width, args.height], language);
     }
-    if args.figure.as_deref().is_some_and(|figure| figure != simulate::FIGURES[0]) {
+    if args.figure.is_some() {
         return Err(stated("figure", simulation::figure_needs_a_format(language)));
     }
     let format = args.format.as_deref().and_then(Format::of_ending).filter(|format| *format != Format::Json);

@@ -15,12 +15,13 @@ use quantities::unit::{
     NEWTON_METRE_SECOND_PER_RADIAN,
 };
 use quantities::{Language, Measure, Unit, seen};
+use recording::{Bytes, Memory};
 use schemars::JsonSchema;
 use serde::Serialize;
 use std::f64::consts::SQRT_2;
 use std::io::Read as _;
 use twin::{Estimate, Identified, IdentifyFault, Observed, identify};
-use words::{Word, help, help::values, simulation};
+use words::{Word, help, help::values, recording_text, simulation};
 
 arguments! {
     /// Which axis, which actuator, which run.
@@ -112,11 +113,10 @@ pub fn found(asked: &Asked<'_>) -> Result<Identification, Unanswered> {
     if bytes.len() as u64 > TRACE_MOST {
         return Err(fault(simulation::trace_too_large(&seen(&name), &(TRACE_MOST >> 20), language)));
     }
-    if bytes.starts_with(b"PAR1") {
-        return Err(fault(simulation::trace_is_parquet(&seen(&name), language)));
-    }
-    let run = observed(&String::from_utf8_lossy(&bytes), language)
-        .map_err(|faults| Unanswered::together(faults.into_iter().map(fault).collect()))?;
+    let memory = source.files.grant().memory;
+    let read = if bytes.starts_with(b"PAR1") { of_parquet(bytes, memory, language) } else { of_csv(&bytes, language) };
+    let run =
+        observed(read, language).map_err(|faults| Unanswered::together(faults.into_iter().map(fault).collect()))?;
     let limit = candidate.parameters.current_max.known().map(|known| SQRT_2 * known.value.si());
     let twin::Identification { estimates, at_limit } = identify(&run, limit).map_err(|why| {
         fault(match why {
@@ -150,22 +150,50 @@ pub fn found(asked: &Asked<'_>) -> Result<Identification, Unanswered> {
 /// So many faults of a run are reported.
 const FAULTS_MOST: usize = 20;
 
-/// The columns of a run.
-fn observed(text: &str, language: Language) -> Result<Observed, Vec<String>> {
+/// The columns of a run that are there, and what is wrong in them.
+type Read = ([Option<Vec<f64>>; 7], Vec<String>);
+
+/// What `identify` of the twin takes, where every column is there.
+fn observed((columns, mut faults): Read, language: Language) -> Result<Observed, Vec<String>> {
+    let there = COLUMNS.iter().zip(&columns);
+    let lacking: Vec<&str> = there.filter(|(_, column)| column.is_none()).map(|(name, _)| *name).collect();
+    if !lacking.is_empty() {
+        faults.insert(0, simulation::trace_lacks(&lacking.join(", "), language));
+    }
+    if !faults.is_empty() {
+        return Err(faults);
+    }
+    let [time_s, position_rad, speed_rad_s, acceleration_rad_s2, motor_rad_s, torque_nm, current_q_a] =
+        columns.map(Option::unwrap_or_default);
+    Ok(Observed { time_s, position_rad, speed_rad_s, acceleration_rad_s2, motor_rad_s, torque_nm, current_q_a })
+}
+
+fn of_parquet(bytes: Vec<u8>, memory: u64, language: Language) -> Read {
+    match recording::read_columns(&Bytes::from(bytes), &COLUMNS, &mut Memory::new(memory)) {
+        Ok(found) => {
+            let mut found = found.into_iter();
+            (COLUMNS.map(|_| found.next().flatten()), Vec::new())
+        }
+        // What is missing besides is not known of a file that cannot be read.
+        Err(faults) => {
+            let faults = faults.iter().map(|fault| recording_text(fault, language)).collect();
+            (COLUMNS.map(|_| Some(Vec::new())), faults)
+        }
+    }
+}
+
+fn of_csv(bytes: &[u8], language: Language) -> Read {
+    let text = String::from_utf8_lossy(bytes);
     let mut lines = text.lines().filter(|line| !line.starts_with('#'));
     let heads: Vec<&str> = lines.next().unwrap_or_default().trim_start_matches('\u{feff}').split(',').collect();
     let places = COLUMNS.map(|column| heads.iter().position(|head| head.trim() == column));
-    let lacking: Vec<&str> =
-        COLUMNS.iter().zip(&places).filter(|(_, place)| place.is_none()).map(|(column, _)| *column).collect();
-    if !lacking.is_empty() {
-        return Err(vec![simulation::trace_lacks(&lacking.join(", "), language)]);
-    }
     let mut faults = Vec::new();
-    let mut columns: [Vec<f64>; 7] = Default::default();
+    let mut columns = places.map(|place| place.map(|_| Vec::new()));
     for (line, text) in (2_usize..).zip(lines).filter(|(_, text)| !text.trim().is_empty()) {
         let cells: Vec<&str> = text.split(',').collect();
-        for ((column, place), name) in columns.iter_mut().zip(&places).zip(COLUMNS) {
-            let value = place.and_then(|place| cells.get(place)?.trim().parse::<f64>().ok());
+        for ((column, place), name) in columns.iter_mut().zip(places).zip(COLUMNS) {
+            let (Some(column), Some(place)) = (column, place) else { continue };
+            let value = cells.get(place).and_then(|cell| cell.trim().parse::<f64>().ok());
             match value.filter(|value| value.is_finite()) {
                 Some(value) => column.push(value),
                 None if faults.len() < FAULTS_MOST => {
@@ -175,11 +203,7 @@ fn observed(text: &str, language: Language) -> Result<Observed, Vec<String>> {
             }
         }
     }
-    if !faults.is_empty() {
-        return Err(faults);
-    }
-    let [time_s, position_rad, speed_rad_s, acceleration_rad_s2, motor_rad_s, torque_nm, current_q_a] = columns;
-    Ok(Observed { time_s, position_rad, speed_rad_s, acceleration_rad_s2, motor_rad_s, torque_nm, current_q_a })
+    (columns, faults)
 }
 
 fn title_and_unit(of: Identified) -> (Word, &'static Unit) {

@@ -1,7 +1,7 @@
 //! `simulate PROJECT`: the digital twin of an axis with an actuator.
 
-use super::plot::{HEIGHT, THEME, WIDTH};
 use super::given::{arguments, count, flag, number, some, some_code_among, text, word};
+use super::plot::{HEIGHT, THEME, WIDTH};
 use super::{
     AXIS, Answer, Argument, ArgumentKind, Asked, Cost, Entry, Given, Gives, OutputFile, Reads, Record, Unanswered,
     argument, media,
@@ -58,7 +58,7 @@ arguments! {
             .of(ArgumentKind::Word(|| FORMATS.to_vec())) => text,
         /// The picture that is drawn.
         figure: Option<String> = Argument::option("figure", values::figure, help::simulate_figure)
-            .of(ArgumentKind::Word(|| FIGURES.to_vec())).usually(FIGURES[0]) => text,
+            .of(ArgumentKind::Word(|| FIGURES.to_vec())) => text,
         /// Dark colours.
         theme: Option<bool> = THEME => word(|theme| Some(theme == "dark")),
         /// Width of the picture.
