@@ -50,7 +50,8 @@ impl Stage<'_> {
         self.tab.there("#checks")
     }
 
-    fn listens(&self) -> Worded {
+    /// The scripts have begun; before that a field that is typed in may be replaced.
+    pub(crate) fn listens(&self) -> Worded {
         self.tab.until("typeof htmx === 'object' && document.readyState === 'complete' && (document.documentElement.dataset.ready !== undefined || !document.querySelector('script[src*=\"site.js\"]'))")
     }
 

@@ -60,10 +60,10 @@ pub(crate) fn a_calculator(stage: &Stage<'_>) -> Worded {
     let tab = &stage.tab;
     tab.open(&stage.shell.at("tool=torsion&lang=en"))?;
     tab.there("#tool #about")?;
-    tab.until("typeof htmx === 'object' && document.readyState === 'complete'")?;
+    stage.listens()?;
     tab.fill("#about", "CHA-25A-100-H-C1024")?;
     tab.fill("#t-torque", "30 N m")?;
-    tab.says("#tool", "arcmin")?;
+    tab.says("#tool strong", "2.65 arcmin")?;
     tab.fill("#t-torque", "30 kg")?;
     tab.says("#tool .fault", "kg")?;
     stage.accessible("calculator")

@@ -33,8 +33,6 @@ pub struct Heat {
     pub winding_shutdown: Datum<ThermodynamicTemperature>,
     /// T_NAT: the temperature at which the PTC of the winding responds.
     pub ptc_response: Datum<ThermodynamicTemperature>,
-    /// Whether no connector leads out the sensor that warning and shutdown are read from.
-    pub without_kty: bool,
     /// τ_w = R_wh C_w.
     pub winding_time_constant: Datum<Time>,
     /// τ_h = R_ha C_h.

@@ -35,6 +35,8 @@ pub struct Parameters {
     pub brake: Brake,
     /// The feedback on the motor.
     pub feedback: Feedback,
+    /// Whether the connector of the feedback does not lead out the KTY, from which warning and shutdown are read.
+    pub without_kty: bool,
     /// The feedback at the output; not applicable without the option.
     pub feedback_out: Feedback,
 }
@@ -129,6 +131,7 @@ impl Parameters {
             length: Datum::NotPrinted,
             brake: Brake::unknown(),
             feedback: Feedback::unknown(),
+            without_kty: false,
             feedback_out: Feedback::absent(FeedbackSide::Output),
         }
     }

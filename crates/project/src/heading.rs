@@ -3,7 +3,8 @@
 
 use crate::edit::key_at;
 use crate::key::{Key, Kind};
-use crate::read::{MAGNITUDES, Reader, nearest, shortened};
+use crate::nearest::nearest;
+use crate::read::{MAGNITUDES, Reader, shortened};
 use crate::root::KEYS;
 use crate::{Fault, Hint, Range, TabularFault};
 use quantities::{Dimension, QuantityError, Unit};

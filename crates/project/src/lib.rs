@@ -21,6 +21,7 @@ mod label;
 mod measured;
 mod mechanism;
 mod motion;
+mod nearest;
 mod numbers;
 mod own;
 mod read;

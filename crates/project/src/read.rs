@@ -3,6 +3,7 @@
 use crate::bodies::BodySection;
 use crate::inputs::Input;
 use crate::key::{Key, Kind, Variants, example};
+use crate::nearest::{meant, nearest};
 use crate::section::{Fields, Section};
 use crate::stated::Head;
 use crate::tolerance::{TOLERANCES_MOST, Tolerance};
@@ -139,7 +140,11 @@ impl<'t> Reader<'t> {
                 let list = matches!(key.kind, Kind::Variants(_));
                 let path = if list { key.name.to_owned() } else { joined(path, key.name) };
                 let place = span.start..span.start + usize::from(!span.is_empty());
-                self.fault(place, Fault::MissingKey { path, list }, example(key).map(Hint::Example));
+                let hint = match key.kind {
+                    Kind::OneOf(words) => Some(Hint::valid(words)),
+                    _ => example(key).map(Hint::Example),
+                };
+                self.fault(place, Fault::MissingKey { path, list }, hint);
             }
         }
     }
@@ -147,7 +152,10 @@ impl<'t> Reader<'t> {
     fn unknown_key(&mut self, name: &Spanned<std::borrow::Cow<'_, str>>, keys: &'static [Key], path: &str) {
         let names: Vec<&str> = keys.iter().map(|key| key.name).collect();
         let fault = Fault::UnknownKey { path: joined(path, &shortened(name.get_ref(), WORD_SHOWN)) };
-        let hint = self.nearest(name.get_ref(), &names);
+        let hint = self.nearest(name.get_ref(), &names).map(|near| match near {
+            Hint::ValidAre(_) => meant(name.get_ref(), keys).unwrap_or(near),
+            near => near,
+        });
         self.fault(name.span(), fault, hint);
     }
 
@@ -533,27 +541,6 @@ fn one_of(dimensions: &[Dimension], text: &str) -> Option<Dimension> {
         Err(_) => 1,
     };
     dimensions.iter().copied().min_by_key(distance)
-}
-
-/// "did you mean …", or the whole list where nothing is near.
-pub(crate) fn nearest(written: &str, valid: &[&str]) -> Hint {
-    let written: String = written.chars().take(60).collect();
-    // A word that was cut short or spun out is nearer than its count of letters says.
-    let akin = valid
-        .iter()
-        .find(|name| written.len() >= 3 && (name.starts_with(written.as_str()) || written.starts_with(**name)));
-    if let Some(name) = akin {
-        return Hint::DidYouMean((*name).to_owned());
-    }
-    let near = valid
-        .iter()
-        .map(|name| (strsim::damerau_levenshtein(&written.to_lowercase(), &name.to_lowercase()), *name))
-        .min()
-        .filter(|(distance, name)| *distance * 2 <= name.chars().count());
-    match near {
-        Some((_, name)) => Hint::DidYouMean(name.to_owned()),
-        None => Hint::valid(valid),
-    }
 }
 
 /// A key within a table.

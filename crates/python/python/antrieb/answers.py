@@ -2851,7 +2851,7 @@ Reaction = Literal["ramp", "brake", "coast"]
 
 Figures = dict[str, Figure]
 
-EventKind = Literal["scenario", "ramp", "pulses_off", "brake_closes", "brake_closed", "brake_closed_moving", "brake_open", "brake_slips", "at_rest", "limited", "overload", "winding_warning", "winding_shutdown", "following_error", "link_low", "link_high", "brake_resistor", "no_position", "turns_lost", "demagnetisation", "collision_torque", "overspeed", "diverged"]
+EventKind = Literal["scenario", "ramp", "pulses_off", "brake_closes", "brake_closed", "brake_closed_moving", "brake_open", "brake_slips", "at_rest", "limited", "overload", "winding_warning", "winding_shutdown", "ptc_response", "following_error", "link_low", "link_high", "brake_resistor", "no_position", "turns_lost", "demagnetisation", "collision_torque", "overspeed", "diverged"]
 
 Loop = Literal["current", "speed", "position"]
 

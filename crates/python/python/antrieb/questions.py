@@ -320,7 +320,10 @@ def simulate(
     every: str | None = None,
     signals: Literal["wanted_position", "wanted_speed", "position", "speed", "acceleration", "measured_position", "motor_position", "motor_speed", "torque", "current_q", "current_d", "voltage_q", "voltage_d", "link", "winding", "housing", "sensor", "overload", "following_error", "brake"] | Sequence[Literal["wanted_position", "wanted_speed", "position", "speed", "acceleration", "measured_position", "motor_position", "motor_speed", "torque", "current_q", "current_d", "voltage_q", "voltage_d", "link", "winding", "housing", "sensor", "overload", "following_error", "brake"]] | None = None,
     format: Literal["json"] = "json",
-    figure: Literal["simulation", "control_loops"] = "simulation",
+    figure: Literal["simulation", "control_loops"] | None = None,
+    theme: Literal["light", "dark"] = "light",
+    width: str | None = None,
+    height: str | None = None,
     seed: int = 0,
     file: str | None = None,
     folder: Path | None = None,
@@ -347,7 +350,10 @@ def simulate(
     every: str | None = None,
     signals: Literal["wanted_position", "wanted_speed", "position", "speed", "acceleration", "measured_position", "motor_position", "motor_speed", "torque", "current_q", "current_d", "voltage_q", "voltage_d", "link", "winding", "housing", "sensor", "overload", "following_error", "brake"] | Sequence[Literal["wanted_position", "wanted_speed", "position", "speed", "acceleration", "measured_position", "motor_position", "motor_speed", "torque", "current_q", "current_d", "voltage_q", "voltage_d", "link", "winding", "housing", "sensor", "overload", "following_error", "brake"]] | None = None,
     format: Literal["json"] = "json",
-    figure: Literal["simulation", "control_loops"] = "simulation",
+    figure: Literal["simulation", "control_loops"] | None = None,
+    theme: Literal["light", "dark"] = "light",
+    width: str | None = None,
+    height: str | None = None,
     seed: int = 0,
     file: str | None = None,
     folder: Path | None = None,
@@ -374,7 +380,10 @@ def simulate(
     every: str | None = None,
     signals: Literal["wanted_position", "wanted_speed", "position", "speed", "acceleration", "measured_position", "motor_position", "motor_speed", "torque", "current_q", "current_d", "voltage_q", "voltage_d", "link", "winding", "housing", "sensor", "overload", "following_error", "brake"] | Sequence[Literal["wanted_position", "wanted_speed", "position", "speed", "acceleration", "measured_position", "motor_position", "motor_speed", "torque", "current_q", "current_d", "voltage_q", "voltage_d", "link", "winding", "housing", "sensor", "overload", "following_error", "brake"]] | None = None,
     format: Literal["csv"],
-    figure: Literal["simulation", "control_loops"] = "simulation",
+    figure: Literal["simulation", "control_loops"] | None = None,
+    theme: Literal["light", "dark"] = "light",
+    width: str | None = None,
+    height: str | None = None,
     seed: int = 0,
     file: str | None = None,
     folder: Path | None = None,
@@ -400,8 +409,11 @@ def simulate(
     hours_per_day: str | None = None,
     every: str | None = None,
     signals: Literal["wanted_position", "wanted_speed", "position", "speed", "acceleration", "measured_position", "motor_position", "motor_speed", "torque", "current_q", "current_d", "voltage_q", "voltage_d", "link", "winding", "housing", "sensor", "overload", "following_error", "brake"] | Sequence[Literal["wanted_position", "wanted_speed", "position", "speed", "acceleration", "measured_position", "motor_position", "motor_speed", "torque", "current_q", "current_d", "voltage_q", "voltage_d", "link", "winding", "housing", "sensor", "overload", "following_error", "brake"]] | None = None,
-    format: Literal["parquet"],
-    figure: Literal["simulation", "control_loops"] = "simulation",
+    format: Literal["parquet", "svg"],
+    figure: Literal["simulation", "control_loops"] | None = None,
+    theme: Literal["light", "dark"] = "light",
+    width: str | None = None,
+    height: str | None = None,
     seed: int = 0,
     file: str | None = None,
     folder: Path | None = None,
@@ -426,8 +438,11 @@ def simulate(
     hours_per_day: str | None = None,
     every: str | None = None,
     signals: Literal["wanted_position", "wanted_speed", "position", "speed", "acceleration", "measured_position", "motor_position", "motor_speed", "torque", "current_q", "current_d", "voltage_q", "voltage_d", "link", "winding", "housing", "sensor", "overload", "following_error", "brake"] | Sequence[Literal["wanted_position", "wanted_speed", "position", "speed", "acceleration", "measured_position", "motor_position", "motor_speed", "torque", "current_q", "current_d", "voltage_q", "voltage_d", "link", "winding", "housing", "sensor", "overload", "following_error", "brake"]] | None = None,
-    format: Literal["json", "csv", "parquet"] = "json",
-    figure: Literal["simulation", "control_loops"] = "simulation",
+    format: Literal["json", "csv", "parquet", "svg"] = "json",
+    figure: Literal["simulation", "control_loops"] | None = None,
+    theme: Literal["light", "dark"] = "light",
+    width: str | None = None,
+    height: str | None = None,
     seed: int = 0,
     file: str | None = None,
     folder: Path | None = None,
@@ -451,8 +466,11 @@ def simulate(
         hours_per_day: Operation a day, in hours (24).
         every: Time between two rows of the trace ("1 ms").
         signals: Signals of the trace, separated by commas; all without it.
-        format: Json for the summary (default), csv or parquet for the trace.
-        figure: The picture of --svg and --png: the course, or the responses of the control loops (simulation).
+        format: Json for the summary (default), csv or parquet for the trace, svg for a picture.
+        figure: Which picture: the course, or the responses of the control loops (simulation).
+        theme: Light (default) or dark.
+        width: Width of the picture, for example "160 mm".
+        height: Height of the picture; it grows if its content needs it.
         seed: Seed of the errors of gear and encoder (0).
         file: What a text is called in faults.
         folder: Where the recordings that a text names lie; without it the current folder.
@@ -469,7 +487,7 @@ def simulate(
         answers.Simulation | answers.AxesOfSimulation,
         "simulate",
         (text,),
-        [("axis", axis), ("code", code), ("scenario", scenario), ("at", at), ("reaction", reaction), ("failure", failure), ("cycles", cycles), ("cold", cold), ("days", days), ("hours-per-day", hours_per_day), ("every", every), ("signals", signals), ("format", format), ("figure", figure), ("seed", seed)],
+        [("axis", axis), ("code", code), ("scenario", scenario), ("at", at), ("reaction", reaction), ("failure", failure), ("cycles", cycles), ("cold", cold), ("days", days), ("hours-per-day", hours_per_day), ("every", every), ("signals", signals), ("format", format), ("figure", figure), ("theme", theme), ("width", width), ("height", height), ("seed", seed)],
         lang,
         file=file,
         folder=folder,
@@ -495,7 +513,7 @@ def identify(
 
     Args:
         text: The project as text, or the path of its file.
-        trace: Recorded run (.csv) with the columns of a trace.
+        trace: Recorded run (.csv or .parquet) with the columns of a trace.
         code: Ordering code; without it the project's own [actuator] is judged.
         lang: Language of the texts: `en` or `de`.
         axis: Only this axis of a project with several.

@@ -70,12 +70,13 @@ impl Twin<'_> {
         if self.setup.scenario.id == ScenarioId::LinkSag && self.happens_s.is_some_and(|at| time > at + SAG.1) {
             self.supply_share = 1.0;
         }
-        let heat = &self.setup.parameters.actuator.heat;
+        let actuator = &self.setup.parameters.actuator;
+        let (heat, is_read) = (&actuator.heat, !actuator.without_kty);
         let passed = |limit: &Datum<ThermodynamicTemperature>, sensor_k: f64| {
             limit.known().is_some_and(|limit| sensor_k > limit.value.si())
         };
-        let warns = !heat.without_kty && passed(&heat.winding_warning, self.sensor_k);
-        let shuts_down = !heat.without_kty && passed(&heat.winding_shutdown, self.sensor_k);
+        let warns = is_read && passed(&heat.winding_warning, self.sensor_k);
+        let shuts_down = is_read && passed(&heat.winding_shutdown, self.sensor_k);
         let responds = passed(&heat.ptc_response, self.ptc_k);
         if warns {
             self.note(EventKind::WindingWarning);

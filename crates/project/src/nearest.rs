@@ -1,0 +1,80 @@
+//! What was probably meant by a name that is not valid.
+
+use crate::Hint;
+use crate::key::{Key, Kind};
+
+/// What others call what is a key here: other programs, and engineers who write German.
+const OTHER_NAMES: [(&str, &str); 16] = [
+    ("angle", "distance"),
+    ("stroke", "distance"),
+    ("travel", "distance"),
+    ("weg", "distance"),
+    ("winkel", "distance"),
+    ("hub", "distance"),
+    ("duration", "time"),
+    ("zeit", "time"),
+    ("dauer", "time"),
+    ("velocity", "speed"),
+    ("drehzahl", "speed"),
+    ("geschwindigkeit", "speed"),
+    ("beschleunigung", "acceleration"),
+    ("ruck", "jerk"),
+    ("masse", "mass"),
+    ("voltage", "supply"),
+];
+
+/// The key that an unknown one stands for: by another name, or as the word of a key such as `dwell` of `law`.
+pub(crate) fn meant(written: &str, keys: &'static [Key]) -> Option<Hint> {
+    let written = written.to_lowercase();
+    let other = OTHER_NAMES.iter().find(|(name, _)| *name == written);
+    if let Some((_, name)) = other.filter(|(_, name)| keys.iter().any(|key| key.name == *name)) {
+        return Some(Hint::DidYouMean((*name).to_owned()));
+    }
+    let has = |key: &&Key| matches!(key.kind, Kind::OneOf(words) if words.contains(&written.as_str()));
+    keys.iter().find(has).map(|key| Hint::DidYouMean(format!("{} = \"{written}\"", key.name)))
+}
+
+/// "did you mean …", or the whole list where nothing is near.
+pub(crate) fn nearest(written: &str, valid: &[&str]) -> Hint {
+    let written: String = written.chars().take(60).collect();
+    // A word that was cut short or spun out is nearer than its count of letters says.
+    let akin = valid
+        .iter()
+        .find(|name| written.len() >= 3 && (name.starts_with(written.as_str()) || written.starts_with(**name)));
+    if let Some(name) = akin {
+        return Hint::DidYouMean((*name).to_owned());
+    }
+    let near = valid
+        .iter()
+        .map(|name| (strsim::damerau_levenshtein(&written.to_lowercase(), &name.to_lowercase()), *name))
+        .min()
+        .filter(|(distance, name)| *distance * 2 <= name.chars().count());
+    match near {
+        Some((_, name)) => Hint::DidYouMean(name.to_owned()),
+        None => Hint::valid(valid),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::{Hint, Project};
+
+    /// What others call a key, and the word of a law in the place of `law`, lead to what is meant.
+    #[test]
+    fn an_unknown_key_leads_to_what_is_meant() {
+        let hints = |line: &str| {
+            let text = format!("format = 1\n[load]\ninertia = \"1 kg m^2\"\n[[motion]]\n{line}\n");
+            let faults = Project::read(&text, &|_, _| None).unwrap_err();
+            faults.into_iter().filter_map(|fault| fault.hint).collect::<Vec<_>>()
+        };
+        let meant = |name: &str| Hint::DidYouMean(name.to_owned());
+        assert!(hints("angle = \"90 deg\"").contains(&meant("distance")));
+        assert!(hints("Drehzahl = \"40 1/min\"").contains(&meant("speed")));
+        let of_dwell = hints("dwell = \"1 s\"");
+        assert!(of_dwell.contains(&meant("law = \"dwell\"")), "{of_dwell:?}");
+        let is_list = |hint: &Hint| matches!(hint, Hint::ValidAre(words) if words.iter().any(|word| word == "dwell"));
+        assert!(of_dwell.iter().any(is_list), "{of_dwell:?}");
+        // A name that means nothing in this table is still one of the list.
+        assert!(hints("voltage = \"560 V\"").iter().all(|hint| !matches!(hint, Hint::DidYouMean(_))));
+    }
+}
