@@ -168,10 +168,12 @@ document.addEventListener('htmx:after:swap', () => {
   menus = [];
   for (const [id, open] of folds) { const fold = document.getElementById(id); if (fold) fold.open = open; }
   right();
+  // What is new takes the focus, unless a field inside has it: any part of the page may be swapped while one types.
+  const isNew = (title) => { const is = title && title.dataset.seen === undefined; if (is) title.dataset.seen = ''; return is; };
   const head = $('#detail-title');
-  if (head && head.dataset.seen === undefined) { head.dataset.seen = ''; head.focus(); }
+  if (isNew(head) && !$('#detail').contains(document.activeElement)) head.focus();
   const begin = $('#begin-title');
-  if (begin && begin.dataset.seen === undefined) { begin.dataset.seen = ''; $('#begin input[type=text]')?.focus(); $('#begin input[type=text]')?.select(); begin.closest('form').scrollIntoView({ block: 'nearest' }); }
+  if (isNew(begin) && !begin.closest('form').contains(document.activeElement)) { $('#begin input[type=text]')?.focus(); $('#begin input[type=text]')?.select(); begin.closest('form').scrollIntoView({ block: 'nearest' }); }
 });
 // The drawer gives the focus back to where it was opened.
 let opener = null;

@@ -9,7 +9,9 @@ use project::{Files, KEYS, Key, Kind, Project, SegmentLaw, Variants, drawn_figur
 use quantities::{Dimension, Language, format_significant};
 use questions::texts::recording_text;
 use questions::{Candidate, ColumnRole, moves};
-use words::{about_text, assumption_text, capitalised, key_word, page, short_label, table_of_project, terms};
+use words::{
+    about_text, assumption_text, capitalised, hyphenated, key_word, page, short_label, table_of_project, terms,
+};
 
 /// What is needed to draw a row.
 pub(crate) struct Form<'f> {
@@ -122,8 +124,8 @@ fn assumptions(state: &State, held: &Held) -> Markup {
 pub(crate) fn label(text: &str) -> Markup {
     let symbol = text.split_once(", ").filter(|(head, _)| head.contains('_') && !head.contains(' '));
     html! { @match symbol {
-        Some((symbol, rest)) => { (crate::chapters::symbol(symbol)) ", " (rest) },
-        None => (text),
+        Some((symbol, rest)) => { (crate::chapters::symbol(symbol)) ", " (hyphenated(rest)) },
+        None => (hyphenated(text)),
     } }
 }
 
@@ -534,8 +536,8 @@ impl Form<'_> {
     ) -> Markup {
         let l = self.language;
         let shown = |word: &str| match (key, SegmentLaw::of_id(word)) {
-            ("law", Some(law)) => laws::name(law, l).to_owned(),
-            _ => key_word(key, word, l).unwrap_or(word).to_owned(),
+            ("law", Some(law)) => laws::name(law, l).into(),
+            _ => key_word(key, word, l).unwrap_or_else(|| word.to_owned().into()),
         };
         let unknown = !value.is_empty() && !words.contains(&value);
         html! {

@@ -43,7 +43,7 @@ texts! {
     segment(number) = "Segment {number}" | "Abschnitt {number}";
     follows(value) = "follows: {value}" | "folgt: {value}";
     for_example(value) = "e.g. {value}" | "z. B. {value}";
-    not_stated = "not stated" | "nicht angegeben";
+    not_stated = "not stated" | "ohne Angabe";
     faults(count) = "1 fault in the project" | "1 Fehler im Projekt", "{count} faults in the project" | "{count} Fehler im Projekt";
     result_is_old =
         "The result shown belongs to the last project without faults."

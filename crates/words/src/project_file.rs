@@ -1,6 +1,11 @@
 //! Words of the project file: its tables, its keys, and the words that a key takes.
 
+use crate::{law_text, shape_title, simulation};
+use feedback::Failure;
+use project::{BODY_SHAPES, SegmentLaw};
 use quantities::Language;
+use std::borrow::Cow;
+use twin::ScenarioId;
 
 /// What a table of the project file is about; `None` for one that is named by its key.
 #[must_use]
@@ -26,9 +31,27 @@ pub fn table_of_project(name: &str, language: Language) -> Option<&'static str> 
 
 /// A word that a key takes; `None` for what is none of a fixed set.
 #[must_use]
-pub fn key_word(key: &str, word: &str, language: Language) -> Option<&'static str> {
+pub fn key_word(key: &str, word: &str, language: Language) -> Option<Cow<'static, str>> {
+    match key {
+        "law" => return SegmentLaw::of_id(word).map(|law| law_text(law, language).into()),
+        "shape" => {
+            let shape = BODY_SHAPES.iter().find(|shape| shape.name == word)?;
+            return Some(shape_title(shape, language).into());
+        }
+        "scenario" => {
+            let scenario = ScenarioId::ALL.iter().find(|each| each.id() == word)?;
+            return Some(simulation::scenario_title(*scenario, language).into());
+        }
+        "failure" => {
+            let failure = Failure::ALL.iter().find(|each| each.id() == word)?;
+            return Some(simulation::failure_title(Some(*failure), language).into());
+        }
+        // Parts of an ordering code.
+        "feedback" | "option_1" | "option_2" => return Some(word.to_owned().into()),
+        _ => {}
+    }
     let (_, _, en, de) = KEY_WORDS.iter().find(|(of, known, ..)| (of.is_empty() || *of == key) && *known == word)?;
-    Some(if language == Language::De { de } else { en })
+    Some(Cow::Borrowed(if language == Language::De { de } else { en }))
 }
 
 /// A key of a body; `None` for what is none.
@@ -78,6 +101,18 @@ const KEY_WORDS: &[(&str, &str, &str, &str)] = &[
     ("kind", "belt", "belt", "Riemen"),
     ("kind", "gear", "gear", "Zahnradstufe"),
     ("kind", "coupling", "coupling", "Kupplung"),
+    ("kind", "continuous", "continuous duty", "Dauerbetrieb"),
+    ("kind", "s3_50", "intermittent duty S3, 50 %", "Aussetzbetrieb S3, 50 %"),
+    ("kind", "s3_25", "intermittent duty S3, 25 %", "Aussetzbetrieb S3, 25 %"),
+    ("kind", "short_time", "short time", "Kurzzeitbetrieb"),
+    ("axis", "parallel", "parallel to the axis of rotation", "parallel zur Drehachse"),
+    ("axis", "perpendicular", "perpendicular to it", "quer zur Drehachse"),
+    ("winding", "up", "winds up", "wickelt auf"),
+    ("winding", "off", "winds off", "wickelt ab"),
+    ("gaps", "allow", "allowed", "erlaubt"),
+    ("reaction", "ramp", "along a ramp", "an einer Rampe"),
+    ("reaction", "brake", "by the brake", "mit der Bremse"),
+    ("reaction", "coast", "coasts", "läuft aus"),
     ("", "cw", "clockwise", "rechts"),
     ("", "ccw", "counter-clockwise", "links"),
     ("position", "rising", "rising", "steigend"),
@@ -113,3 +148,26 @@ const BODY_KEYS: &[(&str, &str, &str)] = &[
     ("count", "count", "Anzahl"),
     ("axis", "axis", "Achse"),
 ];
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use project::{KEYS, Key, Kind};
+
+    /// A word that a project file has and a page shows is said in both languages.
+    #[test]
+    fn every_word_of_a_choice_is_said() {
+        fn walk(keys: &[Key], left: &mut Vec<String>) {
+            for key in keys {
+                if let Kind::OneOf(words) | Kind::ListOf(words) = key.kind {
+                    let silent = words.iter().filter(|word| key_word(key.name, word, Language::De).is_none());
+                    left.extend(silent.map(|word| format!("{} {word}", key.name)));
+                }
+                walk(key.kind.keys(true), left);
+            }
+        }
+        let mut left = Vec::new();
+        walk(KEYS, &mut left);
+        assert!(left.is_empty(), "{left:?}");
+    }
+}

@@ -47,7 +47,7 @@ pub(super) fn incomplete(typed: &str, fault: &CodeRefusal, language: Language) -
     html! {
         @if let Some(pattern) = &pattern {
             @for (_, name, choices) in completion(pattern, l) {
-                p { (capitalised(name)) ": " @for choice in &choices { span.token { (choice.token) @if !choice.available { " (" (terms::on_request(l)) ")" } } " " } }
+                p { (capitalised(name)) ": " @for choice in &choices { span.token { (if choice.token.is_empty() { "–" } else { choice.token }) @if !choice.available { " (" (terms::on_request(l)) ")" } } " " } }
             }
             ul.rejected { @for (code, found) in list_codes(Some(pattern)).iter().take(PROPOSED) { li { (into(code.to_string(), found.is_available())) } } }
         } @else {

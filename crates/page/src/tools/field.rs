@@ -6,6 +6,7 @@ use maud::{Markup, html};
 use project::{Key, example};
 use quantities::Language;
 use questions::list::{self, Argument, Unanswered};
+use std::borrow::Cow;
 use words::{key_word, page};
 
 /// A field.
@@ -54,12 +55,20 @@ impl Trouble {
 /// What the page itself says in a question.
 const SAID_OTHERWISE: [&str; 6] = ["code", "axis", "file", "width", "height", "theme"];
 
+/// The words of a choice, each as it is said.
+fn choice(name: &str, words: &[&str], language: Language) -> FieldEntry {
+    let said = |word: &&str| {
+        let text = key_word(name, word, language).map_or_else(|| (*word).to_owned(), Cow::into_owned);
+        ((*word).to_owned(), text)
+    };
+    FieldEntry::Choice(words.iter().map(said).collect())
+}
+
 impl Field {
     /// The field of a key of a file, with its words or an example of its value in grey.
     pub(super) fn of_key(path: &str, label: &str, key: &Key, language: Language) -> Self {
-        let choice = |word: &&str| ((*word).to_owned(), key_word(key.name, word, language).unwrap_or(word).to_owned());
         let entry = match key.kind {
-            project::Kind::OneOf(words) => FieldEntry::Choice(words.iter().map(choice).collect()),
+            project::Kind::OneOf(words) => choice(key.name, words, language),
             _ => FieldEntry::Line,
         };
         let sample = example(key).and_then(|line| Some(line.split_once("= ")?.1.trim_matches('"').to_owned()));
@@ -78,9 +87,7 @@ impl Field {
             list::ArgumentKind::Date => FieldEntry::Day,
             list::ArgumentKind::Flag => FieldEntry::Mark,
             list::ArgumentKind::Whole(..) => FieldEntry::Whole,
-            list::ArgumentKind::Word(words) => {
-                FieldEntry::Choice(words().into_iter().map(|word| (word.to_owned(), word.to_owned())).collect())
-            }
+            list::ArgumentKind::Word(words) => choice(argument.name, &words(), language),
         };
         let about = (argument.about)(language);
         let about = if argument.repeated { page::one_a_line(&about, language) } else { about.to_owned() };

@@ -4,11 +4,11 @@ use super::chapters::inertia;
 use answers::{InputTable, Mechanism, Number, Sketch, SketchSymbol};
 use mechanism::MechanismId;
 use mechanism::drawing::CallOut;
-use project::{BODY_SHAPES, Input, Project, SegmentLaw, input_label};
+use project::{BODY_SHAPES, Input, Project, input_label};
 use quantities::unit::MILLIMETRE;
 use quantities::{Language, Unit, format_significant};
 use std::f64::consts::TAU;
-use words::{body_key, capitalised, key_word, law_text, schema_text, shape_title, short_label, table_of_project};
+use words::{body_key, capitalised, key_word, schema_text, shape_title, short_label, table_of_project};
 
 /// The values of one axis of a project file, with the keys as if it stood alone.
 pub(super) fn inputs_of_axis(text: &str, place: usize) -> Vec<Input> {
@@ -95,19 +95,12 @@ fn written(path: &str, text: &str, language: Language) -> String {
         return body(text, language);
     }
     let name = path.rsplit('.').next().unwrap_or(path);
-    if name == "law" {
-        let law = SegmentLaw::all().find(|law| law.id() == text);
-        return law.map_or_else(|| text.to_owned(), |law| law_text(law, language).into());
-    }
-    if let Some(shape) = BODY_SHAPES.iter().find(|shape| name == "shape" && shape.name == text) {
-        return shape_title(shape, language).to_owned();
-    }
     let list = text.strip_prefix('[').and_then(|rest| rest.strip_suffix(']'));
     if let Some(list) = list {
         return list.replace(['"', '\''], "").trim().trim_end_matches(',').to_owned();
     }
     if let Some(word) = key_word(name, text, language) {
-        return word.to_owned();
+        return word.into_owned();
     }
     match text.parse::<f64>() {
         Ok(_) => with_unit(text, "", language),
