@@ -68,9 +68,18 @@ pub(crate) fn of(candidate: &Candidate<'_>, prefix: &str, language: Language) ->
     }
 }
 
+/// A utilisation as a bar, with a line at one. A hundredth of a percent is a tenth of a pixel at most; the last digits of a sum
+/// differ from one machine to another.
+pub(crate) fn bar(share: f64) -> Markup {
+    let width = format!("{:.2}", (share * 100.0).clamp(0.0, 150.0));
+    html! {
+        svg.bar viewBox="0 0 150 8" preserveAspectRatio="none" aria-hidden="true" { rect x="0" y="0" width=(width) height="8" {} path d="M100 0V8" {} }
+    }
+}
+
 fn row(check: &Check, worst: &[overlay::Worst<'_>], prefix: &str, language: Language) -> Markup {
     let l = language;
-    let share = margin_share(check).map(|share| (share * 100.0).clamp(0.0, 150.0));
+    let share = margin_share(check);
     let class = class(check);
     html! {
         tr id={ "check-" (check.id.id()) } class=(class) {
@@ -89,7 +98,7 @@ fn row(check: &Check, worst: &[overlay::Worst<'_>], prefix: &str, language: Lang
                         (overlay::number(worst, check).map_or_else(String::new, |number| number.to_string()))
                     }
                 }
-                @if let Some(share) = share { svg.bar viewBox="0 0 150 8" preserveAspectRatio="none" aria-hidden="true" { rect x="0" y="0" width=(share) height="8" {} path d="M100 0V8" {} } }
+                @if let Some(share) = share { (bar(share)) }
             }
         }
         tr class={ "about " (class) } { td colspan="5" { (about(check, prefix, l)) } }

@@ -274,7 +274,7 @@ fn row(state: &State, rank: Option<usize>, candidate: &Candidate<'_>, looked_at:
                 }
                 td.number title=(tightest) {
                     (percent(Some(share), l))
-                    svg.bar viewBox="0 0 150 8" preserveAspectRatio="none" aria-hidden="true" { rect x="0" y="0" width=((share * 100.0).clamp(0.0, 150.0)) height="8" {} path d="M100 0V8" {} }
+                    (checks::bar(share))
                 }
                 td.number { (mass) } td.number.length { (length) } td.number.bore { (bore) }
                 td.number.advice { @if advice > 0 { (advice) } }
