@@ -170,10 +170,11 @@ document.addEventListener('htmx:after:swap', () => {
   right();
   // What is new takes the focus, unless a field inside has it: any part of the page may be swapped while one types.
   const isNew = (title) => { const is = title && title.dataset.seen === undefined; if (is) title.dataset.seen = ''; return is; };
+  const isTypedIn = (part) => part.contains(document.activeElement) && document.activeElement.matches('input, textarea, select');
   const head = $('#detail-title');
-  if (isNew(head) && !$('#detail').contains(document.activeElement)) head.focus();
+  if (isNew(head) && !isTypedIn($('#detail'))) head.focus();
   const begin = $('#begin-title');
-  if (isNew(begin) && !begin.closest('form').contains(document.activeElement)) { $('#begin input[type=text]')?.focus(); $('#begin input[type=text]')?.select(); begin.closest('form').scrollIntoView({ block: 'nearest' }); }
+  if (isNew(begin) && !isTypedIn(begin.closest('form'))) { $('#begin input[type=text]')?.focus(); $('#begin input[type=text]')?.select(); begin.closest('form').scrollIntoView({ block: 'nearest' }); }
 });
 // The drawer gives the focus back to where it was opened.
 let opener = null;
