@@ -108,8 +108,8 @@ fn weight(stage: &Stage<'_>) -> Worded<usize> {
 /// Samples of a long recording.
 const LONG: u32 = 100_000;
 
-/// Script and layout of one moved instant at most, in half of the frames \[ms\]: what leaves the browser time to draw 60 a second.
-const OWN_MOST: f64 = 8.0;
+/// Script and layout of one moved instant at most, in half of the frames \[ms\]: a sixtieth of a second.
+const OWN_MOST: f64 = 16.0;
 
 /// A long recording: its numbers come before its picture, and the instant moves through it with every frame.
 pub(crate) fn a_long_recording(stage: &Stage<'_>) -> Worded {

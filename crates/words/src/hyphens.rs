@@ -57,7 +57,6 @@ const PARTS: &[&str] = &[
     "trägheits",
     "umgebungs",
     "winkel",
-    "wirk",
     "wort",
     "zwischenkreis",
     "übertragungs",
