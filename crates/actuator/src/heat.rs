@@ -31,8 +31,6 @@ pub struct Heat {
     pub winding_warning: Datum<ThermodynamicTemperature>,
     /// Winding temperature at which the supervision shuts down: the hottest winding in operation.
     pub winding_shutdown: Datum<ThermodynamicTemperature>,
-    /// T_NAT: the temperature at which the PTC of the winding responds.
-    pub ptc_response: Datum<ThermodynamicTemperature>,
     /// τ_w = R_wh C_w.
     pub winding_time_constant: Datum<Time>,
     /// τ_h = R_ha C_h.

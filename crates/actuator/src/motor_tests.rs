@@ -25,7 +25,6 @@ fn heat() -> crate::Heat {
         winding_shutdown: known(ThermodynamicTemperature::from_si(363.15)),
         winding_time_constant: known(Time::from_si(60.0)),
         housing_time_constant: known(Time::from_si(2400.0)),
-        ..crate::Heat::unknown()
     }
 }
 

@@ -35,6 +35,8 @@ pub struct Parameters {
     pub brake: Brake,
     /// The feedback on the motor.
     pub feedback: Feedback,
+    /// T_NAT: the temperature at which the PTC of the winding responds; not applicable where no connector leads it out.
+    pub ptc_response: Datum<ThermodynamicTemperature>,
     /// Whether the connector of the feedback does not lead out the KTY, from which warning and shutdown are read.
     pub without_kty: bool,
     /// The feedback at the output; not applicable without the option.
@@ -131,6 +133,7 @@ impl Parameters {
             length: Datum::NotPrinted,
             brake: Brake::unknown(),
             feedback: Feedback::unknown(),
+            ptc_response: Datum::NotPrinted,
             without_kty: false,
             feedback_out: Feedback::absent(FeedbackSide::Output),
         }

@@ -52,7 +52,6 @@ fn actuator() -> Parameters {
             winding_shutdown: known(quantities::ThermodynamicTemperature::from_si(363.15)),
             winding_time_constant: known(Time::from_si(60.0)),
             housing_time_constant: known(Time::from_si(2400.0)),
-            ..crate::Heat::unknown()
         },
         ..Drivetrain::unknown()
     })

@@ -27,6 +27,7 @@ pub fn parameters(code: &OrderCode) -> Option<Parameters> {
         length: drive.datum(pick("L", "L_brake"), "", feedback, ratio),
         brake: parts::brake(drive, code),
         feedback: parts::feedback(code),
+        ptc_response: family::ptc_response(code),
         without_kty: winding_data(code.winding).is_some_and(|data| data.without_kty.contains(&code.feedback.as_str())),
         feedback_out: parts::feedback_out(code),
     })
@@ -138,7 +139,6 @@ fn heat(drive: &Drive, code: &OrderCode) -> Heat {
         ambient_reference,
         winding_warning: family::winding_threshold(series, "warning"),
         winding_shutdown: family::winding_threshold(series, "shutdown"),
-        ptc_response: family::ptc_response(code),
         housing_share: number("housing_share"),
         stall_loss_factor: number("stall_loss_factor"),
         loss_band,

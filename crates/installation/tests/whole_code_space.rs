@@ -48,7 +48,7 @@ fn the_sensors_of_the_winding_are_those_that_the_connectors_lead_out() {
         if is_absent(Absent::MotorPins) {
             continue;
         }
-        let has_ptc = actuator.heat.ptc_response.known().is_some();
+        let has_ptc = actuator.ptc_response.known().is_some();
         assert_eq!(actuator.without_kty, is_absent(Absent::Kty), "{code}");
         assert_eq!(has_ptc, !is_absent(Absent::Ptc), "{code}");
         found.insert((actuator.without_kty, has_ptc));

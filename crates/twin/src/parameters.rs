@@ -142,7 +142,7 @@ data! {
     "housing_share" heat.housing_share: f64;
     "winding_warning" heat.winding_warning: ThermodynamicTemperature;
     "winding_shutdown" heat.winding_shutdown: ThermodynamicTemperature;
-    "ptc_response_temperature" heat.ptc_response: ThermodynamicTemperature;
+    "ptc_response_temperature" ptc_response: ThermodynamicTemperature;
 }
 
 /// The three stiffnesses stand in an array, which the lines above cannot name.

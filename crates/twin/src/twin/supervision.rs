@@ -77,7 +77,7 @@ impl Twin<'_> {
         };
         let warns = is_read && passed(&heat.winding_warning, self.sensor_k);
         let shuts_down = is_read && passed(&heat.winding_shutdown, self.sensor_k);
-        let responds = passed(&heat.ptc_response, self.ptc_k);
+        let responds = passed(&actuator.ptc_response, self.ptc_k);
         if warns {
             self.note(EventKind::WindingWarning);
         }
