@@ -75,13 +75,18 @@ impl Judgement {
         self.checks.own.iter().any(|check| check.id.stage() == Stage::Pass)
     }
 
-    /// The check with that utilisation.
+    /// The check with that utilisation. Two checks may say the same, as those of the mean speed at the output and at the motor; they
+    /// differ in the rounding of one machine at most, and the last of them is meant on every machine.
     #[must_use]
     pub fn tightest(&self) -> Option<&Check> {
-        self.checks
-            .iter()
-            .filter(|check| check.id.has_margin() && check.utilisation.is_some())
-            .max_by(|a, b| a.utilisation.unwrap_or(0.0).total_cmp(&b.utilisation.unwrap_or(0.0)))
+        /// What rounding may change, as a share.
+        const EQUAL: f64 = 1e-9;
+        let margins = || {
+            let of = |check: &'_ Check| check.utilisation.filter(|_| check.id.has_margin());
+            self.checks.iter().filter_map(move |check| Some((check, of(check)?)))
+        };
+        let largest = margins().map(|(_, share)| share).max_by(f64::total_cmp)?;
+        margins().filter(|(_, share)| *share >= largest * (1.0 - EQUAL)).last().map(|(check, _)| check)
     }
 }
 
