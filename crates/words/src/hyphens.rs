@@ -76,7 +76,9 @@ fn divided(word: &str) -> Option<String> {
     let letters = word.trim_end_matches(|sign: char| !sign.is_alphabetic()).chars().count();
     // Lower case of German letters is as long as they are.
     let lower = Some(word.to_lowercase()).filter(|lower| letters > WHOLE && lower.len() == word.len())?;
-    let ends = |part: &'static &'static str| lower.match_indices(*part).map(|(at, found)| at + found.len()).collect::<Vec<_>>();
+    let ends = |part: &'static &'static str| {
+        lower.match_indices(*part).map(|(at, found)| at + found.len()).collect::<Vec<_>>()
+    };
     let mut places: Vec<usize> = PARTS.iter().flat_map(ends).collect();
     places.sort_unstable();
     places.dedup();
