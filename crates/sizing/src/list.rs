@@ -235,9 +235,9 @@ macro_rules! checks {
             /// Every check.
             pub const ALL: &[Self] = &[$(Self::$name),*];
 
-            const fn entry(self) -> ListedCheck {
+            const fn entry(self) -> &'static ListedCheck {
                 match self {
-                    $(Self::$name => const { $entry },)*
+                    $(Self::$name => const { &$entry },)*
                 }
             }
         }
