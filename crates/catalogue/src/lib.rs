@@ -4,7 +4,8 @@
 //! This crate knows what is printed and where; it knows no physics. Physics takes parameter structs that
 //! other crates fill from here.
 
-use std::sync::OnceLock;
+use std::collections::HashMap;
+use std::sync::{LazyLock, OnceLock};
 
 mod drive;
 mod fact;
@@ -78,7 +79,13 @@ pub fn tables() -> &'static [Table] {
 /// The table with this number, e.g. `26.1`.
 #[must_use]
 pub fn table(id: &str) -> Option<&'static Table> {
-    tables().iter().find(|table| table.id == id)
+    // Looked up some thousand times when the actuators are put together.
+    static BY_ID: LazyLock<HashMap<&str, &Table>> =
+        LazyLock::new(|| embedded::TABLES.iter().rev().map(|table| (table.id, table)).collect());
+    match EXTENDED.get() {
+        Some(all) => all.tables.iter().find(|table| table.id == id),
+        None => BY_ID.get(id).copied(),
+    }
 }
 
 /// Every known departure from the recovered text and every known error of the print.

@@ -110,10 +110,11 @@ pub(crate) fn ptc_response(code: &OrderCode) -> Datum<ThermodynamicTemperature> 
 /// The cell of the response temperature T_NAT of the PTC of a size.
 #[must_use]
 pub fn ptc_cell(code: &OrderCode) -> Option<&'static Cell> {
+    // Looked up for every actuator when the program starts.
+    static CELLS: LazyLock<Vec<&'static Cell>> =
+        LazyLock::new(|| catalogue::cells().iter().filter(|cell| cell.place.symbol == "T_NAT").collect());
     let head = format!("{}-{}", code.series().as_str(), code.size);
-    catalogue::cells()
-        .iter()
-        .find(|cell| cell.place.symbol == "T_NAT" && cell.place.drive.split(" / ").any(|drive| drive == head))
+    CELLS.iter().copied().find(|cell| cell.place.drive.split(" / ").any(|drive| drive == head))
 }
 
 /// What another maker's actuator is taken to have where its owner does not say: each an assumption.
