@@ -4,7 +4,7 @@
 //! This crate knows what is printed and where; it knows no physics. Physics takes parameter structs that
 //! other crates fill from here.
 
-use std::collections::HashMap;
+use std::collections::BTreeMap;
 use std::sync::{LazyLock, OnceLock};
 
 mod drive;
@@ -80,7 +80,7 @@ pub fn tables() -> &'static [Table] {
 #[must_use]
 pub fn table(id: &str) -> Option<&'static Table> {
     // Looked up some thousand times when the actuators are put together.
-    static BY_ID: LazyLock<HashMap<&str, &Table>> =
+    static BY_ID: LazyLock<BTreeMap<&str, &Table>> =
         LazyLock::new(|| embedded::TABLES.iter().rev().map(|table| (table.id, table)).collect());
     match EXTENDED.get() {
         Some(all) => all.tables.iter().find(|table| table.id == id),
