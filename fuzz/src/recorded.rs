@@ -10,7 +10,7 @@ use arbitrary::{Result, Unstructured};
 use columns::{Columns, edit_bytes};
 use project::{Diagnostic, Fault, Files, Project};
 use questions::{answer, check, course, moves};
-use recording::{Damage, Fault as RecordingFault};
+use recording::{Bytes, Damage, Fault as RecordingFault, Memory};
 use std::io::Read;
 use std::sync::atomic::Ordering;
 
@@ -54,6 +54,25 @@ pub fn csv(data: &[u8]) {
 pub fn parquet(data: &[u8]) {
     if let Ok((project, bytes)) = made_parquet(&mut Unstructured::new(data)) {
         hold(&project, &bytes, is_past_the_footer);
+        by_name(bytes);
+    }
+}
+
+/// Columns by their names, as a recorded run is read for identification: all as long as each other and finite, or faults.
+fn by_name(bytes: Vec<u8>) {
+    const NAMES: [&str; 9] =
+        ["time", "t", "Zeit", "timestamp", "position [deg]", "q [rad]", "speed [rad/s]", "torque [Nm]", "note"];
+    let memory = &mut Memory::default();
+    match recording::read_columns(&Bytes::from(bytes), &NAMES, memory) {
+        Ok(columns) => {
+            assert_eq!(columns.len(), NAMES.len());
+            let there: Vec<_> = columns.iter().flatten().collect();
+            assert!(there.windows(2).all(|pair| pair[0].len() == pair[1].len()), "columns of one length");
+            assert!(there.iter().all(|values| values.iter().all(|value| value.is_finite())), "finite numbers");
+            let bytes: usize = there.iter().map(|values| 8 * values.len()).sum();
+            assert!(recording::MEMORY_USUAL - memory.left() >= bytes as u64, "memory is counted before it is taken");
+        }
+        Err(faults) => assert!(!faults.is_empty(), "a refusal has its reason"),
     }
 }
 
