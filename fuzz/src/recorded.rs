@@ -67,7 +67,7 @@ fn by_name(bytes: Vec<u8>) {
         Ok(columns) => {
             assert_eq!(columns.len(), NAMES.len());
             let there: Vec<_> = columns.iter().flatten().collect();
-            assert!(there.windows(2).all(|pair| pair[0].len() == pair[1].len()), "columns of one length");
+            assert!(there.iter().zip(there.iter().skip(1)).all(|(a, b)| a.len() == b.len()), "columns of one length");
             assert!(there.iter().all(|values| values.iter().all(|value| value.is_finite())), "finite numbers");
             let bytes: usize = there.iter().map(|values| 8 * values.len()).sum();
             assert!(recording::MEMORY_USUAL - memory.left() >= bytes as u64, "memory is counted before it is taken");
