@@ -62,11 +62,11 @@ fn deadline(language: Language) -> Arg {
 
 /// The whole command line.
 pub(crate) fn build(language: Language) -> Command {
-    library::usage(headed(commands(language), language), language)
+    library::usage(headed(commands(language), &examples(), language), language)
 }
 
 /// Gives a command and all its subcommands the headings of the language and a help flag in it.
-fn headed(command: Command, language: Language) -> Command {
+fn headed(command: Command, examples: &[(&str, String)], language: Language) -> Command {
     let reads_a_project =
         command.get_arguments().any(|argument| ["project", "old"].contains(&argument.get_id().as_str()));
     let command = if reads_a_project { command.arg(deadline(language)).arg(own::memory(language)) } else { command };
@@ -98,12 +98,12 @@ fn headed(command: Command, language: Language) -> Command {
                 .help(help::version_flag(language)),
         );
     }
-    let example = examples().into_iter().find(|(name, _)| *name == command.get_name());
+    let example = examples.iter().find(|(name, _)| *name == command.get_name());
     if let Some((_, call)) = example {
         let tail = command.get_after_help().map(|text| format!("{text}\n\n")).unwrap_or_default();
         command = command.after_help(format!("{tail}{}:\n  {call}", help::example(language)));
     }
-    command.mut_subcommands(|subcommand| headed(subcommand, language))
+    command.mut_subcommands(|subcommand| headed(subcommand, examples, language))
 }
 
 /// A call of a command that is this face's own.

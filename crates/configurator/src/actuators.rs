@@ -1,6 +1,7 @@
 //! The actuators of the catalogue that can be had, with their parameters.
 
-use crate::{Availability, all, parameters};
+use crate::codes::plain;
+use crate::parameters::parameters_beside;
 use actuator::Parameters;
 use order_code::{Option1, OrderCode};
 use std::sync::{Arc, LazyLock};
@@ -28,22 +29,20 @@ fn actuators_with_output_encoder() -> &'static [(OrderCode, Parameters)] {
 
 /// Each code is the bare one, its parameters those with the option. Neighbours whose drivetrains are equal share one.
 fn actuators_with(output_encoder: bool) -> Vec<(OrderCode, Parameters)> {
-    let available = |code: &OrderCode, found: &Availability| {
-        code.option_1.is_none() && code.option_2.is_none() && found.is_available()
-    };
     let mut actuators: Vec<(OrderCode, Parameters)> = Vec::new();
-    for (code, _) in all().iter().filter(|(code, found)| available(code, found)) {
+    for code in plain() {
         let option_1 = Option1::all(code.series()).next().filter(|_| output_encoder);
         if option_1.is_some() != output_encoder {
             continue;
         }
-        let Some(mut parameters) = parameters(&OrderCode { option_1, ..*code }) else { continue };
+        let code_with = OrderCode { option_1, ..code };
+        let Some(mut parameters) = parameters_beside(&code_with, actuators.last()) else { continue };
         if let Some((_, before)) = actuators.last()
             && before.drivetrain == parameters.drivetrain
         {
             parameters.drivetrain = Arc::clone(&before.drivetrain);
         }
-        actuators.push((*code, parameters));
+        actuators.push((code, parameters));
     }
     actuators
 }
@@ -51,6 +50,7 @@ fn actuators_with(output_encoder: bool) -> Vec<(OrderCode, Parameters)> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::parameters;
 
     /// What [`parameters`] says of a code is what stands in the list. Who shares a drivetrain is of one size and ratio, and
     /// whose drivetrain differs in one value, as some do with the feedback, has its own.

@@ -5,12 +5,15 @@ use order_code::{Brake, Feedback, Field, Option1, Option2, OrderCode, Pattern, R
 use std::sync::LazyLock;
 
 /// Every code that can be written, whether it exists or not, without the special design.
-static WRITABLE: LazyLock<Vec<OrderCode>> = LazyLock::new(|| Series::all().flat_map(writable).collect());
+static WRITABLE: LazyLock<Vec<OrderCode>> =
+    LazyLock::new(|| Series::all().flat_map(|series| writable(series, true)).collect());
 
-fn writable(series: Series) -> Vec<OrderCode> {
+/// The codes of a series, those with options only where requested.
+fn writable(series: Series, with_options: bool) -> Vec<OrderCode> {
     let brakes = if series.words(Field::Brake).is_empty() { &[Brake::Without] } else { Brake::ALL };
-    let options_1 = || std::iter::once(None).chain(Option1::all(series).map(Some));
-    let options_2 = || std::iter::once(None).chain(Option2::all(series).map(Some));
+    let most = if with_options { usize::MAX } else { 0 };
+    let options_1 = || std::iter::once(None).chain(Option1::all(series).take(most).map(Some));
+    let options_2 = || std::iter::once(None).chain(Option2::all(series).take(most).map(Some));
     let mut codes = Vec::new();
     for size in Size::all(series) {
         for ratio in Ratio::all(series) {
@@ -41,7 +44,13 @@ fn writable(series: Series) -> Vec<OrderCode> {
 static ALL: LazyLock<Vec<(OrderCode, Availability)>> =
     LazyLock::new(|| WRITABLE.iter().filter_map(|code| Some((*code, availability(code).ok()?))).collect());
 
-/// The same codes as special designs.
+/// Every code without options that is available without asking, in the order of the fields.
+pub(crate) fn plain() -> impl Iterator<Item = OrderCode> {
+    let codes = Series::all().flat_map(|series| writable(series, false));
+    codes.filter(|code| availability(code).is_ok_and(|found| found.is_available()))
+}
+
+/// Those of [`ALL`] as special designs.
 static SPECIAL: LazyLock<Vec<(OrderCode, Availability)>> = LazyLock::new(|| {
     let special = ALL.iter().map(|(code, _)| OrderCode { special: true, ..*code });
     special.filter_map(|code| Some((code, availability(&code).ok()?))).collect()

@@ -17,11 +17,27 @@ static RATIOS: LazyLock<Vec<CellRef>> = LazyLock::new(|| family::places("i", |da
 #[must_use]
 pub fn parameters(code: &OrderCode) -> Option<Parameters> {
     let drive = catalogue::drive(code.size, code.winding, code.feedback)?;
+    Some(with_drivetrain(code, drive, Arc::new(drivetrain(drive, code))))
+}
+
+/// The same, with the drivetrain of another code where they differ in brake and options alone, which leave it as it is.
+pub(crate) fn parameters_beside(code: &OrderCode, other: Option<&(OrderCode, Parameters)>) -> Option<Parameters> {
+    let of_drivetrain = |code: &OrderCode| (code.size, code.ratio, code.winding, code.feedback);
+    match other {
+        Some((other, known)) if of_drivetrain(other) == of_drivetrain(code) => {
+            let drive = catalogue::drive(code.size, code.winding, code.feedback)?;
+            Some(with_drivetrain(code, drive, Arc::clone(&known.drivetrain)))
+        }
+        _ => parameters(code),
+    }
+}
+
+fn with_drivetrain(code: &OrderCode, drive: &Drive, drivetrain: Arc<Drivetrain>) -> Parameters {
     let (feedback, ratio) = (code.feedback, code.ratio);
     let braked = code.brake == Brake::With;
     let pick = |without: &'static str, with: &'static str| if braked { with } else { without };
-    Some(Parameters {
-        drivetrain: Arc::new(drivetrain(drive, code)),
+    Parameters {
+        drivetrain,
         inertia_out: drive.datum(pick("J_out", "J_out_brake"), "", feedback, ratio),
         mass: drive.datum(pick("m", "m_brake"), "", feedback, ratio),
         length: drive.datum(pick("L", "L_brake"), "", feedback, ratio),
@@ -30,7 +46,7 @@ pub fn parameters(code: &OrderCode) -> Option<Parameters> {
         ptc_response: family::ptc_response(code),
         without_kty: winding_data(code.winding).is_some_and(|data| data.without_kty.contains(&code.feedback.as_str())),
         feedback_out: parts::feedback_out(code),
-    })
+    }
 }
 
 /// What is printed about the drivetrain of a code.

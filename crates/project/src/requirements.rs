@@ -201,8 +201,9 @@ impl RequirementsSection {
 
     /// Reports an operation for which the life of the battery is not known.
     pub(crate) fn battery(&self, reader: &mut Reader<'_>) {
+        let Some(operation) = self.operation_per_day.value() else { return };
         let battery = configurator::battery();
-        let Some((operation, model)) = self.operation_per_day.value().zip(battery.known()) else { return };
+        let Some(model) = battery.known() else { return };
         if let Err(fault) = model.value.life(operation, self.storage.or_zero()) {
             let operation = matches!(fault, BatteryFault::OperationOutOfRange { .. });
             let span = if operation { self.operation_per_day.span() } else { self.storage.span() };

@@ -124,7 +124,8 @@ fn with_spelling(spelling: &str) -> &'static [&'static Unit] {
     if spelling.len() > SPELLING_LENGTH_MAX {
         return &[];
     }
-    INDEX.get(&canonical(spelling)).map_or(&[], Vec::as_slice)
+    // Most are written as the index has them.
+    INDEX.get(spelling).or_else(|| INDEX.get(&canonical(spelling))).map_or(&[], Vec::as_slice)
 }
 
 /// A spelling without what does not matter: spaces and signs of a product or power, raised digits, Greek letters.

@@ -62,7 +62,7 @@ pub use unanswered::Unanswered;
 use words::{Word, help};
 
 /// Every question, in the order in which a face lists them.
-pub const LIST: &[&Entry] = &[
+pub static LIST: &[&Entry] = &[
     &size::ENTRY,
     &check::ENTRY,
     &sweep::ENTRY,
@@ -165,10 +165,21 @@ impl Entry {
         self.command.split_once(" --").map(|(_, option)| option)
     }
 
+    /// The other questions of its command, each by an option of its own.
+    pub fn others(&self) -> impl Iterator<Item = &'static Self> {
+        questions_of(self.command).filter(|other| other.command != self.command)
+    }
+
     /// The files that the command writes on request, for this question or another of the same command.
     pub fn files(&self) -> impl Iterator<Item = &'static OutputFile> {
-        LIST.iter().filter(|other| other.command() == self.command()).flat_map(|other| other.writes)
+        questions_of(self.command()).flat_map(|other| other.writes)
     }
+}
+
+/// The questions of a command, by an option or without one.
+fn questions_of(command: &str) -> impl Iterator<Item = &'static Entry> {
+    let is_of = move |rest: &str| rest.is_empty() || rest.starts_with(" --");
+    LIST.iter().copied().filter(move |entry| entry.command.strip_prefix(command).is_some_and(is_of))
 }
 
 /// A file that a command writes on request.

@@ -10,7 +10,7 @@ use crate::sizing_use::{Candidate, CandidateId, Objection, Refusal};
 use draws::Draws;
 use project::{Project, Variant, Varied};
 use rayon::prelude::*;
-use sizing::{CheckId, Depth, Judgement, Unwatched, Watch, finished, judge};
+use sizing::{CheckId, Depth, Judge, Judgement, Unwatched, Watch, finished};
 use statistics::{Ranks, wilson};
 use std::ops::Range;
 
@@ -274,11 +274,11 @@ impl<'c> Judged<'c> {
         Self { candidate, hopeless: candidate.objections.iter().any(speaks) }
     }
 
-    /// The judgement for a variant, and whether nothing speaks against the actuator.
-    fn judge(&self, project: &Project, variant: &Variant) -> (Judgement, bool) {
+    /// The judgement for a variant, by the judge of its axis, and whether nothing speaks against the actuator.
+    fn judge(&self, project: &Project, variant: &Variant, judge: &mut Judge<'_>) -> (Judgement, bool) {
         let own = variant.actuator.as_ref().filter(|_| matches!(self.candidate.id, CandidateId::Own(_)));
         let parameters = own.map_or(self.candidate.parameters, |own| &own.parameters);
-        let judgement = judge(&variant.axis, parameters, Depth::Margins);
+        let judgement = judge.next(parameters, &mut |_, _| {});
         let fits = !self.hopeless && judgement.fits() && self.meets(project, variant, parameters);
         (judgement, fits)
     }
@@ -300,6 +300,11 @@ const fn speaks(own: bool, unmet: &crate::Unmet) -> bool {
     !(own && matches!(unmet, crate::Unmet::NotKnown { .. }))
 }
 
+/// Of a variant verdict and utilisation are looked at.
+fn judge_of(variant: &Variant) -> Judge<'_> {
+    Judge::of(&variant.axis, Depth::Margins)
+}
+
 /// What is found at one point of the bands.
 #[derive(Clone, Copy, Debug)]
 struct Point {
@@ -312,7 +317,7 @@ impl Point {
     const IMPOSSIBLE: Self = Self { fits: false, utilisation: f64::INFINITY, check: None };
 
     fn of(judged: &Judged<'_>, project: &Project, variant: &Variant) -> Self {
-        let (judgement, fits) = judged.judge(project, variant);
+        let (judgement, fits) = judged.judge(project, variant, &mut judge_of(variant));
         let check = judgement.worst_failure().or_else(|| judgement.tightest()).map(|check| check.id);
         Self { fits, utilisation: number(judgement.utilisation()), check }
     }
@@ -421,8 +426,9 @@ fn judge_samples<W: Watch>(
                 }
             }
             Some(variant) => {
+                let mut judge = judge_of(&variant);
                 for (sampled, judged) in all.iter_mut().zip(judged) {
-                    let (judgement, fits) = judged.judge(project, &variant);
+                    let (judgement, fits) = judged.judge(project, &variant, &mut judge);
                     sampled.add(index, fits, number(judgement.utilisation()));
                 }
             }

@@ -107,6 +107,7 @@ impl<'a> Comparison<'a> {
     }
 
     /// Pass up to and including the limit; `otherwise` beyond.
+    #[inline]
     pub(crate) fn answer(self, otherwise: Verdict) -> Check {
         let verdict = if self.value.abs() <= self.limit.abs() { Verdict::Pass } else { otherwise };
         let mut notes = self.notes;

@@ -250,6 +250,8 @@ pub struct Judge<'a> {
     axis: &'a Axis,
     depth: Depth,
     explain: bool,
+    /// The checks of the axis in the order of their stages.
+    listed: Vec<CheckId>,
     known: Option<Known>,
 }
 
@@ -327,14 +329,17 @@ impl Gathered {
 impl<'a> Judge<'a> {
     /// Judges to some depth.
     #[must_use]
-    pub const fn of(axis: &'a Axis, depth: Depth) -> Self {
-        Self { axis, depth, explain: false, known: None }
+    pub fn of(axis: &'a Axis, depth: Depth) -> Self {
+        let bare = depth.is_bare();
+        let mut listed = Vec::with_capacity(CheckId::IN_STAGES.len());
+        listed.extend(CheckId::IN_STAGES.iter().copied().filter(|id| id.is_listed(axis, bare)));
+        Self { axis, depth, explain: false, listed, known: None }
     }
 
     /// Judges by every check, each with the workings of its value and its limit.
     #[must_use]
-    pub const fn explaining(axis: &'a Axis) -> Self {
-        Self { axis, depth: Depth::Full, explain: true, known: None }
+    pub fn explaining(axis: &'a Axis) -> Self {
+        Self { explain: true, ..Self::of(axis, Depth::Full) }
     }
 
     /// The judgement of one actuator.
@@ -378,7 +383,9 @@ impl<'a> Judge<'a> {
             currents: currents.as_ref(),
             bearing: bearing.as_ref(),
         };
-        first_checks(case, (bare, explain), &mut checks);
+        let begin = self.listed.partition_point(|id| id.stage() == Stage::First);
+        let (first, further) = self.listed.split_at(begin);
+        first_checks(case, first, explain, &mut checks);
         let Gathered { own, drivetrain, bearing, .. } = checks;
         let shared = [
             drivetrain.all(governing, naming, &mut known.checks),
@@ -388,7 +395,7 @@ impl<'a> Judge<'a> {
         if !only_survivors || !checks.any_fails() {
             let own = &mut checks.own;
             own.reserve_exact(all - own.len().min(all));
-            further_checks(case, (depth, explain), own);
+            further_checks(case, further, (depth, explain), own);
         }
         checks.own.iter_mut().for_each(|check| naming(check, governing));
         Judgement { demand, manual, checks }
@@ -405,7 +412,7 @@ pub fn energies<W: Watch>(axis: &Axis, actuators: &[&Parameters], watch: &W) -> 
 
 /// The checks of an axis; `bare`: those alone that can fail or have a margin.
 pub(crate) fn made(axis: &Axis, bare: bool) -> impl Iterator<Item = CheckId> {
-    CheckId::ALL.iter().copied().filter(move |id| id.is_made(axis) && (!bare || id.can_fail(axis)))
+    CheckId::ALL.iter().copied().filter(move |id| id.is_listed(axis, bare))
 }
 
 /// The answer of a check, with its workings if an explanation is requested.
@@ -421,9 +428,9 @@ fn answered(id: CheckId, case: &Case<'_>, explain: bool) -> Option<Check> {
 }
 
 /// The checks that every actuator goes through.
-fn first_checks(case: &Case<'_>, (bare, explain): (bool, bool), to: &mut Gathered) {
-    for id in made(case.axis, bare).filter(|id| id.stage() == Stage::First) {
-        let answer = || answered(id, case, explain);
+fn first_checks(case: &Case<'_>, listed: &[CheckId], explain: bool, to: &mut Gathered) {
+    for id in listed {
+        let answer = || answered(*id, case, explain);
         match id.answer() {
             Answer::Actuator(_) | Answer::Concerned(_) => answer().into_iter().for_each(|check| to.own(check)),
             Answer::Drivetrain(_) => to.of_drivetrain(answer),
@@ -434,22 +441,20 @@ fn first_checks(case: &Case<'_>, (bare, explain): (bool, bool), to: &mut Gathere
 }
 
 /// The checks that look at the cycle once more, and the rest.
-fn further_checks(case: &Case<'_>, (depth, explain): (Depth, bool), checks: &mut Vec<Check>) {
+fn further_checks(case: &Case<'_>, listed: &[CheckId], (depth, explain): (Depth, bool), checks: &mut Vec<Check>) {
     let &Case { axis, actuator, currents, .. } = case;
-    for stage in [Stage::Heat, Stage::Pass, Stage::Further] {
-        for id in made(axis, depth.is_bare()).filter(|id| id.stage() == stage) {
-            let is_made = stage != Stage::Pass
-                || match depth {
-                    Depth::Full | Depth::Survivors => true,
-                    Depth::Ranking => energy::is_missing(actuator, currents),
-                    // What passes and is below another utilisation changes neither verdict nor margin.
-                    Depth::Margins | Depth::Rank => {
-                        !energy::is_below(axis, actuator, currents, utilisation(checks).min(1.0))
-                    }
-                };
-            if is_made {
-                checks.extend(answered(id, case, explain));
-            }
+    for id in listed {
+        let is_made = id.stage() != Stage::Pass
+            || match depth {
+                Depth::Full | Depth::Survivors => true,
+                Depth::Ranking => energy::is_missing(actuator, currents),
+                // What passes and is below another utilisation changes neither verdict nor margin.
+                Depth::Margins | Depth::Rank => {
+                    !energy::is_below(axis, actuator, currents, utilisation(checks).min(1.0))
+                }
+            };
+        if is_made {
+            checks.extend(answered(*id, case, explain));
         }
     }
 }

@@ -4,14 +4,13 @@ use crate::layout::Layout;
 use clap::builder::{PossibleValue, PossibleValuesParser, StringValueParser, TypedValueParser};
 use clap::{Arg, ArgAction, Command, value_parser};
 use quantities::Language;
-use questions::list::{Argument, ArgumentKind, Entry, Form, Gives, LIST, OutputFile, Reads, media};
+use questions::list::{Argument, ArgumentKind, Entry, Form, Gives, OutputFile, Reads, media};
 use std::ffi::OsStr;
 use words::help::{self, values};
 
 /// The command of a question.
-pub(super) fn command(entry: &Entry, language: Language) -> Command {
-    let others = LIST.iter().copied().filter(|other| other.option().is_some() && other.command() == entry.command());
-    let questions: Vec<&Entry> = std::iter::once(entry).chain(others).collect();
+pub(super) fn command(entry: &'static Entry, language: Language) -> Command {
+    let questions: Vec<&Entry> = std::iter::once(entry).chain(entry.others()).collect();
     // Where the ending of a file decides its format, no argument does.
     let by_ending = entry.files().any(|file| file.media.len() > 1);
     let mut arguments: Vec<&Argument> = Vec::new();

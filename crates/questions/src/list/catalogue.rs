@@ -17,7 +17,7 @@ arguments! {
 }
 
 /// The question.
-pub const ENTRY: Entry = Entry {
+pub static ENTRY: Entry = Entry {
     command: "catalogue export",
     path: "catalogue",
     about: help::catalogue_export,

@@ -28,7 +28,7 @@ arguments! {
 }
 
 /// The question.
-pub const ENTRY: Entry = Entry {
+pub static ENTRY: Entry = Entry {
     command: "check",
     path: "check",
     about: help::check,

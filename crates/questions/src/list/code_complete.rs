@@ -18,7 +18,7 @@ arguments! {
 }
 
 /// The question.
-pub const ENTRY: Entry = Entry {
+pub static ENTRY: Entry = Entry {
     command: "code complete",
     path: "code/complete",
     about: help::code_complete,

@@ -21,7 +21,7 @@ arguments! {
 }
 
 /// The question.
-pub const ENTRY: Entry = Entry {
+pub static ENTRY: Entry = Entry {
     command: "code list",
     path: "code/list",
     about: help::code_list,

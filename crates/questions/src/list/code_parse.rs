@@ -17,7 +17,7 @@ arguments! {
 }
 
 /// The question.
-pub const ENTRY: Entry = Entry {
+pub static ENTRY: Entry = Entry {
     command: "code parse",
     path: "code/parse",
     about: help::code_parse,

@@ -30,7 +30,7 @@ arguments! {
 }
 
 /// The question.
-pub const ENTRY: Entry = Entry {
+pub static ENTRY: Entry = Entry {
     command: "commission",
     path: "commission",
     about: help::commission,

@@ -20,7 +20,7 @@ arguments! {
 }
 
 /// The question.
-pub const ENTRY: Entry = Entry {
+pub static ENTRY: Entry = Entry {
     command: "commission --checklist",
     path: "commission/checklist",
     about: requests::commission_checklist,

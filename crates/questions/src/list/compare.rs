@@ -23,7 +23,7 @@ arguments! {
 }
 
 /// The question.
-pub const ENTRY: Entry = Entry {
+pub static ENTRY: Entry = Entry {
     command: "compare",
     path: "compare",
     about: help::compare,

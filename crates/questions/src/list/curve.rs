@@ -23,7 +23,7 @@ arguments! {
 }
 
 /// The question.
-pub const ENTRY: Entry = Entry {
+pub static ENTRY: Entry = Entry {
     command: "curve",
     path: "curve",
     about: help::curve,

@@ -17,7 +17,7 @@ arguments! {
 }
 
 /// The question.
-pub const ENTRY: Entry = Entry {
+pub static ENTRY: Entry = Entry {
     command: "data",
     path: "data",
     about: help::data,

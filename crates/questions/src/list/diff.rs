@@ -21,7 +21,7 @@ arguments! {
 }
 
 /// The question.
-pub const ENTRY: Entry = Entry {
+pub static ENTRY: Entry = Entry {
     command: "diff",
     path: "diff",
     about: help::diff,

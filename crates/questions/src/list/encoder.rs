@@ -55,7 +55,7 @@ arguments! {
 }
 
 /// The question.
-pub const ENTRY: Entry = Entry {
+pub static ENTRY: Entry = Entry {
     command: "encoder",
     path: "encoder",
     about: help::encoder,

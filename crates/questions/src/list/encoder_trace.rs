@@ -48,7 +48,7 @@ arguments! {
 }
 
 /// The question.
-pub const ENTRY: Entry = Entry {
+pub static ENTRY: Entry = Entry {
     command: "encoder --vcd",
     path: "encoder/trace",
     about: requests::encoder_trace,

@@ -19,7 +19,7 @@ arguments! {
 }
 
 /// The question.
-pub const ENTRY: Entry = Entry {
+pub static ENTRY: Entry = Entry {
     command: "errata",
     path: "errata",
     about: help::errata,

@@ -31,7 +31,7 @@ fn check_of(id: &str) -> Option<CheckId> {
 }
 
 /// The question.
-pub const ENTRY: Entry = Entry {
+pub static ENTRY: Entry = Entry {
     command: "explain",
     path: "explain",
     about: help::explain,

@@ -37,7 +37,7 @@ arguments! {
 }
 
 /// The question.
-pub const ENTRY: Entry = Entry {
+pub static ENTRY: Entry = Entry {
     command: "export",
     path: "export",
     about: help::export,

@@ -17,7 +17,7 @@ arguments! {
 }
 
 /// The question.
-pub const ENTRY: Entry = Entry {
+pub static ENTRY: Entry = Entry {
     command: "glossary",
     path: "glossary",
     about: help::glossary,

@@ -36,7 +36,7 @@ arguments! {
 }
 
 /// The question.
-pub const ENTRY: Entry = Entry {
+pub static ENTRY: Entry = Entry {
     command: "identify",
     path: "identify",
     about: help::identify,

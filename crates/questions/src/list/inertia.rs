@@ -15,7 +15,7 @@ arguments! {
 }
 
 /// The question.
-pub const ENTRY: Entry = Entry {
+pub static ENTRY: Entry = Entry {
     command: "inertia",
     path: "inertia",
     about: help::inertia,

@@ -12,7 +12,7 @@ arguments! {
 }
 
 /// The question.
-pub const ENTRY: Entry = Entry {
+pub static ENTRY: Entry = Entry {
     command: "licences",
     path: "licences",
     about: help::licences,

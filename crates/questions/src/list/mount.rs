@@ -34,7 +34,7 @@ arguments! {
 }
 
 /// The question.
-pub const ENTRY: Entry = Entry {
+pub static ENTRY: Entry = Entry {
     command: "mount",
     path: "mount",
     about: help::mount,

@@ -27,7 +27,7 @@ arguments! {
 }
 
 /// The question.
-pub const ENTRY: Entry = Entry {
+pub static ENTRY: Entry = Entry {
     command: "mount --project",
     path: "mount",
     about: requests::mounted_in_project,

@@ -15,7 +15,7 @@ arguments! {
 }
 
 /// The question.
-pub const ENTRY: Entry = Entry {
+pub static ENTRY: Entry = Entry {
     command: "moves",
     path: "moves",
     about: requests::moves,

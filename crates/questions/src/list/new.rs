@@ -32,7 +32,7 @@ arguments! {
 const SWEEP: &str = "sweep";
 
 /// The question.
-pub const ENTRY: Entry = Entry {
+pub static ENTRY: Entry = Entry {
     command: "new",
     path: "new",
     about: help::new,

@@ -45,7 +45,7 @@ arguments! {
 }
 
 /// The question.
-pub const ENTRY: Entry = Entry {
+pub static ENTRY: Entry = Entry {
     command: "plot",
     path: "plot",
     about: help::plot,

@@ -26,7 +26,7 @@ arguments! {
 }
 
 /// The question.
-pub const ENTRY: Entry = Entry {
+pub static ENTRY: Entry = Entry {
     command: "report",
     path: "report",
     about: help::report,

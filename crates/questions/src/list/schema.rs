@@ -14,7 +14,7 @@ arguments! {
 }
 
 /// The question.
-pub const ENTRY: Entry = Entry {
+pub static ENTRY: Entry = Entry {
     command: "schema",
     path: "schema",
     about: help::schema,

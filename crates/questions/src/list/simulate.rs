@@ -103,7 +103,7 @@ fn reaction(id: &str) -> Option<Reaction> {
 }
 
 /// The question.
-pub const ENTRY: Entry = Entry {
+pub static ENTRY: Entry = Entry {
     command: "simulate",
     path: "simulate",
     about: help::simulate,

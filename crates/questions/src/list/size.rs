@@ -33,7 +33,7 @@ arguments! {
 }
 
 /// The question.
-pub const ENTRY: Entry = Entry {
+pub static ENTRY: Entry = Entry {
     command: "size",
     path: "size",
     about: help::size,

@@ -36,7 +36,7 @@ fn checks(given: &super::Given, argument: &Argument) -> Result<Vec<CheckId>, Una
 }
 
 /// The question.
-pub const ENTRY: Entry = Entry {
+pub static ENTRY: Entry = Entry {
     command: "sweep",
     path: "sweep",
     about: help::sweep,

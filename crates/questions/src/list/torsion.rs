@@ -22,7 +22,7 @@ arguments! {
 }
 
 /// The question.
-pub const ENTRY: Entry = Entry {
+pub static ENTRY: Entry = Entry {
     command: "torsion",
     path: "torsion",
     about: help::torsion,

@@ -44,7 +44,7 @@ arguments! {
 }
 
 /// The question.
-pub const ENTRY: Entry = Entry {
+pub static ENTRY: Entry = Entry {
     command: "upkeep",
     path: "upkeep",
     about: help::upkeep,

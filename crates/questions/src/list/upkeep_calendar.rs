@@ -17,7 +17,7 @@ arguments! {
 }
 
 /// The question.
-pub const ENTRY: Entry = Entry {
+pub static ENTRY: Entry = Entry {
     command: "upkeep --ical",
     path: "upkeep/calendar",
     about: requests::upkeep_calendar,

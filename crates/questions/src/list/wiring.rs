@@ -25,7 +25,7 @@ arguments! {
 }
 
 /// The question.
-pub const ENTRY: Entry = Entry {
+pub static ENTRY: Entry = Entry {
     command: "wiring",
     path: "wiring",
     about: help::wiring,

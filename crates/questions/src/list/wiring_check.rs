@@ -19,7 +19,7 @@ arguments! {
 }
 
 /// The question.
-pub const ENTRY: Entry = Entry {
+pub static ENTRY: Entry = Entry {
     command: "wiring --check",
     path: "wiring",
     about: requests::pins_compared,
