@@ -1,10 +1,9 @@
 //! Reads the grammar of every series in `data/` and embeds it.
-#![allow(clippy::disallowed_methods, reason = "a build script reads what it embeds, and writes it")]
 #![allow(clippy::print_stdout, reason = "a build script speaks to cargo over stdout")]
 
-use series_files::{Code, FEEDBACK_KINDS, FIELDS, Field, Meaning};
+use series_files::{Code, Field, Meaning, variant_of};
 use std::fmt::Write as _;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 use std::process::ExitCode;
 
 fn main() -> ExitCode {
@@ -16,15 +15,7 @@ fn main() -> ExitCode {
     // A new series comes with its manual.
     println!("cargo::rerun-if-changed={}", root.join("sources.toml").display());
     let codes = series_files::codes(&root, &mut faults);
-    for fault in &faults {
-        println!("cargo::error={fault}");
-    }
-    let Some(out) = std::env::var_os("OUT_DIR").filter(|_| faults.is_empty()) else { return ExitCode::FAILURE };
-    if let Err(fault) = std::fs::write(PathBuf::from(out).join("grammars.rs"), text(&codes)) {
-        println!("cargo::error=cannot write the embedded grammar: {fault}");
-        return ExitCode::FAILURE;
-    }
-    ExitCode::SUCCESS
+    series_files::write_out("grammars.rs", &text(&codes), &faults)
 }
 
 fn text(codes: &[Code]) -> String {
@@ -46,21 +37,15 @@ fn text(codes: &[Code]) -> String {
     out
 }
 
-fn variant(id: &str) -> &'static str {
-    FIELDS.iter().find(|(known, _)| *known == id).map_or("Series", |(_, variant)| variant)
-}
-
 fn record(code: &Code, field: &Field) -> String {
     let of = |word: &String| code.feedbacks.iter().find(|feedback| feedback.word == *word);
-    let kinds = field.words.iter().filter_map(of).filter_map(|feedback| {
-        let kind = FEEDBACK_KINDS.iter().find(|(id, _)| *id == feedback.kind);
-        kind.map(|(_, variant)| format!("FeedbackKind::{variant}"))
-    });
+    let found = field.words.iter().filter_map(of);
+    let kinds = found.map(|feedback| format!("FeedbackKind::{}", variant_of(&feedback.kind)));
     let kinds: Vec<String> = if field.id == "feedback" { kinds.collect() } else { Vec::new() };
     let meanings: Vec<String> = field.meanings.iter().map(meaning).collect();
     format!(
         "FieldWords {{ field: Field::{}, is_optional: {}, words: &{:?}, kinds: &[{}], meanings: &[{}] }}",
-        variant(&field.id),
+        variant_of(&field.id),
         field.optional,
         field.words,
         kinds.join(", "),
@@ -70,7 +55,7 @@ fn record(code: &Code, field: &Field) -> String {
 
 fn meaning(meaning: &Meaning) -> String {
     let when: Vec<String> =
-        meaning.when.iter().map(|(field, words)| format!("(Field::{}, &{words:?})", variant(field))).collect();
+        meaning.when.iter().map(|(field, words)| format!("(Field::{}, &{words:?})", variant_of(field))).collect();
     format!(
         "Meaning {{ word: {:?}, when: &[{}], en: {:?}, de: {:?} }}",
         meaning.word,

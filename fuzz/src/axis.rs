@@ -202,7 +202,7 @@ static COMPILED: LazyLock<Option<Compiled>> = LazyLock::new(|| compiled(&answers
 
 fn compiled(schema: &Value) -> Option<Compiled> {
     let mut found = Compiled { schemas: boon::Schemas::new(), of: Vec::new() };
-    for command in ["size", "check", "explain", "compare", "diff", "bearing", "export --table"] {
+    for command in ["size", "check", "explain", "compare", "diff", "bearing", "simulate", "export --table"] {
         let mut one = schema.get("properties")?.get(command)?.as_object()?.clone();
         one.insert("$schema".into(), schema.get("$schema")?.clone());
         one.insert("$defs".into(), schema.get("$defs")?.clone());

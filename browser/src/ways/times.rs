@@ -94,7 +94,8 @@ fn weight(stage: &Stage<'_>) -> Worded<usize> {
     };
     let page = stage.tab.run("return await (await fetch('/?new=table&lang=en')).text();", Vec::new())?;
     add(page.as_str().unwrap_or_default().as_bytes())?;
-    for name in own.iter().map(|name| (*name).to_owned()).chain(page::ASSETS.map(|name| format!("assets/{name}"))) {
+    for name in own.iter().map(|name| (*name).to_owned()).chain(page::ASSETS.map(|(name, _)| format!("assets/{name}")))
+    {
         // Without a server `fetch` is the engine, which has no script of its own; a request of the former kind is not.
         let script = "const request = new XMLHttpRequest(); request.open('GET', arguments_[0]); \
             await new Promise((done) => { request.onloadend = done; request.send(); }); \

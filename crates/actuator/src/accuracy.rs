@@ -18,14 +18,6 @@ pub struct Accuracy {
     pub lost_motion: Datum<Angle>,
 }
 
-impl Accuracy {
-    /// A gear of unknown accuracy.
-    #[must_use]
-    pub fn unknown() -> Self {
-        Self::default()
-    }
-}
-
 /// A contribution to the angular error at the output.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum ErrorKind {
@@ -174,27 +166,23 @@ pub fn error_budget(actuator: &Parameters, case: &BudgetCase) -> ErrorBudget {
 fn torsion(actuator: &Drivetrain, torque: Torque) -> Datum<Angle> {
     let [k1, k2, k3] = &actuator.gear.stiffness;
     let grades = [k1, k2, k3].map(|stiffness| stiffness.known().map(|known| known.grade));
-    actuator.gear.torsion().map_or(Datum::NotPrinted, |curve| {
-        Datum::Known(Sourced {
-            value: Angle::from_si(curve.angle(torque).si().abs()),
-            source: Source::Equation { number: "73.1" },
-            grade: grades.into_iter().flatten().fold(Grade::Computed, Grade::worst),
-            errata: &[],
-        })
-    })
+    Datum::of(actuator.gear.torsion().map(|curve| Sourced {
+        value: Angle::from_si(curve.angle(torque).si().abs()),
+        source: Source::Equation { number: "73.1" },
+        grade: grades.into_iter().flatten().fold(Grade::Computed, Grade::worst),
+        errata: &[],
+    }))
 }
 
 /// Tilt under a moment, as an amount.
 fn tilt(actuator: &Drivetrain, moment: Option<Torque>) -> Datum<Angle> {
     let stiffness = actuator.output_bearing.tilting_stiffness.known();
-    moment.zip(stiffness).map_or(Datum::NotPrinted, |(moment, stiffness)| {
-        Datum::Known(Sourced {
-            value: Angle::from_si(tilt_angle(moment, stiffness.value).si().abs()),
-            source: Source::Equation { number: "76.4" },
-            grade: stiffness.grade.worst(Grade::Computed),
-            errata: stiffness.errata,
-        })
-    })
+    Datum::of(moment.zip(stiffness).map(|(moment, stiffness)| Sourced {
+        value: Angle::from_si(tilt_angle(moment, stiffness.value).si().abs()),
+        source: Source::Equation { number: "76.4" },
+        grade: stiffness.grade.worst(Grade::Computed),
+        errata: stiffness.errata,
+    }))
 }
 
 #[cfg(test)]
@@ -221,7 +209,7 @@ mod tests {
             feedback: Feedback {
                 accuracy: known(Angle::new_in(60.0, &ARCSECOND)),
                 resolution: known(Angle::new_in(10.0, &ARCSECOND)),
-                ..Feedback::unknown()
+                ..Feedback::default()
             },
             feedback_out: Feedback {
                 side: FeedbackSide::Output,
@@ -240,11 +228,11 @@ mod tests {
                     torque_1: known(Torque::from_si(29.0)),
                     torque_2: known(Torque::from_si(108.0)),
                     stiffness: [6.7e4, 1.1e5, 1.2e5].map(|k| known(TorsionalStiffness::from_si(k))),
-                    ..Gear::unknown()
+                    ..Gear::default()
                 },
                 output_bearing: OutputBearing {
                     tilting_stiffness: known(TiltingStiffness::from_si(4e5)),
-                    ..OutputBearing::unknown()
+                    ..OutputBearing::default()
                 },
                 ..Drivetrain::unknown()
             }

@@ -4,7 +4,7 @@ use crate::curve::Curve;
 use crate::heat::HeatModel;
 use crate::parameters::Drivetrain;
 use provenance::{Datum, Sourced};
-use quantities::{AngularVelocity, Measure, Ratio, Torque};
+use quantities::{AngularVelocity, Measure, Torque};
 
 /// What the heat model says of the published duty next to a cycle.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -35,7 +35,7 @@ pub fn published_duty(
 ) -> Option<PublishedDuty> {
     let in_motion = AngularVelocity::from_si(if duty > 0.0 { speed_mean.si() / duty } else { 0.0 });
     let at = |curve: &Sourced<Curve>, factor: f64, speed: AngularVelocity, most: &Datum<Torque>| {
-        let curve = curve.value.clone();
+        let curve = &curve.value;
         let end = curve.points().last().map_or(0.0, |point| point.speed.si());
         let speed = AngularVelocity::from_si(speed.si().abs().min(end));
         let most = most.known().map_or(f64::INFINITY, |most| most.value.si());
@@ -86,5 +86,5 @@ fn said(
     let current = model.current(torque, speed, &settled.friction).si() / stall;
     let tau = model.winding_time_constant().si();
     let filter = if duty < 1.0 { (-duty * cycle.si() / tau).exp_m1() / (-cycle.si() / tau).exp_m1() } else { 1.0 };
-    Some(PublishedDuty { rise_share, overload: Ratio::from_si(current * current * filter).si() })
+    Some(PublishedDuty { rise_share, overload: current * current * filter })
 }

@@ -30,12 +30,6 @@ pub struct Brake {
 }
 
 impl Brake {
-    /// A brake of which nothing is known.
-    #[must_use]
-    pub fn unknown() -> Self {
-        Self::default()
-    }
-
     /// No brake at all.
     #[must_use]
     pub const fn absent() -> Self {
@@ -80,21 +74,6 @@ pub fn coil_power(voltage: ElectricPotential, holding_current: ElectricCurrent, 
 #[must_use]
 pub fn sag_angle(inertia_total: MomentOfInertia, torque_unbalanced: Torque, closing_time: Time) -> Angle {
     Angle::from_si(0.5 * torque_unbalanced.si() / inertia_total.si() * closing_time.si().powi(2))
-}
-
-/// Speed that a sagging axis has when its brake takes hold.
-///
-/// ω = (T / J) t_c
-///
-/// # Symbols
-/// as in [`sag_angle`]
-/// # Source
-/// docs/theory/brake.md
-/// # Valid
-/// J > 0
-#[must_use]
-pub fn sag_speed(inertia_total: MomentOfInertia, torque_unbalanced: Torque, closing_time: Time) -> AngularVelocity {
-    AngularVelocity::from_si(torque_unbalanced.si() / inertia_total.si() * closing_time.si())
 }
 
 /// How a stop by the brake alone ends.
@@ -185,12 +164,11 @@ mod tests {
         }
     }
 
-    /// 20 Nm on 2 kgm² for 0.07 s: α = 10 rad/s², φ = 0.0245 rad, ω = 0.7 rad/s.
+    /// 20 Nm on 2 kgm² for 0.07 s: α = 10 rad/s², φ = 0.0245 rad.
     #[test]
     fn a_hanging_axis_sags_by_half_a_t_squared() {
         let (j, t, t_c) = (MomentOfInertia::from_si(2.0), Torque::from_si(20.0), Time::from_si(0.07));
         assert!((sag_angle(j, t, t_c).si() - 0.0245).abs() < 1e-15);
-        assert!((sag_speed(j, t, t_c).si() - 0.7).abs() < 1e-15);
         assert!((sag_angle(j, -t, t_c).si() + 0.0245).abs() < 1e-15);
     }
 

@@ -41,12 +41,6 @@ pub struct Feedback {
 }
 
 impl Feedback {
-    /// A motor feedback of which nothing is known.
-    #[must_use]
-    pub fn unknown() -> Self {
-        Self::default()
-    }
-
     /// No feedback on this shaft.
     #[must_use]
     pub const fn absent(side: FeedbackSide) -> Self {
@@ -96,6 +90,12 @@ impl Feedback {
         self.at_output(&self.accuracy, ratio)
     }
 
+    /// Turns of its own shaft over which the position is absolute.
+    fn absolute_turns(&self) -> Option<f64> {
+        let single = self.single_turn_absolute.then_some(1.0);
+        self.turns_absolute.known().map(|turns| turns.value).or(single)
+    }
+
     /// Turns of the output over which the position is absolute.
     ///
     /// N_out = N / i for a feedback on the motor that counts N turns, 1/i for one that counts none but codes its turn;
@@ -105,11 +105,7 @@ impl Feedback {
     /// docs/theory/feedback.md; cha-manual prints the whole turns of it
     #[must_use]
     pub fn absolute_turns_out(&self, ratio: &Datum<f64>) -> Option<f64> {
-        let turns = match self.turns_absolute.known() {
-            Some(turns) => turns.value,
-            None if self.single_turn_absolute => 1.0,
-            None => return None,
-        };
+        let turns = self.absolute_turns()?;
         match self.side {
             FeedbackSide::Motor => Some(turns / ratio.known()?.value),
             FeedbackSide::Output => Some(turns),
@@ -125,11 +121,7 @@ impl Feedback {
     /// docs/theory/feedback.md
     #[must_use]
     pub fn endless_axis_loses_reference(&self, ratio: &Datum<f64>) -> Option<bool> {
-        let turns = match self.turns_absolute.known() {
-            Some(turns) => turns.value,
-            None if self.single_turn_absolute => 1.0,
-            None => return None,
-        };
+        let turns = self.absolute_turns()?;
         match self.side {
             FeedbackSide::Motor => Some(turns % ratio.known()?.value != 0.0),
             FeedbackSide::Output => Some(turns.fract() != 0.0),
@@ -155,7 +147,7 @@ mod tests {
             accuracy: known(Angle::new_in(60.0, &ARCSECOND)),
             turns_absolute: known(4096.0),
             single_turn_absolute: true,
-            ..Feedback::unknown()
+            ..Feedback::default()
         }
     }
 
@@ -185,9 +177,9 @@ mod tests {
 
     #[test]
     fn what_is_not_absolute_has_no_range() {
-        assert_eq!(Feedback::unknown().absolute_turns_out(&known(50.0)), None);
-        assert_eq!(Feedback::unknown().endless_axis_loses_reference(&known(50.0)), None);
-        let resolver = Feedback { single_turn_absolute: true, ..Feedback::unknown() };
+        assert_eq!(Feedback::default().absolute_turns_out(&known(50.0)), None);
+        assert_eq!(Feedback::default().endless_axis_loses_reference(&known(50.0)), None);
+        let resolver = Feedback { single_turn_absolute: true, ..Feedback::default() };
         assert!((resolver.absolute_turns_out(&known(50.0)).unwrap() - 0.02).abs() < 1e-15);
         let absent = Feedback::absent(FeedbackSide::Output);
         assert_eq!(absent.accuracy_out(&known(50.0)), Datum::NotApplicable);

@@ -39,12 +39,6 @@ pub struct Gear {
 }
 
 impl Gear {
-    /// A gear of which nothing is known.
-    #[must_use]
-    pub fn unknown() -> Self {
-        Self::default()
-    }
-
     /// The torsion curve, if all five of its values are known.
     #[must_use]
     pub fn torsion(&self) -> Option<Torsion> {

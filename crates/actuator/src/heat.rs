@@ -37,14 +37,6 @@ pub struct Heat {
     pub housing_time_constant: Datum<Time>,
 }
 
-impl Heat {
-    /// Nothing is known.
-    #[must_use]
-    pub fn unknown() -> Self {
-        Self::default()
-    }
-}
-
 /// Means over a cycle from which both losses follow for any friction.
 ///
 /// With I = I_T + I_s σ + K ω: the copper loss needs the six means of the products of I_T, σ and ω.

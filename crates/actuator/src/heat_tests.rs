@@ -153,7 +153,7 @@ fn the_settled_housing_balances_its_heat() {
 #[test]
 fn what_is_missing_is_named() {
     let mut actuator = actuator();
-    actuator.heat = Heat::unknown();
+    actuator.heat = Heat::default();
     assert_eq!(HeatModel::of(&actuator).unwrap_err().symbol, "stall_loss_factor");
     actuator.resistance_ll = Datum::NotPrinted;
     assert_eq!(HeatModel::of(&actuator).unwrap_err().symbol, "R_LL");

@@ -25,7 +25,7 @@ pub use accuracy::{
 };
 pub use agreement::{PublishedDuty, published_duty};
 pub use battery::{Battery, BatteryFault, BatteryLife};
-pub use brake::{Brake, EmergencyStop, StopOutcome, coil_power, emergency_stop, sag_angle, sag_speed};
+pub use brake::{Brake, EmergencyStop, StopOutcome, coil_power, emergency_stop, sag_angle};
 pub use curve::{Curve, CurveFault, CurvePoint};
 pub use feedback::{Feedback, FeedbackSide};
 pub use friction::{FrictionAt, NoLoadFriction};
@@ -47,8 +47,6 @@ pub use output_bearing::{
 pub use overload::{overload_course, overload_slope};
 pub use parameters::{Drivetrain, Parameters};
 pub use plane::{CurveKind, PerformanceCurve, ShortTime, intermittent_torque, performance_curves};
-pub use screw_joint::{
-    JointLoad, LoadedJoint, ScrewJoint, clamp_force, joint_friction_force, joint_utilisation, loaded_joint,
-};
+pub use screw_joint::{JointLoad, LoadedJoint, ScrewJoint, clamp_force, joint_utilisation, loaded_joint};
 pub use temperature::{Gains, HeatFlows, Losses, Network, Temperatures};
 pub use voltage::MotorVoltage;

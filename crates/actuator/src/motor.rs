@@ -229,9 +229,7 @@ fn explain_continuous(
         work.given("k_Tout", &NEWTON_METRE_PER_AMPERE, constant);
         work.given("k_TM", &NEWTON_METRE_PER_AMPERE, motor);
     }
-    if let Some(ratio) = actuator.ratio.known() {
-        work.given_number("i", ratio);
-    }
+    work.known_number("i", &actuator.ratio);
     let what = Finding::EdgeOfBand;
     work.found("b", &ONE, edge, what, &source, Grade::Estimated);
     work.found("n", &REVOLUTION_PER_MINUTE, speed.si(), Finding::MeanSpeedUpToRated, &source, Grade::Computed);

@@ -51,14 +51,6 @@ pub struct OutputBearing {
     pub swing_min: Datum<Angle>,
 }
 
-impl OutputBearing {
-    /// A bearing of which nothing is known.
-    #[must_use]
-    pub fn unknown() -> Self {
-        Self::default()
-    }
-}
-
 /// Forces on the output flange, constant over the cycle.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct FlangeLoad {

@@ -19,7 +19,7 @@ use std::sync::Arc;
 /// The data of one actuator, in SI, each value with its source or with the reason of its absence.
 ///
 /// Most actuators that differ in feedback and brake alone have one drivetrain, and share it: callers that evaluate one after
-/// the other use [`Parameters::shares_drivetrain`] to reuse results. Its data are read as if they stood
+/// the other compare them by [`Arc::ptr_eq`] to reuse results. Its data are read as if they stood
 /// here; to write one takes a drivetrain of its own.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Parameters {
@@ -131,18 +131,12 @@ impl Parameters {
             inertia_out: Datum::NotPrinted,
             mass: Datum::NotPrinted,
             length: Datum::NotPrinted,
-            brake: Brake::unknown(),
-            feedback: Feedback::unknown(),
+            brake: Brake::default(),
+            feedback: Feedback::default(),
             ptc_response: Datum::NotPrinted,
             without_kty: false,
             feedback_out: Feedback::absent(FeedbackSide::Output),
         }
-    }
-
-    /// Whether both have the same drivetrain, as one piece of data and not by its values.
-    #[must_use]
-    pub fn shares_drivetrain(&self, other: &Self) -> bool {
-        Arc::ptr_eq(&self.drivetrain, &other.drivetrain)
     }
 }
 
@@ -203,12 +197,12 @@ impl Drivetrain {
             continuous_curve: Datum::NotPrinted,
             s3_curves: [Datum::NotPrinted, Datum::NotPrinted],
             short_time_curve: Datum::NotPrinted,
-            heat: Heat::unknown(),
-            gear: Gear::unknown(),
-            output_bearing: OutputBearing::unknown(),
-            accuracy: Accuracy::unknown(),
-            screw_joint_load: ScrewJoint::unknown(),
-            screw_joint_housing: ScrewJoint::unknown(),
+            heat: Heat::default(),
+            gear: Gear::default(),
+            output_bearing: OutputBearing::default(),
+            accuracy: Accuracy::default(),
+            screw_joint_load: ScrewJoint::default(),
+            screw_joint_housing: ScrewJoint::default(),
         }
     }
 }

@@ -124,7 +124,7 @@ impl<'a> ShortTime<'a> {
         terminal_voltage: Option<ElectricPotential>,
         friction: &FrictionAt,
     ) -> Result<Self, Missing> {
-        if let Some(curve) = at_voltage(actuator, &actuator.short_time_curve, terminal_voltage) {
+        if let Some(curve) = actuator.at_voltage(&actuator.short_time_curve, terminal_voltage) {
             return Ok(Self(Law::Published { curve, torque_max: &actuator.torque_max }));
         }
         Ok(Self(Law::Model(Model {
@@ -194,9 +194,7 @@ impl<'a> ShortTime<'a> {
         let [limit, _] = self.at(speed);
         match &self.0 {
             Law::Published { curve, torque_max } => {
-                if let Some(torque_max) = torque_max.known() {
-                    work.given("T_max", &NEWTON_METRE, torque_max);
-                }
+                work.known("T_max", &NEWTON_METRE, torque_max);
                 let what = Finding::ShortTimeCurve;
                 work.found("T_short", &NEWTON_METRE, limit.si(), what, &curve.source, curve.grade);
             }
@@ -263,18 +261,20 @@ impl Model<'_> {
     }
 }
 
-/// A published curve, if it holds at this voltage: from the printed U_M on.
-fn at_voltage<'a>(
-    actuator: &Drivetrain,
-    curve: &'a Datum<Curve>,
-    terminal_voltage: Option<ElectricPotential>,
-) -> Option<&'a Sourced<Curve>> {
-    let curve = curve.known()?;
-    let enough = match (terminal_voltage, actuator.terminal_voltage_min.known()) {
-        (Some(voltage), Some(least)) => voltage.si() >= least.value.si(),
-        _ => true,
-    };
-    enough.then_some(curve)
+impl Drivetrain {
+    /// A published curve, if it holds at this voltage: from the printed U_M on.
+    pub fn at_voltage<'a>(
+        &self,
+        curve: &'a Datum<Curve>,
+        terminal_voltage: Option<ElectricPotential>,
+    ) -> Option<&'a Sourced<Curve>> {
+        let curve = curve.known()?;
+        let enough = match (terminal_voltage, self.terminal_voltage_min.known()) {
+            (Some(voltage), Some(least)) => voltage.si() >= least.value.si(),
+            _ => true,
+        };
+        enough.then_some(curve)
+    }
 }
 
 /// So much beyond the end of a curve is still at it.
@@ -385,7 +385,7 @@ fn s3_curve(
 ) -> Result<PerformanceCurve, Missing> {
     let cycle = actuator.heat.intermittent_cycle.require("s3_cycle")?.value;
     let kind = CurveKind::S3 { duty: Ratio::from_si(duty), cycle };
-    if let Some(curve) = at_voltage(actuator, datum, voltage) {
+    if let Some(curve) = actuator.at_voltage(datum, voltage) {
         return Ok(PerformanceCurve { voltage, ..published(curve, &actuator.torque_max, kind) });
     }
     // Half of the time at rest: the mean speed is half of that under way, and only the mean has its limit at n_N/i.
@@ -443,7 +443,7 @@ pub fn intermittent_torque(
 }
 
 fn short_time_curve(actuator: &Drivetrain, voltage: Option<ElectricPotential>) -> Result<PerformanceCurve, Missing> {
-    if let Some(curve) = at_voltage(actuator, &actuator.short_time_curve, voltage) {
+    if let Some(curve) = actuator.at_voltage(&actuator.short_time_curve, voltage) {
         return Ok(PerformanceCurve { voltage, ..published(curve, &actuator.torque_max, CurveKind::ShortTime) });
     }
     let end = speed_max(actuator)?.value;

@@ -21,14 +21,6 @@ pub struct ScrewJoint {
     pub transmissible_torque: Datum<Torque>,
 }
 
-impl ScrewJoint {
-    /// A joint of which nothing is known.
-    #[must_use]
-    pub fn unknown() -> Self {
-        Self::default()
-    }
-}
-
 /// Share of the transmissible torque that a peak torque takes; above one the joint slips.
 ///
 /// u = |T_peak| / T_transmissible
@@ -42,21 +34,6 @@ impl ScrewJoint {
 #[must_use]
 pub fn joint_utilisation(torque_peak: Torque, torque_transmissible: Torque) -> Ratio {
     Ratio::from_si(torque_peak.si().abs() / torque_transmissible.si())
-}
-
-/// Friction force of a joint on its circle of screws: what the printed torque amounts to for a transverse load.
-///
-/// F = 2 T / d
-///
-/// # Symbols
-/// T transmissible torque \[Nm\], d bolt circle \[m\]
-/// # Source
-/// moment of a force on a circle
-/// # Valid
-/// d > 0
-#[must_use]
-pub fn joint_friction_force(torque_transmissible: Torque, bolt_circle: Length) -> Force {
-    Force::from_si(2.0 * torque_transmissible.si() / bolt_circle.si())
 }
 
 /// What loads a circle of screws at once.
@@ -132,14 +109,6 @@ pub fn loaded_joint(
 #[cfg(test)]
 mod tests {
     use super::*;
-
-    /// Load side of CHA-40A and housing side of CHA-50A, both M8: 2774 N and 2766 N per screw.
-    #[test]
-    fn the_same_screw_gives_the_same_force() {
-        let force = |torque, circle| joint_friction_force(Torque::from_si(torque), Length::from_si(circle)).si() / 12.0;
-        assert!((force(1964.0, 0.118) - 2774.0).abs() < 0.5);
-        assert!((force(3419.0, 0.206) - 2766.0).abs() < 0.5);
-    }
 
     #[test]
     fn the_share_has_no_sign() {

@@ -98,12 +98,6 @@ impl Network {
         self.resistance_k_per_w
     }
 
-    /// C_w, C_h \[J/K\].
-    #[cfg(test)]
-    pub(crate) const fn capacities_j_per_k(&self) -> [f64; 2] {
-        self.capacity_j_per_k
-    }
-
     /// The flows of heat at an instant, and what they change.
     ///
     /// # Source

@@ -119,7 +119,7 @@ fn warming_up_takes_longer_the_nearer_the_threshold_is_to_the_end() {
 #[test]
 fn flows_keep_the_energy_and_vanish_in_the_steady_state() {
     let (network, ambient, load) = (network(), celsius(25.0), losses(20.0, 30.0));
-    let [c_w, c_h] = network.capacities_j_per_k();
+    let [c_w, c_h] = network.capacity_j_per_k;
     let state = Temperatures { winding: celsius(70.0), housing: celsius(40.0) };
     let flows = network.flows(&state, load, ambient);
     let stored = c_w * flows.winding_k_per_s + c_h * flows.housing_k_per_s;

@@ -107,27 +107,15 @@ impl MotorVoltage {
             return;
         }
         let source = Source::Model { name: "voltage" };
-        if let Some(ratio) = actuator.ratio.known() {
-            work.given_number("i", ratio);
-        }
-        if let Some(pairs) = actuator.pole_pairs.known() {
-            work.given_number("p", pairs);
-        }
-        if let Some(resistance) = actuator.resistance_ll.known() {
-            work.given("R_LL", &OHM, resistance);
-        }
-        if let Some(inductance) = actuator.inductance_ll.known() {
-            work.given("L_LL", &HENRY, inductance);
-        }
-        if let Some(constant) = actuator.voltage_constant_motor.known() {
-            work.given("k_EM", &VOLT_PER_THOUSAND_REVOLUTIONS, constant);
-        }
+        work.known_number("i", &actuator.ratio);
+        work.known_number("p", &actuator.pole_pairs);
+        work.known("R_LL", &OHM, &actuator.resistance_ll);
+        work.known("L_LL", &HENRY, &actuator.inductance_ll);
+        work.known("k_EM", &VOLT_PER_THOUSAND_REVOLUTIONS, &actuator.voltage_constant_motor);
         let omega_e = self.pole_pairs * self.ratio * speed_out.si();
         let i_q = std::f64::consts::SQRT_2 * current.si();
         let (u_d, u_q) = self.components(speed_out, current);
-        if let Some(hot) = actuator.heat.winding_shutdown.known() {
-            work.given("theta_max", &DEGREE_CELSIUS, hot);
-        }
+        work.known("theta_max", &DEGREE_CELSIUS, &actuator.heat.winding_shutdown);
         work.formula("R", &OHM, self.resistance_ohm, "R_LL*(1 + 3.93e-3*(theta_max - 20))/2", &source);
         work.formula("L", &HENRY, self.inductance_h, "L_LL/2", &source);
         work.formula("psi", &VOLT_SECOND_PER_RADIAN, self.flux_vs, "k_EM*sqrt(2/3)/(p*2*pi*1000/60)", &source);
@@ -211,7 +199,7 @@ mod tests {
             voltage_constant_motor: known(VoltageConstant::new_in(23.0, &VOLT_PER_THOUSAND_REVOLUTIONS)),
             heat: crate::Heat {
                 winding_shutdown: known(ThermodynamicTemperature::from_si(363.15)),
-                ..crate::Heat::unknown()
+                ..crate::Heat::default()
             },
             ..Drivetrain::unknown()
         }))

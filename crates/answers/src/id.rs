@@ -76,10 +76,10 @@ identified! {
     Signal as "Signal": &Signal::ALL;
     Step as "Step": &Step::ALL;
     CheckId as "CheckId": CheckId::ALL;
-    EventKind as "EventKind": EventKind::ALL;
+    EventKind as "EventKind": &EventKind::ALL;
     Loop as "Loop": &Loop::ALL;
     Reaction as "Reaction": &Reaction::ALL;
-    ScenarioId as "ScenarioId": ScenarioId::ALL;
+    ScenarioId as "ScenarioId": &ScenarioId::ALL;
     Verdict as "Verdict": &Verdict::ALL;
     Direction as "Direction": &Direction::ALL;
     Part as "Part": &Part::ALL;
@@ -88,7 +88,7 @@ identified! {
 }
 
 identified! {
-    feedback::Protocol as "EncoderProtocol": feedback::Protocol::ALL;
+    feedback::Protocol as "EncoderProtocol": &feedback::Protocol::ALL;
     installation::encoder::Assumed as "EncoderAssumed": &installation::encoder::Assumed::ALL;
     installation::fit::Side as "Side": &installation::fit::Side::ALL;
     installation::fit::FitKind as "FitKind": &installation::fit::FitKind::ALL;

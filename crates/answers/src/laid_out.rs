@@ -166,43 +166,38 @@ impl Chapter {
     /// Adds a paragraph; an empty one is left out.
     pub fn text(&mut self, text: impl Into<String>) {
         let text = text.into();
-        if !text.is_empty() {
-            self.blocks.push(Block::Text { text });
+        self.add(text.is_empty(), Block::Text { text });
+    }
+
+    /// Adds what is not empty.
+    fn add(&mut self, is_empty: bool, block: Block) {
+        if !is_empty {
+            self.blocks.push(block);
         }
     }
 
     /// Adds sentences side by side, if there are any.
     pub fn points(&mut self, items: Vec<String>) {
-        if !items.is_empty() {
-            self.blocks.push(Block::Points { items });
-        }
+        self.add(items.is_empty(), Block::Points { items });
     }
 
     /// Adds numbered steps, if there are any.
     pub fn steps(&mut self, items: Vec<String>) {
-        if !items.is_empty() {
-            self.blocks.push(Block::Steps { items });
-        }
+        self.add(items.is_empty(), Block::Steps { items });
     }
 
     /// Adds a table, if it has rows.
     pub fn grid(&mut self, columns: Vec<Column>, rows: Vec<Vec<String>>) {
-        if !rows.is_empty() {
-            self.blocks.push(Block::Grid(Grid { columns, rows }));
-        }
+        self.add(rows.is_empty(), Block::Grid(Grid { columns, rows }));
     }
 
     /// Adds hazards and rules, if there are any.
     pub fn hazards(&mut self, items: Vec<Hazard>) {
-        if !items.is_empty() {
-            self.blocks.push(Block::Hazards { items });
-        }
+        self.add(items.is_empty(), Block::Hazards { items });
     }
 
     /// Adds entries of a check-list, if there are any.
     pub fn tasks(&mut self, items: Vec<Task>) {
-        if !items.is_empty() {
-            self.blocks.push(Block::Tasks { items });
-        }
+        self.add(items.is_empty(), Block::Tasks { items });
     }
 }

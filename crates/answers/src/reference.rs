@@ -32,6 +32,11 @@ pub fn reference(schema: &Value) -> String {
     page
 }
 
+/// The values of a list; none where there is no list.
+fn list<'v>(schema: &'v Value, name: &str) -> impl Iterator<Item = &'v Value> {
+    schema.get(name).and_then(Value::as_array).into_iter().flatten()
+}
+
 fn about(schema: &Value) -> Option<String> {
     Some(schema.get("description")?.as_str()?.split_whitespace().collect::<Vec<_>>().join(" "))
 }
@@ -55,8 +60,7 @@ fn body(record: &Value, page: &mut String) {
         let _ = writeln!(page, "{}", shape(record));
         return;
     };
-    let required: Vec<&str> =
-        record.get("required").and_then(Value::as_array).into_iter().flatten().filter_map(Value::as_str).collect();
+    let required: Vec<&str> = list(record, "required").filter_map(Value::as_str).collect();
     page.push_str("| field | value | meaning |\n|---|---|---|\n");
     for (name, field) in fields {
         let left_out = if required.contains(&name.as_str()) || is_nullable(field) { "" } else { ", may be left out" };
@@ -69,17 +73,13 @@ fn body(record: &Value, page: &mut String) {
 
 /// The records whose fields stand beside those of a record.
 fn parts(record: &Value) -> Vec<&Value> {
-    let direct = record.get("$ref").map(|_| record);
-    let all = record.get("allOf").and_then(Value::as_array).into_iter().flatten();
-    direct.into_iter().chain(all).collect()
+    record.get("$ref").map(|_| record).into_iter().chain(list(record, "allOf")).collect()
 }
 
 /// The words of a fixed set with their meanings.
 fn words(schema: &Value) -> Vec<(String, Option<String>)> {
-    let listed = schema.get("enum").and_then(Value::as_array).into_iter().flatten();
-    let plain = listed.filter_map(|word| Some((word.as_str()?.to_owned(), None)));
-    let one_of = schema.get("oneOf").and_then(Value::as_array).into_iter().flatten();
-    let stated = one_of.filter_map(|each| {
+    let plain = list(schema, "enum").filter_map(|word| Some((word.as_str()?.to_owned(), None)));
+    let stated = list(schema, "oneOf").filter_map(|each| {
         let word = each.get("const").or_else(|| each.get("enum")?.as_array()?.first())?.as_str()?;
         Some((word.to_owned(), about(each)))
     });
@@ -87,9 +87,8 @@ fn words(schema: &Value) -> Vec<(String, Option<String>)> {
 }
 
 fn is_nullable(schema: &Value) -> bool {
-    let typed = schema.get("type").and_then(Value::as_array).is_some_and(|types| types.iter().any(|one| one == "null"));
-    let any = schema.get("anyOf").and_then(Value::as_array).into_iter().flatten();
-    typed || any.into_iter().any(|each| each.get("type").is_some_and(|kind| kind == "null"))
+    let is_null = |kind: &Value| kind == "null";
+    list(schema, "type").any(is_null) || list(schema, "anyOf").any(|each| each.get("type").is_some_and(is_null))
 }
 
 /// What a value looks like, in a few words.

@@ -3,7 +3,7 @@
 use crate::Fit;
 use schemars::{JsonSchema, SchemaGenerator, generate::SchemaSettings};
 use serde::Serialize;
-use serde_json::{Map, Value};
+use serde_json::{Map, Value, json};
 
 /// Version of the records. It rises when a field goes or changes its meaning, not when one is added.
 pub const VERSION: u32 = 1;
@@ -32,13 +32,10 @@ pub enum Answered<T> {
 impl<T> Answered<T> {
     /// The answer of all axes: one alone as it is, several with whether every one fits.
     #[must_use]
-    pub fn of(mut axes: Vec<T>, fits: bool) -> Self {
-        match (axes.len(), axes.pop()) {
-            (1, Some(one)) => Self::One(one),
-            (_, last) => {
-                axes.extend(last);
-                Self::Several(Axes { verdict: Fit::of(fits), axes })
-            }
+    pub fn of(axes: Vec<T>, fits: bool) -> Self {
+        match <[T; 1]>::try_from(axes) {
+            Ok([one]) => Self::One(one),
+            Err(axes) => Self::Several(Axes { verdict: Fit::of(fits), axes }),
         }
     }
 }
@@ -67,13 +64,12 @@ pub fn schema(records: &[Record]) -> Value {
     for record in records {
         properties.insert(record.command.to_owned(), (record.schema)(&mut generator).into());
     }
-    let definitions = generator.take_definitions(true);
-    let mut root = Map::new();
-    root.insert("$schema".into(), "https://json-schema.org/draft/2020-12/schema".into());
-    root.insert("title".into(), "Answers of antrieb".into());
-    root.insert("description".into(), format!("what `--json` writes for each command, version {VERSION}").into());
-    root.insert("type".into(), "object".into());
-    root.insert("properties".into(), Value::Object(properties));
-    root.insert("$defs".into(), Value::Object(definitions));
-    Value::Object(root)
+    json!({
+        "$schema": "https://json-schema.org/draft/2020-12/schema",
+        "title": "Answers of antrieb",
+        "description": format!("what `--json` writes for each command, version {VERSION}"),
+        "type": "object",
+        "properties": properties,
+        "$defs": generator.take_definitions(true),
+    })
 }

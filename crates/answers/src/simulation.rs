@@ -3,13 +3,13 @@
 use crate::{Id, Number};
 use provenance::Grade;
 use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
-use serde::ser::{Serialize, SerializeMap, Serializer};
+use serde::{Serialize, Serializer};
 use sizing::Verdict;
 use std::borrow::Cow;
 use twin::{EventKind, Loop, Reaction, ScenarioId};
 
 /// `simulate`: what the digital twin of an axis does.
-#[derive(Clone, Debug, PartialEq, serde::Serialize, JsonSchema)]
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct Simulation {
     /// Name of the axis.
     pub axis: String,
@@ -68,7 +68,7 @@ pub struct Simulation {
 pub struct Figures(pub Vec<Figure>);
 
 /// A figure with its unit.
-#[derive(Clone, Debug, PartialEq, serde::Serialize, JsonSchema)]
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct Figure {
     /// Identifier.
     #[serde(skip)]
@@ -83,11 +83,7 @@ pub struct Figure {
 
 impl Serialize for Figures {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        let mut map = serializer.serialize_map(Some(self.0.len()))?;
-        for figure in &self.0 {
-            map.serialize_entry(figure.id, figure)?;
-        }
-        map.end()
+        serializer.collect_map(self.0.iter().map(|figure| (figure.id, figure)))
     }
 }
 
@@ -103,7 +99,7 @@ impl JsonSchema for Figures {
 }
 
 /// A figure with its limit.
-#[derive(Clone, Debug, PartialEq, serde::Serialize, JsonSchema)]
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct SimulatedVerdict {
     /// Identifier.
     pub id: &'static str,
@@ -124,7 +120,7 @@ pub struct SimulatedVerdict {
 }
 
 /// Something that happened.
-#[derive(Clone, Debug, PartialEq, serde::Serialize, JsonSchema)]
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct SimulatedEvent {
     /// When \[s\].
     pub time: Number,
@@ -135,7 +131,7 @@ pub struct SimulatedEvent {
 }
 
 /// An encoder that fails, and what the drive notices of it.
-#[derive(Clone, Debug, PartialEq, serde::Serialize, JsonSchema)]
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct EncoderFailure {
     /// What fails: a failure of the scenario, or `battery`.
     pub failure: &'static str,
@@ -150,7 +146,7 @@ pub struct EncoderFailure {
 }
 
 /// A figure of the sizing beside that of the twin.
-#[derive(Clone, Debug, PartialEq, serde::Serialize, JsonSchema)]
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct Compared {
     /// The check of the sizing.
     pub id: Id<sizing::CheckId>,
@@ -167,7 +163,7 @@ pub struct Compared {
 }
 
 /// A loop with its margins.
-#[derive(Clone, Debug, PartialEq, serde::Serialize, JsonSchema)]
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct ControlLoop {
     /// Which.
     pub id: Id<Loop>,
@@ -186,7 +182,7 @@ pub struct ControlLoop {
 }
 
 /// A parameter of the model.
-#[derive(Clone, Debug, PartialEq, serde::Serialize, JsonSchema)]
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct ModelParameter {
     /// Its key.
     pub key: &'static str,

@@ -1,14 +1,13 @@
 //! Reads `data/`, holds it to the rules of `data/README.md`, and embeds it as static tables.
 //!
 //! A file that breaks a rule stops the build, with all faults listed at once.
-#![allow(clippy::disallowed_methods, reason = "a build script reads what it embeds, and writes it")]
-#![allow(clippy::print_stdout, clippy::print_stderr, reason = "a build script speaks to cargo over stdout")]
+#![allow(clippy::print_stdout, reason = "a build script speaks to cargo over stdout")]
 
 mod series;
 
-use series_files::{Cells, Data, Erratum, KEYS, value_of};
+use series_files::{Cells, Data, Erratum, KEYS, value_of, variant_of};
 use std::fmt::Write as _;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 use std::process::ExitCode;
 
 fn main() -> ExitCode {
@@ -21,21 +20,7 @@ fn main() -> ExitCode {
     records(&mut text, &data, &cells);
     text.push_str(&series_files::facts(&data, &mut faults));
     text.push_str(&series::records(&data.codes));
-    if !faults.is_empty() {
-        for fault in &faults {
-            println!("cargo::error={fault}");
-        }
-        return ExitCode::FAILURE;
-    }
-    let Some(out) = std::env::var_os("OUT_DIR") else {
-        println!("cargo::error=OUT_DIR is not set");
-        return ExitCode::FAILURE;
-    };
-    if let Err(fault) = std::fs::write(PathBuf::from(out).join("data.rs"), text) {
-        println!("cargo::error=cannot write the embedded data: {fault}");
-        return ExitCode::FAILURE;
-    }
-    ExitCode::SUCCESS
+    series_files::write_out("data.rs", &text, &faults)
 }
 
 fn records(out: &mut String, data: &Data, Cells { cells, ranges }: &Cells<'_>) {
@@ -99,13 +84,7 @@ fn records(out: &mut String, data: &Data, Cells { cells, ranges }: &Cells<'_>) {
     }
     let _ = writeln!(out, "];\npub(crate) static ERRATA: &[Erratum] = &[");
     for erratum in &data.errata {
-        let kind = match erratum.kind.as_str() {
-            "recovery" => "Recovery",
-            "print_error" => "PrintError",
-            "rounding" => "Rounding",
-            "edition" => "Edition",
-            _ => "Contradiction",
-        };
+        let kind = variant_of(&erratum.kind);
         let _ = writeln!(
             out,
             "Erratum {{ id: {:?}, table: {:?}, place: {:?}, place_de: {:?}, recovered: {:?}, recovered_de: {:?}, printed: {:?}, \
@@ -129,32 +108,11 @@ fn records(out: &mut String, data: &Data, Cells { cells, ranges }: &Cells<'_>) {
     }
     let _ = writeln!(out, "];\npub(crate) static SOURCES: &[Document] = &[");
     for source in &data.sources {
-        let _ = writeln!(
-            out,
-            "Document {{ id: {:?}, title: {:?}, edition: {:?}, language: {:?}, publisher: {:?}, kind: {:?}, place: {:?}, note: {:?} }},",
-            source.id,
-            source.title,
-            opt(&source.edition),
-            opt(&source.language),
-            opt(&source.publisher),
-            opt(&source.kind),
-            opt(&source.place),
-            opt(&source.note),
-        );
+        let _ = writeln!(out, "{source:?},");
     }
     let _ = writeln!(out, "];\npub(crate) static GLOSSARY: &[Term] = &[");
     for term in &data.glossary {
-        let _ = writeln!(
-            out,
-            "Term {{ symbol: {:?}, identifier: {:?}, unit: {:?}, en: {:?}, de: {:?}, note_en: {:?}, note_de: {:?} }},",
-            term.symbol,
-            term.identifier,
-            opt(&term.unit),
-            term.en,
-            term.de,
-            opt(&term.note_en),
-            opt(&term.note_de),
-        );
+        let _ = writeln!(out, "{term:?},");
     }
     let _ = writeln!(out, "];\npub(crate) static TEXTS: &[(&str, &str)] = &[");
     for text in &data.texts {

@@ -1,6 +1,6 @@
 //! What each series states of its tables and its words, as Rust source.
 
-use series_files::{Code, Mark, Winding};
+use series_files::{Code, Mark, Winding, variant_of};
 use std::fmt::Write as _;
 
 pub(crate) fn records(codes: &[Code]) -> String {
@@ -61,11 +61,7 @@ impl Writer<'_> {
     }
 
     fn mark(&self, mark: &Mark) -> String {
-        let entry = match mark.entry.as_str() {
-            "available" => "Available",
-            "on_request" => "OnRequest",
-            _ => "NotAvailable",
-        };
+        let entry = variant_of(&mark.entry);
         let feedback = mark.feedback.as_ref().map(|word| self.value("feedback", "Feedback", word));
         let feedback = feedback.map_or("None".to_owned(), |value| format!("Some({value})"));
         format!(

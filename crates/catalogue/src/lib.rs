@@ -14,14 +14,15 @@ mod series;
 
 pub use drive::{Drive, cells_about, datum_of, drive, drives, size_cell};
 pub use fact::{Bound, Fact, FactValue, HoldsFor, Signal, Step, Topic};
-pub use record::{Cell, Document, Erratum, ErratumKind, Footnote, Table, Term, Value, Word};
+pub use provenance::Value;
+pub use record::{Cell, Document, Erratum, ErratumKind, Footnote, Table, Term, Word};
 pub use series::{Head, Mark, MarkEntry, SeriesData, WindingData, WiringTables, winding_data};
 
 mod embedded {
     use crate::fact::{Bound, Fact, FactValue, HoldsFor, Signal, Step, Topic};
-    use crate::record::{Cell, Document, Erratum, ErratumKind, Footnote, Table, Term, Value, Word};
+    use crate::record::{Cell, Document, Erratum, ErratumKind, Footnote, Table, Term, Word};
     use crate::series::{Head, Mark, MarkEntry, SeriesData, WindingData, WiringTables};
-    use provenance::CellRef;
+    use provenance::{CellRef, Value};
     include!(concat!(env!("OUT_DIR"), "/data.rs"));
 }
 
@@ -92,6 +93,18 @@ pub fn table(id: &str) -> Option<&'static Table> {
 #[must_use]
 pub fn errata() -> &'static [Erratum] {
     embedded::ERRATA
+}
+
+/// The cells of a table; none where there is no such table.
+#[must_use]
+pub fn table_cells(id: &str) -> &'static [Cell] {
+    table(id).map(Table::cells).unwrap_or_default()
+}
+
+/// The first cell of a table with this symbol.
+#[must_use]
+pub fn table_cell(id: &str, symbol: &str) -> Option<&'static Cell> {
+    table_cells(id).iter().find(|cell| cell.place.symbol == symbol)
 }
 
 /// The erratum with this identifier.

@@ -1,53 +1,7 @@
 //! The records of the embedded data.
 
-use provenance::{CellRef, Grade, Source, Sourced};
+use provenance::{CellRef, Grade, Source, Sourced, Value};
 use quantities::identified;
-
-/// The meaning of a cell's text after errata, in the printed unit.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Value {
-    /// A dash: the manual has a place for the value but prints none.
-    NotPrinted,
-    /// A single number.
-    Number(f64),
-    /// `a ... b`
-    Range {
-        /// Lower end.
-        low: f64,
-        /// Upper end.
-        high: f64,
-    },
-    /// `< a`, `≤ a`, `< ±a`
-    UpperBound(f64),
-    /// `> a`, `≥ a`
-    LowerBound(f64),
-    /// `±a`
-    PlusMinus(f64),
-    /// `a ±b %`
-    Tolerance {
-        /// Nominal value.
-        nominal: f64,
-        /// Tolerance in per cent of the nominal value.
-        plus_minus_percent: f64,
-    },
-    /// Anything that is not a number: a type, a connector, a colour.
-    Text,
-}
-
-impl Value {
-    /// The number to compute with: the number itself, the bound, the nominal value. A range has none.
-    #[must_use]
-    pub const fn number(self) -> Option<f64> {
-        match self {
-            Self::Number(value)
-            | Self::UpperBound(value)
-            | Self::LowerBound(value)
-            | Self::PlusMinus(value)
-            | Self::Tolerance { nominal: value, .. } => Some(value),
-            Self::NotPrinted | Self::Range { .. } | Self::Text => None,
-        }
-    }
-}
 
 /// One printed cell.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -1,9 +1,10 @@
 //! What a series states of its tables and of the words of its code.
 
 use order_code::{Feedback, Series, Size, Winding};
+use std::sync::LazyLock;
 
 /// Tables of a series by their purpose, the marks of its matrix, and what its windings and feedback systems have.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, Default)]
 pub struct SeriesData {
     /// Identifier of its manual.
     pub manual: &'static str,
@@ -115,36 +116,11 @@ pub struct WiringTables {
 }
 
 impl SeriesData {
-    /// A series without tables.
-    const NONE: Self = Self {
-        manual: "",
-        family: "",
-        matrix: "",
-        pairs: "",
-        thresholds: "",
-        preselection: "",
-        output_encoder: "",
-        output_wiring: &[],
-        cables: &[],
-        by_size: &[],
-        feedback: &[],
-        ordering: &[],
-        of_all: &[],
-        curves: &[],
-        gear_life: "",
-        gear_series: "",
-        marks: &[],
-        windings: &[],
-        feedback_tables: &[],
-        drives: &[],
-        wirings: &[],
-    };
-
     /// That of a series.
     #[must_use]
     pub fn of(series: Series) -> &'static Self {
-        static NONE: SeriesData = SeriesData::NONE;
-        crate::series().get(series.place()).unwrap_or(&NONE)
+        static NONE: LazyLock<SeriesData> = LazyLock::new(SeriesData::default);
+        crate::series().get(series.place()).unwrap_or_else(|| &NONE)
     }
 
     /// Every table of pins, each once.

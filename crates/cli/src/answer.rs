@@ -65,6 +65,11 @@ impl Answer {
         Self { data, ..Self::default() }
     }
 
+    /// Lines for stdout.
+    pub(crate) fn lines(lines: &[String]) -> Self {
+        Self::data(lines.iter().flat_map(|line| [line.as_str(), "\n"]).collect())
+    }
+
     /// A record for stdout.
     pub(crate) fn record(record: &impl Serialize) -> Self {
         Self::data(written(record))

@@ -1,21 +1,21 @@
 //! A call of a command as a question: its files are read, its arguments become texts for the list.
 
 use crate::answer::Answer;
-use crate::fault::{memory, unanswered};
+use crate::fault::memory;
 use crate::layout::Layout;
-use crate::save::not_to_stdout;
+use crate::save::{Desk, not_to_stdout};
 use crate::source::SourceFile as File;
-use crate::waiting::{patience, time_limit};
+use crate::waiting::{patience, waited_s};
 use clap::ArgMatches;
 use clap::parser::ValueSource;
 use project::Project;
-use quantities::{Language, seen};
-use questions::list::{ArgumentKind, Asked, Entry, Form, Given, LIST, Reads, Unanswered};
+use quantities::Language;
+use questions::list::{ArgumentKind, Asked, Entry, Form, Given, LIST, Reads, Unanswered, bounded};
 use questions::read_code;
 use std::borrow::Cow;
 use std::path::{Path, PathBuf};
 use std::time::{SystemTime, UNIX_EPOCH};
-use words::{Usage, terminal, usage_text};
+use words::terminal;
 
 /// Seconds of a day.
 const DAY_S: u64 = 86_400;
@@ -45,8 +45,8 @@ pub fn named_file(value: &str) -> String {
 pub(crate) type Show = fn(&Call<'_>, &Asked<'_>) -> Result<Answer, Unanswered>;
 
 /// The answer to a question of the list: its record, or as the terminal shows it.
-pub(crate) fn answer(matches: &ArgMatches, as_json: bool, language: Language) -> Option<Answer> {
-    let (command, mut found) = matches.subcommand()?;
+pub(crate) fn answer(matches: &ArgMatches, as_json: bool, language: Language) -> Result<Answer, Unanswered> {
+    let Some((command, mut found)) = matches.subcommand() else { return Ok(Answer::none()) };
     let mut command = command.to_owned();
     while let Some((below, matches)) = found.subcommand() {
         command = format!("{command} {below}");
@@ -54,33 +54,28 @@ pub(crate) fn answer(matches: &ArgMatches, as_json: bool, language: Language) ->
     }
     let is_given = |option: &str| found.try_contains_id(option).unwrap_or(false);
     let mut entries = LIST.iter().copied().filter(|entry| entry.command() == command);
-    let first = entries.next()?;
+    let Some(first) = entries.next() else { return Ok(Answer::none()) };
     let other = entries.find(|entry| entry.reads != Reads::Nothing && entry.option().is_some_and(is_given));
     let entry = other.unwrap_or(first);
-    let answered = || {
-        // What cannot be written is refused before anything is read.
-        let path = |option| found.try_get_one::<PathBuf>(option).ok().flatten();
-        let mut pdfs = entry.files().filter(|file| file.is_pdf()).filter_map(|file| path(file.option));
-        if let Some(path) = pdfs.find(|path| path.as_os_str() == "-") {
-            return Err(not_to_stdout(path, language));
-        }
-        let files = read(entry, found, language)?;
-        let call = Call { entry, matches: found, as_json, language, files };
-        let asked = call.asked()?;
-        let show = Layout::of(entry).map(|layout| layout.show);
-        let shown = match (entry.answer, show) {
-            (Some(answer), _) if as_json && entry.gives.is_record() && !call.writes() => record(&answer(&asked)?),
-            (_, Some(show)) => show(&call, &asked)?,
-            (Some(answer), None) => record(&answer(&asked)?),
-            (None, None) => Answer::none(),
-        };
-        Ok(Answer { talk: call.understood(&asked) + &shown.talk, ..shown })
+    // What cannot be written is refused before anything is read.
+    let path = |option| found.try_get_one::<PathBuf>(option).ok().flatten();
+    let mut pdfs = entry.files().filter(|file| file.is_pdf()).filter_map(|file| path(file.option));
+    if let Some(path) = pdfs.find(|path| path.as_os_str() == "-") {
+        return Err(not_to_stdout(path, language));
+    }
+    let files = read(entry, found, language)?;
+    let call = Call { entry, matches: found, as_json, language, files };
+    let asked = call.put(entry)?;
+    let is_record = as_json && entry.answer.is_some() && entry.gives.is_record() && !call.writes();
+    let shown = match Layout::of(entry) {
+        Some(layout) if !is_record => (layout.show)(&call, &asked)?,
+        _ => call.record(&asked)?,
     };
-    Some(answered().unwrap_or_else(|why: Unanswered| unanswered(&why, as_json, language)))
+    Ok(Answer { talk: call.understood(&asked) + &shown.talk, ..shown })
 }
 
 /// An answer of the list.
-pub(crate) fn record(answer: &questions::list::Answer) -> Answer {
+fn record(answer: &questions::list::Answer) -> Answer {
     Answer { talk: answer.remarks.clone(), ..Answer::data(answer.text.clone()) }.fits(answer.fits)
 }
 
@@ -101,12 +96,7 @@ fn read(entry: &Entry, matches: &ArgMatches, language: Language) -> Result<Vec<F
 }
 
 impl Call<'_> {
-    /// The question.
-    fn asked(&self) -> Result<Asked<'_>, Unanswered> {
-        self.put(self.entry)
-    }
-
-    /// The call as another question of the same command.
+    /// The call as a question of its command.
     pub(crate) fn put(&self, entry: &Entry) -> Result<Asked<'_>, Unanswered> {
         let mut pairs: Vec<(Cow<'_, str>, Cow<'_, str>)> = Vec::new();
         for argument in entry.arguments {
@@ -129,13 +119,12 @@ impl Call<'_> {
             }
         }
         let given = Given::of(entry.arguments, pairs, self.language)?;
-        let sources = self.files.iter().map(File::source);
         Ok(Asked {
             given,
-            sources: sources.collect(),
+            sources: self.files.iter().map(File::source).collect(),
             days_since_1970: days_since_1970(),
             patience: patience(),
-            refuses_long: time_limit().is_none(),
+            refuses_long: waited_s().is_none(),
             language: self.language,
         })
     }
@@ -150,6 +139,22 @@ impl Call<'_> {
         self.matches.try_get_one::<PathBuf>(name).ok().flatten().map(PathBuf::as_path)
     }
 
+    /// The file of an option, unless that is standard output.
+    pub(crate) fn file(&self, name: &str) -> Option<&Path> {
+        self.path(name).filter(|path| path.as_os_str() != "-")
+    }
+
+    /// Writes the files of the call; none of those that it reads.
+    pub(crate) fn desk<'c>(&self, inputs: &'c [PathBuf]) -> Desk<'c> {
+        Desk { inputs, force: self.flag("force"), language: self.language }
+    }
+
+    /// The record of the answer.
+    pub(crate) fn record(&self, asked: &Asked<'_>) -> Result<Answer, Unanswered> {
+        let answer = self.entry.answer.map(|answer| answer(asked)).transpose()?;
+        Ok(answer.as_ref().map_or_else(Answer::none, record))
+    }
+
     /// The text of an option.
     pub(crate) fn text(&self, name: &str) -> Option<&str> {
         self.matches.try_get_one::<String>(name).ok().flatten().map(String::as_str)
@@ -157,14 +162,7 @@ impl Call<'_> {
 
     /// The text of an option, of a bounded length and without invisible signs.
     pub(crate) fn label(&self, name: &'static str) -> Result<Option<String>, Unanswered> {
-        // As many as a text of a project may have.
-        const MOST: usize = 200;
-        let Some(text) = self.text(name) else { return Ok(None) };
-        if text.chars().count() > MOST {
-            let message = usage_text(&Usage::TooLong { most: MOST }, self.language);
-            return Err(Unanswered::option(name, (message, None)));
-        }
-        Ok(Some(seen(text).into_owned()))
+        self.text(name).map(|text| bounded(name, text, self.language)).transpose()
     }
 
     /// Whether an option is set.

@@ -4,14 +4,15 @@ use crate::answer::Answer;
 use crate::call::Call;
 use crate::fault::path_text;
 use crate::plot;
-use crate::save::Desk;
 use crate::table::{Align, Table, labelled};
 use answers::FilesWritten;
 use order_code::Size;
 use quantities::unit::{NEWTON_METRE, REVOLUTION_PER_MINUTE, VOLT};
 use quantities::{Language, Measure, Torque, format_significant};
 use questions::Candidate;
+use questions::list::bearing::bearing_checks;
 use questions::list::{Asked, Cost, Unanswered, battery, bearing, curve, new};
+use questions::texts::{battery_lines, figure_text, unit_text, verdict_text};
 use std::path::Path;
 use words::{check_title, curve_title, grade_word, source_text, terminal, terms};
 
@@ -21,12 +22,12 @@ pub(crate) fn curve(call: &Call<'_>, asked: &Asked<'_>) -> Result<Answer, Unansw
     if plot::is_asked(call) {
         plot::destination(call, &[])?;
     }
-    let (code, curves, plane) = curve::found(asked)?;
+    let (code, plane) = curve::found(asked)?;
     if plot::is_asked(call) {
         return plot::put(&figures::curves(&code, &plane, language), call, &[]);
     }
     let mut out = format!("{code}\n");
-    for curve in &curves {
+    for curve in &plane.curves {
         let volts = curve.voltage.map_or_else(String::new, |voltage| {
             format!(", {} {}", format_significant(voltage.in_unit(&VOLT), 3, language), VOLT.symbol)
         });
@@ -71,26 +72,21 @@ fn bearing_text(sizes: &[(Size, Candidate<'_>)], language: Language) -> String {
         (terms::unit(language), Align::Left),
         (terms::utilisation_short(language), Align::Right),
     ]);
-    let figure = |figure: Option<questions::Amount>| {
-        figure.map_or_else(|| "–".into(), |figure| format_significant(figure.value(), 4, language))
-    };
-    for (size, candidate) in sizes {
-        for check in questions::list::bearing::bearing_checks(candidate) {
-            let unit =
-                check.value.map_or("", |figure| if figure.unit.symbol == "1" { "–" } else { figure.unit.symbol });
-            table.row([
-                size.to_string(),
-                check_title(check.id, language),
-                questions::texts::verdict_text(check, language),
-                figure(check.value),
-                figure(check.limit),
-                unit.to_owned(),
-                check.utilisation.map_or_else(|| "–".into(), |share| format_significant(share * 100.0, 3, language)),
-            ]);
-        }
+    let checks =
+        || sizes.iter().flat_map(|(size, candidate)| bearing_checks(candidate).map(move |check| (size, check)));
+    for (size, check) in checks() {
+        table.row([
+            size.to_string(),
+            check_title(check.id, language),
+            verdict_text(check, language),
+            figure_text(check.value, language),
+            figure_text(check.limit, language),
+            unit_text(check.value).to_owned(),
+            check.utilisation.map_or_else(|| "–".into(), |share| format_significant(share * 100.0, 3, language)),
+        ]);
     }
     let mut keys: Vec<&str> = Vec::new();
-    for check in sizes.iter().flat_map(|(_, candidate)| questions::list::bearing::bearing_checks(candidate)) {
+    for (_, check) in checks() {
         keys.extend(check.missing.filter(|key| key.contains('.') && !keys.contains(key)));
     }
     let open = if keys.is_empty() { String::new() } else { labelled(terminal::to_state(language), &keys.join(", ")) };
@@ -99,15 +95,13 @@ fn bearing_text(sizes: &[(Size, Candidate<'_>)], language: Language) -> String {
 
 /// `antrieb battery`
 pub(crate) fn battery(call: &Call<'_>, asked: &Asked<'_>) -> Result<Answer, Unanswered> {
-    let language = call.language;
-    let lines = questions::texts::battery_lines(&battery::found(asked)?, language);
-    Ok(Answer::data(lines.into_iter().flat_map(|line| [line, String::from("\n")]).collect()))
+    Ok(Answer::lines(&battery_lines(&battery::found(asked)?, call.language)))
 }
 
 /// `antrieb new KIND`
 pub(crate) fn template(call: &Call<'_>, asked: &Asked<'_>) -> Result<Answer, Unanswered> {
     let language = call.language;
-    let out = call.path("out").filter(|path| path.as_os_str() != "-");
+    let out = call.file("out");
     let name = out.and_then(Path::file_name);
     let name = name.map_or_else(|| new::USUAL_NAME.to_owned(), |name| path_text(Path::new(name)));
     let template = new::found(asked, &name)?;
@@ -122,10 +116,10 @@ pub(crate) fn template(call: &Call<'_>, asked: &Asked<'_>) -> Result<Answer, Una
     let beside = template.recording.map(|(name, text)| (out.with_file_name(name), text));
     let mut files: Vec<(&Path, &[u8])> = vec![(out, template.text.as_bytes())];
     files.extend(beside.iter().map(|(path, text)| (path.as_path(), text.as_bytes())));
-    Desk { inputs: &[], force: call.flag("force"), language }.save(&files)?;
+    call.desk(&[]).save(&files)?;
     let paths: Vec<String> = files.iter().map(|(path, _)| path_text(path)).collect();
     if call.as_json {
         return Ok(Answer::record(&FilesWritten { files: paths }));
     }
-    Ok(Answer::data(format!("{}\n", paths.join("\n"))))
+    Ok(Answer::lines(&paths))
 }

@@ -3,6 +3,9 @@
 use crate::answer::Answer;
 use crate::call::Call;
 use crate::table::{Align, Table, paragraph};
+use order_code::OrderCode;
+use quantities::Language;
+use questions::list::code_list::Availability;
 use questions::list::code_parse::uncovered;
 use questions::list::{Asked, Unanswered, code_complete, code_list, code_parse};
 use std::fmt::Write as _;
@@ -41,16 +44,17 @@ pub(crate) fn parse(call: &Call<'_>, asked: &Asked<'_>) -> Result<Answer, Unansw
 pub(crate) fn list(call: &Call<'_>, asked: &Asked<'_>) -> Result<Answer, Unanswered> {
     let language = call.language;
     let codes = code_list::Args::read(&asked.given)?.codes();
-    let mut data = String::new();
-    for (code, found) in &codes {
-        let state = if found.is_available() { String::new() } else { format!("	{}", terms::on_request(language)) };
-        let _ = writeln!(data, "{code}{state}");
-    }
     let available = codes.iter().filter(|(_, found)| found.is_available()).count();
-    let talk = terminal::codes_counted(&codes.len(), &available, &(codes.len() - available), language)
-        + "
-";
-    Ok(Answer { talk, ..Answer::data(data) }.fits(!codes.is_empty()))
+    let talk = terminal::codes_counted(&codes.len(), &available, &(codes.len() - available), language) + "\n";
+    Ok(Answer { talk, ..Answer::data(listed(&codes, language)) }.fits(!codes.is_empty()))
+}
+
+/// Codes, a line each; what is on request only is marked.
+fn listed(codes: &[&(OrderCode, Availability)], language: Language) -> String {
+    let line = |(code, found): &&(OrderCode, Availability)| {
+        if found.is_available() { format!("{code}\n") } else { format!("{code}\t{}\n", terms::on_request(language)) }
+    };
+    codes.iter().map(line).collect()
 }
 
 /// `antrieb code complete CODE`
@@ -60,7 +64,7 @@ pub(crate) fn complete(call: &Call<'_>, asked: &Asked<'_>) -> Result<Answer, Una
     let codes = questions::list::code_list::list_codes(Some(&pattern));
     let choices = questions::list::code_complete::completion(&pattern, language);
     let (field, may) = (terminal::field(language), terminal::may_be(language));
-    let (none, request) = (terminal::nothing(language), terms::on_request(language));
+    let none = terminal::nothing(language);
     let mut table = Table::new([(field, Align::Left), (may, Align::Left)]);
     for (_, name, found) in &choices {
         let tokens: Vec<String> = found
@@ -72,14 +76,7 @@ pub(crate) fn complete(call: &Call<'_>, asked: &Asked<'_>) -> Result<Answer, Una
             .collect();
         table.row([(*name).to_owned(), tokens.join(", ")]);
     }
-    let mut data = table.render();
-    data.push('\n');
-    for (code, found) in &codes {
-        let state = if found.is_available() { String::new() } else { format!("\t{request}") };
-        let _ = writeln!(data, "{code}{state}");
-    }
-    let talk = terminal::codes(codes.len(), language)
-        + "
-";
+    let data = format!("{}\n{}", table.render(), listed(&codes, language));
+    let talk = terminal::codes(codes.len(), language) + "\n";
     Ok(Answer { talk, ..Answer::data(data) }.fits(!codes.is_empty()))
 }

@@ -1,7 +1,6 @@
 //! The commands and their help, in English and German.
 
 use crate::answer::Answer;
-use crate::fault::unanswered;
 use clap::builder::{PossibleValuesParser, Styles};
 use clap::{Arg, ArgAction, ArgMatches, Command};
 use quantities::Language;
@@ -57,7 +56,7 @@ fn with_plain_flag(arguments: impl Iterator<Item = OsString>) -> Vec<OsString> {
 }
 
 fn deadline(language: Language) -> Arg {
-    Arg::new("deadline").long("deadline").value_name(values::time(language)).help(help::deadline(language))
+    own::text("deadline", values::time(language), help::deadline(language))
 }
 
 /// The whole command line.
@@ -168,14 +167,11 @@ fn commands(language: Language) -> Command {
         .styles(Styles::styled())
         .subcommand_required(true)
         .arg_required_else_help(true)
-        .arg(Arg::new("json").long("json").global(true).action(ArgAction::SetTrue).help(help::json(language)))
+        .arg(own::flag("json", help::json(language)).global(true))
         .arg(
-            Arg::new("lang")
-                .long("lang")
+            own::text("lang", values::lang(language), help::lang(language))
                 .global(true)
-                .value_name(values::lang(language))
-                .value_parser(PossibleValuesParser::new(languages))
-                .help(help::lang(language)),
+                .value_parser(PossibleValuesParser::new(languages)),
         );
     for entry in LIST.iter().filter(|entry| entry.option().is_none()) {
         let command = question::command(entry, language);
@@ -229,7 +225,7 @@ pub(crate) fn completions(matches: &ArgMatches, language: Language) -> Answer {
 }
 
 /// A manual page.
-pub(crate) fn man(matches: &ArgMatches, as_json: bool, language: Language) -> Answer {
+pub(crate) fn man(matches: &ArgMatches, language: Language) -> Result<Answer, Unanswered> {
     let mut whole = build(language);
     whole.build();
     let wanted = matches.get_one::<String>("command");
@@ -239,15 +235,9 @@ pub(crate) fn man(matches: &ArgMatches, as_json: bool, language: Language) -> An
     };
     let Some(page) = page else {
         let written = wanted.cloned().unwrap_or_default();
-        return unanswered(
-            &Unanswered::message(usage_text(&Usage::UnknownCommand { written }, language)),
-            as_json,
-            language,
-        );
+        return Err(Unanswered::message(usage_text(&Usage::UnknownCommand { written }, language)));
     };
     let mut out = Vec::new();
-    match clap_mangen::Man::new(page).render(&mut out) {
-        Ok(()) => Answer::data(library::headings(&String::from_utf8_lossy(&out), language)),
-        Err(error) => unanswered(&Unanswered::message(error.to_string()), as_json, language),
-    }
+    clap_mangen::Man::new(page).render(&mut out).map_err(|error| Unanswered::message(error.to_string()))?;
+    Ok(Answer::data(library::headings(&String::from_utf8_lossy(&out), language)))
 }

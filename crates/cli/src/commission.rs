@@ -3,11 +3,10 @@
 mod recorded;
 
 use crate::answer::{Answer, written};
-use crate::call::{Call, record};
+use crate::call::Call;
 use crate::fault::path_text;
 use crate::laid_out;
 use crate::report::checklist;
-use crate::save::Desk;
 use answers::{Block, CommissionWritten, Commissioning};
 use order_code::OrderCode;
 use quantities::Language;
@@ -15,7 +14,7 @@ use questions::list::code_parse::uncovered;
 use questions::list::commission::{DriveForm, usual_ambient};
 use questions::list::{Asked, Unanswered, commission};
 use questions::{answer, chapter};
-use std::path::{Path, PathBuf};
+use std::path::Path;
 use words::describe_uncovered;
 
 pub(crate) use recorded::recorded;
@@ -27,33 +26,28 @@ pub(crate) fn commission(call: &Call<'_>, asked: &Asked<'_>) -> Result<Answer, U
     let about = commission::about(&args.code)?;
     let ambient = args.ambient.unwrap_or_else(usual_ambient);
     let form = args.form;
-    let path = |name| call.path(name).map(Path::to_owned);
     let sheet = |form| answer::commissioning(&about, form, ambient, language);
-    let mut files: Vec<(PathBuf, Vec<u8>)> = Vec::new();
-    if let Some(blank) = path("blank") {
+    let mut files: Vec<(&Path, Vec<u8>)> = Vec::new();
+    if let Some(blank) = call.path("blank") {
         let name = blank.file_name().map_or_else(String::new, |name| path_text(Path::new(name)));
-        files.push((
-            blank.clone(),
-            questions::list::commission_blank::blank_record(&about, &name, language).into_bytes(),
-        ));
+        files.push((blank, questions::list::commission_blank::blank_record(&about, &name, language).into_bytes()));
     }
-    if let Some(file) = path("checklist") {
-        files.push((file.clone(), lists_as_pdf(&file, &sheet(DriveForm::Plain), language)?));
+    if let Some(file) = call.path("checklist") {
+        files.push((file, lists_as_pdf(file, &sheet(DriveForm::Plain), language)?));
     }
-    if let (Some(out), Some(form)) = (path("out"), form) {
+    if let (Some(out), Some(form)) = (call.path("out"), form) {
         let text = match form {
             DriveForm::Sinamics => questions::list::commission_drive::sinamics_script(&about, language),
             DriveForm::Cia402 => questions::list::commission_drive::eds(&about, language),
             DriveForm::Plain => written(&sheet(form)),
         };
-        files.push((out.clone(), text.into_bytes()));
+        files.push((out, text.into_bytes()));
     }
     if !files.is_empty() {
         return write(&files, &about.code, call);
     }
     if call.as_json {
-        let answer = commission::ENTRY.answer.map(|answer| answer(asked)).transpose()?;
-        return Ok(answer.as_ref().map_or_else(Answer::none, record));
+        return call.record(asked);
     }
     let (sheet, objects) = commission::found(asked)?;
     let mut chapter = chapter::commission(&sheet, &objects, language);
@@ -65,9 +59,9 @@ pub(crate) fn commission(call: &Call<'_>, asked: &Asked<'_>) -> Result<Answer, U
 }
 
 /// Writes the files that are requested, all or none.
-fn write(files: &[(PathBuf, Vec<u8>)], code: &OrderCode, call: &Call<'_>) -> Result<Answer, Unanswered> {
-    let to_write: Vec<(&Path, &[u8])> = files.iter().map(|(path, bytes)| (path.as_path(), bytes.as_slice())).collect();
-    Desk { inputs: &[], force: call.flag("force"), language: call.language }.save(&to_write)?;
+fn write(files: &[(&Path, Vec<u8>)], code: &OrderCode, call: &Call<'_>) -> Result<Answer, Unanswered> {
+    let to_write: Vec<(&Path, &[u8])> = files.iter().map(|(path, bytes)| (*path, bytes.as_slice())).collect();
+    call.desk(&[]).save(&to_write)?;
     let code = code.to_string();
     let records: Vec<CommissionWritten> = files
         .iter()

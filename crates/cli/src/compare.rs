@@ -7,15 +7,13 @@ use project::Project;
 use quantities::{Language, format_significant};
 use questions::list::compare::{Comparison, DatumRow};
 use questions::list::{Asked, Unanswered, compare};
-use questions::texts::{figure_text, percent};
+use questions::texts::{figure_text, percent, unit_text};
 use questions::{Candidate, Check, Verdict, answer};
 use std::fmt::Write as _;
 use words::{check_title, figure_term, symbol_shown, terminal, terms, verdict_word};
 
 /// So many stand in one table; further ones in the next.
 const BESIDE: usize = 3;
-
-const LETTERS: [char; 5] = ['A', 'B', 'C', 'D', 'E'];
 
 /// `antrieb compare PROJECT --code A --code B`
 pub(crate) fn compare(call: &Call<'_>, asked: &Asked<'_>) -> Result<Answer, Unanswered> {
@@ -68,7 +66,7 @@ pub(crate) fn verdict(candidate: &Candidate<'_>, language: Language) -> &'static
 }
 
 fn letter(index: usize) -> char {
-    LETTERS.get(index).copied().unwrap_or('?')
+    ('A'..='E').nth(index).unwrap_or('?')
 }
 
 const fn sign(verdict: Verdict) -> char {
@@ -88,11 +86,10 @@ fn checks(found: &Comparison<'_>, part: &[usize], language: Language) -> String 
         heads.push((format!("{letter} {}", terms::value(language)), Align::Right));
         heads.push((format!("{letter} {}  ", terms::utilisation_short(language)), Align::Right));
     }
-    let mut table = Table::of(heads);
+    let mut table = Table::new(heads);
     for row in &found.checks {
         let unit = row.checks.iter().flatten().find_map(|check: &Check| check.value.or(check.limit));
-        let unit = unit.map_or("", |figure| figure.unit.symbol);
-        let mut cells = vec![check_title(row.id, language), if unit == "1" { "–".to_owned() } else { unit.to_owned() }];
+        let mut cells = vec![check_title(row.id, language), unit_text(unit).to_owned()];
         for index in part {
             match row.checks.get(*index).and_then(Option::as_ref) {
                 Some(check) => {
@@ -103,7 +100,7 @@ fn checks(found: &Comparison<'_>, part: &[usize], language: Language) -> String 
                 None => cells.extend(["–".to_owned(), "–  ".to_owned()]),
             }
         }
-        table.push(cells);
+        table.row(cells);
     }
     table.render()
 }
@@ -112,11 +109,11 @@ fn figures(found: &Comparison<'_>, language: Language) -> String {
     let mut heads =
         vec![(terminal::figure(language).to_owned(), Align::Left), (terms::unit(language).to_owned(), Align::Left)];
     heads.extend((0..found.candidates.len()).map(|index| (letter(index).to_string(), Align::Right)));
-    let mut table = Table::of(heads);
+    let mut table = Table::new(heads);
     for row in found.demand.iter().chain(&found.data) {
         let mut cells = names(row, language).to_vec();
         cells.extend(row.values.iter().map(|value| shown(*value, language)));
-        table.push(cells);
+        table.row(cells);
     }
     table.render()
 }

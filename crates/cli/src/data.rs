@@ -84,10 +84,8 @@ fn by(note: &SheetNote) -> String {
 
 /// `antrieb torsion CODE --torque "60 N m"`
 pub(crate) fn torsion(call: &Call<'_>, asked: &Asked<'_>) -> Result<Answer, Unanswered> {
-    let language = call.language;
     let (code, found) = torsion::found(asked)?;
-    let lines = questions::texts::torsion_lines(&code, &found, language);
-    Ok(Answer::data(lines.into_iter().flat_map(|line| [line, String::from("\n")]).collect()))
+    Ok(Answer::lines(&questions::texts::torsion_lines(&code, &found, call.language)))
 }
 
 /// `antrieb catalogue export`

@@ -17,16 +17,9 @@ use words::{check_title, terminal, terms, verdict_word};
 pub(crate) fn diff(call: &Call<'_>, asked: &Asked<'_>) -> Result<Answer, Unanswered> {
     let language = call.language;
     let found = revisions(asked)?;
-    let talk = found.unpaired(asked);
-    let (mut texts, mut faults) = (Vec::new(), Vec::new());
-    for (before, after) in found.pairs()? {
-        let inputs = project::input_changes((found.old_text, before.0), (found.new_text, after.0));
-        match questions::list::diff::difference(&before.1, &after.1, found.code.as_ref(), asked.patience) {
-            Ok(changed) => texts.push((text(&changed, &after.1.name, &inputs, language), changed.after.fits())),
-            Err(refusal) => faults.push(refusal.into()),
-        }
-    }
-    if faults.is_empty() { Ok(Answer { talk, ..Answer::of_axes(texts) }) } else { Err(Unanswered::together(faults)) }
+    let texts =
+        found.each(asked, |name, changed, inputs| (text(changed, name, inputs, language), changed.after.fits()))?;
+    Ok(Answer { talk: found.unpaired(asked), ..Answer::of_axes(texts) })
 }
 
 fn text(found: &Difference<'_>, name: &str, inputs: &[InputChange], language: Language) -> String {
@@ -71,7 +64,7 @@ fn changed_inputs(inputs: &[InputChange], language: Language) -> String {
     ]);
     let written = |text: &Option<String>| text.clone().unwrap_or_else(|| "–".to_owned());
     for change in inputs {
-        table.push(vec![change.path.clone(), written(&change.old), written(&change.new)]);
+        table.row([change.path.clone(), written(&change.old), written(&change.new)]);
     }
     format!("{}\n", table.render())
 }
@@ -90,7 +83,7 @@ fn demand(found: &Difference<'_>, language: Language) -> String {
     for row in rows {
         let mut cells = names(row, language).to_vec();
         cells.extend(row.values.iter().map(|value| shown(*value, language)));
-        table.push(cells);
+        table.row(cells);
     }
     format!("{}\n", table.render())
 }
@@ -107,12 +100,12 @@ fn checks(changes: &[CheckChange], language: Language) -> String {
             (before, Align::Right),
             (after, Align::Right),
             (terms::unit(language), Align::Left),
-            (&before_percent, Align::Right),
-            (&after_percent, Align::Right),
+            (before_percent.as_str(), Align::Right),
+            (after_percent.as_str(), Align::Right),
             (terminal::change(language), Align::Right),
         ]);
         for change in other {
-            table.push(changed(change, language));
+            table.row(changed(change, language));
         }
         out.push_str(&table.render());
     }
@@ -124,7 +117,7 @@ fn checks(changes: &[CheckChange], language: Language) -> String {
 }
 
 /// The cells of a check that is not the same.
-fn changed(change: &CheckChange, language: Language) -> Vec<String> {
+fn changed(change: &CheckChange, language: Language) -> [String; 8] {
     let none = || "–".to_owned();
     let word = |check: &Option<Check>| check.as_ref().map_or_else(none, |check| verdict_word(check.verdict, language));
     let value = |check: &Option<Check>| figure_text(check.as_ref().and_then(|check| check.value), language);
@@ -134,7 +127,7 @@ fn changed(change: &CheckChange, language: Language) -> Vec<String> {
     let by = change.change().map_or_else(none, |by| {
         format!("{}{}", if by > 0.0 { "+" } else { "" }, format_number(by * 100.0, 1, language))
     });
-    vec![
+    [
         check_title(change.id, language),
         if before == after { after } else { format!("{before} → {after}") },
         value(&change.before),

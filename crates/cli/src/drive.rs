@@ -1,7 +1,7 @@
 //! `drive`: the virtual drive of a code.
 
 use crate::answer::Answer;
-use crate::fault::{memory, unanswered};
+use crate::fault::memory;
 use crate::source::SourceFile;
 use crate::waiting::patience;
 use clap::ArgMatches;
@@ -25,11 +25,7 @@ const fn usual_port(protocol: DriveProtocol) -> u16 {
 }
 
 /// `antrieb drive CODE`
-pub(crate) fn drive(matches: &ArgMatches, as_json: bool, language: Language) -> Answer {
-    answer(matches, language).unwrap_or_else(|why| unanswered(&why, as_json, language))
-}
-
-fn answer(matches: &ArgMatches, language: Language) -> Result<Answer, Unanswered> {
+pub(crate) fn drive(matches: &ArgMatches, language: Language) -> Result<Answer, Unanswered> {
     let word = |name: &str| matches.get_one::<String>(name).map(String::as_str);
     let written: Vec<&str> = matches.get_many::<String>("code").into_iter().flatten().map(String::as_str).collect();
     let text = written.join(" ");

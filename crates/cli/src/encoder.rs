@@ -3,8 +3,7 @@
 use crate::answer::{Answer, written};
 use crate::call::Call;
 use crate::fault::path_text;
-use crate::laid_out::shown;
-use crate::save::Desk;
+use crate::laid_out::with_file;
 use questions::chapter;
 use questions::list::{Asked, Unanswered, encoder, encoder_trace};
 
@@ -20,13 +19,10 @@ pub(crate) fn encoder(call: &Call<'_>, asked: &Asked<'_>) -> Result<Answer, Unan
     };
     if let (Some(file), Some((code, trace))) = (file, trace) {
         let text = trace.vcd(&code.to_string());
-        Desk { inputs: &[], force: call.flag("force"), language }.save(&[(file, text.as_bytes())])?;
+        call.desk(&[]).save(&[(file, text.as_bytes())])?;
         record.trace = Some(path_text(file));
     }
-    let text = || {
-        let text = shown(&chapter::encoder(&record, language), language);
-        record.trace.as_ref().map_or_else(|| text.clone(), |file| format!("{text}\n{file}\n"))
-    };
+    let text = || with_file(&chapter::encoder(&record, language), record.trace.as_deref(), language);
     let data = if call.as_json { written(&record) } else { text() };
     Ok(Answer::data(data).fits(encoder::is_right(&record)))
 }

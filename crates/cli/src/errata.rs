@@ -28,10 +28,7 @@ pub(crate) fn errata(call: &Call<'_>, asked: &Asked<'_>) -> Result<Answer, Unans
     let talk = match count {
         0 => terminal::no_erratum(language).to_owned(),
         count => terminal::errata_counted(count, &corrected, &flagged, language),
-    };
-    let talk = talk
-        + "
-";
+    } + "\n";
     Ok(Answer { talk, ..Answer::data(data) })
 }
 

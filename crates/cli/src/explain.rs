@@ -2,7 +2,8 @@
 
 use crate::answer::Answer;
 use crate::call::Call;
-use crate::table::{hanging, labelled, paragraph};
+use crate::reserve::assumptions_text;
+use crate::table::{hanging, paragraph};
 use crate::waiting::patience;
 use answers::Node;
 use project::Project;
@@ -12,7 +13,7 @@ use questions::list::{Asked, Cost, Unanswered, explain};
 use questions::texts::{node_amount, trust, verdict_text};
 use questions::{Candidate, Check};
 use std::fmt::Write as _;
-use words::{assumption_text, check_missing, check_title, note_text, symbol_shown, terminal, terms};
+use words::{check_missing, check_title, note_text, symbol_shown, terminal};
 
 /// `antrieb explain PROJECT --code CODE [--check ID]`
 pub(crate) fn explain(call: &Call<'_>, asked: &Asked<'_>) -> Result<Answer, Unanswered> {
@@ -33,11 +34,7 @@ fn derivations(project: &Project, candidate: &Candidate<'_>, checks: &[&Check], 
         out.push_str(&text(check, language));
         out.push('\n');
     }
-    let head = terms::assumed(language);
-    for assumption in &project.assumptions {
-        out.push_str(&labelled(head, &assumption_text(*assumption, language)));
-    }
-    out
+    out + &assumptions_text(&project.assumptions, language)
 }
 
 fn heading(check: &Check, language: Language) -> String {

@@ -3,7 +3,6 @@
 use crate::answer::{Answer, written};
 use crate::call::Call;
 use crate::fault::path_text;
-use crate::save::Desk;
 use crate::waiting::patience;
 use answers::{ExportWritten, TableWritten};
 use quantities::Language;
@@ -15,53 +14,50 @@ use std::path::Path;
 use tables::{Format, Front, NAMES, SHEET_ROWS_MOST, Subject, Table};
 use words::terminal;
 
-/// What is requested, before anything is computed.
-struct Wish<'m> {
-    /// The file; `None` for standard output.
-    file: Option<&'m Path>,
-    format: Format,
-    /// One table; `None` for the whole workbook.
-    table: Option<String>,
-}
-
 /// `antrieb export PROJECT (--out FILE | --table NAME)`
 pub(crate) fn export(call: &Call<'_>, asked: &Asked<'_>) -> Result<Answer, Unanswered> {
     let language = call.language;
     let args = export::Args::read(&asked.given)?;
-    let wish = wish(call, args.table.clone())?;
+    let file = call.file("out");
+    let format = format(call, file)?;
+    // One table; without a name the whole workbook.
+    let table = args.table.as_deref();
+    if table.is_none() && format != Format::Workbook {
+        return Err(Unanswered::message(terminal::name_one_table(&NAMES.join(", "), language)));
+    }
     let source = asked.source()?;
     let inputs = call.inputs(&source.projects(asked.patience, language)?);
-    let desk = Desk { inputs: &inputs, force: call.flag("force"), language };
-    if let Some(file) = wish.file {
+    let desk = call.desk(&inputs);
+    if let Some(file) = file {
         desk.ready(&[file])?;
     }
     let (axis, project) = args.axis(asked)?;
-    wish.format.within(&project, wish.table.as_deref(), call.memory())?;
+    format.within(&project, table, call.memory())?;
     let top = args.top;
     let sizing = questions::list::size::sized(&project, top, patience())?;
     let chosen = questions::candidate_of_tables(&project, args.code.as_ref(), &sizing)?;
     let text = source.text(language)?;
     let subject = Subject { text, axis, project: &project, sizing: &sizing, chosen: &chosen, top, language };
-    let tables: Vec<Table> = match &wish.table {
-        Some(name) => subject.table(name, wish.format).into_iter().collect(),
+    let tables: Vec<Table> = match table {
+        Some(name) => subject.table(name, format).into_iter().collect(),
         None => subject.tables(),
     };
     let name = call.path("project").and_then(Path::file_name);
-    let file = name.map_or_else(|| source.name.clone(), |name| path_text(Path::new(name)));
+    let name = name.map_or_else(|| source.name.clone(), |name| path_text(Path::new(name)));
     let front = Front {
-        file: &file,
+        file: &name,
         revision: args.revision.as_deref(),
         date: args.date.as_deref(),
         project: &project,
         chosen: &chosen,
         language,
     };
-    let bytes = bytes(&wish, &tables, &front).map_err(|error| Unanswered::message(error.message(language)))?;
-    let Some(file) = wish.file else {
+    let bytes = bytes(format, &tables, &front).map_err(|error| Unanswered::message(error.message(language)))?;
+    let Some(file) = file else {
         return Ok(Answer::data(String::from_utf8_lossy(&bytes).into_owned()).fits(chosen.fits()));
     };
     desk.save(&[(file, &bytes)])?;
-    let (there, left_out): (Vec<&Table>, Vec<&Table>) = tables.iter().partition(|table| wish.format.holds(table));
+    let (there, left_out): (Vec<&Table>, Vec<&Table>) = tables.iter().partition(|table| format.holds(table));
     let data = if call.as_json {
         sentence_json(file, (&there, &left_out), &chosen)
     } else {
@@ -70,26 +66,19 @@ pub(crate) fn export(call: &Call<'_>, asked: &Asked<'_>) -> Result<Answer, Unans
     Ok(Answer::data(data).fits(chosen.fits()))
 }
 
-fn wish<'m>(call: &'m Call<'_>, table: Option<String>) -> Result<Wish<'m>, Unanswered> {
-    let language = call.language;
-    let file = call.path("out").filter(|path| path.as_os_str() != "-");
-    let ending = file.map(|file| file.extension().map(|ending| ending.to_string_lossy().to_ascii_lowercase()));
-    let format = match ending.as_ref().map(Option::as_deref) {
-        None if call.as_json => Format::Json,
-        None => Format::Csv,
-        Some(ending) => ending
-            .and_then(Format::of_ending)
-            .ok_or_else(|| Unanswered::message(terminal::ending_says_the_format(language)))?,
-    };
-    if table.is_none() && format != Format::Workbook {
-        return Err(Unanswered::message(terminal::name_one_table(&NAMES.join(", "), language)));
+/// The format of a file; without one that of standard output.
+fn format(call: &Call<'_>, file: Option<&Path>) -> Result<Format, Unanswered> {
+    match file {
+        None if call.as_json => Ok(Format::Json),
+        None => Ok(Format::Csv),
+        Some(file) => {
+            Format::of(file).ok_or_else(|| Unanswered::message(terminal::ending_says_the_format(call.language)))
+        }
     }
-    Ok(Wish { file, format, table })
 }
 
-fn bytes(wish: &Wish<'_>, tables: &[Table], front: &Front<'_>) -> Result<Vec<u8>, tables::WriteError> {
-    let one = tables.first();
-    Ok(match (wish.format, one) {
+fn bytes(format: Format, tables: &[Table], front: &Front<'_>) -> Result<Vec<u8>, tables::WriteError> {
+    Ok(match (format, tables.first()) {
         (Format::Workbook, _) => tables::xlsx(tables, front)?,
         (Format::Csv, Some(table)) => tables::csv(table).into_bytes(),
         (Format::Json, Some(table)) => written(&tables::record(table)).into_bytes(),

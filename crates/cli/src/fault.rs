@@ -53,8 +53,7 @@ fn is_about_text(why: &Unanswered) -> bool {
 
 /// What the terminal says of each reason, each once.
 fn talk(why: &Unanswered, said: &mut Vec<String>, language: Language) {
-    let error = error_word(language);
-    let hinted = |hint: &Option<String>| hint.as_deref().map(|hint| format!("  {}\n", seen(hint))).unwrap_or_default();
+    let error = terminal::error(language);
     let text = match why {
         // In data a body is called the same in both languages.
         Unanswered::Text { name, text, faults } if name == "body" => {
@@ -72,12 +71,13 @@ fn talk(why: &Unanswered, said: &mut Vec<String>, language: Language) {
         }
         Unanswered::File { name, message, .. } => format!("{error}: {}: {}\n", seen(name), seen(message)),
         Unanswered::Option { name, fault: (message, hint) } => {
-            format!("{error}: --{name}: {}\n{}", seen(message), hinted(hint))
+            format!("{error}: --{name}: {}\n{}", seen(message), hinted(hint.as_deref()))
         }
-        Unanswered::Message((message, hint)) => format!("{error}: {}\n{}", seen(message), hinted(hint)),
-        Unanswered::Usage(errors) => {
-            errors.iter().map(|fault| format!("{error}: {}\n{}", seen(&fault.message), hinted(&fault.hint))).collect()
-        }
+        Unanswered::Message((message, hint)) => format!("{error}: {}\n{}", seen(message), hinted(hint.as_deref())),
+        Unanswered::Usage(errors) => errors
+            .iter()
+            .map(|fault| format!("{error}: {}\n{}", seen(&fault.message), hinted(fault.hint.as_deref())))
+            .collect(),
         Unanswered::Refused(refusal, code) => {
             let what = refusal_text(refusal, waited_s(), language);
             let code = code.map_or_else(String::new, |code| format!("{code}\n"));
@@ -90,13 +90,18 @@ fn talk(why: &Unanswered, said: &mut Vec<String>, language: Language) {
     }
 }
 
+/// A hint in a line of its own.
+fn hinted(hint: Option<&str>) -> String {
+    hint.map_or_else(String::new, |hint| format!("  {}\n", seen(hint)))
+}
+
 /// A fault of a table with its file, heading and row.
 fn in_table(fault: &answers::Fault, language: Language) -> String {
     let row = fault.row.map(|row| words::sweeps::row(&row, language));
     let place: Vec<String> = fault.file.iter().chain(&fault.heading).cloned().chain(row).collect();
     let place = if place.is_empty() { String::new() } else { format!("{}: ", place.join(", ")) };
-    let hint = fault.hint.as_deref().map(|hint| format!("  {}\n", seen(hint))).unwrap_or_default();
-    format!("{}: {}{}\n{hint}", error_word(language), seen(&place), seen(&fault.message))
+    let error = terminal::error(language);
+    format!("{error}: {}{}\n{}", seen(&place), seen(&fault.message), hinted(fault.hint.as_deref()))
 }
 
 /// The codes that are near one that is none.
@@ -113,30 +118,19 @@ fn nearest(refusal: &CodeRefusal, language: Language) -> String {
     format!("{}: {}\n", terminal::nearest_valid_codes(language), names.join(", "))
 }
 
-/// The word that heads a fault.
-const fn error_word(language: Language) -> &'static str {
-    terminal::error(language)
-}
-
 /// Every fault of a text, underlined.
 fn report(file: &str, text: &str, faults: &[Worded], language: Language) -> String {
     let mut talk = String::new();
-    let file = seen(file);
-    let visible = |fault: &Worded| Worded {
-        message: seen(&fault.message).into_owned(),
-        hint: fault.hint.as_deref().map(|hint| seen(hint).into_owned()),
-        ..fault.clone()
-    };
-    let faults: Vec<Worded> = faults.iter().map(visible).collect();
-    let (error, help) = (error_word(language), terminal::help(language));
-    let style = excerpt::Style { file: &file, error, help, width: width() };
-    for fault in &faults {
+    let (error, help) = (terminal::error(language), terminal::help(language));
+    let style = excerpt::Style { file: &seen(file), error, help, width: width() };
+    for fault in faults {
+        let hint = fault.hint.as_deref().map(seen);
         let of_text = excerpt::Fault {
             span: fault.span.clone(),
             line: fault.line,
             column: fault.column,
-            message: &fault.message,
-            hint: fault.hint.as_deref(),
+            message: &seen(&fault.message),
+            hint: hint.as_deref(),
         };
         talk.push_str(&excerpt::show(text, &of_text, &style));
         talk.push('\n');

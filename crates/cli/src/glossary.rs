@@ -64,9 +64,8 @@ pub(crate) fn units(call: &Call<'_>, asked: &Asked<'_>) -> Result<Answer, Unansw
         let heads = [measured.quantity.as_str(), terminal::also_written(language), terminal::in_si(language)];
         let mut table = Table::new(heads.map(|head| (head, Align::Left)));
         for unit in &measured.units {
-            let mut also: Vec<&str> = [&unit.symbol, &unit.json].into_iter().map(String::as_str).collect();
-            also.extend(unit.also.iter().map(String::as_str));
-            also.retain(|spelling| *spelling != unit.unit);
+            let spellings = [&unit.symbol, &unit.json].into_iter().chain(&unit.also).map(String::as_str);
+            let mut also: Vec<&str> = spellings.filter(|spelling| *spelling != unit.unit).collect();
             also.dedup();
             let mut si = format!("{} {}", shown(unit.si), measured.si_unit);
             if unit.zero.written() != Some(0.0) {

@@ -1,7 +1,7 @@
 //! `size` and `check`: the axis against the catalogue, and against one actuator.
 
 use crate::answer::Answer;
-use crate::call::{Call, record};
+use crate::call::Call;
 use crate::reserve::{assumptions_text, reserve_text};
 use crate::table::{Align, Table, labelled, paragraph, width};
 use crate::waiting::patience;
@@ -43,8 +43,7 @@ pub(crate) fn size(call: &Call<'_>, asked: &Asked<'_>) -> Result<Answer, Unanswe
         None => String::new(),
     };
     if call.as_json {
-        let answer = size::ENTRY.answer.map(|answer| answer(asked)).transpose()?;
-        return Ok(Answer { talk, ..answer.as_ref().map_or_else(Answer::none, record) });
+        return Ok(Answer { talk, ..call.record(asked)? });
     }
     let args = size::Args::read(&asked.given)?;
     let axes = asked.axes(args.axis.as_deref(), args.cost())?;

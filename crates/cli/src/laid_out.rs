@@ -19,6 +19,12 @@ pub(crate) fn shown(chapter: &Chapter, language: Language) -> String {
     out
 }
 
+/// The chapter as text, and the file that was written with it.
+pub(crate) fn with_file(chapter: &Chapter, file: Option<&str>, language: Language) -> String {
+    let text = shown(chapter, language);
+    file.map_or_else(|| text.clone(), |file| format!("{text}\n{file}\n"))
+}
+
 /// Whether a line stays empty between two blocks: below a table, which has no end of its own.
 const fn needs_room(before: Option<&Block>, block: &Block) -> bool {
     matches!((before, block), (Some(Block::Grid(_)), Block::Text { .. } | Block::Grid(_)))
@@ -40,9 +46,9 @@ fn block_text(block: &Block, language: Language) -> String {
 
 fn grid_text(grid: &Grid) -> String {
     let align = |numbers| if numbers { Align::Right } else { Align::Left };
-    let mut table = Table::of(grid.columns.iter().map(|column| (column.head.clone(), align(column.numbers))).collect());
+    let mut table = Table::new(grid.columns.iter().map(|column| (&column.head, align(column.numbers))));
     for row in &grid.rows {
-        table.push(row.clone());
+        table.row(row.as_slice());
     }
     table.render()
 }

@@ -107,11 +107,12 @@ pub fn deadline_of(text: &str, language: Language) -> Result<Duration, Unanswere
 
 fn dispatch(matches: &ArgMatches, language: Language) -> Answer {
     let json = matches.get_flag("json");
-    match matches.subcommand() {
-        Some(("serve", found)) => serve::serve(found, json, language),
-        Some(("drive", found)) => drive::drive(found, json, language),
-        Some(("completions", found)) => command::completions(found, language),
-        Some(("man", found)) => command::man(found, json, language),
-        _ => call::answer(matches, json, language).unwrap_or_else(Answer::none),
-    }
+    let answered = match matches.subcommand() {
+        Some(("serve", found)) => serve::serve(found, language),
+        Some(("drive", found)) => drive::drive(found, language),
+        Some(("completions", found)) => Ok(command::completions(found, language)),
+        Some(("man", found)) => command::man(found, language),
+        _ => call::answer(matches, json, language),
+    };
+    answered.unwrap_or_else(|why| fault::unanswered(&why, json, language))
 }

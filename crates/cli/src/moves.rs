@@ -25,24 +25,15 @@ pub(crate) fn moves(call: &Call<'_>, asked: &Asked<'_>) -> Result<Answer, Unansw
 pub(crate) fn text(moves: &Moves<'_>, language: Language) -> String {
     let [distance, speed, acceleration] = moves.units.map(|unit| unit.symbol);
     let speed_word = if moves.turns { terms::rotary_speed(language) } else { terms::linear_speed(language) };
-    let heads = [
-        terminal::segment_of_motion(language).to_owned(),
-        terms::law(language).to_owned(),
-        terminal::from_s(language).to_owned(),
-        terminal::time_s(language).to_owned(),
-        format!("{} {distance}", terms::distance(language)),
-        format!("{speed_word} {speed}"),
-        format!("{} {acceleration}", terms::acceleration(language)),
-    ];
     let number = |value: f64| format_significant(value, 4, language);
     let mut table = Table::new([
-        (heads[0].as_str(), Align::Right),
-        (heads[1].as_str(), Align::Left),
-        (heads[2].as_str(), Align::Right),
-        (heads[3].as_str(), Align::Right),
-        (heads[4].as_str(), Align::Right),
-        (heads[5].as_str(), Align::Right),
-        (heads[6].as_str(), Align::Right),
+        (terminal::segment_of_motion(language).to_owned(), Align::Right),
+        (terms::law(language).to_owned(), Align::Left),
+        (terminal::from_s(language).to_owned(), Align::Right),
+        (terminal::time_s(language).to_owned(), Align::Right),
+        (format!("{} {distance}", terms::distance(language)), Align::Right),
+        (format!("{speed_word} {speed}"), Align::Right),
+        (format!("{} {acceleration}", terms::acceleration(language)), Align::Right),
     ]);
     for (index, each) in moves.moves.iter().enumerate().take(SEGMENTS_MOST) {
         let cells = match each.course {

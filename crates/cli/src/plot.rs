@@ -3,7 +3,6 @@
 use crate::answer::Answer;
 use crate::call::Call;
 use crate::fault::path_text;
-use crate::save::Desk;
 use crate::waiting::{patience, waited_s};
 use answers::{Number, PlotWritten, Units};
 use figures::{By, Drawing, Figure, Picture, Size, Style, Theme};
@@ -32,9 +31,7 @@ pub(crate) fn plot(call: &Call<'_>, asked: &Asked<'_>) -> Result<Answer, Unanswe
     let candidate = args.candidate(&project, asked)?;
     let drawing = figures::draw(figure, &project, &candidate, by, patience(), language)
         .map_err(|fault| Unanswered::message(fault.message(waited_s(), language)))?;
-    let answer = put(&drawing, call, &inputs)?;
-    let code = if answer.code == 0 { u8::from(!candidate.fits()) } else { answer.code };
-    Ok(Answer { code, ..answer })
+    Ok(put(&drawing, call, &inputs)?.fits(candidate.fits()))
 }
 
 /// Whether a picture is requested.
@@ -47,28 +44,23 @@ pub(crate) fn destination(call: &Call<'_>, inputs: &[PathBuf]) -> Result<(), Una
     if call.path("png").is_some_and(|path| path.as_os_str() == "-") {
         return Err(Unanswered::message(terminal::png_needs_a_file(call.language)));
     }
-    let svg = call.path("svg").filter(|path| path.as_os_str() != "-");
-    let files: Vec<&Path> = svg.into_iter().chain(call.path("png")).collect();
-    desk(call, inputs).ready(&files)
-}
-
-fn desk<'c>(call: &Call<'_>, inputs: &'c [PathBuf]) -> Desk<'c> {
-    Desk { inputs, force: call.flag("force"), language: call.language }
+    let files: Vec<&Path> = call.file("svg").into_iter().chain(call.path("png")).collect();
+    call.desk(inputs).ready(&files)
 }
 
 /// Draws and writes where [`destination`] has found room: to files, or to standard output.
 pub(crate) fn put(drawing: &Drawing, call: &Call<'_>, inputs: &[PathBuf]) -> Result<Answer, Unanswered> {
     let language = call.language;
     let picture = drawing.render(&style(drawing, call)?);
-    let (svg, png) = (call.path("svg").filter(|path| path.as_os_str() != "-"), call.path("png"));
+    let png = call.path("png");
     let mut pixels = Vec::new();
     if png.is_some() {
         let too_large = || Unanswered::message(terminal::picture_too_large(language));
         pixels = picture.png(PNG_SCALE).ok_or_else(too_large)?;
     }
-    let svg_file = svg.map(|path| (path, picture.svg().as_bytes()));
-    let files: Vec<(&Path, &[u8])> = svg_file.into_iter().chain(png.map(|path| (path, pixels.as_slice()))).collect();
-    desk(call, inputs).save(&files)?;
+    let svg = call.file("svg").map(|path| (path, picture.svg().as_bytes()));
+    let files: Vec<(&Path, &[u8])> = svg.into_iter().chain(png.map(|path| (path, pixels.as_slice()))).collect();
+    call.desk(inputs).save(&files)?;
     let paths: Vec<String> = files.iter().map(|(path, _)| path_text(path)).collect();
     if call.as_json {
         return Ok(Answer::record(&described(drawing, &picture, &paths)));

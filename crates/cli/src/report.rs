@@ -3,7 +3,6 @@
 use crate::answer::{Answer, written};
 use crate::call::Call;
 use crate::fault::path_text;
-use crate::save::Desk;
 use crate::waiting::patience;
 use answers::{AxisWritten, Block, Chapter, Commissioning, Fit, Picture, ReportWritten};
 use figures::{By, Drawing, Figure, Style, Theme};
@@ -43,7 +42,7 @@ pub(crate) fn write(call: &Call<'_>, asked: &Asked<'_>, out: &Path, as_json: boo
     let settings = settings(call)?;
     let source = asked.source()?;
     let inputs = call.inputs(&source.projects(asked.patience, language)?);
-    let desk = Desk { inputs: &inputs, force: call.flag("force"), language };
+    let desk = call.desk(&inputs);
     desk.ready(&[out])?;
     let args = args::Args::read(&asked.given)?;
     let projects = args.axes(asked)?;
@@ -53,15 +52,10 @@ pub(crate) fn write(call: &Call<'_>, asked: &Asked<'_>, out: &Path, as_json: boo
     let text = source.text(language)?;
     let (mut axes, mut of_axes, mut standings) = (Vec::new(), Vec::new(), Vec::new());
     for (place, project) in &projects {
-        let sizing = questions::list::size::sized(project, usize::MAX, patience())?;
-        let best = || sizing.candidates.first().map(|best| best.id.clone());
-        let candidate = questions::candidate_for(project, args.code.as_ref(), best)?;
-        let mut content = content((*place, project), &sizing, &candidate, text, patience(), language)?;
-        if let (true, CandidateId::Code(code)) = (with_installation, &candidate.id) {
-            content.chapters = installation(code, project, delivered, language)
+        let (mut content, candidate) = content((*place, project), args.code.as_ref(), text, patience(), language)?;
+        if with_installation {
+            install(&mut content, (project, &candidate), delivered, language)
                 .map_err(|fault| Unanswered::option("delivered", fault))?;
-            let cited = chapter::documents(&content.chapters, language);
-            content.dossier.documents.extend(cited);
         }
         content.chapters.extend(simulated(project, &candidate, patience(), language));
         axes.push(content);
@@ -114,13 +108,10 @@ fn served(asked: &ReportAsked<'_>) -> Result<Vec<u8>, String> {
     let said = |refusal: Refusal| answer::refusal_text(&refusal, None, l);
     let mut axes = Vec::new();
     for (place, project) in asked.axes {
-        let sizing = questions::list::size::sized(project, usize::MAX, asked.patience).map_err(said)?;
-        let best = || sizing.candidates.first().map(|best| best.id.clone());
-        let candidate = questions::candidate_for(project, asked.code.as_ref(), best).map_err(said)?;
-        let mut content =
-            content((*place, project), &sizing, &candidate, asked.text, asked.patience, l).map_err(said)?;
-        if let (true, CandidateId::Code(code)) = (asked.installation, &candidate.id) {
-            content.chapters = installation(code, project, None, l).map_err(|(what, _)| what)?;
+        let judged = content((*place, project), asked.code.as_ref(), asked.text, asked.patience, l);
+        let (mut content, candidate) = judged.map_err(said)?;
+        if asked.installation {
+            install(&mut content, (project, &candidate), None, l).map_err(|(what, _)| what)?;
         }
         content.chapters.extend(simulated(project, &candidate, asked.patience, l));
         axes.push(content);
@@ -148,33 +139,52 @@ fn settings(call: &Call<'_>) -> Result<Settings, Unanswered> {
     })
 }
 
-/// Results as a record and as figures, side by side. A thread that could not finish leaves its part to this one.
-fn content(
-    (place, project): (usize, &Project),
-    sizing: &Sizing<'_>,
-    candidate: &Candidate<'_>,
+/// The actuator of an axis, its results as a record and as figures, side by side. A thread that could not finish leaves its
+/// part to this one.
+fn content<'p>(
+    (place, project): (usize, &'p Project),
+    code: Option<&OrderCode>,
     text: &str,
     patience: &Patience,
     language: Language,
-) -> Result<AxisContent, Refusal> {
-    let figures = || drawn_figures(project, sizing, candidate, language);
-    std::thread::scope(|scope| {
+) -> Result<(AxisContent, Candidate<'p>), Refusal> {
+    let sizing = questions::list::size::sized(project, usize::MAX, patience)?;
+    let best = || sizing.candidates.first().map(|best| best.id.clone());
+    let candidate = questions::candidate_for(project, code, best)?;
+    let figures = || drawn_figures(project, &sizing, &candidate, language);
+    let content = std::thread::scope(|scope| {
         let drawn = scope.spawn(|| {
             report::prepare();
             figures()
         });
-        let (reserve, assessment) = questions::list::check::margins(project, candidate, Draw::default(), patience)?;
+        let (reserve, assessment) = questions::list::check::margins(project, &candidate, Draw::default(), patience)?;
         let mends = if sizing.fits() { Vec::new() } else { questions::list::size::mends(project, patience)? };
         let dossier = answer::dossier(
             project,
-            sizing,
-            candidate,
+            &sizing,
+            &candidate,
             (&reserve, assessment.as_ref(), &mends),
             (text, place, concat!("antrieb ", env!("CARGO_PKG_VERSION"))),
             language,
         );
-        Ok(AxisContent { dossier, figures: drawn.join().unwrap_or_else(|_| figures()), chapters: Vec::new() })
-    })
+        let figures = drawn.join().unwrap_or_else(|_| figures());
+        Ok::<_, Refusal>(AxisContent { dossier, figures, chapters: Vec::new() })
+    })?;
+    Ok((content, candidate))
+}
+
+/// Adds the chapters of the installation, and the documents that they cite, to the report of an actuator of the catalogue.
+fn install(
+    content: &mut AxisContent,
+    (project, candidate): (&Project, &Candidate<'_>),
+    delivered: Option<questions::list::upkeep::Date>,
+    language: Language,
+) -> Result<(), (String, Option<String>)> {
+    if let CandidateId::Code(code) = &candidate.id {
+        content.chapters = installation(code, project, delivered, language)?;
+        content.dossier.documents.extend(chapter::documents(&content.chapters, language));
+    }
+    Ok(())
 }
 
 /// What follows from the code for those who build and run the machine, the joints under the loads of the project.
@@ -188,7 +198,7 @@ fn installation(
     if let Some(found) = questions::list::wiring::wiring(code) {
         let faces = found.connectors.iter().filter(|connector| !connector.pins.is_empty());
         let drawings = faces.map(|connector| {
-            let drawing = figures::mating_face_beside_pins(code, connector, language);
+            let drawing = figures::mating_face(code, connector, figures::PinTexts::Signals, language);
             let (svg, alternative_text) = as_svg(connector.role.id(), &drawing, language);
             Picture { svg, caption: drawing.title.clone(), alternative_text }
         });
@@ -227,7 +237,7 @@ fn simulated(project: &Project, candidate: &Candidate<'_>, patience: &Patience, 
     };
     let mut chapter = chapter::simulation(&answer::simulation(&run, language), language);
     let pictures = [
-        ("simulation", figures::simulation(&run, language)),
+        ("simulation", figures::simulation(&run, None, language)),
         ("control-loops", figures::control_loops(&run, language)),
     ];
     for (id, drawing) in pictures {

@@ -1,7 +1,7 @@
 //! `serve`: the web workbench.
 
 use crate::answer::Answer;
-use crate::fault::{memory, unanswered};
+use crate::fault::memory;
 use clap::ArgMatches;
 use quantities::Language;
 use questions::list::Unanswered;
@@ -18,11 +18,7 @@ const USUAL_PORT: u16 = 8377;
 pub(crate) const EXAMPLES: [&str; 2] = ["192.168.1.5", "0.0.0.0"];
 
 /// `antrieb serve [DIR]`
-pub(crate) fn serve(matches: &ArgMatches, as_json: bool, language: Language) -> Answer {
-    answer(matches, language).unwrap_or_else(|why| unanswered(&why, as_json, language))
-}
-
-fn answer(matches: &ArgMatches, language: Language) -> Result<Answer, Unanswered> {
+pub(crate) fn serve(matches: &ArgMatches, language: Language) -> Result<Answer, Unanswered> {
     let server = bound(matches, language)?;
     let url = server.url();
     let mut out = anstream::stdout();

@@ -5,11 +5,9 @@ use crate::call::Call;
 use crate::fault::path_text;
 use crate::laid_out::shown;
 use crate::plot;
-use crate::save::Desk;
 use answers::Answered;
 use questions::list::{Asked, Cost, Unanswered, identify, simulate};
 use questions::{answer, chapter};
-use std::path::Path;
 use tables::Format;
 use words::{simulation, terminal};
 
@@ -18,13 +16,12 @@ pub(crate) fn simulate(call: &Call<'_>, asked: &Asked<'_>) -> Result<Answer, Una
     let language = call.language;
     let args = simulate::Args::read(&asked.given)?;
     let file = call.path("out");
-    let format = file
-        .map(format)
-        .transpose()
-        .map_err(|()| Unanswered::option("out", (simulation::ending_of_a_trace(language).to_owned(), None)))?;
+    let ending = || Unanswered::option("out", (simulation::ending_of_a_trace(language).to_owned(), None));
+    let is_trace = |format: &Format| matches!(format, Format::Csv | Format::Parquet);
+    let format = file.map(|file| Format::of(file).filter(is_trace).ok_or_else(ending)).transpose()?;
     let axes = asked.axes(args.axis.as_deref(), Cost::Other)?;
     let inputs = call.inputs(axes.iter().map(|(_, project)| project));
-    let desk = Desk { inputs: &inputs, force: call.flag("force"), language };
+    let desk = call.desk(&inputs);
     // As of `plot`: without a file the picture goes to standard output.
     let draws = plot::is_asked(call) || args.figure.is_some();
     if draws {
@@ -51,9 +48,7 @@ pub(crate) fn simulate(call: &Call<'_>, asked: &Asked<'_>) -> Result<Answer, Una
     }
     if let Some(run) = runs.first().filter(|_| draws) {
         let drawing = figures::of_a_run(args.figure.as_deref(), run, language);
-        let answer = plot::put(&drawing, call, &inputs)?;
-        let code = if answer.code == 0 { u8::from(!fits) } else { answer.code };
-        return Ok(Answer { code, ..answer });
+        return Ok(plot::put(&drawing, call, &inputs)?.fits(fits));
     }
     let data = if call.as_json {
         written(&Answered::of(records, fits))
@@ -78,12 +73,4 @@ pub(crate) fn identify(call: &Call<'_>, asked: &Asked<'_>) -> Result<Answer, Una
     let found = identify::found(asked)?;
     let text = || shown(&chapter::identification(&found, call.language), call.language);
     Ok(Answer::data(if call.as_json { written(&found) } else { text() }))
-}
-
-fn format(file: &Path) -> Result<Format, ()> {
-    let ending = file.extension().map(|ending| ending.to_string_lossy().to_ascii_lowercase());
-    match ending.as_deref().and_then(Format::of_ending) {
-        Some(format @ (Format::Csv | Format::Parquet)) => Ok(format),
-        Some(Format::Json | Format::Workbook) | None => Err(()),
-    }
 }

@@ -4,7 +4,6 @@
 use crate::answer::{Answer, written};
 use crate::call::Call;
 use crate::fault::path_text;
-use crate::save::Desk;
 use quantities::{Language, format_number};
 use questions::list::{Asked, Unanswered, sweep};
 use questions::sweep::{SweepSummary, Tally};
@@ -20,14 +19,6 @@ const PART: usize = 1 << 14;
 
 /// The file that says to what the parts belong.
 const MARK: &str = "sweep";
-
-/// A table, and where its answers go.
-struct Job<'c> {
-    table: Table<'c>,
-    out: &'c Path,
-    answers: Format,
-    language: Language,
-}
 
 /// A table in a file.
 struct Table<'c> {
@@ -47,7 +38,7 @@ pub(crate) fn sweep(call: &Call<'_>, asked: &Asked<'_>) -> Result<Answer, Unansw
     let projects = source.projects(asked.patience, language);
     let mut inputs = call.inputs(projects.as_deref().unwrap_or_default());
     inputs.push(path.clone());
-    let desk = Desk { inputs: &inputs, force: call.flag("force"), language };
+    let desk = call.desk(&inputs);
     let ending = |option| Unanswered::option(option, (sweeps::ending_of_a_table(language).to_owned(), None));
     let place = Format::of(out).ok_or_else(|| ending("out"));
     let place = place.and_then(|answers| desk.ready(&[out]).map(|()| answers));
@@ -66,13 +57,12 @@ pub(crate) fn sweep(call: &Call<'_>, asked: &Asked<'_>) -> Result<Answer, Unansw
         (Ok((table, sweep, rows)), Ok(answers)) => (table, sweep, rows, answers),
         (ready, place) => return Err(Unanswered::together(ready.err().into_iter().chain(place.err()).collect())),
     };
-    let job = Job { table, out, answers, language };
-    let parts = Parts::of(&job, text, &format!("{args:?} {}", language.id()))?;
+    let parts = Parts::of(&table, out, text, &format!("{args:?} {}", language.id()))?;
     let mut talk = format!("{}\n", sweeps::keys(&sweep.keys().collect::<Vec<_>>().join(", "), language));
     talk += &parts.remark(rows);
-    parts.judged(&job, &sweep, rows, asked)?;
+    parts.judged(&table, &sweep, rows, asked)?;
     let mut tally = Tally::default();
-    desk.save_by(out, |file| parts.together(&job, &sweep, rows, file, &mut tally))?;
+    desk.save_by(out, |file| parts.together(answers, &sweep, rows, file, &mut tally))?;
     parts.remove();
     let summary = tally.summary(Some(path_text(out)), language);
     let data = if call.as_json { written(&summary) } else { shown(&summary, language) };
@@ -133,10 +123,10 @@ struct Parts {
 
 impl Parts {
     /// Those of the same project, table and request are kept, others removed.
-    fn of(job: &Job<'_>, project: &str, request: &str) -> Result<Self, Unanswered> {
-        let name = job.out.file_name().map(|name| name.to_string_lossy().into_owned()).unwrap_or_default();
-        let folder = job.out.with_file_name(format!("{name}.parts"));
-        let language = job.language;
+    fn of(table: &Table<'_>, out: &Path, project: &str, request: &str) -> Result<Self, Unanswered> {
+        let name = out.file_name().map(|name| name.to_string_lossy().into_owned()).unwrap_or_default();
+        let folder = out.with_file_name(format!("{name}.parts"));
+        let language = table.language;
         let failed = |error: &std::io::Error| {
             Unanswered::message(format!("{}: {}", path_text(&folder), file_trouble(error, language)))
         };
@@ -144,10 +134,10 @@ impl Parts {
         for text in [env!("CARGO_PKG_VERSION"), project, request, &name] {
             hasher.update(&(text.len() as u64).to_le_bytes()).update(text.as_bytes());
         }
-        let mut table = job.table.file()?;
+        let mut file = table.file()?;
         let mut buffer = vec![0; 1 << 18];
         loop {
-            let read = table.read(&mut buffer).map_err(|error| job.table.refused(&file_trouble(&error, language)))?;
+            let read = file.read(&mut buffer).map_err(|error| table.refused(&file_trouble(&error, language)))?;
             if read == 0 {
                 break;
             }
@@ -189,16 +179,16 @@ impl Parts {
     }
 
     /// Judges what is not judged yet, a part at a time.
-    fn judged(&self, job: &Job<'_>, sweep: &Sweep, rows: u64, asked: &Asked<'_>) -> Result<(), Unanswered> {
+    fn judged(&self, table: &Table<'_>, sweep: &Sweep, rows: u64, asked: &Asked<'_>) -> Result<(), Unanswered> {
         let mut first = self.kept as u64 * PART as u64;
         if first >= rows {
             return Ok(());
         }
         asked.patience.expect_steps(usize::try_from(rows - first).unwrap_or(usize::MAX));
         let mut index = self.kept as u64;
-        let mut batches = job.table.open(first)?;
+        let mut batches = table.open(first)?;
         while first < rows {
-            let batch = batches.next(self.language).map_err(|why| job.table.refused(&why.text(self.language)))?;
+            let batch = batches.next(self.language).map_err(|why| table.refused(&why.text(self.language)))?;
             let Some(batch) = batch else { break };
             let answers = sweep.batch(&batch, first, asked.patience).map_err(|why| self.kept_in(why))?;
             let bytes = sweep_io::part(&answers).map_err(|why| self.failed(&why))?;
@@ -219,7 +209,7 @@ impl Parts {
     /// All parts as one file, counted.
     fn together(
         &self,
-        job: &Job<'_>,
+        format: Format,
         sweep: &Sweep,
         rows: u64,
         file: &mut File,
@@ -228,7 +218,7 @@ impl Parts {
         let failed = |why: String| self.failed(&why);
         let unread = |why: Unread| self.failed(&why.text(self.language));
         let mut answers =
-            Answers::begin(BufWriter::with_capacity(1 << 18, file), job.answers, sweep.schema()).map_err(failed)?;
+            Answers::begin(BufWriter::with_capacity(1 << 18, file), format, sweep.schema()).map_err(failed)?;
         for index in 0..rows.div_ceil(PART as u64) {
             let part = File::open(self.path(index)).map_err(|error| failed(file_trouble(&error, self.language)))?;
             let mut batches = Batches::open(part, Format::Parquet, 0, PART, self.language).map_err(unread)?;

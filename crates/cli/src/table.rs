@@ -49,21 +49,12 @@ pub(crate) struct Table {
 }
 
 impl Table {
-    pub(crate) fn new<const N: usize>(columns: [(&str, Align); N]) -> Self {
-        Self { columns: columns.iter().map(|(head, align)| ((*head).to_owned(), *align)).collect(), rows: Vec::new() }
+    pub(crate) fn new<H: Into<String>>(columns: impl IntoIterator<Item = (H, Align)>) -> Self {
+        Self { columns: columns.into_iter().map(|(head, align)| (head.into(), align)).collect(), rows: Vec::new() }
     }
 
-    pub(crate) fn row<const N: usize>(&mut self, cells: [String; N]) {
-        self.rows.push(cells.into_iter().collect());
-    }
-
-    /// A table with columns that are counted when it is made.
-    pub(crate) fn of(columns: Vec<(String, Align)>) -> Self {
-        Self { columns, rows: Vec::new() }
-    }
-
-    pub(crate) fn push(&mut self, cells: Vec<String>) {
-        self.rows.push(cells);
+    pub(crate) fn row(&mut self, cells: impl Into<Vec<String>>) {
+        self.rows.push(cells.into());
     }
 
     /// The table as text, no line wider than the terminal.
@@ -268,11 +259,14 @@ pub(crate) fn paragraph(head: &str, text: &str) -> String {
 
 /// A paragraph behind an indent whose further lines stand further in.
 pub(crate) fn hanging(indent: &str, text: &str) -> String {
-    let (room, further) = (width().saturating_sub(indent.chars().count()), "    ");
+    hung(indent, &format!("{indent}    "), text, width())
+}
+
+/// A text whose first line stands behind one text, its further lines behind another.
+fn hung(first: &str, further: &str, text: &str, most: usize) -> String {
     let mut out = String::new();
-    for (index, line) in wrap(text, room.saturating_sub(further.len())).iter().enumerate() {
-        out.push_str(indent);
-        out.push_str(if index == 0 { "" } else { further });
+    for (index, line) in wrap(text, most.saturating_sub(further.chars().count())).iter().enumerate() {
+        out.push_str(if index == 0 { first } else { further });
         out.push_str(line);
         out.push('\n');
     }
@@ -286,19 +280,11 @@ fn paragraph_to(head: &str, text: &str, most: usize) -> String {
     let long = head.chars().count() > INDENT_MOST;
     let blank = head.chars().take_while(|c| *c == ' ').count();
     // A long head begins the text; what follows hangs two blanks in.
-    let (indent, text) = if long {
-        (blank + 2, format!("{}{text}", head.trim_start_matches(' ')))
-    } else {
-        (head.chars().count(), text.to_owned())
-    };
-    let first = if long { " ".repeat(blank) } else { head.to_owned() };
-    let mut out = String::new();
-    for (index, line) in wrap(&text, most.saturating_sub(indent)).iter().enumerate() {
-        out.push_str(&if index == 0 { first.clone() } else { " ".repeat(indent) });
-        out.push_str(line);
-        out.push('\n');
+    if long {
+        let text = format!("{}{text}", head.trim_start_matches(' '));
+        return hung(&" ".repeat(blank), &" ".repeat(blank + 2), &text, most);
     }
-    out
+    hung(head, &" ".repeat(head.chars().count()), text, most)
 }
 
 #[cfg(test)]

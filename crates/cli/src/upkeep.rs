@@ -3,8 +3,7 @@
 use crate::answer::{Answer, written};
 use crate::call::Call;
 use crate::fault::path_text;
-use crate::laid_out::shown;
-use crate::save::Desk;
+use crate::laid_out::with_file;
 use answers::Fit;
 use questions::chapter;
 use questions::list::{Asked, Unanswered};
@@ -26,13 +25,10 @@ pub(crate) fn upkeep(call: &Call<'_>, asked: &Asked<'_>) -> Result<Answer, Unans
     let name = call.label("name")?;
     if let Some(file) = file {
         let bytes = tables::calendar(&plan, &record, name.as_deref(), language);
-        Desk { inputs: &[], force: call.flag("force"), language }.save(&[(file, bytes.as_bytes())])?;
+        call.desk(&[]).save(&[(file, bytes.as_bytes())])?;
         record.calendar = Some(path_text(file));
     }
-    let text = || {
-        let text = shown(&chapter::upkeep(&record, language), language);
-        record.calendar.as_ref().map_or_else(|| text.clone(), |file| format!("{text}\n{file}\n"))
-    };
+    let text = || with_file(&chapter::upkeep(&record, language), record.calendar.as_deref(), language);
     let data = if call.as_json { written(&record) } else { text() };
     Ok(Answer::data(data).fits(record.verdict == Fit::Fits))
 }

@@ -27,14 +27,9 @@ pub(crate) fn patience() -> &'static Patience {
     &caller().0
 }
 
-/// The deadline of the caller.
-pub(crate) fn time_limit() -> Option<Duration> {
-    caller().1
-}
-
-/// The same in seconds.
+/// The deadline of the caller in seconds.
 pub(crate) fn waited_s() -> Option<f64> {
-    time_limit().map(|most| most.as_secs_f64())
+    caller().1.map(|most| most.as_secs_f64())
 }
 
 /// As long as it lives the work goes on; a terminal shows so after a second, anything else shows nothing.

@@ -35,7 +35,7 @@ fn draw(found: &questions::list::wiring::Wiring, call: &Call<'_>) -> Result<Answ
         return Err(Unanswered::message(wiring::no_pins_to_draw(language)));
     }
     plot::destination(call, &[])?;
-    plot::put(&figures::mating_face(&found.code, connector, language), call, &[])
+    plot::put(&figures::mating_face(&found.code, connector, figures::PinTexts::Full, language), call, &[])
 }
 
 /// `antrieb wiring CODE --check FILE`

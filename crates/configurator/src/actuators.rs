@@ -10,7 +10,8 @@ use std::sync::{Arc, LazyLock};
 /// the option.
 #[must_use]
 pub fn actuators(output_encoder: bool) -> &'static [(OrderCode, Parameters)] {
-    if output_encoder { actuators_with_output_encoder() } else { catalogue_actuators() }
+    static WITH_OUTPUT_ENCODER: LazyLock<Vec<(OrderCode, Parameters)>> = LazyLock::new(|| actuators_with(true));
+    if output_encoder { &WITH_OUTPUT_ENCODER } else { catalogue_actuators() }
 }
 
 /// Every actuator of the catalogue that has printed data and can be had without asking, with its parameters:
@@ -18,12 +19,6 @@ pub fn actuators(output_encoder: bool) -> &'static [(OrderCode, Parameters)] {
 #[must_use]
 pub fn catalogue_actuators() -> &'static [(OrderCode, Parameters)] {
     static ACTUATORS: LazyLock<Vec<(OrderCode, Parameters)>> = LazyLock::new(|| actuators_with(false));
-    &ACTUATORS
-}
-
-/// The same actuators with the encoder at the output.
-fn actuators_with_output_encoder() -> &'static [(OrderCode, Parameters)] {
-    static ACTUATORS: LazyLock<Vec<(OrderCode, Parameters)>> = LazyLock::new(|| actuators_with(true));
     &ACTUATORS
 }
 
@@ -61,7 +56,7 @@ mod tests {
         for here in catalogue_actuators() {
             let (code, own) = here;
             assert_eq!(parameters(code).as_ref(), Some(own), "{code}");
-            let shares = before.is_some_and(|(_, other)| other.shares_drivetrain(own));
+            let shares = before.is_some_and(|(_, other)| Arc::ptr_eq(&other.drivetrain, &own.drivetrain));
             let equal = before.is_some_and(|(_, other)| *other.drivetrain == *own.drivetrain);
             let of_one_gear = before.is_some_and(|(other, _)| (other.size, other.ratio) == (code.size, code.ratio));
             assert_eq!((shares, shares && of_one_gear), (equal, shares), "{code}");
@@ -76,11 +71,11 @@ mod tests {
     fn a_datum_that_is_written_changes_no_neighbour() {
         let mut pairs = catalogue_actuators().windows(2);
         let shared = pairs.find_map(|pair| match pair {
-            [(_, a), (_, b)] if a.shares_drivetrain(b) => Some((a.clone(), b)),
+            [(_, a), (_, b)] if Arc::ptr_eq(&a.drivetrain, &b.drivetrain) => Some((a.clone(), b)),
             _ => None,
         });
         let (mut own, other) = shared.expect("neighbours that share");
         own.torque_max = provenance::Datum::NotPrinted;
-        assert!(other.torque_max.known().is_some() && !own.shares_drivetrain(other));
+        assert!(other.torque_max.known().is_some() && !Arc::ptr_eq(&own.drivetrain, &other.drivetrain));
     }
 }

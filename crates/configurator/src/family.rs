@@ -21,7 +21,7 @@ pub(crate) fn places(symbol: &'static str, table: impl Fn(&SeriesData) -> &'stat
 
 /// A calibration headed by a drive, by its size without the feedback, or once for all.
 fn cell(series: Series, drive: &str, symbol: &str) -> Option<&'static Cell> {
-    let cells = catalogue::table(SeriesData::of(series).family).map(Table::cells).unwrap_or_default();
+    let cells = catalogue::table_cells(SeriesData::of(series).family);
     let of = |drive: &str| cells.iter().find(|cell| cell.place.symbol == symbol && cell.place.drive == drive);
     let size = drive.rsplit_once('-').map_or(drive, |(size, _)| size);
     of(drive).or_else(|| of(size)).or_else(|| of(""))
@@ -67,7 +67,7 @@ pub(crate) fn cold_growth(series: Series) -> Datum<(f64, f64)> {
 
 /// Largest J_L/J_out that is recommended for highly dynamic duty, from a cell such as `≤ 3J_out`.
 pub(crate) fn inertia_ratio_recommended(series: Series) -> Datum<f64> {
-    let cells = catalogue::table(SeriesData::of(series).preselection).map(Table::cells).unwrap_or_default();
+    let cells = catalogue::table_cells(SeriesData::of(series).preselection);
     let factor = |cell: &'static Cell| {
         let (factor, _) = cell.corrected.strip_prefix('≤')?.split_once("J_out")?;
         Some(cell.sourced(quantities::parse_german(factor.trim())?))
@@ -77,17 +77,17 @@ pub(crate) fn inertia_ratio_recommended(series: Series) -> Datum<f64> {
 
 /// Below this swing the output bearing may fret: the figure of a fact of the series.
 pub(crate) fn swing_min(series: Series) -> Datum<Angle> {
-    let is_it = |fact: &&catalogue::Fact| fact.id == "fretting_below_5_deg" && fact.holds_for.series == series;
-    let fact = catalogue::facts().iter().find(is_it);
-    fact.and_then(|fact| Some((fact, fact.values.first()?))).map_or(Datum::NotPrinted, |(fact, swing)| {
+    let fact = catalogue::fact("fretting_below_5_deg").filter(|fact| fact.holds_for.series == series);
+    Datum::of(fact.and_then(|fact| {
+        let value = Angle::new_in(fact.values.first()?.number, &DEGREE);
         let source = Source::Model { name: "output-bearing" };
-        Datum::Known(Sourced { value: Angle::new_in(swing.number, &DEGREE), source, grade: fact.grade, errata: &[] })
-    })
+        Some(Sourced { value, source, grade: fact.grade, errata: &[] })
+    }))
 }
 
 /// A threshold of the winding temperature: `warning` or `shutdown`.
 pub(crate) fn winding_threshold(series: Series, which: &str) -> Datum<ThermodynamicTemperature> {
-    let cells = catalogue::table(SeriesData::of(series).thresholds).map(Table::cells).unwrap_or_default();
+    let cells = catalogue::table_cells(SeriesData::of(series).thresholds);
     let found = cells.iter().find(|cell| cell.place.condition == which).map(catalogue::datum_of);
     match (found, THRESHOLDS.get(series.place())) {
         (Some(Datum::Known(known)), Some(place)) => Datum::Known(Sourced { source: Source::Cell(place), ..known }),

@@ -1,6 +1,6 @@
 //! The matrix of a series and its pairs of winding and feedback, read from the cells.
 
-use catalogue::{Cell, Mark, MarkEntry, SeriesData};
+use catalogue::{Cell, Mark, MarkEntry, SeriesData, table_cells};
 use order_code::{Feedback, Field, Series, Size, Winding};
 use std::sync::LazyLock;
 
@@ -21,10 +21,6 @@ pub(crate) struct Matrix {
     begins: [usize; FIELDS.len()],
     width: usize,
     pairs: Vec<(Winding, Feedback)>,
-}
-
-fn cells(table: &str) -> &'static [Cell] {
-    catalogue::table(table).map(catalogue::Table::cells).unwrap_or_default()
 }
 
 fn mark_of(cell: &Cell, data: &SeriesData) -> Option<Mark> {
@@ -55,7 +51,7 @@ impl Matrix {
                 let covers = |cell: &&Cell| {
                     cell.place.condition == condition && cell.place.drive.split(" / ").any(|each| each == head)
                 };
-                let found = cells(data.matrix).iter().find(covers).and_then(|cell| mark_of(cell, data));
+                let found = table_cells(data.matrix).iter().find(covers).and_then(|cell| mark_of(cell, data));
                 entries.push(found.unwrap_or(NOT_AVAILABLE));
             }
         }
@@ -64,7 +60,7 @@ impl Matrix {
             let condition = format!("winding={winding}");
             for feedback in Feedback::all(series) {
                 let named = |cell: &Cell| cell.place.condition == condition && cell.feedback == feedback.as_str();
-                if cells(data.pairs).iter().any(named) {
+                if table_cells(data.pairs).iter().any(named) {
                     pairs.push((winding, feedback));
                 }
             }
@@ -122,14 +118,14 @@ mod tests {
             .iter()
             .flat_map(|field| series.words(*field).iter().map(move |word| format!("{}={word}", field.id())))
             .collect();
-        for cell in cells(data.matrix) {
+        for cell in table_cells(data.matrix) {
             assert!(mark_of(cell, data).is_some(), "{cell:?}");
             assert!(conditions.iter().any(|known| known == cell.place.condition), "{cell:?}");
         }
         for (size, condition) in Size::all(series).flat_map(|size| conditions.iter().map(move |each| (size, each))) {
             let head = format!("CHA-{size}");
             let stands = |cell: &Cell| cell.place.condition == condition && cell.place.drive.contains(&head);
-            assert!(cells(data.matrix).iter().any(stands), "{size} {condition}");
+            assert!(table_cells(data.matrix).iter().any(stands), "{size} {condition}");
         }
     }
 }

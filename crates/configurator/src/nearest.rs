@@ -265,8 +265,8 @@ mod tests {
         }
         let score = |known: &'static Known| {
             let text = known.0.to_string();
-            let as_written = order_code::edit_distance(&wanted, &text);
-            let reordered = 1 + order_code::edit_distance(&wanted_words, &sorted_words(&text));
+            let as_written = Distances::from(&wanted).to(&text);
+            let reordered = 1 + Distances::from(&wanted_words).to(&sorted_words(&text));
             (as_written.min(reordered), !known.1.is_available(), known)
         };
         let mut scored: Vec<(usize, bool, &Known)> = kept.into_iter().map(score).collect();

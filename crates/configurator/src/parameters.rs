@@ -99,8 +99,8 @@ fn drivetrain(drive: &Drive, code: &OrderCode) -> Drivetrain {
         short_time_curve: curve("maximum"),
         heat: heat(drive, code),
         accuracy: parts::accuracy(code),
-        screw_joint_load: parts::screw_joint_load(code),
-        screw_joint_housing: parts::screw_joint_housing(code),
+        screw_joint_load: parts::screw_joint(code, "load"),
+        screw_joint_housing: parts::screw_joint(code, "housing"),
     }
 }
 
@@ -177,10 +177,9 @@ fn terminal_voltage_min(drive: &Drive, code: &OrderCode) -> Datum<quantities::El
 
 /// The permitted ambient temperature in operation, from the table of general data of the winding.
 fn ambient_range(winding: Winding) -> Datum<(ThermodynamicTemperature, ThermodynamicTemperature)> {
-    let cells =
-        winding_data(winding).and_then(|data| catalogue::table(data.general)).map(Table::cells).unwrap_or_default();
-    match cells.iter().find(|cell| cell.place.symbol == "ambient_temperature_operation").map(|cell| (cell, cell.value))
-    {
+    let cell =
+        winding_data(winding).and_then(|data| catalogue::table_cell(data.general, "ambient_temperature_operation"));
+    match cell.map(|cell| (cell, cell.value)) {
         Some((cell, catalogue::Value::Range { low, high })) => {
             let celsius = |value| ThermodynamicTemperature::new_in(value, &DEGREE_CELSIUS);
             Datum::Known(cell.sourced((celsius(low), celsius(high))))
@@ -197,21 +196,25 @@ pub(crate) fn by_size<Q: Measure>(code: &OrderCode, symbol: &str) -> Datum<Q> {
 /// What tables 54.3 and 54.4 print about the gear, and the published ratings where there are any.
 fn gear(code: &OrderCode) -> Gear {
     let data = SeriesData::of(code.series());
+    // Of the interchangeable gear with the same T_R, from another maker's catalogue.
+    let rating = |symbol| published("gear-ratings", symbol, code, code.ratio.as_str());
+    // Of the same gear, printed once for all ratios.
+    let input_speed = |symbol| published("gear-input-speeds", symbol, code, "");
     Gear {
         torque_1: by_size(code, "T_1"),
         torque_2: by_size(code, "T_2"),
         stiffness: [by_size(code, "K_1"), by_size(code, "K_2"), by_size(code, "K_3")],
-        rated_torque: published_rating(code, "T_N"),
-        average_torque_max: published_rating(code, "T_A"),
-        collision_torque_max: published_rating(code, "T_M"),
+        rated_torque: rating("T_N"),
+        average_torque_max: rating("T_A"),
+        collision_torque_max: rating("T_M"),
         collision_cycles: of_the_life(code, "collision_cycles", None, parts::number_of),
         nominal_life: of_the_life(code, "L_n", Some(data.gear_series), parts::quantity_of),
         life_reference_speed: of_the_life(code, "n_N_gear", None, parts::quantity_of),
         life_ratio: of_the_life(code, "life_ratio_50_10", None, parts::number_of),
         ratcheting_torque: published("ratcheting-torque", "T_ratchet", code, code.ratio.as_str()),
         buckling_torque: published("ratcheting-torque", "T_buckle", code, ""),
-        input_speed_max: published_input_speed(code, "n_in_max"),
-        input_speed_mean_max: published_input_speed(code, "n_in_av"),
+        input_speed_max: input_speed("n_in_max"),
+        input_speed_mean_max: input_speed("n_in_av"),
     }
 }
 
@@ -223,28 +226,16 @@ fn of_the_life<T>(
     series: Option<&str>,
     value: impl Fn(Option<&'static Cell>) -> Datum<T>,
 ) -> Datum<T> {
-    let cells = catalogue::table(SeriesData::of(code.series()).gear_life).map(Table::cells).unwrap_or_default();
+    let cells = catalogue::table_cells(SeriesData::of(code.series()).gear_life);
     let is_of = |condition: &str| series.is_none_or(|series| condition.contains(series));
     let found = cells.iter().find(|cell| cell.place.symbol == symbol && is_of(cell.place.condition));
     family::published_as(Grade::Published, value(found))
 }
 
-/// A rating of the interchangeable gear with the same T_R, from another maker's catalogue.
-fn published_rating(code: &OrderCode, symbol: &str) -> Datum<Torque> {
-    published("gear-ratings", symbol, code, code.ratio.as_str())
-}
-
-/// A limit of the input speed of the same gear, printed once for all ratios.
-fn published_input_speed(code: &OrderCode, symbol: &str) -> Datum<AngularVelocity> {
-    published("gear-input-speeds", symbol, code, "")
-}
-
 /// A value of a table by another maker, headed by size.
 fn published<Q: Measure>(table: &str, symbol: &str, code: &OrderCode, ratio: &str) -> Datum<Q> {
-    let Some(table) = catalogue::table(table) else { return Datum::NotPrinted };
     let head = format!("{}-{}", code.series().as_str(), code.size);
-    let cell = table
-        .cells()
+    let cell = catalogue::table_cells(table)
         .iter()
         .find(|cell| cell.place.symbol == symbol && cell.place.drive == head && cell.place.ratio == ratio);
     family::published_as(Grade::Published, parts::quantity_of(cell))

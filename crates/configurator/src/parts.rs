@@ -74,7 +74,7 @@ pub(crate) fn feedback(code: &OrderCode) -> Feedback {
         ordered.map(|ordered| (ordered, printed_feedback(ordered))).collect()
     });
     let known = ALL.iter().find(|(ordered, _)| *ordered == code.feedback);
-    known.map_or_else(Feedback::unknown, |(_, feedback)| feedback.clone())
+    known.map_or_else(Feedback::default, |(_, feedback)| feedback.clone())
 }
 
 fn printed_feedback(ordered: order_code::Feedback) -> Feedback {
@@ -123,60 +123,21 @@ pub(crate) fn accuracy(code: &OrderCode) -> Accuracy {
     }
 }
 
-/// The rows of table 79.1 about one circle of screws.
-struct JointRows {
-    count: &'static str,
-    size: &'static str,
-    grade: &'static str,
-    bolt_circle: &'static str,
-    tightening_torque: &'static str,
-    transmissible_torque: &'static str,
-}
-
-fn screw_joint(code: &OrderCode, rows: &JointRows) -> ScrewJoint {
-    let cell = |symbol| catalogue::size_cell(code.size, code.ratio, symbol);
-    let text = |symbol| {
-        let cell = cell(symbol).filter(|cell| !cell.corrected.is_empty() && cell.corrected != "-");
+/// What table 79.1 prints about the circle of screws of a side, `load` or `housing`.
+pub(crate) fn screw_joint(code: &OrderCode, side: &str) -> ScrewJoint {
+    let cell = |row: &str| catalogue::size_cell(code.size, code.ratio, &format!("{row}_{side}"));
+    let text = |row| {
+        let cell = cell(row).filter(|cell| !cell.corrected.is_empty() && cell.corrected != "-");
         Datum::of(cell.map(|cell| cell.sourced(Cow::Borrowed(cell.corrected))))
     };
     ScrewJoint {
-        count: number_of(cell(rows.count)),
-        size: text(rows.size),
-        grade: text(rows.grade),
-        bolt_circle: by_size(code, rows.bolt_circle),
-        tightening_torque: by_size(code, rows.tightening_torque),
-        transmissible_torque: by_size(code, rows.transmissible_torque),
+        count: number_of(cell("screw_count")),
+        size: text("screw_size"),
+        grade: text("screw_grade"),
+        bolt_circle: quantity_of(cell("bolt_circle")),
+        tightening_torque: quantity_of(cell("tightening_torque")),
+        transmissible_torque: quantity_of(cell("transmissible_torque")),
     }
-}
-
-/// The joint of the load on the output flange.
-pub(crate) fn screw_joint_load(code: &OrderCode) -> ScrewJoint {
-    screw_joint(
-        code,
-        &JointRows {
-            count: "screw_count_load",
-            size: "screw_size_load",
-            grade: "screw_grade_load",
-            bolt_circle: "bolt_circle_load",
-            tightening_torque: "tightening_torque_load",
-            transmissible_torque: "transmissible_torque_load",
-        },
-    )
-}
-
-/// The joint of the housing.
-pub(crate) fn screw_joint_housing(code: &OrderCode) -> ScrewJoint {
-    screw_joint(
-        code,
-        &JointRows {
-            count: "screw_count_housing",
-            size: "screw_size_housing",
-            grade: "screw_grade_housing",
-            bolt_circle: "bolt_circle_housing",
-            tightening_torque: "tightening_torque_housing",
-            transmissible_torque: "transmissible_torque_housing",
-        },
-    )
 }
 
 #[cfg(test)]

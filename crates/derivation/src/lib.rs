@@ -10,7 +10,7 @@ mod formula;
 pub use finding::Finding;
 pub use formula::{Formula, FormulaFault};
 
-use provenance::{Grade, Source, Sourced};
+use provenance::{Datum, Grade, Source, Sourced};
 use quantities::{Measure, Unit};
 
 /// How a figure came about.
@@ -32,6 +32,15 @@ pub enum How {
         /// Indices of the steps of its symbols.
         operands: Vec<usize>,
     },
+}
+
+impl How {
+    fn operands(&self) -> &[usize] {
+        match self {
+            Self::Given => &[],
+            Self::Formula { operands, .. } | Self::Found { operands, .. } => operands,
+        }
+    }
 }
 
 /// What a figure is in its check.
@@ -77,10 +86,7 @@ impl Step {
     /// Indices of the steps that it was made from.
     #[must_use]
     pub fn operands(&self) -> &[usize] {
-        match &self.how {
-            How::Given => &[],
-            How::Formula { operands, .. } | How::Found { operands, .. } => operands,
-        }
+        self.how.operands()
     }
 }
 
@@ -128,6 +134,22 @@ impl Workings {
     pub fn given_number(&mut self, symbol: &'static str, datum: &Sourced<f64>) {
         if self.is_on() {
             self.put(symbol, &quantities::unit::ONE, datum.value, &datum.source, datum.grade, datum.errata);
+        }
+    }
+
+    /// A quantity that is put in where it is known.
+    #[inline]
+    pub fn known<Q: Measure>(&mut self, symbol: &'static str, unit: &'static Unit, datum: &Datum<Q>) {
+        if let Some(known) = datum.known() {
+            self.given(symbol, unit, known);
+        }
+    }
+
+    /// A bare number that is put in where it is known.
+    #[inline]
+    pub fn known_number(&mut self, symbol: &'static str, datum: &Datum<f64>) {
+        if let Some(known) = datum.known() {
+            self.given_number(symbol, known);
         }
     }
 
@@ -248,11 +270,7 @@ impl Workings {
 
     fn push(&mut self, symbol: &'static str, unit: &'static Unit, si: f64, how: How, source: &Source, grade: Grade) {
         let Some(steps) = &mut self.steps else { return };
-        let operands = match &how {
-            How::Given => &[][..],
-            How::Formula { operands, .. } | How::Found { operands, .. } => operands,
-        };
-        let used = operands.iter().filter_map(|index| steps.get(*index));
+        let used = how.operands().iter().filter_map(|index| steps.get(*index));
         let grade = used.fold(grade, |grade, step| grade.worst(step.grade));
         let source = source.clone();
         steps.push(Step { symbol, si, unit, how, part: Part::Step, source, grade, errata: &[] });

@@ -53,21 +53,7 @@ impl Beside {
         }
         regular(&path).map(|_| path)
     }
-}
 
-/// The size of a regular file.
-fn regular(path: &Path) -> Result<u64> {
-    let about = path.metadata()?;
-    if about.is_dir() {
-        return Err(ErrorKind::IsADirectory.into());
-    }
-    if !about.is_file() {
-        return Err(Error::other(Unopened::NoRegularFile));
-    }
-    Ok(about.len())
-}
-
-impl Beside {
     /// The regular file of a recording. For others than the user of this machine only what is named as a recording is opened:
     /// a project cannot read a hidden file, a key or a note, nor by a link.
     fn recording(&self, name: &str) -> Result<PathBuf> {
@@ -81,6 +67,18 @@ impl Beside {
         }
         Ok(path)
     }
+}
+
+/// The size of a regular file.
+fn regular(path: &Path) -> Result<u64> {
+    let about = path.metadata()?;
+    if about.is_dir() {
+        return Err(ErrorKind::IsADirectory.into());
+    }
+    if !about.is_file() {
+        return Err(Error::other(Unopened::NoRegularFile));
+    }
+    Ok(about.len())
 }
 
 impl Files for Beside {

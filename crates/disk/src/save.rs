@@ -24,6 +24,17 @@ struct Destination<'p> {
     exists: bool,
 }
 
+impl Destination<'_> {
+    /// Renames what is written.
+    fn keep(&self, file: TempPath, force: bool) -> Result<(), Unwritten> {
+        let kept = if force { file.persist(&self.target) } else { file.persist_noclobber(&self.target) };
+        kept.map_err(|fault| {
+            let exists = fault.error.kind() == ErrorKind::AlreadyExists;
+            unwritten(self.asked, if exists { SaveTrouble::Exists } else { system(&fault.error) })
+        })
+    }
+}
+
 /// Writes files, each beside its place first and then renamed. Nothing is renamed before all are written. A file that
 /// exists stays unless `force` says otherwise, and an input always does. What is replaced keeps its mode and owner.
 ///
@@ -45,11 +56,7 @@ pub fn save(files: &[(&Path, &[u8])], inputs: &[PathBuf], force: bool) -> Result
     // From here on nothing interrupts: all files are the new ones, or none.
     let renaming = unfinished.hold();
     for (file, place) in staged {
-        let kept = if force { file.persist(&place.target) } else { file.persist_noclobber(&place.target) };
-        kept.map_err(|fault| {
-            let exists = fault.error.kind() == ErrorKind::AlreadyExists;
-            unwritten(place.asked, if exists { SaveTrouble::Exists } else { system(&fault.error) })
-        })?;
+        place.keep(file, force)?;
     }
     drop(renaming);
     Ok(())
@@ -76,12 +83,7 @@ pub fn save_by<E>(
     write(file.as_file_mut()).map_err(Unsaved::Other)?;
     file.as_file().sync_all().map_err(|error| failed(&error))?;
     let renaming = unfinished.hold();
-    let staged = file.into_temp_path();
-    let kept = if force { staged.persist(&place.target) } else { staged.persist_noclobber(&place.target) };
-    kept.map_err(|fault| {
-        let exists = fault.error.kind() == ErrorKind::AlreadyExists;
-        Unsaved::Unwritten(unwritten(place.asked, if exists { SaveTrouble::Exists } else { system(&fault.error) }))
-    })?;
+    place.keep(file.into_temp_path(), force).map_err(Unsaved::Unwritten)?;
     drop(renaming);
     Ok(())
 }

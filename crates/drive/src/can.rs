@@ -41,13 +41,14 @@ impl Frame {
 
 /// The state of the network management.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[repr(u8)]
 pub enum Nmt {
     /// SDO, no PDO.
-    PreOperational,
+    PreOperational = 127,
     /// SDO and PDO.
-    Operational,
+    Operational = 5,
     /// Neither.
-    Stopped,
+    Stopped = 4,
 }
 
 impl Nmt {
@@ -57,11 +58,7 @@ impl Nmt {
     /// cia-301
     #[must_use]
     pub const fn number(self) -> u8 {
-        match self {
-            Self::PreOperational => 127,
-            Self::Operational => 5,
-            Self::Stopped => 4,
-        }
+        self as u8
     }
 }
 
@@ -175,16 +172,15 @@ impl<'a> Node<'a> {
 
     /// Faults since the last step.
     fn report(&mut self) {
-        let id = EMERGENCY + u16::from(self.id);
         for (code, register) in self.drive.take_emergencies() {
-            self.emergency(id, code, register);
+            self.emergency(code, register);
         }
     }
 
-    fn emergency(&mut self, id: u16, code: u16, register: u8) {
+    fn emergency(&mut self, code: u16, register: u8) {
         if self.nmt != Nmt::Stopped {
             let [low, high] = code.to_le_bytes();
-            self.send(id, &[low, high, register, 0, 0, 0, 0, 0]);
+            self.send(EMERGENCY + u16::from(self.id), &[low, high, register, 0, 0, 0, 0, 0]);
         }
     }
 
@@ -280,7 +276,7 @@ impl<'a> Node<'a> {
             let Ok(entry) = self.drive.dictionary.entry(*at) else { continue };
             let Some((bytes, behind)) = rest.split_at_checked(usize::from(entry.data_type.bytes())) else {
                 let (code, register) = TOO_SHORT;
-                return self.emergency(EMERGENCY + u16::from(self.id), code, register);
+                return self.emergency(code, register);
             };
             rest = behind;
             if let Ok(value) = parts::number(entry.data_type, bytes) {
@@ -309,7 +305,7 @@ impl<'a> Node<'a> {
                     continue;
                 }
                 sent.syncs += 1;
-                let is_due = if pdo.kind == 0 { true } else { sent.syncs >= pdo.kind };
+                let is_due = sent.syncs >= pdo.kind;
                 let data = data(&self.drive, &pdo);
                 // Type 0: on the SYNC behind a change.
                 if is_due && (pdo.kind != 0 || sent.last.as_ref() != Some(&data)) {

@@ -4,6 +4,7 @@ use crate::abort::Abort;
 use crate::drive::Given;
 use crate::scale::Scale;
 use installation::commission::cia402::DataType;
+use quantities::identified;
 use std::collections::BTreeMap;
 
 /// Index and sub-index.
@@ -23,26 +24,16 @@ impl Address {
     }
 }
 
-/// Who may write an object.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Access {
-    /// It never changes.
-    Constant,
-    /// The drive alone.
-    ReadOnly,
-    /// A controller.
-    ReadWrite,
-}
-
-impl Access {
-    /// Its name in an EDS.
-    #[must_use]
-    pub const fn id(self) -> &'static str {
-        match self {
-            Self::Constant => "const",
-            Self::ReadOnly => "ro",
-            Self::ReadWrite => "rw",
-        }
+identified! {
+    /// Who may write an object; its identifier is its name in an EDS.
+    #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+    pub enum Access {
+        /// It never changes.
+        Constant = "const",
+        /// The drive alone.
+        ReadOnly = "ro",
+        /// A controller.
+        ReadWrite = "rw",
     }
 }
 
@@ -95,9 +86,6 @@ pub(crate) const INCREMENTS_USUAL: i64 = 65_536;
 /// Objects of a PDO at most.
 pub(crate) const MAPPED_MOST: u8 = 8;
 
-/// A list under construction.
-struct Draft(Vec<Entry>);
-
 const fn one(index: u16, name: &'static str, data_type: DataType, usual: i64) -> Entry {
     Entry {
         at: Address::new(index, 0),
@@ -138,17 +126,9 @@ impl Entry {
     }
 }
 
-impl Draft {
-    fn put(&mut self, entry: Entry) {
-        self.0.push(entry);
-    }
-
-    /// Sub-object 0 of an index with several.
-    fn count(&mut self, index: u16, group: &'static str, highest: u8) {
-        self.put(
-            one(index, "Highest sub-index supported", DataType::Unsigned8, i64::from(highest)).sub(0, group).constant(),
-        );
-    }
+/// Sub-object 0 of an index with several.
+fn highest(index: u16, group: &'static str, sub: u8) -> Entry {
+    one(index, "Highest sub-index supported", DataType::Unsigned8, i64::from(sub)).sub(0, group).constant()
 }
 
 /// Names of the four PDOs.
@@ -201,12 +181,11 @@ const ERRORS: [&str; 8] = [
 /// Every object of a drive.
 #[must_use]
 pub(crate) fn entries(given: &Given, scale: &Scale, most: [f64; 2], ramp_rad_s2: f64) -> Vec<Entry> {
-    let mut draft = Draft(Vec::new());
-    communication(&mut draft, given);
-    pdos(&mut draft, given.node);
-    own(&mut draft);
-    profile(&mut draft, scale, most, ramp_rad_s2);
-    let Draft(mut list) = draft;
+    let mut list = Vec::new();
+    communication(&mut list, given);
+    pdos(&mut list, given.node);
+    own(&mut list);
+    profile(&mut list, scale, most, ramp_rad_s2);
     // Values of the motor are those of the commissioning: one place for both.
     for object in &given.objects {
         let at = Address::new(object.index, object.sub);
@@ -221,7 +200,7 @@ pub(crate) fn entries(given: &Given, scale: &Scale, most: [f64; 2], ramp_rad_s2:
 }
 
 /// The objects of CiA 301.
-fn communication(draft: &mut Draft, given: &Given) {
+fn communication(list: &mut Vec<Entry>, given: &Given) {
     use DataType::{Unsigned8, Unsigned16, Unsigned32, VisibleString};
     let node = i64::from(given.node);
     let text = |index, name, text: &str| Entry {
@@ -229,32 +208,32 @@ fn communication(draft: &mut Draft, given: &Given) {
         ..one(index, name, VisibleString, 0).constant()
     };
     // A servo drive of the profile 402.
-    draft.put(one(0x1000, "Device type", Unsigned32, 0x0002_0192).constant());
-    draft.put(one(0x1001, "Error register", Unsigned8, 0).read_only().mapped());
+    list.push(one(0x1000, "Device type", Unsigned32, 0x0002_0192).constant());
+    list.push(one(0x1001, "Error register", Unsigned8, 0).read_only().mapped());
     let field = "Pre-defined error field";
-    draft.put(one(0x1003, "Number of errors", Unsigned8, 0).sub(0, field).within(0, 0));
+    list.push(one(0x1003, "Number of errors", Unsigned8, 0).sub(0, field).within(0, 0));
     for (sub, name) in (1..).zip(ERRORS) {
-        draft.put(one(0x1003, name, Unsigned32, 0).sub(sub, field).read_only());
+        list.push(one(0x1003, name, Unsigned32, 0).sub(sub, field).read_only());
     }
-    draft.put(one(0x1005, "COB-ID SYNC message", Unsigned32, 0x80).constant());
-    draft.put(text(0x1008, "Manufacturer device name", &given.name));
-    draft.put(text(0x100A, "Manufacturer software version", env!("CARGO_PKG_VERSION")));
-    draft.put(one(0x1014, "COB-ID EMCY", Unsigned32, 0x80 + node).constant());
+    list.push(one(0x1005, "COB-ID SYNC message", Unsigned32, 0x80).constant());
+    list.push(text(0x1008, "Manufacturer device name", &given.name));
+    list.push(text(0x100A, "Manufacturer software version", env!("CARGO_PKG_VERSION")));
+    list.push(one(0x1014, "COB-ID EMCY", Unsigned32, 0x80 + node).constant());
     let heard = "Consumer heartbeat time";
-    draft.count(0x1016, heard, 1);
-    draft.put(one(0x1016, "Consumer heartbeat time 1", Unsigned32, 0).sub(1, heard).within(0, 0x007F_FFFF));
-    draft.put(one(0x1017, "Producer heartbeat time", Unsigned16, 0).unit("ms"));
+    list.push(highest(0x1016, heard, 1));
+    list.push(one(0x1016, "Consumer heartbeat time 1", Unsigned32, 0).sub(1, heard).within(0, 0x007F_FFFF));
+    list.push(one(0x1017, "Producer heartbeat time", Unsigned16, 0).unit("ms"));
     let identity = "Identity object";
-    draft.count(0x1018, identity, 4);
+    list.push(highest(0x1018, identity, 4));
     // No vendor has registered it: the vendor id is zero.
-    draft.put(one(0x1018, "Vendor-ID", Unsigned32, 0).sub(1, identity).constant());
-    draft.put(one(0x1018, "Product code", Unsigned32, 0x402).sub(2, identity).constant());
-    draft.put(one(0x1018, "Revision number", Unsigned32, 1).sub(3, identity).constant());
-    draft.put(one(0x1018, "Serial number", Unsigned32, i64::from(given.seed)).sub(4, identity).constant());
+    list.push(one(0x1018, "Vendor-ID", Unsigned32, 0).sub(1, identity).constant());
+    list.push(one(0x1018, "Product code", Unsigned32, 0x402).sub(2, identity).constant());
+    list.push(one(0x1018, "Revision number", Unsigned32, 1).sub(3, identity).constant());
+    list.push(one(0x1018, "Serial number", Unsigned32, i64::from(given.seed)).sub(4, identity).constant());
 }
 
 /// Communication and mapping of the PDOs.
-fn pdos(draft: &mut Draft, node: u8) {
+fn pdos(list: &mut Vec<Entry>, node: u8) {
     use DataType::{Unsigned8, Unsigned16, Unsigned32};
     let node = i64::from(node);
     let mut kind = |base: u16, names: [[&'static str; 2]; 4], held: [&[u32]; 4], cob: i64, is_sent: bool| {
@@ -263,24 +242,24 @@ fn pdos(draft: &mut Draft, node: u8) {
             // The first one is on; the others have bit 31.
             let off = if number == 0 { 0 } else { 1 << 31 };
             let cob = cob + 0x100 * i64::from(number) + node + off;
-            draft.count(index, parameter, if is_sent { 5 } else { 2 });
-            draft.put(one(index, "COB-ID used by PDO", Unsigned32, cob).sub(1, parameter));
-            draft.put(one(index, "Transmission type", Unsigned8, 255).sub(2, parameter));
+            list.push(highest(index, parameter, if is_sent { 5 } else { 2 }));
+            list.push(one(index, "COB-ID used by PDO", Unsigned32, cob).sub(1, parameter));
+            list.push(one(index, "Transmission type", Unsigned8, 255).sub(2, parameter));
             if is_sent {
                 // What changes all the time is sent every 10 ms at most.
                 let inhibit = if number < 2 { 0 } else { 100 };
-                draft.put(one(index, "Inhibit time", Unsigned16, inhibit).sub(3, parameter).unit("0.1 ms"));
-                draft.put(one(index, "Event timer", Unsigned16, 0).sub(5, parameter).unit("ms"));
+                list.push(one(index, "Inhibit time", Unsigned16, inhibit).sub(3, parameter).unit("0.1 ms"));
+                list.push(one(index, "Event timer", Unsigned16, 0).sub(5, parameter).unit("ms"));
             }
             let count = i64::try_from(held.len()).unwrap_or(0);
-            draft.put(
+            list.push(
                 one(mapped, "Number of mapped objects", Unsigned8, count)
                     .sub(0, mapping)
                     .within(0, i64::from(MAPPED_MOST)),
             );
             for (place, name) in (0_u8..).zip(ENTRIES) {
                 let usual = held.get(usize::from(place)).map_or(0, |mapped| i64::from(*mapped));
-                draft.put(one(mapped, name, Unsigned32, usual).sub(place + 1, mapping));
+                list.push(one(mapped, name, Unsigned32, usual).sub(place + 1, mapping));
             }
         }
     };
@@ -289,96 +268,96 @@ fn pdos(draft: &mut Draft, node: u8) {
 }
 
 /// What only this drive has.
-fn own(draft: &mut Draft) {
+fn own(list: &mut Vec<Entry>) {
     use DataType::{Integer16, Unsigned8, Unsigned16, Unsigned32};
-    draft.put(one(0x2000, "Simulated time", Unsigned32, 0).read_only().mapped().unit("ms"));
-    draft.put(one(0x2001, "Winding temperature", Integer16, 0).read_only().mapped().unit("0.1 °C"));
-    draft.put(one(0x2002, "Overload I2t", Unsigned16, 0).read_only().mapped().unit("0.1 %"));
-    draft.put(one(0x2003, "Brake closed", Unsigned8, 0).read_only().mapped());
-    draft.put(one(0x2010, "Disturbance", Unsigned8, 0).within(0, i64::from(DISTURBANCES) - 1));
+    list.push(one(0x2000, "Simulated time", Unsigned32, 0).read_only().mapped().unit("ms"));
+    list.push(one(0x2001, "Winding temperature", Integer16, 0).read_only().mapped().unit("0.1 °C"));
+    list.push(one(0x2002, "Overload I2t", Unsigned16, 0).read_only().mapped().unit("0.1 %"));
+    list.push(one(0x2003, "Brake closed", Unsigned8, 0).read_only().mapped());
+    list.push(one(0x2010, "Disturbance", Unsigned8, 0).within(0, i64::from(DISTURBANCES) - 1));
 }
 
 /// Disturbances of 2010h, none among them.
 pub(crate) const DISTURBANCES: u8 = 8;
 
 /// The objects of CiA 402.
-fn profile(draft: &mut Draft, scale: &Scale, most: [f64; 2], ramp: f64) {
+fn profile(list: &mut Vec<Entry>, scale: &Scale, most: [f64; 2], ramp: f64) {
     use DataType::{Integer8, Integer16, Integer32, Unsigned8, Unsigned16, Unsigned32};
     let of = |rad: f64| scale.plain(rad);
     let [fastest, _] = most;
     let pi = std::f64::consts::PI;
-    draft.put(one(0x603F, "Error code", Unsigned16, 0).read_only().mapped());
-    draft.put(one(0x6040, "Controlword", Unsigned16, 0).mapped());
-    draft.put(one(0x6041, "Statusword", Unsigned16, 0).read_only().mapped());
-    draft.put(one(0x605A, "Quick stop option code", Integer16, 2).within(0, 6));
-    draft.put(one(0x605B, "Shutdown option code", Integer16, 0).within(0, 1));
-    draft.put(one(0x605C, "Disable operation option code", Integer16, 1).within(0, 1));
-    draft.put(one(0x605D, "Halt option code", Integer16, 1).within(1, 2));
-    draft.put(one(0x605E, "Fault reaction option code", Integer16, 2).within(0, 2));
-    draft.put(one(0x6060, "Modes of operation", Integer8, 0).mapped());
-    draft.put(one(0x6061, "Modes of operation display", Integer8, 0).read_only().mapped());
-    draft.put(one(0x6062, "Position demand value", Integer32, 0).read_only().mapped().unit(INC));
-    draft.put(one(0x6064, "Position actual value", Integer32, 0).read_only().mapped().unit(INC));
+    list.push(one(0x603F, "Error code", Unsigned16, 0).read_only().mapped());
+    list.push(one(0x6040, "Controlword", Unsigned16, 0).mapped());
+    list.push(one(0x6041, "Statusword", Unsigned16, 0).read_only().mapped());
+    list.push(one(0x605A, "Quick stop option code", Integer16, 2).within(0, 6));
+    list.push(one(0x605B, "Shutdown option code", Integer16, 0).within(0, 1));
+    list.push(one(0x605C, "Disable operation option code", Integer16, 1).within(0, 1));
+    list.push(one(0x605D, "Halt option code", Integer16, 1).within(1, 2));
+    list.push(one(0x605E, "Fault reaction option code", Integer16, 2).within(0, 2));
+    list.push(one(0x6060, "Modes of operation", Integer8, 0).mapped());
+    list.push(one(0x6061, "Modes of operation display", Integer8, 0).read_only().mapped());
+    list.push(one(0x6062, "Position demand value", Integer32, 0).read_only().mapped().unit(INC));
+    list.push(one(0x6064, "Position actual value", Integer32, 0).read_only().mapped().unit(INC));
     // 1°, 10 ms; 0.05°, 10 ms: ours.
-    draft.put(one(0x6065, "Following error window", Unsigned32, of(pi / 180.0)).unit(INC));
-    draft.put(one(0x6066, "Following error time out", Unsigned16, 10).unit("ms"));
-    draft.put(one(0x6067, "Position window", Unsigned32, of(pi / 3600.0)).unit(INC));
-    draft.put(one(0x6068, "Position window time", Unsigned16, 10).unit("ms"));
-    draft.put(one(0x606B, "Velocity demand value", Integer32, 0).read_only().mapped().unit(INC_S));
-    draft.put(one(0x606C, "Velocity actual value", Integer32, 0).read_only().mapped().unit(INC_S));
+    list.push(one(0x6065, "Following error window", Unsigned32, of(pi / 180.0)).unit(INC));
+    list.push(one(0x6066, "Following error time out", Unsigned16, 10).unit("ms"));
+    list.push(one(0x6067, "Position window", Unsigned32, of(pi / 3600.0)).unit(INC));
+    list.push(one(0x6068, "Position window time", Unsigned16, 10).unit("ms"));
+    list.push(one(0x606B, "Velocity demand value", Integer32, 0).read_only().mapped().unit(INC_S));
+    list.push(one(0x606C, "Velocity actual value", Integer32, 0).read_only().mapped().unit(INC_S));
     // The windows of the speed are written in inc/s like the speeds: the profile's 16 bit would end at a hundredth of the top speed.
-    draft.put(one(0x606D, "Velocity window", Unsigned16, of(0.002 * fastest).min(65_535)).unit(INC_S));
-    draft.put(one(0x606E, "Velocity window time", Unsigned16, 10).unit("ms"));
-    draft.put(one(0x606F, "Velocity threshold", Unsigned16, of(0.002 * fastest).min(65_535)).unit(INC_S));
-    draft.put(one(0x6070, "Velocity threshold time", Unsigned16, 10).unit("ms"));
-    draft.put(one(0x6072, "Max torque", Unsigned16, 65_535).mapped().unit("0.1 %"));
-    draft.put(one(0x6073, "Max current", Unsigned16, 65_535).unit("0.1 %"));
-    draft.put(one(0x6075, "Motor rated current", Unsigned32, 1000).within(1, i64::from(u32::MAX)).unit("mA"));
-    draft.put(one(0x6076, "Motor rated torque", Unsigned32, 1000).within(1, i64::from(u32::MAX)).unit("mNm"));
-    draft.put(one(0x6077, "Torque actual value", Integer16, 0).read_only().mapped().unit("0.1 %"));
-    draft.put(one(0x6078, "Current actual value", Integer16, 0).read_only().mapped().unit("0.1 %"));
-    draft.put(one(0x6079, "DC link circuit voltage", Unsigned32, 0).read_only().mapped().unit("mV"));
-    draft.put(one(0x607A, "Target position", Integer32, 0).mapped().unit(INC));
+    list.push(one(0x606D, "Velocity window", Unsigned16, of(0.002 * fastest).min(65_535)).unit(INC_S));
+    list.push(one(0x606E, "Velocity window time", Unsigned16, 10).unit("ms"));
+    list.push(one(0x606F, "Velocity threshold", Unsigned16, of(0.002 * fastest).min(65_535)).unit(INC_S));
+    list.push(one(0x6070, "Velocity threshold time", Unsigned16, 10).unit("ms"));
+    list.push(one(0x6072, "Max torque", Unsigned16, 65_535).mapped().unit("0.1 %"));
+    list.push(one(0x6073, "Max current", Unsigned16, 65_535).unit("0.1 %"));
+    list.push(one(0x6075, "Motor rated current", Unsigned32, 1000).within(1, i64::from(u32::MAX)).unit("mA"));
+    list.push(one(0x6076, "Motor rated torque", Unsigned32, 1000).within(1, i64::from(u32::MAX)).unit("mNm"));
+    list.push(one(0x6077, "Torque actual value", Integer16, 0).read_only().mapped().unit("0.1 %"));
+    list.push(one(0x6078, "Current actual value", Integer16, 0).read_only().mapped().unit("0.1 %"));
+    list.push(one(0x6079, "DC link circuit voltage", Unsigned32, 0).read_only().mapped().unit("mV"));
+    list.push(one(0x607A, "Target position", Integer32, 0).mapped().unit(INC));
     let limit = "Software position limit";
-    draft.count(0x607D, limit, 2);
+    list.push(highest(0x607D, limit, 2));
     let whole = Integer32.range();
-    draft.put(one(0x607D, "Min position limit", Integer32, whole[0]).sub(1, limit).unit(INC));
-    draft.put(one(0x607D, "Max position limit", Integer32, whole[1]).sub(2, limit).unit(INC));
-    draft.put(one(0x607E, "Polarity", Unsigned8, 0));
-    draft.put(one(0x607F, "Max profile velocity", Unsigned32, of(fastest)).mapped().unit(INC_S));
-    draft.put(one(0x6080, "Max motor speed", Unsigned32, scale.motor_rpm(fastest)).unit("1/min"));
+    list.push(one(0x607D, "Min position limit", Integer32, whole[0]).sub(1, limit).unit(INC));
+    list.push(one(0x607D, "Max position limit", Integer32, whole[1]).sub(2, limit).unit(INC));
+    list.push(one(0x607E, "Polarity", Unsigned8, 0));
+    list.push(one(0x607F, "Max profile velocity", Unsigned32, of(fastest)).mapped().unit(INC_S));
+    list.push(one(0x6080, "Max motor speed", Unsigned32, scale.motor_rpm(fastest)).unit("1/min"));
     let positive = |index, name, value: i64, unit| {
         one(index, name, Unsigned32, value.max(1)).mapped().within(1, i64::from(u32::MAX)).unit(unit)
     };
-    draft.put(positive(0x6081, "Profile velocity", of(0.5 * fastest), INC_S));
-    draft.put(positive(0x6083, "Profile acceleration", of(0.5 * ramp), INC_S2));
-    draft.put(positive(0x6084, "Profile deceleration", of(0.5 * ramp), INC_S2));
-    draft.put(positive(0x6085, "Quick stop deceleration", of(ramp), INC_S2));
-    draft.put(one(0x6086, "Motion profile type", Integer16, 0).within(0, 0));
+    list.push(positive(0x6081, "Profile velocity", of(0.5 * fastest), INC_S));
+    list.push(positive(0x6083, "Profile acceleration", of(0.5 * ramp), INC_S2));
+    list.push(positive(0x6084, "Profile deceleration", of(0.5 * ramp), INC_S2));
+    list.push(positive(0x6085, "Quick stop deceleration", of(ramp), INC_S2));
+    list.push(one(0x6086, "Motion profile type", Integer16, 0).within(0, 0));
     let natural = |index, name, value: i64, sub, group| {
         one(index, name, Unsigned32, value).sub(sub, group).within(1, i64::from(u32::MAX))
     };
     let encoder = "Position encoder resolution";
-    draft.count(0x608F, encoder, 2);
-    draft.put(natural(0x608F, "Encoder increments", INCREMENTS_USUAL, 1, encoder).unit(INC));
-    draft.put(natural(0x608F, "Motor revolutions", 1, 2, encoder));
+    list.push(highest(0x608F, encoder, 2));
+    list.push(natural(0x608F, "Encoder increments", INCREMENTS_USUAL, 1, encoder).unit(INC));
+    list.push(natural(0x608F, "Motor revolutions", 1, 2, encoder));
     let gear = "Gear ratio";
-    draft.count(0x6091, gear, 2);
-    draft.put(natural(0x6091, "Motor revolutions", scale.ratio(), 1, gear));
-    draft.put(natural(0x6091, "Shaft revolutions", 1, 2, gear));
+    list.push(highest(0x6091, gear, 2));
+    list.push(natural(0x6091, "Motor revolutions", scale.ratio(), 1, gear));
+    list.push(natural(0x6091, "Shaft revolutions", 1, 2, gear));
     let feed = "Feed constant";
-    draft.count(0x6092, feed, 2);
-    draft.put(natural(0x6092, "Feed", scale.increments_of_a_turn(), 1, feed).unit(INC));
-    draft.put(natural(0x6092, "Shaft revolutions", 1, 2, feed));
+    list.push(highest(0x6092, feed, 2));
+    list.push(natural(0x6092, "Feed", scale.increments_of_a_turn(), 1, feed).unit(INC));
+    list.push(natural(0x6092, "Shaft revolutions", 1, 2, feed));
     let period = "Interpolation time period";
-    draft.count(0x60C2, period, 2);
-    draft.put(one(0x60C2, "Interpolation time period value", Unsigned8, 10).sub(1, period).within(1, 255));
-    draft.put(one(0x60C2, "Interpolation time index", Integer8, -3).sub(2, period).within(-4, 0));
-    draft.put(one(0x60F4, "Following error actual value", Integer32, 0).read_only().mapped().unit(INC));
-    draft.put(one(0x60FF, "Target velocity", Integer32, 0).mapped().unit(INC_S));
-    draft.put(one(0x6402, "Motor type", Unsigned16, 10).constant());
+    list.push(highest(0x60C2, period, 2));
+    list.push(one(0x60C2, "Interpolation time period value", Unsigned8, 10).sub(1, period).within(1, 255));
+    list.push(one(0x60C2, "Interpolation time index", Integer8, -3).sub(2, period).within(-4, 0));
+    list.push(one(0x60F4, "Following error actual value", Integer32, 0).read_only().mapped().unit(INC));
+    list.push(one(0x60FF, "Target velocity", Integer32, 0).mapped().unit(INC_S));
+    list.push(one(0x6402, "Motor type", Unsigned16, 10).constant());
     // Profile position, profile velocity, cyclic synchronous position.
-    draft.put(one(0x6502, "Supported drive modes", Unsigned32, 0b1000_0101).constant());
+    list.push(one(0x6502, "Supported drive modes", Unsigned32, 0b1000_0101).constant());
 }
 
 impl Dictionary {

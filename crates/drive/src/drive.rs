@@ -11,7 +11,7 @@ use crate::scale::{Scale, bounded};
 use crate::state::State;
 use crate::trouble::Trouble;
 use installation::commission::cia402::Object;
-use twin::{Demand, EventKind, Fault, Reading, ScenarioId, Setup, Twin};
+use twin::{Demand, EventKind, Fault, POSITION_EVERY, Reading, ScenarioId, Setup, Twin};
 
 /// The time of a step \[s\]: a period of the position loop.
 pub const HALF_MS_S: f64 = 0.5e-3;
@@ -201,8 +201,7 @@ impl<'a> Drive<'a> {
         self.obey();
         let demand = self.followed();
         self.twin.demand(demand);
-        let (periods, _) = Twin::position_period();
-        self.twin.advance(periods);
+        self.twin.advance(POSITION_EVERY);
         self.supervise();
         self.end();
     }

@@ -2,6 +2,7 @@
 
 use crate::dictionary::{Address, Value};
 use crate::drive::{Drive, HALF_MS_S};
+use quantities::identified;
 
 /// The longest line with its end \[bytes\].
 pub const LINE_MOST: usize = 128;
@@ -9,29 +10,19 @@ pub const LINE_MOST: usize = 128;
 /// The longest step of one line \[ms\].
 pub const STEP_MOST_MS: f64 = 10_000.0;
 
-/// Who makes the time go on.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum Time {
-    /// The clock.
-    #[default]
-    Real,
-    /// The client.
-    Stepped,
+identified! {
+    /// Who makes the time go on.
+    #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+    pub enum Time {
+        /// The clock.
+        #[default]
+        Real = "real",
+        /// The client.
+        Stepped = "stepped",
+    }
 }
 
 impl Time {
-    /// Both.
-    pub const ALL: [Self; 2] = [Self::Real, Self::Stepped];
-
-    /// Its identifier.
-    #[must_use]
-    pub const fn id(self) -> &'static str {
-        match self {
-            Self::Real => "real",
-            Self::Stepped => "stepped",
-        }
-    }
-
     /// That of an identifier.
     #[must_use]
     pub fn of(id: &str) -> Option<Self> {

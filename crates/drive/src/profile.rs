@@ -6,16 +6,17 @@ use crate::state::State;
 
 /// A mode of operation.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[repr(i64)]
 pub(crate) enum Mode {
     /// None: the axis is held.
     #[default]
-    None,
+    None = 0,
     /// Profile position.
-    ProfilePosition,
+    ProfilePosition = 1,
     /// Profile velocity.
-    ProfileVelocity,
+    ProfileVelocity = 3,
     /// Cyclic synchronous position.
-    CyclicPosition,
+    CyclicPosition = 8,
 }
 
 impl Mode {
@@ -24,12 +25,7 @@ impl Mode {
     /// # Source
     /// cia-402
     pub(crate) const fn number(self) -> i64 {
-        match self {
-            Self::None => 0,
-            Self::ProfilePosition => 1,
-            Self::ProfileVelocity => 3,
-            Self::CyclicPosition => 8,
-        }
+        self as i64
     }
 
     /// The mode of a number.

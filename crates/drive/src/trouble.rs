@@ -5,47 +5,33 @@ use twin::{EventKind, Twin};
 
 /// A fault of the drive.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[repr(u16)]
 pub enum Trouble {
     /// DC link too high.
-    LinkHigh,
+    LinkHigh = 0x3210,
     /// DC link too low.
-    LinkLow,
+    LinkLow = 0x3220,
     /// Overload, I²t.
-    Overload,
+    Overload = 0x2350,
     /// Winding too warm.
-    Winding,
+    Winding = 0x4310,
     /// The simulation left every bound.
-    Diverged,
+    Diverged = 0x6100,
     /// No valid position: the resolver.
-    Resolver,
+    Resolver = 0x7303,
     /// No valid position: the tracks of the encoder.
-    Incremental,
+    Incremental = 0x7305,
     /// No valid position: the words of the encoder.
-    Position,
+    Position = 0x7320,
     /// The controller is no longer heard.
-    Guarding,
+    Guarding = 0x8130,
     /// Speed too high.
-    Overspeed,
+    Overspeed = 0x8400,
     /// The position lags behind.
-    Following,
+    Following = 0x8611,
 }
 
 impl Trouble {
-    /// Every one.
-    pub const ALL: [Self; 11] = [
-        Self::LinkHigh,
-        Self::LinkLow,
-        Self::Overload,
-        Self::Winding,
-        Self::Diverged,
-        Self::Resolver,
-        Self::Incremental,
-        Self::Position,
-        Self::Guarding,
-        Self::Overspeed,
-        Self::Following,
-    ];
-
     /// Its code in 603Fh and in the emergency message.
     ///
     /// # Source
@@ -53,19 +39,7 @@ impl Trouble {
     /// in `cia402appl.h`
     #[must_use]
     pub const fn code(self) -> u16 {
-        match self {
-            Self::LinkHigh => 0x3210,
-            Self::LinkLow => 0x3220,
-            Self::Overload => 0x2350,
-            Self::Winding => 0x4310,
-            Self::Diverged => 0x6100,
-            Self::Resolver => 0x7303,
-            Self::Incremental => 0x7305,
-            Self::Position => 0x7320,
-            Self::Guarding => 0x8130,
-            Self::Overspeed => 0x8400,
-            Self::Following => 0x8611,
-        }
+        self as u16
     }
 
     /// The bits of the error register 1001h.

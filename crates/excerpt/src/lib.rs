@@ -44,7 +44,7 @@ pub struct Style<'s> {
 #[must_use]
 pub fn show(text: &str, fault: &Fault<'_>, style: &Style<'_>) -> String {
     let part = Part::about(text, fault);
-    let line = part.text.get(part.span.start..).and_then(|_| line_at(part.text, part.span.start)).unwrap_or_default();
+    let line = line_at(part.text, part.span.start).unwrap_or_default();
     if line.len() > LINE_MAX || fault.span.len() > LINE_MAX {
         let help = fault.hint.map(|hint| format!("  {}: {hint}\n", style.help)).unwrap_or_default();
         let place = format!("{}:{}:{}", style.file, fault.line, fault.column);
@@ -80,8 +80,8 @@ struct Part<'t> {
 
 impl<'t> Part<'t> {
     fn about(text: &'t str, fault: &Fault<'_>) -> Self {
-        let end = floor(text, fault.span.end);
-        let start = floor(text, fault.span.start).min(end);
+        let end = text.floor_char_boundary(fault.span.end);
+        let start = text.floor_char_boundary(fault.span.start).min(end);
         let begin_of = |at: usize| text.get(..at).and_then(|before| before.rfind('\n')).map_or(0, |found| found + 1);
         let end_of =
             |at: usize| text.get(at..).and_then(|rest| rest.find('\n')).map_or(text.len(), |found| at + found + 1);
@@ -94,12 +94,6 @@ impl<'t> Part<'t> {
             span: start - first..end - first,
         }
     }
-}
-
-/// The last place up to here where a character begins, or the end.
-fn floor(text: &str, at: usize) -> usize {
-    let at = at.min(text.len());
-    (0..=at).rev().find(|at| text.is_char_boundary(*at)).unwrap_or(0)
 }
 
 fn line_at(text: &str, at: usize) -> Option<&str> {
@@ -171,7 +165,7 @@ mod tests {
     fn places_at_the_edge_and_beyond_are_shown() {
         for text in ["", "\n", "a", "a\n", "a\r\nß", "\u{feff}", "\r", "a\n\n\n"] {
             for (start, end) in [(0, 0), (0, 1), (1, 1), (1, 9), (2, 3), (9, 9), (3, 2)] {
-                let start_in = floor(text, start);
+                let start_in = text.floor_char_boundary(start);
                 let line = text[..start_in].matches('\n').count() + 1;
                 let fault = Fault { span: start..end, line, column: 1, message: "wrong", hint: None };
                 let found = plain(&show(text, &fault, &STYLE));

@@ -1,5 +1,6 @@
 //! The deviation of an encoder from the true angle: a bounded sum of harmonics.
 
+use numeric::Random;
 use quantities::{Angle, Measure};
 use std::f64::consts::{PI, TAU};
 
@@ -33,11 +34,11 @@ impl Deviation {
     /// A deviation within an accuracy to either side; `periods` of the sine tracks per turn, none where there are none.
     #[must_use]
     pub fn new(accuracy: Angle, periods: Option<u32>, seed: u64) -> Self {
-        let mut chance = Chance(seed);
+        let mut chance = Random::new(seed);
         let bound = accuracy.si().abs();
         let share = if periods.is_some() { SHARE_WITHIN_PERIOD } else { 0.0 };
         // Low orders dominate: the amplitude falls with the order.
-        let mut slow = ORDERS.map(|order| ((0.5 + 0.5 * chance.next()) / order, TAU * chance.next()));
+        let mut slow = ORDERS.map(|order| ((0.5 + 0.5 * chance.uniform()) / order, TAU * chance.uniform()));
         let sample = |slow: &[(f64, f64)], at: u32| sum(slow, TAU * f64::from(at) / f64::from(SAMPLES));
         let (mut low, mut high) = (f64::INFINITY, f64::NEG_INFINITY);
         for at in 0..SAMPLES {
@@ -52,7 +53,7 @@ impl Deviation {
         for (amplitude, _) in &mut slow {
             *amplitude *= scale;
         }
-        let within = periods.map(|periods| (f64::from(periods), bound * share, TAU * chance.next()));
+        let within = periods.map(|periods| (f64::from(periods), bound * share, TAU * chance.uniform()));
         Self { constant_rad: -(high + low) / 2.0 * scale, slow, within }
     }
 
@@ -74,20 +75,6 @@ impl Deviation {
 
 fn sum(slow: &[(f64, f64)], phi: f64) -> f64 {
     slow.iter().zip(ORDERS).map(|((amplitude, phase), order)| amplitude * (order * phi + phase).sin()).sum()
-}
-
-/// SplitMix64 (Steele, Lea, Flood 2014), as numbers from zero to below one.
-struct Chance(u64);
-
-impl Chance {
-    #[allow(clippy::cast_precision_loss, reason = "53 bits are exact")]
-    fn next(&mut self) -> f64 {
-        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
-        let mut bits = self.0;
-        bits = (bits ^ (bits >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-        bits = (bits ^ (bits >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
-        ((bits ^ (bits >> 31)) >> 11) as f64 / (1_u64 << 53) as f64
-    }
 }
 
 #[cfg(test)]

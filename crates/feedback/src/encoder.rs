@@ -5,7 +5,7 @@ use crate::square::{HIGH, Window, phase};
 use crate::ssi::{self, Format, Position, monoflop};
 use crate::trace::{Clocked, EDGES_MOST, Edge, Line, TooManyEdges, Trace};
 use crate::{CommutationPhases, Deviation, Resolver, Shaft, SinePair, SquareTracks, Word};
-use quantities::{Angle, ElectricPotential, Measure, Time};
+use quantities::{Angle, ElectricPotential, Measure, Time, identified};
 use std::f64::consts::{SQRT_2, TAU};
 
 /// Time for which a trace shows the lines before the first edge of the clock \[ns\]; at its end the position is latched.
@@ -57,100 +57,50 @@ pub struct Absolute {
     pub format: Format,
 }
 
-/// The protocol of a word.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Protocol {
-    /// `EnDat` 2.2.
-    EnDat,
-    /// SSI.
-    Ssi,
-}
-
-impl Protocol {
-    /// Every protocol.
-    pub const ALL: &'static [Self] = &[Self::EnDat, Self::Ssi];
-
-    /// The identifier used in data exchange.
-    #[must_use]
-    pub const fn id(self) -> &'static str {
-        match self {
-            Self::EnDat => "endat",
-            Self::Ssi => "ssi",
-        }
+identified! {
+    /// The protocol of a word.
+    #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+    pub enum Protocol {
+        /// `EnDat` 2.2.
+        EnDat = "endat",
+        /// SSI.
+        Ssi = "ssi",
     }
 }
 
-/// A signal of an encoder; of those led out as a pair, the difference.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Signal {
-    /// First incremental track.
-    A,
-    /// Second incremental track.
-    B,
-    /// First commutation track.
-    C,
-    /// Second commutation track.
-    D,
-    /// Reference mark.
-    R,
-    /// Zero pulse.
-    Z,
-    /// Commutation signal of phase U.
-    U,
-    /// Commutation signal of phase V.
-    V,
-    /// Commutation signal of phase W.
-    W,
-    /// Sine winding.
-    Sine,
-    /// Cosine winding.
-    Cosine,
-    /// Excitation.
-    Excitation,
-    /// Clock of the serial interface.
-    Clock,
-    /// Data of the serial interface.
-    Data,
-}
-
-impl Signal {
-    /// Every signal.
-    pub const ALL: &'static [Self] = &[
-        Self::A,
-        Self::B,
-        Self::C,
-        Self::D,
-        Self::R,
-        Self::Z,
-        Self::U,
-        Self::V,
-        Self::W,
-        Self::Sine,
-        Self::Cosine,
-        Self::Excitation,
-        Self::Clock,
-        Self::Data,
-    ];
-
-    /// The identifier used in data exchange: the name printed on the pins without its polarity.
-    #[must_use]
-    pub const fn id(self) -> &'static str {
-        match self {
-            Self::A => "A",
-            Self::B => "B",
-            Self::C => "C",
-            Self::D => "D",
-            Self::R => "R",
-            Self::Z => "Z",
-            Self::U => "U",
-            Self::V => "V",
-            Self::W => "W",
-            Self::Sine => "SIN",
-            Self::Cosine => "COS",
-            Self::Excitation => "Vss",
-            Self::Clock => "CLOCK",
-            Self::Data => "DATA",
-        }
+identified! {
+    /// A signal of an encoder; of those led out as a pair, the difference. Its identifier is the name printed on the pins
+    /// without its polarity.
+    #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+    pub enum Signal {
+        /// First incremental track.
+        A = "A",
+        /// Second incremental track.
+        B = "B",
+        /// First commutation track.
+        C = "C",
+        /// Second commutation track.
+        D = "D",
+        /// Reference mark.
+        R = "R",
+        /// Zero pulse.
+        Z = "Z",
+        /// Commutation signal of phase U.
+        U = "U",
+        /// Commutation signal of phase V.
+        V = "V",
+        /// Commutation signal of phase W.
+        W = "W",
+        /// Sine winding.
+        Sine = "SIN",
+        /// Cosine winding.
+        Cosine = "COS",
+        /// Excitation.
+        Excitation = "Vss",
+        /// Clock of the serial interface.
+        Clock = "CLOCK",
+        /// Data of the serial interface.
+        Data = "DATA",
     }
 }
 
@@ -176,7 +126,7 @@ impl Encoder {
     /// Its signals.
     #[must_use]
     pub fn signals(&self) -> Vec<Signal> {
-        Signal::ALL.iter().copied().filter(|signal| self.has(*signal)).collect()
+        Signal::ALL.into_iter().filter(|signal| self.has(*signal)).collect()
     }
 
     fn has(&self, signal: Signal) -> bool {

@@ -4,66 +4,46 @@ use crate::encoder::{Absolute, Encoder, Interface, Protocol};
 use crate::endat::{self, ErrorBits, Timing};
 use crate::ssi::{self, Position, monoflop};
 use crate::{CommutationPhases, Quadrature, Shaft, SquareTracks, TrackingLoop, Word, commutation_sector};
-use quantities::{Angle, AngularVelocity, Measure};
+use quantities::{Angle, AngularVelocity, Measure, identified};
 use std::f64::consts::{PI, TAU};
 
-/// One line per name: its variant and its identifier.
-macro_rules! named {
-    ($(#[$about:meta])* $Type:ident { $($(#[$each:meta])* $variant:ident $id:literal;)* }) => {
-        $(#[$about])*
-        #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-        pub enum $Type {
-            $($(#[$each])* $variant,)*
-        }
-
-        impl $Type {
-            /// All of them.
-            pub const ALL: &'static [Self] = &[$(Self::$variant),*];
-
-            /// The identifier used in data exchange.
-            #[must_use]
-            pub const fn id(self) -> &'static str {
-                match self { $(Self::$variant => $id,)* }
-            }
-        }
-    };
-}
-
-named! {
+identified! {
     /// What fails.
-    Failure {
+    #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+    pub enum Failure {
         /// The second track, of a resolver its sine winding, gives nothing; a square track keeps its level.
-        Track "track";
+        Track = "track",
         /// Both tracks or windings have a quarter of their level.
-        Amplitude "amplitude";
+        Amplitude = "amplitude",
         /// No signal arrives.
-        Cable "cable";
+        Cable = "cable",
         /// A bit of every word arrives wrong.
-        Check "check";
+        Check = "check",
         /// The encoder reports an error in its word.
-        ErrorBit "error_bit";
+        ErrorBit = "error_bit",
         /// The data line of the word stays low.
-        DataLine "data_line";
+        DataLine = "data_line",
     }
 }
 
-named! {
+identified! {
     /// How a drive notices it.
-    Finding {
+    #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+    pub enum Finding {
         /// √(A² + B²) is out of its bounds.
-        Amplitude "amplitude";
+        Amplitude = "amplitude",
         /// The counted angle differs from that of the commutation signals.
-        Commutation "commutation";
+        Commutation = "commutation",
         /// The commutation signals are all alike.
-        Sector "sector";
+        Sector = "sector",
         /// A word without its start bit.
-        Start "start";
+        Start = "start",
         /// A word with a wrong check.
-        Check "check";
+        Check = "check",
         /// The error bits of a word.
-        ErrorBit "error_bit";
+        ErrorBit = "error_bit",
         /// The absolute position differs from the counted one.
-        Difference "difference";
+        Difference = "difference",
     }
 }
 
@@ -97,7 +77,7 @@ const ERRORS: ErrorBits = ErrorBits::Both;
 impl Encoder {
     /// The failures that it can have.
     pub fn failures(&self) -> impl Iterator<Item = Failure> {
-        Failure::ALL.iter().copied().filter(|failure| self.can_fail(*failure))
+        Failure::ALL.into_iter().filter(|failure| self.can_fail(*failure))
     }
 
     fn can_fail(&self, failure: Failure) -> bool {

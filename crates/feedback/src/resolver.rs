@@ -57,22 +57,6 @@ impl Resolver {
     fn peak(&self) -> f64 {
         self.excitation.si() * SQRT_2
     }
-
-    /// The angle of one pole pair from samples spread evenly over whole periods of the carrier: each winding multiplied with the
-    /// excitation and summed, then the arctangent.
-    ///
-    /// φ = atan2(Σ u_s u_e, Σ u_c u_e)
-    ///
-    /// # Source
-    /// Sarma, Agrawal and Udupa, IEEE Trans. Industrial Electronics 55 (2008) no. 1
-    #[must_use]
-    pub fn demodulated(samples: impl IntoIterator<Item = Windings>) -> Angle {
-        let (sine, cosine) = samples.into_iter().fold((0.0, 0.0), |(sine, cosine), found| {
-            let carrier = found.excitation.si();
-            (sine + found.sine.si() * carrier, cosine + found.cosine.si() * carrier)
-        });
-        Angle::from_si(sine.atan2(cosine).rem_euclid(TAU))
-    }
 }
 
 /// A type II tracking loop with the constants of the AD2S1205.
@@ -170,7 +154,12 @@ mod tests {
         for at in 0..360 {
             let angle = Angle::from_si(turn(f64::from(at) / 360.0));
             let samples = (0..16).map(|each| resolver.at(angle, Time::from_si(f64::from(each) / 16.0 / 5000.0)));
-            let found = Resolver::demodulated(samples).si();
+            // Each winding multiplied with the excitation and summed, then the arctangent.
+            let (sine, cosine) = samples.fold((0.0, 0.0), |(sine, cosine), found| {
+                let carrier = found.excitation.si();
+                (sine + found.sine.si() * carrier, cosine + found.cosine.si() * carrier)
+            });
+            let found = sine.atan2(cosine);
             assert!((found - angle.si()).sin().abs() < 1e-12, "{at}: {found}");
         }
         let peak = resolver.at(Angle::from_si(turn(0.25)), Time::from_si(1.0 / 20_000.0));

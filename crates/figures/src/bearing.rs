@@ -1,7 +1,7 @@
 //! The loads on the output bearing over the cycle.
 
 use crate::cycle::{inside, segments, time_axis};
-use crate::drawing::{Drawing, Figure};
+use crate::drawing::{Chart, Drawing, Figure};
 use crate::fault::NoFigure;
 use crate::labels::{amount, listed, percent, subject};
 use crate::utilisation::sign;
@@ -14,19 +14,11 @@ use words::{capitalised, pictures};
 
 type Load = fn(&FlangeSample) -> Option<f64>;
 
-/// Radial force, axial force and tilting moment on the output bearing over the cycle.
+/// Radial force, axial force and tilting moment on the output bearing over the cycle, or between two instants \[s\] of it.
 ///
 /// # Errors
 /// [`NoFigure::NoFlangeLoads`]
-pub fn bearing_load(project: &Project, candidate: &Candidate<'_>, language: Language) -> Result<Drawing, NoFigure> {
-    bearing_load_within(project, candidate, None, language)
-}
-
-/// The same between two instants \[s\].
-///
-/// # Errors
-/// [`NoFigure::NoFlangeLoads`]
-pub fn bearing_load_within(
+pub fn bearing_load(
     project: &Project,
     candidate: &Candidate<'_>,
     window: Option<(f64, f64)>,
@@ -72,13 +64,14 @@ pub fn bearing_load_within(
         .collect();
     let sentence: Vec<String> = loads.iter().map(|load| load.sentence(language)).collect();
     let description = format!("{}.", capitalised(&listed(&sentence, language)));
-    let drawing = |size| Drawing::new(Figure::BearingLoad, &subject(candidate, &project.name), size, language);
+    let of = subject(candidate, &project.name);
     let about = pictures::bearing_load_caption(language);
     if loads.iter().all(Found::is_constant) {
         let constant = pictures::each_load_is_constant(language);
         let axis = Axis::new("", "%").name(pictures::utilisation_of_the_limit(language));
         let chart = loads.iter().fold(BarChart::new(axis), |chart, load| chart.bar(load.bar(language)));
-        return Ok(drawing((165.0, 55.0)).bars(format!("{constant} {about}"), description, chart));
+        let texts = (format!("{constant} {about}"), description);
+        return Ok(Drawing::new(Figure::BearingLoad, &of, (165.0, 55.0), texts, Chart::Bars(chart), language));
     }
     let mut chart = StackedChart::new(time_axis(window, language));
     for (from, to, name) in segments(project, language) {
@@ -87,7 +80,8 @@ pub fn bearing_load_within(
     for load in loads {
         chart = chart.panel(load.panel(language));
     }
-    Ok(drawing((165.0, 115.0)).stacked(about.to_owned(), description, chart))
+    let texts = (about.to_owned(), description);
+    Ok(Drawing::new(Figure::BearingLoad, &of, (165.0, 115.0), texts, Chart::Stacked(chart), language))
 }
 
 /// One load over the cycle, with its check.

@@ -1,6 +1,6 @@
 //! The cycle over time, one panel for each quantity.
 
-use crate::drawing::{Drawing, Figure};
+use crate::drawing::{Chart, Drawing, Figure};
 use crate::labels::{amount, listed, subject};
 use crate::thin::thinned;
 use plot::{Axis, Dash, Label, Line, Panel, Reference, StackedChart, Tone};
@@ -39,31 +39,16 @@ pub enum CyclePanels {
     Energy,
 }
 
-/// Angle, speed, acceleration, torque, current, power, temperatures and I²t over the cycle.
+/// Some quantities of the cycle, or of what lies between two instants \[s\] of it, drawn anew with what can be seen there.
+///
+/// Position, speed and acceleration are those along the line, where the axis has one. Of the motion alone the position is high
+/// enough to be pulled at.
 #[must_use]
-pub fn cycle(project: &Project, candidate: &Candidate<'_>, language: Language) -> Drawing {
-    cycle_with(project, candidate, CyclePanels::All, (None, 1.0), language)
-}
-
-/// Some of its quantities between two instants \[s\], drawn anew with what can be seen there, and with a position high enough
-/// to be pulled at.
-#[must_use]
-pub fn cycle_within(
-    project: &Project,
-    candidate: &Candidate<'_>,
-    panels: CyclePanels,
-    window: Option<(f64, f64)>,
-    language: Language,
-) -> Drawing {
-    cycle_with(project, candidate, panels, (window, POSITION_HIGH), language)
-}
-
-/// Position, speed and acceleration are those along the line, where the axis has one.
-fn cycle_with(
+pub fn cycle(
     project: &Project,
     candidate: &Candidate<'_>,
     shown: CyclePanels,
-    (window, position): (Option<(f64, f64)>, f64),
+    window: Option<(f64, f64)>,
     language: Language,
 ) -> Drawing {
     let window = window.and_then(|window| inside(window, project));
@@ -160,7 +145,7 @@ fn cycle_with(
         language,
     );
     let mut panels: Vec<Panel> = signals.into_iter().flatten().flatten().map(Signal::panel).collect();
-    let position = if is_in(&[Motion]) { position } else { 1.0 };
+    let position = if shown == Motion { POSITION_HIGH } else { 1.0 };
     if let Some(first) = panels.first_mut() {
         *first = first.clone().weight(position);
     }
@@ -177,12 +162,9 @@ fn cycle_with(
         chart = chart.panel(panel);
         height += PANEL_MM;
     }
-    let caption = pictures::cycle_caption(language);
-    Drawing::new(Figure::Cycle, &subject(candidate, &project.name), (WIDTH_MM, height), language).stacked(
-        caption.to_owned(),
-        description(&course, project, language),
-        chart,
-    )
+    let texts = (pictures::cycle_caption(language).to_owned(), description(&course, project, language));
+    let of = subject(candidate, &project.name);
+    Drawing::new(Figure::Cycle, &of, (WIDTH_MM, height), texts, Chart::Stacked(chart), language)
 }
 
 /// A window of time as far as it lies within the cycle.

@@ -1,6 +1,6 @@
 //! The figures there are, and one that is laid out.
 
-use plot::{BarChart, FaceChart, MapChart, Picture, Size, StackedChart, Style, Theme, XyChart};
+use plot::{BarChart, FaceChart, Picture, Size, StackedChart, Style, Theme, XyChart};
 use quantities::unit::MILLIMETRE;
 use quantities::{Language, Length, Measure};
 use words::{capitalised, encoder, pictures, simulation, terminal, terms, wiring};
@@ -114,20 +114,26 @@ pub(crate) enum Chart {
     Stacked(StackedChart),
     Bars(BarChart),
     Face(FaceChart),
-    Map(MapChart),
 }
 
 impl Drawing {
-    pub(crate) fn new(figure: Figure, of: &str, size_mm: (f64, f64), language: Language) -> Self {
+    pub(crate) fn new(
+        figure: Figure,
+        of: &str,
+        size_mm: (f64, f64),
+        (caption, description): (String, String),
+        chart: Chart,
+        language: Language,
+    ) -> Self {
         let title = format!("{}: {of}", figure.title(language));
-        Self {
-            figure,
-            title,
-            caption: String::new(),
-            description: String::new(),
-            size_mm,
-            chart: Chart::Xy(XyChart::new(plot::Axis::new("", ""), plot::Axis::new("", ""))),
-        }
+        let named = title.as_str();
+        let chart = match chart {
+            Chart::Xy(chart) => Chart::Xy(chart.title(named).description(&description)),
+            Chart::Stacked(chart) => Chart::Stacked(chart.title(named).description(&description)),
+            Chart::Bars(chart) => Chart::Bars(chart.title(named).description(&description)),
+            Chart::Face(chart) => Chart::Face(chart.title(named).description(&description)),
+        };
+        Self { figure, title, caption, description, size_mm, chart }
     }
 
     /// The size that suits the figure.
@@ -149,7 +155,7 @@ impl Drawing {
         let (x, lines) = match &self.chart {
             Chart::Xy(chart) => chart.lines(),
             Chart::Stacked(chart) => chart.lines(),
-            Chart::Bars(_) | Chart::Map(_) | Chart::Face(_) => return String::new(),
+            Chart::Bars(_) | Chart::Face(_) => return String::new(),
         };
         let head = |axis: &plot::Axis, label: &str| {
             let (symbol, unit) = axis.sign();
@@ -187,38 +193,7 @@ impl Drawing {
             Chart::Xy(chart) => chart.render(style),
             Chart::Stacked(chart) => chart.render(style),
             Chart::Bars(chart) => chart.render(style),
-            Chart::Map(chart) => chart.render(style),
             Chart::Face(chart) => chart.render(style),
         }
-    }
-
-    pub(crate) fn xy(mut self, caption: String, description: String, chart: XyChart) -> Self {
-        self.chart = Chart::Xy(chart.title(self.title.as_str()).description(&description));
-        (self.caption, self.description) = (caption, description);
-        self
-    }
-
-    pub(crate) fn stacked(mut self, caption: String, description: String, chart: StackedChart) -> Self {
-        self.chart = Chart::Stacked(chart.title(self.title.as_str()).description(&description));
-        (self.caption, self.description) = (caption, description);
-        self
-    }
-
-    pub(crate) fn bars(mut self, caption: String, description: String, chart: BarChart) -> Self {
-        self.chart = Chart::Bars(chart.title(self.title.as_str()).description(&description));
-        (self.caption, self.description) = (caption, description);
-        self
-    }
-
-    pub(crate) fn face(mut self, caption: String, description: String, chart: FaceChart) -> Self {
-        self.chart = Chart::Face(chart.title(self.title.as_str()).description(&description));
-        (self.caption, self.description) = (caption, description);
-        self
-    }
-
-    pub(crate) fn map(mut self, caption: String, description: String, chart: MapChart) -> Self {
-        self.chart = Chart::Map(chart.title(self.title.as_str()).description(&description));
-        (self.caption, self.description) = (caption, description);
-        self
     }
 }

@@ -1,12 +1,12 @@
 //! The mating face of a connector with its pins.
 
-use crate::drawing::{Drawing, Figure};
+use crate::drawing::{Chart, Drawing, Figure};
 use order_code::OrderCode;
 use plot::{FaceChart, FacePin, Tone};
 use quantities::Language;
 use questions::list::wiring::{Connector, SignalGroup};
 use std::f64::consts::TAU;
-use words::{capitalised, cell_text, wiring};
+use words::{cell_text, wiring};
 
 /// How many pins stand on each ring, from the outside: a schematic arrangement, since the manual's figures are lost.
 const fn rings(poles: usize) -> &'static [usize] {
@@ -51,29 +51,19 @@ const fn tone(group: SignalGroup) -> Tone {
     }
 }
 
-/// The mating face of a connector: numbers, signals and colours of its pins. Their places are schematic, and it says so.
-#[must_use]
-pub fn mating_face(code: &OrderCode, connector: &Connector, language: Language) -> Drawing {
-    drawn(code, connector, Legend::Full, language)
-}
-
-/// The same, half as wide and without title, to stand below a table of the pins that has the colours: numbers and signals only.
-#[must_use]
-pub fn mating_face_beside_pins(code: &OrderCode, connector: &Connector, language: Language) -> Drawing {
-    drawn(code, connector, Legend::Signals, language)
-}
-
-/// The label of a pin next to the face.
-#[derive(Clone, Copy, PartialEq, Eq)]
-enum Legend {
+/// What stands in the list of pins beside a face.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum PinTexts {
     /// Signal, the wire it shares, colour.
     Full,
-    /// The signal.
+    /// The signal alone: half as wide and without title, to stand below a table of the pins that has the colours.
     Signals,
 }
 
-fn drawn(code: &OrderCode, connector: &Connector, legend: Legend, language: Language) -> Drawing {
-    let mut chart = FaceChart::new();
+/// The mating face of a connector: numbers and signals of its pins. Their places are schematic, and it says so.
+#[must_use]
+pub fn mating_face(code: &OrderCode, connector: &Connector, texts: PinTexts, language: Language) -> Drawing {
+    let mut chart = FaceChart::default();
     let mut sentences = Vec::new();
     for (index, pin) in connector.pins.iter().enumerate() {
         let mut text = match pin.carries {
@@ -81,13 +71,13 @@ fn drawn(code: &OrderCode, connector: &Connector, legend: Legend, language: Lang
             None => wiring::unconnected(pin.colour.is_some(), language).to_owned(),
         };
         sentences.push(format!("{} {text}", pin.name));
-        if legend == Legend::Signals {
+        if texts == PinTexts::Signals {
             text = pin.carries.map_or_else(|| "–".to_owned(), |_| text);
         } else if let Some(other) = &pin.joined {
             text.push(' ');
             text.push_str(&wiring::joined(other, language));
         }
-        if let Some(colour) = pin.colour.filter(|_| legend == Legend::Full) {
+        if let Some(colour) = pin.colour.filter(|_| texts == PinTexts::Full) {
             text.push_str(", ");
             text.push_str(cell_text(colour, language));
         }
@@ -100,19 +90,17 @@ fn drawn(code: &OrderCode, connector: &Connector, legend: Legend, language: Lang
     }
     let description = wiring::face_described(&connector.poles, &connector.thread, &sentences.join(", "), language);
     let note = wiring::schematic(language);
-    let of = format!("{}, {code}", wiring::role_name(connector.role, language));
-    let size = if legend == Legend::Full { (135.0, 85.0) } else { (81.0, 60.0) };
-    let mut drawing = Drawing::new(Figure::MatingFace, &of, size, language);
-    let title = format!("{}: {of} ({})", capitalised(wiring::mating_face(language)), connector.kind.corrected);
-    if legend == Legend::Full {
-        drawing.title = title;
-        return drawing.face(note.to_owned(), description, chart.note(note));
+    let of = format!("{}, {code} ({})", wiring::role_name(connector.role, language), connector.kind.corrected);
+    let size = if texts == PinTexts::Full { (135.0, 85.0) } else { (81.0, 60.0) };
+    let chart = chart.note(note);
+    let named = (note.to_owned(), description);
+    let drawing = Drawing::new(Figure::MatingFace, &of, size, named, Chart::Face(chart.clone()), language);
+    if texts == PinTexts::Full {
+        return drawing;
     }
     // The line below it says what it is.
-    drawing.title = String::new();
-    let mut drawing = drawing.face(note.to_owned(), description, chart.note(note));
-    drawing.title = title;
-    drawing
+    let chart = chart.description(&drawing.description);
+    Drawing { chart: Chart::Face(chart), ..drawing }
 }
 
 #[cfg(test)]

@@ -16,15 +16,15 @@ mod torsion;
 mod tracks;
 mod utilisation;
 
-pub use bearing::{bearing_load, bearing_load_within};
-pub use cycle::{CyclePanels, cycle, cycle_within};
+pub use bearing::bearing_load;
+pub use cycle::{CyclePanels, cycle};
 pub use drawing::{Drawing, Figure, side_mm};
-pub use face::{mating_face, mating_face_beside_pins};
+pub use face::{PinTexts, mating_face};
 pub use fault::NoFigure;
 pub use map::{By, MapPoint, candidate_map, nearest};
 pub use plane::{curves, torque_speed};
 pub use plot::{Picture, Size, Style, Theme};
-pub use simulation::{control_loops, of_a_run, simulation, simulation_within};
+pub use simulation::{control_loops, of_a_run, simulation};
 pub use torsion::{torsion, torsion_curve};
 pub use tracks::encoder_tracks;
 pub use utilisation::utilisation;
@@ -32,25 +32,6 @@ pub use utilisation::utilisation;
 use project::Project;
 use quantities::Language;
 use questions::{Candidate, Patience};
-
-/// One figure of a candidate, of those over time only what lies between two instants \[s\].
-///
-/// # Errors
-/// [`NoFigure`] where the project or the actuator gives nothing to draw.
-pub fn draw_within(
-    figure: Figure,
-    project: &Project,
-    candidate: &Candidate<'_>,
-    window: Option<(f64, f64)>,
-    patience: &Patience,
-    language: Language,
-) -> Result<Drawing, NoFigure> {
-    match figure {
-        Figure::Cycle => Ok(cycle_within(project, candidate, CyclePanels::All, window, language)),
-        Figure::BearingLoad => bearing_load_within(project, candidate, window, language),
-        other => draw(other, project, candidate, By::Mass, patience, language),
-    }
-}
 
 /// One figure of a candidate; the map is that of all candidates, this one marked.
 ///
@@ -66,10 +47,10 @@ pub fn draw(
 ) -> Result<Drawing, NoFigure> {
     match figure {
         Figure::TorqueSpeed => Ok(torque_speed(project, candidate, language)),
-        Figure::Cycle => Ok(cycle(project, candidate, language)),
+        Figure::Cycle => Ok(cycle(project, candidate, CyclePanels::All, None, language)),
         Figure::Utilisation => Ok(utilisation(candidate, language)),
         Figure::Torsion => torsion(project, candidate, language),
-        Figure::BearingLoad => bearing_load(project, candidate, language),
+        Figure::BearingLoad => bearing_load(project, candidate, None, language),
         Figure::MatingFace | Figure::EncoderTracks => Err(NoFigure::OfACode),
         // A run is drawn by those who have it.
         Figure::Simulation | Figure::ControlLoops => Err(NoFigure::OfARun),

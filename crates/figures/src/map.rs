@@ -1,8 +1,8 @@
 //! All candidates in one picture: margin over mass or length.
 
-use crate::drawing::{Drawing, Figure};
+use crate::drawing::{Chart, Drawing, Figure};
 use crate::labels::{amount, percent};
-use plot::{Axis, Dash, MapChart, Markers, Note, Reference, Shape, Tone};
+use plot::{Axis, Dash, Markers, Note, Reference, Shape, Tone, XyChart};
 use quantities::unit::{KILOGRAM, MILLIMETRE};
 use quantities::{Language, Measure, Unit};
 use questions::{Candidate, CandidateId, Sizing, Verdict};
@@ -85,9 +85,8 @@ pub fn candidate_map(sizing: &Sizing<'_>, by: By, marked: Option<&CandidateId>, 
     let place = |candidate: &Candidate<'_>| point(by, candidate);
     let named: Vec<&CandidateId> = all
         .iter()
-        .map(|candidate| (&candidate.id, candidate.fits()))
-        .filter(|(id, fits)| *fits && Some(*id) != marked)
-        .map(|(id, _)| id)
+        .filter(|candidate| candidate.fits() && Some(&candidate.id) != marked)
+        .map(|candidate| &candidate.id)
         .take(NAMED)
         .collect();
     let points = |of: &dyn Fn(&Candidate<'_>) -> bool| {
@@ -102,9 +101,9 @@ pub fn candidate_map(sizing: &Sizing<'_>, by: By, marked: Option<&CandidateId>, 
         By::Mass => Axis::new("m", "kg").name(&capitalised(terms::mass(language))),
         By::Length => Axis::new("L", "mm").name(pictures::length(language)),
     };
-    let mut chart = MapChart::new(axis, Axis::new("", "%").name(pictures::margin_to_the_tightest_limit(language)))
+    let mut chart = XyChart::map(axis, Axis::new("", "%").name(pictures::margin_to_the_tightest_limit(language)))
         .with(Reference::horizontal(0.0).tone(Tone::Continuous).dash(Dash::Solid))
-        .nothing(nothing(&all, language));
+        .nothing(pictures::no_candidate_can_be_shown(&all.len(), &percent(MARGIN_MIN, language), language));
     let advised = |candidate: &Candidate<'_>| {
         candidate.fits() && candidate.judgement.checks.iter().any(|check| check.verdict == Verdict::Advice)
     };
@@ -135,13 +134,7 @@ pub fn candidate_map(sizing: &Sizing<'_>, by: By, marked: Option<&CandidateId>, 
     let caption = pictures::candidate_map_caption(&left_out, &floor, language);
     let description = description(sizing, &all, by, marked.copied(), language);
     let of = if sizing.name.is_empty() { terms::axis(language) } else { sizing.name };
-    Drawing::new(Figure::CandidateMap, of, (165.0, 115.0), language).map(caption, description, chart)
-}
-
-/// What stands in place of a map on which no candidate finds a place.
-fn nothing(all: &[&Candidate<'_>], language: Language) -> String {
-    let (count, floor) = (all.len(), percent(MARGIN_MIN, language));
-    pictures::no_candidate_can_be_shown(&count, &floor, language)
+    Drawing::new(Figure::CandidateMap, of, (165.0, 115.0), (caption, description), Chart::Xy(chart), language)
 }
 
 /// A code without the name of the series, which all share.

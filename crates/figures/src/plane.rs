@@ -1,6 +1,6 @@
 //! The torque-speed plane: limits in four quadrants, the cycle, its mean and its peaks.
 
-use crate::drawing::{Drawing, Figure};
+use crate::drawing::{Chart, Drawing, Figure};
 use crate::labels::{amount, listed, subject};
 use order_code::OrderCode;
 use plot::{Area, Axis, Dash, Hatch, Item, Label, Line, Markers, Note, Reference, Shape, Tone, Width, XyChart};
@@ -64,11 +64,8 @@ pub fn torque_speed(project: &Project, candidate: &Candidate<'_>, language: Lang
         }
         None => caption_of_known(candidate, language),
     };
-    Drawing::new(Figure::TorqueSpeed, &subject(candidate, &project.name), SIZE_MM, language).xy(
-        caption,
-        sentences.join(" "),
-        chart,
-    )
+    let (of, texts) = (subject(candidate, &project.name), (caption, sentences.join(" ")));
+    Drawing::new(Figure::TorqueSpeed, &of, SIZE_MM, texts, Chart::Xy(chart), language)
 }
 
 /// The limits of a code alone.
@@ -90,11 +87,8 @@ pub fn curves(code: &OrderCode, plane: &Plane, language: Language) -> Drawing {
         })
         .collect();
     let description = pictures::limits_described(&code, &listed(&kinds, language), language);
-    Drawing::new(Figure::TorqueSpeed, &code.to_string(), SIZE_MM, language).xy(
-        caption(plane, language),
-        description,
-        chart,
-    )
+    let texts = (caption(plane, language), description);
+    Drawing::new(Figure::TorqueSpeed, &code.to_string(), SIZE_MM, texts, Chart::Xy(chart), language)
 }
 
 fn empty(language: Language) -> XyChart {

@@ -1,6 +1,6 @@
 //! A run of the digital twin over time, and the frequency responses of its control.
 
-use crate::drawing::{Drawing, Figure};
+use crate::drawing::{Chart, Drawing, Figure};
 use crate::labels::subject;
 use plot::{Axis, Dash, Line, Panel, Reference, StackedChart, Tone};
 use quantities::unit::{AMPERE, ARCMINUTE, DEGREE, DEGREE_CELSIUS, NEWTON_METRE, REVOLUTION_PER_MINUTE, SECOND, VOLT};
@@ -22,19 +22,13 @@ type Curve<'l> = (Tone, Option<Dash>, &'l str, fn(&TwinSample) -> f64);
 pub fn of_a_run(id: Option<&str>, run: &Simulated<'_>, language: Language) -> Drawing {
     match id {
         Some("control_loops") => control_loops(run, language),
-        _ => simulation(run, language),
+        _ => simulation(run, None, language),
     }
 }
 
-/// Position, speed, torque, current, following error, DC link and temperatures over the run.
+/// Position, speed, torque, current, following error, DC link and temperatures over the run, or between two instants \[s\] of it.
 #[must_use]
-pub fn simulation(run: &Simulated<'_>, language: Language) -> Drawing {
-    simulation_within(run, None, language)
-}
-
-/// The same, only what lies between two instants \[s\].
-#[must_use]
-pub fn simulation_within(run: &Simulated<'_>, window: Option<(f64, f64)>, language: Language) -> Drawing {
+pub fn simulation(run: &Simulated<'_>, window: Option<(f64, f64)>, language: Language) -> Drawing {
     let l = language;
     let (from, until) = window.unwrap_or((f64::NEG_INFINITY, f64::INFINITY));
     let first = run.course.partition_point(|sample| sample.time_s < from);
@@ -119,11 +113,8 @@ pub fn simulation_within(run: &Simulated<'_>, window: Option<(f64, f64)>, langua
         &number(ARCMINUTE.from_si(summary.following_peak_rad)),
         l,
     );
-    Drawing::new(Figure::Simulation, &subject(&run.candidate, &run.project.name), (WIDTH_MM, height), l).stacked(
-        simulation::run_caption(l).to_owned(),
-        described,
-        chart,
-    )
+    let (of, texts) = (subject(&run.candidate, &run.project.name), (simulation::run_caption(l).to_owned(), described));
+    Drawing::new(Figure::Simulation, &of, (WIDTH_MM, height), texts, Chart::Stacked(chart), l)
 }
 
 /// Magnitude and phase of the open loops over the logarithm of the frequency, with the limits that decide on stability.
@@ -159,9 +150,7 @@ pub fn control_loops(run: &Simulated<'_>, language: Language) -> Drawing {
     });
     let described = each.collect::<Vec<_>>().join(" ");
     let chart = StackedChart::new(frequency).panel(magnitude.weight(1.4)).panel(phase);
-    Drawing::new(Figure::ControlLoops, &subject(&run.candidate, &run.project.name), (WIDTH_MM, 120.0), l).stacked(
-        simulation::loops_caption(l).to_owned(),
-        described,
-        chart,
-    )
+    let (of, texts) =
+        (subject(&run.candidate, &run.project.name), (simulation::loops_caption(l).to_owned(), described));
+    Drawing::new(Figure::ControlLoops, &of, (WIDTH_MM, 120.0), texts, Chart::Stacked(chart), l)
 }

@@ -64,7 +64,7 @@ mod tests {
             let peak = if index == 123_457 { 9.0 } else { 0.0 };
             Sample { time_s, position_rad: (time_s * 40.0).sin(), torque_nm: time_s + peak, ..Sample::default() }
         };
-        let course = Course { samples: (0..=400_000).map(sample).collect(), borders_s: vec![0.0], duration_s: 400.0 };
+        let course = Course { samples: (0..=400_000).map(sample).collect(), duration_s: 400.0 };
         let short = thinned(course.clone());
         assert!(short.samples.len() < 100_000, "{}", short.samples.len());
         assert_eq!((short.samples.first(), short.samples.last()), (course.samples.first(), course.samples.last()));

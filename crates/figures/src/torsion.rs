@@ -1,6 +1,6 @@
 //! The torsion curve of the gear with its working point.
 
-use crate::drawing::{Drawing, Figure};
+use crate::drawing::{Chart, Drawing, Figure};
 use crate::fault::NoFigure;
 use crate::labels::{amount, subject};
 use plot::{Axis, Dash, Label, Line, Markers, Reference, Tone, Width, XyChart};
@@ -69,5 +69,5 @@ fn drawn(about: &str, found: &TorsionCurve, point: Point, language: Language) ->
         ),
         Point::Asked => (pictures::torsion_of_a_code_described(&torque, &angle, &one, &two, language), caption),
     };
-    Drawing::new(Figure::Torsion, about, (135.0, 95.0), language).xy(caption, description, chart)
+    Drawing::new(Figure::Torsion, about, (135.0, 95.0), (caption, description), Chart::Xy(chart), language)
 }

@@ -1,6 +1,6 @@
 //! The tracks of an encoder around the angle at which its shaft stands.
 
-use crate::drawing::{Drawing, Figure};
+use crate::drawing::{Chart, Drawing, Figure};
 use answers::{EncoderSignal, EncoderState, SignalForm};
 use plot::{Axis, Dash, Line, Panel, Reference, StackedChart, Tone};
 use quantities::unit::MICROSECOND;
@@ -63,11 +63,8 @@ fn tracks(
             described.push(format!("{name}: {} {unit}.", number(value.0)));
         }
     }
-    Drawing::new(Figure::EncoderTracks, code, (WIDTH_MM, height), l).stacked(
-        encoder::tracks_caption(&number(2.0 * range), l),
-        described.join(" "),
-        chart,
-    )
+    let texts = (encoder::tracks_caption(&number(2.0 * range), l), described.join(" "));
+    Drawing::new(Figure::EncoderTracks, code, (WIDTH_MM, height), texts, Chart::Stacked(chart), l)
 }
 
 /// The voltages of a resolver over two periods of its excitation.
@@ -84,8 +81,9 @@ fn carrier(code: &str, state: &EncoderState, language: Language) -> Option<Drawi
         .with(line(&found.sine_v, 0, encoder::sine_winding(l)))
         .with(line(&found.cosine_v, 1, encoder::cosine_winding(l)));
     let described = encoder::carrier_described(&format_significant(found.frequency_khz.0, 3, l), l);
-    let drawing = Drawing::new(Figure::EncoderTracks, code, (WIDTH_MM, FRAME_MM + 3.0 * PANEL_MM), l);
-    Some(drawing.stacked(encoder::carrier_caption(l).to_owned(), described, StackedChart::new(time).panel(panel)))
+    let (size, texts) = ((WIDTH_MM, FRAME_MM + 3.0 * PANEL_MM), (encoder::carrier_caption(l).to_owned(), described));
+    let chart = Chart::Stacked(StackedChart::new(time).panel(panel));
+    Some(Drawing::new(Figure::EncoderTracks, code, size, texts, chart, l))
 }
 
 #[cfg(test)]

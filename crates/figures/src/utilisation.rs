@@ -1,6 +1,6 @@
 //! Every check as a bar against its limit.
 
-use crate::drawing::{Drawing, Figure};
+use crate::drawing::{Chart, Drawing, Figure};
 use crate::labels::{amount, listed, percent};
 use plot::{Axis, Bar, BarChart};
 use quantities::Language;
@@ -30,26 +30,21 @@ pub fn utilisation(candidate: &Candidate<'_>, language: Language) -> Drawing {
     for check in &checks {
         chart = chart.bar(bar(check, language));
     }
-    for (sign, verdict) in [
-        (plot::Verdict::Pass, Verdict::Pass),
-        (plot::Verdict::Advice, Verdict::Advice),
-        (plot::Verdict::Fail, Verdict::Fail),
-        (plot::Verdict::NotChecked, Verdict::NotChecked),
-    ] {
+    for verdict in VERDICTS {
         if checks.iter().any(|check| check.verdict == verdict) {
-            chart = chart.explain(sign, verdict_word(verdict, language));
+            chart = chart.explain(sign(verdict), verdict_word(verdict, language));
         }
     }
-    let caption = pictures::utilisation_caption(language);
     let rows = checks.len() + candidate.objections.len();
     #[expect(clippy::cast_precision_loss, reason = "a count of rows")]
     let height = 6.0f64.mul_add(rows as f64, 30.0);
-    Drawing::new(Figure::Utilisation, &candidate.id.to_string(), (165.0, height), language).bars(
-        caption.to_owned(),
-        description(candidate, &checks, language),
-        chart,
-    )
+    let texts = (pictures::utilisation_caption(language).to_owned(), description(candidate, &checks, language));
+    let of = candidate.id.to_string();
+    Drawing::new(Figure::Utilisation, &of, (165.0, height), texts, Chart::Bars(chart), language)
 }
+
+/// The verdicts in the order in which they are explained and counted.
+const VERDICTS: [Verdict; 4] = [Verdict::Pass, Verdict::Advice, Verdict::Fail, Verdict::NotChecked];
 
 pub(crate) const fn sign(verdict: Verdict) -> plot::Verdict {
     match verdict {
@@ -105,19 +100,18 @@ fn objection_bar(candidate: &Candidate<'_>, objection: &Objection, language: Lan
 
 fn description(candidate: &Candidate<'_>, checks: &[&Check], language: Language) -> String {
     let count = |verdict: Verdict| checks.iter().filter(|check| check.verdict == verdict).count();
-    let parts: Vec<String> = [Verdict::Pass, Verdict::Advice, Verdict::Fail, Verdict::NotChecked]
+    let parts: Vec<String> = VERDICTS
         .into_iter()
         .filter(|verdict| count(*verdict) > 0)
         .map(|verdict| verdict_count(verdict, count(verdict), language))
         .collect();
     let head = pictures::checks_counted(&checks.len(), &candidate.id, &listed(&parts, language), language);
-    let named = |check: &&&Check| {
-        Some(format!("{} {}", check_title(check.id, language), percent(check.utilisation?, language)))
-    };
+    let named =
+        |check: &&Check| Some(format!("{} {}", check_title(check.id, language), percent(check.utilisation?, language)));
     let worst: Vec<String> = checks
         .iter()
         .filter(|check| check.verdict != Verdict::NotChecked && check.id.has_margin())
-        .filter_map(|check| named(&check))
+        .filter_map(named)
         .take(3)
         .collect();
     if worst.is_empty() {

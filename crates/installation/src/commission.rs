@@ -408,16 +408,8 @@ fn find(id: ParameterId, code: &OrderCode, drive: &'static Drive, actuator: &Par
         P::WindingWarning => threshold(id, code, "warning"),
         P::WindingShutdown => threshold(id, code, "shutdown"),
         P::EncoderIncrements => {
-            encoder::increments(code).map_or(Found::NotPrinted, |cell| match cell.limit().number() {
-                Some(steps) => Found::Known(Parameter {
-                    id,
-                    si: steps,
-                    sources: vec![Source::Cell(&cell.place)],
-                    grade: Grade::Printed,
-                    errata: cell.errata.to_vec(),
-                }),
-                None => Found::NotPrinted,
-            })
+            let steps = encoder::increments(code).and_then(|cell| Some(cell.sourced(cell.limit().number()?)));
+            number(id, &Datum::of(steps), identity)
         }
         P::BrakeVoltage => plain(id, &actuator.brake.voltage),
         P::BrakeOpeningCurrent => plain(id, &actuator.brake.opening_current),
@@ -440,7 +432,6 @@ fn limit(id: ParameterId, actuator: &Parameters) -> Found {
 /// A threshold of the winding temperature.
 fn threshold(id: ParameterId, code: &OrderCode, which: &str) -> Found {
     let table = catalogue::SeriesData::of(code.series()).thresholds;
-    let cells = catalogue::table(table).map(catalogue::Table::cells).unwrap_or_default();
-    let cell = cells.iter().find(|cell| cell.place.condition == which);
+    let cell = catalogue::table_cells(table).iter().find(|cell| cell.place.condition == which);
     cell.map_or(Found::NotPrinted, |cell| plain(id, &catalogue::datum_of::<ThermodynamicTemperature>(cell)))
 }

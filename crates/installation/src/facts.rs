@@ -45,7 +45,7 @@ pub fn facts_about(topic: Topic, code: &OrderCode, order: Order) -> Vec<&'static
 
 /// Whether a mass requires lifting gear; `None` if it is not printed.
 pub(crate) fn needs_hoist(mass: &Datum<Mass>) -> Option<bool> {
-    let fact = catalogue::facts().iter().find(|fact| fact.id == HOIST)?;
+    let fact = catalogue::fact(HOIST)?;
     let limit = fact.values.first().map(|value| Mass::new_in(value.number, &KILOGRAM))?;
     mass.known().map(|mass| mass.value.si() > limit.si())
 }

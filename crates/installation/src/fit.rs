@@ -1,6 +1,6 @@
 //! Fits of the pilots: limit deviations of a pilot and of the bore that goes over it, and the clearance between them.
 
-use catalogue::{Cell, Table};
+use catalogue::Cell;
 use order_code::OrderCode;
 use provenance::{Datum, Grade, Source, Sourced};
 use quantities::unit::MILLIMETRE;
@@ -149,7 +149,7 @@ pub fn read_bore(text: &str) -> Result<Bore, BoreFault> {
 }
 
 fn iso_cells() -> &'static [Cell] {
-    catalogue::table("iso286").map(Table::cells).unwrap_or_default()
+    catalogue::table_cells("iso286")
 }
 
 /// Zone and range of a cell of the ISO table: `H7, 50 ... 80 mm`.
@@ -246,7 +246,7 @@ pub fn fit(code: &OrderCode, side: Side, bore: Option<Bore>) -> Option<Fit> {
     let (nominal, pilot_zone) = cell.corrected.split_once(' ')?;
     let unit = Unit::of_dimension(Length::DIMENSION, cell.unit)?;
     let nominal = cell.sourced(Length::from_si(unit.to_si(quantities::parse_german(nominal)?)));
-    let zone = catalogue::table(cell.place.table)?.cells().iter().find(|cell| cell.place.symbol == zone_symbol)?;
+    let zone = catalogue::table_cell(cell.place.table, zone_symbol)?;
     let recommended = zone.sourced(zone.corrected);
     let pilot = deviations(pilot_zone, nominal.value).known()?.clone();
     let bore = bore.unwrap_or(Bore::Zone(recommended.value));

@@ -145,7 +145,7 @@ fn flange_loads(
 
 /// The coefficient of friction that the manual states below table 79.1, for the torque printed there.
 fn friction(screws: &ScrewJoint) -> Datum<Ratio> {
-    let fact = catalogue::facts().iter().find(|fact| fact.id == "degrease_joint_faces");
+    let fact = catalogue::fact("degrease_joint_faces");
     match (fact.and_then(|fact| fact.values.first()), screws.transmissible_torque.known()) {
         (Some(value), Some(torque)) => Datum::Known(Sourced {
             value: Ratio::from_si(value.number),
@@ -168,14 +168,12 @@ fn known(screws: &ScrewJoint, friction: &Datum<Ratio>) -> Option<(Torque, Ratio,
 }
 
 fn clamp(screws: &ScrewJoint, friction: &Datum<Ratio>) -> Datum<Force> {
-    known(screws, friction).map_or(Datum::NotPrinted, |(torque, friction, count, circle)| {
-        Datum::Known(Sourced {
-            value: clamp_force(torque, friction, count, circle),
-            source: MODEL,
-            grade: Grade::Estimated,
-            errata: &[],
-        })
-    })
+    Datum::of(known(screws, friction).map(|(torque, friction, count, circle)| Sourced {
+        value: clamp_force(torque, friction, count, circle),
+        source: MODEL,
+        grade: Grade::Estimated,
+        errata: &[],
+    }))
 }
 
 fn together(

@@ -3,7 +3,7 @@
 use crate::facts::{Order, facts_about, mass_of, needs_hoist};
 use crate::fit::{Bore, Fit, Side, fit};
 use crate::joint::{AxisLoads, Joint, joint};
-use catalogue::{Cell, Fact, Table, Topic};
+use catalogue::{Cell, Fact, Topic};
 use configurator::{Uncovered, uncovered};
 use order_code::OrderCode;
 use provenance::Datum;
@@ -79,13 +79,8 @@ pub fn mount(code: &OrderCode, asked: &MountAsked) -> Option<Mount> {
         hoist,
         plate: catalogue::cells().iter().find(|cell| cell.place.symbol == "plate" && cell.place.drive == head),
         protection: catalogue::winding_data(code.winding)
-            .and_then(|data| cell_of(data.general, "protection_class").next()),
+            .and_then(|data| catalogue::table_cell(data.general, "protection_class")),
         joints,
         facts,
     })
-}
-
-fn cell_of(table: &str, symbol: &'static str) -> impl Iterator<Item = &'static Cell> {
-    let cells = catalogue::table(table).map(Table::cells).unwrap_or_default();
-    cells.iter().filter(move |cell| cell.place.symbol == symbol)
 }

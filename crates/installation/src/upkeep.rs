@@ -259,7 +259,7 @@ pub fn upkeep(code: &OrderCode, asked: &UpkeepAsked) -> Result<Upkeep, UpkeepFau
 
 /// A time that a fact states in years, as one of the calendar.
 fn years_of(fact: &str, value: &str) -> Option<Interval> {
-    let fact = catalogue::facts().iter().find(|known| known.id == fact)?;
+    let fact = catalogue::fact(fact)?;
     let value = fact.values.iter().find(|known| known.id == value)?;
     let years = (1..=100_u32).find(|years| (f64::from(*years) - value.number).abs() < 1e-9)?;
     (value.unit == YEAR.ascii).then_some(Interval::Months(12 * years))
@@ -287,7 +287,7 @@ impl Plan {
         (first, next): (NaiveDate, NaiveDate),
         (grade, model): (Option<Grade>, Option<Source>),
     ) {
-        let Some(fact) = catalogue::facts().iter().find(|fact| fact.id == task.fact()) else { return };
+        let Some(fact) = catalogue::fact(task.fact()) else { return };
         let passed = self.today.is_some_and(|today| next < today);
         let (grade, counted_from) = (grade.map(|grade| fact.grade.worst(grade)), self.in_service);
         self.lines.push(Planned { task, rule, interval, counted_from, first, next, passed, fact, grade, model });
@@ -327,10 +327,8 @@ impl Plan {
 
     /// The encoder whose battery buffers its turns.
     fn battery(&mut self, code: &OrderCode, asked: &UpkeepAsked) -> Result<Datum<BatteryLife>, UpkeepFault> {
-        let ordered = [code.feedback];
-        let has_battery = catalogue::facts()
-            .iter()
-            .any(|fact| fact.id == Task::EncoderLatest.fact() && fact.holds_for.feedbacks == ordered);
+        let has_battery =
+            catalogue::fact(Task::EncoderLatest.fact()).is_some_and(|fact| fact.holds_for.feedbacks == [code.feedback]);
         if !has_battery {
             if asked.hours_per_day.is_some() {
                 self.notes.push(PlanNote::NoBattery);

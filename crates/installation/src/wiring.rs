@@ -6,14 +6,13 @@ mod drop;
 mod pin_list;
 mod signal;
 
-pub use cables::{Cable, CableFor, CableLength, CableRole, LengthCode};
+pub use cables::{Cable, CableFor, CableLength, CableRole};
 pub use comparison::{Comparison, Difference, Finding, Severity, compare};
-pub use drop::{Circuit, DropVerdict, HOT, VoltageDrop, WireHot, voltage_drops};
+pub use drop::{Circuit, DropVerdict, VoltageDrop, voltage_drops};
 pub use pin_list::{Column, LISTED_BYTES_MAX, ListFault, ListedPin, PinList, read_pin_list};
 pub use signal::{Form, Group, Meaning, Polarity, Protocol, Signal};
 
-use catalogue::SeriesData;
-use catalogue::{Cell, Table};
+use catalogue::{Cell, SeriesData, Table};
 use order_code::{Brake, OrderCode};
 use quantities::identified;
 
@@ -115,6 +114,11 @@ impl Pin {
     #[must_use]
     pub fn printed(&self) -> &'static str {
         self.signal.map_or("-", |cell| cell.corrected)
+    }
+
+    /// Whether it carries a signal of this group.
+    pub(crate) fn carries(&self, group: Group) -> bool {
+        self.carries.is_some_and(|signal| signal.group() == group)
     }
 }
 
@@ -237,7 +241,7 @@ fn exit_of(role: Role, code: &OrderCode) -> Option<Exit> {
     }
     let winding = format!("winding={}", code.winding);
     let marked = |symbol: &str| {
-        catalogue::table(SeriesData::of(code.series()).pairs).into_iter().flat_map(Table::cells).any(|cell| {
+        catalogue::table_cells(SeriesData::of(code.series()).pairs).iter().any(|cell| {
             let of_code = cell.place.condition == winding && cell.feedback == code.feedback.as_str();
             cell.place.symbol == symbol && of_code && cell.corrected == "x"
         })
@@ -300,10 +304,7 @@ fn ambiguous(pins: &[Pin]) -> Vec<Ambiguous> {
 
 fn absences(code: &OrderCode, connectors: &[Connector], cables: &[Cable]) -> Vec<Absence> {
     let of = |role: Role| connectors.iter().find(|connector| connector.role == role);
-    let carried = |group: Group| {
-        let mut pins = connectors.iter().flat_map(|connector| &connector.pins);
-        pins.any(|pin| pin.carries.is_some_and(|signal| signal.group() == group))
-    };
+    let carried = |group: Group| connectors.iter().flat_map(|connector| &connector.pins).any(|pin| pin.carries(group));
     let mut found = Vec::new();
     let mut absent = |what: Absent, table: &'static str| found.push(Absence { what, table });
     let (motor, feedback) = (of(Role::Motor), of(Role::Feedback));
@@ -320,14 +321,10 @@ fn absences(code: &OrderCode, connectors: &[Connector], cables: &[Cable]) -> Vec
     if !carried(Group::Kty) {
         absent(Absent::Kty, feedback_table);
     }
-    let has = |role: Role, group: Group| {
-        of(role).is_some_and(|found| found.pins.iter().any(|pin| pin.carries.is_some_and(|s| s.group() == group)))
-    };
-    if !has(Role::Feedback, Group::Sense) {
-        absent(Absent::Sense, feedback_table);
-    }
-    if !has(Role::Feedback, Group::Shield) {
-        absent(Absent::ShieldPin, feedback_table);
+    for (what, group) in [(Absent::Sense, Group::Sense), (Absent::ShieldPin, Group::Shield)] {
+        if !feedback.is_some_and(|feedback| feedback.pins.iter().any(|pin| pin.carries(group))) {
+            absent(what, feedback_table);
+        }
     }
     for connector in connectors {
         if !connector.pins.is_empty() && connector.pins.iter().all(|pin| pin.colour.is_none()) {
@@ -337,7 +334,6 @@ fn absences(code: &OrderCode, connectors: &[Connector], cables: &[Cable]) -> Vec
             absent(Absent::MatingSize, connector.kind.place.table);
         }
     }
-    let section = feedback_table;
     for (what, goal) in [
         (Absent::SinamicsCable, CableFor::SinamicsSmc),
         (Absent::OpenCable, CableFor::OpenEnd),
@@ -346,12 +342,12 @@ fn absences(code: &OrderCode, connectors: &[Connector], cables: &[Cable]) -> Vec
     ] {
         // Of the encoder at the output there is a cable for each of its own; here it is about motor and feedback.
         if !cables.iter().any(|cable| cable.goal == goal && cable.role != CableRole::OutputEncoder) {
-            absent(what, section);
+            absent(what, feedback_table);
         }
     }
-    absent(Absent::Arrangement, section);
-    absent(Absent::Gender, section);
-    absent(Absent::CrossSection, section);
+    for what in [Absent::Arrangement, Absent::Gender, Absent::CrossSection] {
+        absent(what, feedback_table);
+    }
     if code.option_2.is_some() {
         absent(Absent::ExitOption, "11.6");
     }

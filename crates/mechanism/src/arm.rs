@@ -20,11 +20,8 @@ pub(crate) fn drawing(figures: &Figures) -> Drawing {
     let weight = along(centre, 0.0);
     // An axis that stands upright feels no weight.
     let share = figures.of("axis_tilt").map_or(1.0, |tilt| tilt.sin().abs());
-    let mut drawing = Drawing::new().line(Look::Axis, [40.0, 112.0], [230.0, 112.0]).face(axis, 38.0).moves(
-        &Course::even(start),
-        axis,
-        |angle| Placement::turned(angle - start),
-        |it| {
+    let mut drawing =
+        Drawing::new().line(Look::Axis, [40.0, 112.0], [230.0, 112.0]).face(axis, 38.0).turns(start, axis, 1.0, |it| {
             it.outline(
                 Look::Body,
                 &[along(-6.0, 18.0), along(end, half(end)), along(end, -half(end)), along(-6.0, -18.0)],
@@ -41,8 +38,7 @@ pub(crate) fn drawing(figures: &Figures) -> Drawing {
             .calls("mass", "m", along(centre, 4.0), along(centre, 46.0))
             .calls("centre_distance", "s", along(0.4 * centre, -48.0), along(0.4 * centre, -36.0))
             .calls("payload_distance", "r_p", along(0.8 * payload, -68.0), along(0.8 * payload, -52.0))
-        },
-    );
+        });
     if share > 0.05 {
         // The weight goes with its centre and points downwards all the way.
         drawing = drawing.moves(

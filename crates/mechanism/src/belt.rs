@@ -9,14 +9,7 @@ pub(crate) fn drawing(figures: &Figures) -> Drawing {
     let wheel = (radius * scale).clamp(13.0, 30.0);
     // The belt and what runs on it follow the size of the wheels.
     let (top, low) = (110.0 - wheel, 114.0 + wheel);
-    let turning = |it: Drawing, at: [f64; 2]| {
-        it.moves(
-            &Course::even(start),
-            at,
-            |angle| Placement::turned(start - angle),
-            |it| it.holes(at, 0.66 * wheel, 0.11 * wheel),
-        )
-    };
+    let turning = |it: Drawing, at: [f64; 2]| it.turns(start, at, -1.0, |it| it.holes(at, 0.66 * wheel, 0.11 * wheel));
     let mut drawing = Drawing::new()
         .along_a_line(figures)
         .line(Look::Axis, [40.0, 112.0], [350.0, 112.0])

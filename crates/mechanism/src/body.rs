@@ -1,7 +1,7 @@
 //! Solid bodies on the axis of rotation: their moments of inertia, mass and centre of mass.
 
 use quantities::unit::STANDARD_GRAVITY;
-use quantities::{Acceleration, Angle, Length, Mass, MassDensity, Measure, MomentOfInertia, Torque, force_of};
+use quantities::{Acceleration, Angle, Length, Mass, MassDensity, Measure, MomentOfInertia, Torque};
 use std::f64::consts::PI;
 
 mod error;
@@ -178,17 +178,11 @@ impl Inertia {
     /// horizontal axis, centre of mass level with it; zero if balanced
     #[must_use]
     pub fn gravity_torque_max(&self) -> Torque {
-        (force_of(self.mass, Acceleration::new_in(1.0, &STANDARD_GRAVITY)) * self.centre_radius).into()
+        (self.mass * Acceleration::new_in(1.0, &STANDARD_GRAVITY) * self.centre_radius).into()
     }
 }
 
 impl Body {
-    /// A single body on the axis of rotation.
-    #[must_use]
-    pub fn on_axis(shape: Shape, mass: Option<Mass>, density: Option<MassDensity>) -> Self {
-        Self { shape, mass, density, distance: Length::from_si(0.0), angle: Angle::from_si(0.0), count: 1 }
-    }
-
     /// The mass of one piece and its moment of inertia about the axis of rotation, in parts.
     ///
     /// J = z (J_own + m r²), m = ρ V if the density is given

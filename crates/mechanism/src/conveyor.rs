@@ -11,12 +11,7 @@ pub(crate) fn drawing(figures: &Figures) -> Drawing {
         drawing = drawing.circle(Look::Housing, [x, 116.0], roller);
     }
     for x in rollers {
-        drawing = drawing.moves(
-            &Course::even(start),
-            [x, 116.0],
-            |angle| Placement::turned(start - angle),
-            |it| it.holes([x, 116.0], 0.66 * roller, 2.4),
-        );
+        drawing = drawing.turns(start, [x, 116.0], -1.0, |it| it.holes([x, 116.0], 0.66 * roller, 2.4));
     }
     drawing
         .moves(

@@ -121,6 +121,11 @@ pub(crate) fn polar([x, y]: Point, radius: f64, angle_rad: f64) -> Point {
     [x + radius * angle_rad.cos(), y - radius * angle_rad.sin()]
 }
 
+/// Straight from point to point.
+pub(crate) fn polyline(points: &[Point]) -> impl Iterator<Item = Step> {
+    points.iter().enumerate().map(|(k, at)| if k == 0 { Step::Move(*at) } else { Step::Line(*at) })
+}
+
 /// A key of the project where it can be seen.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct CallOut {
@@ -194,6 +199,11 @@ impl Drawing {
             call_out.group = Some(group);
         }
         self
+    }
+
+    /// A group that turns with the output, to the left with a positive rate.
+    pub(crate) fn turns(self, start_rad: f64, about: Point, rate: f64, draw: impl FnOnce(Self) -> Self) -> Self {
+        self.moves(&Course::even(start_rad), about, |angle| Placement::turned(rate * (angle - start_rad)), draw)
     }
 
     /// The drawing as it is shown: leaning, with the overhang where it is stated, on a sheet that holds the motion.
@@ -346,8 +356,7 @@ impl Drawing {
 
     /// A closed outline.
     pub(crate) fn outline(self, look: Look, points: &[Point]) -> Self {
-        let steps = points.iter().enumerate().map(|(k, at)| if k == 0 { Step::Move(*at) } else { Step::Line(*at) });
-        self.path(look, steps.chain([Step::Close]))
+        self.path(look, polyline(points).chain([Step::Close]))
     }
 
     pub(crate) fn rect(self, look: Look, [x, y]: Point, [w, h]: Point) -> Self {
@@ -371,14 +380,9 @@ impl Drawing {
     pub(crate) fn sweep(self, look: Look, at: Point, radius: f64, [from, to]: [f64; 2]) -> Self {
         let pieces = [1.0, 2.0, 3.0, 4.0].into_iter().find(|pieces| (to - from).abs() <= FRAC_PI_2 * pieces);
         let pieces = pieces.unwrap_or(4.0);
-        let mut steps = vec![Step::Move(polar(at, radius, from))];
-        let mut piece = 1.0;
-        while piece <= pieces {
-            let end = from + (to - from) * piece / pieces;
-            steps.push(Step::Arc(radius, to < from, polar(at, radius, end)));
-            piece += 1.0;
-        }
-        self.path(look, steps)
+        let ends = [1.0, 2.0, 3.0, 4.0].into_iter().take_while(|piece| *piece <= pieces);
+        let arc = |piece| Step::Arc(radius, to < from, polar(at, radius, from + (to - from) * piece / pieces));
+        self.path(look, [Step::Move(polar(at, radius, from))].into_iter().chain(ends.map(arc)))
     }
 
     pub(crate) fn dimension(self, from: Point, to: Point) -> Self {

@@ -28,7 +28,7 @@ pub struct Effects {
 }
 
 /// The equations of one mechanism, at the mechanism's own shaft: a stage lies before it.
-pub(crate) trait Equations: Sized {
+pub(crate) trait Equations {
     /// Its name in a project file.
     fn id(&self) -> MechanismId;
 
@@ -46,7 +46,9 @@ pub(crate) trait Equations: Sized {
     }
 
     /// The same with all masses and inertias times a factor; geometry and process stay.
-    fn with_masses(&self, factor: f64) -> Self;
+    fn with_masses(&self, factor: f64) -> Self
+    where
+        Self: Sized;
 
     /// The longest angle between two positions over which inertia and torque are as smooth as sixteen nodes need;
     /// infinite where they are polynomials of the position, `None` where they do not depend on it.
@@ -62,11 +64,6 @@ pub(crate) trait Equations: Sized {
 
     /// Travel along the line per angle [m/rad], where it is constant.
     fn travel_m_per_rad(&self) -> Option<f64> {
-        None
-    }
-
-    /// Inclination of the positive direction of its line above the horizontal \[rad\].
-    fn inclination_rad(&self) -> Option<f64> {
         None
     }
 

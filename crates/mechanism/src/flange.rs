@@ -160,6 +160,14 @@ impl Instant<'_> {
     pub(crate) fn before_losses(&self, force: f64, direction: f64) -> f64 {
         if force * direction > 0.0 { force.abs() / self.efficiency_driving } else { force.abs() }
     }
+
+    /// Torque of what moves along a line \[Nm\], with what the segment adds to the line alone.
+    pub(crate) fn line_torque(&self, line: &impl Equations) -> f64 {
+        let of_line = Extra { mass: self.extra.mass, force: self.extra.force, ..Extra::none() };
+        let reduced = line.reduced(self.output.position_rad, &of_line);
+        let (omega, alpha) = (self.output.speed_rad_s, self.output.acceleration_rad_s2);
+        reduced.inertia * alpha + 0.5 * reduced.slope * omega * omega + reduced.holding + self.recorded_nm
+    }
 }
 
 /// cos β without what the rounded angle leaves of a right one.
@@ -183,7 +191,7 @@ impl Mechanism {
     /// torque suffices.
     #[must_use]
     pub fn knows_flange_forces(&self) -> bool {
-        self.stage.is_some() || self.kind.on_flange().is_some()
+        self.stage.is_some() || self.kind.equations().on_flange().is_some()
     }
 
     /// The key of what is missing before the forces on the flange are known; `None` where nothing is.
@@ -198,7 +206,7 @@ impl Mechanism {
                 StageKind::Gear => diameter.or_else(|| contact("bearing.pressure_angle")),
             };
         }
-        match self.kind.on_flange()?.missing? {
+        match self.kind.equations().on_flange()?.missing? {
             Missing::FlangeShare => mounting.share.is_none().then_some("bearing.flange_share"),
             Missing::BeltTension => mounting.contact.is_none().then_some("bearing.belt_tension"),
         }
@@ -211,7 +219,7 @@ impl Mechanism {
         let needs = match &self.stage {
             // A coupling hands on no force across the axis.
             Some(stage) => Overhang { of_mechanism: stage.kind != StageKind::Coupling, of_payload: false },
-            None => self.kind.on_flange()?.overhang,
+            None => self.kind.equations().on_flange()?.overhang,
         };
         match (mounting.overhang, mounting.payload_overhang) {
             (None, _) if needs.of_mechanism || has_wheel => Some("bearing.overhang"),
@@ -236,7 +244,7 @@ impl Mechanism {
     pub fn flange_forces(&self, output: &Output, extra: &Extra, recorded_nm: f64, mounting: &Mounting) -> FlangeForces {
         let mut forces = match &self.stage {
             Some(_) => self.stage_forces(output, extra, recorded_nm, mounting),
-            None => self.kind.forces(&self.instant(output, extra, recorded_nm, mounting)),
+            None => self.kind.equations().forces(&self.instant(output, extra, recorded_nm, mounting)),
         };
         if let (Some(mass), Some(tilt)) = (mounting.wheel_mass, mounting.axis_tilt) {
             let weight = mass.si() * gravity_m_s2();
@@ -259,7 +267,7 @@ impl Mechanism {
             let extra = Extra { torque: extra.torque + Torque::from_si(recorded_nm), ..*extra };
             return [self.stage_hands_on(output, &extra, 0.0), self.useful_torque(output, &extra)];
         }
-        self.kind.switches(&self.instant(output, extra, recorded_nm, &Mounting::default()))
+        self.kind.equations().switches(&self.instant(output, extra, recorded_nm, &Mounting::default()))
     }
 
     const fn instant<'a>(

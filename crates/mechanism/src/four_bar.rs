@@ -22,7 +22,7 @@ use std::f64::consts::{FRAC_PI_2, TAU};
 /// docs/theory/mechanisms.md: the closed loop and its two derivatives, Lagrange's equation
 /// # Valid
 /// the crank can go round: see [`FourBar::faults`]
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct FourBar {
     /// g: distance of the two fixed pivots.
     pub ground: Length,
@@ -251,16 +251,7 @@ fn drawn(figures: &Figures) -> FourBar {
         coupler: Length::from_si(coupler),
         rocker: Length::from_si(rocker),
         is_crossed,
-        inertia: MomentOfInertia::from_si(0.0),
-        coupler_mass: Mass::from_si(0.0),
-        coupler_centre: Length::from_si(0.0),
-        coupler_inertia: MomentOfInertia::from_si(0.0),
-        rocker_mass: Mass::from_si(0.0),
-        rocker_centre: Length::from_si(0.0),
-        rocker_inertia: MomentOfInertia::from_si(0.0),
-        rocker_torque: Torque::from_si(0.0),
-        inclination: Angle::from_si(0.0),
-        tilt: Angle::from_si(0.0),
+        ..FourBar::default()
     };
     let stated = ["ground", "crank", "coupler", "rocker"].map(|key| figures.length(key));
     let [Some(g), Some(r), Some(c), Some(l)] = stated else { return of(NEUTRAL) };
@@ -315,19 +306,14 @@ pub(crate) fn drawing(figures: &Figures) -> Drawing {
                     .calls("rocker_inertia", "J_r", of_rocker(0.8, 0.0), of_rocker(1.08, -30.0))
             },
         )
-        .moves(
-            &Way::even(start),
-            crank,
-            |angle| Placement::turned(angle - start),
-            |it| {
-                it.bar(crank, pin, 8.0).calls(
-                    "crank",
-                    "r",
-                    between(crank, pin, 0.5),
-                    aside(between(crank, pin, 0.9), lean, 34.0),
-                )
-            },
-        )
+        .turns(start, crank, 1.0, |it| {
+            it.bar(crank, pin, 8.0).calls(
+                "crank",
+                "r",
+                between(crank, pin, 0.5),
+                aside(between(crank, pin, 0.9), lean, 34.0),
+            )
+        })
         .moves(
             &Way::round(start),
             pin,

@@ -98,12 +98,8 @@ impl Hoist {
     fn pulls(&self, at: &Instant<'_>) -> [f64; 2] {
         let (k, g, alpha) = (self.travel(), gravity_m_s2(), at.output.acceleration_rad_s2);
         let of_load = Self { inertia: MomentOfInertia::from_si(0.0), counterweight: Mass::from_si(0.0), ..*self };
-        let of_line = Extra { mass: at.extra.mass, force: at.extra.force, ..Extra::none() };
-        let reduced = of_load.reduced(at.output.position_rad, &of_line);
-        let omega = at.output.speed_rad_s;
-        let torque = reduced.inertia * alpha + 0.5 * reduced.slope * omega * omega + reduced.holding + at.recorded_nm;
         let radius = 0.5 * self.drum_diameter.si();
-        [torque / radius, self.counterweight.si() * (g - k * alpha) * k / radius]
+        [at.line_torque(&of_load) / radius, self.counterweight.si() * (g - k * alpha) * k / radius]
     }
 }
 

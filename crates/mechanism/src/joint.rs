@@ -1,6 +1,6 @@
 //! A joint whose torque is recorded with its motion.
 
-use crate::drawing::{Course, Drawing, Figures, Look, Placement, Step};
+use crate::drawing::{Drawing, Figures, Look, Step};
 use crate::equations::{Effects, Equations, Reduced};
 use crate::flange::OnFlange;
 use crate::{Endless, Extra, MechanismId};
@@ -72,18 +72,13 @@ pub(crate) fn drawing(figures: &Figures) -> Drawing {
     Drawing::new()
         .ground([50.0, 170.0], 110.0)
         .outline(Look::Housing, &[[82.0, 170.0], [90.0, 126.0], [122.0, 126.0], [130.0, 170.0]])
-        .moves(
-            &Course::even(start),
-            axis,
-            |angle| Placement::turned(angle - start),
-            |it| {
-                it.bar(axis, [229.0, 56.0], 15.0)
-                    .bar([229.0, 56.0], [314.0, 92.0], 9.0)
-                    .face([229.0, 56.0], 16.0)
-                    .path(Look::Line, gripper)
-                    .calls("inertia", "J", [176.0, 78.0], [172.0, 30.0])
-            },
-        )
+        .turns(start, axis, 1.0, |it| {
+            it.bar(axis, [229.0, 56.0], 15.0)
+                .bar([229.0, 56.0], [314.0, 92.0], 9.0)
+                .face([229.0, 56.0], 16.0)
+                .path(Look::Line, gripper)
+                .calls("inertia", "J", [176.0, 78.0], [172.0, 30.0])
+        })
         .face(axis, 34.0)
         .turning([112.0, 66.0], 44.0, false, [66.0, 92.0])
         .calls("holding_torque", "T_H", [74.0, 80.0], [40.0, 50.0])

@@ -39,7 +39,7 @@ pub use joint::Joint;
 pub use linear::{Linear, LinearKind};
 pub use loading::{Load, Loading};
 pub use rotor::{Rotor, RotorKind};
-pub use scissor_lift::{LEAST_ANGLE_DEG, ScissorLift};
+pub use scissor_lift::ScissorLift;
 pub use slider_crank::SliderCrank;
 pub use stage::{Stage, StageKind};
 pub use table::{Table, TableFault, TablePoint};
@@ -47,9 +47,9 @@ pub use winder::{Winder, Winding};
 
 use drawing::{Drawing, Figures};
 use equations::{Equations, Reduced};
-use flange::{Instant, OnFlange};
 use quantities::unit::STANDARD_GRAVITY;
 use quantities::{Force, Mass, Measure, MomentOfInertia, Torque};
+use stage::with_losses;
 
 /// g_n: standard acceleration of free fall [m/s²], exact by definition (ISO 80000-3).
 #[must_use]
@@ -58,7 +58,7 @@ pub fn gravity_m_s2() -> f64 {
 }
 
 /// What a segment of the motion adds to the load.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Extra {
     /// Mass carried along: on the slide, the belt or the rod's slider.
     pub mass: Mass,
@@ -74,12 +74,7 @@ impl Extra {
     /// Nothing added.
     #[must_use]
     pub fn none() -> Self {
-        Self {
-            mass: Mass::from_si(0.0),
-            inertia: MomentOfInertia::from_si(0.0),
-            force: Force::from_si(0.0),
-            torque: Torque::from_si(0.0),
-        }
+        Self::default()
     }
 }
 
@@ -233,13 +228,14 @@ macro_rules! kinds {
             $($(#[$about])* $kind($kind),)*
         }
 
-        impl Equations for MechanismKind {
-            fn id(&self) -> MechanismId {
-                match self { $(Self::$kind(it) => it.id(),)* }
+        impl MechanismKind {
+            /// Its answers.
+            pub(crate) fn equations(&self) -> &dyn Equations {
+                match self { $(Self::$kind(it) => it,)* }
             }
 
             #[inline]
-            fn reduced(&self, position_rad: f64, extra: &Extra) -> Reduced {
+            pub(crate) fn reduced(&self, position_rad: f64, extra: &Extra) -> Reduced {
                 match self { $(Self::$kind(it) => it.reduced(position_rad, extra),)* }
             }
 
@@ -255,46 +251,6 @@ macro_rules! kinds {
 
             fn with_masses(&self, factor: f64) -> Self {
                 match self { $(Self::$kind(it) => Self::$kind(it.with_masses(factor)),)* }
-            }
-
-            fn smooth_over(&self, from_rad: f64, to_rad: f64) -> Option<f64> {
-                match self { $(Self::$kind(it) => it.smooth_over(from_rad, to_rad),)* }
-            }
-
-            fn endless(&self) -> Endless {
-                match self { $(Self::$kind(it) => it.endless(),)* }
-            }
-
-            fn range_rad(&self) -> Option<(f64, f64)> {
-                match self { $(Self::$kind(it) => it.range_rad(),)* }
-            }
-
-            fn travel_m_per_rad(&self) -> Option<f64> {
-                match self { $(Self::$kind(it) => it.travel_m_per_rad(),)* }
-            }
-
-            fn inclination_rad(&self) -> Option<f64> {
-                match self { $(Self::$kind(it) => it.inclination_rad(),)* }
-            }
-
-            fn kinks(&self) -> Vec<f64> {
-                match self { $(Self::$kind(it) => it.kinks(),)* }
-            }
-
-            fn effects(&self) -> Effects {
-                match self { $(Self::$kind(it) => it.effects(),)* }
-            }
-
-            fn on_flange(&self) -> Option<OnFlange> {
-                match self { $(Self::$kind(it) => it.on_flange(),)* }
-            }
-
-            fn forces(&self, at: &Instant<'_>) -> FlangeForces {
-                match self { $(Self::$kind(it) => it.forces(at),)* }
-            }
-
-            fn switches(&self, at: &Instant<'_>) -> [f64; 2] {
-                match self { $(Self::$kind(it) => it.switches(at),)* }
             }
         }
     };
@@ -386,25 +342,19 @@ impl Mechanism {
     /// Which mechanism it is.
     #[must_use]
     pub fn id(&self) -> MechanismId {
-        self.kind.id()
-    }
-
-    /// Inclination of the positive direction of its line above the horizontal \[rad\]; `None` without a line.
-    #[must_use]
-    pub fn inclination_rad(&self) -> Option<f64> {
-        self.kind.inclination_rad()
+        self.kind.equations().id()
     }
 
     /// What a segment of the motion can add to it.
     #[must_use]
     pub fn effects(&self) -> Effects {
-        self.kind.effects()
+        self.kind.equations().effects()
     }
 
     /// Lowest and highest position of the actuator's output that the geometry allows \[rad\].
     #[must_use]
     pub fn range_rad(&self) -> Option<(f64, f64)> {
-        let (from, to) = self.kind.range_rad()?;
+        let (from, to) = self.kind.equations().range_rad()?;
         let (from, to) = (from * self.stage_ratio(), to * self.stage_ratio());
         Some((from.min(to), from.max(to)))
     }
@@ -414,7 +364,7 @@ impl Mechanism {
     #[must_use]
     pub fn smooth_over(&self, from_rad: f64, to_rad: f64) -> Option<f64> {
         let ratio = self.stage_ratio();
-        self.kind.smooth_over(from_rad / ratio, to_rad / ratio)
+        self.kind.equations().smooth_over(from_rad / ratio, to_rad / ratio)
     }
 
     /// Torque that the load takes on the far side of the transmission, before its losses \[Nm\].
@@ -462,14 +412,7 @@ impl Mechanism {
 
     /// What the mechanism takes for a useful torque, with its losses and the friction at its side of the stage \[Nm\].
     pub(crate) fn passed(&self, useful: f64, output: &Output) -> f64 {
-        let power = useful * output.direction;
-        let passed = if power > 0.0 {
-            useful / self.efficiency_driving
-        } else if power < 0.0 {
-            useful * self.efficiency_driven
-        } else {
-            useful
-        };
+        let passed = with_losses(useful, output.direction, [self.efficiency_driving, self.efficiency_driven]);
         passed + self.friction.coulomb.si() * output.direction + self.friction.viscous.si() * output.speed_rad_s
     }
 
@@ -502,7 +445,7 @@ impl Mechanism {
     /// Whether torque or inertia depend on the position.
     #[must_use]
     pub fn depends_on_position(&self) -> bool {
-        self.kind.smooth_over(0.0, 0.0).is_some()
+        self.kind.equations().smooth_over(0.0, 0.0).is_some()
     }
 
     /// Whether the torque over a ramp of constant acceleration is constant: no viscous friction, no dependence on the
@@ -533,7 +476,7 @@ impl Mechanism {
         }
         let (reduced, weight_nm, angle_rad) = match &self.kind {
             MechanismKind::Rotor(rotor) => rotor.laden(extra).apart(),
-            kind if kind.smooth_over(0.0, 0.0).is_some() => return None,
+            kind if kind.equations().smooth_over(0.0, 0.0).is_some() => return None,
             kind => (kind.reduced(0.0, extra), 0.0, 0.0),
         };
         Some(Plain {
@@ -549,19 +492,19 @@ impl Mechanism {
     /// What the cycle must come back to.
     #[must_use]
     pub fn endless(&self) -> Endless {
-        self.kind.endless()
+        self.kind.equations().endless()
     }
 
     /// Travel along the line per angle of the actuator's output [m/rad], where it is constant.
     #[must_use]
     pub fn travel_m_per_rad(&self) -> Option<f64> {
-        Some(self.kind.travel_m_per_rad()? / self.stage_ratio())
+        Some(self.kind.equations().travel_m_per_rad()? / self.stage_ratio())
     }
 
     /// Positions of the mechanism, behind a stage, within 0…2π (or the table's span) at which the reduced quantities have a kink.
     #[must_use]
     pub fn kinks(&self) -> Vec<f64> {
-        self.kind.kinks()
+        self.kind.equations().kinks()
     }
 }
 

@@ -92,10 +92,6 @@ impl Equations for Linear {
         Some(self.travel_m_per_rad)
     }
 
-    fn inclination_rad(&self) -> Option<f64> {
-        Some(self.inclination.si())
-    }
-
     fn effects(&self) -> Effects {
         Effects { payload: true, payload_inertia: true, process_force: true }
     }

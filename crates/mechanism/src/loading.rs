@@ -1,6 +1,6 @@
 //! Torque of the load at many states, one after the other.
 
-use crate::equations::{Equations, Reduced};
+use crate::equations::Reduced;
 use crate::rotor::Laden;
 use crate::{Extra, Mechanism, MechanismKind, Output};
 

@@ -6,9 +6,10 @@ use crate::{Endless, Extra, MechanismId, gravity_m_s2};
 use quantities::{Angle, Length, Mass, Measure, MomentOfInertia};
 
 /// How a rotor is described.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum RotorKind {
     /// By its inertia alone: its weight and its centre of mass are not known.
+    #[default]
     Load,
     /// By its bodies.
     Turntable,
@@ -27,7 +28,7 @@ pub enum RotorKind {
 /// docs/theory/mechanisms.md; cha-manual eq. 70.5 for the inertia
 /// # Valid
 /// rigid body; the payload sits in the direction of the centre of mass
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Rotor {
     /// How it is described.
     pub kind: RotorKind,
@@ -49,16 +50,7 @@ impl Rotor {
     /// A balanced load.
     #[must_use]
     pub fn balanced(inertia: MomentOfInertia) -> Self {
-        let none = Length::from_si(0.0);
-        Self {
-            kind: RotorKind::Load,
-            inertia,
-            mass: Mass::from_si(0.0),
-            radius: none,
-            payload_radius: none,
-            angle: Angle::from_si(0.0),
-            tilt: Angle::from_si(0.0),
-        }
+        Self { inertia, ..Self::default() }
     }
 
     /// What no position changes, worked out once for many.

@@ -23,7 +23,7 @@ use std::f64::consts::FRAC_PI_2;
 /// # Valid
 /// arms pinned at their middle, of even mass; one lower pin fixed, the other on the nut; 0 < θ < 90°. Near θ = 0 the
 /// torque grows without limit
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct ScissorLift {
     /// n: stages one above the other.
     pub stages: u32,
@@ -42,7 +42,7 @@ pub struct ScissorLift {
 }
 
 /// The least angle of the arms [°]: 57 times the thrust of the weight at 45°. A guess of what no lift is built for.
-pub const LEAST_ANGLE_DEG: f64 = 1.0;
+const LEAST_ANGLE_DEG: f64 = 1.0;
 
 /// Height of a stage and the rates of the linkage at a position.
 struct Course {
@@ -153,11 +153,7 @@ impl Equations for ScissorLift {
     /// The thrust of the screw \[N\].
     fn switches(&self, at: &Instant<'_>) -> [f64; 2] {
         let screw_less = Self { inertia: MomentOfInertia::from_si(0.0), ..*self };
-        let of_line = Extra { mass: at.extra.mass, force: at.extra.force, ..Extra::none() };
-        let reduced = screw_less.reduced(at.output.position_rad, &of_line);
-        let (omega, alpha) = (at.output.speed_rad_s, at.output.acceleration_rad_s2);
-        let torque = reduced.inertia * alpha + 0.5 * reduced.slope * omega * omega + reduced.holding + at.recorded_nm;
-        [torque / self.travel(), 0.0]
+        [at.line_torque(&screw_less) / self.travel(), 0.0]
     }
 }
 
@@ -175,9 +171,7 @@ pub(crate) fn drawing(figures: &Figures) -> Drawing {
         arm_length: Length::from_si(arm),
         lead: Length::from_si(figures.length("lead").unwrap_or(0.01)),
         angle: Angle::from_si(angle),
-        mass: Mass::from_si(0.0),
-        arm_mass: Mass::from_si(0.0),
-        inertia: MomentOfInertia::from_si(0.0),
+        ..ScissorLift::default()
     };
     let lean = |position: f64| (lift.base(position) / arm).clamp(-1.0, 1.0).acos();
     let highest = figures.motion_rad().map_or(angle, |[_, to]| lean(to).max(angle));

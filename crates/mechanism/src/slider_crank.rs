@@ -17,7 +17,7 @@ use quantities::{Angle, Length, Mass, Measure, MomentOfInertia};
 /// docs/theory/mechanisms.md
 /// # Valid
 /// l > r, slider's line through the crank's axis; the rod's own rotation is left to the two shares
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct SliderCrank {
     /// r: crank radius.
     pub crank: Length,
@@ -42,18 +42,6 @@ struct Course {
 }
 
 impl SliderCrank {
-    /// The linkage alone, to be drawn; its lengths are those of the sheet.
-    fn drawn(crank: f64, rod: f64) -> Self {
-        Self {
-            crank: Length::from_si(crank),
-            rod: Length::from_si(rod),
-            inertia: MomentOfInertia::from_si(0.0),
-            mass: Mass::from_si(0.0),
-            inclination: Angle::from_si(0.0),
-            angle: Angle::from_si(0.0),
-        }
-    }
-
     fn course(&self, position_rad: f64) -> Course {
         let (r, l) = (self.crank.si(), self.rod.si());
         let (sine, cosine) = (position_rad + self.angle.si()).sin_cos();
@@ -110,10 +98,6 @@ impl Equations for SliderCrank {
         Endless::EachRevolution
     }
 
-    fn inclination_rad(&self) -> Option<f64> {
-        Some(self.inclination.si())
-    }
-
     fn effects(&self) -> Effects {
         Effects { payload: true, payload_inertia: true, process_force: true }
     }
@@ -151,7 +135,8 @@ pub(crate) fn drawing(figures: &Figures) -> Drawing {
     let r = (210.0 / (1.0 + ratio)).min(60.0);
     let l = ratio * r;
     let (start, lean) = (figures.start_rad(), figures.of("start_angle").unwrap_or(NEUTRAL_RAD));
-    let linkage = SliderCrank::drawn(r, l);
+    // The linkage alone, with its lengths on the sheet.
+    let linkage = SliderCrank { crank: Length::from_si(r), rod: Length::from_si(l), ..SliderCrank::default() };
     let pin = |angle: f64| polar(axis, r, angle);
     let slider = |angle: f64| axis[0] + linkage.course(angle).place;
     let rod_lean = |angle: f64| -linkage.course(angle).lean.atan();
@@ -164,19 +149,14 @@ pub(crate) fn drawing(figures: &Figures) -> Drawing {
         .face(axis, r.max(30.0) - 4.0)
         .ground([near, 134.0], far - near)
         .line(Look::Line, [near, 90.0], [far, 90.0])
-        .moves(
-            &Way::even(start),
-            axis,
-            |angle| Placement::turned(angle - start),
-            |it| {
-                it.bar(axis, at, 9.0).calls(
-                    "crank",
-                    "r",
-                    polar(axis, 0.5 * r, lean),
-                    polar(polar(axis, 0.7 * r, lean), 42.0, lean + 1.57),
-                )
-            },
-        )
+        .turns(start, axis, 1.0, |it| {
+            it.bar(axis, at, 9.0).calls(
+                "crank",
+                "r",
+                polar(axis, 0.5 * r, lean),
+                polar(polar(axis, 0.7 * r, lean), 42.0, lean + 1.57),
+            )
+        })
         .moves(
             &Way::round(start),
             [x, 112.0],

@@ -76,15 +76,7 @@ impl Stage {
 
     /// What the near side of the stage takes for what it hands on, without its own inertia \[Nm\].
     pub(crate) fn taken(&self, handed_on: f64, direction: f64) -> f64 {
-        let power = handed_on * direction;
-        let passed = if power > 0.0 {
-            handed_on / self.efficiency_driving
-        } else if power < 0.0 {
-            handed_on * self.efficiency_driven
-        } else {
-            handed_on
-        };
-        passed / self.ratio
+        with_losses(handed_on, direction, [self.efficiency_driving, self.efficiency_driven]) / self.ratio
     }
 
     /// Torque at the output of the actuator \[Nm\].
@@ -96,6 +88,18 @@ impl Stage {
     /// (J + J_2)/i_s² + J_1
     pub(crate) fn inertia(&self, inertia: f64) -> f64 {
         (inertia + self.inertia_driven.si()) / (self.ratio * self.ratio) + self.inertia_driving.si()
+    }
+}
+
+/// A torque on the near side of losses, by the efficiencies while it drives and while it is driven; at rest neither counts.
+pub(crate) fn with_losses(torque: f64, direction: f64, [driving, driven]: [f64; 2]) -> f64 {
+    let power = torque * direction;
+    if power > 0.0 {
+        torque / driving
+    } else if power < 0.0 {
+        torque * driven
+    } else {
+        torque
     }
 }
 

@@ -1,6 +1,6 @@
 //! Inertia and torque over the position, point by point.
 
-use crate::drawing::{Course, Drawing, Figures, Look, Placement, Step};
+use crate::drawing::{Course, Drawing, Figures, Look, Placement, Step, polyline};
 use crate::equations::{Effects, Equations, Reduced, TWELFTH_RAD};
 use crate::flange::OnFlange;
 use crate::{Endless, Extra, MechanismId};
@@ -118,19 +118,11 @@ impl Equations for Table {
 
 pub(crate) fn drawing(figures: &Figures) -> Drawing {
     let start = figures.start_rad();
+    let points = [[56.0, 132.0], [104.0, 77.0], [158.0, 70.0], [212.0, 108.0], [270.0, 112.0], [330.0, 62.0]];
     let mut drawing = Drawing::new()
         .arrow([40.0, 160.0], [350.0, 160.0])
         .arrow([48.0, 170.0], [48.0, 20.0])
-        .path(
-            Look::Line,
-            [[104.0, 77.0], [158.0, 70.0], [212.0, 108.0], [270.0, 112.0], [330.0, 62.0]].into_iter().fold(
-                vec![Step::Move([56.0, 132.0])],
-                |mut steps, at| {
-                    steps.push(Step::Line(at));
-                    steps
-                },
-            ),
-        )
+        .path(Look::Line, polyline(&points))
         .path(
             Look::Hidden,
             [
@@ -139,7 +131,7 @@ pub(crate) fn drawing(figures: &Figures) -> Drawing {
                 Step::Curve([260.0, 84.0], [290.0, 80.0], [330.0, 112.0]),
             ],
         );
-    for at in [[56.0, 132.0], [104.0, 77.0], [158.0, 70.0], [212.0, 108.0], [270.0, 112.0], [330.0, 62.0]] {
+    for at in points {
         drawing = drawing.circle(Look::Hole, at, 4.0);
     }
     // A revolution is the width of the table.

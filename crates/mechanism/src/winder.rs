@@ -182,12 +182,7 @@ pub(crate) fn drawing(figures: &Figures) -> Drawing {
             },
         )
         .face(middle, 0.5 * core)
-        .moves(
-            &Way::even(start),
-            middle,
-            |angle| Placement::turned(turns * (angle - start)),
-            |it| it.holes(middle, 0.36 * core, 0.06 * core),
-        )
+        .turns(start, middle, turns, |it| it.holes(middle, 0.36 * core, 0.06 * core))
         .moves(
             &way,
             guide,

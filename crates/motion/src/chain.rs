@@ -94,7 +94,7 @@ impl Motion {
     /// # Errors
     /// Every [`MotionFault`] of the segments, or those of the closing.
     pub fn new(segments: &[SegmentSpec], start: Option<Angle>, closing: Closing) -> Result<Self, Vec<MotionFault>> {
-        let mut chain = Chain::beginning(segments, start);
+        let (mut chain, initial_error) = Chain::beginning(segments.first(), start);
         let (first, initial) = (chain.position, chain.speed);
         let mut faults = Vec::new();
         let mut stretches = Vec::with_capacity(segments.len());
@@ -133,20 +133,13 @@ impl Motion {
         if segments.is_empty() {
             faults.push(MotionFault { segment: None, fault: MoveFault::NoSegment });
         } else if faults.is_empty() {
-            let error = match segments.first() {
-                Some(SegmentSpec::Recorded(recorded)) => recorded.end_errors_rad_s().0,
-                _ => 0.0,
-            };
-            faults.extend(closing_fault(&chain, (initial, error), first, closing));
+            faults.extend(closing_fault(&chain, (initial, initial_error), first, closing));
         }
         if !faults.is_empty() {
             return Err(faults);
         }
-        let manual: Vec<ManualMove> = segments
-            .iter()
-            .filter_map(|segment| if let SegmentSpec::Manual(each) = segment { Some(*each) } else { None })
-            .collect();
-        let manual = (manual.len() == segments.len()).then_some(manual);
+        let manual = |segment: &SegmentSpec| if let SegmentSpec::Manual(each) = segment { Some(*each) } else { None };
+        let manual = segments.iter().map(manual).collect();
         let (duration, net) = (Time::from_si(chain.clock), Angle::from_si(chain.position - first));
         Ok(Self { pieces: chain.pieces, recordings: chain.recordings, duration, net, stretches, manual })
     }
@@ -177,13 +170,13 @@ impl Motion {
                 .map(|stretch| Stretch {
                     start: time(stretch.start),
                     duration: time(stretch.duration),
-                    hold: stretch.hold,
                     solved: stretch.solved.map(|solved| Solved {
-                        distance: solved.distance,
                         time: time(solved.time),
                         speed: speed(solved.speed),
                         acceleration: AngularAcceleration::from_si(solved.acceleration.si() / (factor * factor)),
+                        ..solved
                     }),
+                    ..*stretch
                 })
                 .collect(),
             manual: self.manual.as_ref().map(|moves| {
@@ -227,9 +220,9 @@ impl Motion {
                 .map(|stretch| Stretch {
                     solved: stretch.solved.map(|solved| Solved {
                         distance: Angle::from_si(solved.distance.si() * ratio),
-                        time: solved.time,
                         speed: AngularVelocity::from_si(solved.speed.si() * ratio),
                         acceleration: AngularAcceleration::from_si(solved.acceleration.si() * ratio),
+                        ..solved
                     }),
                     ..*stretch
                 })
@@ -282,16 +275,6 @@ impl Motion {
     }
 }
 
-/// The speed before the first segment: that of a constant run, else rest.
-fn start_speed(segments: &[SegmentSpec]) -> f64 {
-    match segments.first() {
-        Some(SegmentSpec::Move(Law::Constant, given)) => given.speed.map_or(0.0, Measure::si),
-        Some(SegmentSpec::Recorded(recorded)) => recorded.end_speeds_rad_s().0,
-        Some(SegmentSpec::Points(points)) => points.first_speed().si(),
-        _ => 0.0,
-    }
-}
-
 /// So much of the largest recorded speed or of the recorded travel may a recording miss where it joins or closes:
 /// a recording never contains an exact zero.
 const JOINT: f64 = 1e-3;
@@ -308,6 +291,12 @@ fn joint(fastest: f64, slope_error: f64) -> f64 {
 /// So much of the largest speed two speeds may differ that are the same but for rounding.
 const SAME_SPEED: f64 = 1e-9;
 
+/// From the lowest to the highest of some positions.
+fn way(values: &[f64]) -> f64 {
+    let (low, high) = values.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(a, b), q| (a.min(*q), b.max(*q)));
+    high - low
+}
+
 struct Chain {
     position: f64,
     speed: f64,
@@ -319,20 +308,21 @@ struct Chain {
 }
 
 impl Chain {
-    fn beginning(segments: &[SegmentSpec], start: Option<Angle>) -> Self {
-        let recorded = match segments.first() {
-            Some(SegmentSpec::Recorded(recorded)) if recorded.is_placed() => recorded.ends_rad().0,
-            Some(SegmentSpec::Points(points)) => points.first().si(),
-            _ => 0.0,
+    /// Before the first segment, and what its speed there may be wrong by: the speed is that of a constant run, of a
+    /// recording or of points, else rest.
+    fn beginning(first: Option<&SegmentSpec>, start: Option<Angle>) -> (Self, f64) {
+        let (position, speed, error) = match first {
+            Some(SegmentSpec::Move(Law::Constant, given)) => (0.0, given.speed.map_or(0.0, Measure::si), 0.0),
+            Some(SegmentSpec::Points(points)) => (points.first().si(), points.first_speed().si(), 0.0),
+            Some(SegmentSpec::Recorded(recorded)) => {
+                let position = if recorded.is_placed() { recorded.ends_rad().0 } else { 0.0 };
+                (position, recorded.end_speeds_rad_s().0, recorded.end_errors_rad_s().0)
+            }
+            _ => (0.0, 0.0, 0.0),
         };
-        Self {
-            position: start.map_or(recorded, Measure::si),
-            speed: start_speed(segments),
-            speed_error: 0.0,
-            clock: 0.0,
-            pieces: Vec::new(),
-            recordings: Vec::new(),
-        }
+        let position = start.map_or(position, Measure::si);
+        let (pieces, recordings) = (Vec::new(), Vec::new());
+        (Self { position, speed, speed_error: 0.0, clock: 0.0, pieces, recordings }, error)
     }
 
     /// A recording with positions stands where they say, shifted only if the motion begins with it at a stated angle;
@@ -350,8 +340,7 @@ impl Chain {
         }
         let gap = self.position - first;
         let shifted = self.clock == 0.0 || !recorded.is_placed();
-        let (low, high) = recorded.position_rad().iter().fold((first, first), |(a, b), q| (a.min(*q), b.max(*q)));
-        if !shifted && gap.abs() > JOINT * (high - low) {
+        if !shifted && gap.abs() > JOINT * way(recorded.position_rad()) {
             return Err(MoveFault::RecordingPositionJumps { gap: Angle::from_si(-gap) });
         }
         let offset_rad = if shifted { gap } else { 0.0 };
@@ -462,10 +451,6 @@ fn closing_fault(
             start: AngularVelocity::from_si(initial),
         });
     }
-    let way = |values: &[f64]| {
-        let (low, high) = values.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(a, b), q| (a.min(*q), b.max(*q)));
-        high - low
-    };
     let travelled: f64 =
         chain.pieces.iter().map(|piece| (piece.end().position_rad - piece.position_rad).abs()).sum::<f64>()
             + chain.recordings.iter().map(|placed| way(placed.recorded.position_rad())).sum::<f64>();

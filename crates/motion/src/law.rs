@@ -1,8 +1,6 @@
 //! Laws of motion: what is given of a move, and the pieces that follow.
 
-use crate::faults::MoveFault;
 use crate::piece::Piece;
-use crate::{seven_phase, solve};
 use quantities::{Angle, AngularAcceleration, AngularJerk, AngularVelocity, Time, identified};
 use std::f64::consts::PI;
 
@@ -81,14 +79,6 @@ impl Law {
         }
     }
 
-    /// The pieces of a move that begins with a speed [rad/s].
-    ///
-    /// # Errors
-    /// [`MoveFault`] where the given quantities determine no move.
-    pub fn pieces(self, given: &Given, first: f64) -> Result<Vec<Piece>, MoveFault> {
-        solve::pieces(self, given, first)
-    }
-
     /// The normalised pieces over a distance s in a time T, from rest to rest.
     pub(crate) fn normalised(self, s: f64, t: f64) -> Vec<Piece> {
         let (_, c_a) = self.characteristics();
@@ -129,12 +119,6 @@ impl Law {
         let t3 = t * t * t;
         Piece::polynomial(t, [0.0, 6.0 * c3 / t3, 12.0 * c4 / (t3 * t), 20.0 * c5 / (t3 * t * t)])
     }
-}
-
-/// The pieces between two limits of speed, acceleration and jerk.
-pub(crate) fn limited(length: f64, first: f64, last: f64, limits: [f64; 3]) -> Vec<Piece> {
-    let [speed, acceleration, jerk] = limits;
-    seven_phase::pieces(length, first, last, &seven_phase::Limits { speed, acceleration, jerk })
 }
 
 #[cfg(test)]

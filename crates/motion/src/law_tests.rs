@@ -1,4 +1,5 @@
 use super::*;
+use crate::MoveFault;
 use quantities::Measure;
 
 const NORMALISED: [Law; 7] = [

@@ -16,15 +16,6 @@ identified! {
 }
 
 impl Spline {
-    /// So many derivatives of the position are continuous at the points.
-    #[must_use]
-    pub const fn continuity(self) -> u8 {
-        match self {
-            Self::Cubic => 2,
-            Self::Quintic => 4,
-        }
-    }
-
     /// Unknowns at each point: speed, and with the fifth degree acceleration.
     const fn unknowns(self) -> usize {
         match self {
@@ -95,7 +86,6 @@ pub enum PointsFault {
 /// A move through points.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Points {
-    spline: Spline,
     pieces: Vec<Piece>,
     /// Positions and speeds at the points, from the first one \[rad\], [rad/s].
     states: Vec<(f64, f64)>,
@@ -132,13 +122,7 @@ impl Points {
         let (knots, pieces) = solved(&points, spline, ends).ok_or_else(|| vec![PointsFault::Uneven])?;
         let first = points.first().map_or(0.0, |(_, position)| *position);
         let states = points.iter().zip(&knots).map(|((_, q), [speed, _])| (q - first, *speed)).collect();
-        Ok(Self { spline, pieces, states, first: Angle::from_si(first) })
-    }
-
-    /// Which spline it is.
-    #[must_use]
-    pub const fn spline(&self) -> Spline {
-        self.spline
+        Ok(Self { pieces, states, first: Angle::from_si(first) })
     }
 
     /// Position of the first point.

@@ -69,7 +69,7 @@ fn derivatives(piece: &Piece, t: f64) -> [f64; 4] {
 #[test]
 fn as_many_derivatives_are_continuous_as_it_says() {
     let scale = [1.0, 10.0, 1e3, 1e5];
-    for spline in Spline::ALL {
+    for (spline, continuity) in [(Spline::Cubic, 2), (Spline::Quintic, 4)] {
         for ends in [Ends::Rest, Ends::Natural, Ends::Periodic] {
             let motion = motion(Points::new(&of(|t| (4.0 * t).sin() + t, 9), spline, ends).unwrap());
             let pieces = motion.pieces();
@@ -78,10 +78,7 @@ fn as_many_derivatives_are_continuous_as_it_says() {
             for (before, after) in joints.chain(closing) {
                 let sides = derivatives(before, before.duration_s).into_iter().zip(derivatives(after, 0.0));
                 let mut jumps = sides.zip(scale).map(|((a, b), scale)| (a - b).abs() / scale);
-                assert!(
-                    jumps.by_ref().take(spline.continuity().into()).all(|jump| jump < 1e-11),
-                    "{spline:?} {ends:?}"
-                );
+                assert!(jumps.by_ref().take(continuity).all(|jump| jump < 1e-11), "{spline:?} {ends:?}");
                 assert!(jumps.next().is_none_or(|jump| jump > 1e-6), "{spline:?} {ends:?}");
             }
         }

@@ -46,7 +46,6 @@ pub struct Recorded {
     speed_rad_s: Arc<Vec<f64>>,
     torque_nm: Option<Arc<Vec<f64>>>,
     is_placed: bool,
-    is_differentiated: bool,
     end_errors_rad_s: (f64, f64),
 }
 
@@ -61,7 +60,7 @@ impl Recorded {
         let start = time_s.first().copied().unwrap_or(0.0);
         let time_s = if start == 0.0 { time_s } else { Arc::new(time_s.iter().map(|t| t - start).collect()) };
         let window = treatment.smoothing.map(Measure::si);
-        let (is_placed, is_differentiated) = (position_rad.is_some(), speed_rad_s.is_none());
+        let is_placed = position_rad.is_some();
         if let (Some(position), Some(speed)) = (&position_rad, &speed_rad_s) {
             agree(&time_s, position, speed)?;
         }
@@ -98,7 +97,6 @@ impl Recorded {
             speed_rad_s: speed,
             torque_nm,
             is_placed,
-            is_differentiated,
             end_errors_rad_s: end_errors,
         })
     }
@@ -137,12 +135,6 @@ impl Recorded {
     #[must_use]
     pub const fn is_placed(&self) -> bool {
         self.is_placed
-    }
-
-    /// Whether the speed is a difference of positions.
-    #[must_use]
-    pub const fn is_differentiated(&self) -> bool {
-        self.is_differentiated
     }
 
     /// Duration \[s\].

@@ -24,7 +24,7 @@ fn a_parabola_of_positions_is_differentiated_exactly() {
     for smoothing in [None, Some(Time::from_si(0.1))] {
         let treatment = Treatment { smoothing, ..Treatment::default() };
         let recorded = Recorded::new(samples.clone(), treatment).unwrap();
-        assert!(recorded.is_differentiated() && recorded.is_placed());
+        assert!(recorded.is_placed());
         for (t, speed) in time.iter().zip(recorded.speed_rad_s()) {
             assert!((speed - (2.0 - 3.0 * t)).abs() < 1e-9, "{smoothing:?} at {t}: {speed}");
         }

@@ -1,47 +1,55 @@
 //! From any sufficient part of distance, time, speed and acceleration to the pieces of a move.
 
 use crate::faults::{MoveFault, Needed};
-use crate::law::{Given, Law, limited};
+use crate::law::{Given, Law};
 use crate::piece::Piece;
+use crate::seven_phase::{self, Limits};
 use quantities::{AngularAcceleration, AngularVelocity, Measure};
 
-/// The pieces of a move, see [`Law::pieces`].
-pub(crate) fn pieces(law: Law, given: &Given, first: f64) -> Result<Vec<Piece>, MoveFault> {
-    let last = given.end_speed.map_or(0.0, Measure::si);
-    let move_of = Wanted {
-        distance: given.distance.map(Measure::si),
-        time: given.time.map(Measure::si),
-        speed: given.speed.map(Measure::si),
-        acceleration: given.acceleration.map(Measure::si),
-    };
-    move_of.in_range()?;
-    let boundary = first != 0.0 || last != 0.0;
-    match law {
-        Law::Constant => constant(&move_of, first, given.end_speed.map(Measure::si)),
-        Law::Jerk => {
-            let jerk = given.jerk.map(Measure::si).filter(|jerk| jerk.is_finite() && *jerk > 0.0);
-            match (move_of.distance, move_of.speed, move_of.acceleration, jerk, move_of.time) {
-                (Some(distance), Some(speed), Some(acceleration), Some(jerk), None) => {
-                    within(distance, first, last, [speed.abs(), acceleration, jerk])
+impl Law {
+    /// The pieces of a move that begins with a speed [rad/s].
+    ///
+    /// # Errors
+    /// [`MoveFault`] where the given quantities determine no move.
+    pub fn pieces(self, given: &Given, first: f64) -> Result<Vec<Piece>, MoveFault> {
+        let last = given.end_speed.map_or(0.0, Measure::si);
+        let move_of = Wanted {
+            distance: given.distance.map(Measure::si),
+            time: given.time.map(Measure::si),
+            speed: given.speed.map(Measure::si),
+            acceleration: given.acceleration.map(Measure::si),
+        };
+        move_of.in_range()?;
+        let boundary = first != 0.0 || last != 0.0;
+        match self {
+            Self::Constant => constant(&move_of, first, given.end_speed.map(Measure::si)),
+            Self::Jerk => {
+                let jerk = given.jerk.map(Measure::si).filter(|jerk| jerk.is_finite() && *jerk > 0.0);
+                match (move_of.distance, move_of.speed, move_of.acceleration, jerk, move_of.time) {
+                    (Some(distance), Some(speed), Some(acceleration), Some(jerk), None) => {
+                        within(distance, first, last, Limits { speed: speed.abs(), acceleration, jerk })
+                    }
+                    _ => Err(move_of.undetermined(Needed::DistanceAndLimits, usize::from(given.jerk.is_some()))),
                 }
-                _ => Err(move_of.undetermined(Needed::DistanceAndLimits, usize::from(given.jerk.is_some()))),
             }
-        }
-        Law::Trapezoid if boundary => match (move_of.distance, move_of.speed, move_of.acceleration, move_of.time) {
-            (Some(distance), Some(speed), Some(acceleration), None) => {
-                within(distance, first, last, [speed.abs(), acceleration, f64::INFINITY])
+            Self::Trapezoid if boundary => {
+                match (move_of.distance, move_of.speed, move_of.acceleration, move_of.time) {
+                    (Some(distance), Some(speed), Some(acceleration), None) => {
+                        within(distance, first, last, Limits { speed: speed.abs(), acceleration, jerk: f64::INFINITY })
+                    }
+                    _ => Err(move_of.undetermined(Needed::DistanceSpeedAcceleration, 0)),
+                }
             }
-            _ => Err(move_of.undetermined(Needed::DistanceSpeedAcceleration, 0)),
-        },
-        Law::Polynomial5 if boundary => match (move_of.distance, move_of.time, move_of.count()) {
-            (Some(distance), Some(time), 2) => Ok(vec![Law::quintic(distance, time, first, last)]),
-            _ => Err(move_of.undetermined(Needed::DistanceAndTime, 0)),
-        },
-        _ if boundary => Err(MoveFault::RestToRestOnly),
-        Law::Trapezoid if move_of.count() == 3 => trapezoid(&move_of),
-        _ => {
-            let (distance, time) = move_of.distance_and_time(law)?;
-            Ok(law.normalised(distance, time))
+            Self::Polynomial5 if boundary => match (move_of.distance, move_of.time, move_of.count()) {
+                (Some(distance), Some(time), 2) => Ok(vec![Self::quintic(distance, time, first, last)]),
+                _ => Err(move_of.undetermined(Needed::DistanceAndTime, 0)),
+            },
+            _ if boundary => Err(MoveFault::RestToRestOnly),
+            Self::Trapezoid if move_of.count() == 3 => trapezoid(&move_of),
+            _ => {
+                let (distance, time) = move_of.distance_and_time(self)?;
+                Ok(self.normalised(distance, time))
+            }
         }
     }
 }
@@ -125,7 +133,9 @@ fn trapezoid(wanted: &Wanted) -> Result<Vec<Piece>, MoveFault> {
             let root = (a * a * t * t - 4.0 * a * s).max(0.0).sqrt();
             (2.0 * a * s / (a * t + root), a, t)
         }
-        (Some(s), None, Some(v), Some(a)) => return within(sign * s, 0.0, 0.0, [v, a, f64::INFINITY]),
+        (Some(s), None, Some(v), Some(a)) => {
+            return within(sign * s, 0.0, 0.0, Limits { speed: v, acceleration: a, jerk: f64::INFINITY });
+        }
         (None, Some(t), Some(v), Some(a)) => {
             let least = 2.0 * v / t;
             if a < least * (1.0 - 1e-12) {
@@ -143,11 +153,11 @@ fn trapezoid(wanted: &Wanted) -> Result<Vec<Piece>, MoveFault> {
 }
 
 /// The shortest move within limits; the end speeds must lie within them too.
-fn within(distance: f64, first: f64, last: f64, limits: [f64; 3]) -> Result<Vec<Piece>, MoveFault> {
-    if first.abs().max(last.abs()) > limits[0] * (1.0 + 1e-12) {
+fn within(distance: f64, first: f64, last: f64, limits: Limits) -> Result<Vec<Piece>, MoveFault> {
+    if first.abs().max(last.abs()) > limits.speed * (1.0 + 1e-12) {
         return Err(MoveFault::EndSpeedAboveLimit);
     }
-    Ok(limited(distance, first, last, limits))
+    Ok(seven_phase::pieces(distance, first, last, &limits))
 }
 
 fn constant(wanted: &Wanted, first: f64, last: Option<f64>) -> Result<Vec<Piece>, MoveFault> {

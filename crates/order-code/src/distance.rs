@@ -3,15 +3,7 @@
 //! Written here because a wrong code is compared with every valid one and must be answered within milliseconds: the
 //! library's function keeps a hash table per pair. The tests compare the two.
 
-/// Number of letters to insert, delete, change or swap to turn one text into the other; case does not count.
-///
-/// One of several texts is compared quicker with [`Distances`].
-#[must_use]
-pub fn edit_distance(a: &str, b: &str) -> usize {
-    Distances::from(a).to(b)
-}
-
-/// The distances of many texts from one.
+/// The distances of many texts from one: how many letters to insert, delete, change or swap; case does not count.
 ///
 /// Damerau-Levenshtein distance over characters, where swapped letters may have been edited between (so that it keeps
 /// the triangle inequality). Cost: the product of both lengths in time and memory, less the common
@@ -172,7 +164,7 @@ fn capitals(text: &str) -> impl Iterator<Item = char> {
 
 #[cfg(test)]
 mod tests {
-    use super::{Distances, Texts, edit_distance};
+    use super::{Distances, Texts};
 
     #[test]
     fn the_distance_counts_single_edits_whatever_the_case() {
@@ -187,8 +179,8 @@ mod tests {
             ("CA", "ABC", 2),
             ("é", "e", 1),
         ] {
-            assert_eq!(edit_distance(a, b), distance, "{a} {b}");
-            assert_eq!(edit_distance(b, a), distance, "{b} {a}");
+            assert_eq!(Distances::from(a).to(b), distance, "{a} {b}");
+            assert_eq!(Distances::from(b).to(a), distance, "{b} {a}");
         }
     }
 
@@ -240,6 +232,6 @@ mod tests {
             }
         }
         let (a, b) = ("CHA-20A-100-H-C1024-B-EC", "CAH-25A-10-HM-C1042-EC-B");
-        assert_eq!(edit_distance(a, b), strsim::damerau_levenshtein(a, b));
+        assert_eq!(Distances::from(a).to(b), strsim::damerau_levenshtein(a, b));
     }
 }

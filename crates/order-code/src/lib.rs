@@ -43,7 +43,7 @@ mod pattern;
 mod scan;
 mod tokens;
 
-pub use distance::{Distances, Texts, edit_distance};
+pub use distance::{Distances, Texts};
 pub use error::{CodeError, CodeErrors, Expected};
 pub use field::{Brake, Feedback, Field, Option1, Option2, OrderCode, Ratio, Size, Winding};
 pub use grammar::{FEEDBACKS, FeedbackKind, FieldWords, Grammar, Meaning, OPTIONS_1, OPTIONS_2, Series, extend};

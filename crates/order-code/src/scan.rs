@@ -61,12 +61,12 @@ struct Part {
     series: Series,
     span: Range<usize>,
     /// See [`Part::in_any_order`].
-    any_order: OnceCell<Option<Vec<Step<Field>>>>,
+    any_order: OnceCell<Option<Vec<Step>>>,
 }
 
 impl Part {
     /// All of it as known words in any order, sought once.
-    fn in_any_order(&self) -> Option<&[Step<Field>]> {
+    fn in_any_order(&self) -> Option<&[Step]> {
         self.any_order.get_or_init(|| in_any_order(&self.capitals, self.series)).as_deref()
     }
 }
@@ -134,14 +134,14 @@ fn split(text: &str, series: Series) -> Parts {
 
 /// What follows a word: the words behind it in its own part, and the parts behind that.
 struct Ahead<'a> {
-    steps: &'a [Step<Field>],
+    steps: &'a [Step],
     parts: &'a [Part],
 }
 
 impl Ahead<'_> {
     /// Whether a word of this field is still to come, in whatever order. Used for faulty codes only.
     fn names(&self, field: Field) -> bool {
-        let named = |steps: &[Step<Field>]| steps.iter().any(|step| step.0 == field);
+        let named = |steps: &[Step]| steps.iter().any(|step| step.0 == field);
         named(self.steps) || self.parts.iter().any(|part| part.in_any_order().is_some_and(named))
     }
 }
@@ -176,7 +176,7 @@ impl Reader<'_> {
         }
         let mut found = complete_readings(&part.capitals, self.open());
         if found.len() > 1 {
-            let joined = |steps: &Vec<Step<Field>>| steps.iter().map(|step| step.1).collect::<Vec<_>>().join("-");
+            let joined = |steps: &Vec<Step>| steps.iter().map(|step| step.1).collect::<Vec<_>>().join("-");
             let readings = found.iter().map(joined).collect();
             self.faults.push(CodeError::Ambiguous {
                 span: part.span.clone(),
@@ -229,7 +229,7 @@ impl Reader<'_> {
     }
 
     /// Takes known words, one behind the other from `start` on.
-    fn place_all(&mut self, steps: &[Step<Field>], start: usize, ahead: &[Part]) {
+    fn place_all(&mut self, steps: &[Step], start: usize, ahead: &[Part]) {
         for (index, (field, token, offset)) in steps.iter().enumerate() {
             let begin = start + offset;
             if index > 0 {
@@ -325,7 +325,7 @@ impl Reader<'_> {
 }
 
 /// The shortest beginning of `text` behind which all is known words of the fields, with those words.
-fn known_behind(text: &str, fields: &[FieldWords]) -> Option<(usize, Vec<Step<Field>>)> {
+fn known_behind(text: &str, fields: &[FieldWords]) -> Option<(usize, Vec<Step>)> {
     text.char_indices().skip(1).find_map(|(at, _)| {
         let steps = complete_readings(text.get(at..)?, fields).into_iter().next()?;
         Some((at, steps))

@@ -12,78 +12,46 @@ pub(crate) struct Found {
     pub(crate) span: Range<usize>,
 }
 
-/// What the search must know of a field.
-pub(crate) trait Word {
-    /// What a reading calls it.
-    type Name: Copy;
-
-    fn name(&self) -> Self::Name;
-    fn words(&self) -> &'static [&'static str];
-    fn may_be_absent(&self) -> bool;
-}
-
-impl Word for FieldWords {
-    type Name = Field;
-
-    fn name(&self) -> Field {
-        self.field
-    }
-
-    fn words(&self) -> &'static [&'static str] {
-        self.words
-    }
-
-    fn may_be_absent(&self) -> bool {
-        self.is_optional
-    }
-}
-
 /// A word with its field and where it begins.
-pub(crate) type Step<F> = (F, &'static str, usize);
+pub(crate) type Step = (Field, &'static str, usize);
 
 /// Every way to read the beginning of `text`, or all of it, as words of `fields` in their order; each with its end.
 ///
 /// A field that may not be absent is never passed over. A reading has at most one word per field, so the search is small
 /// whatever the text.
-pub(crate) fn readings<F: Word>(text: &str, fields: &[F]) -> Vec<(usize, Vec<Step<F::Name>>)> {
+pub(crate) fn readings(text: &str, fields: &[FieldWords]) -> Vec<(usize, Vec<Step>)> {
     let mut all = Vec::new();
     read_on(text, 0, fields, &mut Vec::new(), &mut all);
     all
 }
 
-fn read_on<F: Word>(
-    text: &str,
-    at: usize,
-    fields: &[F],
-    so_far: &mut Vec<Step<F::Name>>,
-    all: &mut Vec<(usize, Vec<Step<F::Name>>)>,
-) {
+fn read_on(text: &str, at: usize, fields: &[FieldWords], so_far: &mut Vec<Step>, all: &mut Vec<(usize, Vec<Step>)>) {
     if !so_far.is_empty() {
         all.push((at, so_far.clone()));
     }
     let rest = text.get(at..).unwrap_or_default();
     for (index, field) in fields.iter().enumerate() {
-        for token in field.words() {
+        for token in field.words {
             if rest.starts_with(token) {
-                so_far.push((field.name(), token, at));
+                so_far.push((field.field, token, at));
                 read_on(text, at + token.len(), fields.get(index + 1..).unwrap_or_default(), so_far, all);
                 so_far.pop();
             }
         }
-        if !field.may_be_absent() {
+        if !field.is_optional {
             return;
         }
     }
 }
 
 /// Every way to read all of `text` as words of `fields` in their order.
-pub(crate) fn complete_readings<F: Word>(text: &str, fields: &[F]) -> Vec<Vec<Step<F::Name>>> {
+pub(crate) fn complete_readings(text: &str, fields: &[FieldWords]) -> Vec<Vec<Step>> {
     readings(text, fields).into_iter().filter(|(end, _)| *end == text.len()).map(|(_, reading)| reading).collect()
 }
 
 /// All of `text` as words of any fields in any order, in as few words as possible: the probable meaning of a code in
 /// the wrong order. Several words of one letter each are rather a typing error, and no reading.
-pub(crate) fn in_any_order(text: &str, series: Series) -> Option<Vec<Step<Field>>> {
+pub(crate) fn in_any_order(text: &str, series: Series) -> Option<Vec<Step>> {
     // From the end: how few words read the rest from each place, and the first of them.
     let mut fewest: Vec<Option<usize>> = vec![None; text.len()];
     fewest.push(Some(0));
@@ -117,36 +85,17 @@ pub(crate) fn in_any_order(text: &str, series: Series) -> Option<Vec<Step<Field>
 mod tests {
     use super::*;
 
-    #[derive(Clone, Copy, Debug, PartialEq)]
-    enum Invented {
-        Letter,
-        Perhaps,
-        Last,
-    }
-
-    impl Word for Invented {
-        type Name = Self;
-
-        fn name(&self) -> Self {
-            *self
-        }
-
-        fn words(&self) -> &'static [&'static str] {
-            match self {
-                Self::Letter => &["A", "AB"],
-                Self::Perhaps => &["B"],
-                Self::Last => &["C", "BC"],
-            }
-        }
-
-        fn may_be_absent(&self) -> bool {
-            matches!(self, Self::Perhaps)
-        }
+    const fn invented(field: Field, is_optional: bool, words: &'static [&'static str]) -> FieldWords {
+        FieldWords { field, is_optional, words, kinds: &[], meanings: &[] }
     }
 
     #[test]
     fn the_search_finds_every_reading() {
-        let fields = [Invented::Letter, Invented::Perhaps, Invented::Last];
+        let fields = [
+            invented(Field::Size, false, &["A", "AB"]),
+            invented(Field::Brake, true, &["B"]),
+            invented(Field::Winding, false, &["C", "BC"]),
+        ];
         let found = complete_readings("ABC", &fields);
         let words: Vec<Vec<&str>> = found.iter().map(|reading| reading.iter().map(|step| step.1).collect()).collect();
         assert_eq!(words, [vec!["A", "B", "C"], vec!["A", "BC"], vec!["AB", "C"]]);

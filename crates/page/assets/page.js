@@ -308,7 +308,8 @@ const fields = () => new URLSearchParams(new FormData($('#state')));
 async function send(path) {
   try { return await fetch(path, { method: 'POST', body: fields() }); } catch { away(); return undefined; }
 }
-function keep(blob, name) {
+// A file for the user.
+export function keep(blob, name) {
   const link = document.createElement('a');
   link.href = URL.createObjectURL(blob);
   link.download = name;
@@ -343,7 +344,7 @@ async function record(blob, name) {
   const button = $('[data-recording]');
   htmx.ajax('POST', '/recorded', { source: button, target: '#detail', swap: 'innerHTML', values: { recording: words, add: button.dataset.recording, count: button.dataset.count } });
 }
-function choose(accept, then) {
+export function choose(accept, then) {
   const chooser = document.createElement('input');
   chooser.type = 'file';
   chooser.accept = accept;

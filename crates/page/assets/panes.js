@@ -1,5 +1,5 @@
 // The frame: borders that move, the room of the pictures, menus, the drawer, the palette and the keys.
-import { away, back, isAway, isDrawing, opened, shut, tell } from './page.js';
+import { away, back, isAway, isDrawing, keep, opened, shut, tell } from './page.js';
 
 const $ = (selector) => document.querySelector(selector);
 const all = (selector) => [...document.querySelectorAll(selector)];
@@ -180,14 +180,9 @@ async function copied(button) {
     text = reply?.ok ? await reply.text() : null;
     if (text === null) { tell($('#status').dataset.noAnswer); return; }
   }
-  try { await navigator.clipboard.writeText(text); tell(button.textContent + ' ✓'); } catch { save(text, button.dataset.copy === 'svg' ? 'picture.svg' : 'curves.csv'); }
+  try { await navigator.clipboard.writeText(text); tell(button.textContent + ' ✓'); } catch { keep(new Blob([text]), button.dataset.copy === 'svg' ? 'picture.svg' : 'curves.csv'); }
 }
-function save(text, name) {
-  const link = Object.assign(document.createElement('a'), { href: URL.createObjectURL(new Blob([text])), download: name });
-  link.click();
-  setTimeout(() => URL.revokeObjectURL(link.href), 10000);
-}
-function picture() { const figure = $('#demands figure.plot'); if (figure) save(source(figure), `${figure.id.replace('plot-', '')}.svg`); }
+function picture() { const figure = $('#demands figure.plot'); if (figure) keep(new Blob([source(figure)]), `${figure.id.replace('plot-', '')}.svg`); }
 
 // The palette: keys, checks, codes, terms.
 let typed = 0;

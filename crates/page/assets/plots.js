@@ -61,14 +61,19 @@ function cell() {
   span.append(document.createElement('i'), document.createElement('b'), document.createElement('i'));
   return span;
 }
-function line(panel, time) {
-  const p = numbers(panel);
-  let mark = panel.querySelector('.cursor-line');
+// What is drawn over a panel, once of each kind.
+function marked(panel, kind, name) {
+  let mark = panel.querySelector(`.${name}`);
   if (!mark) {
-    mark = document.createElementNS(SVG, 'line');
-    mark.setAttribute('class', 'cursor-line');
+    mark = document.createElementNS(SVG, kind);
+    mark.setAttribute('class', name);
     panel.append(mark);
   }
+  return mark;
+}
+function line(panel, time) {
+  const p = numbers(panel);
+  const mark = marked(panel, 'line', 'cursor-line');
   const x = xOf(p, time);
   for (const [key, value] of [['x1', x], ['x2', x], ['y1', p.top], ['y2', p.bottom]]) mark.setAttribute(key, value);
 }
@@ -140,15 +145,8 @@ function point(values) {
   const torque = values.find((each) => each.symbol === 'T');
   if (!panel || !speed || !torque) return;
   const p = numbers(panel);
-  let mark = panel.querySelector('.cursor-point');
-  if (!mark) {
-    mark = document.createElementNS(SVG, 'circle');
-    mark.setAttribute('class', 'cursor-point');
-    mark.setAttribute('r', 5);
-    panel.append(mark);
-  }
-  mark.setAttribute('cx', xOf(p, speed.value));
-  mark.setAttribute('cy', yOf(p, torque.value));
+  const mark = marked(panel, 'circle', 'cursor-point');
+  for (const [key, value] of [['r', 5], ['cx', xOf(p, speed.value)], ['cy', yOf(p, torque.value)]]) mark.setAttribute(key, value);
 }
 document.addEventListener('input', (event) => { if (event.target.id === 'instant') cursor(); });
 
@@ -276,8 +274,7 @@ document.addEventListener('pointermove', (event) => {
   band.x = x;
   for (const panel of panels(band.figure)) {
     const p = numbers(panel);
-    let mark = panel.querySelector('.chosen');
-    if (!mark) { mark = document.createElementNS(SVG, 'rect'); mark.setAttribute('class', 'chosen'); panel.append(mark); }
+    const mark = marked(panel, 'rect', 'chosen');
     for (const [key, value] of [['x', Math.min(x, band.from)], ['width', Math.abs(x - band.from)], ['y', p.top], ['height', p.bottom - p.top]]) mark.setAttribute(key, value);
   }
 });

@@ -1,4 +1,5 @@
 // The tools: a record of measured values goes to and from files; its changes are sent as any other change of the form.
+import { choose, keep } from './page.js';
 const $ = (selector) => document.querySelector(selector);
 const tell = (words) => { const status = $('#record-status'); if (status) status.textContent = words; };
 const language = () => document.documentElement.lang;
@@ -9,26 +10,12 @@ async function save() {
   if (reply.ok) $('#record-known').value = `${reply.headers.get('x-version') ?? ''} ${file}`;
   tell(await reply.text());
 }
-function download() {
-  const link = document.createElement('a');
-  link.href = URL.createObjectURL(new Blob([$('#record-text').value], { type: 'application/toml' }));
-  link.download = $('#record-file').value;
-  link.click();
-  setTimeout(() => URL.revokeObjectURL(link.href), 10000);
-}
-function open() {
-  const chooser = document.createElement('input');
-  chooser.type = 'file';
-  chooser.accept = '.toml';
-  chooser.addEventListener('change', async () => {
-    const file = chooser.files[0];
-    if (!file) return;
-    $('#record-file').value = file.name;
-    $('#record-known').value = '';
-    $('#record-text').value = await file.text();
-    $('#record-text').dispatchEvent(new Event('change', { bubbles: true }));
-  });
-  chooser.click();
+const download = () => keep(new Blob([$('#record-text').value], { type: 'application/toml' }), $('#record-file').value);
+async function open(file) {
+  $('#record-file').value = file.name;
+  $('#record-known').value = '';
+  $('#record-text').value = await file.text();
+  $('#record-text').dispatchEvent(new Event('change', { bubbles: true }));
 }
 // A fault that has no field stands in the text.
 function line(number) {
@@ -47,7 +34,7 @@ document.addEventListener('click', (event) => {
   const what = event.target.closest?.('[data-record]')?.dataset.record;
   if (what === 'save') save();
   else if (what === 'download') download();
-  else if (what === 'open') open();
+  else if (what === 'open') choose('.toml', open);
 });
 
 // The shaft of the encoder turns by hand.

@@ -134,9 +134,7 @@ pub fn wrong_method(path: &str, method: &str, valid: &[Method], language: Langua
     let names: Vec<&str> = valid.iter().flat_map(|method| method.names()).copied().collect();
     let names = names.join(", ");
     let path = quantities::seen(path);
-    let mut reply = misdirected(405, &requests::wrong_method(&path, &method, &names, language), None);
-    reply.headers.push(("allow", names));
-    reply
+    misdirected(405, &requests::wrong_method(&path, &method, &names, language), None).with("allow", names)
 }
 
 #[cfg(test)]

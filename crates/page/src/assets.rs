@@ -2,35 +2,20 @@
 
 use crate::call::Reply;
 
-const CSS: &str = include_str!("../assets/page.css");
-const SCRIPT: &str = include_str!("../assets/page.js");
-const PANES: &str = include_str!("../assets/panes.js");
-const PLOTS: &str = include_str!("../assets/plots.js");
-const WAITING: &str = include_str!("../assets/waiting.js");
-const FOLDER: &str = include_str!("../assets/folder.js");
-const SKETCH: &str = include_str!("../assets/sketch.js");
-const TOOLS: &str = include_str!("../assets/tools.js");
-const HTMX: &str = include_str!("../assets/htmx.min.js");
+macro_rules! files {
+    ($($name:literal)*) => { [$(($name, include_str!(concat!("../assets/", $name)))),*] };
+}
 
-/// The names of all files of the page, below `/assets/`.
-pub const ASSETS: [&str; 9] =
-    ["page.css", "page.js", "panes.js", "plots.js", "sketch.js", "waiting.js", "folder.js", "tools.js", "htmx.min.js"];
+/// All files of the page by their names below `/assets/`.
+pub const ASSETS: [(&str, &str); 9] = files![
+    "page.css" "page.js" "panes.js" "plots.js" "sketch.js" "waiting.js" "folder.js" "tools.js" "htmx.min.js"
+];
 
 /// A file of the page.
 pub(crate) fn asset(name: &str) -> Reply {
-    const JAVASCRIPT: &str = "text/javascript; charset=utf-8";
-    match name {
-        "page.css" => Reply::of(200, "text/css; charset=utf-8", CSS),
-        "page.js" => Reply::of(200, JAVASCRIPT, SCRIPT),
-        "panes.js" => Reply::of(200, JAVASCRIPT, PANES),
-        "plots.js" => Reply::of(200, JAVASCRIPT, PLOTS),
-        "sketch.js" => Reply::of(200, JAVASCRIPT, SKETCH),
-        "waiting.js" => Reply::of(200, JAVASCRIPT, WAITING),
-        "folder.js" => Reply::of(200, JAVASCRIPT, FOLDER),
-        "tools.js" => Reply::of(200, JAVASCRIPT, TOOLS),
-        "htmx.min.js" => Reply::of(200, JAVASCRIPT, HTMX),
-        _ => Reply::text(404, ""),
-    }
+    let Some((_, text)) = ASSETS.iter().find(|(of, _)| *of == name) else { return Reply::text(404, "") };
+    let media = if name.ends_with(".css") { "text/css; charset=utf-8" } else { "text/javascript; charset=utf-8" };
+    Reply::of(200, media, *text)
 }
 
 #[cfg(test)]
@@ -40,13 +25,13 @@ mod tests {
     /// The script of others is the one that was published as htmx 4.0.1 (`dist/htmx.min.js`), to the byte.
     #[test]
     fn the_script_of_others_is_as_it_was_published() {
-        let sum = blake3::hash(HTMX.as_bytes()).to_hex();
+        let sum = blake3::hash(&asset("htmx.min.js").body).to_hex();
         assert_eq!(sum.as_str(), "2b78dc2b44f6117680c5863fb5dd9a261c2a769feace82c358a295fe735c83e4");
     }
 
     #[test]
     fn every_file_is_there() {
-        assert!(ASSETS.iter().all(|name| asset(name).status == 200));
+        assert!(ASSETS.iter().all(|(name, _)| asset(name).status == 200));
     }
 
     /// Scripts as they come over a line, packed; the promise to a slow one.
@@ -58,7 +43,8 @@ mod tests {
                 .and_then(|()| packer.finish())
                 .map_or(0, |bytes| bytes.len())
         };
-        let weight: usize = [SCRIPT, PANES, FOLDER, TOOLS, PLOTS, SKETCH, WAITING, HTMX].into_iter().map(packed).sum();
+        let scripts = ASSETS.iter().filter(|(name, _)| name.ends_with(".js"));
+        let weight: usize = scripts.map(|(_, text)| packed(text)).sum();
         assert!((20_000..60_000).contains(&weight), "{weight}");
     }
 }

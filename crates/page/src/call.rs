@@ -1,6 +1,7 @@
 //! Request, response, and the resources that a shell provides.
 
 use answers::Commissioning;
+use figures::Theme;
 use order_code::OrderCode;
 use project::{Files, Project};
 use quantities::Language;
@@ -65,10 +66,20 @@ impl<'c> Call<'c> {
         form_urlencoded::parse(self.query.as_bytes()).chain(form_urlencoded::parse(body))
     }
 
+    /// The values of a name, in their order.
+    pub(crate) fn all(&self, name: &str) -> impl Iterator<Item = Cow<'c, str>> {
+        self.fields().filter(move |(key, _)| key == name).map(|(_, value)| value)
+    }
+
     /// The last value of a name.
     #[must_use]
     pub fn field(&self, name: &str) -> Option<Cow<'c, str>> {
-        self.fields().filter(|(key, _)| key == name).map(|(_, value)| value).last()
+        self.all(name).last()
+    }
+
+    /// The requested colours of the page.
+    pub(crate) fn theme(&self) -> Theme {
+        if self.field("theme").is_some_and(|theme| theme == "dark") { Theme::Dark } else { Theme::Light }
     }
 
     /// The values of the query alone, decoded, in their order.
@@ -92,6 +103,11 @@ impl<'c> Call<'c> {
 
 const FORM: &str = "application/x-www-form-urlencoded";
 
+/// Values as the query of an address.
+pub(crate) fn query<N: AsRef<str>, V: AsRef<str>>(values: impl IntoIterator<Item = (N, V)>) -> String {
+    form_urlencoded::Serializer::new(String::new()).extend_pairs(values).finish()
+}
+
 /// What a shell sends back.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Reply {
@@ -109,7 +125,7 @@ impl Reply {
     /// Plain text.
     #[must_use]
     pub fn text(status: u16, body: &str) -> Self {
-        Self { status, media: "text/plain; charset=utf-8", headers: Vec::new(), body: body.as_bytes().to_vec() }
+        Self::of(status, "text/plain; charset=utf-8", body)
     }
 
     /// A body of a media type.
@@ -118,14 +134,20 @@ impl Reply {
         Self { status, media, headers: Vec::new(), body: body.into() }
     }
 
+    /// The same with a further header.
+    #[must_use]
+    pub fn with(mut self, name: &'static str, value: impl Into<String>) -> Self {
+        self.headers.push((name, value.into()));
+        self
+    }
+
     /// The same, kept by the browser as a file of this name.
     #[must_use]
-    pub fn saved_as(mut self, name: &str) -> Self {
+    pub fn saved_as(self, name: &str) -> Self {
         // A quoted string of ASCII; a name of ours has nothing else.
         let name: String =
             name.chars().filter(|sign| sign.is_ascii_alphanumeric() || matches!(sign, '.' | '-' | '_')).collect();
-        self.headers.push(("content-disposition", format!("attachment; filename=\"{name}\"")));
-        self
+        self.with("content-disposition", format!("attachment; filename=\"{name}\""))
     }
 }
 

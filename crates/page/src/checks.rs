@@ -1,9 +1,9 @@
 //! All checks of one actuator, by the part that they are about, with bars, limits, grades and sources.
 
 use crate::form::{id, label, vals};
-use crate::overlay;
+use crate::{overlay, value};
 use maud::{Markup, html};
-use project::{Key, example, key_at};
+use project::{Key, key_at};
 use quantities::{Language, Measure, format_significant};
 use questions::texts::{by_importance, figure_text, margin_share, margin_text, unit_text, verdict_text};
 use questions::{Candidate, Check, Part, Verdict};
@@ -124,8 +124,7 @@ fn field(path: &str, key: &Key, prefix: &str, check: &Check, language: Language)
     let l = language;
     let path = format!("{prefix}{path}");
     let own = format!("s-{}-{}", check.id.id(), id(&path));
-    let sample = example(key).unwrap_or_default();
-    let sample = sample.split_once("= ").map_or("", |(_, value)| value.trim_matches('"')).to_owned();
+    let sample = value::sample(key).unwrap_or_default();
     html! {
         label.state for=(own) title=(path) {
             span { (label(&capitalised(&short_label(about_text(key.about, l))))) }

@@ -5,7 +5,7 @@ use crate::form::vals;
 use crate::parts::part;
 use crate::state::{State, View};
 use crate::{overlay, tolerances};
-use figures::{CyclePanels, Drawing, Figure, NoFigure, Size, Style, cycle_within, draw_within};
+use figures::{CyclePanels, Drawing, NoFigure, Size, Style};
 use maud::{Markup, PreEscaped, html};
 use project::Project;
 use quantities::unit::WATT;
@@ -161,36 +161,24 @@ pub(crate) fn view(
     let none = html! {};
     let worst = overlay::worst(candidate);
     let marks = overlay::marks(&worst, l);
-    let is_narrowed = state.window.is_some();
-    let until_s = project.axis.motion.duration().si();
-    let drawn = || drawing(state, project, candidate, patience);
+    let drawn = |name, above: &Markup, over: &Markup| {
+        picture(state, name, drawing(state, project, candidate, patience), above, over)
+    };
+    let is_over_time = matches!(state.view, View::Cycle | View::Heat | View::Energy | View::Bearing);
     html! {
         div id="view" role="tabpanel" aria-labelledby={ "view-" (state.view.id()) } {
+            @if is_over_time { (overlay::controls(project.axis.motion.duration().si(), state.window.is_some(), l)) }
             @match state.view {
-                View::Cycle => {
-                    @let grips = if is_old { html! {} } else { overlay::grips(state, project) };
-                    (overlay::controls(until_s, is_narrowed, l))
-                    (picture(state, "cycle", drawn(), &marks, &grips))
-                }
-                View::TorqueSpeed => (picture(state, "torque-speed", drawn(), &none, &none)),
-                View::Heat => {
-                    (overlay::controls(until_s, is_narrowed, l))
-                    (picture(state, "heat", drawn(), &marks, &none))
-                }
-                View::Energy => {
-                    (overlay::controls(until_s, is_narrowed, l))
-                    (power(project, candidate, l))
-                    (picture(state, "energy", drawn(), &marks, &none))
-                }
-                View::Bearing => {
-                    (overlay::controls(until_s, is_narrowed, l))
-                    (picture(state, "bearing-load", drawn(), &marks, &none))
-                }
+                View::Cycle => (drawn("cycle", &marks, &if is_old { html! {} } else { overlay::grips(state, project) })),
+                View::TorqueSpeed => (drawn("torque-speed", &none, &none)),
+                View::Heat => (drawn("heat", &marks, &none)),
+                View::Energy => { (power(project, candidate, l)) (drawn("energy", &marks, &none)) }
+                View::Bearing => (drawn("bearing-load", &marks, &none)),
                 View::Simulation if !crate::WHOLE => {}
                 View::Simulation => (crate::simulated::view(state, project, candidate, patience)),
                 View::ErrorBudget => {
                     (tolerances::place(state, project, candidate, shell))
-                    (picture(state, "torsion", drawn(), &none, &none))
+                    (drawn("torsion", &none, &none))
                 }
             }
         }
@@ -208,18 +196,17 @@ pub(crate) fn drawing(
     patience: &Patience,
 ) -> Result<Drawing, NoFigure> {
     let l = state.language;
-    let over_time = |panels| Ok(cycle_within(project, candidate, panels, state.window, l));
-    let figure = |figure| draw_within(figure, project, candidate, state.window, patience, l);
+    let over_time = |panels| Ok(figures::cycle(project, candidate, panels, state.window, l));
     match state.view {
         View::Cycle => over_time(CyclePanels::Motion),
         View::Heat => over_time(CyclePanels::Heat),
         View::Energy => over_time(CyclePanels::Energy),
-        View::TorqueSpeed => figure(Figure::TorqueSpeed),
-        View::Bearing => figure(Figure::BearingLoad),
-        View::ErrorBudget => figure(Figure::Torsion),
+        View::TorqueSpeed => Ok(figures::torque_speed(project, candidate, l)),
+        View::Bearing => figures::bearing_load(project, candidate, state.window, l),
+        View::ErrorBudget => figures::torsion(project, candidate, l),
         View::Simulation if !crate::WHOLE => Err(NoFigure::OfARun),
         View::Simulation => crate::simulated::run(state, project, candidate, patience)
-            .map(|run| figures::simulation_within(&run, state.window, l))
+            .map(|run| figures::simulation(&run, state.window, l))
             .map_err(|_| NoFigure::OfARun),
     }
 }

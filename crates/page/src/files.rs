@@ -1,6 +1,6 @@
 //! Projects that come and go: begun, opened, saved, downloaded.
 
-use crate::call::{Call, FileEntry, Reply, SaveFault, Shell, Storage};
+use crate::call::{Call, FileEntry, Reply, SaveFault, Shell, Storage, query};
 use crate::frame;
 use crate::head::USUAL_NAME;
 use crate::names::project_name;
@@ -52,12 +52,13 @@ fn known(version: &str, name: &str) -> String {
 
 /// The whole page about a text.
 fn with_text(call: &Call<'_>, text: &str, file: &str, known: &str, shell: &dyn Shell, patience: &Patience) -> Reply {
-    let mut query = form_urlencoded::Serializer::new(String::new());
-    let language = call.language().id();
-    for (key, value) in [("text", text), ("file", file), ("known", known), ("lang", language)] {
-        let _ = query.append_pair(key, value);
-    }
-    let query = query.finish();
+    let fields = [("text", text), ("file", file), ("known", known), ("lang", call.language().id())];
+    whole(call, &fields, shell, patience)
+}
+
+/// The whole page with these fields in place of those of the call.
+fn whole(call: &Call<'_>, fields: &[(&str, &str)], shell: &dyn Shell, patience: &Patience) -> Reply {
+    let query = query(fields.iter().copied());
     let inner = Call { path: "/", query: &query, media: None, body: &[], ..*call };
     Reply::of(200, crate::HTML, frame::whole(&inner, shell, patience).into_string())
 }
@@ -68,9 +69,7 @@ fn with_record(call: &Call<'_>, name: &str, shell: &dyn Shell, patience: &Patien
     // A record is for a code that its name may begin with.
     let about = name.split("-measured").next().unwrap_or_default();
     let fields = [("tool", "record"), ("asked", "record"), ("about", about), ("t_open", name), ("lang", l.id())];
-    let query = query(&fields);
-    let inner = Call { path: "/", query: &query, media: None, body: &[], ..*call };
-    Reply::of(200, crate::HTML, frame::whole(&inner, shell, patience).into_string())
+    whole(call, &fields, shell, patience)
 }
 
 /// Saves the text in the folder; a file that changed since it was opened is left as it is, one that is gone is written anew.
@@ -89,10 +88,7 @@ pub(crate) fn saved(call: &Call<'_>, shell: &dyn Shell) -> Reply {
                 Storage::Disk => page::saved(&name, l),
                 Storage::Browser => page::kept_in_browser(&name, &page::project_file(l), l),
             };
-            let mut reply = Reply::text(200, &text);
-            reply.headers.push(("x-version", shell.version(state.text.as_bytes())));
-            reply.headers.push(("x-file", name));
-            reply
+            Reply::text(200, &text).with("x-version", shell.version(state.text.as_bytes())).with("x-file", name)
         }
         Err(SaveFault::Changed) if opened.is_none() => Reply::text(409, &page::name_is_taken(&name, l)),
         Err(SaveFault::Changed) => {
@@ -117,8 +113,7 @@ pub(crate) fn example(call: &Call<'_>, shell: &dyn Shell, patience: &Patience) -
         match folder.keep(&name, bytes.as_bytes()) {
             // Another recording may have its name already.
             Ok(kept) => text = text.replace(&name, &kept),
-            Err(SaveFault::Disk(error)) => return Reply::text(409, &file_trouble(&error, l)),
-            Err(SaveFault::Name | SaveFault::Changed) => return Reply::text(422, &page::no_recording_name(&name, l)),
+            Err(fault) => return not_kept(&fault, &name, l),
         }
     }
     with_text(call, &text, USUAL_NAME, "", shell, patience)
@@ -143,16 +138,11 @@ pub(crate) fn in_folder(shell: &dyn Shell, language: Language) -> Markup {
     html! { @if !found.is_empty() {
         h3 { @if of_browser { (page::browser_folder(language)) } @else { (page::folder(language)) } }
         ul.plain { @for each in &found { li {
-            a href={ "/?" (query(&[("open", &each.name), ("lang", language.id())])) } { (each.name) }
+            a href={ "/?" (query([("open", each.name.as_str()), ("lang", language.id())])) } { (each.name) }
             @if let Some(day) = day(each) { " " span.small { (day) } }
             @if of_browser { " " button.small type="button" data-forget=(each.name) aria-label=(page::forget(&each.name, language)) { (page::forget_short(language)) } }
         } } }
     } }
-}
-
-fn query(values: &[(&str, &str)]) -> String {
-    let mut query = form_urlencoded::Serializer::new(String::new());
-    query.extend_pairs(values).finish()
 }
 
 /// Whether the file that was opened is still the one that stands in the folder; where not, what can be done.
@@ -173,9 +163,7 @@ pub(crate) fn watched(call: &Call<'_>, shell: &dyn Shell) -> Reply {
         @let kept = if now.is_empty() { String::new() } else { self::known(&now, name) };
         button type="button" data-disk="mine" data-known=(kept) { (page::keep_mine(l)) }
     };
-    let mut reply = Reply::of(200, crate::HTML, notice.into_string());
-    reply.headers.push(("x-version", now));
-    reply
+    Reply::of(200, crate::HTML, notice.into_string()).with("x-version", now)
 }
 
 /// The text of a project file of the folder.
@@ -187,9 +175,7 @@ pub(crate) fn text(call: &Call<'_>, shell: &dyn Shell) -> Reply {
         Ok(bytes) if std::str::from_utf8(&bytes).is_err() => Reply::text(422, &page::not_a_text(&name, l)),
         Ok(bytes) => {
             let version = shell.version(&bytes);
-            let mut reply = Reply::of(200, "text/plain; charset=utf-8", bytes);
-            reply.headers.push(("x-version", version));
-            reply
+            Reply::of(200, "text/plain; charset=utf-8", bytes).with("x-version", version)
         }
         Err(error) => Reply::text(404, &file_trouble(&error, l)),
     }
@@ -202,7 +188,14 @@ pub(crate) fn recorded(call: &Call<'_>, shell: &dyn Shell) -> Reply {
     let Some(folder) = shell.folder() else { return Reply::text(404, page::no_such_page(l)) };
     match folder.keep(&name, call.body) {
         Ok(name) => Reply::text(200, &name),
-        Err(SaveFault::Disk(error)) => Reply::text(409, &file_trouble(&error, l)),
-        Err(SaveFault::Name | SaveFault::Changed) => Reply::text(422, &page::no_recording_name(&name, l)),
+        Err(fault) => not_kept(&fault, &name, l),
+    }
+}
+
+/// Why a recording is not kept.
+fn not_kept(fault: &SaveFault, name: &str, language: Language) -> Reply {
+    match fault {
+        SaveFault::Disk(error) => Reply::text(409, &file_trouble(error, language)),
+        SaveFault::Name | SaveFault::Changed => Reply::text(422, &page::no_recording_name(&name, language)),
     }
 }

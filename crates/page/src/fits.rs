@@ -11,6 +11,7 @@ use quantities::unit::{KILOGRAM, MILLIMETRE};
 use quantities::{Language, Measure, format_number};
 use questions::texts::{percent, reason};
 use questions::{Candidate, CandidateId, Sizing, Verdict};
+use std::collections::BTreeSet;
 use words::{capitalised, check_title, page, ranking_rule, terminal, terms};
 
 /// So many of what fits stand before a fold.
@@ -61,26 +62,18 @@ fn lists(state: &State, sizing: &Sizing<'_>) -> Markup {
 
 fn filters(state: &State, sizing: &Sizing<'_>) -> Markup {
     let l = state.language;
-    let mut sizes: Vec<String> = Vec::new();
-    let mut feedbacks: Vec<String> = Vec::new();
+    let (mut sizes, mut feedbacks) = (BTreeSet::new(), BTreeSet::new());
     for each in &sizing.candidates {
         let CandidateId::Code(code) = &each.id else { continue };
-        let (size, feedback) = (code.size.to_string(), code.feedback.to_string());
-        if !sizes.contains(&size) {
-            sizes.push(size);
-        }
-        if !feedbacks.contains(&feedback) {
-            feedbacks.push(feedback);
-        }
+        sizes.insert(code.size.to_string());
+        feedbacks.insert(code.feedback.to_string());
     }
-    sizes.sort();
-    feedbacks.sort();
-    let choice = |name: &str, label: &str, chosen: &str, all: &[(String, String)]| {
+    let choice = |name: &str, label: &str, chosen: &str, all: &[(&str, &str)]| {
         html! {
             label { (label) " "
                 select id=(name) name=(name) form="state" data-chosen=(chosen) hx-post="/work" hx-trigger="change" {
                     option value="" selected[chosen.is_empty()] { (page::any(l)) }
-                    @for (value, text) in all { option value=(value) selected[chosen == value] { (text) } }
+                    @for (value, text) in all { option value=(value) selected[chosen == *value] { (text) } }
                 }
             }
         }
@@ -91,18 +84,13 @@ fn filters(state: &State, sizing: &Sizing<'_>) -> Markup {
                 hx-post="/work" hx-trigger="input changed delay:120ms, change"; }
         }
     };
-    let same =
-        |all: &[String]| -> Vec<(String, String)> { all.iter().map(|each| (each.clone(), each.clone())).collect() };
-    let brakes = [
-        ("with".to_owned(), page::with_brake(l).to_owned()),
-        ("without".to_owned(), page::without_brake(l).to_owned()),
-    ];
+    let brakes = [("with", page::with_brake(l)), ("without", page::without_brake(l))];
     html! {
         details id="filters" open[state.filter.is_set()] {
             summary { (page::filter(l)) }
             div.filters {
-                (choice("f_size", page::size(l), &state.filter.size, &same(&sizes)))
-                (choice("f_feedback", page::feedback(l), &state.filter.feedback, &same(&feedbacks)))
+                (choice("f_size", page::size(l), &state.filter.size, &by_name(&sizes)))
+                (choice("f_feedback", page::feedback(l), &state.filter.feedback, &by_name(&feedbacks)))
                 (choice("f_brake", page::brake(l), &state.filter.brake, &brakes))
                 (number("f_bore", page::least_bore(l), &state.filter.bore_mm))
                 (number("f_length", page::greatest_length(l), &state.filter.length_mm))
@@ -111,6 +99,11 @@ fn filters(state: &State, sizing: &Sizing<'_>) -> Markup {
             }
         }
     }
+}
+
+/// Words that are shown as they are.
+fn by_name(words: &BTreeSet<String>) -> Vec<(&str, &str)> {
+    words.iter().map(|word| (word.as_str(), word.as_str())).collect()
 }
 
 impl Filter {
@@ -128,11 +121,8 @@ impl Filter {
             (Some(value), Some(bound)) => holds(value, bound),
             _ => true,
         };
-        let known = &candidate.parameters;
-        let bore = known.hollow_shaft.known().map(|found| MILLIMETRE.from_si(found.value.si()));
-        let length = known.length.known().map(|found| MILLIMETRE.from_si(found.value.si()));
-        let mass = known.mass.known().map(|found| KILOGRAM.from_si(found.value.si()));
-        let voltage = known.dc_link_max.known().map(|found| found.value.si());
+        let [mass, length, bore] = sizes_of(candidate);
+        let voltage = candidate.parameters.dc_link_max.known().map(|found| found.value.si());
         named(&self.size, code.size.to_string())
             && named(&self.feedback, code.feedback.to_string())
             && (self.brake.is_empty() || (self.brake == "with") == (code.brake == order_code::Brake::With))
@@ -141,6 +131,16 @@ impl Filter {
             && of(mass, &self.mass_kg, |value, most| value <= most)
             && of(voltage, &self.voltage_v, |value, least| value >= least)
     }
+}
+
+/// Mass in kg, length and bore in mm.
+fn sizes_of(candidate: &Candidate<'_>) -> [Option<f64>; 3] {
+    let known = &candidate.parameters;
+    [
+        known.mass.known().map(|found| found.value.in_unit(&KILOGRAM)),
+        known.length.known().map(|found| found.value.in_unit(&MILLIMETRE)),
+        known.hollow_shaft.known().map(|found| found.value.in_unit(&MILLIMETRE)),
+    ]
 }
 
 /// The order in which the ranking is shown.
@@ -161,14 +161,8 @@ fn sorted<'s, 'p>(state: &State, mut found: Vec<(usize, &'s Candidate<'p>)>) -> 
 fn ranking(state: &State, sizing: &Sizing<'_>, looked_at: Option<&Candidate<'_>>) -> Markup {
     let l = state.language;
     let fitting: Vec<&Candidate<'_>> = sizing.candidates.iter().filter(|each| each.fits()).collect();
-    let shown: Vec<(usize, &Candidate<'_>)> = fitting
-        .iter()
-        .enumerate()
-        .filter(|(_, each)| state.filter.holds(each))
-        .map(|(place, each)| (place, *each))
-        .collect();
-    let count = shown.len();
-    let all = sorted(state, shown);
+    let shown = fitting.iter().copied().enumerate().filter(|(_, each)| state.filter.holds(each));
+    let all = sorted(state, shown.collect());
     // The one that is looked at is always among them.
     let is_it = |each: &Candidate<'_>| looked_at.is_some_and(|candidate| candidate.id == each.id);
     let (first, rest) = all.split_at(all.len().min(BEST_SHOWN));
@@ -198,7 +192,7 @@ fn ranking(state: &State, sizing: &Sizing<'_>, looked_at: Option<&Candidate<'_>>
         }
         p.small {
             span id="answer" { @if fitting.is_empty() { strong.fail { (capitalised(terminal::no_actuator_fits(l))) } ". " } (capitalised(&terminal::judged(fitting.len(), &sizing.candidates.len(), l))) } ". "
-            @if !fitting.is_empty() { (page::shown_of(&count, &fitting.len(), l)) ". " (capitalised(&ranking_rule(l))) "." }
+            @if !fitting.is_empty() { (page::shown_of(&all.len(), &fitting.len(), l)) ". " (capitalised(&ranking_rule(l))) "." }
         }
         // What it would take is said of the nearest of the others.
         @if fitting.is_empty() && own.is_none() { button type="button" id="go-rejected" hx-post="/work" hx-vals=(vals(&[("list", List::Rejected.id())])) { (page::why_not(l)) } }
@@ -210,6 +204,14 @@ fn ranking(state: &State, sizing: &Sizing<'_>, looked_at: Option<&Candidate<'_>>
 
 fn look_at(name: &str, language: Language) -> Markup {
     html! { button.plain type="button" title=(page::look_at(&name, language)) hx-post="/work" hx-vals=(vals(&[("code", name)])) { (name) } }
+}
+
+/// The sign that shows and hides the checks of an actuator.
+fn fold(name: &str, unfolded: bool, language: Language) -> Markup {
+    html! {
+        button.fold type="button" aria-expanded=(unfolded) aria-label=(page::checks_of(&name, language)) hx-post="/work"
+            hx-vals=(vals(&[("code", name), ("unfolded", if unfolded { "false" } else { "true" })])) { @if unfolded { "▾" } @else { "▸" } }
+    }
 }
 
 fn heads(state: &State) -> Markup {
@@ -242,13 +244,10 @@ fn row(state: &State, rank: Option<usize>, candidate: &Candidate<'_>, looked_at:
     let l = state.language;
     let name = candidate.id.to_string();
     let share = candidate.standing.utilisation;
-    let known = &candidate.parameters;
     let number = |value: Option<f64>, digits: usize| {
         value.map_or_else(|| "–".to_owned(), |value| format_number(value, digits, l))
     };
-    let mass = number(known.mass.known().map(|found| KILOGRAM.from_si(found.value.si())), 1);
-    let length = number(known.length.known().map(|found| MILLIMETRE.from_si(found.value.si())), 0);
-    let bore = number(known.hollow_shaft.known().map(|found| MILLIMETRE.from_si(found.value.si())), 0);
+    let [mass, length, bore] = sizes_of(candidate);
     let tightest =
         candidate.judgement.tightest().map(|check| capitalised(&check_title(check.id, l))).unwrap_or_default();
     let advice = candidate.judgement.checks.iter().filter(|check| check.verdict == Verdict::Advice).count();
@@ -261,8 +260,7 @@ fn row(state: &State, rank: Option<usize>, candidate: &Candidate<'_>, looked_at:
             tr {
                 td.number.rank { @match rank { Some(rank) => (rank), None => "–" } }
                 td.code {
-                    button.fold type="button" aria-expanded=(unfolded) aria-label=(page::checks_of(&name, l)) hx-post="/work"
-                        hx-vals=(vals(&[("code", &name), ("unfolded", if unfolded { "false" } else { "true" })])) { @if unfolded { "▾" } @else { "▸" } }
+                    (fold(&name, unfolded, l))
                     @if let CandidateId::Code(code) = &candidate.id {
                         input type="checkbox" name="mark" form="state" value=(name) id={ "m-" (name) } aria-label=(page::mark(&name, l))
                             checked[is_marked(code)] data-checked=(is_marked(code)) disabled[!is_marked(code) && state.marked.len() >= MARKED_MOST]
@@ -276,7 +274,7 @@ fn row(state: &State, rank: Option<usize>, candidate: &Candidate<'_>, looked_at:
                     (percent(Some(share), l))
                     (checks::bar(share))
                 }
-                td.number { (mass) } td.number.length { (length) } td.number.bore { (bore) }
+                td.number { (number(mass, 1)) } td.number.length { (number(length, 0)) } td.number.bore { (number(bore, 0)) }
                 td.number.advice { @if advice > 0 { (advice) } }
                 td.number.unchecked { @if open > 0 { (open) } }
             }
@@ -305,8 +303,7 @@ fn rejected(state: &State, sizing: &Sizing<'_>, looked_at: Option<&Candidate<'_>
                 tbody id={ "r-" (name) } aria-current=[it.map(|_| "true")] {
                     tr {
                         td.code {
-                            button.fold type="button" aria-expanded=(unfolded) aria-label=(page::checks_of(&name, l)) hx-post="/work"
-                                hx-vals=(vals(&[("code", &name), ("unfolded", if unfolded { "false" } else { "true" })])) { @if unfolded { "▾" } @else { "▸" } }
+                            (fold(&name, unfolded, l))
                             button.plain type="button" title=(page::what_would_let_it_in(l)) hx-post="/work" hx-vals=(vals(&[("code", &name)])) { (name) }
                         }
                         td.fail { (reason(candidate, l)) }

@@ -3,9 +3,9 @@
 use crate::call::Shell;
 use crate::parts::part;
 use crate::state::{Held, State};
-use crate::{laws, recorded, sketch, value};
+use crate::{formula, laws, recorded, sketch, value};
 use maud::{Markup, PreEscaped, html};
-use project::{Files, KEYS, Key, Kind, Project, SegmentLaw, Variants, drawn_figures, example};
+use project::{Files, Key, Kind, Project, SegmentLaw, Variants, drawn_figures, key_at};
 use quantities::{Dimension, Language, format_significant};
 use questions::texts::recording_text;
 use questions::{Candidate, ColumnRole, moves};
@@ -62,8 +62,7 @@ pub(crate) fn column(state: &State, held: &Held, candidate: Option<&Candidate<'_
         fieldset id="fields" disabled[!held.has_places] {
             (form.name())
             (form.mechanism())
-            @for name in ["motion"] { (form.root(name)) }
-            @for name in ["stage", "bearing", "requirements", "drive", "twin", "curve", "actuator"] { (form.root(name)) }
+            @for name in ["motion", "stage", "bearing", "requirements", "drive", "twin", "curve", "actuator"] { (form.root(name)) }
         }
     };
     html! {
@@ -91,19 +90,8 @@ fn text(state: &State) -> Markup {
 
 /// A text as the content of a field: its first end of line is one that HTML does not leave out.
 pub(crate) fn escaped(text: &str) -> String {
-    let mut out = String::with_capacity(text.len() + 1);
-    if text.starts_with('\n') {
-        out.push('\n');
-    }
-    for sign in text.chars() {
-        match sign {
-            '&' => out.push_str("&amp;"),
-            '<' => out.push_str("&lt;"),
-            '>' => out.push_str("&gt;"),
-            _ => out.push(sign),
-        }
-    }
-    out
+    let first = if text.starts_with('\n') { "\n" } else { "" };
+    format!("{first}{}", formula::escaped(text))
 }
 
 /// What was assumed for what the project does not state.
@@ -215,9 +203,7 @@ impl Form<'_> {
     }
 
     fn name(&self) -> Markup {
-        let Some(Kind::OneOrMany(one, _)) = KEYS.iter().find(|key| key.name == "axis").map(|key| key.kind) else {
-            return html! {};
-        };
+        let Some(Kind::OneOrMany(one, _)) = key_at("axis").map(|key| key.kind) else { return html! {} };
         let path = if self.prefix.is_empty() { "axis" } else { self.prefix.trim_end_matches('.') };
         html! { div.rows { @for key in one { (self.row(key, &format!("{path}.{}", key.name), None)) } } }
     }
@@ -225,7 +211,7 @@ impl Form<'_> {
     /// The mechanism: which it is, its drawing, its rows.
     fn mechanism(&self) -> Markup {
         let l = self.language;
-        let keys = |name: &str| match KEYS.iter().find(|key| key.name == name).map(|key| key.kind) {
+        let keys = |name: &str| match key_at(name).map(|key| key.kind) {
             Some(Kind::Table(keys)) => keys,
             _ => &[],
         };
@@ -270,7 +256,7 @@ impl Form<'_> {
 
     /// A table or list at the root.
     fn root(&self, name: &str) -> Markup {
-        let Some(key) = KEYS.iter().find(|key| key.name == name) else { return html! {} };
+        let Some(key) = key_at(name) else { return html! {} };
         part(self.table(key, &format!("{}{name}", self.prefix)))
     }
 
@@ -468,13 +454,9 @@ impl Form<'_> {
         let faults: Vec<_> = self.held.faults.iter().filter(|(at, _)| at.as_deref().is_some_and(below)).collect();
         let described = format!("{id}-x");
         let wrong = !faults.is_empty();
-        let sample = || {
-            let line = example(key).unwrap_or_default();
-            line.split_once("= ").map_or(String::new(), |(_, value)| value.trim_matches('"').to_owned())
-        };
         let ghost = match placeholder {
             Some(solved) if value.is_empty() => page::follows(&solved, l),
-            _ => page::for_example(&sample(), l),
+            _ => page::for_example(&value::sample(key).unwrap_or_default(), l),
         };
         part(html! {
             div.row id={ (id) "-r" } data-path=(path) {

@@ -32,7 +32,8 @@ const DEPTH_MAX: usize = 32;
 /// Names of functions, set upright.
 const FUNCTIONS: [&str; 7] = ["min", "max", "exp", "ln", "sin", "cos", "sqrt"];
 
-fn escaped(text: &str) -> String {
+/// A text as the content of an element.
+pub(crate) fn escaped(text: &str) -> String {
     text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;")
 }
 
@@ -69,21 +70,10 @@ struct Reader<'t> {
     in_amount: bool,
 }
 
-const fn is_superscript(sign: char) -> Option<char> {
-    match sign {
-        '⁻' => Some('−'),
-        '⁰' => Some('0'),
-        '¹' => Some('1'),
-        '²' => Some('2'),
-        '³' => Some('3'),
-        '⁴' => Some('4'),
-        '⁵' => Some('5'),
-        '⁶' => Some('6'),
-        '⁷' => Some('7'),
-        '⁸' => Some('8'),
-        '⁹' => Some('9'),
-        _ => None,
-    }
+/// The sign that is raised in another one.
+fn superscript(sign: char) -> Option<char> {
+    let place = "⁻⁰¹²³⁴⁵⁶⁷⁸⁹".chars().position(|raised| raised == sign)?;
+    "−0123456789".chars().nth(place)
 }
 
 impl<'t> Reader<'t> {
@@ -164,9 +154,9 @@ impl<'t> Reader<'t> {
         let (word, after) = self.rest.split_at_checked(length)?;
         let is_greek = |sign: char| matches!(sign, 'α'..='ω' | 'Α'..='Ω' | 'ϑ' | 'µ');
         let is_symbol = word.chars().any(is_greek)
-            || word.chars().any(|sign| is_superscript(sign).is_some())
+            || word.chars().any(|sign| superscript(sign).is_some())
             || after.starts_with(['_', '(', '^', '\''])
-            || after.starts_with(|sign: char| sign.is_ascii_digit() || is_superscript(sign).is_some())
+            || after.starts_with(|sign: char| sign.is_ascii_digit() || superscript(sign).is_some())
             || FUNCTIONS.contains(&word)
             || matches!(word, "dt");
         let letters = word.chars().filter(|sign| sign.is_alphabetic()).count();
@@ -238,9 +228,9 @@ impl<'t> Reader<'t> {
 
     fn power(&mut self) -> Option<Factor> {
         let base = self.atom()?;
-        let length = self.length(|sign| is_superscript(sign).is_some());
+        let length = self.length(|sign| superscript(sign).is_some());
         let raised = if length > 0 {
-            let digits: String = self.skip(length).chars().filter_map(is_superscript).collect();
+            let digits: String = self.skip(length).chars().filter_map(superscript).collect();
             digits.strip_prefix('−').map_or_else(
                 || tag("mn", &digits),
                 |digits| format!("<mrow>{}{}</mrow>", operator("−"), tag("mn", digits)),
@@ -320,8 +310,8 @@ impl<'t> Reader<'t> {
             let point = if self.rest.starts_with(' ') { " · " } else { "·" };
             self.skip(point.len());
             let ten = self.skip(2);
-            let raised = self.length(|sign| is_superscript(sign).is_some());
-            let digits: String = self.skip(raised).chars().filter_map(is_superscript).collect();
+            let raised = self.length(|sign| superscript(sign).is_some());
+            let digits: String = self.skip(raised).chars().filter_map(superscript).collect();
             found.push_str(&operator("·"));
             found.push_str(&format!("<msup>{}{}</msup>", tag("mn", ten), tag("mn", &digits)));
         }
@@ -344,7 +334,7 @@ impl<'t> Reader<'t> {
         let ends = rest.char_indices().map(|(at, sign)| at + sign.len_utf8()).take_while(|end| *end <= most);
         let is_whole = |end: usize| {
             let after = rest.get(end..).and_then(|rest| rest.chars().next());
-            after.is_none_or(|sign| !sign.is_alphanumeric() && sign != '_' && is_superscript(sign).is_none())
+            after.is_none_or(|sign| !sign.is_alphanumeric() && sign != '_' && superscript(sign).is_none())
         };
         let known = |end: &usize| rest.get(..*end).is_some_and(|unit| Unit::of(unit).is_some()) && is_whole(*end);
         // A space is needed before all but the degree; a stroke with a number behind it is a fraction.
@@ -360,7 +350,7 @@ impl<'t> Reader<'t> {
     /// A symbol with its index, or a function with its terms.
     fn name(&mut self) -> Option<Factor> {
         let head =
-            self.skip(self.length(|sign| (sign.is_alphanumeric() && is_superscript(sign).is_none()) || sign == '\''));
+            self.skip(self.length(|sign| (sign.is_alphanumeric() && superscript(sign).is_none()) || sign == '\''));
         if FUNCTIONS.contains(&head) {
             let name = tag("mi", head);
             if !self.rest.starts_with('(') {
@@ -382,7 +372,7 @@ impl<'t> Reader<'t> {
         let mut signs = self.rest.char_indices().peekable();
         while let Some((at, sign)) = signs.next() {
             let is_between = matches!(sign, ',' | '_') && signs.peek().is_some_and(|(_, next)| next.is_alphanumeric());
-            if !is_between && (!sign.is_alphanumeric() || is_superscript(sign).is_some()) {
+            if !is_between && (!sign.is_alphanumeric() || superscript(sign).is_some()) {
                 break;
             }
             length = at + sign.len_utf8();

@@ -88,9 +88,7 @@ pub(crate) fn worked(call: &Call<'_>, shell: &dyn Shell, patience: &Patience) ->
         (partial("#moves", form::column(&state, &held, None, shell)))
         (partial("#stopped", demand::stopped(&waiting::stopped(&why, true, Some("/work"), shell, patience, l))))
     };
-    let mut reply = Reply::of(200, crate::HTML, parts.into_string());
-    reply.headers.push(("hx-reswap", String::from("none")));
-    reply
+    Reply::of(200, crate::HTML, parts.into_string()).with("hx-reswap", "none")
 }
 
 /// All of the page that a change of the project may touch.
@@ -170,9 +168,8 @@ fn page_of(state: &State, held: &Held, shell: &dyn Shell, bar: &Markup, main: &M
 fn unfinished(state: &State, held: &Held, shell: &dyn Shell, why: &Markup, patience: &Patience) -> Markup {
     let none = Outcome { project: None, sizing: None, candidate: None };
     let moves = form::column(state, held, None, shell);
-    let bar = html! { (verdict::bar(state, held, &none, &moves.0, shell, patience)) };
-    let panes =
-        panes(&moves, &html! { (demand::nothing(state.language)) }, &fits::column(state, &none, true), state.language);
+    let bar = verdict::bar(state, held, &none, &moves.0, shell, patience);
+    let panes = panes(&moves, &demand::nothing(state.language), &fits::column(state, &none, true), state.language);
     page_of(state, held, shell, &html! { (bar) (demand::stopped(why)) }, &panes)
 }
 

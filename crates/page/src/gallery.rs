@@ -15,10 +15,9 @@ const VERDICTS: [Verdict; 4] = [Verdict::Pass, Verdict::Fail, Verdict::Advice, V
 /// The components in a language and a theme.
 pub(crate) fn shown(call: &Call<'_>) -> Markup {
     let l = call.language();
-    let theme = if call.field("theme").is_some_and(|theme| theme == "dark") { Theme::Dark } else { Theme::Light };
     html! {
         (DOCTYPE)
-        html lang=(l.id()) data-theme=[(theme == Theme::Dark).then_some("dark")] {
+        html lang=(l.id()) data-theme=[(call.theme() == Theme::Dark).then_some("dark")] {
             (crate::frame::head(&html! {}, page::title(l), "/assets/page.css", &html! {}))
             body.gallery {
                 main.start {

@@ -1,7 +1,7 @@
 //! Laws of motion chosen by their picture: position, speed and acceleration of each, drawn once for the page.
 
 use maud::{Markup, html};
-use project::{KEYS, Kind, SegmentLaw};
+use project::{Kind, SegmentLaw, key_at};
 use quantities::Language;
 use questions::law_shape;
 use words::{law_text, page};
@@ -13,17 +13,12 @@ const GAP: f64 = 3.0;
 
 /// The laws as the project file names them; `parabola` is another name of the triangle.
 fn laws(words: &[&'static str]) -> impl Iterator<Item = (&'static str, SegmentLaw)> {
-    let of = |word: &&'static str| Some((*word, SegmentLaw::of_id(word).filter(|law| law.id() == *word)?));
-    words.iter().filter_map(of).collect::<Vec<_>>().into_iter()
+    words.iter().filter_map(|word| Some((*word, SegmentLaw::of_id(word).filter(|law| law.id() == *word)?)))
 }
 
 /// The names of the laws in the project file.
 pub(crate) fn words() -> &'static [&'static str] {
-    let motion = KEYS.iter().find_map(|key| match key.kind {
-        Kind::Variants(variants) if key.name == "motion" => variants.keys.iter().find(|key| key.name == variants.by),
-        _ => None,
-    });
-    match motion.map(|key| key.kind) {
+    match key_at("motion[1].law").map(|key| key.kind) {
         Some(Kind::OneOf(words)) => words,
         _ => &[],
     }

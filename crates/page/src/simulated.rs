@@ -41,7 +41,7 @@ pub(crate) fn view(state: &State, project: &Project, candidate: &Candidate<'_>, 
     html! {
         label.inline { (page::scenario(l)) " "
             select id="scenario" name="scenario" form="state" data-chosen=(chosen(state, project).id()) hx-post="/work" hx-trigger="change" {
-                @for id in ScenarioId::ALL { option value=(id.id()) selected[is_it(*id)] { (capitalised(&simulation::scenario_title(*id, l))) } }
+                @for id in ScenarioId::ALL { option value=(id.id()) selected[is_it(id)] { (capitalised(&simulation::scenario_title(id, l))) } }
             }
         }
         @match &found {
@@ -49,7 +49,7 @@ pub(crate) fn view(state: &State, project: &Project, candidate: &Candidate<'_>, 
                 @let record = answer::simulation(run, l);
                 (exceeded(&record, l))
                 (overlay::controls(run.summary.time_s, state.window.is_some(), l))
-                (picture(state, "simulation", Ok(figures::simulation_within(run, state.window, l)), &none, &none))
+                (picture(state, "simulation", Ok(figures::simulation(run, state.window, l)), &none, &none))
                 (gains(state, &record, l))
                 (laid_out(&chapter::simulation(&record, l)))
             }

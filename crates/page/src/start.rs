@@ -3,7 +3,7 @@
 use crate::call::{Call, Shell};
 use crate::sketch;
 use maud::{Markup, html};
-use project::{Edit, EditFault, KEYS, Key, Kind, SegmentLaw, edit, key_at, stretch, written};
+use project::{Edit, EditFault, Key, Kind, SegmentLaw, edit, key_at, stretch, written};
 use quantities::{Angle, Language, Length, Measure, format_significant, parse_as};
 use questions::list::new::template;
 use questions::list::size::sized;
@@ -104,18 +104,14 @@ fn share(value: &str, of: &str) -> Option<f64> {
 fn stretched(text: &str, time: f64, way: f64) -> Option<String> {
     let laws =
         written(text)?.into_iter().filter_map(|key| Some((key.path.strip_suffix(".law")?.to_owned(), key.value?)));
-    let moves = laws.filter(|(_, law)| SegmentLaw::of_id(law) != Some(SegmentLaw::Dwell));
-    moves.into_iter().try_fold(text.to_owned(), |text, (segment, _)| stretch(&text, &segment, time, way)).ok()
+    let mut moves = laws.filter(|(_, law)| SegmentLaw::of_id(law) != Some(SegmentLaw::Dwell));
+    moves.try_fold(text.to_owned(), |text, (segment, _)| stretch(&text, &segment, time, way)).ok()
 }
 
 /// What a mechanism is called.
 fn title(mechanism: Option<&str>, language: Language) -> String {
     let Some(name) = mechanism else { return page::load_at_the_output(language).to_owned() };
-    let key = KEYS.iter().find(|key| key.name == "mechanism").and_then(|key| match key.kind {
-        Kind::Table(keys) => keys.iter().find(|key| key.name == name),
-        _ => None,
-    });
-    key.map(|key| capitalised(about_text(key.about, language))).unwrap_or_default()
+    key_at(&format!("mechanism.{name}")).map(|key| capitalised(about_text(key.about, language))).unwrap_or_default()
 }
 
 /// The ways to begin, as drawings.

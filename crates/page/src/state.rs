@@ -11,6 +11,7 @@ use project::{Diagnostic, Edit, Files, Key, Kind, Project, Written, edit, key_at
 use quantities::Language;
 use questions::list::simulate::ScenarioId;
 use questions::{CandidateId, Draw, Patience, Refusal, SAMPLES_MOST, Sizing, Unread, read_all_watched, read_code};
+use std::borrow::Cow;
 use words::{Worded, worded};
 
 /// The state as a request carries it, with what was changed by it.
@@ -91,10 +92,6 @@ impl View {
             Self::Simulation => "simulation",
         }
     }
-
-    fn of(id: &str) -> Self {
-        Self::ALL.into_iter().find(|each| each.id() == id).unwrap_or_default()
-    }
 }
 
 /// The tabs of the right pane.
@@ -115,10 +112,6 @@ impl List {
             Self::Rejected => "rejected",
             Self::Map => "map",
         }
-    }
-
-    fn of(id: &str) -> Self {
-        Self::ALL.into_iter().find(|each| each.id() == id).unwrap_or_default()
     }
 }
 
@@ -145,10 +138,11 @@ impl Sort {
             Self::Bore => "bore",
         }
     }
+}
 
-    fn of(id: &str) -> Self {
-        Self::ALL.into_iter().find(|each| each.id() == id).unwrap_or_default()
-    }
+/// What an identifier stands for; the usual one where it stands for none.
+fn chosen<T: Copy + Default>(all: impl IntoIterator<Item = T>, id: fn(T) -> &'static str, wanted: &str) -> T {
+    all.into_iter().find(|each| id(*each) == wanted).unwrap_or_default()
 }
 
 /// So many folds of the form are open at most.
@@ -204,9 +198,8 @@ pub(crate) struct Held {
 impl State {
     /// The state that a request carries.
     pub(crate) fn of(call: &Call<'_>) -> Self {
-        let field = |name: &str| call.field(name).map(std::borrow::Cow::into_owned).unwrap_or_default();
+        let field = |name: &str| call.field(name).map(Cow::into_owned).unwrap_or_default();
         let code = |text: &str| read_code(text, call.language()).ok().map(|reading| reading.parsed.code);
-        let marked = call.fields().filter(|(key, _)| key == "mark");
         let mut state = Self {
             text: field("text").replace("\r\n", "\n"),
             good: field("good").replace("\r\n", "\n"),
@@ -216,9 +209,9 @@ impl State {
             near: MapPoint::read(&field("near")),
             prefix: String::new(),
             code: code(&field("code")),
-            marked: marked.filter_map(|(_, text)| code(&text)).take(MARKED_MOST).collect(),
+            marked: call.all("mark").filter_map(|text| code(&text)).take(MARKED_MOST).collect(),
             language: call.language(),
-            theme: if field("theme") == "dark" { Theme::Dark } else { Theme::Light },
+            theme: call.theme(),
             file: field("file"),
             known: field("known"),
             filter: Filter {
@@ -231,17 +224,12 @@ impl State {
                 voltage_v: field("f_voltage"),
             },
             is_brief: call.path == "/work",
-            view: View::of(&field("view")),
+            view: chosen(View::ALL, View::id, &field("view")),
             scenario: ScenarioId::of(&field("scenario")),
-            list: List::of(&field("list")),
-            sort: Sort::of(&field("sort")),
+            list: chosen(List::ALL, List::id, &field("list")),
+            sort: chosen(Sort::ALL, Sort::id, &field("sort")),
             unfolded: field("unfolded") == "true",
-            folds: call
-                .fields()
-                .filter(|(key, _)| key == "fold")
-                .map(|(_, id)| id.into_owned())
-                .take(FOLDS_MOST)
-                .collect(),
+            folds: call.all("fold").map(Cow::into_owned).take(FOLDS_MOST).collect(),
             typed_at: call.field("path").map(|path| (path.into_owned(), call.field("folded").is_some())),
             room: room(&field("width"), &field("height")),
             samples: field("samples").trim().parse().ok().filter(|samples| (1..=SAMPLES_MOST).contains(samples)),
@@ -272,7 +260,7 @@ impl State {
                 *text = changed;
             }
         };
-        let asked: Vec<_> = call.fields().filter(|(key, _)| key == "do").map(|(_, value)| value).collect();
+        let asked: Vec<_> = call.all("do").collect();
         for value in asked.iter().flat_map(|value| value.lines()) {
             let (what, path) = value.split_once(' ').unwrap_or((value, ""));
             match what {

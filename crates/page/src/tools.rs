@@ -9,7 +9,7 @@ mod record;
 
 use crate::api::asked::put;
 use crate::api::method;
-use crate::call::{Call, Shell};
+use crate::call::{Call, Shell, query};
 use crate::form::vals;
 use field::{Field, Trouble};
 use figures::Theme;
@@ -169,7 +169,7 @@ impl<'c> Scene<'c> {
             shell,
             patience,
             language: call.language(),
-            theme: if call.field("theme").is_some_and(|theme| theme == "dark") { Theme::Dark } else { Theme::Light },
+            theme: call.theme(),
             tool,
             about,
             is_filled: call.field("asked").is_some_and(|asked| asked == tool),
@@ -181,9 +181,7 @@ impl<'c> Scene<'c> {
         if !self.is_filled {
             return None;
         }
-        let named = |key: &str| key.strip_prefix(MARK) == Some(name);
-        let all: Vec<_> = self.call.fields().filter(|(key, _)| named(key)).map(|(_, value)| value).collect();
-        Some(all.join("\n"))
+        Some(self.call.all(&format!("{MARK}{name}")).collect::<Vec<_>>().join("\n"))
     }
 
     /// The axis of the project that is shown, where there are several.
@@ -196,18 +194,10 @@ impl<'c> Scene<'c> {
 
     /// An address that opens the tool with these fields.
     fn address(&self, fields: &[(&str, &str)]) -> String {
-        let mut query = form_urlencoded::Serializer::for_suffix(String::from("/?"), 2);
-        let mut put = |name: &str, value: &str| {
-            let _ = query.append_pair(name, value);
-        };
-        put("tool", self.tool);
-        put("asked", self.tool);
-        put("about", &self.about);
-        for (name, value) in fields {
-            put(&format!("{MARK}{name}"), value);
-        }
-        put("lang", self.language.id());
-        query.finish()
+        let plain = |(name, value): (&str, _)| (name.to_owned(), value);
+        let own = [("tool", self.tool), ("asked", self.tool), ("about", self.about.as_str())].map(plain);
+        let typed = fields.iter().map(|(name, value)| (format!("{MARK}{name}"), *value));
+        format!("/?{}", query(own.into_iter().chain(typed).chain([plain(("lang", self.language.id()))])))
     }
 
     fn link(&self, fields: &[(&str, &str)]) -> Markup {
@@ -305,17 +295,8 @@ fn fields_of(fields: &[Field], language: Language) -> Markup {
 
 /// What is asked, as a client of the interface would.
 fn query_of(said: &[(&str, Option<&str>)], fields: &[Field], language: Language) -> String {
-    let mut query = form_urlencoded::Serializer::new(String::new());
-    for (name, value) in said {
-        if let Some(value) = value {
-            let _ = query.append_pair(name, value);
-        }
-    }
-    for field in fields.iter().filter(|field| field.name != UNDER_PROJECT) {
-        for value in field.values() {
-            let _ = query.append_pair(&field.name, value);
-        }
-    }
-    let _ = query.append_pair("lang", language.id());
-    query.finish()
+    let said = said.iter().filter_map(|(name, value)| Some((*name, (*value)?)));
+    let asked = fields.iter().filter(|field| field.name != UNDER_PROJECT);
+    let typed = asked.flat_map(|field| field.values().map(|value| (field.name.as_str(), value)));
+    query(said.chain(typed).chain([("lang", language.id())]))
 }

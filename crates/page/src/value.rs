@@ -75,6 +75,11 @@ fn is_of_number(sign: char) -> bool {
     sign.is_ascii_digit() || matches!(sign, '+' | '-' | '.' | 'e' | 'E')
 }
 
+/// The value that the example of a key has.
+pub(crate) fn sample(key: &Key) -> Option<String> {
+    Some(example(key)?.split_once("= ")?.1.trim_matches('"').to_owned())
+}
+
 /// A number as a language writes it.
 fn written(number: &str, language: Language) -> String {
     number.replace('.', &language.decimal_mark().to_string())
@@ -147,17 +152,16 @@ pub(crate) fn field(
     let l = language;
     let dimensions = dimensions(key);
     let units = units(&dimensions);
-    let line = example(key).unwrap_or_default();
-    let sample = line.split_once("= ").map_or("", |(_, value)| value.trim_matches('"'));
+    let sample = sample(key).unwrap_or_default();
     let held = shown(value, &dimensions, l);
-    let ghost = shown(follows.unwrap_or(sample), &dimensions, l);
+    let ghost = shown(follows.unwrap_or(&sample), &dimensions, l);
     let unit = held.as_ref().or(ghost.as_ref()).map_or("", |shown| shown.unit.ascii);
     let (nominal, _) = tolerance_of(value);
     let number = held.map_or_else(|| nominal.to_owned(), |shown| shown.number);
     let number_of = |text: &str| ghost.as_ref().map_or_else(|| text.to_owned(), |shown| shown.number.clone());
     let placeholder = match follows {
         Some(follows) => format!("= {}", number_of(follows)),
-        None => page::for_example(&number_of(sample), l),
+        None => page::for_example(&number_of(&sample), l),
     };
     let title = follows.filter(|_| value.is_empty()).map(|follows| page::follows(&follows, l));
     let (_, band) = tolerance_of(value);

@@ -9,8 +9,7 @@ use words::{about_text, capitalised, page, short_label};
 /// The versions of the call, the last first, each with what it changed.
 pub(crate) fn listed(call: &Call<'_>) -> Markup {
     let l = call.language();
-    let texts: Vec<String> =
-        call.fields().filter(|(name, _)| name == "version").map(|(_, text)| text.replace("\r\n", "\n")).collect();
+    let texts: Vec<String> = call.all("version").map(|text| text.replace("\r\n", "\n")).collect();
     let pairs = texts.iter().zip(texts.iter().skip(1));
     let count = texts.len();
     let inside = html! {

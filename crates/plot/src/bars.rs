@@ -18,15 +18,8 @@ pub struct BarChart {
     axis: Axis,
     title: Label,
     description: String,
-    rows: Vec<Row>,
+    rows: Vec<Bar>,
     legend: Vec<(Verdict, Label)>,
-    longest: f64,
-}
-
-#[derive(Clone, Debug, PartialEq)]
-enum Row {
-    Heading(Label),
-    Bar(Bar),
 }
 
 /// What was found, which decides colour, pattern and sign of a bar.
@@ -79,37 +72,15 @@ impl BarChart {
     /// A chart without rows; the axis is that of the utilisation in percent.
     #[must_use]
     pub fn new(axis: Axis) -> Self {
-        Self {
-            axis,
-            title: Label::default(),
-            description: String::new(),
-            rows: Vec::new(),
-            legend: Vec::new(),
-            longest: 150.0,
-        }
+        Self { axis, title: Label::default(), description: String::new(), rows: Vec::new(), legend: Vec::new() }
     }
 
     titled!();
 
-    /// Sets where bars are broken, 150 % unless set; at least 110 %.
-    #[must_use]
-    pub const fn longest(mut self, percent: f64) -> Self {
-        // A comparison that NaN fails too.
-        self.longest = if percent >= 110.0 && percent <= 1e6 { percent } else { 110.0 };
-        self
-    }
-
-    /// Starts a group of rows.
-    #[must_use]
-    pub fn heading(mut self, label: impl Into<Label>) -> Self {
-        self.rows.push(Row::Heading(label.into()));
-        self
-    }
-
     /// Adds a row.
     #[must_use]
     pub fn bar(mut self, bar: Bar) -> Self {
-        self.rows.push(Row::Bar(bar));
+        self.rows.push(bar);
         self
     }
 
@@ -128,9 +99,9 @@ impl BarChart {
         let legend = self.legend_rows(style.size.width);
         let foot = X_BELOW + EDGE + rows_height(&legend);
         let columns = self.columns(&style);
-        let laid: Vec<Laid> = self.rows.iter().map(|row| Laid::of(row, &columns)).collect();
+        let laid: Vec<Laid> = self.rows.iter().map(|bar| Laid::of(bar, &columns)).collect();
         let extra: f64 = laid.iter().map(|row| row.extra).sum();
-        let units: f64 = self.rows.iter().map(Row::height).sum::<f64>().max(1.0);
+        let units: f64 = self.rows.iter().map(|_| 1.0).sum::<f64>().max(1.0);
         let row = ((style.size.height - head - foot - extra) / units).clamp(ROW_MIN, ROW_MAX);
         style.size.height = row.mul_add(units, extra + head + foot);
         let style = &style;
@@ -144,19 +115,9 @@ impl BarChart {
         self.grid(&mut canvas, &lined, &ticks);
         let limit = x_at(&area, 100.0, ticks.hi);
         let mut top = head;
-        for (entry, laid) in self.rows.iter().zip(&laid) {
-            let height = row.mul_add(entry.height(), laid.extra);
-            match entry {
-                Row::Heading(_) => {
-                    let lines = laid.label.iter().map(|_| LINE).sum::<f64>() - LINE;
-                    let mut base = TEXT.mul_add(-0.3, top + height) - lines;
-                    for line in &laid.label {
-                        canvas.text((EDGE, base), line, Setting::new(TEXT, Colour::Ink, Anchor::Start).bold());
-                        base += LINE;
-                    }
-                }
-                Row::Bar(bar) => draw_bar(&mut canvas, bar, laid, &columns, (top, height), ticks.hi),
-            }
+        for (bar, laid) in self.rows.iter().zip(&laid) {
+            let height = row + laid.extra;
+            draw_bar(&mut canvas, bar, laid, &columns, (top, height), ticks.hi);
             top += height;
         }
         canvas.line((limit, lined.top), (limit, area.bottom + TICK), &Stroke::solid(Colour::Ink, 1.6));
@@ -166,17 +127,10 @@ impl BarChart {
         canvas.finish("bars", &self.title.plain(), &self.description)
     }
 
-    fn bars(&self) -> impl Iterator<Item = &Bar> {
-        self.rows.iter().filter_map(|row| match row {
-            Row::Bar(bar) => Some(bar),
-            Row::Heading(_) => None,
-        })
-    }
-
     /// The end of the axis: a little beyond the longest bar, within bounds.
     fn end(&self) -> f64 {
-        let longest = self.bars().filter_map(Bar::length).fold(0.0, f64::max);
-        (longest * 1.05).clamp(110.0, self.longest)
+        let longest = self.rows.iter().filter_map(Bar::length).fold(0.0, f64::max);
+        (longest * 1.05).clamp(110.0, LONGEST)
     }
 
     /// Where labels, bars and texts stand: beside each other, or above the bars where a picture is too narrow.
@@ -186,7 +140,7 @@ impl BarChart {
             let (left, right) = (EDGE + SIGN, width - EDGE);
             return Columns { beside: false, left, right, labels: right - left, texts: right - left, width };
         }
-        let widest = |of: fn(&Bar) -> f64| self.bars().map(of).fold(0.0, f64::max);
+        let widest = |of: fn(&Bar) -> f64| self.rows.iter().map(of).fold(0.0, f64::max);
         let labels = widest(|bar| bar.label.width(TEXT, false)).min(width * 0.42);
         let texts = widest(|bar| bar.text.width(TEXT, bar.verdict == Verdict::Fail)).min(width * 0.32);
         let left = EDGE + SIGN + labels + GAP;
@@ -257,15 +211,8 @@ struct Laid {
 }
 
 impl Laid {
-    fn of(row: &Row, columns: &Columns) -> Self {
+    fn of(bar: &Bar, columns: &Columns) -> Self {
         let count = |lines: &[Label]| lines.iter().map(|_| 1.0).sum::<f64>();
-        let bar = match row {
-            Row::Heading(label) => {
-                let label = label.wrapped(columns.width - 2.0 * EDGE, TEXT, true);
-                return Self { extra: LINE * (count(&label) - 1.0).max(0.0), label, text: Vec::new() };
-            }
-            Row::Bar(bar) => bar,
-        };
         let bold = bar.verdict == Verdict::Fail;
         let label = bar.label.wrapped(columns.labels + ROUNDING, TEXT, false);
         let text = bar.text.wrapped(columns.texts + ROUNDING, TEXT, bold);
@@ -289,6 +236,8 @@ fn one_line(label: &[Label], text: &[Label], columns: &Columns, bold: bool) -> b
     }
 }
 
+/// Where bars are broken, in percent.
+const LONGEST: f64 = 150.0;
 /// Room of a sign before a label.
 const SIGN: f64 = 17.0;
 const GAP: f64 = 10.0;
@@ -301,16 +250,6 @@ const LINE: f64 = 13.5;
 const BESIDE_MIN: f64 = 400.0;
 /// A width added up in another order differs in the last digit.
 const ROUNDING: f64 = 1e-6;
-
-impl Row {
-    /// Height in rows: a heading has some room above.
-    const fn height(&self) -> f64 {
-        match self {
-            Self::Heading(_) => 1.35,
-            Self::Bar(_) => 1.0,
-        }
-    }
-}
 
 impl Bar {
     fn length(&self) -> Option<f64> {

@@ -3,12 +3,13 @@
 use crate::canvas::{Anchor, Canvas, Fill, HAIR, Setting, Stroke, TEXT};
 use crate::font::{ASCENT, DESCENT};
 use crate::geometry::{Point, Rect};
-use crate::item::{Area, At, Item, Line, Markers, Note, Reference, Tags, colour, is_data, pieces};
+use crate::item::{Area, At, Item, Line, Markers, Note, Reference, Tags, is_data, pieces};
 use crate::label::Label;
-use crate::legend::{MARKER, draw_marker, edge, fill, stroke};
+use crate::legend::{MARKER, draw_marker, fill, stroke};
 use crate::place::{Field, Near};
 use crate::plane::Plane;
 use crate::reduce::{line_path, outline_path, reduced, without_repeats};
+use crate::stacked::lines_of;
 use crate::style::Colour;
 
 /// Points above which markers are thinned to one per half pixel and carry no data of their own.
@@ -30,15 +31,11 @@ pub(crate) fn areas(canvas: &mut Canvas<'_>, plane: &Plane, items: &[Item]) {
 
 /// References and lines, which lie above axes, and markers on top.
 pub(crate) fn lines(canvas: &mut Canvas<'_>, plane: &Plane, items: &[Item]) {
-    for item in items {
-        if let Item::Reference(reference) = item {
-            draw_reference(canvas, plane, reference);
-        }
+    for reference in references(items) {
+        draw_reference(canvas, plane, reference);
     }
-    for item in items {
-        if let Item::Line(line) = item {
-            draw_line(canvas, plane, line);
-        }
+    for line in lines_of(items) {
+        draw_line(canvas, plane, line);
     }
     for item in items {
         if let Item::Markers(markers) = item {
@@ -103,21 +100,9 @@ fn line_pieces(plane: &Plane, line: &Line) -> (Vec<Vec<Point>>, usize) {
         only.extend(only.first().copied());
     }
     let drawn = parts.into_iter().flat_map(|piece| {
-        let stepped = if line.steps { steps(&piece) } else { piece };
-        without_repeats(reduced(&stepped.into_iter().map(|point| plane.at(point)).collect::<Vec<_>>()))
+        without_repeats(reduced(&piece.into_iter().map(|point| plane.at(point)).collect::<Vec<_>>()))
     });
     (drawn.collect(), dropped)
-}
-
-fn steps(points: &[Point]) -> Vec<Point> {
-    let mut stepped: Vec<Point> = Vec::with_capacity(points.len() * 2);
-    for &point in points {
-        if let Some(&(_, y)) = stepped.last() {
-            stepped.push((point.0, y));
-        }
-        stepped.push(point);
-    }
-    stepped
 }
 
 fn draw_line(canvas: &mut Canvas<'_>, plane: &Plane, line: &Line) {
@@ -145,10 +130,9 @@ fn draw_area(canvas: &mut Canvas<'_>, plane: &Plane, area: &Area) {
     let d = outline_path(&reduced(&outline), &plane.area);
     let fill = fill(canvas, area);
     if area.hatch.is_some() {
-        canvas.path(&d, &Fill::Flat(colour(area.tone), 0.06), None);
+        canvas.path(&d, &Fill::Flat(Colour::Tone(area.tone), 0.06), None);
     }
-    let edge = edge(area);
-    canvas.path(&d, &fill, area.outlined.then_some(&edge));
+    canvas.path(&d, &fill, None);
     canvas.close();
 }
 
@@ -166,7 +150,7 @@ fn draw_markers(canvas: &mut Canvas<'_>, plane: &Plane, markers: &Markers) {
             #[expect(clippy::cast_possible_truncation, reason = "a place within the picture")]
             let place = ((at.0 * 2.0) as i32, (at.1 * 2.0) as i32);
             if seen.insert(place) {
-                draw_marker(canvas, markers.shape, at, colour(markers.tone), markers.hollow);
+                draw_marker(canvas, markers.shape, at, Colour::Tone(markers.tone), markers.hollow);
             }
             continue;
         }
@@ -175,7 +159,7 @@ fn draw_markers(canvas: &mut Canvas<'_>, plane: &Plane, markers: &Markers) {
         tags.put("y", &format!("{}", point.1));
         let name = markers.names.get(index).cloned().unwrap_or_default();
         canvas.open_item("marker", &tags, &name, 0);
-        draw_marker(canvas, markers.shape, at, colour(markers.tone), markers.hollow);
+        draw_marker(canvas, markers.shape, at, Colour::Tone(markers.tone), markers.hollow);
         canvas.close();
     }
     canvas.close();
@@ -197,18 +181,25 @@ fn draw_reference(canvas: &mut Canvas<'_>, plane: &Plane, reference: &Reference)
     canvas.open_item("reference", &reference.tags, &reference.label, usize::from(!data));
     let [from, to] = ends(plane, reference);
     if data && let Some((from, to)) = plane.area.cut(from, to) {
-        canvas.line(from, to, &Stroke { colour: colour(reference.tone), width: 1.1, dash: reference.dash.pattern() });
+        canvas.line(
+            from,
+            to,
+            &Stroke { colour: Colour::Tone(reference.tone), width: 1.1, dash: reference.dash.pattern() },
+        );
     }
     canvas.close();
 }
 
 /// Where the label of each reference goes, taken from the field; `None` has no label or no room.
 pub(crate) fn reference_places(plane: &Plane, items: &[Item], field: &mut Field) -> Vec<Option<(Rect, Label)>> {
-    let references = items.iter().filter_map(|item| match item {
+    references(items).map(|reference| reference_place(plane, reference, field)).collect()
+}
+
+fn references(items: &[Item]) -> impl Iterator<Item = &Reference> {
+    items.iter().filter_map(|item| match item {
         Item::Reference(reference) => Some(reference),
-        _ => None,
-    });
-    references.map(|reference| reference_place(plane, reference, field)).collect()
+        Item::Line(_) | Item::Area(_) | Item::Markers(_) | Item::Note(_) => None,
+    })
 }
 
 fn reference_place(plane: &Plane, reference: &Reference, field: &mut Field) -> Option<(Rect, Label)> {
@@ -242,13 +233,9 @@ fn reference_place(plane: &Plane, reference: &Reference, field: &mut Field) -> O
 
 /// Writes the labels of references where [`reference_places`] found room.
 pub(crate) fn reference_labels(canvas: &mut Canvas<'_>, items: &[Item], places: &[Option<(Rect, Label)>]) {
-    let references = items.iter().filter_map(|item| match item {
-        Item::Reference(reference) => Some(reference),
-        _ => None,
-    });
-    for (reference, place) in references.zip(places) {
+    for (reference, place) in references(items).zip(places) {
         match place {
-            Some((area, label)) => write_in(canvas, area, label, colour(reference.tone)),
+            Some((area, label)) => write_in(canvas, area, label, Colour::Tone(reference.tone)),
             None if reference.label.is_empty() => {}
             None => canvas.hide(&reference.label),
         }
@@ -258,7 +245,7 @@ pub(crate) fn reference_labels(canvas: &mut Canvas<'_>, items: &[Item], places: 
 fn draw_note(canvas: &mut Canvas<'_>, plane: &Plane, note: &Note, field: &mut Field) {
     canvas.open_item("note", &note.tags, &note.label, usize::from(!is_data(note.at)));
     if is_data(note.at) {
-        near(canvas, plane, note.at, &note.label, field, NOTE, colour(note.tone));
+        near(canvas, plane, note.at, &note.label, field, NOTE, Colour::Tone(note.tone));
     }
     canvas.close();
 }

@@ -12,7 +12,7 @@ use crate::titled::titled;
 use crate::xy::{title, title_height};
 
 /// A round face with pins, and a list of them.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, Default, PartialEq)]
 pub struct FaceChart {
     title: Label,
     description: String,
@@ -65,12 +65,6 @@ const PIN: f64 = 0.125;
 const FACE_SHARE: f64 = 0.5;
 
 impl FaceChart {
-    /// A face without pins.
-    #[must_use]
-    pub fn new() -> Self {
-        Self { title: Label::default(), description: String::new(), note: Label::default(), pins: Vec::new() }
-    }
-
     titled!();
 
     /// Sets what stands below.
@@ -128,12 +122,6 @@ impl FaceChart {
             base += NOTE_ROW;
         }
         canvas.finish("face", &self.title.plain(), &self.description)
-    }
-}
-
-impl Default for FaceChart {
-    fn default() -> Self {
-        Self::new()
     }
 }
 

@@ -2,7 +2,7 @@
 
 use crate::canvas::Hatch;
 use crate::label::Label;
-use crate::style::{Colour, Tone};
+use crate::style::Tone;
 
 /// Class, data and tooltip of an item, for scripts and style sheets of a page.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
@@ -162,9 +162,7 @@ pub struct Line {
     pub(crate) tone: Tone,
     pub(crate) dash: Option<Dash>,
     pub(crate) width: Width,
-    pub(crate) steps: bool,
     pub(crate) closed: bool,
-    pub(crate) label_at_end: bool,
     pub(crate) tags: Tags,
 }
 labelled!(Line);
@@ -191,9 +189,7 @@ impl Line {
             tone: Tone::Trace,
             dash: None,
             width: Width::Normal,
-            steps: false,
             closed: false,
-            label_at_end: false,
             tags: Tags::default(),
         }
     }
@@ -212,24 +208,10 @@ impl Line {
         self
     }
 
-    /// Holds each value until the next point.
-    #[must_use]
-    pub const fn steps(mut self) -> Self {
-        self.steps = true;
-        self
-    }
-
     /// Joins the last point to the first.
     #[must_use]
     pub const fn closed(mut self) -> Self {
         self.closed = true;
-        self
-    }
-
-    /// Writes the label beside the end of the line instead of into the legend.
-    #[must_use]
-    pub const fn label_at_end(mut self) -> Self {
-        self.label_at_end = true;
         self
     }
 
@@ -258,7 +240,6 @@ pub struct Area {
     pub(crate) label: Label,
     pub(crate) tone: Tone,
     pub(crate) hatch: Option<Hatch>,
-    pub(crate) outlined: bool,
     pub(crate) tags: Tags,
 }
 labelled!(Area);
@@ -272,7 +253,6 @@ impl Area {
             label: Label::default(),
             tone: Tone::Muted,
             hatch: None,
-            outlined: false,
             tags: Tags::default(),
         }
     }
@@ -288,13 +268,6 @@ impl Area {
     #[must_use]
     pub const fn hatch(mut self, hatch: Hatch) -> Self {
         self.hatch = Some(hatch);
-        self
-    }
-
-    /// Draws the outline too.
-    #[must_use]
-    pub const fn outlined(mut self) -> Self {
-        self.outlined = true;
         self
     }
 }
@@ -454,8 +427,4 @@ pub(crate) fn pieces(points: &[(f64, f64)]) -> (Vec<Vec<(f64, f64)>>, usize) {
     let dropped = points.iter().filter(|point| !is_data(**point)).count();
     let pieces = points.split(|point| !is_data(*point)).filter(|piece| !piece.is_empty());
     (pieces.map(<[_]>::to_vec).collect(), dropped)
-}
-
-pub(crate) const fn colour(tone: Tone) -> Colour {
-    Colour::Tone(tone)
 }

@@ -3,21 +3,9 @@
 use crate::canvas::{Anchor, Canvas, Fill, HAIR, Setting, Stroke, TEXT};
 use crate::font::CAP_HEIGHT;
 use crate::geometry::{Point, Rect};
-use crate::item::{Area, Item, Line, Markers, Shape, colour};
+use crate::item::{Area, Item, Line, Shape};
 use crate::label::Label;
 use crate::style::Colour;
-
-/// Where the legend goes. Lines labelled at their end are in no legend.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum Legend {
-    /// Into an empty corner, or below if there is none.
-    #[default]
-    Auto,
-    /// Below the chart.
-    Below,
-    /// Nowhere.
-    Off,
-}
 
 pub(crate) struct LegendEntry {
     pub(crate) label: Label,
@@ -45,10 +33,15 @@ pub(crate) fn entries(canvas: &mut Canvas<'_>, items: &[Item]) -> Vec<LegendEntr
     let mut entries: Vec<LegendEntry> = Vec::new();
     for item in items {
         let (label, sample) = match item {
-            Item::Line(line) if !line.label_at_end => (&line.label, Sample::Line(stroke(line))),
-            Item::Area(area) => (&area.label, Sample::Patch(fill(canvas, area), edge(area))),
-            Item::Markers(markers) => (&markers.label, marker(markers)),
-            Item::Line(_) | Item::Reference(_) | Item::Note(_) => continue,
+            Item::Line(line) => (&line.label, Sample::Line(stroke(line))),
+            Item::Area(area) => {
+                (&area.label, Sample::Patch(fill(canvas, area), Stroke::solid(Colour::Tone(area.tone), HAIR)))
+            }
+            Item::Markers(markers) => {
+                let sample = Sample::Marker(markers.shape, Colour::Tone(markers.tone), markers.hollow);
+                (&markers.label, sample)
+            }
+            Item::Reference(_) | Item::Note(_) => continue,
         };
         // Pieces of one thing carry the same label; it is explained once.
         if !label.is_empty() && !entries.iter().any(|entry| entry.label == *label) {
@@ -59,22 +52,14 @@ pub(crate) fn entries(canvas: &mut Canvas<'_>, items: &[Item]) -> Vec<LegendEntr
 }
 
 pub(crate) const fn stroke(line: &Line) -> Stroke {
-    Stroke { colour: colour(line.tone), width: line.width.pixels(), dash: line.pattern() }
+    Stroke { colour: Colour::Tone(line.tone), width: line.width.pixels(), dash: line.pattern() }
 }
 
 pub(crate) fn fill(canvas: &mut Canvas<'_>, area: &Area) -> Fill {
     match area.hatch {
-        Some(hatch) => canvas.hatch(colour(area.tone), hatch),
-        None => Fill::Flat(colour(area.tone), 0.16),
+        Some(hatch) => canvas.hatch(Colour::Tone(area.tone), hatch),
+        None => Fill::Flat(Colour::Tone(area.tone), 0.16),
     }
-}
-
-pub(crate) const fn edge(area: &Area) -> Stroke {
-    Stroke::solid(colour(area.tone), HAIR)
-}
-
-const fn marker(markers: &Markers) -> Sample {
-    Sample::Marker(markers.shape, colour(markers.tone), markers.hollow)
 }
 
 /// The size of the entries one below the other.

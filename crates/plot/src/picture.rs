@@ -58,14 +58,4 @@ impl Picture {
     pub fn texts(&self) -> &[TextBox] {
         &self.texts
     }
-
-    /// The picture as a PNG file, `scale` pixels to the CSS pixel (2 is about 190 dpi).
-    ///
-    /// Draws with the fonts of the crate and no others. `None` if the pixels are too many to be held or the scale is not
-    /// positive. CSS variables are not resolved: take a light or dark theme.
-    #[cfg(feature = "png")]
-    #[must_use]
-    pub fn png(&self, scale: f64) -> Option<Vec<u8>> {
-        crate::png::png(self, scale)
-    }
 }

@@ -219,32 +219,6 @@ const DIRECTIONS: [Point; 16] = [
     (-1.0, 0.4),
 ];
 
-/// Centres of lines of text in a column: as near to those wished as a least distance allows, within two ends.
-///
-/// Keeps the order of the wishes; where there is no room for all, the rest of them is `None`.
-pub(crate) fn spread(wished: &[f64], distance: f64, from: f64, to: f64) -> Vec<Option<f64>> {
-    let mut order: Vec<(usize, f64)> = wished.iter().copied().enumerate().collect();
-    order.sort_by(|a, b| a.1.total_cmp(&b.1).then(a.0.cmp(&b.0)));
-    order.truncate(whole((to - from) / distance) + 1);
-    let mut at = from - distance;
-    for (_, y) in &mut order {
-        at = y.max(at + distance);
-        *y = at;
-    }
-    let mut at = to + distance;
-    for (_, y) in order.iter_mut().rev() {
-        at = y.min(at - distance);
-        *y = at;
-    }
-    let mut placed = vec![None; wished.len()];
-    for (index, y) in order {
-        if let Some(slot) = placed.get_mut(index) {
-            *slot = Some(y);
-        }
-    }
-    placed
-}
-
 #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "saturates, which is what is meant")]
 const fn whole(value: f64) -> usize {
     value as usize
@@ -282,12 +256,5 @@ mod tests {
         assert!(field.taken.iter().filter(|taken| **taken).count() > 60);
         assert!(place.area.right < 150.0 || place.area.top > 100.0 || place.area.left > 150.0);
         assert_eq!(field.cells(&place.area).filter(|index| field.taken[*index]).count(), 0);
-    }
-
-    #[test]
-    fn a_column_of_texts_keeps_its_distance() {
-        let placed: Vec<f64> = spread(&[50.0, 51.0, 49.0, 99.0], 12.0, 0.0, 100.0).into_iter().flatten().collect();
-        assert_eq!(placed, [61.0, 73.0, 49.0, 99.0]);
-        assert_eq!(spread(&[0.0; 5], 60.0, 0.0, 100.0).iter().flatten().count(), 2);
     }
 }

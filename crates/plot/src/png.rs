@@ -9,20 +9,27 @@ use resvg::usvg::{Options, Tree};
 use crate::font::{FONT_FAMILY, font_files};
 use crate::picture::Picture;
 
-pub(crate) fn png(picture: &Picture, scale: f64) -> Option<Vec<u8>> {
-    let mut fonts = Database::new();
-    for bytes in font_files() {
-        fonts.load_font_data(bytes.to_vec());
+impl Picture {
+    /// The picture as a PNG file, `scale` pixels to the CSS pixel (2 is about 190 dpi).
+    ///
+    /// Draws with the fonts of the crate and no others. `None` if the pixels are too many to be held or the scale is not
+    /// positive. CSS variables are not resolved: take a light or dark theme.
+    #[must_use]
+    pub fn png(&self, scale: f64) -> Option<Vec<u8>> {
+        let mut fonts = Database::new();
+        for bytes in font_files() {
+            fonts.load_font_data(bytes.to_vec());
+        }
+        let options = Options { fontdb: Arc::new(fonts), font_family: FONT_FAMILY.to_owned(), ..Options::default() };
+        let tree = Tree::from_str(&self.svg, &options).ok()?;
+        let (width, height) = (side(self.width * scale)?, side(self.height * scale)?);
+        let mut pixels = Pixmap::new(width, height)?;
+        // To the last pixel: a fraction of one at an edge would show as a line.
+        #[expect(clippy::cast_precision_loss, reason = "a side has few digits")]
+        let (x, y) = (width as f32 / tree.size().width(), height as f32 / tree.size().height());
+        resvg::render(&tree, Transform::from_scale(x, y), &mut pixels.as_mut());
+        pixels.encode_png().ok()
     }
-    let options = Options { fontdb: Arc::new(fonts), font_family: FONT_FAMILY.to_owned(), ..Options::default() };
-    let tree = Tree::from_str(&picture.svg, &options).ok()?;
-    let (width, height) = (side(picture.width * scale)?, side(picture.height * scale)?);
-    let mut pixels = Pixmap::new(width, height)?;
-    // To the last pixel: a fraction of one at an edge would show as a line.
-    #[expect(clippy::cast_precision_loss, reason = "a side has few digits")]
-    let (x, y) = (width as f32 / tree.size().width(), height as f32 / tree.size().height());
-    resvg::render(&tree, Transform::from_scale(x, y), &mut pixels.as_mut());
-    pixels.encode_png().ok()
 }
 
 /// Longest side of a picture in pixels; four times this squared is the memory it takes.

@@ -1,15 +1,15 @@
-//! Charts of one plane: curves, areas and points over two axes.
+//! Charts of one plane: curves, areas and points over two axes, and maps of candidates.
 
-use crate::canvas::{AXIS, Anchor, Canvas, Fill, HAIR, RULE, Setting, Stroke, TEXT, TITLE};
+use crate::canvas::{AXIS, Anchor, Canvas, Fill, RULE, Setting, Stroke, TITLE};
 use crate::draw;
 use crate::geometry::Rect;
-use crate::item::{Item, colour};
+use crate::item::{Item, Markers, Shape};
 use crate::label::Label;
-use crate::legend::{self, Legend, LegendEntry};
+use crate::legend::{self, LegendEntry};
 use crate::picture::Picture;
-use crate::place::{Field, spread};
+use crate::place::Field;
 use crate::plane::{Axis, EDGE, Plane, X_BELOW, Y_ABOVE, x_ticks, y_margin, y_ticks};
-use crate::style::{Colour, Style};
+use crate::style::{Colour, Style, Tone};
 use crate::titled::titled;
 
 /// A chart of curves, areas and points over two axes.
@@ -29,10 +29,11 @@ pub struct XyChart {
     pub(crate) y: Axis,
     pub(crate) title: Label,
     pub(crate) description: String,
-    pub(crate) legend: Legend,
     pub(crate) four_quadrant: bool,
     pub(crate) items: Vec<Item>,
     pub(crate) nothing: Label,
+    /// The class of the picture.
+    kind: &'static str,
 }
 
 impl XyChart {
@@ -50,21 +51,23 @@ impl XyChart {
             y,
             title: Label::default(),
             description: String::new(),
-            legend: Legend::Auto,
             four_quadrant: false,
             items: Vec::new(),
             nothing: Label::default(),
+            kind: "xy",
         }
     }
 
-    titled!();
-
-    /// Sets where the legend goes.
+    /// An empty map of candidates: named points in classes that differ by marker and colour.
+    ///
+    /// A name is drawn where it finds room, classes and points that come first before those that follow; all names are
+    /// tooltips, and [`Picture::hidden_labels`] has those that were not drawn.
     #[must_use]
-    pub const fn legend(mut self, legend: Legend) -> Self {
-        self.legend = legend;
-        self
+    pub fn map(x: Axis, y: Axis) -> Self {
+        Self { kind: "map", ..Self::new(x, y) }
     }
+
+    titled!();
 
     /// Shows both signs of both quantities, with axes through zero.
     #[must_use]
@@ -94,33 +97,49 @@ impl XyChart {
         self
     }
 
+    /// Adds a class of points (x, y, name), with the marker that follows those of the points before it.
+    #[must_use]
+    pub fn class<L: Into<Label>>(
+        self,
+        name: impl Into<Label>,
+        tone: Tone,
+        points: impl IntoIterator<Item = (f64, f64, L)>,
+    ) -> Self {
+        const SHAPES: [(Shape, bool); 8] = [
+            (Shape::Circle, false),
+            (Shape::Diamond, true),
+            (Shape::Square, false),
+            (Shape::Triangle, true),
+            (Shape::Cross, false),
+            (Shape::Circle, true),
+            (Shape::Diamond, false),
+            (Shape::Square, true),
+        ];
+        let (places, names): (Vec<(f64, f64)>, Vec<Label>) =
+            points.into_iter().map(|(x, y, name)| ((x, y), name.into())).unzip();
+        let before = self.items.iter().filter(|item| matches!(item, Item::Markers(_))).count();
+        let (shape, hollow) = SHAPES.get(before % SHAPES.len()).copied().unwrap_or((Shape::Circle, false));
+        let markers = Markers::new(places).names(names).label(name).tone(tone).shape(shape);
+        self.with(if hollow { markers.hollow() } else { markers })
+    }
+
     /// Draws the chart, higher than its style says if title and legend leave no room for the plane.
     #[must_use]
     pub fn render(&self, style: &Style) -> Picture {
-        self.render_as("xy", style)
-    }
-
-    pub(crate) fn render_as(&self, kind: &str, style: &Style) -> Picture {
         if !self.nothing.is_empty() && !self.items.iter().any(has_points) {
-            return self.say_nothing(kind, style);
+            return self.say_nothing(style);
         }
         let style = &self.grown(style);
         let mut canvas = Canvas::new(style);
-        let entries = self.entries(&mut canvas);
-        let mut below = self.legend == Legend::Below;
-        let mut plane = self.layout(&canvas, &entries, below);
+        let entries = legend::entries(&mut canvas, &self.items);
+        let mut plane = self.layout(&canvas, &[]);
         let mut field = self.field(&plane);
-        let mut corner = None;
-        if !entries.is_empty() && !below {
-            corner = legend_corner(&field, &plane.area, &entries);
-            if corner.is_none() {
-                below = true;
-                plane = self.layout(&canvas, &entries, below);
-                field = self.field(&plane);
-            }
-        }
+        let corner = if entries.is_empty() { None } else { legend_corner(&field, &plane.area, &entries) };
         if let Some(area) = &corner {
             field.text(area.grown(2.0));
+        } else if !entries.is_empty() {
+            plane = self.layout(&canvas, &entries);
+            field = self.field(&plane);
         }
         let top = title(&mut canvas, &self.title);
         debug_assert!(top <= plane.area.top, "the title is above the plane");
@@ -143,19 +162,18 @@ impl XyChart {
         let places = draw::reference_places(&plane, &self.items, &mut field);
         draw::reference_labels(&mut canvas, &self.items, &places);
         draw::texts(&mut canvas, &plane, &self.items, &mut field);
-        self.end_labels(&mut canvas, &plane);
         canvas.close();
         plane.y_title(&mut canvas, &self.y, style.size.width - 2.0 * EDGE, plane.area.top - 8.0);
         plane.x_title(&mut canvas, &self.x);
-        if below {
+        if corner.is_none() && !entries.is_empty() {
             let rows = legend::rows(&entries, style.size.width - 2.0 * EDGE);
             legend::draw_rows(&mut canvas, &rows, (EDGE, plane.area.bottom + X_BELOW + 4.0));
         }
-        canvas.finish(kind, &self.title.plain(), &self.description)
+        canvas.finish(self.kind, &self.title.plain(), &self.description)
     }
 
     /// The sentence in place of a plane without a point.
-    fn say_nothing(&self, kind: &str, style: &Style) -> Picture {
+    fn say_nothing(&self, style: &Style) -> Picture {
         let mut style = style.clone();
         let lines = self.nothing.wrapped(style.size.width - 2.0 * EDGE, AXIS, false);
         let text: f64 = lines.iter().map(|_| TITLE_ROW).sum();
@@ -168,18 +186,14 @@ impl XyChart {
             canvas.text((EDGE, base), line, Setting::new(AXIS, Colour::Ink, Anchor::Start));
             base += TITLE_ROW;
         }
-        canvas.finish(kind, &self.title.plain(), &self.description)
-    }
-
-    fn entries(&self, canvas: &mut Canvas<'_>) -> Vec<LegendEntry> {
-        if self.legend == Legend::Off { Vec::new() } else { legend::entries(canvas, &self.items) }
+        canvas.finish(self.kind, &self.title.plain(), &self.description)
     }
 
     /// The style with the height that a plane with title and legend needs.
     fn grown(&self, style: &Style) -> Style {
         let mut grown = style.clone();
         let mut canvas = Canvas::new(style);
-        let entries = self.entries(&mut canvas);
+        let entries = legend::entries(&mut canvas, &self.items);
         let (above, below) = (self.above(&canvas), below(&canvas, &entries));
         grown.size.height = grown.size.height.max(above + PLANE_MIN + below);
         grown
@@ -189,16 +203,15 @@ impl XyChart {
         EDGE + title_height(canvas, &self.title) + Y_ABOVE
     }
 
-    fn layout(&self, canvas: &Canvas<'_>, entries: &[LegendEntry], below: bool) -> Plane {
+    /// Where the plane stands with these entries of the legend below it.
+    fn layout(&self, canvas: &Canvas<'_>, entries: &[LegendEntry]) -> Plane {
         let size = canvas.style.size;
         let top = self.above(canvas);
-        let bottom = size.height - self::below(canvas, if below { entries } else { &[] });
+        let bottom = size.height - below(canvas, entries);
         let (xs, ys): (Vec<Vec<f64>>, Vec<Vec<f64>>) = self.items.iter().map(Item::reach).unzip();
         let y = y_ticks(self.y.span(&ys.concat(), self.four_quadrant), bottom - top);
         let left = y_margin(canvas, &y).min(size.width / 2.0);
-        let labels = self.end_labelled().map(|(label, _)| label.width(TEXT, false)).fold(0.0, f64::max);
-        let margin = if labels > 0.0 { (labels + END_GAP).min(size.width / 3.0) } else { 0.0 };
-        let right = size.width - EDGE - 4.0 - margin;
+        let right = size.width - EDGE - 4.0;
         let (x, right) = x_ticks(canvas, self.x.span(&xs.concat(), self.four_quadrant), left, right);
         Plane { area: Rect { left, right, top, bottom }, x, y }
     }
@@ -213,41 +226,6 @@ impl XyChart {
             field.line(&[(plane.area.left, y), (plane.area.right, y)]);
         }
         field
-    }
-
-    /// Lines labelled at their end, with the end in data.
-    fn end_labelled(&self) -> impl Iterator<Item = (&Label, (Colour, (f64, f64)))> {
-        self.items.iter().filter_map(|item| match item {
-            Item::Line(line) if line.label_at_end && !line.label.is_empty() => {
-                let end = line.points.iter().rev().find(|point| crate::item::is_data(**point))?;
-                Some((&line.label, (colour(line.tone), *end)))
-            }
-            _ => None,
-        })
-    }
-
-    fn end_labels(&self, canvas: &mut Canvas<'_>, plane: &Plane) {
-        let ends: Vec<_> = self.end_labelled().collect();
-        let area = plane.area;
-        let wished: Vec<f64> =
-            ends.iter().map(|(_, (_, end))| plane.y_at(end.1).clamp(area.top, area.bottom)).collect();
-        for ((label, (colour, end)), y) in ends.into_iter().zip(spread(&wished, ROW_END, area.top, area.bottom)) {
-            let Some(y) = y else {
-                canvas.hide(label);
-                continue;
-            };
-            let (x, wish) = plane.at(end);
-            let (x, wish) = (x.clamp(area.left, area.right), wish.clamp(area.top, area.bottom));
-            if (wish - y).abs() > 1.0 || x < area.right - 6.0 {
-                let knee = (area.right + 2.0, wish);
-                let leader = Stroke { colour, width: HAIR, dash: "1.5 2" };
-                canvas.line((x + 2.0, wish), knee, &leader);
-                canvas.line(knee, (area.right + END_GAP - 4.0, y), &leader);
-            }
-            let left = area.right + END_GAP - 2.0;
-            let label = label.elided(canvas.style.size.width - left - 1.0, TEXT, false);
-            canvas.text((left, TEXT.mul_add(0.36, y)), &label, Setting::new(TEXT, colour, Anchor::Start));
-        }
     }
 }
 
@@ -265,8 +243,6 @@ fn below(canvas: &Canvas<'_>, entries: &[LegendEntry]) -> f64 {
 
 /// Height of a plane at least.
 const PLANE_MIN: f64 = 60.0;
-const END_GAP: f64 = 14.0;
-const ROW_END: f64 = 13.0;
 
 /// A corner, or else the middle of the upper or lower edge, that a legend fits into without covering anything.
 fn legend_corner(field: &Field, area: &Rect, entries: &[LegendEntry]) -> Option<Rect> {

@@ -1,6 +1,6 @@
 //! Snapshots: a picture changes only when someone wants it to.
 
-use plot::{Area, Axis, Bar, BarChart, Hatch, Line, MapChart, Note, Size, Style, Theme, Tone, Verdict, XyChart};
+use plot::{Area, Axis, Bar, BarChart, Hatch, Line, Note, Size, Style, Theme, Tone, Verdict, XyChart};
 use quantities::Language;
 
 #[test]
@@ -29,7 +29,7 @@ fn bars_in_css() {
 
 #[test]
 fn decimals_follow_the_language() {
-    let chart = MapChart::new(Axis::new("m", "kg"), Axis::new("P", "W")).class("one", Tone::Trace, [(1.2, 2.4e6, "A")]);
+    let chart = XyChart::map(Axis::new("m", "kg"), Axis::new("P", "W")).class("one", Tone::Trace, [(1.2, 2.4e6, "A")]);
     let texts = |language| {
         let picture = chart.render(&Style::new(Size::pixels(400.0, 300.0)).language(language));
         picture.texts().iter().map(|text| text.text.clone()).collect::<Vec<_>>()

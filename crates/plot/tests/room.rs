@@ -3,8 +3,8 @@
 #![allow(clippy::unwrap_used, clippy::panic, reason = "helpers of tests may fail loudly too")]
 
 use plot::{
-    Axis, Bar, BarChart, Line, MapChart, Markers, Panel, Picture, Reference, Shape, Size, StackedChart, Style, Tone,
-    Verdict, XyChart,
+    Axis, Bar, BarChart, Line, Markers, Panel, Picture, Reference, Shape, Size, StackedChart, Style, Tone, Verdict,
+    XyChart,
 };
 
 fn narrow() -> Style {
@@ -120,7 +120,7 @@ fn a_text_is_as_wide_as_laid_out_whatever_face_draws_it() {
 
 #[test]
 fn a_map_without_a_point_says_so() {
-    let map = MapChart::new(Axis::new("m", "kg"), Axis::new("", "%"))
+    let map = XyChart::map(Axis::new("m", "kg"), Axis::new("", "%"))
         .class("fits", Tone::Series(2), Vec::<(f64, f64, &str)>::new())
         .with(Reference::horizontal(0.0))
         .nothing("No candidate can be shown.");

@@ -167,7 +167,8 @@ pub struct InertiaAnswer {
 /// # Errors
 /// Every fault with its place; the line of a place is the number of the body.
 pub fn inertia(text: &str) -> Result<InertiaAnswer, Vec<Diagnostic>> {
-    answer(text, &mut Faults::new(text))
+    let (sections, total) = sections(text, &mut Faults::new(text))?;
+    Ok(InertiaAnswer { bodies: sections.iter().filter_map(parts).collect(), total })
 }
 
 /// A tolerance of a body: its line from zero, its key, the value, the half-width with its place in the line.
@@ -178,11 +179,6 @@ pub(crate) fn toleranced(text: &str) -> Result<(Vec<BodySection>, Vec<BodyTolera
     let mut faults = Faults::with_tolerances(text);
     let (sections, _) = sections(text, &mut faults)?;
     Ok((sections, faults.tolerances.unwrap_or_default()))
-}
-
-fn answer(text: &str, faults: &mut Faults<'_>) -> Result<InertiaAnswer, Vec<Diagnostic>> {
-    let (sections, total) = sections(text, faults)?;
-    Ok(InertiaAnswer { bodies: sections.iter().filter_map(parts).collect(), total })
 }
 
 fn sections(text: &str, faults: &mut Faults<'_>) -> Result<(Vec<BodySection>, Inertia), Vec<Diagnostic>> {
@@ -210,7 +206,7 @@ fn sections(text: &str, faults: &mut Faults<'_>) -> Result<(Vec<BodySection>, In
 }
 
 /// The lines of a text with their offsets; an empty text has one line.
-fn lines(text: &str) -> impl Iterator<Item = (usize, &str)> {
+pub(crate) fn lines(text: &str) -> impl Iterator<Item = (usize, &str)> {
     let mut start = 0;
     text.split('\n').map(move |line| {
         let at = start;
@@ -276,7 +272,7 @@ fn parts(section: &BodySection) -> Option<BodyAnswer> {
 /// Reads one body; what is wrong with it goes to the faults.
 fn read(line: &Line<'_>, faults: &mut Faults<'_>) -> Option<BodySection> {
     let known = faults.shape(line);
-    for stray in &line.strays {
+    if let Some(stray) = &line.stray {
         faults.stray(stray);
     }
     let mut section = BodySection::absent(&Head::new("", line.span.clone()));

@@ -1,6 +1,7 @@
 //! A project file changed at one place: order, comments and spelling of everything else stay as they are.
 
 use crate::key::{Key, Kind};
+use crate::read::joined;
 use crate::root::KEYS;
 use std::fmt;
 use std::ops::Range as Span;
@@ -73,11 +74,18 @@ pub fn measured_key_at(path: &str) -> Option<&'static Key> {
 
 /// The same of a file with these keys at its root.
 fn key_of(root: &'static [Key], path: &str) -> Option<&'static Key> {
-    let mut keys = root;
-    let mut found = None;
-    for (name, place) in steps(path)? {
+    key_along(root, steps(path)?.into_iter().map(|(name, place)| (name, place.is_some())))
+}
+
+/// The key to which names lead from the root, each with whether it is that of an entry of a list.
+pub(crate) fn key_along<'p>(
+    root: &'static [Key],
+    names: impl IntoIterator<Item = (&'p str, bool)>,
+) -> Option<&'static Key> {
+    let (mut keys, mut found) = (root, None);
+    for (name, is_entry) in names {
         let key = keys.iter().find(|key| key.name == name)?;
-        keys = key.kind.keys(place.is_some());
+        keys = key.kind.keys(is_entry);
         found = Some(key);
     }
     found
@@ -202,6 +210,7 @@ fn typed_as(kind: Kind, typed: &str) -> Value {
     let parts = |text: &str| -> Vec<String> {
         text.split([',', ';', '\n']).map(|part| part.trim().to_owned()).filter(|part| !part.is_empty()).collect()
     };
+    let lines = || typed.lines().map(str::trim).filter(|line| !line.is_empty());
     let number = |text: &str| -> Value {
         match (text.parse::<i64>(), text.parse::<f64>()) {
             (Ok(whole), _) => whole.into(),
@@ -214,14 +223,10 @@ fn typed_as(kind: Kind, typed: &str) -> Value {
         Kind::Bool => typed.parse::<bool>().map_or_else(|_| typed.into(), Value::from),
         Kind::Numbers(..) => parts(typed).iter().map(|part| number(part)).collect::<Array>().into(),
         Kind::ListOf(_) => parts(typed).into_iter().collect::<Array>().into(),
-        Kind::Bodies => {
-            let lines = typed.lines().map(str::trim).filter(|line| !line.is_empty());
-            spread(lines.map(Value::from).collect())
-        }
+        Kind::Bodies => spread(lines().map(Value::from).collect()),
         Kind::Rows(_) => {
-            let lines = typed.lines().map(str::trim).filter(|line| !line.is_empty());
             let row = |line: &str| line.split(';').map(str::trim).filter(|part| !part.is_empty()).collect::<Array>();
-            spread(lines.map(|line| row(line).into()).collect())
+            spread(lines().map(|line| row(line).into()).collect())
         }
         _ => typed.into(),
     }
@@ -252,9 +257,7 @@ fn insert(parent: &mut dyn TableLike, (name, place): &Step<'_>) -> Option<bool> 
             let _ = parent.insert(name, Item::ArrayOfTables(ArrayOfTables::from_iter([spaced()])));
         }
         Some(Item::ArrayOfTables(tables)) => {
-            let mut all: Vec<Table> = std::mem::take(tables).into_iter().collect();
-            all.insert(place.min(all.len()), spaced());
-            *tables = all.into_iter().collect();
+            reorder(tables, |all| all.insert(place.min(all.len()), spaced()));
         }
         Some(Item::Value(Value::Array(array))) => array.insert(place.min(array.len()), InlineTable::new()),
         Some(_) => return None,
@@ -290,16 +293,22 @@ fn take(parent: &mut dyn TableLike, (name, place): &Step<'_>) {
     }
 }
 
+fn reorder(tables: &mut ArrayOfTables, change: impl FnOnce(&mut Vec<Table>)) {
+    let mut all = std::mem::take(tables).into_iter().collect();
+    change(&mut all);
+    *tables = all.into_iter().collect();
+}
+
 /// Changes an entry of a list with the next one, where there is one.
 fn swap(parent: &mut dyn TableLike, (name, place): &Step<'_>) -> Option<bool> {
     let place = (*place)?;
     match parent.get_mut(name)? {
         Item::ArrayOfTables(tables) => {
-            let mut all: Vec<Table> = std::mem::take(tables).into_iter().collect();
-            if place + 1 < all.len() {
-                all.swap(place, place + 1);
-            }
-            *tables = all.into_iter().collect();
+            reorder(tables, |all| {
+                if place + 1 < all.len() {
+                    all.swap(place, place + 1);
+                }
+            });
         }
         Item::Value(Value::Array(array)) if place + 1 < array.len() => {
             let moved = array.remove(place);
@@ -315,13 +324,13 @@ fn double(parent: &mut dyn TableLike, (name, place): &Step<'_>) -> Option<bool> 
     let place = (*place)?;
     match parent.get_mut(name)? {
         Item::ArrayOfTables(tables) => {
-            let mut all: Vec<Table> = std::mem::take(tables).into_iter().collect();
-            if let Some(mut again) = all.get(place).cloned() {
-                // What stands above the entry, such as a remark, belongs to it alone.
-                again.decor_mut().set_prefix("\n");
-                all.insert(place + 1, again);
-            }
-            *tables = all.into_iter().collect();
+            reorder(tables, |all| {
+                if let Some(mut again) = all.get(place).cloned() {
+                    // What stands above the entry, such as a remark, belongs to it alone.
+                    again.decor_mut().set_prefix("\n");
+                    all.insert(place + 1, again);
+                }
+            });
         }
         Item::Value(Value::Array(array)) => {
             if let Some(again) = array.get(place).cloned() {
@@ -394,32 +403,27 @@ pub fn written(text: &str) -> Option<Vec<Written>> {
 }
 
 fn of_table(table: &dyn TableLike, path: &str, found: &mut Vec<Written>) {
+    fn add(table: &dyn TableLike, path: String, span: Option<Span<usize>>, found: &mut Vec<Written>) {
+        found.push(Written { path: path.clone(), value: None, span: span.unwrap_or_default() });
+        of_table(table, &path, found);
+    }
     for (name, item) in table.iter() {
-        let path = if path.is_empty() { name.to_owned() } else { format!("{path}.{name}") };
-        let span = item.span().unwrap_or_default();
+        let path = joined(path, name);
         match item {
             Item::Value(Value::Array(array)) if array.iter().any(Value::is_inline_table) => {
                 for (place, entry) in array.iter().enumerate() {
                     let Some(entry_table) = entry.as_inline_table() else { continue };
-                    let path = format!("{path}[{}]", place + 1);
-                    found.push(Written { path: path.clone(), value: None, span: entry.span().unwrap_or_default() });
-                    of_table(entry_table, &path, found);
+                    add(entry_table, format!("{path}[{}]", place + 1), entry.span(), found);
                 }
             }
-            Item::Value(Value::InlineTable(inside)) => {
-                found.push(Written { path: path.clone(), value: None, span });
-                of_table(inside, &path, found);
+            Item::Value(Value::InlineTable(inside)) => add(inside, path, item.span(), found),
+            Item::Value(value) => {
+                found.push(Written { path, value: Some(typed(value)), span: item.span().unwrap_or_default() });
             }
-            Item::Value(value) => found.push(Written { path, value: Some(typed(value)), span }),
-            Item::Table(inside) => {
-                found.push(Written { path: path.clone(), value: None, span });
-                of_table(inside, &path, found);
-            }
+            Item::Table(inside) => add(inside, path, item.span(), found),
             Item::ArrayOfTables(tables) => {
                 for (place, inside) in tables.iter().enumerate() {
-                    let path = format!("{path}[{}]", place + 1);
-                    found.push(Written { path: path.clone(), value: None, span: inside.span().unwrap_or_default() });
-                    of_table(inside, &path, found);
+                    add(inside, format!("{path}[{}]", place + 1), inside.span(), found);
                 }
             }
             Item::None => {}

@@ -2,7 +2,6 @@
 
 use crate::about::About;
 use crate::mechanism::OnFlange;
-use crate::motion::Segment;
 use crate::read::Reader;
 use crate::root::AxisSection;
 use crate::section::{Section, section};
@@ -123,11 +122,6 @@ impl Bearing {
     }
 }
 
-/// The loads on the flange of each segment that has its own.
-fn own(segment: &Segment) -> Option<&FlangeLoads> {
-    segment.bearing.get()
-}
-
 /// What the loads of the mechanism do, as the file says or by default: where it states no load, those of the mechanism act, if it
 /// describes the masses and forces from which they follow. Stated loads are taken as all of them. `None` where those of the
 /// mechanism do not count.
@@ -135,8 +129,7 @@ fn how(axis: &AxisSection) -> Option<Derived> {
     let section = axis.parts.bearing.get();
     let stated = section.and_then(|section| section.mechanism.value());
     let by_default = || {
-        let states = section.is_some_and(|section| section.loads.states_load())
-            || axis.segments().iter().any(|one| own(one).is_some());
+        let states = section.is_some_and(|section| section.loads.states_load()) || axis.has_loads_of_segments();
         let loads = axis.parts.stage.is_given() || axis.driven().is_some_and(|driven| driven.on_flange().is_some());
         (!states && loads).then_some(Derived::Add)
     };
@@ -147,7 +140,7 @@ fn how(axis: &AxisSection) -> Option<Derived> {
 pub(crate) fn duty(axis: &AxisSection, mechanism: &Mechanism, reader: &mut Reader<'_>) -> BearingDuty {
     let absent = Bearing::absent(axis.head());
     let section = axis.parts.bearing.get().unwrap_or(&absent);
-    let own: Vec<Option<&FlangeLoads>> = axis.segments().iter().map(own).collect();
+    let own: Vec<Option<&FlangeLoads>> = axis.segments().iter().map(|segment| segment.bearing.get()).collect();
     let how = how(axis);
     let derived = how.and_then(|how| {
         let mounting = mounting(axis, section, (mechanism, how), reader)?;
@@ -160,17 +153,10 @@ pub(crate) fn duty(axis: &AxisSection, mechanism: &Mechanism, reader: &mut Reade
             reader.fault(field.span(), Fault::WithoutEffect { key: field.name() }, Some(hint));
         }
     }
-    let common = axis.parts.bearing.get().map(|section| &section.loads);
-    let none = || FlangeLoad {
-        radial_force: Force::from_si(0.0),
-        radial_distance: Length::from_si(0.0),
-        axial_force: Force::from_si(0.0),
-        axial_distance: Length::from_si(0.0),
-    };
     let requirements = axis.parts.requirements.get();
     BearingDuty {
         has_loads: derived.is_some() || section.loads.states_load() || own.iter().any(Option::is_some),
-        loads: own.into_iter().map(|own| own.or(common).map_or_else(none, FlangeLoads::build)).collect(),
+        loads: own.into_iter().map(|own| own.unwrap_or(&section.loads).build()).collect(),
         derived,
         load_factor: section.load_factor.value(),
         operating_condition: section.operating_condition.value(),
@@ -184,7 +170,7 @@ pub(crate) fn stated(axis: &AxisSection, reader: &mut Reader<'_>) {
     if let Some(section) = axis.parts.bearing.get() {
         section.loads.pairs(reader);
     }
-    for loads in axis.segments().iter().filter_map(own) {
+    for loads in axis.segments().iter().filter_map(|segment| segment.bearing.get()) {
         loads.pairs(reader);
     }
 }
@@ -254,7 +240,7 @@ fn mounting(
 pub(crate) fn assumptions(axis: &AxisSection, found: &mut Vec<Assumption>) {
     let absent = Bearing::absent(axis.head());
     let section = axis.parts.bearing.get().unwrap_or(&absent);
-    let has_own = axis.segments().iter().any(|segment| own(segment).is_some());
+    let has_own = axis.has_loads_of_segments();
     let states = section.loads.states_load();
     if how(axis).is_none() {
         found.push(match (has_own, states) {

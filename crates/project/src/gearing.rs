@@ -23,12 +23,11 @@ impl Project {
     /// The keys that are stated: lead, diameter of a pulley, roller or drum, radius of a crank, ratio of a stage.
     #[must_use]
     pub fn gearings(&self) -> Vec<Gearing> {
-        let driven = self.root.driven();
-        let lever = driven.and_then(Driven::gearing).and_then(|field| of(field, &MILLIMETRE));
-        let stage = self.root.parts.stage.get();
+        let of = |field: &dyn Field, unit| Some(Gearing { path: field.path(), si: field.si()?, unit });
+        let lever = self.root.driven().and_then(Driven::gearing).and_then(|field| of(field, &MILLIMETRE));
         // Of several ratios the best is chosen already.
-        let ratio = stage.filter(|stage| stage.ratios().is_empty()).and_then(|stage| of(&stage.ratio, &ONE));
-        lever.into_iter().chain(ratio).collect()
+        let stage = self.root.parts.stage.get().filter(|stage| stage.ratios().is_empty());
+        lever.into_iter().chain(stage.and_then(|stage| of(&stage.ratio, &ONE))).collect()
     }
 
     /// The project with another value of a key, in SI; `None` where it cannot be built.
@@ -65,8 +64,4 @@ impl Project {
         (draft.bearing.has_loads, draft.bearing.derived) = (false, None);
         Some(Self { axis: finish(&self.root, draft), ..self.clone() })
     }
-}
-
-fn of(field: &dyn Field, unit: &'static Unit) -> Option<Gearing> {
-    Some(Gearing { path: field.path(), si: field.si()?, unit })
 }

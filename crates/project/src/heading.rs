@@ -4,7 +4,7 @@
 use crate::edit::key_at;
 use crate::key::{Key, Kind};
 use crate::nearest::nearest;
-use crate::read::{MAGNITUDES, Reader, shortened};
+use crate::read::{MAGNITUDES, Reader, joined, shortened};
 use crate::root::KEYS;
 use crate::{Fault, Hint, Range, TabularFault};
 use quantities::{Dimension, QuantityError, Unit};
@@ -19,27 +19,8 @@ pub struct Heading {
     pub path: String,
     /// The description of the key.
     pub key: &'static Key,
-    /// What stands in its cells.
-    pub cells: CellKind,
-}
-
-/// What stands in the cells of a column.
-#[derive(Clone, Copy, Debug)]
-pub enum CellKind {
-    /// Numbers in this unit.
-    Quantity(&'static Unit, Range),
-    /// Plain numbers within bounds.
-    Number(f64, f64),
-    /// Whole numbers within bounds.
-    Whole(i64, i64),
-    /// `true` or `false`.
-    Flag,
-    /// One of these words.
-    Word(&'static [&'static str]),
-    /// Several of these words, separated by commas or semicolons.
-    Words(&'static [&'static str]),
-    /// Free text.
-    Text,
+    /// The unit of the numbers in its cells; `None` for what is measured in none.
+    pub unit: Option<&'static Unit>,
 }
 
 /// From which number the headings of a table count the entries of a list.
@@ -74,19 +55,17 @@ impl Heading {
         let within = axis.map_or_else(|| path.clone(), |index| format!("axis[{}].{path}", index + 1));
         let is_of_an_axis = !["axis", "curve", "format"].contains(&path.split(['.', '[']).next().unwrap_or_default());
         let key = key_at(&within).filter(|_| is_of_an_axis && names_its_entries(&within)).ok_or_else(unknown)?;
-        let cells = match key.kind {
-            Kind::Quantity(dimension, range) => {
-                CellKind::Quantity(unit_of(&[dimension], unit).map_err(|error| quantity(name, error))?, range)
+        let in_unit = |dimensions: &[Dimension]| unit_of(dimensions, unit).map_err(|error| quantity(name, error));
+        let unit = match key.kind {
+            Kind::Quantity(dimension, _) => Some(in_unit(&[dimension])?),
+            Kind::Along(turning, line, _) => Some(in_unit(&[turning, line])?),
+            Kind::Number(..) | Kind::Integer(..) | Kind::Bool | Kind::OneOf(_) | Kind::ListOf(_) | Kind::Text => {
+                if let Some(unit) = unit {
+                    let unit = shortened(unit, HEADING_SHOWN);
+                    return Err((Fault::Tabular(TabularFault::UnitOfNoQuantity { path, unit }), None));
+                }
+                None
             }
-            Kind::Along(turning, line, range) => {
-                CellKind::Quantity(unit_of(&[turning, line], unit).map_err(|error| quantity(name, error))?, range)
-            }
-            Kind::Number(low, high) => CellKind::Number(low, high),
-            Kind::Integer(low, high) => CellKind::Whole(low, high),
-            Kind::Bool => CellKind::Flag,
-            Kind::OneOf(words) => CellKind::Word(words),
-            Kind::ListOf(words) => CellKind::Words(words),
-            Kind::Text => CellKind::Text,
             Kind::Numbers(..)
             | Kind::Rows(_)
             | Kind::Table(_)
@@ -96,30 +75,34 @@ impl Heading {
                 return Err((Fault::Tabular(TabularFault::NoColumn { path }), nearest_key(name, counted)));
             }
         };
-        if let (Some(unit), false) = (unit, matches!(cells, CellKind::Quantity(..))) {
-            let unit = shortened(unit, HEADING_SHOWN);
-            return Err((Fault::Tabular(TabularFault::UnitOfNoQuantity { path, unit }), None));
-        }
-        Ok(Self { path, key, cells })
+        Ok(Self { path, key, unit })
     }
 
     /// Whether its cells are numbers of which each row has its own.
     #[must_use]
     pub const fn is_number(&self) -> bool {
-        matches!(self.cells, CellKind::Quantity(..) | CellKind::Number(..))
+        matches!(self.key.kind, Kind::Quantity(..) | Kind::Along(..) | Kind::Number(..))
+    }
+
+    /// The unit of a quantity, and which numbers it may take.
+    const fn measured(&self) -> Option<(&'static Unit, Range)> {
+        match (self.unit, self.key.kind) {
+            (Some(unit), Kind::Quantity(_, range) | Kind::Along(_, _, range)) => Some((unit, range)),
+            _ => None,
+        }
     }
 
     /// The number of a cell as the project has it, in SI; `None` where a project file would be refused with it.
     #[must_use]
     pub fn si(&self, cell: f64) -> Option<f64> {
-        match self.cells {
-            CellKind::Quantity(unit, range) => {
-                let si = unit.to_si(cell);
-                let plausible = si == 0.0 || MAGNITUDES.contains(&si.abs());
-                (plausible && cell.is_finite() && range.holds(unit.dimension, si)).then_some(si)
-            }
-            CellKind::Number(low, high) => (low..=high).contains(&cell).then_some(cell),
-            CellKind::Whole(..) | CellKind::Flag | CellKind::Word(_) | CellKind::Words(_) | CellKind::Text => None,
+        if let Some((unit, range)) = self.measured() {
+            let si = unit.to_si(cell);
+            let plausible = si == 0.0 || MAGNITUDES.contains(&si.abs());
+            return (plausible && cell.is_finite() && range.holds(unit.dimension, si)).then_some(si);
+        }
+        match self.key.kind {
+            Kind::Number(low, high) => (low..=high).contains(&cell).then_some(cell),
+            _ => None,
         }
     }
 
@@ -130,35 +113,26 @@ impl Heading {
             return None;
         }
         let (path, written) = (self.path.clone(), self.written(cell));
-        match self.cells {
-            _ if !cell.is_finite() => {
-                Some(Fault::Tabular(TabularFault::NotANumber { path, written: cell.to_string() }))
-            }
-            CellKind::Quantity(unit, range) => {
-                let mut reader = Reader::new(&written);
-                let dimensions = [unit.dimension];
-                let _ = reader.quantity((&written, 0..written.len()), (&dimensions, range), (&path, &path));
-                reader.into_faults().into_iter().next().map(|found| found.fault)
-            }
-            CellKind::Number(low, high) => Some(Fault::NumberOutOfRange { path, low, high }),
+        if !cell.is_finite() {
+            return Some(Fault::Tabular(TabularFault::NotANumber { path, written: cell.to_string() }));
+        }
+        if let Some((unit, range)) = self.measured() {
+            let mut reader = Reader::new(&written);
+            let _ = reader.quantity((&written, 0..written.len()), (&[unit.dimension], range), (&path, &path));
+            return reader.into_faults().into_iter().next().map(|found| found.fault);
+        }
+        match self.key.kind {
+            Kind::Number(low, high) => Some(Fault::NumberOutOfRange { path, low, high }),
             #[allow(clippy::cast_precision_loss, reason = "bounds are small")]
-            CellKind::Whole(low, high) => Some(Fault::NumberOutOfRange { path, low: low as f64, high: high as f64 }),
-            CellKind::Flag | CellKind::Word(_) | CellKind::Words(_) | CellKind::Text => None,
+            Kind::Integer(low, high) => Some(Fault::NumberOutOfRange { path, low: low as f64, high: high as f64 }),
+            _ => None,
         }
     }
 
     /// The number of a cell as it is written behind the key of a project file.
     #[must_use]
     pub fn written(&self, cell: f64) -> String {
-        match self.cells {
-            CellKind::Quantity(unit, _) => format!("{cell} {}", unit.ascii),
-            CellKind::Number(..)
-            | CellKind::Whole(..)
-            | CellKind::Flag
-            | CellKind::Word(_)
-            | CellKind::Words(_)
-            | CellKind::Text => cell.to_string(),
-        }
+        self.unit.map_or_else(|| cell.to_string(), |unit| format!("{cell} {}", unit.ascii))
     }
 
     /// What is wrong with a word in one of its cells.
@@ -168,14 +142,14 @@ impl Heading {
             let written = shortened(word, HEADING_SHOWN);
             (Fault::NotAChoice { path: self.path.clone(), written }, Some(nearest(word, words)))
         };
-        match self.cells {
-            CellKind::Word(words) => (!words.contains(&cell)).then(|| not_a_choice(cell, words)),
-            CellKind::Words(words) => {
+        match self.key.kind {
+            Kind::OneOf(words) => (!words.contains(&cell)).then(|| not_a_choice(cell, words)),
+            Kind::ListOf(words) => {
                 let mut each = cell.split([',', ';']).map(str::trim);
                 each.find(|word| !words.contains(word)).map(|word| not_a_choice(word, words))
             }
-            CellKind::Flag => (!["true", "false"].contains(&cell)).then(|| not_a_choice(cell, &["true", "false"])),
-            CellKind::Quantity(..) | CellKind::Number(..) | CellKind::Whole(..) | CellKind::Text => None,
+            Kind::Bool => (!["true", "false"].contains(&cell)).then(|| not_a_choice(cell, &["true", "false"])),
+            _ => None,
         }
     }
 }
@@ -241,7 +215,7 @@ fn quantity(name: &str, (error, also): (QuantityError, Vec<Dimension>)) -> Objec
 
 /// The key that was probably meant: the nearest of all, with its table where only its own name is written.
 fn nearest_key(written: &str, counted: Counted) -> Option<Hint> {
-    let written: String = written.chars().take(HEADING_SHOWN).collect::<String>().to_lowercase();
+    let written: String = shortened(written, HEADING_SHOWN).to_lowercase();
     let mut all = Vec::new();
     let first = match counted {
         Counted::FromZero => "[0]",
@@ -265,7 +239,7 @@ fn nearest_key(written: &str, counted: Counted) -> Option<Hint> {
 /// The paths of the keys that can be columns.
 fn columns(keys: &'static [Key], above: &str, first: &str, found: &mut Vec<String>) {
     for key in keys {
-        let path = if above.is_empty() { key.name.to_owned() } else { format!("{above}.{}", key.name) };
+        let path = joined(above, key.name);
         match key.kind {
             Kind::Table(below) => columns(below, &path, first, found),
             Kind::Variants(variants) if path == "motion" => {
@@ -306,9 +280,9 @@ mod tests {
         assert_eq!(read("motion[1].time [s]").unwrap().path, "motion[1].time");
         let along = read("motion[0].distance [mm]").unwrap();
         assert_eq!(along.si(5.0), Some(0.005));
-        assert!(matches!(read("motion[0].law").unwrap().cells, CellKind::Word(words) if words.contains(&"trapezoid")));
-        assert!(matches!(read("requirements.feedback").unwrap().cells, CellKind::Words(_)));
-        assert!(matches!(read("mechanism.arm.efficiency").unwrap().cells, CellKind::Number(..)));
+        assert!(matches!(read("motion[0].law").unwrap().key.kind, Kind::OneOf(words) if words.contains(&"trapezoid")));
+        assert!(matches!(read("requirements.feedback").unwrap().key.kind, Kind::ListOf(_)));
+        assert!(matches!(read("mechanism.arm.efficiency").unwrap().key.kind, Kind::Number(..)));
     }
 
     #[test]

@@ -46,7 +46,8 @@ impl Input {
 /// Files that the project refers to stand there by their names.
 #[must_use]
 pub fn inputs(text: &str) -> Vec<Input> {
-    let mut reader = Reader::noting(text);
+    let mut reader = Reader::new(text);
+    reader.inputs = Some(Vec::new());
     let _: Root = reader.read();
     let mut found = std::mem::take(&mut reader.inputs).unwrap_or_default();
     for tolerance in &reader.tolerances {
@@ -102,14 +103,7 @@ pub fn input_changes(old: (&str, usize), new: (&str, usize)) -> Vec<InputChange>
     changes
 }
 
-impl<'t> Reader<'t> {
-    /// A reader that notes every value it accepts.
-    fn noting(text: &'t str) -> Self {
-        let mut reader = Self::new(text);
-        reader.inputs = Some(Vec::new());
-        reader
-    }
-
+impl Reader<'_> {
     /// Records a value if requested.
     pub(crate) fn input(&mut self, path: &str, span: &Span<usize>, amount: Option<(f64, &'static Unit)>) {
         let Some(inputs) = &mut self.inputs else { return };

@@ -1,6 +1,6 @@
 //! The keys of a project file in words.
 
-use crate::key::Key;
+use crate::edit::key_along;
 use crate::root::KEYS;
 use crate::schema::SchemaText;
 
@@ -8,15 +8,8 @@ use crate::schema::SchemaText;
 /// where the project file has no such key.
 #[must_use]
 pub fn input_label(path: &str) -> Option<SchemaText> {
-    let mut keys = KEYS;
-    let mut found: Option<&'static Key> = None;
-    for part in path.split('.') {
-        let name = part.split('[').next().unwrap_or(part);
-        let key = keys.iter().find(|key| key.name == name)?;
-        keys = key.kind.keys(true);
-        found = Some(key);
-    }
-    found.copied().map(SchemaText::Key)
+    let names = path.split('.').map(|part| (part.split('[').next().unwrap_or(part), true));
+    key_along(KEYS, names).copied().map(SchemaText::Key)
 }
 
 #[cfg(test)]

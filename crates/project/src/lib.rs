@@ -64,7 +64,7 @@ pub use drawn::drawn_figures;
 pub use edit::{Edit, EditFault, Written, edit, edit_measured, key_at, measured_key_at, stretch, written};
 pub use fault::{Expected, Fault, FileTrouble, Hint, Range, Unopened};
 pub use gearing::Gearing;
-pub use heading::{CellKind, Counted, Heading, Objection};
+pub use heading::{Counted, Heading, Objection};
 pub use inputs::{Input, InputChange, input_changes, inputs};
 pub use key::{Column, Key, Kind, Variants, example};
 pub use label::input_label;
@@ -82,6 +82,7 @@ pub use twin::TwinInput;
 
 use ::mechanism::{Extra, Mechanism};
 use ::motion::{Motion, Spline};
+use bodies::together;
 use configurator::Requirements;
 use order_code::{Option1, Option2};
 use read::Reader;
@@ -252,8 +253,6 @@ pub struct Project {
     pub tolerances: Vec<Tolerance>,
     /// The axis as it was read: it says where a value is stated, and with tolerances it is built anew at other values.
     root: AxisSection,
-    /// Whether a segment has loads on the flange of its own.
-    segment_bearings: bool,
 }
 
 /// Chooses among the ratios that a stage may have, in the order of the file: gives the project with the one to go on with.
@@ -270,7 +269,7 @@ impl Project {
     /// The solid bodies that the axis turns, with their inertia; `None` where it turns something else.
     #[must_use]
     pub fn bodies(&self) -> Option<InertiaAnswer> {
-        self.root.bodies()
+        together(self.root.driven()?.bodies()?)
     }
 
     /// Reads a project file with one axis that refers to no other file.
@@ -290,11 +289,7 @@ impl Project {
     /// # Errors
     /// Every fault of the file, each with its place, in the order of the file.
     pub fn read_all(text: &str, files: &dyn Files, choose: Choose<'_>) -> Result<Vec<Self>, Vec<Diagnostic>> {
-        if text.len() > PROJECT_MAX_BYTES {
-            let fault = Fault::FileTooLarge { bytes: text.len(), most: PROJECT_MAX_BYTES };
-            return Err(vec![Diagnostic::at(text, 0..0, fault, None)]);
-        }
-        let mut reader = Reader::new(text);
+        let mut reader = Reader::of_file(text)?;
         let mut root: Root = reader.read();
         let own = curves::read(root.curve.get().map_or(&[], |all| all.0.as_slice()), &mut reader);
         let mut recordings = Recordings::new(files);
@@ -355,7 +350,6 @@ impl Project {
             option_2: required.and_then(|required| required.option_2.value()),
             axis: axis?,
             actuator,
-            segment_bearings: root.segments().iter().any(|segment| segment.bearing.is_given()),
             root: root.clone(),
             tolerances,
         };

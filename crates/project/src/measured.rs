@@ -5,7 +5,7 @@ use crate::key::{Key, Kind, example};
 use crate::read::Reader;
 use crate::section::{Section, section};
 use crate::value::{OneOrMany, choices};
-use crate::{Diagnostic, Fault, PROJECT_MAX_BYTES};
+use crate::{Diagnostic, Fault};
 use installation::commission::expected::Measurand;
 use installation::commission::recorded::{Counting, Measured, NoLoad, Turn};
 use quantities::{
@@ -155,11 +155,7 @@ impl MeasuredKey {
 /// # Errors
 /// Every fault of the file, each with its place, in the order of the file.
 pub fn measured(text: &str) -> Result<Measured, Vec<Diagnostic>> {
-    if text.len() > PROJECT_MAX_BYTES {
-        let fault = Fault::FileTooLarge { bytes: text.len(), most: PROJECT_MAX_BYTES };
-        return Err(vec![Diagnostic::at(text, 0..0, fault, None)]);
-    }
-    let mut reader = Reader::new(text);
+    let mut reader = Reader::of_file(text)?;
     let root: MeasuredRoot = reader.read();
     let stated: Vec<_> = reader.tolerances.iter().map(|tolerance| tolerance.span.clone()).collect();
     for span in stated {

@@ -87,7 +87,9 @@ pub(crate) trait Driven: Fields {
     fn kind(&self, reader: &mut Reader<'_>) -> Option<MechanismKind>;
 
     /// The keys from which its inertia follows.
-    fn inertia(&self) -> Vec<&dyn Field>;
+    fn inertia(&self) -> Vec<&dyn Field> {
+        self.field("inertia").into_iter().collect()
+    }
 
     /// Friction at the output.
     fn friction(&self) -> Option<&Friction> {
@@ -157,10 +159,6 @@ section! {
 impl Driven for DirectLoad {
     fn kind(&self, _: &mut Reader<'_>) -> Option<MechanismKind> {
         Some(MechanismKind::Rotor(Rotor::balanced(self.inertia.value()?)))
-    }
-
-    fn inertia(&self) -> Vec<&dyn Field> {
-        vec![&self.inertia]
     }
 }
 

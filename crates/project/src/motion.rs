@@ -356,9 +356,7 @@ impl Segment {
             SegmentLaw::Law(law) => self.is_whole().then_some(SegmentSpec::Move(law, given)),
         }
     }
-}
 
-impl Segment {
     /// The spline through its points; all that is wrong with them is reported, with the ends that the spline needs.
     fn through_points(
         &self,
@@ -400,7 +398,7 @@ impl Segment {
         if along_a_line && travel.is_none() {
             reader.fault(self.points.span(), Fault::NoLine { path: self.points.path() }, None);
         }
-        if reader.fault_count() > before && rows.iter().any(|(point, _)| Some(point.measures()) != measures) {
+        if rows.iter().any(|(point, _)| Some(point.measures()) != measures) {
             return None;
         }
         // Without them the points are judged in their own units.
@@ -458,7 +456,7 @@ impl Segment {
 }
 
 /// A quantity at the output.
-fn turned<Q: Turning>(stated: &Stated<Along<Q>>, travel: Option<f64>, reader: &mut Reader<'_>) -> Option<Q> {
+pub(crate) fn turned<Q: Turning>(stated: &Stated<Along<Q>>, travel: Option<f64>, reader: &mut Reader<'_>) -> Option<Q> {
     let along = stated.value()?;
     match (along.is_of_a_line, travel) {
         (false, _) => Some(Q::from_si(along.si)),
@@ -484,18 +482,16 @@ pub(crate) fn motion(axis: &AxisSection, load: &Load, reader: &mut Reader<'_>) -
     let specs: Vec<SegmentSpec> = specs.into_iter().collect::<Option<_>>()?;
     let closing = if axis.single_move { Closing::SingleMove } else { Axis::closing(&load.mechanism) };
     let place_of_all = || axis.parts.motion.span();
+    let place = |index: usize| segments.get(index).map_or_else(place_of_all, |segment| segment.law.span());
     match Motion::new(&specs, load.start, closing) {
         Ok(motion) => {
             if let Some(found) = Axis::too_many_instants(&load.mechanism, &motion) {
-                let span = segments.get(found.segment).map_or_else(place_of_all, |segment| segment.law.span());
-                reader.fault(span, Fault::Instants(found), None);
+                reader.fault(place(found.segment), Fault::Instants(found), None);
                 return None;
             }
             let beyond = beyond_range(&load.mechanism, &motion);
             for (segment, fault) in &beyond {
-                let span =
-                    segments.get(*segment).map_or_else(|| axis.parts.motion.span(), |segment| segment.law.span());
-                reader.fault(span, fault.clone(), None);
+                reader.fault(place(*segment), fault.clone(), None);
             }
             if !beyond.is_empty() {
                 return None;

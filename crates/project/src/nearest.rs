@@ -2,6 +2,7 @@
 
 use crate::Hint;
 use crate::key::{Key, Kind};
+use crate::read::{WORD_SHOWN, shortened};
 
 /// What others call what is a key here: other programs, and engineers who write German.
 const OTHER_NAMES: [(&str, &str); 16] = [
@@ -36,7 +37,7 @@ pub(crate) fn meant(written: &str, keys: &'static [Key]) -> Option<Hint> {
 
 /// "did you mean …", or the whole list where nothing is near.
 pub(crate) fn nearest(written: &str, valid: &[&str]) -> Hint {
-    let written: String = written.chars().take(60).collect();
+    let written = shortened(written, WORD_SHOWN);
     // A word that was cut short or spun out is nearer than its count of letters says.
     let akin = valid
         .iter()

@@ -3,9 +3,31 @@
 use crate::Fault;
 use crate::key::Kind;
 use crate::read::{Found, Reader};
+use std::ops::Range as Span;
+use toml::Spanned;
 use toml::de::DeValue;
 
 impl Reader<'_> {
+    /// What stands at a place as a plain number within bounds.
+    pub(crate) fn bounded(
+        &mut self,
+        value: &DeValue<'_>,
+        span: Span<usize>,
+        path: &str,
+        (low, high): (f64, f64),
+    ) -> Option<f64> {
+        let written = match value {
+            DeValue::Integer(_) | DeValue::Float(_) => self.text.get(span.clone()),
+            _ => None,
+        };
+        let number: Option<f64> = written.and_then(|text| text.replace('_', "").parse().ok());
+        let number = number.filter(|number| number.is_finite() && (low..=high).contains(number));
+        if number.is_none() {
+            self.fault(span, Fault::NumberOutOfRange { path: path.to_owned(), low, high }, None);
+        }
+        number
+    }
+
     /// Plain numbers within bounds.
     pub(crate) fn numbers(&mut self, found: &Found<'_, '_>) -> Option<Vec<f64>> {
         let (Kind::Numbers(low, high, most), DeValue::Array(items)) = (found.key.kind, found.value) else {
@@ -14,21 +36,8 @@ impl Reader<'_> {
         if items.is_empty() || items.len() > most {
             return self.refuse(found.span.clone(), Fault::RatioCount { most });
         }
-        let mut numbers = Vec::with_capacity(items.len());
-        for item in items {
-            let written = match item.get_ref() {
-                DeValue::Integer(_) | DeValue::Float(_) => self.text.get(item.span()),
-                _ => None,
-            };
-            let number: Option<f64> = written.and_then(|text| text.replace('_', "").parse().ok());
-            match number.filter(|number| number.is_finite() && (low..=high).contains(number)) {
-                Some(number) => numbers.push(number),
-                None => {
-                    let fault = Fault::NumberOutOfRange { path: found.path.to_owned(), low, high };
-                    self.fault(item.span(), fault, None);
-                }
-            }
-        }
-        (numbers.len() == items.len()).then_some(numbers)
+        let number = |item: &Spanned<DeValue<'_>>| self.bounded(item.get_ref(), item.span(), found.path, (low, high));
+        let numbers: Vec<Option<f64>> = items.iter().map(number).collect();
+        numbers.into_iter().collect()
     }
 }

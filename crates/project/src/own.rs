@@ -112,11 +112,14 @@ impl ActuatorSection {
 }
 
 /// A value that the user wrote: graded as published, since it stands in some document of the user's.
-fn known<T>(field: &dyn Field, value: T) -> Datum<T> {
-    let source = Source::Project { key: field.path().into() };
-    Datum::Known(Sourced { value, source, grade: Grade::Published, errata: &[] })
+pub(crate) fn sourced<T>(field: &dyn Field, value: T) -> Sourced<T> {
+    Sourced { value, source: Source::Project { key: field.path().into() }, grade: Grade::Published, errata: &[] }
 }
 
-pub(crate) fn own<T: crate::value::Value + Copy>(field: &Stated<T>) -> Datum<T> {
+fn known<T>(field: &dyn Field, value: T) -> Datum<T> {
+    Datum::Known(sourced(field, value))
+}
+
+fn own<T: crate::value::Value + Copy>(field: &Stated<T>) -> Datum<T> {
     field.value().map_or(Datum::NotPrinted, |value| known(field, value))
 }

@@ -8,14 +8,14 @@ use crate::section::{Fields, Section};
 use crate::stated::Head;
 use crate::tolerance::{TOLERANCES_MOST, Tolerance};
 use crate::value::{Cell, Choice, Row};
-use crate::{Diagnostic, Expected, Fault, Hint, Range};
+use crate::{Diagnostic, Expected, Fault, Hint, PROJECT_MAX_BYTES, Range};
 use quantities::{Dimension, HalfWidth, QuantityError, Reading, is_unseen};
 use std::ops::Range as Span;
 use toml::Spanned;
 use toml::de::{DeArray, DeTable, DeValue};
 
 /// Longest excerpt of a word of the user in a fault, in characters.
-const WORD_SHOWN: usize = 60;
+pub(crate) const WORD_SHOWN: usize = 60;
 
 /// Longest free text.
 const TEXT_MAX: usize = 200;
@@ -56,6 +56,15 @@ impl<'t> Reader<'t> {
         Self { text, faults: Vec::new(), tolerances: Vec::new(), inputs: None, damaged: false, more: 0 }
     }
 
+    /// A reader of a file that is not too large.
+    pub(crate) fn of_file(text: &'t str) -> Result<Self, Vec<Diagnostic>> {
+        if text.len() > PROJECT_MAX_BYTES {
+            let fault = Fault::FileTooLarge { bytes: text.len(), most: PROJECT_MAX_BYTES };
+            return Err(vec![Diagnostic::at(text, 0..0, fault, None)]);
+        }
+        Ok(Self::new(text))
+    }
+
     /// Reads a whole file; faults are collected in `self.faults`.
     pub(crate) fn read<S: Section>(&mut self) -> S {
         let (root, errors) = DeTable::parse_recoverable(self.text);
@@ -65,11 +74,6 @@ impl<'t> Reader<'t> {
         }
         self.damaged = !errors.is_empty();
         self.section(root.get_ref(), 0..0, "")
-    }
-
-    /// A reader of the same text without faults, for a trial.
-    pub(crate) const fn trial(&self) -> Self {
-        Self::new(self.text)
     }
 
     /// Whether the syntax had errors, so that what seems missing may be there.
@@ -176,36 +180,25 @@ impl<'t> Reader<'t> {
         None
     }
 
-    /// A quantity in SI.
-    pub(crate) fn quantity_of(&mut self, found: &Found<'_, '_>) -> Option<f64> {
-        match (found.key.kind, found.value) {
-            (Kind::Quantity(dimension, range), DeValue::String(text)) => {
-                let place = (found.path, found.path);
-                self.quantity((text, found.span.clone()), (&[dimension], range), place).map(|(_, si)| si)
+    /// A quantity in SI, of the rotation or of the line where its key has both.
+    pub(crate) fn quantity_of(&mut self, found: &Found<'_, '_>) -> Option<Cell> {
+        let (dimensions, range): (&[Dimension], Range) = match found.key.kind {
+            Kind::Quantity(dimension, range) => (&[dimension], range),
+            Kind::Along(turning, line, range) => (&[turning, line], range),
+            _ => return self.wrong_type(found),
+        };
+        match (found.value, dimensions) {
+            (DeValue::String(text), _) => {
+                self.quantity((text, found.span.clone()), (dimensions, range), (found.path, found.path))
             }
-            (Kind::Quantity(dimension, _), DeValue::Integer(_) | DeValue::Float(_)) => {
-                self.bare_number(found, dimension)
+            (DeValue::Integer(_) | DeValue::Float(_), [dimension, ..]) => {
+                let written = self.text.get(found.span.clone()).unwrap_or_default().to_owned();
+                let fault = Fault::BareNumber { path: found.path.to_owned(), dimension: *dimension };
+                self.fault(found.span.clone(), fault, Some(Hint::WithUnit { written, dimension: *dimension }));
+                None
             }
             _ => self.wrong_type(found),
         }
-    }
-
-    /// A quantity of the rotation or of the line, in SI; a unit of neither is reported against the first.
-    pub(crate) fn along(&mut self, found: &Found<'_, '_>) -> Option<(Dimension, f64)> {
-        match (found.key.kind, found.value) {
-            (Kind::Along(turning, line, range), DeValue::String(text)) => {
-                self.quantity((text, found.span.clone()), (&[turning, line], range), (found.path, found.path))
-            }
-            (Kind::Along(dimension, ..), DeValue::Integer(_) | DeValue::Float(_)) => self.bare_number(found, dimension),
-            _ => self.wrong_type(found),
-        }
-    }
-
-    fn bare_number<T>(&mut self, found: &Found<'_, '_>, dimension: Dimension) -> Option<T> {
-        let written = self.text.get(found.span.clone()).unwrap_or_default().to_owned();
-        let fault = Fault::BareNumber { path: found.path.to_owned(), dimension };
-        self.fault(found.span.clone(), fault, Some(Hint::WithUnit { written, dimension }));
-        None
     }
 
     /// A plain number within bounds.
@@ -213,12 +206,7 @@ impl<'t> Reader<'t> {
         let (Kind::Number(low, high), DeValue::Integer(_) | DeValue::Float(_)) = (found.key.kind, found.value) else {
             return self.wrong_type(found);
         };
-        let number: Option<f64> = self.text.get(found.span.clone()).and_then(|t| t.replace('_', "").parse().ok());
-        let number = number.filter(|number| number.is_finite() && *number >= low && *number <= high);
-        if number.is_none() {
-            self.fault(found.span.clone(), Fault::NumberOutOfRange { path: found.path.to_owned(), low, high }, None);
-        }
-        number
+        self.bounded(found.value, found.span.clone(), found.path, (low, high))
     }
 
     /// A whole number within bounds.
@@ -429,8 +417,8 @@ impl<'t> Reader<'t> {
                 other => self.of_another_type(path, item.span(), Expected::Text, other),
             }
         }
-        let text: Vec<&str> = lines.iter().map(|(text, _)| *text).collect();
-        match crate::bodies::toleranced(&text.join("\n")) {
+        let text = lines.iter().map(|(text, _)| *text).collect::<Vec<_>>().join("\n");
+        match crate::bodies::toleranced(&text) {
             Ok((bodies, tolerances)) => {
                 for (line, key, reading, half) in tolerances {
                     let Some((text, whole)) = lines.get(line) else { continue };
@@ -443,14 +431,7 @@ impl<'t> Reader<'t> {
                 (lines.len() == items.len()).then_some(bodies)
             }
             Err(faults) => {
-                let starts: Vec<usize> = lines
-                    .iter()
-                    .scan(0, |next, (text, _)| {
-                        let start = *next;
-                        *next += text.len() + 1;
-                        Some(start)
-                    })
-                    .collect();
+                let starts: Vec<usize> = crate::bodies::lines(&text).map(|(start, _)| start).collect();
                 for fault in faults {
                     let line = fault.line.saturating_sub(1);
                     let (Some((text, whole)), Some(start)) = (lines.get(line), starts.get(line)) else {
@@ -471,7 +452,7 @@ impl<'t> Reader<'t> {
         let find = |name: &str| table.iter().find(|(key, _)| key.get_ref().as_ref() == name);
         let Some(kind) = find(variants.by).and_then(|(_, value)| value.get_ref().as_str()) else { return };
         // A misspelt kind is reported elsewhere; its missing keys are those of the kind that was probably meant.
-        let near = |name: &str| strsim::damerau_levenshtein(name, &kind.chars().take(60).collect::<String>());
+        let near = |name: &str| strsim::damerau_levenshtein(name, &shortened(kind, WORD_SHOWN));
         let nearest = variants.kinds.iter().min_by_key(|(name, ..)| near(name));
         let Some((_, needed, allowed)) = nearest.filter(|(name, ..)| near(name) * 2 <= name.len()) else { return };
         let damaged = self.damaged || self.faults.len() >= FAULTS_MOST;

@@ -9,8 +9,10 @@ use crate::stated::{Field, Stated};
 use crate::value::Value;
 use crate::{Fault, Hint};
 use ::motion::{Recorded, RecordedFault, Samples, Treatment};
-use quantities::{Dimension, Measure, Unit};
-use recording::{Along, Bytes, ColumnSpec, FILE_BYTES_MAX, Layout, Limit, MEMORY_USUAL, Memory, Packing, Recording};
+use quantities::Unit;
+use recording::{
+    Along, Bytes, ColumnSpec, FILE_BYTES_MAX, Layout, Limit, MEMORY_USUAL, Memory, Packing, Recording, Role, Series,
+};
 use std::io::Read;
 use std::sync::Arc;
 
@@ -195,16 +197,9 @@ impl<'f> Recordings<'f> {
                 segment.file.refuse();
                 continue;
             }
-            let report = |trouble, reader: &mut Reader<'_>| match trouble {
-                Trouble::Reach => reader.fault(span.clone(), Fault::FileOutOfReach { name: name.clone() }, None),
-                Trouble::File(error) => {
-                    let trouble = (&error).into();
-                    reader.fault(span.clone(), Fault::File { name: name.clone(), trouble }, None);
-                }
-                Trouble::Content(faults) => {
-                    for fault in faults {
-                        reader.fault(span.clone(), Fault::Recording { name: name.clone(), fault }, None);
-                    }
+            let report = |faults: Vec<Fault>, reader: &mut Reader<'_>| {
+                for fault in faults {
+                    reader.fault(span.clone(), fault, None);
                 }
             };
             let known = self.read.iter().find(|(file, by, _)| *file == name && *by == layout);
@@ -213,14 +208,14 @@ impl<'f> Recordings<'f> {
                 Some((.., found)) => found.clone(),
                 None => {
                     let found =
-                        self.read_file(&name, &layout).map_err(|trouble| report(trouble, reader)).ok().map(Arc::new);
+                        self.read_file(&name, &layout).map_err(|faults| report(faults, reader)).ok().map(Arc::new);
                     self.read.push((name.clone(), layout, found.clone()));
                     found
                 }
             };
             let found = found.filter(|recording| {
                 let bytes = SEGMENT_BYTES * recording.time_s.len() as u64;
-                self.memory.take(bytes).map_err(|fault| report(Trouble::Content(vec![fault]), reader)).is_ok()
+                self.memory.take(bytes).map_err(|fault| report(unreadable(&name, vec![fault]), reader)).is_ok()
             });
             match found {
                 Some(recording) => {
@@ -232,34 +227,36 @@ impl<'f> Recordings<'f> {
         }
     }
 
-    fn read_file(&mut self, name: &str, layout: &Layout) -> Result<Recording, Trouble> {
+    fn read_file(&mut self, name: &str, layout: &Layout) -> Result<Recording, Vec<Fault>> {
         if !self.reach.admits(name) {
-            return Err(Trouble::Reach);
+            return Err(vec![Fault::FileOutOfReach { name: name.to_owned() }]);
         }
+        let unopened = |error: std::io::Error| vec![Fault::File { name: name.to_owned(), trouble: (&error).into() }];
+        let refused = |fault| unreadable(name, vec![fault]);
         let beyond = |found| recording::Fault::Beyond { limit: Limit::FileBytes, found, most: FILE_BYTES_MAX };
         let size = self.files.size(name);
         if let Some(size) = size.filter(|size| *size > FILE_BYTES_MAX) {
-            return Err(Trouble::Content(vec![beyond(size)]));
+            return Err(refused(beyond(size)));
         }
         let lower = name.to_ascii_lowercase();
         let (plain, packing) = unpacked(&lower);
         if !plain.ends_with(".parquet") || packing.is_some() {
-            let source = self.files.open(name).map_err(Trouble::File)?;
+            let source = self.files.open(name).map_err(unopened)?;
             let source = match packing {
-                Some(packing) => recording::unpacked(source, packing).map_err(Trouble::File)?,
+                Some(packing) => recording::unpacked(source, packing).map_err(unopened)?,
                 None => source,
             };
-            return recording::read_csv_within(source, layout, &mut self.memory).map_err(Trouble::Content);
+            let read = recording::read_csv_within(source, layout, &mut self.memory);
+            return read.map_err(|faults| unreadable(name, faults));
         }
         // The bytes of the file are held while it is read, and no more than there is memory for.
-        let refused = |fault| Trouble::Content(vec![fault]);
         let held = size.unwrap_or(0);
         self.memory.take(held).map_err(refused)?;
         let most = self.memory.left().saturating_add(held).min(FILE_BYTES_MAX);
         let mut bytes = Vec::new();
         let opened = self.files.open(name).and_then(|source| source.take(most + 1).read_to_end(&mut bytes));
         self.memory.give_back(held);
-        let _ = opened.map_err(Trouble::File)?;
+        let _ = opened.map_err(unopened)?;
         let held = bytes.len() as u64;
         if held > FILE_BYTES_MAX {
             return Err(refused(beyond(held)));
@@ -267,27 +264,25 @@ impl<'f> Recordings<'f> {
         self.memory.take(held).map_err(refused)?;
         let read = recording::read_parquet_within(Bytes::from(bytes), layout, &mut self.memory);
         self.memory.give_back(held);
-        read.map_err(Trouble::Content)
+        read.map_err(|faults| unreadable(name, faults))
     }
 }
 
-/// Why there is no recording.
-enum Trouble {
-    Reach,
-    File(std::io::Error),
-    Content(Vec<recording::Fault>),
+/// The faults of a file that is no recording.
+fn unreadable(name: &str, faults: Vec<recording::Fault>) -> Vec<Fault> {
+    faults.into_iter().map(|fault| Fault::Recording { name: name.to_owned(), fault }).collect()
 }
 
 fn layout(segment: &Segment, reader: &mut Reader<'_>) -> Layout {
     let (columns, units) = (segment.columns.get(), segment.units.get());
-    let mut column = |name: Option<&Stated<String>>, unit: Option<&Stated<String>>, dimensions: &[Dimension]| {
+    let mut column = |name: Option<&Stated<String>>, unit: Option<&Stated<String>>, role: Role| {
         let name = name.and_then(Stated::get);
         let unit = unit.and_then(|stated| {
             let written = stated.get()?;
-            let found = dimensions.iter().find_map(|dimension| Unit::of_dimension(*dimension, written));
+            let found = role.dimensions().iter().find_map(|dimension| Unit::of_dimension(*dimension, written));
             if found.is_none() {
-                let known: Vec<&str> =
-                    dimensions.iter().flat_map(|dimension| dimension.units().iter().map(|unit| unit.ascii)).collect();
+                let units = role.dimensions().iter().flat_map(|dimension| dimension.units());
+                let known: Vec<&str> = units.map(|unit| unit.ascii).collect();
                 let fault = Fault::UnknownUnit { written: shortened(written, UNIT_SHOWN) };
                 reader.fault(stated.span(), fault, Some(Hint::valid(&known)));
             }
@@ -299,13 +294,10 @@ fn layout(segment: &Segment, reader: &mut Reader<'_>) -> Layout {
             unused: name.is_some_and(|name| name == NO_COLUMN),
         }
     };
-    let time = column(columns.map(|all| &all.time), units.map(|all| &all.time), &[Dimension::Time]);
-    let along = [Dimension::Angle, Dimension::Length];
-    let position = column(columns.map(|all| &all.position), units.map(|all| &all.position), &along);
-    let along = [Dimension::AngularVelocity, Dimension::Velocity];
-    let speed = column(columns.map(|all| &all.speed), units.map(|all| &all.speed), &along);
-    let along = [Dimension::Torque, Dimension::Force];
-    let torque = column(columns.map(|all| &all.torque), units.map(|all| &all.torque), &along);
+    let time = column(columns.map(|all| &all.time), units.map(|all| &all.time), Role::Time);
+    let position = column(columns.map(|all| &all.position), units.map(|all| &all.position), Role::Position);
+    let speed = column(columns.map(|all| &all.speed), units.map(|all| &all.speed), Role::Speed);
+    let torque = column(columns.map(|all| &all.torque), units.map(|all| &all.torque), Role::Torque);
     let (from, to) = (segment.from.value(), segment.to.value());
     Layout { time, position, speed, torque, from, to, allow_gaps: segment.gaps.value() == Some(Gaps::Allow) }
 }
@@ -320,7 +312,9 @@ pub(crate) fn samples(segment: &Segment) -> usize {
 /// `travel`: way along the line per angle [m/rad], where the mechanism has one.
 pub(crate) fn motion(segment: &Segment, travel: Option<f64>, reader: &mut Reader<'_>) -> Option<Arc<Recorded>> {
     let RecordingRead { file, recording } = segment.recording()?;
-    let mut turned = |along: Along, values: &Arc<Vec<f64>>, per_metre: bool| -> Option<Arc<Vec<f64>>> {
+    let before = reader.fault_count();
+    let mut turned = |series: &Option<Series>, per_metre: bool| -> Option<Arc<Vec<f64>>> {
+        let Series { along, values } = series.as_ref()?;
         let factor = match (along, travel) {
             (Along::Turning, _) => return Some(Arc::clone(values)),
             (Along::Line, Some(travel)) if per_metre => 1.0 / travel,
@@ -332,28 +326,20 @@ pub(crate) fn motion(segment: &Segment, travel: Option<f64>, reader: &mut Reader
         };
         Some(Arc::new(values.iter().map(|value| value * factor).collect()))
     };
-    let position = recording.course.position.as_ref().map(|series| turned(series.along, &series.values, true));
-    let speed = recording.course.speed.as_ref().map(|series| turned(series.along, &series.values, true));
-    let torque = recording.torque.as_ref().map(|effort| turned(effort.along, &effort.values, false));
-    if [&position, &speed, &torque].into_iter().any(|column| matches!(column, Some(None))) {
-        return None;
-    }
     let samples = Samples {
         time_s: Arc::clone(&recording.time_s),
-        position_rad: position.flatten(),
-        speed_rad_s: speed.flatten(),
-        torque_nm: torque.flatten(),
+        position_rad: turned(&recording.course.position, true),
+        speed_rad_s: turned(&recording.course.speed, true),
+        torque_nm: turned(&recording.torque, false),
     };
-    let standstill = match (segment.standstill.value(), travel) {
-        (Some(along), Some(travel)) if along.is_of_a_line => Some(along.si / travel),
-        (Some(along), None) if along.is_of_a_line => {
-            let path = segment.standstill.name().to_owned();
-            reader.fault(segment.standstill.span(), Fault::NoLine { path }, None);
-            return None;
-        }
-        (found, _) => found.map(|along| along.si),
-    };
-    let treatment = Treatment { smoothing: segment.smoothing.value(), standstill: standstill.map(Measure::from_si) };
+    if reader.fault_count() > before {
+        return None;
+    }
+    let standstill = crate::motion::turned(&segment.standstill, travel, reader);
+    if reader.fault_count() > before {
+        return None;
+    }
+    let treatment = Treatment { smoothing: segment.smoothing.value(), standstill };
     match Recorded::new(samples, treatment) {
         Ok(recorded) => Some(Arc::new(recorded)),
         Err(fault) => {

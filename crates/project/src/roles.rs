@@ -47,7 +47,7 @@ impl Project {
                 friction.map_or_else(|| root.path(role), |friction| friction.friction_torque.path())
             }
             "stage.ratio" if !self.ratios.is_empty() => root.path("stage.ratios"),
-            _ => match role.strip_prefix("bearing.").filter(|_| self.segment_bearings) {
+            _ => match role.strip_prefix("bearing.").filter(|_| root.has_loads_of_segments()) {
                 Some(name) => self.bearing_keys(name, si),
                 None if root.head().path.is_empty() => return None,
                 None => root.path(role),

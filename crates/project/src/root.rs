@@ -1,7 +1,6 @@
 //! The root of the project file, and what belongs to one axis.
 
 use crate::about::About;
-use crate::bodies::{InertiaAnswer, together};
 use crate::curves::CurveSection;
 use crate::flange::Bearing;
 use crate::mechanism::{DirectLoad, Driven, Mechanisms};
@@ -100,13 +99,13 @@ impl AxisSection {
         self.parts.motion.get().map_or(&[], |all| all.0.as_slice())
     }
 
-    pub(crate) fn driven(&self) -> Option<&dyn Driven> {
-        self.parts.driven()
+    /// Whether a segment has loads on the flange of its own.
+    pub(crate) fn has_loads_of_segments(&self) -> bool {
+        self.segments().iter().any(|segment| segment.bearing.is_given())
     }
 
-    /// The solid bodies that the axis turns, however they are written.
-    pub(crate) fn bodies(&self) -> Option<InertiaAnswer> {
-        together(self.driven()?.bodies()?)
+    pub(crate) fn driven(&self) -> Option<&dyn Driven> {
+        self.parts.driven()
     }
 
     /// Puts another value, in SI, in the place of a quantity; its path is the one within the axis.

@@ -1,12 +1,13 @@
 //! `[twin]`: what the simulation of an axis is to do, and measured values in the place of those of the model.
 
 use crate::about::About;
-use crate::own::own;
-use crate::section::section;
+use crate::own::sourced;
+use crate::section::{Fields, section};
+use crate::stated::Field;
 use crate::value::choices;
 use ::feedback::Failure;
 use ::twin::{Gains, Limits, Reaction, Scenario, ScenarioId, Switches};
-use provenance::{Datum, Sourced};
+use provenance::Sourced;
 use quantities::{
     Angle, ElectricCurrent, ElectricalResistance, Energy, Inductance, Measure, MomentOfInertia, NoLoadCurrentConstant,
     ThermodynamicTemperature, Time, Torque, TorqueConstant, TorsionalStiffness, ViscousFriction, VoltageConstant,
@@ -103,117 +104,64 @@ section! {
     }
 }
 
-/// One line per value: the section, and the list of what is stated.
-macro_rules! replaced {
-    ($($field:ident: $Type:ty $(=> $($has:ident $(($($of:tt)*))?),+)?;)*) => {
-        section! {
-            /// Measured values.
-            MeasuredSection, ReplacedName of About::Replaced {
-                $($field: $Type $(=> $($has $(($($of)*))?),+)?;)*
-            }
-        }
-
-        impl MeasuredSection {
-            fn stated(&self) -> Vec<(&'static str, Sourced<f64>)> {
-                let mut stated = Vec::new();
-                $(if let Datum::Known(known) = own(&self.$field) {
-                    stated.push((stringify!($field), known.map(Plain::plain)));
-                })*
-                stated
-            }
-        }
-
-        /// The keys of the measured values.
-        #[cfg(test)]
-        const REPLACED: &[&str] = &[$(stringify!($field)),*];
-    };
-}
-
-/// A value in SI.
-trait Plain {
-    fn plain(self) -> f64;
-}
-
-impl Plain for f64 {
-    fn plain(self) -> f64 {
-        self
+section! {
+    /// Measured values.
+    MeasuredSection, ReplacedName of About::Replaced {
+        resistance_ll: ElectricalResistance => positive;
+        inductance_ll: Inductance => positive;
+        torque_constant_motor: TorqueConstant => positive;
+        torque_constant_out: TorqueConstant => positive;
+        voltage_constant_motor: VoltageConstant => positive;
+        inertia_out: MomentOfInertia => positive;
+        no_load_starting_current: ElectricCurrent => not_negative;
+        no_load_current_constant_cold: NoLoadCurrentConstant => not_negative;
+        no_load_current_constant_warm: NoLoadCurrentConstant => not_negative;
+        gear_torque_1: Torque => positive;
+        gear_torque_2: Torque => positive;
+        gear_stiffness_1: TorsionalStiffness => positive;
+        gear_stiffness_2: TorsionalStiffness => positive;
+        gear_stiffness_3: TorsionalStiffness => positive;
+        transmission_accuracy: Angle => not_negative;
+        hysteresis_loss: Angle => not_negative;
+        lost_motion: Angle => positive;
+        brake_torque: Torque => not_negative;
+        brake_opening_time: Time => not_negative;
+        brake_closing_time: Time => not_negative;
+        feedback_accuracy: Angle => not_negative;
+        winding_time_constant: Time => positive;
+        housing_time_constant: Time => positive;
+        flange_inertia_share: f64 => within(0.0, 0.9), example("0.02");
+        gear_damping_ratio: f64 => within(0.0, 1.0), example("0.03");
+        breakaway_ratio: f64 => within(1.0, 10.0), example("1.2");
+        kinematic_share_1: f64 => within(0.0, 1.0), example("0.15");
+        kinematic_share_2: f64 => within(0.0, 1.0), example("0.5");
+        kinematic_share_4: f64 => within(0.0, 1.0), example("0.1");
+        kinematic_share_out: f64 => within(0.0, 1.0), example("0.25");
+        sensor_lag: Time => not_negative;
+        ptc_lag: Time => not_negative;
+        ptc_response_temperature: ThermodynamicTemperature => positive;
+        link_energy: Energy => positive;
+        supply_resistance: ElectricalResistance => not_negative;
+        brake_resistor: ElectricalResistance => positive;
+        chopper_on: f64 => within(1.0, 2.0), example("1.15");
+        chopper_off: f64 => within(1.0, 2.0), example("1.12");
+        stop_stiffness: TorsionalStiffness => positive;
+        current_noise: ElectricCurrent => not_negative;
+        load_inertia: MomentOfInertia => positive;
+        load_coulomb: Torque => not_negative;
+        load_viscous: ViscousFriction => not_negative;
+        load_gravity: Torque => not_negative;
+        load_gravity_angle: Angle;
+        load_external: Torque;
     }
 }
 
-macro_rules! plain {
-    ($($quantity:ty),*) => {$(
-        impl Plain for $quantity {
-            fn plain(self) -> f64 {
-                self.si()
-            }
-        }
-    )*};
-}
-
-plain!(
-    Angle,
-    ElectricCurrent,
-    ElectricalResistance,
-    Energy,
-    Inductance,
-    MomentOfInertia,
-    NoLoadCurrentConstant,
-    ThermodynamicTemperature,
-    Time,
-    Torque,
-    TorqueConstant,
-    TorsionalStiffness,
-    ViscousFriction,
-    VoltageConstant
-);
-
-replaced! {
-    resistance_ll: ElectricalResistance => positive;
-    inductance_ll: Inductance => positive;
-    torque_constant_motor: TorqueConstant => positive;
-    torque_constant_out: TorqueConstant => positive;
-    voltage_constant_motor: VoltageConstant => positive;
-    inertia_out: MomentOfInertia => positive;
-    no_load_starting_current: ElectricCurrent => not_negative;
-    no_load_current_constant_cold: NoLoadCurrentConstant => not_negative;
-    no_load_current_constant_warm: NoLoadCurrentConstant => not_negative;
-    gear_torque_1: Torque => positive;
-    gear_torque_2: Torque => positive;
-    gear_stiffness_1: TorsionalStiffness => positive;
-    gear_stiffness_2: TorsionalStiffness => positive;
-    gear_stiffness_3: TorsionalStiffness => positive;
-    transmission_accuracy: Angle => not_negative;
-    hysteresis_loss: Angle => not_negative;
-    lost_motion: Angle => positive;
-    brake_torque: Torque => not_negative;
-    brake_opening_time: Time => not_negative;
-    brake_closing_time: Time => not_negative;
-    feedback_accuracy: Angle => not_negative;
-    winding_time_constant: Time => positive;
-    housing_time_constant: Time => positive;
-    flange_inertia_share: f64 => within(0.0, 0.9), example("0.02");
-    gear_damping_ratio: f64 => within(0.0, 1.0), example("0.03");
-    breakaway_ratio: f64 => within(1.0, 10.0), example("1.2");
-    kinematic_share_1: f64 => within(0.0, 1.0), example("0.15");
-    kinematic_share_2: f64 => within(0.0, 1.0), example("0.5");
-    kinematic_share_4: f64 => within(0.0, 1.0), example("0.1");
-    kinematic_share_out: f64 => within(0.0, 1.0), example("0.25");
-    sensor_lag: Time => not_negative;
-    ptc_lag: Time => not_negative;
-    ptc_response_temperature: ThermodynamicTemperature => positive;
-    link_energy: Energy => positive;
-    supply_resistance: ElectricalResistance => not_negative;
-    brake_resistor: ElectricalResistance => positive;
-    chopper_on: f64 => within(1.0, 2.0), example("1.15");
-    chopper_off: f64 => within(1.0, 2.0), example("1.12");
-    stop_stiffness: TorsionalStiffness => positive;
-    current_noise: ElectricCurrent => not_negative;
-    load_inertia: MomentOfInertia => positive;
-    load_coulomb: Torque => not_negative;
-    load_viscous: ViscousFriction => not_negative;
-    load_gravity: Torque => not_negative;
-    load_gravity_angle: Angle;
-    load_external: Torque;
+impl MeasuredSection {
+    /// What is stated, in SI by its key.
+    fn stated(&self) -> Vec<(&'static str, Sourced<f64>)> {
+        let value = |field: &dyn Field| Some((field.name(), sourced(field, field.si()?)));
+        self.fields().into_iter().filter_map(value).collect()
+    }
 }
 
 impl TwinSection {
@@ -256,13 +204,14 @@ impl TwinSection {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::section::Section;
 
     /// What the section can replace the model has.
     #[test]
     fn every_measured_value_is_a_parameter_of_the_twin() {
         let keys = ::twin::Parameters::keys();
-        for key in REPLACED {
-            assert!(keys.iter().any(|(known, _)| known == key), "{key}");
+        for key in MeasuredSection::KEYS {
+            assert!(keys.iter().any(|(known, _)| *known == key.name), "{}", key.name);
         }
     }
 }

@@ -86,7 +86,7 @@ macro_rules! quantities {
             const KIND: Kind = Kind::Quantity(<Self as Measure>::DIMENSION, Range::Any);
 
             fn read(found: &Found<'_, '_>, reader: &mut Reader<'_>) -> Option<Self> {
-                reader.quantity_of(found).map(Self::from_si)
+                reader.quantity_of(found).map(|(_, si)| Self::from_si(si))
             }
 
             fn of_si(si: f64) -> Option<Self> {
@@ -142,7 +142,7 @@ impl<Q: Turning> Value for Along<Q> {
     const KIND: Kind = Kind::Along(Q::DIMENSION, <Q::Line as Measure>::DIMENSION, Range::Any);
 
     fn read(found: &Found<'_, '_>, reader: &mut Reader<'_>) -> Option<Self> {
-        let (dimension, si) = reader.along(found)?;
+        let (dimension, si) = reader.quantity_of(found)?;
         Some(Self { is_of_a_line: dimension == <Q::Line as Measure>::DIMENSION, si, turning: PhantomData })
     }
 
@@ -165,6 +165,10 @@ impl Value for f64 {
 
     fn of_si(si: f64) -> Option<Self> {
         Some(si)
+    }
+
+    fn as_si(&self) -> Option<f64> {
+        Some(*self)
     }
 
     fn noted(&self) -> Option<Amount> {
@@ -390,8 +394,7 @@ impl Value for BodyLines {
     }
 
     fn set(&mut self, index: &[usize], rest: &str, si: f64) -> Option<()> {
-        let [line] = *<&[usize; 1]>::try_from(index).ok()?;
-        set(self.0.get_mut(line)?, rest, si)
+        set_in(&mut self.0, index, rest, si)
     }
 }
 

@@ -1,47 +1,11 @@
-//! The products of mechanics that `uom` keeps apart by kind (torque is no energy, an angle no mere ratio), and those of
-//! the constants that are newtypes here.
+//! The products of the constants that are newtypes here.
 
 use crate::measure::{
     Measure, NoLoadCurrentConstant, TiltingStiffness, TorqueConstant, TorsionalStiffness, ViscousFriction,
     VoltageConstant,
 };
-use crate::{
-    Acceleration, Angle, AngularAcceleration, AngularVelocity, ElectricCurrent, ElectricPotential, Force, Mass,
-    MomentOfInertia, Power, Time, Torque,
-};
+use crate::{Angle, AngularVelocity, ElectricCurrent, ElectricPotential, Torque};
 use std::ops::{Div, Mul};
-
-/// Torque that gives an inertia an angular acceleration.
-///
-/// T = J α
-#[must_use]
-pub fn torque_of(inertia: MomentOfInertia, acceleration: AngularAcceleration) -> Torque {
-    (inertia * acceleration).into()
-}
-
-/// Power of a torque at a speed.
-///
-/// P = T ω
-#[must_use]
-pub fn power_of(torque: Torque, speed: AngularVelocity) -> Power {
-    torque * speed
-}
-
-/// Mean angular acceleration of a change of speed.
-///
-/// α = Δω / Δt
-#[must_use]
-pub fn acceleration_of(speed_change: AngularVelocity, duration: Time) -> AngularAcceleration {
-    (speed_change / duration).into()
-}
-
-/// Force that gives a mass an acceleration.
-///
-/// F = m a
-#[must_use]
-pub fn force_of(mass: Mass, acceleration: Acceleration) -> Force {
-    mass * acceleration
-}
 
 /// `constant * cause = effect`, in either order, and `effect / constant = cause`.
 macro_rules! linear {
@@ -87,19 +51,10 @@ mod tests {
     use crate::unit::{
         ARCMINUTE, REVOLUTION_PER_MINUTE, TORSIONAL_NEWTON_METRE_PER_ARCMINUTE, VOLT_PER_THOUSAND_REVOLUTIONS,
     };
-    use crate::{Energy, Length};
+    use crate::{Energy, Force, Length};
 
     fn close(value: f64, expected: f64) -> bool {
         (value - expected).abs() <= 1e-14 * expected.abs()
-    }
-
-    #[test]
-    fn the_products_have_the_right_kind_and_size() {
-        let torque = torque_of(MomentOfInertia::from_si(2.0), AngularAcceleration::from_si(3.0));
-        assert!(close(torque.si(), 6.0));
-        assert!(close(power_of(torque, AngularVelocity::from_si(0.5)).si(), 3.0));
-        assert!(close(acceleration_of(AngularVelocity::from_si(3.0), Time::from_si(2.0)).si(), 1.5));
-        assert!(close(force_of(Mass::from_si(2.0), Acceleration::from_si(9.5)).si(), 19.0));
     }
 
     #[test]

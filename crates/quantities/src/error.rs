@@ -79,8 +79,8 @@ pub enum QuantityError {
     /// The unit measures something else.
     #[error(
         "\"{found}\" is a unit of {}, expected a unit of {}",
-        measures.name(Language::OF_ERRORS),
-        expected.name(Language::OF_ERRORS)
+        measures.name(Language::En),
+        expected.name(Language::En)
     )]
     WrongQuantity {
         /// Place of the unit in the text, in bytes.
@@ -113,7 +113,7 @@ pub enum QuantityError {
 }
 
 fn en(dimension: Dimension) -> &'static str {
-    dimension.name_with_article(Language::OF_ERRORS)
+    dimension.name_with_article(Language::En)
 }
 
 impl QuantityError {
@@ -133,23 +133,5 @@ impl QuantityError {
             | Self::ToleranceNegative { span }
             | Self::ToleranceOfOffsetScale { span } => span.clone(),
         }
-    }
-
-    /// The same fault of a text that begins so many bytes further on.
-    pub(crate) fn moved(mut self, bytes: usize) -> Self {
-        match &mut self {
-            Self::Empty { span, .. }
-            | Self::NumberMissing { span, .. }
-            | Self::NumberUnreadable { span, .. }
-            | Self::DecimalComma { span, .. }
-            | Self::NotFinite { span, .. }
-            | Self::UnitMissing { span, .. }
-            | Self::UnitUnknown { span, .. }
-            | Self::WrongQuantity { span, .. }
-            | Self::ToleranceMissing { span }
-            | Self::ToleranceNegative { span }
-            | Self::ToleranceOfOffsetScale { span } => *span = span.start + bytes..span.end + bytes,
-        }
-        self
     }
 }

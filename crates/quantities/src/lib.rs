@@ -6,11 +6,11 @@
 //!
 //! ```
 //! use quantities::unit::{NEWTON_METRE, REVOLUTION_PER_MINUTE};
-//! use quantities::{AngularVelocity, Language, Measure, Torque, format_significant, parse_as, power_of};
+//! use quantities::{AngularVelocity, Language, Measure, Torque, format_significant, parse_as};
 //!
 //! let torque: Torque = parse_as("85 N m")?;
 //! let speed = AngularVelocity::new_in(40.0, &REVOLUTION_PER_MINUTE);
-//! assert_eq!(format_significant(power_of(torque, speed).si(), 4, Language::De), "356,0");
+//! assert_eq!(format_significant((torque * speed).si(), 4, Language::De), "356,0");
 //!
 //! let fault = parse_as::<Torque>("85 1/min").unwrap_err();
 //! assert_eq!(fault.span(), 3..8);
@@ -32,7 +32,6 @@ mod tolerance;
 pub mod unit;
 mod units;
 
-pub use algebra::{acceleration_of, force_of, power_of, torque_of};
 pub use dimension::Dimension;
 pub use error::QuantityError;
 pub use format::{format_number, format_significant, parse_german};
@@ -61,9 +60,6 @@ pub enum Language {
 }
 
 impl Language {
-    /// The language of errors for developers who use a crate.
-    pub const OF_ERRORS: Self = Self::En;
-
     /// Every language.
     pub const ALL: [Self; 2] = [Self::En, Self::De];
 

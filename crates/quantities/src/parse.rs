@@ -37,11 +37,16 @@ pub struct Reading {
 /// # Errors
 /// [`QuantityError`] with the place of the fault.
 pub fn parse(expected: Dimension, text: &str) -> Result<Reading, QuantityError> {
+    parse_at(expected, text, 0)
+}
+
+/// The same of a text that begins so many bytes into a longer one, in which the place of a fault counts.
+pub(crate) fn parse_at(expected: Dimension, text: &str, offset: usize) -> Result<Reading, QuantityError> {
     let trimmed = text.trim();
     if trimmed.is_empty() {
-        return Err(QuantityError::Empty { span: 0..text.len(), expected });
+        return Err(QuantityError::Empty { span: offset..offset + text.len(), expected });
     }
-    let start = text.len() - text.trim_start().len();
+    let start = offset + text.len() - text.trim_start().len();
     let (number, rest) = trimmed.split_at(number_length(trimmed));
     if number.is_empty() {
         return Err(no_number(trimmed, start, expected));

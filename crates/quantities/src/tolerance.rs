@@ -2,7 +2,7 @@
 
 use crate::dimension::Dimension;
 use crate::error::QuantityError;
-use crate::parse::{Reading, parse};
+use crate::parse::{Reading, parse, parse_at};
 use crate::unit::{DEGREE_CELSIUS, PERCENT};
 use std::ops::Range;
 
@@ -53,7 +53,7 @@ pub fn parse_toleranced(expected: Dimension, text: &str) -> Result<(Reading, Opt
     if span.is_empty() {
         return Err(QuantityError::ToleranceMissing { span: at..start });
     }
-    let si = half_width(expected, &reading, half).map_err(|error| error.moved(start))?;
+    let si = half_width(expected, &reading, half, start)?;
     if si < 0.0 {
         return Err(QuantityError::ToleranceNegative { span });
     }
@@ -75,19 +75,19 @@ fn sign_of(text: &str) -> Option<(usize, &'static str)> {
     PLUS_MINUS.iter().filter_map(|sign| Some((text.find(sign)?, *sign))).min_by_key(|(at, _)| *at)
 }
 
-/// The half-width in SI, with its sign.
-fn half_width(expected: Dimension, reading: &Reading, text: &str) -> Result<f64, QuantityError> {
+/// The half-width in SI, with its sign; its text begins so many bytes into the whole.
+fn half_width(expected: Dimension, reading: &Reading, text: &str, offset: usize) -> Result<f64, QuantityError> {
     if text.trim_end().ends_with(PERCENT.symbol) {
-        let share = parse(Dimension::Ratio, text)?.si;
+        let share = parse_at(Dimension::Ratio, text, offset)?.si;
         if reading.unit.symbol == DEGREE_CELSIUS.symbol {
-            let start = text.len() - text.trim_start().len();
-            return Err(QuantityError::ToleranceOfOffsetScale { span: start..text.trim_end().len() });
+            let (start, end) = (text.len() - text.trim_start().len(), text.trim_end().len());
+            return Err(QuantityError::ToleranceOfOffsetScale { span: offset + start..offset + end });
         }
         return Ok(reading.si.abs() * share);
     }
     // A tolerance of a temperature is a difference of temperatures.
     let difference = if expected == Dimension::Temperature { Dimension::TemperatureInterval } else { expected };
-    parse(difference, text).map(|half| half.si)
+    parse_at(difference, text, offset).map(|half| half.si)
 }
 
 #[cfg(test)]

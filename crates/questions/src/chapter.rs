@@ -19,19 +19,30 @@ pub use upkeep::upkeep;
 pub use wiring::wiring;
 
 use crate::answer::document;
-use answers::{Chapter, Column, Document, Fact, Hazard, Number};
+use answers::{Chapter, CitedErratum, Column, Document, Fact, Hazard, Id, Number};
+use catalogue::Signal;
 use quantities::{Language, Unit, format_significant};
 use words::signal_word;
 
+/// A hazard or a rule with its signal word.
+fn hazard(signal: Option<Id<Signal>>, text: &str, source: String, language: Language) -> Hazard {
+    Hazard {
+        level: signal.map_or("", |signal| signal.id()),
+        word: signal.map_or("", |signal| signal_word(*signal, language)),
+        text: text.to_owned(),
+        source,
+    }
+}
+
 /// Facts as hazards and rules, in their order.
 fn hazards(facts: &[Fact], language: Language) -> Vec<Hazard> {
-    let hazard = |fact: &Fact| Hazard {
-        level: fact.signal.map_or("", |signal| signal.id()),
-        word: fact.signal.map_or("", |signal| signal_word(*signal, language)),
-        text: fact.text.to_owned(),
-        source: fact.source.clone(),
-    };
-    facts.iter().map(hazard).collect()
+    facts.iter().map(|fact| hazard(fact.signal, fact.text, fact.source.clone(), language)).collect()
+}
+
+/// Notes, and errata with their evidence.
+fn remarks(notes: &[String], errata: &[CitedErratum]) -> Vec<String> {
+    let erratum = |erratum: &CitedErratum| format!("{}: {}", erratum.id, erratum.evidence);
+    notes.iter().cloned().chain(errata.iter().map(erratum)).collect()
 }
 
 /// The documents that chapters cite by name, in the order of the catalogue; a report lists each of its documents once.
@@ -88,7 +99,7 @@ mod tests {
     use crate::commission::{DriveForm, usual_ambient};
     use crate::upkeep::read_date;
     use catalogue::Topic;
-    use installation::mount::MountAsked;
+    use installation::mount::{MountAsked, mount as mounting};
     use installation::upkeep::UpkeepAsked;
     use order_code::OrderCode;
 
@@ -103,10 +114,7 @@ mod tests {
         let code = order_code::parse("CHA-25A-100-H-M512P-B").unwrap().code;
         let mounted = {
             let asked = MountAsked::default();
-            mount(
-                &answer::mount(&crate::mount::mount(&code, &asked).unwrap(), &asked, None, Language::En),
-                Language::En,
-            )
+            mount(&answer::mount(&mounting(&code, &asked).unwrap(), &asked, None, Language::En), Language::En)
         };
         let about = crate::commission::commission(&code).unwrap();
         let sheet = answer::commissioning(&about, DriveForm::Plain, usual_ambient(), Language::En);
@@ -126,7 +134,7 @@ mod tests {
             }
             Topic::Mount => {
                 let asked = MountAsked::default();
-                mount(&answer::mount(&crate::mount::mount(code, &asked)?, &asked, None, language), language)
+                mount(&answer::mount(&mounting(code, &asked)?, &asked, None, language), language)
             }
             Topic::Commission => {
                 let about = crate::commission::commission(code)?;

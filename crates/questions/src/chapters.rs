@@ -1,25 +1,13 @@
-//! Single chapters answered alone: torque-speed curves, output bearing, battery.
+//! Single chapters answered alone: output bearing, battery.
 
 use crate::sizing_use::{Candidate, check};
-use actuator::{BatteryLife, PerformanceCurve};
+use actuator::BatteryLife;
 use configurator::catalogue_actuators;
-use order_code::{OrderCode, Size};
+use order_code::Size;
 use project::Project;
-use provenance::Missing;
 use quantities::unit::HOUR;
-use quantities::{ElectricPotential, Language, Measure, Time, parse_as};
+use quantities::{Language, Measure, Time, parse_as};
 use sizing::{Check, Part};
-
-/// The torque-speed curves of a code at a terminal voltage; the limits at the printed ones without.
-///
-/// # Errors
-/// The first datum that is missing if no curve can be drawn.
-pub(crate) fn curves(
-    code: &OrderCode,
-    terminal: Option<ElectricPotential>,
-) -> Option<Result<Vec<PerformanceCurve>, Missing>> {
-    Some(actuator::performance_curves(&configurator::parameters(code)?.drivetrain, terminal))
-}
 
 /// Reads a quantity of the command line.
 ///

@@ -4,15 +4,14 @@ use crate::eds;
 use installation::commission as room;
 use installation::commission::cia402::{self, Object};
 use installation::commission::sinamics::{self, Setting};
-use order_code::OrderCode;
 use quantities::unit::DEGREE_CELSIUS;
 use quantities::{Language, Measure, ThermodynamicTemperature, identified};
 use std::fmt::Write as _;
 use words::{commission, conversion_text, gap_text, measured_key_text, object_name, parameter_name};
 
 pub use project::measured;
-pub use room::Commissioning;
 pub use room::recorded::judge;
+pub use room::{Commissioning, commission};
 
 identified! {
     /// What a list of values is made for.
@@ -27,24 +26,10 @@ identified! {
     }
 }
 
-impl DriveForm {
-    /// The form of an identifier.
-    #[must_use]
-    pub fn of_id(id: &str) -> Option<Self> {
-        Self::ALL.into_iter().find(|form| form.id() == id)
-    }
-}
-
 /// The temperature at which winding and sensors are measured by default: that of the printed resistance.
 #[must_use]
 pub fn usual_ambient() -> ThermodynamicTemperature {
     ThermodynamicTemperature::new_in(20.0, &DEGREE_CELSIUS)
-}
-
-/// What is known for the commissioning of a code; `None` where the manual prints no data for it.
-#[must_use]
-pub fn commission(code: &OrderCode) -> Option<Commissioning> {
-    room::commission(code)
 }
 
 /// The parameters of a SINAMICS drive, one a line: `p350[0] = 2.95`, with what each is behind a semicolon.
@@ -96,15 +81,9 @@ pub fn sinamics_script(about: &Commissioning, language: Language) -> String {
 pub fn eds(about: &Commissioning, language: Language) -> String {
     let objects = cia402::objects(about);
     let mut out = format!("; {}: {}\n", about.code, commission::eds_not_the_drive(language));
-    let _ = write!(
-        out,
-        "[FileInfo]\nFileName={}.eds\nFileVersion=1\nFileRevision=0\nEDSVersion=4.0\nDescription={}\nCreatedBy=antrieb\n\n",
-        about.code,
-        commission::eds_description(language)
-    );
-    let _ = write!(out, "[DeviceInfo]\nProductName={}\nOrderCode={}\n\n", about.code, about.code);
-    out.truncate(out.len() - 1);
-    eds::list(&mut out, "MandatoryObjects", &[0x1000, 0x1001, 0x1018]);
+    eds::file_info(&mut out, &about.code.to_string(), commission::eds_description(language));
+    let _ = writeln!(out, "[DeviceInfo]\nProductName={}\nOrderCode={}", about.code, about.code);
+    eds::list(&mut out, "MandatoryObjects", &eds::MANDATORY);
     let mut indices: Vec<u16> = objects.iter().map(|object| object.index).collect();
     indices.dedup();
     eds::list(&mut out, "OptionalObjects", &indices);

@@ -1,20 +1,27 @@
 //! Several actuators on one axis, and one actuator on two revisions of it.
 
 use crate::list::size::sized;
-use crate::patience::{Patience, Stopped};
-use crate::sizing_use::{Candidate, CandidateId, Refusal, Sizing, check, check_own};
+use crate::patience::Patience;
+use crate::sizing_use::{Candidate, CandidateId, Refusal, Sizing, check, check_own, known_si};
 use order_code::OrderCode;
 use project::Project;
-use provenance::Datum;
 use quantities::unit::{
-    AMPERE, KILOGRAM, KILOGRAM_SQUARE_METRE, MILLIMETRE, NEWTON_METRE, NEWTON_METRE_PER_AMPERE, ONE,
+    AMPERE, KILOGRAM, KILOGRAM_SQUARE_METRE, MILLIMETRE, NEWTON_METRE, NEWTON_METRE_PER_AMPERE, ONE, PERCENT,
+    REVOLUTION_PER_MINUTE,
 };
-use quantities::unit::{PERCENT, REVOLUTION_PER_MINUTE};
 use quantities::{Measure, Unit};
 use sizing::{Check, CheckId, Verdict, Watch as _};
 
 /// Utilisations that differ by less are the same: more than a double carries, less than a line shows.
 const SAME: f64 = 1e-9;
+
+/// Whether two figures are the same, or neither is known.
+fn same(a: Option<f64>, b: Option<f64>) -> bool {
+    match (a, b) {
+        (Some(a), Some(b)) => (a - b).abs() <= SAME * a.abs().max(b.abs()),
+        (a, b) => a.is_none() && b.is_none(),
+    }
+}
 
 /// A figure of several actuators.
 #[derive(Clone, Debug, PartialEq)]
@@ -31,11 +38,7 @@ impl DatumRow {
     /// Whether the values are the same.
     #[must_use]
     pub fn is_same(&self) -> bool {
-        self.values.windows(2).all(|pair| match pair {
-            [Some(a), Some(b)] => (a - b).abs() <= SAME * a.abs().max(b.abs()),
-            [a, b] => a.is_none() && b.is_none(),
-            _ => true,
-        })
+        self.values.iter().zip(self.values.iter().skip(1)).all(|(a, b)| same(*a, *b))
     }
 }
 
@@ -75,7 +78,7 @@ pub fn compare<'p>(
     patience: &Patience,
 ) -> Result<Comparison<'p>, (usize, Refusal)> {
     let judged = |(index, code): (usize, &OrderCode)| {
-        let goes_on = patience.step().map_err(|Stopped| Refusal::Stopped);
+        let goes_on = patience.step().map_err(Refusal::from);
         goes_on.and_then(|()| check(project, code)).map_err(|refusal| (index, refusal))
     };
     let candidates: Vec<Candidate<'p>> = codes.iter().enumerate().map(judged).collect::<Result<_, _>>()?;
@@ -125,9 +128,6 @@ fn demand_rows(candidates: &[&Candidate<'_>]) -> Vec<DatumRow> {
 }
 
 fn data_rows(candidates: &[&Candidate<'_>]) -> Vec<DatumRow> {
-    fn known<Q: Measure>(datum: &Datum<Q>) -> Option<f64> {
-        datum.known().map(|known| known.value.si())
-    }
     let row = |symbol, unit: &'static Unit, of: fn(&actuator::Parameters) -> Option<f64>| DatumRow {
         symbol,
         unit,
@@ -135,15 +135,15 @@ fn data_rows(candidates: &[&Candidate<'_>]) -> Vec<DatumRow> {
     };
     vec![
         row("i", &ONE, |data| data.ratio.known().map(|ratio| ratio.value)),
-        row("T_max", &NEWTON_METRE, |data| known(&data.torque_max)),
-        row("T_0", &NEWTON_METRE, |data| known(&data.stall_torque)),
-        row("I_max", &AMPERE, |data| known(&data.current_max)),
-        row("I_0", &AMPERE, |data| known(&data.stall_current)),
-        row("k_Tout", &NEWTON_METRE_PER_AMPERE, |data| known(&data.torque_constant_out)),
-        row("J_out", &KILOGRAM_SQUARE_METRE, |data| known(&data.inertia_out)),
-        row("d_H", &MILLIMETRE, |data| known(&data.hollow_shaft)),
-        row("L", &MILLIMETRE, |data| known(&data.length)),
-        row("m", &KILOGRAM, |data| known(&data.mass)),
+        row("T_max", &NEWTON_METRE, |data| known_si(&data.torque_max)),
+        row("T_0", &NEWTON_METRE, |data| known_si(&data.stall_torque)),
+        row("I_max", &AMPERE, |data| known_si(&data.current_max)),
+        row("I_0", &AMPERE, |data| known_si(&data.stall_current)),
+        row("k_Tout", &NEWTON_METRE_PER_AMPERE, |data| known_si(&data.torque_constant_out)),
+        row("J_out", &KILOGRAM_SQUARE_METRE, |data| known_si(&data.inertia_out)),
+        row("d_H", &MILLIMETRE, |data| known_si(&data.hollow_shaft)),
+        row("L", &MILLIMETRE, |data| known_si(&data.length)),
+        row("m", &KILOGRAM, |data| known_si(&data.mass)),
     ]
 }
 
@@ -177,11 +177,7 @@ impl CheckChange {
         let figure = |check: &Option<Check>, of: fn(&Check) -> Option<sizing::Amount>| {
             check.as_ref().and_then(of).map(|figure| figure.si)
         };
-        let near = |of: fn(&Check) -> Option<sizing::Amount>| match (figure(&self.before, of), figure(&self.after, of))
-        {
-            (Some(a), Some(b)) => (a - b).abs() <= SAME * a.abs().max(b.abs()),
-            (a, b) => a.is_none() && b.is_none(),
-        };
+        let near = |of| same(figure(&self.before, of), figure(&self.after, of));
         !self.is_other_verdict() && near(|check| check.value) && near(|check| check.limit)
     }
 

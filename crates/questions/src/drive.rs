@@ -1,6 +1,6 @@
 //! The virtual drive of a code: what it drives, and its electronic data sheet.
 
-use crate::eds::{self, Variable};
+use crate::eds::{self, MANDATORY, Variable};
 use crate::list::Unanswered;
 use crate::reading::Unread;
 use crate::simulate::Ready;
@@ -72,9 +72,6 @@ pub fn with_drive<T>(
     Ok(run(drive))
 }
 
-/// Objects that every device has.
-const MANDATORY: [u16; 3] = [0x1000, 0x1001, 0x1018];
-
 /// Communication objects whose value depends on the number of the node.
 const OF_NODE: [(u16, u8); 9] = [
     (0x1014, 0),
@@ -96,13 +93,13 @@ const OF_NODE: [(u16, u8); 9] = [
 #[must_use]
 pub fn eds(drive: &Drive<'_>, code: &OrderCode, node: u8, language: Language) -> String {
     let entries: Vec<&Entry> = drive.entries().collect();
-    let mut out = format!("; {code}: {}\n", words::serving::eds_of_the_virtual_drive(language));
+    let about = words::serving::eds_of_the_virtual_drive(language);
+    let mut out = format!("; {code}: {about}\n");
+    eds::file_info(&mut out, &format!("{code}-virtual"), about);
     let _ = write!(
         out,
-        "[FileInfo]\nFileName={code}-virtual.eds\nFileVersion=1\nFileRevision=0\nEDSVersion=4.0\nDescription={}\nCreatedBy=antrieb\n\n\
-        [DeviceInfo]\nVendorName=antrieb\nVendorNumber=0x0\nProductName=antrieb {code}\nProductNumber=0x402\n\
-        RevisionNumber=0x1\nOrderCode={code}\n",
-        words::serving::eds_of_the_virtual_drive(language)
+        "[DeviceInfo]\nVendorName=antrieb\nVendorNumber=0x0\nProductName=antrieb {code}\nProductNumber=0x402\n\
+        RevisionNumber=0x1\nOrderCode={code}\n"
     );
     for rate in [10, 20, 50, 125, 250, 500, 800, 1000] {
         let _ = writeln!(out, "BaudRate_{rate}=1");

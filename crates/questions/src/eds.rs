@@ -4,6 +4,18 @@ use quantities::Language;
 use std::fmt::Write as _;
 use words::commission;
 
+/// Objects that every device of `CiA 301` has.
+pub(crate) const MANDATORY: [u16; 3] = [0x1000, 0x1001, 0x1018];
+
+/// The head of a sheet: without a date, so that the same call gives the same bytes.
+pub(crate) fn file_info(out: &mut String, name: &str, description: &str) {
+    let _ = write!(
+        out,
+        "[FileInfo]\nFileName={name}.eds\nFileVersion=1\nFileRevision=0\nEDSVersion=4.0\nDescription={description}\n\
+        CreatedBy=antrieb\n\n"
+    );
+}
+
 /// An object as its section has it.
 pub(crate) struct Variable<'a> {
     pub(crate) name: &'a str,

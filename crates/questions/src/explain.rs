@@ -1,11 +1,12 @@
 //! The derivation of a check as a tree: formula, figures put in, value, source and grade of everything.
 
-use answers::{CitedErratum, Derivation, Id, Node, Number};
+use crate::answer::cited;
+use answers::{Derivation, Id, Node, Number};
 use provenance::{Grade, Source};
-use quantities::{Language, Unit, format_significant};
+use quantities::{Language, Unit};
 use sizing::Check;
 use sizing::derivation::{Formula, How, Part, Step};
-use words::{evidence_text, found_text, grade_word, source_text, step_term, symbol_shown, symbol_term};
+use words::{found_text, grade_word, source_text, step_term, symbol_shown, symbol_term, unpadded};
 
 /// Digits of the figures in a derivation: as many as a pocket calculator needs to come to the same answer.
 const DIGITS: usize = 6;
@@ -29,17 +30,8 @@ pub fn derivation(check: &Check, language: Language) -> Derivation {
 }
 
 fn amount(value: f64, unit: &str, language: Language) -> String {
-    let number = trimmed(&format_significant(value, DIGITS, language), language);
+    let number = unpadded(value, DIGITS, language);
     if unit == "1" { number } else { format!("{number} {unit}") }
-}
-
-/// Without the zeros that end a decimal fraction.
-fn trimmed(number: &str, language: Language) -> String {
-    let point = language.decimal_mark();
-    if !number.contains(point) {
-        return number.to_owned();
-    }
-    number.trim_end_matches('0').trim_end_matches(point).to_owned()
 }
 
 fn node(steps: &[Step], index: usize, seen: &mut [bool], language: Language) -> Option<Node> {
@@ -64,11 +56,7 @@ fn node(steps: &[Step], index: usize, seen: &mut [bool], language: Language) -> 
         page: step.source.page(),
         model: step.source.model(),
         grade: (!is_stated(step)).then_some(Id(step.grade)),
-        errata: step
-            .errata
-            .iter()
-            .map(|id| CitedErratum { id: (*id).to_owned(), evidence: evidence_text(id, language).to_owned() })
-            .collect(),
+        errata: step.errata.iter().map(|id| cited(id, language)).collect(),
         operands: operands.iter().filter_map(|index| node(steps, *index, seen, language)).collect(),
         repeated,
     })
@@ -77,7 +65,7 @@ fn node(steps: &[Step], index: usize, seen: &mut [bool], language: Language) -> 
 /// A formula in symbols, and with its figures.
 fn written(text: &str, operands: &[usize], steps: &[Step], language: Language) -> (Option<String>, Option<String>) {
     let Ok(formula) = Formula::parse(text) else { return (Some(text.to_owned()), None) };
-    let number = |value: f64| trimmed(&format_significant(value, DIGITS, language), language);
+    let number = |value: f64| unpadded(value, DIGITS, language);
     let symbols = formula.shown(&symbol_shown, &number);
     let figure = |name: &str| {
         let step = operands.iter().filter_map(|index| steps.get(*index)).find(|step| step.symbol == name);

@@ -1,5 +1,6 @@
 //! The catalogue in long form: one row per printed cell.
 
+use crate::sweep::csv::quoted;
 use catalogue::Cell;
 
 /// The columns of the long form, part of the contract with scripts.
@@ -31,18 +32,9 @@ pub fn export_csv() -> String {
     let mut out = EXPORT_COLUMNS.join(",");
     out.push('\n');
     for (_, row) in export_rows() {
-        let fields: Vec<String> = row.iter().map(|field| quoted(field)).collect();
+        let fields: Vec<_> = row.iter().map(|field| quoted(field)).collect();
         out.push_str(&fields.join(","));
         out.push('\n');
     }
     out
-}
-
-/// A CSV field (RFC 4180): quoted where it holds a comma, a quote or a line break.
-fn quoted(field: &str) -> String {
-    if field.contains([',', '"', '\n', '\r']) {
-        format!("\"{}\"", field.replace('"', "\"\""))
-    } else {
-        field.to_owned()
-    }
 }

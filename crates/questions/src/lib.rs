@@ -21,7 +21,6 @@ mod flange;
 mod glossary;
 mod grips;
 mod law_shape;
-mod licences;
 mod limits;
 pub mod list;
 mod mends;

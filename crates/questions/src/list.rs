@@ -56,7 +56,7 @@ pub use answers::Record;
 pub use argument::{AXIS, Argument, ArgumentKind, CODE, FILE, Form, LANG};
 pub use asked::{Answer, Asked, Axis, Source, media};
 pub use cost::Cost;
-pub use given::{Given, Hinted};
+pub use given::{Given, Hinted, bounded};
 pub use unanswered::Unanswered;
 
 use words::{Word, help};

@@ -1,6 +1,6 @@
 //! What would let an actuator fit where none does: another gearing of the load.
 
-use crate::patience::{Patience, Stopped};
+use crate::patience::Patience;
 use crate::sizing_use::{Refusal, size_watched};
 use project::{Gearing, Project};
 use quantities::Unit;
@@ -34,10 +34,6 @@ const HALVINGS: u32 = 5;
 /// # Errors
 /// [`Refusal::Stopped`] where it was cancelled.
 pub fn mends(project: &Project, patience: &Patience) -> Result<Vec<Mend>, Refusal> {
-    sought(project, patience).map_err(|Stopped| Refusal::Stopped)
-}
-
-fn sought(project: &Project, patience: &Patience) -> Result<Vec<Mend>, Stopped> {
     if !project.axis.is_short() || best(project, patience)?.is_some() {
         return Ok(Vec::new());
     }
@@ -58,7 +54,7 @@ fn sought(project: &Project, patience: &Patience) -> Result<Vec<Mend>, Stopped> 
 }
 
 /// The best actuator of the catalogue, if one fits.
-fn best(project: &Project, patience: &Patience) -> Result<Option<String>, Stopped> {
+fn best(project: &Project, patience: &Patience) -> Result<Option<String>, Refusal> {
     Ok(size_watched(project, 0, patience)?.answer().map(|best| best.id.to_string()))
 }
 
@@ -68,7 +64,7 @@ fn nearest(
     stated: f64,
     unit: &Unit,
     patience: &Patience,
-) -> Result<Option<(f64, String)>, Stopped> {
+) -> Result<Option<(f64, String)>, Refusal> {
     let code = |value: f64| with(value).map_or(Ok(None), |project| best(&project, patience));
     for step in 1..=STEPS {
         for sense in [1, -1] {
@@ -126,6 +122,12 @@ mod tests {
         }
         // A stage of ratio r turns the screw as a lead longer by 1/r does.
         assert!((found[0].si / 0.020 * found[1].si - 1.0).abs() < 0.15, "{found:?}");
+        // A stage that is stated is varied, and counts as much.
+        let staged = crate::read(&format!("{LIFT}[stage]\nkind = \"gear\"\nratio = 1\n")).unwrap();
+        let varied = mends(&staged, &Patience::endless()).unwrap();
+        assert_eq!(varied.iter().map(|mend| mend.is_stated).collect::<Vec<_>>(), [true, true], "{varied:?}");
+        assert_eq!((varied[1].path.as_str(), varied[1].si), ("stage.ratio", found[1].si));
+        assert_eq!(varied[1].code, found[1].code);
         let fitting = LIFT.replace("20 mm", "100 mm");
         assert!(mends(&crate::read(&fitting).unwrap(), &Patience::endless()).unwrap().is_empty());
     }

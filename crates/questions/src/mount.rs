@@ -1,21 +1,14 @@
-//! How an actuator is mounted: the question from outside, and the loads that a project brings.
+//! How an actuator is mounted: its bores as they are written, and the loads that a project brings.
 
 use crate::sizing_use::{Refusal, check};
 use installation::fit::{Bore, read_bore as read};
 use installation::joint::{AxisLoads, FlangeLoads};
-use installation::mount::{Mount, MountAsked};
 use order_code::OrderCode;
 use project::Project;
 use provenance::{Grade, Source, Sourced};
 use quantities::{Language, Measure, Torque};
 use sizing::{Check, CheckId, Depth};
 use words::mounting::bore_fault;
-
-/// How an actuator is mounted; `None` where the manual prints no data for its code.
-#[must_use]
-pub fn mount(code: &OrderCode, asked: &MountAsked) -> Option<Mount> {
-    installation::mount::mount(code, asked)
-}
 
 /// Reads the bore over a pilot from the command line.
 ///

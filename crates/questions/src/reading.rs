@@ -10,7 +10,7 @@ mod project_tests;
 mod stage_tests;
 
 use crate::list::Cost;
-use crate::patience::{Patience, Stopped};
+use crate::patience::Patience;
 use crate::sizing_use::{Refusal, size_watched};
 use project::{Diagnostic, Files, Project, RatioAnswer};
 use quantities::Language;
@@ -53,7 +53,7 @@ pub fn read_all_watched(text: &str, files: &dyn Files, patience: &Patience) -> R
     let choose = |ratios: &[f64], with: &dyn Fn(f64) -> Option<Project>| {
         let first = ratios.iter().find_map(|ratio| with(*ratio)).filter(|_| !patience.is_limited());
         let quick = first.map_or(Ok(()), |first| Cost::Other.is_quick_for(&first, ratios.len()));
-        let found = quick.and_then(|()| best_ratio(ratios, with, patience).map_err(|Stopped| Refusal::Stopped));
+        let found = quick.and_then(|()| best_ratio(ratios, with, patience).map_err(Refusal::from));
         found.unwrap_or_else(|refusal| {
             refused.set(Some(refusal));
             None

@@ -1,19 +1,21 @@
 //! A run of the digital twin of an axis with an actuator.
 
-use crate::patience::{Patience, Stopped};
-use crate::sizing_use::{Candidate, Refusal, check, check_own};
+use crate::patience::Patience;
+use crate::sizing_use::{Candidate, Refusal, check_one};
 use actuator::{Parameters as Actuator, natural_frequency, natural_frequency_free};
 use installation::wiring::Role;
 use mechanism::Extra;
 use order_code::OrderCode;
 use project::Project;
 use provenance::{Grade, Source};
-use quantities::{ElectricPotential, Frequency, Measure, MomentOfInertia};
+use quantities::unit::{AMPERE, DEGREE, DEGREE_CELSIUS, NEWTON_METRE, ONE, REVOLUTION_PER_MINUTE, VOLT};
+use quantities::{ElectricPotential, Frequency, Measure, MomentOfInertia, Unit};
 use sizing::{CheckId, Verdict, Watch as _};
 use twin::{
     Averaged, Event, EventKind, Failed, Fault, Gains, LoopResponse, Operation, Parameters, Sample, Scenario,
     ScenarioId, Setup, Summary, Twin,
 };
+use words::{Word, simulation};
 
 /// So many steps are run where the call states no time limit: about ten seconds on one core.
 pub(crate) const STEPS_MOST: u64 = 50_000_000;
@@ -109,28 +111,30 @@ pub struct Simulated<'p> {
 }
 
 /// A figure with its limit.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug)]
 pub(crate) struct Judged {
-    pub(crate) id: JudgedId,
+    pub(crate) id: &'static str,
+    pub(crate) title: Word,
+    /// In which value and limit are shown.
+    pub(crate) unit: &'static Unit,
     /// In SI.
-    pub(crate) value: Option<f64>,
-    pub(crate) limit: Option<f64>,
+    pub(crate) value: f64,
+    /// In SI, with its grade and source.
+    pub(crate) limit: Option<(f64, Grade, Source)>,
     pub(crate) verdict: Verdict,
-    pub(crate) grade: Option<Grade>,
-    pub(crate) source: Option<Source>,
 }
 
-/// What is judged.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum JudgedId {
-    CurrentPeak,
-    TorquePeak,
-    SpeedPeak,
-    WindingPeak,
-    Overload,
-    LinkHigh,
-    StopAngle,
-    DriveFaults,
+/// The result of a part of the twin that polls whether it goes on; the caller may cancel it.
+fn watched<T>(
+    patience: &Patience,
+    run: impl FnOnce(&mut dyn FnMut() -> bool) -> Result<T, Fault>,
+) -> Result<T, NotRun> {
+    let mut stopped = false;
+    let found = run(&mut || {
+        stopped = patience.step().is_err();
+        !stopped
+    })?;
+    if stopped { Err(Refusal::Stopped.into()) } else { Ok(found) }
 }
 
 /// The actuator, simulated.
@@ -141,10 +145,7 @@ pub(crate) fn simulate<'p>(
     refuses_long: bool,
     patience: &Patience,
 ) -> Result<Simulated<'p>, NotRun> {
-    let candidate = match code {
-        Some(code) => check(project, code)?,
-        None => check_own(project)?,
-    };
+    let candidate = check_one(project, code)?;
     let ready = Ready::of(project, &candidate);
     let (ambient_k, assumed_v) = (ready.ambient_k, ready.assumed_v);
     let encoder = code.and_then(encoder_of);
@@ -181,26 +182,11 @@ pub(crate) fn simulate<'p>(
     let start_k = if wanted.scenario.cold || wanted.scenario.id == ScenarioId::ColdGrease {
         None
     } else {
-        let mut stopped = false;
-        let found = twin::settled(&setup, || {
-            stopped = patience.step().is_err();
-            !stopped
-        })?;
-        if stopped {
-            return Err(Refusal::Stopped.into());
-        }
-        found
+        watched(patience, |goes_on| twin::settled(&setup, goes_on))?
     };
     let averaged = match wanted.operation {
         Some(operation) => {
-            let mut stopped = false;
-            let found = twin::averaged(&setup, operation, || {
-                stopped = patience.step().is_err();
-                !stopped
-            })?;
-            if stopped {
-                return Err(Refusal::Stopped.into());
-            }
+            let found = watched(patience, |goes_on| twin::averaged(&setup, operation, goes_on))?;
             found.map(|found| (operation, found))
         }
         None => None,
@@ -217,10 +203,10 @@ pub(crate) fn simulate<'p>(
     }
     while !twin.is_over() {
         if since_poll >= AT_ONCE {
-            patience.step().map_err(|Stopped| Refusal::Stopped)?;
+            patience.step().map_err(Refusal::from)?;
             since_poll = 0;
         }
-        twin.advance(chunk.min(AT_ONCE.max(chunk)));
+        twin.advance(chunk);
         since_poll += chunk;
         if wanted.every_s.is_some() {
             course.push(twin.sample());
@@ -230,24 +216,21 @@ pub(crate) fn simulate<'p>(
         &ready.parameters.actuator,
         project.axis.mechanism.inertia(start.position_rad, ready.extras().first().unwrap_or(&ready.none)),
     );
-    let found = (twin.summary(), twin.events().to_vec(), twin.left_out().to_vec(), twin.steps(), twin.failed());
-    let (summary, events, left_out, steps, failed) = found;
-    let substeps = setup.substeps;
     Ok(Simulated {
         project,
         candidate,
         scenario: wanted.scenario,
         seed: wanted.seed,
-        summary,
-        events,
-        failed,
+        summary: twin.summary(),
+        events: twin.events().to_vec(),
+        failed: twin.failed(),
         course,
         loops,
         gains,
         gains_stated,
-        left_out,
-        steps,
-        step_s: 1.0 / (twin::CURRENT_RATE_HZ * f64::from(substeps)),
+        left_out: twin.left_out().to_vec(),
+        steps: twin.steps(),
+        step_s: 1.0 / (twin::CURRENT_RATE_HZ * f64::from(setup.substeps)),
         ambient_k,
         start_k: [start.winding_k, start.housing_k],
         supply_assumed_v: project.axis.supply.is_none().then_some(assumed_v),
@@ -337,14 +320,14 @@ fn resonance(actuator: &Actuator, load: MomentOfInertia) -> Option<[Frequency; 2
 /// A figure of a run in SI.
 pub(crate) type Shown = fn(&Summary) -> f64;
 
-/// The checks of the sizing that the twin shows too, each with its value in SI.
-pub(crate) const COMPARED: [(CheckId, Shown); 6] = [
-    (CheckId::PeakTorque, |summary| summary.torque_peak_nm),
-    (CheckId::PeakSpeed, |summary| summary.speed_peak_rad_s),
-    (CheckId::PeakCurrent, |summary| summary.current_peak_a),
-    (CheckId::Thermal, |summary| summary.winding_peak_k),
-    (CheckId::OverloadI2t, |summary| summary.overload_peak),
-    (CheckId::Regeneration, |summary| summary.energies.regenerated_j / summary.time_s),
+/// The checks of the sizing that the twin shows too, each with its value in SI and why it differs.
+pub(crate) const COMPARED: [(CheckId, Shown, Word); 6] = [
+    (CheckId::PeakTorque, |summary| summary.torque_peak_nm, simulation::why_torque),
+    (CheckId::PeakSpeed, |summary| summary.speed_peak_rad_s, simulation::why_speed),
+    (CheckId::PeakCurrent, |summary| summary.current_peak_a, simulation::why_current),
+    (CheckId::Thermal, |summary| summary.winding_peak_k, simulation::why_thermal),
+    (CheckId::OverloadI2t, |summary| summary.overload_peak, simulation::why_overload),
+    (CheckId::Regeneration, |s| s.energies.regenerated_j / s.time_s, simulation::why_regeneration),
 ];
 
 /// The events that are faults of the drive.
@@ -380,16 +363,14 @@ impl Simulated<'_> {
         } else {
             &actuator.gear.collision_torque_max
         };
-        let of = |id, value: f64, datum: Option<(f64, Grade, Source)>| {
-            let limit = datum.as_ref().map(|(limit, ..)| *limit);
+        let of = |(id, title, unit): (_, Word, &'static Unit), value: f64, limit: Option<(f64, Grade, Source)>| {
             let verdict = match limit {
                 // A thousandth: the control reaches a limit and does not stop at its last digit.
-                Some(limit) if value <= limit * 1.001 => Verdict::Pass,
+                Some((limit, ..)) if value <= limit * 1.001 => Verdict::Pass,
                 Some(_) => Verdict::Fail,
                 None => Verdict::NotChecked,
             };
-            let (grade, source) = datum.map_or((None, None), |(_, grade, source)| (Some(grade), Some(source)));
-            Judged { id, value: Some(value), limit, verdict, grade, source }
+            Judged { id, title, unit, value, limit, verdict }
         };
         fn known<Q: Measure>(datum: &provenance::Datum<Q>) -> Option<(f64, Grade, Source)> {
             datum.known().map(|known| (known.value.si(), known.grade, known.source.clone()))
@@ -398,30 +379,34 @@ impl Simulated<'_> {
         // The inverter limits the set-point; the current itself swings about it.
         let mut judged = vec![
             of(
-                JudgedId::CurrentPeak,
+                ("current_peak", simulation::current_peak, &AMPERE),
                 summary.current_peak_a,
                 known(&actuator.current_demagnetisation).or_else(|| known(&actuator.current_max)),
             ),
-            of(JudgedId::TorquePeak, summary.torque_peak_nm, known(torque)),
+            of(("torque_peak", simulation::torque_peak, &NEWTON_METRE), summary.torque_peak_nm, known(torque)),
             of(
-                JudgedId::SpeedPeak,
+                ("speed_peak", simulation::speed_peak, &REVOLUTION_PER_MINUTE),
                 summary.speed_peak_rad_s,
                 actuator::speed_max(actuator).ok().map(|known| (known.value.si(), known.grade, known.source)),
             ),
-            of(JudgedId::WindingPeak, summary.winding_peak_k, known(&actuator.heat.winding_shutdown)),
-            of(JudgedId::Overload, summary.overload_peak, model(1.0)),
-            of(JudgedId::LinkHigh, summary.link_v[1], known(&actuator.dc_link_max)),
+            of(
+                ("winding_peak", simulation::winding_peak, &DEGREE_CELSIUS),
+                summary.winding_peak_k,
+                known(&actuator.heat.winding_shutdown),
+            ),
+            of(("overload", simulation::overload, &ONE), summary.overload_peak, model(1.0)),
+            of(("link_high", simulation::link_high, &VOLT), summary.link_v[1], known(&actuator.dc_link_max)),
         ];
         if let Some(angle) = summary.stop_rad {
             let limit = self.project.axis.asked.stop_angle_max.map(|limit| {
                 (limit.si(), Grade::Computed, Source::Project { key: "requirements.stop_angle_max".into() })
             });
-            judged.push(of(JudgedId::StopAngle, angle, limit));
+            judged.push(of(("stop_angle", simulation::stop_angle, &DEGREE), angle, limit));
         }
         if self.runs_through() {
             let faults = self.events.iter().filter(|event| FAULTS.contains(&event.kind)).count();
             #[allow(clippy::cast_precision_loss, reason = "a handful")]
-            judged.push(of(JudgedId::DriveFaults, faults as f64, model(0.0)));
+            judged.push(of(("drive_faults", simulation::drive_faults, &ONE), faults as f64, model(0.0)));
         }
         judged
     }

@@ -1,10 +1,12 @@
 //! Ranking the catalogue for an axis, and judging one actuator.
 
 use crate::cited::Cited;
+use crate::patience::Stopped;
 use actuator::Parameters;
 use configurator::{BrokenRule, Unmet, actuators, availability};
 use order_code::{Field, Option1, Option2, OrderCode};
 use project::{Assumption, OwnActuator, Project};
+use provenance::Datum;
 use quantities::Measure;
 use rayon::prelude::*;
 use sizing::{
@@ -220,6 +222,12 @@ pub enum Refusal {
     Stopped,
 }
 
+impl From<Stopped> for Refusal {
+    fn from(_: Stopped) -> Self {
+        Self::Stopped
+    }
+}
+
 /// The actuators of the catalogue with the curves of a project.
 pub(crate) fn actuators_of(project: &Project, output_encoder: bool) -> &[(OrderCode, Parameters)] {
     match &project.own_catalogue {
@@ -306,6 +314,11 @@ fn in_parallel<'t, T: Sync, R: Send, S: Send, F: FnMut(&'t T) -> Result<R, S>>(
     parts.par_iter().map_init(begin, |one, part| one(part)).collect()
 }
 
+/// A datum in SI, where it is known.
+pub(crate) fn known_si<Q: Measure>(datum: &Datum<Q>) -> Option<f64> {
+    datum.known().map(|known| known.value.si())
+}
+
 /// Candidates, best first.
 fn ranked(candidates: Vec<Candidate<'_>>) -> Vec<Candidate<'_>> {
     let mut order: Vec<(RankKey, usize)> = candidates.iter().map(|c| RankKey::of(&c.standing)).zip(0..).collect();
@@ -365,10 +378,17 @@ pub(crate) fn with_options(project: &Project, code: &OrderCode) -> Option<OrderC
 /// [`Refusal`] where the code cannot be ordered or has no printed data.
 pub fn check<'p>(project: &'p Project, code: &OrderCode) -> Result<Candidate<'p>, Refusal> {
     availability(code).map_err(Refusal::Broken)?;
+    Ok(candidate(&mut Judging::of(project, Depth::Full), *code, parameters_of(project, code)?))
+}
+
+/// The data of an actuator, with the curves of a project and whatever options its code has.
+///
+/// # Errors
+/// [`Refusal::NoData`]
+pub(crate) fn parameters_of<'p>(project: &'p Project, code: &OrderCode) -> Result<&'p Parameters, Refusal> {
     let bare = OrderCode { option_1: None, option_2: None, special: false, ..*code };
     let mut known = actuators_of(project, code.has_output_encoder()).iter();
-    let (_, parameters) = known.find(|(known, _)| *known == bare).ok_or(Refusal::NoData)?;
-    Ok(candidate(&mut Judging::of(project, Depth::Full), *code, parameters))
+    known.find(|(known, _)| *known == bare).map(|(_, parameters)| parameters).ok_or(Refusal::NoData)
 }
 
 /// Judges one code as [`check`] does, each check with the workings of its value and its limit.
@@ -399,6 +419,14 @@ pub fn check_own(project: &Project) -> Result<Candidate<'_>, Refusal> {
     project.actuator.as_ref().map(|own| own_candidate(project, own)).ok_or(Refusal::NoActuator)
 }
 
+/// Judges the actuator of a code; without one the user's own.
+///
+/// # Errors
+/// As [`check`] and [`check_own`].
+pub(crate) fn check_one<'p>(project: &'p Project, code: Option<&OrderCode>) -> Result<Candidate<'p>, Refusal> {
+    code.map_or_else(|| check_own(project), |code| check(project, code))
+}
+
 /// The cycle of a project's axis on a candidate as time series, with every sample of its recordings.
 #[must_use]
 pub fn course(project: &Project, candidate: &Candidate<'_>) -> Course {
@@ -420,20 +448,7 @@ pub fn course_seen(project: &Project, candidate: &Candidate<'_>, window: Option<
 /// How far the axis of a project may be changed until a candidate just fits, within the usual effort.
 #[must_use]
 pub fn reserve_of(project: &Project, candidate: &Candidate<'_>) -> Reserve {
-    finished(reserve_of_watched(project, candidate, SAMPLES_ANEW, &Unwatched))
-}
-
-/// The same, but it can be cancelled, with the samples whose load the steps of the search may find anew.
-///
-/// # Errors
-/// Where it was stopped.
-pub(crate) fn reserve_of_watched<W: Watch>(
-    project: &Project,
-    candidate: &Candidate<'_>,
-    most: usize,
-    watch: &W,
-) -> Result<Reserve, W::Stop> {
-    reserve_watched(&project.axis, candidate.parameters, most, watch)
+    finished(reserve_watched(&project.axis, candidate.parameters, SAMPLES_ANEW, &Unwatched))
 }
 
 /// Judges one actuator after the other for the axis of a project, whose keys the checks cite as its file has them.
@@ -472,7 +487,7 @@ fn candidate<'p>(judging: &mut Judging<'p>, code: OrderCode, parameters: &'p Par
             Vec::new()
         }
     };
-    let mass = parameters.mass.known().map(|mass| mass.value.si());
+    let mass = known_si(&parameters.mass);
     let standing = Standing::of(&judgement, objections.is_empty(), code.size.number(), mass);
     Candidate { id: CandidateId::Code(code), on_request, parameters, judgement, objections, standing }
 }
@@ -481,10 +496,9 @@ fn own_candidate<'p>(project: &'p Project, own: &'p OwnActuator) -> Candidate<'p
     let judgement = Judging::of(project, Depth::Full).judge(&own.parameters);
     let objections: Vec<Objection> =
         project.requirements.unmet_by_data(&own.parameters).map(Objection::Unmet).collect();
-    let mass = own.parameters.mass.known().map(|mass| mass.value.si());
     // Of a user's actuator little may be known: an unknown datum leaves a requirement open, it does not break it.
     let met = objections.iter().all(|objection| matches!(objection, Objection::Unmet(Unmet::NotKnown { .. })));
-    let standing = Standing::of(&judgement, met, 0, mass);
+    let standing = Standing::of(&judgement, met, 0, known_si(&own.parameters.mass));
     Candidate {
         id: CandidateId::Own(own.name.clone()),
         on_request: Vec::new(),

@@ -108,10 +108,7 @@ impl Sweep {
 
     /// The headings in their order, keys with their entries counted from one.
     pub fn keys(&self) -> impl Iterator<Item = &str> {
-        self.columns.iter().map(|column| match &column.holds {
-            Holds::Code => CODE,
-            Holds::Key(heading) => heading.path.as_str(),
-        })
+        self.columns.iter().map(Column::key)
     }
 
     /// What is answered.
@@ -139,45 +136,31 @@ impl Sweep {
         let part = |range: &std::ops::Range<usize>| -> Result<Vec<Answer>, Stopped> {
             let mut open: Option<(Vec<String>, std::sync::Arc<Template>)> = None;
             let mut found = Vec::with_capacity(range.len());
-            let mut row = range.start;
-            while row < range.end {
+            while found.len() < range.len() {
                 // Rows that differ in numbers alone share a template.
-                let (words, first) = match self.values(cells, row) {
-                    Ok(values) => (self.words(&values), values),
+                let opened = self.values(cells, range.start + found.len()).and_then(|values| {
+                    let words = self.words(&values);
+                    match open.take().filter(|(known, _)| *known == words) {
+                        Some(known) => Ok(known),
+                        None => self.template(&words, &values).map(|template| (words, template)),
+                    }
+                });
+                let (words, template) = match opened {
+                    Ok(opened) => opened,
                     Err(why) => {
                         patience.step()?;
                         found.push(Err(why));
-                        row += 1;
                         continue;
                     }
                 };
-                let template = match open.take().filter(|(known, _)| *known == words) {
-                    Some((_, template)) => template,
-                    None => match self.template(&words, &first) {
-                        Ok(template) => template,
-                        Err(why) => {
-                            patience.step()?;
-                            found.push(Err(why));
-                            row += 1;
-                            continue;
-                        }
-                    },
-                };
                 let mut judge = Judge::of(&template, self);
-                while row < range.end {
-                    let values = match self.values(cells, row) {
-                        Ok(values) if self.words(&values) == words => values,
-                        Ok(_) => break,
-                        Err(why) => {
-                            patience.step()?;
-                            found.push(Err(why));
-                            row += 1;
-                            continue;
-                        }
-                    };
+                while found.len() < range.len() {
+                    let values = self.values(cells, range.start + found.len());
+                    if values.as_ref().is_ok_and(|values| self.words(values) != words) {
+                        break;
+                    }
                     patience.step()?;
-                    found.push(judge.row(&values));
-                    row += 1;
+                    found.push(values.and_then(|values| judge.row(&values)));
                 }
                 drop(judge);
                 open = Some((words, template));

@@ -1,11 +1,13 @@
 //! The torsion of a gear under a torque, alone.
 
+use crate::chapters::read_quantity;
+use crate::list::Hinted;
 use crate::sizing_use::Candidate;
 use actuator::Torsion;
 use order_code::OrderCode;
 use project::Project;
 use provenance::Datum;
-use quantities::{Angle, Language, Measure, QuantityError, Torque, parse_as};
+use quantities::{Angle, Language, Measure, Torque};
 
 /// The known quantity of a twisted gear; the other one is computed.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -41,19 +43,18 @@ impl TorsionAnswer {
     }
 }
 
-/// Why a twist cannot be read: the option, what is wrong, and a hint.
-type TwistFault = (&'static str, (String, Option<String>));
-
 /// Reads a torque such as `60 N m` or an angle such as `1 arcmin`; one of the two, not both.
 ///
 /// # Errors
-/// What is wrong with the texts, in a language.
-pub(crate) fn read_twist(torque: Option<&str>, angle: Option<&str>, language: Language) -> Result<Twist, TwistFault> {
-    let worded =
-        |error: QuantityError| (words::quantity_fault(&error, language), words::quantity_hint(&error, language));
+/// The option, what is wrong with its text, and a hint.
+pub(crate) fn read_twist(
+    torque: Option<&str>,
+    angle: Option<&str>,
+    language: Language,
+) -> Result<Twist, (&'static str, Hinted)> {
     match (torque, angle) {
-        (Some(torque), None) => parse_as(torque).map(Twist::Torque).map_err(|error| ("torque", worded(error))),
-        (None, Some(angle)) => parse_as(angle).map(Twist::Angle).map_err(|error| ("angle", worded(error))),
+        (Some(torque), None) => read_quantity(torque, language).map(Twist::Torque).map_err(|fault| ("torque", fault)),
+        (None, Some(angle)) => read_quantity(angle, language).map(Twist::Angle).map_err(|fault| ("angle", fault)),
         _ => Err(("torque", (words::terminal::torque_or_angle(language).to_owned(), None))),
     }
 }

@@ -12,35 +12,24 @@ pub(crate) const CABLE_LENGTH_MAX_M: f64 = 1000.0;
 /// A wire is no thicker than this \[mm²\].
 pub(crate) const CROSS_SECTION_MAX_MM2: f64 = 1000.0;
 
-/// A list that was read: its text, and what the comparison found or why there is none.
-pub(crate) struct ListRead {
-    /// The text as it was understood.
-    pub text: String,
-    /// The comparison, or the faults of the list.
-    pub outcome: Result<Comparison, Vec<ListFault>>,
-}
-
-impl ListRead {
-    /// The faults in words, with their places.
-    #[must_use]
-    pub(crate) fn worded(&self, language: Language) -> Vec<Worded> {
-        let faults = self.outcome.as_ref().err().map(Vec::as_slice).unwrap_or_default();
-        let worded = |fault: &ListFault| {
-            let (message, hint) = (wiring::list_fault(fault, language), wiring::list_fault_hint(fault, language));
-            Worded::at(&self.text, fault.span(), fault.id(), message, hint)
-        };
-        faults.iter().map(worded).collect()
-    }
-}
-
-/// Reads a list of pins, in whatever encoding a spreadsheet wrote it, and compares it with the wiring.
+/// Reads a list of pins, in whatever encoding a spreadsheet wrote it, and compares it with the wiring; where it has faults
+/// its text as it was understood with the faults in it.
 ///
 /// # Errors
 /// Of the source; bytes in memory have none.
-pub(crate) fn read_list(wiring: &Wiring, bytes: &[u8]) -> std::io::Result<ListRead> {
+pub(crate) fn read_list(
+    wiring: &Wiring,
+    bytes: &[u8],
+    language: Language,
+) -> std::io::Result<Result<Comparison, (String, Vec<Worded>)>> {
     let (text, _) = recording::read_text(bytes)?;
-    let outcome = read_pin_list(&text).map(|list| compare(wiring, &list));
-    Ok(ListRead { text, outcome })
+    let worded = |fault: &ListFault| {
+        let (message, hint) = (wiring::list_fault(fault, language), wiring::list_fault_hint(fault, language));
+        Worded::at(&text, fault.span(), fault.id(), message, hint)
+    };
+    let compared = read_pin_list(&text).map(|list| compare(wiring, &list));
+    let compared = compared.map_err(|faults| faults.iter().map(worded).collect());
+    Ok(compared.map_err(|faults| (text, faults)))
 }
 
 /// The length of a cable.
@@ -100,8 +89,7 @@ mod tests {
         let wide: Vec<u8> = [0xfeff].into_iter().chain(list.encode_utf16()).flat_map(u16::to_le_bytes).collect();
         let narrow: Vec<u8> = list.chars().map(|sign| u8::try_from(u32::from(sign)).unwrap()).collect();
         for bytes in [list.as_bytes(), &wide, &narrow] {
-            let read = read_list(&wiring, bytes).unwrap();
-            let comparison = read.outcome.unwrap();
+            let comparison = read_list(&wiring, bytes, Language::De).unwrap().unwrap();
             assert_eq!((comparison.rows, comparison.agreeing), (1, 1), "{:?}", comparison.findings);
             assert!(!comparison.findings.iter().any(|finding| finding.difference.id() == "colour"));
         }

@@ -5,7 +5,7 @@ use crate::layout::{Layout, Role};
 use crate::limits::NAMES_MAX;
 use crate::names::{Named, Sureness};
 use crate::series::{Along, ColumnRead, KnownBy};
-use quantities::{Dimension, Unit, seen};
+use quantities::{Unit, seen};
 
 /// A column as the file names it.
 #[derive(Clone, Debug)]
@@ -204,7 +204,7 @@ pub(crate) enum Said {
 pub(crate) fn decide(
     role: Role,
     heading: &Heading,
-    said: Vec<(KnownBy, Said)>,
+    said: impl IntoIterator<Item = (KnownBy, Said)>,
     faults: &mut Faults,
 ) -> Option<ColumnRead> {
     let column = excerpt(&heading.written);
@@ -269,7 +269,6 @@ pub(crate) fn check_course(columns: &[ColumnRead], faults: &mut Faults) {
     if let (Some(position), Some(speed)) = (of(Role::Position), of(Role::Speed))
         && Along::of(position) != Along::of(speed)
     {
-        let (position, speed): (Dimension, Dimension) = (position.dimension, speed.dimension);
-        faults.push(Fault::CourseMixed { position, speed });
+        faults.push(Fault::CourseMixed { position: position.dimension, speed: speed.dimension });
     }
 }

@@ -106,7 +106,7 @@ fn read(source: impl Read, layout: &Layout, memory: &mut Memory, faults: &mut Fa
             in_row.map(|text| (KnownBy::UnitRow, Said::Text(text.clone()))),
             layout.column(role).unit.map(|unit| (KnownBy::Layout, Said::Unit(unit))),
         ];
-        let column = decide(role, heading, said.into_iter().flatten().collect(), faults);
+        let column = decide(role, heading, said.into_iter().flatten(), faults);
         wanted.names.push(excerpt(&heading.written));
         wanted.indices.push(index);
         columns.extend(column);

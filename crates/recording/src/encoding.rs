@@ -63,18 +63,15 @@ impl<R: Read> Utf8<R> {
                     continue;
                 }
             };
-            let mut form = Form::Utf16 { little, raw: vec![0; RAW_BYTES], half: None, high: None };
             if encoding == Encoding::Utf16Guessed
-                && let Form::Utf16 { half, .. } = &mut form
                 && let [first, second] = *head.as_slice()
             {
                 // Without a mark the first two bytes are a letter already.
                 let unit = if little { [first, second] } else { [second, first] };
-                *half = None;
                 self.ready = String::from_utf16_lossy(&[u16::from_le_bytes(unit)]).into_bytes();
             }
             self.encoding = encoding;
-            self.form = form;
+            self.form = Form::Utf16 { little, raw: vec![0; RAW_BYTES], half: None, high: None };
         }
         Ok(())
     }

@@ -6,7 +6,7 @@ use crate::faults::{Fault, Faults, FileRow, Stamp, excerpt};
 use crate::layout::{Layout, Role};
 use crate::limits::{MAGNITUDE_MAX, Memory, SAMPLES_MAX, SAMPLES_MIN, STEP_MIN_S};
 use crate::number::{Bad, Tick};
-use crate::series::{Along, ColumnRead, Course, Effort, Recording, Series};
+use crate::series::{Along, ColumnRead, Course, Recording, Series};
 use quantities::{Measure, Time, Unit};
 use std::cmp::Ordering;
 use std::sync::Arc;
@@ -262,13 +262,10 @@ impl<'m> Gather<'m> {
             let channel = self.channels.iter_mut().find(|channel| channel.role == role)?;
             let mut values = std::mem::take(&mut channel.values);
             values.shrink_to_fit();
-            Some((Along::of(channel.unit), Arc::new(values)))
+            Some(Series { along: Along::of(channel.unit), values: Arc::new(values) })
         };
-        let course = Course {
-            position: series(Role::Position).map(|(along, values)| Series { along, values }),
-            speed: series(Role::Speed).map(|(along, values)| Series { along, values }),
-        };
-        let torque = series(Role::Torque).map(|(along, values)| Effort { along, values });
+        let course = Course { position: series(Role::Position), speed: series(Role::Speed) };
+        let torque = series(Role::Torque);
         self.memory.give_back(self.bytes_of(self.room).saturating_sub(kept));
         self.room = 0;
         let mut time_s = std::mem::take(&mut self.time_s);

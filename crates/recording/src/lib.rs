@@ -35,13 +35,12 @@ pub use encoding::read_text;
 pub use faults::{Damage, Fault, FileRow, NearColumn, Stamp};
 pub use layout::{ColumnSpec, Layout, Role};
 pub use limits::{
-    COLUMNS_MAX, DELTA_BLOCK_MAX, FILE_BYTES_MAX, LINE_BYTES_MAX, Limit, MAGNITUDE_MAX, MEMORY_USUAL, Memory,
-    NESTING_MAX, PAGE_BYTES_FREE, PAGE_RATIO_MAX, PATH_BYTES_MAX, ROW_GROUPS_MAX, ROWS_MAX, SAMPLES_MAX, SAMPLES_MIN,
-    STEP_MIN_S, UNPACKED_BYTES_MAX,
+    DELTA_BLOCK_MAX, FILE_BYTES_MAX, LINE_BYTES_MAX, Limit, MAGNITUDE_MAX, MEMORY_USUAL, Memory, NESTING_MAX,
+    SAMPLES_MAX, STEP_MIN_S,
 };
 pub use packed::{Packing, unpacked};
 pub use parquet::{read_columns, read_parquet, read_parquet_within};
-pub use series::{Along, ColumnRead, Course, Effort, Encoding, KnownBy, Recording, Series};
+pub use series::{Along, ColumnRead, Course, Encoding, KnownBy, Recording, Series};
 
 pub use ::bytes::Bytes;
 

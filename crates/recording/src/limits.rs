@@ -13,13 +13,13 @@ pub const MEMORY_USUAL: u64 = 512 << 20;
 pub const SAMPLES_MAX: usize = 1 << 24;
 
 /// Fewest samples that make a recording: two intervals, so that there is a change of speed.
-pub const SAMPLES_MIN: usize = 3;
+pub(crate) const SAMPLES_MIN: usize = 3;
 
 /// Most rows that are looked at, kept or outside the window: 2²⁶, eighteen hours at 1 kHz.
-pub const ROWS_MAX: u64 = 1 << 26;
+pub(crate) const ROWS_MAX: u64 = 1 << 26;
 
 /// Most columns of a file; more than any logger has channels.
-pub const COLUMNS_MAX: usize = 10_000;
+pub(crate) const COLUMNS_MAX: usize = 10_000;
 
 /// Most bytes in one line of a CSV, 64 KiB: bounds its text buffer.
 pub const LINE_BYTES_MAX: usize = 1 << 16;
@@ -34,19 +34,19 @@ pub const STEP_MIN_S: f64 = 1e-12;
 pub const NESTING_MAX: usize = 16;
 
 /// Bytes in the path of a column of a Parquet file.
-pub const PATH_BYTES_MAX: usize = 1024;
+pub(crate) const PATH_BYTES_MAX: usize = 1024;
 
 /// Row groups of a Parquet file.
-pub const ROW_GROUPS_MAX: usize = 1 << 16;
+pub(crate) const ROW_GROUPS_MAX: usize = 1 << 16;
 
 /// A page that unpacks to more than [`PAGE_BYTES_FREE`] may not unpack to more than this many times its packed size.
-pub const PAGE_RATIO_MAX: u64 = 1000;
+pub(crate) const PAGE_RATIO_MAX: u64 = 1000;
 
 /// What a page may unpack to whatever its packed size is: 16 MiB, many times what writers put into one.
-pub const PAGE_BYTES_FREE: u64 = 16 << 20;
+pub(crate) const PAGE_BYTES_FREE: u64 = 16 << 20;
 
 /// What all pages in use may unpack to, one after another: 4 GiB bound the time that they take.
-pub const UNPACKED_BYTES_MAX: u64 = 4 << 30;
+pub(crate) const UNPACKED_BYTES_MAX: u64 = 4 << 30;
 
 /// Values in one block of the delta encoding: the most that a known writer puts there.
 pub const DELTA_BLOCK_MAX: u64 = 2048;

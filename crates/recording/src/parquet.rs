@@ -21,10 +21,10 @@ use ::parquet::data_type::{DataType, DoubleType, FloatType, Int32Type, Int64Type
 use ::parquet::errors::ParquetError;
 use ::parquet::schema::types::{ColumnDescriptor, ColumnPath};
 use bytes::Bytes;
-use footer::{Chunk, Column, Footer, Logical, TimeUnit};
+use footer::{Chunk, Column, Footer, Logical};
 use pages::Pages;
 use quantities::Unit;
-use quantities::unit::{MICROSECOND, MILLISECOND, NANOSECOND};
+use quantities::unit::{MICROSECOND, MILLISECOND};
 use std::sync::Arc;
 use std::sync::atomic::AtomicU64;
 
@@ -85,7 +85,7 @@ fn columns_of(file: &Bytes, names: &[&str], memory: &mut Memory, faults: &mut Fa
     let mut values = vec![Vec::new(); used.len()];
     let wanted: Vec<usize> = used.iter().map(|column| column.index).collect();
     let (spent, mut number) = (Arc::default(), 0_u64);
-    let walked = footer.groups(&wanted, |_, chunks| {
+    let walked = footer.groups(&wanted, |chunks| {
         let mut streams = opened(file, &used, chunks, memory, &spent)?;
         while let count @ 1.. = filled(&mut streams)? {
             for (stream, values) in streams.iter().zip(&mut values) {
@@ -102,7 +102,7 @@ fn columns_of(file: &Bytes, names: &[&str], memory: &mut Memory, faults: &mut Fa
             number += count as u64;
             // The footer counts the rows that memory was taken for.
             if number > footer.rows {
-                return Err(Fault::ParquetUnreadable { reason: Damage::Lengths });
+                return Err(damaged(Damage::Lengths));
             }
         }
         Ok(())
@@ -137,7 +137,7 @@ fn filled(streams: &mut [Stream<'_>]) -> Result<usize, Fault> {
     let mut counts = counts.map_err(unreadable)?.into_iter();
     let count = counts.next().unwrap_or(0);
     if counts.any(|other| other != count) {
-        return Err(Fault::ParquetUnreadable { reason: Damage::Lengths });
+        return Err(damaged(Damage::Lengths));
     }
     Ok(count)
 }
@@ -154,7 +154,11 @@ fn unreadable(error: ParquetError) -> Fault {
         other => other,
     };
     let text = error.to_string().chars().take(LONGEST).collect();
-    Fault::ParquetUnreadable { reason: Damage::Values { text } }
+    damaged(Damage::Values { text })
+}
+
+fn damaged(reason: Damage) -> Fault {
+    Fault::ParquetUnreadable { reason }
 }
 
 fn read(file: &Bytes, layout: &Layout, memory: &mut Memory, faults: &mut Faults) -> Option<Recording> {
@@ -179,7 +183,7 @@ fn read(file: &Bytes, layout: &Layout, memory: &mut Memory, faults: &mut Faults)
             metadata_unit(&footer, heading).map(|text| (KnownBy::Metadata, Said::Text(text))),
             layout.column(role).unit.map(|unit| (KnownBy::Layout, Said::Unit(unit))),
         ];
-        columns.extend(decide(role, heading, said.into_iter().flatten().collect(), faults));
+        columns.extend(decide(role, heading, said.into_iter().flatten(), faults));
         used.push(Used { index, name: excerpt(&heading.written), kind, column });
     }
     if !faults.none() {
@@ -191,10 +195,19 @@ fn read(file: &Bytes, layout: &Layout, memory: &mut Memory, faults: &mut Faults)
         return None;
     }
     let wanted: Vec<usize> = used.iter().map(|column| column.index).collect();
-    let mut pass = Pass { file, used: &used, number: 0, spent: Arc::default(), more: true };
-    let walked = footer.groups(&wanted, |_, chunks| {
-        if pass.more {
-            pass.more = pass.rows(chunks, &mut gather, faults)?;
+    // Rows that were read, and whether a further one can be kept.
+    let (spent, mut number, mut more) = (Arc::default(), 0_u64, true);
+    let walked = footer.groups(&wanted, |chunks| {
+        if !more {
+            return Ok(());
+        }
+        let mut streams = opened(file, &used, chunks, &gather.memory(), &spent)?;
+        while let count @ 1.. = filled(&mut streams)? {
+            Limit::Rows.hold(number + count as u64, ROWS_MAX)?;
+            more = hand_on(&streams, &mut number, &mut gather, faults) && !faults.enough();
+            if !more {
+                break;
+            }
         }
         Ok(())
     });
@@ -202,7 +215,7 @@ fn read(file: &Bytes, layout: &Layout, memory: &mut Memory, faults: &mut Faults)
         faults.push(fault);
         return None;
     }
-    if pass.more { gather.finish(faults) } else { None }
+    if more { gather.finish(faults) } else { None }
 }
 
 /// The unit that the metadata of the file state for a column.
@@ -230,11 +243,7 @@ fn kind(column: &Column) -> Option<Holds> {
     match (column.physical, column.logical, column.converted) {
         (Type::FLOAT | Type::DOUBLE, Logical::Plain, ConvertedType::NONE) => Some(plain),
         (Type::INT32 | Type::INT64, Logical::Integer { signed }, _) => Some(Holds { unsigned: !signed, ..plain }),
-        (Type::INT64, Logical::Timestamp(unit), _) => time(match unit {
-            TimeUnit::Millis => &MILLISECOND,
-            TimeUnit::Micros => &MICROSECOND,
-            TimeUnit::Nanos => &NANOSECOND,
-        }),
+        (Type::INT64, Logical::Timestamp(unit), _) => time(unit),
         (Type::INT64, Logical::Plain, ConvertedType::TIMESTAMP_MILLIS) => time(&MILLISECOND),
         (Type::INT64, Logical::Plain, ConvertedType::TIMESTAMP_MICROS) => time(&MICROSECOND),
         (Type::INT32 | Type::INT64, Logical::Plain, converted) => match converted {
@@ -268,78 +277,48 @@ struct Used<'f> {
     column: &'f Column,
 }
 
-/// The way through the rows of a file.
-struct Pass<'f> {
-    file: &'f Bytes,
-    used: &'f [Used<'f>],
-    /// Rows that were read.
-    number: u64,
-    /// Bytes that pages were unpacked to.
-    spent: Arc<AtomicU64>,
-    /// Whether a further row can be kept.
-    more: bool,
-}
-
-impl<'f> Pass<'f> {
-    /// Reads the rows of a group; false if no further row can be kept.
-    fn rows(&mut self, chunks: Vec<Chunk>, gather: &mut Gather<'_>, faults: &mut Faults) -> Result<bool, Fault> {
-        let mut streams = opened(self.file, self.used, chunks, &gather.memory(), &self.spent)?;
-        loop {
-            let count = filled(&mut streams)?;
-            if count == 0 {
-                return Ok(true);
-            }
-            Limit::Rows.hold(self.number + count as u64, ROWS_MAX)?;
-            if !self.batch(&streams, gather, faults) || faults.enough() {
-                return Ok(false);
-            }
+/// Hands on the rows that were read; false if no further row can be kept.
+fn hand_on(streams: &[Stream<'_>], number: &mut u64, gather: &mut Gather<'_>, faults: &mut Faults) -> bool {
+    let Some((time, values)) = streams.split_first() else { return true };
+    for (row, cell) in time.cells.iter().enumerate() {
+        *number += 1;
+        let at = FileRow::Row(*number);
+        let tick = match *cell {
+            Cell::Null => Err(Fault::ValueMissing { at, column: time.name.to_owned() }),
+            Cell::Float(value) if !value.is_finite() => Err(not_finite(at, time.name, value)),
+            Cell::Float(value) => Ok(Tick::of_float(value)),
+            Cell::Integer(value) => Ok(Tick::of_integer(value)),
+        };
+        let sample = tick.map(|tick| gather.sample(*number, tick, faults)).unwrap_or_else(|fault| {
+            gather.time_failed();
+            faults.push(fault);
+            Sample::Dropped
+        });
+        match sample {
+            Sample::Dropped => continue,
+            Sample::Full => return false,
+            Sample::Kept => {}
         }
-    }
-
-    /// Hands on the rows that were read; false if no further row can be kept.
-    fn batch(&mut self, streams: &[Stream<'_>], gather: &mut Gather<'_>, faults: &mut Faults) -> bool {
-        let number = &mut self.number;
-        let Some((time, values)) = streams.split_first() else { return true };
-        for (row, cell) in time.cells.iter().enumerate() {
-            *number += 1;
-            let at = FileRow::Row(*number);
-            let tick = match *cell {
-                Cell::Null => Err(Fault::ValueMissing { at, column: time.name.to_owned() }),
-                Cell::Float(value) if !value.is_finite() => Err(not_finite(at, time.name, value)),
-                Cell::Float(value) => Ok(Tick::of_float(value)),
-                Cell::Integer(value) => Ok(Tick::of_integer(value)),
-            };
-            let sample = tick.map(|tick| gather.sample(*number, tick, faults)).unwrap_or_else(|fault| {
-                gather.time_failed();
-                faults.push(fault);
-                Sample::Dropped
-            });
-            match sample {
-                Sample::Dropped => continue,
-                Sample::Full => return false,
-                Sample::Kept => {}
-            }
-            for (channel, stream) in values.iter().enumerate() {
-                let value = match stream.cells.get(row) {
-                    None | Some(Cell::Null) => {
-                        faults.push(Fault::ValueMissing { at, column: stream.name.to_owned() });
-                        continue;
-                    }
-                    Some(Cell::Float(value)) => *value,
-                    Some(Cell::Integer(value)) => *value as f64,
-                };
-                match gather.value(channel, value) {
-                    Ok(()) => {}
-                    Err(Bad::Implausible) => {
-                        let (column, text) = (stream.name.to_owned(), format!("{value:e}"));
-                        faults.push(Fault::ValueImplausible { at, column, text });
-                    }
-                    Err(_) => faults.push(not_finite(at, stream.name, value)),
+        for (channel, stream) in values.iter().enumerate() {
+            let value = match stream.cells.get(row) {
+                None | Some(Cell::Null) => {
+                    faults.push(Fault::ValueMissing { at, column: stream.name.to_owned() });
+                    continue;
                 }
+                Some(Cell::Float(value)) => *value,
+                Some(Cell::Integer(value)) => *value as f64,
+            };
+            match gather.value(channel, value) {
+                Ok(()) => {}
+                Err(Bad::Implausible) => {
+                    let (column, text) = (stream.name.to_owned(), format!("{value:e}"));
+                    faults.push(Fault::ValueImplausible { at, column, text });
+                }
+                Err(_) => faults.push(not_finite(at, stream.name, value)),
             }
         }
-        true
     }
+    true
 }
 
 fn not_finite(at: FileRow, column: &str, value: f64) -> Fault {
@@ -387,7 +366,7 @@ impl<'a> Stream<'a> {
             ColumnReader::Int32ColumnReader(reader) => Source::Int32(reader, Vec::new()),
             ColumnReader::Int64ColumnReader(reader) => Source::Int64(reader, Vec::new()),
             // `kind` has let no other type through.
-            _ => return Err(Fault::ParquetUnreadable { reason: Damage::Footer }),
+            _ => return Err(damaged(Damage::Footer)),
         };
         let (name, unsigned) = (used.name.as_str(), used.kind.unsigned);
         Ok(Self { name, source, unsigned, level_max: column.defined, levels: Vec::new(), cells: Vec::new() })
@@ -458,8 +437,7 @@ fn spread<T: Copy>(
     if level_max == 0 {
         cells.extend(values.take(count).map(cell));
     } else {
-        let next = |level: &i16| if *level == level_max { values.next().map(&cell) } else { None };
-        let mut next = next;
+        let mut next = |level: &i16| if *level == level_max { values.next().map(&cell) } else { None };
         cells.extend(levels.iter().map(|level| next(level).unwrap_or(Cell::Null)));
     }
 }

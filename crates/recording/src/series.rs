@@ -14,7 +14,7 @@ pub struct Recording {
     /// Position, speed or both.
     pub course: Course,
     /// Torque or force, if there is such a column.
-    pub torque: Option<Effort>,
+    pub torque: Option<Series>,
     /// The columns that were read, in the order of [`Role::ALL`].
     pub columns: Vec<ColumnRead>,
     /// How the text was read; `None` of a format that is no text.
@@ -66,19 +66,10 @@ impl Along {
     }
 }
 
-/// A position or speed at every time.
+/// A position or speed, torque or force at every time.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Series {
-    /// Turning (rad, rad/s) or along a line (m, m/s).
-    pub along: Along,
-    /// Values in SI, one per time.
-    pub values: Arc<Vec<f64>>,
-}
-
-/// A torque or force at every time.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Effort {
-    /// Turning (Nm) or along a line (N).
+    /// Turning (rad, rad/s, Nm) or along a line (m, m/s, N).
     pub along: Along,
     /// Values in SI, one per time.
     pub values: Arc<Vec<f64>>,

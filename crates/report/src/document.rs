@@ -26,7 +26,7 @@ pub(crate) struct Document {
     full: bool,
     head: Head,
     axes: Vec<Axis>,
-    documents: Vec<Reference>,
+    documents: Vec<answers::Document>,
     /// The grades that the checks bear, the best first.
     grades: Vec<checks::GradeTold>,
     /// Every word of the template by its key.
@@ -59,16 +59,6 @@ struct Date {
     day: u8,
 }
 
-/// A document that sources cite.
-#[derive(Serialize)]
-struct Reference {
-    id: String,
-    title: String,
-    edition: String,
-    publisher: String,
-    note: String,
-}
-
 /// The name under which the template finds a figure of an axis.
 pub(crate) fn figure_file(axis: usize, index: usize) -> String {
     format!("figure-{axis}-{index}.svg")
@@ -80,22 +70,10 @@ impl Document {
         let first = content.axes.first().ok_or(Fault::NoAxis)?;
         let date = settings.date.as_deref().map(read_date).transpose()?;
         let dossiers = || content.axes.iter().map(|axis| &axis.dossier);
-        let mut projects: Vec<&str> = Vec::new();
-        for dossier in dossiers() {
-            if !projects.contains(&dossier.fingerprints.project.as_str()) {
-                projects.push(&dossier.fingerprints.project);
-            }
-        }
-        let mut documents: Vec<Reference> = Vec::new();
+        let mut documents: Vec<answers::Document> = Vec::new();
         for each in dossiers().flat_map(|dossier| &dossier.documents) {
             if documents.iter().all(|known| known.id != each.id) {
-                documents.push(Reference {
-                    id: each.id.clone(),
-                    title: each.title.clone(),
-                    edition: each.edition.clone(),
-                    publisher: each.publisher.clone(),
-                    note: each.note.clone(),
-                });
+                documents.push(each.clone());
             }
         }
         let head = Head {
@@ -109,7 +87,7 @@ impl Document {
             author: settings.author.clone(),
             company: settings.company.clone(),
             program: first.dossier.fingerprints.program.clone(),
-            hash_project: projects.join(", "),
+            hash_project: checks::once(dossiers().map(|dossier| &dossier.fingerprints.project)).join(", "),
             hash_catalogue: first.dossier.fingerprints.catalogue.clone(),
         };
         Ok(Self {

@@ -53,23 +53,12 @@ pub fn checklist_pdf(sheet: &Commissioning, language: Language) -> Result<Vec<u8
 /// # Errors
 /// As [`checklist_pdf`].
 pub fn checklist_texts(sheet: &Commissioning, language: Language) -> Result<Vec<String>, Fault> {
-    let document = typeset_checklist(&CheckListDocument::build(sheet, language))?;
-    let texts = document.pages().iter().map(|page| {
-        let mut text = String::new();
-        collect_text(&page.frame, &mut text);
-        text
-    });
-    let texts = texts.collect();
-    forget();
-    Ok(texts)
+    Ok(texts(&typeset_checklist(&CheckListDocument::build(sheet, language))?))
 }
 
 fn typeset_checklist(lists: &CheckListDocument) -> Result<PagedDocument, Fault> {
     static TEMPLATE: OnceLock<Template> = OnceLock::new();
-    let template = match TEMPLATE.get() {
-        Some(template) => template,
-        None => Template::read(template::CHECKLIST, "checklist.typ").map(|read| TEMPLATE.get_or_init(|| read))?,
-    };
+    let template = Template::once(&TEMPLATE, template::CHECKLIST, "checklist.typ")?;
     let document = serde_json::to_value(lists).map_err(|fault| Fault::Typesetting { message: fault.to_string() })?;
     let document = fonts().glyphs.printable(document);
     let files = BTreeMap::from([("data.json".to_owned(), document.to_string().into_bytes())]);
@@ -121,18 +110,14 @@ pub fn pages_png(content: &Content, settings: &Settings, scale: f64) -> Result<V
 /// # Errors
 /// As [`pdf`].
 pub fn page_texts(content: &Content, settings: &Settings) -> Result<Vec<String>, Fault> {
-    let document = typeset(content, settings)?;
-    let texts = document
-        .pages()
-        .iter()
-        .map(|page| {
-            let mut text = String::new();
-            collect_text(&page.frame, &mut text);
-            text
-        })
-        .collect();
+    Ok(texts(&typeset(content, settings)?))
+}
+
+fn texts(document: &PagedDocument) -> Vec<String> {
+    let texts = document.pages().iter().map(|page| runs(&page.frame).into_iter().map(|run| run.text + " ").collect());
+    let texts = texts.collect();
     forget();
-    Ok(texts)
+    texts
 }
 
 /// How far to the right the text of every page reaches, in points: a page of A4 ends at 595.3.
@@ -142,21 +127,10 @@ pub fn page_texts(content: &Content, settings: &Settings) -> Result<Vec<String>,
 #[doc(hidden)]
 pub fn right_edges(content: &Content, settings: &Settings) -> Result<Vec<f64>, Fault> {
     let document = typeset(content, settings)?;
-    let edges = document.pages().iter().map(|page| right_edge(&page.frame, 0.0)).collect();
+    let edges = document.pages().iter().map(|page| runs(&page.frame).iter().map(|run| run.to).fold(0.0, f64::max));
+    let edges = edges.collect();
     forget();
     Ok(edges)
-}
-
-fn right_edge(frame: &Frame, left: f64) -> f64 {
-    let ends = frame.items().map(|(place, item)| {
-        let left = left + place.x.to_pt();
-        match item {
-            FrameItem::Group(group) => right_edge(&group.frame, left + group.transform.tx.to_pt()),
-            FrameItem::Text(run) => left + run.width().to_pt(),
-            _ => left,
-        }
-    });
-    ends.fold(0.0, f64::max)
 }
 
 /// How far down the content of every page reaches, head and foot lines left out, in points: the text ends at 771.
@@ -194,8 +168,7 @@ pub fn overlaps(content: &Content, settings: &Settings) -> Result<Vec<String>, F
     let document = typeset(content, settings)?;
     let mut found = Vec::new();
     for page in document.pages() {
-        let mut runs = Vec::new();
-        collect_runs(&page.frame, (0.0, 0.0), &mut runs);
+        let mut runs = runs(&page.frame);
         runs.sort_by(|a, b| a.line.total_cmp(&b.line));
         for (index, a) in runs.iter().enumerate() {
             let beside = runs.iter().skip(index + 1).take_while(|b| b.line - a.line < 0.5);
@@ -215,6 +188,13 @@ struct Run {
     text: String,
 }
 
+/// The runs of a page, in the order in which they are set.
+fn runs(page: &Frame) -> Vec<Run> {
+    let mut runs = Vec::new();
+    collect_runs(page, (0.0, 0.0), &mut runs);
+    runs
+}
+
 fn collect_runs(frame: &Frame, (left, top): (f64, f64), runs: &mut Vec<Run>) {
     for (place, item) in frame.items() {
         let (left, top) = (left + place.x.to_pt(), top + place.y.to_pt());
@@ -225,19 +205,6 @@ fn collect_runs(frame: &Frame, (left, top): (f64, f64), runs: &mut Vec<Run>) {
             }
             FrameItem::Text(run) => {
                 runs.push(Run { line: top, from: left, to: left + run.width().to_pt(), text: run.text.to_string() });
-            }
-            _ => {}
-        }
-    }
-}
-
-fn collect_text(frame: &Frame, text: &mut String) {
-    for (_, item) in frame.items() {
-        match item {
-            FrameItem::Group(group) => collect_text(&group.frame, text),
-            FrameItem::Text(run) => {
-                text.push_str(&run.text);
-                text.push(' ');
             }
             _ => {}
         }
@@ -317,6 +284,18 @@ struct Template {
 }
 
 impl Template {
+    /// The one that was read already, else this one.
+    fn once(
+        read: &'static OnceLock<Self>,
+        files: &'static [(&'static str, &'static str)],
+        main: &str,
+    ) -> Result<&'static Self, Fault> {
+        match read.get() {
+            Some(template) => Ok(template),
+            None => Self::read(files, main).map(|template| read.get_or_init(|| template)),
+        }
+    }
+
     fn read(files: &'static [(&'static str, &'static str)], main: &str) -> Result<Self, Fault> {
         let mut sources = BTreeMap::new();
         for (name, text) in files {
@@ -328,10 +307,7 @@ impl Template {
 
 fn template() -> Result<&'static Template, Fault> {
     static TEMPLATE: OnceLock<Template> = OnceLock::new();
-    match TEMPLATE.get() {
-        Some(template) => Ok(template),
-        None => Template::read(template::FILES, "main.typ").map(|read| TEMPLATE.get_or_init(|| read)),
-    }
+    Template::once(&TEMPLATE, template::FILES, "main.typ")
 }
 
 /// Loads fonts and template, so that a face may have it done while it computes. [`pdf`] does it otherwise.

@@ -1,7 +1,8 @@
 //! From table files to flat cells, with errata applied and every rule of `data/README.md` held.
 
 use crate::read::{Data, Erratum, Row, Table};
-use std::collections::BTreeMap;
+use provenance::Value;
+use std::collections::{BTreeMap, BTreeSet};
 
 /// The keys of a cell, in the order of [`Cell::keys`].
 pub const KEYS: [&str; 5] = ["drive", "feedback", "ratio", "symbol", "condition"];
@@ -27,37 +28,6 @@ pub struct Cell<'a> {
     pub checks_use: Option<&'a str>,
     /// Places of the errata about it.
     pub errata: Vec<usize>,
-}
-
-/// The meaning of a cell's text; its names are those of the type in `catalogue`.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Value {
-    /// A dash.
-    NotPrinted,
-    /// A number.
-    Number(f64),
-    /// `a ... b`
-    Range {
-        /// Lower end.
-        low: f64,
-        /// Upper end.
-        high: f64,
-    },
-    /// `< a`, `≤ a`, `< ±a`
-    UpperBound(f64),
-    /// `> a`, `≥ a`
-    LowerBound(f64),
-    /// `±a`
-    PlusMinus(f64),
-    /// `a ±b %`
-    Tolerance {
-        /// Nominal value.
-        nominal: f64,
-        /// Tolerance in per cent.
-        plus_minus_percent: f64,
-    },
-    /// No number.
-    Text,
 }
 
 /// The meaning of a cell's text.
@@ -317,33 +287,23 @@ fn roles(data: &Data, faults: &mut Vec<String>) {
 }
 
 fn unique(data: &Data, cells: &[Cell<'_>], faults: &mut Vec<String>) {
-    let mut seen = BTreeMap::new();
-    for erratum in &data.errata {
-        if seen.insert(("erratum", erratum.id.clone()), ()).is_some() {
-            faults.push(format!("erratum {} stands twice", erratum.id));
+    let errata = data.errata.iter().map(|erratum| ("erratum", &erratum.id));
+    let tables = data.tables.iter().map(|table| ("table", &table.table));
+    let terms = data.glossary.iter().map(|term| ("glossary:", &term.symbol));
+    let words = data.words.iter().map(|word| ("glossary: the word", &word.id));
+    let mut seen = BTreeSet::new();
+    for (what, name) in errata.chain(tables).chain(terms).chain(words) {
+        if !seen.insert((what, name)) {
+            faults.push(format!("{what} {name} stands twice"));
         }
     }
-    for table in &data.tables {
-        if seen.insert(("table", table.table.clone()), ()).is_some() {
-            faults.push(format!("table {} stands twice", table.table));
-        }
-    }
-    for term in &data.glossary {
-        if seen.insert(("term", term.symbol.clone()), ()).is_some() {
-            faults.push(format!("glossary: {} stands twice", term.symbol));
-        }
-    }
-    for word in &data.words {
-        if seen.insert(("word", word.id.clone()), ()).is_some() {
-            faults.push(format!("glossary: the word {} stands twice", word.id));
-        }
-    }
+    let name_of = |cell: &Cell<'_>| data.tables.get(cell.table).map_or("", |table| table.table.as_str());
     let mut keys: BTreeMap<(usize, &[String; 5]), usize> = BTreeMap::new();
     for cell in cells {
         if let Some(row) = keys.insert((cell.table, &cell.keys), cell.row) {
-            let table = data.tables.get(cell.table).map_or("", |t| t.table.as_str());
             faults.push(format!(
-                "table {table}: rows {} and {} name the same cell {:?}",
+                "table {}: rows {} and {} name the same cell {:?}",
+                name_of(cell),
                 row + 1,
                 cell.row + 1,
                 cell.keys
@@ -351,8 +311,7 @@ fn unique(data: &Data, cells: &[Cell<'_>], faults: &mut Vec<String>) {
         }
         let symbol = &cell.keys[3];
         if !symbol.is_empty() && !data.glossary.iter().any(|term| &term.symbol == symbol) {
-            let table = data.tables.get(cell.table).map_or("", |t| t.table.as_str());
-            faults.push(format!("table {table}: symbol `{symbol}` is not in glossary.toml"));
+            faults.push(format!("table {}: symbol `{symbol}` is not in glossary.toml", name_of(cell)));
         }
     }
 }

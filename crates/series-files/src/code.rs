@@ -4,26 +4,23 @@ use serde::Deserialize;
 use std::collections::BTreeMap;
 
 /// The fields that a code may have; the order is that of the file.
-pub const FIELDS: [(&str, &str); 9] = [
-    ("series", "Series"),
-    ("size", "Size"),
-    ("ratio", "Ratio"),
-    ("winding", "Winding"),
-    ("feedback", "Feedback"),
-    ("brake", "Brake"),
-    ("option_1", "Option1"),
-    ("option_2", "Option2"),
-    ("special", "Special"),
-];
+const FIELDS: [&str; 9] =
+    ["series", "size", "ratio", "winding", "feedback", "brake", "option_1", "option_2", "special"];
 
-/// The kinds of feedback that the engine knows, with their names in `order-code`.
-pub const FEEDBACK_KINDS: [(&str, &str); 5] = [
-    ("sine_incremental", "SineIncremental"),
-    ("endat_multiturn", "EndatMultiturn"),
-    ("resolver", "Resolver"),
-    ("square_incremental", "SquareIncremental"),
-    ("ssi_multiturn", "SsiMultiturn"),
-];
+/// The kinds of feedback that the engine knows.
+const FEEDBACK_KINDS: [&str; 5] =
+    ["sine_incremental", "endat_multiturn", "resolver", "square_incremental", "ssi_multiturn"];
+
+/// The variant that an identifier stands for in the types of `order-code` and `catalogue`: `AtLeast` for `at_least`.
+#[must_use]
+pub fn variant_of(id: &str) -> String {
+    let capitalised = |word: &str| {
+        let mut signs = word.chars();
+        let first = signs.next().map(|sign| sign.to_ascii_uppercase());
+        first.into_iter().chain(signs).collect::<String>()
+    };
+    id.split('_').map(capitalised).collect()
+}
 
 /// One `code.toml`.
 #[derive(Deserialize)]
@@ -174,7 +171,7 @@ pub struct Winding {
 pub struct Feedback {
     /// The feedback.
     pub word: String,
-    /// One of [`FEEDBACK_KINDS`].
+    /// One of the kinds that the engine knows.
     pub kind: String,
     /// Table of its data; empty: none.
     #[serde(default)]
@@ -229,7 +226,7 @@ impl Code {
         let at = format!("code.toml of {}", self.series);
         let mut seen: Vec<&str> = Vec::new();
         for field in &self.fields {
-            if !FIELDS.iter().any(|(id, _)| *id == field.id) || seen.contains(&field.id.as_str()) {
+            if !FIELDS.contains(&field.id.as_str()) || seen.contains(&field.id.as_str()) {
                 faults.push(format!("{at}: field `{}` is unknown or stands twice", field.id));
             }
             seen.push(&field.id);
@@ -260,7 +257,7 @@ impl Code {
                 faults.push(format!("{at}: a word of `{}`, or its absence, has no meaning", field.id));
             }
         }
-        for (needed, _) in FIELDS.iter().take(5) {
+        for needed in FIELDS.iter().take(5) {
             if self.fields.iter().find(|field| field.id == *needed).is_none_or(|field| field.optional) {
                 faults.push(format!("{at}: every code needs the field `{needed}`"));
             }
@@ -298,7 +295,7 @@ impl Code {
         }
         for word in self.words("feedback") {
             let of = self.feedbacks.iter().filter(|feedback| feedback.word == *word);
-            let kinds = of.map(|feedback| FEEDBACK_KINDS.iter().any(|(kind, _)| *kind == feedback.kind));
+            let kinds = of.map(|feedback| FEEDBACK_KINDS.contains(&feedback.kind.as_str()));
             if kinds.collect::<Vec<_>>() != [true] {
                 faults.push(format!("{at}: feedback `{word}` needs one entry of a known kind"));
             }

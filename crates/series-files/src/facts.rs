@@ -1,5 +1,6 @@
 //! Facts that a source states in prose: held to their form, written as static records.
 
+use crate::code::variant_of;
 use crate::read::Data;
 use serde::Deserialize;
 use std::collections::BTreeSet;
@@ -62,47 +63,28 @@ pub(crate) struct FactsFile {
     pub fact: Vec<Fact>,
 }
 
-/// Word of the file and variant of `catalogue`'s type.
-type Words = &'static [(&'static str, &'static str)];
+const GRADES: &[&str] = &["printed", "published", "assumed"];
+const TOPICS: &[&str] = &["wiring", "mount", "commission", "upkeep", "safety"];
+const SIGNALS: &[&str] = &["danger", "warning", "caution", "notice", "info"];
+const STEPS: &[&str] = &[
+    "transport",
+    "mounting",
+    "wiring",
+    "before_power",
+    "first_motion",
+    "after_a_day",
+    "in_service",
+    "shutdown",
+    "disposal",
+];
+const BOUNDS: &[&str] = &["above", "below", "at_least", "at_most", "about", "exactly"];
 
-const GRADES: Words = &[("printed", "Printed"), ("published", "Published"), ("assumed", "Assumed")];
-const TOPICS: Words = &[
-    ("wiring", "Wiring"),
-    ("mount", "Mount"),
-    ("commission", "Commission"),
-    ("upkeep", "Upkeep"),
-    ("safety", "Safety"),
-];
-const SIGNALS: Words =
-    &[("danger", "Danger"), ("warning", "Warning"), ("caution", "Caution"), ("notice", "Notice"), ("info", "Info")];
-const STEPS: Words = &[
-    ("transport", "Transport"),
-    ("mounting", "Mounting"),
-    ("wiring", "Wiring"),
-    ("before_power", "BeforePower"),
-    ("first_motion", "FirstMotion"),
-    ("after_a_day", "AfterADay"),
-    ("in_service", "InService"),
-    ("shutdown", "Shutdown"),
-    ("disposal", "Disposal"),
-];
-const BOUNDS: Words = &[
-    ("above", "Above"),
-    ("below", "Below"),
-    ("at_least", "AtLeast"),
-    ("at_most", "AtMost"),
-    ("about", "About"),
-    ("exactly", "Exactly"),
-];
-
-/// The variant of a word; an unknown word is a fault that lists the known ones.
-fn variant(what: &str, word: &str, words: Words, at: &str, faults: &mut Vec<String>) -> &'static str {
-    if let Some((_, variant)) = words.iter().find(|(known, _)| *known == word) {
-        return variant;
+/// The variant of a word in `catalogue`'s type; an unknown word is a fault that lists the known ones.
+fn variant(what: &str, word: &str, words: &[&str], at: &str, faults: &mut Vec<String>) -> String {
+    if !words.contains(&word) {
+        faults.push(format!("{at}: unknown {what} `{word}`, known are {}", words.join(", ")));
     }
-    let known: Vec<&str> = words.iter().map(|(known, _)| *known).collect();
-    faults.push(format!("{at}: unknown {what} `{word}`, known are {}", known.join(", ")));
-    words.first().map_or("", |(_, variant)| variant)
+    variant_of(word)
 }
 
 fn is_snake_case(id: &str) -> bool {
@@ -175,7 +157,7 @@ fn record(fact: &Fact, data: &Data, at: &str, faults: &mut Vec<String>) -> Strin
     let grade = variant("kind", fact.kind.as_deref().unwrap_or("printed"), GRADES, at, faults);
     let topics: Vec<String> =
         fact.topics.iter().map(|topic| format!("Topic::{}", variant("topic", topic, TOPICS, at, faults))).collect();
-    let mut optional = |kind: &str, what: &str, word: &Option<String>, words: Words| {
+    let mut optional = |kind: &str, what: &str, word: &Option<String>, words: &[&str]| {
         word.as_ref().map_or_else(
             || "None".to_owned(),
             |word| format!("Some({kind}::{})", variant(what, word, words, at, faults)),

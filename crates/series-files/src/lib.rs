@@ -9,7 +9,28 @@ mod code;
 mod facts;
 mod read;
 
-pub use cells::{Cell, Cells, KEYS, Value, cells, value_of};
-pub use code::{Code, Drive, FEEDBACK_KINDS, FIELDS, Feedback, Field, Mark, Meaning, Tables, Winding, Wiring};
+pub use cells::{Cell, Cells, KEYS, cells, value_of};
+pub use code::{Code, Drive, Feedback, Field, Mark, Meaning, Tables, Winding, Wiring, variant_of};
 pub use facts::embed as facts;
-pub use read::{Data, Erratum, Source, Table, codes, read_all, read_one, series_folders};
+pub use read::{Data, Document, Erratum, Table, codes, read_all, read_one, series_folders};
+
+use std::path::Path;
+use std::process::ExitCode;
+
+/// Writes what a build script embeds to its `OUT_DIR`; where there are faults cargo reports them instead.
+#[allow(clippy::print_stdout, reason = "a build script speaks to cargo over stdout")]
+#[must_use]
+pub fn write_out(name: &str, text: &str, faults: &[String]) -> ExitCode {
+    for fault in faults {
+        println!("cargo::error={fault}");
+    }
+    match std::env::var_os("OUT_DIR") {
+        _ if !faults.is_empty() => {}
+        None => println!("cargo::error=OUT_DIR is not set"),
+        Some(out) => match std::fs::write(Path::new(&out).join(name), text) {
+            Ok(()) => return ExitCode::SUCCESS,
+            Err(fault) => println!("cargo::error=cannot write {name}: {fault}"),
+        },
+    }
+    ExitCode::FAILURE
+}

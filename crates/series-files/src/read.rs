@@ -86,32 +86,40 @@ pub struct Erratum {
     pub evidence_de: String,
 }
 
-/// One entry of `sources.toml`.
-#[derive(Deserialize)]
+/// One entry of `sources.toml`; names and fields are those of the type in `catalogue`.
+#[derive(Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
-pub struct Source {
+pub struct Document {
     pub id: String,
     pub title: String,
-    pub edition: Option<String>,
-    pub language: Option<String>,
-    pub publisher: Option<String>,
-    pub kind: Option<String>,
-    #[serde(rename = "where")]
-    pub place: Option<String>,
-    pub note: Option<String>,
+    #[serde(default)]
+    pub edition: String,
+    #[serde(default)]
+    pub language: String,
+    #[serde(default)]
+    pub publisher: String,
+    #[serde(default)]
+    pub kind: String,
+    #[serde(default, rename = "where")]
+    pub place: String,
+    #[serde(default)]
+    pub note: String,
 }
 
-/// One entry of `glossary.toml`.
-#[derive(Deserialize)]
+/// One entry of `glossary.toml`; names and fields are those of the type in `catalogue`.
+#[derive(Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Term {
     pub symbol: String,
     pub identifier: String,
-    pub unit: Option<String>,
+    #[serde(default)]
+    pub unit: String,
     pub en: String,
     pub de: String,
-    pub note_en: Option<String>,
-    pub note_de: Option<String>,
+    #[serde(default)]
+    pub note_en: String,
+    #[serde(default)]
+    pub note_de: String,
 }
 
 /// One entry of `cha/texts.toml`.
@@ -150,7 +158,7 @@ struct ErrataFile {
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
 struct SourcesFile {
-    source: Vec<Source>,
+    source: Vec<Document>,
 }
 
 #[derive(Deserialize)]
@@ -165,7 +173,7 @@ struct GlossaryFile {
 pub struct Data {
     pub tables: Vec<Table>,
     pub errata: Vec<Erratum>,
-    pub sources: Vec<Source>,
+    pub sources: Vec<Document>,
     pub glossary: Vec<Term>,
     pub texts: Vec<Text>,
     pub words: Vec<Word>,
@@ -191,20 +199,21 @@ fn read_file<T: for<'de> Deserialize<'de>>(path: &Path, faults: &mut Vec<String>
     }
 }
 
-/// The TOML files below `folder`, in the order of their names read as numbers.
-fn table_paths(folder: &Path, faults: &mut Vec<String>) -> Vec<PathBuf> {
-    let entries = match std::fs::read_dir(folder) {
-        Ok(entries) => entries,
+/// What lies in a folder.
+fn entries(folder: &Path, faults: &mut Vec<String>) -> Vec<PathBuf> {
+    match std::fs::read_dir(folder) {
+        Ok(entries) => entries.flatten().map(|entry| entry.path()).collect(),
         Err(fault) => {
             faults.push(format!("{}: {fault}", folder.display()));
-            return Vec::new();
+            Vec::new()
         }
-    };
-    let mut paths: Vec<PathBuf> = entries
-        .flatten()
-        .map(|entry| entry.path())
-        .filter(|path| path.extension().is_some_and(|e| e == "toml"))
-        .collect();
+    }
+}
+
+/// The TOML files below `folder`, in the order of their names read as numbers.
+fn table_paths(folder: &Path, faults: &mut Vec<String>) -> Vec<PathBuf> {
+    let mut paths = entries(folder, faults);
+    paths.retain(|path| path.extension().is_some_and(|e| e == "toml"));
     paths.sort_by_key(|path| {
         let stem = path.file_stem().map(|s| s.to_string_lossy().into_owned()).unwrap_or_default();
         let numbers: Option<Vec<u32>> = stem.split('.').map(|part| part.parse().ok()).collect();
@@ -215,18 +224,10 @@ fn table_paths(folder: &Path, faults: &mut Vec<String>) -> Vec<PathBuf> {
 
 /// The folders of series below `data/`, in the order of their names: each has a `code.toml`.
 pub fn series_folders(root: &Path, faults: &mut Vec<String>) -> Vec<PathBuf> {
-    match std::fs::read_dir(root) {
-        Ok(entries) => {
-            let mut folders: Vec<PathBuf> =
-                entries.flatten().map(|entry| entry.path()).filter(|path| path.join("code.toml").is_file()).collect();
-            folders.sort();
-            folders
-        }
-        Err(fault) => {
-            faults.push(format!("{}: {fault}", root.display()));
-            Vec::new()
-        }
-    }
+    let mut folders = entries(root, faults);
+    folders.retain(|path| path.join("code.toml").is_file());
+    folders.sort();
+    folders
 }
 
 /// The ordering codes of the series below `data/`.

@@ -149,9 +149,8 @@ impl Desk {
                 return Err(reply);
             }
             if !token.is_in(&parts.headers) {
-                let mut reply = page::misdirected(401, requests::token_missing(language), None);
-                reply.headers.push(("www-authenticate", "Bearer".to_owned()));
-                return Err(reply);
+                let reply = page::misdirected(401, requests::token_missing(language), None);
+                return Err(reply.with("www-authenticate", "Bearer"));
             }
         }
         match parts.method {
@@ -172,10 +171,8 @@ impl Desk {
             NoBody::NoRoom => (503, requests::busy(language).to_owned()),
             NoBody::Broken => (400, requests::body_broken(language).to_owned()),
         };
-        let mut reply = page::misdirected(status, &message, None);
         // What may still come of it is not read.
-        reply.headers.push(("connection", "close".to_owned()));
-        reply
+        page::misdirected(status, &message, None).with("connection", "close")
     }
 
     /// Computes the answer on a thread of its own when its turn has come, and gives up when its time is over.
@@ -239,9 +236,7 @@ impl Question {
 
 /// Too many wait already.
 fn busy(language: Language) -> Reply {
-    let mut reply = page::misdirected(503, requests::busy(language), None);
-    reply.headers.push(("retry-after", "1".to_owned()));
-    reply
+    page::misdirected(503, requests::busy(language), None).with("retry-after", "1")
 }
 
 /// Who opens the address with the token gets it as a cookie and the address without it.
@@ -258,7 +253,5 @@ fn introduced(parts: &Parts, token: &Token) -> Option<Reply> {
     // One slash at the beginning: two would name another host.
     let path = format!("/{}", parts.uri.path().trim_start_matches('/'));
     let place = if rest.is_empty() { path } else { format!("{path}?{}", rest.join("&")) };
-    let mut reply = Reply::text(303, "");
-    reply.headers = vec![("location", place), ("set-cookie", token.cookie())];
-    Some(reply)
+    Some(Reply::text(303, "").with("location", place).with("set-cookie", token.cookie()))
 }

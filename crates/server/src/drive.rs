@@ -1,6 +1,6 @@
 //! The virtual drive over TCP: connections on the loopback in front of one drive, and the time.
 
-use crate::serve::{Unserved, end_requested};
+use crate::serve::{Unserved, end_requested, listening};
 use questions::drive::line::{self, Answer, LINE_MOST};
 use questions::drive::room::Drive;
 use questions::drive::{Frame, HALF_MS_S, Node, Time, socketcand};
@@ -93,11 +93,7 @@ impl DriveServer {
     /// # Errors
     /// [`Unserved`].
     pub fn bind(port: u16, protocol: DriveProtocol, time: Time) -> Result<Self, Unserved> {
-        let asked = SocketAddr::from((Ipv4Addr::LOCALHOST, port));
-        let unbound = |error| Unserved::Address(asked, error);
-        let listener = TcpListener::bind(asked).map_err(unbound)?;
-        listener.set_nonblocking(true).map_err(unbound)?;
-        let address = listener.local_addr().map_err(unbound)?;
+        let (listener, address) = listening(SocketAddr::from((Ipv4Addr::LOCALHOST, port)))?;
         Ok(Self { listener, address, protocol, time })
     }
 

@@ -89,6 +89,17 @@ impl Unserved {
     }
 }
 
+/// A place to listen, and its address.
+pub(crate) fn listening(asked: SocketAddr) -> Result<(TcpListener, SocketAddr), Unserved> {
+    let bound = || {
+        let listener = TcpListener::bind(asked)?;
+        listener.set_nonblocking(true)?;
+        let address = listener.local_addr()?;
+        Ok((listener, address))
+    };
+    bound().map_err(|error| Unserved::Address(asked, error))
+}
+
 /// A server that listens already, so that its address is known before it serves.
 pub struct Server {
     listener: TcpListener,
@@ -109,11 +120,7 @@ impl Server {
             .and_then(|folder| std::fs::read_dir(&folder).map(|_| folder))
             .map_err(|error| Unserved::Folder(options.folder.clone(), error))?;
         let ip = options.listen.unwrap_or(IpAddr::V4(Ipv4Addr::LOCALHOST));
-        let asked = SocketAddr::new(ip, options.port);
-        let unbound = |error| Unserved::Address(asked, error);
-        let listener = TcpListener::bind(asked).map_err(unbound)?;
-        listener.set_nonblocking(true).map_err(unbound)?;
-        let address = listener.local_addr().map_err(unbound)?;
+        let (listener, address) = listening(SocketAddr::new(ip, options.port))?;
         // The loopback is no exception: every user of the machine reaches it.
         let token = match options.access {
             Access::WithToken => Some(Token::new(address.port()).map_err(Unserved::Token)?),

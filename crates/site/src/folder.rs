@@ -36,7 +36,7 @@ pub fn files([engine, interface]: [&[u8]; 2], notices: &str) -> std::io::Result<
         (PACKED.to_owned(), packed(interface)?.into_bytes()),
         ("THIRD-PARTY.md".to_owned(), notices.into()),
     ];
-    let assets = page::ASSETS.iter().map(|name| format!("assets/{name}"));
+    let assets = page::ASSETS.iter().map(|(name, _)| format!("assets/{name}"));
     for name in assets.chain(page::theory_files().map(|name| format!("theory/{name}"))) {
         let path = format!("/{name}");
         let call =

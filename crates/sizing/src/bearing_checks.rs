@@ -2,7 +2,7 @@
 
 use crate::axis::{Axis, BearingDuty};
 use crate::check::{Check, CheckId, Verdict};
-use crate::comparison::{Asking, Comparison, against_asked, equation, not_checked};
+use crate::comparison::{Asking, Comparison, against_asked, equation, not_checked, project};
 use crate::flange::{CycleLoads, Peak};
 use crate::list::Outcome;
 use crate::notes::{Note, Notes};
@@ -12,7 +12,7 @@ use actuator::{BearingType, FlangeLoad, OutputBearing};
 use derivation::{Finding, Workings};
 use provenance::{CellRef, Grade, Missing, Source, Sourced};
 use quantities::unit::{ARCMINUTE, HOUR, METRE, NEWTON, NEWTON_METRE, NEWTON_METRE_PER_ARCMINUTE, ONE};
-use quantities::{Angle, Force, Length, Measure, Time, Torque};
+use quantities::{Angle, Force, Length, Measure, Time, Torque, Unit};
 use std::cell::OnceCell;
 
 /// The model of tilting moment, life, safety and tilt.
@@ -103,7 +103,7 @@ fn force<Q: Measure>(
     }
     duty.forces_known(axis)?;
     let peak = of(borne.loads());
-    let source = if duty.derived.is_some() { DERIVED } else { Source::Project { key: names.2.into() } };
+    let source = if duty.derived.is_some() { DERIVED } else { project(names.2) };
     largest_force(duty, names, peak.value, work);
     work.given(symbol, &NEWTON, limit);
     work.limit(symbol);
@@ -125,36 +125,39 @@ fn largest_force(duty: &BearingDuty, (symbol, what, key): Names, value: f64, wor
     if !work.is_on() {
         return;
     }
-    let source = Source::Project { key: key.into() };
     if duty.derived.is_some() {
-        work.found(symbol, &NEWTON, value, FROM_THE_MECHANISM, &DERIVED, Grade::Computed);
-    } else if is_constant(duty) {
-        work.figure(symbol, &NEWTON, value, &source, Grade::Printed);
+        work.found(symbol, &NEWTON, value, Finding::LargestOfMechanism, &DERIVED, Grade::Computed);
     } else {
-        work.found(symbol, &NEWTON, value, what, &source, Grade::Printed);
+        stated(is_constant(duty), (symbol, &NEWTON, value, key), what, work);
     }
     work.value(symbol);
 }
 
-/// Where a largest load is from that follows from the mechanism.
-const FROM_THE_MECHANISM: Finding = Finding::LargestOfMechanism;
+/// What the user gave, from the segment that `what` names where there are several.
+fn stated(
+    constant: bool,
+    (symbol, unit, value, key): (&'static str, &'static Unit, f64, &'static str),
+    what: Finding,
+    work: &mut Workings,
+) {
+    if constant {
+        work.stated(symbol, unit, value, key);
+    } else {
+        work.found(symbol, unit, value, what, &project(key), Grade::Printed);
+    }
+}
 
 /// The workings of the tilting moment under one load, `M`: what the user gave, from the segment that `what` names where
 /// there are several.
 fn load_moment(duty: &BearingDuty, load: &FlangeLoad, offset: &Sourced<Length>, what: Finding, work: &mut Workings) {
     let constant = is_constant(duty);
-    for (symbol, unit, value, key) in [
+    for given in [
         ("F_r", &NEWTON, load.radial_force.si(), "bearing.radial_force"),
         ("L_r", &METRE, load.radial_distance.si(), "bearing.radial_distance"),
         ("F_a", &NEWTON, load.axial_force.si(), "bearing.axial_force"),
         ("L_a", &METRE, load.axial_distance.si(), "bearing.axial_distance"),
     ] {
-        let source = Source::Project { key: key.into() };
-        if constant {
-            work.figure(symbol, unit, value, &source, Grade::Printed);
-        } else {
-            work.found(symbol, unit, value, what, &source, Grade::Printed);
-        }
+        stated(constant, given, what, work);
     }
     work.given("R", &METRE, offset);
     let moment = actuator::tilting_moment(load, offset.value).si();
@@ -167,7 +170,7 @@ pub(crate) fn explain_largest_moment(borne: &Borne<'_>, work: &mut Workings) {
     let Some(offset) = bearing.offset.known().filter(|_| work.is_on()) else { return };
     if duty.derived.is_some() {
         let moment = borne.loads().moment.value;
-        work.found("M", &NEWTON_METRE, moment, FROM_THE_MECHANISM, &DERIVED, Grade::Computed);
+        work.found("M", &NEWTON_METRE, moment, Finding::LargestOfMechanism, &DERIVED, Grade::Computed);
         return;
     }
     let moment = |load: &FlangeLoad| actuator::tilting_moment(load, offset.value).si();
@@ -292,9 +295,8 @@ pub(crate) fn life(borne: &Borne<'_>, work: &mut Workings) -> Outcome {
                 None => explain_mean_load(&mean, offset, duty.derived.is_some(), work),
             }
             explain_equivalent_load(&mean, only.is_some(), (pitch, equivalent), work);
-            let factor = Source::Project { key: "bearing.load_factor".into() };
             work.given("C", &NEWTON, rating);
-            work.figure("f_w", &ONE, load_factor, &factor, Grade::Printed);
+            work.stated("f_w", &ONE, load_factor, "bearing.load_factor");
             workings::mean_speed(axis, work);
             // Of a swing the manual writes the same with its angle and number a minute.
             let source = if axis.moments().is_swing() { MODEL } else { equation("74.1") };
@@ -364,23 +366,17 @@ fn explain_exponent(kind: &Sourced<BearingType>, work: &mut Workings) {
 fn explain_mean_load(mean: &MeanLoad, offset: &Sourced<Length>, derived: bool, work: &mut Workings) {
     let [radial, axial] = mean.moments;
     let (by_radial, by_axial) = (equation("75.2"), equation("75.3"));
+    let (of_radial, of_axial) = if derived {
+        (Finding::RadialMeanOverCycle, Finding::AxialMeanOverCycle)
+    } else {
+        (Finding::RadialMean, Finding::AxialMean)
+    };
+    work.found("F_rav", &NEWTON, mean.load.radial_force.si(), of_radial, &by_radial, Grade::Computed);
+    work.found("F_aav", &NEWTON, mean.load.axial_force.si(), of_axial, &by_axial, Grade::Computed);
+    work.given("R", &METRE, offset);
     if derived {
-        let what = Finding::RadialMeanOverCycle;
-        work.found("F_rav", &NEWTON, mean.load.radial_force.si(), what, &by_radial, Grade::Computed);
-        let what = Finding::AxialMeanOverCycle;
-        work.found("F_aav", &NEWTON, mean.load.axial_force.si(), what, &by_axial, Grade::Computed);
-        work.given("R", &METRE, offset);
         let what = Finding::MomentMeanOverCycle;
         work.found("M_L", &NEWTON_METRE, mean.of_mechanism, what, &DERIVED, Grade::Computed);
-    }
-    if !derived {
-        let what = Finding::RadialMean;
-        work.found("F_rav", &NEWTON, mean.load.radial_force.si(), what, &by_radial, Grade::Computed);
-        let what = Finding::AxialMean;
-        work.found("F_aav", &NEWTON, mean.load.axial_force.si(), what, &by_axial, Grade::Computed);
-    }
-    if !derived {
-        work.given("R", &METRE, offset);
     }
     let what = Finding::RadialMomentMean;
     work.found("M_r", &NEWTON_METRE, radial, what, &MODEL, Grade::Computed);
@@ -448,7 +444,7 @@ pub(crate) fn static_safety(borne: &Borne<'_>, work: &mut Workings) -> Outcome {
 /// The workings of the largest loads of the cycle, each by itself: `F_r`, `F_a` and `M`.
 fn explain_largest(largest: &CycleLoads, duty: &BearingDuty, work: &mut Workings) {
     let source = if duty.derived.is_some() { DERIVED } else { MODEL };
-    let what = if duty.derived.is_some() { FROM_THE_MECHANISM } else { Finding::LargestOverSegments };
+    let what = if duty.derived.is_some() { Finding::LargestOfMechanism } else { Finding::LargestOverSegments };
     for (symbol, unit, peak) in
         [("F_r", &NEWTON, largest.radial), ("F_a", &NEWTON, largest.axial), ("M", &NEWTON_METRE, largest.moment)]
     {

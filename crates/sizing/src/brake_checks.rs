@@ -3,7 +3,7 @@
 use crate::axis::Axis;
 use crate::brake_times::brakings;
 use crate::check::{Amount, Check, CheckId, Verdict};
-use crate::comparison::{Asking, Comparison, against_asked, not_checked};
+use crate::comparison::{Asking, Comparison, against_asked, not_checked, project, unjudged};
 use crate::list::{Case, Outcome};
 use crate::notes::{BrakeStop, Note, Notes};
 use crate::workings;
@@ -91,7 +91,7 @@ pub(crate) fn emergency(case: &Case<'_>, work: &mut Workings) -> Option<Outcome>
 fn free(axis: &Axis, work: &mut Workings) -> Check {
     let friction = provenance::Sourced {
         value: axis.mechanism.coulomb_torque(),
-        source: Source::Project { key: "friction_torque".into() },
+        source: project("friction_torque"),
         grade: Grade::Computed,
         errata: &[],
     };
@@ -113,38 +113,29 @@ fn free(axis: &Axis, work: &mut Workings) -> Check {
 
 /// The motion wants to be held by a brake that is not there.
 fn absent(axis: &Axis, work: &mut Workings) -> Check {
-    let none = Source::Project { key: "motion.hold".into() };
-    holding_torque(axis, work);
-    work.figure("T_Br", &NEWTON_METRE, 0.0, &none, Grade::Printed);
-    work.limit("T_Br");
-    Check {
-        id: CheckId::BrakeHolding,
-        verdict: Verdict::Fail,
-        value: Some(Amount { si: axis.moments().holding_torque.si(), unit: &NEWTON_METRE }),
-        limit: Some(Amount { si: 0.0, unit: &NEWTON_METRE }),
-        utilisation: None,
-        at: None,
-        grade: Some(Grade::Printed),
-        value_source: Some(Source::Model { name: "brake" }),
-        limit_source: Some(none),
-        missing: None,
-        notes: Notes::fixed(&[Note::NoBrake]),
-        workings: Box::default(),
-    }
+    Check { notes: Notes::fixed(&[Note::NoBrake]), ..without_brake(Verdict::Fail, project("motion.hold"), axis, work) }
 }
 
 /// The load hangs and there is no brake: in operation the motor holds it, without power nothing does. That is for the
 /// machine to solve, so it is advice.
 fn unheld(axis: &Axis, work: &mut Workings) -> Check {
-    let none = Source::Model { name: "brake" };
+    let notes = Notes::fixed(&[Note::NothingHoldsWithoutPower]);
+    Check { notes, ..without_brake(Verdict::Advice, Source::Model { name: "brake" }, axis, work) }
+}
+
+/// The torque that holds the load against none.
+fn without_brake(verdict: Verdict, none: Source, axis: &Axis, work: &mut Workings) -> Check {
     holding_torque(axis, work);
     work.figure("T_Br", &NEWTON_METRE, 0.0, &none, Grade::Printed);
     work.limit("T_Br");
     Check {
-        verdict: Verdict::Advice,
+        verdict,
+        value: Some(Amount { si: axis.moments().holding_torque.si(), unit: &NEWTON_METRE }),
+        limit: Some(Amount { si: 0.0, unit: &NEWTON_METRE }),
+        grade: Some(Grade::Printed),
+        value_source: Some(Source::Model { name: "brake" }),
         limit_source: Some(none),
-        notes: Notes::fixed(&[Note::NothingHoldsWithoutPower]),
-        ..absent(axis, &mut Workings::off())
+        ..unjudged(CheckId::BrakeHolding)
     }
 }
 
@@ -190,8 +181,7 @@ fn held(axis: &Axis, actuator: &Parameters, brake: &Brake, work: &mut Workings) 
         _ => {
             find_holding_torque(axis, work);
             if axis.asked.holding_safety.is_some() {
-                let key = Source::Project { key: "requirements.holding_safety".into() };
-                work.figure("S", &ONE, safety, &key, Grade::Printed);
+                work.stated("S", &ONE, safety, "requirements.holding_safety");
                 work.formula("T_need", &NEWTON_METRE, torque.si() * safety, "S*T_hold", &model);
                 work.value("T_need");
             } else {
@@ -243,8 +233,7 @@ fn explain_brakings(axis: &Axis, brake: &Brake, each_cycle: f64, work: &mut Work
     let (Some(life), Some(limit)) = (axis.asked.service_life, brake.brakings_max.known()) else { return };
     let (model, cycle) = (Source::Model { name: "brake" }, axis.moments().duration.si());
     work.found("z", &ONE, each_cycle, Finding::Brakings, &model, Grade::Computed);
-    let key = Source::Project { key: "requirements.service_life".into() };
-    work.figure("t_life", &SECOND, life.si(), &key, Grade::Printed);
+    work.stated("t_life", &SECOND, life.si(), "requirements.service_life");
     work.figure("t_0", &SECOND, cycle, &workings::DEMAND, Grade::Computed);
     work.formula("N_life", &ONE, each_cycle * life.si() / cycle, "z*t_life/t_0", &model);
     work.value("N_life");
@@ -255,7 +244,8 @@ fn explain_brakings(axis: &Axis, brake: &Brake, each_cycle: f64, work: &mut Work
 /// A stop from the peak speed by the brake alone, the load driving on: its angle, and how many of them.
 fn stop(axis: &Axis, actuator: &Parameters, brake: &Brake, work: &mut Workings) -> Outcome {
     let id = CheckId::BrakeEmergency;
-    let torque = brake.holding_torque.require("T_Br")?.value;
+    let holding = brake.holding_torque.require("T_Br")?;
+    let torque = holding.value;
     let closing = brake.closing_time.require("t_c")?.value;
     let stated = !matches!(axis.mechanism.kind, mechanism::MechanismKind::Joint(_));
     if !stated && axis.moments().inertia_max.si() <= 0.0 {
@@ -269,42 +259,33 @@ fn stop(axis: &Axis, actuator: &Parameters, brake: &Brake, work: &mut Workings) 
     let stop = match actuator::emergency_stop(inertia, axis.moments().speed_peak, torque, driving, closing) {
         StopOutcome::Stops(stop) => stop,
         StopOutcome::DoesNotStop => {
-            let mut check = not_checked(id, Missing { symbol: "T_Br" });
-            check.verdict = Verdict::Fail;
-            check.missing = None;
-            check.value = Some(Amount { si: driving.si(), unit: &NEWTON_METRE });
-            check.limit = Some(Amount { si: torque.si(), unit: &NEWTON_METRE });
-            check.utilisation = Some(driving.si() / torque.si());
-            check.grade = Some(Grade::Computed);
-            check.value_source = Some(source);
-            check.limit_source = brake.holding_torque.known().map(|known| known.source.clone());
             holding_torque(axis, work);
-            if let Some(known) = brake.holding_torque.known() {
-                work.given("T_Br", &NEWTON_METRE, known);
-                work.limit("T_Br");
-            }
-            check.notes.push(Note::BrakeDoesNotStop);
-            return Ok(check);
+            work.given("T_Br", &NEWTON_METRE, holding);
+            work.limit("T_Br");
+            return Ok(Check {
+                verdict: Verdict::Fail,
+                value: Some(Amount { si: driving.si(), unit: &NEWTON_METRE }),
+                limit: Some(Amount { si: torque.si(), unit: &NEWTON_METRE }),
+                utilisation: Some(driving.si() / torque.si()),
+                grade: Some(Grade::Computed),
+                value_source: Some(source),
+                limit_source: Some(holding.source.clone()),
+                notes: Notes::fixed(&[Note::BrakeDoesNotStop]),
+                ..unjudged(id)
+            });
         }
     };
     let mut by_number = false;
     let angle = axis.asked.stop_angle_max.map(Measure::si);
     let mut check = against_asked(id, &DEGREE, stop.angle.si(), angle, source);
     if let (Some(count), Some(limit)) = (axis.asked.emergency_stops, permitted) {
-        let key = Source::Project { key: "requirements.emergency_stops".into() };
-        let count_source = key.clone();
-        let number = Comparison {
-            limit: limit.value,
-            limit_source: &limit.source,
-            errata: limit.errata,
-            ..Comparison::with(id, &ONE, count, key, &limit.clone().map(quantities::Ratio::from_si))
-        }
-        .answer(Verdict::Fail);
+        let key = "requirements.emergency_stops";
+        let most = limit.clone().map(quantities::Ratio::from_si);
+        let number = Comparison::with(id, &ONE, count, project(key), &most).answer(Verdict::Fail);
         // The tighter one of angle and number is reported.
-        let share = |check: &Check| check.utilisation.unwrap_or(0.0);
-        if check.verdict == Verdict::NotChecked || share(&number) > share(&check) {
+        if check.verdict == Verdict::NotChecked || tighter(&number, &check) {
             check = number;
-            work.figure("N_stops", &ONE, count, &count_source, Grade::Printed);
+            work.stated("N_stops", &ONE, count, key);
             work.value("N_stops");
             work.given_number("N_emergency", limit);
             work.limit("N_emergency");

@@ -2,7 +2,7 @@
 
 use crate::axis::Axis;
 use crate::check::{Amount, Check, CheckId, Verdict};
-use crate::comparison::{Comparison, cite, equation};
+use crate::comparison::{Asking, Comparison, cite, equation, project, unjudged};
 use crate::demand::ManualDemand;
 use crate::list::{Case, Outcome};
 use crate::notes::{Note, Notes};
@@ -71,7 +71,7 @@ pub(crate) fn peak_speed(axis: &Axis, actuator: &Drivetrain, work: &mut Workings
     let id = CheckId::PeakSpeed;
     let limit = actuator::speed_max_with(actuator, work)?;
     let key = if axis.motion.recordings().is_empty() { "motion.speed" } else { "motion.file" };
-    let source = Source::Project { key: key.into() };
+    let source = project(key);
     let value = axis.moments.speed_peak.si();
     work.limit("n_max");
     work.found("n_peak", &REVOLUTION_PER_MINUTE, value, Finding::PeakSpeed, &source, Grade::Computed);
@@ -103,10 +103,7 @@ pub(crate) fn inertia_ratio(case: &Case<'_>, work: &mut Workings) -> Outcome {
     }
     let own = actuator.inertia_out.require("J_out")?;
     let factor = actuator.inertia_ratio_recommended.require("k_J")?;
-    let source = match axis.by_the_manual() {
-        Some(_) => Source::Project { key: "load.inertia".into() },
-        None => Source::Model { name: "mechanisms" },
-    };
+    let source = workings::inertia_source(axis);
     let (value, limit) = (axis.moments.inertia_max.si(), factor.value * own.value.si());
     workings::own_inertia(actuator, work);
     work.found("J_L", &KILOGRAM_SQUARE_METRE, value, Finding::LargestInertia, &source, Grade::Computed);
@@ -126,31 +123,25 @@ pub(crate) fn inertia_ratio(case: &Case<'_>, work: &mut Workings) -> Outcome {
 
 /// The stated ambient temperature against the range that the actuator's data hold for (tables 13.1 and 13.2).
 pub(crate) fn ambient(axis: &Axis, actuator: &Drivetrain, work: &mut Workings) -> Outcome {
-    let id = CheckId::Ambient;
     let stated = axis.ambient.ok_or(Missing { symbol: "requirements.ambient" })?;
     let range = actuator.ambient_range.require("ambient_temperature_operation")?;
     let (low, high) = (range.value.0.si(), range.value.1.si());
     // A difference of a nanokelvin is a rounding of the conversion, not a warmer place.
     let inside = stated.si() >= low - 1e-9 && stated.si() <= high + 1e-9;
     let nearest = if stated.si() < low { low } else { high };
-    let key = Source::Project { key: "requirements.ambient".into() };
-    work.figure("theta_a", &DEGREE_CELSIUS, stated.si(), &key, Grade::Printed);
+    let key = "requirements.ambient";
+    work.stated("theta_a", &DEGREE_CELSIUS, stated.si(), key);
     work.value("theta_a");
     work.figure("theta_limit", &DEGREE_CELSIUS, nearest, &range.source, range.grade);
     work.limit("theta_limit");
     Ok(Check {
-        id,
         verdict: if inside { Verdict::Pass } else { Verdict::Fail },
         value: Some(Amount { si: stated.si(), unit: &DEGREE_CELSIUS }),
         limit: Some(Amount { si: nearest, unit: &DEGREE_CELSIUS }),
-        utilisation: None,
-        at: None,
         grade: Some(range.grade),
-        value_source: Some(Source::Project { key: "requirements.ambient".into() }),
+        value_source: Some(project(key)),
         limit_source: Some(range.source.clone()),
-        missing: None,
-        notes: Notes::NONE,
-        workings: Box::default(),
+        ..unjudged(CheckId::Ambient)
     })
 }
 

@@ -17,7 +17,7 @@ fn known<T>(value: T) -> Datum<T> {
 
 /// An actuator with i = 100, J_out = 2 kgm² and a brake of 60 Nm.
 fn actuator() -> Parameters {
-    let joint = || ScrewJoint { transmissible_torque: known(Torque::from_si(500.0)), ..ScrewJoint::unknown() };
+    let joint = || ScrewJoint { transmissible_torque: known(Torque::from_si(500.0)), ..ScrewJoint::default() };
     Parameters {
         inertia_out: known(MomentOfInertia::from_si(2.0)),
         brake: Brake {
@@ -25,7 +25,7 @@ fn actuator() -> Parameters {
             closing_time: known(Time::from_si(0.07)),
             opening_time: known(Time::from_si(0.11)),
             brakings_max: known(1e7),
-            ..Brake::unknown()
+            ..Brake::default()
         },
         ..Drivetrain {
             ratio: known(100.0),
@@ -152,7 +152,7 @@ fn a_hanging_load_without_a_brake_is_reported_and_not_rejected() {
     assert_eq!(found.verdict, Verdict::Advice);
     assert_eq!(found.notes[..], [Note::NothingHoldsWithoutPower]);
     assert!(judge(&hanging, &unbraked(), Depth::Full).fits());
-    let unknown = Parameters { brake: Brake::unknown(), ..actuator() };
+    let unknown = Parameters { brake: Brake::default(), ..actuator() };
     let found = check(&hanging, &unknown, CheckId::BrakeHolding);
     assert_eq!((found.verdict, found.missing), (Verdict::NotChecked, Some("T_Br")));
     let load = Mechanism::direct(MomentOfInertia::from_si(1.0), Torque::from_si(3.0));
@@ -204,7 +204,7 @@ fn a_collision_above_the_ratcheting_torque_is_against_advice() {
             collision_torque_max: rated,
             ratcheting_torque: known(Torque::from_si(200.0)),
             buckling_torque: known(Torque::from_si(330.0)),
-            ..Gear::unknown()
+            ..Gear::default()
         };
         own
     };
@@ -235,7 +235,7 @@ fn an_endless_axis_names_the_turns_of_its_encoder() {
     };
     let axis = axis(&[SegmentSpec::Manual(run)]);
     let of = |turns: Datum<f64>| {
-        let feedback = Feedback { single_turn_absolute: true, turns_absolute: turns, ..Feedback::unknown() };
+        let feedback = Feedback { single_turn_absolute: true, turns_absolute: turns, ..Feedback::default() };
         let actuator = Parameters { feedback, feedback_out: Feedback::absent(FeedbackSide::Output), ..unbraked() };
         check(&axis, &actuator, CheckId::FeedbackRange).notes[0].clone()
     };
@@ -249,7 +249,7 @@ fn without_torque_the_gear_has_no_life_to_tell() {
     let given =
         Given { speed: Some(AngularVelocity::from_si(1.0)), time: Some(Time::from_si(1.0)), ..Given::default() };
     let motion = Motion::new(&[SegmentSpec::Move(Law::Constant, given)], None, Closing::Speed).unwrap();
-    let gear = Gear { rated_torque: known(Torque::from_si(25.0)), ..Gear::unknown() };
+    let gear = Gear { rated_torque: known(Torque::from_si(25.0)), ..Gear::default() };
     let mut own = unbraked();
     own.gear = gear;
     let found = check(&Axis::new(load, motion, Vec::new()), &own, CheckId::GearLife);

@@ -6,12 +6,15 @@ use derivation::Workings;
 use provenance::{Grade, Missing, Source, Sourced};
 use quantities::{Measure, Time, Unit};
 
-/// A limit that the project states, in the workings.
+/// What the project states, in the workings.
 pub(crate) trait Asking {
     /// Notes the limit of a check, if the project states one.
     fn asked(&mut self, symbol: &'static str, unit: &'static Unit, limit: Option<f64>, id: CheckId);
 
-    /// The same of a key beside that of the check.
+    /// What the project states by a key.
+    fn stated(&mut self, symbol: &'static str, unit: &'static Unit, value: f64, key: &'static str);
+
+    /// The limit of a key beside that of the check.
     fn asked_by(&mut self, symbol: &'static str, unit: &'static Unit, limit: f64, key: &'static str);
 }
 
@@ -22,11 +25,13 @@ impl Asking for Workings {
         }
     }
 
+    fn stated(&mut self, symbol: &'static str, unit: &'static Unit, value: f64, key: &'static str) {
+        self.figure(symbol, unit, value, &project(key), Grade::Printed);
+    }
+
     fn asked_by(&mut self, symbol: &'static str, unit: &'static Unit, limit: f64, key: &'static str) {
-        if self.is_on() {
-            self.figure(symbol, unit, limit, &Source::Project { key: key.into() }, Grade::Printed);
-            self.limit(symbol);
-        }
+        self.stated(symbol, unit, limit, key);
+        self.limit(symbol);
     }
 }
 
@@ -130,6 +135,11 @@ impl<'a> Comparison<'a> {
 }
 
 pub(crate) fn not_checked(id: CheckId, missing: Missing) -> Check {
+    Check { missing: Some(missing.symbol), ..unjudged(id) }
+}
+
+/// A check of which nothing is known yet.
+pub(crate) fn unjudged(id: CheckId) -> Check {
     Check {
         id,
         verdict: Verdict::NotChecked,
@@ -140,7 +150,7 @@ pub(crate) fn not_checked(id: CheckId, missing: Missing) -> Check {
         grade: None,
         value_source: None,
         limit_source: None,
-        missing: Some(missing.symbol),
+        missing: None,
         notes: Notes::NONE,
         workings: Box::default(),
     }
@@ -157,7 +167,6 @@ pub(crate) fn against_asked(id: CheckId, unit: &'static Unit, value: f64, asked:
         Some(limit) if kept(limit) => Verdict::Pass,
         Some(_) => Verdict::Fail,
     };
-    let key = |key: &'static str| Source::Project { key: key.into() };
     Check {
         id,
         verdict,
@@ -167,7 +176,7 @@ pub(crate) fn against_asked(id: CheckId, unit: &'static Unit, value: f64, asked:
         at: None,
         grade: Some(Grade::Computed),
         value_source: Some(source),
-        limit_source: asked.and(id.key()).map(key),
+        limit_source: asked.and(id.key()).map(project),
         missing: id.key().filter(|_| asked.is_none()),
         notes: Notes::NONE,
         workings: Box::default(),
@@ -182,6 +191,11 @@ pub(crate) fn cite(notes: &mut Notes, errata: &'static [&'static str]) {
             notes.push(note);
         }
     }
+}
+
+/// What the project states by a key.
+pub(crate) fn project(key: &'static str) -> Source {
+    Source::Project { key: key.into() }
 }
 
 pub(crate) const fn equation(number: &'static str) -> Source {

@@ -5,6 +5,7 @@ use crate::brake_times::carried_in;
 use crate::currents::Currents;
 use crate::electrics::Electrics;
 use crate::energy::CyclePower;
+use crate::flange::output;
 use actuator::{Losses, Parameters};
 use mechanism::{Extra, Output};
 use quantities::{Measure, Ratio, Time, Torque};
@@ -55,8 +56,6 @@ pub struct Sample {
 pub struct Course {
     /// The instants in their order; two of the same time where something jumps.
     pub samples: Vec<Sample>,
-    /// Instants at which the segments begin \[s\].
-    pub borders_s: Vec<f64>,
     /// Duration \[s\].
     pub duration_s: f64,
 }
@@ -136,11 +135,7 @@ impl Course {
             heat(&mut samples, &means, axis, currents);
             overload(&mut samples, &means, actuator);
         }
-        Self {
-            samples,
-            borders_s: axis.motion.stretches().iter().map(|stretch| stretch.start.si()).collect(),
-            duration_s: axis.motion.duration().si(),
-        }
+        Self { samples, duration_s: axis.motion.duration().si() }
     }
 }
 
@@ -286,28 +281,21 @@ fn instants(axis: &Axis, (parts, group): Fineness<'_>, look: &mut impl FnMut(f64
         }
         instants.sort_by(f64::total_cmp);
         for (index, t) in instants.iter().enumerate() {
-            let state = piece.at(*t);
             // On both sides of a reversal the direction is that of the neighbour away from it.
             let neighbour = |at: Option<usize>| at.and_then(|at| instants.get(at)).filter(|other| *other != t);
             let other = neighbour(index.checked_sub(1)).or_else(|| neighbour(Some(index + 1))).unwrap_or(t);
-            let direction = runs.direction(0.5 * (t + other));
-            let output = Output {
-                position_rad: state.position_rad,
-                speed_rad_s: state.speed_rad_s,
-                acceleration_rad_s2: state.acceleration_rad_s2,
-                direction,
-            };
             let middle = 0.5 * (t + other);
+            let output = output(piece, *t, runs.direction(middle));
             let held = rests && middle >= closing && middle <= opens && closing < opens;
             let load = if held { 0.0 } else { axis.mechanism.torque(&output, extra(piece.segment)) };
             look(
-                state.position_rad,
+                output.position_rad,
                 &Node {
                     time_s: piece.start_s + t,
                     weight_s: 0.0,
-                    acceleration_rad_s2: state.acceleration_rad_s2,
-                    speed_rad_s: state.speed_rad_s,
-                    direction,
+                    acceleration_rad_s2: output.acceleration_rad_s2,
+                    speed_rad_s: output.speed_rad_s,
+                    direction: output.direction,
                     load_nm: load,
                 },
                 false,
@@ -389,7 +377,6 @@ mod tests {
             .sum();
         assert!((square - axis.trace.gram().square([0.0, 1.0, 0.0, 0.0])).abs() < 1e-9);
         assert!((course.duration_s - 1.6).abs() < 1e-12);
-        assert_eq!(course.borders_s, [0.0]);
         let travelled = course.samples.last().unwrap().position_rad;
         assert!((travelled - axis.moments().angle_travelled.si()).abs() < 1e-12);
         assert!(course.samples.windows(2).all(|pair| pair[1].time_s >= pair[0].time_s));

@@ -2,7 +2,7 @@
 
 use crate::axis::Axis;
 use crate::check::{CheckId, Verdict};
-use crate::comparison::{AT_THE_LIMIT, Comparison, cite};
+use crate::comparison::{AT_THE_LIMIT, Asking, Comparison, cite};
 use crate::electrics::Electrics;
 use crate::list::{Case, Outcome};
 use crate::notes::{Note, Notes};
@@ -167,9 +167,7 @@ impl<'e> Currents<'e> {
         }
         workings::torque_at(node, actuator, work);
         let source = Source::Model { name: "current" };
-        if let Some(torque_constant) = actuator.torque_constant_out.known() {
-            work.given("k_Tout", &NEWTON_METRE_PER_AMPERE, torque_constant);
-        }
+        work.known("k_Tout", &NEWTON_METRE_PER_AMPERE, &actuator.torque_constant_out);
         let what = if friction == self.cold { Finding::GearCold } else { Finding::GearSettled };
         work.found("theta_g", &DEGREE_CELSIUS, friction.temperature.si(), what, &source, Grade::Estimated);
         let what = Finding::LawOfFriction;
@@ -393,9 +391,8 @@ pub(crate) fn voltage(case: &Case<'_>, work: &mut Workings) -> Outcome {
     if work.is_on() {
         work.formula("U", &VOLT, worst, "U_LL", &model);
         work.value("U");
-        let key = |key: &'static str| Source::Project { key: key.into() };
         supply.explain(Edge::Low, work);
-        work.figure("m", &ONE, supply.reserve, &key("requirements.modulation_reserve"), Grade::Printed);
+        work.stated("m", &ONE, supply.reserve, "requirements.modulation_reserve");
         work.formula("U_M", &VOLT, limit, "U_DC/sqrt(2)*m", &model);
         work.limit("U_M");
     }
@@ -436,7 +433,8 @@ fn current_check(
 ) -> Outcome {
     let Case { axis, actuator, currents, .. } = *case;
     let currents = currents.map_err(|missing| *missing)?;
-    let curve = if id == CheckId::PeakCurrent { published_short_time(axis, actuator) } else { None };
+    let curve = actuator.at_voltage(&actuator.short_time_curve, axis.terminal_voltage());
+    let curve = curve.filter(|_| id == CheckId::PeakCurrent);
     let printed = limit.value.si();
     let published = curve.map(|curve| &curve.value);
     let both = [currents.cold, &currents.warm];
@@ -482,14 +480,4 @@ fn current_check(
         notes,
     }
     .answer(if by_cold_only { Verdict::Advice } else { Verdict::Fail }))
-}
-
-/// The published short-time curve, where it holds at the terminal voltage of the axis.
-fn published_short_time<'a>(axis: &Axis, actuator: &'a Parameters) -> Option<&'a Sourced<actuator::Curve>> {
-    let curve = actuator.short_time_curve.known()?;
-    let enough = match (axis.terminal_voltage(), actuator.terminal_voltage_min.known()) {
-        (Some(voltage), Some(least)) => voltage.si() >= least.value.si(),
-        _ => true,
-    };
-    enough.then_some(curve)
 }

@@ -2,7 +2,7 @@
 
 use crate::axis::Axis;
 use crate::check::{CheckId, Verdict};
-use crate::comparison::{Asking, Comparison, Edges};
+use crate::comparison::{Asking, Comparison, Edges, project};
 use crate::currents::Currents;
 use crate::list::{Case, Outcome};
 use crate::notes::Note;
@@ -29,8 +29,9 @@ pub(crate) fn dc_link(axis: &Axis, actuator: &Drivetrain, work: &mut Workings) -
         rise.map(|rise| supply + rise).filter(|top| supply.si() <= limit.value.si() && top.si() > limit.value.si());
     let check = match (top, rise) {
         (Some(top), Some(rise)) => {
-            let asked = Source::Project { key: "requirements.dc_link_rise".into() };
-            work.figure("dU", &VOLT, rise.si(), &asked, Grade::Printed);
+            let key = "requirements.dc_link_rise";
+            let asked = project(key);
+            work.stated("dU", &VOLT, rise.si(), key);
             work.formula("U_top", &VOLT, top.si(), "U_DC + dU", &asked);
             work.value("U_top");
             let free = limit.value - supply;
@@ -209,8 +210,7 @@ pub(crate) fn drive_current(case: &Case<'_>, work: &mut Workings) -> Outcome {
             ("I_rms", "I_D")
         }
         Of::Stretch(level) => {
-            let continuous = Source::Project { key: "drive.current_continuous".into() };
-            work.figure("I_D", &AMPERE, level, &continuous, Grade::Printed);
+            work.stated("I_D", &AMPERE, level, "drive.current_continuous");
             work.found("t_over", unit, value, Finding::TimeAboveContinuous, &source, currents.grade);
             ("t_over", "t_D")
         }
@@ -224,7 +224,7 @@ pub(crate) fn drive_current(case: &Case<'_>, work: &mut Workings) -> Outcome {
         value_source: source,
         at: if let Of::Peak(node) = of { Some(Time::from_si(node.time_s)) } else { None },
         limit,
-        limit_source: &Source::Project { key: key.into() },
+        limit_source: &project(key),
         grade: currents.grade,
         errata: &[],
         notes: currents.notes.clone(),

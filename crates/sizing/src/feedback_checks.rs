@@ -2,9 +2,9 @@
 
 use crate::axis::Axis;
 use crate::check::{Amount, Check, CheckId, Verdict};
-use crate::comparison::{Asking, against_asked};
+use crate::comparison::{Asking, against_asked, project, unjudged};
 use crate::list::{Case, Outcome};
-use crate::notes::{Note, Notes};
+use crate::notes::Note;
 use actuator::{Feedback, FeedbackSide, Parameters};
 use derivation::{Finding, Workings};
 use provenance::{Datum, Grade, Missing, Source};
@@ -41,18 +41,11 @@ fn absolute_travel(axis: &Axis, actuator: &Parameters, work: &mut Workings) -> O
     work.found("phi", &REVOLUTION, travel, what, &source, Grade::Computed);
     work.value("phi");
     let mut check = Check {
-        id,
-        verdict: Verdict::NotChecked,
         value: Some(Amount { si: travel, unit: &REVOLUTION }),
-        limit: None,
-        utilisation: None,
-        at: None,
         grade: Some(Grade::Computed),
         value_source: Some(source.clone()),
-        limit_source: None,
         missing: id.key().filter(|_| asked.is_none()),
-        notes: Notes::NONE,
-        workings: Box::default(),
+        ..unjudged(id)
     };
     let Some((turns, feedback)) = absolute(actuator) else {
         check.notes.push(Note::NeedsReferencing);
@@ -122,11 +115,9 @@ fn battery_life(axis: &Axis, feedback: &Feedback, work: &mut Workings) -> Outcom
     let battery = model.value.life(operation, storage).map_err(|_| OPERATION)?;
     let asked = axis.asked.battery_life_min.map(Measure::si);
     if work.is_on() {
-        let project = |key: &'static str| Source::Project { key: key.into() };
-        let (operated, stored) = (project("requirements.operation_per_day"), project("requirements.storage"));
-        work.figure("t_op", &HOUR, operation.si(), &operated, Grade::Printed);
+        work.stated("t_op", &HOUR, operation.si(), OPERATION.symbol);
         let grade = if axis.asked.storage.is_some() { Grade::Printed } else { Grade::Assumed };
-        work.figure("t_store", &YEAR, storage.si(), &stored, grade);
+        work.figure("t_store", &YEAR, storage.si(), &project("requirements.storage"), grade);
         let what = Finding::BatteryLife;
         let life = &battery.life;
         work.found("L_bat", &YEAR, life.value.si(), what, &life.source, life.grade);

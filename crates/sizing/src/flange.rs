@@ -469,7 +469,8 @@ impl<'a> Walk<'a> {
     }
 }
 
-fn output(piece: &Piece, t: f64, direction: f64) -> Output {
+/// The state of a piece.
+pub(crate) fn output(piece: &Piece, t: f64, direction: f64) -> Output {
     let state = piece.at(t);
     Output {
         position_rad: state.position_rad,

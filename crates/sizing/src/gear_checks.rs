@@ -3,7 +3,7 @@
 use crate::axis::Axis;
 use crate::bearing_checks::{self, Borne};
 use crate::check::{Check, CheckId, Verdict};
-use crate::comparison::{Asking, Comparison, against_asked, equation, not_checked};
+use crate::comparison::{Asking, Comparison, against_asked, equation, not_checked, project};
 use crate::list::{Case, Outcome};
 use crate::notes::{Budget, Note, Notes};
 use crate::stage;
@@ -52,7 +52,8 @@ fn explain_input_speed(axis: &Axis, ratio: &Sourced<f64>, speed: f64, work: &mut
 pub(crate) fn collision(case: &Case<'_>, work: &mut Workings) -> Outcome {
     let Case { axis, actuator, .. } = *case;
     let (id, gear) = (CheckId::CollisionTorque, &actuator.gear);
-    let torque = axis.asked.collision_torque.ok_or(Missing { symbol: "requirements.collision_torque" })?;
+    let key = "requirements.collision_torque";
+    let torque = axis.asked.collision_torque.ok_or(Missing { symbol: key })?;
     let ratchets = gear.ratcheting_torque.known();
     let note = ratchets.map(|ratcheting| Note::Ratcheting {
         ratcheting: ratcheting.value,
@@ -63,12 +64,11 @@ pub(crate) fn collision(case: &Case<'_>, work: &mut Workings) -> Outcome {
         Err(missing) => {
             let mut check = match ratchets.filter(|ratcheting| torque.si() > ratcheting.value.si()) {
                 Some(ratcheting) => {
-                    let key = Source::Project { key: "requirements.collision_torque".into() };
-                    work.figure("T_k", &NEWTON_METRE, torque.si(), &key, Grade::Printed);
+                    work.stated("T_k", &NEWTON_METRE, torque.si(), key);
                     work.value("T_k");
                     work.given("T_ratchet", &NEWTON_METRE, ratcheting);
                     work.limit("T_ratchet");
-                    Comparison::with(id, &NEWTON_METRE, torque.si(), key, ratcheting).answer(Verdict::Advice)
+                    Comparison::with(id, &NEWTON_METRE, torque.si(), project(key), ratcheting).answer(Verdict::Advice)
                 }
                 None => not_checked(id, missing),
             };
@@ -76,9 +76,7 @@ pub(crate) fn collision(case: &Case<'_>, work: &mut Workings) -> Outcome {
             return Ok(check);
         }
     };
-    let key = |key: &'static str| Source::Project { key: key.into() };
-    let mut check = Comparison::with(id, &NEWTON_METRE, torque.si(), key("requirements.collision_torque"), limit)
-        .answer(Verdict::Fail);
+    let mut check = Comparison::with(id, &NEWTON_METRE, torque.si(), project(key), limit).answer(Verdict::Fail);
     // At the peak speed a collision lasts for the most turns of the wave generator.
     let stands = axis.asked.collision_time.zip(actuator.ratio.known()).zip(gear.collision_cycles.known());
     let permitted = stands.map(|((time, ratio), cycles)| {
@@ -87,7 +85,7 @@ pub(crate) fn collision(case: &Case<'_>, work: &mut Workings) -> Outcome {
     let mut by_number = false;
     if let (Some(count), Some(permitted)) = (axis.asked.collisions, permitted) {
         let most = Sourced { value: Ratio::from_si(permitted), source: MODEL, grade: limit.grade, errata: &[] };
-        let number = Comparison::with(id, &ONE, count, key("requirements.collisions"), &most).answer(Verdict::Fail);
+        let number = Comparison::with(id, &ONE, count, project("requirements.collisions"), &most).answer(Verdict::Fail);
         // The tighter one of torque and number is reported.
         if number.utilisation > check.utilisation {
             check = number;
@@ -96,7 +94,7 @@ pub(crate) fn collision(case: &Case<'_>, work: &mut Workings) -> Outcome {
         }
     }
     if work.is_on() && !by_number {
-        work.figure("T_k", &NEWTON_METRE, torque.si(), &key("requirements.collision_torque"), Grade::Printed);
+        work.stated("T_k", &NEWTON_METRE, torque.si(), key);
         work.value("T_k");
         work.given("T_M", &NEWTON_METRE, limit);
         work.limit("T_M");
@@ -112,14 +110,13 @@ fn explain_collisions(axis: &Axis, actuator: &Parameters, (count, permitted): (f
     let (Some(time), Some(ratio)) = (axis.asked.collision_time, actuator.ratio.known().filter(|_| work.is_on())) else {
         return;
     };
-    let key = |key: &'static str| Source::Project { key: key.into() };
-    work.figure("N", &ONE, count, &key("requirements.collisions"), Grade::Printed);
+    work.stated("N", &ONE, count, "requirements.collisions");
     work.value("N");
     let speed = axis.moments().speed_peak.si();
     let what = Finding::PeakSpeed;
     work.found("n", &REVOLUTION_PER_MINUTE, speed, what, &workings::DEMAND, Grade::Computed);
     work.given_number("i", ratio);
-    work.figure("t_k", &SECOND, time.si(), &key("requirements.collision_time"), Grade::Printed);
+    work.stated("t_k", &SECOND, time.si(), "requirements.collision_time");
     work.formula("N_k", &ONE, permitted, "min(10^4/(2*i*n*t_k/60), 10^4)", &MODEL);
     work.limit("N_k");
 }
@@ -159,13 +156,12 @@ pub(crate) fn error_budget(case: &Case<'_>, work: &mut Workings) -> Outcome {
         (Some(deviation), Some(permitted)) => {
             let key = "requirements.deviation_max";
             if let Some(lever) = axis.asked.lever_arm.filter(|_| work.is_on()) {
-                let arm = Source::Project { key: "requirements.lever_arm".into() };
-                work.figure("r", &MILLIMETRE, lever.si(), &arm, Grade::Printed);
+                work.stated("r", &MILLIMETRE, lever.si(), "requirements.lever_arm");
                 work.formula("s", &MILLIMETRE, deviation.si(), "phi_sum*pi/10800*r", &source);
                 work.value("s");
             }
             work.asked_by("s_max", &MILLIMETRE, permitted.si(), key);
-            let limit_source = Some(Source::Project { key: key.into() });
+            let limit_source = Some(project(key));
             Check { limit_source, ..against_asked(id, &MILLIMETRE, deviation.si(), Some(permitted.si()), source) }
         }
         _ => {
@@ -359,32 +355,22 @@ pub(crate) fn torsion(axis: &Axis, actuator: &Drivetrain, work: &mut Workings) -
 /// reaches.
 fn explain_torsion(gear: &Gear, torque: Torque, work: &mut Workings) {
     let Some(curve) = gear.torsion().filter(|_| work.is_on()) else { return };
-    let stiff = |work: &mut Workings, symbol, datum: &Datum<quantities::TorsionalStiffness>| {
-        if let Some(stiffness) = datum.known() {
-            work.given(symbol, &NEWTON_METRE_PER_RADIAN, stiffness);
-        }
-    };
-    let limit = |work: &mut Workings, symbol, datum: &Datum<Torque>| {
-        if let Some(torque) = datum.known() {
-            work.given(symbol, &NEWTON_METRE, torque);
-        }
-    };
     let (angle, [k1, k2, k3]) = (curve.angle(torque).si(), &gear.stiffness);
     let what = Finding::PeakLoad;
     work.found("T", &NEWTON_METRE, torque.si(), what, &workings::DEMAND, Grade::Computed);
-    stiff(work, "K_1", k1);
+    work.known("K_1", &NEWTON_METRE_PER_RADIAN, k1);
     if torque.si() <= curve.torque_1.si() {
         work.formula("phi", &ARCMINUTE, angle, "T/K_1*10800/pi", &equation("73.1"));
         return;
     }
-    limit(work, "T_1", &gear.torque_1);
-    stiff(work, "K_2", k2);
+    work.known("T_1", &NEWTON_METRE, &gear.torque_1);
+    work.known("K_2", &NEWTON_METRE_PER_RADIAN, k2);
     if torque.si() <= curve.torque_2.si() {
         work.formula("phi", &ARCMINUTE, angle, "(T_1/K_1 + (T - T_1)/K_2)*10800/pi", &equation("73.2"));
         return;
     }
-    limit(work, "T_2", &gear.torque_2);
-    stiff(work, "K_3", k3);
+    work.known("T_2", &NEWTON_METRE, &gear.torque_2);
+    work.known("K_3", &NEWTON_METRE_PER_RADIAN, k3);
     let text = "(T_1/K_1 + (T_2 - T_1)/K_2 + (T - T_2)/K_3)*10800/pi";
     work.formula("phi", &ARCMINUTE, angle, text, &equation("73.3"));
 }

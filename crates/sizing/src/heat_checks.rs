@@ -2,7 +2,7 @@
 
 use crate::axis::Axis;
 use crate::check::CheckId;
-use crate::comparison::{Comparison, Edges, cite};
+use crate::comparison::{Comparison, Edges, cite, project};
 use crate::currents::{Currents, coil_loss};
 use crate::list::{Case, Outcome};
 use crate::notes::{Note, Notes};
@@ -99,13 +99,10 @@ pub(crate) fn thermal(case: &Case<'_>, work: &mut Workings) -> Outcome {
     let threshold = model.winding_limit();
     let room = threshold.si() - ambient.si();
     if work.is_on() {
-        let key = Source::Project { key: "requirements.ambient".into() };
         let grade = if axis.ambient.is_some() { Grade::Printed } else { Grade::Assumed };
-        work.figure("theta_a", &DEGREE_CELSIUS, ambient.si(), &key, grade);
+        work.figure("theta_a", &DEGREE_CELSIUS, ambient.si(), &project("requirements.ambient"), grade);
         actuator::explain_stall_loss(actuator, work);
-        if let Some(share) = actuator.heat.housing_share.known() {
-            work.given_number("w", share);
-        }
+        work.known_number("w", &actuator.heat.housing_share);
         actuator::explain_friction(actuator, settled, work);
         let what = Finding::CopperLoss;
         work.found("P_cu", &WATT, settled.losses.copper_w, what, &THERMAL, Grade::Estimated);
@@ -121,9 +118,7 @@ pub(crate) fn thermal(case: &Case<'_>, work: &mut Workings) -> Outcome {
         let text = "theta_a + c*(theta_m + dtheta - theta_a)";
         work.estimate("theta_w", &DEGREE_CELSIUS, ambient.si() + rise, text, &THERMAL);
         work.value("theta_w");
-        if let Some(threshold) = actuator.heat.winding_warning.known() {
-            work.given("theta_warn", &DEGREE_CELSIUS, threshold);
-        }
+        work.known("theta_warn", &DEGREE_CELSIUS, &actuator.heat.winding_warning);
         work.found("b", &ONE, low, Finding::LowerEdgeOfBand, &THERMAL, Grade::Estimated);
         let text = "theta_a + b*(theta_warn - theta_a)";
         work.estimate("theta_perm", &DEGREE_CELSIUS, ambient.si() + low * room, text, &THERMAL);
@@ -178,9 +173,7 @@ pub(crate) fn overload(case: &Case<'_>, work: &mut Workings) -> Outcome {
     let high = if limit.grade == Grade::Estimated { low.max(filtered(*upper)).max(by_heat) } else { low };
     let source = Source::Model { name: "overload" };
     work.given("I_0", &AMPERE, stall);
-    if let Some(tau) = actuator.heat.winding_time_constant.known() {
-        work.given("tau_w", &SECOND, tau);
-    }
+    work.known("tau_w", &SECOND, &actuator.heat.winding_time_constant);
     let what = Finding::OverloadLag;
     work.found("y", &ONE, peak.value, what, &source, Grade::Estimated);
     work.value("y");

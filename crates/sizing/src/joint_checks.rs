@@ -2,14 +2,14 @@
 
 use crate::axis::Axis;
 use crate::check::{Amount, Check, CheckId, Verdict};
-use crate::comparison::{Comparison, not_checked};
+use crate::comparison::{Asking, Comparison, not_checked, project};
 use crate::list::{Case, Outcome};
 use crate::notes::Note;
 use crate::workings;
 use actuator::{Parameters, ScrewJoint};
 use derivation::{Finding, Workings};
 use provenance::{Grade, Missing, Source};
-use quantities::unit::{NEWTON_METRE, ONE, RADIAN_PER_SECOND_SQUARED, SECOND};
+use quantities::unit::{NEWTON_METRE, ONE};
 use quantities::{Measure, Time, Torque};
 use trace::{Convex, Extent, Node};
 
@@ -28,8 +28,9 @@ pub(crate) fn housing(case: &Case<'_>, work: &mut Workings) -> Outcome {
 
 /// The approvals that the field of application needs against those at hand: one is needed, none is at hand.
 pub(crate) fn application(_: &Case<'_>, work: &mut Workings) -> Outcome {
-    let source = Source::Project { key: "requirements.special_application".into() };
-    work.figure("approvals_needed", &ONE, 1.0, &source, Grade::Printed);
+    let key = "requirements.special_application";
+    let source = project(key);
+    work.stated("approvals_needed", &ONE, 1.0, key);
     work.value("approvals_needed");
     work.figure("approvals", &ONE, 0.0, &source, Grade::Assumed);
     work.limit("approvals");
@@ -51,8 +52,7 @@ type Through = (Torque, Option<Time>, &'static str);
 /// The torque of a collision where it is above that of the cycle: both joints carry it.
 fn collision(axis: &Axis, cycle: f64, work: &mut Workings) -> Option<Through> {
     let torque = axis.asked.collision_torque.filter(|torque| torque.si() > cycle)?;
-    let key = Source::Project { key: "requirements.collision_torque".into() };
-    work.figure("T_k", &NEWTON_METRE, torque.si(), &key, Grade::Printed);
+    work.stated("T_k", &NEWTON_METRE, torque.si(), "requirements.collision_torque");
     Some((torque, None, "T_k"))
 }
 
@@ -89,18 +89,7 @@ fn housing_torque(axis: &Axis, actuator: &Parameters, work: &mut Workings) -> Re
         return Ok(collision);
     }
     if work.is_on() {
-        let demand = &workings::DEMAND;
-        workings::own_inertia(actuator, work);
-        work.figure("t", &SECOND, node.time_s, demand, Grade::Computed);
-        work.found(
-            "alpha",
-            &RADIAN_PER_SECOND_SQUARED,
-            node.acceleration_rad_s2,
-            Finding::AccelerationAt,
-            demand,
-            Grade::Computed,
-        );
-        work.found("T_L", &NEWTON_METRE, node.load_nm, Finding::TorqueOfLoadAt, demand, Grade::Computed);
+        workings::instant(&node, actuator, work);
         let text = match ratio {
             Some(ratio) => {
                 work.given_number("i", ratio);
@@ -125,7 +114,7 @@ fn joint(
     work.given("T_trans", &NEWTON_METRE, limit);
     work.limit("T_trans");
     let source = match name {
-        "T_k" => Source::Project { key: "requirements.collision_torque".into() },
+        "T_k" => project("requirements.collision_torque"),
         _ => Source::Model { name: "demand" },
     };
     Ok(Comparison { at, ..Comparison::with(id, &NEWTON_METRE, torque.si(), source, limit) }.answer(Verdict::Fail))

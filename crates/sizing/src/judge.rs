@@ -12,7 +12,7 @@ use crate::notes::Note;
 use crate::watch::Watch;
 use actuator::{Drivetrain, Parameters};
 use derivation::Workings;
-use std::sync::Arc;
+use std::sync::{Arc, LazyLock};
 
 /// Room for the checks of one actuator that is rejected, without those of its drivetrain, and for all of one that is not,
 /// so that judging many does not grow one vector after the other.
@@ -255,6 +255,13 @@ pub struct Judge<'a> {
     known: Option<Known>,
 }
 
+/// Every check in the order in which it is judged: by stages, within one by the list.
+static IN_STAGES: LazyLock<Vec<CheckId>> = LazyLock::new(|| {
+    let mut all = CheckId::ALL.to_vec();
+    all.sort_by_key(|id| id.place());
+    all
+});
+
 /// What was found of a drivetrain.
 struct Known {
     drivetrain: Arc<Drivetrain>,
@@ -331,8 +338,8 @@ impl<'a> Judge<'a> {
     #[must_use]
     pub fn of(axis: &'a Axis, depth: Depth) -> Self {
         let bare = depth.is_bare();
-        let mut listed = Vec::with_capacity(CheckId::IN_STAGES.len());
-        listed.extend(CheckId::IN_STAGES.iter().copied().filter(|id| id.is_listed(axis, bare)));
+        let mut listed = Vec::with_capacity(IN_STAGES.len());
+        listed.extend(IN_STAGES.iter().copied().filter(|id| id.is_listed(axis, bare)));
         Self { axis, depth, explain: false, listed, known: None }
     }
 
@@ -408,11 +415,6 @@ impl<'a> Judge<'a> {
 /// Where it was stopped.
 pub fn energies<W: Watch>(axis: &Axis, actuators: &[&Parameters], watch: &W) -> Result<Vec<Check>, W::Stop> {
     energy::regenerations(axis, actuators, watch)
-}
-
-/// The checks of an axis; `bare`: those alone that can fail or have a margin.
-pub(crate) fn made(axis: &Axis, bare: bool) -> impl Iterator<Item = CheckId> {
-    CheckId::ALL.iter().copied().filter(move |id| id.is_listed(axis, bare))
 }
 
 /// The answer of a check, with its workings if an explanation is requested.

@@ -235,23 +235,6 @@ macro_rules! checks {
             /// Every check.
             pub const ALL: &[Self] = &[$(Self::$name),*];
 
-            /// Every check in the order in which it is judged: by stages, within one by the list.
-            pub(crate) const IN_STAGES: &[Self] = &{
-                let mut sorted = [$(Self::$name),*];
-                let mut end = sorted.len();
-                while end > 1 {
-                    let mut at = 1;
-                    while at < end {
-                        if sorted[at - 1].stage() as u8 > sorted[at].stage() as u8 {
-                            sorted.swap(at - 1, at);
-                        }
-                        at += 1;
-                    }
-                    end -= 1;
-                }
-                sorted
-            };
-
             const fn entry(self) -> &'static ListedCheck {
                 match self {
                     $(Self::$name => const { &$entry },)*

@@ -2,7 +2,7 @@
 
 use crate::axis::Axis;
 use crate::check::{Amount, Check, CheckId, Verdict};
-use crate::comparison::{Asking, against_asked};
+use crate::comparison::{Asking, against_asked, unjudged};
 use crate::list::{Case, Outcome};
 use crate::notes::{Note, ResonanceSpeeds};
 use crate::stage;
@@ -107,10 +107,7 @@ pub(crate) fn natural_frequency(case: &Case<'_>, work: &mut Workings) -> Outcome
     let asked = axis.asked.natural_frequency_min.map(Measure::si);
     work.given("K_1", &NEWTON_METRE_PER_RADIAN, &k);
     if work.is_on() {
-        let source = match axis.by_the_manual() {
-            Some(_) => Source::Project { key: "load.inertia".into() },
-            None => Source::Model { name: "mechanisms" },
-        };
+        let source = workings::inertia_source(axis);
         work.found("J_L", &KILOGRAM_SQUARE_METRE, load, Finding::LargestInertia, &source, Grade::Computed);
     }
     work.formula("f", &HERTZ, blocked.si(), "sqrt(K_1/J_L)/(2*pi)", &MODEL);
@@ -199,7 +196,6 @@ pub(crate) fn resonance(case: &Case<'_>, work: &mut Workings) -> Outcome {
         false => Verdict::Advice,
     };
     Ok(Check {
-        id,
         verdict,
         value: Some(Amount { si: value, unit: &PERCENT }),
         limit: Some(Amount { si: RESONANCE_BAND, unit: &PERCENT }),
@@ -210,7 +206,7 @@ pub(crate) fn resonance(case: &Case<'_>, work: &mut Workings) -> Outcome {
         limit_source: Some(MODEL),
         missing: open.then_some("recorded_speed"),
         notes: speeds_note(axis, &stiffness, ratio.value, own).into(),
-        workings: Box::default(),
+        ..unjudged(id)
     })
 }
 

@@ -20,7 +20,7 @@ fn actuator() -> Parameters {
             ratio: known(100.0),
             gear: Gear {
                 stiffness: [6.7e4, 1.1e5, 1.2e5].map(|k| known(TorsionalStiffness::from_si(k))),
-                ..Gear::unknown()
+                ..Gear::default()
             },
             ..Drivetrain::unknown()
         }

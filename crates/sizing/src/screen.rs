@@ -15,13 +15,13 @@ use crate::bearing_checks::Borne;
 use crate::check::{Check, CheckId, Verdict};
 use crate::currents::Currents;
 use crate::electrics::Electrics;
-use crate::judge::{Depth, Judgement, made};
+use crate::judge::{Depth, Judgement};
 use crate::list::{Answer, Case};
 use crate::notes::Note;
 use crate::rank::{RankKey, Standing};
 use actuator::Parameters;
 use bounds::{Bounds, BoundsOfOne};
-use catalogue::{Conditions, Group};
+use catalogue::{Conditions, Group, Member};
 use derivation::Workings;
 use figures::Figures;
 use motion::Hold;
@@ -107,7 +107,7 @@ fn others(axis: &Axis) -> Vec<CheckId> {
         let is_of_the_bearing = matches!(id.answer(), Answer::Bearing(_));
         !(bounds::COVERED.contains(id) || (is_of_the_brake && no_brake) || (is_of_the_bearing && no_loads))
     };
-    made(axis, true).filter(is_other).collect()
+    CheckId::ALL.iter().copied().filter(|id| id.is_listed(axis, true)).filter(is_other).collect()
 }
 
 /// Whether no check of the brake can fail, nor have a utilisation that counts: nothing hangs, no segment is held by a brake, and
@@ -200,6 +200,12 @@ impl Row<'_> {
         self.meets.get(entrant).copied().unwrap_or(false)
     }
 
+    /// The lightest member that meets what is required.
+    fn lightest<'g>(&self, group: &'g Group) -> Option<&'g Member> {
+        let members = group.members.iter().filter(|member| self.meets(member.entrant));
+        members.min_by(|a, b| a.mass_kg.total_cmp(&b.mass_kg).then(a.entrant.cmp(&b.entrant)))
+    }
+
     /// Whether a group fits, by its bounds and, where these leave it open, by the checks themselves.
     fn state(&self, group: &Group, bounds: BoundsOfOne<'_>) -> State {
         if bounds.fails() {
@@ -280,9 +286,7 @@ impl Row<'_> {
                     break;
                 }
                 let (utilisation, tightest) = self.utilisation(group, bounds);
-                let members = group.members.iter().filter(|member| self.meets(member.entrant));
-                let member = members.min_by(|a, b| a.mass_kg.total_cmp(&b.mass_kg).then(a.entrant.cmp(&b.entrant)));
-                let Some(member) = member else { continue };
+                let Some(member) = self.lightest(group) else { continue };
                 let key = key(group, holds, utilisation, member.mass_kg);
                 if best.as_ref().is_none_or(|(other, entrant, _)| (key, member.entrant) < (*other, *entrant)) {
                     best = Some((key, member.entrant, Ranked { entrant: member.entrant, utilisation, tightest }));
@@ -343,9 +347,7 @@ impl Row<'_> {
                 continue;
             }
             let utilisation = judgement.utilisation();
-            let members = group.members.iter().filter(|member| self.meets(member.entrant));
-            let member = members.min_by(|a, b| a.mass_kg.total_cmp(&b.mass_kg).then(a.entrant.cmp(&b.entrant)));
-            let Some(member) = member else { continue };
+            let Some(member) = self.lightest(group) else { continue };
             let key = key(group, utilisation, member.mass_kg);
             if best.as_ref().is_none_or(|(other, entrant, _)| (key, member.entrant) < (*other, *entrant)) {
                 let tightest = judgement.worst_failure().map(|check| check.id);

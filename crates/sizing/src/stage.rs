@@ -1,5 +1,6 @@
 //! What a stage behind the actuator does to angles: torsion and errors at the mechanism.
 
+use crate::comparison::{Asking, project};
 use actuator::{Contribution, ErrorBudget, ErrorKind};
 use derivation::{Finding, Workings};
 use mechanism::{Mechanism, Stage};
@@ -52,13 +53,12 @@ pub(crate) fn torsion(stage: &Stage, gear: Angle, torque: Torque, work: &mut Wor
 }
 
 fn ratio(stage: &Stage, work: &mut Workings) {
-    work.figure("i_s", &ONE, stage.ratio, &Source::Project { key: "stage.ratio".into() }, Grade::Printed);
+    work.stated("i_s", &ONE, stage.ratio, "stage.ratio");
 }
 
 fn stiffness(stage: &Stage, work: &mut Workings) {
     if let Some(stiffness) = stage.stiffness {
-        let key = Source::Project { key: "stage.stiffness".into() };
-        work.figure("K_s", &NEWTON_METRE_PER_RADIAN, stiffness.si(), &key, Grade::Printed);
+        work.stated("K_s", &NEWTON_METRE_PER_RADIAN, stiffness.si(), "stage.stiffness");
     }
 }
 
@@ -70,12 +70,8 @@ pub(crate) fn behind(stage: &Stage, budget: &mut ErrorBudget, torque: Torque) {
     for entry in &mut budget.contributions {
         entry.angle.value = Angle::from_si(entry.angle.value.si() / stage.ratio);
     }
-    let own = |key: &'static str, value: Angle| Sourced {
-        value,
-        source: Source::Project { key: key.into() },
-        grade: Grade::Published,
-        errata: &[],
-    };
+    let own =
+        |key: &'static str, value: Angle| Sourced { value, source: project(key), grade: Grade::Published, errata: &[] };
     if let Some(backlash) = stage.backlash {
         let angle = own("stage.backlash", backlash);
         budget.contributions.push(Contribution { kind: ErrorKind::StageBacklash, angle });
@@ -98,8 +94,7 @@ pub(crate) fn explain_budget(stage: &Stage, (worst, torque): (Angle, Torque), wo
     ratio(stage, work);
     let mut text = "phi_out/i_s";
     if let Some(backlash) = stage.backlash {
-        let key = Source::Project { key: "stage.backlash".into() };
-        work.figure("phi_b", &ARCMINUTE, backlash.si(), &key, Grade::Printed);
+        work.stated("phi_b", &ARCMINUTE, backlash.si(), "stage.backlash");
         text = "phi_out/i_s + phi_b";
     }
     if stage.stiffness.is_some() {

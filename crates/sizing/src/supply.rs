@@ -1,5 +1,6 @@
 //! The DC link: stated, or behind a rectifier at the mains.
 
+use crate::comparison::project;
 use derivation::Workings;
 use provenance::{Grade, Source};
 use quantities::unit::{EFFECTIVE_VOLT, ONE, VOLT};
@@ -101,7 +102,7 @@ impl Supply {
 
     /// The same as a source.
     pub(crate) fn source(&self) -> Source {
-        Source::Project { key: self.key().into() }
+        project(self.key())
     }
 
     /// That of the rectifier is assumed.
@@ -118,7 +119,7 @@ impl Supply {
         match self.from {
             SupplyFrom::DcLink(_) => work.figure("U_DC", &VOLT, found, &self.source(), Grade::Printed),
             SupplyFrom::Mains { phases, nominal, deviation } => {
-                let by = Source::Project { key: "requirements.mains_deviation".into() };
+                let by = project("requirements.mains_deviation");
                 work.figure("U_mains", &EFFECTIVE_VOLT, nominal.si(), &self.source(), Grade::Printed);
                 work.figure("d_U", &ONE, deviation, &by, Grade::Assumed);
                 let text = match (edge, phases) {

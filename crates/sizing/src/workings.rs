@@ -1,6 +1,7 @@
 //! What several checks note of the axis in their workings.
 
 use crate::axis::Axis;
+use crate::comparison::{Asking, equation, project};
 use crate::demand::{Demand, ManualDemand};
 use actuator::Parameters;
 use derivation::{Finding, Workings};
@@ -14,24 +15,22 @@ use trace::{Node, TorqueWith};
 /// The model of the load and its motion.
 pub(crate) const DEMAND: Source = Source::Model { name: "demand" };
 
-const fn equation(number: &'static str) -> Source {
-    crate::comparison::equation(number)
-}
-
 /// J_out of the actuator.
 pub(crate) fn own_inertia(actuator: &Parameters, work: &mut Workings) {
-    if let Some(inertia) = actuator.inertia_out.known() {
-        work.given("J_out", &KILOGRAM_SQUARE_METRE, inertia);
+    work.known("J_out", &KILOGRAM_SQUARE_METRE, &actuator.inertia_out);
+}
+
+/// Where the inertia of the load is from.
+pub(crate) fn inertia_source(axis: &Axis) -> Source {
+    match axis.by_the_manual() {
+        Some(_) => project("load.inertia"),
+        None => Source::Model { name: "mechanisms" },
     }
 }
 
-/// The torque at an instant: α and T_L there, and `T` = J_out α + T_L.
-pub(crate) fn torque_at(node: &Node, actuator: &Parameters, work: &mut Workings) {
-    if !work.is_on() {
-        return;
-    }
+/// An instant: J_out, α and T_L there.
+pub(crate) fn instant(node: &Node, actuator: &Parameters, work: &mut Workings) {
     own_inertia(actuator, work);
-    let inertia = actuator.inertia_out.known().map_or(0.0, |inertia| inertia.value.si());
     work.figure("t", &SECOND, node.time_s, &DEMAND, Grade::Computed);
     work.found(
         "alpha",
@@ -42,6 +41,15 @@ pub(crate) fn torque_at(node: &Node, actuator: &Parameters, work: &mut Workings)
         Grade::Computed,
     );
     work.found("T_L", &NEWTON_METRE, node.load_nm, Finding::TorqueOfLoadAt, &DEMAND, Grade::Computed);
+}
+
+/// The torque at an instant: α and T_L there, and `T` = J_out α + T_L.
+pub(crate) fn torque_at(node: &Node, actuator: &Parameters, work: &mut Workings) {
+    if !work.is_on() {
+        return;
+    }
+    let inertia = actuator.inertia_out.known().map_or(0.0, |inertia| inertia.value.si());
+    instant(node, actuator, work);
     work.formula("T", &NEWTON_METRE, inertia * node.acceleration_rad_s2 + node.load_nm, "J_out*alpha + T_L", &DEMAND);
 }
 
@@ -62,12 +70,11 @@ pub(crate) fn manual_torques(axis: &Axis, actuator: &Parameters, manual: &Manual
         Some((inertia, friction, moves.get(manual.governing)?, manual.moves.get(manual.governing)?))
     });
     let Some((inertia, friction, each, torques)) = found.filter(|_| work.is_on()) else { return };
-    let key = |key: &'static str| Source::Project { key: key.into() };
-    work.figure("T_L", &NEWTON_METRE, friction.si(), &key("load.friction_torque"), Grade::Printed);
-    work.figure("J_L", &KILOGRAM_SQUARE_METRE, inertia.si(), &key("load.inertia"), Grade::Printed);
+    work.stated("T_L", &NEWTON_METRE, friction.si(), "load.friction_torque");
+    work.stated("J_L", &KILOGRAM_SQUARE_METRE, inertia.si(), "load.inertia");
     own_inertia(actuator, work);
-    work.figure("n_2", &REVOLUTION_PER_MINUTE, each.speed.si(), &key("motion.speed"), Grade::Printed);
-    work.figure("t_1", &SECOND, each.accelerate.si(), &key("motion.accelerate"), Grade::Printed);
+    work.stated("n_2", &REVOLUTION_PER_MINUTE, each.speed.si(), "motion.speed");
+    work.stated("t_1", &SECOND, each.accelerate.si(), "motion.accelerate");
     let text = "T_L + 2*pi/60*(J_out + J_L)*abs(n_2)/t_1";
     work.formula("T_1", &NEWTON_METRE, torques.accelerate.si(), text, &equation("69.1"));
     work.formula("T_2", &NEWTON_METRE, torques.run.si(), "T_L", &equation("69.2"));
@@ -93,7 +100,7 @@ pub(crate) fn effective_torque(
                 ("t_3", each.brake, "motion.brake"),
                 ("t_p", each.pause, "motion.pause"),
             ] {
-                work.figure(symbol, &SECOND, time.si(), &Source::Project { key: name.into() }, Grade::Printed);
+                work.stated(symbol, &SECOND, time.si(), name);
             }
         }
         let text = "sqrt((T_1^2*t_1 + T_2^2*t_2 + T_3^2*t_3)/(t_1 + t_2 + t_3 + t_p))";

@@ -2,7 +2,7 @@
 
 use crate::columns::cells;
 use arrow_array::{ArrayRef, BooleanArray, Float64Array, RecordBatch, StringArray, UInt32Array, UInt64Array};
-use arrow_schema::{ArrowError, DataType, Field, Schema, SchemaRef};
+use arrow_schema::{DataType, Field, Schema, SchemaRef};
 use project::{Files, Project, TabularFault};
 use quantities::unit::MILLIMETRE;
 use questions::list::Unanswered;
@@ -39,8 +39,7 @@ impl Head {
 
     /// Looks for faults of the cells of a batch, whose first row has this number.
     pub fn check(&mut self, batch: &RecordBatch, first_row: u64) {
-        let cells: Vec<_> = batch.columns().iter().map(cells).collect();
-        self.head.check(&cells, first_row);
+        self.head.check(&cells(batch), first_row);
     }
 
     /// Adds that the row of this number is no row of the table.
@@ -76,8 +75,7 @@ impl Sweep {
 
     /// Adds every fault of the cells of a batch, whose first row has this number.
     pub fn check(&self, batch: &RecordBatch, first_row: u64, faults: &mut TableFaults) {
-        let cells: Vec<_> = batch.columns().iter().map(cells).collect();
-        self.sweep.check(&cells, first_row, faults);
+        self.sweep.check(&cells(batch), first_row, faults);
     }
 
     /// The answers of a batch, whose first row has this number; a row that cannot be judged is answered with the reason.
@@ -85,24 +83,18 @@ impl Sweep {
     /// # Errors
     /// [`Refusal::Stopped`] where it was stopped.
     pub fn batch(&self, batch: &RecordBatch, first_row: u64, patience: &Patience) -> Result<RecordBatch, Unanswered> {
-        let cells: Vec<_> = batch.columns().iter().map(cells).collect();
-        let answers = self.sweep.judge(&cells, patience).map_err(|_| Unanswered::from(Refusal::Stopped))?;
+        let answers = self.sweep.judge(&cells(batch), patience).map_err(Refusal::from)?;
         let columns = match &self.sweep.options().wanted {
             Wanted::Best => best(&answers, first_row),
             Wanted::Every(checks) => every(&answers, first_row, checks),
             Wanted::Front => front(&answers, first_row),
         };
-        RecordBatch::try_new(self.schema(), columns).map_err(|error| trouble(&error))
+        RecordBatch::try_new(self.schema(), columns).map_err(|error| Unanswered::message(error.to_string()))
     }
 }
 
 fn headings(table: &Schema) -> Vec<&str> {
     table.fields().iter().map(|field| field.name().as_str()).collect()
-}
-
-/// What the library says.
-fn trouble(error: &ArrowError) -> Unanswered {
-    Unanswered::message(error.to_string())
 }
 
 /// The columns of the answers.

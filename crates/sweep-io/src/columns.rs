@@ -2,14 +2,19 @@
 
 use arrow_array::cast::AsArray;
 use arrow_array::types::Float64Type;
-use arrow_array::{Array, ArrayRef};
+use arrow_array::{Array, ArrayRef, RecordBatch};
 use arrow_cast::cast;
 use arrow_schema::DataType;
 use questions::sweep::Cells;
 use std::borrow::Cow;
 
+/// The cells of a batch, column by column.
+pub(crate) fn cells(batch: &RecordBatch) -> Vec<Cells<'static>> {
+    batch.columns().iter().map(of_column).collect()
+}
+
 /// The cells of a column: every type of numbers as numbers, texts and truths as texts.
-pub(crate) fn cells(column: &ArrayRef) -> Cells<'static> {
+fn of_column(column: &ArrayRef) -> Cells<'static> {
     let found = column.data_type();
     let other = || Cells::Other(found.to_string(), column.len());
     match found {
@@ -23,7 +28,7 @@ pub(crate) fn cells(column: &ArrayRef) -> Cells<'static> {
         DataType::Utf8 | DataType::LargeUtf8 | DataType::Utf8View => texts(column).unwrap_or_else(other),
         DataType::Dictionary(_, values) if values.is_string() => texts(column).unwrap_or_else(other),
         DataType::Dictionary(_, values) if values.is_numeric() => {
-            cast(column, values).map_or_else(|_| other(), |plain| cells(&plain))
+            cast(column, values).map_or_else(|_| other(), |plain| of_column(&plain))
         }
         _ => other(),
     }

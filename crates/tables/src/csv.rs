@@ -1,6 +1,7 @@
 //! A table as CSV.
 
 use crate::table::{Cell, Table};
+use questions::sweep::csv::quoted;
 use std::fmt::Write as _;
 
 /// A table as CSV (RFC 4180): UTF-8, a header `name [unit]`, commas, decimal points, lines ended by CR LF. A text that a
@@ -11,7 +12,7 @@ pub fn csv(table: &Table) -> String {
     let mut out = String::with_capacity(table.rows.iter().len() * table.columns.len() * NUMBER_BYTES);
     for (place, column) in table.columns.iter().enumerate() {
         begin(&mut out, place);
-        quoted(&mut out, &column.header());
+        out.push_str(&quoted(&column.header()));
     }
     out.push_str("\r\n");
     for row in table.rows.iter() {
@@ -43,9 +44,9 @@ fn field(out: &mut String, cell: &Cell) {
         Cell::Empty => {}
         // Writing to a text does not fail.
         Cell::Number(number) => drop(write!(out, "{number}")),
-        Cell::Text(text) if is_formula(text) => quoted(out, &format!("'{text}")),
-        Cell::Text(text) => quoted(out, text),
-        Cell::Word(id, _) => quoted(out, id),
+        Cell::Text(text) if is_formula(text) => out.push_str(&quoted(&format!("'{text}"))),
+        Cell::Text(text) => out.push_str(&quoted(text)),
+        Cell::Word(id, _) => out.push_str(&quoted(id)),
     }
 }
 
@@ -61,16 +62,6 @@ fn is_formula(text: &str) -> bool {
         number.is_some_and(|(number, rest)| number.parse::<f64>().is_ok() && rest.chars().all(unit))
     };
     begins && !is_quantity()
-}
-
-fn quoted(out: &mut String, field: &str) {
-    if field.contains([',', '"', '\n', '\r']) {
-        out.push('"');
-        out.push_str(&field.replace('"', "\"\""));
-        out.push('"');
-    } else {
-        out.push_str(field);
-    }
 }
 
 #[cfg(test)]

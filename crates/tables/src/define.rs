@@ -103,9 +103,9 @@ impl Subject<'_> {
         shown
     }
 
-    pub(crate) fn empty(&self, name: &'static str, title: Word, about: Word, columns: Vec<Column>) -> Table {
+    pub(crate) fn made(&self, name: &'static str, title: Word, about: Word, columns: Vec<Column>, rows: Rows) -> Table {
         let (title, about) = (capitalised(title(self.language)), about(self.language).to_owned());
-        Table { name, title, about, columns, rows: Rows::from(Vec::new()), derived: Vec::new() }
+        Table { name, title, about, columns, rows, derived: Vec::new() }
     }
 
     fn inputs(&self) -> Table {
@@ -117,10 +117,8 @@ impl Subject<'_> {
             column("tolerance", tables::tolerance, ColumnContent::Number, None, tables::tolerance_about, l),
             column("unit", terms::unit, ColumnContent::Text, None, tables::unit_of_input_about, l),
         ];
-        let about = tables::inputs_about;
-        let mut table = self.empty("inputs", terms::inputs, about, columns);
         let own = format!("axis[{}].", self.axis + 1);
-        table.rows = inputs(self.text)
+        let rows = inputs(self.text)
             .into_iter()
             .filter(|input| !input.path.starts_with("axis[") || input.path.starts_with(&own))
             .map(|input| {
@@ -134,10 +132,8 @@ impl Subject<'_> {
                     input.half_width.map_or(Cell::Empty, Cell::number),
                     unit,
                 ]
-            })
-            .collect::<Vec<_>>()
-            .into();
-        table
+            });
+        self.made("inputs", terms::inputs, tables::inputs_about, columns, rows.collect())
     }
 
     fn assumptions(&self) -> Table {
@@ -146,14 +142,10 @@ impl Subject<'_> {
             column("number", terms::number, ColumnContent::Count, None, tables::number_about, l),
             column("assumption", tables::assumption, ColumnContent::Text, None, tables::assumption_about, l),
         ];
-        let about = tables::assumptions_about;
-        let mut table = self.empty("assumptions", terms::assumptions, about, columns);
-        table.rows = (1_u16..)
+        let rows = (1_u16..)
             .zip(&self.project.assumptions)
-            .map(|(number, each)| vec![Cell::number(f64::from(number)), Cell::text(assumption_text(*each, l))])
-            .collect::<Vec<_>>()
-            .into();
-        table
+            .map(|(number, each)| vec![Cell::number(f64::from(number)), Cell::text(assumption_text(*each, l))]);
+        self.made("assumptions", terms::assumptions, tables::assumptions_about, columns, rows.collect())
     }
 
     fn motion(&self) -> Table {
@@ -175,27 +167,20 @@ impl Subject<'_> {
             number("acceleration", terms::acceleration, acceleration),
             column("recording", terms::recording, ColumnContent::Text, None, tables::recording_about, l),
         ];
-        let about = tables::motion_about;
-        let mut table = self.empty("motion", terms::motion, about, columns);
-        table.rows = (1_u32..)
-            .zip(&moves.moves)
-            .map(|(number, each)| {
-                let course = each.course.map_or([None; 3], |course| course.map(Some));
-                let [s, v, a] = course;
-                vec![
-                    Cell::number(f64::from(number)),
-                    Cell::text(law_text(each.law, l)),
-                    Cell::in_unit(Some(each.start.si()), &SECOND),
-                    Cell::in_unit(Some(each.duration.si()), &SECOND),
-                    Cell::in_unit(s, distance),
-                    Cell::in_unit(v, speed),
-                    Cell::in_unit(a, acceleration),
-                    each.recording.map_or(Cell::Empty, |read| Cell::text(read.file.as_str())),
-                ]
-            })
-            .collect::<Vec<_>>()
-            .into();
-        table
+        let rows = (1_u32..).zip(&moves.moves).map(|(number, each)| {
+            let [s, v, a] = each.course.map_or([None; 3], |course| course.map(Some));
+            vec![
+                Cell::number(f64::from(number)),
+                Cell::text(law_text(each.law, l)),
+                Cell::in_unit(Some(each.start.si()), &SECOND),
+                Cell::in_unit(Some(each.duration.si()), &SECOND),
+                Cell::in_unit(s, distance),
+                Cell::in_unit(v, speed),
+                Cell::in_unit(a, acceleration),
+                each.recording.map_or(Cell::Empty, |read| Cell::text(read.file.as_str())),
+            ]
+        });
+        self.made("motion", terms::motion, tables::motion_about, columns, rows.collect())
     }
 
     fn course(&self, format: Format) -> Table {
@@ -219,15 +204,11 @@ impl Subject<'_> {
             .iter()
             .map(|(name, title, unit, about, _)| column(name, *title, ColumnContent::Number, Some(unit), *about, l))
             .collect();
-        let about = tables::course_about;
-        let mut table = self.empty("course", tables::course, about, columns);
-        if let Some(rows) = format.course_left_out(self.project) {
-            table.rows = Rows::left_out(rows);
-            return table;
-        }
-        let course = course(self.project, self.chosen);
         let row = |sample: &Sample| series.map(|(.., unit, _, of)| of(sample).map(|si| unit.from_si(si)));
-        table.rows = Rows::series(course.samples.iter().map(row));
-        table
+        let rows = match format.course_left_out(self.project) {
+            Some(rows) => Rows::left_out(rows),
+            None => Rows::series(course(self.project, self.chosen).samples.iter().map(row)),
+        };
+        self.made("course", tables::course, tables::course_about, columns, rows)
     }
 }

@@ -4,6 +4,7 @@ use crate::table::Table;
 use crate::xlsx::SHEET_ROWS_MOST;
 use project::Project;
 use questions::{Refusal, course_rows};
+use std::path::Path;
 
 /// How tables are written.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -37,6 +38,12 @@ impl Format {
     #[must_use]
     pub fn of_ending(ending: &str) -> Option<Self> {
         Self::ALL.into_iter().find(|format| format.ending() == ending)
+    }
+
+    /// The format of a file, by the ending of its name.
+    #[must_use]
+    pub fn of(file: &Path) -> Option<Self> {
+        Self::of_ending(&file.extension()?.to_string_lossy().to_ascii_lowercase())
     }
 
     /// Bytes that the program takes for each row of a course, with the recording it comes from and the text it becomes:

@@ -3,10 +3,10 @@
 use crate::error::WriteError;
 use crate::table::{Column, Table};
 use parquet::basic::{Compression, LogicalType, Repetition, Type as Physical};
-use parquet::data_type::{ByteArray, ByteArrayType, DoubleType};
+use parquet::data_type::{ByteArrayType, DataType, DoubleType};
 use parquet::file::metadata::KeyValue;
 use parquet::file::properties::WriterProperties;
-use parquet::file::writer::SerializedFileWriter;
+use parquet::file::writer::{SerializedColumnWriter, SerializedFileWriter};
 use parquet::schema::types::Type;
 use std::sync::Arc;
 
@@ -34,21 +34,10 @@ pub fn parquet(table: &Table) -> Result<Vec<u8>, WriteError> {
         for (index, column) in table.columns.iter().enumerate() {
             let Some(mut into) = group.next_column()? else { continue };
             if column.is_numeric() {
-                let cells: Vec<Option<f64>> = table.numbers(index).skip(from).take(GROUP).collect();
-                let levels: Vec<i16> = cells.iter().map(|cell| i16::from(cell.is_some())).collect();
-                let values: Vec<f64> = cells.into_iter().flatten().collect();
-                into.typed::<DoubleType>().write_batch(&values, Some(&levels), None)?;
+                put::<DoubleType>(&mut into, table.numbers(index).skip(from).take(GROUP))?;
             } else {
-                let cells: Vec<Option<ByteArray>> = table
-                    .rows
-                    .iter()
-                    .skip(from)
-                    .take(GROUP)
-                    .map(|row| Some(row.get(index)?.as_text()?.into()))
-                    .collect();
-                let levels: Vec<i16> = cells.iter().map(|cell| i16::from(cell.is_some())).collect();
-                let values: Vec<ByteArray> = cells.into_iter().flatten().collect();
-                into.typed::<ByteArrayType>().write_batch(&values, Some(&levels), None)?;
+                let rows = table.rows.iter().skip(from).take(GROUP);
+                put::<ByteArrayType>(&mut into, rows.map(|row| Some(row.get(index)?.as_text()?.into())))?;
             }
             into.close()?;
         }
@@ -56,6 +45,18 @@ pub fn parquet(table: &Table) -> Result<Vec<u8>, WriteError> {
     }
     writer.close()?;
     Ok(out)
+}
+
+/// Writes the cells of a column.
+fn put<T: DataType>(
+    into: &mut SerializedColumnWriter<'_>,
+    cells: impl Iterator<Item = Option<T::T>>,
+) -> Result<(), WriteError> {
+    let cells: Vec<Option<T::T>> = cells.collect();
+    let levels: Vec<i16> = cells.iter().map(|cell| i16::from(cell.is_some())).collect();
+    let values: Vec<T::T> = cells.into_iter().flatten().collect();
+    into.typed::<T>().write_batch(&values, Some(&levels), None)?;
+    Ok(())
 }
 
 fn field(column: &Column) -> Result<Arc<Type>, WriteError> {

@@ -22,11 +22,13 @@ fn code(language: Language) -> Column {
     column("code", terms::ordering_code, ColumnContent::Text, None, about, language)
 }
 
+/// A column of a figure that has a symbol.
+fn figure(name: &str, symbol: &str, unit: &'static Unit, about: Word, language: Language) -> Column {
+    titled(name, figure_term(symbol, language), ColumnContent::Number, Some(unit), about, language)
+}
+
 pub(crate) fn demand(subject: &Subject<'_>) -> Table {
     let l = subject.language;
-    let figure = |name: &str, symbol: &str, unit: &'static Unit, about: Word| {
-        titled(name, figure_term(symbol, l), ColumnContent::Number, Some(unit), about, l)
-    };
     let cycle = tables::whole_cycle_about;
     let governing = tables::governing_torque_about;
     let torque =
@@ -34,19 +36,17 @@ pub(crate) fn demand(subject: &Subject<'_>) -> Table {
     let columns = vec![
         code(l),
         column("mode", tables::mode, ColumnContent::Text, None, tables::mode_about, l),
-        figure("T_rms", "T_rms", &NEWTON_METRE, cycle),
-        figure("T_peak", "T_peak", &NEWTON_METRE, cycle),
+        figure("T_rms", "T_rms", &NEWTON_METRE, cycle, l),
+        figure("T_peak", "T_peak", &NEWTON_METRE, cycle, l),
         column("T_peak_at", tables::at, ColumnContent::Number, Some(&SECOND), tables::peak_torque_at_about, l),
-        figure("n_av", "n_av", &REVOLUTION_PER_MINUTE, tables::mean_speed_about),
-        figure("n_peak", "n_peak", &REVOLUTION_PER_MINUTE, tables::peak_speed_about),
-        figure("ED", "ED", &PERCENT, tables::duty_factor_about),
+        figure("n_av", "n_av", &REVOLUTION_PER_MINUTE, tables::mean_speed_about, l),
+        figure("n_peak", "n_peak", &REVOLUTION_PER_MINUTE, tables::peak_speed_about, l),
+        figure("ED", "ED", &PERCENT, tables::duty_factor_about, l),
         torque("T_1", tables::t_1_accelerating),
         torque("T_2", tables::t_2_running),
         torque("T_3", tables::t_3_braking),
         column("move", tables::governing_move, ColumnContent::Count, None, tables::governing_move_about, l),
     ];
-    let about = tables::demand_about;
-    let mut table = subject.empty("demand", terms::demand, about, columns);
     let mut rows = Vec::new();
     for (_, candidate) in subject.shown() {
         let judgement = &candidate.judgement;
@@ -78,8 +78,7 @@ pub(crate) fn demand(subject: &Subject<'_>) -> Table {
             row("integral", demand, none);
         }
     }
-    table.rows = rows.into();
-    table
+    subject.made("demand", terms::demand, tables::demand_about, columns, rows.into_iter().collect())
 }
 
 pub(crate) fn candidates(subject: &Subject<'_>) -> Table {
@@ -91,9 +90,6 @@ pub(crate) fn candidates(subject: &Subject<'_>) -> Table {
         .filter(|id| shown.iter().any(|(_, each)| each.judgement.checks.iter().any(|check| check.id == *id)))
         .collect();
     let data = tables::data_sheet_about;
-    let figure = |name: &str, symbol: &str, unit: &'static Unit, about: Word| {
-        titled(name, figure_term(symbol, l), ColumnContent::Number, Some(unit), about, l)
-    };
     let mut columns = vec![
         column("rank", terms::rank, ColumnContent::Count, None, tables::rank_about, l),
         code(l),
@@ -108,28 +104,21 @@ pub(crate) fn candidates(subject: &Subject<'_>) -> Table {
         ),
         column("tightest", terms::tightest_check, ColumnContent::Text, None, tables::tightest_check_about, l),
         column("margin", terms::margin, ColumnContent::Share, Some(&ONE), tables::margin_about, l),
-        figure("mass", "m", &KILOGRAM, data),
-        figure("length", "L", &MILLIMETRE, data),
-        figure("hollow_shaft", "d_H", &MILLIMETRE, data),
-        figure("ratio", "i", &ONE, data),
-        figure("T_max", "T_max", &NEWTON_METRE, data),
+        figure("mass", "m", &KILOGRAM, data, l),
+        figure("length", "L", &MILLIMETRE, data, l),
+        figure("hollow_shaft", "d_H", &MILLIMETRE, data, l),
+        figure("ratio", "i", &ONE, data, l),
+        figure("T_max", "T_max", &NEWTON_METRE, data, l),
         column("open_questions", tables::open_questions, ColumnContent::Count, None, tables::open_questions_about, l),
         column("on_request", terms::on_request, ColumnContent::Text, None, tables::on_request_about, l),
         column("objections", tables::objections, ColumnContent::Text, None, tables::objections_about, l),
     ];
-    columns.extend(ids.iter().map(|id| Column {
-        name: id.id().to_owned(),
-        title: check_title(*id, l),
-        unit: Some(&ONE),
-        about: tables::utilisation_of_check_about(l).to_owned(),
-        kind: ColumnContent::Share,
-    }));
-    let about = tables::candidates_about;
-    let mut table = subject.empty("candidates", terms::candidates, about, columns);
+    let of_check = tables::utilisation_of_check_about;
+    let share = |id: &CheckId| titled(id.id(), check_title(*id, l), ColumnContent::Share, Some(&ONE), of_check, l);
+    columns.extend(ids.iter().map(share));
     #[allow(clippy::cast_precision_loss, reason = "counts of a few hundred")]
     let count = |count: usize| Cell::number(count as f64);
-    let mut rows = Vec::new();
-    for (rank, candidate) in &shown {
+    let row = |(rank, candidate): &(Option<usize>, Candidate<'_>)| {
         let data = candidate.parameters;
         let utilisation = Cell::number(candidate.standing.utilisation);
         let margin = utilisation.as_number().map_or(Cell::Empty, |share| Cell::number(1.0 - share));
@@ -157,9 +146,10 @@ pub(crate) fn candidates(subject: &Subject<'_>) -> Table {
             let check = candidate.judgement.checks.iter().find(|check| check.id == *id);
             check.and_then(|check| check.utilisation).map_or(Cell::Empty, Cell::number)
         }));
-        rows.push(row);
-    }
-    table.rows = rows.into();
+        row
+    };
+    let rows = shown.iter().map(row).collect();
+    let mut table = subject.made("candidates", terms::candidates, tables::candidates_about, columns, rows);
     if let (Some(column), Some(utilisation)) = (table.column("margin"), table.column("utilisation")) {
         table.derived.push(Derived::Margin { column, utilisation });
     }
@@ -185,8 +175,6 @@ pub(crate) fn checks(subject: &Subject<'_>) -> Table {
         column("missing", terms::missing, ColumnContent::Text, None, tables::missing_about, l),
         column("notes", terms::remarks, ColumnContent::Text, None, tables::remarks_about, l),
     ];
-    let about = tables::checks_about;
-    let mut table = subject.empty("checks", terms::checks, about, columns);
     let chosen = &subject.chosen.id;
     let mut shown = subject.shown();
     // The chosen one stands first: its checks are what most readers look for.
@@ -195,7 +183,8 @@ pub(crate) fn checks(subject: &Subject<'_>) -> Table {
         let name = candidate.id.to_string();
         candidate.judgement.checks.iter().map(|check| check_row(&name, check, l)).collect::<Vec<_>>()
     };
-    table.rows = shown.iter().flat_map(of_each).collect::<Vec<_>>().into();
+    let rows = shown.iter().flat_map(of_each).collect();
+    let mut table = subject.made("checks", terms::checks, tables::checks_about, columns, rows);
     let of = |name: &str| table.column(name);
     if let (Some(column), Some(value), Some(limit), Some(direction), Some(margin)) =
         (of("utilisation"), of("value"), of("limit"), of("direction"), of("margin"))

@@ -101,9 +101,9 @@ fn held(value: f64) -> Cell {
     if value.is_nan() { Cell::Empty } else { Cell::Number(value) }
 }
 
-impl From<Vec<Vec<Cell>>> for Rows {
-    fn from(rows: Vec<Vec<Cell>>) -> Self {
-        Self(Held::Listed(rows))
+impl FromIterator<Vec<Cell>> for Rows {
+    fn from_iter<I: IntoIterator<Item = Vec<Cell>>>(rows: I) -> Self {
+        Self(Held::Listed(rows.into_iter().collect()))
     }
 }
 
@@ -115,7 +115,8 @@ mod tests {
     fn a_series_says_what_the_same_cells_would() {
         let rows = [[Some(0.1 + 0.2), None], [Some(0.3), Some(f64::INFINITY)], [Some(-0.0), Some(2.0)]];
         let series = Rows::series(rows.into_iter());
-        let listed = Rows::from(vec![vec![Cell::number(0.3), Cell::Empty], vec![Cell::number(0.0), Cell::number(2.0)]]);
+        let listed = [[Cell::number(0.3), Cell::Empty], [Cell::number(0.0), Cell::number(2.0)]];
+        let listed: Rows = listed.into_iter().map(Vec::from).collect();
         assert_eq!(series.len(), 2, "of the two that say the same there is one");
         assert!(series.iter().eq(listed.iter()));
         for column in 0..3 {

@@ -233,7 +233,7 @@ fn rising(course: &Table) -> Table {
             rows.push(row.into_owned());
         }
     }
-    Table { rows: rows.into(), ..course.clone() }
+    Table { rows: rows.into_iter().collect(), ..course.clone() }
 }
 
 #[test]
@@ -367,7 +367,7 @@ fn a_long_course_is_left_to_the_other_formats() {
         let mut tables = tables.to_vec();
         let course = tables.iter_mut().find(|table| table.name == "course").unwrap();
         let row = course.rows.get(0).unwrap().into_owned();
-        course.rows = vec![row; tables::SHEET_ROWS_MOST + 1].into();
+        course.rows = std::iter::repeat_n(row, tables::SHEET_ROWS_MOST + 1).collect();
         let mut book: Xlsx<_> = Xlsx::new(Cursor::new(xlsx(&tables, front).unwrap())).unwrap();
         assert!(!book.sheet_names().contains(&"Course".to_owned()));
         let cover = book.worksheet_range("Overview").unwrap();

@@ -31,15 +31,15 @@ pub fn add(folder: &Path) {
     let place = u8::try_from(Series::all().count()).unwrap_or(u8::MAX);
     let added = order_code::extend(data.codes.iter().map(grammar).collect());
     assert!(added.is_ok(), "a series was added before");
-    let document = |source: &'static series_files::Source| catalogue::Document {
+    let document = |source: &'static series_files::Document| catalogue::Document {
         id: &source.id,
         title: &source.title,
-        edition: source.edition.as_deref().unwrap_or(""),
-        language: source.language.as_deref().unwrap_or(""),
-        publisher: source.publisher.as_deref().unwrap_or(""),
-        kind: source.kind.as_deref().unwrap_or(""),
-        place: source.place.as_deref().unwrap_or(""),
-        note: source.note.as_deref().unwrap_or(""),
+        edition: &source.edition,
+        language: &source.language,
+        publisher: &source.publisher,
+        kind: &source.kind,
+        place: &source.place,
+        note: &source.note,
     };
     let new = data.sources.iter().filter(|source| catalogue::document(&source.id).is_none());
     let further = Further {
@@ -91,21 +91,6 @@ fn field_words(code: &'static Code, field: &'static series_files::Field) -> Fiel
     }
 }
 
-fn value(text: &str) -> catalogue::Value {
-    match series_files::value_of(text) {
-        series_files::Value::NotPrinted => catalogue::Value::NotPrinted,
-        series_files::Value::Number(value) => catalogue::Value::Number(value),
-        series_files::Value::Range { low, high } => catalogue::Value::Range { low, high },
-        series_files::Value::UpperBound(value) => catalogue::Value::UpperBound(value),
-        series_files::Value::LowerBound(value) => catalogue::Value::LowerBound(value),
-        series_files::Value::PlusMinus(value) => catalogue::Value::PlusMinus(value),
-        series_files::Value::Tolerance { nominal, plus_minus_percent } => {
-            catalogue::Value::Tolerance { nominal, plus_minus_percent }
-        }
-        series_files::Value::Text => catalogue::Value::Text,
-    }
-}
-
 fn cell(data: &'static Data, cell: &series_files::Cell<'static>) -> catalogue::Cell {
     let [drive, feedback, ratio, symbol, condition] = cell.keys.clone().map(|key| &*key.leak());
     let (document, table) = data.tables.get(cell.table).map_or(("", ""), |table| (&*table.source, &*table.table));
@@ -117,7 +102,7 @@ fn cell(data: &'static Data, cell: &series_files::Cell<'static>) -> catalogue::C
         unit: cell.unit,
         printed: cell.printed,
         corrected: cell.corrected,
-        value: value(cell.corrected),
+        value: series_files::value_of(cell.corrected),
         checks_use: None,
         errata: &[],
     }

@@ -103,9 +103,7 @@ impl Means {
         }
         Ok(Some(Self { nodes, period_s }))
     }
-}
 
-impl Means {
     /// Mean losses \[W\] and power of the supply \[W\] at temperatures: Lagrange's polynomial through the three nodes.
     fn at(&self, machine: &Machine, winding_k: f64, housing_k: f64) -> (Losses, f64) {
         let [a, b, c] = &self.nodes;

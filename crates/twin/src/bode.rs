@@ -5,8 +5,9 @@ use crate::load::Local;
 use crate::plant::Plant;
 use crate::setup::{Fault, Setup};
 use crate::twin::Twin;
+use quantities::identified;
 use std::f64::consts::{PI, TAU};
-use std::ops::{Add, Div, Mul, Neg, Sub};
+use std::ops::{Add, Div, Mul, Sub};
 
 /// A complex number.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -48,13 +49,6 @@ impl Sub for Complex {
     }
 }
 
-impl Neg for Complex {
-    type Output = Self;
-    fn neg(self) -> Self {
-        Self::new(-self.re, -self.im)
-    }
-}
-
 impl Mul for Complex {
     type Output = Self;
     fn mul(self, other: Self) -> Self {
@@ -82,31 +76,20 @@ impl Div for Complex {
 
 const ONE: Complex = Complex::new(1.0, 0.0);
 
-/// A loop of the control.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-pub enum Loop {
-    /// Current.
-    Current,
-    /// Speed.
-    Speed,
-    /// Position.
-    Position,
+identified! {
+    /// A loop of the control, the innermost first.
+    #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+    pub enum Loop {
+        /// Current.
+        Current = "current",
+        /// Speed.
+        Speed = "speed",
+        /// Position.
+        Position = "position",
+    }
 }
 
 impl Loop {
-    /// All of them, the innermost first.
-    pub const ALL: [Self; 3] = [Self::Current, Self::Speed, Self::Position];
-
-    /// Its identifier.
-    #[must_use]
-    pub const fn id(self) -> &'static str {
-        match self {
-            Self::Current => "current",
-            Self::Speed => "speed",
-            Self::Position => "position",
-        }
-    }
-
     /// Its period \[s\].
     fn period_s(self) -> f64 {
         #[allow(clippy::cast_precision_loss, reason = "small counts")]
@@ -191,26 +174,28 @@ impl Linear<'_> {
         (ONE + z / (z - ONE) * (period / time)) * gain
     }
 
-    /// Speed of the motor per torque, of rotor and load on the spring of the gear.
-    ///
-    /// Ω/T = Z_L'/((J_M s + b + Z) Z_L' − Z²), Z = D + K/s, Z_L' = J_L s + b_L + k_L/s + Z
-    pub(crate) fn mechanics(&self, s: Complex) -> Complex {
+    /// The spring of the gear and the load on it: Z = D + K/s, Z_L' = J_L s + b_L + k_L/s + Z.
+    fn spring_and_load(&self, s: Complex) -> [Complex; 2] {
         let spring = Complex::new(self.plant.damping_nms, 0.0) + Complex::new(self.stiffness, 0.0) / s;
         let load = s * self.load.inertia_kgm2
             + Complex::new(self.load.viscous_nms, 0.0)
             + Complex::new(self.load.slope_nm, 0.0) / s
             + spring;
+        [spring, load]
+    }
+
+    /// Speed of the motor per torque, of rotor and load on the spring of the gear.
+    ///
+    /// Ω/T = Z_L'/((J_M s + b + Z) Z_L' − Z²)
+    pub(crate) fn mechanics(&self, s: Complex) -> Complex {
+        let [spring, load] = self.spring_and_load(s);
         let rotor = s * self.plant.inertia_kgm2 + Complex::new(self.plant.viscous_nms, 0.0) + spring;
         load / (rotor * load - spring * spring)
     }
 
     /// Speed of the load per speed of the motor: Z/Z_L'.
     fn through_the_gear(&self, s: Complex) -> Complex {
-        let spring = Complex::new(self.plant.damping_nms, 0.0) + Complex::new(self.stiffness, 0.0) / s;
-        let load = s * self.load.inertia_kgm2
-            + Complex::new(self.load.viscous_nms, 0.0)
-            + Complex::new(self.load.slope_nm, 0.0) / s
-            + spring;
+        let [spring, load] = self.spring_and_load(s);
         spring / load
     }
 

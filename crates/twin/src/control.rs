@@ -2,9 +2,11 @@
 
 use crate::plant::Plant;
 
-/// So many periods of the current loop make one of the speed loop, and of the position loop.
+/// So many periods of the current loop make one of the speed loop.
 pub(crate) const SPEED_EVERY: u64 = 4;
-pub(crate) const POSITION_EVERY: u64 = 8;
+
+/// So many periods of the current loop make one of the position loop.
+pub const POSITION_EVERY: u64 = 8;
 /// Rate of the current loop \[Hz\]; those of speed and position are 4 kHz and 2 kHz.
 pub const CURRENT_RATE_HZ: f64 = 16_000.0;
 

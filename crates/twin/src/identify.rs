@@ -1,6 +1,7 @@
 //! Parameters of the load and of the motor from a recorded run, by least squares.
 
 use numeric::Symmetric;
+use quantities::identified;
 
 /// A recorded run, sample by sample, in SI at the output; currents i_q, peak of a phase.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -21,44 +22,28 @@ pub struct Observed {
     pub time_s: Vec<f64>,
 }
 
-/// What is estimated.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-pub enum Identified {
-    /// J_L: inertia of the load \[kgm²\].
-    LoadInertia,
-    /// T_c: Coulomb friction of the load \[Nm\].
-    Coulomb,
-    /// b: viscous friction of the load [Nm s/rad].
-    Viscous,
-    /// W: weight of the load at its largest lever \[Nm\].
-    Gravity,
-    /// q_0: angle of the centre of mass above the horizontal at q = 0 \[rad\].
-    GravityAngle,
-    /// T_e: torque that neither speed nor position change \[Nm\].
-    External,
-    /// k_Tout: torque at the output per ampere rms, driving [Nm/A].
-    TorqueConstant,
-    /// I_NLS: friction of motor and gear as a current, rms \[A\].
-    StartingCurrent,
-    /// K_INL: its growth with the output speed [A s/rad].
-    CurrentConstant,
-}
-
-impl Identified {
-    /// Its identifier.
-    #[must_use]
-    pub const fn id(self) -> &'static str {
-        match self {
-            Self::LoadInertia => "load_inertia",
-            Self::Coulomb => "coulomb",
-            Self::Viscous => "viscous",
-            Self::Gravity => "gravity",
-            Self::GravityAngle => "gravity_angle",
-            Self::External => "external",
-            Self::TorqueConstant => "torque_constant_out",
-            Self::StartingCurrent => "no_load_starting_current",
-            Self::CurrentConstant => "no_load_current_constant",
-        }
+identified! {
+    /// What is estimated.
+    #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+    pub enum Identified {
+        /// J_L: inertia of the load \[kgm²\].
+        LoadInertia = "load_inertia",
+        /// T_c: Coulomb friction of the load \[Nm\].
+        Coulomb = "coulomb",
+        /// b: viscous friction of the load [Nm s/rad].
+        Viscous = "viscous",
+        /// W: weight of the load at its largest lever \[Nm\].
+        Gravity = "gravity",
+        /// q_0: angle of the centre of mass above the horizontal at q = 0 \[rad\].
+        GravityAngle = "gravity_angle",
+        /// T_e: torque that neither speed nor position change \[Nm\].
+        External = "external",
+        /// k_Tout: torque at the output per ampere rms, driving [Nm/A].
+        TorqueConstant = "torque_constant_out",
+        /// I_NLS: friction of motor and gear as a current, rms \[A\].
+        StartingCurrent = "no_load_starting_current",
+        /// K_INL: its growth with the output speed [A s/rad].
+        CurrentConstant = "no_load_current_constant",
     }
 }
 

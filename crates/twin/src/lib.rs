@@ -13,7 +13,6 @@ mod identify;
 mod link;
 mod load;
 mod machine;
-mod noise;
 mod parameters;
 mod plant;
 mod scenario;
@@ -26,7 +25,7 @@ mod warm;
 
 pub use averaged::{Averaged, Operation, averaged};
 pub use bode::{Loop, LoopResponse, Margins, Response};
-pub use control::{CURRENT_RATE_HZ, Demand, Gains};
+pub use control::{CURRENT_RATE_HZ, Demand, Gains, POSITION_EVERY};
 pub use drive::Limits;
 pub use identify::{Estimate, Identification, Identified, IdentifyFault, Observed, identify};
 pub use parameters::{MeasuredLoad, Model, NoSuchParameter, Parameter, Parameters};

@@ -1,11 +1,11 @@
 //! From the parameters to the constants of the equations.
 
 use crate::gear::{Hysteresis, KinematicError, Spring};
-use crate::noise::Random;
 use crate::parameters::{Parameters, si};
 use crate::plant::Plant;
 use crate::{Fault, Switches};
 use actuator::{HeatModel, NoLoadFriction, coil_power, copper_resistance, speed_max};
+use numeric::Random;
 use provenance::{Datum, Missing};
 use quantities::{ElectricalResistance, Measure, Ratio, ThermodynamicTemperature, Time};
 use std::f64::consts::{SQRT_2, TAU};

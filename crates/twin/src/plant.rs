@@ -177,9 +177,7 @@ impl Energies {
     pub(crate) fn throughput(&self) -> f64 {
         self.terminal_j + 2.0 * self.regenerated_j
     }
-}
 
-impl Energies {
     /// Heat in the housing: all losses but that of the copper.
     pub(crate) fn heat(&self) -> f64 {
         self.friction_j + self.mesh_j + self.brake_j + self.damping_j + self.hysteresis_j

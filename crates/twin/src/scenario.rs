@@ -1,89 +1,59 @@
 //! What happens to the axis: scenarios and the reaction of the drive.
 
 use feedback::{Failure, Finding};
+use quantities::identified;
 
-/// How a drive ends a motion.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum Reaction {
-    /// Brakes the axis along a ramp, closes the brake and switches off.
-    #[default]
-    Ramp,
-    /// Switches off and closes the brake.
-    Brake,
-    /// Switches off; the axis runs out.
-    Coast,
-}
-
-impl Reaction {
-    /// All of them.
-    pub const ALL: [Self; 3] = [Self::Ramp, Self::Brake, Self::Coast];
-
-    /// Its identifier.
-    #[must_use]
-    pub const fn id(self) -> &'static str {
-        match self {
-            Self::Ramp => "ramp",
-            Self::Brake => "brake",
-            Self::Coast => "coast",
-        }
+identified! {
+    /// How a drive ends a motion.
+    #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+    pub enum Reaction {
+        /// Brakes the axis along a ramp, closes the brake and switches off.
+        #[default]
+        Ramp = "ramp",
+        /// Switches off and closes the brake.
+        Brake = "brake",
+        /// Switches off; the axis runs out.
+        Coast = "coast",
     }
 }
 
-/// One line per scenario: its variant and its identifier.
-macro_rules! scenarios {
-    ($($(#[$about:meta])* $variant:ident $id:literal;)*) => {
-        /// What happens to the axis.
-        #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord)]
-        pub enum ScenarioId {
-            $($(#[$about])* $variant,)*
-        }
-
-        impl ScenarioId {
-            /// All of them.
-            pub const ALL: &'static [Self] = &[$(Self::$variant),*];
-
-            /// Its identifier.
-            #[must_use]
-            pub const fn id(self) -> &'static str {
-                match self { $(Self::$variant => $id,)* }
-            }
-        }
-    };
-}
-
-scenarios! {
-    /// The cycle of the project.
-    #[default]
-    Cycle "cycle";
-    /// A stop on demand at an instant, by the stated reaction.
-    EmergencyStop "emergency_stop";
-    /// Mains and control fail at an instant: no pulses, the brake closes.
-    PowerFailure "power_failure";
-    /// The brake does not open.
-    BrakeStuck "brake_stuck";
-    /// The drive switches off at rest and the brake closes at the same instant: the load sags.
-    HangingLoad "hanging_load";
-    /// The load is clamped at an instant.
-    BlockedLoad "blocked_load";
-    /// The feedback fails at an instant.
-    EncoderFailure "encoder_failure";
-    /// Battery and supply of the feedback have failed before the start: it has lost its turns, and its word is valid.
-    BatteryLoss "battery_loss";
-    /// The supply of the DC link drops for a while.
-    LinkSag "link_sag";
-    /// The warmest permitted ambient.
-    HotAmbient "hot_ambient";
-    /// Everything as cold as the coldest permitted ambient.
-    ColdGrease "cold_grease";
-    /// The load meets a stop.
-    Collision "collision";
+identified! {
+    /// What happens to the axis.
+    #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord)]
+    pub enum ScenarioId {
+        /// The cycle of the project.
+        #[default]
+        Cycle = "cycle",
+        /// A stop on demand at an instant, by the stated reaction.
+        EmergencyStop = "emergency_stop",
+        /// Mains and control fail at an instant: no pulses, the brake closes.
+        PowerFailure = "power_failure",
+        /// The brake does not open.
+        BrakeStuck = "brake_stuck",
+        /// The drive switches off at rest and the brake closes at the same instant: the load sags.
+        HangingLoad = "hanging_load",
+        /// The load is clamped at an instant.
+        BlockedLoad = "blocked_load",
+        /// The feedback fails at an instant.
+        EncoderFailure = "encoder_failure",
+        /// Battery and supply of the feedback have failed before the start: it has lost its turns, and its word is valid.
+        BatteryLoss = "battery_loss",
+        /// The supply of the DC link drops for a while.
+        LinkSag = "link_sag",
+        /// The warmest permitted ambient.
+        HotAmbient = "hot_ambient",
+        /// Everything as cold as the coldest permitted ambient.
+        ColdGrease = "cold_grease",
+        /// The load meets a stop.
+        Collision = "collision",
+    }
 }
 
 impl ScenarioId {
     /// The scenario of an identifier.
     #[must_use]
     pub fn of(id: &str) -> Option<Self> {
-        Self::ALL.iter().copied().find(|each| each.id() == id)
+        Self::ALL.into_iter().find(|each| each.id() == id)
     }
 }
 
@@ -124,75 +94,57 @@ pub struct Event {
     pub kind: EventKind,
 }
 
-/// One line per event: its variant and its identifier.
-macro_rules! events {
-    ($($(#[$about:meta])* $variant:ident $id:literal;)*) => {
-        /// What happened.
-        #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-        pub enum EventKind {
-            $($(#[$about])* $variant,)*
-        }
-
-        impl EventKind {
-            /// All of them.
-            pub const ALL: &'static [Self] = &[$(Self::$variant),*];
-
-            /// Its identifier.
-            #[must_use]
-            pub const fn id(self) -> &'static str {
-                match self { $(Self::$variant => $id,)* }
-            }
-        }
-    };
-}
-
-events! {
-    /// The scenario takes place.
-    Scenario "scenario";
-    /// The drive stops along a ramp.
-    Ramp "ramp";
-    /// The inverter gives no pulses any more.
-    PulsesOff "pulses_off";
-    /// The brake is commanded to close.
-    BrakeCloses "brake_closes";
-    /// The brake has closed at rest.
-    BrakeClosed "brake_closed";
-    /// The brake has closed on a moving axis.
-    BrakeClosedMoving "brake_closed_moving";
-    /// The brake has opened.
-    BrakeOpen "brake_open";
-    /// The closed brake slips.
-    BrakeSlips "brake_slips";
-    /// The axis came to rest after a stop.
-    AtRest "at_rest";
-    /// The current reached its limit or the voltage its largest value.
-    Limited "limited";
-    /// Overload supervision I²t.
-    Overload "overload";
-    /// The sensor of the winding reached its warning.
-    WindingWarning "winding_warning";
-    /// The sensor of the winding reached its shutdown.
-    WindingShutdown "winding_shutdown";
-    /// The PTC of the winding responds.
-    PtcResponse "ptc_response";
-    /// The position lags behind its set-point by more than is permitted.
-    FollowingError "following_error";
-    /// The DC link is below its least voltage.
-    LinkLow "link_low";
-    /// The DC link is above its largest voltage.
-    LinkHigh "link_high";
-    /// The brake resistor was switched on.
-    BrakeResistor "brake_resistor";
-    /// The drive notices that the feedback has failed: no valid position.
-    NoPosition "no_position";
-    /// The feedback has lost its turns, which nothing shows.
-    TurnsLost "turns_lost";
-    /// The current reached that of demagnetisation.
-    Demagnetisation "demagnetisation";
-    /// The gear passed more than the collision torque.
-    CollisionTorque "collision_torque";
-    /// The speed exceeds the largest of the motor.
-    Overspeed "overspeed";
-    /// A value left every bound: the run ends here.
-    Diverged "diverged";
+identified! {
+    /// What happened.
+    #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+    pub enum EventKind {
+        /// The scenario takes place.
+        Scenario = "scenario",
+        /// The drive stops along a ramp.
+        Ramp = "ramp",
+        /// The inverter gives no pulses any more.
+        PulsesOff = "pulses_off",
+        /// The brake is commanded to close.
+        BrakeCloses = "brake_closes",
+        /// The brake has closed at rest.
+        BrakeClosed = "brake_closed",
+        /// The brake has closed on a moving axis.
+        BrakeClosedMoving = "brake_closed_moving",
+        /// The brake has opened.
+        BrakeOpen = "brake_open",
+        /// The closed brake slips.
+        BrakeSlips = "brake_slips",
+        /// The axis came to rest after a stop.
+        AtRest = "at_rest",
+        /// The current reached its limit or the voltage its largest value.
+        Limited = "limited",
+        /// Overload supervision I²t.
+        Overload = "overload",
+        /// The sensor of the winding reached its warning.
+        WindingWarning = "winding_warning",
+        /// The sensor of the winding reached its shutdown.
+        WindingShutdown = "winding_shutdown",
+        /// The PTC of the winding responds.
+        PtcResponse = "ptc_response",
+        /// The position lags behind its set-point by more than is permitted.
+        FollowingError = "following_error",
+        /// The DC link is below its least voltage.
+        LinkLow = "link_low",
+        /// The DC link is above its largest voltage.
+        LinkHigh = "link_high",
+        /// The brake resistor was switched on.
+        BrakeResistor = "brake_resistor",
+        /// The drive notices that the feedback has failed: no valid position.
+        NoPosition = "no_position",
+        /// The feedback has lost its turns, which nothing shows.
+        TurnsLost = "turns_lost",
+        /// The current reached that of demagnetisation.
+        Demagnetisation = "demagnetisation",
+        /// The gear passed more than the collision torque.
+        CollisionTorque = "collision_torque",
+        /// The speed exceeds the largest of the motor.
+        Overspeed = "overspeed",
+        /// A value left every bound: the run ends here.
+        Diverged = "diverged",
+    }
 }

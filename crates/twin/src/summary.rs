@@ -20,10 +20,8 @@ pub struct Summary {
     pub current_peak_a: f64,
     /// Its root mean square \[A\].
     pub current_rms_a: f64,
-    /// Largest torque through the gear \[Nm\], and when \[s\].
+    /// Largest torque through the gear \[Nm\].
     pub torque_peak_nm: f64,
-    /// When \[s\].
-    pub torque_peak_s: f64,
     /// Root mean square of the torque through the gear \[Nm\].
     pub torque_rms_nm: f64,
     /// Largest speed of the motor over i [rad/s].
@@ -68,7 +66,7 @@ pub(crate) struct Gathered {
     rest: Option<(f64, Vec<f64>)>,
     current: [f64; 2],
     periods: f64,
-    torque: [f64; 3],
+    torque: [f64; 2],
     speed: f64,
     temperatures: [f64; 3],
     overload: f64,
@@ -95,7 +93,7 @@ impl Gathered {
             rest: None,
             current: [0.0; 2],
             periods: 0.0,
-            torque: [0.0; 3],
+            torque: [0.0; 2],
             speed: 0.0,
             temperatures: [0.0; 3],
             overload: 0.0,
@@ -145,14 +143,12 @@ impl Gathered {
 
     /// Once a period.
     #[inline]
-    pub(crate) fn each(&mut self, square_a2: f64, torque: f64, speed: f64, link_v: f64, time: f64) {
+    pub(crate) fn each(&mut self, square_a2: f64, torque: f64, speed: f64, link_v: f64) {
         self.current[0] = self.current[0].max(square_a2);
         self.current[1] += square_a2;
         self.periods += 1.0;
-        if torque.abs() > self.torque[0] {
-            (self.torque[0], self.torque[1]) = (torque.abs(), time);
-        }
-        self.torque[2] += torque * torque;
+        self.torque[0] = self.torque[0].max(torque.abs());
+        self.torque[1] += torque * torque;
         self.speed = self.speed.max(speed.abs());
         self.link = [self.link[0].min(link_v), self.link[1].max(link_v)];
     }
@@ -208,8 +204,7 @@ impl Gathered {
             current_peak_a: last.current[0].sqrt(),
             current_rms_a: mean(last.current[1], last.periods),
             torque_peak_nm: last.torque[0],
-            torque_peak_s: last.torque[1],
-            torque_rms_nm: mean(last.torque[2], last.periods),
+            torque_rms_nm: mean(last.torque[1], last.periods),
             speed_peak_rad_s: last.speed,
             winding_end_k: last.temperatures[0],
             housing_end_k: last.temperatures[1],

@@ -12,7 +12,6 @@ use crate::gear::Anchor;
 use crate::link::{Link, LinkModel};
 use crate::load::{LoadModel, Local};
 use crate::machine::Machine;
-use crate::noise::Random;
 use crate::parameters::Parameter;
 use crate::plant::{Energies, Given, Plant, State, Stop};
 use crate::scenario::{Event, EventKind, ScenarioId};
@@ -20,6 +19,7 @@ use crate::setpoint::{Course, SetPoint};
 use crate::setup::{Fault, STEP_MOST, SUBSTEPS_MOST, Setup};
 use crate::summary::{Gathered, Summary};
 use actuator::{Losses, Temperatures};
+use numeric::Random;
 use quantities::{Measure, ThermodynamicTemperature};
 use std::f64::consts::{SQRT_2, TAU};
 
@@ -459,7 +459,7 @@ impl<'a> Twin<'a> {
         let [i_d, i_q, ..] = self.state.x;
         let square = 0.5 * (i_d * i_d + i_q * i_q);
         self.slow.square_a2_s += square * PERIOD_S;
-        self.gathered.each(square, self.state.gear_nm, omega, self.link.voltage_v, self.time_s());
+        self.gathered.each(square, self.state.gear_nm, omega, self.link.voltage_v);
         self.tick += 1;
         if self.tick.is_multiple_of(SLOW_EVERY) {
             self.supervise();

@@ -1,7 +1,7 @@
 //! Options and help that only the command line has, beside the arguments of a question and the files that it writes.
 
 use super::question;
-use clap::builder::{PossibleValuesParser, ValueParser};
+use clap::builder::{IntoResettable, PossibleValuesParser, StyledStr, ValueParser};
 use clap::{Arg, ArgAction, ArgGroup, Command, value_parser};
 use quantities::Language;
 use questions::SIGNALS;
@@ -35,8 +35,7 @@ fn title_page(command: Command, language: Language) -> Command {
         ("author", help::author(l)),
         ("company", help::company(l)),
     ];
-    let archive = Arg::new("archive").long("archive").action(ArgAction::SetTrue).help(help::archive(l));
-    command.args(fields.map(|(name, help)| text(name, values::text(l), help))).arg(archive)
+    command.args(fields.map(|(name, help)| text(name, values::text(l), help))).arg(flag("archive", help::archive(l)))
 }
 
 /// Any name of a table: the list itself says which are right.
@@ -95,8 +94,14 @@ pub(crate) fn shapes(command: Command, language: Language) -> Command {
     command.after_help(format!("{}\n{shapes}{}", help::shapes(language), help::shapes_all(language)))
 }
 
-fn text(name: &'static str, value: &'static str, help: &'static str) -> Arg {
+/// An option with a value.
+pub(super) fn text(name: &'static str, value: &'static str, help: impl IntoResettable<StyledStr>) -> Arg {
     Arg::new(name).long(name).value_name(value).help(help)
+}
+
+/// An option without a value.
+pub(super) fn flag(name: &'static str, help: &'static str) -> Arg {
+    Arg::new(name).long(name).action(ArgAction::SetTrue).help(help)
 }
 
 pub(super) fn serve(language: Language) -> Command {
@@ -109,62 +114,49 @@ pub(super) fn serve(language: Language) -> Command {
                 .value_parser(value_parser!(std::path::PathBuf))
                 .help(help::serve_folder(language)),
         )
-        .arg(
-            Arg::new("port")
-                .long("port")
-                .value_name(values::n(language))
-                .value_parser(value_parser!(u16))
-                .help(help::serve_port(language)),
-        )
-        .arg(Arg::new("open").long("open").action(ArgAction::SetTrue).help(help::serve_open(language)))
-        .arg(
-            Arg::new("listen")
-                .long("listen")
-                .value_name(values::address(language))
-                .help(help::serve_listen(&one, &all, language)),
-        )
-        .arg(Arg::new("no-token").long("no-token").action(ArgAction::SetTrue).help(help::serve_no_token(language)))
+        .arg(text("port", values::n(language), help::serve_port(language)).value_parser(value_parser!(u16)))
+        .arg(flag("open", help::serve_open(language)))
+        .arg(text("listen", values::address(language), help::serve_listen(&one, &all, language)))
+        .arg(flag("no-token", help::serve_no_token(language)))
         .arg(memory(language))
 }
 
 pub(super) fn drive(language: Language) -> Command {
     let l = language;
-    let option = |name: &'static str, value: &'static str, help: &'static str| text(name, value, help);
-    let words = |all: [&'static str; 2]| PossibleValuesParser::new(all);
     Command::new("drive")
         .about(help::drive(l))
         .arg(Arg::new("code").value_name(values::code(l)).required(true).num_args(1..).help(help::ordering_code(l)))
         .arg(
             // Its own identifier: a server has no deadline, which every command with a project takes.
-            option("project-file", values::file(l), help::drive_project(l))
+            text("project-file", values::file(l), help::drive_project(l))
                 .long("project")
                 .value_parser(value_parser!(std::path::PathBuf))
                 .conflicts_with("inertia"),
         )
-        .arg(option("axis", values::name(l), help::axis(l)).requires("project-file"))
-        .arg(option("inertia", values::quantity(l), help::drive_inertia(l)))
+        .arg(text("axis", values::name(l), help::axis(l)).requires("project-file"))
+        .arg(text("inertia", values::quantity(l), help::drive_inertia(l)))
         .arg(
-            option("protocol", values::name(l), help::drive_protocol(l))
-                .value_parser(words(server::DriveProtocol::ALL.map(server::DriveProtocol::id)))
+            text("protocol", values::name(l), help::drive_protocol(l))
+                .value_parser(PossibleValuesParser::new(server::DriveProtocol::ALL.map(server::DriveProtocol::id)))
                 .default_value(server::DriveProtocol::default().id()),
         )
         .arg(
-            option("time", values::name(l), help::drive_time(l))
-                .value_parser(words(questions::drive::Time::ALL.map(questions::drive::Time::id)))
+            text("time", values::name(l), help::drive_time(l))
+                .value_parser(PossibleValuesParser::new(questions::drive::Time::ALL.map(questions::drive::Time::id)))
                 .default_value(questions::drive::Time::default().id()),
         )
-        .arg(option("port", values::n(l), help::drive_port(l)).value_parser(value_parser!(u16)))
+        .arg(text("port", values::n(l), help::drive_port(l)).value_parser(value_parser!(u16)))
         .arg(
-            option("node", values::n(l), help::drive_node(l))
+            text("node", values::n(l), help::drive_node(l))
                 .value_parser(value_parser!(u8).range(1..=i64::from(questions::drive::NODE_MOST)))
                 .default_value("1"),
         )
-        .arg(option("seed", values::n(l), help::simulate_seed(l)).value_parser(value_parser!(u32)).default_value("0"))
-        .arg(Arg::new("eds").long("eds").action(ArgAction::SetTrue).help(help::drive_eds(l)))
+        .arg(text("seed", values::n(l), help::simulate_seed(l)).value_parser(value_parser!(u32)).default_value("0"))
+        .arg(flag("eds", help::drive_eds(l)))
         .arg(memory(l))
 }
 
 /// How much memory the recordings of a project may take.
 pub(super) fn memory(language: Language) -> Arg {
-    Arg::new("memory").long("memory").value_name(values::size(language)).help(help::memory(language))
+    text("memory", values::size(language), help::memory(language))
 }

@@ -1,5 +1,6 @@
 //! The command of a question: its arguments and files from the list, and what its layout adds.
 
+use super::own;
 use crate::layout::Layout;
 use clap::builder::{PossibleValue, PossibleValuesParser, StringValueParser, TypedValueParser};
 use clap::{Arg, ArgAction, Command, value_parser};
@@ -42,7 +43,7 @@ pub(super) fn command(entry: &'static Entry, language: Language) -> Command {
         command = (layout.own)(command, language);
     }
     if entry.files().next().is_some() {
-        command = command.arg(Arg::new("force").long("force").action(ArgAction::SetTrue).help(help::force(language)));
+        command = command.arg(own::flag("force", help::force(language)));
     }
     command
 }

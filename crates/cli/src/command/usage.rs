@@ -17,8 +17,7 @@ pub(crate) fn refused(error: &clap::Error, as_json: bool, language: Language) ->
     let talk = format!("{}: {message}\n{shown}\n{}\n", library::error(language), library::more(language));
     let option = match error.get(ContextKind::InvalidArg) {
         Some(ContextValue::String(name)) => name.strip_prefix("--").map(|name| {
-            let end = name.find(|sign: char| !sign.is_ascii_alphanumeric() && sign != '-').unwrap_or(name.len());
-            name.chars().take(end).collect::<String>()
+            name.chars().take_while(|sign| sign.is_ascii_alphanumeric() || *sign == '-').collect::<String>()
         }),
         _ => None,
     };

@@ -63,7 +63,7 @@ pub struct CheckList {
 /// The speed of the motor in a test run and how long it may last, as the prose has them.
 #[must_use]
 pub fn test_run() -> Option<(AngularVelocity, Time)> {
-    let fact = catalogue::facts().iter().find(|fact| fact.id == TEST_SPEED.0)?;
+    let fact = catalogue::fact(TEST_SPEED.0)?;
     let value = |id: &str| fact.values.iter().find(|value| value.id == id).map(|value| value.number);
     let speed = AngularVelocity::new_in(value(TEST_SPEED.1)?, &REVOLUTION_PER_MINUTE);
     Some((speed, Time::new_in(value("time")?, &MINUTE)))
@@ -86,10 +86,15 @@ pub fn lists(about: &Commissioning, ambient: ThermodynamicTemperature) -> Vec<Ch
     STEPS.into_iter().map(list).collect()
 }
 
+/// A value to measure, where it is known what it should be.
+fn measure(expected: Option<Expected>, at: Condition) -> Option<Item> {
+    Some(Item::Measure { expected: expected?, at })
+}
+
 fn before_power(about: &Commissioning, ambient: ThermodynamicTemperature) -> Vec<Item> {
-    let at = Condition::Temperature(ambient);
     let cold = [about.expected_resistance(ambient), about.expected_kty(ambient), about.expected_ptc(ambient)];
-    let brake = [
+    let at_any = [
+        about.expected_inductance(),
         about.expected_brake_voltage(),
         about.expected_brake(Measurand::BrakeOpeningCurrent),
         about.expected_brake(Measurand::BrakeHoldingCurrent),
@@ -97,35 +102,35 @@ fn before_power(about: &Commissioning, ambient: ThermodynamicTemperature) -> Vec
         about.expected_brake(Measurand::BrakeClosingTime),
     ];
     let set = [ParameterId::SpeedMotorMax, ParameterId::SpeedOutMax, ParameterId::CurrentLimit, ParameterId::PolePairs];
-    let measured = cold.into_iter().flatten().map(|expected| Item::Measure { expected, at });
-    let inductance = about.expected_inductance().map(|expected| Item::Measure { expected, at: Condition::Any });
-    let brake = brake.into_iter().flatten().map(|expected| Item::Measure { expected, at: Condition::Any });
-    let values = set.into_iter().filter_map(|id| about.get(id).cloned()).map(Item::Value);
-    measured.chain(inductance).chain(brake).chain(values).collect()
+    let cold = cold.map(|expected| measure(expected, Condition::Temperature(ambient)));
+    let at_any = at_any.map(|expected| measure(expected, Condition::Any));
+    let values = set.map(|id| about.get(id).cloned().map(Item::Value));
+    cold.into_iter().chain(at_any).chain(values).flatten().collect()
+}
+
+/// Speeds of motor and flange in a test run, and how long it lasts at most.
+fn test_speeds(about: &Commissioning) -> Option<(AngularVelocity, AngularVelocity, Time)> {
+    let (speed_motor, time) = test_run()?;
+    let ratio = about.get(ParameterId::ReductionRatio)?.si;
+    Some((speed_motor, AngularVelocity::from_si(speed_motor.si() / ratio), time))
 }
 
 fn first_motion(about: &Commissioning, ambient: ThermodynamicTemperature) -> Vec<Item> {
-    let Some((speed_motor, time)) = test_run() else { return Vec::new() };
-    let Some(ratio) = about.get(ParameterId::ReductionRatio) else { return Vec::new() };
-    let speed_out = AngularVelocity::from_si(speed_motor.si() / ratio.si);
-    let ratio =
-        about.expected_ratio().map(|expected| Item::Measure { expected, at: Condition::SpeedMotor(speed_motor) });
-    let emf = about.expected_emf(speed_motor);
-    let emf = emf.map(|expected| Item::Measure { expected, at: Condition::SpeedMotor(speed_motor) });
-    let current = about.expected_no_load(speed_out, ambient);
-    let current = current.map(|expected| Item::Measure { expected, at: Condition::SpeedOut(speed_out, ambient) });
-    [Item::Limit { speed_motor, speed_out, time }].into_iter().chain(ratio).chain(emf).chain(current).collect()
+    let Some((speed_motor, speed_out, time)) = test_speeds(about) else { return Vec::new() };
+    let at = Condition::SpeedMotor(speed_motor);
+    let items = [
+        Some(Item::Limit { speed_motor, speed_out, time }),
+        measure(about.expected_ratio(), at),
+        measure(about.expected_emf(speed_motor), at),
+        measure(about.expected_no_load(speed_out, ambient), Condition::SpeedOut(speed_out, ambient)),
+    ];
+    items.into_iter().flatten().collect()
 }
 
 fn after_a_day(about: &Commissioning) -> Vec<Item> {
-    let warm = about.warm_gear();
     let warning = about.get(ParameterId::WindingWarning).cloned().map(Item::Value);
-    let test = test_run().zip(about.get(ParameterId::ReductionRatio));
-    let current = test.and_then(|((speed_motor, _), ratio)| {
-        let speed_out = AngularVelocity::from_si(speed_motor.si() / ratio.si);
-        let warm = warm?;
-        let expected = about.expected_no_load(speed_out, warm)?;
-        Some(Item::Measure { expected, at: Condition::SpeedOut(speed_out, warm) })
+    let current = test_speeds(about).zip(about.warm_gear()).and_then(|((_, speed_out, _), warm)| {
+        measure(about.expected_no_load(speed_out, warm), Condition::SpeedOut(speed_out, warm))
     });
     warning.into_iter().chain(current).collect()
 }

@@ -134,18 +134,6 @@ pub struct Object {
 /// Bits 7 (position) and 6 (velocity) of 0x607E: what is demanded is multiplied by −1 (synapticon-circulo).
 const BOTH_REVERSED: u8 = 0b1100_0000;
 
-struct Draft {
-    id: ObjectId,
-    place: (u16, u8),
-    data_type: DataType,
-    exact: f64,
-    unit: &'static str,
-    rounding: Rounding,
-    from: Vec<Parameter>,
-    facts: Vec<&'static Fact>,
-    document: &'static str,
-}
-
 /// Per mille of the rated value.
 const PER_MILLE: f64 = 1000.0;
 
@@ -161,19 +149,26 @@ pub fn objects(commissioning: &Commissioning) -> Vec<Object> {
     use DataType::{Unsigned16, Unsigned32};
     use Rounding::{Down, Nearest};
     let get = |id| commissioning.get(id).cloned();
-    let mut drafts: Vec<Draft> = Vec::new();
+    let draft = |id, (index, sub), exact, unit, from, document| Object {
+        id,
+        index,
+        sub,
+        data_type: Unsigned32,
+        value: 0,
+        exact,
+        unit,
+        rounding: Nearest,
+        from,
+        facts: Vec::new(),
+        document,
+    };
+    let mut drafts: Vec<Object> = Vec::new();
     if let (Some(limit), Some(stall)) = (get(ParameterId::CurrentLimit), get(ParameterId::StallCurrent)) {
         let exact = clean(PER_MILLE * (limit.si / stall.si));
-        let share = |id, index, document| Draft {
-            id,
-            place: (index, 0),
+        let share = |id, index, document| Object {
             data_type: Unsigned16,
-            exact,
-            unit: "0.1 %",
             rounding: Down,
-            from: vec![limit.clone(), stall.clone()],
-            facts: Vec::new(),
-            document,
+            ..draft(id, (index, 0), exact, "0.1 %", vec![limit.clone(), stall.clone()], document)
         };
         drafts.push(share(ObjectId::MaxTorque, 0x6072, "beckhoff-ax8xxx"));
         drafts.push(share(ObjectId::MaxCurrent, 0x6073, "festo-cmmp"));
@@ -181,18 +176,7 @@ pub fn objects(commissioning: &Commissioning) -> Vec<Object> {
     let mut one = |id, place, parameter: Option<Parameter>, unit: &quantities::Unit, shown, document| {
         if let Some(parameter) = parameter {
             let exact = clean(unit.from_si(parameter.si));
-            let (data_type, rounding, from) = (Unsigned32, Nearest, vec![parameter]);
-            drafts.push(Draft {
-                id,
-                place,
-                data_type,
-                exact,
-                unit: shown,
-                rounding,
-                from,
-                facts: Vec::new(),
-                document,
-            });
+            drafts.push(draft(id, place, exact, shown, vec![parameter], document));
         }
     };
     let stall = get(ParameterId::StallCurrent);
@@ -200,16 +184,10 @@ pub fn objects(commissioning: &Commissioning) -> Vec<Object> {
     let torque = get(ParameterId::StallTorqueMotor);
     one(ObjectId::MotorRatedTorque, (0x6076, 0), torque, &MILLINEWTON_METRE, "mNm", "elmo-dsp402");
     let speed = get(ParameterId::SpeedMotorMax);
-    let polarity = counting_fact(&commissioning.code).map(|counting| Draft {
-        id: ObjectId::Polarity,
-        place: (0x607E, 0),
+    let polarity = counting_fact(&commissioning.code).map(|counting| Object {
         data_type: DataType::Unsigned8,
-        exact: f64::from(BOTH_REVERSED),
-        unit: "1",
-        rounding: Nearest,
-        from: Vec::new(),
-        facts: catalogue::facts().iter().filter(|fact| fact.id == REVERSED).chain([counting]).collect(),
-        document: "synapticon-circulo",
+        facts: catalogue::fact(REVERSED).into_iter().chain([counting]).collect(),
+        ..draft(ObjectId::Polarity, (0x607E, 0), f64::from(BOTH_REVERSED), "1", Vec::new(), "synapticon-circulo")
     });
     one(ObjectId::MaxMotorSpeed, (0x6080, 0), speed, &REVOLUTION_PER_MINUTE, "1/min", "infranor-xtrapuls");
     let (increments, ratio) = (get(ParameterId::EncoderIncrements), get(ParameterId::ReductionRatio));
@@ -221,22 +199,21 @@ pub fn objects(commissioning: &Commissioning) -> Vec<Object> {
     one(ObjectId::GearMotorRevolutions, (0x6091, 1), ratio.clone(), &ONE, "rev", document);
     one(ObjectId::GearShaftRevolutions, (0x6091, 2), single(ratio), &ONE, "rev", document);
     drafts.extend(polarity);
-    drafts.sort_by_key(|draft| draft.place);
+    drafts.sort_by_key(|draft| (draft.index, draft.sub));
     drafts.into_iter().filter_map(whole).collect()
 }
 
-fn whole(draft: Draft) -> Option<Object> {
-    let Draft { id, place: (index, sub), data_type, exact, unit, rounding, from, facts, document } = draft;
-    let rounded = match rounding {
-        Rounding::Nearest => exact.round(),
-        Rounding::Down => exact.floor(),
+fn whole(draft: Object) -> Option<Object> {
+    let rounded = match draft.rounding {
+        Rounding::Nearest => draft.exact.round(),
+        Rounding::Down => draft.exact.floor(),
     };
-    let [_, largest] = data_type.range();
+    let [_, largest] = draft.data_type.range();
     #[allow(clippy::cast_precision_loss, reason = "at most 32 bit")]
     if rounded < 0.0 || rounded > largest as f64 {
         return None;
     }
     #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "whole and within the type")]
     let value = rounded as u32;
-    Some(Object { id, index, sub, data_type, value, exact, unit, rounding, from, facts, document })
+    Some(Object { value, ..draft })
 }

@@ -1,7 +1,6 @@
 //! What is printed about the encoders of a code: lines, protocol, supply, turns.
 
-use catalogue::SeriesData;
-use catalogue::{Cell, Footnote, Table};
+use catalogue::{Cell, Footnote, SeriesData, Table};
 use order_code::OrderCode;
 
 /// On which side an encoder sits.

@@ -57,6 +57,18 @@ impl Measurand {
             Self::DirectionFlange | Self::DirectionPosition | Self::Ratio | Self::PolePairs => &ONE,
         }
     }
+
+    /// Whether there is no such value without a brake.
+    pub(super) const fn is_of_the_brake(self) -> bool {
+        matches!(
+            self,
+            Self::BrakeVoltage
+                | Self::BrakeOpeningCurrent
+                | Self::BrakeHoldingCurrent
+                | Self::BrakeOpeningTime
+                | Self::BrakeClosingTime
+        )
+    }
 }
 
 identified! {
@@ -282,8 +294,7 @@ pub const KTY_SHORT_OHM: f64 = 50.0;
 
 /// How far identified friction lay off the catalogue, as a share, with its cell.
 fn deviation(symbol: &str) -> Option<(f64, &'static Cell)> {
-    let cells = catalogue::table("friction-identified").map(catalogue::Table::cells).unwrap_or_default();
-    let cell = cells.iter().find(|cell| cell.place.symbol == symbol)?;
+    let cell = catalogue::table_cell("friction-identified", symbol)?;
     Some((cell.limit().number()? / 100.0, cell))
 }
 

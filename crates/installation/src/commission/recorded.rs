@@ -206,61 +206,50 @@ pub fn judge(about: &Commissioning, measured: &Measured) -> Vec<Judged> {
 }
 
 fn one(about: &Commissioning, measured: &Measured, what: Measurand) -> Judged {
-    let brake = |value: Option<f64>, expected: Option<Expected>| {
-        if about.has_brake() {
-            compare(about, what, value, expected)
-        } else {
-            Judged::open(what, value, Unjudged::NotThere)
-        }
-    };
-    match what {
+    let (value, expected) = match what {
         Measurand::ResistanceLl => {
-            let expected = measured.winding_temperature.and_then(|winding| about.expected_resistance(winding));
-            compare(about, what, measured.resistance_ll.map(Measure::si), expected)
+            let winding = measured.winding_temperature;
+            (measured.resistance_ll.map(Measure::si), winding.and_then(|winding| about.expected_resistance(winding)))
         }
-        Measurand::InductanceLl => {
-            compare(about, what, measured.inductance_ll.map(Measure::si), about.expected_inductance())
-        }
+        Measurand::InductanceLl => (measured.inductance_ll.map(Measure::si), about.expected_inductance()),
         Measurand::Emf => {
             let expected = measured.emf.and_then(|(_, speed)| about.expected_emf(speed));
-            compare(about, what, measured.emf.map(|(voltage, _)| voltage.si()), expected)
+            (measured.emf.map(|(voltage, _)| voltage.si()), expected)
         }
         Measurand::Kty => {
-            let expected = measured.sensor_temperature.and_then(|sensor| about.expected_kty(sensor));
-            compare(about, what, measured.kty.map(Measure::si), expected)
+            let sensor = measured.sensor_temperature;
+            (measured.kty.map(Measure::si), sensor.and_then(|sensor| about.expected_kty(sensor)))
         }
-        Measurand::Ptc if !about.has_ptc() => Judged::open(what, measured.ptc.map(Measure::si), Unjudged::NotThere),
         Measurand::Ptc => {
-            let expected = measured.sensor_temperature.and_then(|sensor| about.expected_ptc(sensor));
-            compare(about, what, measured.ptc.map(Measure::si), expected)
+            let sensor = measured.sensor_temperature;
+            (measured.ptc.map(Measure::si), sensor.and_then(|sensor| about.expected_ptc(sensor)))
         }
-        Measurand::BrakeVoltage => brake(measured.brake_voltage.map(Measure::si), about.expected_brake_voltage()),
-        Measurand::BrakeOpeningCurrent => {
-            brake(measured.brake_opening_current.map(Measure::si), about.expected_brake(what))
+        Measurand::BrakeVoltage => (measured.brake_voltage.map(Measure::si), about.expected_brake_voltage()),
+        Measurand::BrakeOpeningCurrent => (measured.brake_opening_current.map(Measure::si), about.expected_brake(what)),
+        Measurand::BrakeHoldingCurrent => (measured.brake_holding_current.map(Measure::si), about.expected_brake(what)),
+        Measurand::BrakeOpeningTime => (measured.brake_opening_time.map(Measure::si), about.expected_brake(what)),
+        Measurand::BrakeClosingTime => (measured.brake_closing_time.map(Measure::si), about.expected_brake(what)),
+        Measurand::DirectionFlange => {
+            return match (measured.direction_motor, measured.direction_flange) {
+                (Some(motor), Some(flange)) => Judged::by_fact(what, motor != flange, REVERSED, Cause::SameDirection),
+                _ => Judged::open(what, None, Unjudged::NotMeasured),
+            };
         }
-        Measurand::BrakeHoldingCurrent => {
-            brake(measured.brake_holding_current.map(Measure::si), about.expected_brake(what))
-        }
-        Measurand::BrakeOpeningTime => brake(measured.brake_opening_time.map(Measure::si), about.expected_brake(what)),
-        Measurand::BrakeClosingTime => brake(measured.brake_closing_time.map(Measure::si), about.expected_brake(what)),
-        Measurand::DirectionFlange => match (measured.direction_motor, measured.direction_flange) {
-            (Some(motor), Some(flange)) => Judged::by_fact(what, motor != flange, REVERSED, Cause::SameDirection),
-            _ => Judged::open(what, None, Unjudged::NotMeasured),
-        },
-        Measurand::DirectionPosition => position(about, measured),
-        Measurand::Ratio => {
-            let value = quotient(measured.speed_motor, measured.speed_flange);
-            compare(about, what, value, about.expected_ratio())
-        }
+        Measurand::DirectionPosition => return position(about, measured),
+        Measurand::Ratio => (quotient(measured.speed_motor, measured.speed_flange), about.expected_ratio()),
         Measurand::PolePairs => {
             let turns = measured.speed_motor.map(|speed| speed.si().abs() / std::f64::consts::TAU);
             let frequency = measured.electrical_frequency.map(Measure::si);
             let value = turns.zip(frequency).filter(|(turns, _)| *turns > 0.0).map(|(turns, hertz)| hertz / turns);
-            compare(about, what, value, about.expected_pole_pairs())
+            (value, about.expected_pole_pairs())
         }
         // Each of its points is judged by itself.
-        Measurand::NoLoadCurrent => Judged::open(what, None, Unjudged::NotMeasured),
+        Measurand::NoLoadCurrent => return Judged::open(what, None, Unjudged::NotMeasured),
+    };
+    if what.is_of_the_brake() && !about.has_brake() || what == Measurand::Ptc && !about.has_ptc() {
+        return Judged::open(what, value, Unjudged::NotThere);
     }
+    compare(about, what, value, expected)
 }
 
 fn quotient(one: Option<AngularVelocity>, other: Option<AngularVelocity>) -> Option<f64> {
@@ -292,7 +281,7 @@ pub(super) fn counting_fact(code: &OrderCode) -> Option<&'static Fact> {
         FeedbackKind::SineIncremental | FeedbackKind::SquareIncremental => "signals_valid_clockwise",
         FeedbackKind::Resolver => return None,
     };
-    catalogue::facts().iter().find(|fact| fact.id == id && fact.holds_for.series == code.series())
+    catalogue::fact(id).filter(|fact| fact.holds_for.series == code.series())
 }
 
 fn position(about: &Commissioning, measured: &Measured) -> Judged {

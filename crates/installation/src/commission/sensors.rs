@@ -42,9 +42,8 @@ pub fn kty_temperature(resistance: ElectricalResistance) -> Option<Thermodynamic
 #[must_use]
 pub fn kty_cell(temperature: ThermodynamicTemperature) -> Option<&'static Cell> {
     let celsius = temperature.in_unit(&DEGREE_CELSIUS);
-    let cells = catalogue::table("kty84-130").map(catalogue::Table::cells).unwrap_or_default();
     let away = |cell: &&Cell| cell_celsius(cell).map_or(f64::INFINITY, |at| (at - celsius).abs());
-    cells.iter().min_by(|one, other| away(one).total_cmp(&away(other)))
+    catalogue::table_cells("kty84-130").iter().min_by(|one, other| away(one).total_cmp(&away(other)))
 }
 
 /// The temperature at which a cell of that table holds: `typical, 80 degC`.
@@ -55,8 +54,8 @@ fn cell_celsius(cell: &Cell) -> Option<f64> {
 /// The bounds of a single PTC (DIN 44081), as the table has them: up to T_NAT − 20 K, at −5 K, +5 K, +15 K.
 #[must_use]
 pub fn ptc_bounds() -> Vec<&'static Cell> {
-    let cells = catalogue::table("ptc-din44081").map(catalogue::Table::cells).unwrap_or_default();
-    cells.iter().filter(|cell| cell.place.symbol == "R_PTC" && cell.place.condition.starts_with("single")).collect()
+    let cells = catalogue::table_cells("ptc-din44081").iter();
+    cells.filter(|cell| cell.place.symbol == "R_PTC" && cell.place.condition.starts_with("single")).collect()
 }
 
 #[cfg(test)]

@@ -38,15 +38,8 @@ identified! {
 pub enum CableLength {
     /// As printed \[m\].
     Metres(f64),
-    /// Written in the material number, in letters that the drive's maker explains.
-    InNumber(LengthCode),
-}
-
-/// The place of a length in a material number of another maker.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct LengthCode {
-    /// The letters that stand for it: `xx`.
-    pub letters: &'static str,
+    /// Written in the material number, where these letters stand for it, which the drive's maker explains: `xx`.
+    InNumber(&'static str),
 }
 
 identified! {
@@ -65,6 +58,9 @@ identified! {
         OpenEnd = "open_end",
     }
 }
+
+/// Letters of a material number that stand for a length.
+const LENGTH_CODE: &str = "xx";
 
 /// The cables of a code, in the order of the manual.
 pub(super) fn cables(code: &OrderCode) -> Vec<Cable> {
@@ -106,8 +102,8 @@ fn cable(cell: &'static Cell, code: &OrderCode, winding: &str) -> Option<Cable> 
         text if text.contains("open end") => CableFor::OpenEnd,
         _ => CableFor::SinamicsSmc,
     };
-    let length = if cell.corrected.contains("xx") {
-        CableLength::InNumber(LengthCode { letters: "xx" })
+    let length = if cell.corrected.contains(LENGTH_CODE) {
+        CableLength::InNumber(LENGTH_CODE)
     } else {
         let metres = condition.rsplit(", ").next()?.strip_suffix(" m")?;
         CableLength::Metres(metres.parse().ok()?)

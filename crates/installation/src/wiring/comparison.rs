@@ -225,24 +225,11 @@ pub fn compare(wiring: &Wiring, list: &PinList) -> Comparison {
 
 /// An exchange of two pins is reported at the first of them.
 fn remove_doubles(findings: &mut Vec<Finding>) {
-    let exchanges: Vec<(Role, String, String)> = findings
-        .iter()
-        .filter_map(|finding| match &finding.difference {
-            Difference::Reversed { with, .. } | Difference::Swapped { with, .. } => {
-                Some((finding.role, finding.pin.clone(), with.clone()))
-            }
-            _ => None,
-        })
-        .collect();
     let mut seen: Vec<(Role, String, String)> = Vec::new();
-    let mut exchanges = exchanges.into_iter();
-    findings.retain(|finding| {
-        if !matches!(finding.difference, Difference::Reversed { .. } | Difference::Swapped { .. }) {
-            return true;
-        }
-        let Some((role, pin, with)) = exchanges.next() else { return true };
-        let mirrored = seen.iter().any(|(of, first, second)| *of == role && *first == with && *second == pin);
-        seen.push((role, pin, with));
+    findings.retain(|Finding { role, pin, difference, .. }| {
+        let (Difference::Reversed { with, .. } | Difference::Swapped { with, .. }) = difference else { return true };
+        let mirrored = seen.iter().any(|(of, first, second)| of == role && first == with && second == pin);
+        seen.push((*role, pin.clone(), with.clone()));
         !mirrored
     });
 }
@@ -253,6 +240,11 @@ fn pin_named<'c>(connector: &'c Connector, text: &str) -> Option<&'c Pin> {
     let name = ["PIN", "STIFT", "NO", "NR"].iter().find_map(|word| plain.strip_prefix(word)).unwrap_or(&plain);
     let name = name.trim_start_matches('0');
     connector.pins.iter().find(|pin| plain_eq(&pin.name, name))
+}
+
+/// Whether a row of the list names a signal that this pin has.
+fn has_signal(connector: &Connector, pin: &Pin, row: &ListedPin) -> bool {
+    pins_of_signal(connector, &row.signal).iter().any(|each| each.name == pin.name)
 }
 
 fn plain_eq(one: &str, other: &str) -> bool {
@@ -271,18 +263,13 @@ fn pins_of_signal<'c>(connector: &'c Connector, text: &str) -> Vec<&'c Pin> {
     carrying().filter(|pin| spellings(pin.printed()).iter().any(|each| plain(each) == wanted)).collect()
 }
 
-/// How many pins of a connector a list has as printed, of those that carry something.
+/// How many pins of a connector a list has as printed, of those that carry something, and how many of these are supply.
 fn matching(connector: &Connector, rows: &[&ListedPin]) -> (usize, usize) {
-    let carrying = |row: &&&ListedPin| !is_nothing(&row.signal);
-    let agrees = |row: &&&ListedPin| {
-        pin_named(connector, &row.pin)
-            .is_some_and(|pin| pins_of_signal(connector, &row.signal).iter().any(|other| other.name == pin.name))
-    };
-    let supply = |row: &&&ListedPin| {
-        pin_named(connector, &row.pin).and_then(|pin| pin.carries).is_some_and(|s| s.group() == Group::Supply)
-    };
-    let supplied = rows.iter().filter(carrying).filter(agrees).filter(supply).count();
-    (rows.iter().filter(carrying).filter(agrees).count(), supplied)
+    let carrying = rows.iter().filter(|row| !is_nothing(&row.signal));
+    let agreeing: Vec<&Pin> = carrying
+        .filter_map(|row| pin_named(connector, &row.pin).filter(|pin| has_signal(connector, pin, row)))
+        .collect();
+    (agreeing.len(), agreeing.iter().filter(|pin| pin.carries(Group::Supply)).count())
 }
 
 /// Whether the list of one encoder's connector is the pin-out of the other's, which has the same plug.
@@ -300,7 +287,7 @@ fn other_encoder(wiring: &Wiring, connector: &Connector, rows: &[&ListedPin]) ->
 /// What is different at one connector; gives the number of rows that agree.
 fn of_connector(wiring: &Wiring, connector: &Connector, rows: &[&ListedPin], findings: &mut Vec<Finding>) -> usize {
     let role = connector.role;
-    let mut seen: Vec<(&str, &ListedPin)> = Vec::new();
+    let mut seen: Vec<(&Pin, &ListedPin)> = Vec::new();
     for row in rows {
         let Some(pin) = pin_named(connector, &row.pin) else {
             let difference = Difference::NoSuchPin;
@@ -311,11 +298,11 @@ fn of_connector(wiring: &Wiring, connector: &Connector, rows: &[&ListedPin], fin
             let (pin, expected) = (pin.name.clone(), pin.printed());
             findings.push(Finding { role, line: Some(row.line), pin, expected, difference });
         };
-        if let Some((_, first)) = seen.iter().find(|(name, _)| *name == pin.name) {
+        if let Some((_, first)) = seen.iter().find(|(known, _)| known.name == pin.name) {
             push(Difference::PinTwice { first: first.line });
             continue;
         }
-        seen.push((&pin.name, row));
+        seen.push((pin, row));
         if row.shield == Some(false) && pin.carries.is_some() {
             push(Difference::Unshielded);
         }
@@ -326,8 +313,7 @@ fn of_connector(wiring: &Wiring, connector: &Connector, rows: &[&ListedPin], fin
         }
     }
     let mut agreeing = 0;
-    for (name, row) in &seen {
-        let Some(pin) = connector.pin(name) else { continue };
+    for (pin, row) in &seen {
         match difference(connector, pin, row, &seen) {
             None => agreeing += 1,
             Some(difference) => {
@@ -339,7 +325,7 @@ fn of_connector(wiring: &Wiring, connector: &Connector, rows: &[&ListedPin], fin
     for pin in &connector.pins {
         let Some(signal) = pin.carries else { continue };
         let free = signal.group() == Group::Brake && wiring.code.brake == order_code::Brake::Without;
-        if !free && !seen.iter().any(|(name, _)| *name == pin.name) {
+        if !free && !seen.iter().any(|(known, _)| known.name == pin.name) {
             let difference = Difference::Missing { group: signal.group() };
             findings.push(Finding { role, line: None, pin: pin.name.clone(), expected: pin.printed(), difference });
         }
@@ -353,7 +339,7 @@ const fn graver(one: Group, other: Group) -> Group {
 }
 
 /// What is wrong with the signal of one row; `None`: it is as printed.
-fn difference(connector: &Connector, pin: &Pin, row: &ListedPin, seen: &[(&str, &ListedPin)]) -> Option<Difference> {
+fn difference(connector: &Connector, pin: &Pin, row: &ListedPin, seen: &[(&Pin, &ListedPin)]) -> Option<Difference> {
     let written = row.signal.clone();
     if is_nothing(&row.signal) {
         return pin.carries.map(|signal| Difference::LeftOpen { group: signal.group() });
@@ -363,10 +349,8 @@ fn difference(connector: &Connector, pin: &Pin, row: &ListedPin, seen: &[(&str, 
         return None;
     }
     // Of several pins with the signal, the one that has this pin's.
-    let row_of = |other: &Pin| seen.iter().find(|(name, _)| *name == other.name).map(|(_, row)| row);
-    let has_own = |other: &&&Pin| {
-        row_of(other).is_some_and(|row| pins_of_signal(connector, &row.signal).iter().any(|each| each.name == pin.name))
-    };
+    let row_of = |other: &Pin| seen.iter().find(|(known, _)| known.name == other.name).map(|(_, row)| row);
+    let has_own = |other: &&&Pin| row_of(other).is_some_and(|row| has_signal(connector, pin, row));
     if let Some(foreign) = meant.first().and_then(|one| one.carries) {
         let group = pin.carries.map_or_else(|| foreign.group(), |own| graver(own.group(), foreign.group()));
         return Some(match (meant.iter().find(has_own), pin.carries) {

@@ -1,20 +1,12 @@
 //! Voltage lost on the wires of brake and encoder supply.
 
-use catalogue::SeriesData;
-use catalogue::{Cell, Table, Value};
+use catalogue::{Cell, SeriesData, Value};
 use order_code::{Brake, FeedbackKind, OrderCode};
 use provenance::{CellRef, Datum, Source, Sourced};
 use quantities::{Area, ElectricCurrent, ElectricPotential, ElectricalResistivity, Length, Measure, identified};
 
-/// A warm wire: 70 °C, the limit of PVC insulation in continuous operation (IEC 60364-5-52); assumed.
-pub const HOT: WireHot = WireHot { degrees_celsius: 70.0 };
-
-/// The temperature of a warm wire.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct WireHot {
-    /// \[°C\]
-    pub degrees_celsius: f64,
-}
+/// Temperature of a warm wire, the limit of PVC insulation in continuous operation (IEC 60364-5-52); assumed \[°C\].
+const HOT_DEGC: f64 = 70.0;
 
 /// Temperature that the resistivity holds for \[°C\].
 const REFERENCE_DEGC: f64 = 20.0;
@@ -81,8 +73,7 @@ pub struct VoltageDrop {
 /// # Source
 /// iec-60028, table copper-wire
 fn resistivity(degrees_celsius: f64) -> Option<Sourced<ElectricalResistivity>> {
-    let cells = catalogue::table("copper-wire").map(Table::cells)?;
-    let cell = |symbol: &str| cells.iter().find(|cell| cell.place.symbol == symbol);
+    let cell = |symbol: &str| catalogue::table_cell("copper-wire", symbol);
     let Datum::Known(at_20) = catalogue::datum_of::<ElectricalResistivity>(cell("rho_Cu")?) else { return None };
     let alpha = cell("alpha_Cu")?.value.number()?;
     let warmer = at_20.value.si() * (1.0 + alpha * (degrees_celsius - REFERENCE_DEGC));
@@ -142,8 +133,7 @@ fn brake(code: &OrderCode, length: Length, section: Option<Area>) -> Option<Volt
 }
 
 fn encoder(circuit: Circuit, table: &str, length: Length, section: Option<Area>, sense: bool) -> Option<VoltageDrop> {
-    let cells = catalogue::table(table).map(Table::cells)?;
-    let cell = |symbol: &str| cells.iter().find(|cell| cell.place.symbol == symbol);
+    let cell = |symbol: &str| catalogue::table_cell(table, symbol);
     let supply = cell("U_b")?;
     let current = match cell("I_b") {
         Some(cell) => match catalogue::datum_of(cell) {
@@ -171,7 +161,7 @@ fn judged(
     section: Option<Area>,
     sense: bool,
 ) -> Option<VoltageDrop> {
-    let (cold, warm) = (resistivity(REFERENCE_DEGC)?, resistivity(HOT.degrees_celsius)?);
+    let (cold, warm) = (resistivity(REFERENCE_DEGC)?, resistivity(HOT_DEGC)?);
     let volts = ElectricPotential::from_si;
     let (nominal, least) = match supply.value {
         Value::Tolerance { nominal, plus_minus_percent } => {

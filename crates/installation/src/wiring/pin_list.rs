@@ -2,6 +2,7 @@
 
 use super::Role;
 use super::signal::plain;
+use std::collections::BTreeMap;
 use std::ops::Range;
 
 /// Longest list that is read.
@@ -35,7 +36,7 @@ pub struct ListedPin {
 }
 
 /// A column of the list.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Column {
     /// The connector.
     Connector,
@@ -262,43 +263,34 @@ impl Row {
         let line = text.get(..start).unwrap_or_default().matches('\n').count() + 1;
         Self { cells, span: start..end, line }
     }
-
-    fn cell(&self, index: Option<usize>) -> Option<&(String, Range<usize>)> {
-        self.cells.get(index?)
-    }
 }
 
 /// Where each column stands.
 struct Header {
-    places: [Option<usize>; 5],
+    places: BTreeMap<Column, usize>,
     width: usize,
 }
 
 impl Header {
     fn read(row: &Row, faults: &mut Vec<ListFault>) -> Self {
-        let mut places = [None; 5];
+        let mut places = BTreeMap::new();
         for (index, (head, span)) in row.cells.iter().enumerate() {
-            let known = Column::ALL.iter().position(|column| column.heads().contains(&plain(head).as_str()));
-            match known.and_then(|known| Some((Column::ALL.get(known)?, places.get_mut(known)?))) {
-                Some((_, place @ None)) => *place = Some(index),
-                Some((column, Some(_))) => {
-                    faults.push(ListFault::ColumnTwice { column: *column, span: span.clone() });
+            match Column::ALL.iter().copied().find(|column| column.heads().contains(&plain(head).as_str())) {
+                Some(column) if places.contains_key(&column) => {
+                    faults.push(ListFault::ColumnTwice { column, span: span.clone() });
                 }
+                Some(column) => drop(places.insert(column, index)),
                 None => faults.push(ListFault::ColumnUnknown { head: head.clone(), span: span.clone() }),
             }
         }
         let heads = || row.cells.iter().map(|(head, _)| head.clone()).collect();
-        for (column, place) in Column::ALL.iter().zip(places) {
-            if column.is_needed() && place.is_none() {
-                faults.push(ListFault::ColumnMissing { column: *column, found: heads() });
-            }
-        }
+        let missing = Column::ALL.iter().copied().filter(|column| column.is_needed() && !places.contains_key(column));
+        faults.extend(missing.map(|column| ListFault::ColumnMissing { column, found: heads() }));
         Self { places, width: row.cells.len() }
     }
 
     fn cell<'r>(&self, row: &'r Row, column: Column) -> Option<&'r (String, Range<usize>)> {
-        let index = Column::ALL.iter().position(|each| *each == column)?;
-        row.cell(self.places.get(index).copied().flatten())
+        row.cells.get(*self.places.get(&column)?)
     }
 }
 

@@ -1,7 +1,6 @@
 //! Why a body cannot be.
 
-use quantities::{Length, Mass, MassDensity, Measure};
-use std::fmt;
+use quantities::{Length, Mass, MassDensity};
 
 /// Why a body cannot be.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -62,31 +61,3 @@ pub struct BodyFault {
     /// What is wrong.
     pub error: BodyError,
 }
-
-impl fmt::Display for BodyError {
-    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Self::DimensionOutOfRange { field, value } => {
-                write!(formatter, "{field} of {} m is not greater than zero", value.si())
-            }
-            Self::InnerNotBelowOuter { inner, outer } => {
-                write!(formatter, "inner diameter of {} m is not below the outer one of {} m", inner.si(), outer.si())
-            }
-            Self::NoMass => formatter.write_str("neither mass nor density is given"),
-            Self::MassAndDensity { mass, density } => {
-                write!(formatter, "mass of {} kg and density of {} kg/m³ are both given", mass.si(), density.si())
-            }
-            Self::NoVolume => formatter.write_str("a point or slender rod has no volume, so a density gives no mass"),
-            Self::MassOutOfRange { mass } => write!(formatter, "mass of {} kg is not greater than zero", mass.si()),
-            Self::DensityOutOfRange { density } => {
-                write!(formatter, "density of {} kg/m³ is not greater than zero", density.si())
-            }
-            Self::DistanceOutOfRange { distance } => write!(formatter, "distance of {} m is negative", distance.si()),
-            Self::AngleNotFinite => formatter.write_str("the angle is not finite"),
-            Self::NoPiece => formatter.write_str("count is zero, there must be at least one piece"),
-            Self::BeyondNumbers => formatter.write_str("the inertia is beyond the range of numbers"),
-        }
-    }
-}
-
-impl std::error::Error for BodyError {}

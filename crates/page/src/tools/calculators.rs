@@ -1,6 +1,7 @@
 //! How the answers of the tools are shown: lines, tables and the picture where one is drawn.
 
 use super::Scene;
+use crate::call::query;
 use crate::chapters::laid_out;
 use figures::{Drawing, Size, Style, Theme};
 use maud::{Markup, PreEscaped, html};
@@ -26,10 +27,10 @@ pub(super) fn picture(drawing: &Drawing, name: &str, theme: Theme, language: Lan
 
 pub(super) fn curve(asked: &Asked<'_>, scene: &Scene<'_>) -> Result<Markup, Unanswered> {
     let l = asked.language;
-    let (code, curves, plane) = list::curve::found(asked)?;
+    let (code, plane) = list::curve::found(asked)?;
     Ok(html! {
         (picture(&figures::curves(&code, &plane, l), "tool-curve", scene.theme, l))
-        @for curve in &curves { (curve_table(curve, l)) }
+        @for curve in &plane.curves { (curve_table(curve, l)) }
     })
 }
 
@@ -141,7 +142,7 @@ pub(super) fn wiring(asked: &Asked<'_>, scene: &Scene<'_>) -> Result<Markup, Una
     let drawn = found.connectors.iter().filter(|connector| !connector.pins.is_empty());
     let drawings: Vec<Markup> = drawn
         .map(|connector| {
-            let drawing = figures::mating_face(&found.code, connector, l);
+            let drawing = figures::mating_face(&found.code, connector, figures::PinTexts::Full, l);
             let style = Style::new(drawing.size()).theme(scene.theme).language(l).id(connector.role.id());
             html! { figure.plot.small { (PreEscaped(drawing.render(&style).into_svg())) figcaption { (drawing.caption) } } }
         })
@@ -163,13 +164,8 @@ pub(super) fn commission(asked: &Asked<'_>, scene: &Scene<'_>) -> Result<Markup,
     let (sheet, objects) = list::commission::found(asked)?;
     let ambient = asked.given.all("ambient").next().map(|text| ("ambient", text));
     let file = |what: &str, more: &[(&str, &str)]| {
-        let place = format!("/api/v1/{what}?");
-        let begin = place.len();
-        let mut query = form_urlencoded::Serializer::for_suffix(place, begin);
-        for (name, value) in [("code", sheet.code.as_str()), ("lang", l.id())].iter().chain(more) {
-            let _ = query.append_pair(name, value);
-        }
-        query.finish()
+        let own = [("code", sheet.code.as_str()), ("lang", l.id())];
+        format!("/api/v1/{what}?{}", query(own.iter().chain(more).copied()))
     };
     let lists: Vec<(&str, &str)> = ambient.into_iter().collect();
     Ok(html! {
@@ -188,17 +184,10 @@ pub(super) fn commission(asked: &Asked<'_>, scene: &Scene<'_>) -> Result<Markup,
 pub(super) fn upkeep(asked: &Asked<'_>, _: &Scene<'_>) -> Result<Markup, Unanswered> {
     let l = asked.language;
     let (_, found) = list::upkeep::found(asked)?;
-    let place = String::from("/api/v1/upkeep/calendar?");
-    let begin = place.len();
-    let mut query = form_urlencoded::Serializer::for_suffix(place, begin);
-    for name in ["code", "delivered", "storage", "hours-per-day", "inspect", "today"] {
-        if let Some(value) = asked.given.all(name).next() {
-            let _ = query.append_pair(name, value);
-        }
-    }
-    let _ = query.append_pair("lang", l.id());
+    let said = ["code", "delivered", "storage", "hours-per-day", "inspect", "today"];
+    let said = said.into_iter().filter_map(|name| Some((name, asked.given.all(name).next()?)));
     Ok(html! {
-        p.downloads { a.button href=(query.finish()) download { (page::calendar_file(l)) } }
+        p.downloads { a.button href={ "/api/v1/upkeep/calendar?" (query(said.chain([("lang", l.id())]))) } download { (page::calendar_file(l)) } }
         (laid_out(&chapter::upkeep(&found, l)))
     })
 }

@@ -3,7 +3,7 @@
 use super::MARK;
 use answers::Fault;
 use maud::{Markup, html};
-use project::{Key, example};
+use project::Key;
 use quantities::Language;
 use questions::list::{self, Argument, Unanswered};
 use std::borrow::Cow;
@@ -71,8 +71,7 @@ impl Field {
             project::Kind::OneOf(words) => choice(key.name, words, language),
             _ => FieldEntry::Line,
         };
-        let sample = example(key).and_then(|line| Some(line.split_once("= ")?.1.trim_matches('"').to_owned()));
-        let ghost = sample.map(|sample| page::for_example(&sample, language));
+        let ghost = crate::value::sample(key).map(|sample| page::for_example(&sample, language));
         Self { ghost, ..Self::new(path, label, entry) }
     }
 

@@ -3,8 +3,8 @@
 use std::f64::consts::PI;
 
 use plot::{
-    Area, Axis, Bar, BarChart, Dash, Hatch, Label, Line, MapChart, Markers, Note, Panel, Picture, Reference, Shape,
-    StackedChart, Style, Tone, Verdict, Width, XyChart,
+    Area, Axis, Bar, BarChart, Dash, Hatch, Label, Line, Markers, Note, Panel, Picture, Reference, Shape, StackedChart,
+    Style, Tone, Verdict, Width, XyChart,
 };
 use quantities::{Language, format_number};
 
@@ -17,7 +17,6 @@ pub(crate) const ALL: &[(&str, (f64, f64), Draw)] = &[
     ("stacked", (165.0, 190.0), stacked),
     ("bars", (165.0, 130.0), bars),
     ("map", (165.0, 110.0), map),
-    ("ends", (120.0, 75.0), ends),
     ("torsion", (120.0, 80.0), torsion),
 ];
 
@@ -198,7 +197,6 @@ fn stacked(language: Language, style: &Style) -> Picture {
 fn bars(language: Language, style: &Style) -> Picture {
     use Verdict::{Advice, Fail, NotChecked, Pass};
     const ROWS: &[(&str, &str, Verdict, f64)] = &[
-        ("#Drive", "#Antrieb", Pass, 0.0),
         ("Peak torque", "Spitzendrehmoment", Pass, 62.4),
         ("Peak speed", "Spitzendrehzahl", Pass, 77.03),
         ("Mean speed", "Mittlere Drehzahl", Pass, 41.2),
@@ -210,13 +208,11 @@ fn bars(language: Language, style: &Style) -> Picture {
         ("Regeneration", "Rückspeisung", NotChecked, 0.0),
         ("Inertia ratio", "Trägheitsverhältnis", Fail, 640.2),
         ("Ambient temperature", "Umgebungstemperatur", Pass, 62.5),
-        ("#Gear", "#Getriebe", Pass, 0.0),
         ("Average torque", "Durchschnittsdrehmoment", Pass, 71.0),
         ("Momentary peak torque (emergency stop, collision)", "Kollisionsdrehmoment (Not-Halt, Anprall)", Pass, 22.8),
         ("Mean input speed", "Mittlere Antriebsdrehzahl", Pass, 68.6),
         ("Life of the wave generator", "Lebensdauer des Wave Generators", Advice, 91.0),
         ("Torsion", "Verdrehung", NotChecked, 0.0),
-        ("#Output bearing", "#Abtriebslager", Pass, 0.0),
         ("Axial load", "Axiallast", Pass, 12.5),
         ("Radial load", "Radiallast", Pass, 0.0),
         ("Tilting moment", "Kippmoment", Pass, 48.77),
@@ -231,9 +227,7 @@ fn bars(language: Language, style: &Style) -> Picture {
     ));
     for (en, de, verdict, percent) in ROWS {
         let label = say(language, en, de);
-        if let Some(heading) = label.strip_prefix('#') {
-            chart = chart.heading(heading);
-        } else if *verdict == NotChecked {
+        if *verdict == NotChecked {
             chart = chart.bar(Bar::new(label, NotChecked).text(say(language, "not checked", "nicht geprüft")));
         } else {
             let text = format!("{} %", format_number(*percent, 2, language));
@@ -266,7 +260,7 @@ fn map(language: Language, style: &Style) -> Picture {
         })
         .collect();
     let of = |from: f64, to: f64| points.iter().filter(move |p| p.1 >= from && p.1 < to).cloned().collect::<Vec<_>>();
-    MapChart::new(
+    XyChart::map(
         Axis::new("m", "kg").name(say(language, "Mass", "Masse")),
         Axis::new("", "%").name(say(language, "Highest utilisation", "Höchste Auslastung")),
     )
@@ -276,29 +270,4 @@ fn map(language: Language, style: &Style) -> Picture {
     .class(say(language, "does not fit", "nicht geeignet"), Tone::Series(1), of(100.0, 1e9))
     .with(Reference::horizontal(100.0).tone(Tone::Continuous).dash(Dash::Solid))
     .render(style)
-}
-
-fn ends(language: Language, style: &Style) -> Picture {
-    let life = |k: f64| (0..=60).map(move |i| f64::from(i) * 25.0).map(move |n| (n, 4.2e6 * k / (1.0 + n / 300.0)));
-    let mut chart = XyChart::new(
-        Axis::new("n_in", "min⁻¹").name(say(language, "Input speed", "Antriebsdrehzahl")),
-        Axis::new("L_10", "h").name(say(language, "Life", "Lebensdauer")),
-    )
-    .title(say(language, "Life of the bearing", "Lebensdauer des Lagers"));
-    for (number, (name, k)) in (0..).zip([("14A", 0.6), ("17A", 0.66), ("20A", 0.7), ("25A", 1.4), ("32A", 1.9)]) {
-        chart = chart.with(Line::new(life(k)).tone(Tone::Series(number)).label(name).label_at_end());
-    }
-    chart
-        .with(Line::new([(0.0, 5.0e6), (500.0, 3.0e6), (900.0, 2.4e6), (1500.0, 2.4e6)]).steps().label(say(
-            language,
-            "required",
-            "gefordert",
-        )))
-        .with(
-            Markers::new((1..14).map(|i| (f64::from(i) * 110.0, 6.0e6 / f64::from(i + 1) + 2e5 * f64::from(i % 3))))
-                .shape(Shape::Cross)
-                .tone(Tone::Muted)
-                .label(say(language, "measured", "gemessen")),
-        )
-        .render(style)
 }

@@ -23,7 +23,7 @@ pub(super) struct Line<'t> {
     pub(super) shape_span: Range<usize>,
     pub(super) pairs: Vec<Keyed<'t>>,
     /// What stands between the shape and the first key.
-    pub(super) strays: Vec<(&'t str, Range<usize>)>,
+    pub(super) stray: Option<(&'t str, Range<usize>)>,
 }
 
 impl<'t> Line<'t> {
@@ -71,7 +71,7 @@ impl<'t> Line<'t> {
             shape: part(start..shape_end),
             shape_span: offset + start..offset + shape_end,
             pairs,
-            strays: if stray.is_empty() { Vec::new() } else { vec![(stray, stray_span)] },
+            stray: (!stray.is_empty()).then_some((stray, stray_span)),
         }
     }
 

@@ -5,7 +5,6 @@ use super::{Driven, MechanismName, OnFlange};
 use crate::about::About;
 use crate::read::Reader;
 use crate::section::section;
-use crate::stated::Field;
 use mechanism::{MechanismKind, Rotor, RotorKind};
 use quantities::{Measure, Angle, Length, Mass, MomentOfInertia};
 
@@ -34,10 +33,6 @@ impl Driven for Arm {
             angle: Angle::from_si(0.0),
             tilt: self.axis_tilt.value()?,
         }))
-    }
-
-    fn inertia(&self) -> Vec<&dyn Field> {
-        vec![&self.inertia]
     }
 
     fn on_flange(&self) -> Option<OnFlange<'_>> {

@@ -28,10 +28,6 @@ impl Driven for Belt {
         linear(self, LinearKind::Belt, self.pulley_diameter.value()?.si() / 2.0)
     }
 
-    fn inertia(&self) -> Vec<&dyn Field> {
-        vec![&self.slide.inertia]
-    }
-
     fn travel(&self) -> Option<&dyn Field> {
         Some(&self.pulley_diameter)
     }

@@ -27,10 +27,6 @@ impl Driven for Conveyor {
         linear(self, LinearKind::Conveyor, self.roller_diameter.value()?.si() / 2.0)
     }
 
-    fn inertia(&self) -> Vec<&dyn Field> {
-        vec![&self.slide.inertia]
-    }
-
     fn travel(&self) -> Option<&dyn Field> {
         Some(&self.roller_diameter)
     }

@@ -4,7 +4,6 @@ use super::{Driven, MechanismName};
 use crate::about::About;
 use crate::read::Reader;
 use crate::section::section;
-use crate::stated::Field;
 use mechanism::MechanismKind;
 use quantities::{MomentOfInertia, Torque};
 
@@ -20,10 +19,6 @@ impl Driven for Joint {
     fn kind(&self, _: &mut Reader<'_>) -> Option<MechanismKind> {
         let (inertia, holding_torque) = (self.inertia.value(), self.holding_torque.value());
         Some(MechanismKind::Joint(mechanism::Joint { inertia, holding_torque }))
-    }
-
-    fn inertia(&self) -> Vec<&dyn Field> {
-        vec![&self.inertia]
     }
 
     fn torque_is_recorded(&self) -> bool {

@@ -27,10 +27,6 @@ impl Driven for Screw {
         linear(self, LinearKind::Screw, self.lead.value()?.si() / std::f64::consts::TAU)
     }
 
-    fn inertia(&self) -> Vec<&dyn Field> {
-        vec![&self.slide.inertia]
-    }
-
     fn travel(&self) -> Option<&dyn Field> {
         Some(&self.lead)
     }

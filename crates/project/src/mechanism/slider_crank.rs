@@ -40,10 +40,6 @@ impl Driven for SliderCrank {
         }))
     }
 
-    fn inertia(&self) -> Vec<&dyn Field> {
-        vec![&self.slide.inertia]
-    }
-
     fn gearing(&self) -> Option<&dyn Field> {
         Some(&self.crank)
     }

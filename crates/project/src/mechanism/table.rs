@@ -31,8 +31,4 @@ impl Driven for Table {
             }
         }
     }
-
-    fn inertia(&self) -> Vec<&dyn Field> {
-        Vec::new()
-    }
 }

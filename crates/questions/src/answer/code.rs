@@ -6,7 +6,8 @@ use order_code::{Field, OrderCode, Pattern};
 use quantities::Language;
 use words::{describe_field, describe_uncovered};
 
-fn names(fields: &[Field], language: Language) -> Vec<String> {
+/// The names of fields.
+pub(super) fn names(fields: &[Field], language: Language) -> Vec<String> {
     fields.iter().map(|field| describe_field(*field, language).to_owned()).collect()
 }
 

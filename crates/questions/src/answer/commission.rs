@@ -1,12 +1,13 @@
 //! The commissioning of a code as records.
 
 use super::facts::facts;
+use super::sheet::cell_value;
 use crate::commission::DriveForm;
 use answers::{
     CommissionEntry, CommissionGap, CommissionList, CommissionParameter, DriveObject, DriveParameter, EncoderValue, Id,
-    Number, OverloadSupervision, OverloadTrip, SensorThreshold, TableCell,
+    Number, OverloadSupervision, OverloadTrip, SensorThreshold,
 };
-use catalogue::{Topic, Value};
+use catalogue::Topic;
 use installation::commission::checklist::{self, CheckList, Condition, Item};
 use installation::commission::cia402::{self, Object};
 use installation::commission::encoder::{EncoderRow, EncoderSide};
@@ -148,11 +149,7 @@ fn encoder(row: &EncoderRow, language: Language) -> EncoderValue {
         symbol: cell.place.symbol,
         name: symbol_term(cell.place.symbol, language),
         condition: condition_text(cell.place.condition, language),
-        value: match cell.value {
-            Value::NotPrinted => TableCell::Empty,
-            Value::Range { .. } | Value::Text => TableCell::Text(cell.value_text()),
-            _ => cell.value.number().map_or(TableCell::Empty, |value| TableCell::Number(Number(value))),
-        },
+        value: cell_value(cell),
         text: cell_text(cell, language).to_owned(),
         unit: cell.unit,
         table: cell.place.table,

@@ -1,6 +1,7 @@
 //! Everything that a report lays out, as one record.
 
 use super::check::explained;
+use super::errata::cited;
 use super::inputs::{inputs_of_axis, mechanism, tables};
 use super::judged::{judgement, sizing};
 use crate::fingerprint::{catalogue_fingerprint, project_fingerprint};
@@ -8,16 +9,16 @@ use crate::mends::Mend;
 use crate::sizing_use::{Candidate, CandidateId, Objection, Sizing};
 use crate::tolerance::Assessment;
 use actuator::ScrewJoint;
-use answers::{CitedErratum, Document, Dossier, ErratumUsed, Fingerprints, Id, Item, Missing, RejectionGroup};
+use answers::{Document, Dossier, ErratumUsed, Fingerprints, Id, Item, Missing, RejectionGroup};
 use configurator::Unmet;
 use order_code::Field;
 use project::Project;
 use provenance::{Datum, MANUAL, Source};
 use quantities::unit::{MILLIMETRE, NEWTON_METRE};
-use quantities::{Language, Measure, Unit, format_number, format_significant};
+use quantities::{Language, Measure, Unit, format_number};
 use sizing::{Checks, Reserve};
 use words::{
-    check_missing, check_title, describe_token, document_note, evidence_text, records, source_text, terms, unmet_text,
+    check_missing, check_title, describe_token, document_note, records, source_text, terms, unmet_text, unpadded,
 };
 
 /// An axis with everything there is to tell of it and of the actuator chosen.
@@ -140,9 +141,7 @@ fn errata(checks: &Checks, language: Language) -> Vec<ErratumUsed> {
         });
         for id in check.workings.iter().flat_map(|step| step.errata.iter().copied()).chain(noted) {
             if found.iter().all(|known| known.erratum.id != id) {
-                let evidence = evidence_text(id, language).to_owned();
-                let erratum = CitedErratum { id: id.to_owned(), evidence };
-                found.push(ErratumUsed { erratum, check: check_title(check.id, language) });
+                found.push(ErratumUsed { erratum: cited(id, language), check: check_title(check.id, language) });
             }
         }
     }
@@ -195,12 +194,7 @@ fn screws(candidate: &Candidate<'_>, language: Language) -> Vec<answers::ScrewJo
 fn screw_joint(name: &str, joint: &ScrewJoint, language: Language) -> answers::ScrewJoint {
     fn shown<Q: Measure>(datum: &Datum<Q>, unit: &Unit, language: Language) -> String {
         // A printed figure in no more digits than it has.
-        let number = |value: f64| {
-            let text = format_significant(unit.from_si(value), 4, language);
-            let point = language.decimal_mark();
-            let short = if text.contains(point) { text.trim_end_matches('0').trim_end_matches(point) } else { &text };
-            short.to_owned()
-        };
+        let number = |value: f64| unpadded(unit.from_si(value), 4, language);
         datum.known().map_or_else(|| "–".to_owned(), |known| format!("{} {}", number(known.value.si()), unit.symbol))
     }
     let count = joint.count.known().map_or_else(String::new, |count| format!("{:.0} × ", count.value));

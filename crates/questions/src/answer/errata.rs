@@ -1,7 +1,7 @@
 //! Errata as records.
 
 use crate::errata::ErrataFound;
-use answers::{Errata, ErratumCell, ErratumKind, ErratumStatus};
+use answers::{CitedErratum, Errata, ErratumCell, ErratumKind, ErratumStatus};
 use catalogue::Erratum;
 use quantities::Language;
 use words::evidence_text;
@@ -10,6 +10,11 @@ use words::evidence_text;
 #[must_use]
 pub fn errata(found: &ErrataFound, language: Language) -> Errata {
     Errata { about: found.about.clone(), errata: found.errata.iter().map(|each| erratum(each, language)).collect() }
+}
+
+/// An erratum as figures cite it.
+pub(crate) fn cited(id: &str, language: Language) -> CitedErratum {
+    CitedErratum { id: id.to_owned(), evidence: evidence_text(id, language).to_owned() }
 }
 
 /// One erratum.

@@ -6,9 +6,9 @@ use mechanism::MechanismId;
 use mechanism::drawing::CallOut;
 use project::{BODY_SHAPES, Input, Project, input_label};
 use quantities::unit::MILLIMETRE;
-use quantities::{Language, Unit, format_significant};
+use quantities::{Language, Unit};
 use std::f64::consts::TAU;
-use words::{body_key, capitalised, key_word, schema_text, shape_title, short_label, table_of_project};
+use words::{body_key, capitalised, key_word, schema_text, shape_title, short_label, table_of_project, unpadded};
 
 /// The values of one axis of a project file, with the keys as if it stood alone.
 pub(super) fn inputs_of_axis(text: &str, place: usize) -> Vec<Input> {
@@ -51,11 +51,7 @@ pub(super) fn tables(inputs: &[Input], language: Language) -> Vec<InputTable> {
 }
 
 fn value(input: &Input, name: &str, language: Language) -> answers::Input {
-    let short = |value: f64| {
-        let text = format_significant(value, 4, language);
-        let point = language.decimal_mark();
-        if text.contains(point) { text.trim_end_matches('0').trim_end_matches(point).to_owned() } else { text }
-    };
+    let short = |value: f64| unpadded(value, 4, language);
     let half = input.half_width.zip(input.amount);
     let label = label(&input.path, language).map(|label| short_label(&label)).unwrap_or_default();
     answers::Input {

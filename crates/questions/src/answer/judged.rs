@@ -1,6 +1,7 @@
 //! Judged actuators as records.
 
 use super::check::{assumptions, check, demand};
+use super::code::names;
 use super::motion;
 use crate::limits::{NeededLimit, limits_needed};
 use crate::mends::Mend;
@@ -11,21 +12,16 @@ use answers::{
     Assessed, Fit, Id, Influence, Judgement, NotSought, Number, Quantiles, Ranked, Rejection, Stage, StageRatio,
     Tolerance, ToleratedValue, Units, WorstCorner, WouldFit,
 };
-use order_code::Field;
 use project::{ALL_CORNERS_MOST, Project};
 use quantities::unit::{DEGREE_CELSIUS, KILOGRAM, SECOND};
 use quantities::{Language, Measure};
 use sizing::{Reserve, SAMPLES_ANEW, Verdict};
-use words::{describe_field, ranking_rule};
+use words::ranking_rule;
 
 /// What speaks against a candidate besides a failing check, in words.
 #[must_use]
 pub fn objections(candidate: &Candidate<'_>, language: Language) -> Vec<String> {
     candidate.objections.iter().map(|each| objection_text(candidate, each, language)).collect()
-}
-
-fn names(fields: &[Field], language: Language) -> Vec<String> {
-    fields.iter().map(|field| describe_field(*field, language).to_owned()).collect()
 }
 
 /// The verdict on a whole candidate.

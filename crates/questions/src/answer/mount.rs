@@ -1,6 +1,6 @@
 //! Mounting as a record.
 
-use crate::answer::facts;
+use crate::answer::{cited, facts};
 use answers::{CitedErratum, Fit, Id, Joint, JointCase, MountValue, Number, Pilot, TableCell, Units};
 use catalogue::Cell;
 use installation::fit::{Bore, FitKind};
@@ -11,7 +11,7 @@ use quantities::unit::{KILOGRAM, MICROMETRE, MILLIMETRE, NEWTON, NEWTON_METRE, O
 use quantities::{Language, Measure, Unit};
 use sizing::Verdict;
 use words::mounting::{self, fit_word, load_case_title, side_title};
-use words::{cell_text, describe_uncovered, evidence_text, source_text, symbol_term};
+use words::{cell_text, describe_uncovered, source_text, symbol_term};
 
 /// The erratum about the name of the recommended fit.
 const FIT_NAME: &str = "T77.1-fit-name";
@@ -108,9 +108,7 @@ fn errata(mount: &Mount, language: Language) -> Vec<CitedErratum> {
             ids.push(id);
         }
     }
-    ids.into_iter()
-        .map(|id| CitedErratum { id: id.to_owned(), evidence: evidence_text(id, language).to_owned() })
-        .collect()
+    ids.into_iter().map(|id| cited(id, language)).collect()
 }
 
 fn pilot(fit: &installation::fit::Fit, language: Language) -> Pilot {

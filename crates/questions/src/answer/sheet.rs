@@ -63,7 +63,8 @@ pub fn sheet_note_text(note: &SheetNote, language: Language) -> String {
     }
 }
 
-fn cell_value(cell: &Cell) -> TableCell {
+/// The value of a cell after errata.
+pub(super) fn cell_value(cell: &Cell) -> TableCell {
     match cell.value {
         Value::NotPrinted => TableCell::Empty,
         Value::Range { .. } | Value::Text => TableCell::Text(cell.value_text()),

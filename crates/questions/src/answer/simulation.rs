@@ -1,6 +1,6 @@
 //! A run of the digital twin as a record.
 
-use crate::simulate::{COMPARED, Judged, JudgedId, Simulated};
+use crate::simulate::{COMPARED, Judged, Shown, Simulated};
 use answers::{
     Compared, ControlLoop, EncoderFailure, Figure, Figures, Id, ModelParameter, Number, SimulatedEvent,
     SimulatedVerdict, Simulation,
@@ -83,38 +83,37 @@ fn happened(event: &twin::Event, language: Language) -> SimulatedEvent {
 fn figures(run: &Simulated<'_>, language: Language) -> Vec<Figure> {
     let (s, e) = (&run.summary, &run.summary.energies);
     let with_heat = s.winding_peak_k > 0.0;
-    let some = |si: f64| Some(si);
     let warm = |si: f64| with_heat.then_some(si);
     let [blocked, free] = run.resonance.map_or([None; 2], |both| both.map(|frequency| Some(frequency.si())));
-    let [at_rest, in_motion] = s.brake_closings.map(|count| some(f64::from(count)));
+    let [at_rest, in_motion] = s.brake_closings.map(|count| Some(f64::from(count)));
     let all: [(&'static str, Word, Option<f64>, &'static Unit); 33] = [
-        ("following_peak", simulation::following_peak, some(s.following_peak_rad), &ARCMINUTE),
-        ("following_rms", simulation::following_rms, some(s.following_rms_rad), &ARCMINUTE),
+        ("following_peak", simulation::following_peak, Some(s.following_peak_rad), &ARCMINUTE),
+        ("following_rms", simulation::following_rms, Some(s.following_rms_rad), &ARCMINUTE),
         ("settling", simulation::settling, s.settling_s, &SECOND),
         ("standing", simulation::standing, s.standing_rad, &ARCMINUTE),
-        ("current_peak", simulation::current_peak, some(s.current_peak_a), &AMPERE),
-        ("current_rms", simulation::current_rms, some(s.current_rms_a), &AMPERE),
-        ("torque_peak", simulation::torque_peak, some(s.torque_peak_nm), &NEWTON_METRE),
-        ("torque_rms", simulation::torque_rms, some(s.torque_rms_nm), &NEWTON_METRE),
-        ("speed_peak", simulation::speed_peak, some(s.speed_peak_rad_s), &REVOLUTION_PER_MINUTE),
+        ("current_peak", simulation::current_peak, Some(s.current_peak_a), &AMPERE),
+        ("current_rms", simulation::current_rms, Some(s.current_rms_a), &AMPERE),
+        ("torque_peak", simulation::torque_peak, Some(s.torque_peak_nm), &NEWTON_METRE),
+        ("torque_rms", simulation::torque_rms, Some(s.torque_rms_nm), &NEWTON_METRE),
+        ("speed_peak", simulation::speed_peak, Some(s.speed_peak_rad_s), &REVOLUTION_PER_MINUTE),
         ("winding_end", simulation::winding_end, warm(s.winding_end_k), &DEGREE_CELSIUS),
         ("housing_end", simulation::housing_end, warm(s.housing_end_k), &DEGREE_CELSIUS),
         ("winding_peak", simulation::winding_peak, warm(s.winding_peak_k), &DEGREE_CELSIUS),
         ("overload", simulation::overload, warm(s.overload_peak), &ONE),
-        ("link_low", simulation::link_low, some(s.link_v[0]), &VOLT),
-        ("link_high", simulation::link_high, some(s.link_v[1]), &VOLT),
-        ("energy_motor", simulation::energy_motor, some(e.terminal_j + e.regenerated_j), &JOULE),
-        ("energy_regenerated", simulation::energy_regenerated, some(e.regenerated_j), &JOULE),
-        ("energy_copper", simulation::energy_copper, some(e.copper_j), &JOULE),
-        ("energy_friction", simulation::energy_friction, some(e.friction_j), &JOULE),
-        ("energy_mesh", simulation::energy_mesh, some(e.mesh_j), &JOULE),
-        ("energy_hysteresis", simulation::energy_hysteresis, some(e.hysteresis_j + e.damping_j), &JOULE),
-        ("energy_brake", simulation::energy_brake, some(e.brake_j), &JOULE),
-        ("energy_load", simulation::energy_load, some(e.flange_j), &JOULE),
-        ("energy_constants", simulation::energy_constants, some(e.constants_j), &JOULE),
-        ("energy_resistor", simulation::energy_resistor, some(s.resistor_j), &JOULE),
-        ("energy_supply", simulation::energy_supply, some(s.supplied_j), &JOULE),
-        ("unaccounted", simulation::unaccounted, some(s.unaccounted_j), &JOULE),
+        ("link_low", simulation::link_low, Some(s.link_v[0]), &VOLT),
+        ("link_high", simulation::link_high, Some(s.link_v[1]), &VOLT),
+        ("energy_motor", simulation::energy_motor, Some(e.terminal_j + e.regenerated_j), &JOULE),
+        ("energy_regenerated", simulation::energy_regenerated, Some(e.regenerated_j), &JOULE),
+        ("energy_copper", simulation::energy_copper, Some(e.copper_j), &JOULE),
+        ("energy_friction", simulation::energy_friction, Some(e.friction_j), &JOULE),
+        ("energy_mesh", simulation::energy_mesh, Some(e.mesh_j), &JOULE),
+        ("energy_hysteresis", simulation::energy_hysteresis, Some(e.hysteresis_j + e.damping_j), &JOULE),
+        ("energy_brake", simulation::energy_brake, Some(e.brake_j), &JOULE),
+        ("energy_load", simulation::energy_load, Some(e.flange_j), &JOULE),
+        ("energy_constants", simulation::energy_constants, Some(e.constants_j), &JOULE),
+        ("energy_resistor", simulation::energy_resistor, Some(s.resistor_j), &JOULE),
+        ("energy_supply", simulation::energy_supply, Some(s.supplied_j), &JOULE),
+        ("unaccounted", simulation::unaccounted, Some(s.unaccounted_j), &JOULE),
         ("resonance_blocked", simulation::resonance_blocked, blocked, &HERTZ),
         ("resonance_free", simulation::resonance_free, free, &HERTZ),
         ("stop_time", simulation::stop_time, s.stop_s, &SECOND),
@@ -158,26 +157,16 @@ fn laid(all: &[(&'static str, Word, Option<f64>, &'static Unit)], language: Lang
 }
 
 fn verdict(judged: &Judged, language: Language) -> SimulatedVerdict {
-    let (id, title, unit): (_, Word, &'static Unit) = match judged.id {
-        JudgedId::CurrentPeak => ("current_peak", simulation::current_peak, &AMPERE),
-        JudgedId::TorquePeak => ("torque_peak", simulation::torque_peak, &NEWTON_METRE),
-        JudgedId::SpeedPeak => ("speed_peak", simulation::speed_peak, &REVOLUTION_PER_MINUTE),
-        JudgedId::WindingPeak => ("winding_peak", simulation::winding_peak, &DEGREE_CELSIUS),
-        JudgedId::Overload => ("overload", simulation::overload, &ONE),
-        JudgedId::LinkHigh => ("link_high", simulation::link_high, &VOLT),
-        JudgedId::StopAngle => ("stop_angle", simulation::stop_angle, &DEGREE),
-        JudgedId::DriveFaults => ("drive_faults", simulation::drive_faults, &ONE),
-    };
-    let number = |si: Option<f64>| si.map(|si| Number::in_unit(si, unit));
+    let limit = judged.limit.as_ref();
     SimulatedVerdict {
-        id,
-        title: title(language).to_owned(),
+        id: judged.id,
+        title: (judged.title)(language).to_owned(),
         verdict: Id(judged.verdict),
-        value: number(judged.value),
-        limit: number(judged.limit),
-        unit: unit.json,
-        grade: judged.grade.map(Id),
-        source: judged.source.as_ref().map(|source| source_text(source, language)),
+        value: Some(Number::in_unit(judged.value, judged.unit)),
+        limit: limit.map(|(si, ..)| Number::in_unit(*si, judged.unit)),
+        unit: judged.unit.json,
+        grade: limit.map(|(_, grade, _)| Id(*grade)),
+        source: limit.map(|(.., source)| source_text(source, language)),
     }
 }
 
@@ -187,7 +176,7 @@ fn comparison(run: &Simulated<'_>, language: Language) -> Vec<Compared> {
         return Vec::new();
     }
     let checks = &run.candidate.judgement.checks;
-    let row = |(id, shown): &(CheckId, crate::simulate::Shown)| {
+    let row = |(id, shown, why): &(CheckId, Shown, Word)| {
         let said = checks.iter().find(|check| check.id == *id)?.value?;
         Some(Compared {
             id: Id(*id),
@@ -195,22 +184,10 @@ fn comparison(run: &Simulated<'_>, language: Language) -> Vec<Compared> {
             sizing: Number(said.value()),
             twin: Number::in_unit(shown(&run.summary), said.unit),
             unit: said.unit.json,
-            why: why(*id, language).to_owned(),
+            why: why(language).to_owned(),
         })
     };
     COMPARED.iter().filter_map(row).collect()
-}
-
-fn why(id: CheckId, language: Language) -> &'static str {
-    let by_id: [(CheckId, Word); 6] = [
-        (CheckId::PeakTorque, simulation::why_torque),
-        (CheckId::PeakSpeed, simulation::why_speed),
-        (CheckId::PeakCurrent, simulation::why_current),
-        (CheckId::Thermal, simulation::why_thermal),
-        (CheckId::OverloadI2t, simulation::why_overload),
-        (CheckId::Regeneration, simulation::why_regeneration),
-    ];
-    by_id.into_iter().find(|(known, _)| *known == id).map_or("", |(_, why)| why(language))
 }
 
 fn control_loop(each: &LoopResponse, language: Language) -> ControlLoop {

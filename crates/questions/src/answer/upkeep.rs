@@ -1,12 +1,12 @@
 //! Upkeep as a record.
 
-use crate::answer::{battery, facts};
-use answers::{CitedErratum, Fit, Id, Planned};
+use crate::answer::{battery, cited, facts};
+use answers::{Fit, Id, Planned};
 use installation::calendar::Interval;
 use installation::upkeep::Upkeep;
 use quantities::Language;
 use words::upkeep::{date_text, plan_note, rule_text, task_title};
-use words::{evidence_text, fact_source, fact_text, source_text};
+use words::{fact_source, fact_text, source_text};
 
 /// The erratum of the chapter that the plan rests on.
 const GENERIC_TEXT: &str = "text-9.8-generic";
@@ -27,10 +27,7 @@ pub fn upkeep(upkeep: &Upkeep, language: Language) -> answers::Upkeep {
         service: facts(&upkeep.service, language),
         shutdown: facts(&upkeep.shutdown, language),
         disposal: facts(&upkeep.disposal, language),
-        errata: vec![CitedErratum {
-            id: GENERIC_TEXT.to_owned(),
-            evidence: evidence_text(GENERIC_TEXT, language).to_owned(),
-        }],
+        errata: vec![cited(GENERIC_TEXT, language)],
         calendar: None,
     }
 }

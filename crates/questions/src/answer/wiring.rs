@@ -96,7 +96,7 @@ fn pin(connector: &Connector, pin: &Pin, language: Language) -> ConnectorPin {
 fn record_of_cable(cable: &Cable, language: Language) -> answers::Cable {
     let (length_m, length_code) = match cable.length {
         CableLength::Metres(metres) => (Some(Number(metres)), None),
-        CableLength::InNumber(code) => (None, Some(code.letters)),
+        CableLength::InNumber(letters) => (None, Some(letters)),
     };
     answers::Cable {
         role: Id(cable.role),
@@ -139,7 +139,7 @@ fn notes(wiring: &Wiring, language: Language) -> Vec<WiringNote> {
         }
     }
     let letters = wiring.cables.iter().find_map(|cable| match cable.length {
-        CableLength::InNumber(code) => Some(code.letters),
+        CableLength::InNumber(letters) => Some(letters),
         CableLength::Metres(_) => None,
     });
     found.extend(letters.map(|letters| ours(wiring::length_in_number(&letters, language), None)));

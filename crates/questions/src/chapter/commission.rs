@@ -1,12 +1,12 @@
 //! Values of a motor for the drive, and checks of the first run.
 
-use super::{grid, hazards, unit_shown};
+use super::{grid, hazard, hazards, unit_shown};
 use answers::{
     Chapter, Column, CommissionEntry, CommissionParameter, Commissioning, DriveObject, DriveParameter, EncoderValue,
-    Hazard, OverloadSupervision, SensorThreshold, Task,
+    OverloadSupervision, SensorThreshold, Task,
 };
 use quantities::{Language, format_significant};
-use words::{capitalised, commission, decimal, grade_word, signal_word, terms};
+use words::{capitalised, commission, decimal, grade_word, terms};
 
 /// The commissioning of a code; with the objects of CiA 402 if requested.
 #[must_use]
@@ -165,12 +165,7 @@ fn task(entry: &CommissionEntry, language: Language) -> Task {
     let unit = entry.unit.map(unit_shown).unwrap_or_default();
     let grade = grade_word(*entry.grade, language);
     Task {
-        what: Hazard {
-            level: entry.signal.map_or("", |signal| signal.id()),
-            word: entry.signal.map_or("", |signal| signal_word(*signal, language)),
-            text: entry.text.clone(),
-            source: format!("{grade}; {}", entry.source),
-        },
+        what: hazard(entry.signal, &entry.text, format!("{grade}; {}", entry.source), language),
         expected: format!("{} {unit}", entry.shown).trim().to_owned(),
         unit: entry.field.then_some(unit),
     }

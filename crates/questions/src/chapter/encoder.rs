@@ -1,7 +1,7 @@
 //! What the encoders of a code send.
 
-use super::{hazards, plain, significant};
-use answers::{Chapter, Column, DecodedWord, Encoder, EncoderSignal, EncoderState, SignalForm, WordFault};
+use super::{grid, hazards, plain, significant};
+use answers::{Chapter, Column, DecodedWord, Encoder, EncoderPin, EncoderSignal, EncoderState, SignalForm, WordFault};
 use installation::wiring::Role;
 use quantities::Language;
 use words::{capitalised, encoder, grade_word};
@@ -42,37 +42,37 @@ fn of_state(chapter: &mut Chapter, state: &EncoderState, is_seeded: bool, langua
         let seen = significant(Some(shaft.seen_deg), 7, language);
         chapter.text(encoder::seen(&seen, &plain(Some(accuracy), language), language));
     }
-    let columns = vec![
-        Column::text(encoder::signal(language)),
-        Column::text(encoder::pins(language)),
-        Column::text(encoder::value(language)),
-        Column::text(encoder::periods(language)),
-        Column::wide(encoder::meaning(language)),
-    ];
-    let row = |(name, signal): (&&'static str, &EncoderSignal)| {
-        let pins: Vec<String> = signal.pins.iter().map(|pin| format!("{} ({})", pin.pin, pin.signal)).collect();
-        vec![
-            (*name).to_owned(),
-            pins.join(", "),
-            shown(signal, language),
-            signal.periods_per_turn.map_or_else(String::new, |periods| periods.to_string()),
-            signal.meaning.clone(),
-        ]
-    };
-    chapter.grid(columns, state.signals.iter().map(row).collect());
+    let signals: Vec<_> = state.signals.iter().collect();
+    let pin = |pin: &EncoderPin| format!("{} ({})", pin.pin, pin.signal);
+    grid(
+        chapter,
+        &signals,
+        &[
+            (Column::text(encoder::signal(language)), &|(name, _)| (**name).to_owned()),
+            (Column::text(encoder::pins(language)), &|(_, signal)| {
+                signal.pins.iter().map(pin).collect::<Vec<_>>().join(", ")
+            }),
+            (Column::text(encoder::value(language)), &|(_, signal)| shown(signal, language)),
+            (Column::text(encoder::periods(language)), &|(_, signal)| {
+                signal.periods_per_turn.map_or_else(String::new, |periods| periods.to_string())
+            }),
+            (Column::wide(encoder::meaning(language)), &|(_, signal)| signal.meaning.clone()),
+        ],
+    );
     if state.words.is_empty() {
-        chapter.text(encoder::no_words(language).to_owned());
+        chapter.text(encoder::no_words(language));
     }
     for word in &state.words {
         chapter.text(format!("{}: {}", word.title, word.bits));
-        let columns = vec![
-            Column::text(encoder::field(language)),
-            Column::text(encoder::bits(language)),
-            Column::numbers(encoder::value(language)),
-        ];
-        let rows =
-            word.fields.iter().map(|field| vec![field.title.to_owned(), field.bits.clone(), field.value.to_string()]);
-        chapter.grid(columns, rows.collect());
+        grid(
+            chapter,
+            &word.fields,
+            &[
+                (Column::text(encoder::field(language)), &|field| field.title.to_owned()),
+                (Column::text(encoder::bits(language)), &|field| field.bits.clone()),
+                (Column::numbers(encoder::value(language)), &|field| field.value.to_string()),
+            ],
+        );
     }
 }
 
@@ -104,7 +104,7 @@ fn of_word(chapter: &mut Chapter, decoded: &DecodedWord, language: Language) {
         None => fault.message.clone(),
     };
     if decoded.valid {
-        chapter.text(encoder::word_is_right(language).to_owned());
+        chapter.text(encoder::word_is_right(language));
     } else {
         chapter.points(decoded.faults.iter().map(fault).collect());
     }

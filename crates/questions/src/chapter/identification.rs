@@ -1,8 +1,8 @@
 //! What a recorded run says, laid out.
 
-use super::{significant, unit_shown};
+use super::{grid, significant, unit_shown};
 use crate::list::identify::Identification;
-use answers::{Chapter, Column};
+use answers::{Chapter, Column, Number};
 use quantities::Language;
 use words::{capitalised, simulation};
 
@@ -10,25 +10,20 @@ use words::{capitalised, simulation};
 #[must_use]
 pub fn identification(record: &Identification, language: Language) -> Chapter {
     let mut chapter = Chapter::new(simulation::identified(&record.axis, &record.samples, language));
-    let columns = vec![
-        Column::wide(capitalised(simulation::quantity(language))),
-        Column::numbers(capitalised(words::terms::value(language))),
-        Column::numbers(simulation::interval_95(language)),
-        Column::text(words::terms::unit(language)),
-        Column::numbers(capitalised(simulation::of_the_project(language))),
-    ];
-    let rows = record.estimates.iter().map(|each| {
-        vec![
-            each.title.clone(),
-            significant(Some(each.value), 4, language),
-            significant(Some(each.half_width), 2, language),
-            unit_shown(each.unit),
-            significant(each.stated, 4, language),
-        ]
-    });
-    chapter.grid(columns, rows.collect());
+    let number = |value: Option<Number>, digits| significant(value, digits, language);
+    grid(
+        &mut chapter,
+        &record.estimates,
+        &[
+            (Column::wide(capitalised(simulation::quantity(language))), &|each| each.title.clone()),
+            (Column::numbers(capitalised(words::terms::value(language))), &|each| number(Some(each.value), 4)),
+            (Column::numbers(simulation::interval_95(language)), &|each| number(Some(each.half_width), 2)),
+            (Column::text(words::terms::unit(language)), &|each| unit_shown(each.unit)),
+            (Column::numbers(capitalised(simulation::of_the_project(language))), &|each| number(each.stated, 4)),
+        ],
+    );
     chapter.points(record.notes.clone());
     chapter.section(capitalised(simulation::lines_for_the_project(language)));
-    record.overrides.lines().for_each(|line| chapter.text(line.to_owned()));
+    record.overrides.lines().for_each(|line| chapter.text(line));
     chapter
 }

@@ -1,6 +1,6 @@
 //! How an actuator is mounted.
 
-use super::{NOTHING, grid, hazards, plain, significant, unit_shown};
+use super::{NOTHING, grid, hazards, plain, remarks, significant, unit_shown};
 use answers::{Chapter, Column, Joint, JointCase, Mount, MountValue, Number, Pilot, TableCell};
 use provenance::Grade;
 use quantities::{Language, format_number};
@@ -23,8 +23,7 @@ pub fn mount(record: &Mount, language: Language) -> Chapter {
         joined(&mut chapter, joint, language);
     }
     chapter.section(capitalised(terms::remarks(language)));
-    let erratum = |erratum: &answers::CitedErratum| format!("{}: {}", erratum.id, erratum.evidence);
-    chapter.points(record.notes.iter().cloned().chain(record.errata.iter().map(erratum)).collect());
+    chapter.points(remarks(&record.notes, &record.errata));
     for facts in record.facts.chunk_by(|one, other| one.step == other.step) {
         let step = facts.first().and_then(|fact| fact.step);
         let title = step.map_or_else(|| mounting::always(language), |step| step_title(*step, language));

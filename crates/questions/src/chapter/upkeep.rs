@@ -1,7 +1,7 @@
 //! What is to be done with an actuator, and by when.
 
-use super::{hazards, significant};
-use answers::{Chapter, Column, Fact, Planned, Upkeep};
+use super::{grid, hazards, remarks, significant};
+use answers::{Chapter, Column, Fact, Upkeep};
 use quantities::Language;
 use words::{capitalised, grade_word, signal_word, terminal, upkeep};
 
@@ -15,10 +15,22 @@ pub fn upkeep(record: &Upkeep, language: Language) -> Chapter {
     }
     chapter.text(head);
     chapter.section(capitalised(upkeep::plan_head(language)));
-    let heads = [upkeep::date_head, upkeep::task_head];
-    let mut columns: Vec<Column> = heads.map(|head| Column::text(head(language))).into();
-    columns.extend([upkeep::rule_head, upkeep::rests_on].map(|head| Column::wide(head(language))));
-    chapter.grid(columns, record.plan.iter().map(|line| planned(line, language)).collect());
+    grid(
+        &mut chapter,
+        &record.plan,
+        &[
+            (Column::text(upkeep::date_head(language)), &|line| line.next.clone()),
+            (Column::text(upkeep::task_head(language)), &|line| line.title.clone()),
+            (Column::wide(upkeep::rule_head(language)), &|line| {
+                let passed = if line.passed { format!(", {}", upkeep::passed(language)) } else { String::new() };
+                format!("{}{passed}", line.rule_text)
+            }),
+            (Column::wide(upkeep::rests_on(language)), &|line| {
+                let stated = || upkeep::as_stated(language);
+                format!("{}, {}", line.grade.map_or_else(stated, |grade| grade_word(*grade, language)), line.source)
+            }),
+        ],
+    );
     if let Some(battery) = &record.battery {
         let years = |value| significant(Some(value), 3, language);
         chapter.text(terminal::battery(&years(battery.life), &grade_word(*battery.grade, language), language));
@@ -28,8 +40,7 @@ pub fn upkeep(record: &Upkeep, language: Language) -> Chapter {
             language,
         ));
     }
-    let erratum = |erratum: &answers::CitedErratum| format!("{}: {}", erratum.id, erratum.evidence);
-    chapter.points(record.notes.iter().cloned().chain(record.errata.iter().map(erratum)).collect());
+    chapter.points(remarks(&record.notes, &record.errata));
     chapter.section(capitalised(upkeep::storage_head(language)));
     chapter.hazards(hazards(&record.storage, language));
     chapter.section(capitalised(upkeep::service_head(language)));
@@ -43,15 +54,4 @@ pub fn upkeep(record: &Upkeep, language: Language) -> Chapter {
     chapter.section(capitalised(upkeep::disposal_head(language)));
     chapter.hazards(hazards(&record.disposal, language));
     chapter
-}
-
-fn planned(line: &Planned, language: Language) -> Vec<String> {
-    let passed = if line.passed { format!(", {}", upkeep::passed(language)) } else { String::new() };
-    let grade = line.grade.map_or_else(|| upkeep::as_stated(language), |grade| grade_word(*grade, language));
-    vec![
-        line.next.clone(),
-        line.title.clone(),
-        format!("{}{passed}", line.rule_text),
-        format!("{grade}, {}", line.source),
-    ]
 }

@@ -112,14 +112,9 @@ impl<'a> Asked<'a> {
     ///
     /// # Errors
     /// The sentence about several.
-    pub fn only(&self, mut axes: Vec<Axis>, several: impl FnOnce(&str) -> String) -> Result<Axis, Unanswered> {
-        match (axes.len(), axes.pop()) {
-            (1, Some(one)) => Ok(one),
-            (_, last) => {
-                axes.extend(last);
-                Err(Unanswered::message(several(&names(axes.iter().map(|(_, project)| project)))))
-            }
-        }
+    pub fn only(&self, axes: Vec<Axis>, several: impl FnOnce(&str) -> String) -> Result<Axis, Unanswered> {
+        let one = <[Axis; 1]>::try_from(axes).map(|[one]| one);
+        one.map_err(|axes| Unanswered::message(several(&names(axes.iter().map(|(_, project)| project)))))
     }
 
     /// Refuses what takes long, unless a time limit is stated.

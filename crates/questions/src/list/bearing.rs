@@ -44,12 +44,11 @@ pub static ENTRY: Entry = Entry {
 /// # Errors
 /// Where the project has no loads on the flange.
 pub fn sizes(project: &Project, language: Language) -> Result<Vec<(Size, Candidate<'_>)>, Unanswered> {
-    let sizes = bearing_of_each_size(project);
     // Where no load is known no size differs from another.
     if !project.axis.bearing.as_ref().is_some_and(|duty| duty.has_loads) {
         return Err(Unanswered::message(terms::no_flange_loads(language)));
     }
-    Ok(sizes)
+    Ok(bearing_of_each_size(project))
 }
 
 /// Whether the bearing of one size carries the loads.

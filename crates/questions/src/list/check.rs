@@ -4,13 +4,13 @@ use super::given::{arguments, number, some_code_among, text};
 use super::size::{SAMPLES, SEED, draw};
 use super::{AXIS, Cost, Entry, Gives, Reads, Record, argument};
 use crate::answer;
-use crate::patience::{Patience, Stopped};
-use crate::sizing_use::{Candidate, Refusal, check, check_own, reserve_of_watched};
+use crate::patience::Patience;
+use crate::sizing_use::{Candidate, Refusal, check_one};
 use crate::tolerance::{Assessment, Draw, assess_watched};
 use order_code::OrderCode;
 use project::Project;
 use quantities::Language;
-use sizing::{Reserve, SAMPLES_ANEW};
+use sizing::{Reserve, SAMPLES_ANEW, reserve_watched};
 use words::help;
 
 arguments! {
@@ -86,10 +86,7 @@ pub fn verification<'p>(
     draw: Draw,
     patience: &Patience,
 ) -> Result<Verification<'p>, Refusal> {
-    let candidate = match code {
-        Some(code) => check(project, code)?,
-        None => check_own(project)?,
-    };
+    let candidate = check_one(project, code)?;
     let (reserve, assessment) = margins(project, &candidate, draw, patience)?;
     Ok(Verification { project, candidate, reserve, assessment })
 }
@@ -121,8 +118,7 @@ pub fn scatter(
     patience: &Patience,
 ) -> Result<Option<Assessment>, Refusal> {
     let sampling = draw.sampling(project, 1, patience.is_limited())?;
-    let assessed = assess_watched(project, &[candidate], sampling, patience).map_err(|Stopped| Refusal::Stopped)?;
-    Ok(assessed.into_iter().next())
+    Ok(assess_watched(project, &[candidate], sampling, patience)?.into_iter().next())
 }
 
 /// How far one thing may be changed until a candidate just fits: in full where the call states a time limit, else within the
@@ -134,7 +130,7 @@ pub fn reserve_within(project: &Project, candidate: &Candidate<'_>, patience: &P
     if !patience.is_limited() {
         return reserve_unasked(project, candidate, patience);
     }
-    reserve_of_watched(project, candidate, usize::MAX, patience).map_err(|Stopped| Refusal::Stopped)
+    Ok(reserve_watched(&project.axis, candidate.parameters, usize::MAX, patience)?)
 }
 
 /// The same within the usual effort.
@@ -142,7 +138,7 @@ pub fn reserve_within(project: &Project, candidate: &Candidate<'_>, patience: &P
 /// # Errors
 /// [`Refusal::Stopped`].
 pub fn reserve_unasked(project: &Project, candidate: &Candidate<'_>, patience: &Patience) -> Result<Reserve, Refusal> {
-    reserve_of_watched(project, candidate, SAMPLES_ANEW, patience).map_err(|Stopped| Refusal::Stopped)
+    Ok(reserve_watched(&project.axis, candidate.parameters, SAMPLES_ANEW, patience)?)
 }
 
 impl Verification<'_> {

@@ -1,6 +1,6 @@
 //! `commission CODE`: values for the drive, and check-lists.
 
-use super::given::{arguments, code, some, word};
+use super::given::{arguments, by_id, code, some, word};
 use super::{Answer, Argument, ArgumentKind, Asked, CODE, Entry, Gives, Reads, Record, Unanswered};
 use crate::answer;
 use crate::chapters::read_quantity;
@@ -23,7 +23,7 @@ arguments! {
         code: OrderCode = CODE => code,
         /// The form of the values.
         form: Option<DriveForm> = FORM.of(ArgumentKind::Word(|| DriveForm::ALL.map(DriveForm::id).to_vec()))
-            => word(DriveForm::of_id),
+            => word(by_id(&DriveForm::ALL, DriveForm::id)),
         /// Temperature of winding and sensors.
         ambient: Option<ThermodynamicTemperature> = AMBIENT => some(read_quantity),
     }

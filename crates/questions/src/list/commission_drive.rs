@@ -1,6 +1,6 @@
 //! `commission CODE --for FORM --out FILE`: the values as a drive reads them.
 
-use super::given::{arguments, code, word};
+use super::given::{arguments, by_id, code, word};
 use super::{Answer, ArgumentKind, CODE, Entry, Gives, OutputFile, Reads, commission, media};
 use crate::commission::DriveForm;
 pub use crate::commission::{eds, sinamics_script};
@@ -15,7 +15,7 @@ arguments! {
         /// The form of the values.
         form: Option<DriveForm> = commission::FORM
             .of(ArgumentKind::Word(|| [DriveForm::Sinamics, DriveForm::Cia402].map(DriveForm::id).to_vec())).required()
-            => word(DriveForm::of_id),
+            => word(by_id(&DriveForm::ALL, DriveForm::id)),
     }
 }
 

@@ -4,9 +4,10 @@ use super::given::{arguments, code};
 use super::{Answer, Asked, CODE, Entry, Gives, Reads, Record, Unanswered, commission};
 use crate::answer;
 pub use crate::commission::{judge, measured};
+use crate::reading::Unread;
 use answers::{Fit, Recorded};
 use order_code::OrderCode;
-use words::{requests, worded};
+use words::requests;
 
 arguments! {
     /// An actuator.
@@ -40,9 +41,7 @@ pub fn found(asked: &Asked<'_>) -> Result<Recorded, Unanswered> {
     let about = commission::about(&Args::read(&asked.given)?.code)?;
     let source = asked.source()?;
     let text = source.text(asked.language)?;
-    let measured = measured(text).map_err(|found| {
-        let faults = worded(&found, asked.language);
-        Unanswered::Text { name: source.name.clone(), text: text.to_owned(), faults }
-    })?;
+    let measured = measured(text)
+        .map_err(|faults| Unanswered::unread(Unread::Faults(faults), &source.name, text, asked.language))?;
     Ok(answer::recorded(&about, &judge(&about, &measured), asked.language))
 }

@@ -3,10 +3,9 @@
 use super::given::{arguments, code, some};
 use super::{Answer, Argument, Asked, CODE, Entry, Form, Gives, PICTURE, Reads, Record, Unanswered};
 use crate::answer;
-use crate::chapters::{curves, read_quantity};
+use crate::chapters::read_quantity;
 use crate::plane::{Plane, plane_of};
 use crate::sizing_use::Refusal;
-use actuator::PerformanceCurve;
 use order_code::OrderCode;
 use quantities::ElectricPotential;
 use words::{help, help::values};
@@ -33,19 +32,17 @@ pub static ENTRY: Entry = Entry {
     writes: &PICTURE,
     example: "CHA-20A-100-H-C1024 --voltage \"220 V\"",
     answer: Some(|asked| {
-        let (code, curves, _) = found(asked)?;
-        Ok(Answer::record(&answer::curves(&code, &curves, asked.language)))
+        let (code, plane) = found(asked)?;
+        Ok(Answer::record(&answer::curves(&code, &plane.curves, asked.language)))
     }),
 };
 
-/// The curves of an actuator, and the plane that they bound.
+/// The plane of an actuator with its curves.
 ///
 /// # Errors
 /// Every fault of the arguments; no printed data.
-pub fn found(asked: &Asked<'_>) -> Result<(OrderCode, Vec<PerformanceCurve>, Plane), Unanswered> {
+pub fn found(asked: &Asked<'_>) -> Result<(OrderCode, Plane), Unanswered> {
     let Args { code, voltage } = Args::read(&asked.given)?;
-    match (curves(&code, voltage), plane_of(&code, voltage)) {
-        (Some(Ok(curves)), Some(Ok(plane))) => Ok((code, curves, plane)),
-        _ => Err(Refusal::NoData.into()),
-    }
+    let plane = plane_of(&code, voltage).and_then(Result::ok).ok_or(Refusal::NoData)?;
+    Ok((code, plane))
 }

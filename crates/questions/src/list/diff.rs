@@ -7,7 +7,7 @@ pub use crate::compare::{CheckChange, Difference, difference};
 use crate::subject::paired;
 use answers::Answered;
 use order_code::OrderCode;
-use project::input_changes;
+use project::{InputChange, input_changes};
 use words::{help, terminal};
 
 arguments! {
@@ -32,20 +32,11 @@ pub static ENTRY: Entry = Entry {
     example: "before.toml after.toml",
     answer: Some(|asked| {
         let revisions = revisions(asked)?;
-        let (mut records, mut faults, mut fits) = (Vec::new(), Vec::new(), true);
-        for (before, after) in revisions.pairs()? {
-            let inputs = input_changes((revisions.old_text, before.0), (revisions.new_text, after.0));
-            match difference(&before.1, &after.1, revisions.code.as_ref(), asked.patience) {
-                Ok(found) => {
-                    fits &= found.after.fits();
-                    records.push(answer::difference(&found, &inputs, &after.1.name, asked.language));
-                }
-                Err(refusal) => faults.push(refusal.into()),
-            }
-        }
-        if !faults.is_empty() {
-            return Err(Unanswered::together(faults));
-        }
+        let record = |name: &str, found: &Difference<'_>, inputs: &[InputChange]| {
+            (answer::difference(found, inputs, name, asked.language), found.after.fits())
+        };
+        let (records, fit): (Vec<_>, Vec<bool>) = revisions.each(asked, record)?.into_iter().unzip();
+        let fits = fit.into_iter().all(|fits| fits);
         let remarks = revisions.unpaired(asked);
         Ok(super::Answer { remarks, ..super::Answer::record(&Answered::of(records, fits)).fits(fits) })
     }),
@@ -65,7 +56,6 @@ pub struct Revisions<'a> {
     pub new_text: &'a str,
     /// The actuator.
     pub code: Option<OrderCode>,
-    none: Unanswered,
 }
 
 impl Revisions<'_> {
@@ -81,17 +71,35 @@ impl Revisions<'_> {
         old.map(|(_, axis)| line(axis, 0)).chain(new.map(|(_, axis)| line(axis, 1))).collect()
     }
 
-    /// The axes that belong together.
+    /// The answer about each two axes that belong together, by the name of the second, its difference and the inputs that
+    /// changed; where one has none, only the faults of all.
     ///
     /// # Errors
-    /// Where there are none.
-    pub fn pairs(&self) -> Result<Vec<(&Axis, &Axis)>, Unanswered> {
+    /// Where no axes belong together, and why there is no answer about some of them.
+    pub fn each<T>(
+        &self,
+        asked: &Asked<'_>,
+        one: impl Fn(&str, &Difference<'_>, &[InputChange]) -> T,
+    ) -> Result<Vec<T>, Unanswered> {
         if self.paired.is_empty() {
-            return Err(self.none.clone());
+            return Err(none(asked));
         }
-        let both = |(before, after): &(usize, usize)| Some((self.old.get(*before)?, self.new.get(*after)?));
-        Ok(self.paired.iter().filter_map(both).collect())
+        let (mut answers, mut faults) = (Vec::new(), Vec::new());
+        for (before, after) in &self.paired {
+            let (Some(before), Some(after)) = (self.old.get(*before), self.new.get(*after)) else { continue };
+            let inputs = input_changes((self.old_text, before.0), (self.new_text, after.0));
+            match difference(&before.1, &after.1, self.code.as_ref(), asked.patience) {
+                Ok(found) => answers.push(one(&after.1.name, &found, &inputs)),
+                Err(refusal) => faults.push(refusal.into()),
+            }
+        }
+        if faults.is_empty() { Ok(answers) } else { Err(Unanswered::together(faults)) }
     }
+}
+
+/// No axis stands in both revisions.
+fn none(asked: &Asked<'_>) -> Unanswered {
+    Unanswered::message(terminal::no_common_axis(asked.language))
 }
 
 /// Both revisions, read.
@@ -100,12 +108,11 @@ impl Revisions<'_> {
 /// Every fault of the arguments, else those of the projects.
 pub fn revisions<'a>(asked: &'a Asked<'_>) -> Result<Revisions<'a>, Unanswered> {
     let args = Args::read(&asked.given)?;
-    let none = Unanswered::message(terminal::no_common_axis(asked.language));
-    let [before, after] = asked.sources.as_slice() else { return Err(none) };
+    let [before, after] = asked.sources.as_slice() else { return Err(none(asked)) };
     let (old_text, new_text) = (before.text(asked.language)?, after.text(asked.language)?);
     let wanted = args.axis.as_deref();
     let (old, new) = (asked.axes_of(before, wanted)?, asked.axes_of(after, wanted)?);
     asked.within(Cost::Other, old.iter().chain(&new))?;
     let paired = paired(&old, &new);
-    Ok(Revisions { old, new, paired, old_text, new_text, code: args.code, none })
+    Ok(Revisions { old, new, paired, old_text, new_text, code: args.code })
 }

@@ -88,17 +88,11 @@ pub fn found(asked: &Asked<'_>) -> Result<answers::Encoder, Unanswered> {
     let absolute = || fitted.iter().filter_map(|each| each.encoder.absolute());
     let has_endat = absolute().any(|absolute| absolute.protocol == Protocol::EnDat);
     let is_buffered = fitted.iter().any(|each| each.feedback.buffered_by_battery);
-    let wrong = [
+    Unanswered::unless_right([
         ("decode", args.decode.is_some() && absolute().next().is_none(), encoder::no_word_to_decode(language)),
         ("error", args.error && !has_endat, encoder::no_error_to_report(language)),
         ("battery-lost", args.battery_lost && !is_buffered, encoder::no_battery_to_lose(language)),
-    ];
-    let faults = wrong.into_iter().filter(|(_, is_wrong, _)| *is_wrong);
-    let faults: Vec<Unanswered> =
-        faults.map(|(name, _, fault)| Unanswered::option(name, (fault.to_owned(), None))).collect();
-    if !faults.is_empty() {
-        return Err(Unanswered::together(faults));
-    }
+    ])?;
     let motor = Shaft::new(args.turn, args.angle, args.speed);
     let refused = || Unanswered::from(Refusal::NoData);
     answer::encoder(&args, &fitted, motor, language).ok_or_else(refused)

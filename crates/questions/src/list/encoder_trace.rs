@@ -1,7 +1,7 @@
 //! `encoder CODE --vcd FILE`: the digital signals of an encoder over time; a face writes them.
 
 use super::encoder::{ANGLE, SEED, SPEED, TURN, fitted, read_angle, read_speed, read_turn};
-use super::given::{Hinted, arguments, code, number, one, word};
+use super::given::{Hinted, arguments, by_id, code, number, one, word};
 use super::{Answer, Argument, ArgumentKind, Asked, CODE, Entry, Gives, OutputFile, Reads, Unanswered, media};
 use crate::chapters::read_quantity;
 use feedback::endat::ErrorBits;
@@ -43,7 +43,7 @@ arguments! {
         /// Which encoder.
         connector: Option<Role> = Argument::option("connector", values::connector, help::encoder_connector)
             .of(ArgumentKind::Word(|| CONNECTORS.map(Role::id).to_vec())).usually("feedback").with("vcd")
-            => word(|text: &str| CONNECTORS.into_iter().find(|role| role.id() == text)),
+            => word(by_id(&CONNECTORS, Role::id)),
     }
 }
 

@@ -1,10 +1,10 @@
 //! `explain PROJECT`: how value and limit of the checks of an actuator came about.
 
-use super::given::{arguments, some_code_among, text, word};
+use super::given::{arguments, by_id, some_code_among, text, word};
 use super::{AXIS, Argument, ArgumentKind, Cost, Entry, Gives, Reads, Record, argument};
 use crate::answer;
 pub use crate::explain::derivation;
-use crate::patience::{Patience, Stopped};
+use crate::patience::Patience;
 use crate::sizing_use::{Candidate, Refusal, explain, explain_own};
 use order_code::OrderCode;
 use project::Project;
@@ -22,12 +22,8 @@ arguments! {
         code: Option<OrderCode> = argument::code(help::explain_code) => some_code_among,
         /// One check; without it all.
         check: Option<CheckId> = Argument::option("check", values::check, help::explain_check)
-            .of(ArgumentKind::Word(|| CheckId::ALL.iter().map(|check| check.id()).collect())) => word(check_of),
+            .of(ArgumentKind::Word(|| CheckId::ALL.iter().map(|check| check.id()).collect())) => word(by_id(CheckId::ALL, CheckId::id)),
     }
-}
-
-fn check_of(id: &str) -> Option<CheckId> {
-    CheckId::ALL.iter().find(|check| check.id() == id).copied()
 }
 
 /// The question.
@@ -81,7 +77,7 @@ pub fn explanation<'p>(
     wanted: Option<CheckId>,
     patience: &Patience,
 ) -> Result<Explanation<'p>, Refusal> {
-    patience.step().map_err(|Stopped| Refusal::Stopped)?;
+    patience.step()?;
     let candidate = match code {
         Some(code) => explain(project, code)?,
         None => explain_own(project)?,

@@ -9,9 +9,6 @@ use quantities::{Language, seen};
 use std::borrow::Cow;
 use words::{Usage, UsageHint, usage_hint, usage_text};
 
-/// As many characters as a text of a project may have.
-const TEXT_MOST: usize = 200;
-
 /// What is wrong with a text, and a hint.
 pub type Hinted = (String, Option<String>);
 
@@ -105,12 +102,21 @@ pub(super) fn lines(given: &Given, argument: &Argument) -> Result<String, Unansw
 
 /// A text of a bounded length, without invisible signs.
 pub(super) fn label(given: &Given, argument: &Argument) -> Result<Option<String>, Unanswered> {
-    let Some(text) = given.text(argument) else { return Ok(None) };
-    if text.chars().count() > TEXT_MOST {
-        let message = usage_text(&Usage::TooLong { most: TEXT_MOST }, given.language);
-        return Err(Unanswered::option(argument.name, (message, None)));
+    given.text(argument).map(|text| bounded(argument.name, text, given.language)).transpose()
+}
+
+/// The text of an option, of a bounded length and without invisible signs.
+///
+/// # Errors
+/// A text that is too long.
+pub fn bounded(name: &'static str, text: &str, language: Language) -> Result<String, Unanswered> {
+    // As many as a text of a project may have.
+    const MOST: usize = 200;
+    if text.chars().count() > MOST {
+        let message = usage_text(&Usage::TooLong { most: MOST }, language);
+        return Err(Unanswered::option(name, (message, None)));
     }
-    Ok(Some(seen(text).into_owned()))
+    Ok(seen(text).into_owned())
 }
 
 /// Whether a flag is set.
@@ -131,6 +137,11 @@ pub(super) fn count(given: &Given, argument: &Argument) -> Result<usize, Unanswe
 /// One of the words of an argument.
 pub(super) fn word<T>(of: impl Fn(&str) -> Option<T>) -> impl Fn(&Given, &Argument) -> Result<Option<T>, Unanswered> {
     move |given, argument| Ok(given.text(argument).and_then(&of))
+}
+
+/// The value of an identifier, of those that are.
+pub(super) fn by_id<T: Copy>(all: &'static [T], id: fn(T) -> &'static str) -> impl Fn(&str) -> Option<T> {
+    move |text| all.iter().copied().find(|each| id(*each) == text)
 }
 
 /// A value that may be given, read by its reader.

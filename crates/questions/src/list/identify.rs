@@ -4,12 +4,11 @@ use super::given::{arguments, some_code_among, text};
 use super::{
     AXIS, Answer, Argument, ArgumentKind, Asked, Cost, Entry, Form, Gives, Reads, Record, Unanswered, argument,
 };
-use crate::sizing_use::{Candidate, check, check_own};
+use crate::sizing_use::{Candidate, check_one, known_si};
 use answers::Number;
 use mechanism::{Extra, Mechanism, MechanismKind};
 use order_code::OrderCode;
 use project::Project;
-use provenance::Datum;
 use quantities::unit::{
     AMPERE, AMPERE_SECOND_PER_RADIAN, DEGREE, KILOGRAM_SQUARE_METRE, NEWTON_METRE, NEWTON_METRE_PER_AMPERE,
     NEWTON_METRE_SECOND_PER_RADIAN,
@@ -97,31 +96,24 @@ pub fn found(asked: &Asked<'_>) -> Result<Identification, Unanswered> {
     let args = Args::read(&asked.given)?;
     let language = asked.language;
     let (_, project) = asked.axis(args.axis.as_deref(), Cost::Other)?;
-    let candidate = match &args.code {
-        Some(code) => check(&project, code)?,
-        None => check_own(&project)?,
-    };
+    let candidate = check_one(&project, args.code.as_ref())?;
     let name = args.trace.unwrap_or_default();
-    let fault = |text: String| Unanswered::message(text);
     let mut bytes = Vec::new();
     let source = asked.source()?;
-    let opened = source.files.open(&name).map_err(|_| fault(simulation::no_such_trace(&seen(&name), language)))?;
-    opened
-        .take(TRACE_MOST + 1)
-        .read_to_end(&mut bytes)
-        .map_err(|_| fault(simulation::no_such_trace(&seen(&name), language)))?;
+    let read = source.files.open(&name).and_then(|file| file.take(TRACE_MOST + 1).read_to_end(&mut bytes));
+    read.map_err(|_| Unanswered::message(simulation::no_such_trace(&seen(&name), language)))?;
     if bytes.len() as u64 > TRACE_MOST {
-        return Err(fault(simulation::trace_too_large(&seen(&name), &(TRACE_MOST >> 20), language)));
+        return Err(Unanswered::message(simulation::trace_too_large(&seen(&name), &(TRACE_MOST >> 20), language)));
     }
     let memory = source.files.grant().memory;
     let read = if bytes.starts_with(b"PAR1") { of_parquet(bytes, memory, language) } else { of_csv(&bytes, language) };
-    let run =
-        observed(read, language).map_err(|faults| Unanswered::together(faults.into_iter().map(fault).collect()))?;
+    let run = observed(read, language)
+        .map_err(|faults| Unanswered::together(faults.into_iter().map(Unanswered::message).collect()))?;
     let limit = candidate.parameters.current_max.known().map(|known| SQRT_2 * known.value.si());
     let twin::Identification { estimates, at_limit } = identify(&run, limit).map_err(|why| {
-        fault(match why {
-            IdentifyFault::Uneven | IdentifyFault::TooFew => simulation::trace_too_short(language).to_owned(),
-            IdentifyFault::NotExcited => simulation::trace_not_excited(language).to_owned(),
+        Unanswered::message(match why {
+            IdentifyFault::Uneven | IdentifyFault::TooFew => simulation::trace_too_short(language),
+            IdentifyFault::NotExcited => simulation::trace_not_excited(language),
         })
     })?;
     let rows = estimates.iter().map(|estimate| row(estimate, &project, &candidate, language));
@@ -229,16 +221,13 @@ fn row(estimate: &Estimate, project: &Project, candidate: &Candidate<'_>, langua
         value: number(estimate.value),
         half_width: number(estimate.half_width),
         unit: unit.json,
-        stated: stated(estimate.of, &project.axis.mechanism, project, candidate).map(number),
+        stated: stated(estimate.of, project, candidate).map(number),
     }
 }
 
 /// What project and tables say.
-fn stated(of: Identified, mechanism: &Mechanism, project: &Project, candidate: &Candidate<'_>) -> Option<f64> {
-    fn known<Q: Measure>(datum: &Datum<Q>) -> Option<f64> {
-        datum.known().map(|known| known.value.si())
-    }
-    let actuator = candidate.parameters;
+fn stated(of: Identified, project: &Project, candidate: &Candidate<'_>) -> Option<f64> {
+    let (actuator, mechanism) = (candidate.parameters, &project.axis.mechanism);
     let none = Extra::none();
     let extra = project.axis.extras.first().unwrap_or(&none);
     let plain = mechanism.plain(extra);
@@ -246,7 +235,7 @@ fn stated(of: Identified, mechanism: &Mechanism, project: &Project, candidate: &
         Identified::LoadInertia => {
             matches!(mechanism.kind, MechanismKind::Rotor(_) | MechanismKind::Linear(_)).then(|| {
                 let share = twin::Model::default().flange_inertia_share.value;
-                mechanism.inertia(0.0, extra).si() + share * known(&actuator.inertia_out).unwrap_or(0.0)
+                mechanism.inertia(0.0, extra).si() + share * known_si(&actuator.inertia_out).unwrap_or(0.0)
             })
         }
         Identified::Coulomb => plain.map(|plain| plain.coulomb_nm),
@@ -254,9 +243,9 @@ fn stated(of: Identified, mechanism: &Mechanism, project: &Project, candidate: &
         Identified::Gravity => plain.map(|plain| plain.weight_nm.abs()),
         Identified::GravityAngle => plain.filter(|plain| plain.weight_nm != 0.0).map(|plain| plain.angle_rad),
         Identified::External => plain.map(|plain| plain.constant_nm),
-        Identified::TorqueConstant => known(&actuator.torque_constant_out),
-        Identified::StartingCurrent => known(&actuator.no_load_starting_current),
-        Identified::CurrentConstant => known(&actuator.no_load_current_constant_cold),
+        Identified::TorqueConstant => known_si(&actuator.torque_constant_out),
+        Identified::StartingCurrent => known_si(&actuator.no_load_starting_current),
+        Identified::CurrentConstant => known_si(&actuator.no_load_current_constant_cold),
     }
 }
 

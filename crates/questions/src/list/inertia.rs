@@ -3,8 +3,9 @@
 use super::given::{arguments, lines};
 use super::{Answer, Argument, Asked, Entry, Form, Gives, Reads, Record, Unanswered};
 use crate::answer;
+use crate::reading::Unread;
 use project::{InertiaAnswer, inertia};
-use words::{help, help::values, worded};
+use words::{help, help::values};
 
 arguments! {
     /// Bodies about an axis.
@@ -33,8 +34,5 @@ pub static ENTRY: Entry = Entry {
 /// Every fault of the bodies.
 pub fn found(asked: &Asked<'_>) -> Result<InertiaAnswer, Unanswered> {
     let text = Args::read(&asked.given)?.body;
-    inertia(&text).map_err(|faults| {
-        let faults = worded(&faults, asked.language);
-        Unanswered::Text { name: "body".to_owned(), text, faults }
-    })
+    inertia(&text).map_err(|faults| Unanswered::unread(Unread::Faults(faults), "body", &text, asked.language))
 }

@@ -3,12 +3,12 @@
 use super::given::{arguments, code_among, some};
 use super::{Answer, Argument, Asked, CODE, Entry, Gives, Reads, Record, Unanswered};
 use crate::answer;
+pub use crate::mount::joint_loads;
 use crate::mount::read_bore;
-pub use crate::mount::{joint_loads, mount};
 use crate::sizing_use::Refusal;
 use answers::{Fit, Mount};
 use installation::fit::Bore;
-pub use installation::mount::MountAsked;
+pub use installation::mount::{MountAsked, mount};
 use order_code::OrderCode;
 use quantities::Language;
 use words::help;

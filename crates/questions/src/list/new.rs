@@ -1,9 +1,9 @@
 //! `new KIND`: a commented project file to fill in.
 
-use super::given::{arguments, count, lines, text};
+use super::given::{arguments, by_id, count, lines, text, word};
 use super::{Answer, Argument, ArgumentKind, Asked, Entry, Form, Gives, OutputFile, Reads, Unanswered, media};
 use crate::sizing_use::Refusal;
-pub use crate::sweep::sample::{METHODS, Method, SAMPLES_MOST, table};
+pub use crate::sweep::sample::{Method, SAMPLES_MOST, table};
 pub use crate::templates::{Template, template, template_kinds};
 use words::help::values;
 use words::{help, requests};
@@ -17,8 +17,9 @@ arguments! {
         /// Of a table: keys with their ranges, a line each.
         key: String = Argument::option("key", values::text, help::new_key).repeated() => lines,
         /// Of a table: how its ranges are covered.
-        by: Option<String> = Argument::option("by", values::name, help::new_by)
-            .of(ArgumentKind::Word(|| METHODS.to_vec())).usually("sobol") => text,
+        by: Option<Method> = Argument::option("by", values::name, help::new_by)
+            .of(ArgumentKind::Word(|| Method::ALL.map(Method::id).to_vec())).usually("sobol")
+            => word(by_id(&Method::ALL, Method::id)),
         /// Of a table: its rows, or the steps of each range.
         samples: usize = Argument::option("samples", values::n, help::new_samples)
             .of(ArgumentKind::Whole(1, SAMPLES_MOST)).usually("100") => count,
@@ -59,8 +60,8 @@ pub fn found(asked: &Asked<'_>, file: &str) -> Result<Template, Unanswered> {
     let args = Args::read(&asked.given)?;
     let kind = args.kind.unwrap_or_default();
     if kind == SWEEP {
-        let method = args.by.as_deref().and_then(Method::of).unwrap_or(Method::Sobol);
-        let text = table(args.key.lines(), method, args.samples, args.seed as u64, asked.language)?;
+        let text =
+            table(args.key.lines(), args.by.unwrap_or_default(), args.samples, args.seed as u64, asked.language)?;
         return Ok(Template { text, recording: None });
     }
     Ok(template(&kind, file, asked.language).ok_or(Refusal::NoData)?)

@@ -1,6 +1,6 @@
 //! `simulate PROJECT`: the digital twin of an axis with an actuator.
 
-use super::given::{arguments, count, flag, number, some, some_code_among, text, word};
+use super::given::{arguments, by_id, count, flag, number, some, some_code_among, text, word};
 use super::plot::{HEIGHT, THEME, WIDTH};
 use super::{
     AXIS, Answer, Argument, ArgumentKind, Asked, Cost, Entry, Given, Gives, OutputFile, Reads, Record, Unanswered,
@@ -34,10 +34,10 @@ arguments! {
         at: Option<Time> = Argument::option("at", values::time, help::simulate_at).signed() => some(read_quantity),
         /// How the drive reacts.
         reaction: Option<Reaction> = Argument::option("reaction", values::name, help::simulate_reaction)
-            .of(ArgumentKind::Word(|| Reaction::ALL.map(Reaction::id).to_vec())) => word(reaction),
+            .of(ArgumentKind::Word(|| Reaction::ALL.map(Reaction::id).to_vec())) => word(by_id(&Reaction::ALL, Reaction::id)),
         /// How the encoder fails.
         failure: Option<Failure> = Argument::option("failure", values::name, help::simulate_failure)
-            .of(ArgumentKind::Word(|| Failure::ALL.iter().map(|each| each.id()).collect())) => word(failure),
+            .of(ArgumentKind::Word(|| Failure::ALL.iter().map(|each| each.id()).collect())) => word(by_id(&Failure::ALL, Failure::id)),
         /// Cycles that are run.
         cycles: Option<u32> = Argument::option("cycles", values::n, help::simulate_cycles)
             .of(ArgumentKind::Whole(1, 100_000)) => number,
@@ -94,14 +94,6 @@ fn signals(given: &Given, argument: &Argument) -> Result<Vec<&'static Signal>, U
     Ok(named)
 }
 
-fn failure(id: &str) -> Option<Failure> {
-    Failure::ALL.iter().copied().find(|each| each.id() == id)
-}
-
-fn reaction(id: &str) -> Option<Reaction> {
-    Reaction::ALL.into_iter().find(|each| each.id() == id)
-}
-
 /// The question.
 pub static ENTRY: Entry = Entry {
     command: "simulate",
@@ -154,7 +146,7 @@ impl Args {
         let hours = self.hours_per_day.map_or(24.0, |time| time.in_unit(&HOUR));
         let language = asked.language;
         let period_us = format_significant(1e6 / CURRENT_RATE_HZ, 4, language);
-        let wrong = [
+        Unanswered::unless_right([
             (
                 "every",
                 every.is_nan() || every * CURRENT_RATE_HZ < 1.0 - 1e-9,
@@ -176,12 +168,7 @@ impl Args {
                 self.failure.is_some() && scenario != ScenarioId::EncoderFailure,
                 simulation::refused_failure(&ScenarioId::EncoderFailure.id(), language),
             ),
-        ];
-        let wrong = wrong.into_iter().filter(|(_, is_wrong, _)| *is_wrong);
-        let faults: Vec<Unanswered> = wrong.map(|(name, _, why)| Unanswered::option(name, (why, None))).collect();
-        if !faults.is_empty() {
-            return Err(Unanswered::together(faults));
-        }
+        ])?;
         let day = Time::new_in(24.0, &HOUR).si();
         let wanted = Wanted {
             operation: self.days.map(|periods| Operation { periods, period_s: day, running_s: hours / 24.0 * day }),

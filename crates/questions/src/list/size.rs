@@ -4,7 +4,7 @@ use super::given::{arguments, count, flag, number, text};
 use super::{AXIS, Argument, ArgumentKind, Cost, Entry, Gives, OutputFile, Reads, Record, argument, media};
 use crate::answer;
 pub use crate::mends::{Mend, mends};
-use crate::patience::{Patience, Stopped};
+use crate::patience::Patience;
 use crate::sizing_use::{Candidate, CandidateId, Refusal, Sizing, size_watched};
 use crate::tolerance::{Assessment, Draw, SAMPLES_MOST, SEED_USUAL, assess_watched};
 use project::Project;
@@ -112,7 +112,7 @@ pub fn ranking<'p>(project: &'p Project, top: usize, draw: Draw, patience: &Pati
     let fitting = sizing.candidates.iter().filter(|candidate| candidate.fits());
     let chosen: Vec<&Candidate<'_>> = fitting.take(top.min(ASSESSED_MOST)).chain(&sizing.own).collect();
     // Without tolerances there is no assessment, and so no pair.
-    let found = assess_watched(project, &chosen, sampling, patience).map_err(|Stopped| Refusal::Stopped)?;
+    let found = assess_watched(project, &chosen, sampling, patience)?;
     let assessed = chosen.iter().map(|candidate| candidate.id.clone()).zip(found).collect();
     let mends = if sizing.fits() { Vec::new() } else { mends(project, patience)? };
     Ok(Ranking { project, sizing, top, mends, assessed })
@@ -124,7 +124,7 @@ pub fn ranking<'p>(project: &'p Project, top: usize, draw: Draw, patience: &Pati
 /// # Errors
 /// [`Refusal::Stopped`].
 pub fn sized<'p>(project: &'p Project, complete: usize, patience: &Patience) -> Result<Sizing<'p>, Refusal> {
-    size_watched(project, complete, patience).map_err(|Stopped| Refusal::Stopped)
+    Ok(size_watched(project, complete, patience)?)
 }
 
 impl Ranking<'_> {

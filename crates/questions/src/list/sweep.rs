@@ -1,6 +1,6 @@
 //! `sweep PROJECT`: many axes, a table whose columns are keys of the project.
 
-use super::given::{arguments, flag, text};
+use super::given::{arguments, by_id, flag, text};
 use super::{
     AXIS, Answer, Argument, ArgumentKind, Asked, Entry, Gives, OutputFile, Reads, Record, Source, Unanswered, media,
 };
@@ -31,8 +31,7 @@ arguments! {
 }
 
 fn checks(given: &super::Given, argument: &Argument) -> Result<Vec<CheckId>, Unanswered> {
-    let of = |id: &str| CheckId::ALL.iter().copied().find(|check| check.id() == id);
-    Ok(given.all(argument.name).filter_map(of).collect())
+    Ok(given.all(argument.name).filter_map(by_id(CheckId::ALL, CheckId::id)).collect())
 }
 
 /// The question.
@@ -85,8 +84,7 @@ pub fn found(asked: &Asked<'_>) -> Result<SweepSummary, Unanswered> {
             return Err(Unanswered::together(why.collect()));
         }
     };
-    let headings: Vec<String> = lines.headings().to_vec();
-    let headings: Vec<&str> = headings.iter().map(String::as_str).collect();
+    let headings: Vec<&str> = lines.headings().iter().map(String::as_str).collect();
     let mut head = Head::read(text, projects, &headings, args.options(language));
     let mut columns: Columns = vec![Vec::new(); headings.len()];
     let mut rows = 0;
@@ -113,7 +111,7 @@ pub fn found(asked: &Asked<'_>) -> Result<SweepSummary, Unanswered> {
         return Err(Unanswered::together(ready.err().into_iter().chain([too_many]).collect()));
     }
     let sweep = ready?;
-    let answers = sweep.judge(&cells(&columns), asked.patience).map_err(|_| Unanswered::from(Refusal::Stopped))?;
+    let answers = sweep.judge(&cells(&columns), asked.patience).map_err(Refusal::from)?;
     let mut tally = Tally::default();
     answers.iter().for_each(|answer| tally.add(answer));
     let rows = (0..).zip(&answers).flat_map(|(row, answer)| SweepRow::of(row, answer));

@@ -10,7 +10,7 @@ use crate::sizing_use::Refusal;
 use crate::sweep::TableFaults;
 use answers::{Fault, Faults};
 use order_code::OrderCode;
-use quantities::Language;
+use quantities::{Language, seen};
 use words::{Worded, terminal, worded};
 
 /// Why a question has no answer.
@@ -74,6 +74,15 @@ impl Unanswered {
         Self::Option { name, fault }
     }
 
+    /// Refuses the options that are wrong, each with why it is.
+    pub(super) fn unless_right<T: Into<String>>(
+        options: impl IntoIterator<Item = (&'static str, bool, T)>,
+    ) -> Result<(), Self> {
+        let wrong = options.into_iter().filter(|(_, is_wrong, _)| *is_wrong);
+        let faults: Vec<Self> = wrong.map(|(name, _, why)| Self::option(name, (why.into(), None))).collect();
+        if faults.is_empty() { Ok(()) } else { Err(Self::together(faults)) }
+    }
+
     /// One sentence.
     #[must_use]
     pub fn message(text: impl Into<String>) -> Self {
@@ -82,14 +91,8 @@ impl Unanswered {
 
     /// Several reasons, one alone as it is.
     #[must_use]
-    pub fn together(mut all: Vec<Self>) -> Self {
-        match (all.len(), all.pop()) {
-            (1, Some(one)) => one,
-            (_, last) => {
-                all.extend(last);
-                Self::Together(all)
-            }
-        }
+    pub fn together(all: Vec<Self>) -> Self {
+        <[Self; 1]>::try_from(all).map_or_else(Self::Together, |[one]| one)
     }
 
     /// Why a project was not read.
@@ -135,11 +138,8 @@ impl Unanswered {
             Self::File { name, message, .. } => file_fault(name, message),
             Self::Option { name, fault } => option_fault(name, fault.clone()),
             Self::Message((message, hint)) => {
-                let mut found = fault(message);
-                if let Some(fault) = found.errors.first_mut() {
-                    fault.hint.clone_from(hint);
-                }
-                found
+                let fault = Fault { message: seen(message).into_owned(), hint: hint.clone(), ..Fault::default() };
+                Faults { errors: vec![fault] }
             }
             Self::Usage(errors) => Faults { errors: errors.clone() },
             Self::Refused(refusal, _) => fault(&refusal_text(refusal, waited_s, language)),

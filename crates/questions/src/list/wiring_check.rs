@@ -46,13 +46,9 @@ pub fn found(asked: &Asked<'_>) -> Result<WiringCheck, Unanswered> {
     if source.bytes.len() > LISTED_BYTES_MAX {
         return Err(refused(words::wiring::pin_list_too_large(&LISTED_BYTES_MAX, asked.language), true));
     }
-    let read =
-        read_list(&found, &source.bytes).map_err(|error| refused(file_trouble(&error, asked.language), false))?;
-    match &read.outcome {
-        Ok(comparison) => Ok(answer::wiring_check(&found, comparison, asked.language)),
-        Err(_) => {
-            let faults = read.worded(asked.language);
-            Err(Unanswered::Text { name: source.name.clone(), text: read.text, faults })
-        }
+    let read = read_list(&found, &source.bytes, asked.language);
+    match read.map_err(|error| refused(file_trouble(&error, asked.language), false))? {
+        Ok(comparison) => Ok(answer::wiring_check(&found, &comparison, asked.language)),
+        Err((text, faults)) => Err(Unanswered::Text { name: source.name.clone(), text, faults }),
     }
 }

@@ -3,7 +3,7 @@
 
 use super::{Column, Holds, Value};
 use crate::codes::read_code;
-use project::{CellKind, Fault, Hint, TabularFault};
+use project::{Fault, Hint, Kind, TabularFault};
 use quantities::{Language, seen};
 use std::borrow::Cow;
 use words::{fault_text, hint_text};
@@ -102,25 +102,15 @@ impl Cells<'_> {
             return faults.add(CellFault::of(&column.written, None, &(fault, None), language));
         }
         for row in 0..self.len() {
-            let found = column.cell(self, row).err().or_else(|| column.wrong_word(self, row, language));
-            if let Some(found) = found {
-                let at = first_row + row as u64;
-                faults.add(match found {
-                    Wrong::Key(fault, hint) => CellFault::of(&column.written, Some(at), &(fault, hint), language),
-                    Wrong::Code { id, message, hint } => {
-                        let heading = seen(&column.written).into_owned();
-                        CellFault { heading, row: Some(at), id, message, hint }
-                    }
-                });
-            }
+            let at = first_row + row as u64;
+            let found = match column.cell(self, row) {
+                Err(fault) => Some(CellFault::of(&column.written, Some(at), &(fault, None), language)),
+                Ok(Value::Text(text)) => column.wrong_word(text, at, language),
+                Ok(Value::Number(_)) => None,
+            };
+            found.into_iter().for_each(|fault| faults.add(fault));
         }
     }
-}
-
-/// What is wrong with a cell.
-pub(super) enum Wrong {
-    Key(Fault, Option<Hint>),
-    Code { id: &'static str, message: String, hint: Option<String> },
 }
 
 impl Column {
@@ -134,24 +124,21 @@ impl Column {
     fn is_number(&self) -> bool {
         match &self.holds {
             Holds::Code => false,
-            Holds::Key(heading) => heading.is_number() || matches!(heading.cells, CellKind::Whole(..)),
+            Holds::Key(heading) => heading.is_number() || matches!(heading.key.kind, Kind::Integer(..)),
         }
     }
 
     /// What stands in a cell.
-    fn cell<'c>(&self, cells: &'c Cells<'_>, row: usize) -> Result<Value<'c>, Wrong> {
+    fn cell<'c>(&self, cells: &'c Cells<'_>, row: usize) -> Result<Value<'c>, Fault> {
         let path = || self.key().to_owned();
-        let empty = || Wrong::Key(Fault::Tabular(TabularFault::NoValue { path: path() }), None);
+        let empty = || Fault::Tabular(TabularFault::NoValue { path: path() });
         match cells {
             Cells::Numbers(numbers) => {
                 let number = numbers.get(row).copied().flatten().ok_or_else(empty)?;
                 if self.is_number() {
                     return Ok(Value::Number(number));
                 }
-                Err(Wrong::Key(
-                    Fault::Tabular(TabularFault::NoText { path: path(), written: number.to_string() }),
-                    None,
-                ))
+                Err(Fault::Tabular(TabularFault::NoText { path: path(), written: number.to_string() }))
             }
             Cells::Texts(texts) => {
                 let text = texts.get(row).and_then(Option::as_ref).ok_or_else(empty)?.trim();
@@ -164,27 +151,34 @@ impl Column {
                 let number = text.parse().map(Value::Number);
                 number.map_err(|_| {
                     let written: String = text.chars().take(60).collect();
-                    Wrong::Key(Fault::Tabular(TabularFault::NotANumber { path: path(), written }), None)
+                    Fault::Tabular(TabularFault::NotANumber { path: path(), written })
                 })
             }
             Cells::Other(found, _) => {
-                Err(Wrong::Key(Fault::Tabular(TabularFault::CellType { path: path(), found: found.clone() }), None))
+                Err(Fault::Tabular(TabularFault::CellType { path: path(), found: found.clone() }))
             }
         }
     }
 
     /// A word or a code that there is not.
-    fn wrong_word(&self, cells: &Cells<'_>, row: usize, language: Language) -> Option<Wrong> {
-        let Ok(Value::Text(text)) = self.cell(cells, row) else { return None };
+    fn wrong_word(&self, text: &str, row: u64, language: Language) -> Option<CellFault> {
         match &self.holds {
-            Holds::Key(heading) => heading.objection(text).map(|(fault, hint)| Wrong::Key(fault, hint)),
+            Holds::Key(heading) => {
+                let objection = heading.objection(text)?;
+                Some(CellFault::of(&self.written, Some(row), &objection, language))
+            }
             Holds::Code => {
                 let refusal = read_code(text, language).err()?;
                 let near = refusal.nearest.first().map(|(code, _)| words::terminal::near(code, language));
                 let fault = refusal.faults.into_iter().next()?;
                 let shown: String = text.chars().take(60).collect();
-                let message = format!("{shown}: {}", fault.message);
-                Some(Wrong::Code { id: fault.id(), hint: near.or_else(|| fault.hint.clone()), message })
+                Some(CellFault {
+                    heading: seen(&self.written).into_owned(),
+                    row: Some(row),
+                    id: fault.id(),
+                    message: format!("{shown}: {}", fault.message),
+                    hint: near.or(fault.hint),
+                })
             }
         }
     }
@@ -194,13 +188,7 @@ impl Column {
     /// # Errors
     /// Why a project file would be refused with it.
     pub(super) fn value<'c>(&self, cells: &'c Cells<'_>, row: usize) -> Result<Value<'c>, Fault> {
-        let value = match self.cell(cells, row) {
-            Ok(value) => value,
-            Err(Wrong::Key(fault, _)) => return Err(fault),
-            Err(Wrong::Code { .. }) => {
-                return Err(Fault::Tabular(TabularFault::NoValue { path: self.key().to_owned() }));
-            }
-        };
+        let value = self.cell(cells, row)?;
         if let (Holds::Key(heading), Value::Number(number)) = (&self.holds, &value)
             && heading.is_number()
             && let Some(fault) = heading.refusal(*number)

@@ -181,14 +181,21 @@ fn end_of_quoted(quoted: &str) -> Option<usize> {
     }
 }
 
-/// A cell as it is written in a line.
+/// A field (RFC 4180): in quotation marks where it holds a comma, a quotation mark or the end of a line.
+#[must_use]
+pub fn quoted(field: &str) -> Cow<'_, str> {
+    if field.contains([',', '"', '\n', '\r']) {
+        Cow::Owned(format!("\"{}\"", field.replace('"', "\"\"")))
+    } else {
+        Cow::Borrowed(field)
+    }
+}
+
+/// A cell as it is written in a line, whose end it may not hold.
 #[must_use]
 pub fn written(cell: &str) -> Cow<'_, str> {
-    if cell.contains([',', '"', '\n', '\r']) {
-        Cow::Owned(format!("\"{}\"", cell.replace('"', "\"\"").replace(['\n', '\r'], " ")))
-    } else {
-        Cow::Borrowed(cell)
-    }
+    let cell = quoted(cell);
+    if cell.contains(['\n', '\r']) { Cow::Owned(cell.replace(['\n', '\r'], " ")) } else { cell }
 }
 
 #[cfg(test)]

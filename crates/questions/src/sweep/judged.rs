@@ -2,12 +2,12 @@
 
 use super::Wanted;
 use crate::answer::refusal_text;
-use crate::sizing_use::{Refusal, actuators_of, with_options};
+use crate::sizing_use::{actuators_of, known_si, parameters_of, with_options};
 use actuator::Parameters;
 use configurator::{Requirements, availability};
 use order_code::OrderCode;
 use project::Project;
-use quantities::{Language, Measure};
+use quantities::Language;
 use sizing::{Axis, CheckId, Depth, Judgement, Ranked, Screen, Screening, Standing, Verdict};
 
 /// The answer of a row.
@@ -101,7 +101,7 @@ impl<'p> Entrant<'p> {
     }
 
     fn mass_kg(&self) -> Option<f64> {
-        self.parameters.mass.known().map(|mass| mass.value.si())
+        known_si(&self.parameters.mass)
     }
 
     pub(super) fn meets(&self, requirements: &Requirements) -> bool {
@@ -143,10 +143,7 @@ impl<'r> Row<'r> {
     /// # Errors
     /// Where there is no data for it.
     pub(super) fn of_code(&self, code: &OrderCode, wanted: &Wanted, language: Language) -> Result<Judged, String> {
-        let bare = OrderCode { option_1: None, option_2: None, special: false, ..*code };
-        let mut known = actuators_of(self.project, code.has_output_encoder()).iter();
-        let found = known.find(|(known, _)| *known == bare);
-        let (_, parameters) = found.ok_or_else(|| refusal_text(&Refusal::NoData, None, language))?;
+        let parameters = parameters_of(self.project, code).map_err(|why| refusal_text(&why, None, language))?;
         let entrant = Entrant { code: *code, parameters, has_options: true, is_barred: availability(code).is_err() };
         let alone = std::slice::from_ref(&entrant);
         Ok(match wanted {
@@ -195,8 +192,8 @@ impl<'r> Row<'r> {
             let standing = entrant.standing(&judgement, entrant.meets(self.requirements));
             standing.fits.then(|| OnFront {
                 code: entrant.code,
-                mass_kg: entrant.parameters.mass.known().map(|mass| mass.value.si()),
-                length_m: entrant.parameters.length.known().map(|length| length.value.si()),
+                mass_kg: entrant.mass_kg(),
+                length_m: known_si(&entrant.parameters.length),
                 utilisation: standing.utilisation,
                 tightest: judgement.tightest().map(|check| check.id),
             })

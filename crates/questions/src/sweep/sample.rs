@@ -3,40 +3,27 @@
 use super::csv;
 use crate::list::Unanswered;
 use project::{Counted, Heading};
-use quantities::Language;
+use quantities::{Language, identified};
 use rand_pcg::Pcg64Mcg;
 use rand_pcg::rand_core::Rng;
 use words::{fault_text, hint_text, own_hint, sweeps};
 
-/// How ranges are covered.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Method {
-    /// Equal steps of each range, every combination.
-    Grid,
-    /// One value in each of as many equal parts of a range as there are rows, in seeded order.
-    LatinHypercube,
-    /// The sequence of Sobol, shifted by the seed; zero leaves it as it is.
-    Sobol,
+identified! {
+    /// How ranges are covered.
+    #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+    pub enum Method {
+        /// The sequence of Sobol, shifted by the seed; zero leaves it as it is.
+        #[default]
+        Sobol = "sobol",
+        /// One value in each of as many equal parts of a range as there are rows, in seeded order.
+        LatinHypercube = "lhs",
+        /// Equal steps of each range, every combination.
+        Grid = "grid",
+    }
 }
-
-/// The methods by their identifiers.
-pub const METHODS: [&str; 3] = ["sobol", "lhs", "grid"];
 
 /// So many rows are written at most.
 pub const SAMPLES_MOST: u64 = 1_000_000;
-
-impl Method {
-    /// That of an identifier.
-    #[must_use]
-    pub fn of(id: &str) -> Option<Self> {
-        match id {
-            "sobol" => Some(Self::Sobol),
-            "lhs" => Some(Self::LatinHypercube),
-            "grid" => Some(Self::Grid),
-            _ => None,
-        }
-    }
-}
 
 /// What the cells of a column may be.
 #[derive(Clone, Debug, PartialEq)]

@@ -1,9 +1,12 @@
 //! The footer of a Parquet file: schema, metadata and where the pages of a column lie.
 
+use super::damaged;
 use super::thrift::{Broken, Stop, Thrift, ThriftType};
 use crate::faults::{Damage, Fault};
 use crate::limits::{COLUMNS_MAX, Limit, NESTING_MAX, PATH_BYTES_MAX, ROW_GROUPS_MAX, ROWS_MAX};
 use ::parquet::basic::{ConvertedType, Type};
+use quantities::Unit;
+use quantities::unit::{MICROSECOND, MILLISECOND, NANOSECOND};
 use std::ops::Range;
 
 /// The mark at the end of a file, and that of one with an encrypted footer.
@@ -54,18 +57,10 @@ pub(super) enum Logical {
     Integer {
         signed: bool,
     },
-    /// Milliseconds, microseconds, nanoseconds.
-    Timestamp(TimeUnit),
+    /// Times in this unit.
+    Timestamp(&'static Unit),
     /// Something else than numbers.
     Other,
-}
-
-/// The unit of a timestamp.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum TimeUnit {
-    Millis,
-    Micros,
-    Nanos,
 }
 
 /// The pages of a column in a row group.
@@ -77,10 +72,6 @@ pub(super) struct Chunk {
     pub(super) values: u64,
     /// Where they lie in the file.
     pub(super) bytes: Range<usize>,
-}
-
-fn damaged(reason: Damage) -> Fault {
-    Fault::ParquetUnreadable { reason }
 }
 
 impl<'b> Footer<'b> {
@@ -105,7 +96,7 @@ impl<'b> Footer<'b> {
                     read.columns = schema(thrift)?;
                     has_schema = true;
                 }
-                (3, ThriftType::Integer) => read.rows = natural(thrift.integer()?)?,
+                (3, ThriftType::Integer) => read.rows = thrift.natural()?,
                 (4, ThriftType::List) => {
                     read.groups = Some(thrift.clone());
                     thrift.skip(kind)?;
@@ -124,11 +115,11 @@ impl<'b> Footer<'b> {
         Ok(read)
     }
 
-    /// Goes through the row groups: the chunks of the wanted columns, in their order, with the rows of the group.
+    /// Goes through the row groups: the chunks of the wanted columns, in their order.
     pub(super) fn groups(
         &self,
         wanted: &[usize],
-        mut group: impl FnMut(u64, Vec<Chunk>) -> Result<(), Fault>,
+        mut group: impl FnMut(Vec<Chunk>) -> Result<(), Fault>,
     ) -> Result<(), Fault> {
         let Some(mut thrift) = self.groups.clone() else { return Ok(()) };
         let mut each = || {
@@ -142,7 +133,7 @@ impl<'b> Footer<'b> {
                 let (rows, chunks) = self.group(&mut thrift, wanted)?;
                 before = before.saturating_add(rows);
                 Limit::Rows.hold(before, ROWS_MAX)?;
-                group(rows, chunks)?;
+                group(chunks)?;
             }
             Ok(())
         };
@@ -166,7 +157,7 @@ impl<'b> Footer<'b> {
                         }
                     }
                 }
-                (3, ThriftType::Integer) => rows = Some(natural(thrift.integer()?)?),
+                (3, ThriftType::Integer) => rows = Some(thrift.natural()?),
                 _ => thrift.skip(kind)?,
             }
             Ok(())
@@ -194,10 +185,10 @@ impl<'b> Footer<'b> {
                 (3, ThriftType::Struct) => thrift.structure(|thrift, id, kind| {
                     match (id, kind) {
                         (4, ThriftType::Integer) => codec = Some(thrift.integer()?),
-                        (5, ThriftType::Integer) => values = Some(natural(thrift.integer()?)?),
-                        (7, ThriftType::Integer) => length = Some(natural(thrift.integer()?)?),
-                        (9, ThriftType::Integer) => data = Some(natural(thrift.integer()?)?),
-                        (11, ThriftType::Integer) => dictionary = Some(natural(thrift.integer()?)?),
+                        (5, ThriftType::Integer) => values = Some(thrift.natural()?),
+                        (7, ThriftType::Integer) => length = Some(thrift.natural()?),
+                        (9, ThriftType::Integer) => data = Some(thrift.natural()?),
+                        (11, ThriftType::Integer) => dictionary = Some(thrift.natural()?),
                         _ => thrift.skip(kind)?,
                     }
                     Ok(())
@@ -214,10 +205,6 @@ impl<'b> Footer<'b> {
         let place = |at: u64| usize::try_from(at).map_err(|_| Broken);
         Ok(Chunk { codec, values, bytes: place(start)?..place(end)? })
     }
-}
-
-fn natural(number: i64) -> Result<u64, Broken> {
-    u64::try_from(number).map_err(|_| Broken)
 }
 
 /// An element of the schema: a group or a column.
@@ -286,7 +273,7 @@ fn schema(thrift: &mut Thrift<'_>) -> Result<Vec<Column>, Stop> {
 
 /// How many elements a group claims; each takes a byte at least.
 fn children(group: &Element<'_>, thrift: &Thrift<'_>) -> Result<u64, Broken> {
-    natural(group.children.unwrap_or(0)).ok().filter(|count| *count <= thrift.left() as u64).ok_or(Broken)
+    u64::try_from(group.children.unwrap_or(0)).ok().filter(|count| *count <= thrift.left() as u64).ok_or(Broken)
 }
 
 fn element<'b>(thrift: &mut Thrift<'b>) -> Result<Element<'b>, Stop> {
@@ -316,9 +303,9 @@ fn logical(thrift: &mut Thrift<'_>) -> Result<Logical, Stop> {
                 thrift.structure(|thrift, id, kind| match (id, kind) {
                     (2, ThriftType::Struct) => thrift.structure(|thrift, id, kind| {
                         unit = match id {
-                            1 => Some(TimeUnit::Millis),
-                            2 => Some(TimeUnit::Micros),
-                            3 => Some(TimeUnit::Nanos),
+                            1 => Some(&MILLISECOND),
+                            2 => Some(&MICROSECOND),
+                            3 => Some(&NANOSECOND),
                             _ => None,
                         };
                         Ok(thrift.skip(kind)?)

@@ -3,6 +3,7 @@
 //! The library decodes the values. What its decoders take for granted of a page is checked here, so that a damaged file
 //! is refused with a reason; and no page is unpacked that claims more than its values can need.
 
+use super::damaged;
 use super::footer::{Chunk, Column};
 use super::thrift::{Broken, Stop, Thrift, ThriftType};
 use super::unpack::Codec;
@@ -10,7 +11,7 @@ use crate::faults::{Damage, Fault};
 use crate::limits::{DELTA_BLOCK_MAX, Limit, Memory, PAGE_BYTES_FREE, PAGE_RATIO_MAX, UNPACKED_BYTES_MAX};
 use ::parquet::basic::{Encoding, Type};
 use ::parquet::column::page::{Page, PageMetadata, PageReader};
-use ::parquet::errors::{ParquetError, Result};
+use ::parquet::errors::ParquetError;
 use bytes::Bytes;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicU64, Ordering};
@@ -61,11 +62,7 @@ struct Head {
     is_packed: bool,
 }
 
-fn damaged(reason: Damage) -> Fault {
-    Fault::ParquetUnreadable { reason }
-}
-
-fn known(holds: bool) -> std::result::Result<(), Fault> {
+fn known(holds: bool) -> Result<(), Fault> {
     if holds { Ok(()) } else { Err(damaged(Damage::Page)) }
 }
 
@@ -78,7 +75,7 @@ impl Pages {
         column: &Column,
         (memory, columns): (Memory, usize),
         spent: Arc<AtomicU64>,
-    ) -> std::result::Result<Self, Fault> {
+    ) -> Result<Self, Fault> {
         let codec = Codec::of(chunk.codec)?;
         let (values_left, physical, defined) = (chunk.values, column.physical, column.defined);
         let share = 2 * columns as u64;
@@ -86,7 +83,7 @@ impl Pages {
     }
 
     /// The next page; `None` at the end.
-    fn page(&mut self) -> std::result::Result<Option<Page>, Fault> {
+    fn page(&mut self) -> Result<Option<Page>, Fault> {
         // The dictionary and every page with values; whatever lies behind the last value is none of ours.
         while self.values_left > 0 && !self.chunk.bytes.is_empty() {
             let here = self.file.get(self.chunk.bytes.clone()).ok_or_else(|| damaged(Damage::Page))?;
@@ -108,7 +105,7 @@ impl Pages {
         if self.values_left > 0 { Err(damaged(Damage::Lengths)) } else { Ok(None) }
     }
 
-    fn dictionary(&mut self, head: &Head, packed: Bytes) -> std::result::Result<Page, Fault> {
+    fn dictionary(&mut self, head: &Head, packed: Bytes) -> Result<Page, Fault> {
         known(!self.has_dictionary)?;
         self.has_dictionary = true;
         let buf = self.unpacked(head, packed, 0)?;
@@ -118,7 +115,7 @@ impl Pages {
         Ok(Page::DictionaryPage { buf, num_values: count(head.values)?, encoding, is_sorted: false })
     }
 
-    fn first_version(&mut self, head: &Head, packed: Bytes) -> std::result::Result<Page, Fault> {
+    fn first_version(&mut self, head: &Head, packed: Bytes) -> Result<Page, Fault> {
         self.count_values(head)?;
         let buf = self.unpacked(head, packed, 0)?;
         let def_level_encoding = encoding(head.level_encoding)?;
@@ -134,7 +131,7 @@ impl Pages {
         })
     }
 
-    fn second_version(&mut self, head: &Head, packed: Bytes) -> std::result::Result<Page, Fault> {
+    fn second_version(&mut self, head: &Head, packed: Bytes) -> Result<Page, Fault> {
         self.count_values(head)?;
         let levels = head.defined_bytes.saturating_add(head.repeated_bytes);
         known(head.repeated_bytes == 0 && levels <= packed.len() as u64 && levels <= head.unpacked)?;
@@ -154,21 +151,21 @@ impl Pages {
         })
     }
 
-    fn count_values(&mut self, head: &Head) -> std::result::Result<(), Fault> {
+    fn count_values(&mut self, head: &Head) -> Result<(), Fault> {
         let left = self.values_left.checked_sub(head.values);
         self.values_left = left.ok_or_else(|| damaged(Damage::Lengths))?;
         Ok(())
     }
 
     /// Counts the work; a file must not require more than its share.
-    fn spend(&self, bytes: u64) -> std::result::Result<(), Fault> {
+    fn spend(&self, bytes: u64) -> Result<(), Fault> {
         let bytes = bytes.saturating_add(WORK_PER_PAGE);
         let spent = self.spent.fetch_add(bytes, Ordering::Relaxed).saturating_add(bytes);
         Limit::UnpackedBytes.hold(spent, UNPACKED_BYTES_MAX)
     }
 
     /// The bytes of a page, of which the first `plain` are not packed.
-    fn unpacked(&self, head: &Head, packed: Bytes, plain: usize) -> std::result::Result<Bytes, Fault> {
+    fn unpacked(&self, head: &Head, packed: Bytes, plain: usize) -> Result<Bytes, Fault> {
         if self.codec == Codec::None || !head.is_packed {
             self.spend(0)?;
             return Ok(packed);
@@ -191,7 +188,7 @@ impl Pages {
     }
 
     /// Length of the levels at the beginning of a page of the first version.
-    fn level_bytes(&self, buf: &[u8], count: u64, encoding: Encoding) -> std::result::Result<usize, Fault> {
+    fn level_bytes(&self, buf: &[u8], count: u64, encoding: Encoding) -> Result<usize, Fault> {
         if self.defined == 0 {
             return Ok(0);
         }
@@ -208,7 +205,7 @@ impl Pages {
     }
 
     /// The encoding of the values behind the levels, and the page as the library shall have it.
-    fn checked(&self, head: &Head, buf: Bytes, levels: usize) -> std::result::Result<(Encoding, Bytes), Fault> {
+    fn checked(&self, head: &Head, buf: Bytes, levels: usize) -> Result<(Encoding, Bytes), Fault> {
         let values = buf.get(levels..).ok_or_else(|| damaged(Damage::Page))?;
         let encoding = encoding(head.encoding)?;
         match encoding {
@@ -241,7 +238,7 @@ impl Pages {
 }
 
 /// A page of split values, all first bytes before all second ones, as one of plain values behind the same levels.
-fn joined(page: &[u8], levels: usize, size: u64) -> std::result::Result<Bytes, Fault> {
+fn joined(page: &[u8], levels: usize, size: u64) -> Result<Bytes, Fault> {
     let (levels, split) = page.split_at_checked(levels).ok_or_else(|| damaged(Damage::Page))?;
     let size = usize::try_from(size).map_err(|_| damaged(Damage::Page))?;
     known(split.len().is_multiple_of(size))?;
@@ -251,7 +248,7 @@ fn joined(page: &[u8], levels: usize, size: u64) -> std::result::Result<Bytes, F
 }
 
 /// The head of delta-coded values, checked; gives their number.
-fn deltas(values: &[u8]) -> std::result::Result<u64, Stop> {
+fn deltas(values: &[u8]) -> Result<u64, Stop> {
     let mut thrift = Thrift::new(values);
     let (block, parts, count) = (thrift.varint()?, thrift.varint()?, thrift.varint()?);
     Limit::DeltaBlock.hold(block, DELTA_BLOCK_MAX)?;
@@ -268,19 +265,16 @@ const INDEX_PAGE: i64 = 1;
 const DICTIONARY_PAGE: i64 = 2;
 const DATA_PAGE_V2: i64 = 3;
 
-fn head(thrift: &mut Thrift<'_>) -> std::result::Result<Head, Stop> {
+fn head(thrift: &mut Thrift<'_>) -> Result<Head, Stop> {
     let mut read = Head { is_packed: true, level_encoding: 3, ..Head::default() };
-    let natural = |thrift: &mut Thrift<'_>| -> std::result::Result<u64, Broken> {
-        u64::try_from(thrift.integer()?).map_err(|_| Broken)
-    };
     thrift.structure(|thrift, id, kind| {
         match (id, kind) {
             (1, ThriftType::Integer) => read.kind = thrift.integer()?,
-            (2, ThriftType::Integer) => read.unpacked = natural(thrift)?,
-            (3, ThriftType::Integer) => read.packed = usize::try_from(natural(thrift)?).map_err(|_| Broken)?,
+            (2, ThriftType::Integer) => read.unpacked = thrift.natural()?,
+            (3, ThriftType::Integer) => read.packed = usize::try_from(thrift.natural()?).map_err(|_| Broken)?,
             (5 | 7, ThriftType::Struct) => thrift.structure(|thrift, id, kind| {
                 match (id, kind) {
-                    (1, ThriftType::Integer) => read.values = natural(thrift)?,
+                    (1, ThriftType::Integer) => read.values = thrift.natural()?,
                     (2, ThriftType::Integer) => read.encoding = thrift.integer()?,
                     (3, ThriftType::Integer) => read.level_encoding = thrift.integer()?,
                     _ => thrift.skip(kind)?,
@@ -289,12 +283,12 @@ fn head(thrift: &mut Thrift<'_>) -> std::result::Result<Head, Stop> {
             })?,
             (8, ThriftType::Struct) => thrift.structure(|thrift, id, kind| {
                 match (id, kind) {
-                    (1, ThriftType::Integer) => read.values = natural(thrift)?,
-                    (2, ThriftType::Integer) => read.nulls = natural(thrift)?,
-                    (3, ThriftType::Integer) => read.rows = natural(thrift)?,
+                    (1, ThriftType::Integer) => read.values = thrift.natural()?,
+                    (2, ThriftType::Integer) => read.nulls = thrift.natural()?,
+                    (3, ThriftType::Integer) => read.rows = thrift.natural()?,
                     (4, ThriftType::Integer) => read.encoding = thrift.integer()?,
-                    (5, ThriftType::Integer) => read.defined_bytes = natural(thrift)?,
-                    (6, ThriftType::Integer) => read.repeated_bytes = natural(thrift)?,
+                    (5, ThriftType::Integer) => read.defined_bytes = thrift.natural()?,
+                    (6, ThriftType::Integer) => read.repeated_bytes = thrift.natural()?,
                     (7, ThriftType::Bool(is_packed)) => read.is_packed = is_packed,
                     _ => thrift.skip(kind)?,
                 }
@@ -307,7 +301,7 @@ fn head(thrift: &mut Thrift<'_>) -> std::result::Result<Head, Stop> {
     Ok(read)
 }
 
-fn encoding(code: i64) -> std::result::Result<Encoding, Fault> {
+fn encoding(code: i64) -> Result<Encoding, Fault> {
     #[expect(deprecated, reason = "old files have it")]
     Ok(match code {
         0 => Encoding::PLAIN,
@@ -323,7 +317,7 @@ fn encoding(code: i64) -> std::result::Result<Encoding, Fault> {
     })
 }
 
-fn count(number: u64) -> std::result::Result<u32, Fault> {
+fn count(number: u64) -> Result<u32, Fault> {
     u32::try_from(number).map_err(|_| damaged(Damage::Page))
 }
 
@@ -336,7 +330,7 @@ const fn size_of_value(physical: Type) -> u64 {
 }
 
 impl Iterator for Pages {
-    type Item = Result<Page>;
+    type Item = Result<Page, ParquetError>;
 
     fn next(&mut self) -> Option<Self::Item> {
         self.get_next_page().transpose()
@@ -344,15 +338,15 @@ impl Iterator for Pages {
 }
 
 impl PageReader for Pages {
-    fn get_next_page(&mut self) -> Result<Option<Page>> {
+    fn get_next_page(&mut self) -> Result<Option<Page>, ParquetError> {
         self.page().map_err(|fault| ParquetError::External(Box::new(fault)))
     }
 
-    fn peek_next_page(&mut self) -> Result<Option<PageMetadata>> {
+    fn peek_next_page(&mut self) -> Result<Option<PageMetadata>, ParquetError> {
         Err(ParquetError::NYI(String::from("pages are read one after another")))
     }
 
-    fn skip_next_page(&mut self) -> Result<()> {
+    fn skip_next_page(&mut self) -> Result<(), ParquetError> {
         Err(ParquetError::NYI(String::from("pages are read one after another")))
     }
 }

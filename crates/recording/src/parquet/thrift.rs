@@ -73,7 +73,7 @@ impl Stop {
     /// The fault; bytes that do not follow the protocol are this damage.
     pub(super) fn or(self, damage: Damage) -> Fault {
         match self {
-            Self::Broken => Fault::ParquetUnreadable { reason: damage },
+            Self::Broken => super::damaged(damage),
             Self::Refused(fault) => fault,
         }
     }
@@ -122,6 +122,11 @@ impl<'b> Thrift<'b> {
     pub(super) fn integer(&mut self) -> Result<i64, Broken> {
         let coded = self.varint()?;
         Ok((coded >> 1).cast_signed() ^ -((coded & 1).cast_signed()))
+    }
+
+    /// An integer that is not negative.
+    pub(super) fn natural(&mut self) -> Result<u64, Broken> {
+        u64::try_from(self.integer()?).map_err(|_| Broken)
     }
 
     pub(super) fn binary(&mut self) -> Result<&'b [u8], Broken> {

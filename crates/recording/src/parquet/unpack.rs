@@ -31,7 +31,7 @@ impl Codec {
                     4 => "BROTLI".to_owned(),
                     other => other.to_string(),
                 };
-                return Err(Fault::ParquetUnreadable { reason: Damage::Compression { name } });
+                return Err(super::damaged(Damage::Compression { name }));
             }
         })
     }
@@ -62,11 +62,7 @@ impl Codec {
                 })
             }
         };
-        if whole && into.len() - before == size {
-            Ok(())
-        } else {
-            Err(Fault::ParquetUnreadable { reason: Damage::Packed })
-        }
+        if whole && into.len() - before == size { Ok(()) } else { Err(super::damaged(Damage::Packed)) }
     }
 }
 

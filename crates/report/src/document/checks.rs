@@ -167,7 +167,7 @@ fn row(check: &Check, notes: Vec<usize>, travel: Option<Number>, shown: &Shown) 
 }
 
 /// Each text once.
-pub(super) fn once(texts: &[String]) -> Vec<String> {
+pub(super) fn once<'t>(texts: impl IntoIterator<Item = &'t String>) -> Vec<String> {
     let mut found: Vec<String> = Vec::new();
     for text in texts {
         if !found.contains(text) {

@@ -6,6 +6,7 @@ use super::{Front, Paper, height, lines};
 use crate::error::WriteError;
 use crate::format;
 use crate::table::Table;
+use answers::Identified;
 use provenance::Grade;
 use quantities::unit::NEWTON_METRE;
 use quantities::{Language, Measure, format_number};
@@ -13,8 +14,6 @@ use questions::texts::standing_text;
 use rust_xlsxwriter::utility::row_col_to_cell;
 use rust_xlsxwriter::{ExcelDateTime, Format, Formula, Url, Worksheet};
 use words::{Word, capitalised, check_title, grade_about, grade_word, tables, terms};
-
-const GRADES: [Grade; 5] = [Grade::Printed, Grade::Computed, Grade::Published, Grade::Estimated, Grade::Assumed];
 
 /// Widths of the three columns, in characters.
 const WIDTHS: [f64; 3] = [30.0, 34.0, 80.0];
@@ -47,9 +46,8 @@ impl Page<'_> {
     }
 
     fn pair(&mut self, label: Word, value: &str) -> Result<(), WriteError> {
-        let format = &self.styles.plain;
         self.sheet.write_string_with_format(self.row, 0, label(self.language), &self.styles.label)?;
-        self.sheet.write_string_with_format(self.row, 1, value, format)?;
+        self.sheet.write_string_with_format(self.row, 1, value, &self.styles.plain)?;
         self.next(["", value, ""])
     }
 
@@ -94,8 +92,7 @@ pub(super) fn sheet(tables: &[Table], front: &Front<'_>, styles: &Styles) -> Res
     contents(&mut page, tables)?;
     legend(&mut page)?;
     page.row += 1;
-    let sentence = tables::about_antrieb;
-    page.sheet.write_string_with_format(page.row, 0, sentence(l), &styles.label)?;
+    page.sheet.write_string_with_format(page.row, 0, tables::about_antrieb(l), &styles.label)?;
     Paper::A4.set(&mut page.sheet);
     Ok(page.sheet)
 }
@@ -112,8 +109,7 @@ fn answer(page: &mut Page<'_>, front: &Front<'_>) -> Result<(), WriteError> {
     let standing = standing_text(chosen, l);
     page.sheet.write_string_with_format(page.row, 1, &standing, &format.clone().set_bold().set_text_wrap())?;
     page.next(["", &standing, ""])?;
-    let label = terms::ordering_code(l);
-    page.sheet.write_string_with_format(page.row, 0, label, &page.styles.label)?;
+    page.sheet.write_string_with_format(page.row, 0, terms::ordering_code(l), &page.styles.label)?;
     page.sheet.write_string_with_format(page.row, 1, chosen.id.to_string(), &page.styles.strong)?;
     page.row += 1;
     if let Some(check) = chosen.judgement.tightest() {
@@ -162,8 +158,7 @@ fn effective_torque(page: &mut Page<'_>, tables: &[Table], front: &Front<'_>) ->
     )?;
     page.sheet.write_string_with_format(page.row, 0, tables::t_rms_exact(l), &page.styles.label)?;
     page.sheet.write_number_with_format(page.row, 1, exact, &digits)?;
-    let about = tables::t_rms_exact_about;
-    page.sheet.write_string_with_format(page.row, 2, about(l), &page.styles.plain)?;
+    page.sheet.write_string_with_format(page.row, 2, tables::t_rms_exact_about(l), &page.styles.plain)?;
     page.row += 1;
     let (course_cell, exact_cell) = (row_col_to_cell(from, 1), row_col_to_cell(from + 1, 1));
     let difference = if exact == 0.0 { 0.0 } else { found / exact - 1.0 };
@@ -224,7 +219,7 @@ fn legend(page: &mut Page<'_>) -> Result<(), WriteError> {
         page.sheet.write_string_with_format(page.row, 2, words(l), &styles.plain)?;
         page.next(["", "", words(l)])?;
     }
-    for grade in GRADES {
+    for &grade in <Grade as Identified>::ALL {
         page.sheet.write_string_with_format(page.row, 0, terms::grade(l), &styles.label)?;
         page.sheet.write_string_with_format(page.row, 1, grade_word(grade, l), &styles.plain)?;
         page.sheet.write_string_with_format(page.row, 2, grade_about(grade, l), &styles.plain)?;

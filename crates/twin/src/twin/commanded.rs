@@ -1,7 +1,7 @@
 //! A run that a caller commands: a drive outside of the twin gives set-points, switches pulses and brake, and reacts to what is
 //! supervised.
 
-use super::{PERIOD_S, Twin};
+use super::Twin;
 use crate::control::Demand;
 use crate::drive::{BrakeState, Phase};
 use crate::scenario::{EventKind, ScenarioId};
@@ -82,11 +82,6 @@ impl<'a> Twin<'a> {
         let [position, ..] = self.point.state;
         self.point.state = [position, 0.0, 0.0];
         self.phase = Phase::Commanded(Demand::Position([self.measured_rad(), 0.0, 0.0]));
-    }
-
-    /// Switches the pulses off.
-    pub fn switch_pulses_off(&mut self) {
-        self.switch_off();
     }
 
     /// Commands the brake, where there is one.
@@ -173,13 +168,5 @@ impl<'a> Twin<'a> {
     #[must_use]
     pub const fn has_brake(&self) -> bool {
         self.brake.exists()
-    }
-
-    /// Periods of the current loop between two set-points of the position, and the time between them \[s\].
-    #[must_use]
-    #[allow(clippy::cast_precision_loss, reason = "eight")]
-    pub fn position_period() -> (u64, f64) {
-        let every = crate::control::POSITION_EVERY;
-        (every, every as f64 * PERIOD_S)
     }
 }

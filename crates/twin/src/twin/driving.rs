@@ -61,7 +61,7 @@ impl Twin<'_> {
             Phase::Holding(since) => {
                 let held = if self.brake.exists() { self.brake.closed } else { time - since > 0.1 };
                 if held {
-                    self.switch_off();
+                    self.switch_pulses_off();
                 }
             }
             Phase::Off | Phase::Commanded(_) => {}
@@ -106,7 +106,8 @@ impl Twin<'_> {
         self.state.pulses = true;
     }
 
-    pub(super) fn switch_off(&mut self) {
+    /// Switches the pulses off.
+    pub fn switch_pulses_off(&mut self) {
         if self.state.pulses {
             self.plant.block(&mut self.state);
             self.note(EventKind::PulsesOff);
@@ -127,12 +128,12 @@ impl Twin<'_> {
                 self.phase = Phase::Ramp(self.control.speed);
             }
             Reaction::Ramp | Reaction::Brake => {
-                self.switch_off();
+                self.switch_pulses_off();
                 if self.brake.command(false, time) {
                     self.note(EventKind::BrakeCloses);
                 }
             }
-            Reaction::Coast => self.switch_off(),
+            Reaction::Coast => self.switch_pulses_off(),
         }
     }
 

@@ -20,7 +20,7 @@ fn every_scenario_ends_and_its_balance_closes() {
     );
     for id in ScenarioId::ALL {
         for reaction in Reaction::ALL {
-            let scenario = Scenario { id: *id, reaction, ..Scenario::default() };
+            let scenario = Scenario { id, reaction, ..Scenario::default() };
             let encoder = Some(&encoder);
             let setup = Setup { scenario, encoder, ..Setup::of(&parameters, &hanging, &motion, &extras) };
             let mut twin = Twin::new(&setup).unwrap();

@@ -5,10 +5,12 @@
 /// # Source
 /// Steele, Lea, Flood: Fast splittable pseudorandom number generators, OOPSLA 2014
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Random(u64);
+pub struct Random(u64);
 
 impl Random {
-    pub(crate) const fn new(seed: u64) -> Self {
+    /// The generator that begins at a seed.
+    #[must_use]
+    pub const fn new(seed: u64) -> Self {
         Self(seed)
     }
 
@@ -22,12 +24,14 @@ impl Random {
 
     /// Uniform from 0 to 1.
     #[allow(clippy::cast_precision_loss, reason = "53 bits are exact")]
-    pub(crate) fn uniform(&mut self) -> f64 {
+    #[inline]
+    pub fn uniform(&mut self) -> f64 {
         (self.next() >> 11) as f64 / 9_007_199_254_740_992.0
     }
 
     /// Normal with variance one: the sum of twelve uniform numbers, cut at ±6.
-    pub(crate) fn normal(&mut self) -> f64 {
+    #[inline]
+    pub fn normal(&mut self) -> f64 {
         (0..12).map(|_| self.uniform()).sum::<f64>() - 6.0
     }
 }
