@@ -79,8 +79,8 @@ pub enum QuantityError {
     /// The unit measures something else.
     #[error(
         "\"{found}\" is a unit of {}, expected a unit of {}",
-        measures.name(Language::En),
-        expected.name(Language::En)
+        measures.name(Language::OF_ERRORS),
+        expected.name(Language::OF_ERRORS)
     )]
     WrongQuantity {
         /// Place of the unit in the text, in bytes.
@@ -113,7 +113,7 @@ pub enum QuantityError {
 }
 
 fn en(dimension: Dimension) -> &'static str {
-    dimension.name_with_article(Language::En)
+    dimension.name_with_article(Language::OF_ERRORS)
 }
 
 impl QuantityError {

@@ -60,6 +60,9 @@ pub enum Language {
 }
 
 impl Language {
+    /// The language of errors for developers who use a crate.
+    pub const OF_ERRORS: Self = Self::En;
+
     /// Every language.
     pub const ALL: [Self; 2] = [Self::En, Self::De];
 
