@@ -271,3 +271,23 @@ fn as_svg(id: &str, drawing: &Drawing, language: Language) -> (String, String) {
     let style = Style::new(drawing.size()).theme(Theme::Light).language(language).id(id);
     (drawing.render(&style).into_svg(), drawing.description.clone())
 }
+
+#[cfg(test)]
+#[allow(clippy::unwrap_used, reason = "a test fails loudly")]
+mod tests {
+    use super::*;
+
+    /// By the command line and over HTTP alike.
+    #[test]
+    fn a_report_with_the_installation_lists_the_documents_of_its_chapters() {
+        let text = include_str!("../../../examples/turntable.toml");
+        let project = questions::read(text).unwrap();
+        let (mut whole, candidate) =
+            content((0, &project), None, text, &Patience::endless(), Language::default()).unwrap();
+        let before = whole.dossier.documents.len();
+        install(&mut whole, (&project, &candidate), None, Language::default()).unwrap();
+        let cited = chapter::documents(&whole.chapters, Language::default());
+        assert!(!whole.chapters.is_empty() && !cited.is_empty());
+        assert_eq!(whole.dossier.documents.len(), before + cited.len());
+    }
+}
