@@ -106,7 +106,7 @@ fn orphans(errata: &[Erratum], tallies: &[Tally]) -> (usize, Vec<&'static str>) 
         .iter()
         .filter(|erratum| Reading::Printed.explains(erratum))
         .filter(|erratum| {
-            let mut cells = catalogue::cells().iter().filter(|cell| cell.errata.contains(&erratum.id));
+            let mut cells = catalogue::cells().filter(|cell| cell.errata.contains(&erratum.id));
             cells.any(|cell| covered.contains(&place(cell)))
         })
         .map(|erratum| erratum.id)
@@ -141,7 +141,7 @@ impl Report {
 impl fmt::Display for Report {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let of_the_manual = catalogue::tables().iter().filter(|table| table.is_of_the_manual()).count();
-        let (tables, cells) = (catalogue::tables().len(), catalogue::cells().len());
+        let (tables, cells) = (catalogue::tables().len(), catalogue::cells().count());
         writeln!(f, "{tables} tables ({of_the_manual} of the manual), {cells} printed cells")?;
         let mut kinds: BTreeMap<_, [usize; 2]> = BTreeMap::new();
         for erratum in catalogue::errata() {

@@ -6,6 +6,7 @@
 mod series;
 
 use series_files::{Cells, Data, Erratum, KEYS, value_of, variant_of};
+use std::collections::BTreeMap;
 use std::fmt::Write as _;
 use std::path::Path;
 use std::process::ExitCode;
@@ -23,31 +24,55 @@ fn main() -> ExitCode {
     series_files::write_out("data.rs", &text, &faults)
 }
 
+/// Texts, each once, by their numbers.
+#[derive(Default)]
+struct Numbered {
+    kept: Vec<String>,
+    numbers: BTreeMap<String, usize>,
+}
+
+impl Numbered {
+    fn number(&mut self, text: &str) -> usize {
+        *self.numbers.entry(text.to_owned()).or_insert_with_key(|text| {
+            self.kept.push(text.clone());
+            self.kept.len() - 1
+        })
+    }
+}
+
 fn records(out: &mut String, data: &Data, Cells { cells, ranges }: &Cells<'_>) {
     let opt = |text: &Option<String>| text.as_deref().unwrap_or("").to_owned();
-    let _ = writeln!(out, "pub(crate) static CELLS: &[Cell] = &[");
+    let (mut texts, mut errata) = (Numbered::default(), Numbered::default());
+    let _ = writeln!(out, "pub(crate) static PACKED: &[Packed] = &[");
     for cell in cells {
-        let [drive, feedback, ratio, symbol, condition] = &cell.keys;
         let (document, table) = data.tables.get(cell.table).map_or(("", ""), |t| (t.source.as_str(), t.table.as_str()));
-        let errata: Vec<&str> =
+        let of_the_cell: Vec<&str> =
             cell.errata.iter().filter_map(|n| data.errata.get(*n)).map(|erratum| erratum.id.as_str()).collect();
         let limit = cell.checks_use.map_or("None".into(), |text| format!("Some(Value::{:?})", value_of(text)));
+        let [drive, feedback, ratio, symbol, condition] = cell.keys.each_ref().map(|key| texts.number(key));
         let _ = writeln!(
             out,
-            "Cell {{ place: CellRef {{ document: {document:?}, table: {table:?}, symbol: {symbol:?}, \
-             condition: {condition:?}, drive: {drive:?}, ratio: {ratio:?} }}, row: {}, column: {}, \
-             feedback: {feedback:?}, unit: {:?}, printed: {:?}, corrected: {:?}, value: Value::{:?}, \
-             checks_use: {limit}, errata: &{errata:?} }},",
+            "Packed {{ document: {}, table: {}, symbol: {symbol}, condition: {condition}, drive: {drive}, ratio: {ratio}, \
+             row: {}, column: {}, feedback: {feedback}, unit: {}, printed: {}, corrected: {}, value: Value::{:?}, \
+             checks_use: {limit}, errata: {} }},",
+            texts.number(document),
+            texts.number(table),
             cell.row,
             cell.column,
-            cell.unit,
-            cell.printed,
-            cell.corrected,
+            texts.number(cell.unit),
+            texts.number(cell.printed),
+            texts.number(cell.corrected),
             value_of(cell.corrected),
+            errata.number(&format!("{of_the_cell:?}")),
         );
     }
+    let _ = writeln!(out, "];\npub(crate) static CELL_TEXTS: &[&str] = &{:?};", texts.kept);
+    let _ = writeln!(out, "pub(crate) static CELL_ERRATA: &[&[&str]] = &[");
+    for list in &errata.kept {
+        let _ = writeln!(out, "&{list},");
+    }
     let _ = writeln!(out, "];\npub(crate) static TABLES: &[Table] = &[");
-    for (table, (first, end)) in data.tables.iter().zip(ranges) {
+    for (number, (table, (first, end))) in data.tables.iter().zip(ranges).enumerate() {
         let notes: Vec<String> = table
             .footnotes
             .iter()
@@ -71,7 +96,7 @@ fn records(out: &mut String, data: &Data, Cells { cells, ranges }: &Cells<'_>) {
         let _ = writeln!(
             out,
             "Table {{ id: {:?}, section: {:?}, page: {}, title_en: {:?}, title_de: {:?}, source: {:?}, footnotes: &[{}], \
-             row_notes: &[{}], first: {first}, end: {end} }},",
+             row_notes: &[{}], number: {number}, first: {first}, end: {end} }},",
             table.table,
             opt(&table.section),
             table.page.unwrap_or(0),

@@ -1,12 +1,12 @@
 //! The drives that tables are headed by, and typed access to what is printed about them.
 
 use crate::record::{Cell, Table};
-use crate::series::{SeriesData, winding_data};
+use crate::series::{Head, SeriesData, winding_data};
 use order_code::{Feedback, Ratio, Size, Winding};
 use provenance::Datum;
 use quantities::{Measure, Unit};
 use std::collections::BTreeMap;
-use std::sync::LazyLock;
+use std::sync::{LazyLock, OnceLock};
 
 /// One drive of the catalogue: a motor with its windings and feedback systems in all its ratios, as its tables are headed.
 pub struct Drive {
@@ -18,29 +18,51 @@ pub struct Drive {
     pub windings: &'static [Winding],
     /// Motor feedback systems that its tables hold for.
     pub feedbacks: &'static [Feedback],
-    /// Reduction ratios, ascending.
-    pub ratios: Vec<Ratio>,
+    printed: OnceLock<Printed>,
+}
+
+/// What is printed about a drive.
+struct Printed {
+    ratios: Vec<Ratio>,
+    cells: Vec<&'static Cell>,
     by_symbol: BTreeMap<&'static str, Vec<&'static Cell>>,
 }
 
 static DRIVES: LazyLock<Vec<Drive>> = LazyLock::new(|| {
-    crate::series()
-        .iter()
-        .flat_map(|series| series.drives)
-        .map(|head| {
-            let name = head.name;
-            let mut by_symbol: BTreeMap<&'static str, Vec<&'static Cell>> = BTreeMap::new();
-            for cell in crate::cells().iter().filter(|cell| cell.place.drive == name) {
-                by_symbol.entry(cell.place.symbol).or_default().push(cell);
-            }
-            let printed = by_symbol.get("T_max").map(Vec::as_slice).unwrap_or_default();
-            let ratios = Ratio::all(head.size.series())
-                .filter(|ratio| printed.iter().any(|cell| cell.place.ratio == ratio.as_str()))
-                .collect();
-            Drive { name, size: head.size, windings: head.windings, feedbacks: head.feedbacks, ratios, by_symbol }
-        })
-        .collect()
+    let heads = crate::series().iter().flat_map(|series| series.drives);
+    let drive = |head: &Head| Drive {
+        name: head.name,
+        size: head.size,
+        windings: head.windings,
+        feedbacks: head.feedbacks,
+        printed: OnceLock::new(),
+    };
+    heads.map(drive).collect()
 });
+
+/// The cells that name a drive, by its name.
+static BY_DRIVE: LazyLock<BTreeMap<&'static str, Vec<&'static Cell>>> = LazyLock::new(|| {
+    let mut by_drive: BTreeMap<&'static str, Vec<&'static Cell>> = BTreeMap::new();
+    for cell in crate::cells() {
+        by_drive.entry(cell.place.drive).or_default().push(cell);
+    }
+    by_drive
+});
+
+impl Printed {
+    fn of(drive: &Drive) -> Self {
+        let cells = BY_DRIVE.get(drive.name).cloned().unwrap_or_default();
+        let mut by_symbol: BTreeMap<&'static str, Vec<&'static Cell>> = BTreeMap::new();
+        for cell in &cells {
+            by_symbol.entry(cell.place.symbol).or_default().push(cell);
+        }
+        let printed = by_symbol.get("T_max").map(Vec::as_slice).unwrap_or_default();
+        let ratios = Ratio::all(drive.size.series())
+            .filter(|ratio| printed.iter().any(|cell| cell.place.ratio == ratio.as_str()))
+            .collect();
+        Self { ratios, cells, by_symbol }
+    }
+}
 
 /// All drives, in the order of the manual.
 #[must_use]
@@ -72,11 +94,20 @@ pub(crate) fn covers_ratio(entry: &str, ratio: Ratio) -> bool {
 }
 
 impl Drive {
+    fn printed(&self) -> &Printed {
+        self.printed.get_or_init(|| Printed::of(self))
+    }
+
+    /// Reduction ratios, ascending.
+    #[must_use]
+    pub fn ratios(&self) -> &[Ratio] {
+        &self.printed().ratios
+    }
+
     /// Every cell of this drive's own tables (technical data, inertias, brake, lengths).
-    pub fn cells(&self) -> impl Iterator<Item = &'static Cell> + '_ {
-        let mut cells: Vec<&'static Cell> = self.by_symbol.values().flatten().copied().collect();
-        cells.sort_by_key(|cell| std::ptr::from_ref::<Cell>(cell).addr());
-        cells.into_iter()
+    #[must_use]
+    pub fn cells(&self) -> &[&'static Cell] {
+        &self.printed().cells
     }
 
     /// The cell of a symbol for this feedback and ratio. `condition` must match exactly.
@@ -87,7 +118,7 @@ impl Drive {
 
     /// The cells of a symbol for this feedback and ratio, whatever their condition.
     pub fn cells_of(&self, symbol: &str, feedback: Feedback, ratio: Ratio) -> impl Iterator<Item = &'static Cell> {
-        let cells = self.by_symbol.get(symbol).map(Vec::as_slice).unwrap_or_default().iter().copied();
+        let cells = self.printed().by_symbol.get(symbol).map(Vec::as_slice).unwrap_or_default().iter().copied();
         cells.filter(move |cell| covers(cell.feedback, feedback) && covers_ratio(cell.place.ratio, ratio))
     }
 

@@ -4,6 +4,7 @@
 //! This crate knows what is printed and where; it knows no physics. Physics takes parameter structs that
 //! other crates fill from here.
 
+use record::Packed;
 use std::collections::BTreeMap;
 use std::sync::{LazyLock, OnceLock};
 
@@ -20,11 +21,14 @@ pub use series::{Head, Mark, MarkEntry, SeriesData, WindingData, WiringTables, w
 
 mod embedded {
     use crate::fact::{Bound, Fact, FactValue, HoldsFor, Signal, Step, Topic};
-    use crate::record::{Cell, Document, Erratum, ErratumKind, Footnote, Table, Term, Word};
+    use crate::record::{Document, Erratum, ErratumKind, Footnote, Packed, Table, Term, Word};
     use crate::series::{Head, Mark, MarkEntry, SeriesData, WindingData, WiringTables};
-    use provenance::{CellRef, Value};
+    use provenance::Value;
     include!(concat!(env!("OUT_DIR"), "/data.rs"));
 }
+
+/// The cells of the embedded tables, unpacked when one of them is first read.
+static CELLS: [OnceLock<Vec<Cell>>; embedded::TABLES.len()] = [const { OnceLock::new() }; embedded::TABLES.len()];
 
 /// The embedded data joined with those of further series.
 static EXTENDED: OnceLock<Further> = OnceLock::new();
@@ -34,7 +38,7 @@ static EXTENDED: OnceLock<Further> = OnceLock::new();
 pub struct Further {
     /// Cells of the tables.
     pub cells: Vec<Cell>,
-    /// Tables, whose `first` and `end` count these cells.
+    /// Tables, whose `number` counts them and whose `first` and `end` count these cells.
     pub tables: Vec<Table>,
     /// Documents that the tables come from.
     pub documents: Vec<Document>,
@@ -48,10 +52,9 @@ pub struct Further {
 /// # Errors
 /// The series, if some were added before.
 pub fn extend(further: Further) -> Result<(), Box<Further>> {
-    let offset = embedded::CELLS.len();
-    let moved = |table: &Table| Table { first: table.first + offset, end: table.end + offset, ..*table };
+    let moved = |table: &Table| Table { number: table.number + CELLS.len(), ..*table };
     let joined = Further {
-        cells: [embedded::CELLS, &further.cells].concat(),
+        cells: further.cells.clone(),
         tables: embedded::TABLES.iter().copied().chain(further.tables.iter().map(moved)).collect(),
         documents: [embedded::SOURCES, &further.documents].concat(),
         series: [embedded::SERIES, &further.series].concat(),
@@ -66,9 +69,20 @@ pub fn series() -> &'static [SeriesData] {
 }
 
 /// Every printed cell of every table, in the order of the tables, rows and columns.
-#[must_use]
-pub fn cells() -> &'static [Cell] {
-    EXTENDED.get().map_or(embedded::CELLS, |all| &all.cells)
+pub fn cells() -> impl Iterator<Item = &'static Cell> {
+    tables().iter().flat_map(Table::cells)
+}
+
+/// The cells of one table.
+fn cells_of(table: &Table) -> &'static [Cell] {
+    let within = table.first..table.end;
+    match CELLS.get(table.number) {
+        Some(cells) => cells.get_or_init(|| {
+            let unpacked = |cell: &Packed| cell.unpacked(embedded::CELL_TEXTS, embedded::CELL_ERRATA);
+            embedded::PACKED.get(within).unwrap_or_default().iter().map(unpacked).collect()
+        }),
+        None => EXTENDED.get().and_then(|all| all.cells.get(within)).unwrap_or_default(),
+    }
 }
 
 /// Every table, the manual's first, in the order of their numbers.

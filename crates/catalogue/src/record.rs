@@ -67,6 +67,52 @@ impl Cell {
     }
 }
 
+/// A cell as it is embedded, with the numbers of its texts. The linker lays the addresses of texts into pages that each start of
+/// the program has to write; these hold none.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Packed {
+    pub(crate) document: u16,
+    pub(crate) table: u16,
+    pub(crate) symbol: u16,
+    pub(crate) condition: u16,
+    pub(crate) drive: u16,
+    pub(crate) ratio: u16,
+    pub(crate) row: u16,
+    pub(crate) column: u16,
+    pub(crate) feedback: u16,
+    pub(crate) unit: u16,
+    pub(crate) printed: u16,
+    pub(crate) corrected: u16,
+    pub(crate) value: Value,
+    pub(crate) checks_use: Option<Value>,
+    pub(crate) errata: u16,
+}
+
+impl Packed {
+    pub(crate) fn unpacked(&self, texts: &[&'static str], errata: &[&'static [&'static str]]) -> Cell {
+        let text = |number: u16| texts.get(usize::from(number)).copied().unwrap_or_default();
+        Cell {
+            place: CellRef {
+                document: text(self.document),
+                table: text(self.table),
+                symbol: text(self.symbol),
+                condition: text(self.condition),
+                drive: text(self.drive),
+                ratio: text(self.ratio),
+            },
+            row: self.row,
+            column: self.column,
+            feedback: text(self.feedback),
+            unit: text(self.unit),
+            printed: text(self.printed),
+            corrected: text(self.corrected),
+            value: self.value,
+            checks_use: self.checks_use,
+            errata: errata.get(usize::from(self.errata)).copied().unwrap_or_default(),
+        }
+    }
+}
+
 /// A note on a table, in our own words.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Footnote {
@@ -101,7 +147,9 @@ pub struct Table {
     pub footnotes: &'static [Footnote],
     /// Rows that carry footnote marks, several joined by `, `.
     pub row_notes: &'static [(u16, &'static str)],
-    /// First of its cells among all.
+    /// Its place among the tables, from zero.
+    pub number: usize,
+    /// First of its cells among those that are embedded together, or that are added together.
     pub first: usize,
     /// The cell behind its last.
     pub end: usize,
@@ -111,7 +159,7 @@ impl Table {
     /// The cells of this table.
     #[must_use]
     pub fn cells(&self) -> &'static [Cell] {
-        crate::cells().get(self.first..self.end).unwrap_or_default()
+        crate::cells_of(self)
     }
 
     /// The notes on one of its rows, in the order of the table's notes.
@@ -191,7 +239,7 @@ impl Erratum {
     /// The one cell that it names; `None` for an erratum of a table or a text.
     #[must_use]
     pub fn cell(&self) -> Option<&'static Cell> {
-        crate::cells().iter().find(|cell| cell.errata.contains(&self.id))
+        crate::cells().find(|cell| cell.errata.contains(&self.id))
     }
 }
 

@@ -61,7 +61,7 @@ pub fn run(call: Vec<OsString>) -> u8 {
     let language = command::language_of(call.iter().cloned());
     let arguments = command::with_help_asked(call.into_iter());
     let as_json = command::json_of(&arguments);
-    let matches = match command::build(language).try_get_matches_from(arguments) {
+    let matches = match command::build_for(&arguments, language).try_get_matches_from(arguments) {
         Ok(matches) => matches,
         Err(error) if error.use_stderr() => return command::usage::refused(&error, as_json, language).write(language),
         Err(help) => {

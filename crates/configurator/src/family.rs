@@ -112,7 +112,7 @@ pub(crate) fn ptc_response(code: &OrderCode) -> Datum<ThermodynamicTemperature> 
 pub fn ptc_cell(code: &OrderCode) -> Option<&'static Cell> {
     // Looked up for every actuator when the program starts.
     static CELLS: LazyLock<Vec<&'static Cell>> =
-        LazyLock::new(|| catalogue::cells().iter().filter(|cell| cell.place.symbol == "T_NAT").collect());
+        LazyLock::new(|| catalogue::cells().filter(|cell| cell.place.symbol == "T_NAT").collect());
     let head = format!("{}-{}", code.series().as_str(), code.size);
     CELLS.iter().copied().find(|cell| cell.place.drive.split(" / ").any(|drive| drive == head))
 }

@@ -132,7 +132,7 @@ fn temperatures(cold: Option<&'static Cell>, warm: Option<&'static Cell>) -> Dat
 /// gear may limit T_0, and with it I_0, at the higher ones.
 fn largest_stall_current(drive: &Drive, code: &OrderCode) -> Datum<ElectricCurrent> {
     let mut largest: Datum<ElectricCurrent> = Datum::NotPrinted;
-    for &ratio in &drive.ratios {
+    for &ratio in drive.ratios() {
         let here: Datum<ElectricCurrent> = drive.datum("I_0", "", code.feedback, ratio);
         if let Some(current) = here.known()
             && largest.known().is_none_or(|known| current.value.si() > known.value.si())

@@ -77,7 +77,7 @@ pub fn mount(code: &OrderCode, asked: &MountAsked) -> Option<Mount> {
         hollow_shaft: actuator.hollow_shaft.clone(),
         mass,
         hoist,
-        plate: catalogue::cells().iter().find(|cell| cell.place.symbol == "plate" && cell.place.drive == head),
+        plate: catalogue::cells().find(|cell| cell.place.symbol == "plate" && cell.place.drive == head),
         protection: catalogue::winding_data(code.winding)
             .and_then(|data| catalogue::table_cell(data.general, "protection_class")),
         joints,

@@ -83,9 +83,9 @@ pub(crate) trait Equations {
         FlangeForces::default()
     }
 
-    /// Forces along a line whose changes of sign bend those on the flange \[N\].
-    fn switches(&self, _at: &Instant<'_>) -> [f64; 2] {
-        [0.0; 2]
+    /// Forces along a line whose changes of sign bend those on the flange \[N\]; `None` where nothing bends them.
+    fn switches(&self, _at: &Instant<'_>) -> Option<[f64; 2]> {
+        None
     }
 }
 

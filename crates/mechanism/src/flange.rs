@@ -259,13 +259,13 @@ impl Mechanism {
         }
     }
 
-    /// Forces along the line whose changes of sign bend those on the flange \[N\].
+    /// Forces along the line whose changes of sign bend those on the flange \[N\]; `None` where nothing bends them.
     #[must_use]
-    pub fn flange_switches(&self, output: &Output, extra: &Extra, recorded_nm: f64) -> [f64; 2] {
+    pub fn flange_switches(&self, output: &Output, extra: &Extra, recorded_nm: f64) -> Option<[f64; 2]> {
         if self.stage.is_some() {
             // Behind the stage the losses of the mechanism itself switch with its power.
             let extra = Extra { torque: extra.torque + Torque::from_si(recorded_nm), ..*extra };
-            return [self.stage_hands_on(output, &extra, 0.0), self.useful_torque(output, &extra)];
+            return Some([self.stage_hands_on(output, &extra, 0.0), self.useful_torque(output, &extra)]);
         }
         self.kind.equations().switches(&self.instant(output, extra, recorded_nm, &Mounting::default()))
     }

@@ -170,8 +170,8 @@ impl Equations for Hoist {
         forces
     }
 
-    fn switches(&self, at: &Instant<'_>) -> [f64; 2] {
-        self.pulls(at)
+    fn switches(&self, at: &Instant<'_>) -> Option<[f64; 2]> {
+        Some(self.pulls(at))
     }
 }
 

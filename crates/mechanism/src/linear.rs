@@ -48,6 +48,21 @@ pub struct Linear {
     pub friction_coefficient: f64,
 }
 
+impl Linear {
+    /// Force that the wheel or the thread gives to what moves along the line \[N\], without and with the share of the
+    /// turning inertia that may sit behind it.
+    fn pulls(&self, at: &Instant<'_>) -> [f64; 2] {
+        let (k, alpha) = (self.travel_m_per_rad, at.output.acceleration_rad_s2);
+        // What turns with the wheel, and couples about its axis, are no force along the line.
+        let line = Self { inertia: MomentOfInertia::from_si(0.0), ..*self };
+        let of_line = Extra { mass: at.extra.mass, force: at.extra.force, ..Extra::none() };
+        let reduced = line.reduced(0.0, &of_line);
+        let torque = reduced.inertia * alpha + reduced.holding + reduced.coulomb * at.output.direction + at.recorded_nm;
+        let without = torque / k;
+        [without, without + self.inertia.si() * alpha / k]
+    }
+}
+
 impl Equations for Linear {
     fn id(&self) -> MechanismId {
         match self.kind {
@@ -107,7 +122,7 @@ impl Equations for Linear {
     }
 
     fn forces(&self, at: &Instant<'_>) -> FlangeForces {
-        let [without, with] = self.switches(at);
+        let [without, with] = self.pulls(at);
         if self.kind == LinearKind::Screw {
             return FlangeForces { axial_n: without, ..FlangeForces::default() };
         }
@@ -116,16 +131,7 @@ impl Equations for Linear {
         wheel_forces(amount(without).max(amount(with)), self.travel_m_per_rad, at.mounting)
     }
 
-    /// Force that the wheel or the thread gives to what moves along the line \[N\], without and with the share of the
-    /// turning inertia that may sit behind it.
-    fn switches(&self, at: &Instant<'_>) -> [f64; 2] {
-        let (k, alpha) = (self.travel_m_per_rad, at.output.acceleration_rad_s2);
-        // What turns with the wheel, and couples about its axis, are no force along the line.
-        let line = Self { inertia: MomentOfInertia::from_si(0.0), ..*self };
-        let of_line = Extra { mass: at.extra.mass, force: at.extra.force, ..Extra::none() };
-        let reduced = line.reduced(0.0, &of_line);
-        let torque = reduced.inertia * alpha + reduced.holding + reduced.coulomb * at.output.direction + at.recorded_nm;
-        let without = torque / k;
-        [without, without + self.inertia.si() * alpha / k]
+    fn switches(&self, at: &Instant<'_>) -> Option<[f64; 2]> {
+        Some(self.pulls(at))
     }
 }

@@ -89,6 +89,12 @@ impl ScissorLift {
             turn_slope: -k * k * b / (w * w * w),
         }
     }
+
+    /// The thrust of the screw \[N\].
+    fn thrust(&self, at: &Instant<'_>) -> f64 {
+        let screw_less = Self { inertia: MomentOfInertia::from_si(0.0), ..*self };
+        at.line_torque(&screw_less) / self.travel()
+    }
 }
 
 impl Equations for ScissorLift {
@@ -147,13 +153,11 @@ impl Equations for ScissorLift {
     }
 
     fn forces(&self, at: &Instant<'_>) -> FlangeForces {
-        FlangeForces { axial_n: self.switches(at)[0], ..FlangeForces::default() }
+        FlangeForces { axial_n: self.thrust(at), ..FlangeForces::default() }
     }
 
-    /// The thrust of the screw \[N\].
-    fn switches(&self, at: &Instant<'_>) -> [f64; 2] {
-        let screw_less = Self { inertia: MomentOfInertia::from_si(0.0), ..*self };
-        [at.line_torque(&screw_less) / self.travel(), 0.0]
+    fn switches(&self, at: &Instant<'_>) -> Option<[f64; 2]> {
+        Some([self.thrust(at), 0.0])
     }
 }
 

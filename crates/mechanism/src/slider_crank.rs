@@ -117,8 +117,8 @@ impl Equations for SliderCrank {
         forces
     }
 
-    fn switches(&self, at: &Instant<'_>) -> [f64; 2] {
-        [self.rod_force(&self.course(at.output.position_rad), at.output, at.extra), 0.0]
+    fn switches(&self, at: &Instant<'_>) -> Option<[f64; 2]> {
+        Some([self.rod_force(&self.course(at.output.position_rad), at.output, at.extra), 0.0])
     }
 }
 

@@ -9,7 +9,7 @@ pub(crate) const EXPORT_COLUMNS: [&str; 10] =
 
 /// Every printed cell, in the order of [`EXPORT_COLUMNS`]; several errata of one cell are joined by `;`.
 pub(crate) fn export_rows() -> impl Iterator<Item = (&'static Cell, [String; 10])> {
-    catalogue::cells().iter().map(|cell| {
+    catalogue::cells().map(|cell| {
         let row = [
             cell.place.drive.to_owned(),
             cell.feedback.to_owned(),

@@ -1,10 +1,11 @@
 //! What would let an actuator fit where none does: another gearing of the load.
 
 use crate::patience::Patience;
-use crate::sizing_use::{Refusal, size_watched};
+use crate::sizing_use::{Candidate, CandidateId, Refusal, size_watched};
 use project::{Gearing, Project};
 use quantities::Unit;
 use quantities::unit::ONE;
+use sizing::{CheckId, Verdict};
 
 /// A value with which an actuator would fit.
 #[derive(Clone, Debug, PartialEq)]
@@ -28,64 +29,142 @@ const STEPS: i32 = 16;
 /// Halvings of the step at whose end an actuator fits.
 const HALVINGS: u32 = 5;
 
+/// Halvings of a step between whose ends one may fit: a window of 1 % is found. A narrower one leaves no reserve.
+const SPLITS: u32 = 4;
+
+/// Within a step no utilisation falls by more than this factor: it follows a power of the gearing up to the fourth.
+const FALL: f64 = 2.0;
+
+/// The longest cycle: some hundred rankings of a longer one would keep the user waiting for more than a second.
+pub const GEARING_INSTANTS_MOST: usize = 10_000;
+
 /// The nearest values of each key of the gearing with which an actuator of the catalogue fits, one change at a time. Nothing
-/// where one fits already, or where the cycle is so long that some hundred rankings would keep the user waiting.
+/// where one fits already, or where the cycle has more than [`GEARING_INSTANTS_MOST`] instants and samples.
 ///
 /// # Errors
 /// [`Refusal::Stopped`] where it was cancelled.
 pub fn mends(project: &Project, patience: &Patience) -> Result<Vec<Mend>, Refusal> {
-    if !project.axis.is_short() || best(project, patience)?.is_some() {
+    if project.axis.instants() > GEARING_INSTANTS_MOST {
+        return Ok(Vec::new());
+    }
+    let here = Ranked::of(project, patience)?;
+    if here.best.is_some() {
         return Ok(Vec::new());
     }
     let mut found = Vec::new();
-    for Gearing { path, si, unit } in project.gearings() {
-        let with = |value: f64| project.with_value(&path, value);
-        if let Some((si, code)) = nearest(&with, si, unit, patience)? {
-            found.push(Mend { path: path.clone(), is_stated: true, si, unit, code });
+    let mut seek = |path: &str, is_stated, stated, unit, with: &dyn Fn(f64) -> Option<Project>| {
+        let ranked = |si: f64| with(si).map_or_else(|| Ok(Ranked::default()), |project| Ranked::of(&project, patience));
+        if let Some((si, code)) = nearest(&ranked, stated, &here, unit)? {
+            found.push(Mend { path: path.to_owned(), is_stated, si, unit, code });
         }
+        Ok::<_, Refusal>(())
+    };
+    for Gearing { path, si, unit } in project.gearings() {
+        seek(&path, true, si, unit, &|value| project.with_value(&path, value))?;
     }
     if project.axis.mechanism.stage.is_none() {
-        let with = |ratio: f64| project.with_stage(ratio);
-        if let Some((si, code)) = nearest(&with, 1.0, &ONE, patience)? {
-            found.push(Mend { path: "stage.ratio".to_owned(), is_stated: false, si, unit: &ONE, code });
-        }
+        seek("stage.ratio", false, 1.0, &ONE, &|ratio| project.with_stage(ratio))?;
     }
     Ok(found)
 }
 
-/// The best actuator of the catalogue, if one fits.
-fn best(project: &Project, patience: &Patience) -> Result<Option<String>, Refusal> {
-    Ok(size_watched(project, 0, patience)?.answer().map(|best| best.id.to_string()))
+/// The catalogue with one value of the gearing.
+#[derive(Clone, Debug, Default)]
+struct Ranked {
+    /// The best actuator, if one fits.
+    best: Option<String>,
+    /// The others that miss by less than [`FALL`], with the checks that fail.
+    near: Vec<(CandidateId, Vec<CheckId>)>,
 }
 
-/// The value nearest to a stated one with which an actuator fits, and that actuator.
+impl Ranked {
+    fn of(project: &Project, patience: &Patience) -> Result<Self, Refusal> {
+        let sizing = size_watched(project, 0, patience)?;
+        let is_near = |candidate: &&Candidate<'_>| {
+            candidate.objections.is_empty() && !candidate.fits() && candidate.judgement.utilisation() < FALL
+        };
+        let failing = |candidate: &Candidate<'_>| {
+            let checks = candidate.judgement.checks.iter();
+            checks.filter(|check| check.verdict == Verdict::Fail).map(|check| check.id).collect()
+        };
+        Ok(Self {
+            best: sizing.answer().map(|best| best.id.to_string()),
+            near: sizing.candidates.iter().filter(is_near).map(|near| (near.id.clone(), failing(near))).collect(),
+        })
+    }
+
+    /// Whether an actuator may fit between two values: a longer way of the load with a turn takes more torque and less speed,
+    /// so a check that fails at both fails between them too.
+    fn may_fit_before(&self, other: &Self) -> bool {
+        self.near.iter().any(|(id, here)| {
+            let there = other.near.iter().find(|(other, _)| other == id);
+            there.is_some_and(|(_, there)| !here.iter().any(|check| there.contains(check)))
+        })
+    }
+}
+
+/// The value nearest to a stated one with which an actuator fits, and that actuator: at the steps, then between them.
 fn nearest(
-    with: &dyn Fn(f64) -> Option<Project>,
+    ranked: &dyn Fn(f64) -> Result<Ranked, Refusal>,
     stated: f64,
+    here: &Ranked,
     unit: &Unit,
-    patience: &Patience,
 ) -> Result<Option<(f64, String)>, Refusal> {
-    let code = |value: f64| with(value).map_or(Ok(None), |project| best(&project, patience));
+    let mut open: Vec<[(f64, Ranked); 2]> = Vec::new();
+    let mut last = [here.clone(), here.clone()];
     for step in 1..=STEPS {
-        for sense in [1, -1] {
-            let factor = |step: i32| STEP.powi(sense * step);
-            let Some(mut found) = code(stated * factor(step))? else { continue };
-            let (mut fits, mut misses) = (stated * factor(step), stated * factor(step - 1));
-            for _ in 0..HALVINGS {
-                let middle = (fits * misses).sqrt();
-                match code(middle)? {
-                    Some(better) => (fits, found) = (middle, better),
-                    None => misses = middle,
-                }
+        for (last, sense) in last.iter_mut().zip([1, -1]) {
+            let [before, value] = [step - 1, step].map(|step| stated * STEP.powi(sense * step));
+            let next = ranked(value)?;
+            if let Some(code) = next.best {
+                return edge(ranked, before, (value, code), unit).map(Some);
             }
-            let rounded = rounded(fits, fits > misses, unit);
-            return Ok(Some(match code(rounded)? {
-                Some(code) => (rounded, code),
-                None => (fits, found),
-            }));
+            let last = std::mem::replace(last, next.clone());
+            if last.may_fit_before(&next) {
+                open.push([(before, last), (value, next)]);
+            }
         }
     }
+    for _ in 0..SPLITS {
+        let mut halves = Vec::new();
+        for [near, far] in open {
+            let value = (near.0 * far.0).sqrt();
+            let middle = ranked(value)?;
+            if let Some(code) = middle.best {
+                return edge(ranked, near.0, (value, code), unit).map(Some);
+            }
+            let middle = (value, middle);
+            for half in [[near, middle.clone()], [middle, far]] {
+                if half[0].1.may_fit_before(&half[1].1) {
+                    halves.push(half);
+                }
+            }
+        }
+        open = halves;
+    }
     Ok(None)
+}
+
+/// Where an actuator begins to fit, between a value with which none does and one with which one does; rounded towards the
+/// latter.
+fn edge(
+    ranked: &dyn Fn(f64) -> Result<Ranked, Refusal>,
+    mut misses: f64,
+    (mut fits, mut found): (f64, String),
+    unit: &Unit,
+) -> Result<(f64, String), Refusal> {
+    for _ in 0..HALVINGS {
+        let middle = (fits * misses).sqrt();
+        match ranked(middle)?.best {
+            Some(better) => (fits, found) = (middle, better),
+            None => misses = middle,
+        }
+    }
+    let rounded = rounded(fits, fits > misses, unit);
+    Ok(match ranked(rounded)?.best {
+        Some(code) => (rounded, code),
+        None => (fits, found),
+    })
 }
 
 /// A value with two digits in its unit, away from what does not fit.
@@ -118,7 +197,7 @@ mod tests {
                 true => project.with_value(&mend.path, mend.si),
                 false => project.with_stage(mend.si),
             };
-            assert_eq!(best(&with.unwrap(), &Patience::endless()).unwrap().as_ref(), Some(&mend.code));
+            assert_eq!(Ranked::of(&with.unwrap(), &Patience::endless()).unwrap().best.as_ref(), Some(&mend.code));
         }
         // A stage of ratio r turns the screw as a lead longer by 1/r does.
         assert!((found[0].si / 0.020 * found[1].si - 1.0).abs() < 0.15, "{found:?}");
@@ -130,6 +209,49 @@ mod tests {
         assert_eq!(varied[1].code, found[1].code);
         let fitting = LIFT.replace("20 mm", "100 mm");
         assert!(mends(&crate::read(&fitting).unwrap(), &Patience::endless()).unwrap().is_empty());
+    }
+
+    /// Two moves of 160 instants each, and a stated stage: a longer lead or a stage that gears up would do.
+    #[test]
+    fn a_cycle_of_some_hundred_instants_is_mended_too() {
+        let tilter = "format = 1\n[mechanism.screw]\nlead = \"10 mm\"\nmass = \"120 kg\"\ninclination = \"90 deg\"\n\
+            [stage]\nkind = \"belt\"\nratio = 2\n[[motion]]\nlaw = \"modified_sine\"\ndistance = \"200 mm\"\n\
+            time = \"1.5 s\"\n[[motion]]\nlaw = \"modified_sine\"\ndistance = \"-200 mm\"\ntime = \"2 s\"\n";
+        let found = mends(&crate::read(tilter).unwrap(), &Patience::endless()).unwrap();
+        let paths: Vec<&str> = found.iter().map(|mend| mend.path.as_str()).collect();
+        assert_eq!(paths, ["mechanism.screw.lead", "stage.ratio"], "{found:?}");
+        assert!((found[0].si / 0.010 * found[1].si / 2.0 - 1.0).abs() < 0.15, "{found:?}");
+    }
+
+    /// A catalogue of one actuator that is too slow below a value and too weak above another; both are exceeded by powers.
+    fn window(low: f64, high: f64, value: f64) -> Ranked {
+        let excess = [(CheckId::PeakSpeed, low / value), (CheckId::PeakTorque, (value / high).powi(2))];
+        let failing: Vec<_> = excess.iter().filter(|(_, excess)| *excess > 1.0).map(|(check, _)| *check).collect();
+        let is_near = excess.iter().all(|(_, excess)| *excess < FALL);
+        Ranked {
+            best: failing.is_empty().then(|| "the only one".to_owned()),
+            near: is_near.then(|| (CandidateId::Own("the only one".to_owned()), failing)).into_iter().collect(),
+        }
+    }
+
+    #[test]
+    fn every_window_of_one_percent_is_found() {
+        for place in 0..400 {
+            // From a sixteenth to the sixteenfold, but for the value itself.
+            let low = 15.5_f64.powf(f64::from(place) / 200.0 - 1.0);
+            let high = low * 1.011;
+            if (low..=high).contains(&1.0) {
+                continue;
+            }
+            let ranked = |value: f64| Ok(window(low, high, value));
+            let found = nearest(&ranked, 1.0, &window(low, high, 1.0), &ONE).unwrap();
+            assert!(
+                found.as_ref().is_some_and(|(value, _)| (low..=high).contains(value)),
+                "{found:?} in {low} to {high}"
+            );
+        }
+        let none = |value: f64| Ok(window(2.0, 1.9, value));
+        assert_eq!(nearest(&none, 1.0, &window(2.0, 1.9, 1.0), &ONE).unwrap(), None);
     }
 
     #[test]

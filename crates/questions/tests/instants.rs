@@ -1,4 +1,4 @@
-//! What the page of the limits says of the instants of a move is what the code takes.
+//! What the page of the limits says of instants is what the code takes.
 #![allow(missing_docs, clippy::unwrap_used, clippy::panic, reason = "a test fails loudly")]
 
 use mechanism::Mechanism;
@@ -7,10 +7,14 @@ use project::SegmentLaw;
 use quantities::{Measure, MomentOfInertia, Torque};
 use sizing::Axis;
 
+fn page() -> String {
+    std::fs::read_to_string(concat!(env!("CARGO_MANIFEST_DIR"), "/../../docs/reference/limits.md")).unwrap()
+}
+
 /// One move by each law, under an inertia with Coulomb friction.
 #[test]
 fn the_page_names_the_instants_of_every_law() {
-    let page = std::fs::read_to_string(concat!(env!("CARGO_MANIFEST_DIR"), "/../../docs/reference/limits.md")).unwrap();
+    let page = page();
     let mut listed = Vec::new();
     for law in SegmentLaw::all().filter(|law| *law != SegmentLaw::Dwell) {
         let Some(spec) = law.sample() else { continue };
@@ -20,4 +24,12 @@ fn the_page_names_the_instants_of_every_law() {
     }
     let sentence = listed.join(", ");
     assert!(page.contains(&sentence), "{sentence}");
+}
+
+#[test]
+fn the_page_names_the_longest_cycle_with_another_gearing() {
+    let page = page();
+    let row = page.lines().find(|line| line.contains("another gearing is proposed")).unwrap();
+    let number: String = row.chars().filter(char::is_ascii_digit).collect();
+    assert_eq!(number, questions::GEARING_INSTANTS_MOST.to_string());
 }

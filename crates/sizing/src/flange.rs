@@ -7,7 +7,7 @@ use motion::Piece;
 use numeric::{highest, lobatto, roots};
 use provenance::Missing;
 use quantities::{Force, Length, Measure, Time, Torque};
-use std::sync::{Arc, Mutex, PoisonError};
+use std::sync::{Arc, Mutex, OnceLock, PoisonError};
 
 /// Loads that follow from the mechanism.
 #[derive(Clone, Debug, PartialEq)]
@@ -47,9 +47,17 @@ pub(crate) struct CycleLoads {
     pub(crate) mean_moments: [f64; 3],
 }
 
-/// What was worked out already, by R and B.
+/// What was worked out already.
 #[derive(Clone, Debug, Default)]
-pub(crate) struct Known(Arc<Mutex<Vec<KnownLoads>>>);
+pub(crate) struct Known(Arc<Found>);
+
+#[derive(Debug, Default)]
+struct Found {
+    /// By R and B.
+    loads: Mutex<Vec<KnownLoads>>,
+    /// The instants within each piece of the motion at which a force along a line changes its sign: for every R and B the same.
+    switches: OnceLock<Vec<Vec<f64>>>,
+}
 
 /// R and B bit by bit, and the loads for them.
 type KnownLoads = ([u64; 2], CycleLoads);
@@ -57,7 +65,7 @@ type KnownLoads = ([u64; 2], CycleLoads);
 impl Known {
     fn get(&self, key: [u64; 2], make: impl FnOnce() -> CycleLoads) -> CycleLoads {
         // One thread works a pair out, the others wait for it rather than do the same.
-        let mut known = self.0.lock().unwrap_or_else(PoisonError::into_inner);
+        let mut known = self.0.loads.lock().unwrap_or_else(PoisonError::into_inner);
         if let Some((_, loads)) = known.iter().find(|(of, _)| *of == key) {
             return *loads;
         }
@@ -241,12 +249,18 @@ impl<'a> Walk<'a> {
     }
 
     fn walk(&mut self) {
-        let mut recordings = self.axis.motion.recordings().iter().peekable();
-        for piece in self.axis.motion.pieces() {
+        let axis = self.axis;
+        let pieces = axis.motion.pieces();
+        let switches = axis.flange_known.0.switches.get_or_init(|| {
+            let of = |piece| if self.repeats(piece) { Vec::new() } else { self.switches(piece) };
+            pieces.iter().map(of).collect()
+        });
+        let mut recordings = axis.motion.recordings().iter().peekable();
+        for (piece, switches) in pieces.iter().zip(switches) {
             while let Some(placed) = recordings.next_if(|placed| placed.start_s < piece.start_s) {
                 self.recording(placed);
             }
-            if piece.is_rest() { self.rest(piece) } else { self.piece(piece) }
+            if piece.is_rest() { self.rest(piece) } else { self.piece(piece, switches) }
         }
         for placed in recordings {
             self.recording(placed);
@@ -318,19 +332,32 @@ impl<'a> Walk<'a> {
         }
     }
 
-    fn piece(&mut self, piece: &Piece) {
+    /// Duration of one revolution of the load at the speed of the piece \[s\].
+    fn turn_s(&self, piece: &Piece) -> f64 {
+        std::f64::consts::TAU * self.axis.mechanism.stage_ratio() / piece.speed_rad_s.abs()
+    }
+
+    /// Whether the piece turns more than twice at constant speed under a load that turns with it: every revolution is the first
+    /// one.
+    fn repeats(&self, piece: &Piece) -> bool {
+        let is_steady = piece.speed_degree() == Some(0) && self.turns_with_the_load(piece.segment);
+        is_steady && piece.duration_s > 2.0 * self.turn_s(piece)
+    }
+
+    fn piece(&mut self, piece: &Piece, switches: &[f64]) {
         let parts = self.parts(piece, piece.duration_s);
-        let turn = std::f64::consts::TAU * self.axis.mechanism.stage_ratio() / piece.speed_rad_s.abs();
-        let repeats = piece.speed_degree() == Some(0) && self.turns_with_the_load(piece.segment);
-        if repeats && piece.duration_s > 2.0 * turn && self.samples.is_none() {
-            // At constant speed every revolution is the first one.
+        let mut cuts = piece.reversals();
+        if !self.repeats(piece) {
+            cuts.extend(switches);
+        } else if self.samples.is_none() {
+            let turn = self.turn_s(piece);
             let whole = (piece.duration_s / turn).floor();
             self.panels(piece, (0.0, turn), whole, (parts / whole).ceil());
             self.panels(piece, (whole * turn, piece.duration_s), 1.0, (parts / whole).ceil());
             return;
+        } else {
+            cuts.extend(self.switches(piece));
         }
-        let mut cuts = piece.reversals();
-        cuts.extend(self.switches(piece, parts));
         cuts.push(piece.duration_s);
         cuts.sort_by(f64::total_cmp);
         let mut from = 0.0;
@@ -362,21 +389,24 @@ impl<'a> Walk<'a> {
     }
 
     /// Instants inside the piece at which a force along a line changes its sign.
-    fn switches(&self, piece: &Piece, parts: f64) -> Vec<f64> {
+    fn switches(&self, piece: &Piece) -> Vec<f64> {
         let none = Extra::none();
         let extra = self.axis.extras.get(piece.segment).unwrap_or(&none);
-        let spans = (parts / 12.0).ceil().max(1.0);
-        let span = piece.duration_s / spans;
+        let forces = |t: f64| {
+            let sense = piece.at(t).speed_rad_s.signum();
+            self.axis.mechanism.flange_switches(&output(piece, t, sense), extra, 0.0)
+        };
         let mut found = Vec::new();
+        if piece.is_rest() || forces(0.0).is_none() {
+            return found;
+        }
+        let spans = (self.parts(piece, piece.duration_s) / 12.0).ceil().max(1.0);
+        let span = piece.duration_s / spans;
         for which in 0..2 {
             let mut k = 0.0;
             while k < spans {
-                let force = |t: f64| {
-                    let sense = piece.at(t).speed_rad_s.signum();
-                    let forces = self.axis.mechanism.flange_switches(&output(piece, t, sense), extra, 0.0);
-                    forces.get(which).copied().unwrap_or(0.0)
-                };
-                found.extend(roots(|t| force(k * span + t), span).into_iter().map(|t| k * span + t));
+                let force = |t: f64| forces(k * span + t).and_then(|of| of.get(which).copied()).unwrap_or(0.0);
+                found.extend(roots(force, span).into_iter().map(|t| k * span + t));
                 k += 1.0;
             }
         }

@@ -221,5 +221,5 @@ fn what_is_known_is_not_worked_out_again() {
     let axis = axis(arm(6.0, 90.0), &[swing(150.0, 0.7)], Vec::new(), none());
     let first = axis.derived_loads(length(0.02), B).unwrap();
     assert_eq!(axis.clone().derived_loads(length(0.02), B), Some(first));
-    assert_eq!(axis.flange_known.0.lock().unwrap().len(), 1);
+    assert_eq!(axis.flange_known.0.loads.lock().unwrap().len(), 1);
 }

@@ -45,7 +45,7 @@ pub fn add(folder: &Path) {
     let further = Further {
         documents: new.map(document).collect(),
         series: data.codes.iter().map(|code| Reader { series: Series::at(place), code }.data()).collect(),
-        tables: data.tables.iter().zip(&cells.ranges).map(|(table, range)| self::table(table, *range)).collect(),
+        tables: data.tables.iter().zip(cells.ranges.iter().copied()).enumerate().map(table).collect(),
         cells: cells.cells.iter().map(|cell| self::cell(data, cell)).collect(),
     };
     assert!(catalogue::extend(further).is_ok(), "a series was added before");
@@ -108,7 +108,7 @@ fn cell(data: &'static Data, cell: &series_files::Cell<'static>) -> catalogue::C
     }
 }
 
-fn table(table: &'static series_files::Table, (first, end): (usize, usize)) -> catalogue::Table {
+fn table((number, (table, (first, end))): (usize, (&'static series_files::Table, (usize, usize)))) -> catalogue::Table {
     catalogue::Table {
         id: &table.table,
         section: table.section.as_deref().unwrap_or(""),
@@ -118,6 +118,7 @@ fn table(table: &'static series_files::Table, (first, end): (usize, usize)) -> c
         source: &table.source,
         footnotes: &[],
         row_notes: &[],
+        number,
         first,
         end,
     }

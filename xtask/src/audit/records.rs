@@ -82,7 +82,7 @@ pub(super) fn sources(_: &View, tally: &mut Tally) {
 /// Source: the rules of `data/README.md`.
 /// Tolerance: none.
 pub(super) fn terms(_: &View, tally: &mut Tally) {
-    let used: BTreeSet<&str> = catalogue::cells().iter().map(|cell| cell.place.symbol).collect();
+    let used: BTreeSet<&str> = catalogue::cells().map(|cell| cell.place.symbol).collect();
     let kept: BTreeSet<&str> = TERMS_WITHOUT_TABLE.iter().map(|(symbol, _)| *symbol).collect();
     each_once(tally, "term", catalogue::glossary().iter().map(|term| term.symbol), &used, &kept);
 }

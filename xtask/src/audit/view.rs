@@ -96,7 +96,7 @@ pub(super) struct View {
 impl View {
     /// The embedded tables.
     pub(super) fn of(reading: Reading) -> Self {
-        let entries = catalogue::cells().iter().map(|cell| AuditedCell { cell, text: reading.text(cell) }).collect();
+        let entries = catalogue::cells().map(|cell| AuditedCell { cell, text: reading.text(cell) }).collect();
         Self { reading, entries }
     }
 

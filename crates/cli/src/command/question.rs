@@ -9,6 +9,12 @@ use questions::list::{Argument, ArgumentKind, Entry, Form, Gives, OutputFile, Re
 use std::ffi::OsStr;
 use words::help::{self, values};
 
+/// The command of a question without its arguments: as the others are listed.
+pub(super) fn listed(entry: &Entry, language: Language) -> Command {
+    let is_pdf = matches!(entry.gives, Gives::Media(media) if media.contains(&media::PDF));
+    Command::new(super::last(entry)).about(with_report(is_pdf, (entry.about)(language), language))
+}
+
 /// The command of a question.
 pub(super) fn command(entry: &'static Entry, language: Language) -> Command {
     let questions: Vec<&Entry> = std::iter::once(entry).chain(entry.others()).collect();
@@ -22,8 +28,7 @@ pub(super) fn command(entry: &'static Entry, language: Language) -> Command {
             arguments.push(argument);
         }
     }
-    let is_pdf = matches!(entry.gives, Gives::Media(media) if media.contains(&media::PDF));
-    let mut command = Command::new(super::last(entry)).about(with_report(is_pdf, (entry.about)(language), language));
+    let mut command = listed(entry, language);
     // A file without a name stands before the project that it is about.
     let is_first = |argument: &&Argument| matches!((argument.kind, argument.form), (ArgumentKind::File, Form::Bare));
     command = command

@@ -401,7 +401,7 @@ const COLOURS: [(&str, &[&str]); 13] = [
 
 /// The printed word of each colour with the English one.
 fn printed_colours() -> impl Iterator<Item = (&'static str, &'static str)> {
-    let cells = catalogue::cells().iter().filter(|cell| cell.place.symbol == "wire_colour");
+    let cells = catalogue::cells().filter(|cell| cell.place.symbol == "wire_colour");
     cells.map(|cell| (cell.corrected, cell.corrected_en()))
 }
 

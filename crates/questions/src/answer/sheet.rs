@@ -87,5 +87,5 @@ pub fn catalogue_cells() -> Vec<CatalogueCell> {
         table: cell.place.table,
         erratum: cell.errata.join(";"),
     };
-    catalogue::cells().iter().map(record).collect()
+    catalogue::cells().map(record).collect()
 }
