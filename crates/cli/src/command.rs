@@ -265,7 +265,7 @@ mod tests {
             ["--help", "--no-such-option", "--tolerance", "a b c d e"].map(|tail| format!("{command} {tail}"))
         });
         let others =
-            ["", "--help", "siez", "size --jsno", "code", "code --help", "code prase", "help", "--lang xx size"];
+            ["", "--help", "sizes", "size --jso", "code", "code --help", "code pars", "help", "--lang xx size"];
         for call in calls.chain(others.map(str::to_owned)) {
             let words = || std::iter::once(NAME).chain(call.split_whitespace()).map(OsString::from);
             let arguments = with_help_asked(words());

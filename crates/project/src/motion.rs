@@ -9,7 +9,7 @@ use crate::recorded::{Columns, File, Units};
 use crate::root::AxisSection;
 use crate::section::{Fields, OfKinds, Section, names, section};
 use crate::stated::{Field, Stated};
-use crate::value::{Along, Cell, Choice, Row, Rows, Turning, Written, choice, choices};
+use crate::value::{Along, Cell, Choice, Row, Rows, Turning, Written, choice, choices, choices_by_id};
 use crate::{Assumption, Fault, Hint, Project};
 use ::motion::{
     Closing, EndState, Ends, Given, Hold, Law, ManualMove, Motion, MotionFault, MoveFault, Points, PointsFault,
@@ -256,8 +256,9 @@ impl CamPoint {
     }
 }
 
+choices_by_id! { Spline }
+
 choices! {
-    Spline { Cubic = "cubic", Quintic = "quintic" }
     CamEnds { Rest = "rest", Natural = "natural", Periodic = "periodic", Stated = "stated" }
     Hold { Motor = "motor", Brake = "brake", Free = "free" }
     Gaps { Allow = "allow" }

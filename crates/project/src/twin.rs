@@ -4,7 +4,7 @@ use crate::about::About;
 use crate::own::sourced;
 use crate::section::{Fields, section};
 use crate::stated::Field;
-use crate::value::choices;
+use crate::value::choices_by_id;
 use ::feedback::Failure;
 use ::twin::{Gains, Limits, Reaction, Scenario, ScenarioId, Switches};
 use provenance::Sourced;
@@ -52,31 +52,7 @@ impl TwinInput {
     }
 }
 
-choices! {
-    Reaction { Ramp = "ramp", Brake = "brake", Coast = "coast" }
-    Failure {
-        Track = "track",
-        Amplitude = "amplitude",
-        Cable = "cable",
-        Check = "check",
-        ErrorBit = "error_bit",
-        DataLine = "data_line",
-    }
-    ScenarioId {
-        Cycle = "cycle",
-        EmergencyStop = "emergency_stop",
-        PowerFailure = "power_failure",
-        BrakeStuck = "brake_stuck",
-        HangingLoad = "hanging_load",
-        BlockedLoad = "blocked_load",
-        EncoderFailure = "encoder_failure",
-        BatteryLoss = "battery_loss",
-        LinkSag = "link_sag",
-        HotAmbient = "hot_ambient",
-        ColdGrease = "cold_grease",
-        Collision = "collision",
-    }
-}
+choices_by_id! { Reaction, Failure, ScenarioId }
 
 section! {
     /// The simulation.

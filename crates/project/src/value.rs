@@ -263,6 +263,27 @@ macro_rules! choices {
     )+};
 }
 
+/// The choices whose words are the identifiers of their values.
+macro_rules! choices_by_id {
+    ($($Choice:ty),+) => {$(
+        impl $crate::value::Choice for $Choice {
+            const WORDS: &'static [&'static str] = Self::IDS;
+
+            fn of_word(word: &str) -> Option<Self> {
+                Self::ALL.into_iter().find(|choice| choice.id() == word)
+            }
+        }
+
+        impl $crate::value::Written for $Choice {
+            fn written(&self) -> String {
+                self.id().to_owned()
+            }
+        }
+
+        $crate::value::choice! { $Choice }
+    )+};
+}
+
 /// Makes what is a [`Choice`] a [`Value`].
 macro_rules! choice {
     ($Choice:ty) => {
@@ -280,7 +301,7 @@ macro_rules! choice {
     };
 }
 
-pub(crate) use {choice, choices};
+pub(crate) use {choice, choices, choices_by_id};
 
 /// Several words of a choice.
 #[derive(Clone, Debug)]

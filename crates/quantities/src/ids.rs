@@ -24,7 +24,10 @@ macro_rules! identified {
 
         impl $name {
             /// Every one, in order.
-            pub const ALL: [Self; [$($id),+].len()] = [$(Self::$value),+];
+            pub const ALL: [Self; Self::IDS.len()] = [$(Self::$value),+];
+
+            /// The identifiers, in the same order.
+            pub const IDS: &'static [&'static str] = &[$($id),+];
 
             /// The identifier used in files and data exchange.
             #[must_use]
