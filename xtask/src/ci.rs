@@ -158,7 +158,7 @@ fn all(steps: &[Step], root: &Path, mut forecast: Forecast, strict: bool) -> Res
 
 /// Processor time of this program and of those that it has started and that have ended, in seconds: what a [`Cost`] is, whatever
 /// else the machine does. Known where the system has `/proc`.
-fn worked() -> Option<f64> {
+pub(crate) fn worked() -> Option<f64> {
     const TICKS_PER_SECOND: f64 = 100.0;
     let stat = std::fs::read_to_string("/proc/self/stat").ok()?;
     // Behind the name, which stands in brackets and may hold anything: utime, stime, cutime, cstime are words 12 to 15.
