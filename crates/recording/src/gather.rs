@@ -284,6 +284,12 @@ impl<'m> Gather<'m> {
 
     fn check_gaps(&self, faults: &mut Faults) {
         let steps = || self.time_s.iter().zip(self.time_s.iter().skip(1)).map(|(before, after)| after - before);
+        let (least, most) =
+            steps().fold((f64::INFINITY, 0.0_f64), |(least, most), step| (least.min(step), most.max(step)));
+        // The median is no shorter than the shortest.
+        if most <= GAP_FACTOR * least {
+            return;
+        }
         let mut sorted: Vec<f64> = steps().collect();
         let middle = sorted.len() / 2;
         if middle >= sorted.len() {

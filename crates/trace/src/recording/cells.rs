@@ -37,10 +37,21 @@ pub enum Inside {
 }
 
 /// The tree, its root last.
-#[derive(Debug)]
+#[derive(Debug, Default)]
 pub(super) struct Cells {
     cells: Vec<Cell>,
     order: Vec<u32>,
+}
+
+/// The intervals of one direction.
+#[derive(Clone, Copy, Debug)]
+struct Group {
+    direction: usize,
+    count: usize,
+    /// The sign of the speed; none where it turns round.
+    side: Option<f64>,
+    /// The place of the first of them in the order.
+    first: u32,
 }
 
 /// Directions: backwards, at rest, forwards, turning round.
@@ -52,57 +63,77 @@ impl Cells {
         let directions = || speeds.windows(2).map(|pair| if let [from, to] = pair { direction(*from, *to) } else { 0 });
         let mut counts = [0; DIRECTIONS];
         directions().for_each(|here| counts.iter_mut().skip(here).take(1).for_each(|count| *count += 1));
-        let cells = counts.iter().map(|points| 1 + cells_of(*points)).sum();
-        let mut all = Self { cells: Vec::with_capacity(cells), order: Vec::with_capacity(strip.intervals()) };
-        let mut root = None;
-        let sides = [Some(-1.0), Some(0.0), Some(1.0), None];
-        // One direction after the other: the points of all of them would take as much as two columns of the recording.
-        for ((here, count), side) in counts.into_iter().enumerate().zip(sides).filter(|((_, count), _)| *count > 0) {
-            let indices = directions().enumerate().filter(|(_, direction)| *direction == here).map(|(index, _)| index);
-            let own = if strip.surveyed.recorded.torque_nm().is_some() {
-                let mut points = Vec::with_capacity(count);
+        let (mut groups, mut first) = (Vec::new(), 0);
+        for ((direction, count), side) in counts.into_iter().enumerate().zip([Some(-1.0), Some(0.0), Some(1.0), None]) {
+            if count > 0 {
+                groups.push(Group { direction, count, side, first: self::count(first) });
+            }
+            first += count;
+        }
+        // Two threads: for the groups where the work divides between them, else for the halves of each.
+        let shared = strip.intervals() >= SHARED_FROM;
+        let by_group = shared && counts.iter().all(|count| *count <= strip.intervals() / 4 * 3);
+        let tree = |group: &Group| {
+            let indices =
+                directions().enumerate().filter(|(_, direction)| *direction == group.direction).map(|(index, _)| index);
+            if strip.surveyed.recorded.torque_nm().is_some() {
+                let mut points = Vec::with_capacity(group.count);
                 points.extend(indices.filter_map(|index| Point::with_recorded(strip, index)));
-                all.group(strip, side, &mut points)
+                Self::of_group(strip, group, &mut points, shared && !by_group)
             } else {
-                let mut points = Vec::with_capacity(count);
+                let mut points = Vec::with_capacity(group.count);
                 points.extend(indices.filter_map(|index| Point::of(strip, index)));
-                all.group(strip, side, &mut points)
-            };
-            root = Some(root.map_or(own, |root| join(&mut all.cells, [root, own])));
+                Self::of_group(strip, group, &mut points, shared && !by_group)
+            }
+        };
+        let mut trees = in_two(&groups, by_group, &tree).into_iter();
+        let mut all = trees.next().unwrap_or_default();
+        for tree in trees {
+            let root = count(all.cells.len().saturating_sub(1));
+            let own = all.follow(tree.cells);
+            all.order.extend(tree.order);
+            join(&mut all.cells, [root, own]);
         }
         all.cells.iter_mut().zip(0..).for_each(|(cell, number)| cell.number = number);
         all
     }
 
-    /// Adds the cells of intervals of one direction; which is the one of all of them.
-    fn group<const N: usize>(&mut self, strip: &Strip, side: Option<f64>, points: &mut [Point<N>]) -> u32 {
-        let of = (strip, side);
+    /// The cells of the intervals of one direction. The points go with it: those of all directions would take as much as two
+    /// columns of the recording.
+    fn of_group<const N: usize>(strip: &Strip, group: &Group, points: &mut [Point<N>], shared: bool) -> Self {
+        let of = (strip, group.side);
         let scale = scale(points);
-        let first = count(self.order.len());
-        let own = if points.len() < SHARED_FROM {
-            split(of, points, first, &scale, &mut self.cells)
-        } else {
+        let mut tree = Self { cells: Vec::with_capacity(1 + cells_of(points.len())), order: Vec::new() };
+        if shared && points.len() >= SHARED_FROM {
             // Two halves, each by its own thread; the cells of the second follow upon those of the first.
             let middle = halve(points, &scale);
             let (low, high) = points.split_at_mut(middle);
             let mut others = Vec::with_capacity(cells_of(high.len()));
-            let from = first + count(middle);
+            let from = group.first + count(middle);
             let (a, b) = std::thread::scope(|scope| {
                 let other = || split(of, high, from, &scale, &mut others);
                 let other = std::thread::Builder::new().spawn_scoped(scope, other).ok();
-                (split(of, low, first, &scale, &mut self.cells), other.and_then(|other| other.join().ok()))
+                (split(of, low, group.first, &scale, &mut tree.cells), other.and_then(|other| other.join().ok()))
             });
-            let b = b.unwrap_or_else(|| {
+            if b.is_none() {
                 // A thread that cannot be had, as in a browser, or could not finish leaves its part to this one.
                 others.clear();
-                split(of, high, from, &scale, &mut others)
-            });
-            let shift = count(self.cells.len());
-            self.cells.extend(others.into_iter().map(|cell| Cell { inside: cell.inside.shifted(shift), ..cell }));
-            join(&mut self.cells, [a, b + shift])
-        };
-        self.order.extend(points.iter().map(|point| point.index));
-        own
+                split(of, high, from, &scale, &mut others);
+            }
+            let b = tree.follow(others);
+            join(&mut tree.cells, [a, b]);
+        } else {
+            split(of, points, group.first, &scale, &mut tree.cells);
+        }
+        tree.order.extend(points.iter().map(|point| point.index));
+        tree
+    }
+
+    /// Adds the cells of another tree behind its own; which is now the root of those.
+    fn follow(&mut self, others: Vec<Cell>) -> u32 {
+        let shift = count(self.cells.len());
+        self.cells.extend(others.into_iter().map(|cell| Cell { inside: cell.inside.shifted(shift), ..cell }));
+        count(self.cells.len().saturating_sub(1))
     }
 
     #[inline]
