@@ -8,6 +8,7 @@ use crate::layout::{Layout, Role};
 use crate::limits::{COLUMNS_MAX, FILE_BYTES_MAX, Limit, Memory};
 use crate::lines::Lines;
 use crate::number::{Bad, Decimals, Tick, finite, is_grouped, plain};
+use crate::plain::{Rows, Written, plain_time};
 use crate::series::{Encoding, KnownBy, Recording};
 use csv_core::{ReadRecordResult, ReaderBuilder};
 use memchr::{memchr, memchr2_iter};
@@ -117,10 +118,14 @@ fn read(source: impl Read, layout: &Layout, memory: &mut Memory, faults: &mut Fa
     }
     let mut gather = Gather::new(columns, layout, false, memory, faults)?;
     let mut decimals = if cells.delimiter == b',' { Decimals::PointAlways } else { Decimals::Undecided };
+    let mut rows = <[Rows; 2]>::default();
     while more {
         let going_on = row(lines.line(), lines.number(), &wanted, &mut cells, &mut decimals, &mut gather, faults);
         if !going_on || faults.enough() {
             return None;
+        }
+        if let Some(sign) = decimals.sign() {
+            plain_rows(&mut lines, sign, &wanted, &mut cells, &mut rows, &mut gather, faults)?;
         }
         more = advance(&mut lines, faults)?;
     }
@@ -168,8 +173,52 @@ struct Wanted {
     names: Vec<String>,
 }
 
-/// A time with fewer signs before its fraction is read at once: from eight digits on a tick keeps its whole apart.
-const TIME_QUICK: usize = 8;
+/// Reads the rows of plain numbers that follow; `None` if no further row can be kept.
+fn plain_rows(
+    lines: &mut Lines<impl Read>,
+    sign: u8,
+    wanted: &Wanted,
+    cells: &mut Cells,
+    rows: &mut [Rows; 2],
+    gather: &mut Gather<'_>,
+    faults: &mut Faults,
+) -> Option<()> {
+    loop {
+        let (before, end) = (lines.number(), lines.ending());
+        let written = Written { delimiter: cells.delimiter, sign, end, fields: wanted.fields, wanted: &wanted.indices };
+        let text = lines.whole();
+        written.read(text, rows);
+        let numbers = rows.iter().flat_map(|rows| rows.numbers.chunks_exact(wanted.indices.len().max(1)));
+        let mut count = 0;
+        for (number, row) in (before + 1..).zip(numbers) {
+            let [time, values @ ..] = row else { continue };
+            count += 1;
+            match gather.sample(number, Tick::of_float(*time), faults) {
+                Sample::Kept => {}
+                Sample::Dropped => continue,
+                Sample::Full => return None,
+            }
+            for (channel, value) in values.iter().enumerate() {
+                if let Err(bad) = gather.value(channel, *value) {
+                    let line = text.split(|byte| *byte == end).nth(count as usize - 1).unwrap_or_default();
+                    cells.split(line, &wanted.indices);
+                    let found = wanted.names.iter().zip(cells.found(line)).nth(channel + 1);
+                    if let Some((name, cell)) = found {
+                        faults.push(cell_fault(bad, number, name, cell));
+                    }
+                }
+            }
+            if faults.enough() {
+                return None;
+            }
+        }
+        let (bytes, all) = (rows.iter().map(|rows| rows.bytes).sum(), text.len());
+        lines.pass(bytes, count);
+        if bytes < all || bytes == 0 {
+            return Some(());
+        }
+    }
+}
 
 /// Reads one row; false if no further row can be kept.
 fn row(
@@ -193,10 +242,7 @@ fn row(
     }
     let mut read = wanted.names.iter().zip(cells.found(line));
     let Some((name, cell)) = read.next() else { return false };
-    let sign = decimals.sign();
-    // Of a time with many digits before the sign the last ones count: that is left to the slower reader.
-    let is_short = |sign| cell.len() < TIME_QUICK || cell.get(..TIME_QUICK).is_some_and(|head| head.contains(&sign));
-    let quick = sign.filter(|sign| is_short(*sign)).and_then(|sign| plain(cell, sign)).map(Tick::of_float);
+    let quick = decimals.sign().and_then(|sign| plain_time(cell, sign)).map(Tick::of_float);
     match quick.map_or_else(|| decimals.plain(cell, number).and_then(|text| Tick::read(&text)), Ok) {
         Err(bad) => {
             gather.time_failed();

@@ -28,6 +28,7 @@ mod names;
 mod number;
 mod packed;
 mod parquet;
+mod plain;
 mod series;
 
 pub use csv::{Preview, preview_csv, read_csv, read_csv_within};

@@ -4,12 +4,13 @@ use crate::encoding::Utf8;
 use crate::faults::Fault;
 use crate::limits::LINE_BYTES_MAX;
 use crate::series::Encoding;
-use memchr::{memchr, memchr2};
+use memchr::{memchr, memchr2, memrchr};
 use std::io::{ErrorKind, Read};
 use std::ops::Range;
 
-/// Enough for several lines of the greatest length, so that few bytes are moved to the front again.
-const BUFFER_BYTES: usize = 4 * LINE_BYTES_MAX;
+/// Enough for several lines of the greatest length, so that few bytes are moved to the front again, and for two threads that read
+/// numbers.
+const BUFFER_BYTES: usize = 16 * LINE_BYTES_MAX;
 
 /// Lines that say something: comments (`#`) and empty lines are passed over, but counted.
 pub(crate) struct Lines<R> {
@@ -20,6 +21,8 @@ pub(crate) struct Lines<R> {
     line: Range<usize>,
     number: u64,
     at_end: bool,
+    /// A read error behind what is buffered.
+    failed: Option<ErrorKind>,
     /// What ends a line: a line feed, or a carriage return where that alone ends the first line.
     end: Option<u8>,
 }
@@ -33,6 +36,7 @@ impl<R: Read> Lines<R> {
             line: 0..0,
             number: 0,
             at_end: false,
+            failed: None,
             end: None,
         }
     }
@@ -61,6 +65,27 @@ impl<R: Read> Lines<R> {
             }
         }
         Ok(false)
+    }
+
+    /// What ends a line, once the first of them was read.
+    pub(crate) fn ending(&self) -> u8 {
+        self.end.unwrap_or(b'\n')
+    }
+
+    /// The whole lines behind the present one, as many as are buffered, with their ends.
+    pub(crate) fn whole(&mut self) -> &[u8] {
+        while !self.at_end && self.failed.is_none() && self.rest.len() < BUFFER_BYTES - LINE_BYTES_MAX {
+            self.failed = self.read_on().err();
+        }
+        let rest = self.buffer.get(self.rest.clone()).unwrap_or_default();
+        let length = memrchr(self.ending(), rest).map_or(0, |at| at + 1);
+        rest.get(..length).unwrap_or_default()
+    }
+
+    /// Passes over lines that [`whole`](Self::whole) returned.
+    pub(crate) const fn pass(&mut self, bytes: usize, lines: u64) {
+        self.rest.start += bytes;
+        self.number += lines;
     }
 
     fn next_physical(&mut self) -> Result<bool, Fault> {
@@ -124,6 +149,11 @@ impl<R: Read> Lines<R> {
     }
 
     fn fill(&mut self) -> Result<(), Fault> {
+        let outcome = self.failed.take().map_or_else(|| self.read_on(), Err);
+        outcome.map_err(|kind| Fault::ReadFailed { line: self.number + 1, kind })
+    }
+
+    fn read_on(&mut self) -> Result<(), ErrorKind> {
         if self.buffer.len() - self.rest.end < LINE_BYTES_MAX {
             self.buffer.copy_within(self.rest.clone(), 0);
             self.rest = 0..self.rest.len();
@@ -134,10 +164,10 @@ impl<R: Read> Lines<R> {
             Ok(count) => {
                 self.rest.end += count.min(free.len());
                 self.at_end = count == 0;
+                Ok(())
             }
-            Err(error) if error.kind() == ErrorKind::Interrupted => {}
-            Err(error) => return Err(Fault::ReadFailed { line: self.number + 1, kind: error.kind() }),
+            Err(error) if error.kind() == ErrorKind::Interrupted => Ok(()),
+            Err(error) => Err(error.kind()),
         }
-        Ok(())
     }
 }

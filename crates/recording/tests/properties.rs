@@ -148,3 +148,37 @@ fn a_damaged_parquet_file_has_an_answer() {
     })
     .budget_ms(2_000);
 }
+
+/// A cell in quotes that no role needs leaves a row to the reader of single rows: both readers find the same numbers and faults.
+#[test]
+fn rows_read_many_at_a_time_are_those_read_one_by_one() {
+    arbtest(|u| {
+        let layout = layout(u.arbitrary::<u8>()? & 0b1_1000);
+        let (delimiter, sign) = *u.choose(&[(',', '.'), (';', ','), ('\t', '.')])?;
+        let end = *u.choose(&["\n", "\r\n", "\r"])?;
+        let epoch = if u.ratio(1, 8)? { 1_700_000_000 } else { 0 };
+        let mut lines = vec![["t [s]", "note", "q [rad]"].map(str::to_owned)];
+        let rows = u.int_in_range(0..=60)?;
+        // Now and then so many that two threads share them.
+        let copies = if u.ratio(1, 16)? { 400 } else { 1 };
+        for row in 0..rows * copies {
+            let mut time = format!("{}{sign}{:02}", epoch + row / 100, row % 100);
+            let mut place = format!("{}{sign}5", row % 7);
+            if u.ratio(1, 40)? {
+                let odd = ["", "y", "1e2", "9999999999999999999999", "1234567890123", " 1", "-3", "nan", "1.5", "1,5"];
+                *(if u.arbitrary()? { &mut time } else { &mut place }) = (*u.choose(&odd)?).to_owned();
+            }
+            lines.push([time, "x".to_owned(), place]);
+            if u.ratio(1, 60)? {
+                lines.push(["# said".to_owned(), "x".to_owned(), String::new()]);
+            }
+        }
+        let written = |note: &str| {
+            let row = |line: &[String; 3]| line.join(&delimiter.to_string()).replace("x", note);
+            lines.iter().map(row).collect::<Vec<_>>().join(end)
+        };
+        let [plain, quoted] = ["n", "\"n\""].map(|note| read_csv(written(note).as_bytes(), &layout));
+        assert_eq!(plain, quoted);
+        Ok(())
+    });
+}
