@@ -146,7 +146,7 @@ mod tests {
         let (numbers, bytes) = read(&text, &[0, 2]);
         assert_eq!(bytes, text.len());
         assert!(numbers.chunks(2).enumerate().all(|(k, row)| row == [k as f64 + 0.5, 3.0 * k as f64]));
-        // Behind a row that is not plain nothing counts, whoever read it.
+        // Behind a row that is not plain nothing counts, in whichever half it lies.
         for bad in [10, 15_000, 30_000] {
             let text: String = (0..40_000).map(|k| if k == bad { "x;x;x\n".to_owned() } else { row(k) }).collect();
             assert_eq!(read(&text, &[0, 2]).0.len(), 2 * bad);
