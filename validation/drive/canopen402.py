@@ -149,7 +149,7 @@ def in_real_time(program, sheet):
         waits(lambda: emergencies)
         say(f"frozen encoder: {node.state}, error code 0x{node.sdo[0x603F].raw:04X}")
         say(f"emergency: code 0x{emergencies[0][0]:04X}, register 0x{emergencies[0][1]:02X}")
-        assert emergencies[0] == (0x7300, 0x21)
+        assert emergencies[0] == (0x7305, 0x21)
         node.controlword = 0x80
         time.sleep(0.05)
         say(f"reset while it lasts: {node.state}")
