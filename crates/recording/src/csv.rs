@@ -189,10 +189,13 @@ fn plain_rows(
         let text = lines.whole();
         written.read(text, rows);
         let numbers = rows.iter().flat_map(|rows| rows.numbers.chunks_exact(wanted.indices.len().max(1)));
+        // The lines, for faults alone: each is looked at once, however many there are.
+        let (mut texts, mut looked_at) = (text.split(|byte| *byte == end), 0);
         let mut count = 0;
         for (number, row) in (before + 1..).zip(numbers) {
             let [time, values @ ..] = row else { continue };
             count += 1;
+            let mut line = None;
             match gather.sample(number, Tick::of_float(*time), faults) {
                 Sample::Kept => {}
                 Sample::Dropped => continue,
@@ -200,7 +203,10 @@ fn plain_rows(
             }
             for (channel, value) in values.iter().enumerate() {
                 if let Err(bad) = gather.value(channel, *value) {
-                    let line = text.split(|byte| *byte == end).nth(count as usize - 1).unwrap_or_default();
+                    let line = *line.get_or_insert_with(|| {
+                        let ahead = count - std::mem::replace(&mut looked_at, count);
+                        texts.nth(ahead - 1).unwrap_or_default()
+                    });
                     cells.split(line, &wanted.indices);
                     let found = wanted.names.iter().zip(cells.found(line)).nth(channel + 1);
                     if let Some((name, cell)) = found {
@@ -213,7 +219,7 @@ fn plain_rows(
             }
         }
         let (bytes, all) = (rows.iter().map(|rows| rows.bytes).sum(), text.len());
-        lines.pass(bytes, count);
+        lines.pass(bytes, count as u64);
         if bytes < all || bytes == 0 {
             return Some(());
         }

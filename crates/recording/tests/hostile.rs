@@ -229,3 +229,16 @@ fn lines_may_end_with_a_carriage_return_alone() {
     let found = read_csv("t [s];q [rad]\r0;x\r".as_bytes(), &Layout::default()).unwrap_err();
     assert!(matches!(found.as_slice(), [Fault::ValueUnreadable { at: FileRow::Line(2), .. }]), "{found:?}");
 }
+
+/// Every row has a value beyond any measurement, as where a clock in nanoseconds is taken for the position.
+#[test]
+fn a_column_of_faults_is_read_in_the_time_of_one_of_numbers() {
+    let row = |k: usize| format!("{},1{k:013}\n", k as f64 / 1000.0);
+    let text = format!("t [s],q [rad]\n{}", (0..60_000).map(row).collect::<String>());
+    let begin = Instant::now();
+    let faults = read_csv(text.as_bytes(), &Layout::default()).unwrap_err();
+    assert!(begin.elapsed() < 20 * AT_ONCE, "{:?}", begin.elapsed());
+    let Fault::Repeated { first, .. } = &faults[0] else { panic!("{faults:?}") };
+    let Fault::ValueImplausible { at, text, .. } = first.as_ref() else { panic!("{faults:?}") };
+    assert_eq!((*at, text.as_str()), (FileRow::Line(2), "10000000000000"));
+}
