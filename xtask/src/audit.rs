@@ -28,7 +28,7 @@ use view::View;
 type Check = fn(&View, &mut Tally);
 
 /// The checks by name, in the order of the manual.
-const CHECKS: [(&str, Check); 29] = [
+const CHECKS: [(&str, Check); 30] = [
     ("tables exist", ordering::tables),
     ("ratios of the key", ordering::ratios),
     ("combinations", ordering::combinations),
@@ -44,6 +44,7 @@ const CHECKS: [(&str, Check); 29] = [
     ("T_Br = min(T_b i, T_max)", output::brake),
     ("a stronger brake is no lighter", output::brake_rotor),
     ("order of the values", output::order),
+    ("order of the sizes", output::sizes),
     ("C1024 = M512P", sisters::same_motor),
     ("M512P adds 1,0 kg", sisters::encoder_share),
     ("E = H/N", sisters::same_gear),

@@ -34,8 +34,6 @@ pub struct Feedback {
     pub buffered_by_battery: bool,
     /// That battery; not applicable without one.
     pub battery: Datum<Battery>,
-    /// Life of that battery that planning takes (an erratum may lower the printed typical one); not applicable without one.
-    pub battery_life_typical: Datum<Time>,
     /// Recommended interval of replacing an encoder with a battery; not applicable without one.
     pub exchange_interval: Datum<Time>,
 }
@@ -53,7 +51,6 @@ impl Feedback {
             single_turn_absolute: false,
             buffered_by_battery: false,
             battery: Datum::NotApplicable,
-            battery_life_typical: Datum::NotApplicable,
             exchange_interval: Datum::NotApplicable,
         }
     }

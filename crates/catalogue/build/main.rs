@@ -112,11 +112,14 @@ fn records(out: &mut String, data: &Data, Cells { cells, ranges }: &Cells<'_>) {
         let kind = variant_of(&erratum.kind);
         let _ = writeln!(
             out,
-            "Erratum {{ id: {:?}, table: {:?}, place: {:?}, place_de: {:?}, recovered: {:?}, recovered_de: {:?}, printed: {:?}, \
+            "Erratum {{ id: {:?}, table: {:?}, feedbacks: &{:?}, windings: &{:?}, sizes: &{:?}, place: {:?}, place_de: {:?}, recovered: {:?}, recovered_de: {:?}, printed: {:?}, \
              printed_de: {:?}, corrected: {:?}, corrected_de: {:?}, checks_use: {:?}, \
              kind: ErratumKind::{kind}, corrected_here: {}, evidence: {:?}, evidence_de: {:?} }},",
             erratum.id,
             opt(&erratum.table),
+            concerned(erratum, "feedback"),
+            concerned(erratum, "winding"),
+            concerned(erratum, "size"),
             erratum.place.clone().unwrap_or_else(|| place_of(erratum)),
             erratum.place_de.clone().unwrap_or_else(|| place_of(erratum)),
             erratum.recovered,
@@ -152,6 +155,11 @@ fn records(out: &mut String, data: &Data, Cells { cells, ranges }: &Cells<'_>) {
         );
     }
     let _ = writeln!(out, "];");
+}
+
+/// Words of a field of the codes that an erratum concerns; empty where the field is open.
+fn concerned<'e>(erratum: &'e Erratum, field: &str) -> &'e [String] {
+    erratum.concerns.get(field).map_or(&[], Vec::as_slice)
 }
 
 /// The place of an erratum in words, from the keys of its cell.

@@ -1,5 +1,6 @@
 //! The records of the embedded data.
 
+use order_code::OrderCode;
 use provenance::{CellRef, Grade, Source, Sourced, Value};
 use quantities::identified;
 
@@ -207,6 +208,12 @@ pub struct Erratum {
     pub id: &'static str,
     /// Table concerned; empty for an erratum of the text.
     pub table: &'static str,
+    /// Feedback systems that an erratum of a table concerns; empty if all.
+    pub feedbacks: &'static [&'static str],
+    /// Windings that an erratum of a table concerns; empty if all.
+    pub windings: &'static [&'static str],
+    /// Sizes that an erratum of a table concerns; empty if all.
+    pub sizes: &'static [&'static str],
     /// The place in words.
     pub place: &'static str,
     /// The same in German.
@@ -236,6 +243,17 @@ pub struct Erratum {
 }
 
 impl Erratum {
+    /// Returns true if an erratum of a table concerns a code.
+    ///
+    /// An erratum of a cell concerns the codes that the cell holds for; the caller knows these.
+    #[must_use]
+    pub fn concerns(&self, code: &OrderCode) -> bool {
+        let open_or_has = |words: &[&str], word: &str| words.is_empty() || words.contains(&word);
+        open_or_has(self.feedbacks, code.feedback.as_str())
+            && open_or_has(self.windings, code.winding.as_str())
+            && open_or_has(self.sizes, code.size.as_str())
+    }
+
     /// The one cell that it names; `None` for an erratum of a table or a text.
     #[must_use]
     pub fn cell(&self) -> Option<&'static Cell> {

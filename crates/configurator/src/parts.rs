@@ -93,7 +93,6 @@ fn printed_feedback(ordered: order_code::Feedback) -> Feedback {
         },
         buffered_by_battery: cell("turns_memory").is_some(),
         battery: if cell("turns_memory").is_some() { crate::family::battery_of(ordered) } else { Datum::NotApplicable },
-        battery_life_typical: if_printed(value("battery_life_typical")),
         exchange_interval: if_printed(value("encoder_exchange_interval")),
     }
 }

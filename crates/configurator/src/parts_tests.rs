@@ -100,9 +100,6 @@ fn absolute_ranges_and_the_battery() {
     let m128s = of("CHA-17A-100-H-M128S").feedback;
     assert!(m128s.buffered_by_battery);
     close(value(&m128s.exchange_interval, &YEAR), 6.0);
-    // Printed 10 a; an erratum lets planning take the recommended 6 a.
-    close(value(&m128s.battery_life_typical, &YEAR), 6.0);
-    assert!(!m128s.battery_life_typical.known().unwrap().errata.is_empty());
     let c1024 = of("CHA-20A-50-H-C1024").feedback;
     assert_eq!(c1024.turns_absolute, Datum::NotApplicable);
     assert!(!c1024.single_turn_absolute);

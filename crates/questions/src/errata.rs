@@ -57,7 +57,9 @@ pub fn errata_about(text: Option<&str>, language: Language) -> Result<ErrataFoun
             let rows = || sheet.sections.iter().flat_map(|section| &section.rows);
             let concerns = |erratum: &&Erratum| match erratum.cell() {
                 Some(_) => rows().any(|row| row.cell.errata.contains(&erratum.id)),
-                None => sheet.sections.iter().any(|section| section.table.id == erratum.table),
+                None => {
+                    erratum.concerns(&code) && sheet.sections.iter().any(|section| section.table.id == erratum.table)
+                }
             };
             Ok(ErrataFound { about: Some(code.to_string()), errata: all.iter().filter(concerns).collect() })
         }

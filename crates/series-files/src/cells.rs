@@ -1,5 +1,6 @@
 //! From table files to flat cells, with errata applied and every rule of `data/README.md` held.
 
+use crate::code::Code;
 use crate::read::{Data, Erratum, Row, Table};
 use provenance::Value;
 use std::collections::{BTreeMap, BTreeSet};
@@ -163,6 +164,22 @@ fn cells_of<'a>(index: usize, table: &'a Table, faults: &mut Vec<String>) -> Vec
     cells
 }
 
+/// Fields of a code by which an erratum of a table can say which codes it concerns.
+const CONCERNED: [&str; 3] = ["feedback", "winding", "size"];
+
+/// Reports words under `concerns` that no code of the data has.
+fn known_words(erratum: &Erratum, codes: &[Code], faults: &mut Vec<String>) {
+    let id = &erratum.id;
+    for (field, words) in &erratum.concerns {
+        if !CONCERNED.contains(&field.as_str()) {
+            faults.push(format!("erratum {id}: `concerns` has the key `{field}`, known are {}", CONCERNED.join(", ")));
+        }
+        for word in words.iter().filter(|word| !codes.iter().any(|code| code.place(field, word).is_some())) {
+            faults.push(format!("erratum {id}: unknown {field} `{word}`"));
+        }
+    }
+}
+
 /// Finds the one cell that an erratum names and applies it.
 fn apply<'a>(number: usize, erratum: &'a Erratum, tables: &[Table], cells: &mut [Cell<'a>], faults: &mut Vec<String>) {
     let id = &erratum.id;
@@ -180,6 +197,9 @@ fn apply<'a>(number: usize, erratum: &'a Erratum, tables: &[Table], cells: &mut 
     }
     if erratum.place.is_some() != erratum.place_de.is_some() {
         faults.push(format!("erratum {id}: `where` and `where_de` belong together"));
+    }
+    if !erratum.concerns.is_empty() && !erratum.cell.is_empty() {
+        faults.push(format!("erratum {id}: `concerns` belongs to an erratum of a table, a cell has its own codes"));
     }
     let Some(table) = erratum.table.as_deref() else {
         if erratum.place.is_none() {
@@ -248,6 +268,9 @@ pub fn cells<'a>(data: &'a Data, faults: &mut Vec<String>) -> Cells<'a> {
         if !data.sources.iter().any(|source| source.id == table.source) {
             faults.push(format!("table {}: source `{}` is not in sources.toml", table.table, table.source));
         }
+    }
+    for erratum in &data.errata {
+        known_words(erratum, &data.codes, faults);
     }
     for (number, erratum) in data.errata.iter().enumerate() {
         apply(number, erratum, &data.tables, &mut cells, faults);

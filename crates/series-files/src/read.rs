@@ -69,6 +69,9 @@ pub struct Erratum {
     pub table: Option<String>,
     #[serde(default)]
     pub cell: BTreeMap<String, String>,
+    /// Words of the fields `feedback`, `winding` and `size` of the codes that an erratum of a table concerns.
+    #[serde(default)]
+    pub concerns: BTreeMap<String, Vec<String>>,
     #[serde(rename = "where")]
     pub place: Option<String>,
     #[serde(rename = "where_de")]

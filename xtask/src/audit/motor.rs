@@ -161,14 +161,16 @@ pub(super) fn maximum_current(view: &View, tally: &mut Tally) {
 
 /// k_Tout / (i k_TM) is plausible, and alike at all ratios of a drive
 ///
-/// The quotient is the torque share of the gear. Above 1 is possible only because k_TM is printed with two digits.
+/// The quotient is the torque share of the gear, its efficiency: it cannot exceed 1.
 ///
 /// Source: k_Tout = i k_TM η.
-/// Tolerance: 0.85 to 1.06 for the quotient of the printed values; the interval of k_Tout / i within 3.2 % of the
-/// medians of the family's lower and upper ends. The widest honest spread is 3.0 % (17A-H/N, i = 80). Blamed: k_Tout.
+/// Tolerance: 0.85 for the quotient of the printed values, 1 for the lower end of k_Tout against the upper end of i k_TM;
+/// the interval of k_Tout / i within 3.2 % of the medians of the family's lower and upper ends. The widest honest spread is
+/// 3.0 % (17A-H/N, i = 80). Blamed: k_Tout; for a quotient above 1 k_TM too.
 pub(super) fn torque_constant(view: &View, tally: &mut Tally) {
     for drive in view.drives() {
-        let Some(motor) = drive.once("k_TM").and_then(AuditedCell::number) else {
+        let motor_cell = drive.once("k_TM");
+        let Some((motor_cell, motor)) = motor_cell.and_then(|cell| Some((cell, cell.span()?))) else {
             tally.absent(format_args!("k_TM of {}", drive.name));
             continue;
         };
@@ -184,10 +186,10 @@ pub(super) fn torque_constant(view: &View, tally: &mut Tally) {
         let low = 0.968 * median(family.iter().map(|(_, span)| span.low).collect());
         let high = 1.032 * median(family.iter().map(|(_, span)| span.high).collect());
         for (cell, span) in family {
-            let share = span.mid / motor;
-            tally.compare((0.85..=1.06).contains(&share), &[cell], || {
-                format!("{} is {}, {} times i k_TM", cell.place(), cell.text, brief(share))
-            });
+            let share = span.mid / motor.mid;
+            let times = || format!("{} is {}, {} times i k_TM", cell.place(), cell.text, brief(share));
+            tally.compare(share >= 0.85, &[cell], times);
+            tally.compare(span.low <= motor.high, &[motor_cell, cell], times);
             tally.compare(span.high >= low && span.low <= high, &[cell], || {
                 let per_ratio = Span { low, mid: span.mid, high };
                 format!("{}/i is {}, the other ratios ask for {per_ratio}", cell.place(), brief(span.mid))
@@ -260,5 +262,11 @@ mod tests {
     #[test]
     fn a_torque_constant_off_its_family_is_found() {
         assert_eq!(findings_of(torque_constant, &altered("36.1", "k_Tout", "100", "161")).len(), 1);
+    }
+
+    #[test]
+    fn an_efficiency_above_one_is_found() {
+        // 0.45 instead of 0.55: all six ratios give more than the motor.
+        assert_eq!(findings_of(torque_constant, &altered("28.1", "k_TM", "", "0,45")).len(), 6);
     }
 }

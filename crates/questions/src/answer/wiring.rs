@@ -149,11 +149,14 @@ fn notes(wiring: &Wiring, language: Language) -> Vec<WiringNote> {
 /// Errata of the cells that are shown and of their tables; slips of the recovered text are left out.
 fn errata(wiring: &Wiring) -> Vec<&'static str> {
     let pins = wiring.connectors.iter().flat_map(|connector| &connector.pins);
-    let cells: Vec<&'static Cell> = pins.flat_map(|pin| [pin.signal, pin.colour]).flatten().collect();
+    let of_connectors = wiring.connectors.iter().map(|connector| connector.kind);
+    let of_cables = wiring.cables.iter().map(|cable| cable.number);
+    let cells: Vec<&'static Cell> =
+        pins.flat_map(|pin| [pin.signal, pin.colour]).flatten().chain(of_connectors).chain(of_cables).collect();
     let tables = tables(wiring);
     let shown = |erratum: &&catalogue::Erratum| match erratum.cell() {
         Some(_) => cells.iter().any(|cell| cell.errata.contains(&erratum.id)),
-        None => tables.contains(&erratum.table),
+        None => tables.contains(&erratum.table) && erratum.concerns(&wiring.code),
     };
     let of_the_print = |erratum: &&catalogue::Erratum| erratum.kind != catalogue::ErratumKind::Recovery;
     catalogue::errata().iter().filter(of_the_print).filter(shown).map(|erratum| erratum.id).collect()
