@@ -60,7 +60,7 @@ impl Shell {
     /// The address of the page with a query.
     pub(crate) fn at(&self, query: &str) -> String {
         match self {
-            // Each browser begins without the cookie.
+            // Each browser begins without the token.
             Self::Server { address, token, .. } => format!("{address}?token={token}&{query}"),
             Self::Site { address, .. } => format!("{address}?{query}"),
         }

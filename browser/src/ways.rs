@@ -5,6 +5,7 @@ mod files;
 mod form;
 mod frame;
 mod looks;
+mod neighbour;
 mod pictures;
 mod same;
 mod screens;
@@ -74,6 +75,7 @@ impl Way {
 
 /// All of them.
 pub(crate) const ALL: &[Way] = &[
+    Way::server("another-port", neighbour::a_server_at_another_port_gets_no_token),
     Way::both("begin-with-figures", begin::with_figures),
     Way::both("begin-with-an-example", begin::with_an_example),
     Way::both("begin-with-a-file", begin::with_a_file),

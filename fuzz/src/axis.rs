@@ -80,7 +80,7 @@ fn ranking(case: &Case<'_>) {
     let found = found.record(case.language);
     assert_eq!(found.answer.is_some(), found.fitting > 0);
     keeps_to_schema("size", &found);
-    if let Ok(found) = list::bearing::sizes(case.project, case.language) {
+    if let Ok(found) = list::bearing::sizes(case.project, &patience, case.language) {
         keeps_to_schema("bearing", &answer::bearings(&found, case.language));
     }
 }

@@ -56,7 +56,7 @@ pub(crate) fn bearing(call: &Call<'_>, asked: &Asked<'_>) -> Result<Answer, Unan
     let args = bearing::Args::read(&asked.given)?;
     let axes = asked.axes(args.axis.as_deref(), Cost::Other)?;
     let found = asked.each(&axes, |project| {
-        let sizes = bearing::sizes(project, language)?;
+        let sizes = bearing::sizes(project, asked.patience, language)?;
         Ok((bearing_text(&sizes, language), bearing::fits(&sizes)))
     })?;
     Ok(Answer::of_axes(found))

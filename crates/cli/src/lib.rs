@@ -79,9 +79,14 @@ pub fn run(call: Vec<OsString>) -> u8 {
     if let Some(outcome) = report::by_cargo(&matches, language) {
         return outcome;
     }
+    // Nothing has been written to standard output yet: an answer is written when it is there.
+    let late = move || {
+        let why = Unanswered::Refused(questions::Refusal::Stopped, None);
+        disk::end(i32::from(fault::unanswered(&why, json, language).write(language)));
+    };
     // A server waits for requests; its work has no progress.
     let waiting = (!matches!(matches.subcommand_name(), Some("serve" | "drive")))
-        .then(|| waiting::Waiting::begin(language, most));
+        .then(|| waiting::Waiting::begin(language, most, late));
     let answer = dispatch(&matches, language);
     drop(waiting);
     answer.write(language)

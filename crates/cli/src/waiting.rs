@@ -13,6 +13,9 @@ use words::terminal;
 /// Shown after this time.
 const QUIET: Duration = Duration::from_secs(1);
 
+/// What does not poll for so long after the deadline is ended from outside: a library that reads, or a pass over a long recording.
+const GRACE: Duration = Duration::from_millis(500);
+
 /// Redrawn so often.
 const TICK: Duration = Duration::from_millis(100);
 
@@ -38,8 +41,8 @@ pub(crate) struct Waiting {
 }
 
 impl Waiting {
-    /// From now on, for so long at most; `None` without end.
-    pub(crate) fn begin(language: Language, most: Option<Duration>) -> Self {
+    /// From now on, for so long at most; `None` without end. A work that does not end by itself then is ended by `late`.
+    pub(crate) fn begin(language: Language, most: Option<Duration>, late: impl FnOnce() + Send + 'static) -> Self {
         let (patience, most) = PATIENCE.get_or_init(|| {
             let patience = if most.is_some() { Patience::limited() } else { Patience::endless() };
             (patience, most)
@@ -49,6 +52,9 @@ impl Waiting {
             waiting.beside(move |is_done| {
                 if is_done.recv_timeout(most) == Err(RecvTimeoutError::Timeout) {
                     patience.cancel();
+                    if is_done.recv_timeout(GRACE) == Err(RecvTimeoutError::Timeout) {
+                        late();
+                    }
                 }
             });
         }

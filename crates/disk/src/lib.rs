@@ -10,6 +10,7 @@ mod unfinished;
 
 pub use read::{Beside, Links, read_within};
 pub use save::{Unsaved, Unwritten, ready, save, save_by};
+pub use unfinished::end;
 #[cfg(unix)]
 pub use unfinished::end_on_signals;
 

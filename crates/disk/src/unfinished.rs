@@ -35,6 +35,13 @@ impl Drop for Unfinished {
     }
 }
 
+/// Ends the program with a status, and removes what is unfinished. A save that is being renamed is completed first.
+pub fn end(status: i32) -> ! {
+    let files = FILES.lock().unwrap_or_else(PoisonError::into_inner);
+    files.iter().for_each(|path| drop(std::fs::remove_file(path)));
+    std::process::exit(status);
+}
+
 /// From now on interrupt, terminate and hang-up end the program, and what is unfinished goes with it; once in its life. Who has
 /// a better end of his own for them does without.
 #[cfg(unix)]
@@ -49,9 +56,7 @@ pub fn end_on_signals() {
         let Ok(mut signals) = Signals::new([SIGHUP, SIGINT, SIGTERM]) else { return };
         drop(std::thread::spawn(move || {
             if let Some(signal) = signals.forever().next() {
-                let files = FILES.lock().unwrap_or_else(PoisonError::into_inner);
-                files.iter().for_each(|path| drop(std::fs::remove_file(path)));
-                std::process::exit(128 + signal);
+                end(128 + signal);
             }
         }));
     });

@@ -115,9 +115,12 @@ function draft() {
   const place = $('#draft');
   if (!place || !text()) return;
   let found;
+  let first;
+  // Without the token in its address the page is opened in two steps: the first one has the kind.
+  try { first = sessionStorage.getItem('antrieb-navigation'); sessionStorage.removeItem('antrieb-navigation'); } catch { /* a browser that keeps nothing */ }
   try { found = JSON.parse(localStorage.getItem(DRAFT + fileName()) ?? 'null'); } catch { return; }
   if (!found || found.text === text().defaultValue || found.base !== text().defaultValue) return;
-  const kind = performance.getEntriesByType('navigation')[0]?.type;
+  const kind = first || performance.getEntriesByType('navigation')[0]?.type;
   if (kind === 'reload' || kind === 'back_forward') { put(found.text); tell(place.dataset.restored); return; }
   const button = (words, then) => Object.assign(document.createElement('button'), { type: 'button', textContent: words, onclick: () => { place.replaceChildren(); then(); } });
   place.replaceChildren(`${place.dataset.text} ${fileName()}, ${new Date(found.at).toLocaleString(document.documentElement.lang)} `,
@@ -407,7 +410,7 @@ function begin(value, name) {
 function home() {
   const address = new URL(location.href);
   const query = new URLSearchParams();
-  for (const name of ['lang', 'token']) if (address.searchParams.has(name)) query.set(name, address.searchParams.get(name));
+  for (const name of ['lang']) if (address.searchParams.has(name)) query.set(name, address.searchParams.get(name));
   return `${address.pathname}${query.size ? '?' + query : ''}`;
 }
 // A link holds the text behind its mark, which no browser sends.

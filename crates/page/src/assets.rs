@@ -7,8 +7,8 @@ macro_rules! files {
 }
 
 /// All files of the page by their names below `/assets/`.
-pub const ASSETS: [(&str, &str); 9] = files![
-    "page.css" "page.js" "panes.js" "plots.js" "sketch.js" "waiting.js" "folder.js" "tools.js" "htmx.min.js"
+pub const ASSETS: [(&str, &str); 10] = files![
+    "page.css" "enter.js" "page.js" "panes.js" "plots.js" "sketch.js" "waiting.js" "folder.js" "tools.js" "htmx.min.js"
 ];
 
 /// A file of the page.

@@ -39,6 +39,8 @@ pub fn head(first: &Markup, title: &str, style: &str, scripts: &Markup) -> Marku
 fn scripts() -> Markup {
     html! {
         meta name="htmx-config" content=r#"{"includeIndicatorCSS":false,"history":false,"noSwap":[204,304,"4xx","5xx"]}"#;
+        // Before the others: it gives their requests the token.
+        script src="/assets/enter.js" {}
         script src="/assets/htmx.min.js" defer {}
         @for name in ["page.js", "panes.js", "folder.js", "tools.js", "sketch.js"] { script type="module" src={ "/assets/" (name) } {} }
     }

@@ -23,6 +23,7 @@ mod frame;
 mod gallery;
 mod head;
 mod laws;
+mod locked;
 mod names;
 mod overlay;
 mod parts;
@@ -50,6 +51,7 @@ pub use call::{
     WritesReport,
 };
 pub use frame::head;
+pub use locked::{is_open_to_all, locked};
 pub use names::{is_project_name, recording_names};
 #[cfg(feature = "theory")]
 pub use theory::theory_files;

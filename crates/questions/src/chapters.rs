@@ -1,13 +1,14 @@
 //! Single chapters answered alone: output bearing, battery.
 
-use crate::sizing_use::{Candidate, check};
+use crate::patience::Patience;
+use crate::sizing_use::{Candidate, Refusal, check_part};
 use actuator::BatteryLife;
 use configurator::catalogue_actuators;
 use order_code::Size;
 use project::Project;
 use quantities::unit::HOUR;
 use quantities::{Language, Measure, Time, parse_as};
-use sizing::{Check, Part};
+use sizing::{Check, Part, Watch as _};
 
 /// Reads a quantity of the command line.
 ///
@@ -43,16 +44,23 @@ pub fn bearing_checks<'c>(candidate: &'c Candidate<'_>) -> impl Iterator<Item = 
     candidate.judgement.checks.iter().filter(|check| check.id.part() == Part::OutputBearing)
 }
 
-/// One code of each size: the bearing is the same for all of a size.
-#[must_use]
-pub fn bearing_of_each_size(project: &Project) -> Vec<(Size, Candidate<'_>)> {
+/// One code of each size, judged by the checks of its output bearing alone: the bearing is the same for all of a size.
+///
+/// # Errors
+/// [`Refusal::Stopped`]
+pub fn bearing_of_each_size<'p>(
+    project: &'p Project,
+    patience: &Patience,
+) -> Result<Vec<(Size, Candidate<'p>)>, Refusal> {
     let mut found: Vec<(Size, Candidate<'_>)> = Vec::new();
     for (code, _) in catalogue_actuators() {
-        if found.iter().all(|(size, _)| *size != code.size)
-            && let Ok(candidate) = check(project, code)
-        {
-            found.push((code.size, candidate));
+        if found.iter().all(|(size, _)| *size != code.size) {
+            patience.step()?;
+            if let Ok(candidate) = check_part(project, code, Part::OutputBearing) {
+                found.push((code.size, candidate));
+            }
         }
     }
-    found
+    patience.step()?;
+    Ok(found)
 }

@@ -14,6 +14,8 @@ pub struct Patience {
     limited: bool,
     cancelled: AtomicBool,
     late: AtomicBool,
+    displaced: AtomicBool,
+    heard: AtomicBool,
     done: AtomicUsize,
     expected: AtomicUsize,
 }
@@ -42,6 +44,20 @@ impl Patience {
         self.cancel();
     }
 
+    /// Ends the work before its next step for one that is shorter; it is begun again later.
+    pub fn displace(&self) {
+        self.displaced.store(true, Ordering::Relaxed);
+    }
+
+    /// Lets the work be begun again after [`Self::displace`]. Returns `true` if it was ended by that, `false` if it was done before
+    /// it noticed.
+    pub fn resume(&self) -> bool {
+        self.displaced.store(false, Ordering::Relaxed);
+        self.done.store(0, Ordering::Relaxed);
+        self.expected.store(0, Ordering::Relaxed);
+        self.heard.swap(false, Ordering::Relaxed)
+    }
+
     /// So many steps are to come.
     pub fn expect_steps(&self, steps: usize) {
         self.expect(steps);
@@ -62,7 +78,11 @@ impl Patience {
     /// Whether it is cancelled.
     #[must_use]
     pub fn is_over(&self) -> bool {
-        self.cancelled.load(Ordering::Relaxed)
+        let is_over = self.cancelled.load(Ordering::Relaxed) || self.displaced.load(Ordering::Relaxed);
+        if is_over {
+            self.heard.store(true, Ordering::Relaxed);
+        }
+        is_over
     }
 
     /// The steps that are done, and how many there are to be where that is known.

@@ -10,8 +10,8 @@ use provenance::Datum;
 use quantities::Measure;
 use rayon::prelude::*;
 use sizing::{
-    Check, CheckId, Course, Depth, Judge, Judgement, RankKey, Reserve, SAMPLES_ANEW, Standing, Unwatched, Verdict,
-    Watch, energies, finished, reserve_watched,
+    Check, CheckId, Course, Depth, Judge, Judgement, Part, RankKey, Reserve, SAMPLES_ANEW, Standing, Unwatched,
+    Verdict, Watch, energies, finished, reserve_watched,
 };
 use std::sync::Arc;
 use words::Counts;
@@ -381,6 +381,15 @@ pub fn check<'p>(project: &'p Project, code: &OrderCode) -> Result<Candidate<'p>
     Ok(candidate(&mut Judging::of(project, Depth::Full), *code, parameters_of(project, code)?))
 }
 
+/// Judges one code by the checks of one part alone: what the others cost is saved.
+///
+/// # Errors
+/// As [`check`].
+pub(crate) fn check_part<'p>(project: &'p Project, code: &OrderCode, part: Part) -> Result<Candidate<'p>, Refusal> {
+    availability(code).map_err(Refusal::Broken)?;
+    Ok(candidate(&mut Judging::of_part(project, part), *code, parameters_of(project, code)?))
+}
+
 /// The data of an actuator, with the curves of a project and whatever options its code has.
 ///
 /// # Errors
@@ -461,6 +470,10 @@ struct Judging<'p> {
 impl<'p> Judging<'p> {
     fn of(project: &'p Project, depth: Depth) -> Self {
         Self { project, judge: Judge::of(&project.axis, depth), cited: Cited::of(project) }
+    }
+
+    fn of_part(project: &'p Project, part: Part) -> Self {
+        Self { project, judge: Judge::of_part(&project.axis, part), cited: Cited::of(project) }
     }
 
     fn explaining(project: &'p Project) -> Self {

@@ -3,14 +3,15 @@
 use crate::body::{Bodies, Held, NoBody, read};
 use crate::folder::Workplace;
 use crate::gate::{Barred, admit, preferred};
+use crate::lanes::Lanes;
 use crate::limits::Limits;
 use crate::pack::sent;
 use crate::serve::IdleSlot;
-use crate::token::{IN_QUERY, Token};
+use crate::token::Token;
 use bytes::Bytes;
 use http_body_util::Full;
 use hyper::body::Incoming;
-use hyper::header::CONTENT_TYPE;
+use hyper::header::{ACCEPT, CONTENT_TYPE};
 use hyper::http::request::Parts;
 use hyper::{Method, Request, Response};
 use page::{Call, Reply, Shell};
@@ -36,9 +37,9 @@ pub(crate) struct Desk {
     pub(crate) respond: Respond,
     workplace: Arc<Workplace>,
     bodies: Bodies,
-    /// Answers that may be computed at the same time.
-    turns: Arc<Semaphore>,
-    /// Questions that may wait for that.
+    /// The turns of short and of long answers.
+    pub(crate) lanes: Lanes,
+    /// Questions that may wait for a turn.
     places: Arc<Semaphore>,
 }
 
@@ -82,10 +83,19 @@ impl Drop for Waits {
     }
 }
 
+/// What a request asks, without what let it in.
+struct Admitted {
+    path: String,
+    query: String,
+    language: Language,
+}
+
 /// A request whose head and body are here.
 struct Question {
     parts: Parts,
     path: String,
+    /// Without the token.
+    query: String,
     body: Held,
     language: Language,
 }
@@ -106,7 +116,7 @@ impl Desk {
             respond,
             workplace: Arc::new(workplace),
             bodies: Bodies::default(),
-            turns: Arc::new(Semaphore::new(limits.computed.max(1))),
+            lanes: Lanes::new(&limits),
             places: Arc::new(Semaphore::new(limits.waiting)),
             limits,
         }
@@ -118,12 +128,12 @@ impl Desk {
         let (asked, headers) = (parts.uri.path().to_owned(), parts.headers.clone());
         let reply = match self.let_in(&parts) {
             Err(reply) => reply,
-            Ok((path, language)) => {
+            Ok(Admitted { path, query, language }) => {
                 let most = if path == page::RECORDING { self.limits.recording_bytes } else { self.limits.body_bytes };
                 match read(body, most, &self.bodies, &self.limits).await {
                     Ok(body) => {
                         place.busy();
-                        self.respond(Question { parts, path, body, language }).await
+                        self.respond(Question { parts, path, query, body, language }).await
                     }
                     Err(why) => self.no_body(why, most, language),
                 }
@@ -132,8 +142,8 @@ impl Desk {
         sent(reply, &asked, &headers, &HEADERS)
     }
 
-    /// The path and the language of a request that may ask.
-    fn let_in(&self, parts: &Parts) -> Result<(String, Language), Reply> {
+    /// What a request asks that may ask.
+    fn let_in(&self, parts: &Parts) -> Result<Admitted, Reply> {
         let path = percent_decode_str(parts.uri.path()).decode_utf8_lossy().into_owned();
         // For scripts the same call gives the same bytes, whatever the language of the machine.
         let preferred = if path.starts_with("/api/") { None } else { preferred(&parts.headers) };
@@ -144,17 +154,17 @@ impl Desk {
             Err(Barred::Site) => return barred(403, requests::foreign_site(language)),
             Ok(()) => {}
         }
+        let mut query = parts.uri.query().unwrap_or_default().to_owned();
         if let Some(token) = &self.token {
-            if let Some(reply) = introduced(parts, token) {
-                return Err(reply);
+            let without = token.taken_from(&query);
+            // The files that are the same for everyone come before there is a token, and by a link that has none.
+            if without.is_none() && !token.is_in(&parts.headers) && !is_open_to_all(parts) {
+                return Err(locked(parts, language));
             }
-            if !token.is_in(&parts.headers) {
-                let reply = page::misdirected(401, requests::token_missing(language), None);
-                return Err(reply.with("www-authenticate", "Bearer"));
-            }
+            query = without.unwrap_or(query);
         }
         match parts.method {
-            Method::GET | Method::HEAD | Method::POST => Ok((path, language)),
+            Method::GET | Method::HEAD | Method::POST => Ok(Admitted { path, query, language }),
             _ => {
                 let valid = page::methods(&path);
                 let valid = if valid.is_empty() { &[page::Method::Get, page::Method::Post][..] } else { &valid };
@@ -180,7 +190,8 @@ impl Desk {
         let language = question.language;
         let (respond, workplace) = (self.respond, Arc::clone(&self.workplace));
         let patience = Arc::new(Patience::limited());
-        if AT_ONCE.contains(&question.path.as_str()) {
+        // A file that is the same for everyone must not wait, and a stranger who reads it must not keep others waiting.
+        if AT_ONCE.contains(&question.path.as_str()) || is_open_to_all(&question.parts) {
             return question.put(respond, &workplace, &patience);
         }
         let name = question.parts.headers.get(WORK).and_then(|name| name.to_str().ok());
@@ -189,28 +200,21 @@ impl Desk {
         let _waits = Waits { patience: Arc::clone(&patience), named, workplace: Arc::clone(&workplace) };
         let Ok(place) = self.places.try_acquire() else { return busy(language) };
         let ends = Arc::clone(&patience);
-        let work = async {
-            let turn = Arc::clone(&self.turns).acquire_owned().await;
-            drop(place);
-            let work = move || {
-                // The worker stays busy until the computation ends, even if the client has disconnected.
-                let _turn = turn;
-                if patience.is_over() && !says_what_is_there {
-                    return busy(language);
-                }
-                question.put(respond, &workplace, &patience)
-            };
-            tokio::task::spawn_blocking(work).await
+        let put = move |patience: &Patience| {
+            if patience.is_over() && !says_what_is_there {
+                return busy(language);
+            }
+            question.put(respond, &workplace, patience)
         };
-        let mut work = pin!(work);
+        let mut work = pin!(self.lanes.computed(Arc::new(put), patience, || drop(place)));
         let mut found = tokio::time::timeout(self.limits.answer_time, work.as_mut()).await;
         if found.is_err() && says_what_is_there {
             ends.expire();
             found = tokio::time::timeout(LAST_WORDS, work).await;
         }
         match found {
-            Ok(Ok(reply)) => reply,
-            Ok(Err(_)) => page::misdirected(500, requests::failed_inside(language), None),
+            Ok(Some(reply)) => reply,
+            Ok(None) => page::misdirected(500, requests::failed_inside(language), None),
             Err(_) => {
                 let most = self.limits.answer_time.as_secs();
                 page::misdirected(503, &requests::not_in_time(&most, language), None)
@@ -225,7 +229,7 @@ impl Question {
         let call = Call {
             method: if self.parts.method == Method::POST { page::Method::Post } else { page::Method::Get },
             path: &self.path,
-            query: self.parts.uri.query().unwrap_or_default(),
+            query: &self.query,
             media: self.parts.headers.get(CONTENT_TYPE).and_then(|value| value.to_str().ok()),
             body: self.body.bytes(),
             language: self.language,
@@ -239,19 +243,16 @@ fn busy(language: Language) -> Reply {
     page::misdirected(503, requests::busy(language), None).with("retry-after", "1")
 }
 
-/// Who opens the address with the token gets it as a cookie and the address without it.
-fn introduced(parts: &Parts, token: &Token) -> Option<Reply> {
-    let query = parts.uri.query()?;
-    let is_token = |pair: &&str| {
-        let given = pair.strip_prefix(IN_QUERY).and_then(|rest| rest.strip_prefix('='));
-        given.is_some_and(|given| token.is(given))
-    };
-    if parts.method != Method::GET || !query.split('&').any(|pair| is_token(&pair)) {
-        return None;
-    }
-    let rest: Vec<&str> = query.split('&').filter(|pair| !is_token(pair)).collect();
-    // One slash at the beginning: two would name another host.
-    let path = format!("/{}", parts.uri.path().trim_start_matches('/'));
-    let place = if rest.is_empty() { path } else { format!("{path}?{}", rest.join("&")) };
-    Some(Reply::text(303, "").with("location", place).with("set-cookie", token.cookie()))
+/// The answer to a request without the token: for a browser that opens a page the page that sends the token if it has been kept.
+fn locked(parts: &Parts, language: Language) -> Reply {
+    let accepts = parts.headers.get(ACCEPT).and_then(|value| value.to_str().ok()).unwrap_or_default();
+    let is_page = !parts.uri.path().starts_with("/api/") && accepts.contains("text/html");
+    let message = requests::token_missing(language);
+    let reply = if is_page { page::locked(message, language) } else { page::misdirected(401, message, None) };
+    reply.with("www-authenticate", "Bearer")
+}
+
+/// Returns `true` if a request only reads a file that is the same for everyone.
+fn is_open_to_all(parts: &Parts) -> bool {
+    matches!(parts.method, Method::GET | Method::HEAD) && page::is_open_to_all(parts.uri.path())
 }

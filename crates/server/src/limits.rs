@@ -23,17 +23,26 @@ pub struct Limits {
     pub body_time: Duration,
     /// Time for an answer, the wait for its turn included.
     pub answer_time: Duration,
-    /// Answers that are computed at the same time.
+    /// Short answers that are computed at the same time; beside them one fewer of the long ones, but at least one.
     pub computed: usize,
+    /// A work that takes longer is a long one: it leaves its turn to the short ones.
+    pub short_time: Duration,
     /// Questions that wait for their turn.
     pub waiting: usize,
-    /// Time for what has begun, once the server is to end.
+    /// Time for what has begun, once the server is to end, and once more until cancelled works have ended.
     pub end_time: Duration,
 }
 
-/// So many answers are computed at the same time at most, however many cores there are: each may need the memory that is
-/// allowed for recordings.
+/// Largest number of short answers and of long ones that are computed at the same time, independent of the number of cores: each may need
+/// the memory that is allowed for recordings.
 const COMPUTED_MOST: usize = 8;
+
+impl Limits {
+    /// Long answers that are computed at the same time.
+    pub(crate) const fn long(&self) -> usize {
+        if self.computed > 2 { self.computed - 1 } else { 1 }
+    }
+}
 
 impl Default for Limits {
     fn default() -> Self {
@@ -50,8 +59,9 @@ impl Default for Limits {
             body_time: Duration::from_secs(20),
             answer_time: Duration::from_secs(60),
             computed: std::thread::available_parallelism().map_or(1, usize::from).min(COMPUTED_MOST),
+            short_time: Duration::from_secs(1),
             waiting: 256,
-            end_time: Duration::from_secs(3),
+            end_time: Duration::from_millis(400),
         }
     }
 }

@@ -2,6 +2,7 @@
 
 use crate::answer::{Desk, Respond};
 use crate::folder::Workplace;
+use crate::lanes::Lanes;
 use crate::limits::Limits;
 use crate::token::{IN_QUERY, Token};
 use hyper::server::conn::http1;
@@ -123,7 +124,7 @@ impl Server {
         let (listener, address) = listening(SocketAddr::new(ip, options.port))?;
         // The loopback is no exception: every user of the machine reaches it.
         let token = match options.access {
-            Access::WithToken => Some(Token::new(address.port()).map_err(Unserved::Token)?),
+            Access::WithToken => Some(Token::new().map_err(Unserved::Token)?),
             Access::Anyone => None,
         };
         let workplace = Workplace::new(folder, options.memory, options.limits.answer_time, options.press);
@@ -179,30 +180,41 @@ impl Server {
         let runtime = tokio::runtime::Builder::new_current_thread()
             .enable_io()
             .enable_time()
-            .max_blocking_threads(desk.limits.computed.max(1))
+            .max_blocking_threads(Lanes::threads(&desk.limits))
             .build()
             .map_err(Unserved::System)?;
-        let patience = desk.limits.end_time;
+        let end_time = desk.limits.end_time;
         let served = runtime.block_on(async {
             let listener = tokio::net::TcpListener::from_std(listener).map_err(Unserved::System)?;
             serve(listener, Arc::new(desk), end).await;
             Ok(())
         });
         // A save in progress is completed; a cancelled computation ends at its next step.
-        runtime.shutdown_timeout(patience);
+        runtime.shutdown_timeout(end_time);
         served
     }
 }
 
 /// The connections on which no request is being answered: idle ones, and those whose request is not complete. When every place
-/// is taken a new connection takes the place of the one that has waited longest, so that half-sent requests do not hold others.
+/// is taken a new connection takes the place of the one that has waited longest, so that half-sent requests do not hold others. Those
+/// that never brought the token go first.
 #[derive(Debug, Default)]
-pub(crate) struct Idle(Mutex<(u64, BTreeMap<u64, Arc<Notify>>)>);
+pub(crate) struct Idle(Mutex<Waiting>);
+
+/// Idle connections by [`IdleKey`]: at most one entry for each connection.
+#[derive(Debug, Default)]
+struct Waiting {
+    last: u64,
+    all: BTreeMap<IdleKey, Arc<Notify>>,
+}
+
+/// Whether a connection has brought the token, and its number since it is idle.
+type IdleKey = (bool, u64);
 
 impl Idle {
     fn closes_longest(&self) {
-        let (_, idle) = &mut *self.0.lock().unwrap_or_else(PoisonError::into_inner);
-        if let Some((_, close)) = idle.pop_first() {
+        let idle = &mut *self.0.lock().unwrap_or_else(PoisonError::into_inner);
+        if let Some((_, close)) = idle.all.pop_first() {
             close.notify_one();
         }
     }
@@ -213,28 +225,37 @@ impl Idle {
 pub(crate) struct IdleSlot {
     all: Arc<Idle>,
     close: Arc<Notify>,
-    /// Its number while it is idle.
-    number: Mutex<Option<u64>>,
+    /// Its place while it is idle, and whether it has brought the token.
+    state: Mutex<(Option<IdleKey>, bool)>,
 }
 
 impl IdleSlot {
     fn new(all: &Arc<Idle>) -> Self {
-        let place = Self { all: Arc::clone(all), close: Arc::default(), number: Mutex::default() };
+        let place = Self { all: Arc::clone(all), close: Arc::default(), state: Mutex::default() };
         place.idle();
         place
     }
 
+    /// No request is being answered any more. A request that was turned away never was busy: the connection keeps its place among those
+    /// that wait, so that a client that only asks is not younger than one that is silent.
     fn idle(&self) {
-        let (next, idle) = &mut *self.all.0.lock().unwrap_or_else(PoisonError::into_inner);
-        *next += 1;
-        let _ = idle.insert(*next, Arc::clone(&self.close));
-        *self.number.lock().unwrap_or_else(PoisonError::into_inner) = Some(*next);
+        let (place, is_known) = &mut *self.state.lock().unwrap_or_else(PoisonError::into_inner);
+        if place.is_some() {
+            return;
+        }
+        let idle = &mut *self.all.0.lock().unwrap_or_else(PoisonError::into_inner);
+        idle.last += 1;
+        let key = (*is_known, idle.last);
+        let _ = idle.all.insert(key, Arc::clone(&self.close));
+        *place = Some(key);
     }
 
-    /// A request is complete: its answer is not interrupted.
+    /// A request with the token is complete: its answer is not interrupted.
     pub(crate) fn busy(&self) {
-        if let Some(number) = self.number.lock().unwrap_or_else(PoisonError::into_inner).take() {
-            let _ = self.all.0.lock().unwrap_or_else(PoisonError::into_inner).1.remove(&number);
+        let (place, is_known) = &mut *self.state.lock().unwrap_or_else(PoisonError::into_inner);
+        *is_known = true;
+        if let Some(key) = place.take() {
+            let _ = self.all.0.lock().unwrap_or_else(PoisonError::into_inner).all.remove(&key);
         }
     }
 
@@ -243,7 +264,7 @@ impl IdleSlot {
         loop {
             self.close.notified().await;
             // A request may have become complete meanwhile.
-            if self.number.lock().unwrap_or_else(PoisonError::into_inner).is_some() {
+            if self.state.lock().unwrap_or_else(PoisonError::into_inner).0.is_some() {
                 return;
             }
         }
@@ -266,10 +287,16 @@ async fn serve(listener: tokio::net::TcpListener, desk: Arc<Desk>, end: impl Fut
     loop {
         let next = async {
             let taken = listener.accept().await;
-            if connections.available_permits() == 0 {
-                idle.closes_longest();
+            loop {
+                if connections.available_permits() == 0 {
+                    idle.closes_longest();
+                }
+                // What was to be closed may have become busy: then another one is.
+                let place = Arc::clone(&connections).acquire_owned();
+                if let Ok(place) = tokio::time::timeout(PAUSE, place).await {
+                    break (place, taken);
+                }
             }
-            (Arc::clone(&connections).acquire_owned().await, taken)
         };
         tokio::select! {
             () = &mut end => break,
@@ -285,6 +312,7 @@ async fn serve(listener: tokio::net::TcpListener, desk: Arc<Desk>, end: impl Fut
     drop((listener, tell));
     let all = u32::try_from(most).unwrap_or(u32::MAX);
     let _ = tokio::time::timeout(desk.limits.end_time, connections.acquire_many(all)).await;
+    desk.lanes.cancel_all();
 }
 
 /// Serves one connection: request by request until it ends, or the server does.

@@ -151,6 +151,33 @@ impl Axis {
     }
 }
 
+impl Axis {
+    /// Number of instants at which the loads on the flange are found in one walk over the cycle, for one bearing; zero where none follow
+    /// from the mechanism. Cuts at reversals and changes of sign are not counted.
+    #[must_use]
+    pub fn flange_instants(&self) -> f64 {
+        let Some(duty) = self.bearing.as_ref().filter(|duty| duty.forces_known(self).is_ok()) else { return 0.0 };
+        let Some(derived) = &duty.derived else { return 0.0 };
+        let walk = Walk::of(self, duty, derived, Length::from_si(0.0), 3.0);
+        let of_piece = |piece: &Piece| {
+            let parts = if piece.is_rest() { 0.0 } else { walk.parts(piece, piece.duration_s) };
+            let whole = if walk.repeats(piece) { (piece.duration_s / walk.turn_s(piece)).floor() / 2.0 } else { 1.0 };
+            1.0 + NODES as f64 * (parts / whole).ceil()
+        };
+        let of_recording = |placed: &motion::Placed| {
+            let panel = walk.recorded_panel(placed, 1);
+            let intervals = (0..placed.intervals()).filter_map(|index| placed.interval(index));
+            intervals
+                .map(|interval| walk.recorded_nodes(&interval, panel))
+                .map(|(nodes, count)| nodes as f64 * count)
+                .sum::<f64>()
+        };
+        let pieces: f64 = self.motion.pieces().iter().map(of_piece).sum();
+        let recordings: f64 = self.motion.recordings().iter().map(of_recording).sum();
+        pieces + recordings
+    }
+}
+
 /// So many stated loads are few.
 const FEW: usize = 8;
 
@@ -459,27 +486,37 @@ impl<'a> Walk<'a> {
         }
     }
 
+    /// The angle by which the mechanism turns in an interval \[rad\].
+    fn turned(&self, interval: &motion::Interval) -> f64 {
+        let [first, last] = interval.speed_rad_s;
+        first.abs().max(last.abs()) * interval.duration_s / self.axis.mechanism.stage_ratio()
+    }
+
+    /// The angle that a panel of a recording covers, of which every interval in so many is looked at \[rad\].
+    fn recorded_panel(&self, placed: &motion::Placed, stride: usize) -> f64 {
+        let intervals = (0..placed.intervals()).step_by(stride).filter_map(|index| placed.interval(index));
+        let all: f64 = intervals.map(|interval| self.turned(&interval) / PANEL_ANGLE).sum();
+        PANEL_ANGLE * (all / PANELS_RECORDED).max(1.0)
+    }
+
+    /// Nodes of each panel of an interval, and their number.
+    fn recorded_nodes(&self, interval: &motion::Interval, panel: f64) -> (usize, f64) {
+        let angle = self.turned(interval);
+        (if angle < INTERVAL_ANGLE { 3 } else { NODES }, (angle / panel).ceil().max(1.0))
+    }
+
     fn recording(&mut self, placed: &motion::Placed) {
         // A picture of a long recording needs no more instants than that.
         let stride = if self.samples.is_some() { placed.intervals().div_ceil(SAMPLES_SHOWN).max(1) } else { 1 };
-        let ratio = self.axis.mechanism.stage_ratio();
-        let turned = |interval: &motion::Interval| {
-            let [first, last] = interval.speed_rad_s;
-            first.abs().max(last.abs()) * interval.duration_s / ratio
-        };
-        let intervals = || (0..placed.intervals()).step_by(stride).filter_map(|index| placed.interval(index));
-        let all: f64 = intervals().map(|interval| turned(&interval) / PANEL_ANGLE).sum();
-        let panel = PANEL_ANGLE * (all / PANELS_RECORDED).max(1.0);
-        for interval in intervals() {
+        let panel = self.recorded_panel(placed, stride);
+        for interval in (0..placed.intervals()).step_by(stride).filter_map(|index| placed.interval(index)) {
             let acceleration = interval.acceleration_rad_s2();
             let [first, last] = interval.speed_rad_s;
             let zero = if first * last < 0.0 { first / (first - last) } else { 1.0 };
-            let angle = turned(&interval);
-            let nodes = if angle < INTERVAL_ANGLE { 3 } else { NODES };
+            let (nodes, count) = self.recorded_nodes(&interval, panel);
             let ends = [(0.0, zero, if first == 0.0 { last } else { first }), (zero, 1.0, last)];
             for (from, to, speed) in ends.into_iter().filter(|(from, to, _)| to > from) {
                 let sense = if speed == 0.0 { 0.0 } else { speed.signum() };
-                let count = (angle / panel).ceil().max(1.0);
                 let mut k = 0.0;
                 while k < count {
                     let (start, length) = (from + k * (to - from) / count, (to - from) / count);

@@ -2,7 +2,7 @@
 
 use crate::axis::Axis;
 use crate::bearing_checks::Borne;
-use crate::check::{Check, CheckId, Margin, Verdict};
+use crate::check::{Check, CheckId, Margin, Part as Concerns, Verdict};
 use crate::currents::Currents;
 use crate::demand::{Demand, ManualDemand};
 use crate::electrics::Electrics;
@@ -341,6 +341,14 @@ impl<'a> Judge<'a> {
         let mut listed = Vec::with_capacity(IN_STAGES.len());
         listed.extend(IN_STAGES.iter().copied().filter(|id| id.is_listed(axis, bare)));
         Self { axis, depth, explain: false, listed, known: None }
+    }
+
+    /// Judges by the checks of one part alone.
+    #[must_use]
+    pub fn of_part(axis: &'a Axis, part: Concerns) -> Self {
+        let mut judge = Self::of(axis, Depth::Full);
+        judge.listed.retain(|id| id.part() == part);
+        judge
     }
 
     /// Judges by every check, each with the workings of its value and its limit.

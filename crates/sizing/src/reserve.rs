@@ -30,13 +30,16 @@ pub struct Reserve {
 pub struct Unsought {
     /// Whether the cycle time is among them; load and payloads always are.
     pub pace: bool,
-    /// Number of samples of each step, more than are evaluated without a deadline.
+    /// Work of each step in samples of a recording, more than is done without a deadline.
     pub samples: usize,
 }
 
 /// Samples whose load the steps of the search find again at most without a deadline: some forty
 /// steps, seventy with payloads, at 1.5 µs for a sample of noise under losses.
 pub const SAMPLES_ANEW: usize = 50_000;
+
+/// Work of an instant of a motion law, or of the loads on the flange, in samples whose load is found anew.
+const AN_INSTANT: f64 = 0.25;
 
 /// Range of the factors.
 const FACTOR_MOST: f64 = 1e3;
@@ -101,7 +104,7 @@ pub fn reserve_watched<W: Watch>(
         return Ok(Reserve { ambient: ambient()?, ..Reserve::default() });
     }
     let here = excess_of(&now);
-    let [other_load, other_pace] = axis.trace.found_anew();
+    let [other_load, other_pace] = axis.found_anew();
     let seeks = [other_load <= most, other_pace <= most];
     // Too fast is too fast under any load and at any temperature.
     let too_fast = fails(CheckId::is_of_the_pace);
@@ -202,6 +205,20 @@ fn highest_ambient<S>(mut excess: impl FnMut(f64) -> Result<f64, S>) -> Result<O
 }
 
 impl Axis {
+    /// Work of a step with another load, and of one with another pace, in samples whose load is found anew: those of the recordings,
+    /// the instants of the motion laws, and the instants at which the loads on the flange follow from the mechanism.
+    fn found_anew(&self) -> [usize; 2] {
+        let [recorded, _] = self.trace.samples();
+        let kept = self.trace.instants().saturating_sub(recorded);
+        #[allow(
+            clippy::cast_possible_truncation,
+            clippy::cast_sign_loss,
+            reason = "a count; what is out of range is clamped"
+        )]
+        let instants = ((kept as f64 + self.flange_instants()) * AN_INSTANT) as usize;
+        self.trace.found_anew().map(|samples| samples + instants)
+    }
+
     /// The same axis with other masses and inertias: a factor on those of the load and one on the payloads.
     fn with_load(&self, load: f64, payload: f64) -> Self {
         let extras = self

@@ -77,7 +77,8 @@ fn field(path: &str, first: &str, scene: &Scene<'_>) -> Option<Field> {
 
 fn answer(project: &Project, scene: &Scene<'_>) -> Markup {
     let l = scene.language;
-    let sizes = bearing_of_each_size(project);
+    // A cancelled answer is not shown.
+    let Ok(sizes) = bearing_of_each_size(project, scene.patience) else { return html! {} };
     let of_code = read_code(&scene.about, l).ok().map(|reading| reading.parsed.code.size);
     if sizes.iter().all(|(_, candidate)| bearing_checks(candidate).next().is_none()) {
         return html! { p.unchecked { (terms::no_flange_loads(l)) } };

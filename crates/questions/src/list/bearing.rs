@@ -4,6 +4,7 @@ use super::given::{arguments, text};
 use super::{AXIS, Cost, Entry, Gives, Reads, Record, Unanswered};
 use crate::answer;
 pub use crate::chapters::{bearing_checks, bearing_of_each_size};
+use crate::patience::Patience;
 use crate::sizing_use::Candidate;
 use order_code::Size;
 use project::Project;
@@ -33,7 +34,7 @@ pub static ENTRY: Entry = Entry {
         let args = Args::read(&asked.given)?;
         let axes = asked.axes(args.axis.as_deref(), Cost::Other)?;
         asked.record_of_each(&axes, |project| {
-            let found = sizes(project, asked.language)?;
+            let found = sizes(project, asked.patience, asked.language)?;
             Ok((answer::bearings(&found, asked.language), fits(&found)))
         })
     }),
@@ -42,13 +43,17 @@ pub static ENTRY: Entry = Entry {
 /// One actuator of each size, judged.
 ///
 /// # Errors
-/// Where the project has no loads on the flange.
-pub fn sizes(project: &Project, language: Language) -> Result<Vec<(Size, Candidate<'_>)>, Unanswered> {
+/// Where the project has no loads on the flange, or it was cancelled.
+pub fn sizes<'p>(
+    project: &'p Project,
+    patience: &Patience,
+    language: Language,
+) -> Result<Vec<(Size, Candidate<'p>)>, Unanswered> {
     // Where no load is known no size differs from another.
     if !project.axis.bearing.as_ref().is_some_and(|duty| duty.has_loads) {
         return Err(Unanswered::message(terms::no_flange_loads(language)));
     }
-    Ok(bearing_of_each_size(project))
+    Ok(bearing_of_each_size(project, patience)?)
 }
 
 /// Whether the bearing of one size carries the loads.

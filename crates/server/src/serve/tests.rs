@@ -155,7 +155,7 @@ fn slow(_: &Call<'_>, _: &dyn Shell, _: &Patience) -> Reply {
 
 #[test]
 fn so_many_are_computed_so_many_wait_and_the_rest_is_reported_to_come_again() {
-    let limits = Limits { computed: 2, waiting: 3, ..Limits::default() };
+    let limits = Limits { computed: 2, waiting: 3, short_time: Duration::from_secs(60), ..Limits::default() };
     let up = up(slow, Access::Anyone, limits);
     let held = GATE.lock().unwrap();
     let answers: Vec<String> = std::thread::scope(|scope| {
@@ -195,21 +195,145 @@ fn on_every_address_a_token_is_needed() {
 
 fn needs_a_token(listen: IpAddr) {
     let up = listening(panics, Some(listen), Access::default(), Limits::default());
-    let name = format!("antrieb_token_{}", up.address.port());
     let (_, token) = up.url.split_once("/?token=").unwrap();
-    assert!(up.ask("GET /", "").starts_with("HTTP/1.1 401 "));
-    assert!(up.ask("GET /health", "").starts_with("HTTP/1.1 401 "));
-    assert!(up.ask("GET /?token=0", "").starts_with("HTTP/1.1 401 "));
-    assert!(up.ask(&format!("POST /?token={token}"), "").starts_with("HTTP/1.1 401 "));
-    let shown = up.ask(&format!("GET //evil.example/?a=b&token={token}"), "");
-    assert!(shown.starts_with("HTTP/1.1 303 ") && shown.contains("location: /evil.example/?a=b\r\n"), "{shown}");
-    let cookie = format!("set-cookie: {name}={token}; Path=/; HttpOnly; SameSite=Strict\r\n");
-    assert!(shown.contains(&cookie), "{shown}");
-    assert!(up.ask("GET /", &format!("cookie: {name}={token}\r\n")).starts_with("HTTP/1.1 200 "));
-    assert!(up.ask("GET /", &format!("authorization: Bearer {token}\r\n")).starts_with("HTTP/1.1 200 "));
-    assert!(up.ask("GET /", &format!("cookie: {name}=\r\n")).starts_with("HTTP/1.1 401 "));
-    let again = up.ask(&format!("GET /?token={token}"), &format!("cookie: {name}={token}\r\n"));
-    assert!(again.starts_with("HTTP/1.1 303 "), "the token does not stay in the address: {again}");
+    let bearer = format!("authorization: Bearer {token}\r\n");
+    for line in ["GET /", "GET /health", "GET /api/v1/size", "POST /work", "GET /?token=0", "POST /?token="] {
+        assert!(up.ask(line, "").starts_with("HTTP/1.1 401 "), "{line}");
+        assert!(up.ask(line, &bearer).starts_with("HTTP/1.1 200 "), "{line}");
+    }
+    for line in [format!("GET /?token={token}"), format!("POST /work?a=b&token={token}")] {
+        assert!(up.ask(&line, "").starts_with("HTTP/1.1 200 "), "{line}");
+    }
+    assert!(up.ask("GET /assets/page.css", "").starts_with("HTTP/1.1 200 "), "it is the same for everyone");
+    assert!(up.ask("POST /assets/page.css", "").starts_with("HTTP/1.1 401 "));
+}
+
+/// Says what it was asked.
+fn repeats(call: &Call<'_>, _: &dyn Shell, _: &Patience) -> Reply {
+    Reply::text(200, &format!("{} {}", call.path, call.query))
+}
+
+/// A browser sends cookies to every port of a host, so to a server of another user: none is set, and none opens anything.
+#[test]
+fn no_cookie_is_set_and_none_is_taken() {
+    let up = up(repeats, Access::default(), Limits::default());
+    let (_, token) = up.url.split_once("/?token=").unwrap();
+    let page = "accept: text/html,*/*;q=0.8\r\n";
+    let bearer = format!("authorization: Bearer {token}\r\n{page}");
+    let cookies = ["antrieb_token", &format!("antrieb_token_{}", up.address.port()), "token"]
+        .map(|name| format!("cookie: {name}={token}\r\n{page}"));
+    let lines = ["GET /", "GET /?open=axis.toml", "POST /work", "GET /api/v1/code/list", "GET /assets/enter.js"];
+    let with_token = lines.map(|line| format!("{line}{}token={token}", if line.contains('?') { '&' } else { '?' }));
+    for line in lines.iter().copied().chain(with_token.iter().map(String::as_str)) {
+        for headers in cookies.iter().chain([&bearer, &page.to_owned()]) {
+            let answer = up.ask(line, headers).to_lowercase();
+            assert!(!answer.contains("set-cookie") && !answer.contains("location:"), "{line}: {answer}");
+            assert!(!answer.contains(token), "{line}: what is answered does not hold the token: {answer}");
+            let is_open = headers == &bearer || line.contains("token=") || line.contains("/assets/");
+            assert_eq!(!answer.starts_with("http/1.1 401 "), is_open, "{line}: {answer}");
+        }
+    }
+    let shown = up.ask(&format!("GET /?a=b&token={token}&c=d"), page);
+    assert!(shown.ends_with("/ a=b&c=d"), "the question does not hold the token: {shown}");
+    // A browser that opens a page without it gets the script that sends the kept token, and nothing else.
+    let locked = up.ask("GET /", page);
+    assert!(locked.contains("text/html") && locked.contains("/assets/enter.js"), "{locked}");
+    assert!(!up.ask("GET /", "accept: */*\r\n").contains("text/html"));
+}
+
+/// An answer that never was busy leaves nothing behind.
+#[test]
+fn a_connection_has_one_place_among_the_idle_ones() {
+    let all = Arc::<Idle>::default();
+    let length = || all.0.lock().unwrap().all.len();
+    let (stranger, user) = (IdleSlot::new(&all), IdleSlot::new(&all));
+    for _ in 0..1000 {
+        stranger.idle();
+        user.busy();
+        user.idle();
+    }
+    assert_eq!(length(), 2);
+    user.busy();
+    assert_eq!(length(), 1);
+    user.idle();
+    // The stranger goes first, however long the user is idle.
+    let third = IdleSlot::new(&all);
+    all.closes_longest();
+    all.closes_longest();
+    let left: Vec<bool> = all.0.lock().unwrap().all.keys().map(|(is_known, _)| *is_known).collect();
+    assert_eq!(left, [true]);
+    drop((stranger, user, third));
+    assert_eq!(length(), 0);
+}
+
+/// Requests that are turned away, then more idle connections than there are places: the user is answered at once.
+#[test]
+fn a_stranger_without_the_token_does_not_slow_the_user() {
+    let limits = Limits { connections: 64, ..Limits::default() };
+    let up = up(repeats, Access::default(), limits);
+    let (_, token) = up.url.split_once("/?token=").unwrap();
+    let bearer = format!("authorization: Bearer {token}\r\n");
+    let mut stream = up.connect();
+    let request = format!("GET /health HTTP/1.1\r\nhost: {}\r\n\r\n", up.address);
+    let mut piece = vec![0; 1 << 16];
+    for _ in 0..40 {
+        stream.write_all(request.repeat(50).as_bytes()).unwrap();
+        let mut answers: Vec<u8> = Vec::new();
+        while answers.windows(12).filter(|part| part == b"HTTP/1.1 401").count() < 50 {
+            let read = stream.read(&mut piece).unwrap();
+            assert!(read > 0, "closed");
+            answers.extend(&piece[..read]);
+        }
+    }
+    let idle: Vec<std::net::TcpStream> = (0..90).map(|_| up.connect()).collect();
+    let begun = Instant::now();
+    assert!(up.ask("GET /health", &bearer).starts_with("HTTP/1.1 200 "));
+    assert!(begun.elapsed() < Duration::from_secs(1), "{:?}", begun.elapsed());
+    drop(idle);
+}
+
+static BEGUN: AtomicUsize = AtomicUsize::new(0);
+static ENOUGH: AtomicBool = AtomicBool::new(false);
+
+/// A long work ends when it is enough or when it is cancelled.
+fn long_or_short(call: &Call<'_>, _: &dyn Shell, patience: &Patience) -> Reply {
+    if call.path == "/short" {
+        return Reply::text(200, "short");
+    }
+    BEGUN.fetch_add(1, Ordering::SeqCst);
+    while !ENOUGH.load(Ordering::SeqCst) {
+        if patience.is_over() {
+            return Reply::text(503, "cancelled");
+        }
+        std::thread::sleep(Duration::from_millis(5));
+    }
+    Reply::text(200, "long")
+}
+
+/// Three long works on a server of one worker: the short ones are answered meanwhile, and in the end each long one has its answer.
+#[test]
+fn long_works_do_not_keep_a_short_one_waiting() {
+    let limits = Limits { computed: 1, short_time: Duration::from_millis(100), ..Limits::default() };
+    let up = up(long_or_short, Access::Anyone, limits);
+    std::thread::scope(|scope| {
+        let long: Vec<_> = (0..3).map(|_| scope.spawn(|| up.ask("GET /long", ""))).collect();
+        let begun = Instant::now();
+        while BEGUN.load(Ordering::SeqCst) < 3 {
+            assert!(begun.elapsed() < Duration::from_secs(10), "each has begun");
+            std::thread::sleep(Duration::from_millis(5));
+        }
+        for _ in 0..3 {
+            let begun = Instant::now();
+            assert!(up.ask("GET /short", "").ends_with("short"));
+            assert!(begun.elapsed() < Duration::from_secs(2), "{:?}", begun.elapsed());
+        }
+        assert!(long.iter().all(|one| !one.is_finished()));
+        ENOUGH.store(true, Ordering::SeqCst);
+        for one in long {
+            assert!(one.join().unwrap().ends_with("long"));
+        }
+    });
+    assert_eq!(BEGUN.load(Ordering::SeqCst), 5, "two were begun again");
 }
 
 static FINISHED: AtomicBool = AtomicBool::new(false);

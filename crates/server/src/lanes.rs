@@ -1,0 +1,114 @@
+//! Two lanes for the answers: a long one does not keep the short ones waiting.
+//!
+//! How long an answer takes is known for certain only when it is there, so every work begins as a short one. What has not ended after
+//! [`Limits::short_time`] is a long one: it leaves its turn to the next short one and goes on in the second lane. If that is full it is
+//! ended and begun again there when its turn has come, so that what waits for it is never a short one; what it had done by then is lost.
+
+use crate::limits::Limits;
+use page::Reply;
+use questions::Patience;
+use rayon::{ThreadPool, ThreadPoolBuilder};
+use std::sync::{Arc, Mutex, PoisonError, Weak};
+use std::time::Duration;
+use tokio::sync::{OwnedSemaphorePermit, Semaphore};
+use tokio::task::JoinHandle;
+
+/// A work that can be begun more than once.
+type Work = dyn Fn(&Patience) -> Reply + Send + Sync;
+
+/// The lanes.
+pub(crate) struct Lanes {
+    short: Arc<Semaphore>,
+    long: Arc<Semaphore>,
+    short_time: Duration,
+    /// Threads of works that have ended, for the next ones.
+    pools: Arc<Mutex<Vec<ThreadPool>>>,
+    /// The works under way.
+    under_way: Mutex<Vec<Weak<Patience>>>,
+}
+
+/// The turn of a work: it is held as long as the work runs, also when its client has disconnected.
+type Turn = Arc<Mutex<Option<OwnedSemaphorePermit>>>;
+
+impl Lanes {
+    pub(crate) fn new(limits: &Limits) -> Self {
+        Self {
+            short: Arc::new(Semaphore::new(limits.computed.max(1))),
+            long: Arc::new(Semaphore::new(limits.long())),
+            short_time: limits.short_time,
+            pools: Arc::default(),
+            under_way: Mutex::default(),
+        }
+    }
+
+    /// Threads on which works run at most.
+    pub(crate) fn threads(limits: &Limits) -> usize {
+        limits.computed.max(1) + limits.long()
+    }
+
+    /// Returns the answer of a work when its turn has come, which is reported by `begins`; `None` if it failed.
+    pub(crate) async fn computed(
+        &self,
+        work: Arc<Work>,
+        patience: Arc<Patience>,
+        begins: impl FnOnce(),
+    ) -> Option<Reply> {
+        let turn = Arc::clone(&self.short).acquire_owned().await.ok()?;
+        begins();
+        self.note(&patience);
+        let (held, mut running) = self.begun(&work, &patience, turn);
+        if let Ok(done) = tokio::time::timeout(self.short_time, &mut running).await {
+            return done.ok();
+        }
+        if let Ok(turn) = Arc::clone(&self.long).try_acquire_owned() {
+            // The turn among the short ones is free with this.
+            *held.lock().unwrap_or_else(PoisonError::into_inner) = Some(turn);
+            return running.await.ok();
+        }
+        patience.displace();
+        let done = running.await.ok();
+        if !patience.resume() {
+            return done;
+        }
+        // Its turn among the short ones is free before it waits for another.
+        drop(held);
+        let turn = Arc::clone(&self.long).acquire_owned().await.ok()?;
+        let (_held, running) = self.begun(&work, &patience, turn);
+        running.await.ok()
+    }
+
+    /// Begins a work on a thread of its own, with threads for its parts that no other work uses: a long one would otherwise keep the parts
+    /// of a short one waiting.
+    fn begun(
+        &self,
+        work: &Arc<Work>,
+        patience: &Arc<Patience>,
+        turn: OwnedSemaphorePermit,
+    ) -> (Turn, JoinHandle<Reply>) {
+        let held: Turn = Arc::new(Mutex::new(Some(turn)));
+        let (turn, work, patience, pools) =
+            (Arc::clone(&held), Arc::clone(work), Arc::clone(patience), Arc::clone(&self.pools));
+        let running = tokio::task::spawn_blocking(move || {
+            let _turn = turn;
+            let kept = pools.lock().unwrap_or_else(PoisonError::into_inner).pop();
+            // Without threads of its own it has those of all.
+            let Some(pool) = kept.or_else(|| ThreadPoolBuilder::new().build().ok()) else { return work(&patience) };
+            let reply = pool.install(|| work(&patience));
+            pools.lock().unwrap_or_else(PoisonError::into_inner).push(pool);
+            reply
+        });
+        (held, running)
+    }
+
+    fn note(&self, patience: &Arc<Patience>) {
+        let mut under_way = self.under_way.lock().unwrap_or_else(PoisonError::into_inner);
+        under_way.retain(|work| work.strong_count() > 0);
+        under_way.push(Arc::downgrade(patience));
+    }
+
+    /// Cancels every work under way.
+    pub(crate) fn cancel_all(&self) {
+        let under_way = self.under_way.lock().unwrap_or_else(PoisonError::into_inner);
+        under_way.iter().filter_map(Weak::upgrade).for_each(|patience| patience.cancel());
+    }
+}
