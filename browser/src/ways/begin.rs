@@ -22,10 +22,10 @@ pub(crate) fn with_figures(stage: &Stage<'_>) -> Worded {
 pub(crate) fn with_an_example(stage: &Stage<'_>) -> Worded {
     let tab = &stage.tab;
     stage.start("de")?;
-    tab.says("h2", "Was wollen Sie bewegen?")?;
+    tab.says("h2", "Was möchten Sie bewegen?")?;
     tab.click("a[href*=\"new=belt\"]")?;
     stage.ready()?;
-    tab.says("#demands-title", "Was es verlangt")?;
+    tab.says("#demands-title", "Belastung")?;
     // The way back leads to where one began.
     tab.click("a[data-leaves]")?;
     tab.there("#start-title")

@@ -43,7 +43,7 @@ pub(crate) fn two_tabs(stage: &Stage<'_>) -> Worded {
     tab.back_to(first)?;
     stage.change("#f-mechanism-belt-mass", "32 kg")?;
     tab.click("#save")?;
-    tab.says("#status", "it was left as it is")?;
+    tab.says("#status", "not overwritten")?;
     tab.until("document.title.startsWith('•')")?;
     tab.another()?;
     tab.open(&stage.shell.at("open=shared.toml&lang=en"))?;

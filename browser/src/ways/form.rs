@@ -59,7 +59,7 @@ pub(crate) fn language_and_dark(stage: &Stage<'_>) -> Worded {
     stage.example("belt", "en")?;
     stage.change("#f-mechanism-belt-mass", "44 kg")?;
     tab.click("#language")?;
-    tab.says("#demands-title", "Was es verlangt")?;
+    tab.says("#demands-title", "Belastung")?;
     tab.until("document.documentElement.lang === 'de'")?;
     let light = tab.eval("getComputedStyle(document.documentElement).backgroundColor")?;
     tab.click("#theme")?;

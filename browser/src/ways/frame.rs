@@ -165,7 +165,7 @@ pub(crate) fn names_of_files(stage: &Stage<'_>) -> Worded {
     stage.change("#f-mechanism-belt-mass", "21 kg")?;
     tab.fill("#file", "my-axis.toml")?;
     tab.click("#save")?;
-    tab.says("#status", "there already")?;
+    tab.says("#status", "already exists")?;
     if let Some(folder) = stage.shell.folder() {
         tab.open(&stage.shell.at("open=my-axis.toml&lang=en"))?;
         stage.ready()?;

@@ -146,7 +146,7 @@ fn exit_codes_tell_fit_misfit_and_no_answer() {
         .replace("1.3 kg m^2", "1300 kg m^2");
     let run = run_with(&["size", "-"], heavy.as_bytes());
     assert_eq!(run.code, 1);
-    assert!(run.out.contains("no actuator of the catalogue fits") && run.out.contains("nearest miss"));
+    assert!(run.out.contains("no actuator in the catalogue fits") && run.out.contains("smallest excess"));
 }
 
 #[test]
@@ -417,7 +417,7 @@ fn a_bad_recording_is_refused_with_its_lines() {
     check(
         &RECORDED.replace("[load]\ninertia = \"0.5 kg m^2\"", "[mechanism.joint]\ninertia = \"1 kg m^2\""),
         Some("t [s],q [deg]\n0,0\n1,1\n2,0\n"),
-        &["every [[motion]] must be recorded"],
+        &["every [[motion]] must be a recording"],
     );
     check(
         &format!("{RECORDED}from = \"0 s ± 1 s\"\n"),
@@ -500,7 +500,7 @@ fn nothing_is_written_where_something_is_wrong() {
     let table = "examples/indexing-table.toml";
     for (arguments, expected) in [
         (vec!["plot", table, "--figure", "cycle", "--svg", svg, "--png", png], "there is no such folder"),
-        (vec!["plot", table, "--figure", "cycle", "--svg", svg, "--png", "-"], "--png needs a file"),
+        (vec!["plot", table, "--figure", "cycle", "--svg", svg, "--png", "-"], "--png requires a file name"),
         (vec!["plot", table, "--figure", "cycle", "--svg", folder.to_str().unwrap()], "this is a folder"),
         (vec!["plot", "examples/screw-axis.toml", "--figure", "bearing_load", "--svg", svg], "[bearing] is missing"),
         (vec!["plot", table, "--figure", "cycle", "--svg", svg, "--width", "30"], "--width"),

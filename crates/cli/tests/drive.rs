@@ -202,7 +202,10 @@ fn a_drive_ends_in_good_order() {
     // With the first answer it also watches for its end.
     assert!(Lines(BufReader::new(drive.connect())).ask("time").starts_with("ok "));
     let said = drive.0.ended_by("-TERM");
-    assert!(said.starts_with("virtueller Regler unter 127.0.0.1:") && said.ends_with("Strg+C beendet es\n"), "{said}");
+    assert!(
+        said.starts_with("virtueller Servoregler unter 127.0.0.1:") && said.ends_with("Beenden mit Strg+C\n"),
+        "{said}"
+    );
 }
 
 #[test]
@@ -210,10 +213,10 @@ fn what_cannot_be_driven_is_reported() {
     let taken = Drive::new(&[]);
     let port = taken.0.line.rsplit(':').next().unwrap();
     for (arguments, word) in [
-        (["drive", CODE, "--port", port].as_slice(), "taken by another program"),
+        (["drive", CODE, "--port", port].as_slice(), "in use by another program"),
         (&["drive", "CHA-25A-100-H-M512X"], "M512X"),
-        (&["drive", CODE, "--node", "128"], "no value for"),
-        (&["drive", CODE, "--protocol", "modbus"], "no value for"),
+        (&["drive", CODE, "--node", "128"], "not a valid value for"),
+        (&["drive", CODE, "--protocol", "modbus"], "not a valid value for"),
         (&["drive", CODE, "--inertia", "1 kg"], "moment of inertia"),
         (&["drive", CODE, "--project", "examples/nowhere.toml"], "nowhere.toml"),
         (&["drive", CODE, "--project", "examples/two-axes.toml"], "--axis"),

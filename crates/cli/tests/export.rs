@@ -76,7 +76,7 @@ fn a_fault_writes_nothing_and_says_what_helps() {
         (vec!["--out", &at("a")], ".parquet"),
         (vec!["--out", &at("none/a.xlsx")], "there is no such folder"),
         (vec!["--out", &at("x.xlsx"), "--force"], "this is a folder"),
-        (vec!["--out", &at("a.xlsx"), "--code", "CHA-32A-51-H-C1024"], "nearest valid codes"),
+        (vec!["--out", &at("a.xlsx"), "--code", "CHA-32A-51-H-C1024"], "nearest valid ordering codes"),
         (vec!["--out", &at("a.xlsx"), "--axis", "lift"], "has no axis"),
         (vec!["--out", &at("a.xlsx"), "--top", "0"], "--top"),
     ] {
@@ -161,7 +161,7 @@ fn a_difference_in_json_tells_inputs_demand_and_checks() {
 
     let same = run(&["diff", PROJECT, PROJECT]);
     assert_eq!(same.code, 0);
-    assert!(same.out.contains("no input changed") && same.out.contains("the demand is the same"), "{}", same.out);
+    assert!(same.out.contains("no input changed") && same.out.contains("demand unchanged"), "{}", same.out);
     let broken = run_with(&["diff", PROJECT, "-"], b"format = 1\n");
     assert_eq!((broken.code, broken.out.as_str()), (2, ""));
 }

@@ -91,7 +91,7 @@ fn a_link_is_followed_within_its_folder_only() {
     assert_eq!(antrieb(here, &curve(&["--svg", "near.svg"])).status.code(), Some(0));
     assert!(here.join("near.svg").is_symlink());
     assert!(fs::read_to_string(here.join("target.svg")).unwrap().starts_with("<svg"));
-    refused(here, &curve(&["--svg", "far.svg"]), "out of its folder");
+    refused(here, &curve(&["--svg", "far.svg"]), "outside its folder");
     refused(here, &curve(&["--svg", "nowhere.svg"]), "to nothing");
     assert_eq!(fs::read_to_string(away.path().join("far.svg")).unwrap(), "old");
     assert_eq!(names(here), ["far.svg", "near.svg", "nowhere.svg", "target.svg"]);
@@ -129,7 +129,7 @@ fn two_files_are_never_one() {
     symlink("a", here.join("c")).unwrap();
     symlink(".", here.join("d")).unwrap();
     for (svg, png) in [("a", "a"), ("a", "./a"), ("a", "b"), ("a", "c"), ("new", "new"), ("new", "d/new")] {
-        refused(here, &curve(&["--svg", svg, "--png", png]), "the same one");
+        refused(here, &curve(&["--svg", svg, "--png", png]), "the same file");
     }
     assert_eq!(fs::read_to_string(here.join("a")).unwrap(), "old");
     assert_eq!(names(here), ["a", "b", "c", "d"]);

@@ -134,7 +134,7 @@ fn a_server_ends_when_it_is_reported_to() {
         let (head, _) = server.ask("GET /health", "", b"");
         assert!(head.starts_with("HTTP/1.1 200 "), "{head}");
         let said = server.started.ended_by(signal);
-        assert_eq!(said, "Strg+C beendet es\n");
+        assert_eq!(said, "Beenden mit Strg+C\n");
     }
 }
 
@@ -143,13 +143,13 @@ fn what_cannot_be_served_is_reported() {
     let taken = Server::new(&["--port", "0"]);
     let port = taken.address.rsplit(':').next().unwrap();
     for (arguments, word) in [
-        (["serve", "--port", port].as_slice(), "taken by another program"),
-        (&["serve", "examples/nowhere"], "cannot be worked in"),
-        (&["serve", "examples/pins.csv"], "cannot be worked in"),
-        (&["serve", "--listen", "here"], "is no address"),
-        (&["serve", "--listen", "192.0.2.1", "--port", "0"], "cannot be listened on"),
-        (&["serve", "--memory", "much"], "no amount of memory"),
-        (&["serve", "--port", "70000"], "no value for"),
+        (["serve", "--port", port].as_slice(), "in use by another program"),
+        (&["serve", "examples/nowhere"], "cannot be used"),
+        (&["serve", "examples/pins.csv"], "cannot be used"),
+        (&["serve", "--listen", "here"], "is not a network address"),
+        (&["serve", "--listen", "192.0.2.1", "--port", "0"], "cannot listen on"),
+        (&["serve", "--memory", "much"], "not an amount of memory"),
+        (&["serve", "--port", "70000"], "not a valid value for"),
     ] {
         let found = run(&[arguments, &["--json"]].concat());
         assert!(found.code == 2 && found.out.contains(word), "{arguments:?}: {}{}", found.out, found.err);

@@ -295,7 +295,7 @@ fn rejected(state: &State, sizing: &Sizing<'_>, looked_at: Option<&Candidate<'_>
         (part(filters(state, sizing)))
         p.small { (page::shown_of(&first.len(), &all.len(), l)) }
         table.rejected {
-            thead { tr { th scope="col" { (capitalised(terms::ordering_code(l))) } th scope="col" { (page::why_not(l)) } } }
+            thead { tr { th scope="col" { (capitalised(terms::ordering_code(l))) } th scope="col" { (capitalised(terms::reason(l))) } } }
             @for candidate in first.iter().chain(below) {
                 @let name = candidate.id.to_string();
                 @let it = is_it(candidate);

@@ -21,7 +21,7 @@ fn a_version_belongs_to_the_name_that_was_opened() {
     let save = |file: &str, text: &str, known: &str| save(&folder, file, text, known);
     let (status, known) = save("a.toml", "format = 1\n", "");
     assert_eq!(status, 200);
-    assert_eq!(save("a.toml", "format = 1 # x\n", "").0, 409, "another version stands there");
+    assert_eq!(save("a.toml", "format = 1 # x\n", "").0, 409, "differs from the one opened here stands there");
     assert_eq!(save("b.toml", "format = 1\n", &known).0, 200, "under another name it is a new file");
     assert_eq!(save("b.toml", "format = 1 # y\n", &known).0, 409, "the name is taken by now");
     let (status, newer) = save("a.toml", "format = 1 # z\n", &known);
@@ -50,7 +50,7 @@ fn what_another_has_saved_is_noticed_and_asked_about() {
     let notice = watch(&first);
     let html = page(&notice);
     whole(&html);
-    assert!(html.contains("another version") && html.contains("data-disk=\"load\""), "{html}");
+    assert!(html.contains("differs from the one opened here") && html.contains("data-disk=\"load\""), "{html}");
     assert!(html.contains(&format!("data-disk=\"mine\" data-known=\"{second}\"")), "{html}");
     // To load it: its text, and the version that is known from then on.
     let text = folder.get("/text", "file=a.toml");

@@ -106,7 +106,7 @@ fn work_that_ends_early_takes_the_change_and_leaves_the_result_in_its_place() {
     let first = String::from_utf8(ask("/", &[("text", &text)], &over).body).unwrap();
     assert!(
         first.contains("Cancelled")
-            && first.contains("No result before")
+            && first.contains("No result until")
             && first.contains("id=\"f-mechanism-belt-mass\"")
     );
 }

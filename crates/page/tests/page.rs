@@ -11,7 +11,7 @@ use shell::{get, page, post, whole};
 fn every_example_is_a_whole_page_in_both_languages() {
     whole(&page(&get("/", "")));
     for kind in template_kinds().filter(|kind| !matches!(*kind, "recording" | "joint")) {
-        for (lang, word) in [("en", "What it demands"), ("de", "Was es verlangt")] {
+        for (lang, word) in [("en", "Demand"), ("de", "Belastung")] {
             let html = page(&get("/", &format!("new={kind}&lang={lang}")));
             whole(&html);
             assert!(html.contains(word) && html.contains("id=\"plot-cycle\""), "{kind}");
@@ -29,7 +29,7 @@ fn a_changed_field_changes_text_and_verdict_and_leaves_the_rest() {
         "{}",
         &html[html.len() - 3000..]
     );
-    assert!(html.contains("# carriage and gripper") && html.contains("276 actuators judged"));
+    assert!(html.contains("# carriage and gripper") && html.contains("276 actuators evaluated"));
     whole(&html);
     let heavy = page(&post("/work", &[("text", &text), ("path", "mechanism.belt.mass"), ("value", "6000 kg")]));
     assert!(heavy.contains("No actuator of the catalogue fits"));
@@ -48,7 +48,7 @@ fn a_fault_stands_at_its_field_beside_the_last_good_result() {
     let broken = page(&post("/work", &[("text", "format = = 1"), ("good", &text)]));
     assert!(broken.contains("<fieldset id=\"fields\" disabled"), "what has no place cannot be changed");
     let nothing = page(&post("/work", &[("text", "format = 1\n")]));
-    assert!(nothing.contains("No result before the project is whole"));
+    assert!(nothing.contains("No result until the project is complete"));
     whole(&nothing);
 }
 

@@ -4,7 +4,10 @@ use answers::{Glossary, GlossarySymbol, GlossaryTerm, GlossaryWord};
 use quantities::Language;
 use words::{glossary_symbols, symbol_shown, term_remark, word_meaning};
 
-/// The glossary, or its entries for a symbol, an identifier or a word; whole names go before parts of words.
+/// The glossary, or its entries for a symbol, an identifier or a word.
+///
+/// The first of these that finds something decides: the name as written, without regard to capitals, without regard to the
+/// spelling of a symbol (`tau_e`, `τ_e`, `τe`), a whole word of a name, a part of a text.
 ///
 /// # Errors
 /// The nearest names where nothing is found.
@@ -19,6 +22,18 @@ pub fn glossary(wanted: Option<&str>, language: Language) -> Result<Glossary, Ve
     let by_name = chosen(&all, &|names, _| names.iter().any(|name| name.to_lowercase() == small));
     if !by_name.is_empty() {
         return Ok(by_name);
+    }
+    let spelled = folded(wanted);
+    let by_spelling = chosen(&all, &|names, _| names.iter().any(|name| folded(name) == spelled));
+    if !by_spelling.is_empty() {
+        return Ok(by_spelling);
+    }
+    // "CE" is a word of "CE marking", and a part of many others.
+    let is_word =
+        |name: &str| name.to_lowercase().split(|sign: char| !sign.is_alphanumeric()).any(|word| word == small);
+    let by_word = chosen(&all, &|names, _| names.iter().any(|name| is_word(name)));
+    if !by_word.is_empty() {
+        return Ok(by_word);
     }
     let found = chosen(&all, &|_, texts| texts.iter().any(|text| text.to_lowercase().contains(&small)));
     if found.is_empty() { Err(nearest(&all, wanted)) } else { Ok(found) }
@@ -95,6 +110,41 @@ fn chosen(all: &Glossary, keeps: &dyn Fn(&[&str], &[&str]) -> bool) -> Glossary 
     found
 }
 
+/// Greek letters of symbols with the names that ASCII symbols have for them.
+const GREEK: [(char, &str); 18] = [
+    ('α', "alpha"),
+    ('β', "beta"),
+    ('γ', "gamma"),
+    ('Δ', "d"),
+    ('δ', "delta"),
+    ('η', "eta"),
+    ('θ', "theta"),
+    ('ϑ', "theta"),
+    ('κ', "kappa"),
+    ('µ', "mu"),
+    ('μ', "mu"),
+    ('ρ', "rho"),
+    ('σ', "sigma"),
+    ('τ', "tau"),
+    ('φ', "phi"),
+    ('ψ', "psi"),
+    ('ω', "omega"),
+    ('Ω', "omega"),
+];
+
+/// A name without regard to capitals, to `_`, `-`, points and blanks, and with Greek letters by name.
+fn folded(name: &str) -> String {
+    let mut folded = String::with_capacity(name.len());
+    for sign in name.chars() {
+        match GREEK.iter().find(|(letter, _)| *letter == sign) {
+            Some((_, name)) => folded.push_str(name),
+            None if sign.is_alphanumeric() => folded.extend(sign.to_lowercase()),
+            None => {}
+        }
+    }
+    folded
+}
+
 /// Number of nearest names proposed.
 const NEAREST: usize = 3;
 
@@ -134,6 +184,37 @@ mod tests {
         assert!(meaning_of_symbol("T_rms", Language::En).is_some() && meaning_of_symbol("x_y", Language::En).is_none());
         assert_eq!(meaning_of_word("Nachweis", Language::En), meaning_of_word("check", Language::En));
         assert!(meaning_of_word("check", Language::En).is_some());
+    }
+
+    #[test]
+    fn every_usual_spelling_is_found() {
+        for (spellings, symbol) in [
+            (["tau_e", "τ_e", "τe", "TAU_E", "taue"], "tau_e"),
+            (["k_Tout", "kTout", "k_tout", "k-Tout", "K_TOUT"], "k_Tout"),
+            (["F_R_dyn_max", "FRdynmax", "F_R dyn max", "f_r_dyn_max", "F_R dyn (max)"], "F_R_dyn_max"),
+        ] {
+            for spelling in spellings {
+                let found = glossary(Some(spelling), Language::De).unwrap();
+                assert!(found.terms.iter().any(|term| term.symbol == symbol), "{spelling}: {found:?}");
+                assert!(found.terms.len() <= 2, "{spelling}: {found:?}");
+            }
+        }
+        for (spellings, id) in [
+            (["CE", "ce", "CE-Kennzeichnung"], "ce_marking"),
+            (["REACH", "reach", "REACH-Verordnung"], "reach"),
+            (["RoHS", "rohs", "ROHS"], "rohs"),
+        ] {
+            for spelling in spellings {
+                let found = glossary(Some(spelling), Language::En).unwrap();
+                let ids: Vec<&str> = found.words.iter().map(|word| word.id.as_str()).collect();
+                assert_eq!((ids, found.terms.len()), (vec![id], 0), "{spelling}");
+            }
+        }
+        // Every shown symbol is found as it is shown.
+        for symbol in glossary(None, Language::En).unwrap().symbols {
+            let found = glossary(Some(&symbol.shown), Language::En).unwrap();
+            assert!(found.symbols.iter().any(|each| each.symbol == symbol.symbol), "{}", symbol.shown);
+        }
     }
 
     #[test]

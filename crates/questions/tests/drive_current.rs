@@ -37,7 +37,7 @@ fn a_drive_that_supplies_the_current_passes_and_a_small_one_fails() {
 
 #[test]
 fn the_limit_is_cited_by_its_key_and_titled_in_both_languages() {
-    for (language, title) in [(Language::En, "drive current"), (Language::De, "Reglerstrom")] {
+    for (language, title) in [(Language::En, "drive current"), (Language::De, "Strom des Servoreglers")] {
         let check = record("[drive]\ncurrent_continuous = \"5 A\"\n", language).unwrap();
         assert_eq!((check.title.as_str(), check.unit), (title, Some("A")));
         assert!(check.limit.is_some_and(|limit| (limit.0 - 5.0).abs() < 1e-12));

@@ -205,7 +205,7 @@ fn a_symbol_means_what_it_is_where_it_stands() {
         found.map_or_else(String::new, |(_, term)| term.clone())
     };
     for (symbol, unit, check, expected) in [
-        ("P_0", "W", "thermal", "loss borne at standstill"),
+        ("P_0", "W", "thermal", "permissible loss at standstill"),
         ("P_0", "N", "bearing_static", "static equivalent load"),
         ("phi", "arcmin", "torsion", "torsion of the gear"),
         ("phi", "rad", "mean_speed", "angle travelled over the cycle"),

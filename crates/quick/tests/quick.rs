@@ -11,7 +11,7 @@ use run::run;
 fn a_report_is_refused_in_both_languages_and_no_file_is_left() {
     let file = std::env::temp_dir().join(format!("antrieb-quick-{}.pdf", std::process::id()));
     let name = file.to_str().unwrap();
-    for (language, words) in [("en", "built without the typesetting engine"), ("de", "ohne Satzsystem gebaut")] {
+    for (language, words) in [("en", "does not include the typesetting engine"), ("de", "ohne Satz-Engine gebaut")] {
         let project = "examples/indexing-table.toml";
         for arguments in [["report", project, "--out", name], ["size", project, "--report", name]] {
             let run = run(&[arguments.as_slice(), &["--lang", language]].concat());

@@ -192,10 +192,10 @@ fn open_points_are_counted_once_and_for_all(sample: Sample, content: &Content) {
         let (open, de) = (candidate.open_questions, sample.language == Language::De);
         let words = match (open, de) {
             (0, _) => continue,
-            (1, true) => "Frage ließ sich nicht prüfen",
-            (1, false) => "question could not be checked",
-            (_, true) => "Fragen ließen sich nicht prüfen",
-            (_, false) => "questions could not be checked",
+            (1, true) => "Nachweis konnte nicht geführt werden",
+            (1, false) => "check could not be made",
+            (_, true) => "Nachweise konnten nicht geführt werden",
+            (_, false) => "checks could not be made",
         };
         assert!(cover.contains(&letters(&format!("{open} {words}"))), "{}: {open}", sample.name);
         let may = candidate.checks.iter().filter(|check| {
@@ -276,22 +276,22 @@ fn what_is_missing_leaves_no_heading_without_content() {
     dossier.errata.clear();
     let pages = letters(&pages_of(&content, &Settings::default()));
     let gone = [
-        "Nobody stated these",
+        "Not stated in the project",
         "Torque-speed plane",
         "Tolerances",
         "Remarks",
         "Not checked",
-        "What fits",
-        "Nearest misses",
-        "Why the others",
-        "Errata used",
-        "What the axis asks of the output shaft",
+        "Suitable actuators",
+        "Rejected actuators with the smallest excess",
+        "Reasons for rejection",
+        "Errata taken into account",
+        "Demands on the output shaft",
         "Appendix",
     ];
     for heading in gone {
         assert!(!pages.contains(&letters(heading)), "{heading}");
     }
-    assert!(pages.contains(&letters("Bill of material")));
+    assert!(pages.contains(&letters("Parts list")));
     assert!(report::pdf(&content, &Settings::default()).unwrap().starts_with(b"%PDF"));
 }
 
@@ -301,7 +301,7 @@ fn every_mechanism_has_its_drawing() {
         let mut content = short();
         content.axes[0].dossier.mechanism.sketch.svg = id.drawing(&questions::Figures::none()).picture(|_| true);
         let text = letters(&pages_of(&content, &settings()));
-        assert!(text.contains(&letters("Principle, not to scale")), "{id:?}");
+        assert!(text.contains(&letters("Schematic, not to scale")), "{id:?}");
     }
 }
 
@@ -332,7 +332,7 @@ fn several_axes_have_a_summary_and_a_part_each() {
         }
     }
     let all = letters(&pages.concat());
-    assert_eq!(all.matches(&letters("Bill of material and screws")).count(), 2);
+    assert_eq!(all.matches(&letters("Parts list and screws")).count(), 2);
     let none = Content { language: Language::En, axes: Vec::new() };
     assert!(matches!(report::pdf(&none, &settings()), Err(Fault::NoAxis)));
 }
@@ -487,7 +487,7 @@ fn another_gearing_is_proposed_where_nothing_fits() {
     let lift = "format = 1\n[mechanism.screw]\nlead = \"20 mm\"\nmass = \"60 kg\"\ninclination = \"90 deg\"\n\
         [[motion]]\nlaw = \"polynomial_5\"\ndistance = \"300 mm\"\ntime = \"2 s\"\n[[motion]]\nlaw = \"polynomial_5\"\n\
         distance = \"-300 mm\"\ntime = \"2 s\"\n";
-    for (language, words) in [(Language::En, "Another gearing"), (Language::De, "Andere Übersetzung")] {
+    for (language, words) in [(Language::En, "Another ratio"), (Language::De, "Andere Übersetzung")] {
         let content = made(lift, None, language, false);
         let proposed = content.axes[0].dossier.sizing.would_fit_with.clone();
         assert_eq!(proposed.len(), 2, "{proposed:?}");

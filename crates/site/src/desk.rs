@@ -138,7 +138,7 @@ mod tests {
         let mut desk = Desk::default();
         let (head, body) = said(&mut desk, &ask(false, "/", "", None), &[]);
         assert_eq!((head["status"].clone(), head["media"].clone()), (json!(200), json!("text/html; charset=utf-8")));
-        assert!(String::from_utf8(body).unwrap().contains("Was wollen Sie bewegen?"));
+        assert!(String::from_utf8(body).unwrap().contains("Was möchten Sie bewegen?"));
         assert_eq!(said(&mut desk, &ask(true, "/nowhere", "", None), &[]).0["status"], 404);
     }
 

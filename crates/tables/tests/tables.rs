@@ -310,7 +310,7 @@ fn a_workbook_opens_with_every_row_and_live_formulas() {
                 }
             };
             let (course, exact) = match language {
-                Language::En => (of("T_rms from the course"), of("T_rms exact")),
+                Language::En => (of("T_rms from the time series"), of("T_rms exact")),
                 Language::De => (of("T_rms aus dem Verlauf"), of("T_rms exakt")),
             };
             // The formula is the trapezoidal rule over the rows: within 2 ‰, and 5 ‰ where a crank bends the torque between them.
@@ -369,9 +369,9 @@ fn a_long_course_is_left_to_the_other_formats() {
         let row = course.rows.get(0).unwrap().into_owned();
         course.rows = std::iter::repeat_n(row, tables::SHEET_ROWS_MOST + 1).collect();
         let mut book: Xlsx<_> = Xlsx::new(Cursor::new(xlsx(&tables, front).unwrap())).unwrap();
-        assert!(!book.sheet_names().contains(&"Course".to_owned()));
+        assert!(!book.sheet_names().contains(&"Time series".to_owned()));
         let cover = book.worksheet_range("Overview").unwrap();
-        let shown = cover.rows().find(|row| row[0] == Data::String("Course".to_owned())).unwrap();
+        let shown = cover.rows().find(|row| row[0] == Data::String("Time series".to_owned())).unwrap();
         assert!(shown[1].to_string().contains("--table course"), "{shown:?}");
     });
 }

@@ -10,58 +10,58 @@ use quantities::Language;
 pub fn assumption_text(assumption: Assumption, language: Language) -> String {
     let (en, de) = match assumption {
         Assumption::SplineThroughPoints(Spline::Cubic) => (
-            "a cubic spline goes through the points of the cam table: the acceleration is continuous there (C²), the jerk steps; at the ends the acceleration may step",
-            "durch die Punkte der Kurventabelle geht ein kubischer Spline: die Beschleunigung ist dort stetig (C²), der Ruck springt; an den Enden kann die Beschleunigung springen",
+            "a cubic spline goes through the points of the cam table: the acceleration is continuous there (C²), the jerk is discontinuous; at the ends the acceleration may be discontinuous",
+            "Kurventabelle mit kubischem Spline interpoliert: die Beschleunigung ist an den Stützpunkten stetig (C²), der Ruck unstetig; an den Enden kann die Beschleunigung springen",
         ),
         Assumption::SplineThroughPoints(Spline::Quintic) => (
-            "a spline of the fifth degree goes through the points of the cam table: jerk and its derivative are continuous there (C⁴); at the ends the jerk may step",
-            "durch die Punkte der Kurventabelle geht ein Spline fünften Grades: der Ruck und seine Ableitung sind dort stetig (C⁴); an den Enden kann der Ruck springen",
+            "a spline of the fifth degree goes through the points of the cam table: jerk and its derivative are continuous there (C⁴); at the ends the jerk may be discontinuous",
+            "Kurventabelle mit Spline fünften Grades interpoliert: Ruck und Ruckableitung sind an den Stützpunkten stetig (C⁴); an den Enden kann der Ruck springen",
         ),
         Assumption::NoFriction => {
             ("no friction torque given: 0 Nm assumed", "kein Reibmoment angegeben: 0 Nm angenommen")
         }
         Assumption::AmbientWithinRange => (
-            "no ambient temperature given: 0 °C to 40 °C assumed, the range that the maker's data hold for",
-            "keine Umgebungstemperatur angegeben: 0 °C bis 40 °C angenommen, dafür gelten die Herstellerangaben",
+            "no ambient temperature given: 0 °C to 40 °C assumed, the range for which the manufacturer's data are valid",
+            "keine Umgebungstemperatur angegeben: 0 °C bis 40 °C angenommen; für diesen Bereich gelten die Herstellerangaben",
         ),
         Assumption::CoolingPlate => (
-            "mounted on the aluminium plate of table 13.3: continuous data hold for it only",
-            "auf der Aluminiumplatte nach Tabelle 13.3 montiert: nur dafür gelten die Dauerdaten",
+            "mounted on the aluminium plate of table 13.3: the continuous-duty data are valid for this plate only",
+            "Montage auf der Aluminiumplatte nach Tabelle 13.3: nur dafür gelten die Dauerbetriebsdaten",
         ),
         Assumption::ModulationReserve => (
-            "the drive gives 90 % of U_DC/√2 at the motor terminals (requirements.modulation_reserve)",
-            "der Regler stellt 90 % von U_DC/√2 an den Motorklemmen (requirements.modulation_reserve)",
+            "the drive provides 90 % of U_DC/√2 at the motor terminals (requirements.modulation_reserve)",
+            "der Servoregler stellt an den Motorklemmen 90 % von U_DC/√2 bereit (requirements.modulation_reserve)",
         ),
         Assumption::NoSupply => (
             "no voltage given (requirements.supply for the DC link, or requirements.mains): the terminal voltage is not checked",
-            "keine Spannung angegeben (requirements.supply für den Zwischenkreis oder requirements.mains): die Klemmenspannung ist nicht geprüft",
+            "keine Spannung angegeben (requirements.supply für den Zwischenkreis oder requirements.mains): die Klemmenspannung wird nicht geprüft",
         ),
         Assumption::Rectifier => (
-            "the DC link is that of a three-phase rectifier without control: 1.35 times the lowest mains under load, √2 times the highest without load",
-            "der Zwischenkreis ist der eines ungesteuerten Drehstromgleichrichters: unter Last das 1,35-fache der niedrigsten, ohne Last das √2-fache der höchsten Netzspannung",
+            "the DC link is fed by an uncontrolled three-phase rectifier: 1.35 times the lowest mains voltage under load, √2 times the highest at no load",
+            "Zwischenkreis mit ungesteuertem Drehstromgleichrichter gespeist: unter Last das 1,35-Fache der niedrigsten, im Leerlauf das √2-Fache der höchsten Netzspannung",
         ),
         Assumption::RectifierAndDeviation => (
-            "the mains vary by ± 10 % (requirements.mains_deviation), and the DC link is that of a three-phase rectifier without control: 1.35 times the lowest mains under load, √2 times the highest without load",
-            "das Netz schwankt um ± 10 % (requirements.mains_deviation), und der Zwischenkreis ist der eines ungesteuerten Drehstromgleichrichters: unter Last das 1,35-fache der niedrigsten, ohne Last das √2-fache der höchsten Netzspannung",
+            "the mains voltage varies by ± 10 % (requirements.mains_deviation), and the DC link is fed by an uncontrolled three-phase rectifier: 1.35 times the lowest mains voltage under load, √2 times the highest at no load",
+            "Netzspannung ± 10 % (requirements.mains_deviation), Zwischenkreis mit ungesteuertem Drehstromgleichrichter gespeist: unter Last das 1,35-Fache der niedrigsten, im Leerlauf das √2-Fache der höchsten Netzspannung",
         ),
         Assumption::SinglePhaseRectifier => (
-            "the DC link is that of a single-phase rectifier without control: 0.90 times the lowest mains under load, the mean of its pulses; a capacitor keeps it higher (state that voltage as requirements.supply), √2 times the highest without load",
-            "der Zwischenkreis ist der eines ungesteuerten Einphasengleichrichters: unter Last das 0,90-fache der niedrigsten Netzspannung, der Mittelwert der Pulse; ein Kondensator hält sie höher (dann als requirements.supply angeben), ohne Last das √2-fache der höchsten",
+            "the DC link is fed by an uncontrolled single-phase rectifier: 0.90 times the lowest mains voltage under load, the mean of the rectified voltage (a capacitor raises it: state that voltage as requirements.supply), √2 times the highest at no load",
+            "Zwischenkreis mit ungesteuertem Einphasengleichrichter gespeist: unter Last das 0,90-Fache der niedrigsten Netzspannung, der Gleichrichtwert (ein Kondensator hebt ihn an: diese Spannung als requirements.supply angeben), im Leerlauf das √2-Fache der höchsten",
         ),
         Assumption::SinglePhaseRectifierAndDeviation => (
-            "the mains vary by ± 10 % (requirements.mains_deviation), and the DC link is that of a single-phase rectifier without control: 0.90 times the lowest mains under load, the mean of its pulses; a capacitor keeps it higher (state that voltage as requirements.supply), √2 times the highest without load",
-            "das Netz schwankt um ± 10 % (requirements.mains_deviation), und der Zwischenkreis ist der eines ungesteuerten Einphasengleichrichters: unter Last das 0,90-fache der niedrigsten Netzspannung, der Mittelwert der Pulse; ein Kondensator hält sie höher (dann als requirements.supply angeben), ohne Last das √2-fache der höchsten",
+            "the mains voltage varies by ± 10 % (requirements.mains_deviation), and the DC link is fed by an uncontrolled single-phase rectifier: 0.90 times the lowest mains voltage under load, the mean of the rectified voltage (a capacitor raises it: state that voltage as requirements.supply), √2 times the highest at no load",
+            "Netzspannung ± 10 % (requirements.mains_deviation), Zwischenkreis mit ungesteuertem Einphasengleichrichter gespeist: unter Last das 0,90-Fache der niedrigsten Netzspannung, der Gleichrichtwert (ein Kondensator hebt ihn an: diese Spannung als requirements.supply angeben), im Leerlauf das √2-Fache der höchsten",
         ),
         Assumption::OwnStallCurrentIncludesFriction => (
             "I_0 of the own actuator taken to include its no-load starting current I_NLS",
-            "I_0 des eigenen Antriebs enthält annahmegemäß den lastfreien Anlaufstrom I_NLS",
+            "Annahme: I_0 des eigenen Antriebs enthält den lastfreien Anlaufstrom I_NLS",
         ),
         Assumption::NoFlangeLoads => (
             "no loads on the flange are known ([bearing]): the output bearing is not checked",
-            "keine Lasten am Flansch bekannt ([bearing]): das Abtriebslager ist nicht geprüft",
+            "keine Lasten am Flansch bekannt ([bearing]): das Abtriebslager wird nicht geprüft",
         ),
         Assumption::FlangeMomentsAligned => (
-            "radial and axial moment on the flange taken in the same direction",
+            "moments of radial and axial force on the flange assumed to act in the same direction",
             "Momente aus Radial- und Axialkraft am Flansch gleichgerichtet angesetzt",
         ),
         Assumption::NoLosses => (
@@ -69,66 +69,66 @@ pub fn assumption_text(assumption: Assumption, language: Language) -> String {
             "kein Wirkungsgrad der Mechanik angegeben: 1 angenommen",
         ),
         Assumption::LossesDoNotHelp => (
-            "no efficiency_back given: while the load drives, the losses do not help to brake",
-            "kein efficiency_back angegeben: treibt die Last, so helfen die Verluste nicht beim Bremsen",
+            "no efficiency_back given: while the load drives, the losses are not counted as braking torque",
+            "kein efficiency_back angegeben: bei treibender Last wird keine bremsende Wirkung der Verluste angesetzt",
         ),
         Assumption::TrapezoidThirds => (
-            "a trapezoid given by two quantities accelerates, runs and brakes for a third of its time each",
-            "ein Trapez aus zwei Angaben beschleunigt, fährt und bremst je ein Drittel seiner Zeit",
+            "a trapezoid given by two quantities is split into thirds: acceleration, constant speed and deceleration",
+            "Trapez aus zwei Angaben: je ein Drittel der Zeit für Beschleunigen, Konstantfahrt und Bremsen",
         ),
         Assumption::SingleMoveRepeats => (
-            "the single move is judged as if it followed itself without a pause: which is on the safe side for the rms torque",
-            "die einmalige Bewegung ist beurteilt, als folgte sie sich ohne Pause: für das effektive Drehmoment ist das die sichere Seite",
+            "the single move is evaluated as if it were repeated without a pause, which is conservative for the rms torque",
+            "die einmalige Bewegung wird wie eine ohne Pause wiederholte gerechnet; für das effektive Drehmoment liegt das auf der sicheren Seite",
         ),
         Assumption::OrdinaryApplication => (
-            "no field of application that needs the maker's approval (section 2.4)",
-            "kein Anwendungsbereich, der die Freigabe des Herstellers braucht (Abschnitt 2.4)",
+            "no field of application that requires the manufacturer's approval (section 2.4)",
+            "kein Anwendungsbereich, der eine Freigabe des Herstellers erfordert (Abschnitt 2.4)",
         ),
         Assumption::UniformTolerances => (
-            "each quantity with a tolerance uniform within its band, independent of the others",
-            "jede Größe mit Toleranz in ihrem Band gleichverteilt, unabhängig von den anderen",
+            "each quantity with a tolerance is uniformly distributed within its band, independent of the others",
+            "jede Größe mit Toleranz ist in ihrem Toleranzband gleichverteilt, unabhängig von den anderen",
         ),
         Assumption::MotorHolds => {
-            ("in a dwell without hold the motor carries the load", "im Stillstand ohne hold trägt der Motor die Last")
+            ("in a dwell without hold the motor holds the load", "im Stillstand ohne hold hält der Motor die Last")
         }
         Assumption::RecordedTorqueAdds => (
             "the recorded torque is a process torque; it is added to the torque of inertia, gravity and friction of the mechanism",
-            "das aufgezeichnete Moment ist ein Prozessmoment; Trägheit, Gewicht und Reibung des Mechanismus kommen hinzu",
+            "das aufgezeichnete Moment ist ein Prozessmoment; die Momente aus Trägheit, Gewicht und Reibung der Mechanik kommen hinzu",
         ),
         Assumption::RecordedPositionDifferentiated => (
-            "speed and acceleration are differences of the recorded position, not smoothed: noise in it raises the torque",
-            "Drehzahl und Beschleunigung sind Differenzen der aufgezeichneten Lage, ungeglättet: ihr Rauschen erhöht das Moment",
+            "speed and acceleration are difference quotients of the recorded position, without smoothing: noise in the position increases the computed torque",
+            "Drehzahl und Beschleunigung sind ungeglättete Differenzenquotienten der aufgezeichneten Position: deren Rauschen erhöht das berechnete Moment",
         ),
         Assumption::FlangeLoadsConstant => (
-            "the stated loads on the flange are all of them, constant over the cycle, radial and axial moment in the same direction; those of the mechanism do not count besides (mechanism = \"add\" adds them)",
-            "die angegebenen Lasten am Flansch sind alle, über den Zyklus konstant, Momente aus Radial- und Axialkraft gleichgerichtet; die des Mechanismus zählen nicht dazu (mechanism = \"add\" nimmt sie auf)",
+            "the stated loads on the flange are the complete loads, constant over the cycle, moments of radial and axial force in the same direction; loads of the mechanism are not added (mechanism = \"add\" adds them)",
+            "die angegebenen Flanschlasten sind die gesamten Lasten, über den Zyklus konstant, Momente aus Radial- und Axialkraft gleichgerichtet; Lasten aus der Mechanik kommen nicht hinzu (mit mechanism = \"add\" werden sie addiert)",
         ),
         Assumption::FlangeLoadsOfMechanism => (
-            "loads on the flange follow from masses, motion and process forces of the mechanism at every instant",
-            "Lasten am Flansch folgen in jedem Augenblick aus Massen, Bewegung und Prozesskräften des Mechanismus",
+            "loads on the flange are computed at every instant from masses, motion and process forces of the mechanism",
+            "die Flanschlasten werden zu jedem Zeitpunkt aus Massen, Bewegung und Prozesskräften der Mechanik berechnet",
         ),
         Assumption::FlangeLoadsAddUp => (
-            "loads stated for the flange add to those of the mechanism at their worst: all in the same direction",
-            "angegebene Flanschlasten kommen zu denen des Mechanismus im ungünstigsten Fall hinzu: alle gleichgerichtet",
+            "loads stated for the flange are added to those of the mechanism in the worst case: all in the same direction",
+            "angegebene Flanschlasten werden im ungünstigsten Fall zu denen der Mechanik addiert: alle gleichgerichtet",
         ),
         Assumption::FlangeBearsAll => (
-            "no bearing.flange_share given: the flange bears the loads of the mechanism alone",
-            "kein bearing.flange_share angegeben: der Flansch trägt die Lasten des Mechanismus allein",
+            "no bearing.flange_share given: the flange carries the full loads of the mechanism",
+            "kein bearing.flange_share angegeben: der Flansch nimmt die Lasten der Mechanik vollständig auf",
         ),
         Assumption::FlangeBodiesFlat => (
-            "the masses on the flange are balanced about their own planes (no products of inertia)",
-            "die Massen am Flansch sind in ihren eigenen Ebenen ausgewuchtet (keine Deviationsmomente)",
+            "the masses on the flange have no products of inertia (dynamically balanced)",
+            "die Massen am Flansch haben keine Deviationsmomente (dynamisch ausgewuchtet)",
         ),
         Assumption::FlangeUpwards => {
-            ("no axis_tilt given: the flange looks upwards", "kein axis_tilt angegeben: der Flansch zeigt nach oben")
+            ("no axis_tilt given: the flange faces upwards", "kein axis_tilt angegeben: der Flansch zeigt nach oben")
         }
         Assumption::PayloadInertiaWeightless => (
-            "payload_inertia has no weight that loads the flange",
-            "payload_inertia hat kein Gewicht, das den Flansch belastet",
+            "payload_inertia adds no weight to the flange loads",
+            "payload_inertia geht nicht als Gewicht in die Flanschlasten ein",
         ),
         Assumption::WheelWeightless => (
-            "no bearing.wheel_mass given: what turns with the flange itself weighs nothing",
-            "kein bearing.wheel_mass angegeben: was sich mit dem Flansch selbst dreht, wiegt nichts",
+            "no bearing.wheel_mass given: parts rotating with the flange are assumed to have no mass",
+            "kein bearing.wheel_mass angegeben: die mit dem Flansch umlaufenden Teile werden masselos angesetzt",
         ),
         Assumption::SpurTeeth => ("no helix_angle given: spur teeth", "kein helix_angle angegeben: Geradverzahnung"),
         Assumption::StageNoLosses => (
@@ -136,8 +136,8 @@ pub fn assumption_text(assumption: Assumption, language: Language) -> String {
             "kein Wirkungsgrad der Zwischenstufe angegeben: 1 angenommen",
         ),
         Assumption::StageLossesDoNotHelp => (
-            "no stage.efficiency_back given: while the mechanism drives, the losses of the stage do not help to brake",
-            "kein stage.efficiency_back angegeben: treibt der Mechanismus, so helfen die Verluste der Stufe nicht beim Bremsen",
+            "no stage.efficiency_back given: while the mechanism drives, the losses of the stage are not counted as braking torque",
+            "kein stage.efficiency_back angegeben: bei treibender Mechanik wird keine bremsende Wirkung der Stufenverluste angesetzt",
         ),
         Assumption::StageWithoutInertia => (
             "no inertia of the stage given: 0 kgm² assumed",
@@ -151,12 +151,12 @@ pub fn assumption_text(assumption: Assumption, language: Language) -> String {
             "kein stage.backlash angegeben: die Stufe hat kein Spiel",
         ),
         Assumption::StageRatioChosen => (
-            "of stage.ratios the one with the best actuator of the catalogue",
-            "aus stage.ratios diejenige mit dem besten Antrieb des Katalogs",
+            "from stage.ratios, the ratio with the best actuator of the catalogue is used",
+            "aus stage.ratios wird die Übersetzung mit dem besten Antrieb des Katalogs verwendet",
         ),
         Assumption::MechanismOnOwnBearings => (
-            "with a stage the mechanism rests on bearings of its own: the flange bears the stage only",
-            "mit einer Zwischenstufe ruht der Mechanismus auf eigenen Lagern: der Flansch trägt nur die Stufe",
+            "with a stage the mechanism has its own bearings: the flange carries the loads of the stage only",
+            "mit Zwischenstufe ist die Mechanik eigens gelagert: der Flansch nimmt nur die Kräfte der Stufe auf",
         ),
     };
     pick(language, en, de).to_owned()

@@ -50,23 +50,23 @@ pub(super) fn fault(error: &BodyError, language: Language) -> String {
             | "weder `mass` noch `density` angegeben"
         ),
         BodyError::MassAndDensity { .. } => said!(language =>
-            "`mass` and `density` are both given; one gives the other"
-            | "`mass` und `density` sind beide angegeben; eines ergibt das andere"
+            "`mass` and `density` are both given; state only one of them"
+            | "`mass` und `density` sind beide angegeben; nur eines davon angeben"
         ),
         BodyError::NoVolume => said!(language =>
-            "this shape has no volume, so `density` gives no mass"
-            | "diese Form hat kein Volumen, `density` ergibt also keine Masse"
+            "this shape has no volume; `density` cannot give a mass"
+            | "diese Form hat kein Volumen; aus `density` ergibt sich keine Masse"
         ),
         BodyError::MassOutOfRange { mass } => positive("mass", mass.si(), &KILOGRAM, false),
         BodyError::DensityOutOfRange { density } => positive("density", density.si(), &KILOGRAM_PER_CUBIC_METRE, false),
         BodyError::DistanceOutOfRange { distance } => positive("distance", distance.si(), &MILLIMETRE, true),
         BodyError::NoPiece => said!(language => "`count` must be at least 1" | "`count` muss mindestens 1 sein"),
         BodyError::AngleNotFinite => said!(language =>
-            "`angle` is no finite number"
+            "`angle` is not a finite number"
             | "`angle` ist keine endliche Zahl"
         ),
         BodyError::BeyondNumbers => said!(language =>
-            "the inertia is beyond the range of numbers"
+            "the moment of inertia exceeds the numerical range"
             | "das Massenträgheitsmoment liegt außerhalb des Zahlenbereichs"
         ),
     }

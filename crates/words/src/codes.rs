@@ -14,7 +14,7 @@ pub fn describe_field(field: Field, language: Language) -> &'static str {
         Field::Size => ("size and version", "Baugröße und Version"),
         Field::Ratio => ("reduction ratio", "Untersetzung"),
         Field::Winding => ("motor winding and connectors", "Motorwicklung und Stecker"),
-        Field::Feedback => ("motor feedback", "Motorfeedbacksystem"),
+        Field::Feedback => ("motor feedback", "Motorgeber"),
         Field::Brake => ("brake", "Bremse"),
         Field::Option1 => ("option 1 (sensor)", "Option 1 (Sensor)"),
         Field::Option2 => ("option 2 (cable, connector)", "Option 2 (Kabel, Stecker)"),
@@ -34,16 +34,16 @@ pub fn describe_token(code: &OrderCode, field: Field, language: Language) -> Str
 pub fn describe_uncovered(what: Uncovered, language: Language) -> String {
     match what {
         Uncovered::LongerWith { option, table, footnote } => said!(language =>
-            "option {option} makes the actuator longer than the standard; by how much is not printed (table {table}, footnote {footnote})"
-            | "mit Option {option} ist der Antrieb länger als der Standard; um wie viel, ist nicht abgedruckt (Tabelle {table}, Fußnote {footnote})"
+            "option {option} makes the actuator longer than the standard version; the manual does not state by how much (table {table}, footnote {footnote})"
+            | "mit Option {option} ist der Antrieb länger als die Standardausführung; die Anleitung nennt das Maß nicht (Tabelle {table}, Fußnote {footnote})"
         ),
         Uncovered::SpecialDesign(_) => said!(language =>
-            "special design: the tables hold for the standard; length and mass are not printed for it, and what else differs only the maker knows"
-            | "Sonderausführung: Die Tabellen gelten für den Standard; Länge und Masse sind für sie nicht abgedruckt, weitere Abweichungen kennt nur der Hersteller"
+            "special design: the tables are valid for the standard version; length and mass are not stated for the special design, other differences are known to the manufacturer only"
+            | "Sonderausführung: Die Tabellen gelten für die Standardausführung; Länge und Masse der Sonderausführung sind nicht angegeben, weitere Abweichungen beim Hersteller erfragen"
         ),
         Uncovered::OutputEncoder(option) => said!(language =>
-            "option {option}: the tables do not say whether length, mass and bore hold with the output encoder and its inner hollow shaft; ask the maker"
-            | "Option {option}: Die Tabellen sagen nicht, ob Länge, Masse und Bohrung mit dem Abtriebsgeber und seiner inneren Hohlwelle gelten; beim Hersteller fragen"
+            "option {option}: the tables do not state whether length, mass and bore are valid with the output encoder and its inner hollow shaft; ask the manufacturer"
+            | "Option {option}: Aus den Tabellen geht nicht hervor, ob Länge, Masse und Bohrung auch mit Abtriebsgeber und innerer Hohlwelle gelten; beim Hersteller erfragen"
         ),
     }
 }
@@ -59,20 +59,20 @@ pub fn describe_rule(code: &OrderCode, broken: &BrokenRule, language: Language) 
             | "{field} {token} gibt es nicht für Baugröße {size} (Tabelle {table})"
         ),
         Rule::PairNotListed => said!(language =>
-            "winding {} is not offered with feedback {token} (table {table})"
-            | "Wicklung {} wird nicht mit Feedback {token} angeboten (Tabelle {table})", code.winding
+            "winding {} is not available with feedback {token} (table {table})"
+            | "Wicklung {} ist nicht mit Geber {token} lieferbar (Tabelle {table})", code.winding
         ),
         Rule::NotInOrderingTables => said!(language =>
-            "winding {token} stands in the matrix 12.1, but no ordering table lists it (table {table}); ask the maker"
-            | "Wicklung {token} steht in der Matrix 12.1, aber in keiner Bestelltabelle (Tabelle {table}); beim Hersteller fragen"
+            "winding {token} is contained in matrix 12.1, but in no ordering table (table {table}); ask the manufacturer"
+            | "Wicklung {token} ist in der Matrix 12.1, aber in keiner Bestelltabelle enthalten (Tabelle {table}); beim Hersteller erfragen"
         ),
         Rule::OnlyWith { feedback, longer: "" } => said!(language =>
-            "option {token} exists with feedback {feedback} only (table {table})"
-            | "Option {token} gibt es nur mit Feedback {feedback} (Tabelle {table})"
+            "option {token} is available with feedback {feedback} only (table {table})"
+            | "Option {token} ist nur mit Geber {feedback} lieferbar (Tabelle {table})"
         ),
         Rule::OnlyWith { feedback, longer } => said!(language =>
-            "option {token} exists for size {size} with feedback {feedback} only, and with a longer housing (table {table}, footnote {longer})"
-            | "Option {token} gibt es bei Baugröße {size} nur mit Feedback {feedback} und größerer Baulänge (Tabelle {table}, Fußnote {longer})"
+            "option {token} is available for size {size} with feedback {feedback} only, and with a longer housing (table {table}, footnote {longer})"
+            | "Option {token} ist bei Baugröße {size} nur mit Geber {feedback} und größerer Baulänge lieferbar (Tabelle {table}, Fußnote {longer})"
         ),
     }
 }
@@ -82,25 +82,25 @@ pub fn describe_rule(code: &OrderCode, broken: &BrokenRule, language: Language) 
 pub fn describe_code_error(error: &CodeError, language: Language) -> String {
     let name = |field: &Field| describe_field(*field, language);
     match error {
-        CodeError::Empty => said!(language => "the code is empty" | "der Code ist leer"),
+        CodeError::Empty => said!(language => "the ordering code is empty" | "die Bestellbezeichnung ist leer"),
         CodeError::TooLong { most, .. } => {
-            said!(language => "the code is longer than {most} characters" | "der Code ist länger als {most} Zeichen")
+            said!(language => "the ordering code is longer than {most} characters" | "die Bestellbezeichnung ist länger als {most} Zeichen")
         }
         CodeError::EmptyPart { .. } => {
-            said!(language => "nothing stands at this hyphen" | "an diesem Bindestrich steht nichts")
+            said!(language => "a field is missing at this hyphen" | "an diesem Bindestrich fehlt eine Angabe")
         }
         CodeError::UnknownToken { found, expected, .. } if expected.len() > 1 => {
             said!(language => "`{found}` is not known here" | "`{found}` ist hier nicht bekannt")
         }
         CodeError::Ambiguous { found, .. } => said!(language =>
-            "`{found}` can be read in more than one way; write the hyphens"
-            | "`{found}` lässt sich auf mehr als eine Weise lesen; bitte mit Bindestrichen schreiben"
+            "`{found}` is ambiguous; write it with hyphens"
+            | "`{found}` ist nicht eindeutig; mit Bindestrichen schreiben"
         ),
         CodeError::UnknownToken { field, found, .. } => {
             said!(language => "`{found}` is not known as: {}" | "`{found}` ist nicht bekannt als: {}", name(field))
         }
         CodeError::OutOfOrder { field, found, .. } => said!(language =>
-            "`{found}` ({}) stands in the wrong place"
+            "`{found}` ({}) is in the wrong position"
             | "`{found}` ({}) steht an der falschen Stelle", name(field)
         ),
         CodeError::Repeated { field, found, .. } => said!(language =>

@@ -15,21 +15,24 @@ use quantities::{Language, format_significant};
 pub fn parameter_name(id: ParameterId, language: Language) -> &'static str {
     use ParameterId as P;
     let (en, de) = match id {
-        P::ReductionRatio => ("reduction ratio, the gear reverses", "Untersetzung, das Getriebe kehrt um"),
+        P::ReductionRatio => (
+            "reduction ratio; the gear reverses the direction of rotation",
+            "Untersetzung; das Getriebe kehrt die Drehrichtung um",
+        ),
         P::PolePairs => ("pole pairs", "Polpaarzahl"),
         P::SpeedMotorMax => ("maximum speed of the motor", "maximale Drehzahl des Motors"),
         P::SpeedMotorRated => ("rated speed of the motor", "Bemessungsdrehzahl des Motors"),
         P::FrequencyRated => ("frequency at rated speed", "Frequenz bei Bemessungsdrehzahl"),
         P::SpeedOutMax => ("maximum speed of the flange", "maximale Drehzahl des Flansches"),
         P::TorqueOutMax => ("maximum torque at the output", "maximales Drehmoment am Abtrieb"),
-        P::StallTorqueOut => ("stall torque at the output", "Stillstandsdrehmoment am Abtrieb"),
-        P::StallTorqueMotor => ("torque of the motor at stall current", "Motormoment bei Stillstandsstrom"),
+        P::StallTorqueOut => ("continuous stall torque at the output", "Stillstandsdrehmoment am Abtrieb"),
+        P::StallTorqueMotor => ("motor torque at stall current", "Motormoment bei Stillstandsstrom"),
         P::CurrentMax => ("maximum current, rms", "Maximalstrom, effektiv"),
         P::CurrentMaxPeak => ("maximum current, amplitude", "Maximalstrom, Scheitelwert"),
         P::StallCurrent => ("stall current, rms", "Stillstandsstrom, effektiv"),
         P::StallCurrentPeak => ("stall current, amplitude", "Stillstandsstrom, Scheitelwert"),
         P::CurrentDemagnetisation => ("demagnetisation current, rms", "Entmagnetisierungsstrom, effektiv"),
-        P::CurrentLimit => ("current limit of the drive, rms", "Stromgrenze des Reglers, effektiv"),
+        P::CurrentLimit => ("current limit of the drive, rms", "Stromgrenze des Servoreglers, effektiv"),
         P::TorqueConstantMotor => {
             ("torque constant of the motor, per A rms", "Drehmomentkonstante des Motors, je A effektiv")
         }
@@ -52,21 +55,19 @@ pub fn parameter_name(id: ParameterId, language: Language) -> &'static str {
         P::Mass => ("mass", "Masse"),
         P::DcLinkMax => ("maximum steady DC link voltage", "maximale stationäre Zwischenkreisspannung"),
         P::NoLoadStartingCurrent => ("no-load starting current, rms", "lastfreier Anlaufstrom, effektiv"),
-        P::NoLoadCurrentConstant30 => (
-            "no-load current constant, 30 °C, per speed of the flange",
-            "Leerlaufstromkonstante, 30 °C, je Flanschdrehzahl",
-        ),
-        P::NoLoadCurrentConstant80 => (
-            "no-load current constant, 80 °C, per speed of the flange",
-            "Leerlaufstromkonstante, 80 °C, je Flanschdrehzahl",
-        ),
+        P::NoLoadCurrentConstant30 => {
+            ("no-load current constant, 30 °C, per flange speed", "Leerlaufstromkonstante, 30 °C, je Flanschdrehzahl")
+        }
+        P::NoLoadCurrentConstant80 => {
+            ("no-load current constant, 80 °C, per flange speed", "Leerlaufstromkonstante, 80 °C, je Flanschdrehzahl")
+        }
         P::WindingWarning => ("winding temperature, warning", "Wicklungstemperatur, Warnung"),
         P::WindingShutdown => ("winding temperature, shutdown", "Wicklungstemperatur, Abschaltung"),
         P::EncoderIncrements => (
             "increments per turn of the motor, with the interpolation of the table",
             "Inkremente je Motorumdrehung, mit der Interpolation der Tabelle",
         ),
-        P::BrakeVoltage => ("voltage of the brake", "Spannung der Bremse"),
+        P::BrakeVoltage => ("supply voltage of the brake", "Bremsenspannung"),
         P::BrakeOpeningCurrent => ("opening current of the brake", "Öffnungsstrom der Bremse"),
         P::BrakeHoldingCurrent => ("holding current of the brake", "Haltestrom der Bremse"),
         P::BrakeOpeningTime => ("opening time of the brake", "Öffnungszeit der Bremse"),
@@ -80,14 +81,16 @@ pub fn parameter_name(id: ParameterId, language: Language) -> &'static str {
 #[must_use]
 pub const fn conversion_text(conversion: Conversion, language: Language) -> &'static str {
     let (en, de) = match conversion {
-        Conversion::AsPrinted => ("as printed", "wie gedruckt"),
-        Conversion::FromTenThousandths => ("10⁻⁴ kgm² in print", "10⁻⁴ kgm² im Druck"),
-        Conversion::PhaseOfStar => ("half of line to line, star winding", "Hälfte von Leiter-Leiter, Sternschaltung"),
+        Conversion::AsPrinted => ("as stated in the manual", "laut Anleitung"),
+        Conversion::FromTenThousandths => ("10⁻⁴ kgm² in the manual", "laut Anleitung in 10⁻⁴ kgm²"),
+        Conversion::PhaseOfStar => {
+            ("half the line-to-line value, star connection", "halber Wert Leiter-Leiter, Sternschaltung")
+        }
         Conversion::Amplitude => ("√2 × rms", "√2 × Effektivwert"),
         Conversion::Frequency => ("p n_N/60", "p·n_N/60"),
         Conversion::EmfOfSpeed => ("k_EM n_N/1000", "k_EM·n_N/1000"),
         Conversion::TorqueOfCurrent => ("k_TM I_0", "k_TM·I_0"),
-        Conversion::Smaller => ("smaller one of I_max and I_E", "kleinerer Wert von I_max und I_E"),
+        Conversion::Smaller => ("smaller of I_max and I_E", "kleinerer Wert von I_max und I_E"),
     };
     pick(language, en, de)
 }
@@ -96,10 +99,11 @@ pub const fn conversion_text(conversion: Conversion, language: Language) -> &'st
 #[must_use]
 pub const fn choice_text(choice: Choice, language: Language) -> &'static str {
     let (en, de) = match choice {
-        Choice::SensorAtEncoder => {
-            ("temperature sensor comes in with the encoder of the motor", "Temperatursensor kommt mit dem Motorgeber")
-        }
-        Choice::SensorKty => ("kind of temperature sensor: KTY 84", "Art des Temperatursensors: KTY 84"),
+        Choice::SensorAtEncoder => (
+            "temperature sensor connected through the motor encoder",
+            "Temperatursensor über den Motorgeber angeschlossen",
+        ),
+        Choice::SensorKty => ("type of temperature sensor: KTY 84", "Typ des Temperatursensors: KTY 84"),
     };
     pick(language, en, de)
 }
@@ -109,47 +113,47 @@ pub const fn choice_text(choice: Choice, language: Language) -> &'static str {
 pub fn gap_text(gap: Gap, language: Language) -> String {
     let (en, de) = match gap {
         Gap::RatedPoint => (
-            "rated current, torque and power (SINAMICS p0305, p0307): not stated; take the current of the continuous curve at n_N where you have the curve, else keep to I_0 as the upper bound and ask the maker",
-            "Bemessungsstrom, -moment und -leistung (SINAMICS p0305, p0307): nicht angegeben; den Strom der Dauerkennlinie bei n_N nehmen, wo die Kennlinie vorliegt, sonst I_0 als obere Grenze und beim Hersteller fragen",
+            "rated current, torque and power (SINAMICS p0305, p0307): not stated; use the current of the continuous curve at n_N if the curve is available, otherwise I_0 as upper limit, and ask the manufacturer",
+            "Bemessungsstrom, -moment und -leistung (SINAMICS p0305, p0307): nicht angegeben; Strom der Dauerkennlinie bei n_N verwenden, wenn die Kennlinie vorliegt, sonst I_0 als obere Grenze; beim Hersteller erfragen",
         ),
         Gap::RatedVoltage => (
-            "rated voltage (SINAMICS p0304): not stated; the induced voltage at n_N is in the list, the drop at current comes on top",
-            "Bemessungsspannung (SINAMICS p0304): nicht angegeben; die induzierte Spannung bei n_N steht in der Liste, der Abfall unter Strom kommt hinzu",
+            "rated voltage (SINAMICS p0304): not stated; the list contains the induced voltage at n_N; add the voltage drop under load",
+            "Bemessungsspannung (SINAMICS p0304): nicht angegeben; die Liste enthält die induzierte Spannung bei n_N, zuzüglich Spannungsabfall unter Last",
         ),
         Gap::CommutationOffset => (
             "commutation offset: not stated; determine it on the machine as described here",
             "Kommutierungswinkel: nicht angegeben; an der Maschine bestimmen, wie hier beschrieben",
         ),
         Gap::PolePosition => (
-            "currents and times of the pole position identification (SINAMICS p0325, p0329): not stated; leave the drive's defaults, below I_0",
-            "Ströme und Zeiten der Pollageidentifikation (SINAMICS p0325, p0329): nicht angegeben; Vorgaben des Reglers lassen, unter I_0",
+            "currents and times of the pole position identification (SINAMICS p0325, p0329): not stated; keep the defaults of the drive, below I_0",
+            "Ströme und Zeiten der Pollageidentifikation (SINAMICS p0325, p0329): nicht angegeben; Vorgabewerte des Servoreglers beibehalten, unter I_0",
         ),
         Gap::ThermalTimeConstant => (
-            "thermal time constant for I²t: no table has it; the value shown is a model, check it against the warm motor",
-            "thermische Zeitkonstante für I²t: in keiner Tabelle; der gezeigte Wert ist ein Modell, am warmen Motor prüfen",
+            "thermal time constant for I²t: not stated in any table; the value shown comes from a model and must be checked on the warm motor",
+            "thermische Zeitkonstante für I²t: in keiner Tabelle angegeben; der gezeigte Wert ist ein Modellwert und am betriebswarmen Motor zu prüfen",
         ),
         Gap::Saliency => (
-            "inductances along and across the rotor, saturation: one inductance is printed, without saturation; both are set to it until the drive has identified them",
-            "Längs- und Querinduktivität, Sättigung: gedruckt ist eine Induktivität ohne Sättigung; beide werden auf sie gesetzt, bis der Regler sie identifiziert hat",
+            "d- and q-axis inductance, saturation: the manual states a single inductance without saturation; both are set to it until the drive has identified them",
+            "Längs- und Querinduktivität, Sättigung: die Anleitung nennt eine einzige Induktivität ohne Sättigung; beide erhalten diesen Wert, bis der Servoregler sie identifiziert hat",
         ),
         Gap::LoopGains => (
-            "gains of current, speed and position loop: not stated; by the drive's identification with the load",
-            "Verstärkungen von Strom-, Drehzahl- und Lageregler: nicht angegeben; durch die Identifikation des Reglers mit Last",
+            "gains of current, speed and position controller: not stated; determine them by the identification of the drive with the load coupled",
+            "Verstärkungen von Strom-, Drehzahl- und Lageregler: nicht angegeben; durch Identifikation des Servoreglers mit angekuppelter Last bestimmen",
         ),
         Gap::Counting => (
-            "direction in which the position counts: not stated for the resolver; find it at the first motion and set the sign in the drive (CiA 402: 0x607E), the gear reverses",
-            "Zählrichtung der Position: für den Resolver nicht angegeben; bei der ersten Bewegung feststellen und das Vorzeichen im Regler setzen (CiA 402: 0x607E), das Getriebe kehrt um",
+            "counting direction of the position: not stated for the resolver; determine it at the first motion and set the sign in the drive (CiA 402: 0x607E); the gear reverses the direction of rotation",
+            "Zählrichtung der Position: für den Resolver nicht angegeben; bei der ersten Bewegung feststellen und das Vorzeichen im Servoregler einstellen (CiA 402: 0x607E); das Getriebe kehrt die Drehrichtung um",
         ),
         Gap::OwnObjects => (
-            "resistance, inductance, inertia and pole pairs in CiA 402: the profile has no object for them; each drive has its own, see its manual and mind phase or line to line",
-            "Widerstand, Induktivität, Trägheit und Polpaare in CiA 402: das Profil hat dafür kein Objekt; jeder Regler hat eigene, siehe dessen Handbuch, Strang oder Leiter-Leiter beachten",
+            "resistance, inductance, inertia and pole pairs in CiA 402: the profile has no objects for them; use the manufacturer-specific objects of the drive (see its manual) and observe phase or line-to-line values",
+            "Widerstand, Induktivität, Trägheit und Polpaare in CiA 402: das Profil hat dafür keine Objekte; herstellerspezifische Objekte des Servoreglers verwenden (siehe dessen Handbuch), Strangwert oder Leiter-Leiter-Wert beachten",
         ),
         Gap::NotPrinted(id) => {
             let name = parameter_name(id, language);
             let symbol = id.symbol();
             return said!(language =>
-                "{name} ({symbol}): not printed for this code; ask the maker before you rely on it"
-                | "{name} ({symbol}): für diesen Code nicht gedruckt; vor Gebrauch beim Hersteller fragen"
+                "{name} ({symbol}): not stated for this ordering code; ask the manufacturer before use"
+                | "{name} ({symbol}): für diese Bestellbezeichnung nicht angegeben; vor Verwendung beim Hersteller erfragen"
             );
         }
     };
@@ -188,12 +192,12 @@ pub const fn measurand_name(what: Measurand, language: Language) -> &'static str
         Measurand::BrakeOpeningTime => ("opening time of the brake", "Öffnungszeit der Bremse"),
         Measurand::BrakeClosingTime => ("closing time of the brake", "Schließzeit der Bremse"),
         Measurand::NoLoadCurrent => ("no-load current, rms", "Leerlaufstrom, effektiv"),
-        Measurand::DirectionFlange => ("flange turns against the motor", "Flansch dreht gegen den Motor"),
+        Measurand::DirectionFlange => ("flange turns opposite to the motor", "Flansch dreht entgegengesetzt zum Motor"),
         Measurand::DirectionPosition => {
-            ("position rises with the motor clockwise", "Position steigt bei rechtsdrehendem Motor")
+            ("position increases with the motor turning clockwise", "Position steigt bei Rechtslauf des Motors")
         }
-        Measurand::Ratio => ("speed of motor over flange", "Drehzahl Motor durch Flansch"),
-        Measurand::PolePairs => ("electrical frequency over speed", "elektrische Frequenz durch Drehzahl"),
+        Measurand::Ratio => ("motor speed / flange speed", "Motordrehzahl/Flanschdrehzahl"),
+        Measurand::PolePairs => ("electrical frequency / speed", "elektrische Frequenz/Drehzahl"),
     };
     pick(language, en, de)
 }
@@ -202,21 +206,21 @@ pub const fn measurand_name(what: Measurand, language: Language) -> &'static str
 #[must_use]
 pub const fn band_text(band: Band, language: Language) -> &'static str {
     let (en, de) = match band {
-        Band::Printed => ("tolerance of the manual", "Toleranz der Anleitung"),
+        Band::Printed => ("tolerance stated in the manual", "Toleranz laut Anleitung"),
         Band::ServoMotors => (
-            "band of another maker's servo motors (simodrive-611a); this one states none",
-            "Band der Servomotoren eines anderen Herstellers (simodrive-611a); dieser nennt keines",
+            "band of another manufacturer's servo motors (simodrive-611a); none is stated for this actuator",
+            "Toleranzband für Servomotoren eines anderen Herstellers (simodrive-611a); für diesen Antrieb ist keines angegeben",
         ),
         Band::KtySheet => {
             ("±3 % of the sensor's data sheet, there for 100 °C", "±3 % nach Datenblatt des Sensors, dort bei 100 °C")
         }
-        Band::Din44081 => ("bounds of DIN 44081", "Grenzen nach DIN 44081"),
+        Band::Din44081 => ("limits of DIN 44081", "Grenzen nach DIN 44081"),
         Band::Friction => (
-            "estimate: a joint with such a gear was identified 40 % (constant part) and 15 % (with speed) off its catalogue (cjt-issue-44); docs/theory/current.md, band of the no-load current",
-            "Schätzung: ein Gelenk mit solchem Getriebe wich bei der Identifikation 40 % (konstanter Anteil) und 15 % (mit der Drehzahl) vom Katalog ab (cjt-issue-44); docs/theory/current.md, Abschnitt „Band of the no-load current“",
+            "estimate: identification of a joint with such a gear deviated by 40 % (constant part) and 15 % (speed-dependent part) from the catalogue (cjt-issue-44); docs/theory/current.md, band of the no-load current",
+            "Schätzung: ein Gelenk mit solchem Getriebe wich bei der Identifikation um 40 % (konstanter Anteil) und 15 % (drehzahlabhängiger Anteil) vom Katalog ab (cjt-issue-44); docs/theory/current.md, Abschnitt „Band of the no-load current“",
         ),
         Band::Ours => {
-            ("band assumed by antrieb; no source states one", "Band von antrieb angenommen; keine Quelle nennt eines")
+            ("band assumed by antrieb; no source states one", "von antrieb angenommenes Band; keine Quelle nennt eines")
         }
         Band::Exact => ("2 % for reading two values", "2 % für das Ablesen zweier Werte"),
     };
@@ -238,35 +242,38 @@ pub const fn unjudged_text(why: Unjudged, language: Language) -> &'static str {
 pub fn cause_text(cause: Cause, language: Language) -> String {
     let shown = |value: f64| format_significant(value, 3, language);
     let (en, de) = match cause {
-        Cause::OnePhase => {
-            ("half of it: the value of one phase instead of line to line", "die Hälfte: Strangwert statt Leiter-Leiter")
-        }
+        Cause::OnePhase => (
+            "half the value: phase value instead of line-to-line value",
+            "halber Wert: Strangwert statt Leiter-Leiter-Wert",
+        ),
         Cause::Doubled => (
-            "twice as much: a line-to-line value was taken for a phase and doubled",
-            "das Doppelte: ein Leiter-Leiter-Wert wurde für einen Strangwert gehalten und verdoppelt",
+            "twice the value: a line-to-line value was taken for a phase value and doubled",
+            "doppelter Wert: ein Leiter-Leiter-Wert wurde für einen Strangwert gehalten und verdoppelt",
         ),
         Cause::TerminalsJoined => (
-            "three quarters: measured against two terminals that were joined",
-            "drei Viertel: gegen zwei verbundene Klemmen gemessen",
+            "three quarters of the value: measured against two connected terminals",
+            "drei Viertel des Werts: gegen zwei verbundene Klemmen gemessen",
         ),
         Cause::WindingTemperature(celsius) => {
             let celsius = shown(celsius);
             return said!(language =>
-                "a winding at {celsius} °C would have it: temperature not stated or not converted rightly"
-                | "eine Wicklung mit {celsius} °C hätte ihn: Temperatur falsch angegeben oder nicht umgerechnet"
+                "corresponds to a winding at {celsius} °C: temperature stated wrongly or not converted"
+                | "entspricht einer Wicklung mit {celsius} °C: Temperatur falsch angegeben oder nicht umgerechnet"
             );
         }
         Cause::Leads(ohm) => {
             let ohm = shown(ohm);
             return said!(language =>
-                "{ohm} Ω of leads and contacts are in it: measure with four wires"
-                | "{ohm} Ω Leitungen und Kontakte sind enthalten: vierpolig messen"
+                "includes {ohm} Ω of leads and contacts: use a four-wire measurement"
+                | "enthält {ohm} Ω von Leitungen und Kontakten: in Vierleitertechnik messen"
             );
         }
         Cause::Open => {
-            ("no passage: wire, contact or connector open", "kein Durchgang: Leitung, Kontakt oder Stecker offen")
+            ("open circuit: wire, contact or connector open", "kein Durchgang: Leitung, Kontakt oder Stecker offen")
         }
-        Cause::Short => ("short circuit in cable, connector or part", "Kurzschluss in Leitung, Stecker oder Bauteil"),
+        Cause::Short => {
+            ("short circuit in cable, connector or component", "Kurzschluss in Leitung, Stecker oder Bauteil")
+        }
         Cause::PhaseVoltage => (
             "1/√3: measured against the star point instead of line to line",
             "1/√3: gegen den Sternpunkt statt Leiter-Leiter gemessen",
@@ -275,86 +282,85 @@ pub fn cause_text(cause: Cause, language: Language) -> String {
         Cause::PhaseAmplitude => {
             ("√2/√3: amplitude against the star point", "√2/√3: Scheitelwert gegen den Sternpunkt")
         }
-        Cause::PeakToPeak => ("2√2: from peak to peak", "2√2: von Spitze zu Spitze"),
+        Cause::PeakToPeak => ("2√2: peak-to-peak value", "2√2: Spitze-Spitze-Wert"),
         Cause::RootThree => (
-            "√3: a line-to-line value was taken for a phase and converted",
+            "√3: a line-to-line value was taken for a phase value and converted",
             "√3: ein Leiter-Leiter-Wert wurde für einen Strangwert gehalten und umgerechnet",
         ),
         Cause::SpeedFactor => (
-            "factor two: speed read wrongly, or pole pairs and poles mixed up",
-            "Faktor zwei: Drehzahl falsch abgelesen oder Polpaare und Pole verwechselt",
+            "factor 2: speed read wrongly, or pole pairs and poles confused",
+            "Faktor 2: Drehzahl falsch abgelesen oder Polpaare und Pole verwechselt",
         ),
         Cause::SpeedOfFlange => {
-            ("factor i: speed of the flange instead of the motor", "Faktor i: Drehzahl des Flansches statt des Motors")
+            ("factor i: flange speed instead of motor speed", "Faktor i: Flanschdrehzahl statt Motordrehzahl")
         }
         Cause::Magnets => (
-            "low: magnets hot, or weakened by a current above I_E",
+            "too low: magnets hot, or weakened by a current above I_E",
             "zu klein: Magnete heiß oder durch einen Strom über I_E geschwächt",
         ),
         Cause::KtyPolesOrTemperature(celsius) => {
             let celsius = shown(celsius);
             return said!(language =>
-                "the sensor reads {celsius} °C: poles exchanged, measuring current other than 2 mA, or temperature stated wrongly"
-                | "der Sensor zeigt {celsius} °C: verpolt, Messstrom anders als 2 mA oder Temperatur falsch angegeben"
+                "the sensor reads {celsius} °C: polarity reversed, measuring current not 2 mA, or temperature stated wrongly"
+                | "der Sensor zeigt {celsius} °C: verpolt, Messstrom ungleich 2 mA oder Temperatur falsch angegeben"
             );
         }
         Cause::OtherSensor => (
-            "this is the value of the other sensor, KTY and PTC exchanged",
-            "das ist der Wert des anderen Sensors, KTY und PTC vertauscht",
+            "this is the value of the other sensor: KTY and PTC interchanged",
+            "Wert des anderen Sensors: KTY und PTC vertauscht",
         ),
         Cause::PtcResponded => (
-            "the PTC has responded or is open: winding hot, or no passage",
+            "the PTC has responded or is open: winding hot, or open circuit",
             "der PTC hat angesprochen oder ist offen: Wicklung heiß oder kein Durchgang",
         ),
         Cause::BrakeNotConnected => (
-            "nothing flows: brake not connected, wrong contacts, or its supply is off",
-            "nichts fließt: Bremse nicht angeschlossen, falsche Kontakte oder ihre Versorgung aus",
+            "no current: brake not connected, wrong contacts, or supply switched off",
+            "kein Strom: Bremse nicht angeschlossen, falsche Kontakte oder Versorgung ausgeschaltet",
         ),
-        Cause::HalfVoltage => {
-            ("half: the brake gets half of its voltage", "die Hälfte: die Bremse bekommt die halbe Spannung")
-        }
+        Cause::HalfVoltage => (
+            "half the value: the brake receives half its voltage",
+            "halber Wert: an der Bremse liegt die halbe Spannung",
+        ),
         Cause::HoldingCurrent => (
-            "this is the holding current: measured after the drive had lowered it",
-            "das ist der Haltestrom: nach der Absenkung gemessen",
+            "this is the holding current: measured after the current was reduced",
+            "Haltestrom: nach der Absenkung gemessen",
         ),
         Cause::OpeningCurrent => (
-            "this is the opening current: nothing lowers it, the coil grows hot",
-            "das ist der Öffnungsstrom: er wird nicht abgesenkt, die Spule wird heiß",
+            "this is the opening current: it is not reduced, the coil overheats",
+            "Öffnungsstrom: er wird nicht abgesenkt, die Spule überhitzt",
         ),
         Cause::SlowBrake => (
-            "slow: voltage too low, or a diode across the coil lets its current die slowly",
-            "zu langsam: Spannung zu klein oder Freilaufdiode an der Spule",
+            "too slow: voltage too low, or a freewheeling diode across the coil",
+            "zu langsam: Spannung zu niedrig oder Freilaufdiode an der Spule",
         ),
         Cause::Dragging => (
-            "far above friction: brake closed or dragging, something jams in the hollow shaft, clamped flange or a wrong commutation offset",
-            "weit über der Reibung: Bremse zu oder schleift, Klemmen in der Hohlwelle, verspannter Flansch oder falscher Kommutierungswinkel",
+            "far above friction: brake closed or dragging, parts jammed in the hollow shaft, distorted flange or wrong commutation offset",
+            "weit über der Reibung: Bremse geschlossen oder schleifend, Klemmen in der Hohlwelle, verspannter Flansch oder falscher Kommutierungswinkel",
         ),
-        Cause::ConvertedTwice => {
-            ("1/√2: converted to rms once too often", "1/√2: einmal zu oft in den Effektivwert umgerechnet")
-        }
+        Cause::ConvertedTwice => ("1/√2: converted to rms twice", "1/√2: doppelt in den Effektivwert umgerechnet"),
         Cause::SpeedOfMotor => (
-            "the flange cannot turn so fast: this is the speed of the motor",
-            "so schnell kann der Flansch nicht drehen: das ist die Drehzahl des Motors",
+            "the flange cannot turn this fast: this is the motor speed",
+            "so schnell kann der Flansch nicht drehen: Motordrehzahl eingetragen",
         ),
         Cause::SameDirection => (
-            "the gear reverses: seen from the same side both cannot turn alike; one was seen from behind, or the drive inverts",
-            "das Getriebe kehrt um: von derselben Seite gesehen können beide nicht gleich drehen; einer wurde von hinten betrachtet oder der Regler invertiert",
+            "the gear reverses the direction of rotation: seen from the same side, both cannot turn the same way; one was observed from behind, or the drive inverts the direction",
+            "das Getriebe kehrt die Drehrichtung um: von derselben Seite gesehen können beide nicht gleichsinnig drehen; einer wurde von hinten betrachtet oder der Servoregler invertiert die Richtung",
         ),
         Cause::CountingReversed => (
-            "counts the other way: encoder signals or motor phases exchanged, or the drive inverts the position",
-            "zählt umgekehrt: Gebersignale oder Motorphasen vertauscht oder der Regler invertiert die Position",
+            "counts in the opposite direction: encoder signals or motor phases interchanged, or the drive inverts the position",
+            "zählt in Gegenrichtung: Gebersignale oder Motorphasen vertauscht oder der Servoregler invertiert die Position",
         ),
         Cause::OtherRatio(ratio) => {
             return said!(language =>
-                "this is a gear of ratio {ratio}: look at the type plate and at the gear ratio in the drive"
-                | "das ist ein Getriebe mit Untersetzung {ratio}: Typenschild und Getriebefaktor im Regler prüfen"
+                "corresponds to a gear with ratio {ratio}: check the rating plate and the gear ratio in the drive"
+                | "entspricht einem Getriebe mit Untersetzung {ratio}: Typenschild und Getriebefaktor im Servoregler prüfen"
             );
         }
         Cause::PolePairs(pairs) => {
             let pairs = shown(pairs);
             return said!(language =>
-                "the motor would have {pairs} pole pairs: pole pairs set wrongly make the speed off by the same factor"
-                | "der Motor hätte {pairs} Polpaare: falsch gesetzte Polpaare verfälschen die Drehzahl um denselben Faktor"
+                "corresponds to a motor with {pairs} pole pairs: a wrong setting falsifies the speed by the same factor"
+                | "entspricht einem Motor mit {pairs} Polpaaren: eine falsche Einstellung verfälscht die Drehzahl um denselben Faktor"
             );
         }
     };

@@ -14,7 +14,7 @@ pub fn erratum_kind(kind: ErratumKind, language: Language) -> &'static str {
         ErratumKind::PrintError => ("print error", "Druckfehler"),
         ErratumKind::Contradiction => ("contradiction", "Widerspruch"),
         ErratumKind::Rounding => ("rounding", "Rundung"),
-        ErratumKind::Edition => ("other edition", "andere Ausgabe"),
+        ErratumKind::Edition => ("different edition", "andere Ausgabe"),
     };
     if language == Language::De { de } else { en }
 }

@@ -22,7 +22,7 @@ pub const EXAMPLE_TEXTS: &[(&str, &str)] = &[
     // indexing table
     (
         "An indexing table with a horizontal plate: one station forward per cycle.",
-        "Ein Rundschalttisch mit waagrechter Platte: je Zyklus eine Station weiter.",
+        "Ein Rundschalttisch mit waagerechter Platte: taktet je Zyklus um eine Station weiter.",
     ),
     ("\"indexing table\"", "\"Rundschalttisch\""),
     ("referred to the output of the actuator", "auf den Abtrieb des Antriebs bezogen"),
@@ -62,11 +62,11 @@ pub const EXAMPLE_TEXTS: &[(&str, &str)] = &[
     // winder
     (
         "A winder that takes up a foil from the core to the full roll.",
-        "Ein Wickler, der eine Folie von der leeren Hülse bis zum vollen Wickel aufnimmt.",
+        "Ein Wickler, der eine Folie von der Hülse bis zum vollen Wickel aufwickelt.",
     ),
     ("\"winder\"", "\"Wickler\""),
     ("the full roll is changed for a core", "der volle Wickel wird gegen eine Hülse getauscht"),
-    ("the radius grows by it with each turn", "um sie wächst der Radius je Umdrehung"),
+    ("the radius grows by it with each turn", "Zunahme des Radius je Umdrehung"),
     ("core and shaft", "Hülse und Welle"),
     ("rms values of a phase", "Effektivwerte eines Strangs"),
     ("60 turns from the core to the full roll", "60 Umdrehungen von der Hülse bis zum vollen Wickel"),
@@ -92,7 +92,7 @@ pub const EXAMPLE_TEXTS: &[(&str, &str)] = &[
     ("rocker and gate about the pivot", "Schwinge und Klappe um den Drehpunkt"),
     ("the linkage stands upright", "das Gelenkviereck steht senkrecht"),
     // conveyor
-    ("A conveyor that moves on by one pitch and waits.", "Ein Förderer, der um eine Teilung weiterfährt und wartet."),
+    ("A conveyor that moves on by one pitch and waits.", "Ein Förderer, der um eine Teilung weitertaktet und wartet."),
     ("\"conveyor\"", "\"Förderer\""),
     ("belt and goods", "Band und Fördergut"),
     ("all rollers, referred to the driving one", "alle Rollen, auf die Antriebsrolle bezogen"),
@@ -103,8 +103,8 @@ pub const EXAMPLE_TEXTS: &[(&str, &str)] = &[
         "Eine Schubkurbel, die je Umdrehung einen Schlitten nach oben schiebt.",
     ),
     ("\"slider-crank\"", "\"Schubkurbel\""),
-    ("slide with the moving share of the rod", "Schlitten mit dem mitgehenden Anteil des Pleuels"),
-    ("crank with the rotating share of the rod", "Kurbel mit dem drehenden Anteil des Pleuels"),
+    ("slide with the moving share of the rod", "Schlitten mit oszillierendem Anteil des Pleuels"),
+    ("crank with the rotating share of the rod", "Kurbel mit rotierendem Anteil des Pleuels"),
     ("outwards is upwards", "außen ist oben"),
     ("farthest out", "am weitesten außen"),
     // table
@@ -113,11 +113,11 @@ pub const EXAMPLE_TEXTS: &[(&str, &str)] = &[
         "Eine Last, deren Trägheit und Drehmoment über eine Umdrehung punktweise gegeben sind.",
     ),
     ("\"load by a table\"", "\"Last aus einer Tabelle\""),
-    ("position, moment of inertia, holding torque", "Stellung, Massenträgheitsmoment, Haltemoment"),
+    ("position, moment of inertia, holding torque", "Position, Massenträgheitsmoment, Haltemoment"),
     // turntable
     (
         "A turntable of solid bodies that indexes by 60° with a cam law; the parts sit on a circle.",
-        "Ein Drehtisch aus Körpern, der nach einem Bewegungsgesetz um 60° schaltet; die Werkstücke sitzen auf einem Kreis.",
+        "Ein Drehtisch aus Vollkörpern, der nach einem Bewegungsgesetz um 60° taktet; die Werkstücke sitzen auf einem Kreis.",
     ),
     ("\"turntable\"", "\"Drehtisch\""),
     ("plate of aluminium", "Platte aus Aluminium"),
@@ -125,24 +125,21 @@ pub const EXAMPLE_TEXTS: &[(&str, &str)] = &[
     ("hub of steel", "Nabe aus Stahl"),
     ("seal and cable drag", "Dichtung und Kabelzug"),
     ("weight of table and parts", "Gewicht von Tisch und Werkstücken"),
-    ("where the parts sit", "wo die Werkstücke sitzen"),
+    ("where the parts sit", "Position der Werkstücke"),
     // tilting arm
     (
         "A tilting arm with a horizontal axis: it lifts a part, waits at the top, and comes back empty. The brake holds it.",
-        "Ein Schwenkarm mit waagrechter Achse: Er hebt ein Werkstück, wartet oben und kommt leer zurück. Die Bremse hält ihn.",
+        "Ein Schwenkarm mit waagerechter Achse: Er hebt ein Werkstück, wartet oben und kehrt leer zurück. Die Bremse hält ihn.",
     ),
     ("\"tilting arm\"", "\"Schwenkarm\""),
     ("about the axis, without the part", "um die Drehachse, ohne Werkstück"),
     ("its centre of mass from the axis", "Abstand seines Schwerpunkts von der Drehachse"),
     ("the part in the gripper", "das Werkstück im Greifer"),
-    ("the axis is horizontal: full gravity", "die Achse liegt waagrecht: volle Schwerkraft"),
-    ("below the horizontal when the motion begins", "zu Beginn unter der Waagrechten"),
+    ("the axis is horizontal: full gravity", "die Achse liegt waagerecht: volle Schwerkraft"),
+    ("below the horizontal when the motion begins", "zu Beginn der Bewegung unter der Waagerechten"),
     ("seals and hoses", "Dichtungen und Schläuche"),
     ("up with the part", "mit Werkstück nach oben"),
-    (
-        "weight of arm and part, and what the motion adds",
-        "Gewicht von Arm und Werkstück und was die Bewegung hinzufügt",
-    ),
+    ("weight of arm and part, and what the motion adds", "Gewicht von Arm und Werkstück zuzüglich der Massenkräfte"),
     ("held by the brake while the part is taken", "von der Bremse gehalten, während das Werkstück entnommen wird"),
     ("back, empty", "leer zurück"),
     ("the next part is gripped", "das nächste Werkstück wird gegriffen"),
@@ -162,7 +159,7 @@ pub const EXAMPLE_TEXTS: &[(&str, &str)] = &[
     ("upwards is positive", "aufwärts ist positiv"),
     ("wipers and guides", "Abstreifer und Führungen"),
     ("ball screw", "Kugelgewindetrieb"),
-    ("down, fast", "schnell nach unten"),
+    ("down, fast", "Eilgang nach unten"),
     (
         "pressing: 1.5 kN against the downward tool, so the force is negative",
         "andrücken: 1,5 kN gegen das abwärts fahrende Werkzeug, die Kraft ist also negativ",
@@ -171,11 +168,11 @@ pub const EXAMPLE_TEXTS: &[(&str, &str)] = &[
     // belt axis
     (
         "A horizontal belt axis that carries a part forth and returns empty.",
-        "Eine waagrechte Riemenachse, die ein Werkstück hinbringt und leer zurückkehrt.",
+        "Eine waagerechte Riemenachse, die ein Werkstück transportiert und leer zurückkehrt.",
     ),
     ("\"belt axis\"", "\"Riemenachse\""),
     ("carriage and gripper", "Schlitten und Greifer"),
-    ("both pulleys, referred to the driving one", "beide Scheiben, auf die treibende bezogen"),
+    ("both pulleys, referred to the driving one", "beide Riemenscheiben, auf die treibende bezogen"),
     ("with the part", "mit Werkstück"),
     (
         "back, empty: any two of distance, time, speed and acceleration",
@@ -184,7 +181,7 @@ pub const EXAMPLE_TEXTS: &[(&str, &str)] = &[
     // recording
     (
         "Shoulder of a small robot: position, speed and torque come from a recording.",
-        "Schulter eines kleinen Roboters: Lage, Drehzahl und Drehmoment kommen aus einer Aufzeichnung.",
+        "Schulter eines kleinen Roboters: Position, Drehzahl und Drehmoment aus einer Aufzeichnung.",
     ),
     (
         "The torque is that of the whole arm, with its inertia, gravity and friction, so nothing of the arm is described here.",
@@ -192,7 +189,7 @@ pub const EXAMPLE_TEXTS: &[(&str, &str)] = &[
     ),
     ("\"robot shoulder\"", "\"Roboterschulter\""),
     ("largest at the shoulder, arm stretched, with payload", "größtes an der Schulter, Arm gestreckt, mit Nutzlast"),
-    ("arm stretched and level, with payload", "Arm gestreckt und waagrecht, mit Nutzlast"),
+    ("arm stretched and level, with payload", "Arm gestreckt und waagerecht, mit Nutzlast"),
     (
         "beside this file; time [s], position [deg], speed [1/min], torque [Nm]",
         "neben dieser Datei; Spalten time [s], position [deg], speed [1/min], torque [Nm]",

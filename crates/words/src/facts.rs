@@ -40,7 +40,7 @@ pub const fn step_title(step: Step, language: Language) -> &'static str {
         Step::Wiring => ("wiring", "Verdrahtung"),
         Step::BeforePower => ("before the power is switched on", "vor dem Einschalten"),
         Step::FirstMotion => ("first motion", "erste Bewegung"),
-        Step::AfterADay => ("after a day of operation", "nach einem Betriebstag"),
+        Step::AfterADay => ("after one day of operation", "nach einem Betriebstag"),
         Step::InService => ("in service", "im Betrieb"),
         Step::Shutdown => ("shutting down and maintenance", "Stillsetzen und Wartung"),
         Step::Disposal => ("taking out of service", "Außerbetriebnahme"),

@@ -61,8 +61,8 @@ fn fault_worded(found: &Diagnostic, language: Language) -> Worded {
 pub fn fault_text(fault: &Fault, language: Language) -> String {
     match fault {
         Fault::FileTooLarge { bytes, most } => said!(language =>
-            "the project file has {bytes} bytes; {most} are read at most"
-            | "die Projektdatei hat {bytes} Byte; gelesen werden höchstens {most}"
+            "the project file has {bytes} bytes; the limit is {most}"
+            | "die Projektdatei hat {bytes} Byte; zulässig sind höchstens {most}"
         ),
         Fault::Syntax { message } => said!(language => "not valid TOML: {message}" | "kein gültiges TOML: {message}"),
         Fault::MissingKey { path, list } => {
@@ -80,13 +80,13 @@ pub fn fault_text(fault: &Fault, language: Language) -> String {
         ),
         Fault::OneAxisOnly => said!(language =>
             "a single axis is required, the file has several"
-            | "gefordert ist eine einzelne Achse, die Datei enthält mehrere"
+            | "erforderlich ist eine einzelne Achse, die Datei enthält mehrere"
         ),
         Fault::More { count } => more(*count, language),
         Fault::Code(error) => super::describe_code_error(error, language),
         Fault::NoSuchCode { written } => said!(language =>
-            "no actuator of the catalogue has a code like `{written}`"
-            | "kein Antrieb des Katalogs hat einen Code wie `{written}`"
+            "no actuator in the catalogue has an ordering code matching `{written}`"
+            | "kein Antrieb des Katalogs hat eine Bestellbezeichnung wie `{written}`"
         ),
         Fault::Curve(fault) => curve(*fault, language),
         Fault::Table(fault) => table(*fault, language),
@@ -103,8 +103,8 @@ pub fn fault_text(fault: &Fault, language: Language) -> String {
         Fault::Instants(found) => {
             let [found, most] = [found.instants, found.most].map(|count| format!("{count:.0}"));
             said!(language =>
-                "the cycle must be looked at at {found} instants; at most {most} are calculated"
-                | "der Zyklus muss an {found} Stellen betrachtet werden; höchstens {most} werden gerechnet"
+                "the cycle requires {found} evaluation points; the limit is {most}"
+                | "der Zyklus erfordert {found} Stützstellen; gerechnet werden höchstens {most}"
             )
         }
         Fault::InBody { path, fault } => format!("`{path}`: {}", fault_text(fault, language)),
@@ -139,15 +139,15 @@ pub fn fault_text(fault: &Fault, language: Language) -> String {
             | "`{path}`: „{written}“ liegt unter dem absoluten Nullpunkt"
         ),
         Fault::Implausible { path, written, low, high } => said!(language =>
-            "`{path}`: no machine has \"{written}\"; read are magnitudes from {low:e} to {high:e} in SI, and zero"
-            | "`{path}`: „{written}“ hat keine Maschine; gelesen werden Beträge von {low:e} bis {high:e} in SI, und null"
+            "`{path}`: \"{written}\" is implausible; permitted are magnitudes from {low:e} to {high:e} in SI units, and zero"
+            | "`{path}`: „{written}“ ist unplausibel; zulässig sind Beträge von {low:e} bis {high:e} in SI-Einheiten und null"
         ),
         Fault::TextTooLong { path, most } => {
             said!(language => "`{path}` is longer than {most} characters" | "`{path}` ist länger als {most} Zeichen")
         }
         Fault::ControlCharacter { path } => said!(language =>
-            "`{path}` contains a control character, or one that turns the direction of the text"
-            | "`{path}` enthält ein Steuerzeichen oder eines, das die Schreibrichtung wendet"
+            "`{path}` contains a control character or a character that reverses the text direction"
+            | "`{path}` enthält ein Steuerzeichen oder ein Zeichen, das die Schreibrichtung umkehrt"
         ),
         Fault::WrongType { path, expected, found } => {
             let (expected, german) = (expected_text(*expected, language), type_in_german(found));
@@ -158,7 +158,7 @@ pub fn fault_text(fault: &Fault, language: Language) -> String {
         }
         Fault::NotAChoice { path, written } => said!(language =>
             "`{path}`: \"{written}\" is not a valid choice"
-            | "`{path}`: „{written}“ steht hier nicht zur Wahl"
+            | "`{path}`: „{written}“ ist hier keine gültige Auswahl"
         ),
         Fault::TooManyEntries { path, most } => {
             said!(language => "`{path}` has more than {most} entries" | "`{path}` hat mehr als {most} Einträge")
@@ -201,40 +201,40 @@ pub fn fault_text(fault: &Fault, language: Language) -> String {
             | "hier keine Toleranz: das Fenster einer Aufzeichnung wird einmal gelesen"
         ),
         Fault::RatioAndRatios => said!(language =>
-            "`stage.ratio` is one ratio, `stage.ratios` several to choose from: one of them"
-            | "`stage.ratio` ist eine Übersetzung, `stage.ratios` mehrere zur Auswahl: eines von beiden"
+            "`stage.ratio` states one ratio, `stage.ratios` several to choose from: use only one of the two keys"
+            | "`stage.ratio` nennt eine Übersetzung, `stage.ratios` mehrere zur Auswahl: nur einen der beiden Schlüssel verwenden"
         ),
         Fault::NoRatioInACoupling { key } => said!(language =>
-            "`stage.{key}`: a coupling has the ratio 1 and no wheels"
-            | "`stage.{key}`: eine Kupplung hat die Übersetzung 1 und keine Räder"
+            "`stage.{key}`: a coupling has the ratio 1 and no pulleys or gear wheels"
+            | "`stage.{key}`: eine Kupplung hat die Übersetzung 1 und weder Scheiben noch Räder"
         ),
         Fault::UnlikeFirstPoint => said!(language =>
-            "a point states the same quantities as the first one: times or angles of the master, angles or lengths"
-            | "ein Punkt nennt dieselben Größen wie der erste: Zeiten oder Winkel des Leitantriebs, Winkel oder Längen"
+            "all points must state the same quantities as the first one: times or master angles, angles or lengths"
+            | "alle Punkte müssen dieselben Größen angeben wie der erste: Zeiten oder Winkel des Leitantriebs, Winkel oder Längen"
         ),
         Fault::SupplyAndMains => said!(language =>
-            "`supply` and `mains` are both stated: the DC link follows from one of them"
-            | "`supply` und `mains` sind beide angegeben: der Zwischenkreis folgt aus einem von beiden"
+            "`supply` and `mains` are both stated: state only one of them for the DC link"
+            | "`supply` und `mains` sind beide angegeben: für den Zwischenkreis nur eines davon angeben"
         ),
         Fault::MasterOfTimes => said!(language =>
-            "`master_speed` has no effect: the points are stated over the time"
+            "`master_speed` has no effect: the points are stated over time"
             | "`master_speed` hat keine Wirkung: die Punkte sind über der Zeit angegeben"
         ),
         Fault::WithoutEffect { key } => {
             said!(language => "`{key}` has no effect on this load" | "`{key}` hat auf diese Last keine Wirkung")
         }
         Fault::NoMechanism => said!(language =>
-            "`[load]` is missing, or one table of `[mechanism.…]`"
-            | "`[load]` fehlt, oder eine Tabelle aus `[mechanism.…]`"
+            "`[load]` or a table `[mechanism.…]` is missing"
+            | "`[load]` oder eine Tabelle `[mechanism.…]` fehlt"
         ),
         Fault::TooManyMechanisms => said!(language =>
-            "an axis has one load: `[load]` or one table of `[mechanism.…]`"
-            | "eine Achse hat eine Last: `[load]` oder eine Tabelle aus `[mechanism.…]`"
+            "an axis has one load only: either `[load]` or one table `[mechanism.…]`"
+            | "eine Achse hat nur eine Last: entweder `[load]` oder eine Tabelle `[mechanism.…]`"
         ),
         Fault::Tabular(fault) => crate::sweeps::fault(fault, language),
         Fault::NoLine { path } => said!(language =>
-            "`{path}` is written along a line, but this load has no fixed travel per revolution"
-            | "`{path}` ist längs einer Linie angegeben, diese Last hat aber keinen festen Weg je Umdrehung"
+            "`{path}` is stated as a linear quantity, but this load has no fixed travel per revolution"
+            | "`{path}` ist als lineare Größe angegeben, diese Last hat aber keinen festen Weg je Umdrehung"
         ),
         Fault::RodTooShort => said!(language =>
             "`mechanism.slider_crank.rod` must be longer than the crank"
@@ -246,37 +246,37 @@ pub fn fault_text(fault: &Fault, language: Language) -> String {
             let (reached, farthest) = (shown(*position_rad), shown(if position_rad > high { *high } else { *low }));
             said!(language =>
                 "the motion reaches {reached} at the mechanism; its geometry ends at {farthest}"
-                | "die Bewegung erreicht {reached} am Mechanismus; seine Geometrie endet bei {farthest}"
+                | "die Bewegung erreicht {reached} an der Mechanik; deren Geometrie endet bei {farthest}"
             )
         }
         Fault::NoFlangeLoads => said!(language =>
-            "no loads on the flange follow from this load: its masses and their places are not described"
-            | "aus dieser Last folgen keine Flanschlasten: ihre Massen und deren Lage sind nicht beschrieben"
+            "no flange loads can be derived from this load: its masses and their positions are not described"
+            | "aus dieser Last lassen sich keine Flanschlasten ableiten: Massen und deren Positionen sind nicht beschrieben"
         ),
         Fault::ReplacesEverything { key } => said!(language =>
-            "`bearing.{key}` would replace the loads of the mechanism in every segment; write mechanism = \"ignore\" or \"add\""
-            | "`bearing.{key}` würde die Lasten des Mechanismus in jedem Abschnitt ersetzen; mechanism = \"ignore\" oder \"add\" schreiben"
+            "`bearing.{key}` would replace the loads of the mechanism in every segment; state mechanism = \"ignore\" or \"add\""
+            | "`bearing.{key}` würde die Lasten der Mechanik in jedem Abschnitt ersetzen; mechanism = \"ignore\" oder \"add\" angeben"
         ),
         Fault::BeltOrTeeth => said!(language =>
-            "`belt_tension` is of a belt, `pressure_angle` of teeth: one of them"
-            | "`belt_tension` gehört zu einem Riemen, `pressure_angle` zu einer Verzahnung: eines von beiden"
+            "`belt_tension` applies to a belt, `pressure_angle` to gear teeth: state only one of them"
+            | "`belt_tension` gehört zu einem Riemen, `pressure_angle` zu einer Verzahnung: nur eines davon angeben"
         ),
         Fault::ToothAngle { key, most_deg } => {
             let most = format_number(*most_deg, 0, language);
             said!(language => "`bearing.{key}` must be at most {most}°" | "`bearing.{key}` darf höchstens {most}° sein")
         }
         Fault::BodiesTwice => said!(language =>
-            "the bodies of a turntable are given as texts, `bodies`, or as tables, `body`: one of them"
-            | "die Körper eines Drehtisches stehen als Texte in `bodies` oder als Tabellen in `body`: eines von beiden"
+            "the bodies of a turntable are given either as texts in `bodies` or as tables in `body`, not both"
+            | "die Körper eines Drehtisches stehen entweder als Texte in `bodies` oder als Tabellen in `body`, nicht in beiden"
         ),
         Fault::JointWithoutTorque => said!(language =>
-            "the torque of a joint comes with its motion: every [[motion]] must be recorded, with a column of torque"
-            | "das Moment eines Gelenks kommt mit seiner Bewegung: jedes [[motion]] muss aufgezeichnet sein und eine Momentenspalte haben"
+            "the torque of a joint is recorded with its motion: every [[motion]] must be a recording with a torque column"
+            | "das Moment eines Gelenks wird mit der Bewegung aufgezeichnet: jedes [[motion]] muss eine Aufzeichnung mit Momentenspalte sein"
         ),
         Fault::BodyMissing => said!(language => "a body is missing" | "ein Körper fehlt"),
         Fault::ShapeMissing => said!(language =>
-            "the shape of the body is missing; it stands first"
-            | "die Form des Körpers fehlt; sie steht zuerst"
+            "the shape of the body is missing; it must come first"
+            | "die Form des Körpers fehlt; sie muss am Anfang stehen"
         ),
         Fault::NoShape { written } => said!(language => "`{written}` is not a shape" | "`{written}` ist keine Form"),
         Fault::NoKey { written } => said!(language =>
@@ -286,7 +286,7 @@ pub fn fault_text(fault: &Fault, language: Language) -> String {
         Fault::KeyOfAnotherShape { key, shape } => {
             said!(language => "`{key}` is not a key of `{shape}`" | "`{key}` ist kein Schlüssel von `{shape}`")
         }
-        Fault::Twice { key } => said!(language => "`{key}` is given twice" | "`{key}` steht zweimal da"),
+        Fault::Twice { key } => said!(language => "`{key}` is given twice" | "`{key}` ist doppelt angegeben"),
         Fault::Count { written } => said!(language =>
             "`count` must be a whole number from 1 to {}, not \"{written}\""
             | "`count` muss eine ganze Zahl von 1 bis {} sein, nicht „{written}“", u32::MAX
@@ -315,8 +315,8 @@ pub fn own_hint(fault: &Fault, language: Language) -> Option<String> {
         Fault::Recording { fault, .. } => recording::fault(fault, language).1,
         Fault::Recorded { fault, .. } => motion::recorded_fault(fault, language).1,
         Fault::Instants(_) => Some(said!(language =>
-            "describe a shorter cycle; where the load depends on the position, each revolution at changing speed takes 192 instants and all those at constant speed together no more than two"
-            | "einen kürzeren Zyklus beschreiben; wo die Last von der Lage abhängt, kostet jede Umdrehung mit veränderlicher Drehzahl 192 Stellen, und alle mit konstanter zusammen nicht mehr als zwei"
+            "describe a shorter cycle; where the load depends on the position, each revolution at changing speed requires 192 points, all revolutions at constant speed together at most two"
+            | "einen kürzeren Zyklus beschreiben; hängt die Last von der Position ab, erfordert jede Umdrehung mit veränderlicher Drehzahl 192 Stützstellen, alle Umdrehungen mit konstanter Drehzahl zusammen höchstens zwei"
         )),
         Fault::Body(BodyError::NoMass) => example("mass=0.6kg"),
         Fault::Body(BodyError::DistanceOutOfRange { .. }) => example("distance=80mm angle=180deg"),
@@ -340,17 +340,17 @@ pub fn hint_text(hint: &Hint, language: Language) -> String {
             let units: Vec<&str> = dimension.units().iter().map(|unit| unit.ascii).collect();
             let (unit, units) = (units.first().copied().unwrap_or_default(), units.join(", "));
             said!(language =>
-                "write \"{written} {unit}\" if that is the unit meant; units: {units}"
+                "write \"{written} {unit}\" if this unit is intended; units: {units}"
                 | "\"{written} {unit}\" schreiben, falls diese Einheit gemeint ist; Einheiten: {units}"
             )
         }
         Hint::MechanismsWithLoads => said!(language =>
-            "loads follow from every mechanism but table and joint"
-            | "Lasten folgen aus jedem Mechanismus außer table und joint"
+            "flange loads can be derived from every mechanism except table and joint"
+            | "Flanschlasten lassen sich aus jeder Mechanik außer table und joint ableiten"
         ),
         Hint::CloseTheRecording => said!(language =>
-            "choose the window with from and to, state standstill, or write single_move = true under [axis]"
-            | "das Fenster mit from und to wählen, standstill angeben oder unter [axis] single_move = true schreiben"
+            "choose the window with from and to, state standstill, or state single_move = true under [axis]"
+            | "das Fenster mit from und to wählen, standstill angeben oder unter [axis] single_move = true angeben"
         ),
     }
 }
@@ -383,13 +383,13 @@ fn impossible(values: &[(String, f64, &Unit)], why: Option<&Fault>, language: La
     let why = why.map(|fault| format!(": {}", fault_text(fault, language))).unwrap_or_default();
     if values.len() == 1 {
         return said!(language =>
-            "with this tolerance the axis is not possible, at {named}{why}"
-            | "mit dieser Toleranz ist die Achse nicht möglich, bei {named}{why}"
+            "within this tolerance the axis is not feasible, at {named}{why}"
+            | "innerhalb dieser Toleranz ist die Achse nicht ausführbar, bei {named}{why}"
         );
     }
     said!(language =>
-        "with these tolerances together the axis is not possible, at {named}{why}"
-        | "mit diesen Toleranzen zusammen ist die Achse nicht möglich, bei {named}{why}"
+        "within these tolerances combined the axis is not feasible, at {named}{why}"
+        | "innerhalb dieser Toleranzen zusammen ist die Achse nicht ausführbar, bei {named}{why}"
     )
 }
 
@@ -440,14 +440,14 @@ fn expected_text(expected: Expected, language: Language) -> String {
 fn curve(fault: CurveFault, language: Language) -> String {
     let (en, de) = match fault {
         CurveFault::TooFewPoints => {
-            ("a curve needs at least two points", "eine Kennlinie braucht mindestens zwei Punkte")
+            ("a curve requires at least two points", "eine Kennlinie erfordert mindestens zwei Punkte")
         }
         CurveFault::DoesNotStartAtZero => {
             ("a curve starts at standstill, 0 1/min", "eine Kennlinie beginnt im Stillstand, 0 1/min")
         }
         CurveFault::SpeedsNotAscending => (
-            "the speeds of a curve must grow from point to point",
-            "die Drehzahlen einer Kennlinie müssen von Punkt zu Punkt wachsen",
+            "the speeds of a curve must increase from point to point",
+            "die Drehzahlen einer Kennlinie müssen von Punkt zu Punkt steigen",
         ),
         CurveFault::TorqueOutOfRange => {
             ("the torques of a curve must not be negative", "die Drehmomente einer Kennlinie dürfen nicht negativ sein")
@@ -459,11 +459,11 @@ fn curve(fault: CurveFault, language: Language) -> String {
 fn table(fault: TableFault, language: Language) -> String {
     let (en, de) = match fault {
         TableFault::TooFewPoints => {
-            ("a table needs at least two points", "eine Tabelle braucht mindestens zwei Punkte")
+            ("a table requires at least two points", "eine Tabelle erfordert mindestens zwei Punkte")
         }
         TableFault::PositionsNotAscending => (
-            "the positions of a table must grow from point to point",
-            "die Stellungen einer Tabelle müssen von Punkt zu Punkt wachsen",
+            "the positions of a table must increase from point to point",
+            "die Positionen einer Tabelle müssen von Punkt zu Punkt steigen",
         ),
         TableFault::NegativeInertia => {
             ("a moment of inertia must not be negative", "ein Massenträgheitsmoment darf nicht negativ sein")
@@ -477,10 +477,10 @@ fn table(fault: TableFault, language: Language) -> String {
 pub fn battery_fault(fault: &BatteryFault, language: Language) -> String {
     let (en, de) = match fault {
         BatteryFault::OperationOutOfRange { .. } => {
-            ("a day has 0 h to 24 h of operation", "ein Tag hat 0 h bis 24 h Betrieb")
+            ("operation per day must be from 0 h to 24 h", "der Betrieb je Tag muss zwischen 0 h und 24 h liegen")
         }
         BatteryFault::StorageOutOfRange { .. } => {
-            ("the battery model covers 0 a to 3 a of storage", "das Batteriemodell gilt für 0 a bis 3 a Lagerung")
+            ("the battery model is valid for 0 a to 3 a of storage", "das Batteriemodell gilt für 0 a bis 3 a Lagerung")
         }
     };
     pick(language, en, de).to_owned()
@@ -501,10 +501,10 @@ pub(crate) fn trouble_text(trouble: &FileTrouble, language: Language) -> String 
             "das ist eine Pipe, ein Gerät oder ein Socket, keine gewöhnliche Datei",
         ),
         (Some(Unopened::NoRecordingName), ..) => (
-            "only recordings are opened here: names that end with .csv, .txt or .parquet (or .csv.gz, .txt.zst), none of whose parts begins with a dot",
+            "only recordings are opened here: file names ending in .csv, .txt or .parquet (or .csv.gz, .txt.zst) without a path component that begins with a dot",
             "hier werden nur Aufzeichnungen geöffnet: Namen, die auf .csv, .txt oder .parquet (oder .csv.gz, .txt.zst) enden und von denen kein Teil mit einem Punkt beginnt",
         ),
-        (_, ErrorKind::NotFound, _) => ("there is no such file", "diese Datei gibt es nicht"),
+        (_, ErrorKind::NotFound, _) => ("there is no such file", "diese Datei existiert nicht"),
         (_, ErrorKind::PermissionDenied, _) => ("permission denied", "kein Zugriff"),
         (_, ErrorKind::IsADirectory, _) => ("this is a folder, not a file", "das ist ein Ordner, keine Datei"),
         (_, ErrorKind::NotADirectory, _) => {
@@ -521,30 +521,32 @@ pub(crate) fn trouble_text(trouble: &FileTrouble, language: Language) -> String 
         (_, ErrorKind::ReadOnlyFilesystem, _) => {
             ("the file system is read-only", "das Dateisystem ist schreibgeschützt")
         }
-        (_, ErrorKind::InvalidFilename, _) => ("no file can have such a name", "so kann keine Datei heißen"),
-        (_, ErrorKind::AlreadyExists, _) => ("the file exists already", "die Datei gibt es schon"),
+        (_, ErrorKind::InvalidFilename, _) => ("the file name is not valid", "der Dateiname ist ungültig"),
+        (_, ErrorKind::AlreadyExists, _) => ("the file already exists", "die Datei existiert bereits"),
         (_, ErrorKind::BrokenPipe, _) => {
-            ("the reader of the output has closed it", "der Leser der Ausgabe hat sie geschlossen")
+            ("the reader has closed the output", "die Ausgabe wurde vom Empfänger geschlossen")
         }
-        (_, ErrorKind::TimedOut, _) => ("the time is over", "die Zeit ist abgelaufen"),
-        (_, ErrorKind::Interrupted, _) => ("it was interrupted", "es wurde unterbrochen"),
+        (_, ErrorKind::TimedOut, _) => ("the time limit was exceeded", "die Zeit ist abgelaufen"),
+        (_, ErrorKind::Interrupted, _) => ("the operation was interrupted", "der Vorgang wurde unterbrochen"),
         (_, ErrorKind::UnexpectedEof, _) => ("the file ends too early", "die Datei endet zu früh"),
         (_, ErrorKind::InvalidData, _) => ("the data are damaged", "die Daten sind beschädigt"),
-        (_, ErrorKind::InvalidInput, _) => ("the system refuses this input", "das System weist diese Eingabe zurück"),
+        (_, ErrorKind::InvalidInput, _) => {
+            ("the operating system rejects this input", "das Betriebssystem weist diese Eingabe zurück")
+        }
         (_, ErrorKind::WouldBlock, _) => ("the source has no data at present", "die Quelle hat zurzeit keine Daten"),
-        (_, ErrorKind::OutOfMemory, _) => ("there is not enough memory", "der Speicher reicht nicht"),
+        (_, ErrorKind::OutOfMemory, _) => ("not enough memory", "der Arbeitsspeicher reicht nicht aus"),
         (_, ErrorKind::ResourceBusy | ErrorKind::ExecutableFileBusy, _) => {
-            ("another program uses it", "ein anderes Programm benutzt sie")
+            ("the file is in use by another program", "die Datei wird von einem anderen Programm benutzt")
         }
         (_, ErrorKind::AddrInUse, _) => ("the address is in use", "die Adresse ist belegt"),
         (_, ErrorKind::AddrNotAvailable, _) => {
-            ("this machine does not have the address", "diese Maschine hat die Adresse nicht")
+            ("this computer does not have the address", "dieser Rechner hat die Adresse nicht")
         }
         // Numbers of POSIX systems, for which the library has no kind.
         (_, _, Some(5)) if cfg!(unix) => ("the device reports an error", "das Gerät meldet einen Fehler"),
-        (_, _, Some(9)) if cfg!(unix) => ("it is closed", "sie ist geschlossen"),
+        (_, _, Some(9)) if cfg!(unix) => ("the file is closed", "die Datei ist geschlossen"),
         (_, _, Some(23 | 24)) if cfg!(unix) => ("too many files are open", "zu viele Dateien sind offen"),
-        (_, _, Some(40 | 62)) if cfg!(unix) => ("links lead in a circle", "Verknüpfungen führen im Kreis"),
+        (_, _, Some(40 | 62)) if cfg!(unix) => ("the links form a loop", "die Verknüpfungen bilden eine Schleife"),
         (_, _, Some(code)) => {
             return said!(language => "{system}" | "Fehler {code} des Betriebssystems („{system}“)");
         }

@@ -8,8 +8,8 @@ use quantities::Language;
 pub(crate) const fn geometry(fault: Geometry, language: Language) -> &'static str {
     let (en, de) = match fault {
         Geometry::RopeWithoutLength => (
-            "`rope_mass` needs `hanging`, the length of each fall at position zero",
-            "`rope_mass` braucht `hanging`, die Länge jedes Strangs in Position null",
+            "`rope_mass` requires `hanging`, the length of each fall at position zero",
+            "`rope_mass` erfordert `hanging`, die Länge jedes Strangs in Position null",
         ),
         Geometry::FullBelowCore => (
             "`full_diameter` must be larger than `core_diameter`",
@@ -23,8 +23,8 @@ pub(crate) const fn geometry(fault: Geometry, language: Language) -> &'static st
             ("`start_diameter` must be at most `full_diameter`", "`start_diameter` darf höchstens `full_diameter` sein")
         }
         Geometry::Flat => (
-            "`arm_angle` must be at least 1°: near 0° the screw lifts nothing with any force",
-            "`arm_angle` muss mindestens 1° sein: nahe 0° hebt die Spindel mit keiner Kraft",
+            "`arm_angle` must be at least 1°: near 0° no screw force can lift the load",
+            "`arm_angle` muss mindestens 1° sein: nahe 0° kann keine Spindelkraft die Last heben",
         ),
         Geometry::Upright => (
             "`arm_angle` must be less than 90°, where the arms stand upright",
@@ -35,12 +35,12 @@ pub(crate) const fn geometry(fault: Geometry, language: Language) -> &'static st
             "ein Glied ist so lang wie die anderen drei zusammen: das Gelenkviereck lässt sich nicht schließen",
         ),
         Geometry::TooShort => (
-            "the crank does not go round: crank + ground must be less than coupler + rocker",
-            "die Kurbel läuft nicht um: crank + ground muss kleiner als coupler + rocker sein",
+            "the crank cannot rotate fully: crank + ground must be less than coupler + rocker",
+            "die Kurbel ist nicht umlauffähig: crank + ground muss kleiner als coupler + rocker sein",
         ),
         Geometry::TooUnequal => (
-            "the crank does not go round: ground and crank must differ by more than coupler and rocker",
-            "die Kurbel läuft nicht um: ground und crank müssen sich um mehr unterscheiden als coupler und rocker",
+            "the crank cannot rotate fully: ground and crank must differ by more than coupler and rocker",
+            "die Kurbel ist nicht umlauffähig: ground und crank müssen sich um mehr unterscheiden als coupler und rocker",
         ),
     };
     pick(language, en, de)

@@ -26,17 +26,17 @@ pub const fn measured_label(key: MeasuredKey, language: Language) -> &'static st
         }
         MeasuredKey::Root(MeasuredRootName::emf) => ("induced voltage", "induzierte Spannung"),
         MeasuredKey::Emf(EmfName::speed_motor) | MeasuredKey::Speed(SpeedName::motor) => {
-            ("speed of the motor", "Drehzahl des Motors")
+            ("motor speed", "Motordrehzahl")
         }
         MeasuredKey::Root(MeasuredRootName::sensor) => ("temperature sensors", "Temperatursensoren"),
         MeasuredKey::Root(MeasuredRootName::brake) => ("brake", "Bremse"),
-        MeasuredKey::Root(MeasuredRootName::direction) => ("directions", "Drehrichtungen"),
+        MeasuredKey::Root(MeasuredRootName::direction) => ("directions of rotation", "Drehrichtungen"),
         MeasuredKey::Direction(DirectionName::motor) => ("motor shaft turns", "Motorwelle dreht"),
         MeasuredKey::Direction(DirectionName::flange) => ("flange turns", "Flansch dreht"),
         MeasuredKey::Direction(DirectionName::position) => ("position is", "Position ist"),
         MeasuredKey::Root(MeasuredRootName::speed) => return terms::rotary_speed(language),
         MeasuredKey::Speed(SpeedName::flange) | MeasuredKey::NoLoad(NoLoadName::speed_out) => {
-            ("speed of the flange", "Drehzahl des Flansches")
+            ("flange speed", "Flanschdrehzahl")
         }
         MeasuredKey::Speed(SpeedName::electrical_frequency) => {
             ("frequency of the motor current", "Frequenz des Motorstroms")
@@ -57,15 +57,15 @@ pub const fn measured_key_text(key: MeasuredKey, language: Language) -> &'static
     let (en, de) = match key {
         MeasuredKey::Root(MeasuredRootName::format) => ("version of the file format, 1", "Version des Dateiformats, 1"),
         MeasuredKey::Root(MeasuredRootName::winding) => {
-            ("winding, disconnected from the drive", "Wicklung, vom Regler getrennt")
+            ("winding, disconnected from the drive", "Wicklung, vom Servoregler getrennt")
         }
         MeasuredKey::Winding(WindingName::temperature) => (
-            "temperature of the winding, by the KTY or after hours at rest that of the air",
-            "Temperatur der Wicklung, mit dem KTY oder nach Stunden im Stillstand die der Luft",
+            "winding temperature, measured with the KTY, or the air temperature after several hours at standstill",
+            "Wicklungstemperatur, mit dem KTY gemessen, oder Lufttemperatur nach mehreren Stunden Stillstand",
         ),
         MeasuredKey::Winding(WindingName::resistance_ll) => (
-            "between two of the three terminals, leads subtracted",
-            "zwischen zwei der drei Klemmen, Messleitungen abgezogen",
+            "between two of the three terminals, without test leads",
+            "zwischen zwei der drei Klemmen, ohne Messleitungen",
         ),
         MeasuredKey::Winding(WindingName::inductance_ll) => {
             ("between two of the three terminals", "zwischen zwei der drei Klemmen")
@@ -75,15 +75,15 @@ pub const fn measured_key_text(key: MeasuredKey, language: Language) -> &'static
         }
         MeasuredKey::Emf(EmfName::voltage_ll) => ("rms, between two terminals", "effektiv, zwischen zwei Klemmen"),
         MeasuredKey::Emf(EmfName::speed_motor) | MeasuredKey::Speed(SpeedName::motor) => {
-            ("speed of the motor, not of the flange", "Drehzahl des Motors, nicht des Flansches")
+            ("motor speed, not flange speed", "Motordrehzahl, nicht Flanschdrehzahl")
         }
         MeasuredKey::Root(MeasuredRootName::sensor) => ("sensors in the winding", "Sensoren in der Wicklung"),
         MeasuredKey::Sensor(SensorName::temperature) => (
-            "temperature of the winding by another thermometer",
-            "Temperatur der Wicklung nach einem anderen Thermometer",
+            "winding temperature measured with another thermometer",
+            "Wicklungstemperatur, mit einem anderen Thermometer gemessen",
         ),
         MeasuredKey::Sensor(SensorName::kty) => {
-            ("resistance at about 2 mA, with the right polarity", "Widerstand bei etwa 2 mA, richtig gepolt")
+            ("resistance at about 2 mA, with correct polarity", "Widerstand bei etwa 2 mA, richtig gepolt")
         }
         MeasuredKey::Sensor(SensorName::ptc) => {
             ("resistance; windings E and N only", "Widerstand; nur Wicklungen E und N")
@@ -91,37 +91,37 @@ pub const fn measured_key_text(key: MeasuredKey, language: Language) -> &'static
         MeasuredKey::Root(MeasuredRootName::brake) => {
             ("holding brake, at its own connector", "Haltebremse, an ihrem Stecker")
         }
-        MeasuredKey::Brake(BrakeName::voltage) => ("at the brake while it opens", "an der Bremse, während sie öffnet"),
-        MeasuredKey::Brake(BrakeName::opening_current) => ("current while it opens", "Strom, während sie öffnet"),
-        MeasuredKey::Brake(BrakeName::holding_current) => ("current that keeps it open", "Strom, der sie offen hält"),
+        MeasuredKey::Brake(BrakeName::voltage) => ("at the brake during opening", "an der Bremse beim Öffnen"),
+        MeasuredKey::Brake(BrakeName::opening_current) => ("current during opening", "Strom beim Öffnen"),
+        MeasuredKey::Brake(BrakeName::holding_current) => ("current while held open", "Strom im geöffneten Zustand"),
         MeasuredKey::Brake(BrakeName::opening_time) => {
-            ("from voltage on to free", "vom Einschalten der Spannung bis frei")
+            ("from switching on the voltage until released", "vom Einschalten der Spannung bis zum Öffnen")
         }
         MeasuredKey::Brake(BrakeName::closing_time) => {
-            ("from voltage off to held", "vom Abschalten der Spannung bis gehalten")
+            ("from switching off the voltage until engaged", "vom Abschalten der Spannung bis zum Schließen")
         }
         MeasuredKey::Root(MeasuredRootName::direction) => (
             "seen from the front, uncoupled: cw clockwise, ccw counter-clockwise",
-            "von vorne gesehen, ungekuppelt: cw rechts, ccw links",
+            "von vorne gesehen, ungekuppelt: cw Rechtslauf, ccw Linkslauf",
         ),
         MeasuredKey::Direction(DirectionName::motor) => ("of the motor shaft", "der Motorwelle"),
         MeasuredKey::Direction(DirectionName::flange) => {
-            ("of the output flange at the same time", "des Abtriebsflansches zur selben Zeit")
+            ("of the output flange at the same time", "des Abtriebsflansches, gleichzeitig")
         }
         MeasuredKey::Direction(DirectionName::position) => (
-            "of the motor's encoder at the same time: rising or falling",
-            "des Motorgebers zur selben Zeit: rising steigend, falling fallend",
+            "of the motor encoder at the same time: rising or falling",
+            "des Motorgebers, gleichzeitig: rising steigend, falling fallend",
         ),
         MeasuredKey::Root(MeasuredRootName::speed) => {
-            ("steady speed, read at the same time", "stetige Drehzahl, zur selben Zeit abgelesen")
+            ("constant speed, read at the same time", "konstante Drehzahl, gleichzeitig abgelesen")
         }
         MeasuredKey::Speed(SpeedName::flange) => ("speed of the output flange", "Drehzahl des Abtriebsflansches"),
         MeasuredKey::Speed(SpeedName::electrical_frequency) => {
             ("frequency of the motor current", "Frequenz des Motorstroms")
         }
         MeasuredKey::Root(MeasuredRootName::no_load) => (
-            "current without load at a steady speed; several [[no_load]] for several speeds",
-            "Strom ohne Last bei stetiger Drehzahl; mehrere [[no_load]] für mehrere Drehzahlen",
+            "no-load current at constant speed; several [[no_load]] for several speeds",
+            "Leerlaufstrom bei konstanter Drehzahl; mehrere [[no_load]] für mehrere Drehzahlen",
         ),
         MeasuredKey::NoLoad(NoLoadName::speed_out) => {
             ("speed of the output flange, not of the motor", "Drehzahl des Abtriebsflansches, nicht des Motors")

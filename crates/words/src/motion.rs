@@ -47,8 +47,8 @@ pub(super) fn fault(fault: &MoveFault, travel_m_per_rad: Option<f64>, language: 
     let plain = |text: String| (text, None);
     match fault {
         MoveFault::NoSegment => plain(said!(language =>
-            "the cycle needs at least one [[motion]]"
-            | "der Zyklus braucht mindestens ein [[motion]]"
+            "the cycle requires at least one [[motion]]"
+            | "der Zyklus erfordert mindestens ein [[motion]]"
         )),
         MoveFault::NoDuration => plain(said!(language =>
             "the cycle has no duration: all its times are zero"
@@ -57,23 +57,23 @@ pub(super) fn fault(fault: &MoveFault, travel_m_per_rad: Option<f64>, language: 
         MoveFault::NoTimeToChangeSpeed { braking } => {
             let key = if *braking { "brake" } else { "accelerate" };
             plain(said!(language =>
-                "`{key}` must be greater than zero: a speed cannot be reached or left in no time"
-                | "`{key}` muss größer als null sein: eine Drehzahl wird nicht in der Zeit null erreicht oder verlassen"
+                "`{key}` must be greater than zero: a change of speed takes time"
+                | "`{key}` muss größer als null sein: eine Drehzahländerung dauert eine endliche Zeit"
             ))
         }
         MoveFault::NotDetermined { given, needed } => {
             let needed = needed_words(*needed, language);
             (
                 said!(language =>
-                    "this move is not determined by what is given ({given} of its quantities)"
-                    | "diese Bewegung ist durch die Angaben nicht bestimmt ({given} ihrer Größen)"
+                    "the stated quantities do not determine this move ({given} stated)"
+                    | "diese Bewegung ist durch die Angaben nicht bestimmt ({given} Größen angegeben)"
                 ),
-                Some(said!(language => "give {needed}" | "anzugeben: {needed}")),
+                Some(said!(language => "state {needed}" | "anzugeben: {needed}")),
             )
         }
         MoveFault::OutOfRange => plain(said!(language =>
-            "a move takes time and goes somewhere: distance, time, speed and acceleration must not be zero"
-            | "eine Bewegung braucht Zeit und führt irgendwohin: Weg, Zeit, Drehzahl und Beschleunigung dürfen nicht null sein"
+            "distance, time, speed and acceleration of a move must not be zero"
+            | "Weg, Zeit, Drehzahl und Beschleunigung einer Bewegung dürfen nicht null sein"
         )),
         MoveFault::SpeedTooLow { above } => (
             said!(language =>
@@ -84,10 +84,10 @@ pub(super) fn fault(fault: &MoveFault, travel_m_per_rad: Option<f64>, language: 
         ),
         MoveFault::SpeedTooHigh { most } => (
             said!(language =>
-                "the speed is too high: even a triangle of it takes less than the time"
-                | "die Drehzahl ist zu hoch: selbst ein Dreieck damit dauert kürzer als die Zeit"
+                "the speed is too high: even a triangular profile takes less than the stated time"
+                | "die Drehzahl ist zu hoch: selbst ein Dreieckprofil dauert kürzer als die angegebene Zeit"
             ),
-            Some(said!(language => "at most {}, or leave it out" | "höchstens {}, oder weglassen", speed(most.si()))),
+            Some(said!(language => "at most {}, or omit it" | "höchstens {}, oder weglassen", speed(most.si()))),
         ),
         MoveFault::AccelerationTooLow { least } => {
             let least = of(least.si(), &METRE_PER_SECOND_SQUARED, &RADIAN_PER_SECOND_SQUARED);
@@ -101,11 +101,11 @@ pub(super) fn fault(fault: &MoveFault, travel_m_per_rad: Option<f64>, language: 
         }
         MoveFault::RestToRestOnly => (
             said!(language =>
-                "this law moves from rest to rest only"
-                | "dieses Gesetz führt nur von Stillstand zu Stillstand"
+                "this law applies to moves from standstill to standstill only"
+                | "dieses Gesetz gilt nur für Bewegungen von Stillstand zu Stillstand"
             ),
             Some(said!(language =>
-                "trapezoid, jerk and polynomial_5 can begin and end with a speed"
+                "trapezoid, jerk and polynomial_5 can begin and end at a speed"
                 | "trapezoid, jerk und polynomial_5 können mit einer Drehzahl beginnen und enden"
             )),
         ),
@@ -114,8 +114,8 @@ pub(super) fn fault(fault: &MoveFault, travel_m_per_rad: Option<f64>, language: 
             | "die Drehzahl am Anfang oder Ende liegt über der größten Drehzahl der Bewegung"
         )),
         MoveFault::StillMoving { speed: found } => plain(said!(language =>
-            "the segment begins at {}: it needs the speed at which the one before ends"
-            | "der Abschnitt beginnt mit {}: er braucht die Drehzahl, mit der der vorige endet", speed(found.si())
+            "the segment begins at {}: it must begin at the end speed of the previous segment"
+            | "der Abschnitt beginnt mit {}: er muss mit der Enddrehzahl des vorigen Abschnitts beginnen", speed(found.si())
         )),
         MoveFault::SpeedNotClosed { end, start } => (
             said!(language =>
@@ -157,8 +157,8 @@ pub(super) fn fault(fault: &MoveFault, travel_m_per_rad: Option<f64>, language: 
             )),
         ),
         MoveFault::RecordingPositionJumps { gap } => plain(said!(language =>
-            "the recording begins {} from where the axis stands"
-            | "die Aufzeichnung beginnt {} neben der Stellung der Achse", way(gap.si())
+            "the recording begins {} away from the position of the axis"
+            | "die Aufzeichnung beginnt {} neben der Position der Achse", way(gap.si())
         )),
     }
 }
@@ -167,19 +167,19 @@ pub(super) fn fault(fault: &MoveFault, travel_m_per_rad: Option<f64>, language: 
 pub(super) fn points_fault(fault: PointsFault, language: Language) -> String {
     match fault {
         PointsFault::TooFew { points, least } => said!(language =>
-            "a cam table needs at least {least} points here, and has {points}"
-            | "eine Kurventabelle braucht hier mindestens {least} Punkte, vorhanden: {points}"
+            "this cam table requires at least {least} points; it has {points}"
+            | "die Kurventabelle erfordert hier mindestens {least} Punkte, vorhanden sind {points}"
         ),
         PointsFault::NotFinite { index } => {
-            said!(language => "point {} is beyond all numbers" | "Punkt {} liegt außerhalb aller Zahlen", index + 1)
+            said!(language => "point {} is not a finite number" | "Punkt {} ist keine endliche Zahl", index + 1)
         }
         PointsFault::NotIncreasing { index } => said!(language =>
             "point {} is not after the one before it"
             | "Punkt {} liegt nicht nach dem vorigen", index + 1
         ),
         PointsFault::Uneven => said!(language =>
-            "the points lie so unevenly that no spline through them can be computed"
-            | "die Punkte liegen so ungleichmäßig, dass kein Spline durch sie berechnet werden kann"
+            "the points are spaced too unevenly for a spline to be computed"
+            | "die Punkte liegen zu ungleichmäßig, um einen Spline zu berechnen"
         ),
     }
 }
@@ -191,7 +191,7 @@ pub(super) fn recorded_fault(fault: &RecordedFault, language: Language) -> (Stri
             let least = shown(least.si(), &SECOND, language);
             (
                 said!(language =>
-                    "the smoothing window holds fewer than four samples somewhere"
+                    "the smoothing window contains fewer than four samples in places"
                     | "im Glättungsfenster liegen stellenweise weniger als vier Abtastwerte"
                 ),
                 Some(said!(language => "at least {least}" | "mindestens {least}")),
@@ -199,7 +199,7 @@ pub(super) fn recorded_fault(fault: &RecordedFault, language: Language) -> (Stri
         }
         RecordedFault::WindowTooLong { most } => (
             said!(language =>
-                "the smoothing window holds more than {most} samples"
+                "the smoothing window contains more than {most} samples"
                 | "im Glättungsfenster liegen mehr als {most} Abtastwerte"
             ),
             None,
@@ -209,23 +209,23 @@ pub(super) fn recorded_fault(fault: &RecordedFault, language: Language) -> (Stri
             (
                 said!(language =>
                     "recorded position and recorded speed differ by {share} % of the travel"
-                    | "aufgezeichnete Lage und aufgezeichnete Drehzahl weichen um {share} % des Wegs voneinander ab"
+                    | "aufgezeichnete Position und aufgezeichnete Drehzahl weichen um {share} % des Wegs voneinander ab"
                 ),
                 Some(said!(language =>
-                    "check their units, or take one of them: columns.speed = \"none\""
+                    "check their units, or use only one of them: columns.speed = \"none\""
                     | "Einheiten prüfen oder nur eine der beiden verwenden: columns.speed = \"none\""
                 )),
             )
         }
         RecordedFault::TooFew { samples } => (
             said!(language =>
-                "{samples} samples are no motion, at least three are needed"
-                | "{samples} Abtastwerte sind keine Bewegung, nötig sind mindestens drei"
+                "{samples} samples are not a motion; at least three are required"
+                | "{samples} Abtastwerte ergeben keine Bewegung; erforderlich sind mindestens drei"
             ),
             None,
         ),
         RecordedFault::NoCourse => (
-            said!(language => "neither position nor speed is recorded" | "weder Lage noch Drehzahl ist aufgezeichnet"),
+            said!(language => "neither position nor speed is recorded" | "weder Position noch Drehzahl ist aufgezeichnet"),
             None,
         ),
         RecordedFault::Uneven => (
@@ -251,8 +251,8 @@ pub(super) fn recorded_fault(fault: &RecordedFault, language: Language) -> (Stri
 
 fn single_move(language: Language) -> String {
     said!(language =>
-        "add the way back, or write single_move = true under [axis]"
-        | "den Rückweg ergänzen oder unter [axis] single_move = true schreiben"
+        "add the return move, or state single_move = true under [axis]"
+        | "den Rückweg ergänzen oder unter [axis] single_move = true angeben"
     )
 }
 

@@ -35,8 +35,8 @@ pub fn load_case_title(case: LoadCase, language: Language) -> String {
     let (en, de) = match case {
         LoadCase::Peak => ("peak torque", "Spitzendrehmoment"),
         LoadCase::Collision => ("collision", "Kollision"),
-        LoadCase::Brake => ("brake holds or stops", "Bremse hält oder stoppt"),
-        LoadCase::StaticMoment => ("tilting at rest", "Kippen im Stillstand"),
+        LoadCase::Brake => ("holding or emergency stop by the brake", "Halten oder Nothalt durch die Bremse"),
+        LoadCase::StaticMoment => ("tilting moment at standstill", "Kippmoment im Stillstand"),
     };
     pick(language, en, de).to_owned()
 }
@@ -67,7 +67,7 @@ pub fn bore_fault(fault: &BoreFault, language: Language) -> (String, Option<Stri
 texts! {
     title(code) = "Mounting of {code}" | "Montage von {code}";
     no_tolerance_zone(written) =
-        "`{written}` is neither a tolerance zone of a bore nor limit deviations"
+        "`{written}` is neither a tolerance zone of a bore nor a pair of limit deviations"
         | "„{written}“ ist weder das Toleranzfeld einer Bohrung noch ein Paar Grenzabmaße";
     tolerance_zones(known) =
         "zones: {known}; or limit deviations such as `+12/-3 um`"
@@ -76,57 +76,57 @@ texts! {
         "the upper limit deviation of {upper} mm is below the lower one of {lower} mm"
         | "das obere Grenzabmaß von {upper} mm liegt unter dem unteren von {lower} mm";
     deviation_too_large(deviation, most) =
-        "a limit deviation of {deviation} mm makes no fit; at most {most} mm are taken"
-        | "ein Grenzabmaß von {deviation} mm ergibt keine Passung; höchstens {most} mm werden angenommen";
+        "a limit deviation of {deviation} mm is not a fit; at most {most} mm are accepted"
+        | "ein Grenzabmaß von {deviation} mm ergibt keine Passung; zulässig sind höchstens {most} mm";
     fit_is_named_otherwise(zone, pilot, fit, id) =
-        "{zone} over {pilot} is a {fit}, though the manual calls it a transition fit (erratum {id})"
+        "{zone} on {pilot} is a {fit}, although the manual calls it a transition fit (erratum {id})"
         | "{zone} auf {pilot} ist eine {fit}, obwohl die Anleitung sie Übergangspassung nennt (Druckfehler {id})";
     tolerances_are_drawn(figure) =
-        "what the tolerances a to d measure is drawn in figure {figure}, which is not at hand; outer contour, length and engagement of the screws are drawn only, too, and not stated here"
-        | "was die Toleranzen a bis d messen, zeigt Abbildung {figure}, die nicht vorliegt; auch Außenkontur, Länge und Einschraubtiefe der Schrauben sind nur gezeichnet und hier nicht angegeben";
+        "tolerances a to d are defined in figure {figure}, which is not available; outer contour, screw length and thread engagement are also given in drawings only and not stated here"
+        | "die Toleranzen a bis d sind in Abbildung {figure} festgelegt, die nicht vorliegt; auch Außenkontur, Schraubenlänge und Einschraubtiefe sind nur gezeichnet und hier nicht angegeben";
     joint_loads_are_limits =
-        "loads without a project: T_max, the collision torque T_M of an interchangeable gear, the holding torque of the brake, and the tilting moments that the output bearing permits; --project takes those of a project"
-        | "Lasten ohne Projekt: T_max, das Kollisionsmoment T_M eines austauschbaren Getriebes, das Haltemoment der Bremse und die Kippmomente, die das Abtriebslager zulässt; --project nimmt die eines Projekts";
+        "loads without a project: T_max, the collision torque T_M of an interchangeable gear, the holding torque of the brake, and the permissible tilting moments of the output bearing; with --project, the loads of the project are used"
+        | "Lasten ohne Projekt: T_max, das Kollisionsmoment T_M eines austauschbaren Getriebes, das Haltemoment der Bremse und die zulässigen Kippmomente des Abtriebslagers; mit --project gelten die Lasten des Projekts";
     joint_loads_of(axis) =
-        "loads of the project: {axis}; tilting moment about the centre of the output bearing, each load at its largest of the cycle"
+        "loads of the project: {axis}; tilting moment about the centre of the output bearing, each load at its maximum over the cycle"
         | "Lasten des Projekts: {axis}; Kippmoment um die Mitte des Abtriebslagers, jede Last mit ihrem größten Wert im Zyklus";
     no_flange_loads_known =
-        "the project has no known loads on the flange: the tilting moment is the one that the output bearing permits"
-        | "das Projekt nennt keine vollständigen Lasten am Flansch: das Kippmoment ist das zulässige des Abtriebslagers";
+        "the project does not state complete flange loads: the permissible tilting moment of the output bearing is used"
+        | "das Projekt nennt keine vollständigen Flanschlasten: angesetzt ist das zulässige Kippmoment des Abtriebslagers";
     joint_model =
-        "with moment: estimated, model screw-joint: rigid flange, moment shared linearly, every screw counted like the one relieved most, clamp force from the printed torque; the torque alone decides, the estimate advises"
-        | "mit Moment: geschätzt, Modell Schraubverbindung: starrer Flansch, Moment linear verteilt, jede Schraube gerechnet wie die am stärksten entlastete, Klemmkraft aus dem abgedruckten Drehmoment; es entscheidet das Drehmoment allein, die Schätzung ist ein Hinweis";
+        "with tilting moment: estimated, model of the bolted joint: rigid flange, linear distribution of the moment, all screws treated as the most relieved one, clamp force from the stated tightening torque; the torque alone governs, the estimate is for information"
+        | "mit Kippmoment: geschätzt, Modell der Schraubenverbindung: starrer Flansch, lineare Verteilung des Moments, alle Schrauben wie die am stärksten entlastete gerechnet, Klemmkraft aus dem angegebenen Anzugsdrehmoment; maßgebend ist das Drehmoment allein, die Schätzung ist ein Hinweis";
     nothing_known_of(what) =
-        "{what}: nothing is printed or published"
-        | "{what}: dazu ist nichts abgedruckt oder veröffentlicht";
+        "{what}: not stated and not published"
+        | "{what}: weder angegeben noch veröffentlicht";
     fits_head = "fits" | "Passungen";
     pilot = "pilot" | "Zentrierung";
     bore = "bore" | "Bohrung";
     deviation_pilot = "pilot µm" | "Zentrierung µm";
     deviation_bore = "bore µm" | "Bohrung µm";
     clearance_um = "clearance µm" | "Spiel µm";
-    off_centre_um = "off centre µm" | "außermittig µm";
+    off_centre_um = "eccentricity µm" | "Außermittigkeit µm";
     fit_head = "fit" | "Passung";
     own_deviations = "own" | "eigene";
     dimensions_head = "tolerances, dimensions, mass" | "Toleranzen, Maße, Masse";
-    not_printed = "not printed" | "nicht abgedruckt";
+    not_printed = "not stated" | "nicht angegeben";
     lifting_gear_needed =
-        "more than 20 kg: lift with lifting gear only"
+        "more than 20 kg: use lifting gear"
         | "mehr als 20 kg: nur mit Hebezeug heben";
     lifting_gear_not_known =
-        "no mass is printed for this design: weigh it before it is lifted by hand"
-        | "für diese Ausführung ist keine Masse abgedruckt: vor dem Heben von Hand wiegen";
-    joint_head(side) = "screw joint of the {side}" | "Schraubverbindung: {side}";
+        "the mass of this design is not stated: weigh it before lifting it by hand"
+        | "die Masse dieser Ausführung ist nicht angegeben: vor dem Heben von Hand wiegen";
+    joint_head(side) = "bolted joint: {side}" | "Schraubenverbindung: {side}";
     joint_screws(count, size, class, circle, tightening, transmissible, friction) =
-        "{count} × {size}, class {class}, bolt circle {circle} mm, tightened with {tightening} Nm; transmits {transmissible} Nm with degreased faces (µ = {friction})"
-        | "{count} × {size}, Festigkeitsklasse {class}, Teilkreis {circle} mm, Anzugsdrehmoment {tightening} Nm; überträgt {transmissible} Nm bei entfetteten Flächen (µ = {friction})";
-    joint_clamp(force, grade) = "{force} kN of clamp force per screw, {grade}" | "Klemmkraft {force} kN je Schraube, {grade}";
+        "{count} × {size}, property class {class}, bolt circle {circle} mm, tightening torque {tightening} Nm; transmits {transmissible} Nm with degreased faces (µ = {friction})"
+        | "{count} × {size}, Festigkeitsklasse {class}, Lochkreis {circle} mm, Anzugsdrehmoment {tightening} Nm; überträgt {transmissible} Nm bei entfetteten Flächen (µ = {friction})";
+    joint_clamp(force, grade) = "clamp force {force} kN per screw, {grade}" | "Klemmkraft {force} kN je Schraube, {grade}";
     load_head = "load" | "Belastung";
     torque_nm = "torque Nm" | "Moment Nm";
-    tilting_nm = "tilting Nm" | "Kippen Nm";
-    relieved_percent = "relieved %" | "entlastet %";
-    with_moment_percent = "with moment %" | "mit Moment %";
+    tilting_nm = "tilting moment Nm" | "Kippmoment Nm";
+    relieved_percent = "relief %" | "Entlastung %";
+    with_moment_percent = "with tilting moment %" | "mit Kippmoment %";
     joint_opens = "opens" | "öffnet";
-    demands_head = "to be kept" | "Einzuhalten";
-    always = "always" | "immer";
+    demands_head = "instructions" | "Hinweise";
+    always = "general" | "allgemein";
 }

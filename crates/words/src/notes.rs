@@ -18,13 +18,13 @@ pub fn note_text(note: &Note, language: Language) -> String {
             let cycle = with_unit(cycle.si(), &SECOND, 3, language);
             let tau = with_unit(time_constant.si(), &SECOND, 2, language);
             said!(language =>
-                "the cycle of {cycle} is not short against the winding's time constant of about {tau}: the rms torque alone does not show whether the winding stays cool enough"
-                | "der Zyklus von {cycle} ist nicht kurz gegen die Wicklungszeitkonstante von etwa {tau}: aus dem effektiven Drehmoment allein folgt nicht, ob die Wicklung kühl genug bleibt"
+                "the cycle of {cycle} is not short compared with the winding time constant of about {tau}: the rms torque alone does not show whether the winding temperature remains permissible"
+                | "der Zyklus von {cycle} ist nicht kurz gegenüber der Wicklungszeitkonstante von etwa {tau}: aus dem effektiven Drehmoment allein folgt nicht, ob die Wicklungstemperatur zulässig bleibt"
             )
         }
         Note::BrakingTorqueAssumed => said!(language =>
-            "braking and accelerating times differ: eq. 69.2 would take T_3 from the accelerating time; the exact integral decides"
-            | "Brems- und Beschleunigungszeit sind verschieden: Gl. 69.2 nähme T_3 aus der Beschleunigungszeit; es entscheidet das exakte Integral"
+            "braking and acceleration times differ: eq. 69.2 would take T_3 from the acceleration time; the exact integral is used"
+            | "Brems- und Beschleunigungszeit sind verschieden: Gl. 69.2 bildet T_3 aus der Beschleunigungszeit; maßgebend ist das exakte Integral"
         ),
         Note::RecommendationForHighDynamics { factor } => {
             let factor = format_number(*factor, usize::from(factor.fract() != 0.0), language);
@@ -37,33 +37,33 @@ pub fn note_text(note: &Note, language: Language) -> String {
             let least = with_unit(least.si(), &DEGREE, 3, language);
             let swing = with_unit(swing.si(), &DEGREE, 3, language);
             said!(language =>
-                "the axis swings by {swing} only; below {least} the bearing may fret, ask the maker"
-                | "die Achse schwenkt nur um {swing}; unter {least} droht Reibkorrosion, beim Hersteller fragen"
+                "the swivel angle is only {swing}; below {least} there is a risk of fretting corrosion in the bearing; ask the manufacturer"
+                | "der Schwenkwinkel beträgt nur {swing}; unter {least} besteht die Gefahr von Reibkorrosion im Lager; beim Hersteller erfragen"
             )
         }
         Note::SmallSwings { count, largest, share, least } => {
             small_swings(*count, [*largest, *least], *share, language)
         }
         Note::RatingOfInterchangeableGear => said!(language =>
-            "the gear's rating is that of another maker's interchangeable gear with the same T_R; the manual states none"
-            | "die Getriebewerte sind die eines austauschbaren Getriebes eines anderen Herstellers mit gleichem T_R; die Anleitung nennt keine"
+            "gear rating taken from an interchangeable gear of another manufacturer with the same T_R; the manual states none"
+            | "Getriebewerte eines austauschbaren Getriebes eines anderen Herstellers mit gleichem T_R; die Anleitung nennt keine"
         ),
         Note::LoadsOneAtATime => said!(language =>
-            "the permissible forces hold one at a time; for several together life and static safety decide"
-            | "die zulässigen Kräfte gelten je für sich; bei mehreren zugleich entscheiden Lebensdauer und statische Sicherheit"
+            "the permissible loads apply to each load acting alone; for combined loads, bearing life and static safety govern"
+            | "die zulässigen Lasten gelten jeweils einzeln; bei kombinierter Belastung sind Lebensdauer und statische Sicherheit maßgebend"
         ),
         Note::Housing(temperature) => {
             let housing = with_unit(temperature.si(), &DEGREE_CELSIUS, 3, language);
             said!(language =>
-                "the housing reaches {housing} in the steady cycle; both are estimates for the plate of table 13.3"
-                | "das Gehäuse erreicht im Beharrungszustand {housing}; beides sind Schätzungen für die Platte nach Tabelle 13.3"
+                "the housing reaches {housing} in thermal steady state; both are estimates for the plate of table 13.3"
+                | "das Gehäuse erreicht im thermischen Beharrungszustand {housing}; beides sind Schätzungen für die Platte nach Tabelle 13.3"
             )
         }
         Note::WarmUp(time) => {
             let time = with_unit(time.si(), &MINUTE, 2, language);
             said!(language =>
-                "from cold the winding reaches its warning threshold of 80 °C after about {time}"
-                | "aus dem Kalten erreicht die Wicklung ihre Warnschwelle von 80 °C nach etwa {time}"
+                "from cold, the winding reaches its warning threshold of 80 °C after about {time}"
+                | "aus kaltem Zustand erreicht die Wicklung ihre Warnschwelle von 80 °C nach etwa {time}"
             )
         }
         Note::EnergyPerCycle { motoring, regenerated, peak } => {
@@ -71,85 +71,85 @@ pub fn note_text(note: &Note, language: Language) -> String {
             let (taken, given) = (joule(motoring.si()), joule(regenerated.si()));
             if regenerated.si() == 0.0 {
                 return said!(language =>
-                    "one cycle takes {taken} at the motor terminals and gives nothing back"
-                    | "ein Zyklus nimmt an den Motorklemmen {taken} auf und gibt nichts zurück"
+                    "one cycle consumes {taken} at the motor terminals; no energy is regenerated"
+                    | "ein Zyklus nimmt an den Motorklemmen {taken} auf; keine Rückspeisung"
                 );
             }
             let peak = with_unit(peak.si(), &WATT, 3, language);
             said!(language =>
-                "one cycle takes {taken} at the motor terminals and gives {given} back, {peak} at most"
-                | "ein Zyklus nimmt an den Motorklemmen {taken} auf und gibt {given} zurück, höchstens {peak}"
+                "one cycle consumes {taken} at the motor terminals and regenerates {given}, peak power {peak}"
+                | "ein Zyklus nimmt an den Motorklemmen {taken} auf und speist {given} zurück, Spitzenleistung {peak}"
             )
         }
         Note::Capacitor { energy, capacitance_f } => {
             let energy = with_unit(energy.si(), &JOULE, 3, language);
             let millifarad = format_significant(capacitance_f * 1e3, 3, language);
             said!(language =>
-                "at a stretch {energy} come back: instead of a brake resistor a capacitor bank of {millifarad} mF holds them within the stated rise of the DC link voltage"
-                | "am Stück kommen {energy} zurück: statt eines Bremswiderstands nimmt sie eine Kondensatorbatterie von {millifarad} mF im angegebenen Anstieg der Zwischenkreisspannung auf"
+                "up to {energy} are regenerated at a time: instead of a braking resistor, a capacitor bank of {millifarad} mF absorbs this energy within the stated rise of the DC link voltage"
+                | "zusammenhängend werden bis zu {energy} zurückgespeist: statt eines Bremswiderstands nimmt eine Kondensatorbatterie von {millifarad} mF diese Energie innerhalb des angegebenen Anstiegs der Zwischenkreisspannung auf"
             )
         }
         Note::DcLinkRises { to, free } => {
             let volt = |si| with_unit(si, &VOLT, 3, language);
             let (to, free) = (volt(to.si()), volt(free.si()));
             said!(language =>
-                "with the stated rise the DC link reaches {to}. U_DCmax is the largest stationary voltage and may be exceeded for a short time while braking; by how much is not stated: ask the maker, or permit a rise of {free} at most"
-                | "mit dem angegebenen Anstieg erreicht der Zwischenkreis {to}. U_DCmax ist die größte stationäre Spannung und darf im Bremsbetrieb kurzfristig überschritten werden; um wie viel, ist nicht angegeben: beim Hersteller fragen oder höchstens {free} Anstieg zulassen"
+                "with the stated rise the DC link reaches {to}. U_DCmax is the maximum steady-state voltage and may be exceeded briefly during braking; the permissible amount is not stated: ask the manufacturer, or permit a rise of at most {free}"
+                | "mit dem angegebenen Anstieg erreicht der Zwischenkreis {to}. U_DCmax ist die maximale stationäre Spannung und darf im Bremsbetrieb kurzzeitig überschritten werden; das zulässige Maß ist nicht angegeben: beim Hersteller erfragen oder höchstens {free} Anstieg zulassen"
             )
         }
         Note::FrictionTemperatures { cold, settled: Some(settled) } => {
             let (cold, settled) = (celsius(cold.si()), celsius(settled.si()));
             said!(language =>
-                "friction counts with a cold gear ({cold}) and with one as warm as the cycle makes it ({settled}); the larger current decides"
-                | "die Reibung zählt mit kaltem Getriebe ({cold}) und mit einem so warmen, wie der Zyklus es macht ({settled}); der größere Strom entscheidet"
+                "friction evaluated for a cold gear ({cold}) and at steady-state gear temperature ({settled}); the larger current governs"
+                | "Reibung für kaltes ({cold}) und für betriebswarmes Getriebe ({settled}) gerechnet; maßgebend ist der größere Strom"
             )
         }
         Note::FrictionTemperatures { cold, settled: None } => {
             let cold = celsius(cold.si());
             said!(language =>
-                "friction is calculated for a cold gear ({cold}) and, without a heat model, for a gear of 80 °C; the larger current counts"
-                | "Reibung gerechnet mit kaltem Getriebe ({cold}) und, ohne Wärmemodell, mit 80 °C; der größere Strom ist maßgebend"
+                "friction evaluated for a cold gear ({cold}) and, without a thermal model, at 80 °C; the larger current governs"
+                | "Reibung für kaltes Getriebe ({cold}) und, ohne Erwärmungsmodell, für 80 °C gerechnet; maßgebend ist der größere Strom"
             )
         }
         Note::FrictionExtrapolated { low, high } => {
             let factor = |value: f64| format_significant(value, 2, language);
             let (low, high) = (factor(*low), factor(*high));
             said!(language =>
-                "below 20 °C no friction is stated: it is extrapolated and may be {low} to {high} times what is counted"
-                | "unter 20 °C ist keine Reibung angegeben: sie ist extrapoliert und kann das {low}- bis {high}-Fache des Gerechneten sein"
+                "no friction is stated below 20 °C: the value is extrapolated; the actual friction may be {low} to {high} times this value"
+                | "unter 20 °C ist keine Reibung angegeben: der Wert ist extrapoliert, die tatsächliche Reibung kann das {low}- bis {high}-Fache betragen"
             )
         }
         Note::UntilWarm => said!(language =>
-            "only the cold gear exceeds the limit: until it is warm the drive limits the current"
-            | "nur mit kaltem Getriebe überschritten: bis es warm ist, begrenzt der Regler den Strom"
+            "the limit is exceeded with a cold gear only: the drive limits the current until the gear is warm"
+            | "Grenze nur bei kaltem Getriebe überschritten: bis zur Betriebswärme begrenzt der Servoregler den Strom"
         ),
         Note::EstimatedUpTo(upper) => {
             let upper = with_unit(upper.si, upper.unit, 3, language);
             said!(language =>
-                "no curve is published for this actuator: the limit is the lower edge of an estimate that reaches up to {upper}"
-                | "für diesen Antrieb ist keine Kennlinie veröffentlicht: die Grenze ist der untere Rand einer Schätzung, die bis {upper} reicht"
+                "no curve is published for this actuator: the limit is the lower edge of an estimate with upper edge {upper}"
+                | "für diesen Antrieb ist keine Kennlinie veröffentlicht: Grenze ist der untere Rand eines Schätzbands mit oberem Rand {upper}"
             )
         }
         Note::InsideBand => said!(language =>
-            "the value lies inside the band of an estimate: ask the maker, or give a curve"
-            | "der Wert liegt im Band einer Schätzung: beim Hersteller fragen oder eine Kennlinie angeben"
+            "the value lies within the band of an estimate: ask the manufacturer, or state a curve"
+            | "der Wert liegt im Band einer Schätzung: beim Hersteller erfragen oder eine Kennlinie angeben"
         ),
         Note::RiseAbove(ambient) => {
             let ambient = celsius(ambient.si());
             said!(language =>
-                "the utilisation is that of the rise above {ambient}"
-                | "die Auslastung ist die der Erwärmung über {ambient}"
+                "utilisation refers to the temperature rise above {ambient}"
+                | "Auslastung bezogen auf die Übertemperatur gegenüber {ambient}"
             )
         }
         Note::HangingLoad => said!(language =>
-            "the load hangs: a built-in holding brake is not a safety brake; persons under it need a further, mechanical one"
-            | "hängende Last: eine eingebaute Haltebremse ist nicht funktional sicher; zum Schutz von Personen ist eine weitere, mechanische Bremse nötig"
+            "axis under gravity or tension load: the built-in holding brake is not a safety brake; an additional mechanical brake is required to protect persons"
+            | "schwerkraft- bzw. zugbelastete Achse: die eingebaute Haltebremse ist keine Sicherheitsbremse; zum Schutz von Personen ist eine zusätzliche mechanische Bremse erforderlich"
         ),
         Note::Sag(angle) => {
             let angle = with_unit(angle.si(), &DEGREE, 2, language);
             said!(language =>
-                "while the brake closes and nothing else holds, the load sags by up to {angle}"
-                | "während die Bremse schließt und nichts sonst hält, sackt die Last bis zu {angle} ab"
+                "if the motor does not hold the load while the brake closes, the load sags by up to {angle}"
+                | "hält der Motor die Last beim Schließen der Bremse nicht, sackt sie um bis zu {angle} ab"
             )
         }
         Note::BrakeStop(stop) => {
@@ -160,43 +160,43 @@ pub fn note_text(note: &Note, language: Language) -> String {
             let count = permitted.map_or_else(
                 || {
                     said!(language =>
-                        "the maker does not state how many are permitted"
-                        | "wie viele zulässig sind, ist nicht angegeben"
+                        "the permissible number is not stated"
+                        | "die zulässige Anzahl ist nicht angegeben"
                     )
                 },
                 |count| {
                     let count = format_number(count, 0, language);
-                    said!(language => "{count} are permitted in all" | "insgesamt zulässig sind {count}")
+                    said!(language => "{count} are permitted in total" | "insgesamt zulässig sind {count}")
                 },
             );
             said!(language =>
-                "from the peak speed the brake alone stops the axis within {angle} and {time}, with {energy}; {count}"
-                | "aus der Spitzendrehzahl hält die Bremse allein die Achse in {angle} und {time} an, mit {energy}; {count}"
+                "from peak speed, the brake alone stops the axis within {angle} and {time} and absorbs {energy}; {count}"
+                | "aus der Spitzendrehzahl hält die Bremse allein die Achse innerhalb von {angle} und {time} an und nimmt {energy} auf; {count}"
             )
         }
         Note::BrakeDoesNotStop => said!(language =>
-            "the load drives harder than the brake holds: it does not stop the axis"
-            | "die Last treibt stärker, als die Bremse hält: sie bringt die Achse nicht zum Stehen"
+            "the load torque exceeds the holding torque: the brake does not stop the axis"
+            | "das Lastmoment übersteigt das Haltemoment: die Bremse bringt die Achse nicht zum Stillstand"
         ),
         Note::NothingHolds => said!(language =>
-            "in a dwell with hold = \"free\" the load stays only where friction is at least what moves it"
-            | "im Stillstand mit hold = \"free\" bleibt die Last nur, wo die Reibung mindestens so groß ist wie das, was sie bewegt"
+            "in a dwell with hold = \"free\" the load remains at standstill only if the friction exceeds the load torque"
+            | "im Stillstand mit hold = \"free\" bleibt die Last nur stehen, wenn die Reibung das Lastmoment übersteigt"
         ),
         Note::NothingHoldsWithoutPower => said!(language =>
-            "the load hangs and this actuator has no brake: without power nothing holds the load. Choose one with brake, or hold the load by other means"
-            | "hängende Last, und dieser Antrieb hat keine Bremse: stromlos hält nichts die Last. Einen Antrieb mit Bremse wählen oder die Last anders halten"
+            "axis under gravity or tension load and actuator without brake: the load is not held when the power is off. Choose an actuator with brake, or secure the load by other means"
+            | "schwerkraft- bzw. zugbelastete Achse und Antrieb ohne Bremse: im stromlosen Zustand wird die Last nicht gehalten. Einen Antrieb mit Bremse wählen oder die Last anderweitig sichern"
         ),
         Note::DwellTooShortForBrake { shortest, needed } => {
             let second = |si| with_unit(si, &SECOND, 3, language);
             let (shortest, needed) = (second(shortest.si()), second(needed.si()));
             said!(language =>
-                "a dwell of {shortest} is too short for the brake, which takes {needed} to close and to open: the motor holds the load for all of it"
-                | "ein Stillstand von {shortest} ist zu kurz für die Bremse, die zum Schließen und Öffnen {needed} braucht: der Motor hält die Last die ganze Zeit"
+                "a dwell of {shortest} is too short for the brake, which takes {needed} to close and open: the motor holds the load throughout the dwell"
+                | "ein Stillstand von {shortest} ist zu kurz für die Bremse, die zum Schließen und Öffnen {needed} benötigt: der Motor hält die Last während des gesamten Stillstands"
             )
         }
         Note::BrakeTimesAssumed => said!(language =>
-            "opening and closing time of this brake are not stated: while it closes and opens the motor holds the load for 70 ms and 110 ms, as stated for the larger sizes"
-            | "Öffnungs- und Schließzeit dieser Bremse sind nicht angegeben: beim Schließen und Öffnen hält der Motor die Last 70 ms und 110 ms lang, wie für die größeren Baugrößen angegeben"
+            "opening and closing time of this brake are not stated: while the brake closes and opens, the motor is assumed to hold the load for 70 ms and 110 ms, as stated for the larger sizes"
+            | "Öffnungs- und Schließzeit dieser Bremse sind nicht angegeben: angesetzt sind 70 ms und 110 ms Halten durch den Motor beim Schließen und Öffnen, wie für die größeren Baugrößen angegeben"
         ),
         Note::BrakingsLast { each_cycle, lasts } => {
             let times = match (format_number(*each_cycle, 0, language), language) {
@@ -207,46 +207,46 @@ pub fn note_text(note: &Note, language: Language) -> String {
             };
             let Some(lasts) = lasts else {
                 return said!(language =>
-                    "the brake closes {times} per cycle; how often it may is not stated"
-                    | "die Bremse schließt {times} je Zyklus; wie oft sie es darf, ist nicht angegeben"
+                    "the brake closes {times} per cycle; the permissible number is not stated"
+                    | "die Bremse schließt {times} je Zyklus; die zulässige Anzahl ist nicht angegeben"
                 );
             };
             let hours = with_unit(lasts.si(), &HOUR, 3, language);
             said!(language =>
-                "the brake closes {times} per cycle: the permitted number of brakings lasts {hours} of operation"
-                | "die Bremse schließt {times} je Zyklus: die zulässige Zahl der Bremsungen reicht für {hours} Betrieb"
+                "the brake closes {times} per cycle: the permissible number of brake applications is reached after {hours} of operation"
+                | "die Bremse schließt {times} je Zyklus: die zulässige Anzahl der Bremsungen ist nach {hours} Betrieb erreicht"
             )
         }
         Note::NoBrake => said!(language =>
-            "the motion is held by a brake, which this actuator does not have"
-            | "die Bewegung wird von einer Bremse gehalten, die dieser Antrieb nicht hat"
+            "the motion requires a holding brake, which this actuator does not have"
+            | "die Bewegung erfordert eine Haltebremse, die dieser Antrieb nicht hat"
         ),
         Note::ReferenceLost { turns } if *turns <= 1.0 => said!(language =>
-            "the axis turns endlessly: the encoder is absolute within one turn of the motor only, and the absolute reference is lost, since 1/i is not a whole number"
+            "endless rotation: the encoder is absolute within one motor turn only, and the absolute reference is lost, since 1/i is not a whole number"
             | "die Achse dreht endlos: der Geber ist nur innerhalb einer Motorumdrehung absolut, der absolute Bezug geht verloren, da 1/i keine ganze Zahl ist"
         ),
         Note::ReferenceLost { turns } => {
             let turns = format_number(*turns, 0, language);
             said!(language =>
-                "the axis turns endlessly: where the encoder's turns overflow its absolute reference is lost, since {turns}/i is not a whole number"
+                "endless rotation: the absolute reference is lost when the turns counter of the encoder overflows, since {turns}/i is not a whole number"
                 | "die Achse dreht endlos: beim Überlauf der Geberumdrehungen geht der absolute Bezug verloren, da {turns}/i keine ganze Zahl ist"
             )
         }
         Note::NeedsReferencing => said!(language =>
-            "the position is not absolute over the travel: it must be referenced after switching on"
-            | "die Lage ist über den Weg nicht absolut: nach dem Einschalten muss referenziert werden"
+            "the position is not absolute over the travel: the axis must be homed after switch-on"
+            | "die Position ist über den Weg nicht absolut: nach dem Einschalten muss referenziert werden"
         ),
         Note::BatteryExchange { recommended, latest } => {
             let year = |si| with_unit(si, &YEAR, 2, language);
             let (recommended, latest) = (year(recommended.si()), year(latest.si()));
             said!(language =>
-                "the encoder with its battery should be exchanged after {recommended}, at the latest {latest} after delivery"
-                | "der Geber mit seiner Batterie ist nach {recommended} zu tauschen (empfohlen), spätestens {latest} nach Lieferung"
+                "the encoder with its battery should be replaced after {recommended}, and must be replaced at the latest {latest} after delivery"
+                | "der Geber mit Batterie soll nach {recommended} ersetzt werden (Empfehlung), spätestens {latest} nach Lieferung"
             )
         }
         Note::ApprovalNeeded => said!(language =>
-            "this field of application needs a risk assessment and the maker's approval (section 2.4)"
-            | "dieser Anwendungsbereich braucht eine Risikobewertung und die Freigabe des Herstellers (Abschnitt 2.4)"
+            "this field of application requires a risk assessment and the manufacturer's approval (section 2.4)"
+            | "dieser Anwendungsbereich erfordert eine Risikobeurteilung und die Freigabe des Herstellers (Abschnitt 2.4)"
         ),
         Note::CollisionsPermitted(count) => {
             let count = format_number(count.floor(), 0, language);
@@ -273,8 +273,8 @@ pub fn note_text(note: &Note, language: Language) -> String {
                 said!(language => ", with a free rotor at {free}" | ", bei freiem Rotor bei {free}")
             });
             said!(language =>
-                "the wave generator excites the load at {held} with the rotor held{free} (three regions of stiffness); do not dwell there"
-                | "der Wave Generator regt die Last bei festgehaltenem Rotor bei {held} an{free} (drei Steifigkeitsbereiche); dort nicht verweilen"
+                "the wave generator excites the load at {held} with locked rotor{free} (three stiffness regions); avoid constant operation at these speeds"
+                | "der Wave Generator regt die Last bei blockiertem Rotor bei {held} an{free} (drei Steifigkeitsbereiche); Dauerbetrieb bei diesen Drehzahlen vermeiden"
             )
         }
         Note::Ratcheting { ratcheting, buckling } => {
@@ -285,15 +285,15 @@ pub fn note_text(note: &Note, language: Language) -> String {
                 said!(language => ", its flexspline buckles at {buckles}" | ", sein Flexspline beult bei {buckles}")
             });
             said!(language =>
-                "a cup-type gear of this size ratchets at {ratchets}{buckles}; for orientation, the hollow-shaft gear has another flexspline"
+                "a cup-type gear of this size ratchets at {ratchets}{buckles}; for guidance only, the hollow-shaft gear has a different flexspline"
                 | "ein Topfgetriebe dieser Baugröße ratscht bei {ratchets}{buckles}; nur zur Orientierung, das Hohlwellengetriebe hat einen anderen Flexspline"
             )
         }
         Note::FreeRotor(frequency) => {
             let frequency = with_unit(frequency.si(), &HERTZ, 3, language);
             said!(language =>
-                "that is with the rotor held; a free rotor and the load swing against each other at {frequency}"
-                | "das gilt bei festgehaltenem Rotor; freier Rotor und Last schwingen mit {frequency} gegeneinander"
+                "value for locked rotor; with free rotor the natural frequency is {frequency}"
+                | "Wert bei blockiertem Rotor; bei freiem Rotor beträgt die Eigenfrequenz {frequency}"
             )
         }
         Note::Budget(budget) => {
@@ -311,8 +311,8 @@ pub fn note_text(note: &Note, language: Language) -> String {
                 }
             };
             said!(language =>
-                "sum of all contributions{at_lever}; root of their squares {root}{open}"
-                | "Summe aller Beiträge{at_lever}; Wurzel der Quadratsumme {root}{open}"
+                "sum of all contributions{at_lever}; root sum square {root}{open}"
+                | "Summe aller Beiträge{at_lever}; Wurzel aus der Quadratsumme {root}{open}"
             )
         }
         Note::Erratum(id) => {
@@ -327,7 +327,7 @@ pub(super) fn small_swings(count: usize, angles: [Angle; 2], share: f64, languag
     let [largest, least] = angles.map(|angle| with_unit(angle.si(), &DEGREE, 3, language));
     let share = format_number(share * 100.0, 0, language);
     said!(language =>
-        "{count} swings of up to {largest} in each cycle, {share} % of all travel; below {least} the bearing may fret, ask the maker"
-        | "{count} Schwenkungen bis {largest} je Zyklus, {share} % des gesamten Wegs; unter {least} droht Reibkorrosion, beim Hersteller fragen"
+        "{count} swivel motions of up to {largest} per cycle, {share} % of the total travel; below {least} there is a risk of fretting corrosion in the bearing; ask the manufacturer"
+        | "{count} Schwenkbewegungen bis {largest} je Zyklus, {share} % des gesamten Wegs; unter {least} besteht die Gefahr von Reibkorrosion im Lager; beim Hersteller erfragen"
     )
 }

@@ -5,16 +5,16 @@ use crate::texts::texts;
 texts! {
     title = "Project file, key by key" | "Projektdatei, Schlüssel für Schlüssel";
     introduction =
-        "This page is made from the description by which the program reads a project file. The guide shows with examples how the keys work together: [project file](../guide/project-file.md). A key in bold is required. The default of any other key is part of its meaning; without a default a check that needs the value is not checked and names it."
-        | "Diese Seite entsteht aus der Beschreibung, nach der das Programm eine Projektdatei liest. Wie die Schlüssel zusammenwirken, zeigt die Anleitung an Beispielen: [Projektdatei](../anleitung/project-file.md). Ein fetter Schlüssel ist Pflicht. Der Standardwert jedes anderen steht bei seiner Bedeutung; ohne Standardwert ist ein Nachweis, der den Wert braucht, nicht geprüft und nennt ihn.";
+        "This page is generated from the description used by the program to read project files. The guide shows with examples how the keys work together: [project file](../guide/project-file.md). Keys in bold are required. The default of any other key is stated with its meaning; if there is no default, a check that requires the value is reported as not checked and names the value."
+        | "Diese Seite wird aus der Beschreibung erzeugt, nach der das Programm Projektdateien liest. Wie die Schlüssel zusammenwirken, zeigt die Anleitung an Beispielen: [Projektdatei](../anleitung/project-file.md). Fett gesetzte Schlüssel sind Pflicht. Der Standardwert der übrigen steht bei ihrer Bedeutung; fehlt ein Standardwert, wird ein Nachweis, der den Wert benötigt, als nicht geprüft ausgewiesen und nennt ihn.";
     root = "Root of the file" | "Wurzel der Datei";
     columns_of_keys =
         "| key | value | example | meaning |" | "| Schlüssel | Wert | Beispiel | Bedeutung |";
-    columns_of_kinds(by) = "| `{by}` | needs | may have |" | "| `{by}` | braucht | darf haben |";
-    every_kind_may_have(keys) = "Every one of them may have {keys}." | "Alle dürfen {keys} haben.";
+    columns_of_kinds(by) = "| `{by}` | required | optional |" | "| `{by}` | erforderlich | zulässig |";
+    every_kind_may_have(keys) = "Optional for all of them: {keys}." | "Bei allen zulässig: {keys}.";
     several_axes(keys) =
-        "Of several axes each is an `[[axis]]` with a `name` and with {keys} inside it, as they are described at the root."
-        | "Von mehreren Achsen ist jede eine `[[axis]]` mit einem `name` und mit {keys} darin, wie sie an der Wurzel beschrieben sind.";
+        "With several axes, each is an `[[axis]]` with a `name` and its own {keys}, as described at the root."
+        | "Bei mehreren Achsen ist jede eine `[[axis]]` mit einem `name` und eigenen Tabellen {keys}, wie oben für die Wurzel beschrieben.";
     from_to(low, high) = "{low} to {high}" | "{low} bis {high}";
     at_most(count) = ", at most {count}" | ", höchstens {count}";
     number = "number" | "Zahl";
@@ -27,36 +27,36 @@ texts! {
     table = "table" | "Tabelle";
     tables = "tables" | "Tabellen";
     table_or_tables = "table, or several" | "Tabelle, oder mehrere";
-    bodies = "list of texts, a body each" | "Liste von Texten, je ein Körper";
+    bodies = "list of texts, one per body" | "Liste von Texten, je ein Körper";
     quantities_title = "Quantities and their units" | "Größen und ihre Einheiten";
     quantities_about(example) =
-        "A quantity is a text with number and unit, perhaps with a tolerance: {example}. The usual unit stands first; other spellings of a unit are understood too."
-        | "Eine Größe ist ein Text mit Zahl und Einheit, vielleicht mit Toleranz: {example}. Die übliche Einheit steht zuerst; andere Schreibweisen einer Einheit werden auch verstanden.";
+        "A quantity is a text with number and unit, optionally with a tolerance: {example}. The usual unit is listed first; other spellings of a unit are also accepted."
+        | "Eine Größe ist ein Text mit Zahl und Einheit, wahlweise mit Toleranz: {example}. Die übliche Einheit steht zuerst; andere Schreibweisen einer Einheit sind ebenfalls zulässig.";
     columns_of_quantities = "| quantity | units |" | "| Größe | Einheiten |";
     glossary_title = "Glossary" | "Glossar";
     glossary_about =
-        "Words of the product and symbols of its answers in both languages, one word for one thing. This page is made from the data of the glossary; `antrieb glossary TERM` looks one up."
-        | "Wörter des Programms und Formelzeichen seiner Antworten in beiden Sprachen, ein Wort für eine Sache. Diese Seite entsteht aus den Daten des Glossars; `antrieb glossary BEGRIFF` schlägt nach.";
-    glossary_words = "Words" | "Wörter";
+        "Terms and symbols of the program in both languages with their definitions, one term for one thing. This page is generated from the glossary data; `antrieb glossary TERM` looks up a term."
+        | "Begriffe und Formelzeichen des Programms in beiden Sprachen mit Definition, ein Begriff für eine Sache. Diese Seite wird aus den Daten des Glossars erzeugt; `antrieb glossary BEGRIFF` schlägt einen Begriff nach.";
+    glossary_words = "Terms" | "Begriffe";
     glossary_terms = "Symbols of the tables" | "Formelzeichen der Tabellen";
     glossary_terms_about =
-        "As the catalogue and its export write them, with the name that a project file uses and the unit of the print."
-        | "Wie der Katalog und sein Export sie schreiben, mit dem Namen, den eine Projektdatei nutzt, und der Einheit des Drucks.";
-    glossary_steps = "Symbols of derivations and of values for a drive" | "Formelzeichen der Herleitungen und der Werte für den Regler";
+        "As used in the catalogue and its export, with the identifier used in project files and the unit of the manual."
+        | "Wie in Katalog und Export verwendet, mit der Kennung aus Projektdateien und der Einheit der Anleitung.";
+    glossary_steps = "Symbols of derivations and drive settings" | "Formelzeichen der Herleitungen und der Einstellwerte für den Servoregler";
     glossary_steps_about =
-        "What `antrieb explain` and `antrieb commission` show beside the symbols of the tables. A symbol with several meanings stands several times."
-        | "Was `antrieb explain` und `antrieb commission` neben den Formelzeichen der Tabellen zeigen. Ein Zeichen mit mehreren Bedeutungen steht mehrfach.";
+        "Symbols shown by `antrieb explain` and `antrieb commission` in addition to those of the tables. A symbol with several meanings is listed several times."
+        | "Formelzeichen, die `antrieb explain` und `antrieb commission` zusätzlich zu denen der Tabellen verwenden. Ein Formelzeichen mit mehreren Bedeutungen ist mehrfach aufgeführt.";
     columns_of_words = "| English | German | meaning |" | "| Englisch | Deutsch | Bedeutung |";
     columns_of_terms = "| symbol | name | unit | English | German | remark |" | "| Formelzeichen | Name | Einheit | Englisch | Deutsch | Bemerkung |";
     columns_of_steps = "| symbol | English | German |" | "| Formelzeichen | Englisch | Deutsch |";
     commands = "Commands" | "Befehle";
     commands_about =
-        "Every command with its arguments, as in `antrieb help`. This page is generated from the command line; the guide explains the answers."
-        | "Jeder Befehl mit seinen Argumenten, wie in `antrieb help`. Diese Seite ist aus der Befehlszeile erzeugt; die Antworten erklärt die Anleitung.";
-    every_command_takes = "Options of every command" | "Optionen jedes Befehls";
+        "All commands with their arguments, as in `antrieb help`. This page is generated from the command line; the guide explains the answers."
+        | "Alle Befehle mit ihren Argumenten, wie in `antrieb help`. Diese Seite wird aus der Befehlszeile erzeugt; die Antworten erklärt die Anleitung.";
+    every_command_takes = "Options of all commands" | "Optionen aller Befehle";
     columns_of_arguments = "| argument | meaning |" | "| Argument | Bedeutung |";
     one_of(words) = "one of {words}" | "eines von {words}";
-    without_it(value) = "{value} without it" | "ohne Angabe {value}";
-    required = "required" | "nötig";
-    several = "more than once" | "mehrfach";
+    without_it(value) = "default {value}" | "ohne Angabe {value}";
+    required = "required" | "erforderlich";
+    several = "may be repeated" | "mehrfach möglich";
 }

@@ -19,7 +19,7 @@ pub fn quantity_fault(error: &QuantityError, language: Language) -> String {
             let wanted = wanted(*expected);
             said!(language =>
                 "the number is missing before \"{found}\", {wanted}"
-                | "Zahl fehlt vor „{found}“: {wanted}"
+                | "vor „{found}“ fehlt die Zahl: {wanted}"
             )
         }
         QuantityError::NumberUnreadable { found, .. } => {
@@ -33,7 +33,7 @@ pub fn quantity_fault(error: &QuantityError, language: Language) -> String {
         }
         QuantityError::UnitMissing { expected, .. } => {
             let wanted = wanted(*expected);
-            said!(language => "the unit is missing, {wanted}" | "Einheit fehlt: {wanted}")
+            said!(language => "the unit is missing, {wanted}" | "die Einheit fehlt: {wanted}")
         }
         QuantityError::UnitUnknown { found, .. } => {
             said!(language => "unknown unit \"{found}\"" | "unbekannte Einheit „{found}“")
@@ -58,8 +58,8 @@ pub fn quantity_fault(error: &QuantityError, language: Language) -> String {
             | "die halbe Breite einer Toleranz darf nicht negativ sein"
         ),
         QuantityError::ToleranceOfOffsetScale { .. } => said!(language =>
-            "a percent of a temperature in °C has no meaning: its zero is arbitrary"
-            | "ein Prozentsatz einer Temperatur in °C hat keine Bedeutung: ihr Nullpunkt ist willkürlich"
+            "a percentage of a temperature in °C has no meaning: its zero is arbitrary"
+            | "eine Prozentangabe zu einer Temperatur in °C ist nicht sinnvoll: der Nullpunkt ist willkürlich"
         ),
     }
 }
@@ -92,8 +92,8 @@ pub fn quantity_hint(error: &QuantityError, language: Language) -> Option<String
         QuantityError::WrongQuantity {
             measures: Dimension::EffectiveVoltage, expected: Dimension::Voltage, ..
         } => Some(said!(language =>
-            "a DC voltage is stated, \"560 V\"; for the mains of a rectifier there is [requirements] mains = \"400 V\""
-            | "angegeben wird eine Gleichspannung, „560 V“; für das Netz eines Gleichrichters gibt es [requirements] mains = \"400 V\""
+            "this key takes a DC voltage, \"560 V\"; for the mains voltage of a rectifier use [requirements] mains = \"400 V\""
+            | "hier ist eine Gleichspannung anzugeben, „560 V“; für die Netzspannung eines Gleichrichters [requirements] mains = \"400 V\" verwenden"
         )),
         QuantityError::WrongQuantity { expected, .. } => Some(units(*expected, language)),
         QuantityError::ToleranceNegative { .. } => None,
@@ -102,8 +102,8 @@ pub fn quantity_hint(error: &QuantityError, language: Language) -> Option<String
             | "zum Beispiel „± 10 %“, oder eine Größe derselben Art"
         )),
         QuantityError::ToleranceOfOffsetScale { .. } => Some(said!(language =>
-            "write the half-width in kelvin, for example \"40 degC ± 5 K\""
-            | "die halbe Breite in Kelvin schreiben, zum Beispiel „40 degC ± 5 K“"
+            "state the half-width in kelvin, for example \"40 degC ± 5 K\""
+            | "die halbe Breite in Kelvin angeben, zum Beispiel „40 degC ± 5 K“"
         )),
     }
 }
@@ -146,10 +146,10 @@ fn point_hint(found: &str, language: Language) -> String {
         (Language::En, None) => format!("write a decimal point: {point}"),
         (Language::De, None) => format!("mit Dezimalpunkt schreiben: {point}"),
         (Language::En, Some((whole, fraction))) => {
-            format!("write a decimal point: {point}; or no separator for thousands: {whole}{fraction}")
+            format!("write a decimal point: {point}; or, without thousands separator: {whole}{fraction}")
         }
         (Language::De, Some((whole, fraction))) => {
-            format!("mit Dezimalpunkt schreiben: {point}; Tausender ohne Trennzeichen: {whole}{fraction}")
+            format!("mit Dezimalpunkt schreiben: {point}; oder ohne Tausendertrennzeichen: {whole}{fraction}")
         }
     }
 }

@@ -21,8 +21,8 @@ pub(super) fn fault(fault: &Fault, language: Language) -> (String, Option<String
     match fault {
         Fault::ReadFailed { line, kind } => (
             said!(language =>
-                "line {line}: the file cannot be read on: {kind}"
-                | "Zeile {line}: die Datei ist nicht weiter lesbar: {kind}"
+                "line {line}: the rest of the file cannot be read: {kind}"
+                | "Zeile {line}: der Rest der Datei ist nicht lesbar: {kind}"
             ),
             None,
         ),
@@ -36,8 +36,8 @@ pub(super) fn fault(fault: &Fault, language: Language) -> (String, Option<String
         Fault::LineTooLong { line, most } => (
             said!(language => "line {line}: longer than {} KiB" | "Zeile {line}: länger als {} KiB", most / 1024),
             Some(said!(language =>
-                "is this a CSV with one sample per line?"
-                | "ist das eine CSV mit einem Abtastwert je Zeile?"
+                "is this a CSV file with one sample per line?"
+                | "ist dies eine CSV-Datei mit einem Abtastwert je Zeile?"
             )),
         ),
         Fault::QuoteOpen { line } => (
@@ -67,12 +67,12 @@ pub(super) fn fault(fault: &Fault, language: Language) -> (String, Option<String
         Fault::TooFewSamples { found, least, outside, span } => (
             match outside {
                 0 => said!(language =>
-                    "the file has {found} samples, at least {least} are needed"
-                    | "die Datei hat {found} Abtastwerte, nötig sind mindestens {least}"
+                    "the file has {found} samples; at least {least} are required"
+                    | "die Datei hat {found} Abtastwerte; erforderlich sind mindestens {least}"
                 ),
                 _ => said!(language =>
-                    "{found} samples lie in the window and {outside} outside, at least {least} are needed"
-                    | "im Zeitfenster liegen {found} Abtastwerte, außerhalb {outside}; nötig sind mindestens {least}"
+                    "{found} samples are inside the window and {outside} outside; at least {least} are required"
+                    | "im Zeitfenster liegen {found} Abtastwerte, außerhalb {outside}; erforderlich sind mindestens {least}"
                 ),
             },
             span.filter(|_| *outside > 0).map(|[first, last]| {
@@ -131,15 +131,15 @@ pub(super) fn fault(fault: &Fault, language: Language) -> (String, Option<String
             let (first, second) = (role_text(*first, language), role_text(*second, language));
             (
                 said!(language =>
-                    "the column {} is named as {first} and as {second}"
-                    | "die Spalte {} ist als {first} und als {second} angegeben", q(column)
+                    "the column {} is assigned to both {first} and {second}"
+                    | "die Spalte {} ist sowohl {first} als auch {second} zugeordnet", q(column)
                 ),
                 None,
             )
         }
         Fault::NoTable => (
             said!(language =>
-                "this is no table of numbers: no number stands under the first line"
+                "this is not a table of numbers: there is no number below the first line"
                 | "das ist keine Tabelle aus Zahlen: unter der ersten Zeile steht keine Zahl"
             ),
             Some(said!(language =>
@@ -148,13 +148,13 @@ pub(super) fn fault(fault: &Fault, language: Language) -> (String, Option<String
             )),
         ),
         Fault::TimeMissing { headers, near } => (
-            said!(language => "no column of time is found" | "es gibt keine Spalte für die Zeit"),
+            said!(language => "no time column found" | "keine Zeitspalte gefunden"),
             Some(columns_and_names(headers, near, "time", &[Role::Time], language)),
         ),
         Fault::CourseMissing { headers, near } => (
             said!(language =>
-                "neither a column of position nor one of speed is found"
-                | "es gibt weder eine Spalte für die Position noch eine für die Geschwindigkeit"
+                "neither a position column nor a speed column found"
+                | "weder eine Positions- noch eine Geschwindigkeitsspalte gefunden"
             ),
             Some(columns_and_names(headers, near, "position or speed", &[Role::Position, Role::Speed], language)),
         ),
@@ -166,14 +166,16 @@ pub(super) fn fault(fault: &Fault, language: Language) -> (String, Option<String
                     "several columns could be the {role}: {list}"
                     | "mehrere Spalten kommen für {role} in Frage: {list}"
                 ),
-                Some(said!(language => "name the one in columns.{key}" | "die richtige in columns.{key} nennen")),
+                Some(
+                    said!(language => "state the right one in columns.{key}" | "die richtige in columns.{key} angeben"),
+                ),
             )
         }
         Fault::UnitMissing { role, column } => (
             said!(language => "the unit of {} is missing" | "die Einheit von {} fehlt", q(column)),
             Some(said!(language =>
-                "write it behind the name, for example {}, or in a row under the header"
-                | "sie steht hinter dem Namen, zum Beispiel {}, oder in einer Zeile unter der Kopfzeile", header(column, *role)
+                "state it after the name, for example {}, or in a row below the header"
+                | "hinter dem Namen angeben, zum Beispiel {}, oder in einer Zeile unter der Kopfzeile", header(column, *role)
             )),
         ),
         Fault::UnitUnknown { role, column, text, by, nearest } => (
@@ -214,13 +216,13 @@ pub(super) fn fault(fault: &Fault, language: Language) -> (String, Option<String
                     "position and speed do not belong together: {position} and {speed}"
                     | "Position und Geschwindigkeit widersprechen sich: {position} und {speed}"
                 ),
-                Some(said!(language => "leave one of the two columns out" | "eine der beiden Spalten weglassen")),
+                Some(said!(language => "omit one of the two columns" | "eine der beiden Spalten weglassen")),
             )
         }
         Fault::ColumnType { column, found } => (
             said!(language =>
-                "the column {} holds {found}, no plain numbers"
-                | "die Spalte {} enthält {found}, keine einfachen Zahlen", q(column)
+                "the column {} contains {found}, non-numeric values"
+                | "die Spalte {} enthält {found}, keine reinen Zahlen", q(column)
             ),
             Some(said!(language =>
                 "float, double and integers without a scale are read"
@@ -258,40 +260,40 @@ pub(super) fn fault(fault: &Fault, language: Language) -> (String, Option<String
             let most = format_significant(MAGNITUDE_MAX, 1, language);
             (
                 said!(language =>
-                    "{}: {} in {} is more than any machine does; read are magnitudes up to {most} in SI"
-                    | "{}: {} in {} ist mehr, als eine Maschine tut; gelesen werden Beträge bis {most} in SI", place(*at, language), q(text), q(column)
+                    "{}: {} in {} is implausible; permitted are magnitudes up to {most} in SI units"
+                    | "{}: {} in {} ist unplausibel; zulässig sind Beträge bis {most} in SI-Einheiten", place(*at, language), q(text), q(column)
                 ),
-                Some(said!(language => "is the unit of the column right?" | "stimmt die Einheit der Spalte?")),
+                Some(said!(language => "is the unit of the column correct?" | "stimmt die Einheit der Spalte?")),
             )
         }
         Fault::TooClose { at, length } => {
             let (length, least) = (seconds(*length, language), seconds(Time::from_si(STEP_MIN_S), language));
             (
                 said!(language =>
-                    "{}: only {length} after the sample before, at least {least} are needed"
-                    | "{}: nur {length} nach dem Abtastwert davor, nötig sind mindestens {least}", place(*at, language)
+                    "{}: only {length} after the previous sample; at least {least} are required"
+                    | "{}: nur {length} nach dem vorigen Abtastwert; erforderlich sind mindestens {least}", place(*at, language)
                 ),
-                Some(said!(language => "is the unit of time right?" | "stimmt die Einheit der Zeit?")),
+                Some(said!(language => "is the unit of time correct?" | "stimmt die Einheit der Zeit?")),
             )
         }
         Fault::DecimalMixed { line, column, text, decided } => (
             said!(language =>
-                "line {line}: {} in {} has another decimal sign than line {decided}"
-                | "Zeile {line}: {} in {} hat ein anderes Dezimalzeichen als Zeile {decided}", q(text), q(column)
+                "line {line}: {} in {} has a different decimal separator than line {decided}"
+                | "Zeile {line}: {} in {} hat ein anderes Dezimaltrennzeichen als Zeile {decided}", q(text), q(column)
             ),
             Some(said!(language =>
-                "use either points or commas in the whole file, and no sign between thousands"
-                | "in der ganzen Datei entweder Punkt oder Komma, und kein Zeichen zwischen Tausendern"
+                "use either points or commas throughout the file, and no thousands separators"
+                | "in der ganzen Datei entweder Punkt oder Komma, keine Tausendertrennzeichen"
             )),
         ),
         Fault::ThousandsGrouped { at, column, text } => (
             said!(language =>
-                "{}: {} in {} has signs between its thousands"
-                | "{}: {} in {} hat Trennzeichen zwischen den Tausendern", place(*at, language), q(text), q(column)
+                "{}: {} in {} has thousands separators"
+                | "{}: {} in {} hat Tausendertrennzeichen", place(*at, language), q(text), q(column)
             ),
             Some(said!(language =>
-                "export the numbers without a thousands separator: 1234.5 or 1234,5"
-                | "die Zahlen ohne Tausendertrennzeichen ausgeben: 1234,5 oder 1234.5"
+                "export the numbers without thousands separators: 1234.5 or 1234,5"
+                | "die Zahlen ohne Tausendertrennzeichen exportieren: 1234,5 oder 1234.5"
             )),
         ),
         Fault::Backwards { at, time, before } => {
@@ -325,7 +327,8 @@ pub(super) fn fault(fault: &Fault, language: Language) -> (String, Option<String
         }
         Fault::Repeated { first, more } => {
             let (message, hint) = self::fault(first, language);
-            let more = said!(language => "{message}; {more} more like it" | "{message}; {more} weitere dieser Art");
+            let more =
+                said!(language => "{message}; {more} more of this kind" | "{message}; {more} weitere dieser Art");
             (more, hint)
         }
     }
@@ -339,7 +342,7 @@ pub fn encoding_guess(encoding: Option<Encoding>, language: Language) -> Option<
         Encoding::Utf16Guessed => "UTF-16",
         Encoding::Windows1252Guessed => "Windows-1252",
     };
-    Some(said!(language => "text taken for {name}" | "Text vermutlich {name}, so gelesen"))
+    Some(said!(language => "text read as {name} (assumed)" | "Text als {name} gelesen (Annahme)"))
 }
 
 fn quoted(text: &str, language: Language) -> String {
@@ -440,16 +443,16 @@ fn columns_and_names(
         let units = if units.is_empty() { String::new() } else { format!("; units = {}", table(units)) };
         let columns = columns(headers, language);
         return said!(language =>
-            "{columns}; to be stated in the project where they are meant: columns = {names}{units}"
-            | "{columns}; im Projekt anzugeben, wenn diese gemeint sind: columns = {names}{units}"
+            "{columns}; if these are the intended ones, state in the project: columns = {names}{units}"
+            | "{columns}; wenn diese gemeint sind, im Projekt angeben: columns = {names}{units}"
         );
     }
     let names: Vec<&str> = roles.iter().flat_map(|role| role.names()).copied().collect();
     let (columns, names) = (columns(headers, language), names.join(", "));
     let keys_de = keys.replace(" or ", " oder ");
     said!(language =>
-        "{columns}; recognised are {names}, another one is named under {keys}"
-        | "{columns}; erkannt werden {names}, eine andere wird unter {keys_de} genannt"
+        "{columns}; recognised names: {names}; state any other name under {keys}"
+        | "{columns}; erkannte Namen: {names}; andere Namen unter {keys_de} angeben"
     )
 }
 
@@ -492,7 +495,7 @@ mod tests {
     fn only_a_guess_is_reported() {
         let sentences = |encoding| encoding_guess(Some(encoding), Language::En);
         assert_eq!((sentences(Encoding::Utf8), sentences(Encoding::Utf16)), (None, None));
-        assert_eq!(sentences(Encoding::Windows1252Guessed).as_deref(), Some("text taken for Windows-1252"));
+        assert_eq!(sentences(Encoding::Windows1252Guessed).as_deref(), Some("text read as Windows-1252 (assumed)"));
         assert!(sentences(Encoding::Utf16Guessed).is_some());
     }
 

@@ -90,10 +90,10 @@ texts! {
     author = "Author" | "Bearbeitet von";
     company = "Company" | "Firma";
     unnamed = "Axis without name" | "Achse ohne Namen";
-    own_actuator = "Actuator of the project, not of the catalogue" | "Antrieb des Projekts, nicht des Katalogs";
+    own_actuator = "Actuator from the project, not from the catalogue" | "Antrieb aus dem Projekt, nicht aus dem Katalog";
     exceeded = "Limits exceeded" | "Überschrittene Grenzen";
     unmet = "Requirements not met" | "Nicht erfüllte Anforderungen";
-    without_limit = "shown without a limit" | "ohne Grenze gezeigt";
+    without_limit = "shown without limit" | "ohne Grenze gezeigt";
     highest_utilisation = "Highest utilisation" | "Höchste Auslastung";
     duty = "Duty factor" | "Einschaltdauer";
     cycle = "Cycle time" | "Zykluszeit";
@@ -105,37 +105,37 @@ texts! {
     c_mechanism = "Mechanism" | "Mechanik";
     c_alternatives = "Alternatives" | "Alternativen";
     assumptions_text =
-        "Not stated in the project; the result is valid only under these assumptions."
+        "Not stated in the project; the result is valid under these assumptions only."
         | "Im Projekt nicht angegeben; das Ergebnis gilt nur unter diesen Annahmen.";
     sketch_caption =
-        "Principle, not to scale. The symbols are those of the data beside it."
-        | "Prinzipskizze, nicht maßstäblich. Die Formelzeichen sind die der nebenstehenden Daten.";
-    sketch_alternative = "Principle sketch" | "Prinzipskizze";
+        "Schematic, not to scale. Symbols as in the adjacent data."
+        | "Prinzipskizze, nicht maßstäblich. Formelzeichen wie in den nebenstehenden Daten.";
+    sketch_alternative = "Schematic" | "Prinzipskizze";
     mechanism_data = "Data of the mechanism" | "Daten der Mechanik";
     no_data =
-        "Everything else comes with the recorded motion."
-        | "Alles Weitere kommt mit der aufgezeichneten Bewegung.";
+        "All further data are contained in the recorded motion."
+        | "Alle weiteren Angaben sind in der aufgezeichneten Bewegung enthalten.";
     start = "Start" | "Beginn";
-    speed = "Peak speed" | "Spitzengeschw.";
-    acceleration = "Peak acceleration" | "Spitzenbeschl.";
+    speed = "Max. speed" | "max. Drehzahl";
+    acceleration = "Max. acceleration" | "max. Beschleunigung";
     segments_text =
-        "Segments of one cycle, which repeats without end."
-        | "Abschnitte eines Zyklus, der sich ohne Ende wiederholt.";
+        "Segments of one cycle."
+        | "Abschnitte eines Zyklus.";
     s_recordings = "Recorded motion" | "Aufgezeichnete Bewegung";
     file = "File" | "Datei";
     samples = "Samples" | "Abtastwerte";
     demand_text =
-        "What the axis asks of the output shaft over one cycle."
-        | "Was die Achse über einen Zyklus an der Abtriebswelle fordert.";
+        "Demands on the output shaft over one cycle."
+        | "Belastung der Abtriebswelle über einen Zyklus.";
     demand_manual =
-        "Equations 69.1 to 69.4 of the manual, beside them the exact integrals over the same motion. Checks use the integrals where both exist."
-        | "Gleichungen 69.1 bis 69.4 der Anleitung, daneben die genauen Integrale über dieselbe Bewegung. Die Nachweise nutzen die Integrale, wo es beide gibt.";
+        "Equations 69.1 to 69.4 of the manual, and the exact integrals over the same motion. Where both exist, the checks use the integrals."
+        | "Gleichungen 69.1 bis 69.4 der Anleitung und die exakten Integrale über dieselbe Bewegung. Liegen beide vor, verwenden die Nachweise die Integrale.";
     demand_integral =
-        "Exact integrals over the motion; the equations of the manual do not describe this axis."
-        | "Genaue Integrale über die Bewegung; die Gleichungen der Anleitung beschreiben diese Achse nicht.";
+        "Exact integrals over the motion; the equations of the manual do not apply to this axis."
+        | "Exakte Integrale über die Bewegung; die Gleichungen der Anleitung gelten für diese Achse nicht.";
     quantity = "Quantity" | "Größe";
     definition = "Definition";
-    torque_1 = "Torque, accelerating" | "Drehmoment, Beschleunigen";
+    torque_1 = "Torque, acceleration" | "Drehmoment, Beschleunigen";
     torque_2 = "Torque, constant speed" | "Drehmoment, Konstantfahrt";
     torque_3 = "Torque, braking" | "Drehmoment, Bremsen";
     moves = "Torques of each move" | "Drehmomente der einzelnen Bewegungen";
@@ -144,36 +144,36 @@ texts! {
     r_load_factor = "All masses and inertias, factor" | "Alle Massen und Trägheitsmomente, Faktor";
     r_payload_factor = "Payloads, factor" | "Nutzlasten, Faktor";
     r_cycle_time = "Cycle time of the whole motion" | "Zykluszeit der ganzen Bewegung";
-    r_limits = "Limit of the project, with all of these together" | "Grenze des Projekts, mit allen diesen zusammen";
-    r_gearing = "Another gearing, with the code that fits then" | "Andere Übersetzung, mit dem dann geeigneten Code";
+    r_limits = "Limits of the project, all changed together" | "Grenzen des Projekts, gemeinsam geändert";
+    r_gearing = "Another ratio, with the actuator that then fits" | "Andere Übersetzung, mit dem dann geeigneten Antrieb";
     with = "with" | "mit";
-    missing = "Missing" | "Es fehlt";
+    missing = "Missing" | "Fehlende Angabe";
     legend =
-        "The mark in the bar is the limit, 100 %. A bar beyond it is hatched. A bar in outline belongs to a recommendation or a class that is met or not; it does not count towards the highest utilisation."
-        | "Der Strich im Balken ist die Grenze, 100 %. Ein Balken darüber ist schraffiert. Ein Balken im Umriss gehört zu einer Empfehlung oder einer Klasse, die erfüllt ist oder nicht; er zählt nicht zur höchsten Auslastung.";
-    no_limit = "no limit given" | "keine Grenze gegeben";
-    s_fitting = "What fits" | "Was geeignet ist";
-    s_nearest = "Nearest misses" | "Die knappsten unter den verworfenen";
-    judged = "judged" | "beurteilt";
+        "The mark in the bar is the limit, 100 %. Bars beyond it are hatched. Outlined bars belong to a recommendation or to a class that is met or not met; they do not count towards the highest utilisation."
+        | "Der Strich im Balken ist die Grenze, 100 %. Balken darüber sind schraffiert. Balken im Umriss gehören zu einer Empfehlung oder einer Klasse, die erfüllt oder nicht erfüllt ist; sie zählen nicht zur höchsten Auslastung.";
+    no_limit = "no limit stated" | "keine Grenze angegeben";
+    s_fitting = "Suitable actuators" | "Geeignete Antriebe";
+    s_nearest = "Rejected actuators with the smallest excess" | "Verworfene Antriebe mit der geringsten Überschreitung";
+    judged = "evaluated" | "bewertet";
     fitting = "fit" | "geeignet";
     open_short = "Open" | "Offen";
-    chosen = "chosen" | "gewählt";
-    further = "Further checks failed" | "Weitere nicht erfüllte Nachweise";
+    chosen = "selected" | "gewählt";
+    further = "Further failed checks" | "Weitere nicht erfüllte Nachweise";
     count = "Count" | "Anzahl";
     s_screws = "Screws" | "Schrauben";
     item = "Item" | "Pos.";
     pieces = "Quantity" | "Menge";
     description = "Description" | "Beschreibung";
-    joint = "Joint" | "Verbindung";
+    joint = "Bolted joint" | "Schraubenverbindung";
     screw_count = "Screws" | "Schrauben";
-    circle = "Circle" | "Teilkreis";
-    torque = "Tightening torque" | "Anzugsmoment";
+    circle = "Bolt circle" | "Lochkreis";
+    torque = "Tightening torque" | "Anzugsdrehmoment";
     erratum = "Erratum" | "Druckfehler";
-    used_for = "Used for" | "Genutzt für";
+    used_for = "Used for" | "Verwendet für";
     s_grades = "Grades" | "Güte der Werte";
     grades_text =
-        "A check is as good as the weakest value in it."
-        | "Ein Nachweis ist so gut wie der schwächste Wert darin.";
+        "The grade of a check is the lowest grade of its input values."
+        | "Die Güte eines Nachweises ist die niedrigste Güte seiner Eingangswerte.";
     figure = "Figure" | "Bild";
     page = "page" | "Seite";
     axes = "Axes" | "Achsen";
@@ -181,105 +181,105 @@ texts! {
     hash_project = "Fingerprint of the project" | "Prüfsumme des Projekts";
     hash_catalogue = "Fingerprint of the catalogue" | "Prüfsumme des Katalogs";
     disclaimer =
-        "Independent calculation, neither affiliated with nor endorsed by the maker of the actuators. The signatories are responsible for the inputs and for their use."
-        | "Unabhängige Berechnung ohne Verbindung zum Hersteller der Antriebe und nicht von ihm geprüft. Die Verantwortung für Eingaben und Verwendung liegt bei den Unterzeichnenden.";
+        "Independent calculation, neither affiliated with nor endorsed by the manufacturer of the actuators. The signatories are responsible for the inputs and for the use of the results."
+        | "Unabhängige Berechnung ohne Verbindung zum Hersteller der Antriebe und nicht von ihm geprüft. Die Verantwortung für Eingaben und Verwendung der Ergebnisse liegt bei den Unterzeichnenden.";
     v_open = "Fits as far as checked" | "Geeignet, soweit geprüft";
     v_fits_text =
-        "Every question is answered, and no check fails."
-        | "Alle Fragen sind beantwortet, kein Nachweis ist verletzt.";
+        "All checks were made, none failed."
+        | "Alle Nachweise sind geführt und erfüllt.";
     v_open_text =
-        "No check that could be made fails. The answer holds only once the open points are settled."
-        | "Kein geführter Nachweis ist verletzt. Das Ergebnis gilt erst, wenn die offenen Punkte geklärt sind.";
+        "No check made has failed. The result is valid only after the open points have been settled."
+        | "Alle geführten Nachweise sind erfüllt. Das Ergebnis gilt erst nach Klärung der offenen Punkte.";
     v_does_not_fit_text =
-        "At least one limit is exceeded or one requirement is not met."
+        "At least one limit is exceeded or one requirement not met."
         | "Mindestens ein Grenzwert ist überschritten oder eine Anforderung nicht erfüllt.";
     above_in_band =
-        "The highest utilisation is above 100 %, but within the band of an estimate: advice, not failure."
-        | "Die höchste Auslastung liegt über 100 %, jedoch im Band einer Schätzung: ein Hinweis, keine Verletzung.";
+        "The highest utilisation exceeds 100 %, but lies within the band of an estimate: advice, not a failed check."
+        | "Die höchste Auslastung liegt über 100 %, jedoch im Band einer Schätzung: Hinweis, kein nicht erfüllter Nachweis.";
     all_fit =
-        "Nothing that could be checked speaks against any of these actuators."
-        | "Soweit geprüft, spricht gegen keinen dieser Antriebe etwas.";
-    not_all_fit = "Not every axis has an actuator that fits." | "Nicht jede Achse hat einen geeigneten Antrieb.";
+        "All checks that could be made are passed by these actuators."
+        | "Alle geführten Nachweise sind für diese Antriebe erfüllt.";
+    not_all_fit = "Not all axes have an actuator that fits." | "Nicht für alle Achsen ist ein Antrieb geeignet.";
     more = "more" | "weitere";
-    open_one = "question could not be checked." | "Frage ließ sich nicht prüfen.";
-    open_many = "questions could not be checked." | "Fragen ließen sich nicht prüfen.";
-    open_none_rejects = "None of them can rule the actuator out." | "Keine davon kann den Antrieb ausschließen.";
-    open_may_reject = "They may rule the actuator out." | "Sie können den Antrieb ausschließen.";
-    open_may_reject_these = "These may rule the actuator out:" | "Den Antrieb ausschließen können:";
-    s_tightest = "The tightest checks" | "Die engsten Nachweise";
-    reserve_alone = "Reserve: how far each may change alone" | "Reserve: so weit darf sich jedes allein ändern";
-    s_answers = "Answers" | "Ergebnisse";
-    not_sought = "Not sought" | "Nicht gesucht";
-    reserve_needed = "What alone would let it fit" | "Was jeweils allein genügte";
+    open_one = "check could not be made." | "Nachweis konnte nicht geführt werden.";
+    open_many = "checks could not be made." | "Nachweise konnten nicht geführt werden.";
+    open_none_rejects = "None of them can rule out the actuator." | "Keiner davon kann den Antrieb ausschließen.";
+    open_may_reject = "They may rule out the actuator." | "Sie können den Antrieb ausschließen.";
+    open_may_reject_these = "The following may rule out the actuator:" | "Den Antrieb ausschließen können:";
+    s_tightest = "Checks with the highest utilisation" | "Nachweise mit der höchsten Auslastung";
+    reserve_alone = "Reserve (single changes)" | "Reserve (jeweils nur eine Größe geändert)";
+    s_answers = "Results" | "Ergebnisse";
+    not_sought = "Not searched" | "Nicht gesucht";
+    reserve_needed = "Single changes that would make it fit" | "Einzeländerungen, mit denen er geeignet wäre";
     c_tolerances = "Tolerances" | "Toleranzen";
-    c_build = "Bill of material and screws" | "Stückliste und Schrauben";
-    c_errata = "Errata used" | "Berücksichtigte Druckfehler";
+    c_build = "Parts list and screws" | "Stückliste und Schrauben";
+    c_errata = "Errata taken into account" | "Berücksichtigte Druckfehler";
     c_sources = "Sources" | "Quellen";
     a_derivations = "Appendix: derivations" | "Anhang: Herleitungen";
-    a_sources = "Appendix: source of every figure" | "Anhang: Quellen aller Werte";
+    a_sources = "Appendix: sources of all values" | "Anhang: Quellen aller Werte";
     a_codes = "Appendix: all rejected ordering codes" | "Anhang: alle verworfenen Bestellbezeichnungen";
     inputs_text =
-        "From the project file; those of the mechanism follow in the next chapter. What is not listed was not stated."
-        | "Aus der Projektdatei; die der Mechanik folgen im nächsten Kapitel. Was hier fehlt, wurde nicht angegeben.";
+        "From the project file; data of the mechanism follow in the next chapter. Values not listed were not stated."
+        | "Aus der Projektdatei; die Daten der Mechanik folgen im nächsten Kapitel. Nicht aufgeführte Werte wurden nicht angegeben.";
     not_listed = "Not listed here" | "Hier nicht aufgeführt";
     not_listed_inputs =
-        "The project file has all of them; its fingerprint stands on the first page."
+        "The project file contains all of them; its fingerprint is on the first page."
         | "Die Projektdatei enthält alle; ihre Prüfsumme steht auf der ersten Seite.";
     not_listed_results =
-        "The answer of “antrieb check --json” has all of them."
-        | "Die Antwort von „antrieb check --json“ enthält alle.";
+        "The output of “antrieb check --json” contains all of them."
+        | "Die Ausgabe von „antrieb check --json“ enthält alle.";
     s_bodies = "Bodies" | "Körper";
     bodies_below = "Bodies, see below" | "Körper, siehe unten";
     bodies_sum = "All bodies" | "Alle Körper";
     centre_distance = "Distance" | "Abstand";
-    mass_each = "Mass, each" | "Masse je Stück";
-    own_inertia = "Own, each" | "Eigen je Stück";
-    steiner = "Steiner, each" | "Steiner je Stück";
-    together = "J, all" | "J gesamt";
-    travel = "travel for one turn of the actuator" | "Weg je Umdrehung des Antriebs";
-    on_the_line = "On the line" | "Längs der Führung";
+    mass_each = "Mass, each" | "Masse je Körper";
+    own_inertia = "J own, each" | "J eigen je Körper";
+    steiner = "J Steiner, each" | "J Steiner je Körper";
+    together = "J total" | "J gesamt";
+    travel = "travel per turn of the actuator" | "Weg je Umdrehung des Antriebs";
+    on_the_line = "Linear" | "Längs der Führung";
     on_the_line_text =
-        "On the line: the same figure carried over by the travel per turn, without losses."
-        | "Längs der Führung: dieselbe Größe, umgerechnet über den Weg je Umdrehung, ohne Verluste.";
+        "Linear: the same value converted with the travel per turn, without losses."
+        | "Längs der Führung: derselbe Wert, mit dem Weg je Umdrehung umgerechnet, ohne Verluste.";
     open_text =
-        "A datum is missing. These checks count neither as passed nor as failed; they must be settled by other means before signing."
-        | "Ein Kennwert fehlt. Diese Nachweise gelten weder als erfüllt noch als nicht erfüllt; sie sind vor der Unterschrift auf anderem Weg zu klären.";
-    consequence = "If not met" | "Wenn nicht erfüllt";
-    can_reject = "rules the actuator out" | "schließt den Antrieb aus";
+        "Data are missing. These checks count neither as passed nor as failed; they must be settled by other means before signing."
+        | "Angaben fehlen. Diese Nachweise gelten weder als erfüllt noch als nicht erfüllt; sie sind vor der Unterschrift anderweitig zu klären.";
+    consequence = "If not met" | "Falls nicht erfüllt";
+    can_reject = "rules out the actuator" | "schließt den Antrieb aus";
     can_advise = "advice only" | "nur Hinweis";
     each_text =
-        "What the axis asks, then what the actuator gives. The command “antrieb explain” goes deeper."
-        | "Was die Achse fordert, dann was der Antrieb gibt. Tiefer geht der Befehl „antrieb explain“.";
+        "Value required by the axis, then limit of the actuator. For the full derivation see the command “antrieb explain”."
+        | "Geforderter Wert der Achse, dann Grenze des Antriebs. Vollständige Herleitung mit dem Befehl „antrieb explain“.";
     share_passing = "Share of the samples that fit" | "Anteil geeigneter Stichproben";
     interval = "95 % interval" | "95-%-Intervall";
     quantile_low = "5 %:";
     quantile_high = "95 %:";
-    largest = "largest:" | "Maximum:";
+    largest = "maximum:" | "Maximum:";
     worst_corner = "Worst corner" | "Ungünstigste Ecke";
     worst_sample = "Worst sample" | "Ungünstigste Stichprobe";
     samples_text =
-        "samples, every quantity uniform within its band, seed"
+        "samples, each quantity uniformly distributed within its band, seed"
         | "Stichproben, jede Größe gleichverteilt in ihrem Band, Startwert";
-    impossible = "samples make no axis" | "Stichproben ergeben keine Achse";
+    impossible = "samples for which the axis is not feasible" | "Stichproben, bei denen die Achse nicht ausführbar ist";
     not_exhaustive =
-        "The worst corner was searched; not every corner was looked at."
-        | "Die ungünstigste Ecke wurde gesucht; nicht jede Ecke wurde betrachtet.";
-    at_the_worst = "At the worst" | "Im ungünstigsten Fall";
+        "The worst corner was searched; not all corners were evaluated."
+        | "Die ungünstigste Ecke wurde gesucht; nicht alle Ecken wurden bewertet.";
+    at_the_worst = "Worst case" | "Im ungünstigsten Fall";
     influence = "Influence on the utilisation" | "Einfluss auf die Auslastung";
-    s_reasons = "Why the others are rejected" | "Warum die anderen verworfen sind";
+    s_reasons = "Reasons for rejection" | "Ausschlussgründe";
     r_check = "exceeded" | "nicht erfüllt";
     reasons_text =
-        "Each actuator stands once, at its first reason; a requirement not met goes before a limit exceeded."
-        | "Jeder Antrieb steht einmal, bei seinem ersten Grund; eine nicht erfüllte Anforderung geht einer überschrittenen Grenze vor.";
+        "Each actuator is listed once, under its first reason; requirements not met take precedence over limits exceeded."
+        | "Jeder Antrieb ist einmal aufgeführt, unter seinem ersten Grund; nicht erfüllte Anforderungen haben Vorrang vor überschrittenen Grenzen.";
     errata_text =
-        "Figures of the manual that are used corrected or with a remark."
-        | "Werte der Anleitung, die berichtigt oder mit Vorbehalt verwendet sind.";
+        "Values of the manual that are used corrected or with a reservation."
+        | "Werte der Anleitung, die berichtigt oder mit Vorbehalt verwendet werden.";
     cited_as = "Cited as" | "Zitiert als";
     title_of = "Title" | "Titel";
     edition = "Edition, date" | "Ausgabe, Datum";
     publisher = "Publisher" | "Herausgeber";
     repeat_text =
-        "The same program with the same project and catalogue gives the same report, byte for byte."
-        | "Dasselbe Programm mit demselben Projekt und Katalog ergibt denselben Bericht, Byte für Byte.";
+        "Identical program, project and catalogue give an identical report, byte for byte."
+        | "Gleiches Programm, gleiches Projekt und gleicher Katalog ergeben Byte für Byte denselben Bericht.";
     advice_many = "advice" | "Hinweise";
 }

@@ -15,13 +15,13 @@ use sizing::{CheckId, Part, Verdict};
 pub const fn part_title(part: Part, language: Language) -> &'static str {
     let (en, de) = match part {
         Part::Drive => ("Drive", "Antrieb"),
-        Part::Thermal => ("Heat", "Erwärmung"),
+        Part::Thermal => ("Temperature rise", "Erwärmung"),
         Part::Energy => ("Energy", "Energie"),
         Part::Gear => ("Gear", "Getriebe"),
         Part::OutputBearing => ("Output bearing", "Abtriebslager"),
         Part::Brake => ("Brake", "Bremse"),
-        Part::Feedback => ("Feedback", "Messsystem"),
-        Part::Screws => ("Screw joints", "Schraubenverbindungen"),
+        Part::Feedback => ("Feedback", "Geber"),
+        Part::Screws => ("Bolted joints", "Schraubenverbindungen"),
     };
     pick(language, en, de)
 }
@@ -36,37 +36,37 @@ pub fn check_title(id: CheckId, language: Language) -> String {
         CheckId::ContinuousTorque => ("continuous torque", "Dauerdrehmoment"),
         CheckId::PeakCurrent => ("peak current", "Spitzenstrom"),
         CheckId::Demagnetisation => ("demagnetisation", "Entmagnetisierung"),
-        CheckId::DriveCurrent => ("drive current", "Reglerstrom"),
+        CheckId::DriveCurrent => ("drive current", "Strom des Servoreglers"),
         CheckId::Voltage => ("terminal voltage", "Klemmenspannung"),
         CheckId::InertiaRatio => ("inertia ratio", "Trägheitsverhältnis"),
         CheckId::GearMeanTorque => ("mean gear torque", "mittleres Getriebemoment"),
         CheckId::GearLife => ("gear life", "Getriebelebensdauer"),
         CheckId::Torsion => ("torsion", "Torsionswinkel"),
         CheckId::NaturalFrequency => ("natural frequency", "Eigenfrequenz"),
-        CheckId::BearingAxial => ("bearing, axial", "Lager axial"),
-        CheckId::BearingRadial => ("bearing, radial", "Lager radial"),
-        CheckId::BearingTiltingMoment => ("bearing, tilting", "Lager, Kippmoment"),
+        CheckId::BearingAxial => ("bearing, axial load", "Lager, Axiallast"),
+        CheckId::BearingRadial => ("bearing, radial load", "Lager, Radiallast"),
+        CheckId::BearingTiltingMoment => ("bearing, tilting moment", "Lager, Kippmoment"),
         CheckId::BearingLife => ("bearing life", "Lagerlebensdauer"),
-        CheckId::BearingStatic => ("bearing, static", "Lager statisch"),
+        CheckId::BearingStatic => ("bearing, static safety", "Lager, statische Sicherheit"),
         CheckId::TiltAngle => ("tilt angle", "Kippwinkel"),
         CheckId::Ambient => ("ambient temperature", "Umgebungstemperatur"),
-        CheckId::TorqueSpeedTrace => ("torque-speed trace", "Drehmomentverlauf"),
+        CheckId::TorqueSpeedTrace => ("torque-speed trace", "Drehmoment-Drehzahl-Verlauf"),
         CheckId::Thermal => ("winding temperature", "Wicklungstemperatur"),
         CheckId::OverloadI2t => ("overload I²t", "Überlast I²t"),
         CheckId::GearMeanInputSpeed => ("mean input speed", "mittlere Eingangsdrehzahl"),
         CheckId::CollisionTorque => ("collision torque", "Kollisionsmoment"),
         CheckId::ResonanceSpeed => ("resonance speed", "Resonanzdrehzahl"),
         CheckId::ErrorBudget => ("error budget", "Fehlersumme"),
-        CheckId::BrakeHolding => ("brake, holding", "Bremse, Halten"),
-        CheckId::BrakeEmergency => ("brake, stop", "Bremse, Nothalt"),
+        CheckId::BrakeHolding => ("brake, holding torque", "Haltemoment der Bremse"),
+        CheckId::BrakeEmergency => ("brake, emergency stop", "Nothalt durch die Bremse"),
         CheckId::DcLink => ("DC link", "Zwischenkreis"),
         CheckId::Regeneration => ("regeneration", "Rückspeisung"),
-        CheckId::FeedbackRange => ("absolute range", "Absolutbereich"),
-        CheckId::FeedbackResolution => ("resolution", "Auflösung"),
+        CheckId::FeedbackRange => ("absolute range", "Absolutbereich des Gebers"),
+        CheckId::FeedbackResolution => ("feedback resolution", "Auflösung des Gebers"),
         CheckId::Battery => ("encoder battery", "Geberbatterie"),
-        CheckId::ScrewJointLoad => ("screws, load", "Schrauben, Last"),
-        CheckId::ScrewJointHousing => ("screws, housing", "Schrauben, Gehäuse"),
-        CheckId::Application => ("application", "Anwendungsbereich"),
+        CheckId::ScrewJointLoad => ("bolted joint, load", "Schraubenverbindung, Last"),
+        CheckId::ScrewJointHousing => ("bolted joint, housing", "Schraubenverbindung, Gehäuse"),
+        CheckId::Application => ("field of application", "Anwendungsbereich"),
     };
     pick(language, en, de).to_owned()
 }
@@ -87,12 +87,12 @@ pub fn curve_title(kind: &CurveKind, language: Language) -> String {
             let share = format_number(duty.si() * 100.0, 0, language);
             let cycle = minutes(*cycle, language);
             said!(language =>
-                "intermittent duty S3, {share} % of {cycle} min"
-                | "Aussetzbetrieb S3, {share} % von {cycle} min"
+                "intermittent duty S3, {share} %, cycle {cycle} min"
+                | "Aussetzbetrieb S3, {share} %, Spieldauer {cycle} min"
             )
         }
         CurveKind::ShortTime => {
-            said!(language => "short time: acceleration and braking" | "Kurzzeitbetrieb: Beschleunigen und Bremsen")
+            said!(language => "short-time duty: acceleration and braking" | "Kurzzeitbetrieb: Beschleunigen und Bremsen")
         }
     }
 }
@@ -165,22 +165,24 @@ pub fn standing_text(fits: bool, unheld: bool, counts: &Counts, language: Langua
     }
     if unheld {
         text += &said!(language =>
-            ", but the load hangs and nothing holds it without power"
-            | ", aber die Last hängt und ohne Strom hält sie nichts"
+            ", but the load is not held when the power is off"
+            | ", aber die Last wird im stromlosen Zustand nicht gehalten"
         );
     }
     text += &match missing {
         0 => String::new(),
-        1 => said!(language => "; 1 of {all} checks needs data" | "; bei 1 von {all} Nachweisen fehlen Angaben"),
+        1 => said!(language => "; data missing for 1 of {all} checks" | "; bei 1 von {all} Nachweisen fehlen Angaben"),
         _ => said!(language =>
-            "; {missing} of {all} checks need data"
+            "; data missing for {missing} of {all} checks"
             | "; bei {missing} von {all} Nachweisen fehlen Angaben"
         ),
     };
     text += &match counts.requirements_open {
         0 => String::new(),
-        1 => said!(language => "; 1 requirement needs data" | "; bei 1 Anforderung fehlen Angaben"),
-        open => said!(language => "; {open} requirements need data" | "; bei {open} Anforderungen fehlen Angaben"),
+        1 => said!(language => "; data missing for 1 requirement" | "; bei 1 Anforderung fehlen Angaben"),
+        open => {
+            said!(language => "; data missing for {open} requirements" | "; bei {open} Anforderungen fehlen Angaben")
+        }
     };
     text
 }
@@ -274,22 +276,22 @@ fn with_points(text: &str) -> String {
 pub fn check_missing(symbol: &str, language: Language) -> String {
     if symbol == "recorded_speed" {
         return said!(language =>
-            "not known: which speeds the recording holds"
-            | "nicht bekannt: welche Drehzahlen die Aufzeichnung hält"
+            "not known: constant speeds contained in the recording"
+            | "nicht bekannt: konstante Drehzahlen der Aufzeichnung"
         );
     }
     let geometry = symbol.starts_with("bearing.") && symbol != "bearing.operating_condition";
     if symbol == "gear_load" {
         return said!(language =>
-            "no load: the gear carries no torque in motion, and nothing limits its life"
-            | "keine Last: das Getriebe überträgt in Bewegung kein Moment, nichts begrenzt seine Lebensdauer"
+            "no load: the gear transmits no torque in motion, its life is not limited"
+            | "keine Last: das Getriebe überträgt in Bewegung kein Moment, die Lebensdauer ist nicht begrenzt"
         );
     }
     if symbol.starts_with("mechanism.") || symbol.starts_with("stage.") || geometry {
         return said!(language => "not stated: {symbol}" | "nicht angegeben: {symbol}");
     }
     if symbol.contains('.') {
-        return said!(language => "no limit given: {symbol}" | "keine Grenze angegeben: {symbol}");
+        return said!(language => "no limit stated: {symbol}" | "keine Grenze angegeben: {symbol}");
     }
     let term = symbol_term(symbol, language);
     let shown = if term == symbol { symbol.to_owned() } else { format!("{symbol}, {term}") };
@@ -311,6 +313,7 @@ pub fn evidence_text(id: &str, language: Language) -> &'static str {
 #[must_use]
 pub fn grade_word(grade: Grade, language: Language) -> &'static str {
     match (language, grade) {
+        (Language::En, Grade::Printed) => "manufacturer data",
         (Language::En, grade) => grade.id(),
         (Language::De, Grade::Printed) => "Herstellerangabe",
         (Language::De, Grade::Computed) => "berechnet",
@@ -324,7 +327,7 @@ pub fn grade_word(grade: Grade, language: Language) -> &'static str {
 #[must_use]
 pub fn requirement_title(unmet: &Unmet, language: Language) -> String {
     let (en, de) = match unmet {
-        Unmet::Feedback(_) => ("feedback", "Feedback"),
+        Unmet::Feedback(_) => ("feedback", "Geber"),
         Unmet::Brake(_) => ("brake", "Bremse"),
         Unmet::HollowShaft { .. } => ("hollow shaft", "Hohlwelle"),
         Unmet::Length { .. } => ("length", "Länge"),
@@ -346,24 +349,28 @@ pub fn unmet_text(unmet: &Unmet, language: Language) -> String {
     let kg = |si: f64| format!("{} {}", format_number(KILOGRAM.from_si(si), 1, language), KILOGRAM.symbol);
     match unmet {
         Unmet::Feedback(feedback) => said!(language =>
-            "feedback {feedback} is not among those permitted"
-            | "Feedback {feedback} ist nicht zugelassen"
+            "feedback {feedback} is not permitted"
+            | "Geber {feedback} ist nicht zugelassen"
         ),
-        Unmet::Brake(Brake::Without) => said!(language => "has no brake" | "hat keine Bremse"),
-        Unmet::Brake(Brake::With) => said!(language => "has a brake" | "hat eine Bremse"),
+        Unmet::Brake(Brake::Without) => {
+            said!(language => "holding brake required, not available" | "Haltebremse gefordert, nicht vorhanden")
+        }
+        Unmet::Brake(Brake::With) => {
+            said!(language => "version without brake required" | "Ausführung ohne Bremse gefordert")
+        }
         Unmet::HollowShaft { has, needs } => said!(language =>
-            "hollow shaft {} is narrower than {}"
-            | "Hohlwelle {} ist enger als {}", mm(has.si()), mm(needs.si())
+            "hollow shaft bore {} is smaller than {}"
+            | "Hohlwellendurchmesser {} ist kleiner als {}", mm(has.si()), mm(needs.si())
         ),
         Unmet::Length { has, permits } => {
-            said!(language => "length {} is above {}" | "Länge {} liegt über {}", mm(has.si()), mm(permits.si()))
+            said!(language => "length {} exceeds {}" | "Länge {} überschreitet {}", mm(has.si()), mm(permits.si()))
         }
         Unmet::Mass { has, permits } => {
-            said!(language => "mass {} is above {}" | "Masse {} liegt über {}", kg(has.si()), kg(permits.si()))
+            said!(language => "mass {} exceeds {}" | "Masse {} überschreitet {}", kg(has.si()), kg(permits.si()))
         }
         Unmet::SupplyTooLow { needs, gives } => said!(language =>
-            "the supply gives {} at the motor terminals, the winding needs {}"
-            | "die Versorgung gibt {} an den Motorklemmen, die Wicklung braucht {}", volt(gives.si()), volt(needs.si())
+            "the supply provides {} at the motor terminals, the winding requires {}"
+            | "die Versorgung liefert {} an den Motorklemmen, die Wicklung erfordert {}", volt(gives.si()), volt(needs.si())
         ),
         Unmet::NotKnown { symbol } => {
             let term = symbol_term(symbol, language);
@@ -393,17 +400,17 @@ const MODELS: [(&str, &str); 19] = [
     ("brake", "Bremse"),
     ("continuous-torque", "Dauerdrehmoment"),
     ("current", "Motorstrom"),
-    ("demand", "Bedarf"),
+    ("demand", "Belastung"),
     ("energy", "Energie"),
     ("error-budget", "Fehlersumme"),
-    ("feedback", "Feedback"),
+    ("feedback", "Geber"),
     ("flange-loads", "Flanschlasten"),
     ("gear", "Getriebe"),
-    ("mechanisms", "Mechanismen"),
+    ("mechanisms", "Mechanik"),
     ("moments", "Zeitintegrale"),
     ("output-bearing", "Abtriebslager"),
     ("overload", "Überlast"),
-    ("screw-joint", "Schraubverbindung"),
+    ("screw-joint", "Schraubenverbindung"),
     ("short-time-torque", "Kurzzeitdrehmoment"),
     ("stage", "Stufe"),
     ("thermal", "Erwärmung"),
@@ -428,8 +435,8 @@ fn cell_text(cell: &CellRef, language: Language) -> String {
 #[must_use]
 pub fn ranking_rule(language: Language) -> String {
     said!(language =>
-        "order: what fits comes first, then by smaller frame size, lower highest utilisation and lower mass"
-        | "Reihenfolge: Geeignetes zuerst, dann nach kleinerer Baugröße, niedrigerer höchster Auslastung und geringerer Masse"
+        "ranking: fitting actuators first, then by smaller frame size, lower maximum utilisation and lower mass"
+        | "Rangfolge: geeignete Antriebe zuerst, dann nach kleinerer Baugröße, niedrigerer Höchstauslastung und geringerer Masse"
     )
 }
 
@@ -451,15 +458,15 @@ pub fn figure_term(symbol: &str, language: Language) -> String {
 #[must_use]
 pub fn grade_about(grade: Grade, language: Language) -> &'static str {
     match (language, grade) {
-        (Language::En, Grade::Printed) => "a value that the maker's manual states",
-        (Language::De, Grade::Printed) => "ein Wert, den die Anleitung des Herstellers nennt",
-        (Language::En, Grade::Computed) => "computed from the maker's values with an equation of the manual",
+        (Language::En, Grade::Printed) => "a value stated in the manufacturer's manual",
+        (Language::De, Grade::Printed) => "in der Anleitung des Herstellers angegebener Wert",
+        (Language::En, Grade::Computed) => "computed from manufacturer data with an equation of the manual",
         (Language::De, Grade::Computed) => "aus Herstellerangaben mit einer Gleichung der Anleitung berechnet",
-        (Language::En, Grade::Published) => "a value of another document, or of your own data sheet",
-        (Language::De, Grade::Published) => "ein Wert eines anderen Dokuments oder des eigenen Datenblatts",
+        (Language::En, Grade::Published) => "a value from another document, or from your own data sheet",
+        (Language::De, Grade::Published) => "Wert aus einem anderen Dokument oder dem eigenen Datenblatt",
         (Language::En, Grade::Estimated) => "a model of antrieb with a stated band",
-        (Language::De, Grade::Estimated) => "ein Modell von antrieb mit angegebenem Band",
-        (Language::En, Grade::Assumed) => "a default value, not confirmed",
-        (Language::De, Grade::Assumed) => "ein nicht bestätigter Standardwert",
+        (Language::De, Grade::Estimated) => "Modellwert von antrieb mit angegebenem Band",
+        (Language::En, Grade::Assumed) => "a default value that was not confirmed",
+        (Language::De, Grade::Assumed) => "nicht bestätigter Standardwert",
     }
 }

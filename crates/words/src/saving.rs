@@ -38,35 +38,39 @@ pub enum SaveTrouble {
 pub fn save_trouble(trouble: &SaveTrouble, language: Language) -> String {
     use std::io::ErrorKind;
     let (en, de) = match trouble {
-        SaveTrouble::Exists => ("the file exists; --force replaces it", "die Datei gibt es schon; --force ersetzt sie"),
-        SaveTrouble::WriteProtected => {
-            ("the file is write-protected and stays as it is", "die Datei ist schreibgeschützt und bleibt, wie sie ist")
+        SaveTrouble::Exists => {
+            ("the file already exists; --force replaces it", "die Datei existiert bereits; --force ersetzt sie")
         }
+        SaveTrouble::WriteProtected => (
+            "the file is write-protected and was not changed",
+            "die Datei ist schreibgeschützt und wurde nicht geändert",
+        ),
         SaveTrouble::NoRegularFile => (
             "this is a pipe, a device or a socket; only regular files are written",
             "das ist eine Pipe, ein Gerät oder ein Socket; geschrieben werden nur gewöhnliche Dateien",
         ),
-        SaveTrouble::NoFolder => ("there is no such folder", "diesen Ordner gibt es nicht"),
+        SaveTrouble::NoFolder => ("there is no such folder", "dieser Ordner existiert nicht"),
         SaveTrouble::LinkLeadsAway { target } => {
             return said!(language =>
-                "the link leads out of its folder, to {target}; name that file itself"
-                | "die Verknüpfung führt aus ihrem Ordner hinaus, zu {target}; die Datei dort selbst nennen"
+                "the link points outside its folder, to {target}; specify that file directly"
+                | "die Verknüpfung zeigt aus ihrem Ordner hinaus auf {target}; diese Datei direkt angeben"
             );
         }
-        SaveTrouble::LinkToNothing => ("the link leads to nothing", "die Verknüpfung führt ins Leere"),
+        SaveTrouble::LinkToNothing => {
+            ("the target of the link does not exist", "das Ziel der Verknüpfung existiert nicht")
+        }
         SaveTrouble::IsInput => (
-            "the project is read from this file; name another one to write",
-            "aus dieser Datei wird das Projekt gelesen; zum Schreiben eine andere nennen",
+            "the project is read from this file; specify another file for writing",
+            "aus dieser Datei wird das Projekt gelesen; zum Schreiben eine andere angeben",
         ),
-        SaveTrouble::Twice => {
-            ("two files to be written are the same one", "zwei zu schreibende Dateien sind ein und dieselbe")
-        }
-        SaveTrouble::NotToStdout => {
-            ("this format does not go to standard output", "dieses Format geht nicht auf die Standardausgabe")
-        }
+        SaveTrouble::Twice => ("two output files are the same file", "zwei Ausgabedateien sind dieselbe Datei"),
+        SaveTrouble::NotToStdout => (
+            "this format cannot be written to standard output",
+            "dieses Format kann nicht auf die Standardausgabe geschrieben werden",
+        ),
         // A limit of the size is how some systems tell that there is no room.
         SaveTrouble::System(FileTrouble { kind: ErrorKind::FileTooLarge, .. }) => {
-            ("there is no room for a file of this size", "für eine Datei dieser Größe ist kein Platz")
+            ("not enough space for a file of this size", "nicht genügend Speicherplatz für eine Datei dieser Größe")
         }
         SaveTrouble::System(found) => return super::faults::trouble_text(found, language),
     };

@@ -19,7 +19,7 @@ fn quantity(dimension: Dimension, language: Language) -> String {
     let (name, example) = (dimension.name(language), dimension.example());
     let half = if dimension == Dimension::Temperature { "5 K" } else { "10 %" };
     said!(language =>
-        "{name} with its unit, perhaps with a tolerance: \"{example}\", \"{example} ± {half}\""
-        | "{name} mit Einheit, vielleicht mit Toleranz: \"{example}\", \"{example} ± {half}\""
+        "{name} with its unit, optionally with a tolerance: \"{example}\", \"{example} ± {half}\""
+        | "{name} mit Einheit, wahlweise mit Toleranz: \"{example}\", \"{example} ± {half}\""
     )
 }

@@ -4,41 +4,41 @@ use crate::texts::texts;
 
 texts! {
     no_folder(path, trouble) =
-        "the folder {path} cannot be worked in: {trouble}"
-        | "im Ordner {path} lässt sich nicht arbeiten: {trouble}";
+        "the folder {path} cannot be used: {trouble}"
+        | "der Ordner {path} kann nicht verwendet werden: {trouble}";
     port_taken(port) =
-        "port {port} is taken by another program; --port 0 takes a free one"
-        | "Port {port} ist von einem anderen Programm belegt; --port 0 nimmt einen freien";
+        "port {port} is in use by another program; --port 0 selects a free port"
+        | "Port {port} ist von einem anderen Programm belegt; --port 0 wählt einen freien Port";
     no_address(address, trouble) =
-        "{address} cannot be listened on: {trouble}"
-        | "auf {address} lässt sich nicht lauschen: {trouble}";
+        "cannot listen on {address}: {trouble}"
+        | "unter {address} können keine Verbindungen angenommen werden: {trouble}";
     no_token(trouble) =
-        "the system gives no randomness for a token: {trouble}"
-        | "das System gibt keinen Zufall für ein Token her: {trouble}";
-    how_to_end = "Ctrl+C ends it" | "Strg+C beendet es";
+        "the operating system provides no random numbers for a token: {trouble}"
+        | "das Betriebssystem liefert keine Zufallszahlen für ein Token: {trouble}";
+    how_to_end = "press Ctrl+C to stop" | "Beenden mit Strg+C";
     reachable(address) =
-        "reachable in the network at {address}, without encryption; anyone with the token in the address can read and write the project files of the folder"
+        "accessible on the network at {address}, unencrypted; anyone with the token in the address can read and write the project files of the folder"
         | "im Netz erreichbar unter {address}, unverschlüsselt; wer das Token aus der Adresse kennt, kann die Projektdateien des Ordners lesen und schreiben";
     open_to_the_machine =
-        "without a token: every user and program of this machine can read and write the project files of the folder"
-        | "ohne Token: jeder Benutzer und jedes Programm dieser Maschine kann die Projektdateien des Ordners lesen und schreiben";
+        "without a token: every user and program on this computer can read and write the project files of the folder"
+        | "ohne Token: jeder Benutzer und jedes Programm auf diesem Rechner kann die Projektdateien des Ordners lesen und schreiben";
     open_to_the_network(address) =
-        "without a token and without encryption at {address}: anyone in the network can read and write the project files of the folder"
+        "without a token and unencrypted at {address}: anyone on the network can read and write the project files of the folder"
         | "ohne Token und unverschlüsselt unter {address}: jeder im Netz kann die Projektdateien des Ordners lesen und schreiben";
     drive_listens(address, protocol) =
         "virtual drive at {address}, protocol {protocol}"
-        | "virtueller Regler unter {address}, Protokoll {protocol}";
+        | "virtueller Servoregler unter {address}, Protokoll {protocol}";
     drive_is_open =
-        "every user and program of this machine can command the virtual drive; it opens no file and no other connection"
-        | "jeder Benutzer und jedes Programm dieser Maschine kann den virtuellen Regler steuern; er öffnet keine Datei und keine weitere Verbindung";
+        "every user and program on this computer can control the virtual drive; it opens no files and no other connections"
+        | "jeder Benutzer und jedes Programm auf diesem Rechner kann den virtuellen Servoregler steuern; er öffnet keine Dateien und keine weiteren Verbindungen";
     eds_of_the_virtual_drive =
         "virtual drive of antrieb, a simulation"
-        | "virtueller Regler von antrieb, eine Simulation";
-    no_browser(trouble) = "no browser could be opened: {trouble}" | "es ließ sich kein Browser öffnen: {trouble}";
+        | "virtueller Servoregler von antrieb, eine Simulation";
+    no_browser(trouble) = "cannot open a browser: {trouble}" | "der Browser lässt sich nicht öffnen: {trouble}";
     no_listening_address(written) =
-        "\"{written}\" is no address of this machine to listen on"
-        | "„{written}“ ist keine Adresse dieser Maschine zum Lauschen";
+        "\"{written}\" is not a network address of this computer"
+        | "„{written}“ ist keine Netzwerkadresse dieses Rechners";
     listening_addresses(one, all) =
-        "a number such as {one}, or {all} for every address"
-        | "eine Nummer wie {one}, oder {all} für jede Adresse";
+        "a number such as {one}, or {all} for all addresses"
+        | "eine Nummer wie {one} oder {all} für alle Adressen";
 }

@@ -12,12 +12,12 @@ pub fn ratios_text(ratios: &[RatioAnswer], language: Language) -> String {
         let share = format_number(answer.utilisation * 100.0, 1, language);
         let found = match (&answer.answer, answer.fitting) {
             (Some(code), 1) => said!(language =>
-                "{code} at {share} %, the only one that fits"
-                | "{code} bei {share} %, der einzige geeignete"
+                "{code} with {share} %, the only one that fits"
+                | "{code} mit {share} %, einziger geeigneter Antrieb"
             ),
             (Some(code), many) => said!(language =>
-                "{code} at {share} %, {many} fit"
-                | "{code} bei {share} %, {many} sind geeignet"
+                "{code} with {share} %, {many} fit"
+                | "{code} mit {share} %, {many} geeignet"
             ),
             (None, _) => said!(language => "none fits" | "keiner ist geeignet"),
         };

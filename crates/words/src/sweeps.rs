@@ -16,10 +16,10 @@ texts! {
         "none fits: {rows} row ({share} %)" | "keiner ist geeignet: {rows} Zeile ({share} %)",
         "none fits: {rows} rows ({share} %)" | "keiner ist geeignet: {rows} Zeilen ({share} %)";
     not_judged(rows, share) =
-        "not judged: {rows} row ({share} %)" | "nicht beurteilt: {rows} Zeile ({share} %)",
-        "not judged: {rows} rows ({share} %)" | "nicht beurteilt: {rows} Zeilen ({share} %)";
-    tightest = "tightest check of the nearest miss" | "engster Nachweis des nächstbesten Antriebs";
-    no_class = "no actuator of the required class" | "kein Antrieb der geforderten Klasse";
+        "not evaluated: {rows} row ({share} %)" | "nicht bewertet: {rows} Zeile ({share} %)",
+        "not evaluated: {rows} rows ({share} %)" | "nicht bewertet: {rows} Zeilen ({share} %)";
+    tightest = "governing check of the actuator with the smallest excess" | "maßgebender Nachweis des Antriebs mit der geringsten Überschreitung";
+    no_class = "no actuator meets the requirements" | "kein Antrieb erfüllt die Anforderungen";
     reason = "reason" | "Grund";
     row(row) = "row {row}" | "Zeile {row}";
     further = "further reasons" | "weitere Gründe";
@@ -33,24 +33,24 @@ texts! {
         "the parts of an interrupted run belong to another project, table or version and are removed"
         | "die Teile eines unterbrochenen Laufs gehören zu einem anderen Projekt, einer anderen Tabelle oder Version und werden entfernt";
     ending_of_a_table =
-        "the ending of a table is .csv or .parquet" | "die Endung einer Tabelle ist .csv oder .parquet";
+        "the file name of a table must end in .csv or .parquet" | "der Dateiname einer Tabelle muss auf .csv oder .parquet enden";
     unreadable(file, why) = "{file}: not readable as a table: {why}" | "{file}: als Tabelle nicht lesbar: {why}";
     too_many_rows(rows, most) =
-        "the table has {rows} rows; {most} are judged here at most, more by `antrieb sweep`"
-        | "die Tabelle hat {rows} Zeilen; hier werden höchstens {most} beurteilt, mehr mit `antrieb sweep`";
+        "the table has {rows} rows; at most {most} are evaluated here, more with `antrieb sweep`"
+        | "die Tabelle hat {rows} Zeilen; hier werden höchstens {most} bewertet, mehr mit `antrieb sweep`";
     kept(folder) =
-        "finished parts are kept in {folder}; the same call continues with them"
+        "completed parts are kept in {folder}; the same call continues from them"
         | "fertige Teile bleiben in {folder}; derselbe Aufruf setzt mit ihnen fort";
     too_many_samples(count, most) =
         "{count} rows; at most {most} are written" | "{count} Zeilen; geschrieben werden höchstens {most}";
     sample_key(written) =
-        "\"{written}\" is no key with its values" | "„{written}“ ist kein Schlüssel mit seinen Werten";
+        "\"{written}\" is not a key with values" | "„{written}“ ist kein Schlüssel mit Werten";
     sample_key_hint =
         "write \"motion[0].time [s] = 1..3\", \"… = 1..3 log\" or \"… = 1; 2; 3\""
         | "„motion[0].time [s] = 1..3“, „… = 1..3 log“ oder „… = 1; 2; 3“ schreiben";
     no_sample_keys = "no key is stated" | "kein Schlüssel angegeben";
     log_needs_positive(key) =
-        "`{key}`: a logarithmic range begins above zero" | "`{key}`: ein logarithmischer Bereich beginnt über null";
+        "`{key}`: a logarithmic range must begin above zero" | "`{key}`: ein logarithmischer Bereich muss über null beginnen";
     too_many_dimensions(count, most) =
         "{count} keys with ranges; the Sobol sequence has {most} dimensions here"
         | "{count} Schlüssel mit Bereichen; die Sobol-Folge hat hier {most} Dimensionen";
@@ -60,15 +60,15 @@ texts! {
 pub(crate) fn fault(fault: &TabularFault, language: Language) -> String {
     match fault {
         TabularFault::NoColumn { path } => said!(language =>
-            "`{path}` cannot be a column: its values do not stand in a cell"
+            "`{path}` cannot be a column: its values do not fit in a cell"
             | "`{path}` kann keine Spalte sein: die Werte passen nicht in eine Zelle"
         ),
         TabularFault::UnitOfNoQuantity { path, unit } => said!(language =>
-            "`{path}` is measured in no unit, the heading states \"{unit}\""
-            | "`{path}` hat keine Einheit, die Überschrift nennt „{unit}“"
+            "`{path}` has no unit, but the heading states \"{unit}\""
+            | "`{path}` hat keine Einheit, die Überschrift nennt jedoch „{unit}“"
         ),
         TabularFault::ColumnTwice { path } => {
-            said!(language => "two columns have the key `{path}`" | "zwei Spalten haben den Schlüssel `{path}`")
+            said!(language => "two columns state the key `{path}`" | "zwei Spalten nennen den Schlüssel `{path}`")
         }
         TabularFault::NoEntry { path, count } => said!(language =>
             "`{path}`: the project has no such entry, its list has {count}"
@@ -81,8 +81,8 @@ pub(crate) fn fault(fault: &TabularFault, language: Language) -> String {
             said!(language => "`{path}`: \"{written}\" is not a number" | "`{path}`: „{written}“ ist keine Zahl")
         }
         TabularFault::NoText { path, written } => said!(language =>
-            "`{path}`: the number {written} stands where a word belongs"
-            | "`{path}`: die Zahl {written} steht, wo ein Wort stehen muss"
+            "`{path}`: a word is expected instead of the number {written}"
+            | "`{path}`: statt der Zahl {written} wird ein Wort erwartet"
         ),
         TabularFault::CellType { path, found } => said!(language =>
             "`{path}`: a column of the type {found} is not read; its cells must be numbers or texts"
@@ -92,8 +92,8 @@ pub(crate) fn fault(fault: &TabularFault, language: Language) -> String {
             let cells = pick(language, ("cell", "cells"), ("Zelle", "Zellen"));
             let cells = if *found == 1 { cells.0 } else { cells.1 };
             said!(language =>
-                "line {line} has {found} {cells}, the headings are {expected}"
-                | "Zeile {line} hat {found} {cells}, die Überschriften sind {expected}"
+                "line {line} has {found} {cells}, but there are {expected} headings"
+                | "Zeile {line} hat {found} {cells}, es gibt jedoch {expected} Überschriften"
             )
         }
         TabularFault::OpenQuote { line } => said!(language =>
@@ -104,7 +104,7 @@ pub(crate) fn fault(fault: &TabularFault, language: Language) -> String {
         TabularFault::LongLine { line, most } => said!(language =>
             "line {line} is longer than {most} bytes" | "Zeile {line} ist länger als {most} Byte"
         ),
-        TabularFault::NoRows => said!(language => "the table has no row" | "die Tabelle hat keine Zeile"),
-        TabularFault::NoColumns => said!(language => "the table has no column" | "die Tabelle hat keine Spalte"),
+        TabularFault::NoRows => said!(language => "the table has no rows" | "die Tabelle hat keine Zeilen"),
+        TabularFault::NoColumns => said!(language => "the table has no columns" | "die Tabelle hat keine Spalten"),
     }
 }

@@ -5,51 +5,51 @@ use crate::texts::texts;
 texts! {
     key = "key" | "Schlüssel";
     key_about = "key of the project file" | "Schlüssel der Projektdatei";
-    written = "written" | "geschrieben";
-    written_about = "as it stands there" | "wie es dort steht";
-    value_of_input_about = "the number, in its unit" | "die Zahl in ihrer Einheit";
+    written = "as entered" | "Eingabe";
+    written_about = "text in the project file" | "Text in der Projektdatei";
+    value_of_input_about = "numerical value, in the stated unit" | "Zahlenwert in der angegebenen Einheit";
     tolerance = "± tolerance" | "± Toleranz";
     tolerance_about =
-        "half-width of its tolerance, in the same unit"
+        "half-width of the tolerance, in the same unit"
         | "halbe Breite der Toleranz, in derselben Einheit";
     unit_of_input_about = "unit of value and tolerance" | "Einheit von Wert und Toleranz";
-    inputs_about = "every value of the project file" | "jeder Wert der Projektdatei";
-    number_about = "running number" | "laufende Nummer";
+    inputs_about = "all values of the project file" | "alle Werte der Projektdatei";
+    number_about = "consecutive number" | "laufende Nummer";
     assumption = "assumption" | "Annahme";
-    assumption_about = "assumed instead of a statement" | "angenommen statt angegeben";
+    assumption_about = "assumption for a value not stated" | "Annahme für einen nicht angegebenen Wert";
     assumptions_about = "assumptions for values that are not stated" | "Annahmen für nicht angegebene Werte";
     at_the_output = "at the output" | "am Abtrieb";
-    along_the_line = "along the line" | "entlang der Linie";
+    along_the_line = "along the guide" | "längs der Führung";
     segment_about = "number of the segment" | "Nummer des Abschnitts";
-    law_about = "law of motion, or rest" | "Bewegungsgesetz, oder Rast";
-    from = "from" | "ab";
-    from_about = "instant of its beginning" | "Zeitpunkt des Beginns";
+    law_about = "motion law, or dwell" | "Bewegungsgesetz oder Rast";
+    from = "start" | "Beginn";
+    from_about = "start time of the segment" | "Beginn des Abschnitts";
     recording_about = "file of the recording" | "Datei der Aufzeichnung";
     motion_about =
-        "the segments of the motion, what was given and what followed: distance, largest speed and acceleration"
-        | "die Abschnitte der Bewegung, was gegeben ist und was folgt: Weg, größte Drehzahl und Beschleunigung";
-    time_of_course_about = "instant; twice where something jumps" | "Zeitpunkt; doppelt, wo etwas springt";
+        "segments of the motion, stated and derived quantities: distance, maximum speed and acceleration"
+        | "Abschnitte der Bewegung, angegebene und abgeleitete Größen: Weg, maximale Drehzahl und Beschleunigung";
+    time_of_course_about = "instant; listed twice at discontinuities" | "Zeitpunkt; an Sprungstellen doppelt";
     angle = "angle" | "Winkel";
     of_the_output = "of the output" | "des Abtriebs";
     torque = "torque" | "Drehmoment";
     torque_of_course_about =
-        "of the actuator at the output, its own inertia included"
+        "of the actuator at the output, including its own inertia"
         | "des Antriebs am Abtrieb, mit der eigenen Trägheit";
     motor_current = "motor current" | "Motorstrom";
-    motor_current_about = "rms, signed like the torque" | "effektiv, mit dem Vorzeichen des Drehmoments";
+    motor_current_about = "rms, with the sign of the torque" | "effektiv, mit dem Vorzeichen des Drehmoments";
     power = "power" | "Leistung";
     power_about = "electrical, at the motor terminals" | "elektrisch, an den Motorklemmen";
     temperature_about =
-        "temperature in the steady cycle; estimated, model thermal"
+        "temperature in the steady-state cycle; estimated, model thermal"
         | "Temperatur im eingeschwungenen Zyklus; geschätzt, Modell Erwärmung";
     overload = "I²t";
     overload_about =
-        "filtered square of the current over that of I_0, 1 is the limit; model overload"
-        | "gefiltertes Quadrat des Stroms über dem von I_0, 1 ist die Grenze; Modell Überlast";
+        "filtered square of current / I_0, 1 is the limit; model overload"
+        | "gefiltertes Quadrat von Strom/I_0, 1 ist die Grenze; Modell Überlast";
     course_about =
-        "the cycle of the chosen actuator as time series"
-        | "der Zyklus des gewählten Antriebs als Zeitreihe";
-    course = "Course" | "Verlauf";
+        "cycle of the selected actuator as time series"
+        | "Zyklus des gewählten Antriebs als Zeitreihe";
+    course = "Time series" | "Verlauf";
     utilisation_of_check_about =
         "utilisation of this check, 1 is the limit"
         | "Auslastung dieses Nachweises, 1 ist die Grenze";
@@ -57,64 +57,64 @@ texts! {
         "ordering code, or name of the project's own actuator"
         | "Bestellbezeichnung oder Name des eigenen Antriebs";
     whole_cycle_about =
-        "over the whole cycle, own inertia included"
+        "over the whole cycle, including own inertia"
         | "über den ganzen Zyklus, mit der eigenen Trägheit";
     governing_torque_about = "of the governing move, eq. 69.1 and 69.2" | "der maßgebenden Bewegung, Gl. 69.1 und 69.2";
     mode = "mode" | "Verfahren";
     mode_about =
-        "manual: equations 69.1 to 69.4; integral: exact integral over the motion, which the checks use"
-        | "manual: Gleichungen 69.1 bis 69.4; integral: exaktes Integral über die Bewegung, mit dem geprüft wird";
-    at = "at" | "bei";
+        "manual: equations 69.1 to 69.4; integral: exact integral over the motion, used by the checks"
+        | "manual: Gleichungen 69.1 bis 69.4; integral: exaktes Integral über die Bewegung, Grundlage der Nachweise";
+    at = "time" | "Zeitpunkt";
     peak_torque_at_about = "instant of the peak torque" | "Zeitpunkt des Spitzendrehmoments";
-    mean_speed_about = "mean of |n|, pauses included" | "Mittel von |n|, mit den Pausen";
+    mean_speed_about = "mean of |n|, including pauses" | "Mittelwert von |n| einschließlich Pausen";
     peak_speed_about = "largest |n|" | "größtes |n|";
     duty_factor_about = "share of the cycle in motion" | "Anteil der Bewegung am Zyklus";
     t_1_accelerating = "T_1 accelerating" | "T_1 Beschleunigen";
-    t_2_running = "T_2 running" | "T_2 Fahren";
+    t_2_running = "T_2 constant speed" | "T_2 Konstantfahrt";
     t_3_braking = "T_3 braking" | "T_3 Bremsen";
     governing_move = "governing move" | "maßgebende Bewegung";
     governing_move_about =
-        "number of the move that T_1 to T_3 belong to"
+        "number of the move to which T_1 to T_3 belong"
         | "Nummer der Bewegung, zu der T_1 bis T_3 gehören";
     demand_about =
-        "what the axis asks of each candidate, by the manual's equations and by exact integrals"
-        | "was die Achse von jedem Kandidaten verlangt, nach den Gleichungen der Anleitung und nach exakten Integralen";
-    data_sheet_about = "from its data sheet" | "aus seinem Datenblatt";
+        "demand on each candidate, by the equations of the manual and by exact integrals"
+        | "Belastung jedes Kandidaten, nach den Gleichungen der Anleitung und nach exakten Integralen";
+    data_sheet_about = "from the data sheet" | "aus dem Datenblatt";
     rank_about =
-        "place in the ranking; none where it does not fit"
-        | "Platz in der Reihenfolge; keiner, wo er nicht geeignet ist";
-    candidate_verdict_about = "fits: nothing speaks against it" | "fits: nichts spricht dagegen";
-    highest_utilisation_about = "highest of all limits, 1 is the limit" | "höchste aller Grenzen, 1 ist die Grenze";
-    tightest_check_about = "id of the check that it belongs to" | "Kennung des Nachweises, zu dem sie gehört";
-    margin_about = "1 less the utilisation" | "1 weniger der Auslastung";
+        "rank; empty if the actuator does not fit"
+        | "Rang; leer, wenn nicht geeignet";
+    candidate_verdict_about = "fits: no check fails and no requirement is violated" | "fits: alle geführten Nachweise und Anforderungen erfüllt";
+    highest_utilisation_about = "highest utilisation of all checks, 1 is the limit" | "höchste Auslastung aller Nachweise, 1 ist die Grenze";
+    tightest_check_about = "id of the check with the highest utilisation" | "Kennung des Nachweises mit der höchsten Auslastung";
+    margin_about = "1 − utilisation" | "1 − Auslastung";
     open_questions = "open questions" | "offene Fragen";
     open_questions_about =
-        "number of checks not made because a datum is missing"
-        | "Zahl der Nachweise, für die eine Angabe fehlt";
-    on_request_about = "fields of the code that are on request only" | "Felder des Codes, die es nur auf Anfrage gibt";
+        "number of checks not made because of missing data"
+        | "Anzahl der Nachweise, für die eine Angabe fehlt";
+    on_request_about = "fields of the ordering code available on request only" | "nur auf Anfrage lieferbare Felder der Bestellbezeichnung";
     objections = "requirements not met" | "nicht erfüllt";
-    objections_about = "requirements not met and rules broken" | "Anforderungen nicht erfüllt, Regeln verletzt";
+    objections_about = "requirements not met and rules violated" | "nicht erfüllte Anforderungen und verletzte Regeln";
     candidates_about =
-        "the candidates in their order, with the utilisation of every check"
-        | "die Kandidaten in ihrer Reihenfolge, mit der Auslastung jedes Nachweises";
+        "candidates in ranking order, with the utilisation of every check"
+        | "Kandidaten in der Rangfolge mit der Auslastung jedes Nachweises";
     check_id = "id" | "Kennung";
     check_id_about = "id of the check" | "Kennung des Nachweises";
-    check_title_about = "its title" | "ihr Titel";
+    check_title_about = "title of the check" | "Titel des Nachweises";
     check_verdict_about = "pass, fail, advice or not_checked" | "pass, fail, advice oder not_checked";
-    value_of_check_about = "what the axis asks" | "was die Achse verlangt";
-    limit_about = "limit of the actuator, or the limit required" | "Grenze des Antriebs oder geforderte Grenze";
+    value_of_check_about = "value required by the axis" | "von der Achse geforderter Wert";
+    limit_about = "limit of the actuator, or required limit" | "Grenze des Antriebs oder geforderte Grenze";
     unit_of_check_about = "unit of value and limit" | "Einheit von Wert und Grenze";
     direction = "direction" | "Richtung";
     direction_about =
-        "at_most or at_least: how the value must lie to the limit"
-        | "at_most oder at_least: wie der Wert zur Grenze liegen muss";
+        "at_most or at_least: required relation of the value to the limit"
+        | "at_most oder at_least: geforderte Beziehung des Werts zur Grenze";
     utilisation_about = "1 is the limit" | "1 ist die Grenze";
     worst_at_about = "instant of the worst case within the cycle" | "Zeitpunkt des ungünstigsten Falls im Zyklus";
-    grade_about = "the worst grade among the inputs" | "die schlechteste Güte unter den Eingaben";
-    source_about = "source of the limit; of the value" | "Quelle der Grenze; des Werts";
-    missing_about = "what a check that is not answered lacks" | "was einem nicht geführten Nachweis fehlt";
-    remarks_about = "what a reader must know" | "was ein Leser wissen muss";
-    checks_about = "every check of the candidates shown" | "jeder Nachweis der gezeigten Kandidaten";
+    grade_about = "lowest grade of the input values" | "niedrigste Güte der Eingangswerte";
+    source_about = "source of the limit; source of the value" | "Quelle der Grenze; Quelle des Werts";
+    missing_about = "data missing for a check that was not made" | "fehlende Angabe eines nicht geführten Nachweises";
+    remarks_about = "remarks on the check" | "Hinweise zum Nachweis";
+    checks_about = "all checks of the candidates shown" | "alle Nachweise der gezeigten Kandidaten";
     sheet = "sheet" | "Blatt";
     heading = "heading" | "Überschrift";
     name_in_csv_json_parquet = "name in CSV, JSON, Parquet" | "Name in CSV, JSON, Parquet";
@@ -129,30 +129,30 @@ texts! {
     checks_chart = "Utilisation of the checks, 100 % is the limit" | "Auslastung der Nachweise, 100 % ist die Grenze";
     date_format = "yyyy-mm-dd" | "dd.mm.yyyy";
     overview = "Overview" | "Übersicht";
-    t_rms_from_the_course = "T_rms from the course" | "T_rms aus dem Verlauf";
+    t_rms_from_the_course = "T_rms from the time series" | "T_rms aus dem Verlauf";
     t_rms_from_the_course_about =
-        "formula over the sheet of the course, torque linear between its instants"
+        "formula over the time series sheet, torque linear between the instants"
         | "Formel über das Blatt „Verlauf“, Drehmoment zwischen den Zeitpunkten linear";
     t_rms_exact = "T_rms exact" | "T_rms exakt";
-    difference = "difference" | "Unterschied";
-    difference_about = "what the sampling leaves out" | "was die Abtastung weglässt";
+    difference = "difference" | "Differenz";
+    difference_about = "deviation due to sampling" | "Abweichung durch die Abtastung";
     too_many_rows(count, name) =
         "{count}, too many for a sheet: antrieb export --table {name}"
         | "{count}, zu viele für ein Blatt: antrieb export --table {name}";
     about_antrieb =
-        "antrieb is an open engineering workbench for hollow-shaft servo actuators; it is not affiliated with their maker."
+        "antrieb is an open engineering workbench for hollow-shaft servo actuators; it is not affiliated with their manufacturer."
         | "antrieb ist ein offenes Auslegungswerkzeug für Hohlwellen-Servoantriebe; es steht in keiner Verbindung zu deren Hersteller.";
     project_file = "project file" | "Projektdatei";
     antrieb_version = "antrieb, version" | "antrieb, Version";
-    rms_torque_computed_twice = "Rms torque, computed twice" | "Effektives Drehmoment, zweimal gerechnet";
-    t_rms_exact_about = "exact integral, which the checks use" | "exaktes Integral, mit dem geprüft wird";
+    rms_torque_computed_twice = "Rms torque, computed in two ways" | "Effektives Drehmoment, auf zwei Wegen gerechnet";
+    t_rms_exact_about = "exact integral, used by the checks" | "exaktes Integral, Grundlage der Nachweise";
     sheets = "Sheets" | "Blätter";
-    how_to_read_it = "How to read it" | "Wie man es liest";
-    legend_fine = "up to 80 % of a limit, or passed" | "bis 80 % einer Grenze, oder erfüllt";
-    legend_near = "above 80 % of a limit, or advice" | "über 80 % einer Grenze, oder Hinweis";
+    how_to_read_it = "Legend" | "Legende";
+    legend_fine = "up to 80 % of a limit, or passed" | "bis 80 % einer Grenze oder erfüllt";
+    legend_near = "above 80 % of a limit, or advice" | "über 80 % einer Grenze oder Hinweis";
     legend_over = "above a limit, or failed" | "über einer Grenze oder nicht erfüllt";
     legend_open =
-        "not checked: a datum is missing; it counts as neither passed nor failed"
-        | "nicht geprüft: eine Angabe fehlt; es zählt weder als erfüllt noch als nicht erfüllt";
+        "not checked: data are missing; counts as neither passed nor failed"
+        | "nicht geprüft: eine Angabe fehlt; gilt weder als erfüllt noch als nicht erfüllt";
     rows(count) = "1 row" | "1 Zeile", "{count} rows" | "{count} Zeilen";
 }

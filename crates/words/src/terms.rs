@@ -16,7 +16,7 @@ texts! {
     columns = "columns" | "Spalten";
     cycle = "cycle" | "Zyklus";
     date = "date" | "Datum";
-    demand = "demand" | "Bedarf";
+    demand = "demand" | "Belastung";
     distance = "distance" | "Weg";
     does_not_fit = "does not fit" | "nicht geeignet";
     duration = "duration" | "Dauer";
@@ -26,7 +26,7 @@ texts! {
     housing = "housing" | "Gehäuse";
     inputs = "inputs" | "Eingaben";
     integral = "integral" | "Integral";
-    law = "law" | "Gesetz";
+    law = "motion law" | "Bewegungsgesetz";
     limit = "limit" | "Grenze";
     linear_speed = "speed" | "Geschwindigkeit";
     manual = "manual" | "Anleitung";
@@ -35,8 +35,8 @@ texts! {
     missing = "missing" | "fehlt";
     motion = "motion" | "Bewegung";
     no_flange_loads =
-        "the project has no loads on the flange: [bearing] is missing"
-        | "das Projekt hat keine Lasten am Flansch: [bearing] fehlt";
+        "the project states no flange loads: [bearing] is missing"
+        | "das Projekt nennt keine Flanschlasten: [bearing] fehlt";
     not_checked = "not checked" | "nicht geprüft";
     number = "no." | "Nr.";
     on_request = "on request" | "auf Anfrage";
@@ -48,7 +48,7 @@ texts! {
     reason = "reason" | "Grund";
     recording = "recording" | "Aufzeichnung";
     rejected = "rejected" | "verworfen";
-    remark = "remark" | "Bemerkung";
+    remark = "remark" | "Hinweis";
     remarks = "remarks" | "Bemerkungen";
     requirement = "requirement" | "Anforderung";
     requirement_not_met = "requirement not met" | "Anforderung nicht erfüllt";
@@ -57,13 +57,13 @@ texts! {
     rotary_speed = "speed" | "Drehzahl";
     segment = "segment" | "Abschnitt";
     source = "source" | "Quelle";
-    tightest_check = "tightest check" | "engster Nachweis";
+    tightest_check = "governing check" | "maßgebender Nachweis";
     time = "time" | "Zeit";
     torque_speed_plane = "torque-speed plane" | "Drehmoment-Drehzahl-Ebene";
     unit = "unit" | "Einheit";
     utilisation = "utilisation" | "Auslastung";
     utilisation_short = "util. %" | "Ausl. %";
     value = "value" | "Wert";
-    verdict = "verdict" | "Urteil";
+    verdict = "verdict" | "Ergebnis";
     winding = "winding" | "Wicklung";
 }

@@ -20,13 +20,13 @@ pub fn task_title(task: Task, language: Language) -> String {
     let (en, de) = match task {
         Task::StorageEnd => ("permitted storage ends", "zulässige Lagerung endet"),
         Task::Cleaning => ("clean housing and mounting plate", "Gehäuse und Montageplatte reinigen"),
-        Task::Cables => ("inspect cables and drag chain", "Kabel und Energiekette kontrollieren"),
+        Task::Cables => ("inspect cables and cable carrier", "Leitungen und Energiekette kontrollieren"),
         Task::ProtectiveEarth => ("inspect the protective earth", "Schutzleiter kontrollieren"),
         Task::Screws => ("check the screws of housing and load", "Schrauben von Gehäuse und Last kontrollieren"),
-        Task::Seals => ("look at the shaft seals", "Wellendichtungen ansehen"),
-        Task::EncoderRecommended => ("exchange of the encoder, recommended", "Tausch des Gebers, empfohlen"),
-        Task::BatteryEmpty => ("battery of the encoder used up", "Batterie des Gebers verbraucht"),
-        Task::EncoderLatest => ("exchange of the encoder, at the latest", "Tausch des Gebers, spätestens"),
+        Task::Seals => ("visually inspect the shaft seals", "Wellendichtungen sichtprüfen"),
+        Task::EncoderRecommended => ("replacement of the encoder, recommended", "Austausch des Gebers, empfohlen"),
+        Task::BatteryEmpty => ("encoder battery discharged", "Geberbatterie entladen"),
+        Task::EncoderLatest => ("replacement of the encoder, at the latest", "Austausch des Gebers, spätestens"),
     };
     pick(language, en, de).to_owned()
 }
@@ -119,8 +119,8 @@ pub fn upkeep_fault(fault: &UpkeepFault, language: Language) -> (&'static str, S
 }
 
 texts! {
-    title(code) = "Upkeep of {code}" | "Wartung von {code}";
-    date_form = "a date is written 2026-03-01" | "ein Datum wird 2026-03-01 geschrieben";
+    title(code) = "Maintenance of {code}" | "Wartung von {code}";
+    date_form = "format of a date: 2026-03-01" | "Format eines Datums: 2026-03-01";
     date_out_of_range(date, from, to) =
         "{date} is outside the years {from} to {to}"
         | "{date} liegt außerhalb der Jahre {from} bis {to}";
@@ -128,13 +128,13 @@ texts! {
         "{date} is in the future, today is {today}"
         | "{date} liegt in der Zukunft, heute ist {today}";
     give_today =
-        "a plan begins with the delivery; --today DATE looks ahead"
-        | "ein Plan beginnt mit der Lieferung; --today DATUM blickt voraus";
+        "a plan begins with the delivery; use --today DATE for a later reference date"
+        | "ein Plan beginnt mit der Lieferung; mit --today DATUM ein späteres Bezugsdatum angeben";
     interval_without_number(written) =
         "`{written}` does not begin with a whole number above zero"
         | "„{written}“ beginnt nicht mit einer ganzen Zahl über null";
     interval_without_unit(written) = "the unit is missing after `{written}`" | "nach „{written}“ fehlt die Einheit";
-    interval_of_unknown_unit(unit) = "`{unit}` is no unit of an interval" | "„{unit}“ ist keine Einheit eines Intervalls";
+    interval_of_unknown_unit(unit) = "`{unit}` is not a unit of an interval" | "„{unit}“ ist keine Einheit eines Intervalls";
     interval_too_long(written, most) =
         "`{written}` is longer than {most} years"
         | "„{written}“ ist länger als {most} Jahre";
@@ -144,51 +144,51 @@ texts! {
     storage_before_delivery(until, delivered) =
         "the storage ends on {until}, before the delivery on {delivered}"
         | "die Lagerung endet am {until}, vor der Lieferung am {delivered}";
-    beyond_the_calendar = "the plan leaves the calendar" | "der Plan reicht über den Kalender hinaus";
+    beyond_the_calendar = "the plan extends beyond the calendar" | "der Plan reicht über den Kalender hinaus";
     no_storage_stated =
-        "no storage stated: service is taken to begin on the day of delivery (--storage)"
-        | "keine Lagerung angegeben: der Betrieb beginnt angenommen am Tag der Lieferung (--storage)";
+        "no storage stated: operation assumed to begin on the date of delivery (--storage)"
+        | "keine Lagerung angegeben: Betriebsbeginn am Tag der Lieferung angenommen (--storage)";
     storage_too_long =
-        "the storage is longer than the manual permits: the grease may have lost life; ask the maker before the actuator goes into service"
-        | "die Lagerung ist länger als die Anleitung zulässt: das Fett kann an Gebrauchsdauer verloren haben; vor der Inbetriebnahme beim Hersteller nachfragen";
+        "the storage period exceeds the limit of the manual: the service life of the grease may be reduced; ask the manufacturer before commissioning"
+        | "die Lagerdauer überschreitet die Grenze der Anleitung: die Gebrauchsdauer des Fetts kann verkürzt sein; vor der Inbetriebnahme beim Hersteller erfragen";
     interval_assumed =
-        "for inspections the manual says regularly only: a year is assumed, its latest for cleaning (--inspect)"
-        | "für Kontrollen sagt die Anleitung nur „regelmäßig“: angenommen ist ein Jahr, ihre Frist für das Reinigen (--inspect)";
+        "the manual requires regular inspections without stating an interval: one year assumed, as stated for cleaning (--inspect)"
+        | "für Kontrollen nennt die Anleitung nur „regelmäßig“: angenommen ist ein Jahr wie für die Reinigung (--inspect)";
     cleaning_stays_shorter =
-        "the cleaning stays at the year that the manual states; the interval given is longer"
-        | "das Reinigen bleibt bei dem Jahr, das die Anleitung nennt; das angegebene Intervall ist länger";
+        "cleaning remains at the interval of one year stated in the manual; the given interval is longer"
+        | "für die Reinigung gilt weiterhin ein Jahr laut Anleitung; das angegebene Intervall ist länger";
     hours_not_stated =
-        "life of the encoder's battery not checked: the hours of operation a day are missing (--hours-per-day)"
+        "life of the encoder battery not checked: the hours of operation per day are missing (--hours-per-day)"
         | "Lebensdauer der Geberbatterie nicht geprüft: die Betriebsstunden je Tag fehlen (--hours-per-day)";
     no_battery =
-        "--hours-per-day has no effect: this feedback has no battery"
-        | "--hours-per-day bleibt ohne Wirkung: dieses Feedback hat keine Batterie";
+        "--hours-per-day has no effect: this encoder has no battery"
+        | "--hours-per-day bleibt ohne Wirkung: dieser Geber hat keine Batterie";
     battery_outlives_encoder =
-        "by the model the battery outlives the ten years after which the encoder must be exchanged"
-        | "nach dem Modell hält die Batterie länger als die zehn Jahre, nach denen der Geber spätestens zu tauschen ist";
+        "according to the model, the battery life exceeds the ten years after which the encoder must be replaced"
+        | "nach dem Modell ist die Lebensdauer der Batterie länger als die zehn Jahre, nach denen der Geber spätestens zu ersetzen ist";
     seal_interval_not_stated =
-        "the manual does not ask to look at the seals at intervals, only to keep them free of standing liquid and abrasive particles; the dates are those of the inspections"
-        | "die Anleitung verlangt keine Kontrolle der Dichtungen in Intervallen, nur dass weder Flüssigkeit auf ihnen steht noch abrasive Teilchen sie erreichen; die Termine sind die der Kontrollen";
+        "the manual states no inspection interval for the seals; they must be kept free of standing liquid and abrasive particles; the dates are those of the other inspections"
+        | "die Anleitung nennt kein Kontrollintervall für die Dichtungen; sie sind frei von stehender Flüssigkeit und abrasiven Partikeln zu halten; die Termine sind die der übrigen Kontrollen";
     grease_interval_not_stated =
-        "renewing the grease in service: not stated in the manual"
-        | "Erneuern des Fetts im Betrieb: in der Anleitung nicht angegeben";
+        "grease replacement during operation: not stated in the manual"
+        | "Fettwechsel im Betrieb: in der Anleitung nicht angegeben";
     delivered_and_service(delivered, service) =
-        "delivered {delivered}, in service from {service}"
+        "delivered {delivered}, in operation from {service}"
         | "geliefert {delivered}, in Betrieb ab {service}";
-    seen_from(today) = "seen from {today}" | "Stand {today}";
+    seen_from(today) = "as of {today}" | "Stand {today}";
     plan_head = "plan" | "Plan";
     date_head = "date" | "Datum";
-    task_head = "what" | "was";
-    rule_head = "rule" | "Regel";
-    rests_on = "rests on" | "beruht auf";
+    task_head = "task" | "Tätigkeit";
+    rule_head = "interval" | "Frist";
+    rests_on = "based on" | "Grundlage";
     as_stated = "as stated (--inspect)" | "wie angegeben (--inspect)";
-    passed = "passed" | "überschritten";
+    passed = "overdue" | "überschritten";
     storage_head = "transport and storage" | "Transport und Lagerung";
-    service_head = "in service" | "im Betrieb";
-    shutdown_head = "shutting down, in this order" | "Stillsetzen, in dieser Reihenfolge";
+    service_head = "in operation" | "im Betrieb";
+    shutdown_head = "shutdown, in this order" | "Stillsetzen, in dieser Reihenfolge";
     disposal_head = "disposal" | "Entsorgung";
-    calendar_of(code) = "upkeep of {code}" | "Wartung von {code}";
+    calendar_of(code) = "maintenance of {code}" | "Wartung von {code}";
     calendar_is_an_ics(display) =
-        "a calendar is an iCalendar file: name one that ends in .ics, not {display}"
-        | "ein Kalender ist eine iCalendar-Datei: eine mit der Endung .ics nennen, nicht {display}";
+        "a calendar is an iCalendar file: specify a file name ending in .ics, not {display}"
+        | "ein Kalender ist eine iCalendar-Datei: einen Dateinamen mit der Endung .ics angeben, nicht {display}";
 }

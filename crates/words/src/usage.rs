@@ -85,19 +85,19 @@ pub fn usage_text(usage: &Usage, language: Language) -> String {
         }
         Usage::Missing { names } => said!(language => "{names} is missing" | "es fehlt {names}"),
         Usage::BadValue { written, name } => {
-            said!(language => "\"{written}\" is no value for {name}" | "„{written}“ ist kein Wert für {name}")
+            said!(language => "\"{written}\" is not a valid value for {name}" | "„{written}“ ist kein gültiger Wert für {name}")
         }
         Usage::ValueMissing { name } => {
-            said!(language => "{name} is given without its value" | "{name} steht ohne Wert")
+            said!(language => "{name} requires a value" | "{name} erfordert einen Wert")
         }
-        Usage::Twice { name } => said!(language => "{name} is given twice" | "{name} steht zweimal"),
+        Usage::Twice { name } => said!(language => "{name} is given twice" | "{name} ist doppelt angegeben"),
         Usage::NoCommand => said!(language => "a command is missing" | "es fehlt ein Befehl"),
         Usage::NotUtf8 => said!(language => "an argument is not UTF-8 text" | "ein Argument ist kein UTF-8-Text"),
         Usage::TooLong { most } => said!(language => "longer than {most} characters" | "länger als {most} Zeichen"),
         Usage::NoMemory { written } => {
-            said!(language => "\"{written}\" is no amount of memory" | "„{written}“ ist keine Speichermenge")
+            said!(language => "\"{written}\" is not an amount of memory" | "„{written}“ ist keine Speichergröße")
         }
-        Usage::Other => said!(language => "the call cannot be understood" | "der Aufruf ist nicht zu verstehen"),
+        Usage::Other => said!(language => "invalid command line" | "ungültiger Aufruf"),
     }
 }
 
@@ -106,7 +106,9 @@ pub fn usage_text(usage: &Usage, language: Language) -> String {
 pub fn usage_hint(hint: &UsageHint, language: Language) -> String {
     match hint {
         UsageHint::Words(hint) => hint_text(hint, language),
-        UsageHint::Range(from, to) => said!(language => "valid is {from} to {to}" | "gültig ist {from} bis {to}"),
+        UsageHint::Range(from, to) => {
+            said!(language => "valid range: {from} to {to}" | "gültiger Bereich: {from} bis {to}")
+        }
         UsageHint::WholeNumber => said!(language => "a whole number is expected" | "erwartet wird eine ganze Zahl"),
         UsageHint::Memory => {
             said!(language => "1 MiB to 64 GiB, for example \"512 MiB\"" | "1 MiB bis 64 GiB, zum Beispiel \"512 MiB\"")

@@ -27,63 +27,63 @@ texts! {
     at_the_end_of_a_cable = "at the end of a cable" | "am Kabelende";
     in_the_housing = "in the housing" | "im Gehäuse";
     cables = "cables" | "Kabel";
-    no_cables = "the manual lists no cable for this code" | "die Anleitung nennt für diesen Code kein Kabel";
+    no_cables = "the manual lists no cable for this ordering code" | "die Anleitung nennt für diese Bestellbezeichnung keine Leitung";
     material_number = "material number" | "Materialnummer";
     length = "length" | "Länge";
     connects = "connects" | "verbindet";
     goes_to = "for" | "für";
     length_in_number(letters) =
-        "{letters} in a material number stands for the length of the cable; its letters are those of the drive's maker and are not in the manual"
-        | "{letters} in einer Materialnummer steht für die Länge des Kabels; die Kennbuchstaben sind die des Reglerherstellers und stehen nicht in der Anleitung";
-    not_available = "what there is not" | "was es nicht gibt";
+        "{letters} in a material number stands for the cable length; the length codes are defined by the drive manufacturer and not contained in the manual"
+        | "{letters} in einer Materialnummer steht für die Leitungslänge; die Kennbuchstaben legt der Hersteller des Servoreglers fest, die Anleitung enthält sie nicht";
+    not_available = "not available / not stated" | "nicht vorhanden / nicht angegeben";
     rules = "rules and hazards" | "Regeln und Gefahren";
     sense_lines(supply, ground) =
-        "the sense lines (pins {supply} and {ground}) report the voltage at the encoder to the drive; a drive that evaluates them compensates the voltage drop of the wires, other drives do not"
-        | "die Sense-Leitungen (Stifte {supply} und {ground}) melden dem Regler die Spannung am Geber; ein Regler, der sie auswertet, gleicht den Spannungsabfall der Adern aus, andere Regler nicht";
+        "the sense lines (pins {supply} and {ground}) report the voltage at the encoder to the drive; only drives that evaluate them compensate the voltage drop of the wires"
+        | "die Sense-Leitungen (Stifte {supply} und {ground}) melden dem Servoregler die Spannung am Geber; nur Servoregler mit Auswertung dieser Leitungen gleichen den Spannungsabfall der Adern aus";
     empty_field(table, pin) = "table {table}, pin {pin}: empty field" | "Tabelle {table}, Stift {pin}: leeres Feld";
-    held_brake = "brake while it is held open" | "Bremse beim Halten";
-    voltage_drop(length) = "voltage lost on {length} m of cable, forth and back" | "Spannungsverlust auf {length} m Kabel, hin und zurück";
+    held_brake = "brake holding current" | "Haltestrom der Bremse";
+    voltage_drop(length) = "voltage drop over {length} m of cable (supply and return)" | "Spannungsabfall auf {length} m Leitung (Hin- und Rückleiter)";
     circuit = "circuit" | "Stromkreis";
     at_20_degc = "V at 20 °C" | "V bei 20 °C";
     at_70_degc = "V at 70 °C" | "V bei 70 °C";
-    nominal_v = "nominal V" | "Nenn-V";
-    least_v = "at least V" | "mindestens V";
-    least_mm2 = "needs mm²" | "braucht mm²";
+    nominal_v = "U_nom V" | "U_nenn V";
+    least_v = "U_min V";
+    least_mm2 = "required mm²" | "erf. Querschnitt mm²";
     copper =
-        "annealed copper at 20 °C, and at 70 °C (assumed: the limit of PVC insulation); the source holds its nominal voltage (assumed)"
-        | "weichgeglühtes Kupfer bei 20 °C und bei 70 °C (angenommen: Grenze der PVC-Isolierung); die Quelle hält ihre Nennspannung (angenommen)";
+        "annealed copper at 20 °C, and at 70 °C (assumed: limit of PVC insulation); supply at its nominal voltage (assumed)"
+        | "weichgeglühtes Kupfer bei 20 °C und bei 70 °C (angenommen: Grenze der PVC-Isolierung); Versorgung mit Nennspannung (angenommen)";
     sense_makes_up =
-        "with sense lines the drive may make up for the loss"
-        | "mit Sense-Leitungen kann der Regler den Verlust ausgleichen";
+        "with sense lines the drive may compensate the voltage drop"
+        | "mit Sense-Leitungen kann der Servoregler den Spannungsabfall ausgleichen";
     length_must_be_positive(most) =
-        "a cable is longer than zero and at most {most} m long"
-        | "ein Kabel ist länger als null und höchstens {most} m lang";
+        "the cable length must be greater than zero and at most {most} m"
+        | "die Leitungslänge muss größer als null und höchstens {most} m sein";
     section_must_be_positive(most) =
-        "a cross-section is greater than zero and at most {most} mm²"
-        | "ein Querschnitt ist größer als null und höchstens {most} mm²";
+        "the cross-section must be greater than zero and at most {most} mm²"
+        | "der Querschnitt muss größer als null und höchstens {most} mm² sein";
     check_or_draw =
-        "--check compares a list and draws nothing: leave --svg and --png out"
+        "--check compares a list and draws nothing: omit --svg and --png"
         | "--check vergleicht eine Liste und zeichnet nicht: --svg und --png weglassen";
     no_such_connector(code, roles) =
         "{code} has no such connector; it has {roles}"
         | "{code} hat keinen solchen Stecker; es gibt {roles}";
-    no_pins_to_draw = "the pins of this connector are not printed for this code" | "die Stifte dieses Steckers sind für diesen Code nicht abgedruckt";
-    agrees(rows) = "{rows} rows agree with the print" | "{rows} Zeilen stimmen mit dem Druck überein";
+    no_pins_to_draw = "the pins of this connector are not stated for this ordering code" | "die Stifte dieses Steckers sind für diese Bestellbezeichnung nicht angegeben";
+    agrees(rows) = "{rows} rows agree with the manual" | "{rows} Zeilen stimmen mit der Anleitung überein";
     differs(agreeing, rows) =
-        "{agreeing} of {rows} rows agree with the print"
-        | "{agreeing} von {rows} Zeilen stimmen mit dem Druck überein";
+        "{agreeing} of {rows} rows agree with the manual"
+        | "{agreeing} von {rows} Zeilen stimmen mit der Anleitung überein";
     severity = "severity" | "Schwere";
     line = "line" | "Zeile";
     connector = "connector" | "Stecker";
-    finding = "what is different, and what to do" | "was anders ist und was zu tun ist";
+    finding = "difference and remedy" | "Abweichung und Abhilfe";
     pin_list_too_large(most) = "the list is longer than {most} bytes" | "die Liste ist länger als {most} Bytes";
     mating_face = "mating face" | "Steckgesicht";
     face_of_a_code =
-        "a mating face is drawn by `antrieb wiring CODE --svg FILE`"
-        | "ein Steckgesicht zeichnet `antrieb wiring CODE --svg DATEI`";
+        "use `antrieb wiring CODE --svg FILE` to draw a mating face"
+        | "Steckgesicht zeichnen mit `antrieb wiring CODE --svg DATEI`";
     schematic =
-        "schematic: rings and order of the pins are not those of the insert, whose figure is not in the manual's text; the numbers on the insert hold"
-        | "schematisch: Kreise und Reihenfolge der Stifte sind nicht die des Einsatzes, dessen Abbildung im Text der Anleitung fehlt; es gelten die Nummern auf dem Einsatz";
+        "schematic: arrangement of the pins differs from the insert, whose figure is not contained in the text of the manual; the numbers on the insert apply"
+        | "schematisch: die Anordnung der Stifte entspricht nicht der des Einsatzes, dessen Abbildung im Text der Anleitung fehlt; es gelten die Nummern auf dem Einsatz";
     face_described(poles, thread, pins) =
         "Connector with {poles} poles, {thread}. Pins: {pins}."
         | "Stecker mit {poles} Polen, {thread}. Stifte: {pins}.";
@@ -100,9 +100,9 @@ pub fn cell_or_dash(cell: Option<&'static Cell>, language: Language) -> &'static
 pub const fn role_name(role: Role, language: Language) -> &'static str {
     match role {
         Role::Motor => pick(language, "motor connector", "Motorstecker"),
-        Role::Feedback => pick(language, "connector of the motor feedback", "Stecker des Motorfeedbacks"),
+        Role::Feedback => pick(language, "connector of the motor encoder", "Stecker des Motorgebers"),
         Role::OutputEncoder => {
-            pick(language, "connector of the encoder at the output (EC)", "Stecker des Gebers am Abtrieb (EC)")
+            pick(language, "connector of the output encoder (EC)", "Stecker des Abtriebsgebers (EC)")
         }
     }
 }
@@ -120,8 +120,8 @@ pub fn signal_meaning(signal: Signal, language: Language) -> String {
         Meaning::ProtectiveEarth => said!(language => "protective earth" | "Schutzleiter"),
         Meaning::Brake => said!(language => "supply of the holding brake" | "Versorgung der Haltebremse"),
         Meaning::Ptc => said!(language =>
-            "PTC thermistors of the winding, one of two ends without polarity"
-            | "Kaltleiter (PTC) der Wicklung, eines von zwei Enden ohne Polung"
+            "PTC thermistors of the winding, one of the two terminals, no polarity"
+            | "Kaltleiter (PTC) der Wicklung, einer der beiden Anschlüsse, polungsfrei"
         ),
         Meaning::Kty => said!(language =>
             "temperature sensor KTY 84-130 of the winding"
@@ -172,7 +172,7 @@ pub fn signal_meaning(signal: Signal, language: Language) -> String {
 #[must_use]
 pub const fn unconnected(has_wire: bool, language: Language) -> &'static str {
     if has_wire {
-        pick(language, "no signal; the wire is there", "kein Signal; die Ader ist vorhanden")
+        pick(language, "no signal; the wire is present", "kein Signal; die Ader ist vorhanden")
     } else {
         pick(language, "not connected", "nicht belegt")
     }
@@ -183,11 +183,9 @@ pub const fn unconnected(has_wire: bool, language: Language) -> &'static str {
 pub const fn cable_role(role: CableRole, language: Language) -> &'static str {
     match role {
         CableRole::Motor => pick(language, "motor", "Motor"),
-        CableRole::Feedback => pick(language, "motor feedback", "Motorfeedback"),
-        CableRole::OutputEncoder => pick(language, "encoder at the output", "Geber am Abtrieb"),
-        CableRole::Set => {
-            pick(language, "set; what it holds is not printed", "Kabelsatz; der Inhalt ist nicht abgedruckt")
-        }
+        CableRole::Feedback => pick(language, "motor encoder", "Motorgeber"),
+        CableRole::OutputEncoder => pick(language, "output encoder", "Abtriebsgeber"),
+        CableRole::Set => pick(language, "cable set; contents not stated", "Leitungssatz; Inhalt nicht angegeben"),
     }
 }
 
@@ -199,7 +197,7 @@ pub const fn cable_goal(goal: CableFor, language: Language) -> &'static str {
         CableFor::SinamicsSmc20 => pick(language, "SINAMICS S120 with SMC20", "SINAMICS S120 mit SMC20"),
         CableFor::Simodrive => "SIMODRIVE",
         CableFor::YukonDrive => "YukonDrive",
-        CableFor::OpenEnd => pick(language, "open end", "offenes Kabelende"),
+        CableFor::OpenEnd => pick(language, "open end", "offenes Leitungsende"),
     }
 }
 
@@ -208,53 +206,52 @@ pub const fn cable_goal(goal: CableFor, language: Language) -> &'static str {
 pub const fn absent_text(absent: Absent, language: Language) -> &'static str {
     let (en, de) = match absent {
         Absent::Brake => (
-            "no brake in this code: the pins BR+ and BR- stay free",
-            "keine Bremse in diesem Code: die Stifte BR+ und BR- bleiben frei",
+            "no brake with this ordering code: pins BR+ and BR- are not connected",
+            "keine Bremse bei dieser Bestellbezeichnung: Stifte BR+ und BR- nicht belegt",
         ),
         Absent::MotorPins => (
-            "pin-out of the motor connector: printed for 14A and 17A only; this size is on request, ask the maker",
-            "Belegung des Motorsteckers: nur für 14A und 17A abgedruckt; diese Baugröße gibt es auf Anfrage, beim Hersteller erfragen",
+            "pin assignment of the motor connector: stated for 14A and 17A only; this size is available on request, ask the manufacturer",
+            "Belegung des Motorsteckers: nur für 14A und 17A angegeben; diese Baugröße ist auf Anfrage lieferbar, beim Hersteller erfragen",
         ),
         Absent::Ptc => ("PTC thermistor: not on the motor connector", "Kaltleiter (PTC): nicht auf dem Motorstecker"),
-        Absent::Kty => (
-            "temperature sensor KTY: not on the encoder connector",
-            "Temperatursensor KTY: nicht auf dem Encoderstecker",
-        ),
+        Absent::Kty => {
+            ("temperature sensor KTY: not on the encoder connector", "Temperatursensor KTY: nicht auf dem Geberstecker")
+        }
         Absent::Sense => ("sense lines of the encoder supply", "Sense-Leitungen der Geberversorgung"),
         Absent::ShieldPin => (
-            "a pin for the inner shield; where the shield goes is not stated",
-            "ein Stift für den inneren Schirm; wohin der Schirm gehört, ist nicht angegeben",
+            "a pin for the inner shield; its connection is not stated",
+            "ein Stift für den inneren Schirm; die Schirmauflage ist nicht angegeben",
         ),
         Absent::Colours => {
-            ("wire colours: none printed for this connector", "Aderfarben: für diesen Stecker keine abgedruckt")
+            ("wire colours: not stated for this connector", "Aderfarben: für diesen Stecker nicht angegeben")
         }
         Absent::MatingSize => (
-            "outer diameter and length of the mating coupling: not printed",
-            "Außendurchmesser und Länge der Kabelkupplung: nicht abgedruckt",
+            "outer diameter and length of the mating coupling: not stated",
+            "Außendurchmesser und Länge der Kabelkupplung: nicht angegeben",
         ),
         Absent::SinamicsCable => {
-            ("cables for SINAMICS to motor and motor feedback", "Kabel für SINAMICS zu Motor und Motorfeedback")
+            ("SINAMICS cables for motor and motor encoder", "SINAMICS-Leitungen für Motor und Motorgeber")
         }
-        Absent::OpenCable => ("a cable set with open end", "ein Kabelsatz mit offenem Kabelende"),
+        Absent::OpenCable => ("a cable set with open end", "ein Leitungssatz mit offenem Leitungsende"),
         Absent::YukonCable => (
-            "a cable set for YukonDrive to motor and motor feedback",
-            "ein Kabelsatz für YukonDrive zu Motor und Motorfeedback",
+            "a YukonDrive cable set for motor and motor encoder",
+            "ein YukonDrive-Leitungssatz für Motor und Motorgeber",
         ),
         Absent::SimodriveCable => {
-            ("cables for SIMODRIVE to motor and motor feedback", "Kabel für SIMODRIVE zu Motor und Motorfeedback")
+            ("SIMODRIVE cables for motor and motor encoder", "SIMODRIVE-Leitungen für Motor und Motorgeber")
         }
         Absent::Arrangement => (
-            "places of the pins on the insert: the figures are not in the text that the manual was recovered from; go by the numbers on the insert",
-            "Lage der Stifte im Einsatz: die Abbildungen fehlen im Text, aus dem die Anleitung wiederhergestellt ist; es gelten die Nummern auf dem Einsatz",
+            "positions of the pins in the insert: the figures are missing in the available text of the manual; use the numbers on the insert",
+            "Anordnung der Stifte im Einsatz: die Abbildungen fehlen im vorliegenden Text der Anleitung; es gelten die Nummern auf dem Einsatz",
         ),
         Absent::Gender => (
-            "which half has pins and which sockets: not stated",
-            "welche Hälfte Stifte und welche Buchsen hat: nicht angegeben",
+            "which connector half has pins and which has sockets: not stated",
+            "welche Steckverbinderhälfte Stifte und welche Buchsen hat: nicht angegeben",
         ),
-        Absent::CrossSection => ("cross-sections of the wires: not stated", "Querschnitte der Adern: nicht angegeben"),
+        Absent::CrossSection => ("conductor cross-sections: not stated", "Leiterquerschnitte: nicht angegeben"),
         Absent::ExitOption => (
-            "what option 2 changes on connectors and pins: not stated; shown is the standard",
-            "was Option 2 an Steckern und Stiften ändert: nicht angegeben; gezeigt ist der Standard",
+            "changes of connectors and pins with option 2: not stated; the standard version is shown",
+            "Änderungen an Steckern und Stiften durch Option 2: nicht angegeben; gezeigt ist die Standardausführung",
         ),
     };
     pick(language, en, de)
@@ -264,11 +261,9 @@ pub const fn absent_text(absent: Absent, language: Language) -> &'static str {
 #[must_use]
 pub const fn circuit_name(circuit: Circuit, language: Language) -> &'static str {
     match circuit {
-        Circuit::Brake => pick(language, "brake while it opens", "Bremse beim Öffnen"),
-        Circuit::Feedback => pick(language, "supply of the motor feedback", "Versorgung des Motorfeedbacks"),
-        Circuit::OutputEncoder => {
-            pick(language, "supply of the encoder at the output", "Versorgung des Gebers am Abtrieb")
-        }
+        Circuit::Brake => pick(language, "brake opening current", "Öffnungsstrom der Bremse"),
+        Circuit::Feedback => pick(language, "supply of the motor encoder", "Versorgung des Motorgebers"),
+        Circuit::OutputEncoder => pick(language, "supply of the output encoder", "Versorgung des Abtriebsgebers"),
     }
 }
 
@@ -279,8 +274,8 @@ pub const fn drop_reason(verdict: DropVerdict, language: Language) -> &'static s
         DropVerdict::Pass => "",
         DropVerdict::Fail => pick(
             language,
-            "less than the least voltage arrives on a warm wire",
-            "bei warmer Ader kommt weniger als die Mindestspannung an",
+            "with a warm conductor, the voltage falls below the minimum",
+            "bei warmem Leiter wird die Mindestspannung unterschritten",
         ),
         DropVerdict::NoCrossSection => pick(language, "no --cross-section given", "kein --cross-section angegeben"),
         DropVerdict::NoTolerance => {
@@ -288,13 +283,13 @@ pub const fn drop_reason(verdict: DropVerdict, language: Language) -> &'static s
         }
         DropVerdict::NoOpeningCurrent => pick(
             language,
-            "the opening current is not stated; the loss is that of the holding current",
-            "der Öffnungsstrom ist nicht angegeben; der Verlust ist der des Haltestroms",
+            "the opening current is not stated; voltage drop computed with the holding current",
+            "der Öffnungsstrom ist nicht angegeben; Spannungsabfall mit dem Haltestrom gerechnet",
         ),
         DropVerdict::NoNominal => pick(
             language,
-            "a range is stated: the drive has to supply the least voltage and the loss together",
-            "angegeben ist ein Bereich: der Regler muss Mindestspannung und Verlust zusammen liefern",
+            "a range is stated: the drive must supply the minimum voltage plus the voltage drop",
+            "angegeben ist ein Bereich: der Servoregler muss Mindestspannung zuzüglich Spannungsabfall liefern",
         ),
     }
 }

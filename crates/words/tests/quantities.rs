@@ -25,7 +25,7 @@ fn messages_and_hints_speak_both_languages() {
             "N m",
             [
                 "the number is missing before \"N m\", expected a torque such as \"5 N m\"",
-                "Zahl fehlt vor „N m“: erwartet wird ein Drehmoment, zum Beispiel „5 N m“",
+                "vor „N m“ fehlt die Zahl: erwartet wird ein Drehmoment, zum Beispiel „5 N m“",
             ],
             [units_en, units_de],
         ),
@@ -46,8 +46,8 @@ fn messages_and_hints_speak_both_languages() {
             "1,500 Nm",
             ["decimal comma in \"1,500\"", "Dezimalkomma in „1,500“"],
             [
-                "write a decimal point: 1.500; or no separator for thousands: 1500",
-                "mit Dezimalpunkt schreiben: 1.500; Tausender ohne Trennzeichen: 1500",
+                "write a decimal point: 1.500; or, without thousands separator: 1500",
+                "mit Dezimalpunkt schreiben: 1.500; oder ohne Tausendertrennzeichen: 1500",
             ],
         ),
         (
@@ -59,7 +59,7 @@ fn messages_and_hints_speak_both_languages() {
             "5",
             [
                 "the unit is missing, expected a torque such as \"5 N m\"",
-                "Einheit fehlt: erwartet wird ein Drehmoment, zum Beispiel „5 N m“",
+                "die Einheit fehlt: erwartet wird ein Drehmoment, zum Beispiel „5 N m“",
             ],
             [units_en, units_de],
         ),

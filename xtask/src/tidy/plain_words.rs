@@ -1,4 +1,5 @@
-//! Plain words: documents, comments and messages use the words of an engineer of the field, not those that STYLE.md lists.
+//! Plain words: documents, comments and messages use the words of an engineer of the field, not those that STYLE.md lists;
+//! what a reader of the product sees has one term for one thing, in both languages.
 
 use std::path::Path;
 
@@ -9,6 +10,10 @@ use super::tree::Tree;
 const STYLE: &str = "STYLE.md";
 /// The section of STYLE.md with the words in the first column of its table, as code.
 const SECTION: &str = "### Words that are not used";
+/// The section of STYLE.md with the terms that have another one of the glossary in their place.
+const TERMS: &str = "### Terms that are not used";
+/// Texts of the product for its readers: documents, then data with texts in both languages.
+const READ: [&str; 5] = ["README.md", "docs/guide/", "docs/anleitung/", "docs/concepts/", "data/cha/facts/"];
 /// The messages of the product.
 const MESSAGES: &str = "crates/words/src/";
 /// Texts of others, and what was written about earlier versions.
@@ -23,13 +28,21 @@ pub(super) fn rule(root: &Path) -> Vec<Finding> {
 /// What the files hold of the list, apart from those that are not reworded yet.
 fn findings(root: &Path, pending: &[&str]) -> Vec<Finding> {
     let tree = Tree::read(root);
-    let phrases = phrases(&tree.text(STYLE).unwrap_or_default());
+    let style = tree.text(STYLE).unwrap_or_default();
+    let (phrases, terms) = (phrases(&style, SECTION), phrases(&style, TERMS));
     let mut findings = Vec::new();
-    for file in tree.under("", ".md").chain(tree.under("", ".rs")) {
+    for file in tree.under("", ".md").chain(tree.under("", ".rs")).chain(tree.under("", ".toml")) {
         if FREE.iter().chain(pending).any(|free| file.starts_with(free)) {
             continue;
         }
         let text = tree.text(file).unwrap_or_default();
+        for (line, phrase) in found(&read(file, &text), &terms) {
+            let message = format!("`{phrase}` has another term in its place ({STYLE}, {TERMS})");
+            findings.push(Finding { path: file.to_owned(), line, rule: "one-term", message });
+        }
+        if file.ends_with(".toml") {
+            continue;
+        }
         let prose = if file.ends_with(".md") { document(&text) } else { comments(&text) };
         let messages = if file.starts_with(MESSAGES) { literals(&text) } else { Vec::new() };
         for (line, phrase) in [prose, messages].iter().flat_map(|words| found(words, &phrases)) {
@@ -40,9 +53,53 @@ fn findings(root: &Path, pending: &[&str]) -> Vec<Finding> {
     findings
 }
 
-/// The phrases of the list, each as its words.
-fn phrases(style: &str) -> Vec<Vec<String>> {
-    let section = style.lines().skip_while(|line| *line != SECTION).skip(1).take_while(|line| !line.starts_with('#'));
+/// The words of a file that a reader of the product sees; none of other files.
+fn read(file: &str, text: &str) -> Vec<Word> {
+    match file.rsplit('.').next() {
+        Some("rs") if file.starts_with(MESSAGES) => texts(text),
+        Some("md") if READ.iter().any(|read| file.starts_with(read)) => document(&without_targets(text)),
+        Some("toml") if READ.iter().any(|read| file.starts_with(read)) => values(text),
+        _ => Vec::new(),
+    }
+}
+
+/// The words of the texts in a source, without the identifiers among them.
+fn texts(text: &str) -> Vec<Word> {
+    let is_sign = |sign: char| sign.is_ascii_lowercase() || sign.is_ascii_digit() || "_-".contains(sign);
+    let mut words = Vec::new();
+    for (line, part) in Parts::of(text) {
+        if let Part::Literal(literal) = part
+            && !literal.chars().all(is_sign)
+        {
+            words_of(line, &literal, &mut words);
+        }
+        words.push((line, None));
+    }
+    words
+}
+
+/// A document without the targets of its links, which are names of files.
+fn without_targets(text: &str) -> String {
+    let mut pieces = text.split("](");
+    let first = pieces.next().unwrap_or_default().to_owned();
+    pieces.fold(first, |kept, piece| kept + "]" + piece.split_once(')').map_or(piece, |(_, rest)| rest))
+}
+
+/// The words of the English and German texts of a file of data.
+fn values(text: &str) -> Vec<Word> {
+    let mut words = Vec::new();
+    for (line, content) in (1..).zip(text.lines()) {
+        if content.starts_with("en = ") || content.starts_with("de = ") {
+            words_of(line, content, &mut words);
+        }
+        words.push((line, None));
+    }
+    words
+}
+
+/// The phrases of a list, each as its words.
+fn phrases(style: &str, section: &str) -> Vec<Vec<String>> {
+    let section = style.lines().skip_while(|line| *line != section).skip(1).take_while(|line| !line.starts_with('#'));
     let first = section.filter_map(|line| line.strip_prefix("| `")?.split('|').next());
     let phrases = first.flat_map(|cell| cell.split('`').step_by(2));
     let phrases = phrases.map(|phrase| phrase.split_whitespace().map(str::to_owned).collect::<Vec<_>>());
@@ -125,10 +182,15 @@ fn matches(words: &[Word], phrase: &[String]) -> bool {
             skipped && words.get(count..).is_some_and(|after| matches(after, rest))
         }),
         Some((first, rest)) => match words.split_first() {
-            Some(((_, word), after)) => word.as_ref() == Some(first) && matches(after, rest),
-            None => false,
+            Some(((_, Some(word)), after)) => is_word(word, first) && matches(after, rest),
+            _ => false,
         },
     }
+}
+
+/// Whether a word is that of a phrase; one with `*` behind it stands for every word that begins so.
+fn is_word(word: &str, phrase: &str) -> bool {
+    phrase.strip_suffix('*').map_or(word == phrase, |begin| word.starts_with(begin))
 }
 
 #[cfg(test)]
@@ -172,9 +234,36 @@ mod tests {
     }
 
     #[test]
+    fn a_term_is_held_where_a_reader_of_the_product_sees_it() {
+        let list = format!(
+            "{LIST}\n### Terms that are not used\n\n| not | instead |\n|---|---|\n| `reibzahl*`, `screw joint*` | x |\n"
+        );
+        let scratch = Scratch::new(&[
+            (STYLE, list.as_str()),
+            ("docs/anleitung/a.md", "Die Reibzahlen, `Reibzahl`, Reibungszahl\n"),
+            ("docs/theory/a.md", "A screw joint.\n"),
+            ("crates/words/src/a.rs", "// a screw joint\nconst A: &str = \"the screw joints\";\n"),
+            ("crates/cli/src/a.rs", "const A: &str = \"the screw joints\";\n"),
+            ("data/cha/facts/a.toml", "id = \"screw joint\"\nen = \"A screw joint.\"\nde = \"Die Reibzahl.\"\n"),
+        ]);
+        let mut found = findings(scratch.root(), &[]);
+        found.sort();
+        let places: Vec<String> =
+            found.iter().map(|each| format!("{}:{} {}", each.path, each.line, each.rule)).collect();
+        let expected = [
+            "crates/words/src/a.rs:2 one-term",
+            "data/cha/facts/a.toml:2 one-term",
+            "data/cha/facts/a.toml:3 one-term",
+            "docs/anleitung/a.md:1 one-term",
+        ];
+        assert_eq!(places, expected, "{found:#?}");
+    }
+
+    #[test]
     fn the_list_of_the_house_is_read() {
         let style = include_str!("../../../STYLE.md");
-        let phrases = phrases(style);
+        assert!(phrases(style, TERMS).iter().any(|phrase| phrase == &["reibzahl*"]));
+        let phrases = phrases(style, SECTION);
         assert!(phrases.iter().any(|phrase| phrase == &["nobody"]), "{phrases:#?}");
         assert!(phrases.iter().any(|phrase| phrase == &["what", "…", "has"]), "{phrases:#?}");
     }

@@ -157,7 +157,10 @@ fn many_small_swings_are_reported() {
         let life = of(&project(moves(&many), asked), CheckId::BearingLife);
         assert_eq!(life.verdict, Verdict::Advice, "{asked}");
         let worded = words::note_text(life.notes.first().unwrap(), Language::En);
-        assert!(worded.starts_with("200 swings of up to 2.00 ° in each cycle, 82 % of all travel"), "{worded}");
+        assert!(
+            worded.starts_with("200 swivel motions of up to 2.00 ° per cycle, 82 % of the total travel"),
+            "{worded}"
+        );
         let small = of(&project(moves(&[4.0, -4.0]), asked), CheckId::BearingLife);
         assert_eq!(small.verdict, Verdict::Advice, "below 5°");
         let large = of(&project(moves(&[40.0, -40.0]), asked), CheckId::BearingLife);

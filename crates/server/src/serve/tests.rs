@@ -97,7 +97,7 @@ fn a_fault_inside_is_an_answer_without_detail() {
     let up = up(panics, Access::Anyone, Limits::default());
     let answer = up.ask("GET /panics", "");
     assert!(answer.starts_with("HTTP/1.1 500 "), "{answer}");
-    assert!(answer.contains("failed inside") && !answer.contains("secret"), "{answer}");
+    assert!(answer.contains("internal error") && !answer.contains("secret"), "{answer}");
     assert!(up.ask("GET /", "").starts_with("HTTP/1.1 200 "));
 }
 

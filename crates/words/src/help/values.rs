@@ -14,7 +14,7 @@ texts! {
     code = "CODE";
     command = "COMMAND" | "BEFEHL";
     date = "DATE" | "DATUM";
-    drive = "DRIVE" | "REGLER";
+    drive = "DRIVE" | "SERVOREGLER";
     figure = "FIGURE" | "BILD";
     file = "FILE" | "DATEI";
     folder = "FOLDER" | "ORDNER";

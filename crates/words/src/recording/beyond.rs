@@ -7,19 +7,19 @@ use recording::{Damage, Limit};
 /// What is wrong with a Parquet file.
 pub(super) fn damage(damage: &Damage, language: Language) -> String {
     match damage {
-        Damage::NoParquet => said!(language => "the marks of the format are missing" | "die Kennung des Formats fehlt"),
+        Damage::NoParquet => said!(language => "the format identifier is missing" | "die Formatkennung fehlt"),
         Damage::Encrypted => said!(language => "it is encrypted" | "sie ist verschlüsselt"),
         Damage::Elsewhere => {
-            said!(language => "its pages lie in another file" | "ihre Seiten liegen in einer anderen Datei")
+            said!(language => "its pages are in another file" | "ihre Seiten liegen in einer anderen Datei")
         }
         Damage::Footer => said!(language =>
-            "its footer is damaged or cut off"
+            "its footer is damaged or truncated"
             | "ihr Fußteil ist beschädigt oder abgeschnitten"
         ),
         Damage::Page => said!(language => "a page is damaged" | "eine Seite ist beschädigt"),
         Damage::Packed => said!(language =>
-            "a page does not unpack to the size that it states"
-            | "eine Seite hat entpackt nicht die Größe, die sie angibt"
+            "a page does not decompress to its stated size"
+            | "eine Seite hat entpackt nicht die angegebene Größe"
         ),
         Damage::Lengths => said!(language =>
             "the columns of a row group differ in length"
@@ -30,7 +30,7 @@ pub(super) fn damage(damage: &Damage, language: Language) -> String {
             | "die Kompression {name} wird nicht unterstützt"
         ),
         Damage::Encoding { name } => said!(language =>
-            "the encoding {name} of numbers is not supported"
+            "the number encoding {name} is not supported"
             | "die Kodierung {name} von Zahlen wird nicht unterstützt"
         ),
         Damage::Values { text } => said!(language =>
@@ -48,8 +48,8 @@ pub(super) fn beyond(limit: Limit, found: u64, most: u64, language: Language) ->
             let (found, most) = (mebibytes(found), mebibytes(most));
             (
                 said!(language =>
-                    "the file has {found}, at most {most} are read"
-                    | "die Datei hat {found}, gelesen werden höchstens {most}"
+                    "the file size is {found}; the limit is {most}"
+                    | "die Datei ist {found} groß; zulässig sind höchstens {most}"
                 ),
                 Some(said!(language =>
                     "cut a part out of it, or record at a lower rate"
@@ -61,19 +61,19 @@ pub(super) fn beyond(limit: Limit, found: u64, most: u64, language: Language) ->
             let (found, most) = (mebibytes(found), mebibytes(most));
             (
                 said!(language =>
-                    "the recordings of the project need {found} of memory, {most} are allowed"
-                    | "die Aufzeichnungen des Projekts brauchen {found} Speicher, erlaubt sind {most}"
+                    "the recordings of the project require {found} of memory; {most} are permitted"
+                    | "die Aufzeichnungen des Projekts benötigen {found} Arbeitsspeicher; zulässig sind {most}"
                 ),
                 Some(said!(language =>
-                    "select a part with from and to, or allow more with --memory"
-                    | "mit from und to einen Abschnitt wählen oder mit --memory mehr erlauben"
+                    "select a part with from and to, or raise the limit with --memory"
+                    | "mit from und to einen Abschnitt wählen oder die Grenze mit --memory erhöhen"
                 )),
             )
         }
         Limit::Rows => (
             said!(language =>
-                "the file has {found} rows, at most {most} are looked at"
-                | "die Datei hat {found} Zeilen, betrachtet werden höchstens {most}"
+                "the file has {found} rows; the limit is {most}"
+                | "die Datei hat {found} Zeilen; zulässig sind höchstens {most}"
             ),
             Some(said!(language =>
                 "cut a part out of it, or record at a lower rate"
@@ -82,56 +82,56 @@ pub(super) fn beyond(limit: Limit, found: u64, most: u64, language: Language) ->
         ),
         Limit::Columns => (
             said!(language =>
-                "the file has {found} columns or more, at most {most} are read"
-                | "die Datei hat {found} Spalten oder mehr, gelesen werden höchstens {most}"
+                "the file has {found} columns or more; the limit is {most}"
+                | "die Datei hat {found} Spalten oder mehr; zulässig sind höchstens {most}"
             ),
-            Some(said!(language => "export the columns of the axis alone" | "nur die Spalten der Achse ausgeben")),
+            Some(said!(language => "export only the columns of the axis" | "nur die Spalten der Achse exportieren")),
         ),
         Limit::Nesting => (
             said!(language =>
-                "the groups of the Parquet schema are nested {found} deep or deeper, at most {most} are read"
-                | "die Gruppen des Parquet-Schemas sind {found}-fach oder tiefer geschachtelt, gelesen werden höchstens {most}"
+                "the groups of the Parquet schema are nested {found} levels deep or deeper; the limit is {most}"
+                | "die Gruppen des Parquet-Schemas sind {found}-fach oder tiefer geschachtelt; zulässig sind höchstens {most}"
             ),
-            Some(said!(language => "export a flat table" | "eine flache Tabelle ausgeben")),
+            Some(said!(language => "export a flat table" | "eine flache Tabelle exportieren")),
         ),
         Limit::PathBytes => (
             said!(language =>
-                "the path of a column has {found} bytes, at most {most} are read"
-                | "der Pfad einer Spalte hat {found} Byte, gelesen werden höchstens {most}"
+                "the path of a column has {found} bytes; the limit is {most}"
+                | "der Pfad einer Spalte hat {found} Byte; zulässig sind höchstens {most}"
             ),
             None,
         ),
         Limit::RowGroups => (
             said!(language =>
-                "the file has {found} row groups, at most {most} are read"
-                | "die Datei hat {found} Zeilengruppen, gelesen werden höchstens {most}"
+                "the file has {found} row groups; the limit is {most}"
+                | "die Datei hat {found} Zeilengruppen; zulässig sind höchstens {most}"
             ),
             Some(said!(language => "write larger row groups" | "größere Zeilengruppen schreiben")),
         ),
         Limit::PageRatio => (
             said!(language =>
-                "a page unpacks to {found} times its size, at most {most} times are read"
-                | "eine Seite hat entpackt das {found}-Fache ihrer Größe, gelesen wird höchstens das {most}-Fache"
+                "a page decompresses to {found} times its size; the limit is {most} times"
+                | "eine Seite hat entpackt das {found}-Fache ihrer Größe; zulässig ist höchstens das {most}-Fache"
             ),
             Some(said!(language =>
-                "write smaller pages (up to 16 MiB any ratio is read)"
-                | "kleinere Seiten schreiben (bis 16 MiB wird jedes Verhältnis gelesen)"
+                "write smaller pages (up to 16 MiB any ratio is permitted)"
+                | "kleinere Seiten schreiben (bis 16 MiB ist jedes Verhältnis zulässig)"
             )),
         ),
         Limit::UnpackedBytes => {
             let most = mebibytes(most);
             (
                 said!(language =>
-                    "the pages of the file unpack to more than {most}"
-                    | "die Seiten der Datei haben entpackt mehr als {most}"
+                    "the pages of the file decompress to more than {most}"
+                    | "die Seiten der Datei sind entpackt größer als {most}"
                 ),
                 Some(said!(language => "cut a part out of it" | "einen Abschnitt herausschneiden")),
             )
         }
         Limit::DeltaBlock => (
             said!(language =>
-                "a block of delta-coded values holds {found} values, at most {most} are read"
-                | "ein Block differenzkodierter Werte enthält {found} Werte, gelesen werden höchstens {most}"
+                "a block of delta-encoded values contains {found} values; the limit is {most}"
+                | "ein Block differenzkodierter Werte enthält {found} Werte; zulässig sind höchstens {most}"
             ),
             Some(said!(language =>
                 "known writers use 128 to 2048 values"

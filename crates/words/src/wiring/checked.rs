@@ -34,32 +34,32 @@ pub fn difference_text(finding: &Finding, language: Language) -> String {
     let connector = role_name(finding.role, language);
     match &finding.difference {
         Difference::NoSuchConnector => {
-            said!(language => "the code has no {connector}" | "der Code hat keinen {connector}")
+            said!(language => "the ordering code has no {connector}" | "die Bestellbezeichnung hat keinen {connector}")
         }
         Difference::ConnectorNotListed => {
             said!(language => "{connector}: not in the list" | "{connector}: nicht in der Liste")
         }
         Difference::PinsNotPrinted => said!(language =>
-            "{connector}: the pins are not printed for this code"
-            | "{connector}: die Stifte sind für diesen Code nicht abgedruckt"
+            "{connector}: the pins are not stated for this ordering code"
+            | "{connector}: die Stifte sind für diese Bestellbezeichnung nicht angegeben"
         ),
         Difference::OtherEncoder { of } => said!(language =>
-            "this is the pin-out of the {}: the plug is the same, supply and ground are exchanged"
-            | "das ist die Belegung: {}; die Kupplung ist gleich, Versorgung und Masse sind vertauscht", role_name(*of, language)
+            "this is the pin assignment of the {}: same connector, supply and ground interchanged"
+            | "dies ist die Belegung: {}; gleiche Kupplung, Versorgung und Masse vertauscht", role_name(*of, language)
         ),
         Difference::NoSuchPin => said!(language => "there is no pin `{pin}`" | "einen Stift `{pin}` gibt es nicht"),
         Difference::PinTwice { first } => {
-            said!(language => "pin {pin} stands in line {first} already" | "Stift {pin} steht schon in Zeile {first}")
+            said!(language => "pin {pin} is already listed in line {first}" | "Stift {pin} ist bereits in Zeile {first} aufgeführt")
         }
         Difference::Reversed { group, with } => {
             let name = group_name(*group, language);
             said!(language =>
-                "{name}: polarity reversed, pins {pin} and {with} are exchanged"
+                "{name}: polarity reversed, pins {pin} and {with} are interchanged"
                 | "{name}: verpolt, die Stifte {pin} und {with} sind vertauscht"
             )
         }
         Difference::Swapped { with, written, .. } => said!(language =>
-            "pins {pin} and {with} are exchanged: {pin} is {expected}, not {written}"
+            "pins {pin} and {with} are interchanged: {pin} is {expected}, not {written}"
             | "die Stifte {pin} und {with} sind vertauscht: {pin} ist {expected}, nicht {written}"
         ),
         Difference::WrongPin { written, belongs, .. } => {
@@ -92,8 +92,8 @@ pub fn difference_text(finding: &Finding, language: Language) -> String {
             | "{written} auf Stift {pin}, der nicht belegt ist"
         ),
         Difference::LeftOpen { .. } => said!(language =>
-            "pin {pin} is left open; it is {expected}"
-            | "Stift {pin} ist offen gelassen; er ist {expected}"
+            "pin {pin} is left open; it must carry {expected}"
+            | "Stift {pin} ist nicht angeschlossen; er führt {expected}"
         ),
         Difference::Missing { .. } => said!(language =>
             "pin {pin} ({expected}) is not in the list"
@@ -103,8 +103,8 @@ pub fn difference_text(finding: &Finding, language: Language) -> String {
             said!(language => "wire of pin {pin} without a shield" | "Ader von Stift {pin} ohne Schirm")
         }
         Difference::Colour { written, printed } => said!(language =>
-            "pin {pin}: colour {written}, printed {printed}"
-            | "Stift {pin}: Farbe {written}, abgedruckt {printed}"
+            "pin {pin}: colour {written}, manual {printed}"
+            | "Stift {pin}: Farbe {written}, laut Anleitung {printed}"
         ),
     }
 }
@@ -114,23 +114,23 @@ pub fn difference_text(finding: &Finding, language: Language) -> String {
 pub const fn difference_action(finding: &Finding, language: Language) -> &'static str {
     let (en, de) = match (&finding.difference, finding.role) {
         (Difference::OtherEncoder { .. }, _) => (
-            "do not plug in: mark both plugs and wire each to its own table",
-            "nicht stecken: beide Stecker kennzeichnen und jeden nach seiner eigenen Tabelle verdrahten",
+            "do not connect: mark both connectors and wire each according to its own table",
+            "nicht stecken: beide Stecker kennzeichnen und jeden nach seiner Tabelle verdrahten",
         ),
         (Difference::Reversed { group: Group::Supply, .. }, Role::Feedback | Role::OutputEncoder) => (
-            "exchange them before the supply is switched on: reversed supply can destroy the encoder; the encoder at the output has supply and ground the other way round on the same plug",
-            "vor dem Einschalten tauschen: verpolte Versorgung kann den Geber zerstören; der Geber am Abtrieb hat auf der gleichen Kupplung Versorgung und Masse andersherum",
+            "interchange before switching on the supply: reversed supply can destroy the encoder; the output encoder has supply and ground reversed on the same connector",
+            "vor dem Einschalten tauschen: verpolte Versorgung kann den Geber zerstören; beim Abtriebsgeber liegen Versorgung und Masse auf der gleichen Kupplung umgekehrt",
         ),
         (Difference::Reversed { group: Group::Brake, .. }, _) => {
-            ("exchange them before the brake is supplied", "tauschen, bevor die Bremse versorgt wird")
+            ("interchange before supplying the brake", "vor dem Einschalten der Bremsenversorgung tauschen")
         }
         (Difference::Reversed { group: Group::Kty, .. }, _) => (
-            "exchange them: a reversed KTY reports a wrong temperature, and the winding is not protected",
+            "interchange: a KTY with reversed polarity reports a wrong temperature, and the winding is not protected",
             "tauschen: ein verpolter KTY meldet eine falsche Temperatur, und die Wicklung ist nicht geschützt",
         ),
         (Difference::Swapped { group: Group::Phase, .. } | Difference::WrongPin { group: Group::Phase, .. }, _) => (
-            "put the phases in order before the first motion: with wrong phases the motor does not follow its encoder and can run away",
-            "Phasen vor der ersten Bewegung richtigstellen: mit falschen Phasen folgt der Motor seinem Geber nicht und kann durchgehen",
+            "correct the phase sequence before the first motion: with wrong phases the motor does not follow its encoder and can run away",
+            "Phasenfolge vor der ersten Bewegung berichtigen: bei falschen Phasen folgt der Motor seinem Geber nicht und kann durchgehen",
         ),
         (
             Difference::Swapped { group: Group::Earth, .. }
@@ -139,30 +139,32 @@ pub const fn difference_action(finding: &Finding, language: Language) -> &'stati
             | Difference::Missing { group: Group::Earth },
             _,
         ) => (
-            "connect the protective conductor to PE before any voltage is switched on",
-            "vor jedem Einschalten den Schutzleiter mit PE verbinden",
+            "connect the protective conductor to PE before switching on any voltage",
+            "Schutzleiter vor jedem Einschalten mit PE verbinden",
         ),
         (Difference::Missing { group: Group::Shield } | Difference::LeftOpen { group: Group::Shield }, _) => {
             ("connect the inner shield", "den inneren Schirm anschließen")
         }
         (Difference::Missing { group: Group::Sense } | Difference::LeftOpen { group: Group::Sense }, _) => {
-            ("only for a drive without sense inputs", "nur bei einem Regler ohne Sense-Eingänge")
+            ("only for a drive without sense inputs", "nur bei einem Servoregler ohne Sense-Eingänge")
         }
-        (Difference::Unshielded, _) => ("all connecting cables are shielded", "alle Anschlusskabel sind geschirmt"),
+        (Difference::Unshielded, _) => {
+            ("all connecting cables must be shielded", "alle Anschlussleitungen müssen geschirmt sein")
+        }
         (Difference::Colour { .. }, _) => {
             ("wire by pin, colours repeat", "nach Stift verdrahten, Farben wiederholen sich")
         }
         (Difference::NoSuchPin, _) => {
-            ("go by the pin numbers of `antrieb wiring`", "nach den Stiftnummern von `antrieb wiring` gehen")
+            ("use the pin numbers of `antrieb wiring`", "Stiftnummern nach `antrieb wiring` verwenden")
         }
-        (Difference::PinTwice { .. }, _) => ("leave one row", "eine Zeile stehen lassen"),
-        (Difference::NoSuchConnector, _) => ("take its rows out of the list", "seine Zeilen aus der Liste nehmen"),
-        (Difference::ConnectorNotListed, _) => ("it was not compared", "er wurde nicht verglichen"),
-        (Difference::PinsNotPrinted, _) => ("ask the maker", "beim Hersteller erfragen"),
+        (Difference::PinTwice { .. }, _) => ("keep one row only", "nur eine Zeile behalten"),
+        (Difference::NoSuchConnector, _) => ("remove its rows from the list", "seine Zeilen aus der Liste entfernen"),
+        (Difference::ConnectorNotListed, _) => ("not compared", "nicht verglichen"),
+        (Difference::PinsNotPrinted, _) => ("ask the manufacturer", "beim Hersteller erfragen"),
         (Difference::Missing { .. } | Difference::LeftOpen { .. }, _) => {
-            ("add it, or say why not", "ergänzen oder begründen")
+            ("add, or state the reason", "ergänzen oder begründen")
         }
-        _ => ("wire as printed", "verdrahten wie abgedruckt"),
+        _ => ("wire as stated in the manual", "nach Anleitung verdrahten"),
     };
     pick(language, en, de)
 }
@@ -184,11 +186,11 @@ pub fn list_fault(fault: &ListFault, language: Language) -> String {
     match fault {
         ListFault::Empty => said!(language => "the list is empty" | "die Liste ist leer"),
         ListFault::NoRows => {
-            said!(language => "the list has a header and no row" | "die Liste hat einen Kopf und keine Zeile")
+            said!(language => "the list has a header but no rows" | "die Liste hat eine Kopfzeile, aber keine Zeilen")
         }
         ListFault::ColumnMissing { column, found } => {
             let (name, found) = (column_name(*column, language), found.join(", "));
-            said!(language => "no column `{name}`; there are {found}" | "keine Spalte `{name}`; es gibt {found}")
+            said!(language => "no column `{name}`; columns found: {found}" | "keine Spalte `{name}`; vorhandene Spalten: {found}")
         }
         ListFault::ColumnTwice { column, .. } => {
             let name = column_name(*column, language);
@@ -198,8 +200,8 @@ pub fn list_fault(fault: &ListFault, language: Language) -> String {
             said!(language => "unknown column `{head}`" | "unbekannte Spalte `{head}`")
         }
         ListFault::Ragged { found, expected, .. } => said!(language =>
-            "{found} cells where the header has {expected}"
-            | "{found} Zellen, der Kopf hat {expected}"
+            "{found} cells; the header has {expected}"
+            | "{found} Zellen; die Kopfzeile hat {expected}"
         ),
         ListFault::CellEmpty { column, .. } => {
             let name = column_name(*column, language);
@@ -209,11 +211,11 @@ pub fn list_fault(fault: &ListFault, language: Language) -> String {
             said!(language => "unknown connector `{written}`" | "unbekannter Stecker `{written}`")
         }
         ListFault::ShieldUnclear { written, .. } => said!(language =>
-            "`{written}` does not say whether the wire is shielded"
-            | "`{written}` sagt nicht, ob die Ader geschirmt ist"
+            "`{written}` does not state whether the wire is shielded"
+            | "`{written}` gibt nicht an, ob die Ader geschirmt ist"
         ),
         ListFault::More => {
-            said!(language => "there are more faults than are listed here" | "es gibt mehr Fehler, als hier stehen")
+            said!(language => "there are more faults than listed here" | "es gibt mehr Fehler als hier aufgeführt")
         }
     }
 }
