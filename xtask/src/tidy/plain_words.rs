@@ -13,7 +13,15 @@ const SECTION: &str = "### Words that are not used";
 /// The section of STYLE.md with the terms that have another one of the glossary in their place.
 const TERMS: &str = "### Terms that are not used";
 /// Texts of the product for its readers: documents, then data with texts in both languages.
-const READ: [&str; 5] = ["README.md", "docs/guide/", "docs/anleitung/", "docs/concepts/", "data/cha/facts/"];
+const READ: [&str; 7] = [
+    "README.md",
+    "docs/guide/",
+    "docs/anleitung/",
+    "docs/concepts/",
+    "data/cha/facts/",
+    "data/cha/code.toml",
+    "data/cha/family.toml",
+];
 /// The messages of the product.
 const MESSAGES: &str = "crates/words/src/";
 /// Texts of others, and what was written about earlier versions.
