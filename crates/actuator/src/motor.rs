@@ -9,7 +9,8 @@ use quantities::unit::{
     REVOLUTION_PER_MINUTE, WATT,
 };
 use quantities::{
-    AngularVelocity, ElectricalResistance, Measure, ThermodynamicTemperature, Time, Torque, TorqueConstant,
+    AngularVelocity, ElectricalResistance, Measure, NoLoadCurrentConstant, ThermodynamicTemperature, Time, Torque,
+    TorqueConstant,
 };
 
 /// Temperature coefficient of copper at 20 °C \[1/K\] (IEC 60034-1 uses 1/(235+20) = 3.92e-3; 3.93e-3 is the handbook value).
@@ -288,8 +289,16 @@ pub fn explain_friction(actuator: &Drivetrain, settled: &Settled, work: &mut Wor
         return work.formula("K", &AMPERE_PER_REVOLUTION_PER_MINUTE, constant, "K_cold", &source);
     };
     work.given("K_warm", &AMPERE_PER_REVOLUTION_PER_MINUTE, warm);
-    work.given("theta_cold", &DEGREE_CELSIUS, &temperatures.clone().map(|[cold, _]| cold));
-    work.given("theta_warm", &DEGREE_CELSIUS, &temperatures.clone().map(|[_, warm]| warm));
+    // Each temperature stands at the constant that holds for it.
+    let [at_cold, at_warm] = temperatures.value;
+    let cited = |value, by: &Sourced<NoLoadCurrentConstant>| Sourced {
+        value,
+        source: by.source.clone(),
+        grade: by.grade,
+        errata: &[],
+    };
+    work.given("theta_cold", &DEGREE_CELSIUS, &cited(at_cold, cold));
+    work.given("theta_warm", &DEGREE_CELSIUS, &cited(at_warm, warm));
     let text = "K_cold*(K_warm/K_cold)^((min(theta_h, theta_warm) - theta_cold)/(theta_warm - theta_cold))";
     work.formula("K", &AMPERE_PER_REVOLUTION_PER_MINUTE, constant, text, &source);
     if is_extrapolated {

@@ -54,6 +54,8 @@ pub struct HoldsFor {
     pub brake: Option<bool>,
     /// Only with the encoder at the output (option EC), or only without.
     pub output_encoder: Option<bool>,
+    /// Only where the KTY of the winding is led out, or only where it is not.
+    pub kty: Option<bool>,
 }
 
 impl HoldsFor {
@@ -66,6 +68,7 @@ impl HoldsFor {
             && (self.feedbacks.is_empty() || self.feedbacks.contains(&code.feedback))
             && self.brake.is_none_or(|brake| brake == (code.brake == Brake::With))
             && self.output_encoder.is_none_or(|encoder| encoder == code.has_output_encoder())
+            && self.kty.is_none_or(|kty| kty == crate::series::leads_out_kty(code))
     }
 }
 

@@ -17,7 +17,9 @@ pub use drive::{Drive, cells_about, datum_of, drive, drives, size_cell};
 pub use fact::{Bound, Fact, FactValue, HoldsFor, Signal, Step, Topic};
 pub use provenance::Value;
 pub use record::{Cell, Document, Erratum, ErratumKind, Footnote, Table, Term, Word};
-pub use series::{Head, Mark, MarkEntry, SeriesData, WindingData, WiringTables, winding_data};
+pub use series::{
+    Head, Mark, MarkEntry, SeriesData, WindingData, WiringTables, leads_out_kty, leads_out_ptc, winding_data,
+};
 
 mod embedded {
     use crate::fact::{Bound, Fact, FactValue, HoldsFor, Signal, Step, Topic};

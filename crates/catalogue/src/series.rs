@@ -1,6 +1,6 @@
 //! What a series states of its tables and of the words of its code.
 
-use order_code::{Feedback, Series, Size, Winding};
+use order_code::{Feedback, OrderCode, Series, Size, Winding};
 use std::sync::LazyLock;
 
 /// Tables of a series by their purpose, the marks of its matrix, and what its windings and feedback systems have.
@@ -141,6 +141,24 @@ impl SeriesData {
     pub fn begins(sections: &[&str], section: &str) -> bool {
         sections.iter().any(|begin| section.starts_with(begin))
     }
+}
+
+/// Returns `true` if the connector of the feedback leads out the KTY of the winding.
+///
+/// # Source
+/// data/cha/code.toml, from the pins of section 6.24 with their errata
+#[must_use]
+pub fn leads_out_kty(code: &OrderCode) -> bool {
+    !winding_data(code.winding).is_some_and(|data| data.without_kty.contains(&code.feedback.as_str()))
+}
+
+/// Returns `true` if the connector of the motor leads out the PTC of the winding.
+///
+/// # Source
+/// data/cha/code.toml, from the pins of section 6.24 with their errata
+#[must_use]
+pub fn leads_out_ptc(code: &OrderCode) -> bool {
+    winding_data(code.winding).is_some_and(|data| data.ptc)
 }
 
 /// What the tables of a winding have of their own.

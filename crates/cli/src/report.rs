@@ -220,6 +220,7 @@ fn installation(
         let plan = questions::list::upkeep::upkeep(code, &asked, language).map_err(|(_, what, hint)| (what, hint))?;
         chapters.push(chapter::upkeep(&answer::upkeep(&plan, language), language));
     }
+    chapter::state_each_once(&mut chapters);
     Ok(chapters)
 }
 

@@ -67,7 +67,7 @@ fn forms_and_an_empty_record_are_written_and_never_over_a_file() {
     let (script, eds, blank) = (path("motor.txt"), path("motor.eds"), path("values.toml"));
     assert_eq!(run(&["commission", CODE, "--for", "sinamics", "--out", &script]).code, 0);
     assert_eq!(run(&["commission", CODE, "--for", "cia402", "--out", &eds, "--blank", &blank]).code, 0);
-    assert!(std::fs::read_to_string(&script).unwrap().contains("p350[0] = 1.85"));
+    assert!(std::fs::read_to_string(&script).unwrap().contains("p0350[0] = 1.85"));
     assert!(std::fs::read_to_string(&eds).unwrap().contains("[6075]\nParameterName=Motor rated current\n"));
     let before = std::fs::read(&blank).unwrap();
     assert_eq!(run(&["commission", CODE, "--blank", &blank]).code, 2);

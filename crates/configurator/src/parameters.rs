@@ -44,7 +44,7 @@ fn with_drivetrain(code: &OrderCode, drive: &Drive, drivetrain: Arc<Drivetrain>)
         brake: parts::brake(drive, code),
         feedback: parts::feedback(code),
         ptc_response: family::ptc_response(code),
-        without_kty: winding_data(code.winding).is_some_and(|data| data.without_kty.contains(&code.feedback.as_str())),
+        without_kty: !catalogue::leads_out_kty(code),
         feedback_out: parts::feedback_out(code),
     }
 }

@@ -125,6 +125,12 @@ parameters! {
     WindingShutdown => "winding_shutdown", "T_KTY_shutdown", DEGREE_CELSIUS, AsPrinted;
     /// Increments of the feedback in one turn of the motor.
     EncoderIncrements => "encoder_increments", "inc", ONE, AsPrinted;
+    /// Periods of the incremental tracks in one turn of the motor; of a resolver its pole pairs.
+    EncoderLines => "encoder_lines", "z", ONE, AsPrinted;
+    /// Absolute positions in one turn of the motor.
+    EncoderPositions => "encoder_positions", "N_1", ONE, AsPrinted;
+    /// Turns of the motor that an absolute feedback tells apart.
+    EncoderTurns => "encoder_turns", "N_t", ONE, AsPrinted;
     /// Voltage of the brake.
     BrakeVoltage => "brake_voltage", "U_Br", VOLT, AsPrinted;
     /// Current that opens the brake.
@@ -259,10 +265,16 @@ impl Commissioning {
         self.parameters.iter().find(|parameter| parameter.id == id)
     }
 
-    /// Whether the winding has a PTC.
+    /// Returns `true` if the PTC of the winding is led out.
     #[must_use]
     pub fn has_ptc(&self) -> bool {
-        catalogue::winding_data(self.code.winding).is_some_and(|data| data.ptc)
+        catalogue::leads_out_ptc(&self.code)
+    }
+
+    /// Returns `true` if the KTY of the winding is led out.
+    #[must_use]
+    pub fn has_kty(&self) -> bool {
+        catalogue::leads_out_kty(&self.code)
     }
 
     /// Whether the code has a brake.
@@ -411,12 +423,28 @@ fn find(id: ParameterId, code: &OrderCode, drive: &'static Drive, actuator: &Par
             let steps = encoder::increments(code).and_then(|cell| Some(cell.sourced(cell.limit().number()?)));
             number(id, &Datum::of(steps), identity)
         }
+        P::EncoderLines => encoder_count(id, code, &["n_1_lines", "pole_pairs_resolver"]),
+        P::EncoderPositions => encoder_count(id, code, &["positions_per_turn"]),
+        P::EncoderTurns => encoder_count(id, code, &["turns"]),
         P::BrakeVoltage => plain(id, &actuator.brake.voltage),
         P::BrakeOpeningCurrent => plain(id, &actuator.brake.opening_current),
         P::BrakeHoldingCurrent => plain(id, &actuator.brake.holding_current),
         P::BrakeOpeningTime => plain(id, &actuator.brake.opening_time),
         P::BrakeClosingTime => plain(id, &actuator.brake.closing_time),
         P::BrakeHoldingTorque => plain(id, &actuator.brake.holding_torque),
+    }
+}
+
+/// A count of the motor's feedback that one of these symbols heads; a feedback without the row has no such count.
+fn encoder_count(id: ParameterId, code: &OrderCode, symbols: &[&str]) -> Found {
+    let rows = encoder::rows(code);
+    let cell = rows
+        .iter()
+        .filter(|row| row.side == encoder::EncoderSide::Motor)
+        .find(|row| symbols.contains(&row.cell.place.symbol));
+    match cell.and_then(|row| Some(row.cell.sourced(row.cell.limit().number()?))) {
+        Some(count) => number(id, &Datum::Known(count), |value: f64| value),
+        None => Found::NotApplicable,
     }
 }
 
@@ -431,6 +459,10 @@ fn limit(id: ParameterId, actuator: &Parameters) -> Found {
 
 /// A threshold of the winding temperature.
 fn threshold(id: ParameterId, code: &OrderCode, which: &str) -> Found {
+    // A drive can watch only what a connector leads out.
+    if !catalogue::leads_out_kty(code) {
+        return Found::NotApplicable;
+    }
     let table = catalogue::SeriesData::of(code.series()).thresholds;
     let cell = catalogue::table_cells(table).iter().find(|cell| cell.place.condition == which);
     cell.map_or(Found::NotPrinted, |cell| plain(id, &catalogue::datum_of::<ThermodynamicTemperature>(cell)))

@@ -214,7 +214,10 @@ pub fn upkeep(code: &OrderCode, asked: &UpkeepAsked) -> Result<Upkeep, UpkeepFau
     let mut storage_permitted = true;
     if let Some(end) = years_of("storage", "duration").and_then(|years| years.after(delivered, 1)) {
         storage_permitted = in_service <= end;
-        plan.once(Task::StorageEnd, Rule::AtTheLatest, end);
+        // It concerns an actuator that is stored, and no longer one in service.
+        if asked.storage.is_some() && asked.today.is_none_or(|today| today < in_service) {
+            plan.once(Task::StorageEnd, Rule::AtTheLatest, end);
+        }
     }
     if !storage_permitted {
         plan.notes.push(PlanNote::StorageTooLong);

@@ -68,7 +68,26 @@ fn every_code_with_data_has_a_list_that_reads_back_as_the_same_motor() {
         assert!(back(323) <= i_max * (1.0 + 1e-12) && same(back(323), back(640)), "{}", about.code);
         let i_e = actuator.current_demagnetisation.known().map(|known| known.value.si());
         assert!(i_e.is_none_or(|i_e| back(323) <= i_e * (1.0 + 1e-12)), "{}", about.code);
-        assert!(same(back(604), 80.0) && same(back(605), 90.0), "{}", about.code);
+        let thresholds = [600, 601, 604, 605].map(|number| {
+            sinamics::lines(about).iter().find(|line| line.entry.number == number).map(|line| line.value)
+        });
+        let set = if about.has_kty() { [1.0, 2.0, 80.0, 90.0].map(Some) } else { [None; 4] };
+        assert_eq!(thresholds, set, "{}", about.code);
+        // p0300 synchronous, k_EM, I_0, k_TM I_0; the counts of the encoder as tables 57.1 to 61.1 print them.
+        let (k_em, i_0) = (actuator.voltage_constant_motor.known().unwrap(), actuator.stall_current.known().unwrap());
+        assert!(same(back(300), 2.0) && same(back(317), k_em.value.si() * 1000.0 * turn / 60.0), "{}", about.code);
+        assert!(same(back(318), i_0.value.si()) && same(back(319), back(316) * back(318)), "{}", about.code);
+        let (kind, lines, absolute) = match about.code.feedback.as_str() {
+            "C1024" => (9999.0, 1024.0, None),
+            "M512P" => (10_100.0, 512.0, Some((4096.0, 8192.0))),
+            "M128S" => (9999.0, 128.0, Some((4096.0, 131_072.0))),
+            "D2048" => (9999.0, 2048.0, None),
+            _ => (9999.0, 1.0, None),
+        };
+        assert!(same(back(400), kind) && same(back(408), lines), "{}", about.code);
+        let line =
+            |number| sinamics::lines(about).iter().find(|line| line.entry.number == number).map(|line| line.value);
+        assert_eq!(line(421).zip(line(423)), absolute, "{}", about.code);
     }
 }
 
@@ -137,7 +156,14 @@ fn what_is_not_printed_is_a_gap_and_nothing_is_both() {
             let open = gaps.contains(&Gap::NotPrinted(id));
             assert!(!(known && open), "{}: {id:?}", about.code);
             let brake = id.id().starts_with("brake_");
-            assert!(known || open || (brake && !about.has_brake()), "{}: {id:?} is stated nowhere", about.code);
+            let absent = match id {
+                ParameterId::WindingWarning | ParameterId::WindingShutdown => !about.has_kty(),
+                ParameterId::EncoderPositions | ParameterId::EncoderTurns => {
+                    !matches!(about.code.feedback.as_str(), "M512P" | "M128S")
+                }
+                _ => brake && !about.has_brake(),
+            };
+            assert!(known || open || absent, "{}: {id:?} is stated nowhere", about.code);
         }
         assert!(gaps.contains(&Gap::RatedPoint));
     }
@@ -224,7 +250,7 @@ fn healthy(about: &Commissioning) -> Measured {
         inductance_ll: Some(q(si(about, ParameterId::InductanceLl) * 1.1)),
         emf: Some((q(si(about, ParameterId::VoltageConstant) * rpm(1000.0).si()), rpm(-1000.0))),
         sensor_temperature: Some(celsius(25.0)),
-        kty: Some(q(603.0)),
+        kty: about.has_kty().then(|| q(603.0)),
         ptc: about.has_ptc().then(|| q(90.0)),
         brake_voltage: brake(ParameterId::BrakeVoltage).map(|volt| q(volt * 1.05)),
         brake_opening_current: brake(ParameterId::BrakeOpeningCurrent).map(|ampere| q(ampere * 0.9)),
@@ -250,7 +276,9 @@ fn a_healthy_actuator_passes_whatever_its_code() {
     for about in &all() {
         for judged in judge(about, &healthy(about)) {
             let open = match judged.unjudged {
-                Some(Unjudged::NotThere) => matches!(judged.what, Measurand::Ptc) || !about.has_brake(),
+                Some(Unjudged::NotThere) => {
+                    matches!(judged.what, Measurand::Ptc | Measurand::Kty) || !about.has_brake()
+                }
                 Some(Unjudged::NotStated) => judged.what == Measurand::DirectionPosition,
                 Some(Unjudged::NotMeasured) => judged.what.id().starts_with("brake_"),
                 None => false,
@@ -363,9 +391,60 @@ fn a_temperature_sensor_that_is_off_has_its_cause() {
     assert_eq!(ptc(5.0), fails("short"));
     assert_eq!(ptc(603.0), fails("other_sensor"));
     assert_eq!(ptc(4000.0), fails("ptc_responded"));
+    assert_eq!(ptc(20e6), fails("open"));
     // Between the cold bound and the response the standard says nothing.
     let near = planted(&small, Measurand::Ptc, |measured| measured.sensor_temperature = Some(celsius(110.0)));
     assert_eq!((near.verdict, near.unjudged), (Verdict::NotChecked, Some(Unjudged::NotStated)));
+    // An open or shorted sensor is one there too, and beyond the temperatures of the data sheet.
+    let broken = |what: Measurand, celsius_at: f64, ohm: f64| {
+        found(&small, what, move |measured| {
+            measured.sensor_temperature = Some(celsius(celsius_at));
+            (measured.kty, measured.ptc) = (Some(q(ohm)), Some(q(ohm)));
+        })
+    };
+    for (what, celsius_at) in
+        [(Measurand::Ptc, 110.0), (Measurand::Ptc, 20.0), (Measurand::Kty, 20.0), (Measurand::Kty, 300.0)]
+    {
+        assert_eq!(broken(what, celsius_at, 0.0), fails("short"), "{what:?} {celsius_at}");
+        assert_eq!(broken(what, celsius_at, 1e9), fails("open"), "{what:?} {celsius_at}");
+    }
+}
+
+/// Data sheet NXP KTY84 rev. 06, table of the KTY84/130: what it permits passes, one ohm beyond fails.
+#[test]
+fn the_kty_may_be_off_as_its_data_sheet_permits() {
+    let about = of("CHA-25A-100-H-M512P-B");
+    let verdict = |celsius_at: f64, ohm: f64| {
+        found(&about, Measurand::Kty, move |measured| {
+            (measured.sensor_temperature, measured.kty) = (Some(celsius(celsius_at)), Some(q(ohm)));
+        })
+        .0
+    };
+    for (celsius_at, least, largest) in [
+        (-40.0, 340.0, 379.0),
+        (0.0, 474.0, 522.0),
+        (20.0, 555.0, 607.0),
+        (25.0, 577.0, 629.0),
+        (50.0, 694.0, 750.0),
+        (80.0, 852.0, 912.0),
+        (90.0, 910.0, 970.0),
+        (100.0, 970.0, 1030.0),
+        (150.0, 1282.0, 1385.0),
+        (200.0, 1641.0, 1803.0),
+        (250.0, 2046.0, 2286.0),
+    ] {
+        for (ohm, expected) in [
+            (least + 1e-9, Verdict::Pass),
+            (least - 1.0, Verdict::Fail),
+            (largest - 1e-9, Verdict::Pass),
+            (largest + 1.0, Verdict::Fail),
+        ] {
+            assert_eq!(verdict(celsius_at, ohm), expected, "{celsius_at} degC, {ohm} ohm");
+        }
+    }
+    // Between two temperatures the bounds lie between theirs; 580 ohm at 25 degC is within them.
+    assert_eq!(verdict(25.0, 580.0), Verdict::Pass);
+    assert_eq!((verdict(27.5, 588.5), verdict(27.5, 586.0)), (Verdict::Pass, Verdict::Fail));
 }
 
 #[test]

@@ -186,7 +186,100 @@ fn today_moves_the_series_and_marks_what_has_passed() {
         assert!(!is_series || (line.next >= today && line.first < today), "{:?}", line.task);
     }
     let passed: Vec<Task> = found.plan.iter().filter(|line| line.passed).map(|line| line.task).collect();
-    assert_eq!(passed, [Task::StorageEnd, Task::EncoderRecommended]);
+    assert_eq!(passed, [Task::EncoderRecommended]);
+}
+
+/// The end of the storage is a date for what is stored: none once it is in service, nor where it goes into service on delivery.
+#[test]
+fn the_storage_ends_for_what_is_stored_alone() {
+    let code = order_code::parse("CHA-25A-100-H-M512P").unwrap().code;
+    let has = |storage: Option<Storage>, today: Option<&str>| {
+        let today = today.map(|text| read_date(text).unwrap());
+        let found = upkeep(&code, &UpkeepAsked { storage, today, ..asked() }).unwrap();
+        found.plan.iter().any(|line| line.task == Task::StorageEnd)
+    };
+    // Delivered on 2026-03-01, in service from 2026-09-01 on.
+    let stored = asked().storage;
+    assert!(has(stored, None) && has(stored, Some("2026-08-31")));
+    assert!(!has(stored, Some("2026-09-01")) && !has(None, None) && !has(None, Some("2026-03-01")));
+}
+
+/// What a list, a record, an object or a fact says of KTY, PTC, brake or encoder at the output has its pins in the wiring of the
+/// same code, and what the pins lead out is asked for.
+#[test]
+fn the_commissioning_speaks_of_what_the_wiring_has() {
+    use installation::commission::expected::Measurand;
+    use installation::commission::recorded::{Measured, Unjudged, judge};
+    use installation::commission::sinamics::{self, Choice, Setting};
+    use installation::commission::{ParameterId, checklist, commission};
+    use installation::facts::{Order, facts_about};
+    use installation::wiring::{Group, Role};
+    use quantities::ThermodynamicTemperature;
+    use quantities::unit::DEGREE_CELSIUS;
+
+    let ambient = ThermodynamicTemperature::new_in(20.0, &DEGREE_CELSIUS);
+    let (mut with_kty, mut without_kty) = (0, 0);
+    for code in codes() {
+        let (Some(wiring), Some(about)) = (wiring(code), commission(code)) else { continue };
+        let is_absent = |what| wiring.absences.iter().any(|absence| absence.what == what);
+        if is_absent(Absent::MotorPins) {
+            continue;
+        }
+        let pins = wiring.connectors.iter().flat_map(|connector| &connector.pins);
+        let groups: Vec<Group> = pins.filter_map(|pin| Some(pin.carries?.group())).collect();
+        let is_wired = |group| groups.contains(&group);
+        let items: Vec<checklist::Item> =
+            checklist::lists(&about, ambient).into_iter().flat_map(|list| list.items).collect();
+        let is_measured = |what| {
+            items.iter().any(|item| matches!(item, checklist::Item::Measure { expected, .. } if expected.what == what))
+        };
+        let facts = facts_about(Topic::Commission, code, Order::Data);
+        let speaks = |word: &str| facts.iter().any(|fact| fact.en.contains(word));
+        let is_set = |choice| sinamics::lines(&about).iter().any(|line| line.entry.setting == Setting::Choice(choice));
+        let is_judged = |what| {
+            let judged = judge(&about, &Measured::default());
+            judged.iter().any(|each| each.what == what && each.unjudged != Some(Unjudged::NotThere))
+        };
+
+        let kty = is_wired(Group::Kty);
+        *(if kty { &mut with_kty } else { &mut without_kty }) += 1;
+        assert_eq!(about.has_kty(), kty, "{code}");
+        assert_eq!(is_measured(Measurand::Kty), kty, "{code}");
+        assert_eq!(is_judged(Measurand::Kty), kty, "{code}");
+        assert_eq!(speaks("KTY"), kty, "{code}");
+        assert_eq!((is_set(Choice::SensorAtEncoder), is_set(Choice::SensorKty)), (kty, kty), "{code}");
+        for threshold in [ParameterId::WindingWarning, ParameterId::WindingShutdown] {
+            assert_eq!(about.get(threshold).is_some(), kty, "{code}");
+        }
+        let ptc = is_wired(Group::Ptc);
+        assert_eq!(
+            (about.has_ptc(), is_measured(Measurand::Ptc), is_judged(Measurand::Ptc)),
+            (ptc, ptc, ptc),
+            "{code}"
+        );
+        assert_eq!(speaks("PTC"), ptc, "{code}");
+        // Pins of the brake are there for every motor connector; what is connected the code says.
+        let brake = code.brake == Brake::With;
+        assert_eq!(is_absent(Absent::Brake), !brake, "{code}");
+        assert!(!brake || is_wired(Group::Brake), "{code}");
+        assert_eq!(
+            (is_measured(Measurand::BrakeVoltage), is_judged(Measurand::BrakeVoltage)),
+            (brake, brake),
+            "{code}"
+        );
+        assert_eq!(about.get(ParameterId::BrakeVoltage).is_some(), brake, "{code}");
+        let output = wiring.connector(Role::OutputEncoder).is_some();
+        assert_eq!(facts.iter().any(|fact| fact.id == "position_out_rises_clockwise"), output, "{code}");
+        let side = installation::commission::encoder::EncoderSide::Output;
+        assert_eq!(about.encoder.iter().any(|row| row.side == side), output, "{code}");
+        // The absolute feedbacks have their word, and no other has.
+        let absolute = wiring.connector(Role::Feedback).is_some_and(|connector| {
+            connector.pins.iter().any(|pin| pin.carries.is_some_and(|signal| signal.group() == Group::Serial))
+        });
+        assert_eq!(about.get(ParameterId::EncoderTurns).is_some(), absolute, "{code}");
+        assert!(about.get(ParameterId::EncoderLines).is_some(), "{code}");
+    }
+    assert!(with_kty > 900 && without_kty > 0, "{with_kty} {without_kty}");
 }
 
 #[test]

@@ -19,7 +19,7 @@ pub use upkeep::upkeep;
 pub use wiring::wiring;
 
 use crate::answer::document;
-use answers::{Chapter, CitedErratum, Column, Document, Fact, Hazard, Id, Number};
+use answers::{Block, Chapter, CitedErratum, Column, Document, Fact, Hazard, Id, Number};
 use catalogue::Signal;
 use quantities::{Language, Unit, format_significant};
 use words::signal_word;
@@ -43,6 +43,27 @@ fn hazards(facts: &[Fact], language: Language) -> Vec<Hazard> {
 fn remarks(notes: &[String], errata: &[CitedErratum]) -> Vec<String> {
     let erratum = |erratum: &CitedErratum| format!("{}: {}", erratum.id, erratum.evidence);
     notes.iter().cloned().chain(errata.iter().map(erratum)).collect()
+}
+
+/// Leaves out of each chapter the hazards and rules that an earlier one has, so that a report states each once; a section that
+/// becomes empty goes with them.
+pub fn state_each_once(chapters: &mut [Chapter]) {
+    let mut stated: Vec<Hazard> = Vec::new();
+    for chapter in chapters {
+        for block in &mut chapter.blocks {
+            let Block::Hazards { items } = block else { continue };
+            items.retain(|hazard| !stated.contains(hazard));
+            stated.extend(items.iter().cloned());
+        }
+        chapter.blocks.retain(|block| !matches!(block, Block::Hazards { items } if items.is_empty()));
+        let is_head: Vec<bool> = chapter.blocks.iter().map(|block| matches!(block, Block::Section { .. })).collect();
+        let mut next = is_head.iter().skip(1).copied().chain([true]);
+        let mut heads = is_head.iter().copied();
+        chapter.blocks.retain(|_| {
+            let (is_head, before_head) = (heads.next().unwrap_or(false), next.next().unwrap_or(false));
+            !(is_head && before_head)
+        });
+    }
 }
 
 /// The documents that chapters cite by name, in the order of the catalogue; a report lists each of its documents once.
@@ -120,10 +141,44 @@ mod tests {
         let sheet = answer::commissioning(&about, DriveForm::Plain, usual_ambient(), Language::En);
         let chapters = [mounted, commission(&sheet, &[], Language::En)];
         let listed: Vec<String> = documents(&chapters, Language::En).into_iter().map(|found| found.id).collect();
-        for wanted in ["cha-manual", "cha-manual-en-v03", "zd-shf-2uh", "kty-c-lib"] {
+        for wanted in ["cha-manual", "cha-manual-en-v03", "zd-shf-2uh", "nxp-kty84"] {
             assert!(listed.iter().any(|id| id == wanted), "{wanted}: {listed:?}");
         }
         assert!(!listed.iter().any(|id| id == "csd-2a-engineering-data"), "{listed:?}");
+    }
+
+    /// Wiring, mounting and commissioning of a code say the same of safety; together they say it once.
+    #[test]
+    fn a_report_states_each_hazard_once() {
+        let code = order_code::parse("CHA-25A-100-H-M512P-B").unwrap().code;
+        for language in Language::ALL {
+            let asked = MountAsked::default();
+            let wired = installation::wiring::wiring(&code).unwrap();
+            let about = crate::commission::commission(&code).unwrap();
+            let sheet = answer::commissioning(&about, DriveForm::Plain, usual_ambient(), language);
+            let mut chapters = [
+                wiring(&answer::wiring(&wired, None, language), Vec::new(), language),
+                mount(&answer::mount(&mounting(&code, &asked).unwrap(), &asked, None, language), language),
+                commission(&sheet, &[], language),
+            ];
+            let hazards = |chapters: &[Chapter]| -> Vec<String> {
+                let blocks = chapters.iter().flat_map(|chapter| &chapter.blocks);
+                let items = blocks.flat_map(|block| match block {
+                    Block::Hazards { items } => items.clone(),
+                    _ => Vec::new(),
+                });
+                items.map(|hazard| hazard.text).collect()
+            };
+            let before = hazards(&chapters);
+            state_each_once(&mut chapters);
+            let after = hazards(&chapters);
+            let distinct: std::collections::BTreeSet<&String> = before.iter().collect();
+            assert!(before.len() > after.len() && after.len() == distinct.len(), "{} {}", before.len(), after.len());
+            for chapter in &chapters {
+                let heads = |at: usize| matches!(chapter.blocks.get(at), Some(Block::Section { .. }) | None);
+                assert!((0..chapter.blocks.len()).all(|at| !(heads(at) && heads(at + 1))), "{}", chapter.title);
+            }
+        }
     }
 
     /// What a chapter says, all of it.

@@ -4,6 +4,7 @@ use crate::eds;
 use installation::commission as room;
 use installation::commission::cia402::{self, Object};
 use installation::commission::sinamics::{self, Setting};
+use order_code::FeedbackKind;
 use quantities::unit::DEGREE_CELSIUS;
 use quantities::{Language, Measure, ThermodynamicTemperature, identified};
 use std::fmt::Write as _;
@@ -32,7 +33,7 @@ pub fn usual_ambient() -> ThermodynamicTemperature {
     ThermodynamicTemperature::new_in(20.0, &DEGREE_CELSIUS)
 }
 
-/// The parameters of a SINAMICS drive, one a line: `p350[0] = 2.95`, with what each is behind a semicolon.
+/// The parameters of a SINAMICS drive, one a line: `p0350[0] = 2.95`, with what each is behind a semicolon.
 ///
 /// The numbers are written so that they read back as the same value: phase values are half of those between terminals, in the
 /// unit of the parameter. What is not known stands below, each line a remark.
@@ -47,7 +48,7 @@ pub fn sinamics_script(about: &Commissioning, language: Language) -> String {
     remark(&mut out, commission::script_identify(language));
     out.push('\n');
     for line in sinamics::lines(about) {
-        let number = format!("p{}[0] = {}", line.entry.number, line.value);
+        let number = format!("{} = {}", line.entry.name(), line.value);
         let comment = match line.entry.setting {
             Setting::Value(id, unit) => {
                 let unit = if unit.json == "1" { String::new() } else { format!("{}  ", unit.json) };
@@ -59,11 +60,8 @@ pub fn sinamics_script(about: &Commissioning, language: Language) -> String {
     }
     out.push('\n');
     remark(&mut out, commission::script_missing(language));
-    for id in sinamics::TO_LOOK_UP {
-        if let Some(parameter) = about.get(id) {
-            let unit = id.unit().json;
-            remark(&mut out, &commission::look_up(&id.symbol(), &parameter.value(), &unit, language));
-        }
+    if about.code.feedback.kind() != Some(FeedbackKind::EndatMultiturn) {
+        remark(&mut out, commission::encoder_configuration(language));
     }
     for gap in about.gaps.iter().filter(|gap| **gap != room::Gap::OwnObjects) {
         remark(&mut out, &gap_text(*gap, language));
@@ -145,7 +143,7 @@ fn object_section(out: &mut String, head: &str, object: &Object, language: Langu
     eds::variable(out, head, &variable);
 }
 
-/// An empty record to fill in, with a remark on each key; the brake and the PTC only where the code has them.
+/// An empty record to fill in, with a remark on each key; brake, KTY and PTC only where the code has them.
 #[must_use]
 pub fn blank_record(about: &Commissioning, file: &str, language: Language) -> String {
     use project::MeasuredKey as K;
@@ -159,8 +157,11 @@ pub fn blank_record(about: &Commissioning, file: &str, language: Language) -> St
     );
     let of_brake = |key| matches!(key, K::Root(MeasuredRootName::brake) | K::Brake(_));
     let of_ptc = |key| key == K::Sensor(SensorName::ptc);
+    let of_kty = |key| key == K::Sensor(SensorName::kty);
     for line in project::measured_lines() {
-        let absent = (!about.has_brake() && of_brake(line.key)) || (!about.has_ptc() && of_ptc(line.key));
+        let absent = (!about.has_brake() && of_brake(line.key))
+            || (!about.has_ptc() && of_ptc(line.key))
+            || (!about.has_kty() && of_kty(line.key));
         if absent || line.key == K::Root(MeasuredRootName::format) {
             continue;
         }

@@ -43,6 +43,7 @@ struct HoldsFor {
     size: Vec<String>,
     brake: Option<bool>,
     ec: Option<bool>,
+    kty: Option<bool>,
 }
 
 /// A figure of the sentence in machine form.
@@ -197,12 +198,13 @@ fn holds_for(fact: &Fact, data: &Data, at: &str, faults: &mut Vec<String>) -> St
         values.join(", ")
     };
     format!(
-        "HoldsFor {{ series: {series}, sizes: &[{}], windings: &[{}], feedbacks: &[{}], brake: {:?}, output_encoder: {:?} }}",
+        "HoldsFor {{ series: {series}, sizes: &[{}], windings: &[{}], feedbacks: &[{}], brake: {:?}, output_encoder: {:?}, kty: {:?} }}",
         list("size", "Size", &codes.size),
         list("winding", "Winding", &codes.winding),
         list("feedback", "Feedback", &codes.feedback),
         codes.brake,
         codes.ec,
+        codes.kty,
     )
 }
 

@@ -37,9 +37,9 @@ texts! {
         "run the motor identification of the drive and determine the commutation offset after entering these values"
         | "nach der Eingabe dieser Werte die Motoridentifikation des Servoreglers durchführen und den Kommutierungswinkel bestimmen";
     script_missing = "not contained here:" | "hier nicht enthalten:";
-    look_up(symbol, value, unit) =
-        "{symbol} = {value} {unit}: for the parameter number see the list manual of the drive"
-        | "{symbol} = {value} {unit}: Parameternummer siehe Listenhandbuch des Servoreglers";
+    encoder_configuration =
+        "configuration of the encoder (SINAMICS p0404: tracks, interface, supply): set the bits according to the list manual; p0400 = 9999 presets none"
+        | "Geberkonfiguration (SINAMICS p0404: Spuren, Schnittstelle, Versorgung): Bits nach Listenhandbuch setzen; p0400 = 9999 belegt keine vor";
     eds_description = "Motor data of an actuator, to be merged into the configuration of the drive";
     eds_not_the_drive =
         "not the EDS of a drive: contains only the profile objects that follow from the motor"
@@ -87,6 +87,9 @@ texts! {
     no_ptc =
         "no PTC: the 6-pin motor connector has no contact for it; the KTY is connected through the encoder cable"
         | "kein PTC: der 6-polige Motorstecker hat dafür keinen Kontakt; der KTY wird über die Geberleitung geführt";
+    no_kty =
+        "no KTY: the encoder connector has no contacts for it, so the winding temperature cannot be read; the PTC in the motor connector protects the winding and must switch the drive off"
+        | "kein KTY: der Geberstecker hat dafür keine Kontakte, die Wicklungstemperatur ist nicht auslesbar; der PTC am Motorstecker schützt die Wicklung und muss den Servoregler abschalten";
     overload_text =
         "overload factor k = I_rms/I_0; the manual states no time constant, this one is taken from the thermal model; t = τ ln(k²/(k² − 1)) from cold"
         | "Überlastfaktor k = I_eff/I_0; die Anleitung nennt keine Zeitkonstante, diese stammt aus dem Erwärmungsmodell; t = τ ln(k²/(k² − 1)) aus kaltem Zustand";

@@ -67,6 +67,14 @@ pub fn parameter_name(id: ParameterId, language: Language) -> &'static str {
             "increments per turn of the motor, with the interpolation of the table",
             "Inkremente je Motorumdrehung, mit der Interpolation der Tabelle",
         ),
+        P::EncoderLines => (
+            "signal periods of the encoder per motor revolution; pole pairs of a resolver",
+            "Strichzahl des Gebers je Motorumdrehung, beim Resolver Polpaarzahl",
+        ),
+        P::EncoderPositions => ("absolute positions per motor revolution", "absolute Positionen je Motorumdrehung"),
+        P::EncoderTurns => {
+            ("motor revolutions resolved by the encoder", "vom Geber unterschiedene Motorumdrehungen")
+        }
         P::BrakeVoltage => ("supply voltage of the brake", "Bremsenspannung"),
         P::BrakeOpeningCurrent => ("opening current of the brake", "Öffnungsstrom der Bremse"),
         P::BrakeHoldingCurrent => ("holding current of the brake", "Haltestrom der Bremse"),
@@ -99,6 +107,15 @@ pub const fn conversion_text(conversion: Conversion, language: Language) -> &'st
 #[must_use]
 pub const fn choice_text(choice: Choice, language: Language) -> &'static str {
     let (en, de) = match choice {
+        Choice::Synchronous => (
+            "motor type: rotary permanent-magnet synchronous motor",
+            "Motortyp: rotatorischer permanenterregter Synchronmotor",
+        ),
+        Choice::IdentifiedEncoder => (
+            "encoder: identified by the drive over EnDat; compare p0408, p0421, p0423 with the result",
+            "Geber: vom Servoregler über EnDat identifiziert; p0408, p0421, p0423 mit dem Ergebnis vergleichen",
+        ),
+        Choice::EnteredEncoder => ("encoder: data entered by hand", "Geber: Daten von Hand eingegeben"),
         Choice::SensorAtEncoder => (
             "temperature sensor connected through the motor encoder",
             "Temperatursensor über den Motorgeber angeschlossen",
@@ -211,9 +228,10 @@ pub const fn band_text(band: Band, language: Language) -> &'static str {
             "band of another manufacturer's servo motors (simodrive-611a); none is stated for this actuator",
             "Toleranzband für Servomotoren eines anderen Herstellers (simodrive-611a); für diesen Antrieb ist keines angegeben",
         ),
-        Band::KtySheet => {
-            ("±3 % of the sensor's data sheet, there for 100 °C", "±3 % nach Datenblatt des Sensors, dort bei 100 °C")
-        }
+        Band::KtySheet => (
+            "smallest and largest value of the sensor's data sheet: ±3 % at 100 °C, wider away from it",
+            "kleinster und größter Wert nach Datenblatt des Sensors: ±3 % bei 100 °C, abseits davon weiter",
+        ),
         Band::Din44081 => ("limits of DIN 44081", "Grenzen nach DIN 44081"),
         Band::Friction => (
             "estimate: identification of a joint with such a gear deviated by 40 % (constant part) and 15 % (speed-dependent part) from the catalogue (cjt-issue-44); docs/theory/current.md, band of the no-load current",
@@ -310,8 +328,8 @@ pub fn cause_text(cause: Cause, language: Language) -> String {
             "Wert des anderen Sensors: KTY und PTC vertauscht",
         ),
         Cause::PtcResponded => (
-            "the PTC has responded or is open: winding hot, or open circuit",
-            "der PTC hat angesprochen oder ist offen: Wicklung heiß oder kein Durchgang",
+            "the PTC has responded: winding hot, or temperature stated incorrectly; otherwise a bad contact in its circuit",
+            "der PTC hat angesprochen: Wicklung heiß oder Temperatur falsch angegeben; sonst schlechter Kontakt in seinem Kreis",
         ),
         Cause::BrakeNotConnected => (
             "no current: brake not connected, wrong contacts, or supply switched off",

@@ -41,7 +41,13 @@ fn parameters_gaps_and_conversions() {
     for gap in gaps {
         differ(gap.id(), |language| gap_text(gap, language));
     }
-    for choice in [Choice::SensorAtEncoder, Choice::SensorKty] {
+    for choice in [
+        Choice::Synchronous,
+        Choice::IdentifiedEncoder,
+        Choice::EnteredEncoder,
+        Choice::SensorAtEncoder,
+        Choice::SensorKty,
+    ] {
         differ("choice", |language| choice_text(choice, language).to_owned());
     }
 }

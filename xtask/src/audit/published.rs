@@ -4,15 +4,29 @@ use super::output::step;
 use super::tally::Tally;
 use super::view::{AuditedCell, View, brief};
 
-/// KTY 84-130: rising, and within 1.1 ohm of the data sheet's closed form
+/// KTY 84-130: rising, typical values within 1.1 ohm of the data sheet's closed form, the bounds on both sides of them
 ///
 /// R = 1000 (1 + 6.12·10⁻³ (T − 100) + 1.1·10⁻⁵ (T − 100)² − 3.14·10⁻⁸ max(T − 250, 0)^3.6)
 ///
 /// Source: NXP data sheet KTY84 series rev. 06 (nxp-kty84).
 /// Tolerance: 1.1 ohm; the worst of the 36 points is 1.04 ohm off, at 300 °C.
 pub(super) fn temperature_sensor(view: &View, tally: &mut Tally) {
-    let row: Vec<&AuditedCell> = view.row("kty84-130", "R_KTY").collect();
-    rising(tally, &row);
+    let of = |which: &str| -> Vec<&AuditedCell> {
+        let cells = view.row("kty84-130", "R_KTY");
+        cells.filter(|cell| cell.cell.place.condition.starts_with(which)).collect()
+    };
+    let [least, row, largest] = ["least", "typical", "largest"].map(of);
+    for row in [&least, &row, &largest] {
+        rising(tally, row);
+    }
+    for ((low, middle), high) in least.iter().zip(&row).zip(&largest) {
+        let (Some(from), Some(typical), Some(to)) = (low.number(), middle.number(), high.number()) else { continue };
+        // Printed to whole ohms on both sides of the typical value, 3 % of it at least.
+        let is_right = (typical - from - (to - typical)).abs() <= 4.0 && from <= 0.97 * typical + 0.5;
+        tally.compare(is_right, &[low, middle, high], || {
+            format!("{} lies between {} and {}", middle.place(), brief(from), brief(to))
+        });
+    }
     for cell in row {
         let head =
             cell.cell.place.condition.split(", ").find_map(|part| part.strip_suffix(" degC")?.parse::<f64>().ok());
@@ -142,7 +156,7 @@ mod tests {
 
     #[test]
     fn a_changed_sensor_resistance_is_found() {
-        let view = View::with("kty84-130", "606", |cell| cell.place.condition.contains("25 degC"));
+        let view = View::with("kty84-130", "606", |cell| cell.place.condition == "typical, 25 degC");
         assert_eq!(findings_of(temperature_sensor, &view).len(), 1);
     }
 

@@ -79,7 +79,7 @@ identified! {
         Printed = "printed",
         /// What another maker lets the data of its servo motors be off: R ±10 %, k_E ±7.5 % (simodrive-611a).
         ServoMotors = "servo_motors",
-        /// ±3 % of the sensor's data sheet (nxp-kty84), there for 100 °C.
+        /// Least and largest resistance of the sensor's data sheet (nxp-kty84): ±3 % at 100 °C, wider away from it.
         KtySheet = "kty_data_sheet",
         /// The bounds of DIN 44081.
         Din44081 = "din_44081",
@@ -134,7 +134,6 @@ pub struct Expected {
 /// Half-widths of the bands, as shares.
 const RESISTANCE: f64 = 0.10;
 const VOLTAGE_CONSTANT: f64 = 0.075;
-const KTY: f64 = 0.03;
 /// Computed without saturation (cha-manual section 11.1), and no source states the deviation.
 const INDUCTANCE: f64 = 0.25;
 /// The supply may be 10 % off (printed), the coil as much as a winding.
@@ -180,16 +179,17 @@ impl Commissioning {
         Some(scaled(per_speed, speed_motor.si().abs()))
     }
 
-    /// R of the KTY, see [`sensors::kty_resistance`].
+    /// R of the KTY, see [`sensors::kty_resistance`], within [`sensors::kty_band`]; `None` where it is not led out.
     #[must_use]
     pub fn expected_kty(&self, sensor: ThermodynamicTemperature) -> Option<Expected> {
-        let nominal = sensors::kty_resistance(sensor)?.si();
+        let nominal = sensors::kty_resistance(sensor).filter(|_| self.has_kty())?;
+        let [low, high] = sensors::kty_band(sensor)?.map(Measure::si);
         let place = sensors::kty_cell(sensor);
         Some(Expected {
             what: Measurand::Kty,
-            nominal: Some(nominal),
-            low: nominal * (1.0 - KTY),
-            high: nominal * (1.0 + KTY),
+            nominal: Some(nominal.si()),
+            low,
+            high,
             band: Band::KtySheet,
             sources: place.map(|cell| Source::Published(&cell.place)).into_iter().collect(),
             grade: Band::KtySheet.grade(),
@@ -285,6 +285,9 @@ impl Commissioning {
 
 /// Below it a drive takes a temperature sensor for short-circuited (sinamics-g115d).
 pub const SHORT_CIRCUIT_OHM: f64 = 20.0;
+
+/// Above it a PTC is open. Ours: the standard has no upper bound of one that has responded, which stays below some 100 kΩ.
+pub const PTC_OPEN_OHM: f64 = 1e6;
 
 /// Above it a drive takes a KTY for open (sinamics-g115d).
 pub const KTY_OPEN_OHM: f64 = 2120.0;

@@ -246,7 +246,12 @@ fn one(about: &Commissioning, measured: &Measured, what: Measurand) -> Judged {
         // Each of its points is judged by itself.
         Measurand::NoLoadCurrent => return Judged::open(what, None, Unjudged::NotMeasured),
     };
-    if what.is_of_the_brake() && !about.has_brake() || what == Measurand::Ptc && !about.has_ptc() {
+    let is_there = match what {
+        Measurand::Kty => about.has_kty(),
+        Measurand::Ptc => about.has_ptc(),
+        other => !other.is_of_the_brake() || about.has_brake(),
+    };
+    if !is_there {
         return Judged::open(what, value, Unjudged::NotThere);
     }
     compare(about, what, value, expected)
@@ -260,7 +265,15 @@ fn quotient(one: Option<AngularVelocity>, other: Option<AngularVelocity>) -> Opt
 fn compare(about: &Commissioning, what: Measurand, value: Option<f64>, expected: Option<Expected>) -> Judged {
     match (value, expected) {
         (None, _) => Judged::open(what, None, Unjudged::NotMeasured),
-        (Some(value), None) => Judged::open(what, Some(value), Unjudged::NotStated),
+        // A sensor that is open or short-circuited is so at any temperature.
+        (Some(value), None) => match causes::of_a_broken_sensor(what, value) {
+            Some(cause) => Judged {
+                verdict: Verdict::Fail,
+                cause: Some(cause),
+                ..Judged::open(what, Some(value), Unjudged::NotStated)
+            },
+            None => Judged::open(what, Some(value), Unjudged::NotStated),
+        },
         (Some(value), Some(expected)) => {
             let cause = causes::of(about, value, &expected);
             Judged::of(value, expected, cause)

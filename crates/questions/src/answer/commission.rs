@@ -79,7 +79,7 @@ fn parameter(parameter: &Parameter, language: Language) -> CommissionParameter {
 
 fn drive_parameters(about: &Commissioning, language: Language) -> Vec<DriveParameter> {
     let record = |line: &sinamics::Line| {
-        let number = format!("p{}[0]", line.entry.number);
+        let number = line.entry.name();
         let document = Some(line.entry.document);
         match line.entry.setting {
             Setting::Choice(choice) => DriveParameter {

@@ -32,8 +32,10 @@ pub fn commission(record: &Commissioning, objects: &[DriveObject], language: Lan
     chapter.steps(record.commutation.clone());
     chapter.section(capitalised(commission::thresholds(language)));
     thresholds(&mut chapter, &record.thresholds, language);
-    if !record.thresholds.iter().any(|threshold| threshold.sensor == "ptc") {
-        chapter.text(commission::no_ptc(language));
+    for (sensor, absent) in [("kty", commission::no_kty(language)), ("ptc", commission::no_ptc(language))] {
+        if !record.thresholds.iter().any(|threshold| threshold.sensor == sensor) {
+            chapter.text(absent);
+        }
     }
     chapter.section(capitalised(commission::overload(language)));
     overload(&mut chapter, &record.overload, language);

@@ -1,6 +1,6 @@
 //! Typical causes of a measured value that is off, by the quotient of measured and expected.
 
-use crate::commission::expected::{Expected, KTY_OPEN_OHM, KTY_SHORT_OHM, Measurand, SHORT_CIRCUIT_OHM};
+use crate::commission::expected::{Expected, KTY_OPEN_OHM, KTY_SHORT_OHM, Measurand, PTC_OPEN_OHM, SHORT_CIRCUIT_OHM};
 use crate::commission::{Commissioning, ParameterId, sensors};
 use order_code::Ratio;
 use quantities::unit::DEGREE_CELSIUS;
@@ -139,6 +139,9 @@ fn first(quotient: f64, share: f64, patterns: &[(f64, Cause)]) -> Option<Cause> 
 /// The likely cause of a value that is not what is expected; `None` where no pattern fits.
 pub(super) fn of(about: &Commissioning, value: f64, expected: &Expected) -> Option<Cause> {
     let quotient = value / expected.nominal.unwrap_or(expected.high);
+    if let Some(cause) = of_a_broken_sensor(expected.what, value) {
+        return Some(cause);
+    }
     match expected.what {
         Measurand::ResistanceLl => resistance(about, value, quotient, expected),
         Measurand::InductanceLl => match quotient {
@@ -216,10 +219,17 @@ fn emf(about: &Commissioning, quotient: f64) -> Option<Cause> {
     }
 }
 
+/// A temperature sensor that is open or short-circuited, whatever its temperature; `None` for anything else.
+pub(super) fn of_a_broken_sensor(what: Measurand, value: f64) -> Option<Cause> {
+    match (what, value) {
+        (Measurand::Kty, ..KTY_SHORT_OHM) | (Measurand::Ptc, ..SHORT_CIRCUIT_OHM) => Some(Cause::Short),
+        (Measurand::Kty, KTY_OPEN_OHM..) | (Measurand::Ptc, PTC_OPEN_OHM..) => Some(Cause::Open),
+        _ => None,
+    }
+}
+
 fn kty(about: &Commissioning, value: f64) -> Option<Cause> {
     match value {
-        ..KTY_SHORT_OHM => Some(Cause::Short),
-        KTY_OPEN_OHM.. => Some(Cause::Open),
         ..=250.0 if about.has_ptc() => Some(Cause::OtherSensor),
         _ => {
             let shown = sensors::kty_temperature(ElectricalResistance::from_si(value))?;
@@ -232,9 +242,7 @@ fn ptc(value: f64, expected: &Expected) -> Option<Cause> {
     // A KTY has 330 Ω at -50 °C and 880 Ω at 80 °C.
     const KTY_OHM: std::ops::Range<f64> = 330.0..880.0;
     const RESPONDED_OHM: f64 = 1330.0;
-    if value < SHORT_CIRCUIT_OHM {
-        Some(Cause::Short)
-    } else if value >= RESPONDED_OHM {
+    if value >= RESPONDED_OHM {
         Some(Cause::PtcResponded)
     } else if value > expected.high && KTY_OHM.contains(&value) {
         Some(Cause::OtherSensor)
