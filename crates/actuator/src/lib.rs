@@ -11,6 +11,7 @@ mod friction;
 mod gear;
 mod heat;
 mod instant;
+mod link;
 mod motor;
 mod output_bearing;
 mod overload;
@@ -35,6 +36,7 @@ pub use gear::{
 };
 pub use heat::{Heat, HeatModel, LossMeans, Settled};
 pub use instant::{LossLaw, MotorCurrent, OperatingPoint, TerminalPower};
+pub use link::chopper_thresholds;
 pub use motor::{
     ContinuousLimit, continuous_torque, continuous_torque_with, copper_resistance, driven_share,
     estimated_continuous_torque, explain_friction, explain_stall_loss, speed_max, speed_max_with, speed_rated_out,

@@ -208,6 +208,61 @@ fn a_drive_ends_in_good_order() {
     );
 }
 
+/// A flood of one client, 500 steps of ten seconds or 5000 SYNC messages in one write, leaves the drive answering others and ending
+/// within a second.
+#[cfg(unix)]
+#[test]
+fn a_flood_keeps_no_one_waiting() {
+    let second = Duration::from_secs(1);
+    let mut drive = Drive::new(&["--time", "stepped"]);
+    let mut flood = drive.connect();
+    flood.write_all(&b"step 10000\n".repeat(500)).unwrap();
+    let mut other = Lines(BufReader::new(drive.connect()));
+    let mut begin = Instant::now();
+    for _ in 0..5 {
+        assert!(other.ask("time").starts_with("ok "));
+    }
+    assert!(begin.elapsed() < second, "{:?}", begin.elapsed());
+    begin = Instant::now();
+    drive.0.ended_by("-INT");
+    assert!(begin.elapsed() < second, "{:?}", begin.elapsed());
+
+    let mut drive = Drive::new(&["--protocol", "socketcand", "--time", "stepped"]);
+    let mut flood = drive.connect();
+    flood.write_all(b"< open vcan0 >< rawmode >").unwrap();
+    // Each SYNC message is 2.55 s of the axis: 60C2h sub 1 = 255, sub 2 = -2.
+    flood.write_all(b"< send 601 8 2F C2 60 1 FF 0 0 0 >< send 601 8 2F C2 60 2 FE 0 0 0 >").unwrap();
+    flood.write_all(&b"< send 080 0 >".repeat(5000)).unwrap();
+    // Until the flood is at work.
+    std::thread::sleep(Duration::from_millis(200));
+    begin = Instant::now();
+    drive.0.ended_by("-TERM");
+    assert!(begin.elapsed() < second, "{:?}", begin.elapsed());
+}
+
+/// Clients that have said one line and nothing more let another one in after a while, the longest idle one first; one that goes on asking
+/// stays.
+#[test]
+fn an_idle_client_gives_its_place_to_another() {
+    let drive = Drive::new(&["--time", "stepped"]);
+    let mut clients: Vec<Lines> = (0..8).map(|_| Lines(BufReader::new(drive.connect()))).collect();
+    for client in &mut clients {
+        assert_eq!(client.ask("read 6041"), "ok 592");
+    }
+    assert!(is_closed(drive.connect()), "none is idle for long yet");
+    std::thread::sleep(Duration::from_secs(11));
+    for client in clients.iter_mut().skip(1) {
+        assert_eq!(client.ask("read 6041"), "ok 592");
+    }
+    let mut ninth = Lines(BufReader::new(drive.connect()));
+    assert_eq!(ninth.ask("read 6041"), "ok 592");
+    let mut clients = clients.into_iter();
+    assert!(is_closed(clients.next().unwrap().0.into_inner()), "the idle one is let go");
+    for mut client in clients {
+        assert_eq!(client.ask("read 6041"), "ok 592");
+    }
+}
+
 #[test]
 fn what_cannot_be_driven_is_reported() {
     let taken = Drive::new(&[]);

@@ -206,13 +206,21 @@ impl<'a> Node<'a> {
         }
     }
 
-    /// A frame of the bus.
+    /// Takes a frame of the bus and lets the time pass that it makes go on.
     pub fn receive(&mut self, frame: &Frame) {
+        let steps = self.accept(frame);
+        self.advance(steps);
+    }
+
+    /// Takes a frame of the bus and returns the steps that it makes go on: those of a SYNC message, which the caller lets pass before
+    /// the next frame.
+    #[must_use]
+    pub fn accept(&mut self, frame: &Frame) -> u64 {
         let own = u16::from(self.id);
         let consumed = u16::try_from(self.number(0x1016, 1) >> 16 & 0x7F).unwrap_or(0);
         match frame.id {
             0 => self.manage(frame),
-            SYNC => self.synchronise(),
+            SYNC => return self.synchronise(),
             id if id == SDO_REQUEST + own => {
                 // A request has eight bytes always.
                 if self.nmt != Nmt::Stopped && frame.length == 8 {
@@ -225,6 +233,7 @@ impl<'a> Node<'a> {
             id if consumed != 0 && id == HEARTBEAT + consumed => self.heard_tick = Some(self.drive.ticks()),
             _ => self.take_process_data(frame),
         }
+        0
     }
 
     /// A command of the network management.
@@ -289,8 +298,8 @@ impl<'a> Node<'a> {
         self.report();
     }
 
-    /// The SYNC message: what waited for it is taken, then what follows it is sent.
-    fn synchronise(&mut self) {
+    /// Takes what waited for the SYNC message and sends what follows it; returns the steps that it makes go on.
+    fn synchronise(&mut self) -> u64 {
         if self.nmt == Nmt::Operational {
             for (place, parameter) in RECEIVED.into_iter().enumerate() {
                 if let Some(frame) = self.pending.get_mut(place).and_then(Option::take) {
@@ -314,10 +323,11 @@ impl<'a> Node<'a> {
                 }
             }
         }
-        if self.steps_with_sync {
-            let period = crate::scale::bounded(self.drive.period_s() / HALF_MS_S, 1, SYNC_MOST);
-            self.advance(u64::try_from(period).unwrap_or(1));
+        if !self.steps_with_sync {
+            return 0;
         }
+        let period = crate::scale::bounded(self.drive.period_s() / HALF_MS_S, 1, SYNC_MOST);
+        u64::try_from(period).unwrap_or(1)
     }
 
     /// PDOs that a change or their timer sends.

@@ -184,7 +184,7 @@ pub(crate) fn entries(given: &Given, scale: &Scale, most: [f64; 2], ramp_rad_s2:
     let mut list = Vec::new();
     communication(&mut list, given);
     pdos(&mut list, given.node);
-    own(&mut list);
+    own(&mut list, given);
     profile(&mut list, scale, most, ramp_rad_s2);
     // Values of the motor are those of the commissioning: one place for both.
     for object in &given.objects {
@@ -268,10 +268,12 @@ fn pdos(list: &mut Vec<Entry>, node: u8) {
 }
 
 /// What only this drive has.
-fn own(list: &mut Vec<Entry>) {
+fn own(list: &mut Vec<Entry>, given: &Given) {
     use DataType::{Integer16, Unsigned8, Unsigned16, Unsigned32};
     list.push(one(0x2000, "Simulated time", Unsigned32, 0).read_only().mapped().unit("ms"));
-    list.push(one(0x2001, "Winding temperature", Integer16, 0).read_only().mapped().unit("0.1 °C"));
+    if given.has_kty {
+        list.push(one(0x2001, "Winding temperature", Integer16, 0).read_only().mapped().unit("0.1 °C"));
+    }
     list.push(one(0x2002, "Overload I2t", Unsigned16, 0).read_only().mapped().unit("0.1 %"));
     list.push(one(0x2003, "Brake closed", Unsigned8, 0).read_only().mapped());
     list.push(one(0x2010, "Disturbance", Unsigned8, 0).within(0, i64::from(DISTURBANCES) - 1));

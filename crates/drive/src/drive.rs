@@ -29,6 +29,8 @@ pub struct Given {
     pub objects: Vec<Object>,
     /// Whether its feedback keeps its turns by a battery.
     pub has_battery: bool,
+    /// Whether the KTY of its winding is led out, so that a drive can read it.
+    pub has_kty: bool,
 }
 
 /// What a drive was commanded to end with.
@@ -199,9 +201,11 @@ impl<'a> Drive<'a> {
             self.state = State::SwitchOnDisabled;
         }
         self.obey();
-        let demand = self.followed();
+        // The twin follows the set-point of this instant, and then set-point and axis are those of the next.
+        let demand = self.demanded();
         self.twin.demand(demand);
         self.twin.advance(POSITION_EVERY);
+        self.follow();
         self.supervise();
         self.end();
     }
@@ -231,7 +235,7 @@ impl<'a> Drive<'a> {
             (0x1003, 0) => i64::try_from(self.errors.len()).unwrap_or(0),
             (0x1003, place) => i64::from(self.errors.get(usize::from(place) - 1).copied().unwrap_or(0)),
             (0x2000, 0) => i64::try_from(self.ticks / 2).unwrap_or(i64::MAX) & i64::from(u32::MAX),
-            (0x2001, 0) => plain(10.0 * (reading.sensor_k - 273.15)),
+            (0x2001, 0) => plain(10.0 * (reading.sensor_k? - 273.15)),
             (0x2002, 0) => plain(1000.0 * reading.overload),
             (0x2003, 0) => flag(reading.braked),
             (0x603F, 0) => self.trouble.map_or(0, |trouble| i64::from(trouble.code())),
@@ -244,7 +248,7 @@ impl<'a> Drive<'a> {
             // The torque is taken as proportional to the current, both over their stall values.
             (0x6077 | 0x6078, 0) => plain(1000.0 * self.sign() * reading.current_a / rated_a),
             (0x6079, 0) => plain(1000.0 * reading.link_v),
-            (0x60F4, 0) => self.scale.difference(reading.following_rad),
+            (0x60F4, 0) => self.scale.difference(self.following_rad()),
             _ => return None,
         })
     }
@@ -340,7 +344,14 @@ impl<'a> Drive<'a> {
     /// Whether the following error is beyond its window.
     pub(crate) fn is_beyond(&self) -> bool {
         let window = self.scale.plain_rad(self.dictionary.number(0x6065, 0));
-        self.reading().following_rad.abs() > window
+        self.following_rad().abs() > window
+    }
+
+    /// Set-point less position of the same instant \[rad\]; zero where no position is followed.
+    fn following_rad(&self) -> f64 {
+        let reading = self.reading();
+        let [position, ..] = self.demand;
+        if reading.pulses && self.mode != Mode::ProfileVelocity { position - reading.position_rad } else { 0.0 }
     }
 
     /// A fault: 13, and 14 where the axis is not braked.
@@ -392,6 +403,7 @@ impl<'a> Drive<'a> {
         self.ending = None;
         self.course = Course::Hold;
         (self.waiting, self.acknowledged) = (None, false);
+        (self.is_reached, self.within_s, self.is_at_limit) = (false, 0.0, false);
         self.state = to;
     }
 
@@ -406,8 +418,7 @@ impl<'a> Drive<'a> {
     }
 
     /// The demand of the next step of the twin.
-    fn followed(&mut self) -> Demand {
-        self.follow();
+    fn demanded(&self) -> Demand {
         let [_, speed, _] = self.demand;
         if self.mode == Mode::ProfileVelocity { Demand::Speed(speed) } else { Demand::Position(self.demand) }
     }

@@ -48,8 +48,28 @@ pub const WRONG: &str = "error arguments";
 /// The same for a line that is no command.
 pub const NO_COMMAND: &str = "error command";
 
-/// Answers a line.
+/// Returns the steps that a line lets pass before its answer, [`stepped`]; `None` for any other line, which [`answer`] answers at once.
+#[must_use]
+pub fn steps_of(time: Time, line: &str) -> Option<u64> {
+    let words: Vec<&str> = line.split_ascii_whitespace().collect();
+    match (words.as_slice(), time) {
+        (["step", milliseconds], Time::Stepped) => steps(milliseconds),
+        _ => None,
+    }
+}
+
+/// Answers a line that let steps pass, behind them.
+#[must_use]
+pub fn stepped(drive: &Drive<'_>) -> String {
+    format!("ok {:.1}", 1e3 * drive.time_s())
+}
+
+/// Answers a line; the steps of a line that has some pass within the call.
 pub fn answer(drive: &mut Drive<'_>, time: Time, line: &str) -> Answer {
+    if let Some(steps) = steps_of(time, line) {
+        drive.advance(steps);
+        return Answer::Line(stepped(drive));
+    }
     let words: Vec<&str> = line.split_ascii_whitespace().collect();
     let text = match words.as_slice() {
         ["read", at] => address(at).map(|at| read(drive, at)),
@@ -58,10 +78,6 @@ pub fn answer(drive: &mut Drive<'_>, time: Time, line: &str) -> Answer {
             Err(abort) => format!("abort 0x{:08X}", abort.code()),
         }),
         ["step", _] if time == Time::Real => Some("error real_time".to_owned()),
-        ["step", milliseconds] => steps(milliseconds).map(|steps| {
-            drive.advance(steps);
-            format!("ok {:.1}", 1e3 * drive.time_s())
-        }),
         ["time"] => Some(format!("ok {:.1} {}", 1e3 * drive.time_s(), time.id())),
         ["status"] => Some(status(drive)),
         ["bye"] => return Answer::Bye,
@@ -110,10 +126,11 @@ fn read(drive: &Drive<'_>, at: Address) -> String {
 }
 
 fn status(drive: &Drive<'_>) -> String {
-    let of = |index: u16| match drive.read(Address::new(index, 0)) {
-        Ok(Value::Number(number)) => number,
-        Ok(Value::Text(_)) | Err(_) => 0,
+    let read = |index: u16| match drive.read(Address::new(index, 0)) {
+        Ok(Value::Number(number)) => Some(number),
+        Ok(Value::Text(_)) | Err(_) => None,
     };
+    let of = |index: u16| read(index).unwrap_or(0);
     let names: [(&str, u16); 9] = [
         ("mode", 0x6061),
         ("demand", 0x6062),
@@ -132,8 +149,9 @@ fn status(drive: &Drive<'_>) -> String {
         of(0x6041),
         of(0x603F)
     );
-    for (name, index) in names {
-        text.push_str(&format!(" {name}={}", of(index)));
+    // A drive without the sensor of the winding has no such object.
+    for (name, number) in names.iter().filter_map(|(name, index)| Some((name, read(*index)?))) {
+        text.push_str(&format!(" {name}={number}"));
     }
     text
 }

@@ -67,6 +67,13 @@ impl Drive<'_> {
         speed.min(profile).min(motor).min(permitted)
     }
 
+    /// Whether the target velocity 60FFh is beyond what is permitted.
+    pub(crate) fn is_target_speed_cut(&self) -> bool {
+        let written = self.scale.speed_rad(self.dictionary.number(0x60FF, 0)).abs();
+        // The limits are rounded to a unit.
+        written > self.fastest(written) + self.scale.plain_rad(1)
+    }
+
     /// A position within the software limits 607Dh, where the least is below the largest.
     pub(crate) fn within_limits(&mut self, rad: f64) -> f64 {
         let [one, other] = [1, 2].map(|sub| self.dictionary.number(0x607D, sub));
@@ -181,20 +188,27 @@ impl Drive<'_> {
         }
     }
 
-    /// Whether the target is reached: within its window for the time of the window; a halt, once the axis stands.
+    /// Whether the target is reached: within its window for the time of the window; a halt and a quick stop that holds, once the
+    /// axis stands. A stop that switches off behind it reaches no target.
     fn judge(&mut self) {
         let reading = self.reading();
         let [_, wanted, _] = self.demand;
         let number = |index| self.dictionary.number(index, 0);
         let threshold = self.scale.plain_rad(number(0x606F));
-        let (is_within, time) = if self.is_halted() {
-            (wanted == 0.0 && reading.speed_rad_s.abs() <= threshold, 0)
+        let stands = wanted == 0.0 && reading.speed_rad_s.abs() <= threshold;
+        let holds = self.state == State::QuickStopActive && self.ending.is_some_and(|ending| ending.then.is_none());
+        let (is_within, time) = if holds {
+            (stands, 0)
+        } else if self.state != State::OperationEnabled || self.ending.is_some() {
+            (false, 0)
+        } else if self.is_halted() {
+            (stands, 0)
         } else {
             match self.mode {
                 Mode::None | Mode::CyclicPosition => (false, 0),
                 Mode::ProfilePosition => {
                     let window = self.scale.plain_rad(number(0x6067));
-                    let rests = matches!(self.course, Course::Hold) && self.state == State::OperationEnabled;
+                    let rests = matches!(self.course, Course::Hold);
                     let off = (self.target_rad - reading.position_rad).abs();
                     (rests && off <= window, number(0x6068))
                 }

@@ -129,7 +129,7 @@ parameters! {
     EncoderLines => "encoder_lines", "z", ONE, AsPrinted;
     /// Absolute positions in one turn of the motor.
     EncoderPositions => "encoder_positions", "N_1", ONE, AsPrinted;
-    /// Turns of the motor that an absolute feedback tells apart.
+    /// Turns of the motor that an absolute feedback counts.
     EncoderTurns => "encoder_turns", "N_t", ONE, AsPrinted;
     /// Voltage of the brake.
     BrakeVoltage => "brake_voltage", "U_Br", VOLT, AsPrinted;

@@ -205,7 +205,7 @@ fn the_storage_ends_for_what_is_stored_alone() {
 }
 
 /// What a list, a record, an object or a fact says of KTY, PTC, brake or encoder at the output has its pins in the wiring of the
-/// same code, and what the pins lead out is asked for.
+/// same code, and each signal of the pins is in them.
 #[test]
 fn the_commissioning_speaks_of_what_the_wiring_has() {
     use installation::commission::expected::Measurand;

@@ -62,6 +62,7 @@ pub fn with_drive<T>(
         seed,
         objects: cia402::objects(&about),
         has_battery: about.actuator.feedback.buffered_by_battery,
+        has_kty: about.has_kty(),
     };
     let encoder = crate::simulate::encoder_of(code);
     let failure = project.twin.scenario.failure;

@@ -20,7 +20,7 @@ pub struct Signal {
     pub about: Word,
     /// The unit of the column.
     pub unit: &'static Unit,
-    /// Its value in SI.
+    /// Its value in SI; NaN, an empty cell, where the actuator has no such signal.
     pub of: fn(&Sample) -> f64,
 }
 
@@ -109,7 +109,9 @@ pub const SIGNALS: &[Signal] = &[
     Signal::new(("housing", "housing_degc"), terms::housing, tables::temperature_about, &DEGREE_CELSIUS, |s| {
         s.housing_k
     }),
-    Signal::new(("sensor", "sensor_degc"), simulation::sensor, simulation::sensor, &DEGREE_CELSIUS, |s| s.sensor_k),
+    Signal::new(("sensor", "sensor_degc"), simulation::sensor, simulation::sensor, &DEGREE_CELSIUS, |s| {
+        s.sensor_k.unwrap_or(f64::NAN)
+    }),
     Signal::new(("overload", "overload"), tables::overload, tables::overload_about, &ONE, |s| s.overload),
     Signal::new(
         ("following_error", "following_error_rad"),
@@ -119,6 +121,7 @@ pub const SIGNALS: &[Signal] = &[
         |s| s.following_rad,
     ),
     Signal::new(("brake", "brake"), simulation::braked, simulation::braked, &ONE, |s| f64::from(u8::from(s.braked))),
+    Signal::new(("link_high", "link_high_v"), simulation::voltage, simulation::dc_link_high, &VOLT, |s| s.link_high_v),
 ];
 
 #[cfg(test)]

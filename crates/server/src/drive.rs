@@ -4,14 +4,14 @@ use crate::serve::{Unserved, end_requested, listening};
 use questions::drive::line::{self, Answer, LINE_MOST};
 use questions::drive::room::Drive;
 use questions::drive::{Frame, HALF_MS_S, Node, Time, socketcand};
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, VecDeque};
 use std::future::Future;
 use std::io::ErrorKind;
 use std::net::{Ipv4Addr, SocketAddr, TcpListener};
 use std::pin::pin;
 use std::time::{Duration, Instant};
 use tokio::net::TcpStream;
-use tokio::sync::mpsc;
+use tokio::sync::{mpsc, oneshot};
 
 /// How a client talks to the drive.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -51,8 +51,11 @@ impl DriveProtocol {
     }
 }
 
-/// Clients at the same time; further ones are turned away.
+/// Clients at the same time; for a further one the longest idle one is let go, or it is turned away.
 pub const CLIENTS_MOST: usize = 8;
+
+/// A client without a request for so long may be let go for another.
+const IDLE_TIME: Duration = Duration::from_secs(10);
 
 /// Time until the first request of a client.
 const FIRST_TIME: Duration = Duration::from_secs(60);
@@ -63,8 +66,11 @@ const WRITE_TIME: Duration = Duration::from_secs(10);
 /// Answers and frames that wait for a client; one that reads slower is closed.
 const WAITING_MOST: usize = 2048;
 
-/// Requests that wait for the drive.
-const REQUESTS_MOST: usize = 64;
+/// What connections report before the drive looks at it.
+const REPORTS_MOST: usize = 64;
+
+/// Steps of the drive between two looks at the end of the program and at its clients: 25 ms of the axis.
+const SLICE: u64 = 50;
 
 /// The clock is looked at so often.
 const TICK: Duration = Duration::from_millis(1);
@@ -83,8 +89,19 @@ pub struct DriveServer {
 /// What a connection reports.
 enum Event {
     Opened(u64, mpsc::Sender<Vec<u8>>),
-    Request(u64, Vec<u8>),
+    /// A request, and what is dropped once it is answered: only then a client brings its next one.
+    Request(u64, Vec<u8>, oneshot::Sender<()>),
     Closed(u64),
+}
+
+/// A request that waits for its turn or is being answered.
+struct Job {
+    client: u64,
+    request: Vec<u8>,
+    /// Steps of the drive until it is answered; `None`: it has not begun.
+    left: Option<u64>,
+    /// Dropped with the request.
+    _answered: oneshot::Sender<()>,
 }
 
 impl DriveServer {
@@ -135,13 +152,20 @@ struct Client {
     out: mpsc::Sender<Vec<u8>>,
     /// Whether its first request was one of the protocol: a command, raw mode.
     is_known: bool,
+    /// Its last request.
+    heard: Instant,
 }
+
+/// A client leaves, or is let go.
+struct Leaves;
 
 /// The drive with its clients and its clock.
 struct Bench<'a> {
     device: Device<'a>,
     time: Time,
     clients: BTreeMap<u64, Client>,
+    /// Requests in the order in which they came, at most one of each client.
+    jobs: VecDeque<Job>,
     begun: Instant,
     steps: u64,
 }
@@ -154,7 +178,7 @@ impl<'a> Bench<'a> {
             DriveProtocol::Line => Device::Line(Box::new(drive)),
             DriveProtocol::SocketCand => Device::Node(Box::new(Node::new(drive, node, time == Time::Stepped))),
         };
-        Self { device, time, clients: BTreeMap::new(), begun: Instant::now(), steps: 0 }
+        Self { device, time, clients: BTreeMap::new(), jobs: VecDeque::new(), begun: Instant::now(), steps: 0 }
     }
 
     const fn protocol(&self) -> DriveProtocol {
@@ -187,56 +211,126 @@ impl<'a> Bench<'a> {
                 if self.protocol() == DriveProtocol::SocketCand {
                     let _ = out.try_send(socketcand::HI.into());
                 }
-                self.clients.insert(id, Client { out, is_known: false });
+                self.clients.insert(id, Client { out, is_known: false, heard: Instant::now() });
             }
-            Event::Closed(id) => drop(self.clients.remove(&id)),
-            Event::Request(id, request) => {
-                self.follow_clock();
-                if !self.answer(id, &request) {
-                    self.clients.remove(&id);
+            Event::Closed(id) => {
+                self.clients.remove(&id);
+                self.jobs.retain(|job| job.client != id);
+            }
+            Event::Request(client, request, answered) => {
+                if let Some(client) = self.clients.get_mut(&client) {
+                    client.heard = Instant::now();
                 }
+                self.jobs.push_back(Job { client, request, left: None, _answered: answered });
             }
         }
     }
 
-    /// Answers a request; whether the client stays.
-    fn answer(&mut self, id: u64, request: &[u8]) -> bool {
-        let Some(client) = self.clients.get_mut(&id) else { return false };
+    /// Lets the longest idle client go where there is no place for another; whether there is one now.
+    fn has_place(&mut self) -> bool {
+        if self.clients.len() < CLIENTS_MOST {
+            return true;
+        }
+        let longest = self.clients.iter().min_by_key(|(_, client)| client.heard);
+        let Some((&id, _)) = longest.filter(|(_, client)| client.heard.elapsed() >= IDLE_TIME) else { return false };
+        self.handle(Event::Closed(id));
+        true
+    }
+
+    /// Works for one slice at the request whose turn it is. One that lets steps pass comes again behind those of the other clients:
+    /// on a bus, where the time belongs to all, they wait for it.
+    fn work(&mut self) {
+        let Some(mut job) = self.jobs.pop_front() else { return };
+        self.follow_clock();
+        let left = match job.left {
+            Some(left) => {
+                let steps = left.min(SLICE);
+                self.advance(steps);
+                left - steps
+            }
+            None => match self.begin(job.client, &job.request) {
+                Ok(steps) => steps,
+                Err(Leaves) => {
+                    self.clients.remove(&job.client);
+                    return;
+                }
+            },
+        };
+        if left == 0 {
+            if job.left.is_some() && !self.finish(job.client) {
+                self.clients.remove(&job.client);
+            }
+            return;
+        }
+        job.left = Some(left);
+        match self.device {
+            Device::Line(_) => self.jobs.push_back(job),
+            Device::Node(_) => self.jobs.push_front(job),
+        }
+    }
+
+    fn advance(&mut self, steps: u64) {
+        match &mut self.device {
+            Device::Line(drive) => drive.advance(steps),
+            Device::Node(node) => node.advance(steps),
+        }
+        self.send_frames();
+    }
+
+    /// Begins a request: answers it, or returns the steps that pass before its answer.
+    fn begin(&mut self, id: u64, request: &[u8]) -> Result<u64, Leaves> {
+        let client = self.clients.get_mut(&id).ok_or(Leaves)?;
+        let sent = |client: &Client, text: Vec<u8>| client.out.try_send(text).map_err(|_| Leaves);
         match &mut self.device {
             Device::Line(drive) => {
-                let Ok(text) = std::str::from_utf8(request) else { return false };
+                let text = std::str::from_utf8(request).map_err(|_| Leaves)?;
+                if let Some(steps) = line::steps_of(self.time, text) {
+                    client.is_known = true;
+                    return Ok(steps);
+                }
                 let answer = match line::answer(drive, self.time, text) {
                     Answer::Line(answer) => answer,
-                    Answer::Bye => return false,
+                    Answer::Bye => return Err(Leaves),
                     // A browser that was led here begins with something else.
-                    Answer::NoCommand | Answer::Wrong if !client.is_known => return false,
+                    Answer::NoCommand | Answer::Wrong if !client.is_known => return Err(Leaves),
                     Answer::NoCommand => line::NO_COMMAND.to_owned(),
                     Answer::Wrong => line::WRONG.to_owned(),
                 };
                 client.is_known = true;
-                client.out.try_send(format!("{answer}\n").into_bytes()).is_ok()
+                sent(client, format!("{answer}\n").into_bytes())?;
             }
             Device::Node(node) => {
-                let Ok(Some((message, _))) = socketcand::read(request) else { return false };
+                let Ok(Some((message, _))) = socketcand::read(request) else { return Err(Leaves) };
                 match message {
-                    socketcand::Message::Open => client.out.try_send(socketcand::OK.into()).is_ok(),
+                    socketcand::Message::Open => sent(client, socketcand::OK.into())?,
                     socketcand::Message::RawMode => {
                         client.is_known = true;
-                        client.out.try_send(socketcand::OK.into()).is_ok()
+                        sent(client, socketcand::OK.into())?;
                     }
-                    socketcand::Message::Echo => client.out.try_send(b"< echo >".to_vec()).is_ok(),
-                    socketcand::Message::Other => true,
-                    socketcand::Message::Send(_) if !client.is_known => false,
+                    socketcand::Message::Echo => sent(client, b"< echo >".to_vec())?,
+                    socketcand::Message::Other => {}
+                    socketcand::Message::Send(_) if !client.is_known => return Err(Leaves),
                     socketcand::Message::Send(frame) => {
                         let time_s = node.drive().time_s();
-                        node.receive(&frame);
+                        let steps = node.accept(&frame);
                         // The others on the bus hear it too.
                         self.broadcast(&[frame], time_s, Some(id));
                         self.send_frames();
-                        true
+                        return Ok(steps);
                     }
                 }
             }
+        }
+        Ok(0)
+    }
+
+    /// Answers a request behind its steps; whether the client stays.
+    fn finish(&self, id: u64) -> bool {
+        let Some(client) = self.clients.get(&id) else { return true };
+        match &self.device {
+            Device::Line(drive) => client.out.try_send(format!("{}\n", line::stepped(drive)).into_bytes()).is_ok(),
+            // A frame has no answer of its own.
+            Device::Node(_) => true,
         }
     }
 
@@ -261,17 +355,24 @@ impl<'a> Bench<'a> {
 
 async fn serve(listener: tokio::net::TcpListener, mut bench: Bench<'_>, end: impl Future<Output = ()>) {
     let protocol = bench.protocol();
-    let (report, mut events) = mpsc::channel::<Event>(REQUESTS_MOST);
+    let (report, mut events) = mpsc::channel::<Event>(REPORTS_MOST);
     let mut clock = tokio::time::interval(TICK);
     clock.set_missed_tick_behavior(tokio::time::MissedTickBehavior::Delay);
     let mut end = pin!(end);
     let mut next = 0_u64;
     loop {
         tokio::select! {
+            biased;
+            () = &mut end => break,
+            // Signals and sockets are looked at between two slices of work.
+            () = tokio::task::yield_now() => {}
+        }
+        bench.work();
+        tokio::select! {
             () = &mut end => break,
             Some(event) = events.recv() => bench.handle(event),
             accepted = listener.accept() => match accepted {
-                Ok((stream, _)) if bench.clients.len() < CLIENTS_MOST => {
+                Ok((stream, _)) if bench.has_place() => {
                     next += 1;
                     let (out, answers) = mpsc::channel(WAITING_MOST);
                     bench.handle(Event::Opened(next, out));
@@ -281,11 +382,12 @@ async fn serve(listener: tokio::net::TcpListener, mut bench: Bench<'_>, end: imp
                 Err(_) => tokio::time::sleep(TICK).await,
             },
             _ = clock.tick(), if bench.time == Time::Real => bench.follow_clock(),
+            () = std::future::ready(()), if !bench.jobs.is_empty() => {}
         }
     }
 }
 
-/// One connection: requests to the drive, answers back.
+/// One connection: requests to the drive one by one, answers back.
 async fn connection(
     stream: TcpStream,
     id: u64,
@@ -297,7 +399,23 @@ async fn connection(
     let mut received = Vec::new();
     let mut is_first = true;
     let mut first_time = pin!(tokio::time::sleep(FIRST_TIME));
+    let mut pending: Option<oneshot::Receiver<()>> = None;
     loop {
+        if pending.is_none() {
+            match first_request(protocol, &received) {
+                Some(Ok(end)) => {
+                    let request: Vec<u8> = received.drain(..end).collect();
+                    let (answered, waits) = oneshot::channel();
+                    is_first = false;
+                    if report.send(Event::Request(id, request, answered)).await.is_err() {
+                        break;
+                    }
+                    pending = Some(waits);
+                }
+                Some(Err(())) => break,
+                None => {}
+            }
+        }
         tokio::select! {
             // The drive has let the client go once what it answered is written.
             answer = answers.recv() => match answer {
@@ -308,29 +426,22 @@ async fn connection(
                 None => break,
             },
             () = &mut first_time, if is_first => break,
-            ready = stream.readable() => {
+            () = is_answered(&mut pending), if pending.is_some() => pending = None,
+            ready = stream.readable(), if pending.is_none() => {
                 if ready.is_err() || !taken(&stream, &mut received) {
                     break;
-                }
-                let mut goes_on = true;
-                while goes_on {
-                    match first_request(protocol, &received) {
-                        Some(Ok(end)) => {
-                            let request: Vec<u8> = received.drain(..end).collect();
-                            is_first = false;
-                            goes_on = report.send(Event::Request(id, request)).await.is_ok();
-                        }
-                        Some(Err(())) => {
-                            let _ = report.send(Event::Closed(id)).await;
-                            return;
-                        }
-                        None => break,
-                    }
                 }
             }
         }
     }
     let _ = report.send(Event::Closed(id)).await;
+}
+
+/// Waits until the drive has answered a request.
+async fn is_answered(pending: &mut Option<oneshot::Receiver<()>>) {
+    if let Some(waits) = pending {
+        let _ = waits.await;
+    }
 }
 
 /// The length of the first request of what was received; `None` where it is not complete, an error where it cannot be one.

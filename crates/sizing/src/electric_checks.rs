@@ -8,7 +8,7 @@ use crate::list::{Case, Outcome};
 use crate::notes::Note;
 use crate::supply::Edge;
 use crate::workings;
-use actuator::{ContinuousLimit, Drivetrain, ShortTime};
+use actuator::{ContinuousLimit, Drivetrain, ShortTime, chopper_thresholds};
 use derivation::{Finding, Workings};
 use provenance::{Grade, Missing, Source};
 use quantities::unit::{AMPERE, NEWTON_METRE, REVOLUTION_PER_MINUTE, SECOND, VOLT};
@@ -17,7 +17,8 @@ use trace::{Extent, Node, Panel, Sought};
 
 /// U_DC ≤ U_DCmax, the largest *stationary* voltage. What energy that comes back adds may pass it for a short time while
 /// braking (glossary of the manual), no source says how far and how long: with the rise that the project permits above
-/// U_DCmax the answer is advice.
+/// U_DCmax the answer is advice; so it is where no brake resistor can be switched between supply and U_DCmax, and the project
+/// states no rise: then whatever comes back passes U_DCmax.
 pub(crate) fn dc_link(axis: &Axis, actuator: &Drivetrain, work: &mut Workings) -> Outcome {
     let (id, rise) = (CheckId::DcLink, axis.asked.dc_link_rise);
     let link = axis.supply.ok_or(Missing { symbol: "requirements.supply" })?;
@@ -41,7 +42,14 @@ pub(crate) fn dc_link(axis: &Axis, actuator: &Drivetrain, work: &mut Workings) -
         _ => {
             work.value("U_DC");
             let comparison = Comparison::with(id, &VOLT, supply.si(), source, limit);
-            Comparison { grade: comparison.grade.worst(link.grade()), ..comparison }.answer(Verdict::Fail)
+            let mut check =
+                Comparison { grade: comparison.grade.worst(link.grade()), ..comparison }.answer(Verdict::Fail);
+            let has_room = chopper_thresholds(supply, Some(limit.value)).is_some() || rise.is_some();
+            if check.verdict == Verdict::Pass && !has_room {
+                check.verdict = Verdict::Advice;
+                check.notes.push(Note::NoChopperThreshold { supply, limit: limit.value });
+            }
+            check
         }
     };
     work.given("U_DCmax", &VOLT, limit);

@@ -1,7 +1,7 @@
 //! The checks of heat: continuous torque, temperature of the winding, overload supervision.
 
 use crate::axis::Axis;
-use crate::check::CheckId;
+use crate::check::{CheckId, Verdict};
 use crate::comparison::{Comparison, Edges, cite, project};
 use crate::currents::{Currents, coil_loss};
 use crate::list::{Case, Outcome};
@@ -180,7 +180,7 @@ pub(crate) fn overload(case: &Case<'_>, work: &mut Workings) -> Outcome {
     let what = Finding::OverloadPermitted;
     work.found("y_perm", &ONE, low, what, &source, Grade::Estimated);
     work.limit("y_perm");
-    Ok(Comparison {
+    let mut check = Comparison {
         id,
         unit: &ONE,
         value: peak.value,
@@ -192,5 +192,9 @@ pub(crate) fn overload(case: &Case<'_>, work: &mut Workings) -> Outcome {
         errata: stall.errata,
         notes: Notes::NONE,
     }
-    .between(Edges { limit: low, upper: high, unit: &ONE }))
+    .between(Edges { limit: low, upper: high, unit: &ONE });
+    if check.verdict != Verdict::Fail && peak.value > 1.0 {
+        check.notes.push(Note::TripsAtStallCurrent(stall.value));
+    }
+    Ok(check)
 }

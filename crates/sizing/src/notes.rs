@@ -2,7 +2,8 @@
 
 use crate::check::Amount;
 use quantities::{
-    Angle, AngularVelocity, ElectricPotential, Energy, Frequency, Length, Power, ThermodynamicTemperature, Time, Torque,
+    Angle, AngularVelocity, ElectricCurrent, ElectricPotential, Energy, Frequency, Length, Power,
+    ThermodynamicTemperature, Time, Torque,
 };
 use std::fmt;
 use std::ops::Deref;
@@ -103,6 +104,15 @@ pub enum Note {
         each_cycle: f64,
         /// Operation until the permitted number is reached, if that is printed.
         lasts: Option<Time>,
+    },
+    /// The duty does not fail, and a drive whose I²t supervision is set to I_0 trips all the same.
+    TripsAtStallCurrent(ElectricCurrent),
+    /// No threshold of a brake resistor lies between the largest voltage of the supply and U_DCmax.
+    NoChopperThreshold {
+        /// The largest voltage of the supply.
+        supply: ElectricPotential,
+        /// U_DCmax.
+        limit: ElectricPotential,
     },
     /// While energy comes back the DC link may rise above U_DCmax, for a short time only.
     DcLinkRises {

@@ -92,6 +92,21 @@ impl Supply {
         self.at(Edge::Low)
     }
 
+    /// The DC link without load at nominal mains.
+    #[must_use]
+    pub fn nominal(&self) -> ElectricPotential {
+        match self.from {
+            SupplyFrom::DcLink(stated) => stated,
+            SupplyFrom::Mains { nominal, .. } => ElectricPotential::from_si(SQRT_2 * nominal.si()),
+        }
+    }
+
+    /// The largest voltage of the DC link that the supply alone gives.
+    #[must_use]
+    pub fn most(&self) -> ElectricPotential {
+        self.at(Edge::High)
+    }
+
     /// The key that it follows from.
     pub(crate) const fn key(&self) -> &'static str {
         match self.from {

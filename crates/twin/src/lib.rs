@@ -31,7 +31,7 @@ pub use identify::{Estimate, Identification, Identified, IdentifyFault, Observed
 pub use parameters::{MeasuredLoad, Model, NoSuchParameter, Parameter, Parameters};
 pub use plant::Energies;
 pub use scenario::{Event, EventKind, Failed, Reaction, Scenario, ScenarioId};
-pub use setup::{Fault, Setup, Switches};
+pub use setup::{Fault, Setup, Supply, Switches};
 pub use summary::Summary;
 pub use twin::{Reading, Sample, Twin};
 pub use warm::settled;

@@ -145,9 +145,7 @@ impl Machine {
             friction_nm_a: ratio * constant_motor,
             heat,
             current_max_a: si(&actuator.current_max, "I_max")?,
-            stall_current_a: si(&actuator.stall_current_motor, "I_0")
-                .or_else(|_| si(&actuator.stall_current, "I_0"))
-                .ok(),
+            stall_current_a: si(&actuator.stall_current, "I_0").ok(),
             demagnetisation_a: si(&actuator.current_demagnetisation, "I_E").ok(),
             speed_max: speed_max(actuator)?.value.si(),
             brake,

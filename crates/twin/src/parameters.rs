@@ -1,5 +1,6 @@
 //! The parameters of the model: those of the actuator, and those that no table of the maker has, each with grade and source.
 
+use crate::setup::{SUPPLY_USUAL_V, Supply};
 use actuator::Parameters as Actuator;
 use provenance::{Datum, Grade, Missing, Source, Sourced};
 use quantities::{
@@ -200,15 +201,15 @@ model! {
     sensor_lag: Time = 10.0, Assumed;
     /// Time constant of the PTC in the winding, a smaller bead. A guess.
     ptc_lag: Time = 5.0, Assumed;
-    /// Energy that the capacitor of the DC link holds at the voltage of the supply: 470 µF at 560 V.
+    /// Energy that the capacitor of the DC link holds at the nominal voltage of the supply: 470 µF at 560 V.
     link_energy: Energy = 73.7, Assumed;
-    /// Resistance of the supply of the DC link.
+    /// Resistance of the supply of the DC link with its cable, at 560 V.
     supply_resistance: Resistance = 1.0, Assumed;
-    /// Resistance of the brake resistor.
+    /// Resistance of the brake resistor, at 560 V.
     brake_resistor: Resistance = 82.0, Assumed;
-    /// Voltage at which the brake resistor is switched on, over that of the supply.
+    /// Voltage at which the brake resistor is switched on, over the largest of the supply.
     chopper_on: Ratio = 1.15, Assumed;
-    /// Voltage at which it is switched off, over that of the supply.
+    /// Voltage at which it is switched off, over the largest of the supply.
     chopper_off: Ratio = 1.12, Assumed;
     /// Stiffness of a stop that the load meets. A guess: as stiff as a good machine frame.
     stop_stiffness: TorsionalStiffness = 2.0e5, Assumed;
@@ -262,10 +263,37 @@ load! {
 }
 
 impl Parameters {
-    /// Those of an actuator.
+    /// Those of an actuator on a drive at 560 V.
     #[must_use]
     pub fn of(actuator: &Actuator) -> Self {
-        Self { actuator: actuator.clone(), model: Model::default(), load: MeasuredLoad::default() }
+        Self::on_supply(actuator, &Supply::of(SUPPLY_USUAL_V))
+    }
+
+    /// Those of an actuator on a drive of a supply.
+    ///
+    /// E = E_560 U/560 V (C = C_560 560 V/U), R = R_560 U/560 V: a drive of the same current at another voltage; the brake resistor
+    /// between the largest voltage of the supply and that of the actuator
+    ///
+    /// # Symbols
+    /// U nominal voltage of the supply \[V\]; E_560, C_560, R_560 values at 560 V
+    /// # Source
+    /// docs/theory/twin.md; [`actuator::chopper_thresholds`]
+    /// # Valid
+    /// assumed: the drive is not known
+    #[must_use]
+    pub fn on_supply(actuator: &Actuator, supply: &Supply) -> Self {
+        let mut model = Model::default();
+        let scale = supply.nominal_v / SUPPLY_USUAL_V;
+        for value in [&mut model.link_energy, &mut model.supply_resistance, &mut model.brake_resistor] {
+            value.value *= scale;
+        }
+        let most = ElectricPotential::from_si(supply.most_v);
+        if let Some([off, on]) =
+            actuator::chopper_thresholds(most, actuator.dc_link_max.known().map(|known| known.value))
+        {
+            (model.chopper_off.value, model.chopper_on.value) = (off.si() / supply.most_v, on.si() / supply.most_v);
+        }
+        Self { actuator: actuator.clone(), model, load: MeasuredLoad::default() }
     }
 
     /// All of them, in a fixed order: the exported file.

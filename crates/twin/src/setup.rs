@@ -42,6 +42,25 @@ impl Switches {
     }
 }
 
+/// Voltages that the supply gives to the DC link by itself \[V\].
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Supply {
+    /// Under load at the lowest mains: what the drive works with.
+    pub least_v: f64,
+    /// Without load at nominal mains.
+    pub nominal_v: f64,
+    /// Without load at the highest mains: from there on what comes back raises the voltage.
+    pub most_v: f64,
+}
+
+impl Supply {
+    /// A DC link that is stated: one voltage.
+    #[must_use]
+    pub const fn of(voltage_v: f64) -> Self {
+        Self { least_v: voltage_v, nominal_v: voltage_v, most_v: voltage_v }
+    }
+}
+
 /// What is simulated.
 #[derive(Clone, Copy, Debug)]
 pub struct Setup<'a> {
@@ -57,8 +76,8 @@ pub struct Setup<'a> {
     pub scenario: Scenario,
     /// Which parts of the model count.
     pub switches: Switches,
-    /// DC voltage of the supply \[V\].
-    pub supply_v: f64,
+    /// The supply of the DC link.
+    pub supply: Supply,
     /// Share of U_DC/√2 that the drive can give.
     pub modulation: f64,
     /// Temperature of the air \[K\].
@@ -83,6 +102,9 @@ pub struct Setup<'a> {
     pub speed_step: Option<f64>,
 }
 
+/// The DC link at which the assumed parts of a drive are rated \[V\]: the mean of a rectifier at 400 V.
+pub(crate) const SUPPLY_USUAL_V: f64 = 560.0;
+
 /// Steps of the solver in one period of the current loop, unless stated: 10.4 µs each.
 pub(crate) const SUBSTEPS_USUAL: u32 = 6;
 
@@ -103,7 +125,7 @@ impl<'a> Setup<'a> {
             extras,
             scenario: Scenario::default(),
             switches: Switches::default(),
-            supply_v: 560.0,
+            supply: Supply::of(SUPPLY_USUAL_V),
             modulation: 1.0,
             ambient_k: 293.15,
             start_k: None,

@@ -34,7 +34,7 @@ pub struct Summary {
     pub winding_peak_k: f64,
     /// Largest state of the overload supervision.
     pub overload_peak: f64,
-    /// Least and largest voltage of the DC link \[V\].
+    /// Least voltage of the DC link at the least of the supply, and largest at the largest of it \[V\].
     pub link_v: [f64; 2],
     /// Energies.
     pub energies: Energies,
@@ -42,7 +42,7 @@ pub struct Summary {
     pub unaccounted_j: f64,
     /// \[J\]
     pub throughput_j: f64,
-    /// From the supply, and heat of the brake resistor \[J\].
+    /// From the supply, at its least voltage, and heat of the brake resistor, at its largest \[J\].
     pub supplied_j: f64,
     /// \[J\]
     pub resistor_j: f64,
@@ -143,14 +143,14 @@ impl Gathered {
 
     /// Once a period.
     #[inline]
-    pub(crate) fn each(&mut self, square_a2: f64, torque: f64, speed: f64, link_v: f64) {
+    pub(crate) fn each(&mut self, square_a2: f64, torque: f64, speed: f64, [low_v, high_v]: [f64; 2]) {
         self.current[0] = self.current[0].max(square_a2);
         self.current[1] += square_a2;
         self.periods += 1.0;
         self.torque[0] = self.torque[0].max(torque.abs());
         self.torque[1] += torque * torque;
         self.speed = self.speed.max(speed.abs());
-        self.link = [self.link[0].min(link_v), self.link[1].max(link_v)];
+        self.link = [self.link[0].min(low_v), self.link[1].max(high_v)];
     }
 
     /// Once a millisecond.
@@ -185,7 +185,7 @@ impl Gathered {
         &self,
         energies: &Energies,
         unaccounted_j: f64,
-        link: &Link,
+        [link, link_high]: [&Link; 2],
         time_s: f64,
         brake_closings: [u32; 2],
         happens: Option<f64>,
@@ -215,7 +215,7 @@ impl Gathered {
             unaccounted_j,
             throughput_j: energies.throughput(),
             supplied_j: link.supplied_j,
-            resistor_j: link.brake_j,
+            resistor_j: link_high.brake_j,
             brake_closings,
             stop_s: happens.and(last.stop).map(|(time, _)| time),
             stop_rad: happens.and(last.stop).map(|(_, way)| way),

@@ -3,6 +3,7 @@
 mod commanded;
 mod driving;
 mod reading;
+mod sample;
 mod start;
 mod supervision;
 
@@ -16,7 +17,7 @@ use crate::parameters::Parameter;
 use crate::plant::{Energies, Given, Plant, State, Stop};
 use crate::scenario::{Event, EventKind, ScenarioId};
 use crate::setpoint::{Course, SetPoint};
-use crate::setup::{Fault, STEP_MOST, SUBSTEPS_MOST, Setup};
+use crate::setup::{Fault, STEP_MOST, SUBSTEPS_MOST, Setup, Supply};
 use crate::summary::{Gathered, Summary};
 use actuator::{Losses, Temperatures};
 use numeric::Random;
@@ -26,6 +27,7 @@ use std::f64::consts::{SQRT_2, TAU};
 use commanded::Commanded;
 pub use commanded::Reading;
 use reading::Encoder;
+pub use sample::Sample;
 
 /// Duration of a period of the current loop \[s\].
 pub(crate) const PERIOD_S: f64 = 1.0 / CURRENT_RATE_HZ;
@@ -38,53 +40,6 @@ const AFTER_S: f64 = 0.5;
 
 /// The supply drops to this share and returns after this time \[s\].
 const SAG: (f64, f64) = (0.6, 0.2);
-
-/// One instant of a run.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Sample {
-    /// \[s\]
-    pub time_s: f64,
-    /// Set-point of the position \[rad\], and its speed [rad/s].
-    pub wanted_rad: f64,
-    /// Speed of the set-point [rad/s].
-    pub wanted_rad_s: f64,
-    /// Position of the load \[rad\].
-    pub position_rad: f64,
-    /// Speed of the load [rad/s].
-    pub speed_rad_s: f64,
-    /// Acceleration of the load [rad/s²].
-    pub acceleration_rad_s2: f64,
-    /// Position that the drive reads \[rad\]: as that of the load at the start.
-    pub measured_rad: f64,
-    /// Angle of the motor over i \[rad\].
-    pub motor_rad: f64,
-    /// Speed of the motor over i [rad/s].
-    pub motor_rad_s: f64,
-    /// Torque through the gear \[Nm\].
-    pub torque_nm: f64,
-    /// i_q \[A\], peak of a phase.
-    pub current_q_a: f64,
-    /// i_d \[A\].
-    pub current_d_a: f64,
-    /// u_q \[V\], peak of a phase.
-    pub voltage_q_v: f64,
-    /// u_d \[V\].
-    pub voltage_d_v: f64,
-    /// DC link \[V\].
-    pub link_v: f64,
-    /// Winding \[K\].
-    pub winding_k: f64,
-    /// Housing \[K\].
-    pub housing_k: f64,
-    /// What the KTY of the winding shows \[K\].
-    pub sensor_k: f64,
-    /// State of the overload supervision; it trips above one.
-    pub overload: f64,
-    /// Following error at the load \[rad\].
-    pub following_rad: f64,
-    /// Whether the brake is closed.
-    pub braked: bool,
-}
 
 /// A run.
 #[derive(Clone, Debug)]
@@ -107,6 +62,8 @@ pub struct Twin<'a> {
     brake: BrakeState,
     link_model: LinkModel,
     pub(crate) link: Link,
+    /// The DC link at the largest voltage of the supply, under the same power; `None` where the supply has one voltage.
+    link_high: Option<(LinkModel, Link)>,
     supply_share: f64,
     temperatures: Temperatures,
     sensor_k: f64,
@@ -151,11 +108,20 @@ impl<'a> Twin<'a> {
         if setup.substeps == 0 || setup.substeps > SUBSTEPS_MOST {
             return Err(Fault::OutOfRange("substeps"));
         }
-        for (key, value) in [("supply", setup.supply_v), ("ambient", setup.ambient_k), ("modulation", setup.modulation)]
-        {
+        let Supply { least_v, nominal_v, most_v } = setup.supply;
+        for (key, value) in [
+            ("supply", least_v),
+            ("supply", nominal_v),
+            ("supply", most_v),
+            ("ambient", setup.ambient_k),
+            ("modulation", setup.modulation),
+        ] {
             if !(value.is_finite() && value > 0.0) {
                 return Err(Fault::OutOfRange(key));
             }
+        }
+        if most_v < least_v {
+            return Err(Fault::OutOfRange("supply"));
         }
         if matches!(setup.mechanism.kind, mechanism::MechanismKind::Joint(_)) {
             return Err(Fault::RecordedTorque);
@@ -243,11 +209,11 @@ impl<'a> Twin<'a> {
             pulses,
         };
         plant.place(&mut state);
-        let chopper = [model.chopper_off.value, model.chopper_on.value].map(|share| share * setup.supply_v);
+        let chopper = [model.chopper_off.value, model.chopper_on.value].map(|share| share * most_v);
         let link_model = LinkModel {
-            capacity_f: 2.0 * model.link_energy.value / (560.0 * 560.0),
-            supply_v: setup.supply_v,
-            supply_ohm: model.supply_resistance.value.max(1e-3),
+            capacity_f: 2.0 * model.link_energy.value / (nominal_v * nominal_v),
+            supply_v: least_v,
+            supply_ohm: model.supply_resistance.value.max(1e-4),
             brake_ohm: model.brake_resistor.value.max(1e-3),
             chopper_v: chopper,
         };
@@ -256,7 +222,7 @@ impl<'a> Twin<'a> {
             plant.torque_constant * SQRT_2 * machine.current_max_a / (plant.inertia_kgm2 + local.inertia_kgm2) / 2.0;
         let limits = setup.limits.unwrap_or(Limits {
             following_rad: None,
-            link_v: [0.7 * setup.supply_v, start::link_most(&setup)],
+            link_v: [0.7 * least_v, start::link_most(&setup)],
             ramp_rad_s2: if fastest > 0.0 { fastest.min(torque_ramp) } else { torque_ramp },
             reaction: setup.scenario.reaction,
         });
@@ -285,6 +251,10 @@ impl<'a> Twin<'a> {
             phase,
             brake,
             link: link_model.start(),
+            link_high: (most_v > least_v).then(|| {
+                let model = LinkModel { supply_v: most_v, ..link_model };
+                (model, model.start())
+            }),
             link_model,
             supply_share: 1.0,
             temperatures: Temperatures {
@@ -452,18 +422,28 @@ impl<'a> Twin<'a> {
         let given = Given { voltage: self.voltage, load: &self.local, stop: self.stop.as_ref(), anchor: &self.anchor };
         self.plant.steps(&mut self.state, &given, self.setup.substeps, PERIOD_S / f64::from(self.setup.substeps));
         let after = &self.state.energies;
-        self.link_model.step(&mut self.link, after.terminal_j - before.terminal_j, self.supply_share, PERIOD_S);
+        let taken_j = after.terminal_j - before.terminal_j;
+        self.link_model.step(&mut self.link, taken_j, self.supply_share, PERIOD_S);
+        if let Some((model, link)) = &mut self.link_high {
+            model.step(link, taken_j, self.supply_share, PERIOD_S);
+        }
         let copper = after.copper_j - before.copper_j;
         self.slow.copper_j += copper;
         self.slow.heat_j += after.heat() - before.heat();
         let [i_d, i_q, ..] = self.state.x;
         let square = 0.5 * (i_d * i_d + i_q * i_q);
         self.slow.square_a2_s += square * PERIOD_S;
-        self.gathered.each(square, self.state.gear_nm, omega, self.link.voltage_v);
+        let link_v = [self.link.voltage_v, self.highest_link().voltage_v];
+        self.gathered.each(square, self.state.gear_nm, omega, link_v);
         self.tick += 1;
         if self.tick.is_multiple_of(SLOW_EVERY) {
             self.supervise();
         }
+    }
+
+    /// The DC link at the largest voltage of the supply.
+    pub(crate) fn highest_link(&self) -> &Link {
+        self.link_high.as_ref().map_or(&self.link, |(_, link)| link)
     }
 
     /// The voltage that the control puts out in this period.
@@ -507,37 +487,6 @@ impl<'a> Twin<'a> {
         self.given_by_the_drive(voltage)
     }
 
-    /// The state now.
-    #[must_use]
-    pub fn sample(&self) -> Sample {
-        let [i_d, i_q, theta, omega, position, speed] = self.state.x;
-        let [wanted, wanted_speed, _] = self.point.state;
-        let [u_d, u_q] = self.voltage;
-        Sample {
-            time_s: self.time_s(),
-            wanted_rad: wanted,
-            wanted_rad_s: wanted_speed,
-            position_rad: position,
-            speed_rad_s: speed,
-            acceleration_rad_s2: self.state.acceleration_rad_s2,
-            measured_rad: self.measured_rad(),
-            motor_rad: theta,
-            motor_rad_s: omega,
-            torque_nm: self.state.gear_nm,
-            current_q_a: i_q,
-            current_d_a: i_d,
-            voltage_q_v: u_q,
-            voltage_d_v: u_d,
-            link_v: self.link.voltage_v,
-            winding_k: self.temperatures.winding.si(),
-            housing_k: self.temperatures.housing.si(),
-            sensor_k: self.sensor_k,
-            overload: self.overload,
-            following_rad: wanted - position,
-            braked: self.brake.closed,
-        }
-    }
-
     /// What happened so far.
     #[must_use]
     pub fn events(&self) -> &[Event] {
@@ -558,7 +507,7 @@ impl<'a> Twin<'a> {
         self.gathered.summary(
             &energies,
             energies.unaccounted(stored),
-            &self.link,
+            [&self.link, self.highest_link()],
             self.time_s(),
             self.brake.closings,
             self.happens_s,

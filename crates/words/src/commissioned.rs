@@ -72,9 +72,7 @@ pub fn parameter_name(id: ParameterId, language: Language) -> &'static str {
             "Strichzahl des Gebers je Motorumdrehung, beim Resolver Polpaarzahl",
         ),
         P::EncoderPositions => ("absolute positions per motor revolution", "absolute Positionen je Motorumdrehung"),
-        P::EncoderTurns => {
-            ("motor revolutions resolved by the encoder", "vom Geber unterschiedene Motorumdrehungen")
-        }
+        P::EncoderTurns => ("motor revolutions resolved by the encoder", "vom Geber unterschiedene Motorumdrehungen"),
         P::BrakeVoltage => ("supply voltage of the brake", "Bremsenspannung"),
         P::BrakeOpeningCurrent => ("opening current of the brake", "Öffnungsstrom der Bremse"),
         P::BrakeHoldingCurrent => ("holding current of the brake", "Haltestrom der Bremse"),

@@ -3,8 +3,8 @@
 use super::results::{evidence_text, with_unit};
 use crate::texts::said;
 use quantities::unit::{
-    ARCMINUTE, DEGREE, DEGREE_CELSIUS, HERTZ, HOUR, JOULE, MILLIMETRE, MINUTE, NEWTON_METRE, REVOLUTION_PER_MINUTE,
-    SECOND, VOLT, WATT, YEAR,
+    AMPERE, ARCMINUTE, DEGREE, DEGREE_CELSIUS, HERTZ, HOUR, JOULE, MILLIMETRE, MINUTE, NEWTON_METRE,
+    REVOLUTION_PER_MINUTE, SECOND, VOLT, WATT, YEAR,
 };
 use quantities::{Angle, AngularVelocity, Language, Measure, Torque, format_number, format_significant};
 use sizing::{BrakeStop, Budget, Note, ResonanceSpeeds};
@@ -87,6 +87,21 @@ pub fn note_text(note: &Note, language: Language) -> String {
             said!(language =>
                 "up to {energy} are regenerated at a time: instead of a braking resistor, a capacitor bank of {millifarad} mF absorbs this energy within the stated rise of the DC link voltage"
                 | "zusammenhängend werden bis zu {energy} zurückgespeist: statt eines Bremswiderstands nimmt eine Kondensatorbatterie von {millifarad} mF diese Energie innerhalb des angegebenen Anstiegs der Zwischenkreisspannung auf"
+            )
+        }
+        Note::TripsAtStallCurrent(current) => {
+            let current = with_unit(current.si(), &AMPERE, 3, language);
+            said!(language =>
+                "a drive whose I²t monitoring is set to I_0 = {current} trips above 1, even where a higher value is permitted: agree on another setting with the manufacturer"
+                | "ein Servoregler, dessen I²t-Überwachung auf I_0 = {current} eingestellt ist, löst über 1 aus, auch wo ein höherer Wert zulässig ist: andere Einstellung mit dem Hersteller abstimmen"
+            )
+        }
+        Note::NoChopperThreshold { supply, limit } => {
+            let volt = |si| with_unit(si, &VOLT, 3, language);
+            let (supply, limit) = (volt(supply.si()), volt(limit.si()));
+            said!(language =>
+                "the supply reaches {supply}: no switch-on threshold of a braking resistor lies between it and U_DCmax = {limit}, so regenerated energy raises the DC link above U_DCmax while braking. The manual permits this for a short time and states no value: ask the manufacturer, lower the supply voltage, or state the rise of a capacitor bank as dc_link_rise"
+                | "die Versorgung erreicht {supply}: zwischen ihr und U_DCmax = {limit} liegt keine Einschaltschwelle eines Bremswiderstands, rückgespeiste Energie hebt den Zwischenkreis beim Bremsen über U_DCmax. Die Anleitung lässt das kurzfristig zu und nennt keinen Wert: beim Hersteller fragen, die Versorgungsspannung senken oder den Anstieg einer Kondensatorbatterie als dc_link_rise angeben"
             )
         }
         Note::DcLinkRises { to, free } => {

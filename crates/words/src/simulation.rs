@@ -49,6 +49,12 @@ texts! {
     source_head = "source" | "Quelle";
     supply_assumed(volt) =
         "no supply stated: DC link of {volt} V assumed" | "keine Versorgung angegeben: Zwischenkreis von {volt} V angenommen";
+    supply_edges(least, most) =
+        "mains with tolerance: currents, torques and speeds refer to the lowest DC link voltage, {least} V; maximum voltage and heat of the braking resistor to the highest, {most} V"
+        | "Netz mit Toleranz: Ströme, Drehmomente und Drehzahlen gelten bei der kleinsten Zwischenkreisspannung, {least} V; maximale Spannung und Wärme des Bremswiderstands bei der größten, {most} V";
+    no_chopper_threshold(most) =
+        "no switch-on threshold of a braking resistor lies between the supply of {most} V and U_DCmax: the simulated one is at 1.15 times the supply, so the DC link can exceed U_DCmax while braking; the manual permits this for a short time and states no value"
+        | "zwischen der Versorgung von {most} V und U_DCmax liegt keine Einschaltschwelle eines Bremswiderstands: simuliert ist das 1,15-Fache der Versorgung; der Zwischenkreis kann U_DCmax beim Bremsen übersteigen, was die Anleitung kurzfristig zulässt, ohne einen Wert zu nennen";
     following_peak = "following error of the load, maximum" | "Schleppfehler der Last, Maximum";
     following_rms = "following error of the load, rms" | "Schleppfehler der Last, effektiv";
     settling = "settling time after a move" | "Ausregelzeit nach einer Bewegung";
@@ -94,8 +100,8 @@ texts! {
         "the twin takes the current ripple into account; the sizing uses the winding resistance in continuous duty"
         | "der Zwilling berücksichtigt die Stromwelligkeit; die Auslegung rechnet mit dem Wicklungswiderstand im Dauerbetrieb";
     why_overload =
-        "the sizing refers to the steady state; the twin starts at zero and runs the stated number of cycles"
-        | "die Auslegung gilt für den eingeschwungenen Zustand; der Zwilling beginnt bei null und rechnet die angegebenen Zyklen";
+        "both refer to I_0 of the ratio; the sizing is the steady state and permits the continuous curve; the twin starts at zero, runs the stated cycles and trips at 1"
+        | "beide beziehen sich auf I_0 der Untersetzung; die Auslegung gilt eingeschwungen und lässt die Dauerkennlinie zu; der Zwilling beginnt bei null, rechnet die angegebenen Zyklen und löst bei 1 aus";
     why_regeneration =
         "the sizing assumes a cold winding, the twin uses the winding temperature of the run; the oscillation exchanges energy"
         | "die Auslegung rechnet mit kalter Wicklung, der Zwilling mit der Wicklungstemperatur des Laufs; die Schwingung tauscht Energie aus";
@@ -221,6 +227,7 @@ texts! {
     sensor = "winding temperature sensor" | "Wicklungsfühler";
     voltage = "voltage" | "Spannung";
     dc_link = "DC link" | "Zwischenkreis";
+    dc_link_high = "DC link at the highest mains" | "Zwischenkreis bei höchster Netzspannung";
     braked = "brake closed" | "Bremse geschlossen";
     trace_written(file, rows, every) = "{file}: {rows} rows, one every {every} ms" | "{file}: {rows} Zeilen im Abstand von {every} ms";
     signals_need_a_format =

@@ -144,6 +144,8 @@ fn notes() {
         Note::BrakingsLast { each_cycle: 2.0, lasts: Some(q(3.6e6)) },
         Note::BrakingsLast { each_cycle: 2.0, lasts: None },
         Note::DcLinkRises { to: q(700.0), free: q(100.0) },
+        Note::TripsAtStallCurrent(q(2.1)),
+        Note::NoChopperThreshold { supply: q(48.0), limit: q(48.0) },
         Note::Ratcheting { ratcheting: q(100.0), buckling: Some(q(200.0)) },
         Note::NoBrake,
         Note::EnergyPerCycle { motoring: q(10.0), regenerated: q(1.0), peak: q(5.0) },

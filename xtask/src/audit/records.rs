@@ -5,7 +5,7 @@ use super::view::View;
 use std::collections::BTreeSet;
 
 /// Sources that no table names, each with what it is kept for. A source that comes into use leaves this list.
-const SOURCES_WITHOUT_TABLE: [(&str, &str); 34] = [
+const SOURCES_WITHOUT_TABLE: [(&str, &str); 36] = [
     ("cha-manual-en-v03", "evidence of errata"),
     ("cha-manual-en-v01", "evidence of errata"),
     ("cha-page-57", "evidence of errata of table 57.1"),

@@ -17,6 +17,10 @@ impl Drive<'_> {
     pub(super) fn take_control(&mut self, value: i64) {
         let new = u16::try_from(value).unwrap_or(0);
         let rising = new & !self.control;
+        if (new ^ self.control) & HALT != 0 {
+            // Bit 10 answers another question from now on: at rest, or at the target.
+            (self.is_reached, self.within_s) = (false, 0.0);
+        }
         self.control = new;
         if rising & RESET != 0 {
             self.reset_fault();
@@ -66,6 +70,7 @@ impl Drive<'_> {
                     let rate = self.rate(if matches!(code, 1 | 5) { 0x6084 } else { 0x6085 });
                     let then = (code < 5).then_some(State::SwitchOnDisabled);
                     self.ending = Some(Ending { rate, then, stands: false });
+                    (self.is_reached, self.within_s) = (false, 0.0);
                     self.state = to;
                 }
             },
@@ -151,7 +156,7 @@ impl Drive<'_> {
         }
         self.mode = mode;
         (self.course, self.waiting, self.acknowledged) = (Course::Hold, None, false);
-        (self.is_reached, self.was_halted, self.within_s) = (false, false, 0.0);
+        (self.is_reached, self.was_halted, self.within_s, self.is_at_limit) = (false, false, 0.0, false);
         let [position, speed, _] = self.demand;
         self.target_rad = position;
         if mode == Mode::CyclicPosition {
@@ -160,11 +165,16 @@ impl Drive<'_> {
     }
 
     /// The statusword.
+    ///
+    /// Bits 10 to 13 as each mode has them. Bit 10: the target is reached; at a halt, and at a quick stop that holds (605Ah 5 and 6),
+    /// the axis has come to rest. Bit 11: current or voltage at a limit, or a target cut by 607Dh, 607Fh or 6080h.
+    ///
+    /// # Source
+    /// cia-402
     pub(crate) fn status_word(&self) -> u16 {
         let reading = self.reading();
         let bit = |number: u8, is_set: bool| u16::from(is_set) << number;
         let enabled = self.state == State::OperationEnabled;
-        let [position, _, _] = self.demand;
         let follows = enabled && self.ending.is_none() && !self.is_halted() && !self.is_held();
         let (twelve, thirteen) = match self.mode {
             Mode::None => (false, false),
@@ -175,7 +185,12 @@ impl Drive<'_> {
             }
             Mode::CyclicPosition => (follows, enabled && self.is_beyond()),
         };
-        let at_limit = self.is_at_limit && position.is_finite();
+        let at_limit = enabled
+            && match self.mode {
+                Mode::None => false,
+                Mode::ProfilePosition | Mode::CyclicPosition => self.is_at_limit,
+                Mode::ProfileVelocity => self.is_target_speed_cut(),
+            };
         self.state.bits()
             | bit(4, reading.link_ready)
             | bit(7, self.warns())

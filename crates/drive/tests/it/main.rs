@@ -60,6 +60,7 @@ impl Axis {
                 seed: 0,
                 objects: cia402::objects(&about),
                 has_battery: about.actuator.feedback.buffered_by_battery,
+                has_kty: about.has_kty(),
             },
         }
     }

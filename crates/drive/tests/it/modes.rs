@@ -169,3 +169,29 @@ fn a_load_does_not_sag_when_the_brake_opens() {
     assert!((after - before).abs() < 2e-4, "{before} {after}");
     assert!(read(&drive, 0x6077).abs() > 50, "{}", read(&drive, 0x6077));
 }
+
+/// 60F4h is demand less actual of one instant, at every instant and in every mode that follows a position; at constant speed it is the
+/// error of the loop and not a period of it late.
+#[test]
+fn the_following_error_is_demand_less_actual() {
+    let axis = usual();
+    let mut drive = axis.drive();
+    enabled(&mut drive, 1);
+    let speed = read(&drive, 0x607F) / 2;
+    write(&mut drive, 0x6081, speed);
+    write(&mut drive, 0x607A, 4 * speed);
+    write(&mut drive, 0x6040, 0x3F);
+    let mut at_speed = Vec::new();
+    for _ in 0..4000 {
+        drive.advance(1);
+        let error = read(&drive, 0x6062) - read(&drive, 0x6064);
+        assert!((read(&drive, 0x60F4) - error).abs() <= 1, "{} {error}", read(&drive, 0x60F4));
+        if (read(&drive, 0x606B) - speed).abs() < speed / 1000 {
+            at_speed.push(error);
+        }
+    }
+    let mean = at_speed.iter().sum::<i64>() as f64 / at_speed.len() as f64;
+    // A period of the position loop at this speed.
+    let period = speed as f64 * 0.5e-3;
+    assert!(at_speed.len() > 1000 && mean.abs() < 0.1 * period, "{mean} {period}");
+}

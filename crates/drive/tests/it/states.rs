@@ -213,3 +213,97 @@ fn it_is_not_switched_on_without_voltage() {
     drive.advance(400);
     assert_eq!(drive.state(), State::SwitchedOn);
 }
+
+/// Bit 10 at a quick stop that holds: 0 while the axis slows down, 1 once it has come to rest, whatever was reached before; one that
+/// switches off behind it never sets it. By the profile: *if quick stop option code is 5, 6, 7 or 8, this bit must be set, after the
+/// quick stop operation is finished and the drive is halted*.
+#[test]
+fn a_quick_stop_that_holds_reports_the_rest() {
+    let axis = usual();
+    for mode in [1, 3, 8] {
+        for option in [1, 2, 5, 6] {
+            let mut drive = axis.drive();
+            write(&mut drive, 0x605A, option);
+            enabled(&mut drive, mode);
+            let speed = read(&drive, 0x607F) / 2;
+            match mode {
+                3 => write(&mut drive, 0x60FF, speed),
+                1 => {
+                    write(&mut drive, 0x607A, 20 * speed);
+                    write(&mut drive, 0x6040, 0x3F);
+                }
+                _ => {}
+            }
+            for k in 0..1200 {
+                if mode == 8 && k % 20 == 0 {
+                    // A period of 10 ms each, faster from one to the next.
+                    let target = read(&drive, 0x6062) + speed / 100 * k.min(800) / 800;
+                    write(&mut drive, 0x607A, target);
+                }
+                drive.advance(1);
+            }
+            assert!(read(&drive, 0x606C) > speed / 4, "{mode} {option} {} {speed}", read(&drive, 0x606C));
+            write(&mut drive, 0x6040, 0x02);
+            assert_eq!((drive.state(), read(&drive, 0x6041) & 0x400), (State::QuickStopActive, 0), "{mode} {option}");
+            let mut rest = None;
+            for step in 0..6000 {
+                drive.advance(1);
+                let (word, velocity) = (read(&drive, 0x6041), read(&drive, 0x606C));
+                let bit = word & 0x400 != 0;
+                assert!(!bit || velocity.abs() <= read(&drive, 0x606F), "{mode} {option} {step}");
+                if bit && rest.is_none() {
+                    rest = Some(step);
+                }
+            }
+            assert_eq!(rest.is_some(), option > 4, "{mode} {option}");
+            let end = if option > 4 { State::QuickStopActive } else { State::SwitchOnDisabled };
+            assert_eq!((drive.state(), read(&drive, 0x6041) & 0x400 != 0), (end, option > 4), "{mode} {option}");
+        }
+    }
+}
+
+/// Bits 10 to 13 speak of an enabled drive alone: what was reached, cut or acknowledged is no property of one that is off, has a fault
+/// or begins anew.
+#[test]
+fn no_bit_of_a_mode_outlives_its_operation() {
+    let axis = usual();
+    for mode in [1, 3, 8] {
+        for end in [0x00, 0x06, 0x07, -1] {
+            let mut drive = axis.drive();
+            for index in [0x605B, 0x605C, 0x605E] {
+                write(&mut drive, index, 0);
+            }
+            drive.write(drive::Address::new(0x607D, 1), -10_000).unwrap();
+            drive.write(drive::Address::new(0x607D, 2), 10_000).unwrap();
+            enabled(&mut drive, mode);
+            write(&mut drive, 0x607A, 50_000);
+            write(&mut drive, 0x6040, 0x3F);
+            drive.advance(4000);
+            if end < 0 {
+                drive.raise(Trouble::Guarding);
+            } else {
+                write(&mut drive, 0x6040, end);
+            }
+            assert_ne!(drive.state(), State::OperationEnabled);
+            drive.advance(10);
+            // Bit 12 of profile velocity is the standstill, which is measured in any state.
+            let of_the_mode = if mode == 3 { 0x2C00 } else { 0x3C00 };
+            assert_eq!(read(&drive, 0x6041) & of_the_mode, 0, "{mode} {end} {:04X}", read(&drive, 0x6041));
+        }
+    }
+}
+
+/// The target velocity beyond what is permitted is cut, and bit 11 says so.
+#[test]
+fn a_target_velocity_that_is_cut_sets_the_limit() {
+    let axis = usual();
+    let mut drive = axis.drive();
+    enabled(&mut drive, 3);
+    let most = read(&drive, 0x607F);
+    for (target, expected) in [(most, 0), (most / 2, 0), (most + most / 10, 0x800), (-most - most / 10, 0x800), (0, 0)]
+    {
+        write(&mut drive, 0x60FF, target);
+        drive.advance(4000);
+        assert_eq!(read(&drive, 0x6041) & 0x800, expected, "{target} of {most}");
+    }
+}

@@ -235,6 +235,13 @@ fn notes(run: &Simulated<'_>, language: Language) -> Vec<String> {
     if let Some(volt) = run.supply_assumed_v {
         notes.push(simulation::supply_assumed(&format_significant(volt, 3, language), language));
     }
+    let volt = |volt: f64| format_significant(volt, 3, language);
+    if run.supply.most_v > run.supply.least_v {
+        notes.push(simulation::supply_edges(&volt(run.supply.least_v), &volt(run.supply.most_v), language));
+    }
+    if run.supply_within() == Some(false) {
+        notes.push(simulation::no_chopper_threshold(&volt(run.supply.most_v), language));
+    }
     if !run.left_out.is_empty() {
         notes.push(simulation::left_out(&run.left_out.join(", "), language));
     }

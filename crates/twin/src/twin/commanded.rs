@@ -26,16 +26,14 @@ pub struct Reading {
     pub position_rad: f64,
     /// Its speed [rad/s].
     pub speed_rad_s: f64,
-    /// Set-point less angle of the motor \[rad\]; zero without a position to follow.
-    pub following_rad: f64,
     /// Current that makes torque \[A\], rms.
     pub current_a: f64,
     /// DC link \[V\].
     pub link_v: f64,
     /// Whether the DC link is high enough for pulses.
     pub link_ready: bool,
-    /// What the sensor of the winding shows \[K\].
-    pub sensor_k: f64,
+    /// Temperature that the KTY of the winding shows \[K\]; `None` where no connector leads it out.
+    pub sensor_k: Option<f64>,
     /// State of the overload supervision; it trips above one.
     pub overload: f64,
     /// Whether the brake is closed.
@@ -142,11 +140,10 @@ impl<'a> Twin<'a> {
             time_s: self.time_s(),
             position_rad: self.measured_rad(),
             speed_rad_s: if pulses { self.control.speed } else { omega },
-            following_rad: if pulses { self.control.following_rad } else { 0.0 },
             current_a: i_q / SQRT_2,
             link_v: self.link.voltage_v,
             link_ready: self.link.voltage_v >= self.limits.link_v[0],
-            sensor_k: self.sensor_k,
+            sensor_k: self.sensor_seen_k(),
             overload: self.overload,
             braked: self.brake.closed,
             pulses,

@@ -3,7 +3,7 @@
 use crate::scenario::ScenarioId;
 use crate::setpoint::Course;
 use crate::setup::{Fault, Setup};
-use quantities::Measure;
+use quantities::{ElectricPotential, Measure};
 
 /// The air of a scenario \[K\].
 pub(super) fn ambient(setup: &Setup<'_>) -> f64 {
@@ -15,10 +15,17 @@ pub(super) fn ambient(setup: &Setup<'_>) -> f64 {
     }
 }
 
-/// The largest voltage of the DC link: that of the actuator.
+/// Voltage of the DC link at which the drive switches off \[V\]: U_DCmax, where a brake resistor can hold the link below it.
+///
+/// Else U_DCmax is passed while braking, which the manual permits for a short time (glossary), and the drive protects itself alone:
+/// at a quarter above its supply, which is ours.
 pub(super) fn link_most(setup: &Setup<'_>) -> f64 {
-    let known = setup.parameters.actuator.dc_link_max.known().map(|known| known.value.si());
-    known.unwrap_or(1.25 * setup.supply_v).max(1.05 * setup.supply_v)
+    let most = ElectricPotential::from_si(setup.supply.most_v);
+    let limit = setup.parameters.actuator.dc_link_max.known().map(|known| known.value);
+    match (limit, actuator::chopper_thresholds(most, limit)) {
+        (Some(limit), Some(_)) => limit.si(),
+        _ => 1.25 * setup.supply.most_v,
+    }
 }
 
 /// When the scenario takes place.

@@ -36,7 +36,7 @@ impl Twin<'_> {
             }
             self.gathered.warm(winding, housing, self.overload);
         }
-        if self.link.chopping {
+        if self.highest_link().chopping {
             self.note(EventKind::BrakeResistor);
         }
         let [i_d, i_q, ..] = self.state.x;
@@ -105,7 +105,7 @@ impl Twin<'_> {
         if self.link.voltage_v < low && self.state.pulses {
             self.fault(EventKind::LinkLow, without_drive);
         }
-        if self.link.voltage_v > high {
+        if self.highest_link().voltage_v > high {
             self.fault(EventKind::LinkHigh, without_drive);
         }
         if self.state.x[3].abs() > 1.1 * self.machine.speed_max {

@@ -3,8 +3,10 @@
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::indexing_slicing, clippy::panic, reason = "a test may fail")]
 
 mod averaged;
+mod course;
 mod identify;
 mod linear;
+mod link;
 mod runs;
 mod steady;
 

@@ -1,0 +1,104 @@
+//! The course of a run: set-point, state and what the drive supervises at one instant.
+
+use super::Twin;
+use crate::control::Demand;
+use crate::drive::Phase;
+use quantities::Measure;
+
+/// One instant of a run.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Sample {
+    /// \[s\]
+    pub time_s: f64,
+    /// Set-point of the position \[rad\], and its speed [rad/s].
+    pub wanted_rad: f64,
+    /// Speed of the set-point [rad/s].
+    pub wanted_rad_s: f64,
+    /// Position of the load \[rad\].
+    pub position_rad: f64,
+    /// Speed of the load [rad/s].
+    pub speed_rad_s: f64,
+    /// Acceleration of the load [rad/s²].
+    pub acceleration_rad_s2: f64,
+    /// Position that the drive reads \[rad\]: as that of the load at the start.
+    pub measured_rad: f64,
+    /// Angle of the motor over i \[rad\].
+    pub motor_rad: f64,
+    /// Speed of the motor over i [rad/s].
+    pub motor_rad_s: f64,
+    /// Torque through the gear \[Nm\].
+    pub torque_nm: f64,
+    /// i_q \[A\], peak of a phase.
+    pub current_q_a: f64,
+    /// i_d \[A\].
+    pub current_d_a: f64,
+    /// u_q \[V\], peak of a phase.
+    pub voltage_q_v: f64,
+    /// u_d \[V\].
+    pub voltage_d_v: f64,
+    /// DC link at the least voltage of the supply \[V\].
+    pub link_v: f64,
+    /// DC link at the largest voltage of the supply \[V\].
+    pub link_high_v: f64,
+    /// Winding \[K\].
+    pub winding_k: f64,
+    /// Housing \[K\].
+    pub housing_k: f64,
+    /// Temperature that the KTY of the winding shows \[K\]; `None` where no connector leads it out.
+    pub sensor_k: Option<f64>,
+    /// State of the overload supervision; it trips above one.
+    pub overload: f64,
+    /// Following error at the load \[rad\].
+    pub following_rad: f64,
+    /// Whether the brake is closed.
+    pub braked: bool,
+}
+
+impl Twin<'_> {
+    /// The set-point of this instant, which may lie between two periods of the position loop.
+    fn wanted(&self) -> [f64; 3] {
+        match self.phase {
+            Phase::Running | Phase::Resting => self.course.at(self.time_s()).state,
+            Phase::Commanded(Demand::Speed(speed)) => [self.state.x[4], speed, 0.0],
+            // What a caller commands, and what stands after a stop, holds until it is changed.
+            Phase::Commanded(Demand::Position(_)) | Phase::Ramp(_) | Phase::Holding(_) | Phase::Off => self.point.state,
+        }
+    }
+
+    /// Temperature of the winding that a drive can read \[K\].
+    pub(super) fn sensor_seen_k(&self) -> Option<f64> {
+        (!self.setup.parameters.actuator.without_kty).then_some(self.sensor_k)
+    }
+
+    /// The state now.
+    #[must_use]
+    pub fn sample(&self) -> Sample {
+        let [i_d, i_q, theta, omega, position, speed] = self.state.x;
+        let [wanted, wanted_speed, _] = self.wanted();
+        let [u_d, u_q] = self.voltage;
+        Sample {
+            time_s: self.time_s(),
+            wanted_rad: wanted,
+            wanted_rad_s: wanted_speed,
+            position_rad: position,
+            speed_rad_s: speed,
+            acceleration_rad_s2: self.state.acceleration_rad_s2,
+            measured_rad: self.measured_rad(),
+            motor_rad: theta,
+            motor_rad_s: omega,
+            torque_nm: self.state.gear_nm,
+            current_q_a: i_q,
+            current_d_a: i_d,
+            voltage_q_v: u_q,
+            voltage_d_v: u_d,
+            link_v: self.link.voltage_v,
+            link_high_v: self.highest_link().voltage_v,
+            winding_k: self.temperatures.winding.si(),
+            housing_k: self.temperatures.housing.si(),
+            sensor_k: self.sensor_seen_k(),
+            overload: self.overload,
+            following_rad: wanted - position,
+            braked: self.brake.closed,
+        }
+    }
+}
