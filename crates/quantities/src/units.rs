@@ -47,8 +47,9 @@ impl Unit {
 
     /// The unit of a dimension with this spelling.
     ///
-    /// Case matters (`mN` is no `MN`); spaces, `·`, `*` and `^` do not, and `²`, `⁻¹`, `µ`, `Ω`, `°` may stand for
-    /// `2`, `-1`, `u`, `ohm`, `deg`.
+    /// Case matters (`mN` is no `MN`); spaces and `^` do not, and `²`, `⁻¹`, `µ`, `Ω`, `°` may stand for `2`, `-1`, `u`, `ohm`,
+    /// `deg`. A sign of a product (`·`, `*`, `×`) parts factors, as a space between two units does: `m·N` is a newton metre and
+    /// no millinewton. Factors may stand in any order.
     #[must_use]
     pub fn of_dimension(dimension: Dimension, spelling: &str) -> Option<&'static Self> {
         with_spelling(spelling).iter().copied().find(|unit| unit.dimension == dimension)
@@ -73,7 +74,9 @@ impl Unit {
                 // Case counts, but less than a wrong letter.
                 let letters = strsim::damerau_levenshtein(&wanted.to_lowercase(), &known.to_lowercase());
                 let distance = (letters, strsim::damerau_levenshtein(&wanted, &known));
-                let near = letters <= 1 + length / 3 && letters < length.max(known.chars().count());
+                // What is alike but for its factors, `m·s` and `ms`, is another unit.
+                let is_near = letters <= 1 + length / 3 && letters < length.max(known.chars().count());
+                let near = is_near && known != wanted;
                 if near && best.is_none_or(|(least, _)| distance < least) {
                     best = Some((distance, unit));
                 }
@@ -125,7 +128,97 @@ fn with_spelling(spelling: &str) -> &'static [&'static Unit] {
         return &[];
     }
     // Most are written as the index has them.
-    INDEX.get(spelling).or_else(|| INDEX.get(&canonical(spelling))).map_or(&[], Vec::as_slice)
+    if let Some(units) = INDEX.get(spelling) {
+        return units;
+    }
+    let written = Factors::of(spelling);
+    match INDEX.get(&written.text) {
+        Some(units) if units.iter().all(|unit| written.are_of(unit)) => units,
+        _ => written.sorted().and_then(|product| PRODUCTS.get(&product)).map_or(&[], Vec::as_slice),
+    }
+}
+
+/// Units by the factors above and below their fraction stroke, each sorted: `m·N` is a newton metre.
+static PRODUCTS: LazyLock<BTreeMap<String, Vec<&'static Unit>>> = LazyLock::new(|| {
+    let mut products: BTreeMap<String, Vec<&'static Unit>> = BTreeMap::new();
+    for unit in Dimension::ALL.iter().flat_map(|dimension| dimension.units()) {
+        for spelling in unit.spellings() {
+            let Some(product) = Factors::of(spelling).sorted() else { continue };
+            let units = products.entry(product).or_default();
+            if !units.contains(&unit) {
+                units.push(unit);
+            }
+        }
+    }
+    products
+});
+
+/// A spelling with the places at which factors part.
+struct Factors {
+    /// The canonical spelling.
+    text: String,
+    /// Bytes before which a sign of a product or a space stands between two letters, and whether it is a sign.
+    parted: Vec<(usize, bool)>,
+}
+
+impl Factors {
+    fn of(spelling: &str) -> Self {
+        let mut found = Self { text: String::with_capacity(spelling.len()), parted: Vec::new() };
+        let mut between = None;
+        for part in spelling.split_inclusive(|c: char| is_product(c) || c.is_whitespace()) {
+            let letters = part.trim_end_matches(|c: char| is_product(c) || c.is_whitespace());
+            let behind = canonical(letters);
+            // A power, a stroke and a number join what stands beside them.
+            if let Some(is_sign) = between
+                && behind.starts_with(char::is_alphabetic)
+                && found.text.ends_with(char::is_alphanumeric)
+            {
+                found.parted.push((found.text.len(), is_sign));
+            }
+            let is_sign = part.chars().next_back().filter(|_| letters.len() < part.len()).map(is_product);
+            between = if letters.is_empty() { between.max(is_sign) } else { is_sign };
+            found.text.push_str(&behind);
+        }
+        found
+    }
+
+    /// The factors between the places.
+    fn each(&self) -> impl Iterator<Item = &str> {
+        let ends = self.parted.iter().map(|(at, _)| *at).chain([self.text.len()]);
+        let begins = [0].into_iter().chain(self.parted.iter().map(|(at, _)| *at));
+        begins.zip(ends).map(|(begin, end)| self.text.get(begin..end).unwrap_or_default())
+    }
+
+    /// Whether a unit has its factors parted at these places, in the spelling that is alike but for them. A prefix is no factor:
+    /// behind a sign of a product `m` is a metre, and a space between two units parts them too.
+    fn are_of(&self, unit: &Unit) -> bool {
+        let own = || unit.spellings().map(Self::of).filter(|own| own.text == self.text);
+        let is_own = |at: usize| own().any(|own| own.parted.iter().any(|(place, _)| *place == at));
+        let mut factors = self.each();
+        let mut before = factors.next().unwrap_or_default();
+        self.parted.iter().zip(factors).all(|((at, is_sign), behind)| {
+            let both = [std::mem::replace(&mut before, behind), behind];
+            is_own(*at) || !is_sign && !both.iter().all(|factor| INDEX.contains_key(*factor))
+        })
+    }
+
+    /// The factors above the fraction stroke in a fixed order, and what stands below it; `None` where there is one factor only, or
+    /// where its place may say something.
+    fn sorted(&self) -> Option<String> {
+        let (above, below) = self.text.split_at(self.text.find('/').unwrap_or(self.text.len()));
+        let is_plain = below.matches('/').count() < 2 && !self.text.contains(['(', ')']);
+        if self.parted.is_empty() || !is_plain || self.parted.iter().any(|(at, _)| *at > above.len()) {
+            return None;
+        }
+        let mut factors: Vec<&str> = self.each().map(|factor| factor.strip_suffix(below).unwrap_or(factor)).collect();
+        factors.sort_unstable();
+        Some(factors.join("·") + below)
+    }
+}
+
+/// A sign of a product.
+const fn is_product(c: char) -> bool {
+    matches!(c, '·' | '⋅' | '∙' | '*' | '×')
 }
 
 /// A spelling without what does not matter: spaces and signs of a product or power, raised digits, Greek letters.
@@ -133,7 +226,7 @@ pub(crate) fn canonical(spelling: &str) -> String {
     let mut out = String::with_capacity(spelling.len());
     for c in spelling.chars() {
         match c {
-            '·' | '⋅' | '∙' | '*' | '^' => {}
+            '·' | '⋅' | '∙' | '*' | '×' | '^' => {}
             c if c.is_whitespace() => {}
             '⁻' | '−' => out.push('-'),
             '⁰' => out.push('0'),

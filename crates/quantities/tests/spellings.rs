@@ -77,6 +77,84 @@ fn spellings_as_people_write_them() {
     }
 }
 
+/// Writers of units put the factors in the order of the alphabet, with a sign between them: a metre newton is no millinewton.
+#[test]
+fn a_product_is_a_product_in_every_order() {
+    use Dimension::*;
+    for (dimension, spellings, unit) in [
+        (Torque, &["m·N", "m*N", "m * N", "m×N", "m N", "m ⋅ N", "m\u{a0}N"][..], "N m"),
+        (Torque, &["m·kN"], "kN m"),
+        (Torque, &["cm·N"], "N cm"),
+        (Torque, &["mm·N"], "N mm"),
+        (MomentOfInertia, &["m²·kg", "m ** 2 * kg", "kg * m ** 2", "m^2 kg"], "kg m^2"),
+        (TorsionalStiffness, &["m·N/rad", "m * N / rad", "N·m/rad"], "N m/rad"),
+        (TorqueConstant, &["m·N/A"], "N m/A"),
+        (ViscousFriction, &["m·N·s/rad", "s·N·m/rad"], "N m s/rad"),
+    ] {
+        for spelling in spellings {
+            assert_eq!(meaning(dimension, spelling), Some(unit), "{spelling}");
+        }
+    }
+    for (dimension, spellings) in [
+        (Force, &["m·N", "m*N", "m N", "m × N", "M·N", "k·N"][..]),
+        (Torque, &["m·N·m", "m N m", "k·N·m", "m·Nm"]),
+        (Time, &["m·s", "m s", "m * s", "u·s"]),
+        (Current, &["m·A", "m A"]),
+        (Length, &["m·m", "m m", "k·m"]),
+        (Power, &["k·W", "m·W"]),
+    ] {
+        for spelling in spellings {
+            assert_eq!(meaning(dimension, spelling), None, "{spelling}");
+        }
+    }
+    assert_eq!(parse(Torque, "60 m·N").unwrap().si, 60.0);
+    assert!(parse(Force, "85 m*N").is_err());
+}
+
+/// No sign of a product in a spelling makes a prefix of what stands before it; where the factors are those of the unit the sign says
+/// what the space says. Every unit, every place.
+#[test]
+fn a_sign_of_a_product_never_makes_a_prefix() {
+    let mut refused = 0;
+    for unit in ALL {
+        for spelling in unit.spellings() {
+            let letters: Vec<char> = spelling.chars().collect();
+            for at in 1..letters.len() {
+                let (before, behind) = (letters[at - 1], letters[at]);
+                if !(before.is_alphanumeric() && behind.is_alphabetic()) {
+                    continue;
+                }
+                let factors = [&letters[..at], &letters[at..]].map(|part| part.iter().collect::<String>());
+                for sign in ["·", " * ", "×"] {
+                    let written = factors.join(sign);
+                    let found = Unit::of_dimension(unit.dimension, &written);
+                    // Of a unit that is written with a space in that place the sign is that space.
+                    let spaced = factors.join(" ");
+                    let is_product = unit.spellings().any(|own| same(own, &spaced));
+                    if !is_product {
+                        assert_ne!(found, Some(*unit), "{written} as {unit:?}");
+                        refused += 1;
+                    }
+                }
+            }
+        }
+    }
+    assert!(refused > 300, "{refused}");
+}
+
+/// Whether a spelling has a space wherever another one has.
+fn same(own: &str, spaced: &str) -> bool {
+    let raised =
+        [('⁻', "-"), ('¹', "1"), ('²', "2"), ('³', "3"), ('⁴', "4"), ('Ω', "ohm"), ('µ', "u"), ('°', "deg"), ('^', "")];
+    let plain = |text: &str| raised.iter().fold(text.to_owned(), |text, (sign, letters)| text.replace(*sign, letters));
+    let places = |text: &str| {
+        let spaces = text.match_indices(' ').enumerate();
+        spaces.map(|(before, (at, _))| at - before).collect::<Vec<_>>()
+    };
+    let [own, spaced] = [plain(own), plain(spaced)];
+    own.replace(' ', "") == spaced.replace(' ', "") && places(&spaced).iter().all(|at| places(&own).contains(at))
+}
+
 #[test]
 fn spellings_of_the_tables_are_known() {
     // Listed in data/README.md.
