@@ -23,9 +23,9 @@ def tasks(first: int, count: int) -> pa.Table:
     payload, reach, time = number % STEPS, number // STEPS % STEPS, number // STEPS**2 % STEPS
     return pa.table(
         {
-            "motion[0].payload [kg]": payload * (10.0 / STEPS),
+            "motion[1].payload [kg]": payload * (10.0 / STEPS),
             "mechanism.arm.payload_distance [mm]": 200.0 + reach * (500.0 / STEPS),
-            "motion[0].time [s]": 0.5 + time * (1.5 / STEPS),
+            "motion[1].time [s]": 0.5 + time * (1.5 / STEPS),
         }
     )
 

@@ -74,7 +74,7 @@ pub struct CodeFault {
 }
 
 /// `code list`: a valid code.
-#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, JsonSchema)]
 pub struct ListedCode {
     /// The code.
     pub code: String,

@@ -1,13 +1,17 @@
 //! What keeps a question from being answered.
 
+use crate::ListedCode;
 use schemars::JsonSchema;
 use serde::Serialize;
 
 /// Every fault that was found; a command that cannot answer writes this instead of its answer, and exits with 2.
-#[derive(Clone, Debug, PartialEq, Eq, Serialize, JsonSchema)]
+#[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, JsonSchema)]
 pub struct Faults {
     /// The faults, in the order of the file.
     pub errors: Vec<Fault>,
+    /// The nearest valid codes, where a wrong ordering code is among the faults.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub nearest_codes: Vec<ListedCode>,
 }
 
 /// One fault; id, option, file and place are left out where there is none.
@@ -52,18 +56,31 @@ impl Faults {
     /// Those of several questions as one, each once.
     #[must_use]
     pub fn together(all: impl IntoIterator<Item = Self>) -> Self {
-        let mut errors: Vec<Fault> = Vec::new();
-        for error in all.into_iter().flat_map(|faults| faults.errors) {
-            if !errors.contains(&error) {
-                errors.push(error);
+        let mut found = Self::default();
+        for faults in all {
+            for error in faults.errors {
+                if !found.errors.contains(&error) {
+                    found.errors.push(error);
+                }
+            }
+            for code in faults.nearest_codes {
+                if !found.nearest_codes.contains(&code) {
+                    found.nearest_codes.push(code);
+                }
             }
         }
-        Self { errors }
+        found
     }
 
     /// One fault in one sentence.
     #[must_use]
     pub fn of(message: impl Into<String>) -> Self {
-        Self { errors: vec![Fault { message: message.into(), ..Fault::default() }] }
+        Self::from(vec![Fault { message: message.into(), ..Fault::default() }])
+    }
+}
+
+impl From<Vec<Fault>> for Faults {
+    fn from(errors: Vec<Fault>) -> Self {
+        Self { errors, nearest_codes: Vec::new() }
     }
 }

@@ -63,7 +63,7 @@ fn record(status: u16, record: &impl serde::Serialize) -> Reply {
 #[must_use]
 pub fn misdirected(status: u16, message: &str, hint: Option<String>) -> Reply {
     let fault = Fault { id: Some("request"), message: message.to_owned(), hint, ..Fault::default() };
-    record(status, &Faults { errors: vec![fault] })
+    record(status, &Faults::from(vec![fault]))
 }
 
 /// Whether a path is one of the interface's.

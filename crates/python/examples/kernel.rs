@@ -19,7 +19,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     let of = |make: fn(u32) -> f64| -> ArrayRef { Arc::new(Float64Array::from_iter_values((0..rows).map(make))) };
     let inertia = of(|row| 0.05 + f64::from(row % 1000) / 200.0);
     let time = of(|row| 0.5 + f64::from((row / 1000) % 1000) / 666.0);
-    let table = RecordBatch::try_from_iter([("load.inertia [kg m^2]", inertia), ("motion[0].time [s]", time)])?;
+    let table = RecordBatch::try_from_iter([("load.inertia [kg m^2]", inertia), ("motion[1].time [s]", time)])?;
     let call =
         SweepCall { text: Text::At(PathBuf::from(project)), pairs: vec![], memory: None, language: Language::En };
     let begin = Instant::now();

@@ -7,7 +7,9 @@
 mod ask;
 #[cfg(feature = "extension")]
 mod module;
+mod pool;
 mod sweep;
 
 pub use ask::{Call, Outcome, Text};
+pub use pool::{ForkedAtWork, forked, within};
 pub use sweep::{SweepCall, checked, swept};

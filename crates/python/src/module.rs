@@ -3,7 +3,8 @@
 mod capsules;
 mod table;
 
-use crate::{Call, Outcome, Text};
+use crate::{Call, ForkedAtWork, Outcome, Text, within};
+use pyo3::exceptions::PyRuntimeError;
 use pyo3::intern;
 use pyo3::prelude::*;
 use quantities::Language;
@@ -29,7 +30,7 @@ pub(crate) fn beside<T: Send>(
             let (done, is_done) = channel::<()>();
             let worker = scope.spawn(move || {
                 let _done = done;
-                work()
+                within(work)
             });
             let mut interrupted = None;
             while is_done.recv_timeout(TICK) == Err(RecvTimeoutError::Timeout) {
@@ -44,9 +45,20 @@ pub(crate) fn beside<T: Send>(
                 }
             }
             let found = worker.join().unwrap_or_else(|panic| std::panic::resume_unwind(panic));
-            interrupted.map_or(Ok(found), Err)
+            match interrupted {
+                Some(interrupt) => Err(interrupt),
+                None => found.map_err(|ForkedAtWork| forked_at_work()),
+            }
         })
     })
+}
+
+/// The exception of a process that was forked while a call was at work.
+fn forked_at_work() -> PyErr {
+    PyRuntimeError::new_err(
+        "this process was forked while another thread was in a call of antrieb; what that thread held can never be had here. Fork \
+         before, or start processes with the method 'spawn' or 'forkserver'",
+    )
 }
 
 /// A text or a file, as the functions of the package hand it over: text, name, folder; a file without a text.
@@ -102,8 +114,14 @@ mod _antrieb {
 
     /// Answers a call of the command line, the name of the program first; gives the exit code.
     #[pyfunction]
-    fn run(py: Python<'_>, call: Vec<std::ffi::OsString>) -> u8 {
-        py.detach(|| antrieb::run(call))
+    fn run(py: Python<'_>, call: Vec<std::ffi::OsString>) -> PyResult<u8> {
+        py.detach(|| within(|| antrieb::run(call))).map_err(|ForkedAtWork| forked_at_work())
+    }
+
+    /// Notes that this process is the child of a fork.
+    #[pyfunction]
+    fn forked() {
+        crate::forked();
     }
 
     /// The version.

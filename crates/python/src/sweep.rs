@@ -35,7 +35,7 @@ impl SweepCall {
         let pairs = self.pairs.iter().map(|(name, value)| (Cow::Borrowed(name.as_str()), value.as_str().into()));
         let arguments = ENTRY.arguments.iter().copied().filter(|argument| argument.name != TABLE);
         let given = Given::of(&arguments.collect::<Vec<Argument>>(), pairs, self.language)?;
-        let options = Args::read(&given)?.options(self.language);
+        let options = Args::read(&given)?.options(false, self.language)?;
         let memory = antrieb::memory_allowed(self.memory.clone(), self.language)?;
         let file = self.text.read(memory, self.language)?;
         let source = file.source();

@@ -23,7 +23,7 @@ pub(crate) fn refused(error: &clap::Error, as_json: bool, language: Language) ->
     };
     let fault =
         Fault { id: Some("usage"), option: option.filter(|name| !name.is_empty()), message, hint, ..Fault::default() };
-    let faults = Faults { errors: vec![fault] };
+    let faults = Faults::from(vec![fault]);
     let data = if as_json { written(&faults) } else { String::new() };
     Answer { data, talk, code: 2 }
 }

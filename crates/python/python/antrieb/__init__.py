@@ -12,7 +12,9 @@ a function of the same name; the answers are those of `--json` as the dataclasse
 of the interpreter, other threads go on meanwhile, and an interrupt ends it.
 """
 
-from antrieb import answers
+import os as _os
+
+from antrieb import _antrieb, answers
 from antrieb import questions as questions
 from antrieb._antrieb import VERSION as __version__
 from antrieb._call import AntriebError, Fault, Lang, Path, Picture, Text
@@ -36,3 +38,7 @@ __all__ = [
     "sweep",
 ]
 __all__ += questions.__all__
+
+# The threads of this process are not those of its children.
+if hasattr(_os, "register_at_fork"):
+    _os.register_at_fork(after_in_child=_antrieb.forked)

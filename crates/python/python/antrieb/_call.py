@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 import json
+import operator
 import os
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Mapping
 from datetime import date
 from typing import Any, Literal
 
@@ -18,7 +19,7 @@ Path = str | os.PathLike[str]
 """The path of a file or a folder."""
 
 Text = str | os.PathLike[str]
-"""A text, or the path of its file: a `str` of one line is a path."""
+"""A text, or the path of its file: a `str` of one line is a path, unless it has a `=` and no file has that name."""
 
 Fault = answers.Fault | answers.CodeFault
 """A fault of a call or of an ordering code."""
@@ -35,13 +36,13 @@ class AntriebError(ValueError):
     """Every fault, in the order of the text."""
 
     nearest: tuple[answers.ListedCode, ...]
-    """Of a wrong ordering code: the nearest codes that can be ordered."""
+    """The nearest codes that can be ordered, where an ordering code is wrong."""
 
     def __init__(self, record: dict[str, Any]) -> None:
         of = answers.CodeFaults if "nearest" in record else answers.Faults
         found: answers.CodeFaults | answers.Faults = decoder(of)(record)
         self.faults = tuple(found.errors)
-        self.nearest = tuple(found.nearest_codes) if isinstance(found, answers.CodeFaults) else ()
+        self.nearest = tuple(found.nearest_codes or ())
         self.record = record
         lines = [_line(fault) for fault in self.faults]
         lines.extend(f"  {code.code}" for code in self.nearest)
@@ -94,8 +95,10 @@ class Picture:
 
 def handed(text: Text, name: str | None, folder: Path | None) -> tuple[str | None, str, str]:
     """A text with its name and folder; of a path no text."""
-    if isinstance(text, str) and ("\n" in text or not text):
+    if isinstance(text, str) and ("\n" in text or not text or ("=" in text and not os.path.exists(text))):
         return text, name or "text", os.fspath(folder) if folder is not None else ""
+    if not isinstance(text, (str, os.PathLike)):
+        raise TypeError(f"a text or the path of its file is expected, not {type(text).__name__}")
     return None, os.fspath(text), ""
 
 
@@ -104,16 +107,30 @@ def _written(value: Any) -> str:
         return "true" if value else "false"
     if isinstance(value, date):
         return value.isoformat()
-    if isinstance(value, (str, int)):
+    if isinstance(value, str):
         return str(value)
     if hasattr(value, "__fspath__"):
         return os.fsdecode(value)
+    try:
+        # Whole numbers, also those of NumPy.
+        return str(operator.index(value))
+    except TypeError:
+        pass
     raise TypeError(f"a text is expected, not {type(value).__name__}; quantities are written with their unit")
 
 
-def _each(value: Any) -> Sequence[Any]:
-    is_one = isinstance(value, str) or not isinstance(value, Sequence)
-    return [value] if is_one else value  # pyright: ignore[reportUnknownVariableType]
+def each_of(value: Any) -> list[Any]:
+    """One value, or those of a list, a tuple, an array or a series; a text is one value."""
+    is_one = isinstance(value, (str, bytes, Mapping, os.PathLike)) or not isinstance(value, Iterable)
+    return [value] if is_one else list(value)  # pyright: ignore[reportUnknownArgumentType]
+
+
+def unit_text(name: str, value: str | None) -> str | None:
+    """A quantity as it is handed over: a text with its unit."""
+    if value is not None and not isinstance(value, str):  # pyright: ignore[reportUnnecessaryIsInstance]
+        example = "60 s" if name == "deadline" else "1 GiB"
+        raise TypeError(f"{name} is a text with its unit, such as {example!r}, not {type(value).__name__}")
+    return value
 
 
 def pairs_of(values: Iterable[tuple[str, Any]]) -> list[tuple[str, str]]:
@@ -122,7 +139,7 @@ def pairs_of(values: Iterable[tuple[str, Any]]) -> list[tuple[str, str]]:
     for name, value in values:
         if value is None or value is False:
             continue
-        found.extend((name, _written(each)) for each in _each(value))
+        found.extend((name, _written(each)) for each in each_of(value))
     return found
 
 
@@ -141,7 +158,10 @@ def ask(
     """The answer to a question of the list; a record as the type `of`."""
     names = (file,) if len(texts) == 1 else ("old", "new")
     sources = [handed(text, name, folder) for text, name in zip(texts, names, strict=False)]
-    media, body = _antrieb.ask(command, sources, pairs_of(pairs), lang, deadline, memory)
+    given = pairs_of([*pairs, ("lang", lang)])
+    media, body = _antrieb.ask(
+        command, sources, given, lang, unit_text("deadline", deadline), unit_text("memory", memory)
+    )
     if media == JSON:
         return decoder(of)(json.loads(body))
     if media == SVG:

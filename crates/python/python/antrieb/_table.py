@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
+from typing import Any
 
 from antrieb import _antrieb, answers
 from antrieb._antrieb import Table
 from antrieb._arrow import ArrowArray, ArrowSchema, ArrowStream
-from antrieb._call import Lang, Path, Text, handed, pairs_of
+from antrieb._call import Lang, Path, Text, handed, pairs_of, unit_text
 
 __all__ = ["ArrowArray", "ArrowSchema", "ArrowStream", "Sweep", "Table", "sweep"]
 
@@ -18,11 +19,11 @@ class Sweep:
     Args:
         text: The project as text, or the path of its file.
         schema: The columns: a schema, or a table that has them. A heading is a key of the project with its unit,
-            `load.inertia [kg m^2]`, `motion[0].time [s]`; `code` judges each row for one ordering code.
+            `load.inertia [kg m^2]`, `motion[1].time [s]`; `code` judges each row for one ordering code.
         lang: Language of the texts: `en` or `de`.
         axis: Only this axis of a project with several.
         check: Checks whose verdicts are wanted: every actuator is answered, not only the best.
-        front: The actuators that no other beats in mass, length and reserve.
+        front: The actuators that no other beats in mass, length and reserve; without `check`.
         file: What a text is called in faults.
         folder: Where the recordings that a text names lie; without it the current folder.
         memory: How much memory the recordings may take, such as `1 GiB`.
@@ -37,22 +38,39 @@ class Sweep:
         self,
         text: Text,
         schema: ArrowStream | ArrowArray | ArrowSchema,
-        lang: Lang = "en",
         *,
+        lang: Lang = "en",
         axis: str | None = None,
-        check: Sequence[answers.CheckId] = (),
+        check: answers.CheckId | Sequence[answers.CheckId] = (),
         front: bool = False,
         file: str | None = None,
         folder: Path | None = None,
         memory: str | None = None,
     ) -> None:
-        options = _options(axis, check, front)
-        self._sweep = _antrieb.Sweep(handed(text, file, folder), schema, options, lang, memory)
+        options = _options(axis, check, front, lang)
+        self._sweep = _antrieb.Sweep(
+            handed(text, file, folder), schema, options, lang, unit_text("memory", memory)
+        )
+
+    def __reduce__(self) -> tuple[Callable[..., Sweep], tuple[Any, ...]]:
+        # What travels between processes is what it was made of, with the text of the project as it was read.
+        return _again, (type(self), *self._sweep.made_of)
+
+    def __copy__(self) -> Sweep:
+        return self
+
+    def __deepcopy__(self, memo: dict[int, Any]) -> Sweep:
+        return self
 
     @property
     def keys(self) -> list[str]:
         """The keys of the columns, entries of lists counted from one."""
         return self._sweep.keys
+
+    @property
+    def recordings(self) -> list[str]:
+        """The recordings that the project names."""
+        return self._sweep.recordings
 
     @property
     def answers(self) -> Table:
@@ -61,24 +79,38 @@ class Sweep:
 
     def table(self, table: ArrowStream | ArrowArray, *, deadline: str | None = None) -> Table:
         """The answers of all rows; `AntriebError` with every fault of the cells before any row is judged."""
-        return self._sweep.table(table, deadline)
+        return self._sweep.table(table, unit_text("deadline", deadline))
 
     def batch(self, batch: ArrowStream | ArrowArray, first_row: int = 0) -> Table:
         """The answers of a part of a table whose first row has this number; a fault of a cell is in the column `error`."""
         return self._sweep.batch(batch, first_row)
 
 
-def _options(axis: str | None, check: Sequence[answers.CheckId], front: bool) -> list[tuple[str, str]]:
-    return pairs_of([("axis", axis), ("check", list(check)), ("front", front)])
+def unpacked(stream: bytes) -> Table:
+    """A table that comes from another process."""
+    return Table.unpacked(stream)
+
+
+def _again(of: type[Sweep], *made_of: Any) -> Sweep:
+    """A sweep made anew in another process."""
+    sweep = of.__new__(of)
+    sweep._sweep = _antrieb.Sweep(*made_of)
+    return sweep
+
+
+def _options(
+    axis: str | None, check: answers.CheckId | Sequence[answers.CheckId], front: bool, lang: Lang
+) -> list[tuple[str, str]]:
+    return pairs_of([("axis", axis), ("check", check), ("front", front), ("lang", lang)])
 
 
 def sweep(
     text: Text,
     table: ArrowStream | ArrowArray,
-    lang: Lang = "en",
     *,
+    lang: Lang = "en",
     axis: str | None = None,
-    check: Sequence[answers.CheckId] = (),
+    check: answers.CheckId | Sequence[answers.CheckId] = (),
     front: bool = False,
     file: str | None = None,
     folder: Path | None = None,
@@ -92,12 +124,12 @@ def sweep(
     Args:
         text: The project as text, or the path of its file.
         table: Any Arrow table (pyarrow, polars, pandas, DuckDB, `antrieb.Table`). A heading is a key of the project with its
-            unit, `load.inertia [kg m^2]`, `motion[0].time [s]`, `requirements.ambient [degC]`; words of the project such as
-            `motion[0].law` have none; `code` judges each row for one ordering code.
+            unit, `load.inertia [kg m^2]`, `motion[1].time [s]`, `requirements.ambient [degC]`; words of the project such as
+            `motion[1].law` have none; `code` judges each row for one ordering code.
         lang: Language of the texts: `en` or `de`.
         axis: Only this axis of a project with several.
         check: Checks whose verdicts are wanted: every actuator is answered, not only the best.
-        front: The actuators that no other beats in mass, length and reserve.
+        front: The actuators that no other beats in mass, length and reserve; without `check`.
         file: What a text is called in faults.
         folder: Where the recordings that a text names lie; without it the current folder.
         deadline: How long the answer may take, such as `60 s`.
@@ -112,5 +144,10 @@ def sweep(
         AntriebError: Every fault of the project, of the headings and of the cells, each with its place.
     """
     return _antrieb.Sweep.whole(
-        handed(text, file, folder), table, _options(axis, check, front), lang, memory, deadline
+        handed(text, file, folder),
+        table,
+        _options(axis, check, front, lang),
+        lang,
+        unit_text("memory", memory),
+        unit_text("deadline", deadline),
     )

@@ -5,7 +5,8 @@
 >>> distributed.sweep("axis.toml", ["tasks-0.parquet", "tasks-1.parquet"], "out")   # or they are read from files
 
 Nothing travels to a worker but the number of its part, nothing comes back but a summary. A worker that is lost is tried again
-elsewhere, a part that is finished is never judged twice, and a call with the same folder goes on where an earlier one ended.
+elsewhere, a part that is finished is never judged twice, and a call with the same folder goes on where an earlier one ended, if project, options,
+task files and recordings are still the same; a function that makes tasks must make the same ones.
 The folder lies where every worker sees it. Needs `ray` and `pyarrow`: `pip install "antrieb[distributed]"`. `parts` and `judge`
 are the same without Ray, for any other engine; `docs/guide/clusters.md` has recipes for Dask and Spark.
 """
@@ -22,12 +23,12 @@ import os
 import pathlib
 import time
 import uuid
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from typing import Any
 
 from antrieb import Sweep, __version__, answers
 from antrieb._arrow import ArrowArray, ArrowStream
-from antrieb._call import Lang, Path, Text, handed
+from antrieb._call import Lang, Path, Text, each_of, handed
 
 Makes = Callable[[int, int], ArrowStream | ArrowArray]
 """Makes the tasks of a part from the id of its first and their number: the same table for the same ids."""
@@ -159,10 +160,10 @@ def _files(tasks: Path | Sequence[Path]) -> list[str]:
 def specified(
     text: Text,
     out: Path,
-    lang: Lang = "en",
     *,
+    lang: Lang = "en",
     axis: str | None = None,
-    check: Sequence[answers.CheckId] = (),
+    check: answers.CheckId | Sequence[answers.CheckId] = (),
     front: bool = False,
     file: str | None = None,
     folder: Path | None = None,
@@ -179,7 +180,7 @@ def specified(
         out=os.path.abspath(os.fspath(out)),
         lang=lang,
         axis=axis,
-        check=tuple(check),
+        check=tuple(each_of(check)),
         front=front,
     )
 
@@ -191,7 +192,7 @@ def _prepared(spec: Spec, schema: Any) -> Sweep:
     return Sweep(
         text,
         schema,
-        spec.lang,
+        lang=spec.lang,
         axis=spec.axis,
         check=spec.check,
         front=spec.front,
@@ -250,7 +251,19 @@ def _summary(answered: Any, rows: int) -> dict[str, Any]:
     }
 
 
-def _manifest(spec: Spec, all_parts: Sequence[Part]) -> dict[str, Any]:
+def _sum(files: Iterable[str]) -> str:
+    """The sum over names and contents of files."""
+    whole = hashlib.sha256()
+    for file in files:
+        of_file = "missing"
+        if os.path.exists(file):
+            with open(file, "rb") as opened:
+                of_file = hashlib.file_digest(opened, "sha256").hexdigest()
+        whole.update(f"{file}\n{of_file}\n".encode())
+    return whole.hexdigest()
+
+
+def _manifest(spec: Spec, all_parts: Sequence[Part], recordings: Sequence[str]) -> dict[str, Any]:
     """What a folder is of: parts of another sweep are not mixed with it."""
     described = [[part.first, part.count, part.file, list(part.groups)] for part in all_parts]
     return {
@@ -262,6 +275,8 @@ def _manifest(spec: Spec, all_parts: Sequence[Part]) -> dict[str, Any]:
         "front": spec.front,
         "rows": sum(part.count for part in all_parts),
         "parts": hashlib.sha256(json.dumps(described).encode()).hexdigest(),
+        "tasks": _sum(sorted({part.file for part in all_parts if part.file is not None})),
+        "recordings": _sum(os.path.join(spec.folder, name) for name in recordings),
     }
 
 
@@ -274,11 +289,12 @@ def ready(spec: Spec, all_parts: Sequence[Part], tasks: Makes | None = None) -> 
     """
     out = pathlib.Path(spec.out)
     out.mkdir(parents=True, exist_ok=True)
+    recordings: list[str] = []
     if all_parts:
         first = all_parts[0]
         one = first if first.file is not None else dataclasses.replace(first, count=1)
-        _prepared(spec, _schema(one, tasks))
-    manifest, path = _manifest(spec, all_parts), out / _MANIFEST
+        recordings = _prepared(spec, _schema(one, tasks)).recordings
+    manifest, path = _manifest(spec, all_parts, recordings), out / _MANIFEST
     if path.exists():
         there = json.loads(path.read_text(encoding="utf-8"))
         changed = sorted(key for key in manifest if there.get(key) != manifest[key])
@@ -307,12 +323,12 @@ def sweep(
     text: Text,
     tasks: Tasks,
     out: Path,
-    lang: Lang = "en",
     *,
+    lang: Lang = "en",
     rows: int | None = None,
     part_rows: int = 100_000,
     axis: str | None = None,
-    check: Sequence[answers.CheckId] = (),
+    check: answers.CheckId | Sequence[answers.CheckId] = (),
     front: bool = False,
     file: str | None = None,
     folder: Path | None = None,
@@ -352,7 +368,7 @@ def sweep(
     os.environ.setdefault("RAY_USAGE_STATS_ENABLED", "0")
     engine = _library("ray")
     begin = time.monotonic()
-    spec = specified(text, out, lang, axis=axis, check=check, front=front, file=file, folder=folder)
+    spec = specified(text, out, lang=lang, axis=axis, check=check, front=front, file=file, folder=folder)
     makes = tasks if callable(tasks) else None
     all_parts = list(parts(tasks, rows=rows, part_rows=part_rows))
     ready(spec, all_parts, makes)

@@ -75,9 +75,9 @@ def payload_and_time(payloads: list[float], times: list[float]) -> antrieb.Table
     pairs = [(payload, time) for payload in payloads for time in times]
     return antrieb.Table.from_pydict(
         {
-            "motion[0].payload [kg]": [payload for payload, _ in pairs],
-            "motion[0].time [s]": [time for _, time in pairs],
+            "motion[1].payload [kg]": [payload for payload, _ in pairs],
             "motion[1].time [s]": [time for _, time in pairs],
+            "motion[2].time [s]": [time for _, time in pairs],
         }
     )
 

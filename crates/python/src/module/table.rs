@@ -7,13 +7,17 @@ use crate::sweep::{checked, swept};
 use arrow_array::cast::AsArray;
 use arrow_array::types::{Float64Type, Int64Type, UInt32Type, UInt64Type};
 use arrow_array::{Array, ArrayRef, BooleanArray, Float64Array, Int64Array, RecordBatch, StringArray};
+use arrow_ipc::reader::StreamReader;
+use arrow_ipc::writer::StreamWriter;
 use arrow_schema::{DataType, Field, Schema, SchemaRef};
 use pyo3::exceptions::{PyTypeError, PyValueError};
+use pyo3::intern;
 use pyo3::prelude::*;
-use pyo3::types::{PyBool, PyCapsule, PyDict, PyFloat, PyInt, PyList, PyString};
+use pyo3::types::{PyBool, PyBytes, PyCapsule, PyDict, PyFloat, PyInt, PyList, PyString};
 use quantities::Language;
 use questions::list::Unanswered;
 use questions::{Patience, Refusal};
+use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 /// A table of Arrow: what reads Arrow takes it as it is.
@@ -69,6 +73,36 @@ impl Table {
         format!("<Table of {} rows: {}>", self.__len__(), self.column_names().join(", "))
     }
 
+    /// A table out of the bytes that `__reduce__` hands over.
+    #[staticmethod]
+    fn unpacked(bytes: &[u8]) -> PyResult<Self> {
+        let reader = StreamReader::try_new(bytes, None).map_err(broken)?;
+        let schema = reader.schema();
+        Ok(Self { schema, batches: reader.collect::<Result<_, _>>().map_err(broken)? })
+    }
+
+    /// What `pickle` needs: a stream of Arrow as bytes.
+    fn __reduce__<'py>(&self, py: Python<'py>) -> PyResult<(Bound<'py, PyAny>, (Bound<'py, PyBytes>,))> {
+        let mut bytes = Vec::new();
+        let mut writer = StreamWriter::try_new(&mut bytes, &self.schema).map_err(broken)?;
+        self.batches.iter().try_for_each(|batch| writer.write(batch)).map_err(broken)?;
+        writer.finish().map_err(broken)?;
+        drop(writer);
+        let again = py.import(intern!(py, "antrieb._table"))?.getattr("unpacked")?;
+        Ok((again, (PyBytes::new(py, &bytes),)))
+    }
+
+    /// The table itself: it cannot be changed.
+    fn __copy__(slf: Py<Self>) -> Py<Self> {
+        slf
+    }
+
+    /// The table itself: it cannot be changed.
+    fn __deepcopy__(slf: Py<Self>, memo: &Bound<'_, PyAny>) -> Py<Self> {
+        let _ = memo;
+        slf
+    }
+
     /// The table as a stream of Arrow.
     #[pyo3(signature = (requested_schema = None))]
     fn __arrow_c_stream__<'py>(
@@ -85,6 +119,10 @@ impl Table {
     fn __arrow_c_schema__<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyCapsule>> {
         capsules::schema_capsule(py, &self.schema)
     }
+}
+
+fn broken(error: arrow_schema::ArrowError) -> PyErr {
+    PyValueError::new_err(error.to_string())
 }
 
 /// What a list of Python holds, as a column.
@@ -132,6 +170,17 @@ fn append(values: &Bound<'_, PyList>, array: &ArrayRef) -> PyResult<()> {
 pub(crate) struct Sweep {
     sweep: sweep_io::Sweep,
     language: Language,
+    made_of: MadeOf,
+}
+
+/// What a sweep was made of, but for the text of its project.
+struct MadeOf {
+    name: String,
+    folder: PathBuf,
+    schema: SchemaRef,
+    pairs: Vec<(String, String)>,
+    lang: String,
+    memory: Option<String>,
 }
 
 #[pymethods]
@@ -166,6 +215,21 @@ impl Sweep {
     #[getter]
     fn keys(&self) -> Vec<String> {
         self.sweep.keys().map(str::to_owned).collect()
+    }
+
+    /// The recordings that the project names.
+    #[getter]
+    fn recordings(&self) -> Vec<String> {
+        self.sweep.recordings().iter().cloned().collect()
+    }
+
+    /// Arguments that make the same sweep anew, in another process too: the text of the project in place of its path.
+    #[getter]
+    fn made_of(&self) -> (Handed, Table, Vec<(String, String)>, String, Option<String>) {
+        let MadeOf { name, folder, schema, pairs, lang, memory } = &self.made_of;
+        let handed = (Some(self.sweep.text().to_owned()), name.clone(), folder.clone());
+        let table = Table { schema: Arc::clone(schema), batches: Vec::new() };
+        (handed, table, pairs.clone(), lang.clone(), memory.clone())
     }
 
     /// The columns of the answers, as an empty table.
@@ -213,10 +277,25 @@ impl Sweep {
         memory: Option<String>,
     ) -> PyResult<Self> {
         let language = Language::of_id(lang).unwrap_or_default();
+        let (of_text, name, folder) = &handed;
+        // A file lies in its folder, wherever another process stands.
+        let folder = if of_text.is_some() {
+            folder.clone()
+        } else {
+            Path::new(name).parent().unwrap_or(Path::new("")).to_owned()
+        };
+        let made_of = MadeOf {
+            name: name.clone(),
+            folder: std::path::absolute(&folder).unwrap_or(folder),
+            schema: Arc::new(schema.clone()),
+            pairs: pairs.clone(),
+            lang: lang.to_owned(),
+            memory: memory.clone(),
+        };
         let call = SweepCall { text: text(handed), pairs, memory, language };
-        let sweep = py.detach(|| call.prepared(schema, batches));
+        let sweep = beside(py, &Patience::endless(), None, || call.prepared(schema, batches))?;
         let sweep = sweep.map_err(|why| refused(py, &why.record(None, language)))?;
-        Ok(Self { sweep, language })
+        Ok(Self { sweep, language, made_of })
     }
 
     /// The answers; faults of the cells first where they are not checked yet.

@@ -281,7 +281,8 @@ fn sources(reads: Reads) -> Vec<Parameter> {
     }
 }
 
-/// The parameters: the texts, what is required, the code, the language; everything else by name.
+/// The parameters: by place the texts, what is required and the code; everything else by name, so that no value is taken for another
+/// argument.
 fn takes(entry: &Entry) -> Takes {
     let mut first = sources(entry.reads);
     let mut named = Vec::new();
@@ -290,7 +291,7 @@ fn takes(entry: &Entry) -> Takes {
     let (at_place, by_name): (Vec<&Argument>, Vec<&Argument>) = entry.arguments.iter().partition(is_first);
     let (must, may): (Vec<&Argument>, Vec<&Argument>) = at_place.into_iter().partition(|each| each.required);
     first.extend(must.into_iter().chain(may).map(|each| of_argument(each, entry.gives)));
-    first.push(Parameter {
+    named.push(Parameter {
         name: "lang".to_owned(),
         of: "Lang".to_owned(),
         usual: Some(quoted("en")),

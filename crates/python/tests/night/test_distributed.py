@@ -38,8 +38,8 @@ def made(first: int, count: int) -> pa.Table:
     ids = range(first, first + count)
     return pa.table(
         {
-            "motion[0].payload [kg]": [(each * 7919 % 1000) / 80 for each in ids],
-            "motion[0].time [s]": [0.5 + (each * 104729 % 997) / 997 for each in ids],
+            "motion[1].payload [kg]": [(each * 7919 % 1000) / 80 for each in ids],
+            "motion[1].time [s]": [0.5 + (each * 104729 % 997) / 997 for each in ids],
         }
     )
 
@@ -155,7 +155,7 @@ class OnACluster(unittest.TestCase):
 
     def test_a_row_that_cannot_be_judged_is_counted_with_its_reason(self) -> None:
         def tasks(first: int, count: int) -> pa.Table:
-            return pa.table({"motion[0].time [s]": [None if each % 5 == 0 else 1.0 for each in range(first, first + count)]})
+            return pa.table({"motion[1].time [s]": [None if each % 5 == 0 else 1.0 for each in range(first, first + count)]})
 
         found = distributed.sweep(ARM, tasks, self.out, rows=50, part_rows=20)
         self.assertEqual((found.rows, found.failed), (50, 10))

@@ -12,7 +12,7 @@ import pyarrow as pa
 import antrieb
 from antrieb.examples import ARM
 
-COLUMNS = {"motion[0].payload [kg]": [0.5, 2.0, 4.0, 9.0], "motion[0].time [s]": [0.6, 0.8, 1.0, 1.2]}
+COLUMNS = {"motion[1].payload [kg]": [0.5, 2.0, 4.0, 9.0], "motion[1].time [s]": [0.6, 0.8, 1.0, 1.2]}
 
 
 class Libraries(unittest.TestCase):

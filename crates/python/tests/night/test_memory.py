@@ -27,8 +27,8 @@ def written(path: pathlib.Path, rows: int) -> None:
         ids = range(first, min(first + PART, rows))
         part = pa.table(
             {
-                "motion[0].payload [kg]": [(each * 7919 % 1000) / 80 for each in ids],
-                "motion[0].time [s]": [0.5 + (each * 104729 % 997) / 997 for each in ids],
+                "motion[1].payload [kg]": [(each * 7919 % 1000) / 80 for each in ids],
+                "motion[1].time [s]": [0.5 + (each * 104729 % 997) / 997 for each in ids],
                 "code": [CODES[each % len(CODES)] for each in ids],
             }
         )

@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+import copy
 import dataclasses
 import inspect
 import json
+import multiprocessing
 import os
 import pathlib
 import pickle
@@ -139,7 +141,7 @@ class Questions(unittest.TestCase):
         of_text = antrieb.size(PROJECT, top=1)
         self.assertEqual(of_text, antrieb.size("axis.toml", top=1))
         self.assertEqual(of_text, antrieb.size(pathlib.Path("axis.toml"), top=1))
-        self.assertEqual(antrieb.size(PROJECT, "de", top=1).verdict, of_text.verdict)
+        self.assertEqual(antrieb.size(PROJECT, lang="de", top=1).verdict, of_text.verdict)
 
     def test_answers_are_typed(self) -> None:
         (sizing,) = antrieb.size(PROJECT, top=2).axes
@@ -199,8 +201,144 @@ class Faults(unittest.TestCase):
 
     def test_the_language_is_that_of_the_call(self) -> None:
         with self.assertRaises(antrieb.AntriebError) as caught:
-            antrieb.size("nowhere.toml", "de")
+            antrieb.size("nowhere.toml", lang="de")
         self.assertIn("gibt es nicht", str(caught.exception))
+
+
+class Arguments(unittest.TestCase):
+    """No value is taken for another argument."""
+
+    def test_what_could_be_taken_for_another_argument_is_given_by_its_name(self) -> None:
+        for name in questions._EXAMPLES:
+            parameters = inspect.signature(getattr(questions, name)).parameters
+            self.assertIs(parameters["lang"].kind, inspect.Parameter.KEYWORD_ONLY, name)
+        wrong: typing.Any = antrieb.size
+        with self.assertRaises(TypeError):
+            wrong(PROJECT, CODE)
+
+    def test_a_language_that_there_is_not_is_refused(self) -> None:
+        wrong: typing.Any = "fr"
+        table = antrieb.Table.from_pydict({"load.inertia [kg m^2]": [1.0]})
+        for call in (
+            lambda: antrieb.size(PROJECT, lang=wrong),
+            lambda: antrieb.units(lang=wrong),
+            lambda: antrieb.sweep(PROJECT, table, lang=wrong),
+            lambda: antrieb.Sweep(PROJECT, table, lang=wrong),
+        ):
+            with self.assertRaises(antrieb.AntriebError) as caught:
+                call()
+            self.assertEqual([getattr(fault, "option", None) for fault in caught.exception.faults], ["lang"])
+
+    def test_one_word_is_one_value(self) -> None:
+        table = antrieb.Table.from_pydict({"load.inertia [kg m^2]": [1.0]})
+        found = antrieb.sweep(PROJECT, table, check="thermal")
+        self.assertIn("thermal.verdict", found.column_names)
+        self.assertEqual(found.to_pydict(), antrieb.sweep(PROJECT, table, check=("thermal",)).to_pydict())
+        with self.assertRaises(antrieb.AntriebError) as caught:
+            antrieb.sweep(PROJECT, table, check="thermal", front=True)
+        self.assertEqual([getattr(fault, "option", None) for fault in caught.exception.faults], ["front"])
+
+    def test_numbers_of_other_libraries_are_numbers(self) -> None:
+        class Number:
+            def __index__(self) -> int:
+                return 2
+
+        number: typing.Any = Number()
+        self.assertEqual(len(antrieb.size(EXAMPLES / "two-axes.toml", axis="lift", top=number).ranking), 2)
+        codes: typing.Any = iter([CODE, "CHA-25A-80-H-C1024"])
+        self.assertEqual(antrieb.compare(PROJECT, codes), antrieb.compare(PROJECT, [CODE, "CHA-25A-80-H-C1024"]))
+        seconds: typing.Any = 60
+        with self.assertRaisesRegex(TypeError, "deadline is a text with its unit"):
+            antrieb.size(PROJECT, deadline=seconds)
+        octets: typing.Any = b"format = 1"
+        with self.assertRaisesRegex(TypeError, "not bytes"):
+            antrieb.size(octets)
+
+    def test_a_text_of_one_line_is_a_text(self) -> None:
+        with self.assertRaises(antrieb.AntriebError) as caught:
+            antrieb.size('load.inertja = "1 kg m^2"')
+        self.assertIn("unknown_key", [fault.id for fault in caught.exception.faults])
+        with tempfile.TemporaryDirectory() as folder:
+            path = pathlib.Path(folder, "a=b.toml")
+            path.write_text(PROJECT, encoding="utf-8")
+            self.assertEqual(antrieb.size(str(path), top=1), antrieb.size(PROJECT, top=1))
+
+    def test_a_wrong_code_of_a_project_has_the_nearest_ones(self) -> None:
+        with self.assertRaises(antrieb.AntriebError) as caught:
+            antrieb.check(PROJECT, "CHA-20B-100-H-C1024")
+        self.assertIn("CHA-20A-100-H-C1024", [each.code for each in caught.exception.nearest])
+        again = pickle.loads(pickle.dumps(caught.exception))
+        self.assertEqual(again.nearest, caught.exception.nearest)
+
+
+def answer_of(call: typing.Any) -> typing.Any:
+    """What another process answers."""
+    command, given = call
+    if command == "sweep":
+        return given.table(antrieb.Table.from_pydict({"load.inertia [kg m^2]": [1.0, 2.0]})).to_pydict()
+    if command == "table":
+        return given.to_pydict()
+    return getattr(antrieb, command)(PROJECT, **given).svg if command == "plot" else antrieb.size(PROJECT, **given)
+
+
+class Processes(unittest.TestCase):
+    """Forks and what travels between processes."""
+
+    @unittest.skipUnless(hasattr(os, "fork"), "there is no fork")
+    def test_a_forked_process_answers(self) -> None:
+        table = antrieb.Table.from_pydict({"load.inertia [kg m^2]": [1.0, 2.0]})
+        sweep = antrieb.Sweep(PROJECT, table)
+        calls: list[typing.Any] = [
+            ("size", {"top": 1}), ("plot", {"figure": "cycle"}), ("sweep", sweep), ("table", table)
+        ]
+        # Everything is used in the parent, threads and tables that are made on first use too.
+        expected = [answer_of(call) for call in calls]
+        with multiprocessing.get_context("fork").Pool(2) as pool:
+            self.assertEqual(pool.map_async(answer_of, calls * 2).get(timeout=120), expected * 2)
+        # Of a fork in a fork too.
+        child = os.fork()
+        if child == 0:
+            grandchild = os.fork()
+            same = answer_of(calls[2]) == expected[2]
+            if grandchild == 0:
+                os._exit(0 if same else 1)
+            os._exit(0 if same and os.waitpid(grandchild, 0)[1] == 0 else 1)
+        self.assertEqual(os.waitpid(child, 0)[1], 0)
+        self.assertEqual(answer_of(calls[0]), expected[0])
+
+    @unittest.skipUnless(hasattr(os, "fork"), "there is no fork")
+    def test_a_fork_in_the_middle_of_a_call_is_refused_at_once(self) -> None:
+        busy = threading.Thread(target=lambda: antrieb.size(Work.TOLERANT, all=True, samples=200_000, deadline="60 s"))
+        busy.start()
+        time.sleep(0.3)
+        child = os.fork()
+        if child == 0:
+            try:
+                antrieb.size(PROJECT)
+            except RuntimeError as error:
+                os._exit(0 if "forked" in str(error) else 1)
+            os._exit(2)
+        begin = time.monotonic()
+        self.assertEqual(os.waitpid(child, 0)[1], 0)
+        self.assertLess(time.monotonic() - begin, 10.0)
+        busy.join()
+
+    def test_tables_and_sweeps_are_pickled_and_copied(self) -> None:
+        table = antrieb.Table.from_pydict({"load.inertia [kg m^2]": [1.0, None], "code": [CODE, None], "x": [True, False]})
+        answers_of_it = antrieb.sweep(PROJECT, antrieb.Table.from_pydict({"load.inertia [kg m^2]": [1.0, -1.0]}))
+        for each in (table, answers_of_it, antrieb.Table.from_pydict({})):
+            again = pickle.loads(pickle.dumps(each))
+            self.assertEqual((again.column_names, again.to_pydict()), (each.column_names, each.to_pydict()))
+            self.assertIs(copy.copy(each), each)
+            self.assertIs(copy.deepcopy(each), each)
+        with tempfile.TemporaryDirectory() as folder:
+            path = pathlib.Path(folder, "axis.toml")
+            path.write_text(PROJECT, encoding="utf-8")
+            sweep = antrieb.Sweep(path, antrieb.Table.from_pydict({"load.inertia [kg m^2]": [1.0]}), check="thermal")
+            path.write_text(PROJECT.replace("1.3 kg", "130 kg"), encoding="utf-8")
+            again = pickle.loads(pickle.dumps(sweep))
+        rows = antrieb.Table.from_pydict({"load.inertia [kg m^2]": [1.0, 2.0]})
+        self.assertEqual(again.table(rows).to_pydict(), sweep.table(rows).to_pydict())
 
 
 class Work(unittest.TestCase):

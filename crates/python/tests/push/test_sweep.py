@@ -15,8 +15,8 @@ import antrieb
 from antrieb.examples import ARM
 
 INERTIA = "mechanism.arm.inertia [kg m^2]"
-PAYLOAD = "motion[0].payload [kg]"
-TIME = "motion[0].time [s]"
+PAYLOAD = "motion[1].payload [kg]"
+TIME = "motion[1].time [s]"
 
 
 def columns(rows: int, seed: int) -> dict[str, list[float]]:
@@ -102,9 +102,9 @@ class Sweeps(unittest.TestCase):
 
     def test_every_fault_of_a_table_has_its_heading_and_row(self) -> None:
         with self.assertRaises(antrieb.AntriebError) as caught:
-            antrieb.sweep(ARM, antrieb.Table.from_pydict({"motion[0].tyme [s]": [1.0], "motion[0].payload": [1.0]}))
+            antrieb.sweep(ARM, antrieb.Table.from_pydict({"motion[1].tyme [s]": [1.0], "motion[1].payload": [1.0]}))
         headings = [getattr(fault, "heading", None) for fault in caught.exception.faults]
-        self.assertEqual(headings, ["motion[0].tyme [s]", "motion[0].payload"])
+        self.assertEqual(headings, ["motion[1].tyme [s]", "motion[1].payload"])
         with self.assertRaises(antrieb.AntriebError) as caught:
             antrieb.sweep(ARM, pa.table({TIME: [1.0, None], PAYLOAD: ["heavy", "1"]}))
         places = [(getattr(fault, "heading", None), getattr(fault, "row", None)) for fault in caught.exception.faults]
@@ -112,12 +112,12 @@ class Sweeps(unittest.TestCase):
         with self.assertRaises(antrieb.AntriebError):
             antrieb.sweep(ARM, pa.table({"code": ["CHA-20B-100-H-C1024"]}))
         # Cells below headings that are read are looked at beside wrong headings and a wrong project.
-        wrong = pa.table({"motion[0].tyme [s]": [None, 1.0], TIME: [1.0, None], "code": ["CHA-99", "CHA-25A-50-H-C1024"]})
+        wrong = pa.table({"motion[1].tyme [s]": [None, 1.0], TIME: [1.0, None], "code": ["CHA-99", "CHA-25A-50-H-C1024"]})
         for project, more in ((ARM, []), (ARM.replace("6 kg", "6 m"), ["unit_of_another_quantity"])):
             with self.assertRaises(antrieb.AntriebError) as caught:
                 antrieb.sweep(project, wrong)
             found = [(getattr(fault, "heading", None), getattr(fault, "row", None)) for fault in caught.exception.faults]
-            expected = [(None, None)] * len(more) + [("motion[0].tyme [s]", None), (TIME, 1), ("code", 0)]
+            expected = [(None, None)] * len(more) + [("motion[1].tyme [s]", None), (TIME, 1), ("code", 0)]
             self.assertEqual(found, expected)
             self.assertEqual([getattr(fault, "id", None) for fault in caught.exception.faults][: len(more)], more)
         prepared = antrieb.Sweep(ARM, pa.table({TIME: [1.0]}).schema)

@@ -18,7 +18,7 @@ pub fn faults(file: &str, faults: &[Worded]) -> Faults {
         hint: fault.hint.as_deref().map(|hint| seen(hint).into_owned()),
         ..Fault::default()
     };
-    Faults { errors: faults.iter().map(fault).collect() }
+    Faults::from(faults.iter().map(fault).collect::<Vec<_>>())
 }
 
 /// Faults of a table, with a last one that counts those not listed.
@@ -40,14 +40,14 @@ pub fn table_faults(table: &str, found: &TableFaults, language: Language) -> Fau
         let message = words::fault_text(&more, language);
         errors.push(Fault { id: Some(more.id()), file: file(), message, ..Fault::default() });
     }
-    Faults { errors }
+    Faults::from(errors)
 }
 
 /// A file that cannot be read or written, and why.
 #[must_use]
 pub fn file_fault(file: &str, what: &str) -> Faults {
     let fault = Fault { file: Some(seen(file).into_owned()), message: seen(what).into_owned(), ..Fault::default() };
-    Faults { errors: vec![fault] }
+    Faults::from(vec![fault])
 }
 
 /// A fault of an option: what is wrong with it, and what would help.
@@ -59,7 +59,7 @@ pub fn option_fault(option: &str, (message, hint): (String, Option<String>)) -> 
         hint: hint.map(|hint| seen(&hint).into_owned()),
         ..Fault::default()
     };
-    Faults { errors: vec![fault] }
+    Faults::from(vec![fault])
 }
 
 /// A fault in one sentence.

@@ -1,7 +1,7 @@
 //! Why a question has no answer, before a face puts it into its form.
 
 use crate::answer::{
-    code_faults, code_worded, fault, faults, file_fault, option_fault, refusal_text, table_faults, written,
+    code_faults, code_worded, fault, faults, file_fault, listed, option_fault, refusal_text, table_faults, written,
 };
 use crate::codes::CodeRefusal;
 use crate::list::given::Hinted;
@@ -133,15 +133,18 @@ impl Unanswered {
     pub fn faults(&self, waited_s: Option<f64>, language: Language) -> Faults {
         match self {
             Self::Text { name, faults: found, .. } => faults(name, found),
-            Self::Code { text, refusal, .. } => faults(terminal::code(language), &code_worded(text, refusal)),
+            Self::Code { text, refusal, .. } => Faults {
+                nearest_codes: listed(&refusal.nearest, language),
+                ..faults(terminal::code(language), &code_worded(text, refusal))
+            },
             Self::Table { name, faults } => table_faults(name, faults, language),
             Self::File { name, message, .. } => file_fault(name, message),
             Self::Option { name, fault } => option_fault(name, fault.clone()),
             Self::Message((message, hint)) => {
                 let fault = Fault { message: seen(message).into_owned(), hint: hint.clone(), ..Fault::default() };
-                Faults { errors: vec![fault] }
+                Faults::from(vec![fault])
             }
-            Self::Usage(errors) => Faults { errors: errors.clone() },
+            Self::Usage(errors) => Faults::from(errors.clone()),
             Self::Refused(refusal, _) => fault(&refusal_text(refusal, waited_s, language)),
             Self::Together(all) => Faults::together(all.iter().map(|one| one.faults(waited_s, language))),
         }
