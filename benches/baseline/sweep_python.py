@@ -23,7 +23,7 @@ def table(rows: int) -> antrieb.Table:
     return antrieb.Table.from_pydict(
         {
             "load.inertia [kg m^2]": [0.05 + row % 1000 / 200.0 for row in range(rows)],
-            "motion[0].time [s]": [0.5 + (row // 1000) % 1000 / 666.0 for row in range(rows)],
+            "motion[1].time [s]": [0.5 + (row // 1000) % 1000 / 666.0 for row in range(rows)],
         }
     )
 

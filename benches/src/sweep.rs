@@ -21,7 +21,7 @@ const MOVE: &str = "format = 1\n[load]\ninertia = \"1 kg m^2\"\nfriction_torque 
     law = \"trapezoid\"\ndistance = \"90 deg\"\ntime = \"0.5 s\"\n[[motion]]\nlaw = \"dwell\"\ntime = \"1 s\"\n";
 
 const HEADINGS: [&str; 4] =
-    ["load.inertia [kg m^2]", "load.friction_torque [N m]", "motion[0].time [s]", "motion[0].distance [deg]"];
+    ["load.inertia [kg m^2]", "load.friction_torque [N m]", "motion[1].time [s]", "motion[1].distance [deg]"];
 
 /// From and to of each column; the inertia in equal ratios.
 type Ranges = [(f64, f64); 4];

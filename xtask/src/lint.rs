@@ -8,6 +8,8 @@ use crate::tidy::layers::layer;
 
 /// The highest layer that gets everything handed in.
 const HANDED_IN_MAX: u8 = 6;
+/// The one crate of the faces that makes, replaces and removes files.
+const WRITES_FILES: &str = "disk";
 /// The highest layer without any thread.
 const ONE_THREAD_MAX: u8 = 1;
 
@@ -26,10 +28,15 @@ pub(crate) fn clippy(root: &Path) -> Result<(), Error> {
         ["clippy", "--quiet", "--package", "python", "--features", "extension", "--no-deps", "--", "-D", "warnings"];
     must_succeed(cargo(root, &module).env("PYO3_NO_PYTHON", "1"))?;
     let workspace = Workspace::ask(root)?;
-    for (bans, highest) in [("outside-world", HANDED_IN_MAX), ("threads", ONE_THREAD_MAX)] {
+    let bans: [(&str, fn(&str, u8) -> bool); 3] = [
+        ("outside-world", |_, layer| layer <= HANDED_IN_MAX),
+        ("threads", |_, layer| layer <= ONE_THREAD_MAX),
+        ("own-files", |name, layer| layer > HANDED_IN_MAX && name != WRITES_FILES),
+    ];
+    for (bans, are_put_to) in bans {
         let names = workspace.packages.iter().map(|package| package.name.as_str());
         let mut command = cargo(root, &["clippy", "--quiet", "--lib", "--no-deps"]);
-        for name in names.filter(|name| layer(name).is_some_and(|layer| layer <= highest)) {
+        for name in names.filter(|name| layer(name).is_some_and(|layer| are_put_to(name, layer))) {
             command.args(["--package", name]);
         }
         command.args(["--", "-D", "clippy::disallowed_types", "-D", "clippy::disallowed_methods"]);
@@ -67,6 +74,22 @@ mod tests {
             .unwrap();
         std::fs::remove_dir_all(&folder).unwrap();
         String::from_utf8_lossy(&output.stderr).into_owned()
+    }
+
+    #[test]
+    fn a_face_that_writes_or_removes_a_file_itself_is_found_and_one_that_reads_is_not() {
+        for (line, what) in [
+            ("fn f() { let _ = std::fs::write(\"x\", \"\"); }", "method `std::fs::write`"),
+            ("fn f() { let _ = std::fs::remove_dir_all(\"x\"); }", "method `std::fs::remove_dir_all`"),
+            ("fn f() { let _ = std::fs::remove_file(\"x\"); }", "method `std::fs::remove_file`"),
+            ("fn f() { let _ = std::fs::rename(\"x\", \"y\"); }", "method `std::fs::rename`"),
+            ("use std::fs::File; fn f() { let _ = File::create(\"x\"); }", "method `std::fs::File::create`"),
+            ("fn f(_: &std::fs::OpenOptions) {}", "type `std::fs::OpenOptions`"),
+        ] {
+            let said = printed("own-files", line);
+            assert!(said.contains(what), "{line}: {said}");
+        }
+        assert_eq!(printed("own-files", "fn f() { let _ = (std::fs::File::open(\"x\"), std::fs::read(\"y\")); }"), "");
     }
 
     #[test]

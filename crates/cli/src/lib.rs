@@ -58,17 +58,14 @@ use std::time::Duration;
 /// Answers a call of the command line, the name of the program first; gives the exit code.
 #[must_use]
 pub fn run(call: Vec<OsString>) -> u8 {
+    disk::refuse_large_files();
     let language = command::language_of(call.iter().cloned());
     let arguments = command::with_help_asked(call.into_iter());
     let as_json = command::json_of(&arguments);
     let matches = match command::build_for(&arguments, language).try_get_matches_from(arguments) {
         Ok(matches) => matches,
         Err(error) if error.use_stderr() => return command::usage::refused(&error, as_json, language).write(language),
-        Err(help) => {
-            // A closed pipe is the reader's business.
-            let _ = help.print();
-            return 0;
-        }
+        Err(help) => return Answer::data(help.render().ansi().to_string()).write(language),
     };
     let json = matches.get_flag("json");
     let most = match deadline(&matches, language) {

@@ -1,24 +1,22 @@
 //! `sweep`: a table of axes, judged part by part. Finished parts are kept beside the answers until these are whole, so that an
 //! interrupted call continues.
 
+mod parts;
+mod run;
+
 use crate::answer::{Answer, written};
 use crate::call::Call;
 use crate::fault::path_text;
+use parts::{PART, Parts};
 use quantities::{Language, format_number};
 use questions::list::{Asked, Unanswered, sweep};
 use questions::sweep::{SweepSummary, Tally};
+use run::Run;
 use std::fmt::Write as _;
 use std::fs::File;
-use std::io::{BufWriter, Read as _, Write as _};
 use std::path::{Path, PathBuf};
-use sweep_io::{Answers, Batches, Format, Head, Sweep, Unread};
+use sweep_io::{Batches, Format, Head, Sweep, Unread};
 use words::{file_trouble, sweeps};
-
-/// Rows of a part.
-const PART: usize = 1 << 14;
-
-/// The file that says to what the parts belong.
-const MARK: &str = "sweep";
 
 /// A table in a file.
 struct Table<'c> {
@@ -48,8 +46,9 @@ pub(crate) fn sweep(call: &Call<'_>, asked: &Asked<'_>) -> Result<Answer, Unansw
     });
     let ready = match opened {
         Ok((table, batches)) => {
-            let head = Head::read(text, projects, &batches.schema(), args.options(language));
-            table.checked(batches, head, beside).map(|(sweep, rows)| (table, sweep, rows))
+            let options = args.options(batches.has_decimal_commas(), language)?;
+            let head = Head::read(text, projects, &batches.schema(), options);
+            table.checked(batches, head, beside.clone()).map(|(sweep, rows)| (table, sweep, rows))
         }
         Err(unread) => Err(Unanswered::together(projects.err().into_iter().chain([unread]).collect())),
     };
@@ -57,12 +56,24 @@ pub(crate) fn sweep(call: &Call<'_>, asked: &Asked<'_>) -> Result<Answer, Unansw
         (Ok((table, sweep, rows)), Ok(answers)) => (table, sweep, rows, answers),
         (ready, place) => return Err(Unanswered::together(ready.err().into_iter().chain(place.err()).collect())),
     };
-    let parts = Parts::of(&table, out, text, &format!("{args:?} {}", language.id()))?;
+    let request = format!("{args:?} {} {answers:?} {}", language.id(), call.memory());
+    let run = Run { table: &table, project: text, recordings: sweep.recordings(), files: &beside, request };
+    // Nothing that the table names is written either.
+    let inputs: Vec<PathBuf> =
+        inputs.into_iter().chain(run.recordings.iter().map(|name| beside.folder.join(name))).collect();
+    let desk = call.desk(&inputs);
+    desk.ready(&[out])?;
+    let parts = Parts::of(&run, out, &run.mark()?)?;
     let mut talk = format!("{}\n", sweeps::keys(&sweep.keys().collect::<Vec<_>>().join(", "), language));
     talk += &parts.remark(rows);
-    parts.judged(&table, &sweep, rows, asked)?;
+    if let Err(why) = parts.judged(&table, &sweep, rows, asked) {
+        return Err(parts.ended(why));
+    }
+    let parts = parts.verified(&run)?;
     let mut tally = Tally::default();
-    desk.save_by(out, |file| parts.together(answers, &sweep, rows, file, &mut tally))?;
+    if let Err(why) = desk.save_by(out, |file| parts.together(answers, &sweep, rows, file, &mut tally)) {
+        return Err(parts.ended(why));
+    }
     parts.remove();
     let summary = tally.summary(Some(path_text(out)), language);
     let data = if call.as_json { written(&summary) } else { shown(&summary, language) };
@@ -110,145 +121,6 @@ impl Table<'_> {
             (ready, unread) => Err(Unanswered::together(ready.err().into_iter().chain(unread).collect())),
         }
     }
-}
-
-/// The parts of the answers: a folder beside them.
-struct Parts {
-    folder: PathBuf,
-    /// How many were there, and whether others had to go.
-    kept: usize,
-    begun_anew: bool,
-    language: Language,
-}
-
-impl Parts {
-    /// Those of the same project, table and request are kept, others removed.
-    fn of(table: &Table<'_>, out: &Path, project: &str, request: &str) -> Result<Self, Unanswered> {
-        let name = out.file_name().map(|name| name.to_string_lossy().into_owned()).unwrap_or_default();
-        let folder = out.with_file_name(format!("{name}.parts"));
-        let language = table.language;
-        let failed = |error: &std::io::Error| {
-            Unanswered::message(format!("{}: {}", path_text(&folder), file_trouble(error, language)))
-        };
-        let mut hasher = blake3::Hasher::new();
-        for text in [env!("CARGO_PKG_VERSION"), project, request, &name] {
-            hasher.update(&(text.len() as u64).to_le_bytes()).update(text.as_bytes());
-        }
-        let mut file = table.file()?;
-        let mut buffer = vec![0; 1 << 18];
-        loop {
-            let read = file.read(&mut buffer).map_err(|error| table.refused(&file_trouble(&error, language)))?;
-            if read == 0 {
-                break;
-            }
-            hasher.update(buffer.get(..read).unwrap_or_default());
-        }
-        let mark = format!("{}\n", hasher.finalize().to_hex());
-        let path = folder.join(MARK);
-        let known = std::fs::read_to_string(&path).ok();
-        let is_same = known.as_deref() == Some(mark.as_str());
-        let begun_anew = known.is_some() && !is_same;
-        if !is_same {
-            // Without its mark a folder of this name is not ours: only what we wrote is removed.
-            if known.is_some() {
-                std::fs::remove_dir_all(&folder).map_err(|error| failed(&error))?;
-            }
-            std::fs::create_dir_all(&folder).map_err(|error| failed(&error))?;
-            put(&folder, MARK, mark.as_bytes()).map_err(|error| failed(&error))?;
-        }
-        let mut parts = Self { folder, kept: 0, begun_anew, language };
-        parts.kept = (0..).take_while(|index| parts.path(*index).is_file()).count();
-        Ok(parts)
-    }
-
-    fn path(&self, index: u64) -> PathBuf {
-        self.folder.join(name(index))
-    }
-
-    /// What became of parts that were there; `rows` are those of the table.
-    fn remark(&self, rows: u64) -> String {
-        if self.begun_anew {
-            return format!("{}\n", sweeps::begun_anew(self.language));
-        }
-        let kept = rows.min((self.kept * PART) as u64);
-        if self.kept == 0 { String::new() } else { format!("{}\n", sweeps::resumed(self.kept, &kept, self.language)) }
-    }
-
-    fn failed(&self, why: &str) -> Unanswered {
-        Unanswered::message(format!("{}: {why}", path_text(&self.folder)))
-    }
-
-    /// Judges what is not judged yet, a part at a time.
-    fn judged(&self, table: &Table<'_>, sweep: &Sweep, rows: u64, asked: &Asked<'_>) -> Result<(), Unanswered> {
-        let mut first = self.kept as u64 * PART as u64;
-        if first >= rows {
-            return Ok(());
-        }
-        asked.patience.expect_steps(usize::try_from(rows - first).unwrap_or(usize::MAX));
-        let mut index = self.kept as u64;
-        let mut batches = table.open(first)?;
-        while first < rows {
-            let batch = batches.next(self.language).map_err(|why| table.refused(&why.text(self.language)))?;
-            let Some(batch) = batch else { break };
-            let answers = sweep.batch(&batch, first, asked.patience).map_err(|why| self.kept_in(why))?;
-            let bytes = sweep_io::part(&answers).map_err(|why| self.failed(&why))?;
-            put(&self.folder, &name(index), &bytes)
-                .map_err(|error| self.failed(&file_trouble(&error, self.language)))?;
-            first += batch.num_rows() as u64;
-            index += 1;
-        }
-        Ok(())
-    }
-
-    /// Why it ended, and that what is finished stays.
-    fn kept_in(&self, why: Unanswered) -> Unanswered {
-        let kept = Unanswered::message(sweeps::kept(&path_text(&self.folder), self.language));
-        if why.is_stopped() { Unanswered::together(vec![why, kept]) } else { why }
-    }
-
-    /// All parts as one file, counted.
-    fn together(
-        &self,
-        format: Format,
-        sweep: &Sweep,
-        rows: u64,
-        file: &mut File,
-        tally: &mut Tally,
-    ) -> Result<(), Unanswered> {
-        let failed = |why: String| self.failed(&why);
-        let unread = |why: Unread| self.failed(&why.text(self.language));
-        let mut answers =
-            Answers::begin(BufWriter::with_capacity(1 << 18, file), format, sweep.schema()).map_err(failed)?;
-        for index in 0..rows.div_ceil(PART as u64) {
-            let part = File::open(self.path(index)).map_err(|error| failed(file_trouble(&error, self.language)))?;
-            let mut batches = Batches::open(part, Format::Parquet, 0, PART, self.language).map_err(unread)?;
-            while let Some(batch) = batches.next(self.language).map_err(unread)? {
-                sweep_io::count(&batch, tally);
-                answers.add(&batch).map_err(failed)?;
-            }
-        }
-        let mut out = answers.end().map_err(failed)?;
-        out.flush().map_err(|error| failed(file_trouble(&error, self.language)))
-    }
-
-    /// Once the answers are whole.
-    fn remove(&self) {
-        // What is left over is found by the next call.
-        let _ = std::fs::remove_dir_all(&self.folder);
-    }
-}
-
-fn name(index: u64) -> String {
-    format!("part-{index:08}.parquet")
-}
-
-/// Writes a file of a folder of ours whole: under another name first.
-fn put(folder: &Path, name: &str, bytes: &[u8]) -> std::io::Result<()> {
-    let unfinished = folder.join(format!("{name}.unfinished"));
-    let mut file = File::create(&unfinished)?;
-    file.write_all(bytes)?;
-    file.sync_data()?;
-    std::fs::rename(unfinished, folder.join(name))
 }
 
 /// The summary on the terminal.

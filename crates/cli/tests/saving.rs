@@ -338,6 +338,23 @@ fn a_closed_standard_output_is_a_fault() {
     }
 }
 
+/// Help and version are answers like any other: where standard output does not take them, that is a fault.
+#[cfg(target_os = "linux")]
+#[test]
+fn help_and_version_are_answers_too() {
+    let program = env!("CARGO_BIN_EXE_antrieb");
+    for call in ["--help", "-h", "--version", "help", "help size", "size --help", "code parse CHA-25A-100-H-C1024"] {
+        for (to, code) in
+            [(">&-", 2), (">/dev/full", 2), (">/dev/null", 0), ("| head -c 1 >/dev/null; exit ${PIPESTATUS[0]}", 0)]
+        {
+            let line = format!("{program} {call} {to}");
+            let found = std::process::Command::new("bash").args(["-c", &line]).output().unwrap();
+            assert_eq!(found.status.code(), Some(code), "{call} {to}: {}", String::from_utf8_lossy(&found.stderr));
+            assert_eq!(found.stderr.is_empty(), code == 0, "{call} {to}");
+        }
+    }
+}
+
 /// `--json=1` is `--json`, and a faulty call answers JSON too.
 #[test]
 fn a_flag_with_a_value_is_the_flag() {

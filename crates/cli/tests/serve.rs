@@ -74,7 +74,7 @@ fn a_sweep_over_http_has_the_answers_of_the_command() {
     let project = std::fs::read(root().join("examples/two-axes.toml")).unwrap();
     std::fs::write(path("axis.toml"), &project).unwrap();
     let rows = "8,2\n-1,2\n900,2\n9,1\n8.5,0\n";
-    std::fs::write(path("tasks.csv"), format!("mechanism.belt.mass [kg],motion[0].payload [kg]\n{rows}")).unwrap();
+    std::fs::write(path("tasks.csv"), format!("mechanism.belt.mass [kg],motion[1].payload [kg]\n{rows}")).unwrap();
     let server = Server::new(&[&path(""), "--port", "0"]);
     let (_, described) = server.ask("GET /api/v1/openapi.json", "", b"");
     let described: serde_json::Value = serde_json::from_slice(&described).unwrap();
@@ -117,7 +117,7 @@ fn a_sweep_over_http_has_the_answers_of_the_command() {
         assert_eq!(found["error"].as_str().unwrap_or_default(), error, "{line}");
     }
 
-    std::fs::write(path("wrong.csv"), "mechanism.belt.mas [kg],motion[0].payload [kg],code\n1,much,CHA-99\n1\n")
+    std::fs::write(path("wrong.csv"), "mechanism.belt.mas [kg],motion[1].payload [kg],code\n1,much,CHA-99\n1\n")
         .unwrap();
     let (head, faults) = ask("wrong.csv");
     assert!(head.starts_with("HTTP/1.1 422 "), "{head}");

@@ -27,11 +27,11 @@ fn a_written_table_is_answered_in_both_formats_alike() {
     let folder = folder.path();
     let axis = put(folder, "axis.toml", MOVE);
     let table = path(folder, "tasks.csv");
-    let keys = ["--key", "load.inertia [kg m^2] = 0.1..300 log", "--key", "motion[0].time [s] = 0.05..2"];
+    let keys = ["--key", "load.inertia [kg m^2] = 0.1..300 log", "--key", "motion[1].time [s] = 0.05..2"];
     let new = [&["new", "sweep", "--samples", "40", "--out", &table][..], &keys].concat();
     assert_eq!(run(&new).code, 0);
     let text = std::fs::read_to_string(&table).unwrap();
-    assert_eq!(text.lines().next(), Some("load.inertia [kg m^2],motion[0].time [s]"));
+    assert_eq!(text.lines().next(), Some("load.inertia [kg m^2],motion[1].time [s]"));
     assert_eq!(text.lines().count(), 41);
     let (csv, parquet) = (path(folder, "best.csv"), path(folder, "best.parquet"));
     let first = run(&["sweep", &axis, "--table", &table, "--out", &csv]);
@@ -63,7 +63,7 @@ fn every_fault_of_a_table_is_reported_with_heading_and_row() {
     let table = put(
         folder,
         "tasks.csv",
-        "load.inertia [kg m^2],motion[0].law,code\n1,trapezoid,CHA-25A-50-H-C1024\nheavy,trapezoyd,CHA-25A-50-H-C1025\n,constant,\n",
+        "load.inertia [kg m^2],motion[1].law,code\n1,trapezoid,CHA-25A-50-H-C1024\nheavy,trapezoyd,CHA-25A-50-H-C1025\n,constant,\n",
     );
     let out = path(folder, "best.csv");
     let found = run(&["sweep", &axis, "--table", &table, "--out", &out]);
@@ -72,7 +72,7 @@ fn every_fault_of_a_table_is_reported_with_heading_and_row() {
     let table = put(
         folder,
         "heads.csv",
-        "load.inerta [kg m^2],load.friction_torque,motion[0].time [kg],motion[4].time [s]\n1,1,1,1\n",
+        "load.inerta [kg m^2],load.friction_torque,motion[1].time [kg],motion[5].time [s]\n1,1,1,1\n",
     );
     let found = run(&["sweep", &axis, "--table", &table, "--out", &out]);
     insta::assert_snapshot!("faults_of_headings", found.err.replace(&folder.display().to_string(), ""));
@@ -90,7 +90,7 @@ fn faults_of_project_table_and_answers_are_reported_together() {
     let table = put(
         folder,
         "tasks.csv",
-        "load.inerta [kg m^2],motion[0].time [s],motion[7].time [s],code\n\
+        "load.inerta [kg m^2],motion[1].time [s],motion[8].time [s],code\n\
          1,heavy,1,CHA-25A-50-H-C1025\n1,0.5\n1,,1,CHA-25A-50-H-C1024\n",
     );
     let found = run(&["sweep", &axis, "--table", &table, "--out", &path(folder, "best.txt")]);
@@ -104,7 +104,7 @@ fn faults_of_project_table_and_answers_are_reported_together() {
 fn an_axis_that_is_not_named_is_reported_beside_the_faults_of_the_table() {
     let folder = tempfile::tempdir().unwrap();
     let folder = folder.path();
-    let table = put(folder, "tasks.csv", "motion[0].payload [kg],motion[0].tyme [s]\nmuch,1\n");
+    let table = put(folder, "tasks.csv", "motion[1].payload [kg],motion[1].tyme [s]\nmuch,1\n");
     let out = path(folder, "best.csv");
     for axis in [[].as_slice(), &["--axis", "none"]] {
         let call = [&["sweep", "examples/two-axes.toml", "--table", &table, "--out", &out, "--json"], axis].concat();
@@ -115,10 +115,99 @@ fn an_axis_that_is_not_named_is_reported_beside_the_faults_of_the_table() {
         assert!(faults[0]["message"].as_str().unwrap().contains("swivel, lift"), "{faults:?}");
         assert_eq!(
             (faults[1]["id"].as_str(), faults[1]["heading"].as_str()),
-            (Some("unknown_key"), Some("motion[0].tyme [s]"))
+            (Some("unknown_key"), Some("motion[1].tyme [s]"))
         );
         assert_eq!((faults[2]["id"].as_str(), faults[2]["row"].as_u64()), (Some("not_a_number"), Some(0)));
     }
+}
+
+/// A table as spreadsheets write it: the answers have the same bytes in every dialect.
+#[test]
+fn a_table_is_answered_alike_in_every_dialect() {
+    let folder = tempfile::tempdir().unwrap();
+    let folder = folder.path();
+    let axis = put(folder, "axis.toml", MOVE);
+    let table =
+        "load.inertia [kg m^2],load.friction_torque [N·m],motion[1].law\n0.5,5.25,trapezoid\n1,5,polynomial_5\n";
+    let german =
+        |sign: &str| table.replace(',', sign).replace('.', ",").replace("load,", "load.").replace("],law", "].law");
+    let utf16 = |text: &str| "\u{feff}".encode_utf16().chain(text.encode_utf16()).flat_map(u16::to_le_bytes).collect();
+    let windows = |text: &str| text.chars().map(|c| u8::try_from(u32::from(c)).unwrap()).collect::<Vec<u8>>();
+    let out = path(folder, "best.csv");
+    let answered = |name: &str, bytes: &[u8]| {
+        let tasks = folder.join("tasks.csv");
+        std::fs::write(&tasks, bytes).unwrap();
+        let found = run(&["sweep", &axis, "--table", tasks.to_str().unwrap(), "--out", &out, "--force"]);
+        assert_eq!(found.code, 0, "{name}: {}", found.err);
+        std::fs::read_to_string(&out).unwrap()
+    };
+    let expected = answered("plain", table.as_bytes());
+    assert!(expected.lines().count() == 3 && !expected.contains(';'), "{expected}");
+    let dialects: [(&str, Vec<u8>); 6] = [
+        ("semicolons", table.replace(',', ";").into_bytes()),
+        ("decimal commas", german(";").into_bytes()),
+        ("tabs and decimal commas", german("\t").into_bytes()),
+        ("a line that names the separator", format!("sep=;\r\n{}", german(";").replace('\n', "\r\n")).into_bytes()),
+        ("UTF-16", utf16(&german("\t"))),
+        ("Windows-1252", windows(&german(";"))),
+    ];
+    for (name, bytes) in dialects {
+        assert_eq!(answered(name, &bytes), expected, "{name}");
+    }
+    // A thousand or a unit and a fraction: refused, and so are groups of thousands.
+    for (cell, id) in [("1.234", "decimal_mixed"), ("1.234,5", "not_a_number"), ("1,234,5", "not_a_number")] {
+        let table = put(
+            folder,
+            "mixed.csv",
+            &format!("load.inertia [kg m^2];load.friction_torque [N m]\n0,5;5,5\n{cell};5,0\n"),
+        );
+        let found = run(&["sweep", &axis, "--table", &table, "--out", &out, "--force", "--json"]);
+        let faults: Value = serde_json::from_str(&found.out).unwrap();
+        let fault = &faults["errors"][0];
+        assert_eq!(
+            (found.code, fault["id"].as_str(), fault["row"].as_u64()),
+            (2, Some(id), Some(1)),
+            "{cell}: {faults}"
+        );
+    }
+}
+
+/// A heading means the same segment whatever other columns there are; where one counts from zero each is answered with its new form.
+#[test]
+fn headings_count_from_one_and_the_old_form_is_refused_with_the_new_one() {
+    let folder = tempfile::tempdir().unwrap();
+    let folder = folder.path();
+    let axis = put(folder, "axis.toml", MOVE);
+    let out = path(folder, "best.csv");
+    let heads = "load.inertia [kg m^2],motion[0].time [s],motion[1].time [ms],motion[0].law";
+    let table = put(folder, "tasks.csv", &format!("{heads}\n1,0.5,400,trapezoid\n"));
+    let found = run(&["sweep", &axis, "--table", &table, "--out", &out, "--json"]);
+    let faults: Value = serde_json::from_str(&found.out).unwrap();
+    let each = |key: &str| -> Vec<String> {
+        faults["errors"].as_array().unwrap().iter().map(|fault| fault[key].as_str().unwrap().to_owned()).collect()
+    };
+    assert_eq!(each("heading"), ["motion[0].time [s]", "motion[1].time [ms]", "motion[0].law"]);
+    assert_eq!(each("id"), ["counts_from_zero"; 3]);
+    let hints = each("hint");
+    for (hint, now) in hints.iter().zip(["motion[1].time [s]", "motion[2].time [ms]", "motion[1].law"]) {
+        assert!(hint.contains(now), "{hint}");
+    }
+    let now = heads.replace("[1]", "[2]").replace("[0]", "[1]");
+    let table = put(folder, "tasks.csv", &format!("{now}\n1,0.5,400,trapezoid\n"));
+    assert_eq!(run(&["sweep", &axis, "--table", &table, "--out", &out]).code, 0);
+    // Fewer columns: the second segment stays the second.
+    let fewer = put(folder, "fewer.csv", "motion[2].time [ms]\n400\n");
+    let said = run(&["sweep", &axis, "--table", &fewer, "--out", &path(folder, "fewer-best.csv")]);
+    assert!(said.code == 0 && said.err.contains("motion[2].time"), "{}", said.err);
+    let wrong = put(folder, "wrong.csv", "motion[3].time [s],motion[1].time [s]\n1,-\n");
+    let said = run(&["sweep", &axis, "--table", &wrong, "--out", &out, "--force"]);
+    assert!(
+        said.err.contains("`motion[3].time`: the project has no such entry") && said.err.contains("`motion[1].time`: "),
+        "{}",
+        said.err
+    );
+    let both = run(&["sweep", &axis, "--table", &fewer, "--out", &out, "--force", "--front", "--check", "thermal"]);
+    assert!(both.code == 2 && both.err.contains("exclude each other"), "{}", both.err);
 }
 
 #[test]
@@ -234,7 +323,7 @@ fn a_row_has_the_digits_of_size_with_the_edited_file() {
 
 /// A table of three parts, most of whose rows are refused quickly.
 fn long_table(folder: &Path) -> String {
-    let mut text = String::from("load.inertia [kg m^2],motion[0].time [s]\n");
+    let mut text = String::from("load.inertia [kg m^2],motion[1].time [s]\n");
     for row in 0..36_000 {
         let inertia = if row % 128 == 0 { 0.1 + f64::from(row % 97) } else { -1.0 };
         writeln!(text, "{inertia},{}", 0.2 + f64::from(row % 13) / 10.0).unwrap();
@@ -321,9 +410,9 @@ fn runs_that_are_killed_at_any_moment_continue_with_the_same_bytes() {
     }
 }
 
-/// Of finished parts the remark says how many rows they have, also of the last, which is shorter; those of another project go.
+/// Of finished parts the remark says how many rows they have, also of the last, which is shorter.
 #[test]
-fn parts_that_are_kept_are_counted_and_those_of_others_removed() {
+fn parts_that_are_kept_are_counted() {
     let folder = tempfile::tempdir().unwrap();
     let folder = folder.path();
     let axis = put(folder, "axis.toml", MOVE);
@@ -348,11 +437,6 @@ fn parts_that_are_kept_are_counted_and_those_of_others_removed() {
     ];
     assert!(said.iter().any(|said| resumed.err.contains(said)), "{}", resumed.err);
     assert!(!second.exists());
-    std::fs::create_dir(folder.join("other.csv.parts")).unwrap();
-    put(&folder.join("other.csv.parts"), "sweep", "of another");
-    let other = put(folder, "few.csv", "load.inertia [kg m^2]\n1\n");
-    let anew = run(&["sweep", &axis, "--table", &other, "--out", &path(folder, "other.csv")]);
-    assert!(anew.code == 0 && anew.err.contains("removed"), "{}", anew.err);
 }
 
 #[test]
@@ -360,10 +444,14 @@ fn a_deadline_ends_a_run_and_says_where_its_parts_are() {
     let folder = tempfile::tempdir().unwrap();
     let folder = folder.path();
     let axis = put(folder, "axis.toml", MOVE);
-    let rows: String = (0..20_000).map(|row| format!("{}\n", 1.0 + f64::from(row) / 1e4)).collect();
-    let table = put(folder, "tasks.csv", &format!("load.inertia [kg m^2]\n{rows}"));
     let out = path(folder, "best.csv");
-    let late = run_with(&["sweep", &axis, "--table", &table, "--out", &out, "--deadline", "0.5 s"], &[]);
-    assert!(late.code == 2 && late.err.contains("best.csv.parts"), "{} {}", late.code, late.err);
-    assert!(!Path::new(&out).exists());
+    // The first part is refused at once where there is one, the rows behind it take longer.
+    for (refused, is_kept) in [(0, false), (1 << 14, true)] {
+        let mut rows = "-1\n".repeat(refused);
+        (0..40_000).for_each(|row| writeln!(rows, "{}", 1.0 + f64::from(row) / 1e4).unwrap());
+        let table = put(folder, "tasks.csv", &format!("load.inertia [kg m^2]\n{rows}"));
+        let late = run_with(&["sweep", &axis, "--table", &table, "--out", &out, "--deadline", "2 s"], &[]);
+        assert_eq!((late.code, late.err.contains("best.csv.parts")), (2, is_kept), "{}", late.err);
+        assert!(!Path::new(&out).exists() && folder.join("best.csv.parts").exists() == is_kept);
+    }
 }

@@ -1,18 +1,22 @@
 //! Files of this machine, for the faces: written whole or not at all, read within bounds.
 //!
 //! A file is written under a temporary name next to its path and then renamed ([`save`]); obstacles are reported before
-//! anything is written ([`ready`]). The files that a project names are opened only in permitted folders ([`Beside`]).
+//! anything is written ([`ready`]). Finished parts of a long file are kept in a folder beside it that bears our mark ([`Parts`]).
+//! Only files that this program wrote are removed or replaced, and no link is followed. The files that a project names are opened
+//! only in permitted folders ([`Beside`]).
 
 mod left;
+mod parts;
 mod read;
 mod save;
 mod unfinished;
 
+pub use parts::{Parts, PartsTrouble};
 pub use read::{Beside, Links, read_within};
 pub use save::{Unsaved, Unwritten, ready, save, save_by};
 pub use unfinished::end;
 #[cfg(unix)]
-pub use unfinished::end_on_signals;
+pub use unfinished::{end_on_signals, refuse_large_files};
 
 use quantities::seen;
 use std::path::Path;
@@ -20,6 +24,10 @@ use std::path::Path;
 /// Without signals there is nothing to be done.
 #[cfg(not(unix))]
 pub const fn end_on_signals() {}
+
+/// Without signals there is nothing to be done.
+#[cfg(not(unix))]
+pub const fn refuse_large_files() {}
 
 /// A path as it may be shown.
 #[must_use]

@@ -4,7 +4,7 @@ use crate::unfinished::Unfinished;
 use crate::{left, path_text};
 use std::io::{ErrorKind, Write};
 use std::path::{Path, PathBuf};
-use tempfile::{Builder, NamedTempFile, TempPath};
+use tempfile::{Builder, NamedTempFile};
 use words::SaveTrouble;
 
 /// A file that could not be written.
@@ -26,9 +26,9 @@ struct Destination<'p> {
 
 impl Destination<'_> {
     /// Renames what is written.
-    fn keep(&self, file: TempPath, force: bool) -> Result<(), Unwritten> {
+    fn keep(&self, file: NamedTempFile, force: bool) -> Result<(), Unwritten> {
         let kept = if force { file.persist(&self.target) } else { file.persist_noclobber(&self.target) };
-        kept.map_err(|fault| {
+        kept.map(drop).map_err(|fault| {
             let exists = fault.error.kind() == ErrorKind::AlreadyExists;
             unwritten(self.asked, if exists { SaveTrouble::Exists } else { system(&fault.error) })
         })
@@ -43,12 +43,10 @@ impl Destination<'_> {
 /// # Errors
 /// The first file that cannot be written, and why.
 pub fn save(files: &[(&Path, &[u8])], inputs: &[PathBuf], force: bool) -> Result<(), Unwritten> {
-    #[cfg(unix)]
-    crate::unfinished::refuse_large_files();
     let places = places(files.iter().map(|(path, _)| *path), inputs, force)?;
     places.iter().filter_map(|place| place.target.parent()).for_each(left::clear);
     let unfinished = Unfinished;
-    let mut staged: Vec<(TempPath, &Destination<'_>)> = Vec::new();
+    let mut staged: Vec<(NamedTempFile, &Destination<'_>)> = Vec::new();
     for (place, (_, bytes)) in places.iter().zip(files) {
         let file = stage(place, bytes, &unfinished).map_err(|error| unwritten(place.asked, system(&error)))?;
         staged.push((file, place));
@@ -72,8 +70,6 @@ pub fn save_by<E>(
     force: bool,
     write: impl FnOnce(&mut std::fs::File) -> Result<(), E>,
 ) -> Result<(), Unsaved<E>> {
-    #[cfg(unix)]
-    crate::unfinished::refuse_large_files();
     let places = places(std::iter::once(path), inputs, force).map_err(Unsaved::Unwritten)?;
     let Some(place) = places.first() else { return Ok(()) };
     place.target.parent().into_iter().for_each(left::clear);
@@ -81,9 +77,9 @@ pub fn save_by<E>(
     let failed = |error: &std::io::Error| Unsaved::Unwritten(unwritten(place.asked, system(error)));
     let mut file = begin(place, &unfinished).map_err(|error| failed(&error))?;
     write(file.as_file_mut()).map_err(Unsaved::Other)?;
-    file.as_file().sync_all().map_err(|error| failed(&error))?;
+    finish(place, &file, &unfinished).map_err(|error| failed(&error))?;
     let renaming = unfinished.hold();
-    place.keep(file.into_temp_path(), force).map_err(Unsaved::Unwritten)?;
+    place.keep(file, force).map_err(Unsaved::Unwritten)?;
     drop(renaming);
     Ok(())
 }
@@ -179,35 +175,66 @@ fn place(asked: &Path, force: bool) -> Result<Destination<'_>, SaveTrouble> {
     Ok(Destination { asked, target, exists: true })
 }
 
-fn stage(place: &Destination<'_>, bytes: &[u8], unfinished: &Unfinished) -> std::io::Result<TempPath> {
+fn stage(place: &Destination<'_>, bytes: &[u8], unfinished: &Unfinished) -> std::io::Result<NamedTempFile> {
     let mut file = begin(place, unfinished)?;
     file.write_all(bytes)?;
-    file.as_file().sync_all()?;
-    Ok(file.into_temp_path())
-}
-
-/// A file beside its place.
-fn begin(place: &Destination<'_>, unfinished: &Unfinished) -> std::io::Result<NamedTempFile> {
-    let folder = place.target.parent().unwrap_or(Path::new("."));
-    let mut builder = Builder::new();
-    builder.prefix(left::PREFIX);
-    readable(&mut builder);
-    let file: NamedTempFile = unfinished.made(|| builder.tempfile_in(folder))?;
-    if place.exists {
-        keep(file.as_file(), &place.target)?;
-    }
+    finish(place, &file, unfinished)?;
     Ok(file)
 }
 
-/// As any other file, less what the user's mask takes away; a temporary file is private otherwise.
+/// A file beside its place, which nobody else may read before it is whole. It is locked as long as this program writes it.
+fn begin(place: &Destination<'_>, unfinished: &Unfinished) -> std::io::Result<NamedTempFile> {
+    let folder = place.target.parent().unwrap_or(Path::new("."));
+    let file = unfinished.made(|| temporary(folder, |_| {}))?;
+    #[cfg(unix)]
+    // Where the file system has no locks the age of a file alone tells what was left.
+    drop(file.as_file().try_lock());
+    Ok(file)
+}
+
+/// A new file with a name of ours.
+fn temporary(folder: &Path, with: impl Fn(&mut Builder<'_, '_>)) -> std::io::Result<NamedTempFile> {
+    loop {
+        let name = left::name();
+        let mut builder = Builder::new();
+        builder.prefix(&name).rand_bytes(0);
+        with(&mut builder);
+        match builder.tempfile_in(folder) {
+            Err(error) if error.kind() == ErrorKind::AlreadyExists => {}
+            made => return made,
+        }
+    }
+}
+
+/// On the disk, with the mode that it has in its place.
+fn finish(place: &Destination<'_>, file: &NamedTempFile, unfinished: &Unfinished) -> std::io::Result<()> {
+    if place.exists {
+        keep(file.as_file(), &place.target)?;
+    } else {
+        as_any_other(place, file.as_file(), unfinished)?;
+    }
+    file.as_file().sync_all()
+}
+
+/// The mode of any other new file in the folder, less what the user's mask takes away: that of one made for a moment.
 #[cfg(unix)]
-fn readable(builder: &mut Builder<'_, '_>) {
+fn as_any_other(place: &Destination<'_>, file: &std::fs::File, unfinished: &Unfinished) -> std::io::Result<()> {
     use std::os::unix::fs::PermissionsExt;
-    builder.permissions(std::fs::Permissions::from_mode(0o666));
+    let folder = place.target.parent().unwrap_or(Path::new("."));
+    let waiting = unfinished.hold();
+    let other = temporary(folder, |builder| {
+        builder.permissions(std::fs::Permissions::from_mode(0o666));
+    })?;
+    let mode = other.as_file().metadata()?.permissions().mode() & 0o666;
+    drop(other);
+    drop(waiting);
+    file.set_permissions(std::fs::Permissions::from_mode(mode))
 }
 
 #[cfg(not(unix))]
-fn readable(_: &mut Builder<'_, '_>) {}
+fn as_any_other(_: &Destination<'_>, _: &std::fs::File, _: &Unfinished) -> std::io::Result<()> {
+    Ok(())
+}
 
 /// The mode of the file that is replaced, and its owner as far as the system lets us.
 #[cfg(unix)]
@@ -249,5 +276,32 @@ mod tests {
         let fault = save(&[(&good, b"x"), (&bad, b"y")], &[], true).unwrap_err();
         assert_eq!((fault.path, fault.trouble), (bad, SaveTrouble::NoFolder));
         assert_eq!(std::fs::read_dir(folder.path()).unwrap().count(), 0);
+    }
+
+    /// A file that is half written is nobody else's to read; a whole one has the mode of any other new file, or of the one it replaces.
+    #[cfg(unix)]
+    #[test]
+    fn others_may_read_a_file_when_it_is_whole() {
+        use std::os::unix::fs::PermissionsExt;
+        let folder = tempfile::tempdir().unwrap();
+        let mode = |path: &Path| path.metadata().unwrap().permissions().mode() & 0o777;
+        let plain = folder.path().join("plain");
+        std::fs::write(&plain, "x").unwrap();
+        let (new, replaced) = (folder.path().join("new.csv"), folder.path().join("replaced.csv"));
+        std::fs::write(&replaced, "old").unwrap();
+        std::fs::set_permissions(&replaced, std::fs::Permissions::from_mode(0o664)).unwrap();
+        for path in [&new, &replaced] {
+            save_by::<()>(path, &[], true, |file| {
+                file.write_all(b"half").unwrap();
+                let hidden = std::fs::read_dir(folder.path()).unwrap().flatten();
+                let hidden: Vec<_> =
+                    hidden.filter(|entry| entry.file_name().to_string_lossy().starts_with('.')).collect();
+                assert_eq!(hidden.len(), 1);
+                assert_eq!(mode(&hidden[0].path()), 0o600);
+                Ok(())
+            })
+            .unwrap();
+        }
+        assert_eq!((mode(&new), mode(&replaced)), (mode(&plain), 0o664));
     }
 }

@@ -2,7 +2,7 @@
 //!
 //! Interrupt, terminate and hang-up end the program with what is unfinished removed and the status that a shell gives
 //! them: 128 and the number of the signal. Nothing can be done about a kill: the hidden file that it
-//! leaves goes with a later save in the same folder.
+//! leaves goes with a save in the same folder after a minute.
 
 use std::path::PathBuf;
 use std::sync::{Mutex, MutexGuard, PoisonError};
@@ -63,9 +63,9 @@ pub fn end_on_signals() {
 }
 
 /// From now on a file that grows beyond the limit of the process (`ulimit -f`) is refused as an error of the write. Without this
-/// the signal for it ends the program and leaves the temporary file.
+/// the signal for it ends the program, and what is unfinished stays.
 #[cfg(unix)]
-pub(crate) fn refuse_large_files() {
+pub fn refuse_large_files() {
     use std::sync::atomic::AtomicBool;
     use std::sync::{Arc, Once};
 

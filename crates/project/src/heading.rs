@@ -23,19 +23,21 @@ pub struct Heading {
     pub unit: Option<&'static Unit>,
 }
 
-/// From which number the headings of a table count the entries of a list.
+/// How the headings of a table count the entries of a list. Entries count from one, as in project files and faults: what a heading
+/// means does not depend on the other columns.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Counted {
-    /// `motion[0]` is the first segment.
+    /// One of the headings has an entry with the number zero: none that counts entries is read, since each may mean the next one.
     FromZero,
-    /// `motion[1]` is the first segment, as in project files and faults.
+    /// `motion[1]` is the first segment.
     FromOne,
 }
 
 impl Counted {
     /// From zero where one of the headings has an entry with the number zero, else from one.
     pub fn of<'h>(headings: impl IntoIterator<Item = &'h str>) -> Self {
-        let has_zero = headings.into_iter().any(|heading| parts(heading).0.contains("[0]"));
+        let is_zero = |part: &str| part.split_once(']').is_some_and(|(index, _)| index.trim().parse() == Ok(0));
+        let has_zero = headings.into_iter().any(|heading| parts(heading).0.split('[').skip(1).any(is_zero));
         if has_zero { Self::FromZero } else { Self::FromOne }
     }
 }
@@ -47,14 +49,20 @@ impl Heading {
     /// Reads a heading; `axis` is the place of the axis among several.
     ///
     /// # Errors
-    /// Where the project file has no such key, its values cannot stand in cells, or the unit is missing or wrong.
+    /// Where the project file has no such key, its values cannot stand in cells, the unit is missing or wrong, or entries are counted
+    /// from zero; then the hint is the heading that counts from one.
     pub fn read(written: &str, counted: Counted, axis: Option<usize>) -> Result<Self, Objection> {
         let (name, unit) = parts(written);
-        let unknown = || (Fault::UnknownKey { path: shortened(name, HEADING_SHOWN) }, nearest_key(name, counted));
+        let unknown = || (Fault::UnknownKey { path: shortened(name, HEADING_SHOWN) }, nearest_key(name));
         let path = from_one(name, counted).ok_or_else(unknown)?;
         let within = axis.map_or_else(|| path.clone(), |index| format!("axis[{}].{path}", index + 1));
         let is_of_an_axis = !["axis", "curve", "format"].contains(&path.split(['.', '[']).next().unwrap_or_default());
         let key = key_at(&within).filter(|_| is_of_an_axis && names_its_entries(&within)).ok_or_else(unknown)?;
+        if counted == Counted::FromZero && path != name {
+            let now = unit.map_or_else(|| path.clone(), |unit| format!("{path} [{unit}]"));
+            let fault = TabularFault::CountsFromZero { path: shortened(name, HEADING_SHOWN) };
+            return Err((Fault::Tabular(fault), Some(Hint::DidYouMean(now))));
+        }
         let in_unit = |dimensions: &[Dimension]| unit_of(dimensions, unit).map_err(|error| quantity(name, error));
         let unit = match key.kind {
             Kind::Quantity(dimension, _) => Some(in_unit(&[dimension])?),
@@ -72,7 +80,7 @@ impl Heading {
             | Kind::OneOrMany(..)
             | Kind::Bodies
             | Kind::Variants(_) => {
-                return Err((Fault::Tabular(TabularFault::NoColumn { path }), nearest_key(name, counted)));
+                return Err((Fault::Tabular(TabularFault::NoColumn { path }), nearest_key(name)));
             }
         };
         Ok(Self { path, key, unit })
@@ -214,14 +222,10 @@ fn quantity(name: &str, (error, also): (QuantityError, Vec<Dimension>)) -> Objec
 }
 
 /// The key that was probably meant: the nearest of all, with its table where only its own name is written.
-fn nearest_key(written: &str, counted: Counted) -> Option<Hint> {
+fn nearest_key(written: &str) -> Option<Hint> {
     let written: String = shortened(written, HEADING_SHOWN).to_lowercase();
     let mut all = Vec::new();
-    let first = match counted {
-        Counted::FromZero => "[0]",
-        Counted::FromOne => "[1]",
-    };
-    columns(KEYS, "", first, &mut all);
+    columns(KEYS, "", "[1]", &mut all);
     let distance = |path: &String| {
         let last = path.rsplit('.').next().unwrap_or(path);
         let whole = strsim::damerau_levenshtein(&written, path);
@@ -275,14 +279,55 @@ mod tests {
         let inertia = read("load.inertia [kg m^2]").unwrap();
         assert_eq!((inertia.path.as_str(), inertia.si(1.3)), ("load.inertia", Some(1.3)));
         assert_eq!(inertia.written(1.3), "1.3 kg m^2");
-        let time = read("motion[0].time[ms]").unwrap();
+        let time = read("motion[1].time[ms]").unwrap();
         assert_eq!((time.path.as_str(), time.si(250.0)), ("motion[1].time", Some(0.25)));
         assert_eq!(read("motion[1].time [s]").unwrap().path, "motion[1].time");
-        let along = read("motion[0].distance [mm]").unwrap();
+        let along = read("motion[1].distance [mm]").unwrap();
         assert_eq!(along.si(5.0), Some(0.005));
-        assert!(matches!(read("motion[0].law").unwrap().key.kind, Kind::OneOf(words) if words.contains(&"trapezoid")));
+        assert!(matches!(read("motion[1].law").unwrap().key.kind, Kind::OneOf(words) if words.contains(&"trapezoid")));
         assert!(matches!(read("requirements.feedback").unwrap().key.kind, Kind::ListOf(_)));
         assert!(matches!(read("mechanism.arm.efficiency").unwrap().key.kind, Kind::Number(..)));
+    }
+
+    /// Whatever other columns there are a heading means the same entry; where one counts from zero no heading with an entry is read,
+    /// and each is answered with the one that counts from one.
+    #[test]
+    fn entries_are_counted_from_one_whatever_else_there_is() {
+        let (mut read_alike, mut refused) = (0, 0);
+        let all = ["motion[1].time [s]", "motion[2].payload[kg]", "motion[3].law", "load.inertia [kg m^2]"];
+        let zero = ["motion[0].time [s]", "motion[00].law", "motion[0].payload[kg]"];
+        for set in 0..1_u32 << 7 {
+            let headings: Vec<&str> = all
+                .iter()
+                .chain(&zero)
+                .enumerate()
+                .filter(|(bit, _)| set >> bit & 1 == 1)
+                .map(|(_, each)| *each)
+                .collect();
+            let counted = Counted::of(headings.iter().copied());
+            let has_zero = headings.iter().any(|heading| zero.contains(heading));
+            for heading in headings {
+                match Heading::read(heading, counted, None) {
+                    Ok(found) => {
+                        assert!(
+                            heading.starts_with(&found.path) && (!has_zero || heading.starts_with("load")),
+                            "{heading}"
+                        );
+                        read_alike += 1;
+                    }
+                    Err((Fault::Tabular(TabularFault::CountsFromZero { path }), Some(Hint::DidYouMean(now)))) => {
+                        assert!(has_zero && heading.starts_with(&path), "{heading}");
+                        let next =
+                            |heading: &str| -> usize { heading.split(['[', ']']).nth(1).unwrap().parse().unwrap() };
+                        assert_eq!(next(&now), next(heading) + 1, "{heading}: {now}");
+                        assert!(Heading::read(&now, Counted::FromOne, None).is_ok(), "{now}");
+                        refused += 1;
+                    }
+                    Err(other) => panic!("{heading}: {other:?}"),
+                }
+            }
+        }
+        assert!(read_alike > 90 && refused > 200, "{read_alike} {refused}");
     }
 
     #[test]
@@ -299,7 +344,7 @@ mod tests {
             ("load.inerta [kg m^2]", "load.inertia"),
             ("inertia [kg m^2]", "load.inertia"),
             ("load_inertia [kg m^2]", "load.inertia"),
-            ("motion[0].tme [s]", "motion[0].time"),
+            ("motion[0].tme [s]", "motion[1].time"),
             ("motion.time [s]", "motion[1].time"),
             ("requirement.ambient [degC]", "requirements.ambient"),
         ] {
@@ -314,10 +359,10 @@ mod tests {
 
     #[test]
     fn a_unit_is_written_and_fits() {
-        for written in ["load.inertia", "load.inertia [kg]", "load.inertia [kgm3]", "motion[0].distance [s]"] {
+        for written in ["load.inertia", "load.inertia [kg]", "load.inertia [kgm3]", "motion[1].distance [s]"] {
             assert!(matches!(read(written), Err((Fault::Quantity { .. }, _))), "{written}");
         }
-        assert!(matches!(read("motion[0].law [s]"), Err((Fault::Tabular(TabularFault::UnitOfNoQuantity { .. }), _))));
+        assert!(matches!(read("motion[1].law [s]"), Err((Fault::Tabular(TabularFault::UnitOfNoQuantity { .. }), _))));
         for written in ["load", "axis.name", "format", "mechanism.table.points"] {
             assert!(
                 matches!(
@@ -331,7 +376,7 @@ mod tests {
 
     #[test]
     fn a_wrong_word_is_answered_with_the_nearest() {
-        let law = read("motion[0].law").unwrap();
+        let law = read("motion[1].law").unwrap();
         assert!(law.objection("trapezoid").is_none());
         let (_, hint) = law.objection("trapezoyd").unwrap();
         assert_eq!(hint, Some(Hint::DidYouMean("trapezoid".to_owned())));

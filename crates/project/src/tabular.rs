@@ -15,6 +15,11 @@ pub enum TabularFault {
         /// The unit.
         unit: String,
     },
+    /// A heading that counts the entries of a list, in a table of which one heading counts from zero.
+    CountsFromZero {
+        /// The key as it is written.
+        path: String,
+    },
     /// Two headings of a table with the same key.
     ColumnTwice {
         /// Path of the key.
@@ -67,10 +72,14 @@ pub enum TabularFault {
         /// The line, counted from one.
         line: u64,
     },
-    /// A line of a table that is not UTF-8.
-    NotUtf8 {
-        /// The line, counted from one.
-        line: u64,
+    /// A number of a table with the other decimal sign than numbers before it.
+    DecimalMixed {
+        /// Path of the key.
+        path: String,
+        /// As written, shortened.
+        written: String,
+        /// Whether this one has a comma.
+        has_comma: bool,
     },
     /// A line of a table that is too long.
     LongLine {
@@ -92,6 +101,7 @@ impl TabularFault {
         match self {
             Self::NoColumn { .. } => "no_column",
             Self::UnitOfNoQuantity { .. } => "unit_of_no_quantity",
+            Self::CountsFromZero { .. } => "counts_from_zero",
             Self::ColumnTwice { .. } => "column_twice",
             Self::NoEntry { .. } => "no_entry",
             Self::NoValue { .. } => "no_value",
@@ -100,7 +110,7 @@ impl TabularFault {
             Self::CellType { .. } => "cell_type",
             Self::Ragged { .. } => "ragged",
             Self::OpenQuote { .. } => "open_quote",
-            Self::NotUtf8 { .. } => "not_utf_8",
+            Self::DecimalMixed { .. } => "decimal_mixed",
             Self::LongLine { .. } => "long_line",
             Self::NoRows => "no_rows",
             Self::NoColumns => "no_columns",

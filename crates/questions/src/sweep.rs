@@ -12,6 +12,7 @@ pub mod sample;
 mod summary;
 mod template;
 
+use cells::Decimals;
 pub use cells::{CellFault, Cells, TableFaults};
 pub use head::Head;
 pub use judged::{Best, Every, Judged, OnFront};
@@ -26,6 +27,7 @@ use quantities::Language;
 use rayon::prelude::*;
 use sizing::{CheckId, Watch};
 use std::borrow::Cow;
+use std::collections::BTreeSet;
 use template::{Judge, Template, Templates};
 
 /// The heading of the column of ordering codes: its rows are judged for their code alone.
@@ -53,6 +55,8 @@ pub struct Options {
     pub axis: Option<String>,
     /// What is answered.
     pub wanted: Wanted,
+    /// Whether numbers in texts may have decimal commas.
+    pub decimal_commas: bool,
     /// The language of the reasons.
     pub language: Language,
 }
@@ -64,6 +68,8 @@ pub struct Sweep {
     /// The place of the axis in the file, and whether there are several.
     axis: (usize, bool),
     columns: Vec<Column>,
+    /// Names of the recordings of the project and of the cells that were checked.
+    recordings: BTreeSet<String>,
     options: Options,
     templates: Templates,
 }
@@ -111,6 +117,18 @@ impl Sweep {
         self.columns.iter().map(Column::key)
     }
 
+    /// The text of the project.
+    #[must_use]
+    pub fn text(&self) -> &str {
+        &self.text
+    }
+
+    /// The recordings that the project and the checked cells name, in order.
+    #[must_use]
+    pub const fn recordings(&self) -> &BTreeSet<String> {
+        &self.recordings
+    }
+
     /// What is answered.
     #[must_use]
     pub const fn options(&self) -> &Options {
@@ -119,9 +137,9 @@ impl Sweep {
 
     /// Adds every fault of some rows: cells that are empty, are no numbers, or name nothing that there is.
     pub fn check(&self, cells: &[Cells<'_>], first_row: u64, faults: &mut TableFaults) {
-        let language = self.options.language;
+        let mut decimals = Decimals::of(&self.options);
         for (column, cells) in self.columns.iter().zip(cells) {
-            cells.check(column, first_row, language, faults);
+            cells.check(column, first_row, self.options.language, &mut decimals, faults);
         }
     }
 
@@ -180,7 +198,7 @@ impl Sweep {
         let mut values = Vec::with_capacity(self.columns.len());
         let mut faults: Vec<String> = Vec::new();
         for (column, cells) in self.columns.iter().zip(cells) {
-            match column.value(cells, row) {
+            match column.value(cells, row, self.options.decimal_commas) {
                 Ok(value) => values.push(value),
                 Err(fault) => faults.push(words::fault_text(&fault, language)),
             }

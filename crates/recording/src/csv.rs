@@ -138,7 +138,8 @@ fn advance(lines: &mut Lines<impl Read>, faults: &mut Faults) -> Option<bool> {
     lines.advance().map_err(|fault| faults.push(fault)).ok()
 }
 
-fn delimiter(header: &[u8]) -> u8 {
+/// What separates the cells of a table with this header.
+pub(crate) fn delimiter(header: &[u8]) -> u8 {
     [b';', b'\t'].into_iter().find(|sign| memchr(*sign, header).is_some()).unwrap_or(b',')
 }
 
@@ -304,8 +305,8 @@ fn shown(cell: &str) -> Option<String> {
 }
 
 /// Splits lines into cells.
-struct Cells {
-    delimiter: u8,
+pub(crate) struct Cells {
+    pub(crate) delimiter: u8,
     quoted: csv_core::Reader,
     /// Cells of a line with quotes, without their quotes.
     text: Vec<u8>,
@@ -316,7 +317,7 @@ struct Cells {
 }
 
 impl Cells {
-    fn new(delimiter: u8) -> Self {
+    pub(crate) fn new(delimiter: u8) -> Self {
         let quoted = ReaderBuilder::new().delimiter(delimiter).build();
         Self { delimiter, quoted, text: Vec::new(), ends: Vec::new(), found: Vec::new(), in_text: false }
     }
@@ -365,6 +366,22 @@ impl Cells {
         };
         let cell = |index| self.text.get(range_of(&self.ends, index)).unwrap_or_default().to_vec();
         Some((0..count).map(cell).collect())
+    }
+
+    /// Counts the cells of a line; `None` if a quoted cell does not end.
+    pub(crate) fn count(&mut self, line: &[u8]) -> Option<usize> {
+        self.split(line, &[])
+    }
+
+    /// Iterates over every cell of a line; `None` if a quoted cell does not end.
+    pub(crate) fn every<'a>(&'a mut self, line: &'a [u8]) -> Option<impl Iterator<Item = &'a [u8]>> {
+        let (count, delimiter) = match memchr(b'"', line) {
+            Some(_) => (self.unquote(line)?, None),
+            None => (0, Some(self.delimiter)),
+        };
+        let plain = delimiter.into_iter().flat_map(move |delimiter| line.split(move |byte| *byte == delimiter));
+        let unquoted = (0..count).map(|index| self.text.get(range_of(&self.ends, index)).unwrap_or_default());
+        Some(plain.chain(unquoted))
     }
 
     fn unquote(&mut self, line: &[u8]) -> Option<usize> {

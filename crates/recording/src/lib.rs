@@ -29,6 +29,7 @@ mod number;
 mod packed;
 mod parquet;
 mod plain;
+mod records;
 mod series;
 
 pub use csv::{Preview, preview_csv, read_csv, read_csv_within};
@@ -41,6 +42,7 @@ pub use limits::{
 };
 pub use packed::{Packing, unpacked};
 pub use parquet::{read_columns, read_parquet, read_parquet_within};
+pub use records::Records;
 pub use series::{Along, ColumnRead, Course, Encoding, KnownBy, Recording, Series};
 
 pub use ::bytes::Bytes;

@@ -25,6 +25,8 @@ pub(crate) struct Lines<R> {
     failed: Option<ErrorKind>,
     /// What ends a line: a line feed, or a carriage return where that alone ends the first line.
     end: Option<u8>,
+    /// Whether the rest of a line that is too long is still to be passed over.
+    in_long: bool,
 }
 
 impl<R: Read> Lines<R> {
@@ -38,6 +40,7 @@ impl<R: Read> Lines<R> {
             at_end: false,
             failed: None,
             end: None,
+            in_long: false,
         }
     }
 
@@ -90,6 +93,7 @@ impl<R: Read> Lines<R> {
 
     fn next_physical(&mut self) -> Result<bool, Fault> {
         let end = self.end()?;
+        self.pass_long(end)?;
         let mut searched = 0;
         loop {
             let rest = self.buffer.get(self.rest.clone()).unwrap_or_default();
@@ -100,6 +104,7 @@ impl<R: Read> Lines<R> {
             }
             searched = rest.len();
             if searched > LINE_BYTES_MAX {
+                self.in_long = true;
                 return self.take(searched, searched);
             }
             if self.at_end {
@@ -107,6 +112,23 @@ impl<R: Read> Lines<R> {
             }
             self.fill()?;
         }
+    }
+
+    /// Passes over the rest of a line that was too long.
+    fn pass_long(&mut self, end: u8) -> Result<(), Fault> {
+        while self.in_long {
+            let rest = self.buffer.get(self.rest.clone()).unwrap_or_default();
+            if let Some(at) = memchr(end, rest) {
+                self.rest.start += at + 1;
+                self.in_long = false;
+            } else if self.at_end {
+                self.in_long = false;
+            } else {
+                self.rest.start = self.rest.end;
+                self.fill()?;
+            }
+        }
+        Ok(())
     }
 
     /// What ends the lines, as the first of them shows.

@@ -8,6 +8,7 @@ use quantities::unit::MILLIMETRE;
 use questions::list::Unanswered;
 use questions::sweep::{self, Answer, Best, Every, Judged, OnFront, Options, TableFaults, Wanted};
 use questions::{CheckId, Patience, Refusal};
+use std::collections::BTreeSet;
 use std::sync::Arc;
 
 /// A project and the headings of a table, ready for record batches.
@@ -71,6 +72,18 @@ impl Sweep {
     /// The keys of the headings in their order, entries of lists counted from one.
     pub fn keys(&self) -> impl Iterator<Item = &str> {
         self.sweep.keys()
+    }
+
+    /// The text of the project.
+    #[must_use]
+    pub fn text(&self) -> &str {
+        self.sweep.text()
+    }
+
+    /// The recordings that the project and the checked cells name, in order.
+    #[must_use]
+    pub const fn recordings(&self) -> &BTreeSet<String> {
+        self.sweep.recordings()
     }
 
     /// Adds every fault of the cells of a batch, whose first row has this number.

@@ -11,7 +11,7 @@ use project::TabularFault;
 use quantities::Language;
 use questions::sweep::csv::{self, Broken, Columns, Lines};
 use std::fs::File;
-use std::io::{BufReader, Write};
+use std::io::Write;
 use std::path::Path;
 use std::sync::Arc;
 
@@ -45,7 +45,7 @@ pub struct Batches {
 
 enum From {
     /// Text, and how many rows a batch has.
-    Csv(Box<Lines<BufReader<File>>>, usize),
+    Csv(Box<Lines<File>>, usize),
     /// Pages.
     Parquet(Box<ParquetRecordBatchReader>),
 }
@@ -98,7 +98,7 @@ impl Batches {
             }
             Format::Csv => {
                 let broken = |broken| Unread::of(broken, language);
-                let mut lines = Lines::open(BufReader::with_capacity(1 << 18, file)).map_err(broken)?;
+                let mut lines = Lines::open(file).map_err(broken)?;
                 lines.skip(skipped).map_err(broken)?;
                 let field = |name: &String| Field::new(name, DataType::Utf8, true);
                 let schema = Arc::new(Schema::new(lines.headings().iter().map(field).collect::<Vec<_>>()));
@@ -111,6 +111,15 @@ impl Batches {
     #[must_use]
     pub fn schema(&self) -> SchemaRef {
         Arc::clone(&self.schema)
+    }
+
+    /// Whether its numbers may have decimal commas.
+    #[must_use]
+    pub const fn has_decimal_commas(&self) -> bool {
+        match &self.from {
+            From::Csv(lines, _) => lines.has_decimal_commas(),
+            From::Parquet(_) => false,
+        }
     }
 
     /// The next rows; `None` behind the last.

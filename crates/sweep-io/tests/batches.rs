@@ -25,8 +25,8 @@ fn sweep(batch: &RecordBatch, wanted: Wanted) -> Sweep {
 fn a_table_is_answered_row_by_row() {
     let table = batch(vec![
         ("load.inertia [kg m^2]", Arc::new(Float64Array::from(vec![1.0, -1.0, 900.0])) as ArrayRef),
-        ("motion[0].time [ms]", Arc::new(Int64Array::from(vec![500, 500, 50]))),
-        ("motion[0].law", Arc::new(StringArray::from(vec!["trapezoid", "polynomial_5", "trapezoid"]))),
+        ("motion[1].time [ms]", Arc::new(Int64Array::from(vec![500, 500, 50]))),
+        ("motion[1].law", Arc::new(StringArray::from(vec!["trapezoid", "polynomial_5", "trapezoid"]))),
     ]);
     let sweep = sweep(&table, Wanted::Best);
     let mut faults = TableFaults::default();
@@ -66,7 +66,7 @@ fn every_fault_of_headings_and_cells_is_reported_at_once() {
     let table = batch(vec![
         ("load.inerta [kg m^2]", Arc::new(Float64Array::from(vec![1.0])) as ArrayRef),
         ("load.friction_torque", Arc::new(Float64Array::from(vec![1.0]))),
-        ("motion[0].time [kg]", Arc::new(Float64Array::from(vec![1.0]))),
+        ("motion[1].time [kg]", Arc::new(Float64Array::from(vec![1.0]))),
     ]);
     let head = Head::of(("axis.toml", MOVE), &NoFiles, &table.schema(), Options::default());
     let faults = head.ready("tasks", Box::new(NoFiles)).err().unwrap().faults(None, Options::default().language).errors;
@@ -76,15 +76,15 @@ fn every_fault_of_headings_and_cells_is_reported_at_once() {
         [
             ("unknown_key", "load.inerta [kg m^2]".to_owned()),
             ("unit_missing", "load.friction_torque".to_owned()),
-            ("unit_of_another_quantity", "motion[0].time [kg]".to_owned())
+            ("unit_of_another_quantity", "motion[1].time [kg]".to_owned())
         ]
     );
     assert!(faults[0].hint.as_ref().unwrap().contains("load.inertia"));
     // Below headings that are read the cells are looked at beside the wrong ones.
     let table = batch(vec![
         ("load.inerta [kg m^2]", Arc::new(Float64Array::from(vec![None, Some(1.0)])) as ArrayRef),
-        ("motion[0].time [s]", Arc::new(StringArray::from(vec![Some("0.5"), None]))),
-        ("motion[0].law", Arc::new(StringArray::from(vec!["trapezoid", "trapezoyd"]))),
+        ("motion[1].time [s]", Arc::new(StringArray::from(vec![Some("0.5"), None]))),
+        ("motion[1].law", Arc::new(StringArray::from(vec!["trapezoid", "trapezoyd"]))),
     ]);
     let mut head = Head::of(("axis.toml", MOVE), &NoFiles, &table.schema(), Options::default());
     head.check(&table, 7);
@@ -93,7 +93,7 @@ fn every_fault_of_headings_and_cells_is_reported_at_once() {
     assert_eq!(found, [("unknown_key", None), ("no_value", Some(8)), ("not_a_choice", Some(8))]);
     let table = batch(vec![
         ("load.inertia [kg m^2]", Arc::new(StringArray::from(vec!["1.5", "heavy"])) as ArrayRef),
-        ("motion[0].time [s]", Arc::new(Float64Array::from(vec![None, Some(1.0)]))),
+        ("motion[1].time [s]", Arc::new(Float64Array::from(vec![None, Some(1.0)]))),
         ("code", Arc::new(StringArray::from(vec!["CHA-25A-50-H-C1024", "CHA-25A-55-H-C1024"]))),
     ]);
     let mut faults = TableFaults::default();

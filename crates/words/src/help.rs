@@ -86,8 +86,8 @@ texts! {
         "Evaluate many axes: a table whose columns are keys of the project"
         | "Viele Achsen bewerten: eine Tabelle, deren Spalten Schlüssel des Projekts sind";
     sweep_table =
-        "Table of the rows, .csv or .parquet; headings such as \"motion[0].time [s]\", \"requirements.ambient [degC]\", \"code\""
-        | "Tabelle der Zeilen, .csv oder .parquet; Überschriften wie \"motion[0].time [s]\", \"requirements.ambient [degC]\", \"code\"";
+        "Table of the rows, .csv or .parquet; headings such as \"motion[1].time [s]\", \"requirements.ambient [degC]\", \"code\""
+        | "Tabelle der Zeilen, .csv oder .parquet; Überschriften wie \"motion[1].time [s]\", \"requirements.ambient [degC]\", \"code\"";
     sweep_check =
         "All ordering codes of every row with verdict and utilisation of this check; may be repeated"
         | "Alle Bestellbezeichnungen jeder Zeile mit Ergebnis und Auslastung dieses Nachweises; mehrfach möglich";
@@ -98,8 +98,8 @@ texts! {
         "Write the results as .csv or .parquet; an interrupted run is continued"
         | "Ergebnisse als .csv oder .parquet schreiben; ein unterbrochener Lauf wird fortgesetzt";
     new_key =
-        "For `new sweep`: a key with its range or values, \"motion[0].time [s] = 1..3 log\"; may be repeated"
-        | "Für `new sweep`: ein Schlüssel mit Bereich oder Werten, \"motion[0].time [s] = 1..3 log\"; mehrfach möglich";
+        "For `new sweep`: a key with its range or values, \"motion[1].time [s] = 1..3 log\"; may be repeated"
+        | "Für `new sweep`: ein Schlüssel mit Bereich oder Werten, \"motion[1].time [s] = 1..3 log\"; mehrfach möglich";
     new_samples =
         "For `new sweep`: number of sampled rows, or steps per range of a grid (100)"
         | "Für `new sweep`: Anzahl der Stichprobenzeilen, oder Stufen je Bereich eines Gitters (100)";

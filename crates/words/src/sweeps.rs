@@ -30,8 +30,20 @@ texts! {
         "{parts} parts with {rows} rows of an interrupted run are kept"
         | "{parts} Teile mit {rows} Zeilen eines unterbrochenen Laufs werden übernommen";
     begun_anew =
-        "the parts of an interrupted run belong to another project, table or version and are removed"
-        | "die Teile eines unterbrochenen Laufs gehören zu einem anderen Projekt, einer anderen Tabelle oder Version und werden entfernt";
+        "the parts of an interrupted run belong to another project, table, recording, request or version and are removed"
+        | "die Teile eines unterbrochenen Laufs gehören zu einem anderen Projekt, einer anderen Tabelle, Aufzeichnung, Anfrage oder Version und werden entfernt";
+    parts_foreign(folder) =
+        "{folder} exists and was not made by antrieb; it remains unchanged: move it, or write the answers to another file"
+        | "{folder} ist schon vorhanden und nicht von antrieb angelegt; es bleibt unverändert: verschieben oder die Antworten in eine andere Datei schreiben";
+    parts_foreign_file(file) =
+        "{file}: in place of a part there is a link, a folder or a file of another user; it remains unchanged"
+        | "{file}: anstelle eines Teils steht hier eine Verknüpfung, ein Ordner oder eine Datei eines anderen Benutzers; sie bleibt unverändert";
+    parts_busy(folder) =
+        "another sweep is writing to the same file; it uses {folder}"
+        | "ein anderer Lauf schreibt gerade in dieselbe Datei; er benutzt {folder}";
+    parts_changed =
+        "the table or a recording was changed while the sweep ran: its parts are removed, the same call starts again"
+        | "die Tabelle oder eine Aufzeichnung wurde während des Laufs geändert: die Teile werden entfernt, derselbe Aufruf beginnt von vorn";
     ending_of_a_table =
         "the file name of a table must end in .csv or .parquet" | "der Dateiname einer Tabelle muss auf .csv oder .parquet enden";
     unreadable(file, why) = "{file}: not readable as a table: {why}" | "{file}: als Tabelle nicht lesbar: {why}";
@@ -46,9 +58,12 @@ texts! {
     sample_key(written) =
         "\"{written}\" is not a key with values" | "„{written}“ ist kein Schlüssel mit Werten";
     sample_key_hint =
-        "write \"motion[0].time [s] = 1..3\", \"… = 1..3 log\" or \"… = 1; 2; 3\""
-        | "„motion[0].time [s] = 1..3“, „… = 1..3 log“ oder „… = 1; 2; 3“ schreiben";
+        "write \"motion[1].time [s] = 1..3\", \"… = 1..3 log\" or \"… = 1; 2; 3\""
+        | "„motion[1].time [s] = 1..3“, „… = 1..3 log“ oder „… = 1; 2; 3“ schreiben";
     no_sample_keys = "no key is stated" | "kein Schlüssel angegeben";
+    front_or_checks =
+        "`front` and `check` exclude each other; state one of them"
+        | "`front` und `check` schließen sich aus; nur eines davon angeben";
     log_needs_positive(key) =
         "`{key}`: a logarithmic range must begin above zero" | "`{key}`: ein logarithmischer Bereich muss über null beginnen";
     too_many_dimensions(count, most) =
@@ -66,6 +81,10 @@ pub(crate) fn fault(fault: &TabularFault, language: Language) -> String {
         TabularFault::UnitOfNoQuantity { path, unit } => said!(language =>
             "`{path}` has no unit, but the heading states \"{unit}\""
             | "`{path}` hat keine Einheit, die Überschrift nennt jedoch „{unit}“"
+        ),
+        TabularFault::CountsFromZero { path } => said!(language =>
+            "`{path}`: the headings count the entries of a list from zero, the first entry is [1]"
+            | "`{path}`: die Überschriften zählen die Einträge einer Liste ab null, der erste Eintrag ist [1]"
         ),
         TabularFault::ColumnTwice { path } => {
             said!(language => "two columns state the key `{path}`" | "zwei Spalten nennen den Schlüssel `{path}`")
@@ -100,7 +119,14 @@ pub(crate) fn fault(fault: &TabularFault, language: Language) -> String {
             "line {line}: a quoted cell does not end in this line"
             | "Zeile {line}: eine Zelle in Anführungszeichen endet nicht in dieser Zeile"
         ),
-        TabularFault::NotUtf8 { line } => said!(language => "line {line} is not UTF-8" | "Zeile {line} ist kein UTF-8"),
+        TabularFault::DecimalMixed { path, written, has_comma: true } => said!(language =>
+            "`{path}`: \"{written}\" has a decimal comma, numbers before it have a decimal point"
+            | "`{path}`: „{written}“ hat ein Dezimalkomma, Zahlen davor haben einen Dezimalpunkt"
+        ),
+        TabularFault::DecimalMixed { path, written, has_comma: false } => said!(language =>
+            "`{path}`: \"{written}\" has a decimal point, numbers before it have a decimal comma"
+            | "`{path}`: „{written}“ hat einen Dezimalpunkt, Zahlen davor haben ein Dezimalkomma"
+        ),
         TabularFault::LongLine { line, most } => said!(language =>
             "line {line} is longer than {most} bytes" | "Zeile {line} ist länger als {most} Byte"
         ),

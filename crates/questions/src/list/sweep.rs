@@ -54,15 +54,20 @@ const ROWS_MOST: usize = 10_000;
 const BYTES_MOST: u64 = 16 << 20;
 
 impl Args {
-    /// How the table is judged.
-    #[must_use]
-    pub fn options(&self, language: Language) -> Options {
+    /// How the table is judged; `decimal_commas`: whether its numbers may have them.
+    ///
+    /// # Errors
+    /// Two forms of the answer are requested.
+    pub fn options(&self, decimal_commas: bool, language: Language) -> Result<Options, Unanswered> {
         let wanted = match (self.front, self.check.is_empty()) {
-            (true, _) => Wanted::Front,
+            (true, false) => {
+                return Err(Unanswered::option("front", (sweeps::front_or_checks(language).to_owned(), None)));
+            }
+            (true, true) => Wanted::Front,
             (false, false) => Wanted::Every(self.check.clone()),
             (false, true) => Wanted::Best,
         };
-        Options { axis: self.axis.clone(), wanted, language }
+        Ok(Options { axis: self.axis.clone(), wanted, decimal_commas, language })
     }
 }
 
@@ -85,7 +90,8 @@ pub fn found(asked: &Asked<'_>) -> Result<SweepSummary, Unanswered> {
         }
     };
     let headings: Vec<&str> = lines.headings().iter().map(String::as_str).collect();
-    let mut head = Head::read(text, projects, &headings, args.options(language));
+    let options = args.options(lines.has_decimal_commas(), language)?;
+    let mut head = Head::read(text, projects, &headings, options);
     let mut columns: Columns = vec![Vec::new(); headings.len()];
     let mut rows = 0;
     loop {
@@ -101,7 +107,7 @@ pub fn found(asked: &Asked<'_>) -> Result<SweepSummary, Unanswered> {
                 head.refuse_line(fault, rows);
                 rows += 1;
             }
-            Err(Broken::Unread(error)) => return Err(refused(&name, words::file_trouble(&error, language))),
+            Err(unread @ Broken::Unread(_)) => return Err(refused(&name, unread.text(language))),
         }
     }
     head.refuse_empty(rows);

@@ -1,7 +1,7 @@
 //! The cells of a table, and what is wrong with them.
 #![allow(clippy::result_large_err, reason = "a fault is found once for a table, not for each of its rows")]
 
-use super::{Column, Holds, Value};
+use super::{Column, Holds, Options, Value};
 use crate::codes::read_code;
 use project::{Fault, Hint, Kind, TabularFault};
 use quantities::{Language, seen};
@@ -96,21 +96,63 @@ impl Cells<'_> {
     }
 
     /// Adds what is wrong with them under a heading.
-    pub(super) fn check(&self, column: &Column, first_row: u64, language: Language, faults: &mut TableFaults) {
+    pub(super) fn check(
+        &self,
+        column: &Column,
+        first_row: u64,
+        language: Language,
+        decimals: &mut Decimals,
+        faults: &mut TableFaults,
+    ) {
         if let Self::Other(found, _) = self {
             let fault = Fault::Tabular(TabularFault::CellType { path: column.key().to_owned(), found: found.clone() });
             return faults.add(CellFault::of(&column.written, None, &(fault, None), language));
         }
         for row in 0..self.len() {
             let at = first_row + row as u64;
-            let found = match column.cell(self, row) {
-                Err(fault) => Some(CellFault::of(&column.written, Some(at), &(fault, None), language)),
+            let wrong = |fault| Some(CellFault::of(&column.written, Some(at), &(fault, None), language));
+            let found = match column.cell(self, row, decimals.may_be_commas) {
+                Err(fault) => wrong(fault),
                 Ok(Value::Text(text)) => column.wrong_word(text, at, language),
-                Ok(Value::Number(_)) => None,
+                Ok(Value::Number(_)) => decimals.mixed(column, self, row).and_then(wrong),
             };
             found.into_iter().for_each(|fault| faults.add(fault));
         }
     }
+}
+
+/// The decimal sign of a table: the first number with either sign decides, because `1.234` beside `5,6` may be a thousand.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Decimals {
+    may_be_commas: bool,
+    has_comma: Option<bool>,
+}
+
+impl Decimals {
+    pub(super) const fn of(options: &Options) -> Self {
+        Self { may_be_commas: options.decimal_commas, has_comma: None }
+    }
+
+    /// The fault of a number whose sign is the other one.
+    fn mixed(&mut self, column: &Column, cells: &Cells<'_>, row: usize) -> Option<Fault> {
+        let Cells::Texts(texts) = cells else { return None };
+        let text = texts.get(row)?.as_deref().filter(|text| self.may_be_commas && text.contains(['.', ',']))?;
+        let has_comma = text.contains(',');
+        let decided = *self.has_comma.get_or_insert(has_comma);
+        (has_comma != decided).then(|| {
+            let written = text.trim().chars().take(60).collect();
+            Fault::Tabular(TabularFault::DecimalMixed { path: column.key().to_owned(), written, has_comma })
+        })
+    }
+}
+
+/// The number that a text is, where `1,5` may be one too.
+fn number(text: &str, may_have_comma: bool) -> Option<f64> {
+    if may_have_comma && text.contains(',') {
+        let has_point = text.contains('.');
+        return text.replacen(',', ".", 1).parse().ok().filter(|_| !has_point);
+    }
+    text.parse().ok()
 }
 
 impl Column {
@@ -121,6 +163,11 @@ impl Column {
         }
     }
 
+    /// Returns `true` if its cells are names of recordings.
+    pub(super) fn names_recordings(&self) -> bool {
+        matches!(&self.holds, Holds::Key(heading) if heading.path.ends_with(".file"))
+    }
+
     fn is_number(&self) -> bool {
         match &self.holds {
             Holds::Code => false,
@@ -129,7 +176,7 @@ impl Column {
     }
 
     /// What stands in a cell.
-    fn cell<'c>(&self, cells: &'c Cells<'_>, row: usize) -> Result<Value<'c>, Fault> {
+    fn cell<'c>(&self, cells: &'c Cells<'_>, row: usize, may_have_comma: bool) -> Result<Value<'c>, Fault> {
         let path = || self.key().to_owned();
         let empty = || Fault::Tabular(TabularFault::NoValue { path: path() });
         match cells {
@@ -148,8 +195,7 @@ impl Column {
                 if !self.is_number() {
                     return Ok(Value::Text(text));
                 }
-                let number = text.parse().map(Value::Number);
-                number.map_err(|_| {
+                number(text, may_have_comma).map(Value::Number).ok_or_else(|| {
                     let written: String = text.chars().take(60).collect();
                     Fault::Tabular(TabularFault::NotANumber { path: path(), written })
                 })
@@ -187,8 +233,8 @@ impl Column {
     ///
     /// # Errors
     /// Why a project file would be refused with it.
-    pub(super) fn value<'c>(&self, cells: &'c Cells<'_>, row: usize) -> Result<Value<'c>, Fault> {
-        let value = self.cell(cells, row)?;
+    pub(super) fn value<'c>(&self, cells: &'c Cells<'_>, row: usize, may_have_comma: bool) -> Result<Value<'c>, Fault> {
+        let value = self.cell(cells, row, may_have_comma)?;
         if let (Holds::Key(heading), Value::Number(number)) = (&self.holds, &value)
             && heading.is_number()
             && let Some(fault) = heading.refusal(*number)

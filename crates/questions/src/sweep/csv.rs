@@ -1,19 +1,14 @@
-//! Tables in CSV: a line for each row, commas, cells in quotation marks where they hold a comma.
+//! Tables in CSV: a line for each row, in the dialects of recordings; written with commas.
 
 use project::{Fault, TabularFault};
 use quantities::Language;
+use recording::Records;
 use std::borrow::Cow;
-use std::io::{self, BufRead, Read as _};
-
-/// Longest line of a table in bytes.
-const LINE_MOST: usize = 1 << 20;
+use std::io::Read;
 
 /// The rows of a table, some at a time.
 pub struct Lines<R> {
-    source: R,
-    headings: Vec<String>,
-    /// That of the line that was read last, counted from one.
-    line: u64,
+    records: Records<R>,
     /// What is wrong with the line behind the rows that were handed out.
     wrong: Option<TabularFault>,
 }
@@ -24,7 +19,7 @@ pub enum Broken {
     /// The line of a row is wrong; the next rows are behind it.
     Line(TabularFault),
     /// The table is not read further.
-    Unread(io::Error),
+    Unread(recording::Fault),
 }
 
 impl Broken {
@@ -33,7 +28,20 @@ impl Broken {
     pub fn text(&self, language: Language) -> String {
         match self {
             Self::Line(fault) => words::fault_text(&Fault::Tabular(fault.clone()), language),
-            Self::Unread(error) => words::file_trouble(error, language),
+            Self::Unread(fault) => words::recording_text(fault, language),
+        }
+    }
+}
+
+impl From<recording::Fault> for Broken {
+    fn from(fault: recording::Fault) -> Self {
+        match fault {
+            recording::Fault::LineTooLong { line, most } => Self::Line(TabularFault::LongLine { line, most }),
+            recording::Fault::QuoteOpen { line } => Self::Line(TabularFault::OpenQuote { line }),
+            recording::Fault::Ragged { line, found, expected } => {
+                Self::Line(TabularFault::Ragged { line, found, expected })
+            }
+            other => Self::Unread(other),
         }
     }
 }
@@ -41,25 +49,23 @@ impl Broken {
 /// The cells of some rows, by columns; `None` where a cell is empty.
 pub type Columns = Vec<Vec<Option<String>>>;
 
-impl<R: BufRead> Lines<R> {
+impl<R: Read> Lines<R> {
     /// Reads the headings.
     ///
     /// # Errors
     /// Where their line is wrong, or not read.
     pub fn open(source: R) -> Result<Self, Broken> {
-        let mut lines = Self { source, headings: Vec::new(), line: 0, wrong: None };
-        let head = lines.next()?.unwrap_or_default();
-        let heads = cells(head.trim_start_matches('\u{feff}')).filter(|_| !head.is_empty());
-        if heads.is_none() && !head.is_empty() {
-            return Err(Broken::Line(TabularFault::OpenQuote { line: lines.line }));
-        }
-        lines.headings = heads.unwrap_or_default().iter().map(|name| name.trim().to_owned()).collect();
-        Ok(lines)
+        Ok(Self { records: Records::open(source)?, wrong: None })
     }
 
     /// The headings.
     pub fn headings(&self) -> &[String] {
-        &self.headings
+        self.records.headings()
+    }
+
+    /// Whether numbers may have decimal commas.
+    pub const fn has_decimal_commas(&self) -> bool {
+        self.records.may_have_decimal_commas()
     }
 
     /// Leaves rows out.
@@ -68,7 +74,7 @@ impl<R: BufRead> Lines<R> {
     /// Where a line of them is wrong, or not read.
     pub fn skip(&mut self, rows: u64) -> Result<(), Broken> {
         for _ in 0..rows {
-            if self.next()?.is_none() {
+            if !self.records.advance()? {
                 break;
             }
         }
@@ -83,7 +89,7 @@ impl<R: BufRead> Lines<R> {
         if let Some(wrong) = self.wrong.take() {
             return Err(Broken::Line(wrong));
         }
-        let mut columns: Columns = vec![Vec::new(); self.headings.len()];
+        let mut columns: Columns = vec![Vec::new(); self.headings().len()];
         for count in 0..most {
             match self.row(&mut columns) {
                 Ok(true) => {}
@@ -101,83 +107,15 @@ impl<R: BufRead> Lines<R> {
 
     /// Adds the cells of the next row, where there is one.
     fn row(&mut self, columns: &mut Columns) -> Result<bool, Broken> {
-        let Some(text) = self.next()? else { return Ok(false) };
-        let line = self.line;
-        let cells = cells(&text).ok_or(Broken::Line(TabularFault::OpenQuote { line }))?;
-        let (found, expected) = (cells.len(), columns.len());
-        if found != expected {
-            return Err(Broken::Line(TabularFault::Ragged { line, found, expected }));
+        if !self.records.advance()? {
+            return Ok(false);
         }
-        let cell = |cell: Cow<'_, str>| Some(cell.into_owned()).filter(|cell| !cell.is_empty());
-        columns.iter_mut().zip(cells).for_each(|(column, text)| column.push(cell(text)));
+        self.records.row(|place, cell| {
+            if let Some(column) = columns.get_mut(place) {
+                column.push(Some(cell.to_owned()).filter(|cell| !cell.is_empty()));
+            }
+        })?;
         Ok(true)
-    }
-
-    /// The next line that is not empty.
-    fn next(&mut self) -> Result<Option<String>, Broken> {
-        loop {
-            let mut bytes = Vec::new();
-            let most = LINE_MOST as u64 + 1;
-            self.line += 1;
-            let line = self.line;
-            let read = self.source.by_ref().take(most).read_until(b'\n', &mut bytes).map_err(Broken::Unread)?;
-            if read == 0 {
-                return Ok(None);
-            }
-            if bytes.len() > LINE_MOST {
-                if bytes.last() != Some(&b'\n') {
-                    self.source.skip_until(b'\n').map_err(Broken::Unread)?;
-                }
-                return Err(Broken::Line(TabularFault::LongLine { line, most: LINE_MOST }));
-            }
-            while bytes.last().is_some_and(|byte| matches!(byte, b'\n' | b'\r')) {
-                bytes.pop();
-            }
-            let text = String::from_utf8(bytes).map_err(|_| Broken::Line(TabularFault::NotUtf8 { line }))?;
-            if !text.trim().is_empty() {
-                return Ok(Some(text));
-            }
-        }
-    }
-}
-
-/// The cells of a line without its end; `None` where a quoted cell does not end.
-#[must_use]
-pub fn cells(line: &str) -> Option<Vec<Cow<'_, str>>> {
-    let mut cells = Vec::new();
-    let mut rest = line;
-    loop {
-        let (cell, behind) = match rest.strip_prefix('"') {
-            None => {
-                let (cell, behind) = rest.split_once(',').map_or((rest, None), |(cell, behind)| (cell, Some(behind)));
-                (Cow::Borrowed(cell), behind)
-            }
-            Some(quoted) => {
-                let end = end_of_quoted(quoted)?;
-                let cell = quoted.get(..end)?.replace("\"\"", "\"");
-                let behind = quoted.get(end + 1..)?;
-                // What stands between the quotation mark and the comma belongs to no cell.
-                (Cow::Owned(cell), behind.split_once(',').map(|(_, behind)| behind))
-            }
-        };
-        cells.push(cell);
-        match behind {
-            Some(behind) => rest = behind,
-            None => return Some(cells),
-        }
-    }
-}
-
-/// Where a quoted cell ends: at a quotation mark that is not doubled.
-fn end_of_quoted(quoted: &str) -> Option<usize> {
-    let mut from = 0;
-    loop {
-        let at = from + quoted.get(from..)?.find('"')?;
-        if quoted.get(at + 1..)?.starts_with('"') {
-            from = at + 2;
-        } else {
-            return Some(at);
-        }
     }
 }
 
@@ -204,19 +142,20 @@ mod tests {
 
     #[test]
     fn cells_are_read_as_they_are_written() {
-        for row in [vec!["a", "", "b c"], vec!["1,5", "say \"so\"", ""], vec![""], vec!["\"", ",", "x"]] {
+        for row in [vec!["a", "", "b c"], vec!["1,5", "say \"so\"", ""], vec!["\"", ",", "x"], vec!["1;2", "\t", "z"]] {
             let line: Vec<_> = row.iter().map(|cell| written(cell)).collect();
-            assert_eq!(cells(&line.join(",")).unwrap(), row);
+            let text = format!("a,b,c\n{}\n", line.join(","));
+            let found = Lines::open(text.as_bytes()).unwrap().rows(9).unwrap().unwrap();
+            let cells: Vec<&str> = found.iter().map(|column| column[0].as_deref().unwrap_or_default()).collect();
+            assert_eq!(cells, row);
         }
-        assert_eq!(cells("a,\"open"), None);
-        assert_eq!(cells("\"a\" ,b").unwrap(), ["a", "b"]);
     }
 
     #[test]
     fn a_wrong_line_is_reported_and_those_behind_it_are_read() {
-        let long = "x".repeat(LINE_MOST + 5);
-        let table = [b"a,b\n1,2\n\n3\n4,\"5\n".as_slice(), b"\xff,1\n", long.as_bytes(), b"\n6,\n"].concat();
-        let mut lines = Lines::open(table.as_slice()).unwrap();
+        let long = "x".repeat(recording::LINE_BYTES_MAX + 5);
+        let table = format!("a,b\n1,2\n\n3\n4,\"5\n{long}\n6,\n");
+        let mut lines = Lines::open(table.as_bytes()).unwrap();
         assert_eq!(lines.headings(), ["a", "b"]);
         let (mut rows, mut wrong) = (Vec::new(), Vec::new());
         loop {
@@ -224,7 +163,7 @@ mod tests {
                 Ok(None) => break,
                 Ok(Some(columns)) => rows.push(columns),
                 Err(Broken::Line(fault)) => wrong.push(fault),
-                Err(Broken::Unread(error)) => panic!("{error}"),
+                Err(Broken::Unread(fault)) => panic!("{fault:?}"),
             }
         }
         let cells = |cells: &[&str]| cells.iter().map(|cell| Some((*cell).to_owned())).collect::<Vec<_>>();
@@ -234,8 +173,7 @@ mod tests {
             [
                 TabularFault::Ragged { line: 4, found: 1, expected: 2 },
                 TabularFault::OpenQuote { line: 5 },
-                TabularFault::NotUtf8 { line: 6 },
-                TabularFault::LongLine { line: 7, most: LINE_MOST },
+                TabularFault::LongLine { line: 6, most: recording::LINE_BYTES_MAX },
             ]
         );
         assert!(Lines::open("".as_bytes()).unwrap().headings().is_empty());

@@ -1,12 +1,14 @@
 //! The head of a table: its headings, read for a project that may have faults of its own, and the faults of the cells below them.
 #![allow(clippy::result_large_err, reason = "a fault is found once for a table, not for each of its rows")]
 
+use super::cells::Decimals;
 use super::template::Templates;
 use super::{CODE, CellFault, Cells, Column, Holds, Options, Sweep, TableFaults};
 use crate::list::Unanswered;
 use crate::reading::{Unread, read_all};
 use crate::subject::{names, picked};
 use project::{Counted, Fault, Files, Heading, Objection, Project, TabularFault, Written, written};
+use std::collections::BTreeSet;
 
 /// A project and the headings of a table before its cells are read: faults of all three are collected and reported together.
 pub struct Head {
@@ -17,6 +19,8 @@ pub struct Head {
     /// Those whose headings are read.
     columns: Vec<Option<Column>>,
     faults: TableFaults,
+    decimals: Decimals,
+    recordings: BTreeSet<String>,
     options: Options,
 }
 
@@ -41,12 +45,22 @@ impl Head {
     #[must_use]
     pub fn read(text: &str, projects: Result<Vec<Project>, Unanswered>, headings: &[&str], options: Options) -> Self {
         let known = written(text);
+        let recordings = projects.iter().flatten().flat_map(|project| &project.recordings);
+        let recordings = recordings.map(|read| read.file.clone()).collect();
         let (axis, refused) = match projects {
             Ok(projects) => of_projects(projects, &options),
             Err(why) => (of_text(known.as_deref().unwrap_or_default(), options.axis.as_deref()), Some(why)),
         };
-        let mut head =
-            Self { text: text.to_owned(), refused, axis, columns: Vec::new(), faults: TableFaults::default(), options };
+        let mut head = Self {
+            text: text.to_owned(),
+            refused,
+            axis,
+            columns: Vec::new(),
+            faults: TableFaults::default(),
+            decimals: Decimals::of(&options),
+            recordings,
+            options,
+        };
         let counted = Counted::of(headings.iter().copied());
         for heading in headings {
             let column = head.column(heading, counted, known.as_deref()).map_err(|objection| {
@@ -86,7 +100,16 @@ impl Head {
     pub fn check(&mut self, cells: &[Cells<'_>], first_row: u64) {
         for (column, cells) in self.columns.iter().zip(cells) {
             if let Some(column) = column {
-                cells.check(column, first_row, self.options.language, &mut self.faults);
+                if let Cells::Texts(texts) = cells
+                    && column.names_recordings()
+                {
+                    for name in texts.iter().flatten().map(|text| text.trim()) {
+                        if !self.recordings.contains(name) {
+                            self.recordings.insert(name.to_owned());
+                        }
+                    }
+                }
+                cells.check(column, first_row, self.options.language, &mut self.decimals, &mut self.faults);
             }
         }
     }
@@ -119,6 +142,7 @@ impl Head {
                 files,
                 axis: (place, self.axis.is_of_several),
                 columns: self.columns.into_iter().flatten().collect(),
+                recordings: self.recordings,
                 options: self.options,
                 templates: Templates::default(),
             }),

@@ -327,9 +327,9 @@ mod tests {
 
     #[test]
     fn a_grid_and_lists_are_every_combination() {
-        let keys = ["load.inertia [kg m^2] = 0.1..10 log", "motion[0].law = trapezoid; polynomial_5"];
+        let keys = ["load.inertia [kg m^2] = 0.1..10 log", "motion[1].law = trapezoid; polynomial_5"];
         let text = table(keys.into_iter(), Method::Grid, 3, 1, Language::En).unwrap();
-        let expected = "load.inertia [kg m^2],motion[0].law\n0.1,trapezoid\n0.1,polynomial_5\n1,trapezoid\n1,polynomial_5\n\
+        let expected = "load.inertia [kg m^2],motion[1].law\n0.1,trapezoid\n0.1,polynomial_5\n1,trapezoid\n1,polynomial_5\n\
             10,trapezoid\n10,polynomial_5\n";
         assert_eq!(text, expected);
         let drawn = table(keys.into_iter(), Method::Sobol, 8, 1, Language::En).unwrap();
@@ -341,7 +341,7 @@ mod tests {
         let wrong = ["load.inertia = 1..2", "load.inertai [kg m^2] = 1..2", "load.inertia [kg m^2] = a..b", "x"];
         let why = table(wrong.into_iter(), Method::Grid, 3, 1, Language::En).unwrap_err();
         assert_eq!(why.faults(None, Language::En).errors.len(), 4);
-        let many = ["load.inertia [kg m^2] = 1..2", "motion[0].time [s] = 1..2"];
+        let many = ["load.inertia [kg m^2] = 1..2", "motion[1].time [s] = 1..2"];
         assert!(table(many.into_iter(), Method::Grid, 10_000, 1, Language::En).is_err());
     }
 }

@@ -55,7 +55,7 @@ fn sized(text: &str) -> Result<Best, String> {
 
 #[test]
 fn a_row_is_answered_as_the_project_with_its_values() {
-    let sweep = sweep(MOVE, &["load.inertia [kg m^2]", "motion[0].time [ms]"]).unwrap();
+    let sweep = sweep(MOVE, &["load.inertia [kg m^2]", "motion[1].time [ms]"]).unwrap();
     let found = sweep
         .judge(&[numbers(&[1.0, 0.1, 400.0, -1.0]), numbers(&[500.0, 200.0, 100.0, 100.0])], &Patience::endless())
         .unwrap();

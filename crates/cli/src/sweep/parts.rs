@@ -1,0 +1,168 @@
+//! Finished parts of the answers, kept beside them until these are whole, so that an interrupted call continues.
+
+use super::Table;
+use super::run::Run;
+use crate::fault::path_text;
+use disk::PartsTrouble;
+use quantities::Language;
+use questions::list::{Asked, Unanswered};
+use questions::sweep::Tally;
+use std::ffi::OsString;
+use std::fs::File;
+use std::io::{BufWriter, Write as _};
+use std::path::{Path, PathBuf};
+use sweep_io::{Answers, Batches, Format, Sweep, Unread};
+use words::{SaveTrouble, file_trouble, save_trouble, sweeps};
+
+/// Rows of a part.
+pub(super) const PART: usize = 1 << 14;
+
+/// The parts of the answers of one run.
+pub(super) struct Parts {
+    folder: PathBuf,
+    parts: disk::Parts,
+    /// Number of parts that were there.
+    kept: u64,
+    begun_anew: bool,
+    language: Language,
+}
+
+/// A trouble with the folder in words.
+fn refused(folder: &Path, trouble: PartsTrouble, language: Language) -> Unanswered {
+    let shown = path_text(folder);
+    Unanswered::message(match trouble {
+        PartsTrouble::Foreign => sweeps::parts_foreign(&shown, language),
+        PartsTrouble::ForeignFile(name) => sweeps::parts_foreign_file(&path_text(&folder.join(name)), language),
+        PartsTrouble::Busy => sweeps::parts_busy(&shown, language),
+        PartsTrouble::System(error) => {
+            format!("{shown}: {}", save_trouble(&SaveTrouble::System((&error).into()), language))
+        }
+    })
+}
+
+impl Parts {
+    /// Opens the parts beside the answers. Those of the same run are kept, those of another one removed.
+    pub(super) fn of(run: &Run<'_>, out: &Path, mark: &str) -> Result<Self, Unanswered> {
+        let mut name = out.file_name().map(OsString::from).unwrap_or_default();
+        name.push(".parts");
+        let folder = out.with_file_name(name);
+        let language = run.table.language;
+        let parts = disk::Parts::open(&folder).map_err(|trouble| refused(&folder, trouble, language))?;
+        let is_same = parts.mark() == mark;
+        let begun_anew = !is_same && !parts.mark().is_empty();
+        let mut found = Self { folder, parts, kept: 0, begun_anew, language };
+        if !is_same && let Err(trouble) = found.parts.begin(mark) {
+            let why = found.failed(trouble);
+            return Err(found.ended(why));
+        }
+        while found.parts.has(found.kept).map_err(|trouble| found.failed(trouble))? {
+            found.kept += 1;
+        }
+        Ok(found)
+    }
+
+    /// What became of parts that were there; `rows` are those of the table.
+    pub(super) fn remark(&self, rows: u64) -> String {
+        if self.begun_anew {
+            return format!("{}\n", sweeps::begun_anew(self.language));
+        }
+        let kept = rows.min(self.kept * PART as u64);
+        let parts = usize::try_from(self.kept).unwrap_or(usize::MAX);
+        if parts == 0 { String::new() } else { format!("{}\n", sweeps::resumed(parts, &kept, self.language)) }
+    }
+
+    fn failed(&self, trouble: PartsTrouble) -> Unanswered {
+        refused(&self.folder, trouble, self.language)
+    }
+
+    fn unread(&self, why: &str) -> Unanswered {
+        Unanswered::message(format!("{}: {why}", path_text(&self.folder)))
+    }
+
+    /// Judges what is not judged yet, a part at a time.
+    pub(super) fn judged(
+        &self,
+        table: &Table<'_>,
+        sweep: &Sweep,
+        rows: u64,
+        asked: &Asked<'_>,
+    ) -> Result<(), Unanswered> {
+        let mut index = self.kept;
+        let mut first = index * PART as u64;
+        if first >= rows {
+            return Ok(());
+        }
+        asked.patience.expect_steps(usize::try_from(rows - first).unwrap_or(usize::MAX));
+        let mut batches = table.open(first)?;
+        while first < rows {
+            let batch = batches.next(self.language).map_err(|why| table.refused(&why.text(self.language)))?;
+            let Some(batch) = batch else { break };
+            let answers = sweep.batch(&batch, first, asked.patience)?;
+            let bytes = sweep_io::part(&answers).map_err(|why| self.unread(&why))?;
+            self.parts.put(index, &bytes).map_err(|trouble| self.failed(trouble))?;
+            first += batch.num_rows() as u64;
+            index += 1;
+        }
+        Ok(())
+    }
+
+    /// The end of a run without answers: finished parts stay, and the reason names them; without any the folder goes.
+    pub(super) fn ended(self, why: Unanswered) -> Unanswered {
+        if !self.parts.has(0).unwrap_or(true) {
+            self.parts.remove();
+            return why;
+        }
+        let kept = Unanswered::message(sweeps::kept(&path_text(&self.folder), self.language));
+        Unanswered::together(vec![why, kept])
+    }
+
+    /// The end of a run that read something else at its end than at its beginning: no part is kept.
+    fn changed(self) -> Unanswered {
+        let why = Unanswered::message(sweeps::parts_changed(self.language));
+        self.parts.remove();
+        why
+    }
+
+    /// Makes sure that what was read is still what it was, and that the parts are those of this run.
+    pub(super) fn verified(self, run: &Run<'_>) -> Result<Self, Unanswered> {
+        let verified = run.mark().and_then(|mark| {
+            let is_marked = self.parts.is_marked().map_err(|trouble| self.failed(trouble))?;
+            Ok(is_marked && mark == self.parts.mark())
+        });
+        match verified {
+            Ok(true) => Ok(self),
+            Ok(false) => Err(self.changed()),
+            Err(why) => Err(self.ended(why)),
+        }
+    }
+
+    /// All parts as one file, counted.
+    pub(super) fn together(
+        &self,
+        format: Format,
+        sweep: &Sweep,
+        rows: u64,
+        file: &mut File,
+        tally: &mut Tally,
+    ) -> Result<(), Unanswered> {
+        let failed = |why: String| self.unread(&why);
+        let unread = |why: Unread| self.unread(&why.text(self.language));
+        let mut answers =
+            Answers::begin(BufWriter::with_capacity(1 << 18, file), format, sweep.schema()).map_err(failed)?;
+        for index in 0..rows.div_ceil(PART as u64) {
+            let part = self.parts.part(index).map_err(|trouble| self.failed(trouble))?;
+            let mut batches = Batches::open(part, Format::Parquet, 0, PART, self.language).map_err(unread)?;
+            while let Some(batch) = batches.next(self.language).map_err(unread)? {
+                sweep_io::count(&batch, tally);
+                answers.add(&batch).map_err(failed)?;
+            }
+        }
+        let mut out = answers.end().map_err(failed)?;
+        out.flush().map_err(|error| failed(file_trouble(&error, self.language)))
+    }
+
+    /// Removes the parts once the answers are whole; what cannot be removed is found by the next call.
+    pub(super) fn remove(self) {
+        self.parts.remove();
+    }
+}

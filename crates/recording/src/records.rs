@@ -1,0 +1,194 @@
+//! Tables of any columns in CSV, in the dialects of recordings: every cell as it is written.
+
+use crate::csv::{Cells, delimiter};
+use crate::encoding;
+use crate::faults::Fault;
+use crate::limits::{COLUMNS_MAX, Limit};
+use crate::lines::Lines;
+use crate::series::Encoding;
+use std::io::Read;
+
+/// The rows of a table under its headings, one after the other, in a bounded buffer.
+///
+/// The first line that is neither empty nor a comment (`#`) holds the headings and decides what separates the cells: `;`, else a tab,
+/// else `,`; a line `sep=;` before it says so too. The text is UTF-8, UTF-16 or Windows-1252.
+pub struct Records<R> {
+    lines: Lines<R>,
+    cells: Cells,
+    headings: Vec<String>,
+    is_utf8: bool,
+}
+
+impl<R: Read> Records<R> {
+    /// Reads the headings; none of an empty text.
+    ///
+    /// # Errors
+    /// Why their line cannot be read.
+    pub fn open(source: R) -> Result<Self, Fault> {
+        let mut records =
+            Self { lines: Lines::new(source), cells: Cells::new(b','), headings: Vec::new(), is_utf8: true };
+        if !records.lines.advance()? {
+            return Ok(records);
+        }
+        let mut sign = delimiter(records.lines.line());
+        if let Some(stated) = separator(records.lines.line()) {
+            sign = stated;
+            if !records.lines.advance()? {
+                return Ok(records);
+            }
+        }
+        records.cells = Cells::new(sign);
+        let mut headings = Vec::new();
+        records.read(|heading| headings.push(heading.trim().to_owned()))?;
+        Limit::Columns.hold(headings.len() as u64, COLUMNS_MAX as u64)?;
+        records.headings = headings;
+        Ok(records)
+    }
+
+    /// The headings, without space around them.
+    pub fn headings(&self) -> &[String] {
+        &self.headings
+    }
+
+    /// Whether numbers may have decimal commas: where commas do not separate the cells.
+    pub const fn may_have_decimal_commas(&self) -> bool {
+        self.cells.delimiter != b','
+    }
+
+    /// How the text is read, once the lines before were.
+    pub const fn encoding(&self) -> Encoding {
+        if self.is_utf8 { self.lines.encoding() } else { Encoding::Windows1252Guessed }
+    }
+
+    /// Goes to the next row; false behind the last. After a fault of a line the next one is behind it.
+    ///
+    /// # Errors
+    /// [`Fault::LineTooLong`], and what the source says.
+    pub fn advance(&mut self) -> Result<bool, Fault> {
+        self.lines.advance()
+    }
+
+    /// The cells of the row, each put in its turn; as many as there are headings.
+    ///
+    /// # Errors
+    /// [`Fault::QuoteOpen`], [`Fault::Ragged`].
+    pub fn row(&mut self, mut put: impl FnMut(usize, &str)) -> Result<(), Fault> {
+        let (line, expected) = (self.lines.number(), self.headings.len());
+        let found = self.cells.count(self.lines.line()).ok_or(Fault::QuoteOpen { line })?;
+        if found != expected {
+            return Err(Fault::Ragged { line, found, expected });
+        }
+        let mut column = 0;
+        self.read(|cell| {
+            put(column, cell);
+            column += 1;
+        })
+    }
+
+    fn read(&mut self, mut put: impl FnMut(&str)) -> Result<(), Fault> {
+        let (line, is_utf8) = (self.lines.number(), &mut self.is_utf8);
+        let cells = self.cells.every(self.lines.line()).ok_or(Fault::QuoteOpen { line })?;
+        for cell in cells {
+            *is_utf8 &= std::str::from_utf8(cell).is_ok();
+            put(&encoding::text(cell));
+        }
+        Ok(())
+    }
+}
+
+/// What a line says about the signs between cells, as spreadsheets write it: `sep=;`.
+fn separator(line: &[u8]) -> Option<u8> {
+    match line.trim_ascii_end().strip_prefix(b"sep=") {
+        Some([sign @ (b';' | b'\t' | b',')]) => Some(*sign),
+        // A tab at the end of the line.
+        Some([]) if line.ends_with(b"\t") => Some(b'\t'),
+        _ => None,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::limits::LINE_BYTES_MAX;
+
+    fn all(source: &[u8]) -> (Vec<String>, Vec<Result<Vec<String>, Fault>>, Encoding) {
+        let mut records = Records::open(source).unwrap();
+        let mut rows = Vec::new();
+        loop {
+            match records.advance() {
+                Ok(false) => break,
+                Ok(true) => {
+                    let mut cells = Vec::new();
+                    let row = records.row(|_, cell| cells.push(cell.to_owned()));
+                    rows.push(row.map(|()| cells));
+                }
+                Err(fault) => rows.push(Err(fault)),
+            }
+        }
+        (records.headings().to_vec(), rows, records.encoding())
+    }
+
+    /// One table in every dialect: separators, ends of lines, encodings, quoted or not, with a line that names the separator or not.
+    #[test]
+    fn a_table_is_read_alike_in_every_dialect() {
+        let table = [["Drehmoment [N·m]", "Größe", "c"], ["0,5", "3 µm; b", ""], ["-1,25e3", "say \"so\"", "x"]];
+        for sign in [';', '\t', ','] {
+            for end in ["\n", "\r\n", "\r"] {
+                for (is_quoted, says) in [(false, false), (true, false), (true, true)] {
+                    let cell = |cell: &&str| {
+                        if is_quoted || cell.contains([sign, '"', ',', ';']) {
+                            format!("\"{}\"", cell.replace('"', "\"\""))
+                        } else {
+                            (*cell).to_owned()
+                        }
+                    };
+                    let line = |row: &[&str; 3]| row.iter().map(cell).collect::<Vec<_>>().join(&sign.to_string());
+                    let mut text = if says { format!("sep={sign}{end}") } else { String::new() };
+                    text.push_str(&format!("# logged{end}{end}"));
+                    for row in &table {
+                        text.push_str(&line(row));
+                        text.push_str(end);
+                    }
+                    let utf16: Vec<u8> =
+                        "\u{feff}".encode_utf16().chain(text.encode_utf16()).flat_map(u16::to_le_bytes).collect();
+                    let windows: Vec<u8> = text.chars().map(|c| u8::try_from(u32::from(c)).unwrap()).collect();
+                    for (bytes, encoding) in [
+                        (text.as_bytes(), Encoding::Utf8),
+                        (utf16.as_slice(), Encoding::Utf16),
+                        (windows.as_slice(), Encoding::Windows1252Guessed),
+                    ] {
+                        let context = format!("{sign:?} {end:?} {is_quoted} {says} {encoding:?}");
+                        let (headings, rows, found) = all(bytes);
+                        assert_eq!(
+                            (headings.as_slice(), found),
+                            (&table[0].map(str::to_owned)[..], encoding),
+                            "{context}"
+                        );
+                        let expected: Vec<_> =
+                            table[1..].iter().map(|row| Ok(row.map(str::to_owned).to_vec())).collect();
+                        assert_eq!(rows, expected, "{context}");
+                    }
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn a_wrong_line_is_reported_and_those_behind_it_are_read() {
+        let long = "x".repeat(3 * LINE_BYTES_MAX);
+        let text = format!("a;b\n1;2\n\n3\n4;\"5\n{long}\n6;\n{long}");
+        let (_, rows, _) = all(text.as_bytes());
+        let row = |cells: [&str; 2]| Ok(cells.map(str::to_owned).to_vec());
+        let expected = [
+            row(["1", "2"]),
+            Err(Fault::Ragged { line: 4, found: 1, expected: 2 }),
+            Err(Fault::QuoteOpen { line: 5 }),
+            Err(Fault::LineTooLong { line: 6, most: LINE_BYTES_MAX }),
+            row(["6", ""]),
+            Err(Fault::LineTooLong { line: 8, most: LINE_BYTES_MAX }),
+        ];
+        assert_eq!(rows, expected);
+        assert!(Records::open(&b""[..]).unwrap().headings().is_empty());
+        assert!(Records::open(&b"sep=;\n"[..]).unwrap().headings().is_empty());
+    }
+}
