@@ -21,8 +21,8 @@ const AGE: Duration = Duration::from_secs(60);
 #[cfg(not(unix))]
 const AGE: Duration = Duration::from_secs(24 * 3600);
 
-/// Returns a new name for a temporary file or folder: `.antrieb-3fa2b1-` and the check of the letters before it, by which a file
-/// that a user named alike is told apart.
+/// Returns a new name for a temporary file or folder: `.antrieb-3fa2b1-` and the check of the letters before it, which a file that
+/// a user named alike does not have.
 pub(crate) fn name() -> String {
     static COUNT: AtomicU64 = AtomicU64::new(0);
     let now = SystemTime::now().duration_since(UNIX_EPOCH).unwrap_or_default().as_nanos();

@@ -182,12 +182,12 @@ fn stage(place: &Destination<'_>, bytes: &[u8], unfinished: &Unfinished) -> std:
     Ok(file)
 }
 
-/// A file beside its place, which nobody else may read before it is whole. It is locked as long as this program writes it.
+/// A file beside its place, which no other user may read before it is whole. It is locked as long as this program writes it.
 fn begin(place: &Destination<'_>, unfinished: &Unfinished) -> std::io::Result<NamedTempFile> {
     let folder = place.target.parent().unwrap_or(Path::new("."));
     let file = unfinished.made(|| temporary(folder, |_| {}))?;
     #[cfg(unix)]
-    // Where the file system has no locks the age of a file alone tells what was left.
+    // Where the file system has no locks the age of a file alone shows what was left.
     drop(file.as_file().try_lock());
     Ok(file)
 }
@@ -278,7 +278,7 @@ mod tests {
         assert_eq!(std::fs::read_dir(folder.path()).unwrap().count(), 0);
     }
 
-    /// A file that is half written is nobody else's to read; a whole one has the mode of any other new file, or of the one it replaces.
+    /// A file that is half written is readable by its owner alone; a whole one has the mode of any other new file, or of the one it replaces.
     #[cfg(unix)]
     #[test]
     fn others_may_read_a_file_when_it_is_whole() {

@@ -2,16 +2,21 @@
 
 from __future__ import annotations
 
+import math
+import pathlib
 import random
 import signal
+import tempfile
 import threading
 import time
 import unittest
 
 import duckdb
 import pyarrow as pa
+import pyarrow.parquet
 
 import antrieb
+from antrieb import distributed
 from antrieb.examples import ARM
 
 INERTIA = "mechanism.arm.inertia [kg m^2]"
@@ -125,6 +130,32 @@ class Sweeps(unittest.TestCase):
             prepared.table(pa.table({TIME: [1.0, None]}))
         with self.assertRaises(antrieb.AntriebError):
             antrieb.sweep(ARM, antrieb.Table.from_pydict({TIME: [1.0]}), check=["peak_torque_"])  # type: ignore[list-item]
+
+    def test_a_folder_belongs_to_its_tasks_and_recordings(self) -> None:
+        samples = "".join(f"{step / 50:.2f},{45 - 45 * math.cos(math.pi * step / 50):.6f}\n" for step in range(101))
+        recorded = (
+            'format = 1\n[load]\ninertia = "1 kg m^2"\nfriction_torque = "5 N m"\n'
+            '[[motion]]\nlaw = "recorded"\nfile = "turn.csv"\n'
+        )
+        with tempfile.TemporaryDirectory() as folder:
+            here = pathlib.Path(folder)
+            turn, tasks = here / "turn.csv", here / "tasks.parquet"
+            turn.write_text(f"time [s],position [deg]\n{samples}", encoding="utf-8")
+            pyarrow.parquet.write_table(pa.table({"load.inertia [kg m^2]": [1.0, 2.0]}), tasks)
+            (here / "axis.toml").write_text(recorded, encoding="utf-8")
+            spec = distributed.specified(here / "axis.toml", here / "out")
+            all_parts = list(distributed.parts(tasks))
+            distributed.ready(spec, all_parts)
+            distributed.ready(spec, all_parts)
+            before = turn.read_bytes()
+            turn.write_text(f"time [s],position [deg]\n{samples.replace('90.0', '89.0')}", encoding="utf-8")
+            with self.assertRaisesRegex(ValueError, "recordings"):
+                distributed.ready(spec, all_parts)
+            turn.write_bytes(before)
+            distributed.ready(spec, all_parts)
+            pyarrow.parquet.write_table(pa.table({"load.inertia [kg m^2]": [1.0, 3.0]}), tasks)
+            with self.assertRaisesRegex(ValueError, "tasks"):
+                distributed.ready(spec, all_parts)
 
     def test_what_is_no_table_is_refused(self) -> None:
         for wrong in ([1.0], {"a": [1.0]}, pa.array([1.0]), None):
