@@ -93,7 +93,7 @@ impl Parts {
     fn known(path: &Path) -> std::result::Result<Self, Option<PartsTrouble>> {
         let system = |error: Error| match error.kind() {
             ErrorKind::NotFound => None,
-            _ => Some(PartsTrouble::System(error)),
+            _ => Some(error.into()),
         };
         if path.symlink_metadata().map_err(system)?.is_dir() {
             let dir = Dir::open(path).map_err(system)?;
