@@ -92,7 +92,7 @@ fn a_link_is_followed_within_its_folder_only() {
     assert!(here.join("near.svg").is_symlink());
     assert!(fs::read_to_string(here.join("target.svg")).unwrap().starts_with("<svg"));
     refused(here, &curve(&["--svg", "far.svg"]), "outside its folder");
-    refused(here, &curve(&["--svg", "nowhere.svg"]), "to nothing");
+    refused(here, &curve(&["--svg", "nowhere.svg"]), "does not exist");
     assert_eq!(fs::read_to_string(away.path().join("far.svg")).unwrap(), "old");
     assert_eq!(names(here), ["far.svg", "near.svg", "nowhere.svg", "target.svg"]);
 }
@@ -108,16 +108,30 @@ fn the_place_of_a_picture_is_asked_for_first() {
     refused(folder.path(), &curve(&["--voltage", "220 V", "--png", "none/a.png"]), "no such folder");
 }
 
+/// Known by the check in its name, its owner and its lock; a file that a user named alike stays.
 #[test]
-fn a_save_removes_what_a_kill_left_the_day_before() {
+fn a_save_removes_what_a_kill_left_a_minute_before() {
     let folder = tempfile::tempdir().unwrap();
     let here = folder.path();
-    for (name, hours) in [(".antrieb-abc123", 30), (".antrieb-new123", 1)] {
+    let named = |letters: &str| {
+        let check = blake3::hash(format!("temporary file of antrieb: {letters}").as_bytes()).to_hex();
+        format!(".antrieb-{letters}-{}", &check.as_str()[..8])
+    };
+    let (left, fresh, written) = (named("abc123"), named("abc124"), named("abc125"));
+    let made = |name: &str, seconds: u64| {
         let file = fs::File::create(here.join(name)).unwrap();
-        file.set_modified(std::time::SystemTime::now() - Duration::from_secs(hours * 3600)).unwrap();
+        file.set_modified(std::time::SystemTime::now() - Duration::from_secs(seconds)).unwrap();
+        file
+    };
+    for (name, seconds) in [(left.as_str(), 100), (".antrieb-abc123", 1_000_000), (&fresh, 1)] {
+        drop(made(name, seconds));
     }
+    let open = made(&written, 100);
+    open.try_lock().unwrap();
     assert!(antrieb(here, &curve(&["--svg", "a.svg"])).status.success());
-    assert_eq!(names(here), [".antrieb-new123", "a.svg"]);
+    let mut expected = [".antrieb-abc123", &fresh, &written, "a.svg"];
+    expected.sort_unstable();
+    assert_eq!(names(here), expected);
 }
 
 #[test]
@@ -168,7 +182,7 @@ fn a_folder_that_takes_no_files_is_reported() {
 /// A disk without room, by a limit of the size of a file.
 #[test]
 fn a_full_disk_is_reported_in_our_words_with_the_name_given() {
-    for (language, word) in [("en", "no room"), ("de", "kein Platz")] {
+    for (language, word) in [("en", "not enough space"), ("de", "nicht genügend Speicherplatz")] {
         let folder = tempfile::tempdir().unwrap();
         let script = "trap '' XFSZ; ulimit -f 1; exec \"$0\" \"$@\"";
         let output = Command::new("sh")
