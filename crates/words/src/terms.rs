@@ -48,7 +48,7 @@ texts! {
     reason = "reason" | "Grund";
     recording = "recording" | "Aufzeichnung";
     rejected = "rejected" | "verworfen";
-    remark = "remark" | "Hinweis";
+    remark = "remark" | "Bemerkung";
     remarks = "remarks" | "Bemerkungen";
     requirement = "requirement" | "Anforderung";
     requirement_not_met = "requirement not met" | "Anforderung nicht erfüllt";
