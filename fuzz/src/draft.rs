@@ -57,7 +57,7 @@ fn axis(page: &mut Page<'_, '_>) -> Result<()> {
         stage(page)?;
     }
     motion::motions(page, load, single)?;
-    if page.u.ratio(1, 2)? {
+    if page.u.ratio(1, 2)? || (has_own_loads(page) && page.text.contains("motion.bearing]")) {
         bearing(page)?;
     }
     if page.often()? {
@@ -354,11 +354,20 @@ fn forces(page: &mut Page<'_, '_>) -> Result<()> {
     page.key("axial_distance", 1.0, 200.0, LENGTH)
 }
 
+/// Returns `true` if the mechanism or its stage loads the flange: beside stated loads the file must say what its own do.
+fn has_own_loads(page: &Page<'_, '_>) -> bool {
+    !page.effective.is_empty()
+}
+
 fn bearing(page: &mut Page<'_, '_>) -> Result<()> {
     page.table("bearing");
     let keys = page.effective;
-    let word =
-        if keys.is_empty() || page.u.ratio(1, 2)? { "" } else { *page.u.choose(&["add", "replace", "ignore"])? };
+    let states = page.text.contains("motion.bearing]");
+    let word = match keys.is_empty() {
+        true => "",
+        false if !states && page.u.ratio(1, 2)? => "",
+        false => *page.u.choose(&["add", "replace", "ignore"])?,
+    };
     if word == "add" || word == "replace" {
         let has = |key: &str| keys.contains(&key);
         page.word("mechanism", word);
@@ -381,7 +390,8 @@ fn bearing(page: &mut Page<'_, '_>) -> Result<()> {
     } else if word == "ignore" {
         page.word("mechanism", word);
     }
-    if word != "replace" && (word.is_empty() || page.u.ratio(1, 2)?) {
+    let may_state = word != "replace" && (keys.is_empty() || !word.is_empty());
+    if may_state && (keys.is_empty() || page.u.ratio(1, 2)?) {
         forces(page)?;
     }
     page.may_number("load_factor", 1.0, 2.0)?;

@@ -63,6 +63,8 @@ class Further(Author):
             stated = self.forces() if found and adds and self.chance(0.6) else {}
             more = {"load_factor": float(short(self.between(1, 2), 3)), "operating_condition": "shock"}
             head += table("[bearing]", keys | stated | more)
+        elif self.stage and "[motion.bearing]" in head:
+            head += table("[bearing]", {"mechanism": "ignore"})
         if self.stage:
             head += table("[stage]", self.stage_keys())
         return head + "\n[requirements]" + needs

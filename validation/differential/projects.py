@@ -384,7 +384,9 @@ class Author:
                 segment["bearing"] = forces
         if self.flange:
             more = {"load_factor": float(short(self.between(1, 2), 3)), "operating_condition": "normal"}
-            text += table("[bearing]", self.forces() | more)
+            # Beside loads of its own the file says that the stated ones are all of them.
+            own = {} if self.kind in ("load", "table", "joint") else {"mechanism": "ignore"}
+            text += table("[bearing]", own | self.forces() | more)
         return text + table("[requirements]", needs)
 
     def rotations(self):

@@ -80,7 +80,8 @@ def bearing(project, actuator, cycle, load, time):
     parts = stretches(cycle, load, switches=flange.switches if derived else None)
     loads = list(stated(project))
     power = {"C": 10 / 3, "F": 3.0}[actuator["bearing"]]
-    sums, most, travelled = np.zeros(5), np.zeros(3), 0.0
+    # The largest while the gear turns, and while it rests.
+    sums, turning, resting, travelled = np.zeros(5), np.zeros(3), None, 0.0
     for p in parts:
         f_r, f_a, l_r, l_a, counts = loads[p.piece.segment]
         stated_r, stated_a = l_r + f_r * offset, l_a
@@ -95,7 +96,11 @@ def bearing(project, actuator, cycle, load, time):
             forces = flange.at(p.piece.segment, q, w, acc, p.sign, recorded, handed_on)
         radial, axial, moment = forces
         whole = radial + f_r, axial + f_a, moment + stated_r + stated_a
-        most = np.maximum(most, [float(np.max(x)) for x in whole])
+        largest = [float(np.max(x)) for x in whole]
+        if p.sign == 0:
+            resting = np.maximum(largest if resting is None else resting, largest)
+        else:
+            turning = np.maximum(turning, largest)
         weight = np.abs(p.speed)
         travelled += p.integral(weight)
         averaged = radial + f_r, axial + f_a, moment, stated_r + 0 * weight, stated_a + 0 * weight
@@ -106,11 +111,16 @@ def bearing(project, actuator, cycle, load, time):
     n_av = travelled / (2 * pi) / time * 60
     equivalent = common["load_factor"] * (x * radial + y * f_a)
     # The largest of the cycle, each by itself.
+    most = turning if resting is None else np.maximum(turning, resting)
     static = most[0] + 2 * most[2] / actuator["d_p"] + 0.44 * most[1]
-    return {
-        "bearing_axial": most[1],
-        "bearing_radial": most[0],
-        "bearing_tilting_moment": most[2],
+    at_rest = {}
+    if resting is not None:
+        pure = resting[2] + actuator["d_p"] / 2 * (resting[0] + 0.44 * resting[1])
+        at_rest = {"bearing_static_moment": pure}
+    return at_rest | {
+        "bearing_axial": turning[1],
+        "bearing_radial": turning[0],
+        "bearing_tilting_moment": turning[2],
         "bearing_life": 1e6 / (60 * n_av) * (actuator["C"] / equivalent) ** power,
         "bearing_static": actuator["C_0"] / static,
         "tilt_angle": most[2] / actuator["K_B"],
@@ -125,7 +135,7 @@ def results(text, files, actuator):
     parts = stretches(cycle, load)
     found = {"demand": demand(parts, time, actuator["J_out"])}
     found["demand"]["torsion"] = torsion(project, actuator, found["demand"].pop("load_peak"))
-    if "bearing" in project:
+    if "load_factor" in project.get("bearing", {}):
         found["bearing"] = bearing(project, actuator, cycle, load, time)
     ambient = si(project["requirements"]["ambient"])
     found["drive"], best = drive.judge(actuator, cycle, load, time, ambient)

@@ -44,7 +44,7 @@ pub use motor::{
 };
 pub use output_bearing::{
     BearingType, FlangeLoad, OutputBearing, bearing_life, dynamic_equivalent_load, dynamic_load_factors, mean_load,
-    static_safety, tilt_angle, tilting_moment,
+    static_equivalent_moment, static_safety, tilt_angle, tilting_moment,
 };
 pub use overload::{overload_course, overload_slope};
 pub use parameters::{Drivetrain, Parameters};

@@ -39,8 +39,12 @@ pub struct OutputBearing {
     pub dynamic_rating: Datum<Force>,
     /// C_0: static load rating.
     pub static_rating: Datum<Force>,
-    /// M_dyn(max): permissible dynamic tilting moment; from the tilt that the gear allows, not from the life.
+    /// M_dyn(max): permissible tilting moment of a turning gear; from the tilt that the gear allows, not from the life.
     pub tilting_moment_max: Datum<Torque>,
+    /// M_0(max): permissible tilting moment of a gear at rest, alone.
+    pub static_moment_max: Datum<Torque>,
+    /// f_s on which M_0(max) rests: lower limit of the static safety of this size.
+    pub static_safety_min: Datum<f64>,
     /// F_A,dyn(max): permissible dynamic axial load, alone.
     pub axial_max: Datum<Force>,
     /// F_R,dyn(max): permissible dynamic radial load, alone.
@@ -182,6 +186,23 @@ pub fn static_safety(static_rating: Force, load: &FlangeLoad, moment: Torque, pi
     static_rating.si() / (radial_load(load, moment, pitch_diameter) + 0.44 * load.axial_force.si())
 }
 
+/// Static equivalent tilting moment: the pure tilting moment that loads the bearing at rest as much as forces and moment
+/// together.
+///
+/// M_eq = M + d_p/2 · (F_r + 0.44 F_a)
+///
+/// # Symbols
+/// M tilting moment \[Nm\], d_p pitch circle diameter \[m\], F_r radial and F_a axial force \[N\]
+/// # Source
+/// cha-manual eq. 76.1 and 76.2: P_0 d_p/2, so that f_s = C_0/P_0 = M_0/M_eq times the f_s of M_0
+/// # Valid
+/// gear at rest
+#[must_use]
+pub fn static_equivalent_moment(load: &FlangeLoad, moment: Torque, pitch_diameter: Length) -> Torque {
+    let forces = load.radial_force.si() + 0.44 * load.axial_force.si();
+    Torque::from_si(moment.si() + 0.5 * pitch_diameter.si() * forces)
+}
+
 /// Tilt of the output flange.
 ///
 /// γ = M / K_B
@@ -222,6 +243,9 @@ mod tests {
         assert!((life.in_unit(&HOUR) / 1.3166e7 - 1.0).abs() < 1e-3, "{}", life.in_unit(&HOUR));
         let safety = static_safety(Force::from_si(45_000.0), &load, moment, Length::from_si(0.088));
         assert!((safety - 45_000.0 / (500.0 + 909.090_909 + 88.0)).abs() < 1e-6);
+        let resting = static_equivalent_moment(&load, moment, Length::from_si(0.088));
+        assert!((resting.si() - (40.0 + 0.044 * (500.0 + 88.0))).abs() < 1e-9, "{resting:?}");
+        assert!((45_000.0 * 0.044 / resting.si() - safety).abs() < 1e-9, "eq. 76.1 and 76.2 are one");
         let tilt = tilt_angle(moment, TiltingStiffness::new_in(114.0, &NEWTON_METRE_PER_ARCMINUTE));
         assert!((tilt.in_unit(&ARCMINUTE) - 40.0 / 114.0).abs() < 1e-9);
     }

@@ -7,6 +7,7 @@ use crate::motor::{ContinuousLimit, continuous_torque_with, speed_max, speed_rat
 use crate::parameters::Drivetrain;
 use crate::voltage::MotorVoltage;
 use derivation::{Finding, Workings};
+use numeric::AT_THE_LIMIT;
 use provenance::{Datum, Grade, Missing, Source, Sourced};
 use quantities::unit::{AMPERE, NEWTON_METRE, NEWTON_METRE_PER_AMPERE, REVOLUTION_PER_MINUTE, VOLT};
 use quantities::{AngularVelocity, ElectricCurrent, ElectricPotential, Measure, Ratio, Time, Torque, TorqueConstant};
@@ -146,7 +147,7 @@ impl<'a> ShortTime<'a> {
         match &self.0 {
             Law::Published { curve, .. } => {
                 let points = curve.value.points();
-                let drop = points.last().map(|end| (end.speed.si() * (1.0 + AT_THE_END)).next_up());
+                let drop = points.last().map(|end| (end.speed.si() * (1.0 + AT_THE_LIMIT)).next_up());
                 points.iter().map(|point| point.speed.si()).chain(drop).collect()
             }
             // Where one of several laws takes over as the least of them the corner points upwards.
@@ -208,7 +209,7 @@ const SHORT_TIME: Source = Source::Model { name: "short-time-torque" };
 
 impl Model<'_> {
     fn is_inside(&self, speed: AngularVelocity) -> bool {
-        speed.si().abs() <= self.end.value.si() * (1.0 + AT_THE_END)
+        speed.si().abs() <= self.end.value.si() * (1.0 + AT_THE_LIMIT)
     }
 
     /// I_U \[A\]
@@ -277,14 +278,11 @@ impl Drivetrain {
     }
 }
 
-/// So much beyond the end of a curve is still at it.
-const AT_THE_END: f64 = 1e-9;
-
 /// A speed that exceeds the end of a curve by rounding only, taken back to the end.
 fn within(curve: &Curve, speed: AngularVelocity) -> AngularVelocity {
     let end = curve.points().last().map_or(0.0, |point| point.speed.si());
     let speed = speed.si().abs();
-    AngularVelocity::from_si(if speed <= end * (1.0 + AT_THE_END) { speed.min(end) } else { speed })
+    AngularVelocity::from_si(if speed <= end * (1.0 + AT_THE_LIMIT) { speed.min(end) } else { speed })
 }
 
 fn at_most(torque: Torque, limit: &Datum<Torque>) -> Torque {
@@ -423,7 +421,7 @@ pub fn intermittent_torque(
     let short_time = ShortTime::of(actuator, terminal_voltage, &cold_friction(actuator)?)?.limit(speed);
     let stall = actuator.stall_torque.require("T_0")?;
     let rated = speed_rated_out(actuator)?.value.si();
-    let inside = duty.si() * speed.si().abs() <= rated * (1.0 + 1e-9);
+    let inside = numeric::at_most(duty.si() * speed.si().abs(), rated);
     let average = actuator.gear.average_torque_max.known().map(|known| known.value.si());
     // T_0 never exceeds T_A: a lower bound where T_A is not known, which the upper edge must not use.
     let gear = duty.si().powf(-1.0 / 3.0) * average.map_or(stall.value.si(), |average| average.max(stall.value.si()));

@@ -85,6 +85,21 @@ pub(crate) fn swing_min(series: Series) -> Datum<Angle> {
     }))
 }
 
+/// f_s on which the printed M_0(max) of a size rests (table 55.1, footnote 3): the figure of a fact of the series.
+pub(crate) fn static_safety_min(code: &OrderCode) -> Datum<f64> {
+    let fact = catalogue::fact("static_safety_of_the_table").filter(|fact| fact.holds_for.series == code.series());
+    let class = if code.size.number() <= LAST_SMALL { "sizes_14_to_20" } else { "sizes_25_to_58" };
+    let found = || {
+        let value = fact?.values.iter().find(|value| value.id == class)?.number;
+        let cell = catalogue::size_cell(code.size, code.ratio, "M_0_max")?;
+        Some(Sourced { grade: fact?.grade, errata: &[], ..cell.sourced(value) })
+    };
+    Datum::of(found())
+}
+
+/// The largest size of the first class of f_s.
+const LAST_SMALL: u16 = 20;
+
 /// A threshold of the winding temperature: `warning` or `shutdown`.
 pub(crate) fn winding_threshold(series: Series, which: &str) -> Datum<ThermodynamicTemperature> {
     let cells = catalogue::table_cells(SeriesData::of(series).thresholds);

@@ -258,6 +258,8 @@ fn output_bearing(code: &OrderCode) -> OutputBearing {
         dynamic_rating: by_size(code, "C"),
         static_rating: by_size(code, "C_0"),
         tilting_moment_max: by_size(code, "M_dyn_max"),
+        static_moment_max: by_size(code, "M_0_max"),
+        static_safety_min: family::static_safety_min(code),
         axial_max: by_size(code, "F_A_dyn_max"),
         radial_max: by_size(code, "F_R_dyn_max"),
         tilting_stiffness: by_size(code, "K_B"),

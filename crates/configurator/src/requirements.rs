@@ -2,6 +2,7 @@
 
 use crate::rules::uncovered;
 use actuator::Parameters;
+use numeric::{at_least, at_most};
 use order_code::{Brake, Feedback, OrderCode};
 use provenance::Datum;
 use quantities::{ElectricPotential, Length, Mass, Measure};
@@ -99,17 +100,17 @@ impl Requirements {
     ) -> impl Iterator<Item = Unmet> + use<> {
         let found = [
             compare(self.hollow_shaft_min, &actuator.hollow_shaft, "d_H", |needs, has| {
-                (has.si() < needs.si()).then_some(Unmet::HollowShaft { has, needs })
+                (!at_least(has.si(), needs.si())).then_some(Unmet::HollowShaft { has, needs })
             }),
             compare(length_max, &actuator.length, "L", |permits, has| {
-                (has.si() > permits.si()).then_some(Unmet::Length { has, permits })
+                (!at_most(has.si(), permits.si())).then_some(Unmet::Length { has, permits })
             }),
             compare(mass_max, &actuator.mass, "m", |permits, has| {
-                (has.si() > permits.si()).then_some(Unmet::Mass { has, permits })
+                (!at_most(has.si(), permits.si())).then_some(Unmet::Mass { has, permits })
             }),
             compare(self.supply, &actuator.terminal_voltage_min, "U_M", |supply, needs| {
                 let gives = ElectricPotential::from_si(supply.si() / std::f64::consts::SQRT_2);
-                (gives.si() < needs.si()).then_some(Unmet::SupplyTooLow { needs, gives })
+                (!at_least(gives.si(), needs.si())).then_some(Unmet::SupplyTooLow { needs, gives })
             }),
         ];
         found.into_iter().flatten()

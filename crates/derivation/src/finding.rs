@@ -70,6 +70,10 @@ findings! {
     RadialForceMax ["F_r"];
     LargestOverSegments [];
     LargestOfMechanism [];
+    LargestInMotion [];
+    LargestAtRest [];
+    LeastTension [];
+    TensionOfWeight [];
     SegmentOfLargestMoment ["M"];
     EverySegmentInMotion [];
     RadialMeanOverCycle ["F_r" "B"];

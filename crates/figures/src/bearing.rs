@@ -9,7 +9,7 @@ use plot::{Axis, Bar, BarChart, Dash, Label, Line, Panel, Reference, StackedChar
 use project::Project;
 use quantities::unit::{NEWTON, NEWTON_METRE};
 use quantities::{Language, Measure, Unit};
-use questions::{Candidate, Check, CheckId, FlangeSample};
+use questions::{Amount, Candidate, Check, CheckId, Direction, FlangeSample};
 use words::{capitalised, pictures};
 
 type Load = fn(&FlangeSample) -> Option<f64>;
@@ -59,7 +59,9 @@ pub fn bearing_load(
             let least = values.iter().map(|(_, value)| *value).fold(f64::INFINITY, f64::min);
             let largest = values.iter().map(|(_, value)| *value).fold(f64::NEG_INFINITY, f64::max);
             let check = candidate.judgement.checks.iter().find(|check| check.id == id)?;
-            (!values.is_empty()).then_some(Found { axis, unit, check, symbol, name, values, least, largest })
+            let at_rest = candidate.judgement.checks.iter().find(|check| check.id == CheckId::BearingStaticMoment);
+            let at_rest = at_rest.filter(|_| id == CheckId::BearingTiltingMoment).and_then(|check| check.limit);
+            (!values.is_empty()).then_some(Found { axis, unit, check, symbol, name, values, least, largest, at_rest })
         })
         .collect();
     let sentence: Vec<String> = loads.iter().map(|load| load.sentence(language)).collect();
@@ -95,6 +97,8 @@ struct Found<'a> {
     values: Vec<(f64, f64)>,
     least: f64,
     largest: f64,
+    /// The limit of the gear at rest.
+    at_rest: Option<Amount>,
 }
 
 impl Found<'_> {
@@ -106,13 +110,25 @@ impl Found<'_> {
         self.check.limit.map(|limit| amount(limit.si, limit.unit, language))
     }
 
+    /// The largest load of the turning gear, to which the limit belongs.
+    fn turning(&self) -> f64 {
+        self.check.value.map_or(self.largest, |value| value.si)
+    }
+
+    /// Returns `true` if the load is larger at rest than while the gear turns.
+    fn rests_heavier(&self) -> bool {
+        !Direction::AtMost.keeps(self.largest, self.turning())
+    }
+
     fn sentence(&self, language: Language) -> String {
-        let (name, shown) = (self.name, amount(self.largest, self.unit, language));
+        let (name, shown) = (self.name, amount(self.turning(), self.unit, language));
         let value = match self.limit(language) {
             Some(limit) => pictures::value_of_limit(&shown, &limit, language),
             None => shown,
         };
-        if self.is_constant() {
+        if self.rests_heavier() {
+            pictures::load_rests(&name, &amount(self.largest, self.unit, language), &value, language)
+        } else if self.is_constant() {
             pictures::load_is_constant(&name, &value, language)
         } else {
             pictures::load_reaches(&name, &value, language)
@@ -122,7 +138,7 @@ impl Found<'_> {
     /// The load against its limit, where it does not change.
     fn bar(&self, language: Language) -> Bar {
         let name = self.axis.quantity();
-        let (value, limit) = (amount(self.largest, self.unit, language), self.limit(language));
+        let (value, limit) = (amount(self.turning(), self.unit, language), self.limit(language));
         let numbers = limit.map_or_else(|| value.clone(), |limit| format!("{value} / {limit}"));
         let bar = Bar::new(name, sign(self.check.verdict)).data("check", self.check.id.id());
         match self.check.utilisation {
@@ -132,6 +148,7 @@ impl Found<'_> {
     }
 
     fn panel(self, language: Language) -> Panel {
+        let rests_heavier = self.rests_heavier();
         let (shown, limit) = (amount(self.largest, self.unit, language), self.limit(language));
         let label =
             if self.is_constant() { pictures::constant(&shown, language) } else { pictures::at_most(&shown, language) };
@@ -145,6 +162,12 @@ impl Found<'_> {
                     .dash(Dash::Dashed)
                     .label(Label::symbol(self.symbol).text(&format!(" = {text}"))),
             );
+        }
+        if let Some(limit) = self.at_rest.filter(|_| rests_heavier) {
+            let text = amount(limit.si, limit.unit, language);
+            let label = Label::symbol("M_0(max)").text(&format!(" = {text}"));
+            panel =
+                panel.with(Reference::horizontal(limit.value()).tone(Tone::Continuous).dash(Dash::Dashed).label(label));
         }
         panel.with(line)
     }

@@ -1,7 +1,7 @@
 //! The questions that each mechanism answers, in its own module.
 
 use crate::flange::{FlangeForces, Instant, OnFlange};
-use crate::{Endless, Extra, MechanismId};
+use crate::{Endless, Extra, MechanismId, Rope};
 
 /// The inertia that the output feels at a position, its slope and the torque of the position alone.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -81,6 +81,11 @@ pub(crate) trait Equations {
     /// Its forces on the flange at one instant.
     fn forces(&self, _at: &Instant<'_>) -> FlangeForces {
         FlangeForces::default()
+    }
+
+    /// Tension of a rope while it is taut \[N\], below zero where it would have to push; `None` without such a rope.
+    fn rope_tension(&self, _rope: Rope, _at: &Instant<'_>) -> Option<f64> {
+        None
     }
 
     /// Forces along a line whose changes of sign bend those on the flange \[N\]; `None` where nothing bends them.

@@ -1,7 +1,7 @@
 //! What the load does to the flange that carries it: forces across and along the axis, and the moment that tilts it.
 
 use crate::equations::Equations;
-use crate::{Extra, Mechanism, Output, StageKind, gravity_m_s2};
+use crate::{Endless, Extra, Mechanism, Output, StageKind, gravity_m_s2};
 use quantities::{Angle, Force, Length, Mass, Measure, Torque};
 
 /// How a wheel on the flange hands its force on.
@@ -62,8 +62,10 @@ pub struct Aligned {
     pub radial_n: f64,
     /// Force along the axis \[N\].
     pub axial_n: f64,
-    /// Tilting moment about the centre of the flange face \[Nm\].
+    /// Σ F L of the radial forces, each with its distance from the flange face, away from the actuator \[Nm\].
     pub moment_nm: f64,
+    /// Tilting moment of couples, the same about every centre \[Nm\].
+    pub couple_nm: f64,
 }
 
 impl FlangeForces {
@@ -83,18 +85,20 @@ impl FlangeForces {
 
     /// M: tilting moment about a centre that lies behind the flange face \[Nm\].
     ///
-    /// M = |M_0 + R e_z × F| + M_al + R F_al
+    /// M = |M_0 + R e_z × F| + |M_al + R F_al| + M_c
     ///
     /// # Symbols
     /// M_0 moment about the centre of the flange face \[Nm\], R distance of the centre behind it \[m\], F force
-    /// \[N\], index al amounts without direction
+    /// \[N\], index al amounts without direction, M_c couples. A force at the distance L has the lever |L + R|, also where L is
+    /// negative
     /// # Source
     /// docs/theory/flange-loads.md
     #[must_use]
     pub fn moment(&self, offset: Length) -> f64 {
         let (r, [fx, fy], [mx, my]) = (offset.si(), self.radial_n, self.moment_nm);
         let (x, y) = (mx - r * fy, my + r * fx);
-        (x * x + y * y).sqrt() + self.aligned.moment_nm + r * self.aligned.radial_n
+        let Aligned { radial_n, moment_nm, couple_nm, .. } = self.aligned;
+        (x * x + y * y).sqrt() + (moment_nm + r * radial_n).abs() + couple_nm
     }
 
     /// Adds a force that acts at a point: its distances from the axis and from the flange face \[m\].
@@ -111,7 +115,8 @@ impl FlangeForces {
     fn times(mut self, factor: f64) -> Self {
         let aligned = &mut self.aligned;
         let all = self.radial_n.iter_mut().chain(&mut self.moment_nm).chain([&mut self.axial_n]);
-        all.chain([&mut aligned.radial_n, &mut aligned.axial_n, &mut aligned.moment_nm]).for_each(|v| *v *= factor);
+        let Aligned { radial_n, axial_n, moment_nm, couple_nm } = aligned;
+        all.chain([radial_n, axial_n, moment_nm, couple_nm]).for_each(|v| *v *= factor);
         self
     }
 }
@@ -134,6 +139,29 @@ pub(crate) struct Overhang {
     pub(crate) of_payload: bool,
 }
 
+/// Course of the loads on the flange over the position of the mechanism, at the same speed and acceleration.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Recurrence {
+    /// They do not depend on the position.
+    Constant,
+    /// They repeat with each revolution of the mechanism.
+    EachRevolution,
+    /// They depend on the position and do not repeat.
+    Never,
+}
+
+impl Recurrence {
+    /// That of loads which repeat with each revolution if they depend on the position at all.
+    pub(crate) const fn each_revolution_if(depends: bool) -> Self {
+        if depends { Self::EachRevolution } else { Self::Constant }
+    }
+
+    /// That of loads which never repeat if they depend on the position at all.
+    pub(crate) const fn never_if(depends: bool) -> Self {
+        if depends { Self::Never } else { Self::Constant }
+    }
+}
+
 /// How a mechanism loads the flange.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) struct OnFlange {
@@ -141,6 +169,8 @@ pub(crate) struct OnFlange {
     pub(crate) missing: Option<Missing>,
     /// What its tilting moment needs besides.
     pub(crate) overhang: Overhang,
+    /// Course of its loads over the position.
+    pub(crate) recurrence: Recurrence,
 }
 
 /// One instant of a mechanism on its flange.
@@ -192,6 +222,19 @@ impl Mechanism {
     #[must_use]
     pub fn knows_flange_forces(&self) -> bool {
         self.stage.is_some() || self.kind.equations().on_flange().is_some()
+    }
+
+    /// Returns the course of the loads on the flange over the position, at the same speed and acceleration. Behind a stage the
+    /// flange bears the torque of the mechanism.
+    #[must_use]
+    pub fn flange_recurrence(&self) -> Recurrence {
+        if self.stage.is_none() {
+            return self.kind.equations().on_flange().map_or(Recurrence::Constant, |on_flange| on_flange.recurrence);
+        }
+        match self.endless() {
+            Endless::EachRevolution => Recurrence::each_revolution_if(self.depends_on_position()),
+            Endless::Everywhere | Endless::Never => Recurrence::never_if(self.depends_on_position()),
+        }
     }
 
     /// The key of what is missing before the forces on the flange are known; `None` where nothing is.
@@ -251,7 +294,7 @@ impl Mechanism {
             let radial = weight * sine(tilt).abs();
             forces.aligned.radial_n += radial;
             forces.aligned.axial_n += weight * cosine(tilt).abs();
-            forces.aligned.moment_nm += radial * metres(mounting.overhang).abs();
+            forces.aligned.moment_nm += radial * metres(mounting.overhang);
         }
         match mounting.share {
             Some(share) => forces.times(share),
@@ -270,7 +313,7 @@ impl Mechanism {
         self.kind.equations().switches(&self.instant(output, extra, recorded_nm, &Mounting::default()))
     }
 
-    const fn instant<'a>(
+    pub(crate) const fn instant<'a>(
         &self,
         output: &'a Output,
         extra: &'a Extra,
@@ -325,7 +368,7 @@ pub(crate) fn wheel_forces(tangential: f64, radius_m: f64, mounting: &Mounting) 
             forces.act(place, [tangential, separating, 0.0]);
             // The hand of the teeth says to which side the thrust tilts.
             forces.aligned.axial_n += thrust;
-            forces.aligned.moment_nm += thrust * radius_m;
+            forces.aligned.couple_nm += thrust * radius_m;
         }
         None => {}
     }

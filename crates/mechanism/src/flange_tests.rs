@@ -1,7 +1,7 @@
 //! Loads on the flange against closed forms by hand, the path of the centre of mass, limits and balances.
 
 use super::*;
-use crate::{Linear, LinearKind, MechanismKind, Rotor, RotorKind, SliderCrank};
+use crate::{FourBar, Hoist, Linear, LinearKind, MechanismKind, Rotor, RotorKind, SliderCrank, Winder, Winding};
 use quantities::unit::DEGREE;
 use quantities::{MomentOfInertia, Torque};
 
@@ -267,4 +267,79 @@ fn the_weight_of_a_wheel_follows_the_axis() {
     assert!(close(still(90.0).radial(), 200.0 + 2.0 * G) && still(90.0).axial() == 0.0);
     assert!(close(still(0.0).radial(), 200.0) && close(still(0.0).axial(), 2.0 * G));
     assert!(close(still(90.0).moment(metres_of(0.014)), (200.0 + 2.0 * G) * 0.044));
+}
+
+/// A force behind the bearing's centre has the lever |L + R|: winder and wheel agree with the hoist, whose force has a direction.
+#[test]
+fn a_negative_overhang_turns_the_lever_round() {
+    let winder = of(MechanismKind::Winder(Winder {
+        winding: Winding::Up,
+        core_diameter: metres_of(0.09),
+        full_diameter: metres_of(0.33),
+        start_diameter: metres_of(0.2),
+        thickness: metres_of(0.002),
+        width: metres_of(0.4),
+        density: quantities::MassDensity::from_si(900.0),
+        tension: Force::from_si(80.0),
+        inertia: MomentOfInertia::from_si(0.02),
+    }));
+    let hoist = of(MechanismKind::Hoist(Hoist {
+        drum_diameter: metres_of(0.12),
+        falls: 1,
+        inertia: MomentOfInertia::from_si(0.0),
+        mass: Mass::from_si(45.0),
+        counterweight: Mass::from_si(0.0),
+        rope_mass: Mass::from_si(0.0),
+        hanging: metres_of(0.0),
+    }));
+    let belt = of(MechanismKind::Linear(linear(LinearKind::Belt)));
+    for overhang in [-0.08, -0.02, -0.005, 0.0, 0.03] {
+        let still = out(0.0, 0.0, 0.0);
+        let lever = (overhang + 0.018_f64).abs();
+        for mechanism in [&winder, &hoist] {
+            let forces = mechanism.flange_forces(&still, &Extra::none(), 0.0, &at(overhang));
+            assert!(close(forces.moment(metres_of(0.018)), forces.radial() * lever), "{overhang} {forces:?}");
+        }
+        // Pull of the belt and weight of the pulley at the same place.
+        let mounting = Mounting {
+            contact: Some(Contact::Belt { tension: Force::from_si(100.0) }),
+            wheel_mass: Some(Mass::from_si(2.0)),
+            axis_tilt: Some(deg(90.0)),
+            ..at(overhang)
+        };
+        let forces = belt.flange_forces(&still, &Extra::none(), 0.0, &mounting);
+        assert!(close(forces.moment(metres_of(0.018)), (200.0 + 2.0 * G) * lever), "{overhang} {forces:?}");
+    }
+}
+
+/// The pin of a four-bar linkage bears F/η while the crank drives, F while the linkage does.
+#[test]
+fn a_linkage_that_drives_loads_the_pin_in_full() {
+    let linkage = |efficiency: f64| Mechanism {
+        efficiency_driving: efficiency,
+        ..of(MechanismKind::FourBar(FourBar {
+            ground: metres_of(0.4),
+            crank: metres_of(0.1),
+            coupler: metres_of(0.35),
+            rocker: metres_of(0.25),
+            coupler_mass: Mass::from_si(2.0),
+            coupler_centre: metres_of(0.17),
+            rocker_mass: Mass::from_si(4.0),
+            rocker_centre: metres_of(0.15),
+            rocker_inertia: MomentOfInertia::from_si(0.25),
+            tilt: deg(90.0),
+            ..FourBar::default()
+        }))
+    };
+    let mut seen = [0, 0];
+    for [q, w, a, ..] in draws(200) {
+        let state = out(6.2 * q, 20.0 * w - 10.0, 60.0 * a - 30.0);
+        let radial =
+            |efficiency: f64| linkage(efficiency).flange_forces(&state, &Extra::none(), 0.0, &at(0.0)).radial();
+        let drives = linkage(1.0).torque(&state, &Extra::none()) * state.direction > 0.0;
+        let expected = radial(1.0) / if drives { 0.8 } else { 1.0 };
+        assert!(close(radial(0.8), expected), "{drives} {} {expected}", radial(0.8));
+        seen[usize::from(drives)] += 1;
+    }
+    assert!(seen[0] > 20 && seen[1] > 20, "{seen:?}");
 }

@@ -2,7 +2,7 @@
 
 use crate::drawing::{Course as Way, Drawing, Figures, Look, Placement, polar as on_sheet};
 use crate::equations::{Effects, Equations, Reduced, TWELFTH_RAD, beside};
-use crate::flange::{FlangeForces, Instant, OnFlange, Overhang, metres};
+use crate::flange::{FlangeForces, Instant, OnFlange, Overhang, Recurrence, metres};
 use crate::{Endless, Extra, Geometry, MechanismId, gravity_m_s2};
 use quantities::{Angle, Length, Mass, Measure, MomentOfInertia, Torque};
 use std::f64::consts::{FRAC_PI_2, TAU};
@@ -155,6 +155,12 @@ impl FourBar {
         ];
         [lacking[0] + force[0], lacking[1] + force[1]]
     }
+
+    /// Torque of a force of the crank pin about the axis of the crank \[Nm\].
+    fn pin_torque(&self, course: &Course, [x, y]: Vector) -> f64 {
+        let [px, py] = polar(self.crank.si(), course.q);
+        px * y - py * x
+    }
 }
 
 impl Equations for FourBar {
@@ -221,18 +227,26 @@ impl Equations for FourBar {
     }
 
     fn on_flange(&self) -> Option<OnFlange> {
-        Some(OnFlange { missing: None, overhang: Overhang { of_mechanism: true, of_payload: false } })
+        let overhang = Overhang { of_mechanism: true, of_payload: false };
+        Some(OnFlange { missing: None, overhang, recurrence: Recurrence::EachRevolution })
     }
 
-    /// The force of the coupler on the crank pin; where along the way the losses arise is not known, so that it counts
-    /// before them in any case.
+    /// The force of the coupler on the crank pin, before the losses while the crank drives, in full while the linkage does.
     fn forces(&self, at: &Instant<'_>) -> FlangeForces {
         let course = self.course(at.output.position_rad);
         let [x, y] = self.pin_force(&course, [at.output.speed_rad_s, at.output.acceleration_rad_s2]);
         let mut forces = FlangeForces::default();
-        let force = [-x / at.efficiency_driving, -y / at.efficiency_driving, 0.0];
-        forces.act([0.0, 0.0, metres(at.mounting.overhang)], force);
+        // Losses turn no force: both components grow by as much as the torque of the pin.
+        let share = at.before_losses(self.pin_torque(&course, [x, y]).signum(), at.output.direction);
+        forces.act([0.0, 0.0, metres(at.mounting.overhang)], [-x * share, -y * share, 0.0]);
         forces
+    }
+
+    /// The torque of the pin's force: where it changes its sign, driving and driven change sides.
+    fn switches(&self, at: &Instant<'_>) -> Option<[f64; 2]> {
+        let course = self.course(at.output.position_rad);
+        let force = self.pin_force(&course, [at.output.speed_rad_s, at.output.acceleration_rad_s2]);
+        (at.efficiency_driving != 1.0).then(|| [self.pin_torque(&course, force), 0.0])
     }
 }
 

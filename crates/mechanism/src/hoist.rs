@@ -2,8 +2,8 @@
 
 use crate::drawing::{Course as Way, Drawing, Figures, Look, Placement};
 use crate::equations::{Effects, Equations, Reduced};
-use crate::flange::{FlangeForces, Instant, OnFlange, Overhang, metres};
-use crate::{Endless, Extra, Geometry, MechanismId, gravity_m_s2};
+use crate::flange::{FlangeForces, Instant, OnFlange, Overhang, Recurrence, metres};
+use crate::{Endless, Extra, Geometry, MechanismId, Rope, gravity_m_s2};
 use quantities::{Length, Mass, Measure, MomentOfInertia};
 
 /// A hoist.
@@ -158,7 +158,8 @@ impl Equations for Hoist {
     }
 
     fn on_flange(&self) -> Option<OnFlange> {
-        Some(OnFlange { missing: None, overhang: Overhang { of_mechanism: true, of_payload: false } })
+        let overhang = Overhang { of_mechanism: true, of_payload: false };
+        Some(OnFlange { missing: None, overhang, recurrence: Recurrence::never_if(self.has_rope()) })
     }
 
     /// Both ropes pull the drum downwards.
@@ -172,6 +173,15 @@ impl Equations for Hoist {
 
     fn switches(&self, at: &Instant<'_>) -> Option<[f64; 2]> {
         Some(self.pulls(at))
+    }
+
+    /// The pull on the drum.
+    fn rope_tension(&self, rope: Rope, at: &Instant<'_>) -> Option<f64> {
+        let [load, counterweight] = self.pulls(at);
+        match rope {
+            Rope::Load => Some(load),
+            Rope::Counterweight => (self.counterweight.si() > 0.0).then_some(counterweight),
+        }
     }
 }
 

@@ -1,8 +1,8 @@
 //! A mass along a line, moved in proportion to the angle: screw, belt, rack, conveyor.
 
 use crate::equations::{Effects, Equations, Reduced};
-use crate::flange::{FlangeForces, Instant, Missing, OnFlange, Overhang, wheel_forces};
-use crate::{Endless, Extra, MechanismId, gravity_m_s2};
+use crate::flange::{FlangeForces, Instant, Missing, OnFlange, Overhang, Recurrence, sine, wheel_forces};
+use crate::{Endless, Extra, MechanismId, Rope, gravity_m_s2};
 use quantities::{Angle, Force, Mass, Measure, MomentOfInertia};
 
 /// What makes the line out of the rotation.
@@ -118,7 +118,7 @@ impl Equations for Linear {
         };
         // The thrust of a screw runs along the axis.
         let overhang = Overhang { of_mechanism: self.kind != LinearKind::Screw, of_payload: false };
-        Some(OnFlange { missing: Some(missing), overhang })
+        Some(OnFlange { missing: Some(missing), overhang, recurrence: Recurrence::Constant })
     }
 
     fn forces(&self, at: &Instant<'_>) -> FlangeForces {
@@ -133,5 +133,13 @@ impl Equations for Linear {
 
     fn switches(&self, at: &Instant<'_>) -> Option<[f64; 2]> {
         Some(self.pulls(at))
+    }
+
+    /// The counterweight hangs on the side to which the slide would fall.
+    fn rope_tension(&self, rope: Rope, at: &Instant<'_>) -> Option<f64> {
+        let (mass, steep) = (self.counterweight.si(), sine(self.inclination));
+        let hangs = rope == Rope::Counterweight && mass > 0.0 && steep != 0.0;
+        let along = self.travel_m_per_rad * at.output.acceleration_rad_s2;
+        hangs.then(|| mass * (gravity_m_s2() * steep.abs() - along * steep.signum()))
     }
 }

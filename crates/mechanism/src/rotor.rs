@@ -1,7 +1,7 @@
 //! A load that turns with the output: direct, turntable, unbalanced arm.
 
 use crate::equations::{Effects, Equations, Reduced, TWELFTH_RAD};
-use crate::flange::{FlangeForces, Instant, OnFlange, Overhang, cosine, metres, sine};
+use crate::flange::{FlangeForces, Instant, OnFlange, Overhang, Recurrence, cosine, metres, sine};
 use crate::{Endless, Extra, MechanismId, gravity_m_s2};
 use quantities::{Angle, Length, Mass, Measure, MomentOfInertia};
 
@@ -103,7 +103,9 @@ impl Equations for Rotor {
 
     fn on_flange(&self) -> Option<OnFlange> {
         let of_mass = Overhang { of_mechanism: self.mass.si() > 0.0, of_payload: true };
-        (self.kind != RotorKind::Load).then_some(OnFlange { missing: None, overhang: of_mass })
+        // On an upright axis the loads turn with the load, and their amounts do not change.
+        let recurrence = Recurrence::each_revolution_if(self.is_unbalanced());
+        (self.kind != RotorKind::Load).then_some(OnFlange { missing: None, overhang: of_mass, recurrence })
     }
 
     /// m (g − a) of the rotor and of its payload.

@@ -2,7 +2,7 @@
 
 use crate::drawing::{Course as Way, Drawing, Figures, Look, Placement};
 use crate::equations::{Effects, Equations, Reduced, beside};
-use crate::flange::{FlangeForces, Instant, Missing, OnFlange, Overhang};
+use crate::flange::{FlangeForces, Instant, Missing, OnFlange, Overhang, Recurrence};
 use crate::{Endless, Extra, Geometry, MechanismId, gravity_m_s2};
 use quantities::unit::DEGREE;
 use quantities::{Angle, Length, Mass, Measure, MomentOfInertia};
@@ -149,7 +149,7 @@ impl Equations for ScissorLift {
     fn on_flange(&self) -> Option<OnFlange> {
         // The thrust of the screw runs along the axis.
         let overhang = Overhang { of_mechanism: false, of_payload: false };
-        Some(OnFlange { missing: Some(Missing::FlangeShare), overhang })
+        Some(OnFlange { missing: Some(Missing::FlangeShare), overhang, recurrence: Recurrence::Never })
     }
 
     fn forces(&self, at: &Instant<'_>) -> FlangeForces {

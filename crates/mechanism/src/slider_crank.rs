@@ -2,7 +2,7 @@
 
 use crate::drawing::{Course as Way, Drawing, Figures, Look, Placement, polar};
 use crate::equations::{Effects, Equations, Reduced, TWELFTH_RAD, beside};
-use crate::flange::{FlangeForces, Instant, OnFlange, Overhang, metres};
+use crate::flange::{FlangeForces, Instant, OnFlange, Overhang, Recurrence, metres};
 use crate::{Endless, Extra, MechanismId, Output, gravity_m_s2};
 use quantities::{Angle, Length, Mass, Measure, MomentOfInertia};
 
@@ -103,7 +103,8 @@ impl Equations for SliderCrank {
     }
 
     fn on_flange(&self) -> Option<OnFlange> {
-        Some(OnFlange { missing: None, overhang: Overhang { of_mechanism: true, of_payload: false } })
+        let overhang = Overhang { of_mechanism: true, of_payload: false };
+        Some(OnFlange { missing: None, overhang, recurrence: Recurrence::EachRevolution })
     }
 
     fn forces(&self, at: &Instant<'_>) -> FlangeForces {
@@ -118,7 +119,10 @@ impl Equations for SliderCrank {
     }
 
     fn switches(&self, at: &Instant<'_>) -> Option<[f64; 2]> {
-        Some([self.rod_force(&self.course(at.output.position_rad), at.output, at.extra), 0.0])
+        let course = self.course(at.output.position_rad);
+        // With losses the amount steps at the dead centres, where driving and driven change sides.
+        let dead_centre = if at.efficiency_driving == 1.0 { 0.0 } else { course.first };
+        Some([self.rod_force(&course, at.output, at.extra), dead_centre])
     }
 }
 

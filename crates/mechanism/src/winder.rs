@@ -2,7 +2,7 @@
 
 use crate::drawing::{Course as Way, Drawing, Figures, Look, Placement, polar};
 use crate::equations::{Effects, Equations, Reduced};
-use crate::flange::{FlangeForces, Instant, OnFlange, Overhang, metres};
+use crate::flange::{FlangeForces, Instant, OnFlange, Overhang, Recurrence, metres};
 use crate::{Endless, Extra, Geometry, MechanismId, gravity_m_s2};
 use quantities::{Force, Length, MassDensity, Measure, MomentOfInertia};
 use std::f64::consts::{PI, TAU};
@@ -121,7 +121,8 @@ impl Equations for Winder {
     }
 
     fn on_flange(&self) -> Option<OnFlange> {
-        Some(OnFlange { missing: None, overhang: Overhang { of_mechanism: true, of_payload: false } })
+        let overhang = Overhang { of_mechanism: true, of_payload: false };
+        Some(OnFlange { missing: None, overhang, recurrence: Recurrence::Never })
     }
 
     /// Tension and weight of the roll; the direction of the web is not stated, so that they add at their worst.
@@ -130,7 +131,7 @@ impl Equations for Winder {
         let mass = PI * self.density.si() * self.width.si() * (r * r - core * core);
         let mut forces = FlangeForces::default();
         forces.aligned.radial_n = mass * gravity_m_s2() + self.tension.si().abs();
-        forces.aligned.moment_nm = forces.aligned.radial_n * metres(at.mounting.overhang).abs();
+        forces.aligned.moment_nm = forces.aligned.radial_n * metres(at.mounting.overhang);
         forces
     }
 }

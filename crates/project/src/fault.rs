@@ -229,6 +229,13 @@ pub enum Fault {
     },
     /// No loads on the flange follow from this load.
     NoFlangeLoads,
+    /// Loads on the flange are stated, and the mechanism has its own: which of them count is not said.
+    FlangeLoadsUndecided {
+        /// Key of the first stated load.
+        key: &'static str,
+        /// Path of the section in which it is to be said.
+        section: String,
+    },
     /// A load that would take the place of those of the mechanism in every segment.
     ReplacesEverything {
         /// The key.
@@ -400,6 +407,7 @@ impl Fault {
             Self::Geometry(fault) => fault.id(),
             Self::BeyondRange { .. } => "beyond_range",
             Self::NoFlangeLoads => "no_flange_loads",
+            Self::FlangeLoadsUndecided { .. } => "flange_loads_undecided",
             Self::ReplacesEverything { .. } => "replaces_everything",
             Self::BeltOrTeeth => "belt_or_teeth",
             Self::ToothAngle { .. } => "tooth_angle",

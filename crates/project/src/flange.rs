@@ -62,9 +62,15 @@ choices! {
 }
 
 impl FlangeLoads {
-    /// Whether a load is stated.
+    /// The first load that is stated.
+    fn first(&self) -> Option<&dyn Field> {
+        let forces: [&dyn Field; 2] = [&self.radial_force, &self.axial_force];
+        forces.into_iter().find(|field| field.is_given())
+    }
+
+    /// Returns `true` if a load is stated.
     fn states_load(&self) -> bool {
-        self.radial_force.is_given() || self.axial_force.is_given()
+        self.first().is_some()
     }
 
     fn build(&self) -> FlangeLoad {
@@ -123,17 +129,34 @@ impl Bearing {
 }
 
 /// What the loads of the mechanism do, as the file says or by default: where it states no load, those of the mechanism act, if it
-/// describes the masses and forces from which they follow. Stated loads are taken as all of them. `None` where those of the
-/// mechanism do not count.
+/// describes the masses and forces from which they follow. Beside stated loads the file must say what they do, see [`undecided`].
+/// `None` where those of the mechanism do not count.
 fn how(axis: &AxisSection) -> Option<Derived> {
-    let section = axis.parts.bearing.get();
-    let stated = section.and_then(|section| section.mechanism.value());
-    let by_default = || {
-        let states = section.is_some_and(|section| section.loads.states_load()) || axis.has_loads_of_segments();
-        let loads = axis.parts.stage.is_given() || axis.driven().is_some_and(|driven| driven.on_flange().is_some());
-        (!states && loads).then_some(Derived::Add)
-    };
+    let stated = axis.parts.bearing.get().and_then(|section| section.mechanism.value());
+    let by_default = || (loads_flange(axis) && states_loads(axis).is_none()).then_some(Derived::Add);
     stated.or_else(by_default).filter(|derived| *derived != Derived::Ignore)
+}
+
+/// Returns `true` if the mechanism or its stage describes loads on the flange.
+fn loads_flange(axis: &AxisSection) -> bool {
+    axis.parts.stage.is_given() || axis.driven().is_some_and(|driven| driven.on_flange().is_some())
+}
+
+/// The first stated load on the flange.
+fn states_loads(axis: &AxisSection) -> Option<&dyn Field> {
+    let common = axis.parts.bearing.get().map(|section| &section.loads);
+    let of_segments = axis.segments().iter().filter_map(|segment| segment.bearing.get());
+    common.into_iter().chain(of_segments).find_map(FlangeLoads::first)
+}
+
+/// Reports loads that are stated beside a mechanism with loads of its own, without a word on whether those count: to add them and
+/// to leave them out are both a guess. Returns `true` if it did.
+fn undecided(axis: &AxisSection, reader: &mut Reader<'_>) -> bool {
+    let decided = axis.parts.bearing.get().is_some_and(|section| section.mechanism.is_written());
+    let Some(field) = states_loads(axis).filter(|_| !decided && loads_flange(axis)) else { return false };
+    let fault = Fault::FlangeLoadsUndecided { key: field.name(), section: axis.path("bearing") };
+    reader.fault(field.span(), fault, None);
+    true
 }
 
 /// The loads on the flange and what is required of the bearing.
@@ -141,13 +164,14 @@ pub(crate) fn duty(axis: &AxisSection, mechanism: &Mechanism, reader: &mut Reade
     let absent = Bearing::absent(axis.head());
     let section = axis.parts.bearing.get().unwrap_or(&absent);
     let own: Vec<Option<&FlangeLoads>> = axis.segments().iter().map(|segment| segment.bearing.get()).collect();
+    let undecided = undecided(axis, reader);
     let how = how(axis);
     let derived = how.and_then(|how| {
         let mounting = mounting(axis, section, (mechanism, how), reader)?;
         let acts = own.iter().map(|own| how == Derived::Add || own.is_none()).collect();
         Some(DerivedLoads { mounting, acts })
     });
-    if how.is_none() {
+    if how.is_none() && !undecided {
         for field in section.geometry().into_iter().filter(|field| field.is_given()) {
             let hint = Hint::Example("mechanism = \"add\"".to_owned());
             reader.fault(field.span(), Fault::WithoutEffect { key: field.name() }, Some(hint));
@@ -242,17 +266,23 @@ pub(crate) fn assumptions(axis: &AxisSection, found: &mut Vec<Assumption>) {
     let section = axis.parts.bearing.get().unwrap_or(&absent);
     let has_own = axis.has_loads_of_segments();
     let states = section.loads.states_load();
-    if how(axis).is_none() {
+    let how = how(axis);
+    let Some(how) = how else {
         found.push(match (has_own, states) {
             (true, _) => Assumption::FlangeMomentsAligned,
             (false, true) => Assumption::FlangeLoadsConstant,
             (false, false) => Assumption::NoFlangeLoads,
         });
+        found.extend(loads_flange(axis).then_some(Assumption::FlangeLoadsIgnored));
         return;
-    }
+    };
     found.push(Assumption::FlangeLoadsOfMechanism);
-    if has_own || states {
-        found.push(Assumption::FlangeLoadsAddUp);
+    match how {
+        Derived::Replace if has_own => found.push(Assumption::FlangeLoadsReplaced),
+        Derived::Add | Derived::Replace | Derived::Ignore if has_own || states => {
+            found.push(Assumption::FlangeLoadsAddUp);
+        }
+        Derived::Add | Derived::Replace | Derived::Ignore => {}
     }
     found.extend(section.helix_angle.note().filter(|_| section.pressure_angle.is_given()));
     if axis.parts.stage.is_given() {

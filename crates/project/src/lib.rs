@@ -131,6 +131,10 @@ pub enum Assumption {
     FlangeLoadsOfMechanism,
     /// Stated loads add to them at their worst.
     FlangeLoadsAddUp,
+    /// The loads of the mechanism on the flange do not count, as the file says.
+    FlangeLoadsIgnored,
+    /// In a segment that states loads for the flange they take the place of those of the mechanism, as the file says.
+    FlangeLoadsReplaced,
     /// No share is given: the flange bears the loads of the mechanism alone.
     FlangeBearsAll,
     /// What turns on the flange has no products of inertia.
@@ -181,7 +185,7 @@ pub enum Assumption {
 
 impl Assumption {
     /// Every one, in their order.
-    pub const ALL: [Self; 39] = [
+    pub const ALL: [Self; 41] = [
         Self::NoFriction,
         Self::AmbientWithinRange,
         Self::CoolingPlate,
@@ -197,6 +201,8 @@ impl Assumption {
         Self::FlangeMomentsAligned,
         Self::FlangeLoadsOfMechanism,
         Self::FlangeLoadsAddUp,
+        Self::FlangeLoadsIgnored,
+        Self::FlangeLoadsReplaced,
         Self::FlangeBearsAll,
         Self::FlangeBodiesFlat,
         Self::FlangeUpwards,

@@ -34,10 +34,12 @@ pub fn joint_loads(project: &Project, code: &OrderCode) -> Result<AxisLoads, Ref
     let cycle = without.as_ref().unwrap_or(&candidate.judgement);
     let found = |id: CheckId| candidate.judgement.checks.iter().find(|check| check.id == id);
     let flange = || {
+        // The checks look at the turning gear; a joint bears the loads at rest too.
+        let (radial, axial, moment) = sizing::largest_loads(&project.axis, &candidate.parameters.output_bearing)?;
         Some(FlangeLoads {
-            tilting_moment: asked(found(CheckId::BearingTiltingMoment)?)?,
-            axial: asked(found(CheckId::BearingAxial)?)?,
-            radial: asked(found(CheckId::BearingRadial)?)?,
+            tilting_moment: Sourced { value: moment, ..asked(found(CheckId::BearingTiltingMoment)?)? },
+            axial: Sourced { value: axial, ..asked(found(CheckId::BearingAxial)?)? },
+            radial: Sourced { value: radial, ..asked(found(CheckId::BearingRadial)?)? },
         })
     };
     let torque = |id: CheckId| cycle.checks.iter().find(|check| check.id == id).and_then(asked);

@@ -4,6 +4,7 @@ use crate::brake_times::{BrakeTimes, carried};
 use crate::flange::{DerivedLoads, Known};
 use crate::list::Asked;
 use crate::resonance::{self, Held};
+use crate::rope_checks::RopeCourse;
 use crate::supply::Supply;
 use actuator::FlangeLoad;
 use mechanism::{Endless, Extra, Mechanism};
@@ -165,6 +166,7 @@ pub struct Axis {
     /// Loads on the flange that were worked out for some bearing.
     pub(crate) flange_known: Known,
     pub(crate) swing_ranges: OnceLock<Vec<f64>>,
+    pub(crate) rope_course: OnceLock<Option<RopeCourse>>,
 }
 
 impl Axis {
@@ -208,6 +210,7 @@ impl Axis {
             trace,
             flange_known: Known::default(),
             swing_ranges: OnceLock::new(),
+            rope_course: OnceLock::new(),
             held: OnceLock::new(),
         }
     }
@@ -239,6 +242,11 @@ impl Axis {
     /// The ranges of the closed swings of a cycle \[rad\]; only the output bearing needs them.
     pub(crate) fn swing_ranges(&self) -> &[f64] {
         self.swing_ranges.get_or_init(|| crate::swings::swing_ranges(&self.motion))
+    }
+
+    /// The tension of the ropes over the cycle; `None` where no rope holds anything.
+    pub(crate) fn rope_course(&self) -> Option<&RopeCourse> {
+        self.rope_course.get_or_init(|| RopeCourse::of(self)).as_ref()
     }
 
     /// Whether so few instants make the cycle that judging an actuator costs microseconds.

@@ -3,7 +3,7 @@
 use crate::axis::{Axis, BearingDuty};
 use crate::check::{Check, CheckId, Verdict};
 use crate::comparison::{Asking, Comparison, against_asked, equation, not_checked, project};
-use crate::flange::{CycleLoads, Peak};
+use crate::flange::{CycleLoads, Peak, Peaks, States};
 use crate::list::Outcome;
 use crate::notes::{Note, Notes};
 use crate::swings::SmallSwings;
@@ -21,18 +21,18 @@ const MODEL: Source = Source::Model { name: "output-bearing" };
 /// The model of the loads that follow from the mechanism.
 const DERIVED: Source = Source::Model { name: "flange-loads" };
 
-/// F_a ≤ F_A,dyn(max) alone (table 55.1, footnote 4).
+/// F_a ≤ F_A,dyn(max) alone, while the gear turns (table 55.1, footnote 4).
 pub(crate) fn axial(borne: &Borne<'_>, work: &mut Workings) -> Outcome {
     let limit = borne.bearing.axial_max.require("F_A_dyn_max")?;
     let names = ("F_a", Finding::AxialForceMax, "bearing.axial_force");
-    force(CheckId::BearingAxial, borne, (names, |loads| loads.axial), ("F_A_dyn_max", limit), work)
+    force(CheckId::BearingAxial, borne, (names, |loads| loads.turning.axial), ("F_A_dyn_max", limit), work)
 }
 
-/// F_r ≤ F_R,dyn(max) alone (table 55.1, footnote 4).
+/// F_r ≤ F_R,dyn(max) alone, while the gear turns (table 55.1, footnote 4).
 pub(crate) fn radial(borne: &Borne<'_>, work: &mut Workings) -> Outcome {
     let limit = borne.bearing.radial_max.require("F_R_dyn_max")?;
     let names = ("F_r", Finding::RadialForceMax, "bearing.radial_force");
-    force(CheckId::BearingRadial, borne, (names, |loads| loads.radial), ("F_R_dyn_max", limit), work)
+    force(CheckId::BearingRadial, borne, (names, |loads| loads.turning.radial), ("F_R_dyn_max", limit), work)
 }
 
 /// A bearing with what it bears: four checks look at the same loads.
@@ -53,12 +53,25 @@ impl<'a> Borne<'a> {
         self.loads.get_or_init(|| cycle_loads(self.axis, self.duty, self.bearing))
     }
 
-    /// The largest tilting moment of the cycle.
+    /// The largest tilting moment of the cycle, at rest too.
     pub(crate) fn largest_moment(&self) -> Result<Peak, Missing> {
+        Ok(self.known_moments()?.whole().moment)
+    }
+
+    /// The loads, where the tilting moment is known.
+    fn known_moments(&self) -> Result<&CycleLoads, Missing> {
         self.bearing.offset.require("R")?;
         self.duty.moment_known(self.axis)?;
-        Ok(self.loads().moment)
+        Ok(self.loads())
     }
+}
+
+/// F_r, F_a and M: the largest loads on the flange over the whole cycle, at rest too; `None` where they are not known.
+#[must_use]
+pub fn largest_loads(axis: &Axis, bearing: &OutputBearing) -> Option<(Force, Force, Torque)> {
+    let borne = Borne::of(axis, axis.bearing.as_ref()?, bearing);
+    let Peaks { radial, axial, moment } = borne.known_moments().ok()?.whole();
+    Some((Force::from_si(radial.value), Force::from_si(axial.value), Torque::from_si(moment.value)))
 }
 
 /// The loads over the cycle; averages only where loads follow from the mechanism.
@@ -66,17 +79,18 @@ fn cycle_loads(axis: &Axis, duty: &BearingDuty, bearing: &OutputBearing) -> Cycl
     let offset = bearing.offset.known().map_or_else(|| Length::from_si(0.0), |offset| offset.value);
     let exponent = bearing.kind.known().map_or(3.0, |kind| kind.value.life_exponent());
     let stated = || {
-        let peak = |value: &dyn Fn(&FlangeLoad) -> f64| {
-            let starts = axis.motion.stretches().iter().map(|stretch| stretch.start.si());
-            let all = duty.loads.iter().zip(starts).map(|(load, at)| Peak { value: value(load), at });
-            all.fold(Peak::default(), |best, here| if here.value > best.value { here } else { best })
-        };
-        CycleLoads {
-            radial: peak(&|load| load.radial_force.si()),
-            axial: peak(&|load| load.axial_force.si()),
-            moment: peak(&|load| actuator::tilting_moment(load, offset).si()),
-            ..CycleLoads::default()
+        let mut found = CycleLoads::default();
+        for ((load, stretch), states) in duty.loads.iter().zip(axis.motion.stretches()).zip(axis.gear_states()) {
+            let moment = actuator::tilting_moment(load, offset).si();
+            let values = [load.radial_force.si(), load.axial_force.si(), moment];
+            if states.turns {
+                found.turning.see(values, stretch.start.si());
+            }
+            if states.rests {
+                found.resting.see(values, stretch.start.si());
+            }
         }
+        found
     };
     axis.derived_loads(offset, exponent).unwrap_or_else(|| axis.stated_loads(offset, exponent, stated))
 }
@@ -169,12 +183,24 @@ pub(crate) fn explain_largest_moment(borne: &Borne<'_>, work: &mut Workings) {
     let (duty, bearing) = (borne.duty, borne.bearing);
     let Some(offset) = bearing.offset.known().filter(|_| work.is_on()) else { return };
     if duty.derived.is_some() {
-        let moment = borne.loads().moment.value;
+        let moment = borne.loads().whole().moment.value;
         work.found("M", &NEWTON_METRE, moment, Finding::LargestOfMechanism, &DERIVED, Grade::Computed);
         return;
     }
+    explain_stated_moment(borne, offset, |_| true, work);
+}
+
+/// The workings of the largest tilting moment of stated loads over the segments in a state of the gear, `M`.
+fn explain_stated_moment(
+    borne: &Borne<'_>,
+    offset: &Sourced<Length>,
+    counts: fn(&States) -> bool,
+    work: &mut Workings,
+) {
+    let duty = borne.duty;
     let moment = |load: &FlangeLoad| actuator::tilting_moment(load, offset.value).si();
-    let largest = duty.loads.iter().max_by(|a, b| moment(a).total_cmp(&moment(b)));
+    let loads = duty.loads.iter().zip(borne.axis.gear_states()).filter(|(_, states)| counts(states));
+    let largest = loads.map(|(load, _)| load).max_by(|a, b| moment(a).total_cmp(&moment(b)));
     if let Some(load) = largest {
         load_moment(duty, load, offset, Finding::SegmentOfLargestMoment, work);
     }
@@ -253,17 +279,61 @@ fn only_load<'a>(axis: &Axis, duty: &'a BearingDuty) -> Option<&'a FlangeLoad> {
     moving.next().filter(|first| moving.all(|load| load == *first))
 }
 
-/// M ≤ M_dyn(max): from the tilt that the gear allows, so it holds even where the life would allow more.
+/// M ≤ M_dyn(max) while the gear turns (table 55.1, footnote 2): from the tilt that the gear allows, so it holds even where the life
+/// would allow more.
 pub(crate) fn tilting_moment(borne: &Borne<'_>, work: &mut Workings) -> Outcome {
     let id = CheckId::BearingTiltingMoment;
-    let moment = borne.largest_moment()?;
+    let moment = borne.known_moments()?.turning.moment;
     let limit = borne.bearing.tilting_moment_max.require("M_dyn_max")?;
-    explain_largest_moment(borne, work);
+    if let Some(offset) = borne.bearing.offset.known().filter(|_| work.is_on()) {
+        if borne.duty.derived.is_some() {
+            work.found("M", &NEWTON_METRE, moment.value, Finding::LargestInMotion, &DERIVED, Grade::Computed);
+        } else {
+            explain_stated_moment(borne, offset, |states| states.turns, work);
+        }
+    }
     work.value("M");
     work.given("M_dyn_max", &NEWTON_METRE, limit);
     work.limit("M_dyn_max");
     let at = instant(borne.duty, moment);
     Ok(Comparison { at, ..Comparison::with(id, &NEWTON_METRE, moment.value, MODEL, limit) }.answer(Verdict::Fail))
+}
+
+/// M_eq ≤ M_0(max) while the gear rests (table 55.1, footnote 3): M_0(max) holds for a tilting moment alone, so forces count as the
+/// moment that loads the bearing as they do (eq. 76.1, 76.2).
+pub(crate) fn static_moment(borne: &Borne<'_>, work: &mut Workings) -> Outcome {
+    let id = CheckId::BearingStaticMoment;
+    let loads = borne.known_moments()?;
+    let pitch = borne.bearing.pitch_diameter.require("d_p")?;
+    let limit = borne.bearing.static_moment_max.require("M_0_max")?;
+    let Peaks { radial, axial, moment } = loads.resting;
+    let load = forces_alone(&loads.resting);
+    let equivalent = actuator::static_equivalent_moment(&load, Torque::from_si(moment.value), pitch.value).si();
+    if work.is_on() {
+        let source = if borne.duty.derived.is_some() { DERIVED } else { MODEL };
+        for (symbol, unit, peak) in [("F_r", &NEWTON, radial), ("F_a", &NEWTON, axial), ("M", &NEWTON_METRE, moment)] {
+            work.found(symbol, unit, peak.value, Finding::LargestAtRest, &source, Grade::Computed);
+        }
+        work.given("d_p", &METRE, pitch);
+        work.formula("M_eq", &NEWTON_METRE, equivalent, "M + d_p/2*(F_r + 0.44*F_a)", &equation("76.1"));
+        work.value("M_eq");
+        work.given("M_0_max", &NEWTON_METRE, limit);
+        work.limit("M_0_max");
+    }
+    let source = equation("76.1");
+    let at = instant(borne.duty, moment);
+    Ok(Comparison { at, ..Comparison::with(id, &NEWTON_METRE, equivalent, source, limit) }.answer(Verdict::Fail))
+}
+
+/// The largest forces without distances; their moment stands apart.
+fn forces_alone(peaks: &Peaks) -> FlangeLoad {
+    let none = Length::from_si(0.0);
+    FlangeLoad {
+        radial_force: Force::from_si(peaks.radial.value),
+        radial_distance: none,
+        axial_force: Force::from_si(peaks.axial.value),
+        axial_distance: none,
+    }
 }
 
 /// L_10 ≥ the life required (eq. 74.1, 74.3).
@@ -403,7 +473,7 @@ fn explain_equivalent_load(
     work.formula("P_c", &NEWTON, equivalent.si(), text, &equation("75.1"));
 }
 
-/// f_s = C_0/P_0 ≥ the least of the operating condition (eq. 76.1, table 76.3), of the largest F_r, F_a and M of the cycle
+/// f_s = C_0/P_0 ≥ the least of the operating condition (eq. 76.1, table 76.3), and of the size (table 55.1, footnote 3), of the largest F_r, F_a and M of the cycle
 /// taken together, as the maker's sister series does (docs/theory/output-bearing.md).
 pub(crate) fn static_safety(borne: &Borne<'_>, work: &mut Workings) -> Outcome {
     let id = CheckId::BearingStatic;
@@ -412,13 +482,8 @@ pub(crate) fn static_safety(borne: &Borne<'_>, work: &mut Workings) -> Outcome {
     let pitch = bearing.pitch_diameter.require("d_p")?;
     let rating = bearing.static_rating.require("C_0")?;
     duty.moment_known(borne.axis)?;
-    let largest = borne.loads();
-    let load = FlangeLoad {
-        radial_force: Force::from_si(largest.radial.value),
-        radial_distance: Length::from_si(0.0),
-        axial_force: Force::from_si(largest.axial.value),
-        axial_distance: Length::from_si(0.0),
-    };
+    let largest = &borne.loads().whole();
+    let load = forces_alone(largest);
     let moment = Torque::from_si(largest.moment.value);
     let safety = actuator::static_safety(rating.value, &load, moment, pitch.value);
     if !safety.is_finite() {
@@ -437,12 +502,24 @@ pub(crate) fn static_safety(borne: &Borne<'_>, work: &mut Workings) -> Outcome {
         work.value("f_s");
     }
     let asked = duty.operating_condition.map(crate::axis::OperatingCondition::static_safety_min);
-    work.asked("f_s_min", &ONE, asked, id);
-    Ok(against_asked(id, &ONE, safety, asked, equation("76.1")))
+    // What the table states for the size is the least, whatever the condition.
+    let of_size = bearing.static_safety_min.known();
+    match (asked, of_size.filter(|least| asked.is_some_and(|asked| least.value > asked))) {
+        (Some(_), Some(least)) => {
+            work.given_number("f_s_min", least);
+            work.limit("f_s_min");
+            let check = against_asked(id, &ONE, safety, Some(least.value), equation("76.1"));
+            Ok(Check { limit_source: Some(least.source.clone()), ..check })
+        }
+        _ => {
+            work.asked("f_s_min", &ONE, asked, id);
+            Ok(against_asked(id, &ONE, safety, asked, equation("76.1")))
+        }
+    }
 }
 
 /// The workings of the largest loads of the cycle, each by itself: `F_r`, `F_a` and `M`.
-fn explain_largest(largest: &CycleLoads, duty: &BearingDuty, work: &mut Workings) {
+fn explain_largest(largest: &Peaks, duty: &BearingDuty, work: &mut Workings) {
     let source = if duty.derived.is_some() { DERIVED } else { MODEL };
     let what = if duty.derived.is_some() { Finding::LargestOfMechanism } else { Finding::LargestOverSegments };
     for (symbol, unit, peak) in

@@ -2,6 +2,7 @@
 
 use crate::notes::Notes;
 use derivation::Step;
+use numeric::{at_least, at_most};
 use provenance::{Grade, Source};
 use quantities::{Time, Unit, identified};
 
@@ -19,14 +20,33 @@ identified! {
 }
 
 impl Direction {
+    /// Returns `true` if a value keeps a limit, which it does up to the rounding of both ([`numeric::AT_THE_LIMIT`]).
+    #[must_use]
+    pub fn keeps(self, value: f64, limit: f64) -> bool {
+        match self {
+            Self::AtMost => at_most(value, limit),
+            Self::AtLeast => at_least(value, limit),
+        }
+    }
+
+    /// Returns value over limit or limit over value; what keeps the limit but for rounding uses all of it, not more.
+    #[must_use]
+    pub(crate) fn share(self, value: f64, limit: f64) -> f64 {
+        let share = match self {
+            Self::AtMost => value / limit,
+            Self::AtLeast => limit / value,
+        };
+        if self.keeps(value, limit) { share.min(1.0) } else { share }
+    }
+
     /// The sign between a value and its limit that is true: ≤, >, ≥ or <.
     #[must_use]
     pub fn relation(self, passes: bool, value: f64, limit: f64) -> &'static str {
         // What passes keeps its limit, also where it is at it but for rounding.
         match self {
-            Self::AtMost if passes || value.abs() <= limit.abs() => "≤",
+            Self::AtMost if passes || self.keeps(value.abs(), limit.abs()) => "≤",
             Self::AtMost => ">",
-            Self::AtLeast if passes || value >= limit => "≥",
+            Self::AtLeast if passes || self.keeps(value, limit) => "≥",
             Self::AtLeast => "<",
         }
     }

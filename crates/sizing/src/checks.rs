@@ -9,6 +9,7 @@ use crate::notes::{Note, Notes};
 use crate::workings;
 use actuator::{Drivetrain, Parameters};
 use derivation::{Finding, Workings};
+use numeric::{at_least, at_most};
 use provenance::{Grade, Missing, Source};
 use quantities::Measure;
 use quantities::unit::{DEGREE_CELSIUS, KILOGRAM_SQUARE_METRE, NEWTON_METRE, REVOLUTION_PER_MINUTE};
@@ -126,8 +127,7 @@ pub(crate) fn ambient(axis: &Axis, actuator: &Drivetrain, work: &mut Workings) -
     let stated = axis.ambient.ok_or(Missing { symbol: "requirements.ambient" })?;
     let range = actuator.ambient_range.require("ambient_temperature_operation")?;
     let (low, high) = (range.value.0.si(), range.value.1.si());
-    // A difference of a nanokelvin is a rounding of the conversion, not a warmer place.
-    let inside = stated.si() >= low - 1e-9 && stated.si() <= high + 1e-9;
+    let inside = at_least(stated.si(), low) && at_most(stated.si(), high);
     let nearest = if stated.si() < low { low } else { high };
     let key = "requirements.ambient";
     work.stated("theta_a", &DEGREE_CELSIUS, stated.si(), key);

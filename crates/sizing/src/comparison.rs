@@ -3,6 +3,7 @@
 use crate::check::{Amount, Check, CheckId, Direction, Verdict};
 use crate::notes::{Note, Notes};
 use derivation::Workings;
+use numeric::at_most;
 use provenance::{Grade, Missing, Source, Sourced};
 use quantities::{Measure, Time, Unit};
 
@@ -59,13 +60,10 @@ pub(crate) struct Edges {
 impl Edges {
     /// The remark on the upper edge, if there is a band.
     pub(crate) fn remark(&self) -> Option<Note> {
-        let is_band = self.upper > self.limit * (1.0 + AT_THE_LIMIT);
+        let is_band = !at_most(self.upper, self.limit);
         is_band.then_some(Note::EstimatedUpTo(Amount { si: self.upper, unit: self.unit }))
     }
 }
-
-/// So much of its limit a value may lie above it and still be at it: the rounding of a unit or of a search.
-pub(crate) const AT_THE_LIMIT: f64 = 1e-9;
 
 impl<'a> Comparison<'a> {
     /// A value against a limit that is known with its source.
@@ -92,7 +90,7 @@ impl<'a> Comparison<'a> {
 
     /// Pass up to and including the lower edge of a band, fail above its upper edge, advice between them.
     pub(crate) fn between(mut self, edges: Edges) -> Check {
-        let at_most = |edge: f64| self.value.abs() <= edge.abs() * (1.0 + AT_THE_LIMIT);
+        let at_most = |edge: f64| Direction::AtMost.keeps(self.value.abs(), edge.abs());
         let (within, beyond) = (at_most(edges.limit), !at_most(edges.upper));
         self.limit = edges.limit;
         if let Some(remark) = edges.remark() {
@@ -114,7 +112,8 @@ impl<'a> Comparison<'a> {
     /// Pass up to and including the limit; `otherwise` beyond.
     #[inline]
     pub(crate) fn answer(self, otherwise: Verdict) -> Check {
-        let verdict = if self.value.abs() <= self.limit.abs() { Verdict::Pass } else { otherwise };
+        let (value, limit) = (self.value.abs(), self.limit.abs());
+        let verdict = if Direction::AtMost.keeps(value, limit) { Verdict::Pass } else { otherwise };
         let mut notes = self.notes;
         cite(&mut notes, self.errata);
         Check {
@@ -122,7 +121,7 @@ impl<'a> Comparison<'a> {
             verdict,
             value: Some(Amount { si: self.value, unit: self.unit }),
             limit: Some(Amount { si: self.limit, unit: self.unit }),
-            utilisation: (self.limit != 0.0).then(|| (self.value / self.limit).abs()),
+            utilisation: (limit != 0.0).then(|| Direction::AtMost.share(value, limit)),
             at: self.at,
             grade: Some(self.grade),
             value_source: Some(self.value_source),
@@ -159,12 +158,10 @@ pub(crate) fn unjudged(id: CheckId) -> Check {
 /// A value against the limit that the project states by the key of the check, in the direction of the check; without one
 /// the value is shown and not judged.
 pub(crate) fn against_asked(id: CheckId, unit: &'static Unit, value: f64, asked: Option<f64>, source: Source) -> Check {
-    let at_least = id.direction() == Direction::AtLeast;
-    let kept = |limit: f64| if at_least { value >= limit } else { value <= limit };
-    let share = |limit: f64| if at_least { limit / value } else { value / limit };
+    let direction = id.direction();
     let verdict = match asked {
         None => Verdict::NotChecked,
-        Some(limit) if kept(limit) => Verdict::Pass,
+        Some(limit) if direction.keeps(value, limit) => Verdict::Pass,
         Some(_) => Verdict::Fail,
     };
     Check {
@@ -172,7 +169,7 @@ pub(crate) fn against_asked(id: CheckId, unit: &'static Unit, value: f64, asked:
         verdict,
         value: Some(Amount { si: value, unit }),
         limit: asked.map(|limit| Amount { si: limit, unit }),
-        utilisation: asked.map(share),
+        utilisation: asked.map(|limit| direction.share(value, limit)),
         at: None,
         grade: Some(Grade::Computed),
         value_source: Some(source),

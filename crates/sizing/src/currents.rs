@@ -2,7 +2,7 @@
 
 use crate::axis::Axis;
 use crate::check::{CheckId, Verdict};
-use crate::comparison::{AT_THE_LIMIT, Asking, Comparison, cite};
+use crate::comparison::{Asking, Comparison, cite};
 use crate::electrics::Electrics;
 use crate::list::{Case, Outcome};
 use crate::notes::{Note, Notes};
@@ -12,6 +12,7 @@ use actuator::{
     FrictionAt, HeatModel, LossMeans, Losses, MotorCurrent, MotorVoltage, OperatingPoint, Parameters, Settled,
 };
 use derivation::{Finding, Workings};
+use numeric::at_most;
 use provenance::{Grade, Missing, Source, Sourced};
 use quantities::unit::{
     AMPERE, AMPERE_PER_REVOLUTION_PER_MINUTE, DEGREE_CELSIUS, NEWTON_METRE_PER_AMPERE, ONE, REVOLUTION_PER_MINUTE, VOLT,
@@ -444,8 +445,9 @@ fn current_check(
     // What the settled cycle asks beyond the limit no warm-up mends.
     let settled = || axis.trace.largest(&Overcurrent::of(currents, printed, published, &[&currents.warm])).0;
     // Mostly the instant of the largest current shows it; only where it does not, the others are asked.
-    let may_be_cold_only = || over.ratio(&node, &currents.warm) <= 1.0 + AT_THE_LIMIT && settled() <= 1.0;
-    let by_cold_only = id == CheckId::PeakCurrent && current > most && currents.heat.is_ok() && may_be_cold_only();
+    let may_be_cold_only = || at_most(over.ratio(&node, &currents.warm), 1.0) && at_most(settled(), 1.0);
+    let by_cold_only =
+        id == CheckId::PeakCurrent && !at_most(current, most) && currents.heat.is_ok() && may_be_cold_only();
     let source = Source::Model { name: "current" };
     currents.explain(&node, currents.larger(&node), actuator, work);
     work.formula("I_peak", &AMPERE, current, "abs(I)", &source);

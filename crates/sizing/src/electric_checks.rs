@@ -10,9 +10,10 @@ use crate::supply::Edge;
 use crate::workings;
 use actuator::{ContinuousLimit, Drivetrain, ShortTime, chopper_thresholds};
 use derivation::{Finding, Workings};
+use numeric::at_most;
 use provenance::{Grade, Missing, Source};
 use quantities::unit::{AMPERE, NEWTON_METRE, REVOLUTION_PER_MINUTE, SECOND, VOLT};
-use quantities::{AngularVelocity, Measure, Time, Torque, Unit};
+use quantities::{AngularVelocity, ElectricPotential, Measure, Time, Torque, Unit};
 use trace::{Extent, Node, Panel, Sought};
 
 /// U_DC ≤ U_DCmax, the largest *stationary* voltage. What energy that comes back adds may pass it for a short time while
@@ -25,9 +26,9 @@ pub(crate) fn dc_link(axis: &Axis, actuator: &Drivetrain, work: &mut Workings) -
     let limit = actuator.dc_link_max.require("U_DCmax")?;
     let (source, supply) = (link.source(), link.at(Edge::High));
     link.explain(Edge::High, work);
+    let is_within = |voltage: ElectricPotential| at_most(voltage.si(), limit.value.si());
     // A supply that is too high is the fault, whatever comes on top of it.
-    let top =
-        rise.map(|rise| supply + rise).filter(|top| supply.si() <= limit.value.si() && top.si() > limit.value.si());
+    let top = rise.map(|rise| supply + rise).filter(|top| is_within(supply) && !is_within(*top));
     let check = match (top, rise) {
         (Some(top), Some(rise)) => {
             let key = "requirements.dc_link_rise";
@@ -153,7 +154,7 @@ pub(crate) fn torque_speed_trace(case: &Case<'_>, work: &mut Workings) -> Outcom
     };
     work.limit(if is_braking { "T_max" } else { "T_short" });
     // Where the lower edge is exceeded the instant that counts may be another one for the upper edge.
-    let beyond = found > 1.0 && axis.trace.largest(&lower.of_the_upper_edge()).0 > 1.0;
+    let beyond = !at_most(found, 1.0) && !at_most(axis.trace.largest(&lower.of_the_upper_edge()).0, 1.0);
     let limit = curve.limit.value.si();
     let upper = if beyond { limit } else { curve.upper.si().max(torque) };
     let edges = Edges { limit, upper, unit: &NEWTON_METRE };

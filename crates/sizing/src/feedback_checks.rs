@@ -1,7 +1,7 @@
 //! The checks of the feedback: range, resolution, battery.
 
 use crate::axis::Axis;
-use crate::check::{Amount, Check, CheckId, Verdict};
+use crate::check::{Amount, Check, CheckId, Direction, Verdict};
 use crate::comparison::{Asking, against_asked, project, unjudged};
 use crate::list::{Case, Outcome};
 use crate::notes::Note;
@@ -60,7 +60,7 @@ fn absolute_travel(axis: &Axis, actuator: &Parameters, work: &mut Workings) -> O
     };
     let limit = turns * std::f64::consts::TAU;
     let lost = endless && feedback.endless_axis_loses_reference(&actuator.ratio) == Some(true);
-    let within = travel <= limit * (1.0 + 1e-9) && !lost;
+    let within = Direction::AtMost.keeps(travel, limit) && !lost;
     if work.is_on() {
         absolute_range(feedback, actuator, limit, work);
     }
@@ -74,7 +74,7 @@ fn absolute_travel(axis: &Axis, actuator: &Parameters, work: &mut Workings) -> O
     }
     if asked.is_some() {
         check.verdict = if within { Verdict::Pass } else { Verdict::Fail };
-        check.utilisation = (!lost).then(|| travel / limit);
+        check.utilisation = (!lost).then(|| Direction::AtMost.share(travel, limit));
     }
     Ok(check)
 }

@@ -142,7 +142,10 @@ pub(crate) fn thermal(case: &Case<'_>, work: &mut Workings) -> Outcome {
     }
     .between(Edges { limit: at(low), upper: at(high), unit: &DEGREE_CELSIUS });
     // A temperature has no share of a limit; its rise above the air has.
-    check.utilisation = (room > 0.0).then(|| rise / (low * room));
+    check.utilisation = (room > 0.0).then(|| {
+        let share = rise / (low * room);
+        if check.verdict == Verdict::Pass { share.min(1.0) } else { share }
+    });
     Ok(check)
 }
 

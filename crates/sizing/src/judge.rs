@@ -12,6 +12,7 @@ use crate::notes::Note;
 use crate::watch::Watch;
 use actuator::{Drivetrain, Parameters};
 use derivation::Workings;
+use numeric::at_least;
 use std::sync::{Arc, LazyLock};
 
 /// Room for the checks of one actuator that is rejected, without those of its drivetrain, and for all of one that is not,
@@ -79,14 +80,12 @@ impl Judgement {
     /// differ in the rounding of one machine at most, and the last of them is meant on every machine.
     #[must_use]
     pub fn tightest(&self) -> Option<&Check> {
-        /// What rounding may change, as a share.
-        const EQUAL: f64 = 1e-9;
         let margins = || {
             let of = |check: &'_ Check| check.utilisation.filter(|_| check.id.has_margin());
             self.checks.iter().filter_map(move |check| Some((check, of(check)?)))
         };
         let largest = margins().map(|(_, share)| share).max_by(f64::total_cmp)?;
-        margins().filter(|(_, share)| *share >= largest * (1.0 - EQUAL)).last().map(|(check, _)| check)
+        margins().filter(|(_, share)| at_least(*share, largest)).last().map(|(check, _)| check)
     }
 }
 

@@ -30,6 +30,7 @@ mod reserve;
 mod resonance;
 #[cfg(test)]
 mod reversal_tests;
+mod rope_checks;
 mod screen;
 mod stage;
 mod supply;
@@ -38,6 +39,7 @@ mod watch;
 mod workings;
 
 pub use axis::{Axis, BearingDuty, Moments, OperatingCondition, TooManyInstants};
+pub use bearing_checks::largest_loads;
 pub use brake_times::BrakeTimes;
 pub use check::{Amount, Check, CheckId, Direction, Margin, Part, Verdict};
 pub use course::{Course, Sample};
@@ -46,7 +48,7 @@ pub use derivation;
 pub use flange::{DerivedLoads, FlangeSample};
 pub use judge::{Checks, Depth, InOrder, Judge, Judgement, Naming, energies, judge};
 pub use list::{Asked, SpecialApplication};
-pub use notes::{BrakeStop, Budget, Note, Notes, ResonanceSpeeds};
+pub use notes::{BrakeStop, Budget, Note, Notes, ResonanceSpeeds, RopeSlack};
 pub use rank::{RankKey, Standing, rank};
 pub use reserve::{Reserve, SAMPLES_ANEW, Unsought, reserve, reserve_watched};
 pub use screen::{Entrant, Found, Ranked, Screen, Screening};

@@ -16,6 +16,7 @@ use crate::gear_checks;
 use crate::heat_checks;
 use crate::joint_checks;
 use crate::resonance;
+use crate::rope_checks;
 use actuator::{Drivetrain, Parameters};
 use derivation::Workings;
 use provenance::Missing;
@@ -153,6 +154,8 @@ enum Mended {
 enum Requirement {
     /// The check is always made and its limit belongs to the actuator.
     None,
+    /// The check is made only of an axis to which it applies.
+    Case(fn(&Axis) -> bool),
     /// The check is made only where the key is stated.
     Switch(&'static str, fn(&Axis) -> bool),
     /// The key states the limit; without it the value is shown.
@@ -201,6 +204,10 @@ impl ListedCheck {
 
     const fn mended_by(self, mended: Mended) -> Self {
         Self { mended, ..self }
+    }
+
+    const fn only_of(self, applies: fn(&Axis) -> bool) -> Self {
+        Self { requirement: Requirement::Case(applies), ..self }
     }
 
     const fn only_with(self, key: &'static str, stated: fn(&Axis) -> bool) -> Self {
@@ -274,6 +281,9 @@ checks! {
     /// Load inertia against three times the own inertia.
     InertiaRatio: ListedCheck::new("inertia_ratio", Drive, First, Actuator(checks::inertia_ratio))
         .margin(Margin::Recommendation);
+    /// Force that the motion takes off the ropes that hold the load, against the weight on them: they cannot push.
+    RopeTension: ListedCheck::new("rope_tension", Drive, First, OfDrivetrain(rope_checks::tension))
+        .margin(Margin::Class).only_of(|axis| axis.mechanism.has_rope());
     /// Cubic mean torque against T_A.
     GearMeanTorque: ListedCheck::new("gear_mean_torque", Gear, First, OfDrivetrain(gear_checks::mean_torque));
     /// Life of the wave-generator bearing against the life required.
@@ -293,6 +303,10 @@ checks! {
     /// Tilting moment against the permissible one.
     BearingTiltingMoment:
         ListedCheck::new("bearing_tilting_moment", OutputBearing, First, Bearing(bearing_checks::tilting_moment));
+    /// Static load of the resting gear against the permissible static tilting moment.
+    BearingStaticMoment:
+        ListedCheck::new("bearing_static_moment", OutputBearing, First, Bearing(bearing_checks::static_moment))
+        .only_of(Axis::gear_rests);
     /// Life of the output bearing against the life required.
     BearingLife: ListedCheck::new("bearing_life", OutputBearing, First, Bearing(bearing_checks::life))
         .at_least().limited_by("requirements.bearing_life_min", |axis| limits_bearing(axis, |duty| duty.life_min.is_some()));
@@ -454,7 +468,7 @@ impl CheckId {
     /// The key of the project that states its limit or switches it on.
     pub(crate) const fn key(self) -> Option<&'static str> {
         match self.entry().requirement {
-            Requirement::None => None,
+            Requirement::None | Requirement::Case(_) => None,
             Requirement::Switch(key, _) | Requirement::Limit(key, _) => Some(key),
         }
     }
@@ -468,14 +482,14 @@ impl CheckId {
     pub(crate) fn is_made(self, axis: &Axis) -> bool {
         match self.entry().requirement {
             Requirement::None | Requirement::Limit(..) => true,
-            Requirement::Switch(_, stated) => stated(axis),
+            Requirement::Case(stated) | Requirement::Switch(_, stated) => stated(axis),
         }
     }
 
     /// Whether it can fail or has a margin: neither a recommendation nor a value without the limit of the project.
     pub(crate) fn can_fail(self, axis: &Axis) -> bool {
         match self.entry().requirement {
-            Requirement::None | Requirement::Switch(..) => !self.is_recommendation(),
+            Requirement::None | Requirement::Case(_) | Requirement::Switch(..) => !self.is_recommendation(),
             Requirement::Limit(_, stated) => stated(axis),
         }
     }

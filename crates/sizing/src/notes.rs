@@ -1,6 +1,7 @@
 //! What there is to remark about the answer of a check.
 
 use crate::check::Amount;
+use mechanism::Rope;
 use quantities::{
     Angle, AngularVelocity, ElectricCurrent, ElectricPotential, Energy, Frequency, Length, Power,
     ThermodynamicTemperature, Time, Torque,
@@ -170,8 +171,17 @@ pub enum Note {
     FreeRotor(Frequency),
     /// The budget by root of squares, and at the lever arm if there is one.
     Budget(Box<Budget>),
+    /// Times for which a rope would be slack: the results of these instants do not hold.
+    RopeSlack(Box<RopeSlack>),
     /// The limit is the safe side of an open contradiction in the print: the erratum.
     Erratum(&'static str),
+}
+
+/// Times for which a rope would be slack, from and to, rope by rope.
+#[derive(Clone, Debug, PartialEq)]
+pub struct RopeSlack {
+    /// The rope with beginning and end of each.
+    pub times: Vec<(Rope, Time, Time)>,
 }
 
 /// A stop by the brake alone from the peak speed.

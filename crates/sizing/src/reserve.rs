@@ -292,12 +292,13 @@ mod tests {
     fn the_border_by_hand_from_both_sides() {
         for inertia in [1.0, 1.999, 2.001, 8.0] {
             let found = reserve(&axis(inertia), &actuator());
-            assert!((found.load_factor.unwrap() * inertia - 2.0).abs() < 1e-9, "{inertia}: {found:?}");
+            // What is at the limit up to rounding fits.
+            assert!((found.load_factor.unwrap() * inertia - 2.0).abs() < 1e-8, "{inertia}: {found:?}");
             assert_eq!(found.payload_factor, None, "there is no payload");
         }
         // (1.0 + 0.5)·40/f² + 5 = 105: the time may shrink to √0.6 of 1.3 s.
         let found = reserve(&axis(1.0), &actuator());
-        assert!((found.cycle_time.unwrap().si() - 1.3 * 0.6_f64.sqrt()).abs() < 1e-9, "{found:?}");
+        assert!((found.cycle_time.unwrap().si() - 1.3 * 0.6_f64.sqrt()).abs() < 1e-8, "{found:?}");
     }
 
     #[test]
@@ -305,7 +306,7 @@ mod tests {
         let axis = axis(1.3);
         let factor = reserve(&axis, &actuator()).load_factor.unwrap();
         let fits = |factor: f64| judge(&axis.with_load(factor, factor), &actuator(), Depth::Full).fits();
-        assert!(fits(factor) && !fits(factor * (1.0 + 1e-9)));
+        assert!(fits(factor) && !fits(factor * (1.0 + 1e-8)));
     }
 
     /// Nine seconds of swinging, too many samples for their nodes to be kept.

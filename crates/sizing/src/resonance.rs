@@ -10,6 +10,7 @@ use crate::workings;
 use actuator::Parameters;
 use derivation::{Finding, Workings};
 use mechanism::Extra;
+use numeric::at_least;
 use provenance::{Grade, Missing, Source, Sourced};
 use quantities::unit::{HERTZ, KILOGRAM_SQUARE_METRE, NEWTON_METRE_PER_RADIAN, PERCENT, REVOLUTION_PER_MINUTE, SECOND};
 use quantities::{AngularVelocity, Frequency, Measure, MomentOfInertia, Time, TorsionalStiffness};
@@ -189,8 +190,9 @@ pub(crate) fn resonance(case: &Case<'_>, work: &mut Workings) -> Outcome {
         explain_resonance(actuator, (ratio, &stiffness), nearest.map(|((_, line), held)| (line, held)), value, work);
     }
     // The constant speeds of a recording are unknown.
-    let open = value >= RESONANCE_BAND && !axis.motion.recordings().is_empty();
-    let verdict = match value >= RESONANCE_BAND {
+    let is_apart = at_least(value, RESONANCE_BAND);
+    let open = is_apart && !axis.motion.recordings().is_empty();
+    let verdict = match is_apart {
         _ if open => Verdict::NotChecked,
         true => Verdict::Pass,
         false => Verdict::Advice,

@@ -1,7 +1,8 @@
-//! Tolerances for tests against printed values, files that lie, and what a whole page is. Development only.
+//! Tolerances for tests against printed values, generated projects, files that lie, and what a whole page is. Development only.
 
 pub mod html;
 pub mod parquet;
+pub mod projects;
 pub mod series;
 
 /// Whether a computed value agrees with a printed one within half of the last printed digit.

@@ -1,14 +1,14 @@
 //! The pass over the motion that makes the trace.
 
 use super::alike;
-use super::kinks::{passed, passes, recorded_passes};
+use super::kinks::{kink_passes, passes, recorded_passes};
 use super::recording::Strip;
 use super::rule::rule;
 use super::short::Straight;
 use super::{BLOCK, Block, BlockPanels, Carried, Extent, GROUP, Gram, Group, Kept, Node, Run, Share, Trace};
 use mechanism::{Endless, Extra, Load, Loading, Mechanism, Output};
 use motion::{Motion, Piece, Placed, Runs, State};
-use numeric::{lobatto, root, root_steps, roots_between};
+use numeric::{lobatto, root_steps, roots_between};
 use quantities::{Angle, Measure};
 use std::f64::consts::TAU;
 use std::sync::{Arc, OnceLock};
@@ -314,7 +314,9 @@ impl<'a> Builder<'a> {
                 k += 1.0;
             }
         }
-        self.kink_cuts(piece, runs, &mut cuts);
+        if self.kinked {
+            cuts.extend(kink_passes(self.mechanism, piece));
+        }
         cuts.push(piece.duration_s);
         cuts.sort_by(f64::total_cmp);
         cuts.dedup_by(|a, b| (*a - *b).abs() <= 1e-12 * piece.duration_s);
@@ -335,31 +337,6 @@ impl<'a> Builder<'a> {
             }
         }
         fine
-    }
-
-    /// The instants at which the position passes a kink of the load. Between two reversals the position is monotone, so each kink
-    /// in between is passed once: the work grows with what is passed, not with all kinks.
-    fn kink_cuts(&self, piece: &Piece, runs: &Runs, cuts: &mut Vec<f64>) {
-        if !self.kinked {
-            return;
-        }
-        let (state, ratio) = (piece.states(), self.mechanism.stage_ratio());
-        let at = |t: f64| state(t).position_rad / ratio;
-        let mut ends = runs.reversals();
-        ends.push(piece.duration_s);
-        let mut from = 0.0;
-        for to in ends {
-            let (a, b) = (at(from), at(to));
-            // Each root bounds the next one: the position is monotone.
-            let mut low = (from, a);
-            passed(&self.mechanism.kinks(), self.mechanism.endless(), a, b, &mut |kink| {
-                let beyond = |t: f64| at(t) - kink;
-                let found = root(beyond, (low.0, low.1 - kink), (to, b - kink), 0.0);
-                cuts.push(found);
-                low = (found, kink);
-            });
-            from = to;
-        }
     }
 
     fn panel(&mut self, piece: &Piece, loading: &Loading<'_>, (from, to, direction): (f64, f64, f64), nodes: usize) {

@@ -1,7 +1,8 @@
 //! The kinks of a load over the position: where a motion passes them, and how many it passes.
 
 use mechanism::{Endless, Mechanism};
-use motion::Placed;
+use motion::{Piece, Placed};
+use numeric::root;
 use std::f64::consts::TAU;
 
 /// The kinks of a load, in rising order, strictly between two positions, in the order in which they are passed; those of a load
@@ -25,6 +26,34 @@ pub(crate) fn passed(kinks: &[f64], endless: Endless, from: f64, to: f64, look: 
         }
     };
     if to >= from { (0..=count).for_each(&mut turn) } else { (0..=count).rev().for_each(&mut turn) }
+}
+
+/// Returns the instants within a piece at which the position passes a kink of the load \[s\]. Between two reversals the position
+/// is monotone, so each kink in between is passed once: the work grows with what is passed, not with all kinks.
+#[must_use]
+pub fn kink_passes(mechanism: &Mechanism, piece: &Piece) -> Vec<f64> {
+    let (kinks, mut found) = (mechanism.kinks(), Vec::new());
+    if kinks.is_empty() {
+        return found;
+    }
+    let (state, ratio) = (piece.states(), mechanism.stage_ratio());
+    let at = |t: f64| state(t).position_rad / ratio;
+    let mut ends = piece.reversals();
+    ends.push(piece.duration_s);
+    let mut from = 0.0;
+    for to in ends {
+        let (a, b) = (at(from), at(to));
+        // Each root bounds the next one: the position is monotone.
+        let mut low = (from, a);
+        passed(&kinks, mechanism.endless(), a, b, &mut |kink| {
+            let beyond = |t: f64| at(t) - kink;
+            let instant = root(beyond, (low.0, low.1 - kink), (to, b - kink), 0.0);
+            found.push(instant);
+            low = (instant, kink);
+        });
+        from = to;
+    }
+    found
 }
 
 /// How many kinks a recording passes.

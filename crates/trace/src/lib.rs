@@ -24,6 +24,7 @@ mod smooth;
 pub use build::{INSTANTS_MOST, instants};
 pub use carried::Carried;
 pub use form::Form;
+pub use kinks::kink_passes;
 pub use lags::{Lag, Peak};
 pub use panel::{Like, Panel};
 pub use recording::{Cell, Inside, Ramps, Strip, Swept};

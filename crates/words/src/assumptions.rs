@@ -100,8 +100,8 @@ pub fn assumption_text(assumption: Assumption, language: Language) -> String {
             "Drehzahl und Beschleunigung sind ungeglättete Differenzenquotienten der aufgezeichneten Position: deren Rauschen erhöht das berechnete Moment",
         ),
         Assumption::FlangeLoadsConstant => (
-            "the stated loads on the flange are the complete loads, constant over the cycle, moments of radial and axial force in the same direction; loads of the mechanism are not added (mechanism = \"add\" adds them)",
-            "die angegebenen Flanschlasten sind die gesamten Lasten, über den Zyklus konstant, Momente aus Radial- und Axialkraft gleichgerichtet; Lasten aus der Mechanik kommen nicht hinzu (mit mechanism = \"add\" werden sie addiert)",
+            "the stated loads on the flange are the complete loads, constant over the cycle, moments of radial and axial force in the same direction",
+            "die angegebenen Flanschlasten sind die gesamten Lasten, über den Zyklus konstant, Momente aus Radial- und Axialkraft gleichgerichtet",
         ),
         Assumption::FlangeLoadsOfMechanism => (
             "loads on the flange are computed at every instant from masses, motion and process forces of the mechanism",
@@ -110,6 +110,14 @@ pub fn assumption_text(assumption: Assumption, language: Language) -> String {
         Assumption::FlangeLoadsAddUp => (
             "loads stated for the flange are added to those of the mechanism in the worst case: all in the same direction",
             "angegebene Flanschlasten werden im ungünstigsten Fall zu denen der Mechanik addiert: alle gleichgerichtet",
+        ),
+        Assumption::FlangeLoadsIgnored => (
+            "weight, motion and process forces of the mechanism do not count on the flange, as bearing.mechanism = \"ignore\" states",
+            "Gewicht, Bewegung und Prozesskräfte der Mechanik zählen am Flansch nicht, wie bearing.mechanism = \"ignore\" angibt",
+        ),
+        Assumption::FlangeLoadsReplaced => (
+            "in a segment with [motion.bearing] the stated loads take the place of those of the mechanism, as bearing.mechanism = \"replace\" states",
+            "in einem Abschnitt mit [motion.bearing] treten die angegebenen Lasten an die Stelle derer aus der Mechanik, wie bearing.mechanism = \"replace\" angibt",
         ),
         Assumption::FlangeBearsAll => (
             "no bearing.flange_share given: the flange carries the full loads of the mechanism",

@@ -143,12 +143,25 @@ pub fn found_text(what: Finding, language: Language) -> String {
         Finding::CubicMeanTorque => {
             ("(∫|T_L|³ |n| dt / ∫|n| dt)^(1/3) over the cycle", "(∫|T_L|³ |n| dt / ∫|n| dt)^(1/3) im Zyklus")
         }
-        Finding::AxialForceMax => ("max F_a over the segments", "max F_a über die Abschnitte"),
-        Finding::RadialForceMax => ("max F_r over the segments", "max F_r über die Abschnitte"),
+        Finding::AxialForceMax => ("max F_a over the segments in motion", "max F_a über die Abschnitte mit Bewegung"),
+        Finding::RadialForceMax => ("max F_r over the segments in motion", "max F_r über die Abschnitte mit Bewegung"),
         Finding::LargestOverSegments => ("largest over the segments", "größte über die Abschnitte"),
         Finding::LargestOfMechanism => (
             "largest over the cycle, from mechanism and stated loads",
             "größte im Zyklus, aus Mechanik und angegebenen Lasten",
+        ),
+        Finding::LargestInMotion => (
+            "largest while the gear turns, stated loads included",
+            "größter Wert bei drehendem Getriebe, einschließlich angegebener Lasten",
+        ),
+        Finding::LargestAtRest => (
+            "largest while the gear rests, stated loads included",
+            "größter Wert bei stehendem Getriebe, einschließlich angegebener Lasten",
+        ),
+        Finding::TensionOfWeight => ("weight on the rope at that instant", "Gewicht am Seil zu diesem Zeitpunkt"),
+        Finding::LeastTension => (
+            "m (g + a) + F of what the rope bears, at the instant nearest to slack",
+            "m (g + a) + F der Last am Seil zum Zeitpunkt, der dem Schlaffwerden am nächsten ist",
         ),
         Finding::SegmentOfLargestMoment => ("in the segment of the largest M", "im Abschnitt mit dem größten M"),
         Finding::EverySegmentInMotion => ("in every segment in motion", "in jedem Abschnitt mit Bewegung"),
@@ -212,6 +225,7 @@ fn with_shown_symbols(text: &str) -> String {
 const BY_UNIT: &[(&str, &str, &str, &str)] = &[
     ("P_0", "W", "permissible loss at standstill", "im Stillstand zulässige Verlustleistung"),
     ("P_0", "N", "static equivalent load", "statische Äquivalentlast"),
+    ("S", "N", "tension of the rope", "Seilkraft"),
     ("phi", "arcmin", "torsion of the gear", "Verdrehung des Getriebes"),
     ("phi", "rad", "angle travelled over the cycle", "im Zyklus zurückgelegter Winkel"),
     ("phi", "rev", "travel from the smallest to the largest position", "Weg von der kleinsten zur größten Position"),
@@ -248,6 +262,7 @@ const TERMS: &[(&str, &str, &str)] = &[
     ("L_50", "L50 life (median)", "L50-Lebensdauer (Median)"),
     ("M", "tilting moment", "Kippmoment"),
     ("M_a", "moment of the axial force", "Moment der Axialkraft"),
+    ("M_eq", "static equivalent tilting moment", "statisch äquivalentes Kippmoment"),
     ("M_L", "mean tilting moment of the mechanism", "mittleres Kippmoment der Mechanik"),
     ("M_r", "moment of the radial force", "Moment der Radialkraft"),
     ("n_end", "largest output speed", "größte Abtriebsdrehzahl"),
@@ -270,6 +285,8 @@ const TERMS: &[(&str, &str, &str)] = &[
     ("r", "lever arm", "Hebelarm"),
     ("resolution_out", "resolution at the output", "Auflösung am Abtrieb"),
     ("s", "deviation at the lever arm", "Abweichung am Hebelarm"),
+    ("S_off", "force taken off the rope", "Entlastung des Seils"),
+    ("S_w", "weight on the rope", "Gewicht am Seil"),
     ("s_max", "permissible deviation", "zulässige Abweichung"),
     ("s_perm", "permissible step", "zulässiger Schritt"),
     ("T_av", "cubic mean torque", "kubisch gemitteltes Moment"),

@@ -143,6 +143,11 @@ pub const EXAMPLE_TEXTS: &[(&str, &str)] = &[
     ("held by the brake while the part is taken", "von der Bremse gehalten, während das Werkstück entnommen wird"),
     ("back, empty", "leer zurück"),
     ("the next part is gripped", "das nächste Werkstück wird gegriffen"),
+    ("the stated loads are all of them", "die angegebenen Lasten sind alle"),
+    (
+        "the stated loads are all of them, weight and motion included",
+        "die angegebenen Lasten sind alle, mit Gewicht und Bewegung",
+    ),
     ("where a segment says nothing else", "wo ein Abschnitt nichts anderes angibt"),
     (
         "absolute, so that it need not search its place after power-off",

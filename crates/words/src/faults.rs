@@ -253,6 +253,10 @@ pub fn fault_text(fault: &Fault, language: Language) -> String {
             "no flange loads can be derived from this load: its masses and their positions are not described"
             | "aus dieser Last lassen sich keine Flanschlasten ableiten: Massen und deren Positionen sind nicht beschrieben"
         ),
+        Fault::FlangeLoadsUndecided { key, section } => said!(language =>
+            "`{key}` states a load on the flange, and the mechanism has its own: write `mechanism = \"add\"` in [{section}] if both act, `\"replace\"` if those of a segment take the place of the mechanism's there, `\"ignore\"` if the stated loads are all of them"
+            | "`{key}` gibt eine Last am Flansch an, und die Mechanik hat eigene: `mechanism = \"add\"` in [{section}], wenn beide wirken, `\"replace\"`, wenn die eines Abschnitts dort an die Stelle derer aus der Mechanik treten, `\"ignore\"`, wenn die angegebenen alle sind"
+        ),
         Fault::ReplacesEverything { key } => said!(language =>
             "`bearing.{key}` would replace the loads of the mechanism in every segment; state mechanism = \"ignore\" or \"add\""
             | "`bearing.{key}` würde die Lasten der Mechanik in jedem Abschnitt ersetzen; mechanism = \"ignore\" oder \"add\" angeben"

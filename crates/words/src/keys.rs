@@ -348,8 +348,8 @@ pub const fn about_text(about: About, language: Language) -> &'static str {
             "Betriebsbedingung nach Tabelle 76.3; ohne Angabe wird die statische Sicherheit gezeigt, aber nicht geprüft",
         ),
         About::Bearing(BearingName::mechanism) => (
-            "loads resulting from the mechanism: added to the stated ones, replaced by those of a segment, or ignored; default: ignored",
-            "Lasten aus der Mechanik: zu den angegebenen addiert, durch die eines Abschnitts ersetzt oder nicht berücksichtigt; ohne Angabe nicht berücksichtigt",
+            "loads resulting from the mechanism: added to the stated ones, replaced by those of a segment, or ignored; required beside stated loads, default without these: added",
+            "Lasten aus der Mechanik: zu den angegebenen addiert, durch die eines Abschnitts ersetzt oder nicht berücksichtigt; neben angegebenen Lasten erforderlich, ohne solche wirken sie",
         ),
         About::Bearing(BearingName::overhang) => (
             "L, distance of the centre of mass, or of the centre of pulley, pinion or crank pin, from the flange face",

@@ -2,12 +2,13 @@
 
 use super::results::{evidence_text, with_unit};
 use crate::texts::said;
+use mechanism::Rope;
 use quantities::unit::{
     AMPERE, ARCMINUTE, DEGREE, DEGREE_CELSIUS, HERTZ, HOUR, JOULE, MILLIMETRE, MINUTE, NEWTON_METRE,
     REVOLUTION_PER_MINUTE, SECOND, VOLT, WATT, YEAR,
 };
-use quantities::{Angle, AngularVelocity, Language, Measure, Torque, format_number, format_significant};
-use sizing::{BrakeStop, Budget, Note, ResonanceSpeeds};
+use quantities::{Angle, AngularVelocity, Language, Measure, Time, Torque, format_number, format_significant};
+use sizing::{BrakeStop, Budget, Note, ResonanceSpeeds, RopeSlack};
 
 /// A remark on a check.
 #[must_use]
@@ -52,6 +53,7 @@ pub fn note_text(note: &Note, language: Language) -> String {
             "the permissible loads apply to each load acting alone; for combined loads, bearing life and static safety govern"
             | "die zulässigen Lasten gelten jeweils einzeln; bei kombinierter Belastung sind Lebensdauer und statische Sicherheit maßgebend"
         ),
+        Note::RopeSlack(slack) => rope_slack(slack, language),
         Note::Housing(temperature) => {
             let housing = with_unit(temperature.si(), &DEGREE_CELSIUS, 3, language);
             said!(language =>
@@ -344,5 +346,40 @@ pub(super) fn small_swings(count: usize, angles: [Angle; 2], share: f64, languag
     said!(language =>
         "{count} swivel motions of up to {largest} per cycle, {share} % of the total travel; below {least} there is a risk of fretting corrosion in the bearing; ask the manufacturer"
         | "{count} Schwenkbewegungen bis {largest} je Zyklus, {share} % des gesamten Wegs; unter {least} besteht die Gefahr von Reibkorrosion im Lager; beim Hersteller erfragen"
+    )
+}
+
+/// So many times of slack are named.
+const TIMES_NAMED: usize = 4;
+
+/// The times for which a rope would be slack.
+fn rope_slack(RopeSlack { times }: &RopeSlack, language: Language) -> String {
+    let seconds = |time: &Time| format_number(time.in_unit(&SECOND), 3, language);
+    let of = |wanted: Rope| {
+        let own: Vec<_> = times.iter().filter(|(rope, ..)| *rope == wanted).collect();
+        let named = own.iter().take(TIMES_NAMED).map(|(_, from, to)| {
+            let (from, to) = (seconds(from), seconds(to));
+            said!(language => "from {from} s to {to} s" | "von {from} s bis {to} s")
+        });
+        let mut all = named.collect::<Vec<_>>().join(", ");
+        let more = own.len().saturating_sub(TIMES_NAMED);
+        if more > 0 {
+            all.push_str(&said!(language => " and {more} times more" | " und weitere {more} Mal"));
+        }
+        (!own.is_empty()).then_some(all)
+    };
+    let load = of(Rope::Load).map(
+        |all| said!(language => "the rope of the load would be slack {all}" | "das Seil der Last wäre schlaff {all}"),
+    );
+    let counterweight = of(Rope::Counterweight).map(|all| {
+        said!(language =>
+            "the rope of the counterweight would be slack {all}"
+            | "das Seil des Gegengewichts wäre schlaff {all}"
+        )
+    });
+    let all = [load, counterweight].into_iter().flatten().collect::<Vec<_>>().join("; ");
+    said!(language =>
+        "{all}: a rope cannot push, the results at these instants do not hold"
+        | "{all}: ein Seil kann nicht drücken, die Ergebnisse zu diesen Zeitpunkten gelten nicht"
     )
 }

@@ -128,6 +128,9 @@ texts! {
     and = "and" | "und";
     load_is_constant(name, value) = "{name} is constant at {value}" | "{name} beträgt konstant {value}";
     load_reaches(name, value) = "{name} reaches {value}" | "{name} erreicht {value}";
+    load_rests(name, value, turning) =
+        "{name} reaches {value}, while the gear turns {turning}"
+        | "{name} erreicht {value}, bei drehendem Getriebe {turning}";
     value_of_limit(value, limit) = "{value} of {limit}" | "{value} von {limit}";
     constant(value) = "constant: {value}" | "konstant: {value}";
     the_angle = "the angle" | "der Winkel";

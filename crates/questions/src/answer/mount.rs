@@ -9,7 +9,7 @@ use installation::mount::{Mount, MountAsked};
 use provenance::{Datum, Grade, Sourced};
 use quantities::unit::{KILOGRAM, MICROMETRE, MILLIMETRE, NEWTON, NEWTON_METRE, ONE};
 use quantities::{Language, Measure, Unit};
-use sizing::Verdict;
+use sizing::{Direction, Verdict};
 use words::mounting::{self, fit_word, load_case_title, side_title};
 use words::{cell_text, describe_uncovered, source_text, symbol_term};
 
@@ -196,9 +196,10 @@ fn joint(joint: &installation::joint::Joint, language: Language) -> Joint {
 fn case(found: &CaseAnswer, language: Language) -> JointCase {
     let alone = found.alone.known();
     let together = found.together.known().map(|known| &known.value);
-    let verdict =
-        alone.map_or(Verdict::NotChecked, |share| if share.value.si() <= 1.0 { Verdict::Pass } else { Verdict::Fail });
-    let holds = |slip: Option<quantities::Ratio>| slip.is_some_and(|slip| slip.si() <= 1.0);
+    let verdict = alone.map_or(Verdict::NotChecked, |share| {
+        if Direction::AtMost.keeps(share.value.si(), 1.0) { Verdict::Pass } else { Verdict::Fail }
+    });
+    let holds = |slip: Option<quantities::Ratio>| slip.is_some_and(|slip| Direction::AtMost.keeps(slip.si(), 1.0));
     let verdict_together =
         together.map_or(Verdict::NotChecked, |joint| if holds(joint.slip) { Verdict::Pass } else { Verdict::Advice });
     let missing = match (found.case, &found.torque) {

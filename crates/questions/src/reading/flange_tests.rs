@@ -94,11 +94,41 @@ fn stated_loads_add_replace_or_stand_alone() {
     let added = radial("mechanism = \"add\"\noverhang = \"45 mm\"");
     assert!((added - derived - 500.0).abs() < 1e-6, "{added} {derived}");
     assert!((radial("mechanism = \"replace\"\noverhang = \"45 mm\"") - 500.0).abs() < 1e-12);
-    assert!((radial("mechanism = \"ignore\"") - 500.0).abs() < 1e-12 && (radial("") - 500.0).abs() < 1e-12);
+    assert!((radial("mechanism = \"ignore\"") - 500.0).abs() < 1e-12);
     // Without a word the loads of the mechanism act; where it says that they do not count none are known.
     assert_eq!(value(&read(&text("", "", "overhang = \"45 mm\"")), CheckId::BearingRadial), derived);
     let alone = read(&text("", "", "mechanism = \"ignore\""));
     assert_eq!(of(&alone, CheckId::BearingRadial).missing, Some("bearing.radial_force"));
+}
+
+/// Loads beside those of the mechanism: to add them and to leave the others out are both a guess, so the file says which. Where the
+/// mechanism describes none, nothing is to be said.
+#[test]
+fn stated_loads_beside_those_of_the_mechanism_need_a_word() {
+    let loads = "radial_force = \"10 N\"\nradial_distance = \"1 mm\"";
+    let segment = format!("[motion.bearing]\n{loads}");
+    for (segment, bearing, line) in [(segment.as_str(), "", 19), ("", loads, 22)] {
+        let faults = crate::read(&text("", segment, bearing)).unwrap_err();
+        let [fault] = words::worded(&faults, Language::En).try_into().unwrap_or_else(|all| panic!("{all:?}"));
+        assert!(fault.message.starts_with("`radial_force` states a load on the flange"), "{fault:?}");
+        assert!(fault.message.contains("`mechanism = \"add\"` in [bearing]"), "{fault:?}");
+        assert_eq!(faults[0].line, line);
+        for word in ["add", "ignore"] {
+            let said = text("", segment, &format!("mechanism = \"{word}\"\n{bearing}"));
+            let assumptions = read(&said).assumptions;
+            let expected = match word {
+                "add" => project::Assumption::FlangeLoadsAddUp,
+                _ => project::Assumption::FlangeLoadsIgnored,
+            };
+            assert!(assumptions.contains(&expected), "{word}: {assumptions:?}");
+        }
+    }
+    let replaced = read(&text("", &segment, "mechanism = \"replace\"\noverhang = \"45 mm\""));
+    assert!(replaced.assumptions.contains(&project::Assumption::FlangeLoadsReplaced));
+    let load = format!(
+        "format = 1\n[load]\ninertia = \"1 kg m^2\"\n[[motion]]\nlaw = \"dwell\"\ntime = \"1 s\"\n[bearing]\n{loads}\n"
+    );
+    assert!(!read(&load).assumptions.contains(&project::Assumption::FlangeLoadsIgnored));
 }
 
 #[test]
@@ -127,7 +157,11 @@ fn faults_of_the_geometry_are_reported_at_once() {
     assert_eq!(found.len(), 4, "{found:?}");
     assert!(found.iter().any(|message| message == "`belt_tension` has no effect on this load"), "{found:?}");
     assert!(found.iter().any(|message| message == "`bearing.flange_share` must be a number from 0 to 1"));
-    let found = messages(&text("", "", "overhang = \"45 mm\"\nradial_force = \"5 N\"\nradial_distance = \"1 mm\""));
+    let found = messages(&text(
+        "",
+        "",
+        "mechanism = \"ignore\"\noverhang = \"45 mm\"\nradial_force = \"5 N\"\nradial_distance = \"1 mm\"",
+    ));
     assert_eq!(found, ["`overhang` has no effect on this load"], "stated loads are all of them");
     let found = messages(&text("", "", "mechanism = \"replace\"\nradial_force = \"5 N\"\nradial_distance = \"1 mm\""));
     assert!(found[0].contains("would replace the loads"), "{found:?}");

@@ -331,6 +331,8 @@ time = "0.5 s"
 [motion.bearing]
 radial_force = "500 N ± 50 N"
 radial_distance = "50 mm"
+[bearing]
+mechanism = "add"
 [requirements]
 ambient = "30 degC ± 5 K"
 [actuator]

@@ -68,8 +68,15 @@ fn peaks_of_the_motion_and_the_torque_agree() {
 
 #[test]
 fn the_output_bearing_agrees() {
-    let keys =
-        ["bearing_axial", "bearing_radial", "bearing_tilting_moment", "bearing_life", "bearing_static", "tilt_angle"];
+    let keys = [
+        "bearing_axial",
+        "bearing_radial",
+        "bearing_tilting_moment",
+        "bearing_static_moment",
+        "bearing_life",
+        "bearing_static",
+        "tilt_angle",
+    ];
     hold(&keys.map(|key| (key, INTEGRAL)), |_| true);
 }
 

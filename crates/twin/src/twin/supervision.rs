@@ -4,6 +4,7 @@ use super::{PERIOD_S, SAG, SLOW_EVERY, Twin};
 use crate::drive::Phase;
 use crate::scenario::{EventKind, Reaction, ScenarioId};
 use actuator::{Losses, Temperatures, overload_slope};
+use numeric::{at_least, at_most};
 use provenance::Datum;
 use quantities::{ElectricCurrent, Measure, Ratio, ThermodynamicTemperature, Time};
 
@@ -41,12 +42,13 @@ impl Twin<'_> {
         }
         let [i_d, i_q, ..] = self.state.x;
         let current = (0.5 * (i_d * i_d + i_q * i_q)).sqrt();
-        if self.machine.demagnetisation_a.is_some_and(|limit| current >= limit) && !self.has(EventKind::Demagnetisation)
+        if self.machine.demagnetisation_a.is_some_and(|limit| !at_most(current, limit))
+            && !self.has(EventKind::Demagnetisation)
         {
             self.note(EventKind::Demagnetisation);
         }
         let collision = self.setup.parameters.actuator.gear.collision_torque_max.known();
-        if collision.is_some_and(|limit| self.gathered.torque_nm() > limit.value.si())
+        if collision.is_some_and(|limit| !at_most(self.gathered.torque_nm(), limit.value.si()))
             && !self.has(EventKind::CollisionTorque)
         {
             self.note(EventKind::CollisionTorque);
@@ -73,7 +75,7 @@ impl Twin<'_> {
         let actuator = &self.setup.parameters.actuator;
         let (heat, is_read) = (&actuator.heat, !actuator.without_kty);
         let passed = |limit: &Datum<ThermodynamicTemperature>, sensor_k: f64| {
-            limit.known().is_some_and(|limit| sensor_k > limit.value.si())
+            limit.known().is_some_and(|limit| !at_most(sensor_k, limit.value.si()))
         };
         let warns = is_read && passed(&heat.winding_warning, self.sensor_k);
         let shuts_down = is_read && passed(&heat.winding_shutdown, self.sensor_k);
@@ -92,20 +94,20 @@ impl Twin<'_> {
         if responds {
             self.fault(EventKind::PtcResponse, reaction);
         }
-        if self.overload > 1.0 {
+        if !at_most(self.overload, 1.0) {
             self.fault(EventKind::Overload, reaction);
         }
         if self.phase == Phase::Running
-            && self.limits.following_rad.is_some_and(|limit| self.control.following_rad.abs() > limit)
+            && self.limits.following_rad.is_some_and(|limit| !at_most(self.control.following_rad.abs(), limit))
         {
             self.fault(EventKind::FollowingError, reaction);
         }
         let [low, high] = self.limits.link_v;
         let without_drive = if self.brake.exists() { Reaction::Brake } else { Reaction::Coast };
-        if self.link.voltage_v < low && self.state.pulses {
+        if !at_least(self.link.voltage_v, low) && self.state.pulses {
             self.fault(EventKind::LinkLow, without_drive);
         }
-        if self.highest_link().voltage_v > high {
+        if !at_most(self.highest_link().voltage_v, high) {
             self.fault(EventKind::LinkHigh, without_drive);
         }
         if self.state.x[3].abs() > 1.1 * self.machine.speed_max {

@@ -1,0 +1,25 @@
+//! Physics held over generated projects of every mechanism and over hand-made cases: what must not depend on law, window, order,
+//! unit or language does not, and every limit is kept or broken independent of rounding.
+#![allow(clippy::unwrap_used, clippy::expect_used, clippy::indexing_slicing, reason = "a test may fail")]
+
+mod at_rest;
+mod invariance;
+mod life;
+mod limits;
+mod rope;
+
+use project::Project;
+use questions::{Check, CheckId, check};
+
+fn read(text: &str) -> Project {
+    questions::read(text).unwrap_or_else(|faults| panic!("{faults:?}\n{text}"))
+}
+
+fn checks(project: &Project, code: &str) -> Vec<Check> {
+    let code = order_code::parse(code).unwrap().code;
+    check(project, &code).unwrap().judgement.checks.iter().cloned().collect()
+}
+
+fn of(project: &Project, code: &str, id: CheckId) -> Check {
+    checks(project, code).into_iter().find(|check| check.id == id).unwrap_or_else(|| panic!("{id:?} is not made"))
+}
