@@ -113,6 +113,6 @@ class Flange:
         if "wheel_mass" in self.keys:
             weight, tilt = self.get("wheel_mass") * G, self.get("axis_tilt")
             across = weight * abs(sin(tilt))
-            more = across, weight * abs(cos(tilt)), across * (abs(self.get("overhang")) + self.offset)
+            more = across, weight * abs(cos(tilt)), across * abs(self.lever)
             found = [x + y for x, y in zip(found, more)]
         return [self.share * x for x in found]

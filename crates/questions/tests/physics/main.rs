@@ -1,6 +1,6 @@
 //! Physics held over generated projects of every mechanism and over hand-made cases: what must not depend on law, window, order,
 //! unit or language does not, and every limit is kept or broken independent of rounding.
-#![allow(clippy::unwrap_used, clippy::expect_used, clippy::indexing_slicing, reason = "a test may fail")]
+#![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic, clippy::indexing_slicing, reason = "a test may fail")]
 
 mod at_rest;
 mod invariance;
