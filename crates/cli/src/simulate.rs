@@ -68,9 +68,10 @@ pub(crate) fn simulate(call: &Call<'_>, asked: &Asked<'_>) -> Result<Answer, Una
     Ok(Answer::data(data).fits(fits))
 }
 
-/// `antrieb identify PROJECT --trace FILE`
+/// `antrieb identify TRACE PROJECT`
 pub(crate) fn identify(call: &Call<'_>, asked: &Asked<'_>) -> Result<Answer, Unanswered> {
     let found = identify::found(asked)?;
     let text = || shown(&chapter::identification(&found, call.language), call.language);
-    Ok(Answer::data(if call.as_json { written(&found) } else { text() }))
+    let fits = found.doubts.is_empty();
+    Ok(Answer::data(if call.as_json { written(&found) } else { text() }).fits(fits))
 }

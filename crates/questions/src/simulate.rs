@@ -312,7 +312,11 @@ impl<'p> Ready<'p> {
 
 /// The parameters of an actuator with the values that the project replaces.
 fn parameters(project: &Project, actuator: &Actuator, supply: &Supply) -> Parameters {
-    let mut parameters = Parameters::on_supply(actuator, supply);
+    replaced(project, Parameters::on_supply(actuator, supply))
+}
+
+/// The parameters with the measured values of the project in their place.
+pub(crate) fn replaced(project: &Project, mut parameters: Parameters) -> Parameters {
     for (key, value) in &project.twin.replaced {
         // Every key of the section is one of the model: a test holds it.
         let _ = parameters.replace(key, value.clone());

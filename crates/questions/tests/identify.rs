@@ -102,6 +102,65 @@ fn value(found: &Identification, id: &str) -> (f64, f64, Option<f64>) {
     (row.value.written().unwrap(), row.half_width.written().unwrap(), row.stated.and_then(answers::Number::written))
 }
 
+/// The planted values lie in the intervals of the twin's own run without noise, of projects whose moves carry a payload at times.
+#[test]
+fn payloads_that_a_move_carries_are_not_taken_for_the_load() {
+    let arm = include_str!("../../../examples/slewing-arm.toml");
+    let tilting = include_str!("../../../examples/tilting-arm.toml");
+    let shuttle = include_str!("../../../examples/two-way-shuttle.toml");
+    for text in [arm, tilting, shuttle] {
+        let found = identified(text, course(text));
+        assert!(found.doubts.is_empty(), "{found:?}");
+        let mut held = Vec::new();
+        for each in &found.estimates {
+            let (value, half, stated) = value(&found, each.id);
+            // The friction of the actuator is that of its temperature.
+            if each.id.starts_with("no_load") {
+                continue;
+            }
+            if let Some(stated) = stated {
+                let off = if each.id == "gravity_angle" { (value - stated).rem_euclid(360.0) } else { value - stated };
+                let off = if off > 180.0 { 360.0 - off } else { off.abs() };
+                assert!(off <= half, "{}: {value} ± {half}, {stated} of {text}", each.id);
+                held.push(each.id);
+            }
+        }
+        assert!(["load_inertia", "coulomb", "viscous"].iter().all(|id| held.contains(id)), "{held:?}");
+        // The shuttle is a flywheel of a sixth of the rotor: its run says nothing of the torque constant.
+        let is_open = found.open.iter().any(|open| open.id == "torque_constant_out");
+        assert_eq!(is_open, text == shuttle, "{found:?}");
+        assert_eq!(found.overrides.contains("torque_constant_out"), text != shuttle, "{}", found.overrides);
+    }
+}
+
+/// A load without constant factors: what the run says beside the stated load, and what it leaves open.
+#[test]
+fn a_load_that_changes_gives_its_friction_and_a_linear_drive_its_inertia() {
+    let belt = include_str!("../../../examples/belt-axis.toml");
+    let crank = include_str!("../../../examples/slider-crank.toml");
+    let constant = "law = \"constant\"\nspeed = \"30 1/min\"\ntime = \"2 s\"\n";
+    assert!(crank.contains(constant));
+    let sine =
+        |way: i32, time: f64| format!("law = \"modified_sine\"\ndistance = \"{way} deg\"\ntime = \"{time} s\"\n");
+    let there_and_back =
+        [(200, 0.8), (-200, 0.9), (120, 0.6), (-120, 0.5)].map(|(way, time)| sine(way, time)).join("\n[[motion]]\n");
+    let crank = crank.replace(constant, &there_and_back);
+    for (text, is_linear) in [(belt, true), (crank.as_str(), false)] {
+        let found = identified(text, course(text));
+        assert!(found.doubts.is_empty(), "{found:?}");
+        assert!(found.open.iter().any(|open| open.id == "gravity"), "{:?}", found.open);
+        assert_eq!(found.estimates.iter().any(|each| each.id == "load_inertia"), is_linear, "{found:?}");
+        if is_linear {
+            // The efficiency of 0.95 raises what is driven and lowers what drives.
+            let (inertia, _, stated) = value(&found, "load_inertia");
+            assert!((inertia / stated.unwrap() - 1.0).abs() < 0.03, "{found:?}");
+        } else {
+            let (coulomb, half, _) = value(&found, "coulomb");
+            assert!((coulomb - 1.0).abs() <= half && half < 0.5, "{found:?}");
+        }
+    }
+}
+
 /// A project that is wrong about its load: the run of the right one corrects it, inertia, friction and gravity.
 #[test]
 fn the_overrides_make_a_wrong_project_run_like_the_right_one() {
@@ -139,10 +198,21 @@ fn every_wrong_cell_of_a_run_is_reported() {
     assert_eq!(faults.len(), 2, "{faults:?}");
     assert!(faults[0].contains("line 3") && faults[1].contains("line 4") && faults[1].contains("current_q_a"));
     assert_eq!(refused(format!("{head}{}", "a,b,c,d,e,f,g\n".repeat(100))).len(), 20);
+    // A number that no machine shows, a time that stands still; a line of remarks counts.
+    let beyond = refused(format!("# of the bench\n{head}0,0,0,0,0,0,0\n1,0,0,0,0,1e308,0\n2,-1e9,0,0,0,0,0\n"));
+    assert_eq!(beyond.len(), 2, "{beyond:?}");
+    assert!(beyond[0].contains("line 4") && beyond[0].contains("torque_nm"), "{beyond:?}");
+    assert!(beyond[1].contains("line 5") && beyond[1].contains("position_rad"), "{beyond:?}");
+    let still = refused(format!("# of the bench\n{head}0,0,0,0,0,0,0\n1,0,0,0,0,0,0\n1,0,0,0,0,0,0\n"));
+    assert!(still.len() == 1 && still[0].contains("line 5"), "{still:?}");
     assert!(refused("PAR1".to_owned())[0].contains("Parquet"));
     // Columns that are missing are one fault, beside those of the cells.
     let lacking = refused("time_s,torque_nm\n0,x\n".to_owned());
-    assert!(lacking.len() == 2 && lacking[0].contains("speed_rad_s") && lacking[1].contains("line 2"), "{lacking:?}");
+    assert!(
+        lacking.len() == 2 && lacking[0].contains("motor_speed_rad_s") && lacking[1].contains("line 2"),
+        "{lacking:?}"
+    );
+    assert!(!lacking[0].contains("acceleration"), "{lacking:?}");
 }
 
 /// What a run at the limit of the current does not say is said.
@@ -151,6 +221,7 @@ fn a_run_at_the_limit_says_what_it_leaves_open() {
     let heavy = arm("60 kg m^2", "60 kg", "[twin]\nlimits = true\n");
     let found = identified(&heavy, course(&heavy));
     assert!(found.notes.iter().any(|note| note.contains("at its limit")), "{:?}", found.notes);
+    assert!(found.open.iter().any(|open| open.id == "torque_constant_out"), "{:?}", found.open);
     assert!(value(&found, "load_inertia").0 > 50.0);
 }
 
@@ -165,4 +236,34 @@ fn a_measured_load_that_replaces_nothing_is_refused() {
     let why = simulate::record(&args, &asked).unwrap_err();
     let faults = why.faults(None, Language::En);
     assert!(faults.errors[0].message.contains("measured.load_inertia"), "{faults:?}");
+}
+
+/// Lines for the project say only what the run knows: no zero for what it leaves open, nothing of a run with a wrong convention.
+#[test]
+fn lines_for_the_project_hold_only_what_the_run_knows() {
+    let text = arm("2.4 kg m^2", "5 kg", "").replace("friction_torque = \"1.5 N m\"\n", "");
+    let found = identified(&text, course(&text));
+    assert!(value(&found, "coulomb").0.abs() < value(&found, "coulomb").1, "{found:?}");
+    assert!(!found.overrides.contains("load_coulomb") && !found.overrides.contains("\"0 "), "{}", found.overrides);
+    assert!(found.overrides.contains("load_inertia"), "{}", found.overrides);
+    // One way: no friction, no constant torque.
+    let head = text.split("[[motion]]").next().unwrap();
+    let one_way = format!(
+        "{head}[[motion]]\nlaw = \"modified_sine\"\ndistance = \"90 deg\"\ntime = \"0.9 s\"\n[[motion]]\nlaw = \"modified_sine\"\ndistance = \"270 deg\"\ntime = \"1.5 s\"\n[requirements]\nsupply = \"560 V\"\n"
+    );
+    let found = identified(&one_way, course(&one_way));
+    assert!(found.estimates.iter().all(|each| each.id != "coulomb" && each.id != "external"), "{found:?}");
+    assert!(!found.overrides.contains("coulomb") && !found.overrides.contains("external"), "{}", found.overrides);
+    assert!(found.open.iter().any(|open| open.id == "coulomb"), "{:?}", found.open);
+    // The current as rms.
+    let trace = course(&text);
+    let mut lines = trace.lines();
+    let mut rms = lines.next().unwrap().to_owned();
+    for line in lines {
+        let (rest, current) = line.rsplit_once(',').unwrap();
+        rms.push_str(&format!("\n{rest},{}", current.parse::<f64>().unwrap() / std::f64::consts::SQRT_2));
+    }
+    let found = identified(&text, rms);
+    assert!(found.doubts.len() == 1 && found.doubts[0].id == "rms" && found.overrides.is_empty(), "{found:?}");
+    assert!(found.doubts[0].text.contains("current_q_a") && found.doubts[0].text.contains('√'), "{found:?}");
 }

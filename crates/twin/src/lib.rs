@@ -27,7 +27,9 @@ pub use averaged::{Averaged, Operation, averaged};
 pub use bode::{Loop, LoopResponse, Margins, Response};
 pub use control::{CURRENT_RATE_HZ, Demand, Gains, POSITION_EVERY};
 pub use drive::Limits;
-pub use identify::{Estimate, Identification, Identified, IdentifyFault, Observed, identify};
+pub use identify::{
+    Column, Doubt, Estimate, Identification, Identified, IdentifyFault, Misread, Observed, Open, Stated, identify,
+};
 pub use parameters::{MeasuredLoad, Model, NoSuchParameter, Parameter, Parameters};
 pub use plant::Energies;
 pub use scenario::{Event, EventKind, Failed, Reaction, Scenario, ScenarioId};

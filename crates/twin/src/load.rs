@@ -81,13 +81,18 @@ impl<'a> LoadModel<'a> {
         let first = extras.first().and_then(|extra| mechanism.plain(extra));
         let replaced = |own: Plain| {
             let added = |of: fn(&Plain) -> f64| first.as_ref().map_or(0.0, |first| of(&own) - of(first));
+            let (weight_nm, angle_rad) = match &first {
+                Some(first) if weight.is_some() || angle.is_some() => laden(&own, first, weight, angle),
+                _ => (own.weight_nm, own.angle_rad),
+            };
             Plain {
                 inertia_kgm2: inertia
                     .map_or(own.inertia_kgm2, |measured| measured - flange_kgm2 + added(|plain| plain.inertia_kgm2)),
                 constant_nm: external.map_or(own.constant_nm, |measured| measured + added(|plain| plain.constant_nm)),
-                weight_nm: weight.unwrap_or(own.weight_nm),
-                angle_rad: angle.unwrap_or(own.angle_rad),
-                coulomb_nm: value(&measured.coulomb).unwrap_or(own.coulomb_nm),
+                weight_nm,
+                angle_rad,
+                coulomb_nm: value(&measured.coulomb)
+                    .map_or(own.coulomb_nm, |measured| measured + added(|plain| plain.coulomb_nm)),
                 viscous_nms: value(&measured.viscous).unwrap_or(own.viscous_nms),
             }
         };
@@ -156,4 +161,16 @@ impl<'a> LoadModel<'a> {
             ..local
         })
     }
+}
+
+/// Weight and angle of a segment: the measured vector of the first segment with what another payload adds to it.
+fn laden(own: &Plain, first: &Plain, weight: Option<f64>, angle: Option<f64>) -> (f64, f64) {
+    let vector = |weight: f64, angle: f64| {
+        let (sine, cosine) = angle.sin_cos();
+        [weight * cosine, weight * sine]
+    };
+    let [x, y] = vector(weight.unwrap_or(first.weight_nm), angle.unwrap_or(first.angle_rad));
+    let [[first_x, first_y], [own_x, own_y]] = [first, own].map(|plain| vector(plain.weight_nm, plain.angle_rad));
+    let (x, y) = (x + own_x - first_x, y + own_y - first_y);
+    (x.hypot(y), y.atan2(x))
 }

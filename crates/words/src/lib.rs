@@ -19,6 +19,7 @@ mod geometry;
 mod glossary_page;
 pub mod help;
 mod hyphens;
+pub mod identification;
 mod keys;
 mod letters;
 mod measured_keys;
@@ -123,6 +124,7 @@ pub const MODULES: &[(&str, &[Text])] = &[
     ("report", report::TEXTS),
     ("requests", requests::TEXTS),
     ("serving", serving::TEXTS),
+    ("identification", identification::TEXTS),
     ("simulation", simulation::TEXTS),
     ("sweeps", sweeps::TEXTS),
     ("tables", tables::TEXTS),

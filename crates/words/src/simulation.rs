@@ -162,21 +162,9 @@ texts! {
     gravity = "gravity torque of the load at its largest lever arm" | "Gewichtsmoment der Last am größten Hebelarm";
     external = "external torque of the load" | "äußeres Moment der Last";
     gravity_angle = "angle of the centre of mass above the horizontal at position 0" | "Winkel des Schwerpunkts über der Waagerechten in Position 0";
-    at_the_limit(count) =
-        "{count} samples have a current at its limit: these samples and their neighbours are not used for the motor parameters."
-        | "Bei {count} Abtastwerten liegt der Strom an der Grenze: sie und ihre Nachbarwerte werden für die Motorparameter nicht verwendet.";
-    motor_not_estimated =
-        "Too few samples below the current limit: torque constant and no-load current are not estimated."
-        | "Zu wenige Abtastwerte unterhalb der Stromgrenze: Drehmomentkonstante und Leerlaufstrom werden nicht geschätzt.";
-    load_not_replaced =
-        "Load, efficiency or stage of this mechanism depend on the position or the direction of power flow: load estimates are averages over the run; only the listed values are offered for the project."
-        | "Last, Wirkungsgrad oder Stufe dieser Mechanik hängen von der Position oder der Leistungsrichtung ab: Schätzwerte der Last sind Mittelwerte über den Lauf; für das Projekt werden nur die aufgeführten Werte angeboten.";
     torque_constant_out = "torque constant at the output" | "Drehmomentkonstante am Abtrieb";
     no_load_starting_current = "no-load starting current" | "lastfreier Anlaufstrom";
     no_load_current_constant = "no-load current constant" | "Leerlaufstromkonstante";
-    one_direction =
-        "Estimated from samples in motion; with motion in one direction only, the Coulomb friction includes every constant torque, and gravity is not estimated."
-        | "Aus Abtastwerten in Bewegung geschätzt; bei Bewegung in nur einer Richtung enthält die Coulomb-Reibung jedes konstante Moment, und das Gewicht wird nicht geschätzt.";
     averaged = "operation over days, with the mean losses of the cycle" | "Betrieb über Tage, aus den mittleren Verlusten des Zyklus";
     averaged_about =
         "Cold start each day: mean losses of a cycle at the temperatures of each minute; within a cycle the winding temperature varies about this mean."

@@ -281,15 +281,21 @@ fn sources(reads: Reads) -> Vec<Parameter> {
     }
 }
 
-/// The parameters: by place the texts, what is required and the code; everything else by name, so that no value is taken for another
-/// argument.
+/// The parameters, in the order of the command line: by place a file without a name, the texts, what is required and the code;
+/// everything else by name, so that no value is taken for another argument.
 fn takes(entry: &Entry) -> Takes {
-    let mut first = sources(entry.reads);
     let mut named = Vec::new();
+    let is_before = |each: &Argument| {
+        let is_bare = each.form == questions::list::Form::Bare;
+        is_bare && each.required && matches!(each.kind, ArgumentKind::File)
+    };
     let is_first =
         |each: &&Argument| each.required || each.name == "code" || each.form != questions::list::Form::Option;
     let (at_place, by_name): (Vec<&Argument>, Vec<&Argument>) = entry.arguments.iter().partition(is_first);
     let (must, may): (Vec<&Argument>, Vec<&Argument>) = at_place.into_iter().partition(|each| each.required);
+    let (before, must): (Vec<&Argument>, Vec<&Argument>) = must.into_iter().partition(|each| is_before(each));
+    let mut first: Vec<Parameter> = before.into_iter().map(|each| of_argument(each, entry.gives)).collect();
+    first.extend(sources(entry.reads));
     first.extend(must.into_iter().chain(may).map(|each| of_argument(each, entry.gives)));
     named.push(Parameter {
         name: "lang".to_owned(),

@@ -1,26 +1,27 @@
 //! `identify TRACE PROJECT`: load, friction and torque constant from a recorded run.
 
+mod reading;
+
 use super::given::{arguments, some_code_among, text};
 use super::{
     AXIS, Answer, Argument, ArgumentKind, Asked, Cost, Entry, Form, Gives, Reads, Record, Unanswered, argument,
 };
-use crate::sizing_use::{Candidate, check_one, known_si};
+use crate::simulate::replaced;
+use crate::sizing_use::{check_one, known_si};
+use actuator::Parameters;
 use answers::Number;
-use mechanism::{Extra, Mechanism, MechanismKind};
+use mechanism::{Extra, Mechanism, MechanismKind, Plain};
 use order_code::OrderCode;
 use project::Project;
 use quantities::unit::{
     AMPERE, AMPERE_SECOND_PER_RADIAN, DEGREE, KILOGRAM_SQUARE_METRE, NEWTON_METRE, NEWTON_METRE_PER_AMPERE,
     NEWTON_METRE_SECOND_PER_RADIAN,
 };
-use quantities::{Language, Measure, Unit, seen};
-use recording::{Bytes, Memory};
+use quantities::{Language, Measure, Unit, format_significant};
 use schemars::JsonSchema;
 use serde::Serialize;
-use std::f64::consts::SQRT_2;
-use std::io::Read as _;
-use twin::{Estimate, Identified, IdentifyFault, Observed, identify};
-use words::{Word, help, help::values, recording_text, simulation};
+use twin::{Doubt, Estimate, Identified, Misread, Observed, Open, Stated, identify};
+use words::{Word, help, help::values, identification, simulation};
 
 arguments! {
     /// Which axis, which actuator, which run.
@@ -44,7 +45,10 @@ pub static ENTRY: Entry = Entry {
     gives: Gives::Record(Record::of::<Identification>("identify")),
     writes: &[],
     example: "run.csv axis.toml --code CHA-25A-50-H-C1024",
-    answer: Some(|asked| Ok(Answer::record(&found(asked)?))),
+    answer: Some(|asked| {
+        let found = found(asked)?;
+        Ok(Answer::record(&found).fits(found.doubts.is_empty()))
+    }),
 };
 
 /// What a recorded run says of load and motor.
@@ -56,12 +60,39 @@ pub struct Identification {
     pub code: String,
     /// Rows of the run.
     pub samples: usize,
-    /// The estimates.
+    /// Estimates that the run separates from each other.
     pub estimates: Vec<Identified95>,
+    /// Parameters without an estimate.
+    pub open: Vec<LeftOpen>,
+    /// Signals that seem to have another unit, sign or side than their columns; while there are any, the estimates are not those of the
+    /// axis, `overrides` is empty, and the exit status is 1.
+    pub doubts: Vec<Doubted>,
     /// Lines of the project file with the measured values of actuator and load.
     pub overrides: String,
-    /// What the estimate rests on, in words.
+    /// Method, assumptions and what is left out, in words.
     pub notes: Vec<String>,
+}
+
+/// A parameter that a run does not determine.
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
+pub struct LeftOpen {
+    /// Identifier.
+    pub id: &'static str,
+    /// In words.
+    pub title: String,
+    /// Reason, in words.
+    pub reason: String,
+}
+
+/// A signal that does not fit its column.
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
+pub struct Doubted {
+    /// Identifier of the convention that the signal seems to have.
+    pub id: &'static str,
+    /// Heading of the column.
+    pub column: &'static str,
+    /// Observation and advice, in words.
+    pub text: String,
 }
 
 /// An estimate with its interval.
@@ -77,16 +108,11 @@ pub struct Identified95 {
     pub half_width: Number,
     /// Its unit.
     pub unit: &'static str,
-    /// What project or table say; `null` where they say nothing.
+    /// Value of project or table; `null` where they have none.
     pub stated: Option<Number>,
+    /// The interval is apart from zero, and narrow enough for a line of the project.
+    pub known: bool,
 }
-
-/// So many bytes of a run are read at most.
-const TRACE_MOST: u64 = 256 << 20;
-
-/// The columns that are read, as `simulate --trace` heads them.
-const COLUMNS: [&str; 7] =
-    ["time_s", "position_rad", "speed_rad_s", "acceleration_rad_s2", "motor_speed_rad_s", "torque_nm", "current_q_a"];
 
 /// The estimates from a run.
 ///
@@ -97,105 +123,96 @@ pub fn found(asked: &Asked<'_>) -> Result<Identification, Unanswered> {
     let language = asked.language;
     let (_, project) = asked.axis(args.axis.as_deref(), Cost::Other)?;
     let candidate = check_one(&project, args.code.as_ref())?;
-    let name = args.trace.unwrap_or_default();
-    let mut bytes = Vec::new();
-    let source = asked.source()?;
-    let read = source.files.open(&name).and_then(|file| file.take(TRACE_MOST + 1).read_to_end(&mut bytes));
-    read.map_err(|_| Unanswered::message(simulation::no_such_trace(&seen(&name), language)))?;
-    if bytes.len() as u64 > TRACE_MOST {
-        return Err(Unanswered::message(simulation::trace_too_large(&seen(&name), &(TRACE_MOST >> 20), language)));
-    }
-    let memory = source.files.grant().memory;
-    let read = if bytes.starts_with(b"PAR1") { of_parquet(bytes, memory, language) } else { of_csv(&bytes, language) };
-    let run = observed(read, language)
-        .map_err(|faults| Unanswered::together(faults.into_iter().map(Unanswered::message).collect()))?;
-    let limit = candidate.parameters.current_max.known().map(|known| SQRT_2 * known.value.si());
-    let twin::Identification { estimates, at_limit } = identify(&run, limit).map_err(|why| {
-        Unanswered::message(match why {
-            IdentifyFault::Uneven | IdentifyFault::TooFew => simulation::trace_too_short(language),
-            IdentifyFault::NotExcited => simulation::trace_not_excited(language),
-        })
-    })?;
-    let rows = estimates.iter().map(|estimate| row(estimate, &project, &candidate, language));
-    let mechanism = &project.axis.mechanism;
-    let taken = |of| is_replaced(of, mechanism);
-    let mut notes = vec![simulation::one_direction(language).to_owned()];
-    if at_limit > 0 {
-        notes.push(simulation::at_the_limit(&at_limit, language));
-    }
-    if estimates.iter().all(|each| each.of != Identified::TorqueConstant) {
-        notes.push(simulation::motor_not_estimated(language).to_owned());
-    }
-    if !taken(Identified::Gravity) {
-        notes.push(simulation::load_not_replaced(language).to_owned());
-    }
+    let run = reading::run(asked, &args.trace.unwrap_or_default())?;
+    let parameters = replaced(&project, twin::Parameters::of(candidate.parameters));
+    let axis = &project.axis;
+    let stated =
+        Stated { parameters: &parameters, mechanism: &axis.mechanism, motion: &axis.motion, extras: &axis.extras };
+    let found = identify(&run.observed, &stated).map_err(|why| Unanswered::message(run.refused(&why, language)))?;
+    let shown = |estimate: &Estimate| row(estimate, &project, &parameters.actuator, found.tabulated_nm_a, language);
+    let overrides = if found.doubts.is_empty() {
+        overrides(&found.estimates, |of| is_replaced(of, &axis.mechanism))
+    } else {
+        String::new()
+    };
     Ok(Identification {
         axis: project.name.clone(),
         code: candidate.id.to_string(),
-        samples: run.time_s.len(),
-        estimates: rows.collect(),
-        overrides: overrides(&estimates, taken),
-        notes,
+        samples: run.observed.time_s.len(),
+        estimates: found.estimates.iter().map(shown).collect(),
+        open: found.open.iter().map(|(of, open)| left_open(*of, *open, language)).collect(),
+        doubts: found.doubts.iter().map(|doubt| doubted(doubt, language)).collect(),
+        overrides,
+        notes: notes(&found, &axis.mechanism, &axis.extras, &run.observed, language),
     })
 }
 
-/// So many faults of a run are reported.
-const FAULTS_MOST: usize = 20;
-
-/// The columns of a run that are there, and what is wrong in them.
-type Read = ([Option<Vec<f64>>; 7], Vec<String>);
-
-/// What `identify` of the twin takes, where every column is there.
-fn observed((columns, mut faults): Read, language: Language) -> Result<Observed, Vec<String>> {
-    let there = COLUMNS.iter().zip(&columns);
-    let lacking: Vec<&str> = there.filter(|(_, column)| column.is_none()).map(|(name, _)| *name).collect();
-    if !lacking.is_empty() {
-        faults.insert(0, simulation::trace_lacks(&lacking.join(", "), language));
+/// Assumptions, what the run leaves out and what the estimates belong to.
+fn notes(
+    found: &twin::Identification,
+    mechanism: &Mechanism,
+    extras: &[Extra],
+    run: &Observed,
+    language: Language,
+) -> Vec<String> {
+    let number = |value: f64, digits| format_significant(value, digits, language);
+    let mut notes = Vec::new();
+    if !found.doubts.is_empty() {
+        notes.push(identification::no_lines(language).to_owned());
     }
-    if !faults.is_empty() {
-        return Err(faults);
+    if found.windows == 0 {
+        return notes;
     }
-    let [time_s, position_rad, speed_rad_s, acceleration_rad_s2, motor_rad_s, torque_nm, current_q_a] =
-        columns.map(Option::unwrap_or_default);
-    Ok(Observed { time_s, position_rad, speed_rad_s, acceleration_rad_s2, motor_rad_s, torque_nm, current_q_a })
+    notes.push(identification::method(&found.windows, &number(found.window_s * 1e3, 3), language));
+    if !found.both_ways {
+        notes.push(identification::one_way(language).to_owned());
+    }
+    if let Some(shift) = found.shift_s {
+        notes.push(identification::of_the_first_move(&number(shift, 4), language));
+    }
+    if let Some(step) = found.position_step_rad {
+        notes.push(identification::position_steps(&number(step.to_degrees(), 3), language));
+    }
+    if let Some([inertia, spread]) = found.rotor {
+        notes.push(identification::assumed_rotor(&number(inertia, 4), &number(spread * 100.0, 2), language));
+        if spread > ROTOR_ALONE
+            && let (Some(first), Some(last)) = (run.time_s.first(), run.time_s.last())
+        {
+            #[allow(clippy::cast_precision_loss, reason = "counts of samples")]
+            let every_ms = (last - first) / (run.time_s.len() as f64 - 1.0).max(1.0) * 1e3;
+            notes.push(identification::in_step(&number(every_ms, 3), language));
+        }
+    }
+    if found.motor_lag_s != 0.0 {
+        notes.push(identification::motor_lags(&number(found.motor_lag_s * 1e3, 2), language));
+    }
+    if found.at_limit > 0 {
+        notes.push(identification::windows_at_the_limit(&found.at_limit, language));
+    }
+    let none = Extra::none();
+    if mechanism.plain(extras.first().unwrap_or(&none)).is_none() {
+        notes.push(identification::friction_of_the_stated_load(language).to_owned());
+    }
+    notes
 }
 
-fn of_parquet(bytes: Vec<u8>, memory: u64, language: Language) -> Read {
-    match recording::read_columns(&Bytes::from(bytes), &COLUMNS, &mut Memory::new(memory)) {
-        Ok(found) => {
-            let mut found = found.into_iter();
-            (COLUMNS.map(|_| found.next().flatten()), Vec::new())
-        }
-        // What is missing besides is not known of a file that cannot be read.
-        Err(faults) => {
-            let faults = faults.iter().map(|fault| recording_text(fault, language)).collect();
-            (COLUMNS.map(|_| Some(Vec::new())), faults)
-        }
-    }
+/// Standard deviation of the rotor's inertia above which the sampling of the current is part of it, as a share.
+const ROTOR_ALONE: f64 = 0.05;
+
+fn left_open(of: Identified, open: Open, language: Language) -> LeftOpen {
+    let (title, _) = title_and_unit(of);
+    LeftOpen { id: of.id(), title: title(language).to_owned(), reason: identification::open_reason(open, language) }
 }
 
-fn of_csv(bytes: &[u8], language: Language) -> Read {
-    let text = String::from_utf8_lossy(bytes);
-    let mut lines = text.lines().filter(|line| !line.starts_with('#'));
-    let heads: Vec<&str> = lines.next().unwrap_or_default().trim_start_matches('\u{feff}').split(',').collect();
-    let places = COLUMNS.map(|column| heads.iter().position(|head| head.trim() == column));
-    let mut faults = Vec::new();
-    let mut columns = places.map(|place| place.map(|_| Vec::new()));
-    for (line, text) in (2_usize..).zip(lines).filter(|(_, text)| !text.trim().is_empty()) {
-        let cells: Vec<&str> = text.split(',').collect();
-        for ((column, place), name) in columns.iter_mut().zip(places).zip(COLUMNS) {
-            let (Some(column), Some(place)) = (column, place) else { continue };
-            let value = cells.get(place).and_then(|cell| cell.trim().parse::<f64>().ok());
-            match value.filter(|value| value.is_finite()) {
-                Some(value) => column.push(value),
-                None if faults.len() < FAULTS_MOST => {
-                    faults.push(simulation::trace_not_a_number(&line, &name, language));
-                }
-                None => {}
-            }
-        }
+/// The doubt with its value in the unit of its sentence.
+fn doubted(doubt: &Doubt, language: Language) -> Doubted {
+    let Doubt { column, misread, value } = *doubt;
+    let shown = if misread == Misread::GravityOpposite { value.to_degrees() } else { value };
+    Doubted {
+        id: misread.id(),
+        column: identification::column_heading(column),
+        text: identification::doubt(column, misread, &format_significant(shown, 3, language), language),
     }
-    (columns, faults)
 }
 
 fn title_and_unit(of: Identified) -> (Word, &'static Unit) {
@@ -212,7 +229,13 @@ fn title_and_unit(of: Identified) -> (Word, &'static Unit) {
     }
 }
 
-fn row(estimate: &Estimate, project: &Project, candidate: &Candidate<'_>, language: Language) -> Identified95 {
+fn row(
+    estimate: &Estimate,
+    project: &Project,
+    actuator: &Parameters,
+    tabulated_nm_a: Option<f64>,
+    language: Language,
+) -> Identified95 {
     let (title, unit) = title_and_unit(estimate.of);
     let number = |si: f64| Number::in_unit(si, unit);
     Identified95 {
@@ -221,13 +244,14 @@ fn row(estimate: &Estimate, project: &Project, candidate: &Candidate<'_>, langua
         value: number(estimate.value),
         half_width: number(estimate.half_width),
         unit: unit.json,
-        stated: stated(estimate.of, project, candidate).map(number),
+        stated: stated(estimate.of, project, actuator, tabulated_nm_a).map(number),
+        known: estimate.is_known(),
     }
 }
 
 /// What project and tables say.
-fn stated(of: Identified, project: &Project, candidate: &Candidate<'_>) -> Option<f64> {
-    let (actuator, mechanism) = (candidate.parameters, &project.axis.mechanism);
+fn stated(of: Identified, project: &Project, actuator: &Parameters, tabulated_nm_a: Option<f64>) -> Option<f64> {
+    let mechanism = &project.axis.mechanism;
     let none = Extra::none();
     let extra = project.axis.extras.first().unwrap_or(&none);
     let plain = mechanism.plain(extra);
@@ -241,12 +265,18 @@ fn stated(of: Identified, project: &Project, candidate: &Candidate<'_>) -> Optio
         Identified::Coulomb => plain.map(|plain| plain.coulomb_nm),
         Identified::Viscous => plain.map(|plain| plain.viscous_nms),
         Identified::Gravity => plain.map(|plain| plain.weight_nm.abs()),
-        Identified::GravityAngle => plain.filter(|plain| plain.weight_nm != 0.0).map(|plain| plain.angle_rad),
+        Identified::GravityAngle => plain.filter(|plain| plain.weight_nm != 0.0).map(|plain| weight_angle(&plain)),
         Identified::External => plain.map(|plain| plain.constant_nm),
-        Identified::TorqueConstant => known_si(&actuator.torque_constant_out),
+        Identified::TorqueConstant => tabulated_nm_a.or_else(|| known_si(&actuator.torque_constant_out)),
         Identified::StartingCurrent => known_si(&actuator.no_load_starting_current),
         Identified::CurrentConstant => known_si(&actuator.no_load_current_constant_cold),
     }
+}
+
+/// Angle of a weight of positive size, within half a turn to both sides \[rad\].
+fn weight_angle(plain: &Plain) -> f64 {
+    let (sine, cosine) = plain.angle_rad.sin_cos();
+    (plain.weight_nm.signum() * sine).atan2(plain.weight_nm.signum() * cosine)
 }
 
 /// Whether a measured value can stand in the place of what the mechanism says.
@@ -278,23 +308,19 @@ const fn key(of: Identified) -> Option<&'static str> {
     })
 }
 
-/// Lines of a project file: of each estimate that is not lost in its own interval.
+/// Lines of a project file: of each estimate that the run knows, none of what it leaves open.
 fn overrides(estimates: &[Estimate], taken: impl Fn(Identified) -> bool) -> String {
-    let mut lines = String::from("[twin.measured]\n");
-    for estimate in estimates.iter().filter(|each| taken(each.of)) {
-        let has_a_sign = matches!(estimate.of, Identified::External | Identified::GravityAngle);
-        let Some(key) = key(estimate.of).filter(|_| has_a_sign || estimate.value > 0.0) else { continue };
+    let known = |of: Identified| estimates.iter().any(|each| each.of == of && each.is_known());
+    let mut lines = String::new();
+    for estimate in estimates.iter().filter(|each| taken(each.of) && each.is_known()) {
+        // An angle without its weight is none.
+        let is_alone = estimate.of == Identified::GravityAngle && !known(Identified::Gravity);
+        let Some(key) = key(estimate.of).filter(|_| !is_alone) else { continue };
         let (_, unit) = title_and_unit(estimate.of);
-        // A weight or a friction within its interval of nothing is nothing, and so is said.
-        let is_lost = estimate.value.abs() <= estimate.half_width && estimate.of != Identified::GravityAngle;
-        let si = if is_lost { 0.0 } else { estimate.value };
-        if is_lost && matches!(estimate.of, Identified::LoadInertia | Identified::TorqueConstant) {
-            continue;
-        }
-        let value = Number::in_unit(si, unit).written().unwrap_or(si);
-        // Five digits, of a small value too; what is a billionth of a unit is nothing.
-        let value = if value.abs() < 1e-9 { 0.0 } else { format!("{value:.4e}").parse().unwrap_or(value) };
+        let value = Number::in_unit(estimate.value, unit).written().unwrap_or(estimate.value);
+        // Five digits, of a small value too.
+        let value: f64 = format!("{value:.4e}").parse().unwrap_or(value);
         lines.push_str(&format!("{key} = \"{value} {}\"\n", unit.ascii));
     }
-    lines
+    if lines.is_empty() { lines } else { format!("[twin.measured]\n{lines}") }
 }

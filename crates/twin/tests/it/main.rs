@@ -4,6 +4,8 @@
 
 mod averaged;
 mod course;
+mod coverage;
+mod foreign;
 mod identify;
 mod linear;
 mod link;

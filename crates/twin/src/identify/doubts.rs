@@ -1,0 +1,233 @@
+//! Signals of another unit, sign or side than the columns have: what two signals, or an estimate and the tables, disagree by.
+
+use super::motor::Tabulated;
+use super::moves::Followed;
+use super::windows::{Strokes, Windows};
+use super::{Identification, Identified, Observed, Stated};
+use mechanism::Extra;
+use quantities::identified;
+use std::f64::consts::{PI, SQRT_2};
+
+identified! {
+    /// Signal of a run.
+    #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+    pub enum Column {
+        /// Position of the load.
+        Position = "position",
+        /// Speed of the load.
+        Speed = "speed",
+        /// Speed of the motor over i.
+        MotorSpeed = "motor_speed",
+        /// Torque through the gear.
+        Torque = "torque",
+        /// i_q.
+        Current = "current_q",
+    }
+}
+
+identified! {
+    /// Convention that a signal seems to have.
+    #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+    pub enum Misread {
+        /// The opposite sign.
+        Reversed = "reversed",
+        /// Degrees in the place of radians.
+        Degrees = "degrees",
+        /// Revolutions in the place of radians.
+        Turns = "turns",
+        /// Revolutions per minute in the place of radians per second.
+        PerMinute = "per_minute",
+        /// The motor shaft, not divided by i (a torque: not multiplied).
+        MotorShaft = "motor_shaft",
+        /// The motor shaft in revolutions per minute.
+        MotorShaftPerMinute = "motor_shaft_per_minute",
+        /// Milliseconds in the place of seconds.
+        Milliseconds = "milliseconds",
+        /// The rms value in the place of the peak value of a phase.
+        Rms = "rms",
+        /// i_q of a power-invariant transformation, √(3/2) times the peak of a phase.
+        PowerInvariant = "power_invariant",
+        /// √2 times the peak value of a phase.
+        PeakTwice = "peak_twice",
+        /// The weight acts on the other side: the position counts the other way, or from half a turn beside.
+        GravityOpposite = "gravity_opposite",
+        /// Friction that drives.
+        NegativeFriction = "negative_friction",
+        /// None that is known.
+        Other = "other",
+    }
+}
+
+/// Sign of another convention of a signal.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Doubt {
+    /// Signal that does not agree.
+    pub column: Column,
+    /// Convention that it seems to have.
+    pub misread: Misread,
+    /// Value that gives rise to the doubt: a ratio of two signals or of an estimate and its table value, an angle \[rad\], a torque \[Nm\].
+    pub value: f64,
+}
+
+/// Largest deviation of a ratio of two signals that should be one. A choice.
+const AGREE: f64 = 0.1;
+
+/// Largest deviation from a ratio that has a name. A choice.
+const NAMED: f64 = 0.06;
+
+/// Largest deviation of a torque constant from the tables, beyond its interval. A choice: measured joints are within.
+const CONSTANT: f64 = 0.15;
+
+/// Smallest angle between the stated weight and the estimated one that is a doubt \[rad\].
+const OPPOSITE: f64 = 0.75 * PI;
+
+/// A revolution per minute in rad/s, inverted.
+const PER_MINUTE: f64 = 30.0 / PI;
+
+/// Degrees in a radian.
+const DEGREES: f64 = 180.0 / PI;
+
+/// Comparison of the signals with each other.
+#[derive(Clone, Debug)]
+pub(super) struct Signals {
+    pub(super) doubts: Vec<Doubt>,
+}
+
+impl Signals {
+    /// Compares speeds with the position, and the position with the motion that it follows.
+    pub(super) fn of(run: &Observed, strokes: &Strokes, followed: Option<&Followed<'_>>, stated: &Stated<'_>) -> Self {
+        let ratio = Tabulated::of(stated.parameters).map_or(f64::NAN, |tabulated| tabulated.ratio);
+        let mut doubts = Vec::new();
+        if let Some(slope) = followed.map(|followed| followed.slope) {
+            // A run may well make smaller or larger moves; only what has a name is a doubt.
+            let names = [(DEGREES, Misread::Degrees), (0.5 / PI, Misread::Turns), (ratio, Misread::MotorShaft)];
+            let named = nearest(slope, &names);
+            doubts.extend(named.map(|misread| Doubt { column: Column::Position, misread, value: slope }));
+        }
+        let against = |signal: &[f64]| {
+            let [mut product, mut square] = [0.0; 2];
+            for place in strokes.ranges.iter().flat_map(|(range, _)| range.clone()) {
+                if let (Some(own), Some(speed)) = (signal.get(place), strokes.speed.get(place)) {
+                    product += own * speed;
+                    square += speed * speed;
+                }
+            }
+            product / square
+        };
+        let names = [
+            (-1.0, Misread::Reversed),
+            (DEGREES, Misread::Degrees),
+            (PER_MINUTE, Misread::PerMinute),
+            (1e3, Misread::Milliseconds),
+        ];
+        let of_motor = [
+            (ratio, Misread::MotorShaft),
+            (-ratio, Misread::MotorShaft),
+            (ratio * PER_MINUTE, Misread::MotorShaftPerMinute),
+            (-ratio * PER_MINUTE, Misread::MotorShaftPerMinute),
+        ];
+        let speeds = run.speed_rad_s.as_ref().map(|speed| (Column::Speed, against(speed)));
+        let motor = Some((Column::MotorSpeed, against(&run.motor_rad_s)));
+        // A position in degrees differs from every speed.
+        let of_position = |factor: f64| (factor - 1.0 / DEGREES).abs() < NAMED / DEGREES;
+        let all: Vec<(Column, f64)> = speeds.into_iter().chain(motor).collect();
+        if all.iter().any(|(_, value)| of_position(*value)) && doubts.is_empty() {
+            let value = all.first().map_or(0.0, |(_, value)| 1.0 / value);
+            doubts.push(Doubt { column: Column::Position, misread: Misread::Degrees, value });
+        }
+        for (column, value) in all {
+            if (value - 1.0).abs() < AGREE || of_position(value) {
+                continue;
+            }
+            // Speeds in the unit of a motor that turns as fast as a number of degrees: the side is likelier for the motor.
+            let own = nearest(value, &names);
+            let side = if column == Column::MotorSpeed { nearest(value, &of_motor) } else { None };
+            let misread = side.or(own).unwrap_or(Misread::Other);
+            doubts.push(Doubt { column, misread, value });
+        }
+        Self { doubts }
+    }
+}
+
+/// Returns the name of a ratio.
+fn nearest(value: f64, names: &[(f64, Misread)]) -> Option<Misread> {
+    let near = names.iter().filter(|(ratio, _)| (value / ratio - 1.0).abs() < NAMED);
+    let off = |(ratio, _): &(f64, Misread)| (value / ratio - 1.0).abs();
+    near.min_by(|a, b| off(a).total_cmp(&off(b))).map(|(_, misread)| *misread)
+}
+
+/// Compares the estimates with the sign that physics permits and with project and tables.
+pub(super) fn of_estimates(stated: &Stated<'_>, extras: &[Extra], windows: &Windows, found: &mut Identification) {
+    let of = |of| found.estimates.iter().find(|each| each.of == of).copied();
+    let mut doubts = Vec::new();
+    let none = Extra::none();
+    let plain = stated.mechanism.plain(extras.first().unwrap_or(&none));
+    let tabulated = Tabulated::of(stated.parameters);
+    if let Some(inertia) = of(Identified::LoadInertia) {
+        if inertia.value < -inertia.half_width {
+            doubts.push(Doubt { column: Column::Torque, misread: Misread::Reversed, value: inertia.value });
+        } else if let (Some(plain), Some(tabulated)) = (plain, tabulated) {
+            let value = inertia.value / plain.inertia_kgm2;
+            // All angles in degrees agree with each other, and a torque before the gear with the motion.
+            let names = [(1.0 / DEGREES, Misread::Degrees), (1.0 / tabulated.ratio, Misread::MotorShaft)];
+            let column = |misread| if misread == Misread::Degrees { Column::Position } else { Column::Torque };
+            let named = nearest(value, &names);
+            doubts.extend(named.map(|misread| Doubt { column: column(misread), misread, value }));
+        }
+    }
+    // What the torque says is then said of all estimates.
+    let is_reversed = !doubts.is_empty();
+    #[allow(clippy::cast_precision_loss, reason = "counts of windows")]
+    let mean = |part: fn(&super::windows::Window) -> f64| {
+        windows.all.iter().map(part).sum::<f64>() / (windows.all.len() as f64).max(1.0)
+    };
+    // Both parts together at the mean speed: one alone may be negative where friction falls with the speed.
+    let (speed, size) = (mean(|window| window.speed.abs()), mean(|window| window.torque.abs()));
+    let friction = |start, with_speed, least: f64| {
+        let (start, with_speed) = (of(start)?, of(with_speed)?);
+        let (value, half) = (start.value + with_speed.value * speed, start.half_width + with_speed.half_width * speed);
+        (value < -half - least).then_some(value)
+    };
+    if !is_reversed && let Some(value) = friction(Identified::Coulomb, Identified::Viscous, 0.02 * size) {
+        doubts.push(Doubt { column: Column::Torque, misread: Misread::NegativeFriction, value });
+    }
+    if !is_reversed
+        && let (Some(weight), Some(angle), Some(plain)) = (of(Identified::Gravity), of(Identified::GravityAngle), plain)
+        && plain.weight_nm != 0.0
+        && weight.is_known()
+    {
+        let own = if plain.weight_nm < 0.0 { plain.angle_rad + PI } else { plain.angle_rad };
+        let between = (angle.value - own + PI).rem_euclid(2.0 * PI) - PI;
+        if between.abs() - angle.half_width > OPPOSITE {
+            doubts.push(Doubt { column: Column::Position, misread: Misread::GravityOpposite, value: between });
+        }
+    }
+    if let (Some(constant), Some(tabulated)) = (of(Identified::TorqueConstant), tabulated) {
+        let value = constant.value / tabulated.output_nm_a;
+        let half = constant.half_width / tabulated.output_nm_a;
+        let names = [
+            (SQRT_2, Misread::Rms),
+            (1.0 / SQRT_2, Misread::PeakTwice),
+            ((2.0_f64 / 3.0).sqrt(), Misread::PowerInvariant),
+            (1.0 / tabulated.ratio, Misread::MotorShaft),
+        ];
+        if value < 0.0 {
+            // Both signs are wrong together where the torque is reversed.
+            if !is_reversed {
+                doubts.push(Doubt { column: Column::Current, misread: Misread::Reversed, value });
+            }
+        } else if (value - 1.0).abs() - half > CONSTANT {
+            let misread = nearest(value, &names).unwrap_or(Misread::Other);
+            let column = if misread == Misread::MotorShaft { Column::Torque } else { Column::Current };
+            doubts.push(Doubt { column, misread, value });
+        }
+        let least = 0.02 * mean(|window| window.current.abs());
+        if value > 0.0
+            && !is_reversed
+            && let Some(value) = friction(Identified::StartingCurrent, Identified::CurrentConstant, least)
+        {
+            doubts.push(Doubt { column: Column::Current, misread: Misread::NegativeFriction, value });
+        }
+    }
+    found.doubts = doubts;
+}

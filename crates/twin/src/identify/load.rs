@@ -1,0 +1,201 @@
+//! Parameters of the load: linear equations of the windows, less what the segments of the motion add.
+
+use super::regression::{Fit, Row, fit};
+use super::windows::{Window, Windows};
+use super::{Estimate, Identification, Identified, IdentifyFault, Observed, Open};
+use mechanism::{Extra, Mechanism, Output, Plain};
+
+/// Over a smaller swing of the position gravity is estimated only where the project states one \[rad\].
+const SWING: f64 = 0.2;
+
+/// Radius of the circle that holds 95 % of a normal distribution in two dimensions, over the 95 % quantile of one.
+const CIRCLE: f64 = 2.448 / 1.960;
+
+/// Share of an estimate that the trapezoidal rule leaves open where a torque jumps between two samples.
+const QUADRATURE: f64 = 1e-3;
+
+/// Estimates the parameters of the load, in the presence of the payload of the first segment.
+///
+/// # Valid
+/// a load with constant factors by all of its parameters; any other by what differs from the stated one: its friction, of a linear
+/// drive its inertia too
+pub(super) fn estimate<'e>(
+    run: &Observed,
+    windows: &Windows,
+    mechanism: &Mechanism,
+    extra: impl Fn(usize) -> Option<&'e Extra>,
+    extras: &[Extra],
+    found: &mut Identification,
+) -> Result<(), IdentifyFault> {
+    let none = Extra::none();
+    let first = extras.first().unwrap_or(&none);
+    match mechanism.plain(first) {
+        Some(plain) => plainly(windows, mechanism, &plain, extra, found),
+        None => beside(run, windows, mechanism, extra, found),
+    }
+}
+
+fn plainly<'e>(
+    windows: &Windows,
+    mechanism: &Mechanism,
+    first: &Plain,
+    extra: impl Fn(usize) -> Option<&'e Extra>,
+    found: &mut Identification,
+) -> Result<(), IdentifyFault> {
+    let (low, high) = windows.all.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), window| {
+        (low.min(window.position), high.max(window.position))
+    });
+    let hangs = high - low > SWING || first.weight_nm != 0.0;
+    let both_ways = found.both_ways;
+    let row = |window: &Window| {
+        let mut regressors = vec![window.acceleration, window.sign, window.speed];
+        if hangs {
+            regressors.extend([window.cosine, window.sine]);
+        }
+        if both_ways {
+            regressors.push(1.0);
+        }
+        let own = extra(window.samples.start).and_then(|extra| mechanism.plain(extra));
+        let added = own.map_or(0.0, |own| difference(&own, first, window));
+        Row { regressors, value: window.torque - added, stroke: window.stroke }
+    };
+    let rows: Vec<Row> = windows.all.iter().map(row).collect();
+    let [of_acceleration, of_speed] = windows.noise;
+    let mut noise = vec![of_acceleration, 0.0, of_speed];
+    noise.resize(rows.first().map_or(0, |row| row.regressors.len()), 0.0);
+    let fit = fit(&rows, &noise, None).ok_or(IdentifyFault::NotExcited)?;
+    let constant = if hangs { 5 } else { 3 };
+    let mut taken = |of, place: Option<usize>| take(&fit, of, place, both_ways, found);
+    taken(Identified::LoadInertia, Some(0));
+    taken(Identified::Coulomb, both_ways.then_some(1));
+    taken(Identified::Viscous, Some(2));
+    taken(Identified::External, both_ways.then_some(constant));
+    gravity(&fit, hangs, found);
+    if found.estimates.is_empty() { Err(IdentifyFault::NotExcited) } else { Ok(()) }
+}
+
+/// Torque that a segment adds to that of the first in a window \[Nm\].
+fn difference(own: &Plain, first: &Plain, window: &Window) -> f64 {
+    let weight = |plain: &Plain| {
+        let (sine, cosine) = plain.angle_rad.sin_cos();
+        plain.weight_nm * (cosine * window.cosine - sine * window.sine)
+    };
+    (own.inertia_kgm2 - first.inertia_kgm2) * window.acceleration
+        + (own.constant_nm - first.constant_nm)
+        + (weight(own) - weight(first))
+        + (own.coulomb_nm - first.coulomb_nm) * window.sign
+        + (own.viscous_nms - first.viscous_nms) * window.speed
+}
+
+fn take(fit: &Fit, of: Identified, place: Option<usize>, both_ways: bool, found: &mut Identification) {
+    let Some(place) = place else {
+        found.open.push((of, Open::OneDirection));
+        return;
+    };
+    let Some((value, half_width)) = fit.estimate(place) else { return };
+    let estimate = Estimate { of, value, half_width: half_width.max(QUADRATURE * value.abs()) };
+    // In one direction friction and constant torque share what the others leave.
+    if !fit.separates(place) {
+        found.open.push((of, if both_ways { Open::NotSeparated } else { Open::OneDirection }));
+    } else if of == Identified::LoadInertia && half_width >= super::SHARE_MOST * value.abs() {
+        found.open.push((of, Open::Wide));
+    } else {
+        found.estimates.push(estimate);
+    }
+}
+
+/// Weight and angle from the factors of cos q and sin q.
+fn gravity(fit: &Fit, hangs: bool, found: &mut Identification) {
+    if !hangs || !fit.separates(3) || !fit.separates(4) {
+        found.open.extend([(Identified::Gravity, Open::NotSeparated), (Identified::GravityAngle, Open::NotSeparated)]);
+        return;
+    }
+    let (Some(c), Some(s)) = (fit.values.get(3), fit.values.get(4)) else { return };
+    let weight = c.hypot(*s);
+    let factors = |of_c: f64, of_s: f64| fit.quantile * fit.deviation(&[0.0, 0.0, 0.0, of_c, of_s]);
+    let size = weight.max(f64::MIN_POSITIVE);
+    // Along the gradient of the hypotenuse and across it; near zero the interval is the circle about both.
+    let [along, across] = [factors(c / size, s / size), factors(-s / size, c / size)];
+    let is_there = weight > 2.0 * along.max(across);
+    let half = if is_there { along } else { CIRCLE * factors(1.0, 0.0).max(factors(0.0, 1.0)) };
+    let mut push = |of, value: f64, half: f64| {
+        found.estimates.push(Estimate { of, value, half_width: half });
+    };
+    push(Identified::Gravity, weight, half.max(QUADRATURE * weight));
+    if is_there {
+        push(Identified::GravityAngle, (-s).atan2(*c), (across / size).max(QUADRATURE));
+    } else {
+        found.open.push((Identified::GravityAngle, Open::NotSeparated));
+    }
+}
+
+/// Instants of a window at which the stated load is evaluated.
+const WITHIN: u32 = 8;
+
+/// A load whose factors are not constant: friction, of a linear drive inertia too, beside the stated load without friction.
+fn beside<'e>(
+    run: &Observed,
+    windows: &Windows,
+    mechanism: &Mechanism,
+    extra: impl Fn(usize) -> Option<&'e Extra>,
+    found: &mut Identification,
+) -> Result<(), IdentifyFault> {
+    let is_even = mechanism.travel_m_per_rad().is_some();
+    let both_ways = found.both_ways;
+    let row = |window: &Window| {
+        // The flange turns with every load, so that the acceleration is a column of all of them.
+        let regressors = vec![window.sign, window.speed, 1.0, window.acceleration];
+        let own = extra(window.samples.start).map_or(0.0, |extra| without_friction(run, window, mechanism, extra));
+        Row { regressors, value: window.torque - own, stroke: window.stroke }
+    };
+    let rows: Vec<Row> = windows.all.iter().map(row).collect();
+    let noise = [0.0, windows.noise[1], 0.0, windows.noise[0]];
+    let fit = fit(&rows, &noise, None).ok_or(IdentifyFault::NotExcited)?;
+    if is_even {
+        let none = Extra::none();
+        let stated = mechanism.inertia(0.0, extra(0).unwrap_or(&none));
+        let of = Identified::LoadInertia;
+        let stated = quantities::Measure::si(stated);
+        match fit.estimate(3) {
+            Some((value, half)) if fit.separates(3) && half < super::SHARE_MOST * (stated + value).abs() => {
+                let half_width = half.max(QUADRATURE * stated);
+                found.estimates.push(Estimate { of, value: stated + value, half_width });
+            }
+            _ => found.open.push((of, Open::Wide)),
+        }
+    } else {
+        found.open.push((Identified::LoadInertia, Open::NotConstant));
+    }
+    take(&fit, Identified::Coulomb, both_ways.then_some(0), both_ways, found);
+    take(&fit, Identified::Viscous, Some(1), both_ways, found);
+    let others = [Identified::External, Identified::Gravity, Identified::GravityAngle];
+    found.open.extend(others.map(|of| (of, Open::NotConstant)));
+    Ok(())
+}
+
+/// Mean torque of the stated load without friction and losses in a window \[Nm\].
+fn without_friction(run: &Observed, window: &Window, mechanism: &Mechanism, extra: &Extra) -> f64 {
+    let loading = mechanism.loading(extra);
+    let length = window.samples.len() - 1;
+    let [mut sum, mut all] = [0.0; 2];
+    let at = |place: usize| Some((*run.time_s.get(place)?, *run.position_rad.get(place)?));
+    let Some((begin, end)) = at(window.samples.start).zip(at(window.samples.start + length)) else { return 0.0 };
+    let middle = 0.5 * (begin.0 + end.0);
+    for k in 1..WITHIN {
+        let x = f64::from(k) / f64::from(WITHIN);
+        let weight = (std::f64::consts::PI * x).sin().powi(4);
+        let Some((time, position_rad)) = at(window.samples.start + length * k as usize / WITHIN as usize) else {
+            continue;
+        };
+        let speed_rad_s = window.speed + window.acceleration * (time - middle);
+        let state = |speed_rad_s: f64, acceleration_rad_s2: f64| {
+            let output = Output { position_rad, speed_rad_s, acceleration_rad_s2, direction: 0.0 };
+            loading.at(&output).torque_nm
+        };
+        // Viscous friction is odd in the speed, the torque of a changing inertia is even.
+        let own = 0.5 * (state(speed_rad_s, window.acceleration) + state(-speed_rad_s, window.acceleration));
+        sum += weight * own;
+        all += weight;
+    }
+    sum / all
+}

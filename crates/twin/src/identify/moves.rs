@@ -1,0 +1,102 @@
+//! Segments of the motion that a run follows, since payload and process torque belong to a segment.
+
+use super::Observed;
+use crate::setpoint::Course;
+use motion::Motion;
+use quantities::Measure;
+
+/// A motion laid over a run.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Followed<'a> {
+    course: Course<'a>,
+    /// Time of the cycle at the instant 0 of the run \[s\].
+    pub(super) shift_s: f64,
+    /// Position of the run over that of the motion.
+    pub(super) slope: f64,
+    /// Coefficient of correlation of both.
+    correlation: f64,
+    /// Another shift fits as well, and gives other segments.
+    pub(super) ambiguous: bool,
+}
+
+/// Coefficient of correlation from which a run follows a motion. A choice: following errors of a tenth of the swing pass.
+const FOLLOWS: f64 = 0.99;
+
+/// Samples that are compared and shifts that are tried, where segments differ, and where the course alone counts.
+const FINE: (usize, u32) = (600, 500);
+const ROUGH: (usize, u32) = (200, 100);
+
+impl<'a> Followed<'a> {
+    /// Lays a motion over a run: the clock of the run where it fits, else the shift with the largest correlation.
+    ///
+    /// `same` returns `true` for two segments that add the same to the load; `None`: all of them do.
+    pub(super) fn of(motion: &'a Motion, run: &Observed, same: Option<&impl Fn(usize, usize) -> bool>) -> Option<Self> {
+        let count = run.time_s.len();
+        let (samples, shifts) = if same.is_some() { FINE } else { ROUGH };
+        let stride = (count / samples).max(1);
+        let picked: Vec<(f64, f64)> =
+            run.time_s.iter().copied().zip(run.position_rad.iter().copied()).step_by(stride).collect();
+        let (first, last) = (*run.time_s.first()?, *run.time_s.last()?);
+        let period = motion.duration().si();
+        #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "bounded")]
+        let cycles = ((last - first) / period).clamp(0.0, 1e6).ceil() as u32 + 2;
+        let course = Course::of(motion, cycles);
+        let at = |shift_s: f64| {
+            let (slope, correlation) = compared(&picked, &course, shift_s);
+            Self { course, shift_s, slope, correlation, ambiguous: false }
+        };
+        // A run that the twin wrote has the clock of the motion.
+        let own = at(0.0);
+        if (0.0..period).contains(&first) && own.correlation > FOLLOWS {
+            return Some(own);
+        }
+        let step = period / f64::from(shifts);
+        let tried: Vec<Self> = (0..shifts).map(|k| at(f64::from(k) * step - first)).collect();
+        let mut best = *tried.iter().max_by(|a, b| a.correlation.total_cmp(&b.correlation))?;
+        for k in -20..=20 {
+            let near = at((best.shift_s + f64::from(k) / 20.0 * step).max(-first));
+            if near.correlation > best.correlation {
+                best = near;
+            }
+        }
+        let Some(same) = same else { return Some(best) };
+        let differs = |other: &Self| {
+            let pairs = picked.iter().filter(|(time, _)| !same(best.segment(*time), other.segment(*time)));
+            pairs.count() * 50 > picked.len()
+        };
+        let rival = 1.0 - 4.0 * (1.0 - best.correlation).max(5e-4);
+        // Shifts beside the best one fit nearly as well; another maximum is another course.
+        best.ambiguous = tried.iter().enumerate().any(|(place, other)| {
+            let [before, after] = [place + tried.len() - 1, place + 1].map(|near| tried.get(near % tried.len()));
+            let is_highest = [before, after].iter().flatten().all(|near| near.correlation <= other.correlation);
+            let apart = (other.shift_s - best.shift_s).abs() > 2.0 * step;
+            is_highest && apart && other.correlation > rival && differs(other)
+        });
+        Some(best)
+    }
+
+    /// Returns `true` if the run has the course of the motion, in whatever unit.
+    pub(super) fn follows(&self) -> bool {
+        self.correlation > FOLLOWS
+    }
+
+    /// Segment of the motion at an instant of the run.
+    pub(super) fn segment(&self, time_s: f64) -> usize {
+        self.course.at((time_s + self.shift_s).max(0.0)).segment
+    }
+}
+
+/// Slope and coefficient of correlation of a run over a motion.
+fn compared(picked: &[(f64, f64)], course: &Course<'_>, shift_s: f64) -> (f64, f64) {
+    #[allow(clippy::cast_precision_loss, reason = "counts of samples")]
+    let count = picked.len() as f64;
+    let pairs: Vec<[f64; 2]> =
+        picked.iter().map(|(time, q)| [course.at((time + shift_s).max(0.0)).state[0], *q]).collect();
+    let mean = pairs.iter().fold([0.0; 2], |[a, b], [x, y]| [a + x / count, b + y / count]);
+    let [mut xx, mut xy, mut yy] = [0.0; 3];
+    for [x, y] in pairs {
+        let [x, y] = [x - mean[0], y - mean[1]];
+        (xx, xy, yy) = (xx + x * x, xy + x * y, yy + y * y);
+    }
+    if xx > 0.0 && yy > 0.0 { (xy / xx, xy / (xx * yy).sqrt()) } else { (0.0, 0.0) }
+}

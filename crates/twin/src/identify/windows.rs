@@ -1,0 +1,443 @@
+//! The equations of motion over short windows, so that no measured signal is differentiated.
+
+use super::Observed;
+use std::f64::consts::{PI, SQRT_2};
+use std::ops::Range;
+
+/// Means over one window, weighted by a smooth function that is zero at both ends.
+#[derive(Clone, Debug)]
+pub(super) struct Window {
+    /// Samples.
+    pub(super) samples: Range<usize>,
+    /// Stroke that the window belongs to: a stretch of motion in one direction.
+    pub(super) stroke: usize,
+    /// Direction of motion, +1 or −1.
+    pub(super) sign: f64,
+    /// q \[rad\], ω [rad/s], α [rad/s²] of the load, from the position alone.
+    pub(super) position: f64,
+    pub(super) speed: f64,
+    pub(super) acceleration: f64,
+    /// Means of cos q and sin q.
+    pub(super) cosine: f64,
+    pub(super) sine: f64,
+    /// Torque through the gear \[Nm\], and its part that drives the load.
+    pub(super) torque: f64,
+    pub(super) driving: f64,
+    /// Its derivative \[Nm/s\].
+    pub(super) torque_rate: f64,
+    /// i_q/√2 \[A\].
+    pub(super) current: f64,
+    /// Speed of the motor over i [rad/s] and its derivatives [rad/s²], [rad/s³].
+    pub(super) motor_speed: f64,
+    pub(super) motor_acceleration: f64,
+    pub(super) motor_jerk: f64,
+    /// A current of the window is at its limit.
+    pub(super) limited: bool,
+}
+
+/// Windows of a run with what they rest on.
+#[derive(Clone, Debug)]
+pub(super) struct Windows {
+    pub(super) all: Vec<Window>,
+    /// Length of a window \[s\].
+    pub(super) length_s: f64,
+    /// Usual time between two samples \[s\].
+    pub(super) step_s: f64,
+    /// Variance of the noise of α and ω of a window that the noise of the position makes.
+    pub(super) noise: [f64; 2],
+}
+
+/// Why a run has no windows.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) enum NoWindows {
+    /// Too few samples in motion.
+    TooFew,
+    /// Steps of the position \[rad\] that hide the acceleration, and the largest that would do \[rad\].
+    TooCoarse { step_rad: f64, most_rad: f64 },
+}
+
+/// Samples of a window, at least: the trapezoidal rule over the weight function is then good to 10⁻⁴.
+const SAMPLES_LEAST: usize = 24;
+
+/// Windows, at least.
+const WINDOWS_LEAST: usize = 16;
+
+/// Windows per stroke without overlap.
+const PER_STROKE: f64 = 5.0;
+
+/// Below this share of the largest speed friction is not that of motion.
+const MOVING: f64 = 0.05;
+
+/// Above this share of its limit a current counts as limited.
+const LIMITED: f64 = 0.97;
+
+/// Largest share of the noise in the acceleration of a window, as standard deviations.
+const NOISE_MOST: f64 = 0.3;
+
+/// Share of the noise up to which windows are not made longer.
+const NOISE_WANTED: f64 = 0.03;
+
+/// An interval of time longer than this many usual ones is a gap.
+const GAP: f64 = 1.5;
+
+/// Stretches of motion in one direction without a gap, and the samples of the noise of the position.
+#[derive(Clone, Debug)]
+pub(super) struct Strokes {
+    pub(super) ranges: Vec<(Range<usize>, f64)>,
+    /// Usual time between two samples \[s\].
+    pub(super) step_s: f64,
+    /// Standard deviation of the noise of the position \[rad\].
+    pub(super) noise_rad: f64,
+    /// Step of a position that has few digits \[rad\].
+    pub(super) quantum_rad: Option<f64>,
+    /// Mean speed about each sample [rad/s].
+    pub(super) speed: Vec<f64>,
+}
+
+impl Strokes {
+    /// Returns the strokes of a run.
+    ///
+    /// The speed is that between two samples so far apart that the noise of the position is a small part of it.
+    pub(super) fn of(run: &Observed) -> Result<Self, NoWindows> {
+        let (time, position) = (&run.time_s, &run.position_rad);
+        let mut steps: Vec<f64> = differences(time).collect();
+        let middle = steps.len() / 2;
+        let step_s = *steps.select_nth_unstable_by(middle, f64::total_cmp).1;
+        let broken = |k: usize| {
+            let after = |column: &[f64]| column.get(k..k + 2).and_then(|pair| differences(pair).next());
+            after(time).is_none_or(|step| step > GAP * step_s) || after(position).is_none_or(|way| way.abs() > PI)
+        };
+        let noise_rad = noise_of(position);
+        let quantum_rad = quantum_of(position);
+        let apart = 4.0 * noise_rad + quantum_rad.unwrap_or(0.0);
+        let mut half = 2_usize;
+        let mut speed = Vec::new();
+        // The largest speed and the distance that measures it well depend on each other.
+        for _ in 0..3 {
+            speed = block_speeds(time, position, half);
+            let largest = largest(&speed);
+            if largest == 0.0 {
+                return Err(NoWindows::TooFew);
+            }
+            let needed = apart / (MOVING * largest * step_s);
+            #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "bounded")]
+            let next = needed.ceil().clamp(2.0, 1e6) as usize;
+            if next <= half {
+                break;
+            }
+            half = next;
+        }
+        if 8 * half > time.len() {
+            // Nowhere is the speed known beside the steps of the position.
+            let step_rad = quantum_rad.unwrap_or(noise_rad);
+            #[allow(clippy::cast_precision_loss, reason = "counts of samples")]
+            let share = time.len() as f64 / (8 * half) as f64;
+            return Err(NoWindows::TooCoarse { step_rad, most_rad: step_rad * share });
+        }
+        let least = MOVING * largest(&speed);
+        let mut ranges: Vec<(Range<usize>, f64)> = Vec::new();
+        let mut from = None;
+        for k in 0..=speed.len() {
+            let now = speed.get(k).filter(|speed| speed.abs() > least).map(|speed| speed.signum());
+            let goes_on = from.is_some_and(|(_, sign)| now == Some(sign)) && k > 0 && !broken(k - 1);
+            if goes_on {
+                continue;
+            }
+            if let Some((first, sign)) = from {
+                // Neighbours must move too: about a reversal friction is not that of motion.
+                let (first, end): (usize, usize) = (first + half, k.saturating_sub(half));
+                if end > first {
+                    ranges.push((first..end, sign));
+                }
+            }
+            from = now.map(|sign| (k, sign));
+        }
+        Ok(Self { ranges, step_s, noise_rad, quantum_rad, speed })
+    }
+
+    /// Returns `true` if the run moves in both directions.
+    pub(super) fn both_ways(&self) -> bool {
+        [1.0, -1.0].iter().all(|sign| self.ranges.iter().any(|(_, own)| own == sign))
+    }
+}
+
+/// Differences of neighbours.
+fn differences(column: &[f64]) -> impl Iterator<Item = f64> {
+    column.windows(2).filter_map(|pair| if let [a, b] = pair { Some(b - a) } else { None })
+}
+
+/// (q_{k+h} − q_{k−h})/(t_{k+h} − t_{k−h})
+fn block_speeds(time: &[f64], position: &[f64], half: usize) -> Vec<f64> {
+    let last = time.len().saturating_sub(1);
+    let speed = |k: usize| {
+        let (a, b) = (k.saturating_sub(half), (k + half).min(last));
+        let way = position.get(b)? - position.get(a)?;
+        let span = time.get(b)? - time.get(a)?;
+        Some(way / span)
+    };
+    (0..time.len()).map(|k| speed(k).filter(|speed| speed.is_finite()).unwrap_or(0.0)).collect()
+}
+
+fn largest(speeds: &[f64]) -> f64 {
+    speeds.iter().fold(0.0, |most, speed| most.max(speed.abs()))
+}
+
+/// Standard deviation of the noise of a position \[rad\].
+///
+/// σ² = mean (Δ⁴q)²/70
+///
+/// # Valid
+/// a motion without noise has fourth differences that are small beside the noise; the median of their sizes is taken, so that
+/// some impacts do not count
+fn noise_of(position: &[f64]) -> f64 {
+    let mut sizes: Vec<f64> = position
+        .windows(5)
+        .filter_map(|w| if let [a, b, c, d, e] = w { Some((a - 4.0 * b + 6.0 * c - 4.0 * d + e).abs()) } else { None })
+        .filter(|size| *size > 0.0)
+        .collect();
+    if sizes.is_empty() {
+        return 0.0;
+    }
+    let middle = sizes.len() / 2;
+    // The median of |x| of a normal x is 0.6745 σ.
+    *sizes.select_nth_unstable_by(middle, f64::total_cmp).1 / 0.6745 / 70.0_f64.sqrt()
+}
+
+/// Step of a position that has few digits \[rad\]: every difference is a multiple of it.
+fn quantum_of(position: &[f64]) -> Option<f64> {
+    let sizes = || differences(position).map(f64::abs).filter(|size| *size > 1e-13);
+    let least = sizes().fold(f64::INFINITY, f64::min);
+    let (mut count, mut most) = (0_usize, 0.0_f64);
+    for difference in sizes() {
+        let steps = difference / least;
+        most = most.max(steps);
+        // Beyond some thousand steps rounding hides whether a difference is a multiple.
+        if steps > 5e3 || (steps - steps.round()).abs() > 0.1 {
+            return None;
+        }
+        count += 1;
+    }
+    (count > 20).then_some(least).filter(|_| most >= 1.0)
+}
+
+impl Windows {
+    /// Returns the windows of the strokes of a run.
+    ///
+    /// ∫ w α dt = ∫ w″ q dt, ∫ w ω dt = −∫ w′ q dt, w = sin⁴(π x), x = 0…1 over a window
+    ///
+    /// # Source
+    /// Shinbrot, On the analysis of linear and nonlinear dynamical systems, Trans. ASME 79 (1957): modulating functions
+    /// # Valid
+    /// windows overlap by half; the weights of neighbours then correlate by 0.086 and the sum over all is nearly constant.
+    /// A straight line through the ends is taken out of q first, which changes no integral and keeps large angles exact.
+    /// The windows are the shortest, up to a fifth of a stroke, in which the noise of the position is small.
+    pub(super) fn of(
+        run: &Observed,
+        strokes: &Strokes,
+        current_limit_a: Option<f64>,
+        is_even: impl Fn(usize, usize) -> bool,
+    ) -> Result<Self, NoWindows> {
+        let mut lengths: Vec<usize> = strokes.ranges.iter().map(|(range, _)| range.len()).collect();
+        if lengths.is_empty() {
+            return Err(NoWindows::TooFew);
+        }
+        lengths.sort_unstable();
+        #[allow(
+            clippy::cast_precision_loss,
+            clippy::cast_possible_truncation,
+            clippy::cast_sign_loss,
+            reason = "counts of samples"
+        )]
+        let fifth = (lengths.get(lengths.len() / 2).copied().unwrap_or(0) as f64 / PER_STROKE) as usize;
+        let longest = fifth.max(SAMPLES_LEAST);
+        // In long strokes of slow motion a fifth may hide the ramps.
+        let largest = largest(&strokes.speed);
+        let ramps = largest / strokes.ramp(run);
+        #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "bounded")]
+        let short = (ramps / strokes.step_s).clamp(1.0, 1e7) as usize;
+        let mut length = longest.min(short).max(SAMPLES_LEAST);
+        let made = |length: usize| Self::of_length(run, strokes, current_limit_a, length, &is_even);
+        let mut found = made(length);
+        // The noise falls with the length to the power of 2.5, while the acceleration hardly changes.
+        let grown = (found.noise_share() / NOISE_WANTED).powf(0.4);
+        if grown > 1.0 && length < longest && found.all.len() >= WINDOWS_LEAST {
+            #[allow(
+                clippy::cast_precision_loss,
+                clippy::cast_possible_truncation,
+                clippy::cast_sign_loss,
+                reason = "counts of samples"
+            )]
+            let wanted = (length as f64 * grown).ceil().min(longest as f64) as usize;
+            length = wanted.max(length);
+            found = made(length);
+        }
+        while found.all.len() < WINDOWS_LEAST && length > SAMPLES_LEAST {
+            length = (length * 3 / 4).max(SAMPLES_LEAST);
+            found = made(length);
+        }
+        found.judged(strokes)
+    }
+
+    fn judged(self, strokes: &Strokes) -> Result<Self, NoWindows> {
+        if self.all.len() < WINDOWS_LEAST {
+            return Err(NoWindows::TooFew);
+        }
+        let share = self.noise_share();
+        if share > NOISE_MOST {
+            let step_rad = strokes.quantum_rad.unwrap_or(strokes.noise_rad);
+            return Err(NoWindows::TooCoarse { step_rad, most_rad: step_rad * NOISE_MOST / share });
+        }
+        Ok(self)
+    }
+
+    /// Returns the standard deviation of the noise of α over the rms value of α.
+    fn noise_share(&self) -> f64 {
+        let square: f64 = self.all.iter().map(|window| window.acceleration * window.acceleration).sum();
+        #[allow(clippy::cast_precision_loss, reason = "counts of windows")]
+        let mean = square / (self.all.len() as f64).max(1.0);
+        let noise = self.noise[0];
+        if noise > 0.0 { (noise / (mean - noise).max(f64::MIN_POSITIVE)).sqrt() } else { 0.0 }
+    }
+
+    fn of_length(
+        run: &Observed,
+        strokes: &Strokes,
+        current_limit_a: Option<f64>,
+        length: usize,
+        is_even: &impl Fn(usize, usize) -> bool,
+    ) -> Self {
+        let mut all = Vec::new();
+        for (stroke, (range, sign)) in strokes.ranges.iter().enumerate() {
+            let count = range.len().saturating_sub(1);
+            if count < length {
+                continue;
+            }
+            // Windows lie evenly in the stroke, half a length apart or a little less.
+            let gaps = (2 * (count - length)).div_ceil(length);
+            for place in 0..=gaps {
+                let first = range.start + (count - length) * place / gaps.max(1);
+                if is_even(first, first + length) {
+                    all.extend(window(run, first..first + length + 1, (stroke, *sign), current_limit_a));
+                }
+            }
+        }
+        #[allow(clippy::cast_precision_loss, reason = "counts of samples")]
+        let (count, length_s) = (length as f64, length as f64 * strokes.step_s);
+        // ∫ w″² dt = 4 π⁴/L³, ∫ w′² dt = 5 π²/(8 L), ∫ w dt = 3 L/8, a sample each L/n.
+        let quantised = strokes.quantum_rad.map_or(0.0, |step| step / 12.0_f64.sqrt());
+        let variance = strokes.noise_rad.max(quantised).powi(2);
+        let noise = [4.0 * PI.powi(4) / length_s.powi(4), 5.0 * PI.powi(2) / 8.0 / length_s.powi(2)]
+            .map(|square| variance * square / count * 64.0 / 9.0);
+        Self { all, length_s, step_s: strokes.step_s, noise }
+    }
+}
+
+impl Strokes {
+    /// Acceleration that a tenth of the samples in motion exceed [rad/s²], from differences of the speed over a tenth of a stroke.
+    fn ramp(&self, run: &Observed) -> f64 {
+        let mut all = Vec::new();
+        for (range, _) in &self.ranges {
+            let half = (range.len() / 20).max(2);
+            for k in range.clone().step_by(half) {
+                let (a, b) = (k.saturating_sub(half).max(range.start), (k + half).min(range.end.saturating_sub(1)));
+                if let (Some(va), Some(vb), Some(ta), Some(tb)) =
+                    (self.speed.get(a), self.speed.get(b), run.time_s.get(a), run.time_s.get(b))
+                    && tb > ta
+                {
+                    all.push(((vb - va) / (tb - ta)).abs());
+                }
+            }
+        }
+        if all.is_empty() {
+            return f64::MIN_POSITIVE;
+        }
+        let place = all.len() * 9 / 10;
+        all.select_nth_unstable_by(place, f64::total_cmp).1.max(f64::MIN_POSITIVE)
+    }
+}
+
+/// Samples over which the sign of a torque is taken: half of them to each side.
+const SIGN_HALF: usize = 4;
+
+fn window(
+    run: &Observed,
+    samples: Range<usize>,
+    (stroke, sign): (usize, f64),
+    current_limit_a: Option<f64>,
+) -> Option<Window> {
+    let time = run.time_s.get(samples.clone())?;
+    let position = run.position_rad.get(samples.clone())?;
+    let motor = run.motor_rad_s.get(samples.clone())?;
+    let torque = run.torque_nm.get(samples.clone())?;
+    let current = run.current_q_a.get(samples.clone())?;
+    let (t0, t1) = (*time.first()?, *time.last()?);
+    let (q0, q1) = (*position.first()?, *position.last()?);
+    let length = t1 - t0;
+    let slope = (q1 - q0) / length;
+    #[allow(clippy::cast_precision_loss, reason = "counts of samples")]
+    let motor_mean = motor.iter().sum::<f64>() / motor.len() as f64;
+    let mut sums = [0.0_f64; 10];
+    for (k, t) in time.iter().enumerate() {
+        let before = time.get(k.saturating_sub(1)).unwrap_or(t);
+        let after = time.get(k + 1).unwrap_or(t);
+        let step = 0.5 * (after - before);
+        let x = (t - t0) / length;
+        let (sine, cosine) = (PI * x).sin_cos();
+        let [s2, c2] = [sine * sine, cosine * cosine];
+        let weight = s2 * s2 * step;
+        let first = 4.0 * s2 * sine * cosine * (PI / length) * step;
+        let second = (12.0 * s2 * c2 - 4.0 * s2 * s2) * (PI / length).powi(2) * step;
+        let q = *position.get(k)?;
+        let bent = q - q0 - slope * (t - t0);
+        let (sin_q, cos_q) = q.sin_cos();
+        let near = torque.get(k.saturating_sub(SIGN_HALF)..(k + SIGN_HALF + 1).min(torque.len()))?;
+        let drives = near.iter().sum::<f64>() * sign > 0.0;
+        let (own, motor) = (*torque.get(k)?, *motor.get(k)?);
+        let terms = [
+            weight,
+            weight * q,
+            -first * bent,
+            second * bent,
+            weight * cos_q,
+            weight * sin_q,
+            weight * own,
+            if drives { weight * own } else { 0.0 },
+            weight * current.get(k)? / SQRT_2,
+            weight * motor,
+        ];
+        sums.iter_mut().zip(terms).for_each(|(sum, term)| *sum += term);
+    }
+    let [mut motor_acceleration, mut motor_jerk, mut torque_rate] = [0.0; 3];
+    for (k, t) in time.iter().enumerate() {
+        let before = time.get(k.saturating_sub(1)).unwrap_or(t);
+        let after = time.get(k + 1).unwrap_or(t);
+        let (sine, cosine) = (PI * (t - t0) / length).sin_cos();
+        let step = 0.5 * (after - before);
+        let own = motor.get(k)? - motor_mean;
+        let first = 4.0 * sine.powi(3) * cosine * (PI / length) * step;
+        motor_acceleration -= first * own;
+        torque_rate -= first * torque.get(k)?;
+        let second = 12.0 * sine * sine * cosine * cosine - 4.0 * sine.powi(4);
+        motor_jerk += second * (PI / length).powi(2) * step * own;
+    }
+    let [all, q, bent, acceleration, cosine, sine, mean_torque, driving, mean_current, motor_speed] = sums;
+    let limited = current_limit_a.is_some_and(|limit| current.iter().any(|i| i.abs() > LIMITED * limit));
+    Some(Window {
+        samples,
+        stroke,
+        sign,
+        position: q / all,
+        speed: slope + bent / all,
+        acceleration: acceleration / all,
+        cosine: cosine / all,
+        sine: sine / all,
+        torque: mean_torque / all,
+        torque_rate: torque_rate / all,
+        driving: driving / all,
+        current: mean_current / all,
+        motor_speed: motor_speed / all,
+        motor_acceleration: motor_acceleration / all,
+        motor_jerk: motor_jerk / all,
+        limited,
+    })
+}

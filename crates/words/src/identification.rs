@@ -1,0 +1,181 @@
+//! Words about the identification of an axis from a recorded run.
+
+use crate::pick;
+use crate::texts::texts;
+use quantities::Language;
+use twin::{Column, Misread, Open};
+
+texts! {
+    open = "not determined" | "nicht bestimmt";
+    doubts = "signals that contradict their columns" | "Signale im Widerspruch zu ihren Spalten";
+    no_lines =
+        "No lines for the project: the estimates are not valid until the signals are corrected."
+        | "Keine Zeilen für das Projekt: Die Schätzwerte gelten erst, wenn die Signale korrigiert sind.";
+    method(windows, length) =
+        "Estimated from {windows} windows of {length} ms in motion; position and motor speed are weighted and integrated, not differentiated."
+        | "Geschätzt aus {windows} Fenstern von {length} ms in Bewegung; Position und Motordrehzahl werden gewichtet und integriert, nicht differenziert.";
+    assumed_rotor(inertia, spread) =
+        "Assumed: rotor and wave generator have {inertia} kgm² at the output (table, less the share of the flange), standard deviation {spread} %."
+        | "Angenommen: Rotor und Wellengenerator haben {inertia} kgm² am Abtrieb (Tabelle abzüglich des Flanschanteils), Standardabweichung {spread} %.";
+    in_step(every) =
+        "The current, one value each {every} ms, may be sampled in step with the control and then misses up to 10 % of the rotor's acceleration; a row spacing below 0.2 ms narrows the interval of the torque constant."
+        | "Der Strom, ein Wert je {every} ms, kann im Takt der Regelung abgetastet sein; dann fehlen bis zu 10 % der Rotorbeschleunigung. Ein Zeilenabstand unter 0,2 ms verkleinert das Intervall der Drehmomentkonstante.";
+    of_the_first_move(shift) =
+        "Payloads and process torques of the moves count as the project states them; the estimates are those of the first move. The run begins {shift} s after the beginning of the cycle."
+        | "Nutzlasten und Prozessmomente der Bewegungen zählen, wie das Projekt sie angibt; die Schätzwerte gelten für die erste Bewegung. Der Lauf beginnt {shift} s nach dem Anfang des Zyklus.";
+    position_steps(step) =
+        "The position has steps of {step}°; the estimates are corrected for this noise, the intervals include it."
+        | "Die Position hat Stufen von {step}°; die Schätzwerte sind um dieses Rauschen korrigiert, die Intervalle enthalten es.";
+    motor_lags(lag) =
+        "The speed of the motor lags the position by {lag} ms, as the difference of two rows or a filter does; the estimates take this into account."
+        | "Die Motordrehzahl eilt der Position um {lag} ms nach, wie die Differenz zweier Zeilen oder ein Filter; die Schätzwerte berücksichtigen das.";
+    one_way =
+        "Motion in one direction only: Coulomb friction and constant torques cannot be separated and are not stated."
+        | "Bewegung in nur einer Richtung: Coulomb-Reibung und konstante Momente sind nicht zu trennen und werden nicht angegeben.";
+    windows_at_the_limit(count) =
+        "In {count} windows the current is at its limit: they are not used for the motor parameters."
+        | "In {count} Fenstern liegt der Strom an der Grenze: sie werden für die Motorparameter nicht verwendet.";
+    friction_of_the_stated_load =
+        "Load, efficiency or stage of this mechanism depend on the position or the direction of power flow: the deviation from the stated load is estimated. The friction includes the losses of transmission and stage."
+        | "Last, Wirkungsgrad oder Stufe dieser Mechanik hängen von der Position oder der Leistungsrichtung ab: Geschätzt wird die Abweichung von der angegebenen Last. Die Reibung enthält die Verluste von Übertragung und Stufe.";
+    time_not_rising(line) =
+        "line {line}: the time does not come after that of the row before"
+        | "Zeile {line}: Die Zeit liegt nicht nach der der vorigen Zeile";
+    out_of_range(line, column, value, most) =
+        "line {line}: {value} in {column} is out of range, at most ±{most}"
+        | "Zeile {line}: {value} in {column} liegt außerhalb des Bereichs, höchstens ±{most}";
+    too_coarse(step, most) =
+        "the position has steps or noise of {step}°, too coarse for the acceleration of this run: at most {most}°, or faster moves"
+        | "die Position hat Stufen oder Rauschen von {step}°, zu grob für die Beschleunigung dieses Laufs: höchstens {most}°, oder schnellere Bewegungen";
+    other_motion =
+        "the moves of the project carry different payloads or process torques, and the run does not follow them: state the moves of the run in [[motion]], each with its own payload"
+        | "die Bewegungen des Projekts haben verschiedene Nutzlasten oder Prozessmomente, und der Lauf folgt ihnen nicht: die Bewegungen des Laufs in [[motion]] angeben, jede mit ihrer Nutzlast";
+    ambiguous_motion =
+        "the moves of the project carry different payloads or process torques, and the run fits them at several instants of the cycle: let the time of the run begin at 0 with the first move"
+        | "die Bewegungen des Projekts haben verschiedene Nutzlasten oder Prozessmomente, und der Lauf stimmt ab mehreren Zeitpunkten des Zyklus mit ihnen überein: die Zeit des Laufs mit der ersten Bewegung bei 0 beginnen lassen";
+}
+
+/// Reason why a parameter has no estimate.
+#[must_use]
+pub fn open_reason(open: Open, language: Language) -> String {
+    let (en, de) = match open {
+        Open::OneDirection => (
+            "motion in both directions required, with gravity torque also a larger stroke",
+            "Bewegung in beiden Richtungen erforderlich, bei einem Gewichtsmoment auch ein größerer Hub",
+        ),
+        Open::NotSeparated => (
+            "not separable from other parts of the torque in this run; larger strokes and different durations help",
+            "in diesem Lauf nicht von anderen Anteilen des Moments zu trennen; größere Hübe und verschiedene Bewegungszeiten helfen",
+        ),
+        Open::Wide => (
+            "the interval exceeds a fifth of the value; more moves, faster moves or less noise help",
+            "das Intervall ist größer als ein Fünftel des Werts; mehr oder schnellere Bewegungen oder weniger Rauschen helfen",
+        ),
+        Open::NotConstant => ("not constant for this mechanism", "bei dieser Mechanik nicht konstant"),
+        Open::AtLimit => (
+            "too few samples with a current below its limit",
+            "zu wenige Abtastwerte mit einem Strom unterhalb der Grenze",
+        ),
+    };
+    pick(language, en, de).to_owned()
+}
+
+/// Heading of the column of a signal.
+#[must_use]
+pub const fn column_heading(column: Column) -> &'static str {
+    match column {
+        Column::Position => "position_rad",
+        Column::Speed => "speed_rad_s",
+        Column::MotorSpeed => "motor_speed_rad_s",
+        Column::Torque => "torque_nm",
+        Column::Current => "current_q_a",
+    }
+}
+
+/// Sign of another convention, with what to do; `value` is printed as it is.
+#[must_use]
+pub fn doubt(column: Column, misread: Misread, value: &str, language: Language) -> String {
+    let (en, de) = match (column, misread) {
+        (Column::Torque, Misread::Reversed) => (
+            "the inertia comes out negative ({value} kgm²): the torque counts against the position; give it the opposite sign",
+            "das Massenträgheitsmoment wird negativ ({value} kgm²): Das Moment zählt gegen die Position; Vorzeichen umkehren",
+        ),
+        (Column::Current, Misread::Reversed) => (
+            "the torque constant comes out negative ({value} times that of the table): the current counts against the torque; give it the opposite sign",
+            "die Drehmomentkonstante wird negativ (das {value}-Fache der Tabelle): Der Strom zählt gegen das Moment; Vorzeichen umkehren",
+        ),
+        (_, Misread::Reversed) => (
+            "{value} times the speed of the position: it counts the other way (the motor turns against the output); give it the opposite sign",
+            "das {value}-Fache der Drehzahl aus der Position: Sie zählt andersherum (der Motor dreht gegen den Abtrieb); Vorzeichen umkehren",
+        ),
+        (Column::Position, Misread::Degrees) => (
+            "degrees, it seems, {value} times the radians of the other signals or of the project: multiply positions and speeds in degrees by π/180",
+            "offenbar Grad, das {value}-Fache der Radiant anderer Signale oder des Projekts: Positionen und Drehzahlen in Grad mit π/180 multiplizieren",
+        ),
+        (_, Misread::Degrees) => (
+            "{value} times the speed of the position: degrees per second, it seems; multiply by π/180",
+            "das {value}-Fache der Drehzahl aus der Position: offenbar Grad je Sekunde; mit π/180 multiplizieren",
+        ),
+        (_, Misread::Turns) => (
+            "{value} times the position of the project's motion: revolutions, it seems; multiply by 2π",
+            "das {value}-Fache der Position in der Bewegung des Projekts: offenbar Umdrehungen; mit 2π multiplizieren",
+        ),
+        (_, Misread::PerMinute) => (
+            "{value} times the speed of the position: revolutions per minute, it seems; multiply by 2π/60",
+            "das {value}-Fache der Drehzahl aus der Position: offenbar Umdrehungen je Minute; mit 2π/60 multiplizieren",
+        ),
+        (Column::Torque, Misread::MotorShaft) => (
+            "{value} times what project or table give: the torque of the motor shaft, it seems; the column is the torque through the gear at the output, i times as large",
+            "das {value}-Fache dessen, was Projekt oder Tabelle ergeben: offenbar das Moment der Motorwelle; die Spalte ist das Moment durch das Getriebe am Abtrieb, i-mal so groß",
+        ),
+        (Column::Position, Misread::MotorShaft) => (
+            "{value} times the position of the project's motion: the angle of the motor shaft, it seems; divide by i",
+            "das {value}-Fache der Position in der Bewegung des Projekts: offenbar der Winkel der Motorwelle; durch i teilen",
+        ),
+        (_, Misread::MotorShaft) => (
+            "{value} times the speed of the position: not divided by i; divide by i, and where it is negative by −i",
+            "das {value}-Fache der Drehzahl aus der Position: nicht durch i geteilt; durch i teilen, bei negativem Wert durch −i",
+        ),
+        (_, Misread::MotorShaftPerMinute) => (
+            "{value} times the speed of the position: revolutions per minute of the motor shaft, it seems; multiply by 2π/60 and divide by i, where it is negative by −i",
+            "das {value}-Fache der Drehzahl aus der Position: offenbar Umdrehungen je Minute der Motorwelle; mit 2π/60 multiplizieren und durch i teilen, bei negativem Wert durch −i",
+        ),
+        (_, Misread::Milliseconds) => (
+            "{value} times the speed of the position: the time is in milliseconds, it seems; divide time_s by 1000",
+            "das {value}-Fache der Drehzahl aus der Position: die Zeit steht offenbar in Millisekunden; time_s durch 1000 teilen",
+        ),
+        (_, Misread::Rms) => (
+            "the torque constant is {value} times that of the table, more than motor and gear can give: rms values, it seems; the column is the peak value of a phase, √2 times as large",
+            "die Drehmomentkonstante ist das {value}-Fache der Tabelle, mehr als Motor und Getriebe geben: offenbar Effektivwerte; die Spalte ist der Scheitelwert eines Strangs, √2-mal so groß",
+        ),
+        (_, Misread::PowerInvariant) => (
+            "the torque constant is {value} times that of the table: i_q of a power-invariant transformation, it seems; multiply by √(2/3)",
+            "die Drehmomentkonstante ist das {value}-Fache der Tabelle: offenbar i_q einer leistungsinvarianten Transformation; mit √(2/3) multiplizieren",
+        ),
+        (_, Misread::PeakTwice) => (
+            "the torque constant is {value} times that of the table: √2 times the peak value of a phase, it seems; divide by √2",
+            "die Drehmomentkonstante ist das {value}-Fache der Tabelle: offenbar das √2-Fache des Scheitelwerts eines Strangs; durch √2 teilen",
+        ),
+        (_, Misread::GravityOpposite) => (
+            "the weight acts {value}° beside that of the project: the position counts the other way or from another zero; or start_angle of the project is wrong",
+            "das Gewicht wirkt {value}° neben dem des Projekts: Die Position zählt andersherum oder von einem anderen Nullpunkt; oder start_angle des Projekts ist falsch",
+        ),
+        (Column::Current, Misread::NegativeFriction) => (
+            "motor and gear have a negative friction ({value} A): an offset, another sign or a delay of the current",
+            "Motor und Getriebe haben eine negative Reibung ({value} A): ein Offset, ein anderes Vorzeichen oder eine Verzögerung des Stroms",
+        ),
+        (_, Misread::NegativeFriction) => (
+            "the load has a negative friction ({value} Nm): another sign or a delay of the torque",
+            "die Last hat eine negative Reibung ({value} Nm): ein anderes Vorzeichen oder eine Verzögerung des Moments",
+        ),
+        (Column::Current, _) => (
+            "the torque constant is {value} times that of the table: another scale of current or torque, or another actuator",
+            "die Drehmomentkonstante ist das {value}-Fache der Tabelle: ein anderer Maßstab von Strom oder Moment, oder ein anderer Antrieb",
+        ),
+        _ => (
+            "{value} times what the position gives: another unit, scale or side",
+            "das {value}-Fache dessen, was die Position ergibt: andere Einheit, anderer Maßstab oder andere Seite",
+        ),
+    };
+    format!("{}: {}", column_heading(column), pick(language, en, de).replace("{value}", value))
+}
