@@ -4,7 +4,7 @@
 
 use project::Project;
 use questions::list::size::sized;
-use questions::{Patience, Sizing};
+use questions::{Patience, Rejected, Sizing};
 use std::path::{Path, PathBuf};
 use std::process::{Command, ExitCode, Stdio};
 use std::time::{Duration, Instant};
@@ -18,7 +18,8 @@ pub fn root() -> PathBuf {
 /// The catalogue as the command ranks it: the ten best judged by every check.
 #[must_use]
 pub fn size(project: &Project) -> Sizing<'_> {
-    sized(project, 10, &Patience::endless()).unwrap_or_else(|refusal| unreachable!("nothing cancels it: {refusal:?}"))
+    sized(project, 10, Rejected::Nearest, &Patience::endless())
+        .unwrap_or_else(|refusal| unreachable!("nothing cancels it: {refusal:?}"))
 }
 
 /// The release binary, built by the same cargo into the target folder that this bench runs from.

@@ -12,7 +12,7 @@ pub struct Head {
     pub code: String,
     /// Whether nothing speaks against it.
     pub verdict: Fit,
-    /// Highest utilisation of all limits.
+    /// Utilisation of the governing check; 1 is the limit.
     pub utilisation: Number,
     /// Id of the check that it belongs to.
     pub tightest: Option<Id<CheckId>>,

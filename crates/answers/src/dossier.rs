@@ -8,8 +8,12 @@ use sizing::CheckId;
 /// An axis with everything there is to tell of it and of the actuator chosen.
 #[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct Dossier {
-    /// The actuator.
+    /// The actuator; its checks stand in the order of their importance.
     pub judgement: Judgement,
+    /// The counts of its checks.
+    pub counts: CheckCounts,
+    /// Whether the motion is a single move, which ends elsewhere than it begins.
+    pub single_move: bool,
     /// The catalogue ranked, with every candidate.
     pub sizing: Sizing,
     /// Why the others are rejected, the most frequent reason first.
@@ -22,7 +26,7 @@ pub struct Dossier {
     pub explained: Vec<Explained>,
     /// What the checks lack that could not be made or have no limit.
     pub missing: Vec<Missing>,
-    /// What is ordered.
+    /// What is ordered; empty where the actuator does not fit.
     pub bill_of_material: Vec<Item>,
     /// How it is screwed on.
     pub screws: Vec<ScrewJoint>,
@@ -34,8 +38,25 @@ pub struct Dossier {
     pub fingerprints: Fingerprints,
 }
 
-/// A reason for which actuators are rejected, and whom it rejects. Each stands at its first reason: a requirement that is
-/// not met goes before a check that fails.
+/// How many checks came to which verdict.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, JsonSchema)]
+pub struct CheckCounts {
+    /// Passed.
+    pub passed: usize,
+    /// Advised.
+    pub advised: usize,
+    /// Failed.
+    pub failed: usize,
+    /// Not checked for want of a datum.
+    pub not_checked: usize,
+    /// Shown without a limit of the project.
+    pub without_limit: usize,
+    /// Requirements for which a datum is missing.
+    pub requirements_open: usize,
+}
+
+/// A reason for which actuators are rejected, and whom it rejects: the governing check; where none fails a requirement that is not
+/// met, or a rule of the ordering code.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, JsonSchema)]
 pub struct RejectionGroup {
     /// The reason in words: the requirement, or the title of the check.

@@ -97,21 +97,45 @@ identified! {
     installation::upkeep::Rule as "Rule": &installation::upkeep::Rule::ALL;
 }
 
-/// Whether nothing speaks against an actuator, or against the best of several.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, JsonSchema)]
+/// Verdict on an actuator, or on the best of several; the best first.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum Fit {
-    /// It fits.
+    /// Nothing speaks against it.
     Fits,
-    /// It does not.
+    /// No check fails, but one is beyond its limit within the band of an estimate, with the verdict `advice`.
+    FitsIfEstimate,
+    /// A check fails, or a requirement is not met.
     DoesNotFit,
 }
 
 impl Fit {
-    /// The word for an answer.
+    /// Verdict of a comparison without an estimate.
     #[must_use]
     pub const fn of(fits: bool) -> Self {
         if fits { Self::Fits } else { Self::DoesNotFit }
+    }
+
+    /// Returns `true` unless something speaks against it.
+    #[must_use]
+    pub const fn fits(self) -> bool {
+        !matches!(self, Self::DoesNotFit)
+    }
+
+    /// Verdict on several together: the worst of theirs.
+    #[must_use]
+    pub fn of_all(all: impl IntoIterator<Item = Self>) -> Self {
+        all.into_iter().max().unwrap_or(Self::Fits)
+    }
+}
+
+impl From<sizing::Fit> for Fit {
+    fn from(fit: sizing::Fit) -> Self {
+        match fit {
+            sizing::Fit::Fits => Self::Fits,
+            sizing::Fit::FitsIfEstimate => Self::FitsIfEstimate,
+            sizing::Fit::DoesNotFit => Self::DoesNotFit,
+        }
     }
 }
 

@@ -14,11 +14,12 @@ pub struct Candidate {
     /// Name, of the project's own actuator.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub name: Option<String>,
-    /// Whether nothing speaks against it.
+    /// The verdict on it.
     pub verdict: Fit,
-    /// Highest utilisation of all limits; 1 is the limit.
+    /// Utilisation of the governing check; 1 is the limit. `null` where it fails at a limit of zero or outside a range.
     pub utilisation: Number,
-    /// Id of the check that it belongs to; `null` if no check has a limit.
+    /// Id of the governing check: the failing one that is exceeded most; where none fails, the one with the highest utilisation.
+    /// `null` if no check has a limit.
     pub tightest: Option<Id<CheckId>>,
     /// Mass in kg, the larger one where the print is in doubt.
     pub mass_kg: Option<Number>,
@@ -61,9 +62,10 @@ pub struct Judgement {
     pub assumptions: Vec<String>,
 }
 
-/// How far one thing may be changed, all others as they are, until the actuator just fits (or would fit); `null` where
-/// nothing within reach fits or everything does. The search walks in steps of 10 %, temperatures in steps of 5 K, and
-/// narrows the last step to 10⁻⁹ of it.
+/// How far one thing may be changed, all others as they are, with the actuator still fitting (or with which it would fit);
+/// `null` where nothing within reach fits or everything does. Each value has four digits and is judged as it stands: with it no
+/// check fails, one step of the last digit further one does. The search walks in steps of 10 %, temperatures in steps of 5 K; a
+/// gap between two regions that fit is passed over where it is narrower.
 #[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct Reserve {
     /// Only limits of the project keep the actuator out, and these values of their keys, rounded to four digits on the side
@@ -79,6 +81,8 @@ pub struct Reserve {
     pub ambient: Option<Number>,
     /// Units of the latter two.
     pub units: Units,
+    /// The fields above with whose value it fits only if an estimate holds, `fits_if_estimate`.
+    pub if_estimate: Vec<&'static str>,
     /// What was not sought because of what it costs; `null` where everything was.
     pub not_sought: Option<NotSought>,
 }
@@ -112,20 +116,27 @@ pub struct NeededLimit {
 pub struct Sizing {
     /// Name of the axis.
     pub axis: String,
-    /// Whether an actuator fits, the project's own included.
+    /// The verdict on the best, the project's own included.
     pub verdict: Fit,
     /// The best ordering code; `null` if none fits.
     pub answer: Option<String>,
     /// How many actuators of the catalogue were judged.
     pub judged: usize,
-    /// How many of them fit.
+    /// How many of them fit within every limit, verdict `fits`.
+    pub fit: usize,
+    /// How many others fit if an estimate holds, verdict `fits_if_estimate`.
+    pub fit_if_estimate: usize,
+    /// The sum of both.
     pub fitting: usize,
     /// What the ranking goes by, in words.
     pub rule: String,
     /// The best that fit, in the requested number.
     pub ranking: Vec<Ranked>,
-    /// Those that do not fit, the nearest first.
+    /// Those that do not fit, by what they miss by.
     pub rejected: Vec<Rejection>,
+    /// Of those that do not fit the one that misses by least, among those that meet every requirement and are of the right class of
+    /// voltage and place; `null` where there is none.
+    pub nearest_miss: Option<String>,
     /// The project's own actuator.
     pub own: Option<Assessed>,
     /// Where nothing fits: values of the gearing with which an actuator would, one change at a time.
@@ -147,12 +158,14 @@ pub struct WouldFit {
     pub key: String,
     /// Whether the project states it; else it would be added.
     pub stated: bool,
-    /// The value nearest to the stated one, rounded towards what fits.
+    /// The value of three digits nearest to the stated one with which an actuator fits.
     pub value: Number,
     /// Its unit; `1` for a ratio.
     pub unit: &'static str,
     /// The best ordering code with it.
     pub code: String,
+    /// The verdict on it.
+    pub verdict: Fit,
 }
 
 /// An actuator that fits, with its place.
@@ -181,7 +194,7 @@ pub struct Assessed {
 pub struct Rejection {
     /// Its ordering code.
     pub code: String,
-    /// Id of the failing check that is exceeded most.
+    /// Id of the governing check: the failing one that is exceeded most; `null` where only objections speak against it.
     pub check: Option<Id<CheckId>>,
     /// Value of that check.
     pub value: Option<Number>,
@@ -189,9 +202,9 @@ pub struct Rejection {
     pub limit: Option<Number>,
     /// Unit of both.
     pub unit: Option<&'static str>,
-    /// Its utilisation; `null` where the limit is zero.
+    /// Its utilisation; `null` where the limit is zero or a range.
     pub utilisation: Option<Number>,
-    /// Ids of all failing checks.
+    /// Ids of all failing checks, in the order of the checks.
     pub failing: Vec<Id<CheckId>>,
     /// Requirements not met and rules broken, in words.
     pub objections: Vec<String>,
@@ -213,9 +226,9 @@ pub struct StageRatio {
     pub ratio: Number,
     /// The best ordering code with it; `null` if none fits.
     pub answer: Option<String>,
-    /// Highest utilisation of the best.
+    /// Utilisation of the governing check of the best, or of the nearest miss.
     pub utilisation: Number,
-    /// How many fit.
+    /// How many fit, if only by an estimate.
     pub fitting: usize,
 }
 

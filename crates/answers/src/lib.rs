@@ -44,8 +44,8 @@ pub use commission::{
 };
 pub use demand::{Demand, DemandFigures, DemandMode, IntegralDemand, MoveTorques};
 pub use dossier::{
-    Document, Dossier, ErratumUsed, Fingerprints, Input, InputTable, Item, Mechanism, Missing, RejectionGroup,
-    ScrewJoint, Sketch, SketchSymbol,
+    CheckCounts, Document, Dossier, ErratumUsed, Fingerprints, Input, InputTable, Item, Mechanism, Missing,
+    RejectionGroup, ScrewJoint, Sketch, SketchSymbol,
 };
 pub use encoder::{
     DecodedWord, Encoder, EncoderAssumption, EncoderCarrier, EncoderCurve, EncoderPin, EncoderShaft, EncoderSignal,

@@ -12,7 +12,7 @@ pub const VERSION: u32 = 1;
 #[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 #[schemars(rename = "Axes_of_{T}")]
 pub struct Axes<T> {
-    /// Whether every axis fits.
+    /// The worst verdict of the axes.
     pub verdict: Fit,
     /// The answer of each axis.
     pub axes: Vec<T>,
@@ -30,12 +30,12 @@ pub enum Answered<T> {
 }
 
 impl<T> Answered<T> {
-    /// The answer of all axes: one alone as it is, several with whether every one fits.
+    /// The answer of all axes: one alone as it is, several with the verdict on all.
     #[must_use]
-    pub fn of(axes: Vec<T>, fits: bool) -> Self {
+    pub fn of(axes: Vec<T>, verdict: Fit) -> Self {
         match <[T; 1]>::try_from(axes) {
             Ok([one]) => Self::One(one),
-            Err(axes) => Self::Several(Axes { verdict: Fit::of(fits), axes }),
+            Err(axes) => Self::Several(Axes { verdict, axes }),
         }
     }
 }

@@ -7,10 +7,10 @@ use project::Project;
 use quantities::{Language, format_significant};
 use questions::list::compare::{Comparison, DatumRow};
 use questions::list::{Asked, Unanswered, compare};
-use questions::texts::{figure_text, percent, unit_text};
+use questions::texts::{figure_text, fit_text, governing_text, percent, unit_text};
 use questions::{Candidate, Check, Verdict, answer};
 use std::fmt::Write as _;
-use words::{check_title, figure_term, symbol_shown, terminal, terms, verdict_word};
+use words::{check_title, figure_term, symbol_shown, terminal, terms, verdict_word, without_limit};
 
 /// So many stand in one table; further ones in the next.
 const BESIDE: usize = 3;
@@ -32,9 +32,10 @@ fn text(found: &Comparison<'_>, project: &Project, language: Language) -> String
         let _ = writeln!(out, "{}", project.name);
     }
     for (index, candidate) in found.candidates.iter().enumerate() {
-        let tightest = candidate.judgement.tightest().map_or_else(String::new, |check| {
-            format!(", {} {} %", check_title(check.id, language), percent(check.utilisation, language))
-        });
+        let tightest = match governing_text(candidate, language) {
+            none if none.is_empty() => none,
+            some => format!(", {some}"),
+        };
         let verdict = verdict(candidate, language);
         let first = if found.better == Some(index) {
             format!("; {}", terminal::first_in_the_ranking(language))
@@ -55,25 +56,27 @@ fn text(found: &Comparison<'_>, project: &Project, language: Language) -> String
     let fail = verdict_word(Verdict::Fail, language);
     let advice = verdict_word(Verdict::Advice, language);
     let open = verdict_word(Verdict::NotChecked, language);
+    let shown = without_limit(language);
     let room = terminal::lowest_utilisation(language);
-    let _ = writeln!(out, "✓ {pass} · ✗ {fail} · ! {advice} · ? {open} · * {room}\n");
+    let _ = writeln!(out, "✓ {pass} · ✗ {fail} · ! {advice} · ? {open} · ○ {shown} · * {room}\n");
     out.push_str(&figures(found, language));
     out
 }
 
 pub(crate) fn verdict(candidate: &Candidate<'_>, language: Language) -> &'static str {
-    if candidate.fits() { terms::fits(language) } else { terms::does_not_fit(language) }
+    fit_text(candidate.fit(), language)
 }
 
 fn letter(index: usize) -> char {
     ('A'..='E').nth(index).unwrap_or('?')
 }
 
-const fn sign(verdict: Verdict) -> char {
-    match verdict {
+fn sign(check: &Check) -> char {
+    match check.verdict {
         Verdict::Pass => '✓',
         Verdict::Fail => '✗',
         Verdict::Advice => '!',
+        Verdict::NotChecked if check.is_without_limit() => '○',
         Verdict::NotChecked => '?',
     }
 }
@@ -95,7 +98,7 @@ fn checks(found: &Comparison<'_>, part: &[usize], language: Language) -> String 
                 Some(check) => {
                     let better = if row.better == Some(*index) { '*' } else { ' ' };
                     cells.push(figure_text(check.value, language));
-                    cells.push(format!("{better}{} {}", percent(check.utilisation, language), sign(check.verdict)));
+                    cells.push(format!("{better}{} {}", percent(check.utilisation, language), sign(check)));
                 }
                 None => cells.extend(["–".to_owned(), "–  ".to_owned()]),
             }

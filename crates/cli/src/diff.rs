@@ -8,10 +8,10 @@ use project::InputChange;
 use quantities::{Language, format_number};
 use questions::list::diff::{CheckChange, Difference, revisions};
 use questions::list::{Asked, Unanswered};
-use questions::texts::{figure_text, percent};
+use questions::texts::{figure_text, percent, verdict_text};
 use questions::{CandidateId, Check, answer};
 use std::fmt::Write as _;
-use words::{check_title, terminal, terms, verdict_word};
+use words::{check_title, terminal, terms};
 
 /// `antrieb diff OLD NEW`
 pub(crate) fn diff(call: &Call<'_>, asked: &Asked<'_>) -> Result<Answer, Unanswered> {
@@ -119,7 +119,7 @@ fn checks(changes: &[CheckChange], language: Language) -> String {
 /// The cells of a check that is not the same.
 fn changed(change: &CheckChange, language: Language) -> [String; 8] {
     let none = || "–".to_owned();
-    let word = |check: &Option<Check>| check.as_ref().map_or_else(none, |check| verdict_word(check.verdict, language));
+    let word = |check: &Option<Check>| check.as_ref().map_or_else(none, |check| verdict_text(check, language));
     let value = |check: &Option<Check>| figure_text(check.as_ref().and_then(|check| check.value), language);
     let share = |check: &Option<Check>| percent(check.as_ref().and_then(|check| check.utilisation), language);
     let (before, after) = (word(&change.before), word(&change.after));

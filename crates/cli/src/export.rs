@@ -8,7 +8,8 @@ use answers::{ExportWritten, TableWritten};
 use quantities::Language;
 use questions::list::{Asked, Unanswered, export};
 use questions::texts::standing_text;
-use questions::{Candidate, answer};
+use questions::{Candidate, Rejected, answer};
+use std::borrow::Cow;
 use std::fmt::Write as _;
 use std::path::Path;
 use tables::{Format, Front, NAMES, SHEET_ROWS_MOST, Subject, Table};
@@ -34,8 +35,8 @@ pub(crate) fn export(call: &Call<'_>, asked: &Asked<'_>) -> Result<Answer, Unans
     let (axis, project) = args.axis(asked)?;
     format.within(&project, table, call.memory())?;
     let top = args.top;
-    let sizing = questions::list::size::sized(&project, top, patience())?;
-    let chosen = questions::candidate_of_tables(&project, args.code.as_ref(), &sizing)?;
+    let sizing = questions::list::size::sized(&project, top, Rejected::All, patience())?;
+    let chosen = questions::candidate_for(&project, args.code.as_ref(), || Ok(Cow::Borrowed(&sizing)))?;
     let text = source.text(language)?;
     let subject = Subject { text, axis, project: &project, sizing: &sizing, chosen: &chosen, top, language };
     let tables: Vec<Table> = match table {

@@ -13,14 +13,14 @@ use questions::list::check::Verification;
 use questions::list::size::Ranking;
 use questions::list::{Asked, Unanswered, check, size};
 use questions::texts::{
-    by_importance, counts_text, demand_figures, figure_text, margin_text, mend_text, objection_text, percent, reason,
-    shown, standing_text, unit_text, verdict_text,
+    by_importance, counts_text, demand_figures, figure_text, fitting_text, margin_text, mend_text, objection_text,
+    percent, reason, rejections, shown, standing_text, unit_text, verdict_text,
 };
-use questions::{Candidate, Check, Demand, Objection, Reserve, Sizing, Verdict};
+use questions::{Candidate, Check, Demand, Fit, Objection, Reserve, Sizing, Verdict};
 use std::fmt::Write as _;
 use words::{
-    check_missing, check_title, grade_word, note_text, ranking_rule, ratios_text, requirement_title, source_text,
-    terminal, terms, verdict_word,
+    check_missing, check_title, grade_word, note_text, ranking_rule, ratios_text, source_text, terminal, terms,
+    verdict_word,
 };
 
 fn paint(text: &str, verdict: Verdict) -> String {
@@ -62,18 +62,20 @@ fn sizing_text(found: &Ranking<'_>, of_nearest: Option<&Reserve>, all: bool, lan
     let Ranking { project, sizing, top, .. } = found;
     let top = *top;
     let mut out = String::new();
-    let total = sizing.candidates.len();
-    let fitting = sizing.candidates.iter().filter(|candidate| candidate.fits()).count();
+    let fitting = sizing.fitting().len();
     let name = if sizing.name.is_empty() { terms::axis(language) } else { sizing.name };
     let _ = match sizing.answer() {
         Some(best) => {
-            let colour = if best.leaves_load_unheld() { Verdict::Fail } else { Verdict::Pass };
+            let colour = match best.fit() {
+                _ if best.leaves_load_unheld() => Verdict::Fail,
+                Fit::FitsIfEstimate => Verdict::Advice,
+                Fit::Fits | Fit::DoesNotFit => Verdict::Pass,
+            };
             writeln!(out, "{name}: {}: {}", best.id, paint(&standing_text(best, language), colour))
         }
         None => writeln!(out, "{name}: {}", paint(terminal::no_actuator_fits(language), Verdict::Fail)),
     };
-    let judged = terminal::judged(fitting, &total, language);
-    let _ = writeln!(out, "{judged}");
+    let _ = writeln!(out, "{}", fitting_text(sizing, language));
     if !found.mends.is_empty() {
         let all: Vec<String> = found.mends.iter().map(|mend| mend_text(mend, language)).collect();
         out.push_str(&labelled(terminal::would_fit_with_other_gearing(language), &all.join("; ")));
@@ -104,8 +106,6 @@ fn sizing_text(found: &Ranking<'_>, of_nearest: Option<&Reserve>, all: bool, lan
     if let Some(best) = sizing.answer() {
         let open: Vec<String> = best
             .not_checked()
-            // A value without a limit is shown by `check`; here stands what could not be answered at all.
-            .filter(|check| check.value.is_none())
             .map(|check| format!("{} ({})", check_title(check.id, language), missing(check, language)))
             .collect();
         let noted = remarks(best, "  ", language);
@@ -137,15 +137,20 @@ fn ranking_table(sizing: &Sizing<'_>, top: usize, language: Language) -> Table {
         ("m kg", Align::Right),
         (terms::remark(language), Align::Left),
     ]);
-    for (index, candidate) in sizing.candidates.iter().filter(|candidate| candidate.fits()).take(top).enumerate() {
+    for (index, candidate) in sizing.fitting().iter().take(top).enumerate() {
         let judgement = &candidate.judgement;
         let mass = candidate.parameters.mass.known();
-        let mut remarks: Vec<String> = judgement
-            .checks
-            .iter()
-            .filter(|check| check.verdict == Verdict::Advice)
-            .map(|check| format!("{}: {}", verdict_text(check, language), check_title(check.id, language)))
-            .collect();
+        let inside = candidate.inside_bands();
+        let mut remarks: Vec<String> = Vec::new();
+        if !inside.is_empty() {
+            let checks: Vec<String> = inside.iter().map(|check| check_title(check.id, language)).collect();
+            remarks.push(format!("{}: {}", terms::fits_if_estimate(language), checks.join(", ")));
+        }
+        let advised = by_importance(&judgement.checks)
+            .into_iter()
+            .filter(|check| check.verdict == Verdict::Advice && !check.is_inside_band())
+            .map(|check| format!("{}: {}", verdict_text(check, language), check_title(check.id, language)));
+        remarks.extend(advised);
         if !candidate.on_request.is_empty() {
             remarks.push(terms::on_request(language).to_owned());
         }
@@ -153,7 +158,7 @@ fn ranking_table(sizing: &Sizing<'_>, top: usize, language: Language) -> Table {
             (index + 1).to_string(),
             candidate.id.to_string(),
             percent(Some(candidate.standing.utilisation), language),
-            judgement.tightest().map(|check| check_title(check.id, language)).unwrap_or_default(),
+            judgement.governing().map(|check| check_title(check.id, language)).unwrap_or_default(),
             judgement.demand.map(|d| shown(d.torque_rms.si(), &NEWTON_METRE, language)).unwrap_or_default(),
             mass.map(|m| format_number(KILOGRAM.from_si(m.value.si()), 1, language)).unwrap_or_default(),
             remarks.join(", "),
@@ -163,7 +168,7 @@ fn ranking_table(sizing: &Sizing<'_>, top: usize, language: Language) -> Table {
 }
 
 fn rejected_text(sizing: &Sizing<'_>, of_nearest: Option<&Reserve>, all: bool, language: Language) -> String {
-    let rejected: Vec<&Candidate<'_>> = sizing.candidates.iter().filter(|candidate| !candidate.fits()).collect();
+    let rejected = sizing.rejected();
     if rejected.is_empty() {
         return String::new();
     }
@@ -178,20 +183,9 @@ fn rejected_text(sizing: &Sizing<'_>, of_nearest: Option<&Reserve>, all: bool, l
         out.push_str(&table.render());
         return out;
     }
-    let mut counts: Vec<(String, usize)> = Vec::new();
-    for candidate in &rejected {
-        let what = match (candidate.worst_failure(), candidate.objections.first()) {
-            (Some(check), _) => check_title(check.id, language),
-            (None, Some(Objection::Unmet(unmet))) => requirement_title(unmet, language),
-            (None, _) => terminal::ordering_rule(language).to_owned(),
-        };
-        match counts.iter_mut().find(|(name, _)| *name == what) {
-            Some((_, count)) => *count += 1,
-            None => counts.push((what, 1)),
-        }
-    }
-    counts.sort_by(|a, b| b.1.cmp(&a.1).then_with(|| a.0.cmp(&b.0)));
-    let parts: Vec<String> = counts.iter().map(|(name, count)| format!("{name}: {count}")).collect();
+    let reasons = rejections(sizing, language);
+    let parts: Vec<String> =
+        reasons.iter().map(|reason| format!("{}: {}", reason.title, reason.candidates.len())).collect();
     let head = terminal::rejected_count(&rejected.len(), language);
     let tail = terminal::all_shows_each(language);
     out.push_str(&labelled(&head, &format!("{} ({tail})", parts.join(", "))));
@@ -203,7 +197,7 @@ fn rejected_text(sizing: &Sizing<'_>, of_nearest: Option<&Reserve>, all: bool, l
         out.push_str(&noted(terminal::nearest_miss(language), nearest));
     }
     // What would have to change: for the nearest, or for one that nothing but limits of the project keep out.
-    let by_limits = rejected.iter().copied().find(|candidate| questions::limits_needed(candidate).is_some());
+    let by_limits = rejected.iter().find(|candidate| questions::limits_needed(candidate).is_some());
     if let Some(limited) = by_limits.filter(|limited| nearest.is_none_or(|nearest| nearest.id != limited.id)) {
         let head = terminal::kept_out_by_limits(language);
         out.push_str(&noted(head, limited));
@@ -283,11 +277,12 @@ fn remarks(candidate: &Candidate<'_>, indent: &str, language: Language) -> Strin
 /// Every check of one actuator.
 fn candidate_text(candidate: &Candidate<'_>, language: Language) -> String {
     let mut out = String::new();
-    let colour = match (candidate.fits(), candidate.open_questions()) {
-        (false, _) => Verdict::Fail,
-        (true, _) if candidate.leaves_load_unheld() => Verdict::Fail,
-        (true, 0) => Verdict::Pass,
-        (true, _) => Verdict::NotChecked,
+    let colour = match (candidate.fit(), candidate.open_questions()) {
+        (Fit::DoesNotFit, _) => Verdict::Fail,
+        _ if candidate.leaves_load_unheld() => Verdict::Fail,
+        (Fit::FitsIfEstimate, _) => Verdict::Advice,
+        (Fit::Fits, 0) => Verdict::Pass,
+        (Fit::Fits, _) => Verdict::NotChecked,
     };
     let standing = standing_text(candidate, language);
     let long = candidate.id.to_string().chars().count() + standing.chars().count() + 2 > width();

@@ -15,8 +15,9 @@ use questions::list::mount::MountAsked;
 use questions::list::upkeep::UpkeepAsked;
 use questions::list::{Asked, Unanswered, report as args};
 use questions::texts::standing_text;
-use questions::{Candidate, CandidateId, Draw, Patience, Refusal, Sizing, answer, chapter};
+use questions::{Candidate, CandidateId, Draw, Patience, Refusal, Rejected, Sizing, answer, chapter};
 use report::{AxisContent, Content, DiagramPlace, Settings};
+use std::borrow::Cow;
 use std::path::Path;
 use words::terminal;
 
@@ -70,7 +71,7 @@ pub(crate) fn write(call: &Call<'_>, asked: &Asked<'_>, out: &Path, as_json: boo
     let bytes = report::pdf(&content, &settings).map_err(|fault| Unanswered::message(fault.message(language)))?;
     desk.save(&[(out, &bytes)])?;
     let file = path_text(out);
-    let fits = of_axes.iter().all(|each| each.verdict == Fit::Fits);
+    let verdict = Fit::of_all(of_axes.iter().map(|each| each.verdict));
     let data = match (as_json, of_axes.as_slice()) {
         (false, [one]) => format!(
             "{file}: {}: {}; {} kB\n",
@@ -89,12 +90,12 @@ pub(crate) fn write(call: &Call<'_>, asked: &Asked<'_>, out: &Path, as_json: boo
                 file,
                 axes: if code.is_some() { Vec::new() } else { of_axes },
                 code,
-                verdict: Fit::of(fits),
+                verdict,
                 bytes: bytes.len(),
             })
         }
     };
-    Ok(Answer::data(data).fits(fits))
+    Ok(Answer::data(data).fits(verdict.fits()))
 }
 
 /// What writes reports and forms over HTTP.
@@ -148,9 +149,8 @@ fn content<'p>(
     patience: &Patience,
     language: Language,
 ) -> Result<(AxisContent, Candidate<'p>), Refusal> {
-    let sizing = questions::list::size::sized(project, usize::MAX, patience)?;
-    let best = || sizing.candidates.first().map(|best| best.id.clone());
-    let candidate = questions::candidate_for(project, code, best)?;
+    let sizing = questions::list::size::sized(project, usize::MAX, Rejected::All, patience)?;
+    let candidate = questions::candidate_for(project, code, || Ok(Cow::Borrowed(&sizing)))?;
     let figures = || drawn_figures(project, &sizing, &candidate, language);
     let content = std::thread::scope(|scope| {
         let drawn = scope.spawn(|| {

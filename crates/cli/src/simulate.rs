@@ -5,7 +5,7 @@ use crate::call::Call;
 use crate::fault::path_text;
 use crate::laid_out::shown;
 use crate::plot;
-use answers::Answered;
+use answers::{Answered, Fit};
 use questions::list::{Asked, Cost, Unanswered, identify, simulate};
 use questions::{answer, chapter};
 use tables::Format;
@@ -51,7 +51,7 @@ pub(crate) fn simulate(call: &Call<'_>, asked: &Asked<'_>) -> Result<Answer, Una
         return Ok(plot::put(&drawing, call, &inputs)?.fits(fits));
     }
     let data = if call.as_json {
-        written(&Answered::of(records, fits))
+        written(&Answered::of(records, Fit::of(fits)))
     } else {
         let text = |record: &answers::Simulation| {
             let text = shown(&chapter::simulation(record, language), language);

@@ -105,6 +105,8 @@ fn a_sweep_over_http_has_the_answers_of_the_command() {
     let answers = answer["answers"].as_array().unwrap();
     assert_eq!(answers.len() + 1, lines.lines().count());
     for (found, line) in answers.iter().zip(lines.lines().skip(1)) {
+        let (line, if_estimate) = line.rsplit_once(',').unwrap();
+        assert_eq!(found["fit_if_estimate"].as_u64(), if_estimate.parse().ok(), "{line}");
         let cells: Vec<&str> = line.splitn(6, ',').collect();
         assert_eq!(found["row"].to_string(), cells[0], "{line}");
         assert_eq!(found["fit"].as_u64(), cells[1].parse().ok(), "{line}");

@@ -38,7 +38,7 @@ fn a_written_table_is_answered_in_both_formats_alike() {
     assert_eq!(first.code, 0, "{}", first.err);
     assert!(first.out.contains("40 rows") && first.err.contains("motion[1].time"), "{} {}", first.out, first.err);
     let answers = std::fs::read_to_string(&csv).unwrap();
-    assert_eq!(answers.lines().next(), Some("row,fit,code,utilisation,tightest,error"));
+    assert_eq!(answers.lines().next(), Some("row,fit,code,utilisation,tightest,error,fit_if_estimate"));
     assert!(answers.lines().skip(1).any(|line| line.contains("CHA-")));
     let second = run(&["sweep", &axis, "--table", &table, "--out", &parquet, "--json"]);
     let record: Value = serde_json::from_str(&second.out).unwrap();
@@ -304,7 +304,8 @@ fn a_row_has_the_digits_of_size_with_the_edited_file() {
             }
             let expected = sized(&put(folder, "axis.toml", &edited), *axis);
             let context = format!("{line}: {expected}");
-            assert_eq!(cells[1].parse::<u64>().ok(), expected["fitting"].as_u64(), "{context}");
+            assert_eq!(cells[1].parse::<u64>().ok(), expected["fit"].as_u64(), "{context}");
+            assert_eq!(cells[6].parse::<u64>().ok(), expected["fit_if_estimate"].as_u64(), "{context}");
             assert_eq!(cells[2], expected["answer"].as_str().unwrap_or_default(), "{context}");
             if cells[2].is_empty() {
                 continue;

@@ -31,7 +31,7 @@ pub use utilisation::utilisation;
 
 use project::Project;
 use quantities::Language;
-use questions::{Candidate, Patience};
+use questions::{Candidate, Patience, Rejected};
 
 /// One figure of a candidate; the map is that of all candidates, this one marked.
 ///
@@ -55,7 +55,8 @@ pub fn draw(
         // A run is drawn by those who have it.
         Figure::Simulation | Figure::ControlLoops => Err(NoFigure::OfARun),
         Figure::CandidateMap => {
-            let sizing = questions::list::size::sized(project, 0, patience).map_err(NoFigure::Refused)?;
+            let sizing =
+                questions::list::size::sized(project, 0, Rejected::All, patience).map_err(NoFigure::Refused)?;
             Ok(candidate_map(&sizing, by, Some(&candidate.id), language))
         }
     }

@@ -5,7 +5,7 @@ use crate::labels::{amount, percent};
 use plot::{Axis, Dash, Markers, Note, Reference, Shape, Tone, XyChart};
 use quantities::unit::{KILOGRAM, MILLIMETRE};
 use quantities::{Language, Measure, Unit};
-use questions::{Candidate, CandidateId, Sizing, Verdict};
+use questions::{Candidate, CandidateId, Fit, Sizing};
 use words::{capitalised, pictures, terms};
 
 /// What the candidates are laid out by.
@@ -104,9 +104,6 @@ pub fn candidate_map(sizing: &Sizing<'_>, by: By, marked: Option<&CandidateId>, 
     let mut chart = XyChart::map(axis, Axis::new("", "%").name(pictures::margin_to_the_tightest_limit(language)))
         .with(Reference::horizontal(0.0).tone(Tone::Continuous).dash(Dash::Solid))
         .nothing(pictures::no_candidate_can_be_shown(&all.len(), &percent(MARGIN_MIN, language), language));
-    let advised = |candidate: &Candidate<'_>| {
-        candidate.fits() && candidate.judgement.checks.iter().any(|check| check.verdict == Verdict::Advice)
-    };
     // What fits is drawn last, upon the others.
     for (name, tone, points) in [
         (pictures::limit_exceeded(language), Tone::Series(1), points(&|candidate| !candidate.judgement_fits())),
@@ -115,8 +112,12 @@ pub fn candidate_map(sizing: &Sizing<'_>, by: By, marked: Option<&CandidateId>, 
             Tone::Muted,
             points(&|candidate| !candidate.fits() && candidate.judgement_fits()),
         ),
-        (terms::fits(language), Tone::Series(2), points(&|candidate| candidate.fits() && !advised(candidate))),
-        (pictures::fits_with_advice(language), Tone::Series(4), points(&advised)),
+        (terms::fits(language), Tone::Series(2), points(&|candidate| candidate.fit() == Fit::Fits)),
+        (
+            terms::fits_if_estimate(language),
+            Tone::Series(4),
+            points(&|candidate| candidate.fit() == Fit::FitsIfEstimate),
+        ),
     ] {
         // A class without a point keeps its marker and has no place in the legend.
         chart = chart.class(if points.is_empty() { "" } else { name }, tone, points);

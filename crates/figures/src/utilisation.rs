@@ -4,25 +4,14 @@ use crate::drawing::{Chart, Drawing, Figure};
 use crate::labels::{amount, listed, percent};
 use plot::{Axis, Bar, BarChart};
 use quantities::Language;
+use questions::texts::{by_importance, counts_text, verdict_text};
 use questions::{Candidate, Check, Direction, Objection, Unmet, Verdict};
-use words::{capitalised, check_missing, check_title, pictures, terms, unmet_text, verdict_count, verdict_word};
+use words::{capitalised, check_missing, check_title, pictures, terms, unmet_text, verdict_word, without_limit};
 
-/// Every check of a candidate: failed ones first, then by utilisation, then those whose utilisation is no margin, then
-/// the checks not made.
+/// Every check of a candidate, in the order in which every answer lists them.
 #[must_use]
 pub fn utilisation(candidate: &Candidate<'_>, language: Language) -> Drawing {
-    let mut checks: Vec<&Check> = candidate.judgement.checks.iter().collect();
-    checks.sort_by(|a, b| {
-        let open = |check: &Check| check.verdict == Verdict::NotChecked;
-        let fails = |check: &Check| check.verdict == Verdict::Fail;
-        let share = |check: &Check| check.utilisation.unwrap_or(0.0);
-        // A utilisation that is no margin is never the tightest.
-        let tells = |check: &Check| check.id.has_margin() || fails(check);
-        (open(a).cmp(&open(b)))
-            .then(fails(b).cmp(&fails(a)))
-            .then(tells(b).cmp(&tells(a)))
-            .then(share(b).total_cmp(&share(a)))
-    });
+    let checks = by_importance(&candidate.judgement.checks);
     let mut chart = BarChart::new(Axis::new("", "%").name(pictures::utilisation_of_the_limit(language)));
     for objection in &candidate.objections {
         chart = chart.bar(objection_bar(candidate, objection, language));
@@ -31,9 +20,12 @@ pub fn utilisation(candidate: &Candidate<'_>, language: Language) -> Drawing {
         chart = chart.bar(bar(check, language));
     }
     for verdict in VERDICTS {
-        if checks.iter().any(|check| check.verdict == verdict) {
+        if checks.iter().any(|check| check.verdict == verdict && !check.is_without_limit()) {
             chart = chart.explain(sign(verdict), verdict_word(verdict, language));
         }
+    }
+    if checks.iter().any(|check| check.is_without_limit()) {
+        chart = chart.explain(plot::Verdict::NoLimit, without_limit(language));
     }
     let rows = checks.len() + candidate.objections.len();
     #[expect(clippy::cast_precision_loss, reason = "a count of rows")]
@@ -56,8 +48,8 @@ pub(crate) const fn sign(verdict: Verdict) -> plot::Verdict {
 }
 
 fn bar(check: &Check, language: Language) -> Bar {
-    let mut bar =
-        Bar::new(capitalised(&check_title(check.id, language)), sign(check.verdict)).data("check", check.id.id());
+    let sign = if check.is_without_limit() { plot::Verdict::NoLimit } else { sign(check.verdict) };
+    let mut bar = Bar::new(capitalised(&check_title(check.id, language)), sign).data("check", check.id.id());
     let numbers = match (check.value, check.limit) {
         (Some(value), Some(limit)) => {
             let value = quantities::format_significant(value.value(), 4, language);
@@ -67,6 +59,9 @@ fn bar(check: &Check, language: Language) -> Bar {
         (Some(value), None) => amount(value.si, value.unit, language),
         _ => String::new(),
     };
+    if check.is_without_limit() {
+        return bar.text(numbers).tooltip(&verdict_text(check, language));
+    }
     if check.verdict == Verdict::NotChecked {
         let missing = check.missing.unwrap_or_default();
         // The datum by its bare name: the tooltip says what it belongs to.
@@ -99,21 +94,12 @@ fn objection_bar(candidate: &Candidate<'_>, objection: &Objection, language: Lan
 }
 
 fn description(candidate: &Candidate<'_>, checks: &[&Check], language: Language) -> String {
-    let count = |verdict: Verdict| checks.iter().filter(|check| check.verdict == verdict).count();
-    let parts: Vec<String> = VERDICTS
-        .into_iter()
-        .filter(|verdict| count(*verdict) > 0)
-        .map(|verdict| verdict_count(verdict, count(verdict), language))
-        .collect();
-    let head = pictures::checks_counted(&checks.len(), &candidate.id, &listed(&parts, language), language);
+    let counts = counts_text(candidate, language);
+    let head = pictures::checks_counted(&checks.len(), &candidate.id, &counts, language);
     let named =
         |check: &&Check| Some(format!("{} {}", check_title(check.id, language), percent(check.utilisation?, language)));
-    let worst: Vec<String> = checks
-        .iter()
-        .filter(|check| check.verdict != Verdict::NotChecked && check.id.has_margin())
-        .filter_map(named)
-        .take(3)
-        .collect();
+    let counts = |check: &&&Check| check.id.has_margin() || check.verdict == Verdict::Fail;
+    let worst: Vec<String> = checks.iter().filter(counts).filter_map(named).take(3).collect();
     if worst.is_empty() {
         return head;
     }

@@ -10,7 +10,7 @@ use quantities::unit::{KILOGRAM, WATT};
 use quantities::{Measure, format_number};
 use questions::list::size::sized;
 use questions::texts::{demand_figures, percent, reason, standing_text};
-use questions::{Candidate, Patience, Refusal, Verdict, power_over_cycle, sum_of_known};
+use questions::{Candidate, Fit, Patience, Refusal, Rejected, Verdict, power_over_cycle, sum_of_known};
 use words::{capitalised, check_title, page, terms};
 
 /// The summary of an axis.
@@ -34,8 +34,8 @@ pub(crate) fn together(state: &State, held: &Held, patience: &Patience) -> Resul
     let l = state.language;
     let mut rows: Vec<(&Project, Option<Row>)> = Vec::new();
     for project in &held.projects {
-        let sizing = sized(project, 0, patience)?;
-        let found = chosen(project, sizing.candidates.first());
+        let sizing = sized(project, 0, Rejected::Nearest, patience)?;
+        let found = chosen(project, sizing.named());
         rows.push((project, found.map(|candidate| row(state, project, &candidate))));
     }
     let figures = rows.iter().find_map(|(_, row)| row.as_ref()).map(|row| row.figures.as_slice()).unwrap_or_default();
@@ -90,12 +90,13 @@ pub(crate) fn together(state: &State, held: &Held, patience: &Patience) -> Resul
 
 fn row(state: &State, project: &Project, candidate: &Candidate<'_>) -> Row {
     let l = state.language;
-    let verdict = match (candidate.fits(), candidate.open_questions()) {
-        (false, _) => Verdict::Fail,
-        (true, 0) => Verdict::Pass,
-        (true, _) => Verdict::NotChecked,
+    let verdict = match (candidate.fit(), candidate.open_questions()) {
+        (Fit::DoesNotFit, _) => Verdict::Fail,
+        (Fit::FitsIfEstimate, _) => Verdict::Advice,
+        (Fit::Fits, 0) => Verdict::Pass,
+        (Fit::Fits, _) => Verdict::NotChecked,
     };
-    let tightest = candidate.judgement.tightest();
+    let tightest = candidate.governing();
     let power = power_over_cycle(project, candidate);
     let figures = candidate.judgement.demand.as_ref().map(|demand| demand_figures(demand, l).to_vec());
     let standing = standing_text(candidate, l);

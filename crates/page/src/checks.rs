@@ -23,11 +23,7 @@ pub(crate) fn verdict_class(verdict: Verdict) -> &'static str {
 
 /// The class of a check: one that has a value and no limit is shown and not judged.
 fn class(check: &Check) -> &'static str {
-    if is_without_limit(check) { "no-limit" } else { verdict_class(check.verdict) }
-}
-
-fn is_without_limit(check: &Check) -> bool {
-    check.verdict == Verdict::NotChecked && check.value.is_some()
+    if check.is_without_limit() { "no-limit" } else { verdict_class(check.verdict) }
 }
 
 /// The checks: by part in the order of a report, within each by importance; those without a limit behind a fold.
@@ -36,8 +32,8 @@ pub(crate) fn of(candidate: &Candidate<'_>, prefix: &str, language: Language) ->
     let worst = overlay::worst(candidate);
     let all = by_importance(&candidate.judgement.checks);
     let of_part =
-        |part: Part| all.iter().filter(move |check| check.id.part() == part && !is_without_limit(check)).copied();
-    let without: Vec<&Check> = all.iter().filter(|check| is_without_limit(check)).copied().collect();
+        |part: Part| all.iter().filter(move |check| check.id.part() == part && !check.is_without_limit()).copied();
+    let without: Vec<&Check> = all.iter().filter(|check| check.is_without_limit()).copied().collect();
     html! {
         div id="checks" {
             h3.unseen id="checks-title" { (page::checks_of(&candidate.id, l)) }
@@ -111,7 +107,7 @@ fn about(check: &Check, prefix: &str, language: Language) -> Markup {
     let key =
         check.missing.filter(|_| check.verdict == Verdict::NotChecked).and_then(|path| Some((path, key_at(path)?)));
     html! {
-        @if let Some(missing) = check.missing.filter(|_| key.is_none() || !is_without_limit(check)) { span { (page::to_be_checked_state(l)) " " (check_missing(missing, l)) } }
+        @if let Some(missing) = check.missing.filter(|_| key.is_none() || !check.is_without_limit()) { span { (page::to_be_checked_state(l)) " " (check_missing(missing, l)) } }
         @if let Some((path, key)) = key { (field(path, key, prefix, check, l)) }
         // What passes says more in its explanation.
         @if check.verdict != Verdict::Pass { @for note in check.notes.iter() { span { (capitalised(&note_text(note, l))) "." } " " } }

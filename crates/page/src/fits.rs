@@ -9,8 +9,8 @@ use figures::{By, Size, Style, candidate_map};
 use maud::{Markup, PreEscaped, html};
 use quantities::unit::{KILOGRAM, MILLIMETRE};
 use quantities::{Language, Measure, format_number};
-use questions::texts::{percent, reason};
-use questions::{Candidate, CandidateId, Sizing, Verdict};
+use questions::texts::{fitting_text, percent, reason, standing_text};
+use questions::{Candidate, CandidateId, Fit, Sizing, Verdict};
 use std::collections::BTreeSet;
 use words::{capitalised, check_title, page, ranking_rule, terminal, terms};
 
@@ -44,7 +44,7 @@ pub(crate) fn column(state: &State, found: &Outcome<'_, '_>, is_old: bool) -> Ma
 /// The tabs of the pane.
 fn lists(state: &State, sizing: &Sizing<'_>) -> Markup {
     let l = state.language;
-    let fitting = sizing.candidates.iter().filter(|each| each.fits()).count();
+    let fitting = sizing.fitting().len();
     let title = |list: List| match list {
         List::Ranking => format!("{} ({fitting})", page::what_fits(l)),
         List::Rejected => format!("{} ({})", page::why_not(l), sizing.candidates.len() - fitting),
@@ -160,8 +160,8 @@ fn sorted<'s, 'p>(state: &State, mut found: Vec<(usize, &'s Candidate<'p>)>) -> 
 
 fn ranking(state: &State, sizing: &Sizing<'_>, looked_at: Option<&Candidate<'_>>) -> Markup {
     let l = state.language;
-    let fitting: Vec<&Candidate<'_>> = sizing.candidates.iter().filter(|each| each.fits()).collect();
-    let shown = fitting.iter().copied().enumerate().filter(|(_, each)| state.filter.holds(each));
+    let fitting = sizing.fitting();
+    let shown = fitting.iter().enumerate().filter(|(_, each)| state.filter.holds(each));
     let all = sorted(state, shown.collect());
     // The one that is looked at is always among them.
     let is_it = |each: &Candidate<'_>| looked_at.is_some_and(|candidate| candidate.id == each.id);
@@ -191,7 +191,7 @@ fn ranking(state: &State, sizing: &Sizing<'_>, looked_at: Option<&Candidate<'_>>
             } }))
         }
         p.small {
-            span id="answer" { @if fitting.is_empty() { strong.fail { (capitalised(terminal::no_actuator_fits(l))) } ". " } (capitalised(&terminal::judged(fitting.len(), &sizing.candidates.len(), l))) } ". "
+            span id="answer" { @if fitting.is_empty() { strong.fail { (capitalised(terminal::no_actuator_fits(l))) } ". " } (capitalised(&fitting_text(sizing, l))) } ". "
             @if !fitting.is_empty() { (page::shown_of(&all.len(), &fitting.len(), l)) ". " (capitalised(&ranking_rule(l))) "." }
         }
         // What it would take is said of the nearest of the others.
@@ -248,8 +248,7 @@ fn row(state: &State, rank: Option<usize>, candidate: &Candidate<'_>, looked_at:
         value.map_or_else(|| "–".to_owned(), |value| format_number(value, digits, l))
     };
     let [mass, length, bore] = sizes_of(candidate);
-    let tightest =
-        candidate.judgement.tightest().map(|check| capitalised(&check_title(check.id, l))).unwrap_or_default();
+    let tightest = candidate.governing().map(|check| capitalised(&check_title(check.id, l))).unwrap_or_default();
     let advice = candidate.judgement.checks.iter().filter(|check| check.verdict == Verdict::Advice).count();
     let open = candidate.open_questions();
     let is_marked = |code: &order_code::OrderCode| state.marked.contains(code);
@@ -268,6 +267,7 @@ fn row(state: &State, rank: Option<usize>, candidate: &Candidate<'_>, looked_at:
                     }
                     (look_at(&name, l))
                     @if !candidate.on_request.is_empty() { " " span.small { (terms::on_request(l)) } }
+                    @if candidate.fit() == Fit::FitsIfEstimate { " " span.advice.small title=(standing_text(candidate, l)) { (terminal::if_the_estimate_holds(l)) } }
                     @if candidate.leaves_load_unheld() { " " span.fail.small { (page::load_hangs(l)) } }
                 }
                 td.number title=(tightest) {
@@ -286,8 +286,8 @@ fn row(state: &State, rank: Option<usize>, candidate: &Candidate<'_>, looked_at:
 /// The rejected actuators by rising excess, each with the failed check; the checks of the one that is looked at below it.
 fn rejected(state: &State, sizing: &Sizing<'_>, looked_at: Option<&Candidate<'_>>) -> Markup {
     let l = state.language;
-    let all: Vec<&Candidate<'_>> = sizing.candidates.iter().filter(|each| !each.fits()).collect();
-    let found: Vec<&&Candidate<'_>> = all.iter().filter(|each| state.filter.holds(each)).collect();
+    let all = sizing.rejected();
+    let found: Vec<&Candidate<'_>> = all.iter().filter(|each| state.filter.holds(each)).collect();
     let is_it = |each: &Candidate<'_>| looked_at.filter(|it| it.id == each.id);
     let (first, rest) = found.split_at(found.len().min(REJECTED_SHOWN));
     let below = rest.iter().filter(|each| is_it(each).is_some());

@@ -393,7 +393,7 @@ mod tests {
     use questions::list::explain::derivation;
     use questions::list::new::{template, template_kinds};
     use questions::list::size::sized;
-    use questions::{CandidateId, MechanismId, Patience, explain, read_all};
+    use questions::{CandidateId, MechanismId, Patience, Rejected, explain, read_all};
 
     fn shown(text: &str) -> String {
         read(text).unwrap_or_else(|| panic!("{text}"))
@@ -472,7 +472,7 @@ mod tests {
         for text in texts.chain(templates) {
             let Ok(projects) = read_all(&text, &project::NoFiles) else { continue };
             for project in &projects {
-                let Ok(found) = sized(project, 0, &Patience::endless()) else { continue };
+                let Ok(found) = sized(project, 0, Rejected::Nearest, &Patience::endless()) else { continue };
                 for candidate in found.candidates.iter().take(2) {
                     let CandidateId::Code(code) = &candidate.id else { continue };
                     let Ok(explained) = explain(project, code) else { continue };

@@ -3,7 +3,7 @@
 use crate::call::{Call, Reply, Shell};
 use crate::head::{self, USUAL_NAME};
 use crate::parts::Parts;
-use crate::state::{ALL_AXES, Held, State};
+use crate::state::{ALL_AXES, Held, List, State};
 use crate::verdict::{self, Outcome};
 use crate::{axes, demand, detail, fits, form, laws, tools, waiting};
 use figures::Theme;
@@ -13,7 +13,9 @@ use quantities::Language;
 use questions::list::compare::compare;
 use questions::list::new::{Template, template, template_kinds};
 use questions::list::size::sized;
-use questions::{Candidate, CandidateId, CheckId, Patience, Refusal, check, check_own, explain, explain_own};
+use questions::{
+    Candidate, CandidateId, CheckId, Patience, Refusal, Rejected, Sizing, check, check_own, explain, explain_own,
+};
 use words::{check_title, page};
 
 /// The sign of the page in a browser.
@@ -112,15 +114,17 @@ fn work(state: &mut State, shell: &dyn Shell, patience: &Patience) -> Result<Mar
         };
     }
     let project = held.projects.get(state.axis);
-    // The best is judged by every check with the catalogue: it is looked at most often.
-    let sizing = match project.map(|project| sized(project, 1, patience)).transpose() {
+    // The best is judged by every check with the catalogue: it is looked at most often. The reasons of the others are found where
+    // they are shown.
+    let rejected = if state.list == List::Ranking { Rejected::Nearest } else { Rejected::All };
+    let sizing = match project.map(|project| sized(project, 1, rejected, patience)).transpose() {
         Ok(sizing) => sizing,
         Err(refusal) => return Err((Box::new(held), refusal)),
     };
     if let Some(sizing) = &sizing {
         state.choose_nearest(sizing);
     }
-    let looked_at = project.and_then(|project| looked_at(state, project, sizing.as_ref()?.candidates.first()));
+    let looked_at = project.and_then(|project| looked_at(state, project, sizing.as_ref()?.named()));
     let found = Outcome { project, sizing: sizing.as_ref(), candidate: looked_at.as_ref() };
     let moves = form::column(state, &held, looked_at.as_ref(), shell);
     let bar = verdict::bar(state, &held, &found, &moves.0, shell, patience);
@@ -198,8 +202,8 @@ pub(crate) fn looked_at<'p>(
 /// The selected actuator where nothing else is shown: the catalogue is judged only if the choice depends on it.
 pub(crate) fn looked_at_alone<'p>(state: &State, project: &'p Project, patience: &Patience) -> Option<Candidate<'p>> {
     let is_sought = state.code.is_none() && project.actuator.is_none();
-    let sizing = if is_sought { sized(project, 1, patience).ok() } else { None };
-    looked_at(state, project, sizing.as_ref().and_then(|sizing| sizing.candidates.first()))
+    let sizing = if is_sought { sized(project, 1, Rejected::Nearest, patience).ok() } else { None };
+    looked_at(state, project, sizing.as_ref().and_then(Sizing::named))
 }
 
 /// The default actuator of a project: its own, else the best.
@@ -337,8 +341,8 @@ pub(crate) fn explained(call: &Call<'_>, shell: &dyn Shell, patience: &Patience)
     }
     let Some(project) = held.projects.get(state.axis) else { return html! {} };
     let is_sought = state.code.is_none() && project.actuator.is_none();
-    let sizing = if is_sought { sized(project, 0, patience).ok() } else { None };
-    let best = sizing.as_ref().and_then(|sizing| sizing.candidates.first()).map(|best| best.id.clone());
+    let sizing = if is_sought { sized(project, 0, Rejected::Nearest, patience).ok() } else { None };
+    let best = sizing.as_ref().and_then(Sizing::named).map(|best| best.id.clone());
     let found = match (state.code, best) {
         (Some(code), _) | (None, Some(CandidateId::Code(code))) => explain(project, &code),
         _ => explain_own(project),

@@ -7,7 +7,7 @@ use project::{Edit, EditFault, Key, Kind, SegmentLaw, edit, key_at, stretch, wri
 use quantities::{Angle, Language, Length, Measure, format_significant, parse_as};
 use questions::list::new::template;
 use questions::list::size::sized;
-use questions::{MechanismId, Patience, read_all_watched};
+use questions::{MechanismId, Patience, Rejected, read_all_watched};
 use std::sync::LazyLock;
 use words::{about_text, capitalised, page, short_label, terminal};
 
@@ -186,7 +186,7 @@ pub(crate) fn example_verdict(call: &Call<'_>, shell: &dyn Shell, patience: &Pat
     };
     let Ok(projects) = read_all_watched(&found.text, shell.files(), patience) else { return html! {} };
     let Some((project, sizing)) =
-        projects.first().and_then(|project| Some((project, sized(project, 0, patience).ok()?)))
+        projects.first().and_then(|project| Some((project, sized(project, 0, Rejected::None, patience).ok()?)))
     else {
         return html! {};
     };

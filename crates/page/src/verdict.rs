@@ -10,7 +10,7 @@ use quantities::Language;
 use questions::list::check::reserve_unasked;
 use questions::list::size::mends;
 use questions::texts::{mend_text, objection_text, percent, reserve_lines, standing_text};
-use questions::{Candidate, Patience, Sizing, Verdict};
+use questions::{Candidate, Fit, Patience, Sizing, Verdict};
 use words::{about_text, capitalised, check_title, page, short_label, terminal, terms, verdict_count, without_limit};
 
 /// Number of faults shown at once.
@@ -25,11 +25,12 @@ pub(crate) struct Outcome<'o, 'p> {
 
 /// The class of a candidate as a whole.
 pub(crate) fn class(candidate: &Candidate<'_>) -> &'static str {
-    match (candidate.fits(), candidate.open_questions()) {
-        (false, _) => "fail",
-        (true, _) if candidate.leaves_load_unheld() => "fail",
-        (true, 0) => "pass",
-        (true, _) => "unchecked",
+    match (candidate.fit(), candidate.open_questions()) {
+        (Fit::DoesNotFit, _) => "fail",
+        _ if candidate.leaves_load_unheld() => "fail",
+        (Fit::FitsIfEstimate, _) => "advice",
+        (Fit::Fits, 0) => "pass",
+        (Fit::Fits, _) => "unchecked",
     }
 }
 
@@ -70,7 +71,7 @@ fn line(candidate: &Candidate<'_>, language: Language) -> Markup {
     let of = |verdict, count| verdict_count(verdict, count, l);
     html! {
         p id="standing" role="status" aria-live="polite" { strong.code { (candidate.id) } ": " (standing_text(candidate, l)) }
-        @if let Some(tightest) = candidate.judgement.tightest() {
+        @if let Some(tightest) = candidate.governing() {
             button.count type="button" id="tightest" data-goto={ "#check-" (tightest.id.id()) } hx-post="/work" hx-vals=(shown) {
                 (page::tightest(l)) " " (check_title(tightest.id, l)) " " strong { (percent(tightest.utilisation, l)) " %" }
             }

@@ -33,6 +33,8 @@ pub enum Verdict {
     Fail,
     /// Not known: no bar, an empty circle.
     NotChecked,
+    /// Known and not judged, for want of a limit: no bar, a dash.
+    NoLimit,
 }
 
 /// One row: a label, a bar, a text.
@@ -264,6 +266,7 @@ impl Verdict {
             Self::Advice => "advice",
             Self::Fail => "fail",
             Self::NotChecked => "not-checked",
+            Self::NoLimit => "no-limit",
         }
     }
 
@@ -272,7 +275,7 @@ impl Verdict {
             Self::Pass => Colour::Pass,
             Self::Advice => Colour::Advice,
             Self::Fail => Colour::Fail,
-            Self::NotChecked => Colour::Unchecked,
+            Self::NotChecked | Self::NoLimit => Colour::Unchecked,
         }
     }
 }
@@ -334,7 +337,7 @@ fn draw_bar(canvas: &mut Canvas<'_>, bar: &Bar, laid: &Laid, columns: &Columns, 
                     canvas.rect(&drawn, 0.0, &Fill::Flat(colour, 0.3), None);
                     canvas.rect(&drawn, 0.0, &lines, Some(&Stroke::solid(colour, RULE)));
                 }
-                Verdict::Pass | Verdict::NotChecked => {
+                Verdict::Pass | Verdict::NotChecked | Verdict::NoLimit => {
                     canvas.rect(&drawn, 0.0, &Fill::Flat(colour, 0.85), Some(&Stroke::solid(colour, RULE)));
                 }
             }
@@ -383,6 +386,7 @@ fn draw_sign(canvas: &mut Canvas<'_>, verdict: Verdict, (x, y): Point) {
             let mark = line(&[(0.0, -1.8), (0.0, 1.2)]) + &line(&[(0.0, 2.2), (0.0, 3.2)]);
             canvas.path(&mark, &Fill::None, Some(&Stroke::solid(Colour::Paper, 1.2)));
         }
+        Verdict::NoLimit => canvas.path(&line(&[(-3.6, 0.0), (3.6, 0.0)]), &Fill::None, Some(&pen)),
         Verdict::NotChecked => {
             let d = format!("M{} {}a3.6 3.6 0 1 0 7.2 0a3.6 3.6 0 1 0 -7.2 0Z", number(x - 3.6), number(y));
             let pen = Stroke { colour, width: 1.3, dash: "2 1.4" };

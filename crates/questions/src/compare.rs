@@ -2,7 +2,7 @@
 
 use crate::list::size::sized;
 use crate::patience::Patience;
-use crate::sizing_use::{Candidate, CandidateId, Refusal, Sizing, check, check_own, known_si};
+use crate::sizing_use::{Candidate, CandidateId, Refusal, Rejected, Sizing, check, check_own, known_si};
 use order_code::OrderCode;
 use project::Project;
 use quantities::unit::{
@@ -219,10 +219,11 @@ pub fn difference<'p>(
     code: Option<&OrderCode>,
     patience: &Patience,
 ) -> Result<Difference<'p>, Refusal> {
-    let (sized_before, sized_after) = (sized(old, 0, patience)?, sized(new, 0, patience)?);
+    let ranked = |project| sized(project, 0, Rejected::Nearest, patience);
+    let (sized_before, sized_after) = (ranked(old)?, ranked(new)?);
     let best = |sizing: &Sizing<'_>| sizing.answer().map(|answer| answer.id.clone());
     let own = code.is_none() && old.actuator.is_some() && new.actuator.is_some();
-    let first = match sized_before.candidates.first().map(|candidate| &candidate.id) {
+    let first = match sized_before.named().map(|candidate| &candidate.id) {
         Some(CandidateId::Code(code)) => Some(*code),
         _ => None,
     };

@@ -5,6 +5,7 @@
 //! environment or the terminal.
 
 pub mod answer;
+mod candidate;
 pub mod chapter;
 mod chapters;
 mod cited;
@@ -50,16 +51,17 @@ pub use codes::{CodeRefusal, read_code};
 pub use fingerprint::project_fingerprint;
 pub use patience::Patience;
 pub use reading::{Unread, read, read_all, read_all_watched};
-pub use subject::{candidate_for, candidate_of_tables};
+pub use subject::candidate_for;
 
 // The judgement of an axis.
 pub use configurator::Unmet;
 pub use limits::limits_needed;
 pub use signal::{SIGNALS, Signal, TIME};
 pub use simulate::Simulated;
-pub use sizing::{Amount, Check, CheckId, Demand, Direction, Part, Reserve, Verdict};
+pub use sizing::{Amount, Check, CheckId, Demand, Direction, Fit, Part, Reserve, Verdict};
 pub use sizing_use::{
-    Candidate, CandidateId, Objection, Refusal, Sizing, check, check_own, explain, explain_own, reserve_of, size,
+    Candidate, CandidateId, Objection, Reason, Refusal, Rejected, Sizing, check, check_own, explain, explain_own,
+    reserve_of, size,
 };
 pub use tolerance::{Assessment, Draw, SAMPLES_MOST, SAMPLES_USUAL, Sampling, assess};
 

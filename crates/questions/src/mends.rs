@@ -1,39 +1,59 @@
 //! What would let an actuator fit where none does: another gearing of the load.
 
 use crate::patience::Patience;
-use crate::sizing_use::{Candidate, CandidateId, Refusal, size_watched};
+use crate::sizing_use::{Candidate, Refusal, Rejected, size_watched};
 use project::{Gearing, Project};
 use quantities::Unit;
 use quantities::unit::ONE;
-use sizing::{CheckId, Verdict};
+use sizing::{Check, CheckId, Fit, Verdict};
 
-/// A value with which an actuator would fit.
+/// A value with which an actuator fits, judged as it is shown.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Mend {
     /// The key: `mechanism.screw.lead`, `stage.ratio`.
     pub path: String,
     /// Whether the project states it; a stage that it does not have would be added.
     pub is_stated: bool,
-    /// The value in SI, rounded towards what fits.
+    /// The value in SI, of three digits in its unit; with the neighbour nearer to the stated value none fits.
     pub si: f64,
     /// The unit in which it is shown.
     pub unit: &'static Unit,
     /// The best actuator with it.
     pub code: String,
+    /// The verdict on it.
+    pub fit: Fit,
 }
 
-/// Values are sought in steps of this factor, up to so many of them in both directions: a factor of sixteen.
-const STEP: f64 = 1.189_207_115_002_721;
-const STEPS: i32 = 16;
+/// Digits of a value.
+const DIGITS: i32 = 3;
 
-/// Halvings of the step at whose end an actuator fits.
-const HALVINGS: u32 = 5;
+/// Values are sought up to this factor in both directions.
+const FARTHEST: f64 = 16.0;
 
-/// Halvings of a step between whose ends one may fit: a window of 1 % is found. A narrower one leaves no reserve.
-const SPLITS: u32 = 4;
+/// No share of the edge above which a check fails falls by a higher power of the gearing.
+///
+/// Torque, current and speed follow the gearing itself, heat its square, a life the cube of the torque times the speed; twice as much
+/// and more leaves room for mechanisms whose ratio depends on the position.
+const fn power(check: CheckId) -> f64 {
+    match check {
+        CheckId::GearLife | CheckId::BearingLife | CheckId::BearingStatic => 7.0,
+        CheckId::Thermal | CheckId::OverloadI2t | CheckId::Regeneration => 4.0,
+        _ => 3.0,
+    }
+}
 
-/// Within a step no utilisation falls by more than this factor: it follows a power of the gearing up to the fourth.
-const FALL: f64 = 2.0;
+/// Factor of the least step: a window of one per cent is found.
+const STEP_LEAST: f64 = 1.01;
+
+/// Factor of the step once the effort is spent.
+const STEP_COARSE: f64 = 1.189_207_115_002_721;
+
+/// Instants and samples looked at by the steps of one search, about, before they become coarse: some tens of milliseconds for a short
+/// cycle, a second for the longest.
+const EFFORT: usize = 400_000;
+
+/// Fine steps of a search at least and at most.
+const STEPS: [usize; 2] = [40, 400];
 
 /// The longest cycle: some hundred rankings of a longer one would keep the user waiting for more than a second.
 pub const GEARING_INSTANTS_MOST: usize = 10_000;
@@ -44,18 +64,21 @@ pub const GEARING_INSTANTS_MOST: usize = 10_000;
 /// # Errors
 /// [`Refusal::Stopped`] where it was cancelled.
 pub fn mends(project: &Project, patience: &Patience) -> Result<Vec<Mend>, Refusal> {
-    if project.axis.instants() > GEARING_INSTANTS_MOST {
+    let instants = project.axis.instants();
+    if instants > GEARING_INSTANTS_MOST {
         return Ok(Vec::new());
     }
     let here = Ranked::of(project, patience)?;
     if here.best.is_some() {
         return Ok(Vec::new());
     }
+    let [least, most] = STEPS;
+    let fine = (EFFORT / instants.max(1)).clamp(least, most);
     let mut found = Vec::new();
     let mut seek = |path: &str, is_stated, stated, unit, with: &dyn Fn(f64) -> Option<Project>| {
         let ranked = |si: f64| with(si).map_or_else(|| Ok(Ranked::default()), |project| Ranked::of(&project, patience));
-        if let Some((si, code)) = nearest(&ranked, stated, &here, unit)? {
-            found.push(Mend { path: path.to_owned(), is_stated, si, unit, code });
+        if let Some((si, (code, fit))) = nearest(&ranked, stated, &here, unit, fine)? {
+            found.push(Mend { path: path.to_owned(), is_stated, si, unit, code, fit });
         }
         Ok::<_, Refusal>(())
     };
@@ -68,117 +91,126 @@ pub fn mends(project: &Project, patience: &Patience) -> Result<Vec<Mend>, Refusa
     Ok(found)
 }
 
+/// The best actuator with the verdict on it.
+type Best = (String, Fit);
+
 /// The catalogue with one value of the gearing.
-#[derive(Clone, Debug, Default)]
 struct Ranked {
     /// The best actuator, if one fits.
-    best: Option<String>,
-    /// The others that miss by less than [`FALL`], with the checks that fail.
-    near: Vec<(CandidateId, Vec<CheckId>)>,
+    best: Option<Best>,
+    /// Least factor by which the gearing has to change before an actuator may fit.
+    farther: f64,
+}
+
+impl Default for Ranked {
+    /// No axis: another one may be near.
+    fn default() -> Self {
+        Self { best: None, farther: 1.0 }
+    }
 }
 
 impl Ranked {
     fn of(project: &Project, patience: &Patience) -> Result<Self, Refusal> {
-        let sizing = size_watched(project, 0, patience)?;
-        let is_near = |candidate: &&Candidate<'_>| {
-            candidate.objections.is_empty() && !candidate.fits() && candidate.judgement.utilisation() < FALL
-        };
-        let failing = |candidate: &Candidate<'_>| {
-            let checks = candidate.judgement.checks.iter();
-            checks.filter(|check| check.verdict == Verdict::Fail).map(|check| check.id).collect()
-        };
+        let sizing = size_watched(project, 0, Rejected::None, patience)?;
+        let is_met = |candidate: &&Candidate<'_>| candidate.objections.is_empty();
+        let farther = sizing.candidates.iter().filter(is_met).filter_map(farther).reduce(f64::min);
         Ok(Self {
-            best: sizing.answer().map(|best| best.id.to_string()),
-            near: sizing.candidates.iter().filter(is_near).map(|near| (near.id.clone(), failing(near))).collect(),
-        })
-    }
-
-    /// Whether an actuator may fit between two values: a longer way of the load with a turn takes more torque and less speed,
-    /// so a check that fails at both fails between them too.
-    fn may_fit_before(&self, other: &Self) -> bool {
-        self.near.iter().any(|(id, here)| {
-            let there = other.near.iter().find(|(other, _)| other == id);
-            there.is_some_and(|(_, there)| !here.iter().any(|check| there.contains(check)))
+            best: sizing.answer().map(|best| (best.id.to_string(), best.fit())),
+            farther: farther.unwrap_or(f64::INFINITY),
         })
     }
 }
 
-/// The value nearest to a stated one with which an actuator fits, and that actuator: at the steps, then between them.
+/// Least factor by which the gearing has to change before an actuator may fit, by the checks that fail; `None` where one fails that
+/// no gearing mends. A limit of zero says nothing of the distance: the speed that leads to it has a check of its own. The worst
+/// instant of the torque-speed trace by the lower edge is not the one by which it fails, so its share says nothing either.
+fn farther(candidate: &Candidate<'_>) -> Option<f64> {
+    let failing = || candidate.judgement.checks.iter().filter(|check| check.verdict == Verdict::Fail);
+    if failing().any(|check| check.id.is_of_the_place()) {
+        return None;
+    }
+    let says_how_far = |check: &&Check| check.id != CheckId::TorqueSpeedTrace;
+    let factor = |check: &Check| Some(check.share_of_failure()?.powf(1.0 / power(check.id)));
+    Some(failing().filter(says_how_far).filter_map(factor).fold(1.0, f64::max))
+}
+
+/// The value nearest to a stated one with which an actuator fits, and that actuator.
+///
+/// From the stated value outwards in both directions, the nearer end first. An actuator that is beyond an edge by a factor x does not
+/// fit before the gearing has changed by x^(1/p), see [`power`], so the search steps as far, at least by [`STEP_LEAST`]; after `fine`
+/// steps at least by [`STEP_COARSE`], and a window narrower than that may be passed over.
 fn nearest(
     ranked: &dyn Fn(f64) -> Result<Ranked, Refusal>,
     stated: f64,
     here: &Ranked,
     unit: &Unit,
-) -> Result<Option<(f64, String)>, Refusal> {
-    let mut open: Vec<[(f64, Ranked); 2]> = Vec::new();
-    let mut last = [here.clone(), here.clone()];
-    for step in 1..=STEPS {
-        for (last, sense) in last.iter_mut().zip([1, -1]) {
-            let [before, value] = [step - 1, step].map(|step| stated * STEP.powi(sense * step));
-            let next = ranked(value)?;
-            if let Some(code) = next.best {
-                return edge(ranked, before, (value, code), unit).map(Some);
-            }
-            let last = std::mem::replace(last, next.clone());
-            if last.may_fit_before(&next) {
-                open.push([(before, last), (value, next)]);
-            }
+    fine: usize,
+) -> Result<Option<(f64, Best)>, Refusal> {
+    // The factors that were reached upwards and downwards, and what is next.
+    let mut ends = [1.0, -1.0].map(|sense| (sense, 1.0, step(here.farther, 0, fine)));
+    for count in 1.. {
+        let next = ends.iter_mut().min_by(|a, b| a.2.total_cmp(&b.2));
+        let Some((sense, reached, factor)) = next.filter(|(_, _, factor)| *factor <= FARTHEST) else { break };
+        let value = |factor: f64| stated * factor.powf(*sense);
+        let found = ranked(value(*factor))?;
+        if let Some(best) = found.best {
+            return edge(ranked, value(*reached), (value(*factor), best), unit).map(Some);
         }
-    }
-    for _ in 0..SPLITS {
-        let mut halves = Vec::new();
-        for [near, far] in open {
-            let value = (near.0 * far.0).sqrt();
-            let middle = ranked(value)?;
-            if let Some(code) = middle.best {
-                return edge(ranked, near.0, (value, code), unit).map(Some);
-            }
-            let middle = (value, middle);
-            for half in [[near, middle.clone()], [middle, far]] {
-                if half[0].1.may_fit_before(&half[1].1) {
-                    halves.push(half);
-                }
-            }
-        }
-        open = halves;
+        *reached = *factor;
+        *factor *= step(found.farther, count, fine);
     }
     Ok(None)
 }
 
-/// Where an actuator begins to fit, between a value with which none does and one with which one does; rounded towards the
-/// latter.
-fn edge(
-    ranked: &dyn Fn(f64) -> Result<Ranked, Refusal>,
-    mut misses: f64,
-    (mut fits, mut found): (f64, String),
-    unit: &Unit,
-) -> Result<(f64, String), Refusal> {
-    for _ in 0..HALVINGS {
-        let middle = (fits * misses).sqrt();
-        match ranked(middle)?.best {
-            Some(better) => (fits, found) = (middle, better),
-            None => misses = middle,
-        }
-    }
-    let rounded = rounded(fits, fits > misses, unit);
-    Ok(match ranked(rounded)?.best {
-        Some(code) => (rounded, code),
-        None => (fits, found),
-    })
+/// The factor of the next step.
+fn step(farther: f64, count: usize, fine: usize) -> f64 {
+    farther.max(if count < fine { STEP_LEAST } else { STEP_COARSE })
 }
 
-/// A value with two digits in its unit, away from what does not fit.
-fn rounded(si: f64, upwards: bool, unit: &Unit) -> f64 {
-    let value = unit.from_si(si);
-    let scale = 10_f64.powf(1.0 - value.abs().log10().floor());
-    let digits = if upwards { (value * scale).ceil() } else { (value * scale).floor() };
-    unit.to_si(digits / scale)
+/// The first value of few digits with which an actuator fits, between one with which none does and one with which one does.
+fn edge(
+    ranked: &dyn Fn(f64) -> Result<Ranked, Refusal>,
+    misses: f64,
+    (fits, best): (f64, Best),
+    unit: &Unit,
+) -> Result<(f64, Best), Refusal> {
+    let upwards = fits > misses;
+    // In a narrow window there may be no value of the usual digits.
+    for digits in [DIGITS, DIGITS + 1, DIGITS + 2] {
+        let scale = 10_f64.powf(f64::from(digits - 1) - unit.from_si(fits).abs().log10().floor());
+        let value = |place: f64| unit.to_si(place / scale);
+        let inwards = |si: f64| {
+            let place = unit.from_si(si) * scale;
+            if upwards { place.floor() } else { place.ceil() }
+        };
+        let sense = if upwards { 1.0 } else { -1.0 };
+        let mut low = inwards(misses);
+        let Some((mut high, mut found)) = [inwards(fits), inwards(fits) + sense]
+            .into_iter()
+            .filter(|place| (place - low) * sense > 0.0)
+            .find_map(|place| match ranked(value(place)) {
+                Ok(there) => there.best.map(|best| Ok((place, best))),
+                Err(refusal) => Some(Err(refusal)),
+            })
+            .transpose()?
+        else {
+            continue;
+        };
+        while (high - low).abs() > 1.5 {
+            let middle = (0.5 * (low + high)).round();
+            match ranked(value(middle))?.best {
+                Some(better) => (high, found) = (middle, better),
+                None => low = middle,
+            }
+        }
+        return Ok((value(high), found));
+    }
+    Ok((fits, best))
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use quantities::unit::MILLIMETRE;
 
     const LIFT: &str = "format = 1\n[mechanism.screw]\nlead = \"20 mm\"\nmass = \"60 kg\"\ninclination = \"90 deg\"\n\
         [[motion]]\nlaw = \"polynomial_5\"\ndistance = \"300 mm\"\ntime = \"2 s\"\n[[motion]]\nlaw = \"polynomial_5\"\n\
@@ -197,7 +229,8 @@ mod tests {
                 true => project.with_value(&mend.path, mend.si),
                 false => project.with_stage(mend.si),
             };
-            assert_eq!(Ranked::of(&with.unwrap(), &Patience::endless()).unwrap().best.as_ref(), Some(&mend.code));
+            let best = Ranked::of(&with.unwrap(), &Patience::endless()).unwrap().best;
+            assert_eq!(best, Some((mend.code.clone(), mend.fit)));
         }
         // A stage of ratio r turns the screw as a lead longer by 1/r does.
         assert!((found[0].si / 0.020 * found[1].si - 1.0).abs() < 0.15, "{found:?}");
@@ -225,17 +258,13 @@ mod tests {
 
     /// A catalogue of one actuator that is too slow below a value and too weak above another; both are exceeded by powers.
     fn window(low: f64, high: f64, value: f64) -> Ranked {
-        let excess = [(CheckId::PeakSpeed, low / value), (CheckId::PeakTorque, (value / high).powi(2))];
-        let failing: Vec<_> = excess.iter().filter(|(_, excess)| *excess > 1.0).map(|(check, _)| *check).collect();
-        let is_near = excess.iter().all(|(_, excess)| *excess < FALL);
-        Ranked {
-            best: failing.is_empty().then(|| "the only one".to_owned()),
-            near: is_near.then(|| (CandidateId::Own("the only one".to_owned()), failing)).into_iter().collect(),
-        }
+        let (speed, heat) = (low / value, (value / high).powi(2));
+        let farther = speed.powf(1.0 / power(CheckId::PeakSpeed)).max(heat.powf(1.0 / power(CheckId::Thermal)));
+        Ranked { best: (farther <= 1.0).then(|| ("the only one".to_owned(), Fit::Fits)), farther }
     }
 
     #[test]
-    fn every_window_of_one_percent_is_found() {
+    fn every_window_of_a_little_more_than_one_percent_is_found() {
         for place in 0..400 {
             // From a sixteenth to the sixteenfold, but for the value itself.
             let low = 15.5_f64.powf(f64::from(place) / 200.0 - 1.0);
@@ -243,21 +272,23 @@ mod tests {
             if (low..=high).contains(&1.0) {
                 continue;
             }
-            let ranked = |value: f64| Ok(window(low, high, value));
-            let found = nearest(&ranked, 1.0, &window(low, high, 1.0), &ONE).unwrap();
-            assert!(
-                found.as_ref().is_some_and(|(value, _)| (low..=high).contains(value)),
-                "{found:?} in {low} to {high}"
-            );
+            let count = std::cell::Cell::new(0);
+            let ranked = |value: f64| {
+                count.set(count.get() + 1);
+                Ok(window(low, high, value))
+            };
+            let found = nearest(&ranked, 1.0, &window(low, high, 1.0), &ONE, 400).unwrap();
+            let (value, _) = found.unwrap_or_else(|| panic!("nothing in {low} to {high}"));
+            assert!((low..=high).contains(&value), "{value} in {low} to {high}");
+            // As it is shown, and the neighbour nearer to one does not fit.
+            let scale = 10_f64.powf(2.0 - value.log10().floor());
+            let place = value * scale;
+            assert!((place - place.round()).abs() < 1e-6, "{value} has more than three digits");
+            let nearer = (place.round() + if value > 1.0 { -1.0 } else { 1.0 }) / scale;
+            assert!(!(low..=high).contains(&nearer), "{nearer} is nearer than {value} in {low} to {high}");
+            assert!(count.get() < 120, "{} rankings", count.get());
         }
         let none = |value: f64| Ok(window(2.0, 1.9, value));
-        assert_eq!(nearest(&none, 1.0, &window(2.0, 1.9, 1.0), &ONE).unwrap(), None);
-    }
-
-    #[test]
-    fn a_value_is_rounded_to_where_it_fits() {
-        assert!((rounded(0.061_3, true, &MILLIMETRE) - 0.062).abs() < 1e-12);
-        assert!((rounded(0.061_3, false, &MILLIMETRE) - 0.061).abs() < 1e-12);
-        assert!((rounded(0.333, false, &ONE) - 0.33).abs() < 1e-12);
+        assert_eq!(nearest(&none, 1.0, &window(2.0, 1.9, 1.0), &ONE, 400).unwrap(), None);
     }
 }

@@ -11,7 +11,7 @@ mod stage_tests;
 
 use crate::list::Cost;
 use crate::patience::Patience;
-use crate::sizing_use::{Refusal, size_watched};
+use crate::sizing_use::{Refusal, Rejected, size_watched};
 use project::{Diagnostic, Files, Project, RatioAnswer};
 use quantities::Language;
 use serde_json::Value;
@@ -86,14 +86,14 @@ fn best_ratio<W: Watch>(
     let mut best: Option<(Project, sizing::Standing, usize)> = None;
     for ratio in ratios {
         let Some(trial) = with(*ratio) else { continue };
-        let sizing = size_watched(&trial, 0, watch)?;
-        let Some(first) = sizing.candidates.first() else { continue };
+        let sizing = size_watched(&trial, 0, Rejected::Nearest, watch)?;
+        let Some(first) = sizing.named() else { continue };
         let standing = first.standing;
         answers.push(RatioAnswer {
             ratio: *ratio,
             answer: sizing.answer().map(|answer| answer.id.to_string()),
             utilisation: standing.utilisation,
-            fitting: sizing.candidates.iter().filter(|candidate| candidate.fits()).count(),
+            fitting: sizing.fitting().len(),
             chosen: false,
         });
         drop(sizing);

@@ -4,131 +4,28 @@ use crate::cited::Cited;
 use crate::patience::Stopped;
 use actuator::Parameters;
 use configurator::{BrokenRule, Unmet, actuators, availability};
-use order_code::{Field, Option1, Option2, OrderCode};
+use order_code::{Option1, Option2, OrderCode};
 use project::{Assumption, OwnActuator, Project};
 use provenance::Datum;
 use quantities::Measure;
 use rayon::prelude::*;
 use sizing::{
-    Check, CheckId, Course, Depth, Judge, Judgement, Part, RankKey, Reserve, SAMPLES_ANEW, Standing, Unwatched,
+    Check, CheckId, Course, Depth, Fit, Judge, Judgement, Part, RankKey, Reserve, SAMPLES_ANEW, Standing, Unwatched,
     Verdict, Watch, energies, finished, reserve_watched,
 };
 use std::sync::Arc;
-use words::Counts;
 
-/// What a candidate is called.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub enum CandidateId {
-    /// An actuator of the catalogue.
-    Code(OrderCode),
-    /// The user's own actuator.
-    Own(String),
-}
+pub use crate::candidate::{Candidate, CandidateId, Objection, Reason, by_importance};
 
-impl std::fmt::Display for CandidateId {
-    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        match self {
-            Self::Code(code) => write!(f, "{code}"),
-            Self::Own(name) => f.write_str(name),
-        }
-    }
-}
-
-/// What speaks against a candidate besides a failing check.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Objection {
-    /// A requirement of the project is not met.
-    Unmet(Unmet),
-    /// With the requested options, the code breaks a rule of the ordering tables.
-    Rule(BrokenRule),
-}
-
-/// One judged actuator.
-#[derive(Clone, Debug)]
-pub struct Candidate<'p> {
-    /// What it is called; a code is complete and can be ordered.
-    pub id: CandidateId,
-    /// Fields of the code that are on request only.
-    pub on_request: Vec<Field>,
-    /// Its data.
-    pub parameters: &'p Parameters,
-    /// Every check.
-    pub judgement: Judgement,
-    /// What else speaks against it.
-    pub objections: Vec<Objection>,
-    /// What the ranking looks at.
-    pub standing: Standing,
-}
-
-impl Candidate<'_> {
-    /// Whether nothing speaks against it.
-    #[must_use]
-    pub const fn fits(&self) -> bool {
-        self.standing.fits
-    }
-
-    /// Whether no check fails, whatever else speaks against it.
-    #[must_use]
-    pub fn judgement_fits(&self) -> bool {
-        self.judgement.fits()
-    }
-
-    /// The failing check that is exceeded most.
-    #[must_use]
-    pub fn worst_failure(&self) -> Option<&Check> {
-        self.judgement.worst_failure()
-    }
-
-    /// How many checks came to which verdict.
-    #[must_use]
-    pub fn counts(&self) -> Counts {
-        let mut counts = Counts::default();
-        for check in &self.judgement.checks {
-            let of = match check.verdict {
-                Verdict::Pass => &mut counts.passed,
-                Verdict::Advice => &mut counts.advised,
-                Verdict::Fail => &mut counts.failed,
-                Verdict::NotChecked if check.value.is_none() => &mut counts.not_checked,
-                Verdict::NotChecked => &mut counts.without_limit,
-            };
-            *of += 1;
-        }
-        let open = |objection: &&Objection| matches!(objection, Objection::Unmet(Unmet::NotKnown { .. }));
-        counts.requirements_open = self.objections.iter().filter(open).count();
-        counts
-    }
-
-    /// How many questions could not be answered for want of a datum: checks without a value, requirements left open.
-    #[must_use]
-    pub fn open_questions(&self) -> usize {
-        let counts = self.counts();
-        counts.not_checked + counts.requirements_open
-    }
-
-    /// The keys of the project that are missing, each with the number of checks that need it; in the order of the checks.
-    #[must_use]
-    pub fn keys_to_state(&self) -> Vec<(&'static str, usize)> {
-        let mut keys: Vec<(&'static str, usize)> = Vec::new();
-        let open = self.not_checked().filter(|check| check.value.is_none());
-        for key in open.filter_map(|check| check.missing).filter(|missing| missing.contains('.')) {
-            match keys.iter_mut().find(|(known, _)| *known == key) {
-                Some((_, count)) => *count += 1,
-                None => keys.push((key, 1)),
-            }
-        }
-        keys
-    }
-
-    /// Whether the load hangs and nothing holds it without power.
-    #[must_use]
-    pub const fn leaves_load_unheld(&self) -> bool {
-        !self.standing.holds
-    }
-
-    /// The checks that could not be answered.
-    pub fn not_checked(&self) -> impl Iterator<Item = &Check> {
-        self.judgement.checks.iter().filter(|check| check.verdict == Verdict::NotChecked)
-    }
+/// Of which rejected actuators of a ranking every failing check is found; the others are judged until one fails.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Rejected {
+    /// Of none: whether and which fit is all that is needed.
+    None,
+    /// Of as many as may be the nearest miss where nothing fits.
+    Nearest,
+    /// Of all: they are listed with their reasons.
+    All,
 }
 
 /// The catalogue judged for one axis.
@@ -138,6 +35,8 @@ pub struct Sizing<'p> {
     pub name: &'p str,
     /// Every candidate, best first.
     pub candidates: Vec<Candidate<'p>>,
+    /// How many of them fit: the first ones.
+    fitting: usize,
     /// The user's own actuator, judged beside the catalogue.
     pub own: Option<Candidate<'p>>,
     /// Defaults that were taken.
@@ -145,27 +44,62 @@ pub struct Sizing<'p> {
 }
 
 impl<'p> Sizing<'p> {
+    /// The candidates that fit, best first.
+    #[must_use]
+    pub fn fitting(&self) -> &[Candidate<'p>] {
+        self.candidates.get(..self.fitting).unwrap_or_default()
+    }
+
+    /// The candidates that do not fit, the one that misses by least first.
+    #[must_use]
+    pub fn rejected(&self) -> &[Candidate<'p>] {
+        self.candidates.get(self.fitting..).unwrap_or_default()
+    }
+
+    /// How many fit within every limit, and how many others if an estimate holds.
+    #[must_use]
+    pub fn counts(&self) -> [usize; 2] {
+        let certain = self.fitting().iter().filter(|candidate| candidate.fit() == Fit::Fits).count();
+        [certain, self.fitting - certain]
+    }
+
     /// The rejected candidate that misses by least, among those that meet what the project requires and are of the right
     /// class: no other actuator's voltage or temperature range is near.
     #[must_use]
     pub fn nearest_miss(&self) -> Option<&Candidate<'p>> {
-        let of_the_place = |check: &Check| check.verdict == Verdict::Fail && check.id.is_of_the_place();
-        self.candidates.iter().find(|candidate| {
-            !candidate.fits() && candidate.objections.is_empty() && !candidate.judgement.checks.iter().any(of_the_place)
-        })
+        self.rejected().iter().find(|candidate| may_be_near(candidate))
     }
 
     /// The best candidate, if one fits.
     #[must_use]
-    pub fn answer(&self) -> Option<&Candidate<'_>> {
-        self.candidates.first().filter(|candidate| candidate.fits())
+    pub fn answer(&self) -> Option<&Candidate<'p>> {
+        self.fitting().first()
     }
 
-    /// Whether any candidate fits, the user's own included.
+    /// The candidate that every answer about the axis names: the best, else the nearest miss, else the first of the others.
+    #[must_use]
+    pub fn named(&self) -> Option<&Candidate<'p>> {
+        self.answer().or_else(|| self.nearest_miss()).or_else(|| self.candidates.first())
+    }
+
+    /// The verdict on the best, the user's own actuator included.
+    #[must_use]
+    pub fn fit(&self) -> Fit {
+        let best = self.answer().map_or(Fit::DoesNotFit, Candidate::fit);
+        self.own.as_ref().map_or(best, |own| best.min(own.fit()))
+    }
+
+    /// Returns `true` if any candidate fits, the user's own included.
     #[must_use]
     pub fn fits(&self) -> bool {
-        self.answer().is_some() || self.own.as_ref().is_some_and(Candidate::fits)
+        self.fit().fits()
     }
+}
+
+/// Returns `true` unless an objection or a check that neither load nor pace can mend speaks against a candidate.
+fn may_be_near(candidate: &Candidate<'_>) -> bool {
+    let of_the_place = |check: &Check| check.verdict == Verdict::Fail && check.id.is_of_the_place();
+    candidate.objections.is_empty() && !candidate.judgement.checks.iter().any(of_the_place)
 }
 
 /// Why an actuator cannot be judged.
@@ -241,17 +175,18 @@ pub(crate) fn actuators_of(project: &Project, output_encoder: bool) -> &[(OrderC
 /// Cost: O(ramps) to prepare the motion, O(ramps) per actuator, O(n log n) to rank.
 #[must_use]
 pub fn size(project: &Project) -> Sizing<'_> {
-    finished(size_watched(project, usize::MAX, &Unwatched))
+    finished(size_watched(project, usize::MAX, Rejected::All, &Unwatched))
 }
 
-/// The same, but it can be cancelled, and only the first `complete_count` are judged in full: the others only as far as their place in
-/// the ranking requires ([`Depth::Ranking`]).
+/// The same, but it can be cancelled; only the first `complete_count` are judged in full, the others only as far as their place in
+/// the ranking requires ([`Depth::Ranking`]), and what is rejected as far as `rejected` states.
 ///
 /// # Errors
 /// Where it was stopped.
 pub(crate) fn size_watched<'p, W: Watch>(
     project: &'p Project,
     complete_count: usize,
+    rejected: Rejected,
     watch: &W,
 ) -> Result<Sizing<'p>, W::Stop> {
     let actuators = actuators_of(project, project.option_1.is_some());
@@ -260,37 +195,75 @@ pub(crate) fn size_watched<'p, W: Watch>(
     let depth = if is_long { Depth::Ranking } else { Depth::Survivors };
     let parts = by_drivetrain(actuators);
     let begin = || {
-        let mut judging = Judging::of(project, depth);
+        let mut judging = Judging::of(project, depth, rejected == Rejected::All);
         move |part: &&'p [(OrderCode, Parameters)]| judged(&mut judging, part, watch)
     };
     let mut candidates = Vec::with_capacity(actuators.len());
     in_parallel(&parts, begin)?.into_iter().for_each(|part| candidates.extend(part));
-    // Where the project limits it, the order depends on it.
+    // Where the project limits it, the order depends on it, and a rejected one may fail by it.
     let is_limited = project.axis.asked.regeneration_power_max.is_some();
     if is_long && is_limited {
-        complete(project, &mut candidates, watch)?;
+        complete(project, candidates.iter_mut(), rejected == Rejected::All, watch)?;
+    }
+    if rejected == Rejected::Nearest && !candidates.iter().any(Candidate::fits) {
+        settle_nearest(project, &mut candidates, watch)?;
     }
     let mut candidates = ranked(candidates);
+    let fitting = candidates.partition_point(Candidate::fits);
     if is_long && !is_limited {
-        let complete_count = complete_count.min(candidates.len());
-        complete(project, candidates.get_mut(..complete_count).unwrap_or_default(), watch)?;
+        complete(project, candidates.iter_mut().take(complete_count), false, watch)?;
     }
     Ok(Sizing {
         name: &project.name,
         candidates,
+        fitting,
         own: project.actuator.as_ref().map(|own| own_candidate(project, own)),
         assumptions: &project.assumptions,
     })
 }
 
+/// Judges those candidates by every check that may come first where none fits, so that the nearest miss is that of
+/// [`Rejected::All`]. What was judged until a check failed misses by at least that check: the others come behind what is found.
+fn settle_nearest<W: Watch>(project: &Project, candidates: &mut [Candidate<'_>], watch: &W) -> Result<(), W::Stop> {
+    let mut judging = Judging::of(project, Depth::Margins, false);
+    let mut settle = |candidates: &mut [Candidate<'_>], counts: fn(&Candidate<'_>) -> bool| {
+        let keys = candidates.iter().map(|candidate| RankKey::of(&candidate.standing)).zip(0..);
+        let mut order: Vec<(RankKey, usize)> = keys.collect();
+        order.sort_unstable();
+        let mut first: Option<RankKey> = None;
+        for (least, place) in order {
+            if first.is_some_and(|first| least > first) {
+                break;
+            }
+            let Some(candidate) = candidates.get_mut(place).filter(|candidate| counts(candidate)) else { continue };
+            watch.step()?;
+            candidate.judgement = judging.judge(candidate.parameters);
+            candidate.stand();
+            if counts(candidate) {
+                let key = RankKey::of(&candidate.standing);
+                first = Some(first.map_or(key, |first| first.min(key)));
+            }
+        }
+        Ok::<_, W::Stop>(first.is_some())
+    };
+    if !settle(candidates, may_be_near)? {
+        settle(candidates, |_| true)?;
+    }
+    Ok(())
+}
+
 /// So many actuators pass a long cycle together at most: what is kept of them stays near the processor.
 const TOGETHER: usize = 64;
 
-/// Adds to the judgements of those that fit what a ranking leaves out.
-fn complete<W: Watch>(project: &Project, candidates: &mut [Candidate<'_>], watch: &W) -> Result<(), W::Stop> {
+/// Adds to the judgements of those that fit, or of all, what a ranking leaves out.
+fn complete<'c, 'p: 'c, W: Watch>(
+    project: &'p Project,
+    candidates: impl Iterator<Item = &'c mut Candidate<'p>>,
+    all: bool,
+    watch: &W,
+) -> Result<(), W::Stop> {
     let mut open: Vec<&mut Candidate<'_>> = candidates
-        .iter_mut()
-        .filter(|candidate| candidate.judgement_fits() && !candidate.judgement.tells_energy())
+        .filter(|candidate| (all || candidate.judgement_fits()) && !candidate.judgement.tells_energy())
         .collect();
     let actuators: Vec<&Parameters> = open.iter().map(|candidate| candidate.parameters).collect();
     let parts: Vec<_> = actuators.chunks(actuators.len().div_ceil(2).clamp(1, TOGETHER)).collect();
@@ -298,9 +271,7 @@ fn complete<W: Watch>(project: &Project, candidates: &mut [Candidate<'_>], watch
     let mut cited = Cited::of(project);
     for (candidate, energy) in open.iter_mut().zip(found.into_iter().flatten()) {
         candidate.judgement.complete(energy, &mut |check, governing| cited.cite(check, governing));
-        let Standing { size, mass_kg, .. } = candidate.standing;
-        let mass = Some(mass_kg).filter(|mass| mass.is_finite());
-        candidate.standing = Standing::of(&candidate.judgement, candidate.objections.is_empty(), size, mass);
+        candidate.stand();
     }
     Ok(())
 }
@@ -378,7 +349,7 @@ pub(crate) fn with_options(project: &Project, code: &OrderCode) -> Option<OrderC
 /// [`Refusal`] where the code cannot be ordered or has no printed data.
 pub fn check<'p>(project: &'p Project, code: &OrderCode) -> Result<Candidate<'p>, Refusal> {
     availability(code).map_err(Refusal::Broken)?;
-    Ok(candidate(&mut Judging::of(project, Depth::Full), *code, parameters_of(project, code)?))
+    Ok(candidate(&mut Judging::of(project, Depth::Full, false), *code, parameters_of(project, code)?))
 }
 
 /// Judges one code by the checks of one part alone: what the others cost is saved.
@@ -468,8 +439,11 @@ struct Judging<'p> {
 }
 
 impl<'p> Judging<'p> {
-    fn of(project: &'p Project, depth: Depth) -> Self {
-        Self { project, judge: Judge::of(&project.axis, depth), cited: Cited::of(project) }
+    /// `completes`: see [`Judge::completing`].
+    fn of(project: &'p Project, depth: Depth, completes: bool) -> Self {
+        let axis = &project.axis;
+        let judge = if completes { Judge::completing(axis, depth) } else { Judge::of(axis, depth) };
+        Self { project, judge, cited: Cited::of(project) }
     }
 
     fn of_part(project: &'p Project, part: Part) -> Self {
@@ -506,7 +480,7 @@ fn candidate<'p>(judging: &mut Judging<'p>, code: OrderCode, parameters: &'p Par
 }
 
 fn own_candidate<'p>(project: &'p Project, own: &'p OwnActuator) -> Candidate<'p> {
-    let judgement = Judging::of(project, Depth::Full).judge(&own.parameters);
+    let judgement = Judging::of(project, Depth::Full, false).judge(&own.parameters);
     let objections: Vec<Objection> =
         project.requirements.unmet_by_data(&own.parameters).map(Objection::Unmet).collect();
     // Of a user's actuator little may be known: an unknown datum leaves a requirement open, it does not break it.

@@ -4,6 +4,7 @@ use crate::sizing_use::{Candidate, CandidateId, Refusal, Sizing, check, check_ow
 use order_code::OrderCode;
 use project::Project;
 use quantities::Language;
+use std::borrow::Cow;
 use words::terminal;
 
 /// The axes of a project, or the one of a name, each with its place in the file.
@@ -32,47 +33,30 @@ pub(crate) fn names<'p>(projects: impl IntoIterator<Item = &'p Project>) -> Stri
     names.join(", ")
 }
 
-/// The actuator of a code, else the project's own, else the best of the catalogue, which `best` names.
+/// The actuator that an answer is about: that of a code, else the project's own, else the one that the ranking names
+/// ([`Sizing::named`]); judged by every check. `sizing` is requested only where it decides.
 ///
 /// # Errors
 /// Why it cannot be judged.
-pub fn candidate_for<'p>(
+pub fn candidate_for<'p, 's>(
     project: &'p Project,
     code: Option<&OrderCode>,
-    best: impl FnOnce() -> Option<CandidateId>,
-) -> Result<Candidate<'p>, Refusal> {
+    sizing: impl FnOnce() -> Result<Cow<'s, Sizing<'p>>, Refusal>,
+) -> Result<Candidate<'p>, Refusal>
+where
+    'p: 's,
+{
     if let Some(code) = code {
         return check(project, code);
     }
-    if let Ok(own) = check_own(project) {
-        return Ok(own);
+    if project.actuator.is_some() {
+        return check_own(project);
     }
-    match best() {
-        // Ranked by the checks that decide; shown with all of them.
-        Some(CandidateId::Code(code)) => check(project, &code),
-        _ => Err(Refusal::NoData),
-    }
-}
-
-/// The actuator of the tables: that of a code, else the project's own, else the best of the catalogue, be it the nearest
-/// miss.
-///
-/// # Errors
-/// Why it cannot be judged.
-pub fn candidate_of_tables<'p>(
-    project: &'p Project,
-    code: Option<&OrderCode>,
-    sizing: &Sizing<'p>,
-) -> Result<Candidate<'p>, Refusal> {
-    let first = sizing.candidates.first();
-    let judged = match (code, first.map(|best| &best.id)) {
-        (Some(code), _) => return check(project, code),
-        (None, _) if project.actuator.is_some() => check_own(project),
-        (None, Some(CandidateId::Code(code))) => check(project, code),
-        (None, _) => Err(Refusal::NoActuator),
-    };
+    let sizing = sizing()?;
+    let named = sizing.named().ok_or(Refusal::NoActuator)?;
+    let CandidateId::Code(code) = &named.id else { return Ok(named.clone()) };
     // A code of the ranking may break a rule with the required options: then it is judged as in the ranking.
-    judged.or_else(|refusal| first.cloned().ok_or(refusal))
+    check(project, code).or_else(|_| Ok(named.clone()))
 }
 
 /// The axes of two revisions that belong together, by their places: those of the same name, and the only one of each

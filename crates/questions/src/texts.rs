@@ -4,28 +4,108 @@ mod tolerances;
 
 pub use crate::explain::{node_amount, trust};
 pub use crate::sheet::{sheet_value_text, uncovered_mark};
+pub use crate::sizing_use::by_importance;
 pub use tolerances::{
     dominating, passing_text, sampling_text, share_text, tolerance_heads, tolerance_lines, tolerance_rows, worst_text,
 };
 
 use crate::limits::{NeededLimit, limits_needed};
 use crate::mends::Mend;
-use crate::sizing_use::{Candidate, CandidateId, Objection};
+use crate::sizing_use::{Candidate, CandidateId, Objection, Reason, Sizing};
 use crate::torsion::TorsionAnswer;
 use actuator::BatteryLife;
+use configurator::Unmet;
 use order_code::OrderCode;
 use project::RecordingRead;
 use quantities::unit::{
     ARCMINUTE, DEGREE_CELSIUS, KILONEWTON_METRE_PER_RADIAN, NEWTON_METRE, PERCENT, REVOLUTION_PER_MINUTE, YEAR,
 };
 use quantities::{Language, Measure, Time, Unit, format_number, format_significant};
-use sizing::{Amount, Check, Checks, Demand, Reserve, SAMPLES_ANEW, Unsought, Verdict};
-use words::{check_title, describe_rule, encoding_guess, grade_word, source_text, symbol_term, terminal, unmet_text};
+use sizing::{Amount, Check, Demand, Fit, Reserve, SAMPLES_ANEW, Unsought, Verdict};
+use words::{
+    check_title, describe_rule, encoding_guess, grade_word, records, source_text, symbol_term, terminal, unmet_text,
+    unpadded,
+};
 
 /// Whether a candidate fits, what is missing, and whether a hanging load is left without a hold.
 #[must_use]
 pub fn standing_text(candidate: &Candidate<'_>, language: Language) -> String {
-    words::standing_text(candidate.fits(), candidate.leaves_load_unheld(), &candidate.counts(), language)
+    let inside: Vec<String> = candidate.inside_bands().into_iter().map(|check| named_text(check, language)).collect();
+    let unheld = candidate.leaves_load_unheld();
+    words::standing_text(candidate.fit(), &inside.join(", "), unheld, &candidate.counts(), language)
+}
+
+/// A check by its title with its utilisation.
+#[must_use]
+pub fn named_text(check: &Check, language: Language) -> String {
+    let title = check_title(check.id, language);
+    match check.utilisation {
+        Some(share) => format!("{title} {} %", percent(Some(share), language)),
+        None => title,
+    }
+}
+
+/// The governing check of a candidate by its title with its own utilisation; empty where no check has a limit.
+#[must_use]
+pub fn governing_text(candidate: &Candidate<'_>, language: Language) -> String {
+    candidate.governing().map(|check| named_text(check, language)).unwrap_or_default()
+}
+
+/// How many candidates fit, how many of them only if an estimate holds.
+#[must_use]
+pub fn fitting_text(sizing: &Sizing<'_>, language: Language) -> String {
+    let [fit, if_estimate] = sizing.counts();
+    let judged = terminal::judged(fit, &sizing.candidates.len(), language);
+    match if_estimate {
+        0 => judged,
+        more => format!("{judged}, {}", terminal::more_if_estimate(more, language)),
+    }
+}
+
+/// The reasons for which candidates are rejected, each with the candidates: the most frequent first.
+#[must_use]
+pub fn rejections<'s, 'p>(sizing: &'s Sizing<'p>, language: Language) -> Vec<Rejections<'s, 'p>> {
+    let mut groups: Vec<Rejections<'s, 'p>> = Vec::new();
+    for candidate in sizing.rejected() {
+        let Some(reason) = candidate.reason() else { continue };
+        let is_check = matches!(reason, Reason::Check(_));
+        let title = reason_title(&reason, language);
+        match groups.iter_mut().find(|group| group.is_check == is_check && group.title == title) {
+            Some(group) => group.candidates.push(candidate),
+            None => groups.push(Rejections { title, is_check, candidates: vec![candidate] }),
+        }
+    }
+    groups.sort_by(|a, b| b.candidates.len().cmp(&a.candidates.len()).then_with(|| a.title.cmp(&b.title)));
+    groups
+}
+
+/// A reason with the candidates that it rejects.
+#[derive(Clone, Debug)]
+pub struct Rejections<'s, 'p> {
+    /// The reason in words, without the figures of one actuator.
+    pub title: String,
+    /// Whether it is a check; else a requirement or a rule of the ordering code.
+    pub is_check: bool,
+    /// The candidates, the one that misses by least first.
+    pub candidates: Vec<&'s Candidate<'p>>,
+}
+
+/// A reason without the figures of the one actuator.
+fn reason_title(reason: &Reason<'_>, language: Language) -> String {
+    let objection = match reason {
+        Reason::Check(check) => return check_title(check.id, language),
+        Reason::Objection(objection) => objection,
+    };
+    let text = match objection {
+        Objection::Unmet(Unmet::Feedback(_)) => records::feedback_not_permitted,
+        Objection::Unmet(Unmet::HollowShaft { .. }) => records::hollow_shaft_too_narrow,
+        Objection::Unmet(Unmet::Length { .. }) => records::too_long,
+        Objection::Unmet(Unmet::Mass { .. }) => records::too_heavy,
+        Objection::Unmet(Unmet::SupplyTooLow { .. }) => records::supply_too_low,
+        Objection::Unmet(unmet @ (Unmet::Brake(_) | Unmet::NotKnown { .. })) => return unmet_text(unmet, language),
+        Objection::Rule(rule) => return records::rule_of_table(&rule.table, language),
+    };
+    text(language).to_owned()
 }
 
 /// How many of its checks came to which verdict.
@@ -34,13 +114,15 @@ pub fn counts_text(candidate: &Candidate<'_>, language: Language) -> String {
     words::counts_text(&candidate.counts(), language)
 }
 
-/// The verdict of a check in a word: with a value and without a limit it is only shown.
+/// The verdict of a check in a word: with a value and without a limit of the project it is only shown.
 #[must_use]
 pub fn verdict_text(check: &Check, language: Language) -> String {
-    if check.verdict == Verdict::NotChecked && check.value.is_some() {
-        return words::without_limit(language);
+    match check.limit {
+        _ if !check.is_without_limit() => words::verdict_word(check.verdict, language),
+        None => words::without_limit(language),
+        // The actuator has one, of which the project requires nothing.
+        Some(_) => words::terms::not_required(language).to_owned(),
     }
-    words::verdict_word(check.verdict, language)
 }
 
 /// The utilisation of a check that is a margin, in percent: that of a class of voltage or of a recommendation is none, and does
@@ -69,6 +151,16 @@ pub fn figure_text(figure: Option<Amount>, language: Language) -> String {
     figure.map_or_else(|| "–".into(), |figure| format_significant(figure.value(), 4, language))
 }
 
+/// The verdict on a candidate in a few words.
+#[must_use]
+pub fn fit_text(fit: Fit, language: Language) -> &'static str {
+    match fit {
+        Fit::Fits => words::terms::fits(language),
+        Fit::FitsIfEstimate => words::terms::fits_if_estimate(language),
+        Fit::DoesNotFit => words::terms::does_not_fit(language),
+    }
+}
+
 /// The sign of a figure's unit; a dash for a plain number, nothing where there is no figure.
 #[must_use]
 pub fn unit_text(figure: Option<Amount>) -> &'static str {
@@ -91,10 +183,11 @@ pub fn objection_text(candidate: &Candidate<'_>, objection: &Objection, language
     }
 }
 
-/// The reason of a rejection in one line: the failing check that is exceeded most, else the first objection.
+/// The reason of a rejection in one line: the governing check, else the first objection; empty where it fits.
 #[must_use]
 pub fn reason(candidate: &Candidate<'_>, language: Language) -> String {
-    if let Some(check) = candidate.worst_failure() {
+    let reason = candidate.reason();
+    if let Some(Reason::Check(check)) = reason {
         let unit = check.value.map_or("", |figure| figure.unit.symbol);
         let over =
             check.utilisation.map(|_| format!(" ({} %)", percent(check.utilisation, language))).unwrap_or_default();
@@ -106,22 +199,10 @@ pub fn reason(candidate: &Candidate<'_>, language: Language) -> String {
             figure_text(check.limit, language),
         );
     }
-    candidate.objections.first().map(|objection| objection_text(candidate, objection, language)).unwrap_or_default()
-}
-
-/// What fails first, then advice, then what is not checked, then the rest; within each by utilisation.
-#[must_use]
-pub fn by_importance(checks: &Checks) -> Vec<&Check> {
-    let rank = |check: &Check| match check.verdict {
-        Verdict::Fail => 0,
-        Verdict::Advice => 1,
-        Verdict::NotChecked => 2,
-        Verdict::Pass => 3,
-    };
-    let share = |check: &Check| check.utilisation.unwrap_or(f64::NEG_INFINITY);
-    let mut sorted: Vec<&Check> = checks.iter().collect();
-    sorted.sort_by(|a, b| rank(a).cmp(&rank(b)).then_with(|| share(b).total_cmp(&share(a))));
-    sorted
+    match reason {
+        Some(Reason::Objection(objection)) => objection_text(candidate, objection, language),
+        Some(Reason::Check(_)) | None => String::new(),
+    }
 }
 
 /// The figures of a demand: symbol, value, unit.
@@ -149,17 +230,21 @@ pub fn reserve_lines(
 ) -> Vec<(&'static str, Vec<String>)> {
     let number = |value: f64| format_significant(value, 4, language);
     let mut parts = Vec::new();
-    if let Some(factor) = reserve.payload_factor {
-        parts.push(terminal::payload_factor(&number(factor), language));
+    let mut add = |text: String, fit: Fit| match fit {
+        Fit::FitsIfEstimate => parts.push(format!("{text} ({})", terminal::if_the_estimate_holds(language))),
+        Fit::Fits | Fit::DoesNotFit => parts.push(text),
+    };
+    if let Some(reach) = reserve.payload_factor {
+        add(terminal::payload_factor(&number(reach.value), language), reach.fit);
     }
-    if let Some(factor) = reserve.load_factor {
-        parts.push(terminal::load_factor(&number(factor), language));
+    if let Some(reach) = reserve.load_factor {
+        add(terminal::load_factor(&number(reach.value), language), reach.fit);
     }
-    if let Some(time) = reserve.cycle_time {
-        parts.push(terminal::cycle_time(&number(time.si()), language));
+    if let Some(reach) = reserve.cycle_time {
+        add(terminal::cycle_time(&number(reach.value.si()), language), reach.fit);
     }
-    if let Some(ambient) = reserve.ambient {
-        parts.push(terminal::ambient(&number(DEGREE_CELSIUS.from_si(ambient.si())), language));
+    if let Some(reach) = reserve.ambient {
+        add(terminal::ambient(&number(DEGREE_CELSIUS.from_si(reach.value.si())), language), reach.fit);
     }
     let mut lines = Vec::new();
     if !parts.is_empty() {
@@ -187,13 +272,16 @@ pub fn reserve_lines(
 /// Another gearing with which an actuator fits: the key with its value, or a stage that would be added, and the code.
 #[must_use]
 pub fn mend_text(mend: &Mend, language: Language) -> String {
-    let value = format_significant(mend.unit.from_si(mend.si), 2, language);
+    let value = unpadded(mend.unit.from_si(mend.si), 5, language);
     let what = if mend.is_stated {
         format!("{} {value} {}", mend.path, mend.unit.symbol).trim_end_matches(" 1").to_owned()
     } else {
         terminal::a_stage(&value, language)
     };
-    format!("{what} ({})", mend.code)
+    match mend.fit {
+        Fit::FitsIfEstimate => format!("{what} ({}, {})", mend.code, terminal::if_the_estimate_holds(language)),
+        Fit::Fits | Fit::DoesNotFit => format!("{what} ({})", mend.code),
+    }
 }
 
 /// Which changes were not sought, why, and how they are.

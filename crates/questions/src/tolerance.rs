@@ -10,7 +10,7 @@ use crate::sizing_use::{Candidate, CandidateId, Objection, Refusal};
 use draws::Draws;
 use project::{Project, Variant, Varied};
 use rayon::prelude::*;
-use sizing::{CheckId, Depth, Judge, Judgement, Unwatched, Watch, finished};
+use sizing::{CheckId, Depth, Fit, Judge, Judgement, Unwatched, Watch, finished};
 use statistics::{Ranks, wilson};
 use std::ops::Range;
 
@@ -111,8 +111,8 @@ pub struct Worst {
     pub place: PointKind,
     /// The value of each toleranced quantity there, in SI and in the order of [`Project::tolerances`].
     pub values: Vec<f64>,
-    /// Whether nothing speaks against the actuator there.
-    pub fits: bool,
+    /// Verdict on the actuator there.
+    pub fit: Fit,
     /// The largest utilisation there.
     pub utilisation: f64,
     /// The failing check that is exceeded most, else the tightest; `None` where no axis is possible.
@@ -215,7 +215,7 @@ fn assess_with<W: Watch>(
     {
         let mut worst = corner;
         // A sample that is worse by no more than rounding is no news.
-        let beyond = (!sampled.worst.fits, sampled.worst.utilisation) > (!worst.fits, worst.utilisation * (1.0 + 1e-9));
+        let beyond = (sampled.worst.fit, sampled.worst.utilisation) > (worst.fit, worst.utilisation * (1.0 + 1e-9));
         if beyond {
             let values = draws.sample(sampled.worst.index, &project.tolerances);
             worst = Point::look(&mut varied.clone(), judged, &values).at(values, PointKind::Sample);
@@ -274,13 +274,14 @@ impl<'c> Judged<'c> {
         Self { candidate, hopeless: candidate.objections.iter().any(speaks) }
     }
 
-    /// The judgement for a variant, by the judge of its axis, and whether nothing speaks against the actuator.
-    fn judge(&self, project: &Project, variant: &Variant, judge: &mut Judge<'_>) -> (Judgement, bool) {
+    /// The judgement for a variant, by the judge of its axis, and the verdict on the actuator.
+    fn judge(&self, project: &Project, variant: &Variant, judge: &mut Judge<'_>) -> (Judgement, Fit) {
         let own = variant.actuator.as_ref().filter(|_| matches!(self.candidate.id, CandidateId::Own(_)));
         let parameters = own.map_or(self.candidate.parameters, |own| &own.parameters);
         let judgement = judge.next(parameters, &mut |_, _| {});
-        let fits = !self.hopeless && judgement.fits() && self.meets(project, variant, parameters);
-        (judgement, fits)
+        let is_met = !self.hopeless && self.meets(project, variant, parameters);
+        let fit = if is_met { judgement.fit() } else { Fit::DoesNotFit };
+        (judgement, fit)
     }
 
     fn meets(&self, project: &Project, variant: &Variant, parameters: &actuator::Parameters) -> bool {
@@ -308,18 +309,18 @@ fn judge_of(variant: &Variant) -> Judge<'_> {
 /// What is found at one point of the bands.
 #[derive(Clone, Copy, Debug)]
 struct Point {
-    fits: bool,
+    fit: Fit,
     utilisation: f64,
     check: Option<CheckId>,
 }
 
 impl Point {
-    const IMPOSSIBLE: Self = Self { fits: false, utilisation: f64::INFINITY, check: None };
+    const IMPOSSIBLE: Self = Self { fit: Fit::DoesNotFit, utilisation: f64::INFINITY, check: None };
 
     fn of(judged: &Judged<'_>, project: &Project, variant: &Variant) -> Self {
-        let (judgement, fits) = judged.judge(project, variant, &mut judge_of(variant));
-        let check = judgement.worst_failure().or_else(|| judgement.tightest()).map(|check| check.id);
-        Self { fits, utilisation: number(judgement.utilisation()), check }
+        let (judgement, fit) = judged.judge(project, variant, &mut judge_of(variant));
+        let check = judgement.governing().map(|check| check.id);
+        Self { fit, utilisation: number(judgement.utilisation()), check }
     }
 
     fn look(varied: &mut Varied<'_>, judged: &Judged<'_>, values: &[f64]) -> Self {
@@ -329,11 +330,11 @@ impl Point {
 
     /// Whether it is worse: it does not fit and the other does, or the utilisation is larger.
     fn is_worse_than(&self, other: &Self) -> bool {
-        (!self.fits, self.utilisation) > (!other.fits, other.utilisation)
+        (self.fit, self.utilisation) > (other.fit, other.utilisation)
     }
 
     const fn at(self, values: Vec<f64>, place: PointKind) -> Worst {
-        Worst { place, values, fits: self.fits, utilisation: self.utilisation, check: self.check }
+        Worst { place, values, fit: self.fit, utilisation: self.utilisation, check: self.check }
     }
 }
 
@@ -346,7 +347,7 @@ const fn number(utilisation: f64) -> f64 {
 #[derive(Clone, Copy, Debug)]
 struct WorstSample {
     index: usize,
-    fits: bool,
+    fit: Fit,
     utilisation: f64,
 }
 
@@ -361,15 +362,15 @@ struct Sampled {
 
 impl Sampled {
     fn empty(samples: usize) -> Self {
-        let worst = WorstSample { index: 0, fits: true, utilisation: -1.0 };
+        let worst = WorstSample { index: 0, fit: Fit::Fits, utilisation: -1.0 };
         Self { utilisations: Vec::with_capacity(samples), passes: 0, impossible: 0, worst }
     }
 
-    fn add(&mut self, index: usize, fits: bool, utilisation: f64) {
+    fn add(&mut self, index: usize, fit: Fit, utilisation: f64) {
         self.utilisations.push(utilisation);
-        self.passes += usize::from(fits);
-        if (!fits, utilisation) > (!self.worst.fits, self.worst.utilisation) {
-            self.worst = WorstSample { index, fits, utilisation };
+        self.passes += usize::from(fit.fits());
+        if (fit, utilisation) > (self.worst.fit, self.worst.utilisation) {
+            self.worst = WorstSample { index, fit, utilisation };
         }
     }
 
@@ -378,7 +379,7 @@ impl Sampled {
         self.utilisations.append(&mut later.utilisations);
         self.passes += later.passes;
         self.impossible += later.impossible;
-        if (!later.worst.fits, later.worst.utilisation) > (!self.worst.fits, self.worst.utilisation) {
+        if (later.worst.fit, later.worst.utilisation) > (self.worst.fit, self.worst.utilisation) {
             self.worst = later.worst;
         }
     }
@@ -422,14 +423,14 @@ fn judge_samples<W: Watch>(
             None => {
                 for sampled in &mut all {
                     sampled.impossible += 1;
-                    sampled.add(index, false, f64::INFINITY);
+                    sampled.add(index, Fit::DoesNotFit, f64::INFINITY);
                 }
             }
             Some(variant) => {
                 let mut judge = judge_of(&variant);
                 for (sampled, judged) in all.iter_mut().zip(judged) {
-                    let (judgement, fits) = judged.judge(project, &variant, &mut judge);
-                    sampled.add(index, fits, number(judgement.utilisation()));
+                    let (judgement, fit) = judged.judge(project, &variant, &mut judge);
+                    sampled.add(index, fit, number(judgement.utilisation()));
                 }
             }
         }

@@ -31,7 +31,7 @@ fn a_single_inertia_passes_with_its_analytic_share() {
         assert_eq!(found.passes as f64 / 10_000.0, found.share());
         assert!((found.worst.utilisation - 245.0 / 240.0).abs() < 1e-12, "{:?}", found.worst);
         assert_eq!(
-            (found.worst.fits, found.worst.check, found.worst.place),
+            (found.worst.fit.fits(), found.worst.check, found.worst.place),
             (false, Some(CheckId::PeakTorque), PointKind::Corner)
         );
         assert!((found.worst.values[0] - 1.4).abs() < 1e-12);
@@ -129,7 +129,7 @@ fn data_of_the_own_actuator_and_requirements_vary_too() {
     let project = own("1.3 kg m^2", "5 N m", text);
     let found = assess_own(&project, Sampling::default(), 2);
     assert!((found.share() - 0.75).abs() < 0.02, "{found:?}");
-    assert!(!found.worst.fits && (found.worst.values[0] - 6.0).abs() < 1e-12, "{:?}", found.worst);
+    assert!(!found.worst.fit.fits() && (found.worst.values[0] - 6.0).abs() < 1e-12, "{:?}", found.worst);
     assert!(found.influence.is_empty(), "no check depends on the mass");
 
     let project = own("1.3 kg m^2", "5 N m", "mass = \"5 kg\"\n[requirements]\nmass_max = \"5.5 kg ± 1 kg\"\n");
@@ -154,7 +154,7 @@ fn a_sample_that_is_worse_than_every_corner_is_reported() {
                 torque_max = \"15 N m\"\n";
     let project = crate::read(text).unwrap_or_else(|faults| panic!("{faults:#?}"));
     let found = assess_own(&project, Sampling { samples: 1000, seed: 1 }, 2);
-    assert_eq!((found.worst.place, found.worst.fits), (PointKind::Sample, false), "{found:?}");
+    assert_eq!((found.worst.place, found.worst.fit.fits()), (PointKind::Sample, false), "{found:?}");
     assert!(found.worst.values[0].abs() < 0.02, "{:?}", found.worst);
     assert_eq!(found.worst.check, Some(CheckId::PeakTorque));
     assert!((found.worst.utilisation - found.utilisation.max).abs() < 1e-15);
@@ -194,8 +194,7 @@ fn the_margins_alone_give_the_verdict_and_the_utilisation_of_every_check() {
                 [Depth::Full, Depth::Margins].map(|depth| sizing::judge(&project.axis, parameters, depth));
             let said = |judgement: &Judgement| {
                 let id = |check: Option<&sizing::Check>| check.map(|check| check.id);
-                let tightest = id(judgement.tightest());
-                (judgement.fits(), judgement.utilisation(), id(judgement.worst_failure()), tightest)
+                (judgement.fit(), judgement.utilisation(), id(judgement.governing()))
             };
             assert_eq!(said(&full), said(&margins), "{code}");
         }

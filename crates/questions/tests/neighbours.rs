@@ -3,7 +3,7 @@
 
 use configurator::catalogue_actuators;
 use project::Files;
-use questions::{Candidate, Patience, Verdict};
+use questions::{Candidate, Patience, Rejected, Verdict};
 use sizing::{Check, Depth, Judge};
 
 struct Examples;
@@ -140,7 +140,7 @@ fn what_a_cycle_gives_back_is_found_for_many_as_for_one() {
             seen += 1;
         }
         let by_energy =
-            |each: &&Candidate<'_>| each.worst_failure().map(|check| check.id) == Some(sizing::CheckId::Regeneration);
+            |each: &&Candidate<'_>| each.governing().map(|check| check.id) == Some(sizing::CheckId::Regeneration);
         failed += all.iter().filter(by_energy).count();
         assert!(all.is_sorted_by(|a, b| sizing::rank(&a.standing, &b.standing).is_le()), "{}", project.name);
     }
@@ -158,7 +158,7 @@ fn a_ranking_is_the_same_however_many_are_reported_in_full() {
     let (mut left_out, mut decided) = (0, 0);
     for project in &projects {
         let all = questions::size(project).candidates;
-        let some = questions::list::size::sized(project, 3, &Patience::endless()).unwrap().candidates;
+        let some = questions::list::size::sized(project, 3, Rejected::All, &Patience::endless()).unwrap().candidates;
         assert_eq!(all.len(), some.len());
         for (place, (full, short)) in all.iter().zip(&some).enumerate() {
             let energy = |each: &Candidate<'_>| {
@@ -169,8 +169,7 @@ fn a_ranking_is_the_same_however_many_are_reported_in_full() {
             };
             let said = |each: &Candidate<'_>| {
                 let id = |check: Option<&Check>| check.map(|check| check.id);
-                let (tightest, worst) = (id(each.judgement.tightest()), id(each.worst_failure()));
-                (each.id.to_string(), each.standing, each.open_questions(), advice(each), tightest, worst)
+                (each.id.to_string(), each.standing, each.open_questions(), advice(each), id(each.governing()))
             };
             assert_eq!(said(full), said(short), "{}", project.name);
             if place < 3 && full.fits() {

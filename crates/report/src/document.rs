@@ -13,7 +13,6 @@ mod origins;
 mod shown;
 
 use crate::{Content, Fault, Settings};
-use answers::Fit;
 use axis::Axis;
 use serde::Serialize;
 use shown::Shown;
@@ -78,7 +77,7 @@ impl Document {
         }
         let head = Head {
             axis: if content.axes.len() == 1 { first.dossier.judgement.axis.clone() } else { String::new() },
-            fits: dossiers().all(|dossier| dossier.judgement.candidate.verdict == Fit::Fits),
+            fits: dossiers().all(|dossier| dossier.judgement.candidate.verdict.fits()),
             date_text: date.as_ref().map(|date| shown.date(date.year, date.month, date.day)).unwrap_or_default(),
             date,
             revision: settings.revision.clone(),

@@ -1,10 +1,10 @@
 //! The answer of one check.
 
-use crate::notes::Notes;
+use crate::notes::{Note, Notes};
 use derivation::Step;
 use numeric::{at_least, at_most};
 use provenance::{Grade, Source};
-use quantities::{Time, Unit, identified};
+use quantities::{Measure, Time, Unit, identified};
 
 pub use crate::list::CheckId;
 
@@ -96,6 +96,27 @@ identified! {
     }
 }
 
+identified! {
+    /// The verdict on an actuator as a whole, the best first.
+    #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+    pub enum Fit {
+        /// Nothing speaks against it.
+        Fits = "fits",
+        /// No check fails, but one is beyond its limit within the band of an estimate: it fits if the estimate holds.
+        FitsIfEstimate = "fits_if_estimate",
+        /// A check fails, or a requirement is not met.
+        DoesNotFit = "does_not_fit",
+    }
+}
+
+impl Fit {
+    /// Returns `true` unless something speaks against it.
+    #[must_use]
+    pub const fn fits(self) -> bool {
+        !matches!(self, Self::DoesNotFit)
+    }
+}
+
 /// A number with the unit that people read it in.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Amount {
@@ -152,6 +173,62 @@ impl Check {
             }
             _ => self.id.direction(),
         }
+    }
+
+    /// Returns `true` if the check is beyond its limit without failing, within the band of an estimate.
+    #[must_use]
+    pub fn is_inside_band(&self) -> bool {
+        self.verdict == Verdict::Advice && self.id.has_margin() && self.utilisation.is_some_and(|share| share > 1.0)
+    }
+
+    /// Returns `true` if the check has a value and the project states no limit for it: it is shown, not judged.
+    #[must_use]
+    pub fn is_without_limit(&self) -> bool {
+        self.verdict == Verdict::NotChecked && self.value.is_some()
+    }
+
+    /// Returns `true` if the check lacks a datum.
+    #[must_use]
+    pub fn is_open(&self) -> bool {
+        self.verdict == Verdict::NotChecked && self.value.is_none()
+    }
+
+    /// Utilisation by which checks are compared: infinite where a failing check has none, since its limit is zero or a range.
+    #[must_use]
+    pub fn severity(&self) -> f64 {
+        match self.utilisation {
+            None if self.verdict == Verdict::Fail => f64::INFINITY,
+            share => share.unwrap_or(0.0),
+        }
+    }
+
+    /// Value over the edge above which the check fails: its utilisation, of an estimate that by the upper edge of its band.
+    /// `None` where it has none.
+    #[must_use]
+    pub fn share_of_failure(&self) -> Option<f64> {
+        let (share, limit) = (self.utilisation?, self.limit?.si);
+        let noted = |of: fn(&Note) -> Option<f64>| self.notes.iter().find_map(of);
+        let upper = noted(|note| if let Note::EstimatedUpTo(upper) = note { Some(upper.si) } else { None });
+        // The utilisation of a temperature is that of its rise.
+        let zero = noted(|note| if let Note::RiseAbove(zero) = note { Some(zero.si()) } else { None }).unwrap_or(0.0);
+        let widened = upper.map(|upper| (limit - zero) / (upper - zero)).filter(|ratio| *ratio > 0.0);
+        Some(share * widened.unwrap_or(1.0))
+    }
+
+    /// The place of the check where checks are listed, the most important first: what fails, what is advised, what could not
+    /// be checked, what passes, what is shown without a limit; within each what has a margin before what has none, and the
+    /// larger utilisation first.
+    #[must_use]
+    pub fn importance(&self) -> impl Ord + use<> {
+        let class = match self.verdict {
+            Verdict::Fail => 0_u8,
+            Verdict::Advice => 1,
+            Verdict::NotChecked if self.is_open() => 2,
+            Verdict::Pass => 3,
+            Verdict::NotChecked => 4,
+        };
+        let has_no_margin = !(self.verdict == Verdict::Fail || self.id.has_margin() && self.utilisation.is_some());
+        (class, has_no_margin, std::cmp::Reverse(crate::rank::in_order(self.severity())))
     }
 
     /// The sign between value and limit that is true: ≤, >, ≥ or <; none where one of them is missing.

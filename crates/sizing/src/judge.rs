@@ -2,7 +2,7 @@
 
 use crate::axis::Axis;
 use crate::bearing_checks::Borne;
-use crate::check::{Check, CheckId, Margin, Part as Concerns, Verdict};
+use crate::check::{Check, CheckId, Fit, Margin, Part as Concerns, Verdict};
 use crate::currents::Currents;
 use crate::demand::{Demand, ManualDemand};
 use crate::electrics::Electrics;
@@ -34,24 +34,43 @@ pub struct Judgement {
 }
 
 impl Judgement {
-    /// Whether no check fails.
+    /// Returns `true` if no check fails.
     #[must_use]
     pub fn fits(&self) -> bool {
         !self.checks.any_fails()
     }
 
-    /// The failing check that is exceeded most, if any.
+    /// Verdict by the checks alone.
     #[must_use]
-    pub fn worst_failure(&self) -> Option<&Check> {
-        let key = |check: &Check| check.utilisation.unwrap_or(f64::INFINITY);
-        self.checks.iter().filter(|c| c.verdict == Verdict::Fail).max_by(|a, b| key(a).total_cmp(&key(b)))
+    pub fn fit(&self) -> Fit {
+        match self.checks.extremes() {
+            Extremes { failing: Some(_), .. } => Fit::DoesNotFit,
+            Extremes { is_inside_band: true, .. } => Fit::FitsIfEstimate,
+            Extremes { .. } => Fit::Fits,
+        }
     }
 
-    /// The largest utilisation among the checks with a margin; infinite where a limit of zero
-    /// is exceeded.
+    /// The check that decides: the failing one that is exceeded most; where none fails, the one with a margin whose
+    /// utilisation is the largest.
+    ///
+    /// Two checks may have the same utilisation, as those of the mean speed at the output and at the motor; they differ in the
+    /// rounding of one machine at most, and the last of them in the order of the checks is meant on every machine.
+    #[must_use]
+    pub fn governing(&self) -> Option<&Check> {
+        self.checks.governing()
+    }
+
+    /// The governing check where it fails.
+    #[must_use]
+    pub fn worst_failure(&self) -> Option<&Check> {
+        self.governing().filter(|check| check.verdict == Verdict::Fail)
+    }
+
+    /// Utilisation of the governing check; infinite where it fails and has none, since its limit is zero or a range.
     #[must_use]
     pub fn utilisation(&self) -> f64 {
-        self.checks.shared().map(|shared| shared.utilisation).fold(utilisation(&self.checks.own), f64::max)
+        let Extremes { failing, margin, .. } = self.checks.extremes();
+        failing.unwrap_or(margin)
     }
 
     /// Whether the load hangs and nothing holds it without power.
@@ -75,18 +94,22 @@ impl Judgement {
     pub fn tells_energy(&self) -> bool {
         self.checks.own.iter().any(|check| check.id.stage() == Stage::Pass)
     }
+}
 
-    /// The check with that utilisation. Two checks may say the same, as those of the mean speed at the output and at the motor; they
-    /// differ in the rounding of one machine at most, and the last of them is meant on every machine.
-    #[must_use]
-    pub fn tightest(&self) -> Option<&Check> {
-        let margins = || {
-            let of = |check: &'_ Check| check.utilisation.filter(|_| check.id.has_margin());
-            self.checks.iter().filter_map(move |check| Some((check, of(check)?)))
-        };
-        let largest = margins().map(|(_, share)| share).max_by(f64::total_cmp)?;
-        margins().filter(|(_, share)| at_least(*share, largest)).last().map(|(check, _)| check)
-    }
+/// The governing check of some, see [`Judgement::governing`].
+fn governing<'c>(checks: impl Iterator<Item = &'c Check> + Clone) -> Option<&'c Check> {
+    let fails = checks.clone().any(|check| check.verdict == Verdict::Fail);
+    let counts = move |check: &&Check| match fails {
+        true => check.verdict == Verdict::Fail,
+        false => check.id.has_margin() && check.utilisation.is_some(),
+    };
+    let largest = checks.clone().filter(counts).map(Check::severity).max_by(f64::total_cmp)?;
+    last_of_equal(checks.filter(counts).map(|check| (check.severity(), check)), largest)
+}
+
+/// The last of those whose share is the largest but for rounding.
+pub(crate) fn last_of_equal<T>(shares: impl IntoIterator<Item = (f64, T)>, largest: f64) -> Option<T> {
+    shares.into_iter().filter(|(share, _)| at_least(*share, largest)).last().map(|(_, of)| of)
 }
 
 /// How far a judgement goes.
@@ -126,8 +149,39 @@ impl Depth {
     }
 }
 
-/// The largest utilisation among some checks, see [`Judgement::utilisation`]; zero where none has one.
-fn utilisation(checks: &[Check]) -> f64 {
+/// What decides among some checks.
+#[derive(Clone, Copy, Debug, Default)]
+struct Extremes {
+    /// Largest severity of those that fail, if any does.
+    failing: Option<f64>,
+    /// Largest utilisation of those with a margin; zero where none has one.
+    margin: f64,
+    is_inside_band: bool,
+}
+
+impl Extremes {
+    fn of(checks: &[Check]) -> Self {
+        checks.iter().fold(Self::default(), |found, check| {
+            found.and(Self {
+                failing: (check.verdict == Verdict::Fail).then(|| check.severity()),
+                margin: check.utilisation.filter(|_| check.id.has_margin()).unwrap_or(0.0),
+                is_inside_band: check.is_inside_band(),
+            })
+        })
+    }
+
+    fn and(self, other: Self) -> Self {
+        let both = [self.failing, other.failing];
+        Self {
+            failing: both.into_iter().flatten().reduce(f64::max),
+            margin: self.margin.max(other.margin),
+            is_inside_band: self.is_inside_band || other.is_inside_band,
+        }
+    }
+}
+
+/// The largest utilisation among some checks that fail or have a margin; zero where none has one.
+fn largest(checks: &[Check]) -> f64 {
     let share = |check: &Check| match check.utilisation {
         None if check.verdict == Verdict::Fail && check.id.margin() != Margin::Range => f64::INFINITY,
         share => share.unwrap_or(0.0),
@@ -162,9 +216,7 @@ impl Part {
 #[derive(Debug)]
 struct Shared {
     checks: Vec<Check>,
-    /// Whether one of them fails.
-    fail: bool,
-    utilisation: f64,
+    extremes: Extremes,
 }
 
 impl Checks {
@@ -190,9 +242,20 @@ impl Checks {
         InOrder { own: self.own.iter(), shared: self.shared.each_ref().map(|part| (part.checks().iter(), part.places)) }
     }
 
-    /// Whether one of them fails.
+    /// The check that decides, see [`Judgement::governing`].
+    #[must_use]
+    pub fn governing(&self) -> Option<&Check> {
+        governing(self.iter())
+    }
+
+    fn extremes(&self) -> Extremes {
+        self.shared().map(|shared| shared.extremes).fold(Extremes::of(&self.own), Extremes::and)
+    }
+
+    /// Returns `true` if one of them fails.
     fn any_fails(&self) -> bool {
-        self.shared().any(|shared| shared.fail) || self.own.iter().any(|check| check.verdict == Verdict::Fail)
+        self.shared().any(|shared| shared.extremes.failing.is_some())
+            || self.own.iter().any(|check| check.verdict == Verdict::Fail)
     }
 }
 
@@ -249,6 +312,8 @@ pub struct Judge<'a> {
     axis: &'a Axis,
     depth: Depth,
     explain: bool,
+    /// Judges what is rejected by the further checks that can fail, too.
+    completes: bool,
     /// The checks of the axis in the order of their stages.
     listed: Vec<CheckId>,
     known: Option<Known>,
@@ -306,8 +371,7 @@ impl Gathering {
     fn all(mut self, governing: usize, naming: Naming<'_>, kept: &mut Option<Named>) -> Part {
         let shared = self.known.unwrap_or_else(|| {
             self.new.iter_mut().for_each(|check| naming(check, governing));
-            let fail = self.new.iter().any(|check| check.verdict == Verdict::Fail);
-            let found = Arc::new(Shared { fail, utilisation: utilisation(&self.new), checks: self.new });
+            let found = Arc::new(Shared { extremes: Extremes::of(&self.new), checks: self.new });
             *kept = Some((governing, Arc::clone(&found)));
             found
         });
@@ -339,7 +403,14 @@ impl<'a> Judge<'a> {
         let bare = depth.is_bare();
         let mut listed = Vec::with_capacity(IN_STAGES.len());
         listed.extend(IN_STAGES.iter().copied().filter(|id| id.is_listed(axis, bare)));
-        Self { axis, depth, explain: false, listed, known: None }
+        Self { axis, depth, explain: false, completes: false, listed, known: None }
+    }
+
+    /// Judges to some depth, and what is rejected by every check that can fail: its failing checks and its governing check are
+    /// then those of [`Depth::Full`].
+    #[must_use]
+    pub fn completing(axis: &'a Axis, depth: Depth) -> Self {
+        Self { completes: true, ..Self::of(axis, depth) }
     }
 
     /// Judges by the checks of one part alone.
@@ -406,10 +477,13 @@ impl<'a> Judge<'a> {
             bearing.all(governing, naming, &mut known.of_bearing),
         ];
         let mut checks = Checks { own, shared };
-        if !only_survivors || !checks.any_fails() {
+        let is_rejected = only_survivors && checks.any_fails();
+        if !is_rejected || self.completes {
             let own = &mut checks.own;
             own.reserve_exact(all - own.len().min(all));
-            further_checks(case, further, (depth, explain), own);
+            // What neither fails nor has a margin says nothing about a rejection.
+            let made = further.iter().copied().filter(|id| !is_rejected || id.can_fail(axis));
+            further_checks(case, made, (depth, explain), own);
         }
         checks.own.iter_mut().for_each(|check| naming(check, governing));
         Judgement { demand, manual, checks }
@@ -450,7 +524,12 @@ fn first_checks(case: &Case<'_>, listed: &[CheckId], explain: bool, to: &mut Gat
 }
 
 /// The checks that look at the cycle once more, and the rest.
-fn further_checks(case: &Case<'_>, listed: &[CheckId], (depth, explain): (Depth, bool), checks: &mut Vec<Check>) {
+fn further_checks(
+    case: &Case<'_>,
+    listed: impl Iterator<Item = CheckId>,
+    (depth, explain): (Depth, bool),
+    checks: &mut Vec<Check>,
+) {
     let &Case { axis, actuator, currents, .. } = case;
     for id in listed {
         let is_made = id.stage() != Stage::Pass
@@ -458,12 +537,10 @@ fn further_checks(case: &Case<'_>, listed: &[CheckId], (depth, explain): (Depth,
                 Depth::Full | Depth::Survivors => true,
                 Depth::Ranking => energy::is_missing(actuator, currents),
                 // What passes and is below another utilisation changes neither verdict nor margin.
-                Depth::Margins | Depth::Rank => {
-                    !energy::is_below(axis, actuator, currents, utilisation(checks).min(1.0))
-                }
+                Depth::Margins | Depth::Rank => !energy::is_below(axis, actuator, currents, largest(checks).min(1.0)),
             };
         if is_made {
-            checks.extend(answered(*id, case, explain));
+            checks.extend(answered(id, case, explain));
         }
     }
 }

@@ -41,7 +41,7 @@ mod workings;
 pub use axis::{Axis, BearingDuty, Moments, OperatingCondition, TooManyInstants};
 pub use bearing_checks::largest_loads;
 pub use brake_times::BrakeTimes;
-pub use check::{Amount, Check, CheckId, Direction, Margin, Part, Verdict};
+pub use check::{Amount, Check, CheckId, Direction, Fit, Margin, Part, Verdict};
 pub use course::{Course, Sample};
 pub use demand::{Demand, ManualDemand, MoveTorques, Moves};
 pub use derivation;
@@ -50,7 +50,7 @@ pub use judge::{Checks, Depth, InOrder, Judge, Judgement, Naming, energies, judg
 pub use list::{Asked, SpecialApplication};
 pub use notes::{BrakeStop, Budget, Note, Notes, ResonanceSpeeds, RopeSlack};
 pub use rank::{RankKey, Standing, rank};
-pub use reserve::{Reserve, SAMPLES_ANEW, Unsought, reserve, reserve_watched};
+pub use reserve::{Reach, Reserve, SAMPLES_ANEW, Unsought, reserve, reserve_watched};
 pub use screen::{Entrant, Found, Ranked, Screen, Screening};
 pub use supply::{MainsPhases, Supply, SupplyFrom};
 pub use trace::INSTANTS_MOST;

@@ -473,6 +473,12 @@ impl CheckId {
         }
     }
 
+    /// Returns `true` for a key of the project that states the limit of a check, not a datum that it needs.
+    #[must_use]
+    pub fn is_limit(key: &str) -> bool {
+        Self::ALL.iter().any(|id| matches!(id.entry().requirement, Requirement::Limit(known, _) if known == key))
+    }
+
     /// Whether a judgement of an axis has this check; `bare`: only where it can fail or has a margin.
     pub(crate) fn is_listed(self, axis: &Axis, bare: bool) -> bool {
         self.is_made(axis) && (!bare || self.can_fail(axis))

@@ -1,18 +1,19 @@
 //! The order of the candidates.
 
+use crate::check::Fit;
 use crate::judge::Judgement;
 use std::cmp::Ordering;
 
 /// What the order looks at, besides the judgement.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Standing {
-    /// Whether nothing speaks against the candidate: no failing check and no unmet requirement.
-    pub fits: bool,
+    /// The verdict on the candidate: checks and requirements.
+    pub fit: Fit,
     /// Whether something holds the load without power, or nothing has to.
     pub holds: bool,
     /// Frame size; the smaller is preferred.
     pub size: u16,
-    /// Largest utilisation of a limit.
+    /// Utilisation of the governing check, see [`Judgement::utilisation`].
     pub utilisation: f64,
     /// Mass in kilograms, for ties; infinite if not known.
     pub mass_kg: f64,
@@ -23,7 +24,7 @@ impl Standing {
     #[must_use]
     pub fn of(judgement: &Judgement, requirements_met: bool, size: u16, mass_kg: Option<f64>) -> Self {
         Self {
-            fits: judgement.fits() && requirements_met,
+            fit: if requirements_met { judgement.fit() } else { Fit::DoesNotFit },
             holds: !judgement.leaves_load_unheld(),
             size,
             utilisation: judgement.utilisation(),
@@ -35,8 +36,8 @@ impl Standing {
 /// The stated rule: what fits before what does not; among what fits, what holds a hanging load without power before what does
 /// not, then what keeps within every limit before what lies inside
 /// the band of an estimate, whose utilisation is above one; then the smaller frame size; then the lower utilisation, that is
-/// the larger margin; then the lower mass. Among those that do not fit, the one that misses by least comes first, then
-/// the smaller frame size: what every check would pass misses by nothing.
+/// the larger margin; then the lower mass. Among those that do not fit, the one whose governing check is exceeded least comes
+/// first, then the smaller frame size: what every check would pass misses by nothing.
 ///
 /// Equal standings keep the order in which they came, the order of the catalogue.
 #[must_use]
@@ -63,11 +64,12 @@ impl RankKey {
     /// That of a candidate.
     #[must_use]
     pub fn of(standing: &Standing) -> Self {
-        let Standing { fits, holds, size, utilisation, mass_kg } = *standing;
+        let Standing { fit, holds, size, utilisation, mass_kg } = *standing;
+        let fits = fit.fits();
         Self {
             unfit: !fits,
             unheld: fits && !holds,
-            inside_band: fits && utilisation > 1.0,
+            inside_band: fit == Fit::FitsIfEstimate,
             miss: if fits { 0 } else { in_order(utilisation.max(1.0)) },
             size,
             utilisation: in_order(utilisation),
@@ -77,7 +79,7 @@ impl RankKey {
 }
 
 /// A number in the order of [`f64::total_cmp`] as one that is compared at once.
-const fn in_order(value: f64) -> u64 {
+pub(crate) const fn in_order(value: f64) -> u64 {
     let bits = value.to_bits();
     let negative = bits >> 63 == 1;
     if negative { !bits } else { bits | 1 << 63 }
@@ -88,7 +90,12 @@ mod tests {
     use super::*;
 
     fn standing(fits: bool, size: u16, utilisation: f64, mass_kg: f64) -> Standing {
-        Standing { fits, holds: true, size, utilisation, mass_kg }
+        let fit = match (fits, utilisation > 1.0) {
+            (false, _) => Fit::DoesNotFit,
+            (true, true) => Fit::FitsIfEstimate,
+            (true, false) => Fit::Fits,
+        };
+        Standing { fit, holds: true, size, utilisation, mass_kg }
     }
 
     #[test]
@@ -104,7 +111,7 @@ mod tests {
         ];
         field.sort_by(rank);
         let order: Vec<(bool, u16, f64, f64)> =
-            field.iter().map(|s| (s.fits, s.size, s.utilisation, s.mass_kg)).collect();
+            field.iter().map(|s| (s.fit.fits(), s.size, s.utilisation, s.mass_kg)).collect();
         assert_eq!(
             order,
             vec![

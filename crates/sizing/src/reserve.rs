@@ -2,24 +2,35 @@
 
 use crate::axis::Axis;
 use crate::brake_times::carried;
-use crate::check::{CheckId, Verdict};
+use crate::check::{Check, CheckId, Fit, Verdict};
 use crate::judge::{Depth, Judgement, judge};
 use crate::watch::{Unwatched, Watch, finished};
 use actuator::Parameters;
 use numeric::border;
-use quantities::{Mass, Measure, ThermodynamicTemperature, Time};
+use quantities::unit::{DEGREE_CELSIUS, ONE, SECOND};
+use quantities::{Mass, Measure, ThermodynamicTemperature, Time, Unit};
+use std::cell::RefCell;
 
-/// The largest change of one quantity, all others as they are, with which an actuator fits.
+/// How far one quantity may change, in the digits in which it is shown: with this value no check fails.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Reach<T> {
+    /// The value.
+    pub value: T,
+    /// Verdict of the checks with it: that an actuator fits, or that it fits if an estimate holds.
+    pub fit: Fit,
+}
+
+/// The largest change of one quantity, all others as they are, with which no check of an actuator fails.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Reserve {
     /// Factor on all inertias and masses of the load, payloads included; friction and process forces stay.
-    pub load_factor: Option<f64>,
+    pub load_factor: Option<Reach<f64>>,
     /// Factor on the payloads of the segments alone, if there are any.
-    pub payload_factor: Option<f64>,
+    pub payload_factor: Option<Reach<f64>>,
     /// Shortest cycle: the whole motion, pauses too, run through faster or slower.
-    pub cycle_time: Option<Time>,
+    pub cycle_time: Option<Reach<Time>>,
     /// Highest ambient temperature.
-    pub ambient: Option<ThermodynamicTemperature>,
+    pub ambient: Option<Reach<ThermodynamicTemperature>>,
     /// What was not sought for its cost.
     pub unsought: Option<Unsought>,
 }
@@ -48,8 +59,17 @@ const FACTOR_MOST: f64 = 1e3;
 /// is of use. A gap narrower than a step between two regions that fit may be passed over.
 const STEPS: [(f64, f64); 3] = [(2.0, 1.1), (10.0, 1.25), (f64::INFINITY, 1.6)];
 
-/// To so much of a step the border is found: 2⁻³⁰, 10⁻⁹.
+/// To so much of a step the border is found: 2⁻³⁰, 10⁻⁹, far below the last digit that is shown.
 const NARROW: f64 = 1.0 / (1_u64 << 30) as f64;
+
+/// Digits of a value that is shown.
+const DIGITS: i32 = 4;
+
+/// So near to a digit, in steps of the last one, a border is that digit: far above the accuracy of the search.
+const AT_A_DIGIT: f64 = 1e-4;
+
+/// Steps of the last digit from a border in which what is shown is sought: one unless the border is narrower than the digit.
+const TRIALS: u32 = 3;
 
 /// Ambient temperatures looked at, −20 °C to 80 °C, in kelvin.
 const AMBIENT_RANGE: (f64, f64) = (253.15, 353.15);
@@ -77,20 +97,25 @@ pub fn reserve_watched<W: Watch>(
     most: usize,
     watch: &W,
 ) -> Result<Reserve, W::Stop> {
-    let excess = |axis: &Axis| -> Result<f64, W::Stop> {
+    let judged = |axis: &Axis| -> Result<Judgement, W::Stop> {
         watch.step()?;
-        Ok(excess(axis, actuator))
+        Ok(judge(axis, actuator, Depth::Margins))
     };
-    let load = |factor: f64| excess(&axis.with_load(factor, factor));
-    let payload = |factor: f64| excess(&axis.with_load(1.0, factor));
-    // A faster cycle is a smaller factor on the time.
-    let faster = |factor: f64| excess(&axis.with_time(1.0 / factor));
+    let duration = axis.moments().duration.si();
+    let load = Search { unit: &ONE, worse_above: true, at: |factor: f64| judged(&axis.with_load(factor, factor)) };
+    let payload = Search { unit: &ONE, worse_above: true, at: |factor: f64| judged(&axis.with_load(1.0, factor)) };
+    let pace = Search { unit: &SECOND, worse_above: false, at: |cycle: f64| judged(&axis.with_time(cycle / duration)) };
     let ambient = || {
-        let mut warmer = axis.clone();
-        highest_ambient(|kelvin| {
+        // A long axis is copied once.
+        let warmer = RefCell::new(axis.clone());
+        let at = |kelvin: f64| {
+            let mut warmer = warmer.borrow_mut();
             warmer.ambient = Some(ThermodynamicTemperature::from_si(kelvin));
-            excess(&warmer)
-        })
+            judged(&warmer)
+        };
+        let warmest = Search { unit: &DEGREE_CELSIUS, worse_above: true, at };
+        let found = highest_ambient(|kelvin| Ok(excess(&warmest.judged(kelvin)?)))?;
+        found.map_or(Ok(None), |border| warmest.shown(border.si(), ThermodynamicTemperature::from_si))
     };
     let carries = axis.extras.iter().any(|extra| extra.mass.si() > 0.0 || extra.inertia.si() > 0.0);
     if matches!(axis.mechanism.kind, mechanism::MechanismKind::Joint(_)) {
@@ -103,17 +128,22 @@ pub fn reserve_watched<W: Watch>(
         // No load and no pace mends what hangs on neither.
         return Ok(Reserve { ambient: ambient()?, ..Reserve::default() });
     }
-    let here = excess_of(&now);
+    let here = excess(&now);
     let [other_load, other_pace] = axis.found_anew();
     let seeks = [other_load <= most, other_pace <= most];
     // Too fast is too fast under any load and at any temperature.
     let too_fast = fails(CheckId::is_of_the_pace);
     let of_loads = || match seeks {
-        [true, _] if !too_fast => Ok((largest(here, load)?, if carries { largest(here, payload)? } else { None })),
+        [true, _] if !too_fast => Ok((load.factor(here)?, if carries { payload.factor(here)? } else { None })),
         _ => Ok((None, None)),
     };
-    let pace = || if seeks[1] { largest(here, faster) } else { Ok(None) };
-    let of_others = || Ok((pace()?, if too_fast { None } else { ambient()? }));
+    let of_the_pace = || {
+        // A faster cycle is a smaller factor on the time.
+        let faster = largest(here, |factor| Ok(excess(&pace.judged(duration / factor)?)))?;
+        faster.map_or(Ok(None), |factor| pace.shown(duration / factor, Time::from_si))
+    };
+    let cycle_time = || if seeks[1] { of_the_pace() } else { Ok(None) };
+    let of_others = || Ok((cycle_time()?, if too_fast { None } else { ambient()? }));
     // What changes with the pace changes with the load too.
     let unsought = (!seeks[0] && (!too_fast || !seeks[1])).then_some(Unsought { pace: !seeks[1], samples: other_load });
     let (loads, others): (Result<_, W::Stop>, Result<_, W::Stop>) = if axis.is_short() {
@@ -127,27 +157,68 @@ pub fn reserve_watched<W: Watch>(
             (loads, others.and_then(|others| others.join().ok()).unwrap_or_else(of_others))
         })
     };
-    let ((load_factor, payload_factor), (factor, ambient)) = (loads?, others?);
-    let cycle_time = factor.map(|factor| Time::from_si(axis.moments().duration.si() / factor));
+    let ((load_factor, payload_factor), (cycle_time, ambient)) = (loads?, others?);
     Ok(Reserve { load_factor, payload_factor, cycle_time, ambient, unsought })
 }
 
-/// How near to its limits an actuator is: above zero it does not pass with certainty.
-///
-/// The largest utilisation less one, as far as it agrees with the verdict; what lies inside the band of an estimate has
-/// more than one and counts as beyond. Where a limit of zero is exceeded beside others, their distance shows how near it
-/// is.
-fn excess(axis: &Axis, actuator: &Parameters) -> f64 {
-    excess_of(&judge(axis, actuator, Depth::Margins))
+/// The judgements of an actuator under changes of one quantity.
+struct Search<F> {
+    /// The unit in which the quantity is shown.
+    unit: &'static Unit,
+    /// Whether larger values are beyond the border, or smaller ones.
+    worse_above: bool,
+    at: F,
 }
 
-fn excess_of(judgement: &Judgement) -> f64 {
-    let excess = judgement.utilisation() - 1.0;
-    if judgement.fits() {
-        return excess;
+impl<S, F: Fn(f64) -> Result<Judgement, S>> Search<F> {
+    /// The judgement with a value in SI.
+    fn judged(&self, si: f64) -> Result<Judgement, S> {
+        (self.at)(si)
     }
-    let finite = judgement.tightest().and_then(|check| check.utilisation).unwrap_or(0.0) - 1.0;
-    if excess.is_finite() || finite <= 0.0 { excess.max(f64::EPSILON) } else { finite }
+
+    /// The largest factor with which no check fails.
+    fn factor(&self, here: f64) -> Result<Option<Reach<f64>>, S> {
+        let border = largest(here, |factor| Ok(excess(&self.judged(factor)?)))?;
+        border.map_or(Ok(None), |border| self.shown(border, |factor| factor))
+    }
+
+    /// A border in the digits in which it is shown, on the side where no check fails, judged as it is shown.
+    fn shown<T>(&self, border: f64, of: impl Fn(f64) -> T) -> Result<Option<Reach<T>>, S> {
+        let value = self.unit.from_si(border);
+        let exponent = if value == 0.0 { 0.0 } else { value.abs().log10().floor() };
+        let scale = 10_f64.powf(f64::from(DIGITS - 1) - exponent);
+        let (exact, nearest) = (value * scale, (value * scale).round());
+        let digits = match self.worse_above {
+            // The border is a digit, but for the accuracy of the search.
+            _ if (exact - nearest).abs() < AT_A_DIGIT => nearest,
+            true => exact.floor(),
+            false => exact.ceil(),
+        };
+        for trial in 0..TRIALS {
+            let inward = if self.worse_above { -f64::from(trial) } else { f64::from(trial) };
+            let si = self.unit.to_si((digits + inward) / scale);
+            let fit = self.judged(si)?.fit();
+            if fit.fits() {
+                return Ok(Some(Reach { value: of(si), fit }));
+            }
+        }
+        Ok(None)
+    }
+}
+
+/// How near to failing an actuator is: above zero a check fails.
+///
+/// The largest share of the edges above which checks fail less one, as far as it agrees with the verdict. Where a limit of zero
+/// is exceeded beside others, their distance shows how near it is.
+fn excess(judgement: &Judgement) -> f64 {
+    let most = |of: fn(&Check) -> bool| {
+        let shares = judgement.checks.iter().filter(|check| of(check)).filter_map(Check::share_of_failure);
+        shares.reduce(f64::max).map(|share| share - 1.0)
+    };
+    if judgement.fits() {
+        return most(|check| check.id.has_margin()).unwrap_or(-1.0).min(0.0);
+    }
+    most(|check| check.verdict == Verdict::Fail).map_or(f64::INFINITY, |excess| excess.max(f64::EPSILON))
 }
 
 /// The largest factor from which nothing fits any more, walking up from what fits or down from what does not; `None` if
@@ -267,6 +338,10 @@ mod tests {
         Datum::Known(Sourced { value, source, grade: Grade::Printed, errata: &[] })
     }
 
+    const fn reach<T>(value: T) -> Option<Reach<T>> {
+        Some(Reach { value, fit: Fit::Fits })
+    }
+
     fn axis(inertia: f64) -> Axis {
         let s = Time::from_si;
         let only = SegmentSpec::Manual(ManualMove {
@@ -290,23 +365,22 @@ mod tests {
 
     #[test]
     fn the_border_by_hand_from_both_sides() {
-        for inertia in [1.0, 1.999, 2.001, 8.0] {
+        for (inertia, shown) in [(1.01, 1.980), (1.9, 1.052), (2.003, 0.9985), (8.3, 0.2409)] {
             let found = reserve(&axis(inertia), &actuator());
-            // What is at the limit up to rounding fits.
-            assert!((found.load_factor.unwrap() * inertia - 2.0).abs() < 1e-8, "{inertia}: {found:?}");
+            assert_eq!(found.load_factor, reach(shown), "{inertia}: {found:?}");
             assert_eq!(found.payload_factor, None, "there is no payload");
         }
         // (1.0 + 0.5)·40/f² + 5 = 105: the time may shrink to √0.6 of 1.3 s.
         let found = reserve(&axis(1.0), &actuator());
-        assert!((found.cycle_time.unwrap().si() - 1.3 * 0.6_f64.sqrt()).abs() < 1e-8, "{found:?}");
+        assert_eq!(found.cycle_time, reach(Time::from_si((1.3 * 0.6_f64.sqrt() * 1e3).ceil() / 1e3)), "{found:?}");
     }
 
     #[test]
     fn at_the_border_the_actuator_fits_and_beyond_it_does_not() {
         let axis = axis(1.3);
-        let factor = reserve(&axis, &actuator()).load_factor.unwrap();
+        let factor = reserve(&axis, &actuator()).load_factor.unwrap().value;
         let fits = |factor: f64| judge(&axis.with_load(factor, factor), &actuator(), Depth::Full).fits();
-        assert!(fits(factor) && !fits(factor * (1.0 + 1e-8)));
+        assert!(fits(factor) && !fits(factor + 0.001));
     }
 
     /// Nine seconds of swinging, too many samples for their nodes to be kept.
@@ -370,12 +444,7 @@ mod tests {
             reserve(&axis, &actuator())
         };
         let (by_views, anew) = (reserves(&arm(1.0)), reserves(&arm(1.0 - 1e-12)));
-        assert!(
-            (by_views.load_factor.unwrap() / anew.load_factor.unwrap() - 1.0).abs() < 1e-8,
-            "{by_views:?} {anew:?}"
-        );
-        let [a, b] = [by_views, anew].map(|found| found.cycle_time.unwrap().si());
-        assert!((a / b - 1.0).abs() < 1e-8, "{a} {b}");
+        assert_eq!(by_views, anew);
     }
 
     /// Too fast: beside the speed the trace fails too, whose limit is zero there.
@@ -392,10 +461,10 @@ mod tests {
         };
         let found = reserve(&axis(1.0), &slow(3.9));
         assert_eq!((found.load_factor, found.ambient), (None, None), "{found:?}");
-        assert!((found.cycle_time.unwrap().si() - 1.3 * 4.0 / 3.9).abs() < 1e-8, "{found:?}");
+        assert_eq!(found.cycle_time, reach(Time::from_si(1.334)), "1.3 s · 4.0/3.9 = 1.3333 s: {found:?}");
         // The speed that is just not too high bounds the pace.
         let found = reserve(&axis(1.0), &slow(4.1));
-        assert!((found.cycle_time.unwrap().si() - 1.3 * 4.0 / 4.1).abs() < 1e-8, "{found:?}");
+        assert_eq!(found.cycle_time, reach(Time::from_si(1.269)), "1.3 s · 4.0/4.1 = 1.2683 s: {found:?}");
     }
 
     #[test]

@@ -12,10 +12,10 @@ mod losses;
 
 use crate::axis::Axis;
 use crate::bearing_checks::Borne;
-use crate::check::{Check, CheckId, Verdict};
+use crate::check::{Check, CheckId, Fit, Verdict};
 use crate::currents::Currents;
 use crate::electrics::Electrics;
-use crate::judge::{Depth, Judgement};
+use crate::judge::{Depth, Judgement, last_of_equal};
 use crate::list::{Answer, Case};
 use crate::notes::Note;
 use crate::rank::{RankKey, Standing};
@@ -34,8 +34,10 @@ pub use catalogue::{Entrant, Screen};
 /// What is found of the actuators for one axis.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Found {
-    /// How many fit.
+    /// How many fit within every limit.
     pub fit: usize,
+    /// How many others fit if an estimate holds.
+    pub fit_if_estimate: usize,
     /// The best of them.
     pub best: Option<Ranked>,
     /// Where none fits, the one that misses by least, of those that meet what is required and are of the right class.
@@ -47,9 +49,9 @@ pub struct Found {
 pub struct Ranked {
     /// Its place among the entrants.
     pub entrant: usize,
-    /// Its largest utilisation.
+    /// Utilisation of its governing check.
     pub utilisation: f64,
-    /// The check with it; of a miss the one that is exceeded most.
+    /// Its governing check.
     pub tightest: Option<CheckId>,
 }
 
@@ -64,7 +66,7 @@ pub struct Screening<'s> {
 /// What speaks against a group of actuators.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum State {
-    Fits { holds: bool },
+    Fits { holds: bool, is_inside_band: bool },
     Fails,
 }
 
@@ -144,25 +146,29 @@ struct Open {
 }
 
 impl Open {
-    /// What comes first in the order of those that fit.
-    const fn class(&self) -> Option<(bool, u16)> {
+    /// What comes first in the order of those that fit, see [`RankKey`].
+    const fn class(&self) -> Option<Class> {
         match self.state {
-            State::Fits { holds } => Some((!holds, self.size)),
+            State::Fits { holds, is_inside_band } => Some((!holds, is_inside_band, self.size)),
             State::Fails => None,
         }
     }
 }
 
+/// Whether nothing holds the load, whether it fits only if an estimate holds, and the frame size.
+type Class = (bool, bool, u16);
+
 /// What the checks of an output bearing found.
 #[derive(Debug, Default)]
 struct OfBearing {
     fails: bool,
+    is_inside_band: bool,
     shares: Vec<(f64, CheckId)>,
 }
 
 impl Row<'_> {
     fn found(&self, figures: &Figures, bounds: &mut [Bounds]) -> Found {
-        let mut fit = 0;
+        let (mut fit, mut fit_if_estimate) = (0, 0);
         let mut open: Vec<Open> = Vec::with_capacity(self.conditions.groups.len());
         for (four, (groups, bounds)) in self.conditions.groups.chunks(4).zip(bounds.iter()).enumerate() {
             for (place, group) in groups.iter().enumerate() {
@@ -171,23 +177,26 @@ impl Row<'_> {
                     continue;
                 }
                 let state = self.state(group, bounds.of_one(place));
-                if let State::Fits { .. } = state {
-                    fit += meeting;
+                match state {
+                    State::Fits { is_inside_band: false, .. } => fit += meeting,
+                    State::Fits { is_inside_band: true, .. } => fit_if_estimate += meeting,
+                    State::Fails => {}
                 }
                 open.push(Open { four, place, size: group.size, state });
             }
         }
-        if fit == 0 {
-            return Found { fit, best: None, miss: self.miss(&open, bounds) };
-        }
-        // The best is mostly one of those that come first by what costs nothing.
+        // The best is one of those that come first by what costs nothing; the nearest miss is one of all.
         let first = open.iter().filter_map(Open::class).min();
         for open in open.iter().filter(|open| open.class() == first) {
             if let (Some(bounds), Some(four)) = (bounds.get_mut(open.four), self.conditions.fours.get(open.four)) {
                 bounds.look_below(figures, four);
             }
         }
-        Found { fit, best: self.best(&open, bounds, first), miss: None }
+        let found = Found { fit, fit_if_estimate, best: None, miss: None };
+        match first {
+            Some(first) => Found { best: self.best(&open, bounds, first), ..found },
+            None => Found { miss: self.miss(&open, bounds), ..found },
+        }
     }
 
     /// A group with its bounds.
@@ -214,29 +223,35 @@ impl Row<'_> {
         if self.borne(group).is_some_and(|borne| borne.fails) {
             return State::Fails;
         }
-        let open = bounds.open();
-        if open.is_empty() && self.others.is_empty() && self.has_outline {
-            return State::Fits { holds: true };
-        }
         if bounds.is_unknown() {
             let judgement = self.judged(&group.representative);
-            let fits = judgement.fits();
-            return if fits { State::Fits { holds: !judgement.leaves_load_unheld() } } else { State::Fails };
+            let holds = !judgement.leaves_load_unheld();
+            return match judgement.fit() {
+                Fit::DoesNotFit => State::Fails,
+                fit => State::Fits { holds, is_inside_band: fit == Fit::FitsIfEstimate },
+            };
+        }
+        let near = bounds.near();
+        let mut is_inside_band = self.borne(group).is_some_and(|borne| borne.is_inside_band);
+        let is_certain = near.is_empty() || bounds.open().is_empty() && bounds.is_beyond_a_limit();
+        if is_certain && self.others.is_empty() && self.has_outline {
+            return State::Fits { holds: true, is_inside_band: is_inside_band || !near.is_empty() };
         }
         let mut holds = true;
         let mut fails = false;
-        let ids: Vec<CheckId> = open.iter().chain(self.others.iter().copied()).collect();
+        let ids: Vec<CheckId> = near.iter().chain(self.others.iter().copied()).collect();
         self.with_case(group, &ids, |case| {
             for id in ids.iter().copied() {
                 let Some(check) = checked(id, case) else { continue };
                 holds &= id != CheckId::BrakeHolding || !check.notes.contains(&Note::NothingHoldsWithoutPower);
+                is_inside_band |= check.is_inside_band();
                 if check.verdict == Verdict::Fail {
                     fails = true;
                     return;
                 }
             }
         });
-        if fails { State::Fails } else { State::Fits { holds } }
+        if fails { State::Fails } else { State::Fits { holds, is_inside_band } }
     }
 
     /// What the checks of the output bearing found, made for the first actuator that has it.
@@ -251,6 +266,7 @@ impl Row<'_> {
                 let Answer::Bearing(answer) = id.answer() else { continue };
                 let Ok(check) = answer(&borne, &mut Workings::off()) else { continue };
                 found.fails |= check.verdict == Verdict::Fail;
+                found.is_inside_band |= check.is_inside_band();
                 found.shares.extend(check.utilisation.filter(|_| id.has_margin()).map(|share| (share, *id)));
             }
             Arc::new(found)
@@ -263,37 +279,31 @@ impl Row<'_> {
     }
 
     /// The best of the groups that fit, with its best member; `first`: the class that comes first.
-    fn best(&self, open: &[Open], bounds: &[Bounds], first: Option<(bool, u16)>) -> Option<Ranked> {
-        let key = |group: &Group, holds: bool, utilisation: f64, mass_kg: f64| {
-            RankKey::of(&Standing { fits: true, holds, size: group.size, utilisation, mass_kg })
+    fn best(&self, open: &[Open], bounds: &[Bounds], first: Class) -> Option<Ranked> {
+        let (is_unheld, is_inside_band, size) = first;
+        let fit = if is_inside_band { Fit::FitsIfEstimate } else { Fit::Fits };
+        let key = |utilisation: f64, mass_kg: f64| {
+            RankKey::of(&Standing { fit, holds: !is_unheld, size, utilisation, mass_kg })
         };
         let mut best: Option<(RankKey, usize, Ranked)> = None;
         let candidate = |open: &Open| {
-            let State::Fits { holds } = open.state else { return None };
             let (group, bounds) = self.group(open, bounds)?;
-            Some((key(group, holds, bounds.least(), 0.0), group, bounds, holds))
+            Some((key(bounds.least(), 0.0), group, bounds))
         };
-        let mut candidates: Vec<(RankKey, &Group, BoundsOfOne<'_>, bool)> = Vec::new();
-        for is_first in [true, false] {
-            // Whatever is certain comes before all of a later class.
-            if best.as_ref().is_some_and(|(.., ranked)| ranked.utilisation <= 1.0) {
+        let of_the_class = open.iter().filter(|open| open.class() == Some(first));
+        let mut candidates: Vec<(RankKey, &Group, BoundsOfOne<'_>)> = of_the_class.filter_map(candidate).collect();
+        while let Some(at) = least_of(&candidates, |(key, ..)| *key) {
+            let (least, group, bounds) = candidates.swap_remove(at);
+            if best.as_ref().is_some_and(|(key, ..)| least > *key) {
                 break;
             }
-            candidates.extend(open.iter().filter(|open| (open.class() == first) == is_first).filter_map(candidate));
-            while let Some(at) = least_of(&candidates, |(key, ..)| *key) {
-                let (least, group, bounds, holds) = candidates.swap_remove(at);
-                if best.as_ref().is_some_and(|(key, ..)| least > *key) {
-                    break;
-                }
-                let (utilisation, tightest) = self.utilisation(group, bounds);
-                let Some(member) = self.lightest(group) else { continue };
-                let key = key(group, holds, utilisation, member.mass_kg);
-                if best.as_ref().is_none_or(|(other, entrant, _)| (key, member.entrant) < (*other, *entrant)) {
-                    best = Some((key, member.entrant, Ranked { entrant: member.entrant, utilisation, tightest }));
-                    candidates.retain(|(least, ..)| *least <= key);
-                }
+            let (utilisation, tightest) = self.utilisation(group, bounds);
+            let Some(member) = self.lightest(group) else { continue };
+            let key = key(utilisation, member.mass_kg);
+            if best.as_ref().is_none_or(|(other, entrant, _)| (key, member.entrant) < (*other, *entrant)) {
+                best = Some((key, member.entrant, Ranked { entrant: member.entrant, utilisation, tightest }));
+                candidates.retain(|(least, ..)| *least <= key);
             }
-            candidates.clear();
         }
         best.map(|(.., ranked)| ranked)
     }
@@ -302,38 +312,30 @@ impl Row<'_> {
     fn utilisation(&self, group: &Group, bounds: BoundsOfOne<'_>) -> (f64, Option<CheckId>) {
         if bounds.is_unknown() {
             let judgement = self.judged(&group.representative);
-            return (judgement.utilisation(), judgement.tightest().map(|check| check.id));
+            return (judgement.utilisation(), judgement.governing().map(|check| check.id));
         }
-        let mut largest = 0.0_f64;
-        let mut tightest: Option<(f64, CheckId)> = None;
         let ids: Vec<CheckId> =
             bounds.contenders().iter().chain(self.others.iter().copied()).filter(|id| id.has_margin()).collect();
+        let mut shares: Vec<(f64, CheckId)> = Vec::new();
         self.with_case(group, &ids, |case| {
             let borne = self.borne(group);
             let known = borne.iter().flat_map(|borne| borne.shares.iter().copied());
-            let mut shares: Vec<(f64, CheckId)> =
-                ids.iter().filter_map(|id| Some((checked(*id, case)?.utilisation?, *id))).chain(known).collect();
-            // Of equal ones the last in the order of the answers.
-            shares.sort_unstable_by_key(|(_, id)| id.place());
-            for (share, id) in shares {
-                largest = largest.max(share);
-                if tightest.is_none_or(|(other, _)| share.total_cmp(&other).is_ge()) {
-                    tightest = Some((share, id));
-                }
-            }
+            shares.extend(ids.iter().filter_map(|id| Some((checked(*id, case)?.utilisation?, *id))).chain(known));
         });
-        (largest, tightest.map(|(_, id)| id))
+        shares.sort_unstable_by_key(|(_, id)| id.place());
+        let largest = shares.iter().map(|(share, _)| *share).fold(0.0, f64::max);
+        (largest, last_of_equal(shares, largest))
     }
 
     /// Of the groups that do not fit the one that misses by least.
     fn miss(&self, open: &[Open], bounds: &[Bounds]) -> Option<Ranked> {
         let key = |group: &Group, utilisation: f64, mass_kg: f64| {
-            RankKey::of(&Standing { fits: false, holds: true, size: group.size, utilisation, mass_kg })
+            RankKey::of(&Standing { fit: Fit::DoesNotFit, holds: true, size: group.size, utilisation, mass_kg })
         };
         let mut best: Option<(RankKey, usize, Ranked)> = None;
         let candidate = |open: &Open| {
             let (group, bounds) = self.group(open, bounds)?;
-            (!bounds.is_of_another_place()).then(|| (key(group, bounds.least_first(), 0.0), group))
+            (!bounds.is_of_another_place()).then(|| (key(group, bounds.least_failing(), 0.0), group))
         };
         let mut candidates: Vec<(RankKey, &Group)> = open.iter().filter_map(candidate).collect();
         while let Some(at) = least_of(&candidates, |(key, _)| *key) {
@@ -341,7 +343,8 @@ impl Row<'_> {
             if best.as_ref().is_some_and(|(key, ..)| least > *key) {
                 break;
             }
-            let judgement = self.judged(&group.representative);
+            // The bound is below every check that fails, so every check is made.
+            let judgement = crate::judge::judge(self.axis, &group.representative, Depth::Margins);
             let is_elsewhere = |check: &Check| check.verdict == Verdict::Fail && check.id.is_of_the_place();
             if judgement.checks.iter().any(is_elsewhere) {
                 continue;

@@ -117,8 +117,12 @@ fn answered(wanted: &Wanted) -> SchemaRef {
     let (code, error) = (field("code", DataType::Utf8), field("error", DataType::Utf8));
     let share = |name: &str| field(name, DataType::Float64);
     let tightest = field("tightest", DataType::Utf8);
+    let verdict = field("verdict", DataType::Utf8);
     let fields = match wanted {
-        Wanted::Best => vec![row, field("fit", DataType::UInt32), code, share("utilisation"), tightest, error],
+        Wanted::Best => {
+            let [fit, fit_if_estimate] = ["fit", "fit_if_estimate"].map(|name| field(name, DataType::UInt32));
+            vec![row, fit, code, share("utilisation"), tightest, error, fit_if_estimate]
+        }
         Wanted::Every(checks) => {
             let each = checks.iter().flat_map(|check| {
                 [
@@ -127,10 +131,10 @@ fn answered(wanted: &Wanted) -> SchemaRef {
                 ]
             });
             let first = [row, code, field("fits", DataType::Boolean), share("utilisation"), tightest];
-            first.into_iter().chain(each).chain([error]).collect()
+            first.into_iter().chain(each).chain([error, verdict]).collect()
         }
         Wanted::Front => {
-            vec![row, code, share("mass [kg]"), share("length [mm]"), share("utilisation"), tightest, error]
+            vec![row, code, share("mass [kg]"), share("length [mm]"), share("utilisation"), tightest, error, verdict]
         }
     };
     Arc::new(Schema::new(fields))
@@ -154,6 +158,7 @@ fn best(answers: &[Answer], first_row: u64) -> Vec<ArrayRef> {
         Arc::new(each().map(|best| best?.utilisation).collect::<Float64Array>()),
         texts(each().map(|best| Some(best?.tightest?.id()))),
         texts(answers.iter().map(|answer| answer.as_ref().err())),
+        Arc::new(each().map(|best| Some(best?.fit_if_estimate)).collect::<UInt32Array>()),
     ]
 }
 
@@ -180,7 +185,7 @@ fn every(answers: &[Answer], first_row: u64, checks: &[CheckId]) -> Vec<ArrayRef
     let mut columns: Vec<ArrayRef> = vec![
         Arc::new(lines.iter().map(|(row, _)| *row).collect::<UInt64Array>()),
         texts(each().map(|line| Some(line?.code.to_string()))),
-        Arc::new(each().map(|line| Some(line?.fits)).collect::<BooleanArray>()),
+        Arc::new(each().map(|line| Some(line?.fit.fits())).collect::<BooleanArray>()),
         Arc::new(each().map(|line| line?.utilisation).collect::<Float64Array>()),
         texts(each().map(|line| Some(line?.tightest?.id()))),
     ];
@@ -190,6 +195,7 @@ fn every(answers: &[Answer], first_row: u64, checks: &[CheckId]) -> Vec<ArrayRef
         columns.push(Arc::new(each().map(|line| check(line)?.1).collect::<Float64Array>()));
     }
     columns.push(texts(lines.iter().map(|(_, line)| line.as_ref().err())));
+    columns.push(texts(each().map(|line| Some(line?.fit.id()))));
     columns
 }
 
@@ -207,5 +213,6 @@ fn front(answers: &[Answer], first_row: u64) -> Vec<ArrayRef> {
         Arc::new(each().map(|line| Some(line?.utilisation)).collect::<Float64Array>()),
         texts(each().map(|line| Some(line?.tightest?.id()))),
         texts(lines.iter().map(|(_, line)| line.as_ref().err())),
+        texts(each().map(|line| Some(line?.fit.id()))),
     ]
 }

@@ -35,7 +35,7 @@ fn a_table_is_answered_row_by_row() {
     let answer = sweep.batch(&table, 1000, &Patience::endless()).unwrap();
     assert_eq!(answer.schema(), sweep.schema());
     let names: Vec<_> = answer.schema().fields().iter().map(|field| field.name().clone()).collect();
-    assert_eq!(names, ["row", "fit", "code", "utilisation", "tightest", "error"]);
+    assert_eq!(names, ["row", "fit", "code", "utilisation", "tightest", "error", "fit_if_estimate"]);
     assert_eq!(answer.column(0).as_primitive::<UInt64Type>().values(), &[1000, 1001, 1002]);
     let fit = answer.column(1).as_primitive::<UInt32Type>();
     assert!(fit.value(0) > 50 && fit.is_null(1) && fit.value(2) == 0);

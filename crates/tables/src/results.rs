@@ -4,17 +4,15 @@ use crate::define::{Subject, column, titled};
 use crate::table::{Cell, Column, ColumnContent, Derived, Table};
 use quantities::unit::{KILOGRAM, MILLIMETRE, NEWTON_METRE, ONE, PERCENT, REVOLUTION_PER_MINUTE, SECOND};
 use quantities::{Language, Measure, Unit};
+use questions::texts::{by_importance, fit_text, verdict_text};
 use questions::{Candidate, Check, CheckId, Demand};
 use words::{
     Word, check_missing, check_title, describe_field, figure_term, grade_word, note_text, source_text, tables, terms,
-    verdict_word,
 };
 
 /// Identifier and word of the verdict on a whole candidate.
 pub(crate) fn fits(candidate: &Candidate<'_>, language: Language) -> Cell {
-    let (id, word): (&'static str, Word) =
-        if candidate.fits() { ("fits", terms::fits) } else { ("does_not_fit", terms::does_not_fit) };
-    Cell::Word(id, word(language).to_owned())
+    Cell::Word(candidate.fit().id(), fit_text(candidate.fit(), language).to_owned())
 }
 
 fn code(language: Language) -> Column {
@@ -128,10 +126,7 @@ pub(crate) fn candidates(subject: &Subject<'_>) -> Table {
             Cell::text(candidate.id.to_string()),
             fits(candidate, l),
             utilisation,
-            candidate
-                .judgement
-                .tightest()
-                .map_or(Cell::Empty, |check| Cell::Word(check.id.id(), check_title(check.id, l))),
+            candidate.governing().map_or(Cell::Empty, |check| Cell::Word(check.id.id(), check_title(check.id, l))),
             margin,
             Cell::in_unit(data.mass.known().map(|known| known.value.si()), &KILOGRAM),
             Cell::in_unit(data.length.known().map(|known| known.value.si()), &MILLIMETRE),
@@ -181,7 +176,10 @@ pub(crate) fn checks(subject: &Subject<'_>) -> Table {
     shown.sort_by_key(|(_, candidate)| candidate.id != *chosen);
     let of_each = |(_, candidate): &(Option<usize>, Candidate<'_>)| {
         let name = candidate.id.to_string();
-        candidate.judgement.checks.iter().map(|check| check_row(&name, check, l)).collect::<Vec<_>>()
+        by_importance(&candidate.judgement.checks)
+            .into_iter()
+            .map(|check| check_row(&name, check, l))
+            .collect::<Vec<_>>()
     };
     let rows = shown.iter().flat_map(of_each).collect();
     let mut table = subject.made("checks", terms::checks, tables::checks_about, columns, rows);
@@ -207,7 +205,7 @@ fn check_row(code: &str, check: &Check, l: Language) -> Vec<Cell> {
         Cell::text(code),
         Cell::text(check.id.id()),
         Cell::text(check_title(check.id, l)),
-        Cell::Word(check.verdict.id(), verdict_word(check.verdict, l)),
+        Cell::Word(check.verdict.id(), verdict_text(check, l)),
         figure(check.value),
         figure(check.limit),
         unit,

@@ -83,8 +83,8 @@ pub use quantity::{quantity_fault, quantity_hint, unpadded};
 pub use recording::{encoding_guess, recording_text, role_text};
 pub use results::{
     Counts, check_missing, check_title, condition_text, counts_text, curve_title, evidence_text, figure_term,
-    grade_about, grade_word, minutes, part_title, ranking_rule, requirement_title, source_text, standing_text,
-    symbol_term, unmet_text, verdict_count, verdict_word, without_limit,
+    grade_about, grade_word, minutes, part_title, ranking_rule, source_text, standing_text, symbol_term, unmet_text,
+    verdict_count, verdict_word, without_limit,
 };
 pub use saving::{SaveTrouble, save_trouble};
 pub use schema::schema_text;

@@ -37,7 +37,6 @@ texts! {
     length = "Length" | "Länge";
     margin_to_the_tightest_limit = "Margin to the governing limit" | "Reserve zur maßgebenden Grenze";
     limit_exceeded = "limit exceeded" | "Grenze überschritten";
-    fits_with_advice = "fits, with advice" | "geeignet, mit Hinweis";
     the_best = "The best" | "Der beste";
     marked = "Marked" | "Markiert";
     candidate_map_caption(left_out, floor) =

@@ -94,6 +94,7 @@ texts! {
     exceeded = "Limits exceeded" | "Überschrittene Grenzen";
     unmet = "Requirements not met" | "Nicht erfüllte Anforderungen";
     without_limit = "shown without limit" | "ohne Grenze gezeigt";
+    governing_check = "Governing check" | "Maßgebender Nachweis";
     highest_utilisation = "Highest utilisation" | "Höchste Auslastung";
     duty = "Duty factor" | "Einschaltdauer";
     cycle = "Cycle time" | "Zykluszeit";
@@ -190,12 +191,21 @@ texts! {
     v_open_text =
         "No check made has failed. The result is valid only after the open points have been settled."
         | "Alle geführten Nachweise sind erfüllt. Das Ergebnis gilt erst nach Klärung der offenen Punkte.";
+    v_if_estimate = "Fits if the estimate holds" | "Geeignet, sofern die Schätzung zutrifft";
+    v_if_estimate_text =
+        "No check fails. These are beyond the lower edge of an estimate and within its band: have the maker confirm them, or give a curve:"
+        | "Kein Nachweis ist verletzt. Diese liegen über dem unteren Rand einer Schätzung und in ihrem Band; vom Hersteller bestätigen lassen oder eine Kennlinie angeben:";
+    if_estimate = "if the estimate holds" | "sofern die Schätzung zutrifft";
+    fitting_if_estimate = "more if an estimate holds" | "weitere, sofern eine Schätzung zutrifft";
+    nothing_to_order =
+        "Nothing is ordered: the actuator does not fit."
+        | "Nichts zu bestellen: der Antrieb ist nicht geeignet.";
+    segments_of_a_single_move =
+        "Segments of a single move, which ends elsewhere than it begins. Effective values and heat assume that such moves follow each other directly."
+        | "Abschnitte einer einzelnen Bewegung, die nicht am Anfang endet. Effektivwerte und Erwärmung nehmen an, dass solche Bewegungen unmittelbar aufeinander folgen.";
     v_does_not_fit_text =
         "At least one limit is exceeded or one requirement not met."
         | "Mindestens ein Grenzwert ist überschritten oder eine Anforderung nicht erfüllt.";
-    above_in_band =
-        "The highest utilisation exceeds 100 %, but lies within the band of an estimate: advice, not a failed check."
-        | "Die höchste Auslastung liegt über 100 %, jedoch im Band einer Schätzung: Hinweis, kein nicht erfüllter Nachweis.";
     all_fit =
         "All checks that could be made are passed by these actuators."
         | "Alle geführten Nachweise sind für diese Antriebe erfüllt.";
@@ -269,8 +279,8 @@ texts! {
     s_reasons = "Reasons for rejection" | "Ausschlussgründe";
     r_check = "exceeded" | "nicht erfüllt";
     reasons_text =
-        "Each actuator is listed once, under its first reason; requirements not met take precedence over limits exceeded."
-        | "Jeder Antrieb ist einmal aufgeführt, unter seinem ersten Grund; nicht erfüllte Anforderungen haben Vorrang vor überschrittenen Grenzen.";
+        "Each actuator is listed once, under its governing check; if no check fails, under the requirement that is not met."
+        | "Jeder Antrieb ist einmal aufgeführt, unter seinem maßgebenden Nachweis; ist kein Nachweis verletzt, unter der nicht erfüllten Anforderung.";
     errata_text =
         "Values of the manual that are used corrected or with a reservation."
         | "Werte der Anleitung, die berichtigt oder mit Vorbehalt verwendet werden.";

@@ -8,7 +8,7 @@ use order_code::Brake;
 use provenance::{CellRef, Grade, MANUAL, Source};
 use quantities::unit::{KILOGRAM, MILLIMETRE, MINUTE, VOLT};
 use quantities::{Language, Measure, Time, Unit, format_number, format_significant};
-use sizing::{CheckId, Part, Verdict};
+use sizing::{CheckId, Fit, Part, Verdict};
 
 /// What a part of the actuator is called above its checks.
 #[must_use]
@@ -146,23 +146,28 @@ impl Counts {
     }
 }
 
-/// Whether a candidate fits, what is missing, and whether a hanging load is left without a hold: nothing else words this.
+/// Whether a candidate fits, what is missing, and whether a load is left without a hold: nothing else words this. `inside`: the
+/// checks that lie within the band of an estimate.
 #[must_use]
-pub fn standing_text(fits: bool, unheld: bool, counts: &Counts, language: Language) -> String {
+pub fn standing_text(fit: Fit, inside: &str, unheld: bool, counts: &Counts, language: Language) -> String {
     let (all, missing) = (counts.checks(), counts.not_checked);
-    let mut text = match (fits, counts.failed) {
-        (true, _) => said!(language => "fits" | "geeignet"),
-        (false, 0) => said!(language => "does not fit" | "nicht geeignet"),
-        (false, 1) => said!(language =>
+    let mut text = match (fit, counts.failed) {
+        (Fit::Fits, _) => said!(language => "fits" | "geeignet"),
+        (Fit::FitsIfEstimate, _) => said!(language =>
+            "fits if the estimate holds: {inside}"
+            | "geeignet, sofern die Schätzung zutrifft: {inside}"
+        ),
+        (Fit::DoesNotFit, 0) => said!(language => "does not fit" | "nicht geeignet"),
+        (Fit::DoesNotFit, 1) => said!(language =>
             "does not fit: 1 of {all} checks fails"
             | "nicht geeignet: 1 von {all} Nachweisen nicht erfüllt"
         ),
-        (false, failed) => said!(language =>
+        (Fit::DoesNotFit, failed) => said!(language =>
             "does not fit: {failed} of {all} checks fail"
             | "nicht geeignet: {failed} von {all} Nachweisen nicht erfüllt"
         ),
     };
-    if !fits {
+    if !fit.fits() {
         return text;
     }
     if unheld {
@@ -282,18 +287,17 @@ pub fn check_missing(symbol: &str, language: Language) -> String {
             | "nicht bekannt: konstante Drehzahlen der Aufzeichnung"
         );
     }
-    let geometry = symbol.starts_with("bearing.") && symbol != "bearing.operating_condition";
     if symbol == "gear_load" {
         return said!(language =>
             "no load: the gear transmits no torque in motion, its life is not limited"
             | "keine Last: das Getriebe überträgt in Bewegung kein Moment, die Lebensdauer ist nicht begrenzt"
         );
     }
-    if symbol.starts_with("mechanism.") || symbol.starts_with("stage.") || geometry {
-        return said!(language => "not stated: {symbol}" | "nicht angegeben: {symbol}");
+    if CheckId::is_limit(symbol) {
+        return said!(language => "no limit stated: {symbol}" | "keine Grenze angegeben: {symbol}");
     }
     if symbol.contains('.') {
-        return said!(language => "no limit stated: {symbol}" | "keine Grenze angegeben: {symbol}");
+        return said!(language => "not stated: {symbol}" | "nicht angegeben: {symbol}");
     }
     let term = symbol_term(symbol, language);
     let shown = if term == symbol { symbol.to_owned() } else { format!("{symbol}, {term}") };
@@ -323,24 +327,6 @@ pub fn grade_word(grade: Grade, language: Language) -> &'static str {
         (Language::De, Grade::Estimated) => "geschätzt",
         (Language::De, Grade::Assumed) => "angenommen",
     }
-}
-
-/// The requirement that is not met, in a word or two.
-#[must_use]
-pub fn requirement_title(unmet: &Unmet, language: Language) -> String {
-    let (en, de) = match unmet {
-        Unmet::Feedback(_) => ("feedback", "Geber"),
-        Unmet::Brake(_) => ("brake", "Bremse"),
-        Unmet::HollowShaft { .. } => ("hollow shaft", "Hohlwelle"),
-        Unmet::Length { .. } => ("length", "Länge"),
-        Unmet::Mass { .. } => ("mass", "Masse"),
-        Unmet::SupplyTooLow { .. } => ("supply voltage", "Versorgungsspannung"),
-        Unmet::NotKnown { symbol } => {
-            let term = symbol_term(symbol, language);
-            return said!(language => "requirement open ({term})" | "Anforderung offen ({term})");
-        }
-    };
-    said!(language => "requirement {en}" | "Anforderung {de}")
 }
 
 /// A requirement that is not met.

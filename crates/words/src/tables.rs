@@ -83,9 +83,9 @@ texts! {
     rank_about =
         "rank; empty if the actuator does not fit"
         | "Rang; leer, wenn nicht geeignet";
-    candidate_verdict_about = "fits: no check fails and no requirement is violated" | "fits: alle geführten Nachweise und Anforderungen erfüllt";
-    highest_utilisation_about = "highest utilisation of all checks, 1 is the limit" | "höchste Auslastung aller Nachweise, 1 ist die Grenze";
-    tightest_check_about = "id of the check with the highest utilisation" | "Kennung des Nachweises mit der höchsten Auslastung";
+    candidate_verdict_about = "fits: no check fails and no requirement is violated; fits_if_estimate: the same, a check lies in the band of an estimate" | "fits: alle geführten Nachweise und Anforderungen erfüllt; fits_if_estimate: ebenso, ein Nachweis liegt im Band einer Schätzung";
+    highest_utilisation_about = "utilisation of the governing check, 1 is the limit" | "Auslastung des maßgebenden Nachweises, 1 ist die Grenze";
+    tightest_check_about = "id of the governing check: the failing one exceeded most, otherwise the one with the highest utilisation" | "Kennung des maßgebenden Nachweises: des am weitesten überschrittenen, sonst dessen mit der höchsten Auslastung";
     margin_about = "1 − utilisation" | "1 − Auslastung";
     open_questions = "open questions" | "offene Fragen";
     open_questions_about =

@@ -78,7 +78,6 @@ texts! {
     no_actuator_fits = "no actuator in the catalogue fits" | "kein Antrieb des Katalogs ist geeignet";
     ratio_of_the_stage = "ratio of the stage" | "Übersetzung der Stufe";
     own_actuator_of_the_project = "own actuator of the project" | "eigener Antrieb des Projekts";
-    ordering_rule = "ordering rule" | "Bestellregel";
     all_shows_each = "--all shows each actuator with its reason" | "--all zeigt jeden Antrieb mit Grund";
     nearest_miss = "smallest excess" | "geringste Überschreitung";
     kept_out_by_limits = "rejected by limits of the project only" | "nur durch Grenzen des Projekts verworfen";
@@ -215,6 +214,12 @@ texts! {
         | "{total} Antriebe bewertet, 1 geeignet",
         "{total} actuators evaluated, {fitting} fit"
         | "{total} Antriebe bewertet, {fitting} geeignet";
+    more_if_estimate(count) =
+        "{count} more fits if an estimate holds"
+        | "{count} weiterer, sofern eine Schätzung zutrifft",
+        "{count} more fit if an estimate holds"
+        | "{count} weitere, sofern eine Schätzung zutrifft";
+    if_the_estimate_holds = "if the estimate holds" | "sofern die Schätzung zutrifft";
     remarks_on(id) = "remarks on {id}" | "Bemerkungen zu {id}";
     move_number(number) = "move {number}" | "Bewegung {number}";
     at_s = "time s" | "Zeitpunkt s";

@@ -22,6 +22,7 @@ texts! {
     duration = "duration" | "Dauer";
     fail = "fail" | "nicht erfüllt";
     fits = "fits" | "geeignet";
+    fits_if_estimate = "fits if the estimate holds" | "geeignet, sofern die Schätzung zutrifft";
     grade = "grade" | "Güte";
     housing = "housing" | "Gehäuse";
     inputs = "inputs" | "Eingaben";
@@ -38,6 +39,7 @@ texts! {
         "the project states no flange loads: [bearing] is missing"
         | "das Projekt nennt keine Flanschlasten: [bearing] fehlt";
     not_checked = "not checked" | "nicht geprüft";
+    not_required = "not required" | "nicht gefordert";
     number = "no." | "Nr.";
     on_request = "on request" | "auf Anfrage";
     on_request_only = "on request only" | "nur auf Anfrage";

@@ -10,7 +10,7 @@ use provenance::{Grade, Source};
 use quantities::unit::{KILOGRAM, MILLIMETRE, NEWTON_METRE, SECOND};
 use quantities::{Dimension, Language, Measure, QuantityError};
 use recording::{Damage, FileRow, Limit};
-use sizing::{Amount, BrakeStop, Budget, CheckId, Note, ResonanceSpeeds, TooManyInstants, Verdict};
+use sizing::{Amount, BrakeStop, Budget, CheckId, Fit, Note, ResonanceSpeeds, TooManyInstants, Verdict};
 use std::io::ErrorKind;
 
 /// Both are there, and German is not English.
@@ -39,11 +39,11 @@ fn checks_and_verdicts() {
     for kind in [CurveKind::Continuous, CurveKind::S3 { duty: q(0.5), cycle: q(60.0) }, CurveKind::ShortTime] {
         differ("curve", |language| words::curve_title(&kind, language));
     }
-    for (fits, open) in [(true, 0), (true, 1), (true, 2), (false, 0)] {
+    for (fit, open) in [(Fit::Fits, 0), (Fit::Fits, 1), (Fit::FitsIfEstimate, 2), (Fit::DoesNotFit, 0)] {
         for (unheld, failed) in [(false, 0), (true, 0), (false, 1), (false, 2)] {
             let counts =
                 words::Counts { failed, not_checked: open, requirements_open: open, ..words::Counts::default() };
-            differ("standing", |language| words::standing_text(fits, unheld, &counts, language));
+            differ("standing", |language| words::standing_text(fit, "T_rms 110 %", unheld, &counts, language));
         }
     }
     differ("ranking", words::ranking_rule);
@@ -97,7 +97,6 @@ fn rules_requirements_and_codes() {
     ];
     for each in unmet {
         differ(&format!("{each:?}"), |language| words::unmet_text(&each, language));
-        differ(&format!("{each:?}"), |language| words::requirement_title(&each, language));
     }
     let sources = [
         Source::Equation { number: "69.1" },

@@ -3,11 +3,12 @@
 use crate::{Reply, ReportAsked, Shell};
 use figures::{By, Drawing, Figure, NoFigure, Size, Theme};
 use quantities::{Language, Length};
-use questions::Refusal;
 use questions::answer::written;
 use questions::list::{
     Asked, Cost, Unanswered, commission_checklist, export, media, plot, report, simulate, upkeep_calendar,
 };
+use questions::{Refusal, Rejected};
+use std::borrow::Cow;
 use tables::{Format, Front, Subject};
 use words::{requests, simulation, terminal};
 
@@ -158,8 +159,8 @@ fn tabled(asked: &Asked<'_>, shell: &dyn Shell) -> Result<Reply, Unanswered> {
     }
     let (axis, project) = args.axis(asked)?;
     format.within(&project, table, shell.files().grant().memory)?;
-    let sizing = questions::list::size::sized(&project, args.top, asked.patience)?;
-    let chosen = questions::candidate_of_tables(&project, args.code.as_ref(), &sizing)?;
+    let sizing = questions::list::size::sized(&project, args.top, Rejected::All, asked.patience)?;
+    let chosen = questions::candidate_for(&project, args.code.as_ref(), || Ok(Cow::Borrowed(&sizing)))?;
     let source = asked.source()?;
     let (text, top) = (source.text(language)?, args.top);
     let subject = Subject { text, axis, project: &project, sizing: &sizing, chosen: &chosen, top, language };

@@ -136,9 +136,9 @@ def sweep(
         memory: How much memory the recordings may take, such as `1 GiB`.
 
     Returns:
-        An Arrow table, a row for each row: `row` (from 0), `fit` (how many actuators fit), `code` (the best of
-        them), `utilisation` (of its tightest check, 1 is the limit), `tightest` (that check), `error` (why the row could not
-        be judged). With `check` and `front` a row for each actuator.
+        An Arrow table, a row for each row: `row` (from 0), `fit` (how many actuators fit within every limit),
+        `fit_if_estimate` (how many others if an estimate holds), `code` (the best of both), `utilisation` (of its governing
+        check, 1 is the limit), `tightest` (that check), `error` (why the row could not be judged). With `check` and `front` a row for each actuator.
 
     Raises:
         AntriebError: Every fault of the project, of the headings and of the cells, each with its place.

@@ -89,7 +89,8 @@ def heat_map(folder: pathlib.Path) -> antrieb.Table:
     table = payload_and_time(payloads, times)
     best = antrieb.sweep(ARM, table)
     columns = best.to_pydict()
-    fit: list[int] = columns["fit"]
+    # What fits if an estimate holds counts too.
+    fit: list[int] = [sum(both) for both in zip(columns["fit"], columns["fit_if_estimate"], strict=True)]
     sizes: list[str] = [code[:7] if code else "" for code in columns["code"]]
     print(f"{len(best)} axes judged: the best is of one of {len({*sizes} - {''})} sizes; nothing fits {fit.count(0)} of them")
     ends = [(start, start + len(times)) for start in range(0, len(fit), len(times))]

@@ -48,7 +48,8 @@ class Sweeps(unittest.TestCase):
             )
             (sizing,) = antrieb.size(project, top=1).axes
             with self.subTest(row):
-                self.assertEqual(best["fit"][row], sizing.fitting)
+                self.assertEqual(best["fit"][row], sizing.fit)
+                self.assertEqual(best["fit_if_estimate"][row], sizing.fit_if_estimate)
                 self.assertEqual(best["code"][row], sizing.answer)
                 first = sizing.ranking[0] if sizing.ranking else None
                 if sizing.answer and first and first.utilisation is not None:

@@ -14,7 +14,7 @@ fn head(candidate: &Candidate<'_>, language: Language) -> Head {
         code: candidate.id.to_string(),
         verdict: fit(candidate),
         utilisation: Number(candidate.standing.utilisation),
-        tightest: candidate.judgement.tightest().map(|check| Id(check.id)),
+        tightest: candidate.governing().map(|check| Id(check.id)),
         open_questions: candidate.open_questions(),
         objections: objections(candidate, language),
     }

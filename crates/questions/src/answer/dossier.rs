@@ -1,25 +1,23 @@
 //! Everything that a report lays out, as one record.
 
-use super::check::explained;
+use super::check::{check, explained};
 use super::errata::cited;
 use super::inputs::{inputs_of_axis, mechanism, tables};
 use super::judged::{judgement, sizing};
 use crate::fingerprint::{catalogue_fingerprint, project_fingerprint};
 use crate::mends::Mend;
-use crate::sizing_use::{Candidate, CandidateId, Objection, Sizing};
+use crate::sizing_use::{Candidate, CandidateId, Sizing, by_importance};
+use crate::texts::{self, Rejections};
 use crate::tolerance::Assessment;
 use actuator::ScrewJoint;
-use answers::{Document, Dossier, ErratumUsed, Fingerprints, Id, Item, Missing, RejectionGroup};
-use configurator::Unmet;
+use answers::{CheckCounts, Document, Dossier, ErratumUsed, Fingerprints, Id, Item, Missing, RejectionGroup};
 use order_code::Field;
 use project::Project;
 use provenance::{Datum, MANUAL, Source};
 use quantities::unit::{MILLIMETRE, NEWTON_METRE};
 use quantities::{Language, Measure, Unit, format_number};
 use sizing::{Checks, Reserve};
-use words::{
-    check_missing, check_title, describe_token, document_note, records, source_text, terms, unmet_text, unpadded,
-};
+use words::{Counts, check_missing, check_title, describe_token, document_note, records, source_text, terms, unpadded};
 
 /// An axis with everything there is to tell of it and of the actuator chosen.
 ///
@@ -41,15 +39,23 @@ pub fn dossier(
     // Where the rules of the code refuse the judgement, the ranking has judged it without workings.
     let checks: &Checks = workings.as_ref().map_or(&chosen.judgement.checks, |found| &found.judgement.checks);
     let inputs = inputs_of_axis(text, place);
+    let mut judgement = judgement(project, chosen, found, assessment, language);
+    judgement.candidate.checks =
+        by_importance(&chosen.judgement.checks).into_iter().map(|each| check(each, language)).collect();
+    let Counts { passed, advised, failed, not_checked, without_limit, requirements_open } = chosen.counts();
+    let is_single = |input: &project::Input| input.path.ends_with("single_move") && input.written == "true";
     Dossier {
-        judgement: judgement(project, chosen, found, assessment, language),
+        judgement,
+        counts: CheckCounts { passed, advised, failed, not_checked, without_limit, requirements_open },
+        single_move: inputs.iter().any(is_single),
         sizing: sizing(ranked, project, &[], mends, usize::MAX, language),
         rejections: rejections(ranked, language),
         mechanism: mechanism(project, &inputs, language),
         inputs: tables(&inputs, language),
         explained: checks.iter().map(|check| explained(check, language)).collect(),
         missing: missing(chosen, language),
-        bill_of_material: bill_of_material(chosen, language),
+        // Nothing is ordered that does not fit.
+        bill_of_material: if chosen.fits() { bill_of_material(chosen, language) } else { Vec::new() },
         screws: screws(chosen, language),
         documents: documents(checks, language),
         errata: errata(checks, language),
@@ -67,40 +73,14 @@ fn missing(chosen: &Candidate<'_>, language: Language) -> Vec<Missing> {
     lacking.map(|(id, symbol)| Missing { check: Id(id), text: check_missing(symbol, language) }).collect()
 }
 
-/// Every rejected actuator of the catalogue at its first reason.
+/// Every rejected actuator of the catalogue by its reason.
 fn rejections(ranked: &Sizing<'_>, language: Language) -> Vec<RejectionGroup> {
-    let mut groups: Vec<RejectionGroup> = Vec::new();
-    for candidate in ranked.candidates.iter().filter(|candidate| !candidate.fits()) {
-        let (reason, is_check) = match (candidate.objections.first(), candidate.worst_failure()) {
-            (Some(objection), _) => (reason(objection, language), false),
-            (None, Some(check)) => (check_title(check.id, language), true),
-            (None, None) => continue,
-        };
-        let code = candidate.id.to_string();
-        match groups.iter_mut().find(|group| group.reason == reason && group.is_check == is_check) {
-            Some(group) => group.codes.push(code),
-            None => groups.push(RejectionGroup { reason, is_check, codes: vec![code] }),
-        }
-    }
-    groups.sort_by_key(|group| std::cmp::Reverse(group.codes.len()));
-    for group in &mut groups {
-        group.codes.sort();
-    }
-    groups
-}
-
-/// An objection without the figures of the one actuator.
-fn reason(objection: &Objection, language: Language) -> String {
-    let reason = match objection {
-        Objection::Unmet(Unmet::Feedback(_)) => records::feedback_not_permitted,
-        Objection::Unmet(Unmet::HollowShaft { .. }) => records::hollow_shaft_too_narrow,
-        Objection::Unmet(Unmet::Length { .. }) => records::too_long,
-        Objection::Unmet(Unmet::Mass { .. }) => records::too_heavy,
-        Objection::Unmet(Unmet::SupplyTooLow { .. }) => records::supply_too_low,
-        Objection::Unmet(unmet) => return unmet_text(unmet, language),
-        Objection::Rule(rule) => return records::rule_of_table(&rule.table, language),
+    let group = |group: Rejections<'_, '_>| {
+        let mut codes: Vec<String> = group.candidates.iter().map(|candidate| candidate.id.to_string()).collect();
+        codes.sort();
+        RejectionGroup { reason: group.title, is_check: group.is_check, codes }
     };
-    reason(language).to_owned()
+    texts::rejections(ranked, language).into_iter().map(group).collect()
 }
 
 /// The documents that the figures of the checks are from, the manual first.

@@ -26,8 +26,8 @@ pub fn objections(candidate: &Candidate<'_>, language: Language) -> Vec<String> 
 
 /// The verdict on a whole candidate.
 #[must_use]
-pub const fn fit(candidate: &Candidate<'_>) -> Fit {
-    Fit::of(candidate.fits())
+pub fn fit(candidate: &Candidate<'_>) -> Fit {
+    candidate.fit().into()
 }
 
 /// One judged actuator.
@@ -43,7 +43,7 @@ pub fn candidate(candidate: &Candidate<'_>, language: Language) -> answers::Cand
         name,
         verdict: fit(candidate),
         utilisation: Number(candidate.standing.utilisation),
-        tightest: judgement.tightest().map(|check| Id(check.id)),
+        tightest: judgement.governing().map(|check| Id(check.id)),
         mass_kg: candidate.parameters.mass.known().map(|mass| Number::in_unit(mass.value.si(), &KILOGRAM)),
         on_request: names(&candidate.on_request, language),
         demand: demand(judgement.manual.as_ref(), judgement.demand.as_ref()),
@@ -74,7 +74,7 @@ pub fn judgement(
 
 /// Why a candidate is rejected, in short.
 fn rejection(candidate: &Candidate<'_>, language: Language) -> Rejection {
-    let worst = candidate.worst_failure();
+    let worst = candidate.judgement.worst_failure();
     let failing = candidate.judgement.checks.iter().filter(|check| check.verdict == Verdict::Fail);
     Rejection {
         code: candidate.id.to_string(),
@@ -102,16 +102,20 @@ pub fn sizing(
         candidate: candidate(each, language),
         tolerance: assessed.iter().find(|(of, _)| *of == each.id).map(|(_, found)| tolerance(project, found)),
     };
-    let fitting = || sizing.candidates.iter().enumerate().filter(|(_, candidate)| candidate.fits());
+    let [certain, if_estimate] = sizing.counts();
+    let ranking = sizing.fitting().iter().take(top).enumerate();
     answers::Sizing {
         axis: sizing.name.to_owned(),
-        verdict: Fit::of(sizing.fits()),
+        verdict: sizing.fit().into(),
         answer: sizing.answer().map(|answer| answer.id.to_string()),
         judged: sizing.candidates.len(),
-        fitting: fitting().count(),
+        fit: certain,
+        fit_if_estimate: if_estimate,
+        fitting: certain + if_estimate,
         rule: ranking_rule(language),
-        ranking: fitting().take(top).map(|(index, each)| Ranked { of: judged(each), rank: index + 1 }).collect(),
-        rejected: sizing.candidates.iter().filter(|each| !each.fits()).map(|each| rejection(each, language)).collect(),
+        ranking: ranking.map(|(index, each)| Ranked { of: judged(each), rank: index + 1 }).collect(),
+        rejected: sizing.rejected().iter().map(|each| rejection(each, language)).collect(),
+        nearest_miss: sizing.nearest_miss().map(|miss| miss.id.to_string()),
         own: sizing.own.as_ref().map(judged),
         would_fit_with: mends.iter().map(would_fit).collect(),
         assumptions: assumptions(sizing.assumptions, language),
@@ -127,6 +131,7 @@ fn would_fit(mend: &Mend) -> WouldFit {
         value: Number::in_unit(mend.si, mend.unit),
         unit: mend.unit.json,
         code: mend.code.clone(),
+        verdict: mend.fit.into(),
     }
 }
 
@@ -149,13 +154,24 @@ pub fn reserve(reserve: &Reserve, candidate: &Candidate<'_>, language: Language)
         let unit = needed.enough.unit;
         answers::NeededLimit { key: needed.key, value: Number::in_unit(needed.enough.si, unit), unit: unit.json }
     };
+    let reaches = [
+        ("load_factor", reserve.load_factor.map(|reach| reach.fit)),
+        ("payload_factor", reserve.payload_factor.map(|reach| reach.fit)),
+        ("cycle_time", reserve.cycle_time.map(|reach| reach.fit)),
+        ("ambient", reserve.ambient.map(|reach| reach.fit)),
+    ];
     answers::Reserve {
         limits: limits_needed(candidate).map(|limits| limits.into_iter().map(limit).collect()),
-        load_factor: reserve.load_factor.map(Number),
-        payload_factor: reserve.payload_factor.map(Number),
-        cycle_time: reserve.cycle_time.map(|time| Number::in_unit(time.si(), &SECOND)),
-        ambient: reserve.ambient.map(|ambient| Number::in_unit(ambient.si(), &DEGREE_CELSIUS)),
+        load_factor: reserve.load_factor.map(|reach| Number(reach.value)),
+        payload_factor: reserve.payload_factor.map(|reach| Number(reach.value)),
+        cycle_time: reserve.cycle_time.map(|reach| Number::in_unit(reach.value.si(), &SECOND)),
+        ambient: reserve.ambient.map(|reach| Number::in_unit(reach.value.si(), &DEGREE_CELSIUS)),
         units: Units::of(&[("cycle_time", &SECOND), ("ambient", &DEGREE_CELSIUS)]),
+        if_estimate: reaches
+            .into_iter()
+            .filter(|(_, fit)| *fit == Some(sizing::Fit::FitsIfEstimate))
+            .map(|(name, _)| name)
+            .collect(),
         not_sought: reserve.unsought.map(|unsought| NotSought {
             quantities: ["load_factor", "payload_factor"]
                 .into_iter()
@@ -197,7 +213,7 @@ pub fn tolerance(project: &Project, assessment: &Assessment) -> Tolerance {
             max: Number(found.max),
         },
         worst_corner: WorstCorner {
-            verdict: Fit::of(worst.fits),
+            verdict: worst.fit.into(),
             utilisation: Number(worst.utilisation),
             check: worst.check.map(Id),
             values: values.collect(),

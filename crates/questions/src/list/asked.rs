@@ -7,7 +7,7 @@ use crate::answer::written;
 use crate::patience::Patience;
 use crate::reading::read_all_watched;
 use crate::subject::{names, picked};
-use answers::Answered;
+use answers::{Answered, Fit};
 use project::{Files, PROJECT_MAX_BYTES, Project};
 use quantities::Language;
 use serde::Serialize;
@@ -148,18 +148,18 @@ impl<'a> Asked<'a> {
         if faults.is_empty() { Ok(found) } else { Err(Unanswered::together(faults)) }
     }
 
-    /// The record about each axis, with whether it fits, as one.
+    /// The record about each axis, with its verdict, as one.
     ///
     /// # Errors
     /// Why there is no answer about some of them.
     pub fn record_of_each<'p, T: Serialize>(
         &self,
         axes: &'p [Axis],
-        one: impl FnMut(&'p Project) -> Result<(T, bool), Unanswered>,
+        one: impl FnMut(&'p Project) -> Result<(T, Fit), Unanswered>,
     ) -> Result<Answer, Unanswered> {
-        let found = self.each(axes, one)?;
-        let fits = found.iter().all(|(_, fits)| *fits);
-        Ok(Answer::record(&Answered::of(found.into_iter().map(|(record, _)| record).collect(), fits)).fits(fits))
+        let (records, fits): (Vec<T>, Vec<Fit>) = self.each(axes, one)?.into_iter().unzip();
+        let verdict = Fit::of_all(fits);
+        Ok(Answer::record(&Answered::of(records, verdict)).fits(verdict.fits()))
     }
 }
 

@@ -4,7 +4,8 @@ use super::given::{arguments, codes, text};
 use super::{AXIS, Asked, Axis, Cost, Entry, Gives, Reads, Record, Unanswered, argument};
 use crate::answer;
 pub use crate::compare::{CheckRow, Comparison, DatumRow, compare};
-use crate::sizing_use::{Candidate, Refusal};
+use crate::sizing_use::Refusal;
+use answers::Fit;
 use order_code::OrderCode;
 use project::Project;
 use words::{help, terminal};
@@ -36,8 +37,8 @@ pub static ENTRY: Entry = Entry {
         let (args, axes) = put(asked)?;
         asked.record_of_each(&axes, |project| {
             let found = args.comparison(project, asked)?;
-            let fits = found.candidates.iter().any(Candidate::fits);
-            Ok((answer::comparison(&found, &project.name, asked.language), fits))
+            let best = found.candidates.iter().map(answer::fit).min().unwrap_or(Fit::DoesNotFit);
+            Ok((answer::comparison(&found, &project.name, asked.language), best))
         })
     }),
 };

@@ -5,7 +5,7 @@ use super::{AXIS, Asked, Axis, Cost, Entry, Gives, Reads, Record, Unanswered, ar
 use crate::answer;
 pub use crate::compare::{CheckChange, Difference, difference};
 use crate::subject::paired;
-use answers::Answered;
+use answers::{Answered, Fit};
 use order_code::OrderCode;
 use project::{InputChange, input_changes};
 use words::{help, terminal};
@@ -33,12 +33,12 @@ pub static ENTRY: Entry = Entry {
     answer: Some(|asked| {
         let revisions = revisions(asked)?;
         let record = |name: &str, found: &Difference<'_>, inputs: &[InputChange]| {
-            (answer::difference(found, inputs, name, asked.language), found.after.fits())
+            (answer::difference(found, inputs, name, asked.language), answer::fit(&found.after))
         };
-        let (records, fit): (Vec<_>, Vec<bool>) = revisions.each(asked, record)?.into_iter().unzip();
-        let fits = fit.into_iter().all(|fits| fits);
+        let (records, fits): (Vec<_>, Vec<Fit>) = revisions.each(asked, record)?.into_iter().unzip();
+        let verdict = Fit::of_all(fits);
         let remarks = revisions.unpaired(asked);
-        Ok(super::Answer { remarks, ..super::Answer::record(&Answered::of(records, fits)).fits(fits) })
+        Ok(super::Answer { remarks, ..super::Answer::record(&Answered::of(records, verdict)).fits(verdict.fits()) })
     }),
 };
 

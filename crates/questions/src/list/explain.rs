@@ -41,7 +41,7 @@ pub static ENTRY: Entry = Entry {
         let axes = asked.axes(args.axis.as_deref(), Cost::Other)?;
         asked.record_of_each(&axes, |project| {
             let found = args.explanation(project, asked.patience)?;
-            Ok((found.record(asked.language), found.candidate.fits()))
+            Ok((found.record(asked.language), answer::fit(&found.candidate)))
         })
     }),
 };

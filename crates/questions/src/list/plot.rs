@@ -3,11 +3,12 @@
 use super::given::{arguments, some, some_code, text, word};
 use super::{AXIS, Argument, ArgumentKind, Asked, Cost, Entry, Gives, PICTURE, Reads, Unanswered, argument, media};
 use crate::chapters::read_quantity;
-use crate::sizing_use::Candidate;
+use crate::sizing_use::{Candidate, Rejected};
 use crate::subject::candidate_for;
 use order_code::OrderCode;
 use project::Project;
 use quantities::Length;
+use std::borrow::Cow;
 use words::{help, help::values, requests};
 
 /// The pictures of a project, by their identifiers.
@@ -63,13 +64,8 @@ impl Args {
     /// # Errors
     /// Why it cannot be judged.
     pub fn candidate<'p>(&self, project: &'p Project, asked: &Asked<'_>) -> Result<Candidate<'p>, Unanswered> {
-        // The best is sought only where neither a code nor an actuator of the project's own is drawn.
-        let best = if self.code.is_none() && project.actuator.is_none() {
-            super::size::sized(project, 0, asked.patience)?.candidates.first().map(|best| best.id.clone())
-        } else {
-            None
-        };
-        Ok(candidate_for(project, self.code.as_ref(), || best)?)
+        let sizing = || super::size::sized(project, 0, Rejected::Nearest, asked.patience).map(Cow::Owned);
+        Ok(candidate_for(project, self.code.as_ref(), sizing)?)
     }
 
     /// The axis that is drawn.

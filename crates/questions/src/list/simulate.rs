@@ -122,7 +122,7 @@ pub fn record(args: &Args, asked: &Asked<'_>) -> Result<Answer, Unanswered> {
     let axes = asked.axes(args.axis.as_deref(), Cost::Other)?;
     asked.record_of_each(&axes, |project| {
         let found = args.simulated(project, asked, false)?;
-        Ok((answer::simulation(&found, asked.language), found.fits()))
+        Ok((answer::simulation(&found, asked.language), answers::Fit::of(found.fits())))
     })
 }
 

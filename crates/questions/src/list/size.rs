@@ -5,7 +5,7 @@ use super::{AXIS, Argument, ArgumentKind, Cost, Entry, Gives, OutputFile, Reads,
 use crate::answer;
 pub use crate::mends::{Mend, mends};
 use crate::patience::Patience;
-use crate::sizing_use::{Candidate, CandidateId, Refusal, Sizing, size_watched};
+use crate::sizing_use::{Candidate, CandidateId, Refusal, Rejected, Sizing, size_watched};
 use crate::tolerance::{Assessment, Draw, SAMPLES_MOST, SEED_USUAL, assess_watched};
 use project::Project;
 use quantities::Language;
@@ -47,7 +47,7 @@ pub static ENTRY: Entry = Entry {
         let axes = asked.axes(args.axis.as_deref(), args.cost())?;
         asked.record_of_each(&axes, |project| {
             let found = args.ranking(project, asked.patience)?;
-            Ok((found.record(asked.language), found.sizing.fits()))
+            Ok((found.record(asked.language), found.sizing.fit().into()))
         })
     }),
 };
@@ -108,9 +108,8 @@ pub struct Ranking<'p> {
 pub fn ranking<'p>(project: &'p Project, top: usize, draw: Draw, patience: &Patience) -> Result<Ranking<'p>, Refusal> {
     let complete = top.min(ASSESSED_MOST) + usize::from(project.actuator.is_some());
     let sampling = draw.sampling(project, complete, patience.is_limited())?;
-    let sizing = sized(project, top, patience)?;
-    let fitting = sizing.candidates.iter().filter(|candidate| candidate.fits());
-    let chosen: Vec<&Candidate<'_>> = fitting.take(top.min(ASSESSED_MOST)).chain(&sizing.own).collect();
+    let sizing = sized(project, top, Rejected::All, patience)?;
+    let chosen: Vec<&Candidate<'_>> = sizing.fitting().iter().take(top.min(ASSESSED_MOST)).chain(&sizing.own).collect();
     // Without tolerances there is no assessment, and so no pair.
     let found = assess_watched(project, &chosen, sampling, patience)?;
     let assessed = chosen.iter().map(|candidate| candidate.id.clone()).zip(found).collect();
@@ -120,11 +119,17 @@ pub fn ranking<'p>(project: &'p Project, top: usize, draw: Draw, patience: &Pati
 
 /// The catalogue judged and ranked for an axis, without its tolerances; it can be cancelled. The first `complete` are
 /// judged by every check where they fit; for the others the returned energy is omitted, unless the project limits it.
+/// `rejected` states of which of the others every failing check is needed.
 ///
 /// # Errors
 /// [`Refusal::Stopped`].
-pub fn sized<'p>(project: &'p Project, complete: usize, patience: &Patience) -> Result<Sizing<'p>, Refusal> {
-    Ok(size_watched(project, complete, patience)?)
+pub fn sized<'p>(
+    project: &'p Project,
+    complete: usize,
+    rejected: Rejected,
+    patience: &Patience,
+) -> Result<Sizing<'p>, Refusal> {
+    Ok(size_watched(project, complete, rejected, patience)?)
 }
 
 impl Ranking<'_> {

@@ -8,7 +8,7 @@ use configurator::{Requirements, availability};
 use order_code::OrderCode;
 use project::Project;
 use quantities::Language;
-use sizing::{Axis, CheckId, Depth, Judgement, Ranked, Screen, Screening, Standing, Verdict};
+use sizing::{Axis, CheckId, Depth, Fit, Judgement, Ranked, Screen, Screening, Standing, Verdict};
 
 /// The answer of a row.
 #[derive(Clone, Debug, PartialEq)]
@@ -24,14 +24,24 @@ pub enum Judged {
 /// The best of the codes of a row.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Best {
-    /// How many codes fit.
+    /// How many codes fit within every limit.
     pub fit: u32,
-    /// The best of them; `None` where none fits.
+    /// How many others fit if an estimate holds.
+    pub fit_if_estimate: u32,
+    /// The best of both; `None` where none fits.
     pub code: Option<OrderCode>,
-    /// Its largest utilisation; where none fits that of the nearest miss.
+    /// Utilisation of its governing check; where none fits that of the nearest miss.
     pub utilisation: Option<f64>,
-    /// The check with it; where none fits the one by which the nearest misses most.
+    /// Its governing check; where none fits that of the nearest miss.
     pub tightest: Option<CheckId>,
+}
+
+impl Best {
+    /// Returns `true` if a code fits, be it by an estimate.
+    #[must_use]
+    pub const fn fits(&self) -> bool {
+        self.fit > 0 || self.fit_if_estimate > 0
+    }
 }
 
 /// A code of a row with its checks.
@@ -39,11 +49,11 @@ pub struct Best {
 pub struct Every {
     /// The code.
     pub code: OrderCode,
-    /// Whether nothing speaks against it.
-    pub fits: bool,
-    /// Its largest utilisation.
+    /// The verdict on it.
+    pub fit: Fit,
+    /// Utilisation of its governing check.
     pub utilisation: Option<f64>,
-    /// The check that is exceeded most, else the tightest.
+    /// Its governing check.
     pub tightest: Option<CheckId>,
     /// Verdict and utilisation of each requested check; `None` where the axis or the actuator does not have it.
     pub checks: Vec<Option<(Verdict, Option<f64>)>>,
@@ -54,13 +64,15 @@ pub struct Every {
 pub struct OnFront {
     /// The code.
     pub code: OrderCode,
+    /// The verdict on it.
+    pub fit: Fit,
     /// Mass \[kg\].
     pub mass_kg: Option<f64>,
     /// Length \[m\].
     pub length_m: Option<f64>,
-    /// Its largest utilisation.
+    /// Utilisation of its governing check.
     pub utilisation: f64,
-    /// The check with it.
+    /// Its governing check.
     pub tightest: Option<CheckId>,
 }
 
@@ -132,6 +144,7 @@ impl<'r> Row<'r> {
         let code = |ranked: Ranked| entrants.get(ranked.entrant).map(|entrant| entrant.code);
         Best {
             fit: u32::try_from(found.fit).unwrap_or(u32::MAX),
+            fit_if_estimate: u32::try_from(found.fit_if_estimate).unwrap_or(u32::MAX),
             code: found.best.and_then(code),
             utilisation: ranked.and_then(|ranked| finite(ranked.utilisation)),
             tightest: ranked.and_then(|ranked| ranked.tightest),
@@ -155,13 +168,13 @@ impl<'r> Row<'r> {
 
     fn single(&self, entrant: &Entrant<'_>) -> Best {
         let judgement = sizing::judge(self.axis, entrant.parameters, Depth::Margins);
-        let fits = entrant.standing(&judgement, entrant.meets(self.requirements)).fits;
-        let tightest = judgement.worst_failure().or_else(|| judgement.tightest());
+        let fit = entrant.standing(&judgement, entrant.meets(self.requirements)).fit;
         Best {
-            fit: u32::from(fits),
-            code: fits.then_some(entrant.code),
+            fit: u32::from(fit == Fit::Fits),
+            fit_if_estimate: u32::from(fit == Fit::FitsIfEstimate),
+            code: fit.fits().then_some(entrant.code),
             utilisation: finite(judgement.utilisation()),
-            tightest: tightest.map(|check| check.id),
+            tightest: judgement.governing().map(|check| check.id),
         }
     }
 
@@ -176,9 +189,9 @@ impl<'r> Row<'r> {
             };
             Every {
                 code: entrant.code,
-                fits: standing.fits,
+                fit: standing.fit,
                 utilisation: finite(standing.utilisation),
-                tightest: judgement.worst_failure().or_else(|| judgement.tightest()).map(|check| check.id),
+                tightest: judgement.governing().map(|check| check.id),
                 checks: wanted.iter().map(check).collect(),
             }
         };
@@ -190,12 +203,13 @@ impl<'r> Row<'r> {
         let of = |entrant: &Entrant<'_>| {
             let judgement = judge.next(entrant.parameters, &mut |_, _| {});
             let standing = entrant.standing(&judgement, entrant.meets(self.requirements));
-            standing.fits.then(|| OnFront {
+            standing.fit.fits().then(|| OnFront {
                 code: entrant.code,
+                fit: standing.fit,
                 mass_kg: entrant.mass_kg(),
                 length_m: known_si(&entrant.parameters.length),
                 utilisation: standing.utilisation,
-                tightest: judgement.tightest().map(|check| check.id),
+                tightest: judgement.governing().map(|check| check.id),
             })
         };
         let fitting: Vec<OnFront> = entrants.iter().filter_map(of).collect();
@@ -218,7 +232,7 @@ impl OnFront {
     }
 }
 
-/// A utilisation; `None` where a limit of zero is exceeded.
+/// A utilisation; `None` where a limit of zero or a range is exceeded.
 fn finite(utilisation: f64) -> Option<f64> {
     utilisation.is_finite().then_some(utilisation)
 }

@@ -5,7 +5,7 @@ use answers::Number;
 use quantities::Language;
 use schemars::JsonSchema;
 use serde::Serialize;
-use sizing::CheckId;
+use sizing::{CheckId, Fit};
 use std::collections::BTreeMap;
 
 /// So many different reasons are listed.
@@ -21,9 +21,13 @@ pub struct SweepSummary {
     pub file: Option<String>,
     /// Rows of the table.
     pub rows: u64,
-    /// Rows for which an actuator fits.
+    /// Rows for which an actuator fits within every limit.
+    pub fit: u64,
+    /// Rows for which one fits only if an estimate holds.
+    pub fit_if_estimate: u64,
+    /// The sum of both.
     pub fitting: u64,
-    /// Rows for which none fits, by the tightest check of the nearest miss, most first.
+    /// Rows for which none fits, by the governing check of the nearest miss, most first.
     pub none_fits: Vec<MissedBy>,
     /// Rows that are not judged, by the reason, most first.
     pub not_judged: Vec<NotJudged>,
@@ -58,13 +62,15 @@ pub struct NotJudged {
 pub struct SweepRow {
     /// The row, from 0.
     pub row: u64,
-    /// How many codes fit.
+    /// How many codes fit within every limit.
     pub fit: Option<u32>,
-    /// The best of them.
+    /// How many others fit if an estimate holds.
+    pub fit_if_estimate: Option<u32>,
+    /// The best of both.
     pub code: Option<String>,
-    /// Its largest utilisation; where none fits that of the nearest miss.
+    /// Utilisation of its governing check; where none fits that of the nearest miss.
     pub utilisation: Option<Number>,
-    /// The check with it.
+    /// That check.
     pub tightest: Option<&'static str>,
     /// Why the row is not judged.
     pub error: Option<String>,
@@ -74,7 +80,15 @@ impl SweepRow {
     /// The answer of a row; of several codes a line for each.
     #[must_use]
     pub fn of(row: u64, answer: &Answer) -> Vec<Self> {
-        let empty = || Self { row, fit: None, code: None, utilisation: None, tightest: None, error: None };
+        let empty = || Self {
+            row,
+            fit: None,
+            fit_if_estimate: None,
+            code: None,
+            utilisation: None,
+            tightest: None,
+            error: None,
+        };
         let share = |share: Option<f64>| share.map(|share| Number::in_unit(share, &quantities::unit::ONE));
         let of = |code: Option<String>, utilisation: Option<f64>, tightest: Option<CheckId>| Self {
             code,
@@ -85,11 +99,12 @@ impl SweepRow {
         match answer {
             Ok(Judged::Best(best)) => {
                 let found = of(best.code.map(|code| code.to_string()), best.utilisation, best.tightest);
-                vec![Self { fit: Some(best.fit), ..found }]
+                vec![Self { fit: Some(best.fit), fit_if_estimate: Some(best.fit_if_estimate), ..found }]
             }
             Ok(Judged::Every(all)) => {
                 let each = |one: &Every| Self {
-                    fit: Some(u32::from(one.fits)),
+                    fit: Some(u32::from(one.fit == Fit::Fits)),
+                    fit_if_estimate: Some(u32::from(one.fit == Fit::FitsIfEstimate)),
                     ..of(Some(one.code.to_string()), one.utilisation, one.tightest)
                 };
                 all.iter().map(each).collect()
@@ -106,7 +121,8 @@ impl SweepRow {
 #[derive(Clone, Debug, Default)]
 pub struct Tally {
     rows: u64,
-    fitting: u64,
+    fit: u64,
+    fit_if_estimate: u64,
     missed: BTreeMap<Option<String>, u64>,
     refused: BTreeMap<String, u64>,
     further: u64,
@@ -116,20 +132,31 @@ impl Tally {
     /// Adds the answer of a row.
     pub fn add(&mut self, answer: &Answer) {
         match answer {
-            Ok(Judged::Best(best)) => self.judged(best.fit > 0, best.tightest.map(CheckId::id)),
-            Ok(Judged::Every(all)) => self.judged(all.iter().any(|one| one.fits), None),
-            Ok(Judged::Front(front)) => self.judged(!front.is_empty(), None),
+            Ok(Judged::Best(best)) => {
+                let fit = match (best.fit, best.fit_if_estimate) {
+                    (0, 0) => Fit::DoesNotFit,
+                    (0, _) => Fit::FitsIfEstimate,
+                    _ => Fit::Fits,
+                };
+                self.judged(fit, best.tightest.map(CheckId::id));
+            }
+            Ok(Judged::Every(all)) => {
+                self.judged(all.iter().map(|one| one.fit).min().unwrap_or(Fit::DoesNotFit), None);
+            }
+            Ok(Judged::Front(front)) => {
+                self.judged(front.iter().map(|one| one.fit).min().unwrap_or(Fit::DoesNotFit), None);
+            }
             Err(why) => self.refused(why),
         }
     }
 
-    /// Adds a row for which something fits, or nothing, by the check of the nearest miss.
-    pub fn judged(&mut self, fits: bool, tightest: Option<&str>) {
+    /// Adds a row by the verdict on its best, or by the governing check of the nearest miss.
+    pub fn judged(&mut self, fit: Fit, tightest: Option<&str>) {
         self.rows += 1;
-        if fits {
-            self.fitting += 1;
-        } else {
-            *self.missed.entry(tightest.map(str::to_owned)).or_default() += 1;
+        match fit {
+            Fit::Fits => self.fit += 1,
+            Fit::FitsIfEstimate => self.fit_if_estimate += 1,
+            Fit::DoesNotFit => *self.missed.entry(tightest.map(str::to_owned)).or_default() += 1,
         }
     }
 
@@ -172,7 +199,9 @@ impl Tally {
         SweepSummary {
             file,
             rows: self.rows,
-            fitting: self.fitting,
+            fit: self.fit,
+            fit_if_estimate: self.fit_if_estimate,
+            fitting: self.fit + self.fit_if_estimate,
             none_fits,
             not_judged,
             further: self.further + beyond,

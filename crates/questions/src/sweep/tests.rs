@@ -29,26 +29,28 @@ fn sized(text: &str) -> Result<Best, String> {
         each.collect::<Vec<_>>().join("; ")
     })?;
     let sizing = crate::size(&project);
-    let fit = sizing.candidates.iter().filter(|candidate| candidate.fits()).count();
     let finite = |utilisation: f64| utilisation.is_finite().then_some(utilisation);
-    let fit = u32::try_from(fit).unwrap();
+    let [fit, fit_if_estimate] = sizing.counts().map(|count| u32::try_from(count).unwrap());
+    let governing = |candidate: &crate::Candidate<'_>| candidate.governing().map(|check| check.id);
     let found = match (sizing.answer(), sizing.nearest_miss()) {
         (Some(answer), _) => Best {
             fit,
+            fit_if_estimate,
             code: match answer.id {
                 crate::CandidateId::Code(code) => Some(code),
                 crate::CandidateId::Own(_) => None,
             },
             utilisation: finite(answer.standing.utilisation),
-            tightest: answer.judgement.tightest().map(|check| check.id),
+            tightest: governing(answer),
         },
         (None, Some(miss)) => Best {
             fit,
+            fit_if_estimate,
             code: None,
             utilisation: finite(miss.standing.utilisation),
-            tightest: miss.worst_failure().map(|check| check.id),
+            tightest: governing(miss),
         },
-        (None, None) => Best { fit, code: None, utilisation: None, tightest: None },
+        (None, None) => Best { fit, fit_if_estimate, code: None, utilisation: None, tightest: None },
     };
     Ok(found)
 }
@@ -64,7 +66,7 @@ fn a_row_is_answered_as_the_project_with_its_values() {
         assert_eq!(best(answer), sized(&text).unwrap());
     }
     assert_eq!(found[3], Err("`load.inertia` must not be negative, not \"-1 kg m^2\"".to_owned()));
-    assert!(best(&found[0]).fit > 50 && best(&found[2]).code.is_none());
+    assert!(best(&found[0]).fits() && best(&found[2]).code.is_none());
 }
 
 /// A row with a seeded value for every quantity and number of a project, near the stated one: `size` of the text with it says the
@@ -114,7 +116,7 @@ fn every_example_with_seeded_values_is_answered_as_by_size() {
             match sized(&with_them) {
                 Ok(expected) => {
                     assert_eq!(best(&found), expected, "{context}");
-                    *(if expected.fit > 0 { &mut fitting } else { &mut failing }) += 1;
+                    *(if expected.fits() { &mut fitting } else { &mut failing }) += 1;
                 }
                 Err(why) => {
                     impossible += 1;

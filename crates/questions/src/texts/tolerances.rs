@@ -27,7 +27,7 @@ pub fn sampling_text(sampling: Sampling, language: Language) -> String {
 /// Whether it fits at the worst point, and by which check.
 #[must_use]
 pub fn worst_text(worst: &Worst, language: Language) -> String {
-    let verdict = if worst.fits { terms::fits(language) } else { terms::does_not_fit(language) };
+    let verdict = super::fit_text(worst.fit, language);
     let check = worst
         .check
         .map_or_else(|| terminal::no_axis_possible(language).to_owned(), |check| check_title(check, language));

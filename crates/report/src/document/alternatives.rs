@@ -2,7 +2,7 @@
 
 use super::checks::Titles;
 use super::shown::{Shown, tied};
-use answers::{Dossier, Rejection};
+use answers::{Dossier, Fit, Rejection};
 use serde::Serialize;
 use words::capitalised;
 
@@ -14,7 +14,8 @@ const MANY: usize = 12;
 #[derive(Serialize)]
 pub(super) struct Alternatives {
     judged: usize,
-    fitting: usize,
+    fit: usize,
+    fit_if_estimate: usize,
     rejected: usize,
     rule: String,
     ranking: Vec<Fitting>,
@@ -27,6 +28,8 @@ struct Fitting {
     rank: usize,
     code: String,
     utilisation: f64,
+    /// `pass`, or `advice` within the band of an estimate.
+    verdict: &'static str,
     percent: String,
     tightest: String,
     mass: String,
@@ -69,6 +72,7 @@ impl Alternatives {
                 rank: each.rank,
                 code: candidate.called().to_owned(),
                 utilisation: candidate.utilisation.written().unwrap_or_default(),
+                verdict: if candidate.verdict == Fit::FitsIfEstimate { "advice" } else { "pass" },
                 percent: shown.share(candidate.utilisation),
                 tightest: candidate.tightest.map(|id| capitalised(&titles.of(*id))).unwrap_or_default(),
                 mass: candidate.mass_kg.map(|mass| shown.number(mass)).unwrap_or_default(),
@@ -84,10 +88,15 @@ impl Alternatives {
             codes: if full { group.codes.clone() } else { Vec::new() },
         });
         // Those that only a limit excludes; where the limit is zero there is no near and far.
-        let near = sizing.rejected.iter().filter(|each| each.objections.is_empty() && each.utilisation.is_some());
+        let is_near = |each: &&Rejection| {
+            let of_the_place = each.failing.iter().any(|id| id.is_of_the_place());
+            each.objections.is_empty() && each.utilisation.is_some() && !of_the_place
+        };
+        let near = sizing.rejected.iter().filter(is_near);
         Self {
             judged: sizing.judged,
-            fitting: sizing.fitting,
+            fit: sizing.fit,
+            fit_if_estimate: sizing.fit_if_estimate,
             rejected: sizing.rejected.len(),
             rule: capitalised(&sizing.rule),
             ranking: ranking.collect(),

@@ -9,7 +9,7 @@ use super::laid_out::{LaidOut, laid_out};
 use super::origins::{Derived, Source, derived, sources};
 use super::shown::{Shown, tied};
 use crate::{AxisContent, Diagram, DiagramPlace};
-use answers::{Candidate, Check, CheckId, Dossier, Fit, Item, Number, ScrewJoint, Tolerance};
+use answers::{Check, Dossier, Fit, Item, Number, ScrewJoint, Tolerance, Verdict};
 use serde::Serialize;
 use words::capitalised;
 
@@ -24,6 +24,7 @@ pub(super) struct Axis {
     assumptions: Vec<String>,
     mechanism: Mechanism,
     motion: MotionTable,
+    single_move: bool,
     demand: DemandTable,
     checks: Checks,
     tolerance: Option<Scatter>,
@@ -44,8 +45,10 @@ pub(super) struct Axis {
 struct Cover {
     code: String,
     own: bool,
-    /// `fits`, `open` (fits, but questions are open), `does_not_fit`.
+    /// `fits`, `open` (fits, but questions are open), `if_estimate`, `does_not_fit`.
     verdict: &'static str,
+    /// The checks that lie within the band of an estimate, each with its utilisation.
+    inside: String,
     fails: usize,
     advised: usize,
     /// How many questions could not be answered.
@@ -54,8 +57,8 @@ struct Cover {
     rejecting: usize,
     shown: usize,
     passed: usize,
+    /// Of the governing check.
     utilisation: String,
-    share: f64,
     tightest: String,
     mass: String,
     cycle: String,
@@ -73,6 +76,8 @@ struct Reserved {
     /// The key of a limit of the project; empty elsewhere.
     key: String,
     value: String,
+    /// Whether it fits with it only if an estimate holds.
+    is_estimate: bool,
 }
 
 /// What may be changed.
@@ -103,7 +108,8 @@ struct Scatter {
 
 #[derive(Serialize)]
 struct Corner {
-    fits: bool,
+    /// `fits`, `if_estimate` or `does_not_fit`.
+    verdict: &'static str,
     utilisation: String,
     check: String,
     is_corner: bool,
@@ -152,6 +158,7 @@ impl Axis {
             assumptions: judgement.assumptions.iter().map(|text| tied(text)).collect(),
             mechanism: Mechanism::build(dossier, shown),
             motion: MotionTable::build(&judgement.motion, shown),
+            single_move: dossier.single_move,
             demand: DemandTable::build(dossier, shown),
             tolerance: judgement.tolerance.as_ref().map(|found| scatter(found, dossier, &titles, shown)),
             alternatives: Alternatives::build(dossier, &titles, full, shown),
@@ -187,25 +194,43 @@ fn placed(axis: usize, index: usize, figure: &Diagram) -> Placed {
 fn cover(content: &AxisContent, checks: &Checks, titles: &Titles, shown: &Shown) -> Cover {
     let judgement = &content.dossier.judgement;
     let candidate = &judgement.candidate;
-    let counts = checks.counts();
+    let counts = content.dossier.counts;
+    let governing = candidate.checks.iter().find(|check| candidate.tightest == Some(check.id));
+    let is_inside = |check: &&Check| {
+        let beyond = check.utilisation.is_some_and(|share| share.0 > 1.0);
+        *check.verdict == Verdict::Advice && check.margin && beyond
+    };
+    let inside = candidate.checks.iter().filter(is_inside).map(|check| {
+        format!(
+            "{} {}",
+            capitalised(&check.title),
+            check.utilisation.map(|share| shown.share(share)).unwrap_or_default()
+        )
+    });
     let reserve = &judgement.reserve;
     let reserve = [
-        (Reserve::LoadFactor, reserve.load_factor, "1"),
-        (Reserve::PayloadFactor, reserve.payload_factor, "1"),
-        (Reserve::CycleTime, reserve.cycle_time, "s"),
-        (Reserve::Ambient, reserve.ambient, "degC"),
+        (Reserve::LoadFactor, "load_factor", reserve.load_factor, "1"),
+        (Reserve::PayloadFactor, "payload_factor", reserve.payload_factor, "1"),
+        (Reserve::CycleTime, "cycle_time", reserve.cycle_time, "s"),
+        (Reserve::Ambient, "ambient", reserve.ambient, "degC"),
     ]
     .into_iter()
-    .filter_map(|(what, value, unit)| Some(Reserved { what, key: String::new(), value: shown.figure(value?, unit) }));
+    .filter_map(|(what, name, value, unit)| {
+        let value = shown.figure(value?, unit);
+        let is_estimate = reserve.if_estimate.contains(&name);
+        Some(Reserved { what, key: String::new(), value, is_estimate })
+    });
     let limits = judgement.reserve.limits.iter().flatten().map(|limit| Reserved {
         what: Reserve::Limits,
         key: words_of(&limit.key, &content.dossier),
         value: shown.figure(limit.value, limit.unit),
+        is_estimate: false,
     });
     let gearing = content.dossier.sizing.would_fit_with.iter().map(|found| Reserved {
         what: Reserve::Gearing,
         key: words_of(&found.key, &content.dossier),
         value: format!("{} ({})", shown.figure(found.value, found.unit), found.code),
+        is_estimate: found.verdict == Fit::FitsIfEstimate,
     });
     let cycle: f64 = judgement.motion.segments.iter().map(|segment| segment.duration.0).sum();
     Cover {
@@ -214,18 +239,21 @@ fn cover(content: &AxisContent, checks: &Checks, titles: &Titles, shown: &Shown)
         verdict: match (candidate.verdict, candidate.open_questions) {
             (Fit::Fits, 0) => "fits",
             (Fit::Fits, _) => "open",
+            (Fit::FitsIfEstimate, _) => "if_estimate",
             (Fit::DoesNotFit, _) => "does_not_fit",
         },
+        inside: inside.collect::<Vec<_>>().join(", "),
         fails: counts.failed,
         advised: counts.advised,
         open: candidate.open_questions,
         // Beside the checks these are requirements for which a datum is missing, and every requirement may reject.
-        rejecting: counts.rejecting + candidate.open_questions.saturating_sub(counts.open),
-        shown: counts.shown,
+        rejecting: checks.rejecting() + counts.requirements_open,
+        shown: counts.without_limit,
         passed: counts.passed,
-        utilisation: shown.share(candidate.utilisation),
-        share: candidate.utilisation.written().unwrap_or_default(),
-        tightest: highest(candidate).map(|id| capitalised(&titles.of(id))).unwrap_or_default(),
+        utilisation: governing.map_or_else(String::new, |check| {
+            check.utilisation.map_or_else(|| "–".to_owned(), |share| shown.share(share))
+        }),
+        tightest: candidate.tightest.map(|id| capitalised(&titles.of(*id))).unwrap_or_default(),
         mass: candidate.mass_kg.map(|mass| shown.figure(mass, "kg")).unwrap_or_default(),
         cycle: shown.figure(Number(cycle), "s"),
         on_request: candidate.on_request.clone(),
@@ -233,15 +261,6 @@ fn cover(content: &AxisContent, checks: &Checks, titles: &Titles, shown: &Shown)
         reserve: reserve.chain(limits).chain(gearing).collect(),
         not_sought: judgement.reserve.not_sought.as_ref().map(|found| tied(&found.text)).unwrap_or_default(),
     }
-}
-
-/// The check to which the highest utilisation belongs: where a class such as the voltage is exceeded, that is not the
-/// tightest margin.
-fn highest(candidate: &Candidate) -> Option<CheckId> {
-    let of = |check: &&Check| check.utilisation == Some(candidate.utilisation);
-    let listed = candidate.checks.iter().filter(of).map(|check| *check.id);
-    let tightest = candidate.tightest.map(|id| *id);
-    listed.clone().find(|id| Some(*id) == tightest).or_else(|| listed.clone().next()).or(tightest)
 }
 
 /// A key of the project in the words of its inputs, with its table; the key itself where the inputs have none.
@@ -267,7 +286,11 @@ fn scatter(found: &Tolerance, dossier: &Dossier, titles: &Titles, shown: &Shown)
         impossible: found.impossible,
         quantiles: [quantiles.p05, quantiles.p50, quantiles.p95, quantiles.max].map(|share| shown.share(share)),
         corner: Corner {
-            fits: worst.verdict == Fit::Fits,
+            verdict: match worst.verdict {
+                Fit::Fits => "fits",
+                Fit::FitsIfEstimate => "if_estimate",
+                Fit::DoesNotFit => "does_not_fit",
+            },
             utilisation: shown.share(worst.utilisation),
             check: worst.check.map(|id| capitalised(&titles.of(*id))).unwrap_or_default(),
             is_corner: worst.is_corner,

@@ -4,11 +4,10 @@ use super::shown::{Shown, tied};
 use answers::{Check, CheckId, Dossier, Grade, Identified, Number, Verdict};
 use quantities::Language;
 use serde::Serialize;
-use std::cmp::Ordering;
 use std::collections::BTreeMap;
 use words::{capitalised, grade_about, grade_word};
 
-/// Every check, the worst first.
+/// Every check, in the order of the dossier.
 #[derive(Serialize)]
 pub(super) struct Checks {
     rows: Vec<CheckRow>,
@@ -50,18 +49,6 @@ struct Open {
     notes: Vec<String>,
 }
 
-pub(super) struct Counts {
-    pub(super) passed: usize,
-    pub(super) failed: usize,
-    pub(super) advised: usize,
-    /// Without a value: a datum is missing.
-    pub(super) open: usize,
-    /// Those of the open ones that could keep the actuator out.
-    pub(super) rejecting: usize,
-    /// With a value and without a limit: not required.
-    pub(super) shown: usize,
-}
-
 /// Whether a check lacks a datum; with a value and without a limit it is only shown, since no limit is required.
 fn is_open(check: &Check) -> bool {
     *check.verdict == Verdict::NotChecked && check.value.is_none()
@@ -70,9 +57,8 @@ fn is_open(check: &Check) -> bool {
 impl Checks {
     pub(super) fn build(dossier: &Dossier, shown: &Shown) -> Self {
         let travel = dossier.mechanism.travel_mm_per_rev;
-        let mut checks: Vec<&Check> = dossier.judgement.candidate.checks.iter().collect();
-        checks.sort_by(|a, b| rank(a).cmp(&rank(b)).then_with(|| by_utilisation(a.utilisation, b.utilisation)));
-        let (open, explained): (Vec<&Check>, Vec<&Check>) = checks.into_iter().partition(|check| is_open(check));
+        let checks = dossier.judgement.candidate.checks.iter();
+        let (open, explained): (Vec<&Check>, Vec<&Check>) = checks.partition(|check| is_open(check));
         let mut notes: Vec<String> = Vec::new();
         let mut rows = Vec::new();
         for check in explained {
@@ -89,16 +75,9 @@ impl Checks {
         Self { rows, notes, open: open.into_iter().map(|check| missing(check, dossier)).collect() }
     }
 
-    pub(super) fn counts(&self) -> Counts {
-        let count = |verdict: Verdict| self.rows.iter().filter(|row| row.verdict == verdict.id()).count();
-        Counts {
-            passed: count(Verdict::Pass),
-            failed: count(Verdict::Fail),
-            advised: count(Verdict::Advice),
-            open: self.open.len(),
-            rejecting: self.open.iter().filter(|open| open.rejects).count(),
-            shown: count(Verdict::NotChecked),
-        }
+    /// How many of those that could not be made may keep the actuator out.
+    pub(super) fn rejecting(&self) -> usize {
+        self.open.iter().filter(|open| open.rejects).count()
     }
 }
 
@@ -109,28 +88,6 @@ fn missing(check: &Check, dossier: &Dossier) -> Open {
         missing: missing.map(|missing| tied(&missing.text)).unwrap_or_default(),
         rejects: !check.id.is_recommendation(),
         notes: check.notes.iter().map(|note| tied(note)).collect(),
-    }
-}
-
-/// Failed checks first, then advice, checks not made last; in between those with a margin
-/// before those that are only met or not.
-fn rank(check: &Check) -> u8 {
-    match (*check.verdict, check.utilisation) {
-        (Verdict::Fail, _) => 0,
-        (Verdict::Advice, _) => 1,
-        (Verdict::Pass, Some(_)) if check.margin => 2,
-        (Verdict::Pass, Some(_)) => 3,
-        (Verdict::Pass, None) => 4,
-        (Verdict::NotChecked, _) => 5,
-    }
-}
-
-fn by_utilisation(a: Option<Number>, b: Option<Number>) -> Ordering {
-    match (a, b) {
-        (Some(a), Some(b)) => b.0.total_cmp(&a.0),
-        (Some(_), None) => Ordering::Less,
-        (None, Some(_)) => Ordering::Greater,
-        (None, None) => Ordering::Equal,
     }
 }
 

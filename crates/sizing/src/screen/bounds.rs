@@ -44,7 +44,10 @@ pub(super) struct Bounds {
     fails: f64x4,
     /// Bit k: whether the check at place k is decided by itself only.
     open: f64x4,
-    least_first: f64x4,
+    /// Bit k: whether the check at place k may be beyond its limit, if only within the band of an estimate.
+    near: f64x4,
+    /// Below the utilisation of what fails for sure.
+    least_failing: f64x4,
     least: f64x4,
     /// Above the utilisation of each check.
     high: [f64x4; COUNT],
@@ -90,9 +93,19 @@ impl BoundsOfOne<'_> {
         self.own(&self.of.least) * (1.0 - self.of.room)
     }
 
-    /// At most the utilisation by the checks of the first stage.
-    pub(super) fn least_first(&self) -> f64 {
-        self.own(&self.of.least_first) * (1.0 - self.of.room)
+    /// At most the utilisation of its governing check where it fails.
+    pub(super) fn least_failing(&self) -> f64 {
+        self.own(&self.of.least_failing) * (1.0 - self.of.room)
+    }
+
+    /// Returns `true` if a limit is exceeded for sure, if only within the band of an estimate.
+    pub(super) fn is_beyond_a_limit(&self) -> bool {
+        self.of.has_low && self.least() > 1.0 + ROOM
+    }
+
+    /// The checks that may be beyond their limit, if only within the band of an estimate; those left open among them.
+    pub(super) fn near(&self) -> Ids {
+        Ids(self.own(&self.of.near).to_bits() | self.open().0)
     }
 
     /// The checks that its bounds leave open.
@@ -124,7 +137,8 @@ impl Bounds {
         has_low: true,
         fails: f64x4::ZERO,
         open: all(f64::from_bits((1 << COUNT) - 1)),
-        least_first: f64x4::ZERO,
+        near: all(f64::from_bits((1 << COUNT) - 1)),
+        least_failing: f64x4::ZERO,
         least: f64x4::ZERO,
         high: [all(f64::INFINITY); COUNT],
         square: f64x4::ZERO,
@@ -142,11 +156,13 @@ impl Bounds {
         self.has_low = false;
         self.fails = f64x4::ZERO;
         self.open = f64x4::from(of_drives.map(|of_drive| f64::from_bits(of_drive.open)));
+        self.near = f64x4::ZERO;
         self.least = above;
+        self.least_failing = above;
         self.high = [f64x4::ZERO; COUNT];
         self.square = figures.torque_square(four.inertia);
         self.look_above(figures, four, of_drives);
-        if self.open.to_array().iter().any(|open| open.to_bits() != 0) {
+        if (self.open | self.near).to_array().iter().any(|open| open.to_bits() != 0) {
             self.look_below(figures, four);
         }
     }
@@ -165,7 +181,9 @@ impl Bounds {
         }
         let [_, below] = self.limits;
         // Not a number is open too.
-        self.open |= !most.simd_lt(below) & all(f64::from_bits(1 << at));
+        let bit = all(f64::from_bits(1 << at));
+        self.open |= !most.simd_lt(below) & bit;
+        self.near |= !high.simd_lt(below) & bit;
     }
 
     /// A check whose utilisation is above this.
@@ -178,8 +196,10 @@ impl Bounds {
     #[inline]
     fn above_beside(&mut self, low: f64x4, sure: f64x4) {
         let [above, _] = self.limits;
+        let fails = sure.simd_gt(above);
         self.least = self.least.max(low);
-        self.fails |= sure.simd_gt(above);
+        self.least_failing = self.least_failing.max(low & fails);
+        self.fails |= fails;
     }
 
     /// A check whose utilisation is known.
@@ -192,7 +212,6 @@ impl Bounds {
         self.known(1, all(figures.speed_peak) * four.per_speed_max);
         self.known(2, all(figures.speed_mean) * four.per_speed_rated);
         self.known(7, all(figures.load_mean) * four.per_average_torque_max);
-        self.least_first = self.least;
         self.known(13, all(figures.speed_mean) * four.per_input_speed_mean_max);
         let of_drive = |figure: fn(&OfDrive) -> f64| f64x4::from(of_drives.map(figure));
         let peak = figures.torque_peak_high(four.inertia);
@@ -214,15 +233,11 @@ impl Bounds {
         self.has_low = true;
         let of_drives = four.drives.map(|drive| figures.of_drive(drive));
         let of_drive = |figure: fn(&OfDrive) -> f64| f64x4::from(of_drives.map(figure));
-        let beyond_first = self.least;
-        self.least = self.least_first;
         self.above(figures.torque_peak_low(four.inertia) * four.per_torque_max);
         let effective = self.square.sqrt();
         let [share, sure] = [of_drive(|drive| drive.continuous[0][1]), of_drive(|drive| drive.continuous[1][1])];
         self.above_beside(effective * share, effective * sure);
         self.currents_below(figures, four);
-        self.least_first = self.least;
-        self.least = self.least.max(beyond_first);
         let rise = self.rise_below(figures, four);
         let [share, sure] = [of_drive(|drive| drive.rise[0][0]), of_drive(|drive| drive.rise[1][0])];
         self.above_beside(rise * share, rise * sure);

@@ -9,11 +9,12 @@ use crate::table::Table;
 use answers::Identified;
 use provenance::Grade;
 use quantities::unit::NEWTON_METRE;
-use quantities::{Language, Measure, format_number};
-use questions::texts::standing_text;
+use quantities::{Language, Measure};
+use questions::Fit;
+use questions::texts::{governing_text, standing_text};
 use rust_xlsxwriter::utility::row_col_to_cell;
 use rust_xlsxwriter::{ExcelDateTime, Format, Formula, Url, Worksheet};
-use words::{Word, capitalised, check_title, grade_about, grade_word, tables, terms};
+use words::{Word, capitalised, grade_about, grade_word, tables, terms};
 
 /// Widths of the three columns, in characters.
 const WIDTHS: [f64; 3] = [30.0, 34.0, 80.0];
@@ -101,10 +102,11 @@ fn answer(page: &mut Page<'_>, front: &Front<'_>) -> Result<(), WriteError> {
     let l = front.language;
     let chosen = front.chosen;
     page.sheet.write_string_with_format(page.row, 0, terms::verdict(l), &page.styles.label)?;
-    let format = match (chosen.fits(), chosen.open_questions()) {
-        (false, _) => &page.styles.over,
-        (true, 0) => &page.styles.fine,
-        (true, _) => &page.styles.text,
+    let format = match (chosen.fit(), chosen.open_questions()) {
+        (Fit::DoesNotFit, _) => &page.styles.over,
+        (Fit::FitsIfEstimate, _) => &page.styles.near,
+        (Fit::Fits, 0) => &page.styles.fine,
+        (Fit::Fits, _) => &page.styles.text,
     };
     let standing = standing_text(chosen, l);
     page.sheet.write_string_with_format(page.row, 1, &standing, &format.clone().set_bold().set_text_wrap())?;
@@ -112,9 +114,8 @@ fn answer(page: &mut Page<'_>, front: &Front<'_>) -> Result<(), WriteError> {
     page.sheet.write_string_with_format(page.row, 0, terms::ordering_code(l), &page.styles.label)?;
     page.sheet.write_string_with_format(page.row, 1, chosen.id.to_string(), &page.styles.strong)?;
     page.row += 1;
-    if let Some(check) = chosen.judgement.tightest() {
-        let share = format_number(check.utilisation.unwrap_or(0.0) * 100.0, 1, l);
-        page.pair(terms::tightest_check, &format!("{}, {share} %", check_title(check.id, l)))?;
+    if chosen.governing().is_some() {
+        page.pair(terms::tightest_check, &governing_text(chosen, l))?;
     }
     page.pair(tables::open_questions, &chosen.open_questions().to_string())?;
     for objection in questions::answer::objections(chosen, l) {

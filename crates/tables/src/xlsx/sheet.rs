@@ -9,7 +9,7 @@ use questions::{Direction, Verdict};
 use rust_xlsxwriter::utility::{column_number_to_name, row_col_to_cell};
 use rust_xlsxwriter::{ConditionalFormatFormula, Format, Formula, Url, Worksheet};
 use std::collections::BTreeMap;
-use words::{terms, verdict_word};
+use words::{terms, verdict_word, without_limit};
 
 /// The row of the first record: heading and unit stand above it.
 pub(super) const FIRST: u32 = 2;
@@ -248,7 +248,10 @@ fn colour(
                 (word(Verdict::Fail), &styles.over),
                 (word(Verdict::Advice), &styles.near),
                 (word(Verdict::NotChecked), &styles.open),
+                (without_limit(language), &styles.open),
+                (terms::not_required(language).to_owned(), &styles.open),
                 (terms::fits(language).to_owned(), &styles.fine),
+                (terms::fits_if_estimate(language).to_owned(), &styles.near),
                 (terms::does_not_fit(language).to_owned(), &styles.over),
             ] {
                 rules.push((format!("={cell}=\"{text}\""), format));

@@ -1,0 +1,177 @@
+//! A judged actuator: its verdict, its governing check, the order and the counts of its checks.
+
+use actuator::Parameters;
+use configurator::{BrokenRule, Unmet};
+use order_code::{Field, OrderCode};
+use sizing::{Check, Checks, Fit, Judgement, Standing, Verdict};
+use words::Counts;
+
+/// What a candidate is called.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum CandidateId {
+    /// An actuator of the catalogue.
+    Code(OrderCode),
+    /// The user's own actuator.
+    Own(String),
+}
+
+impl std::fmt::Display for CandidateId {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        match self {
+            Self::Code(code) => write!(f, "{code}"),
+            Self::Own(name) => f.write_str(name),
+        }
+    }
+}
+
+/// What speaks against a candidate besides a failing check.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Objection {
+    /// A requirement of the project is not met.
+    Unmet(Unmet),
+    /// With the requested options, the code breaks a rule of the ordering tables.
+    Rule(BrokenRule),
+}
+
+/// One judged actuator.
+#[derive(Clone, Debug)]
+pub struct Candidate<'p> {
+    /// What it is called; a code is complete and can be ordered.
+    pub id: CandidateId,
+    /// Fields of the code that are on request only.
+    pub on_request: Vec<Field>,
+    /// Its data.
+    pub parameters: &'p Parameters,
+    /// Every check.
+    pub judgement: Judgement,
+    /// What else speaks against it.
+    pub objections: Vec<Objection>,
+    /// What the ranking looks at.
+    pub standing: Standing,
+}
+
+impl Candidate<'_> {
+    /// Returns `true` if nothing speaks against it, be it inside the band of an estimate.
+    #[must_use]
+    pub const fn fits(&self) -> bool {
+        self.standing.fit.fits()
+    }
+
+    /// The verdict on it.
+    #[must_use]
+    pub const fn fit(&self) -> Fit {
+        self.standing.fit
+    }
+
+    /// Returns `true` if no check fails, whatever else speaks against it.
+    #[must_use]
+    pub fn judgement_fits(&self) -> bool {
+        self.judgement.fits()
+    }
+
+    /// The check that decides, see [`Judgement::governing`].
+    #[must_use]
+    pub fn governing(&self) -> Option<&Check> {
+        self.judgement.governing()
+    }
+
+    /// The reason for which it is rejected: the governing check, else the first objection; `None` where it fits.
+    #[must_use]
+    pub fn reason(&self) -> Option<Reason<'_>> {
+        if self.fits() {
+            return None;
+        }
+        let by_check = self.judgement.worst_failure().map(Reason::Check);
+        by_check.or_else(|| self.objections.first().map(Reason::Objection))
+    }
+
+    /// The checks that are beyond their limits within the band of an estimate, the governing one first.
+    #[must_use]
+    pub fn inside_bands(&self) -> Vec<&Check> {
+        by_importance(&self.judgement.checks).into_iter().filter(|check| check.is_inside_band()).collect()
+    }
+
+    /// How many checks came to which verdict.
+    #[must_use]
+    pub fn counts(&self) -> Counts {
+        let mut counts = Counts::default();
+        for check in &self.judgement.checks {
+            let of = match check.verdict {
+                Verdict::Pass => &mut counts.passed,
+                Verdict::Advice => &mut counts.advised,
+                Verdict::Fail => &mut counts.failed,
+                Verdict::NotChecked if check.is_open() => &mut counts.not_checked,
+                Verdict::NotChecked => &mut counts.without_limit,
+            };
+            *of += 1;
+        }
+        let open = |objection: &&Objection| matches!(objection, Objection::Unmet(Unmet::NotKnown { .. }));
+        counts.requirements_open = self.objections.iter().filter(open).count();
+        counts
+    }
+
+    /// How many questions could not be answered for want of a datum: checks without a value, requirements left open.
+    #[must_use]
+    pub fn open_questions(&self) -> usize {
+        let counts = self.counts();
+        counts.not_checked + counts.requirements_open
+    }
+
+    /// The keys of the project that are missing, each with the number of checks that need it; in the order of the checks.
+    #[must_use]
+    pub fn keys_to_state(&self) -> Vec<(&'static str, usize)> {
+        let mut keys: Vec<(&'static str, usize)> = Vec::new();
+        for key in self.not_checked().filter_map(|check| check.missing).filter(|missing| missing.contains('.')) {
+            match keys.iter_mut().find(|(known, _)| *known == key) {
+                Some((_, count)) => *count += 1,
+                None => keys.push((key, 1)),
+            }
+        }
+        keys
+    }
+
+    /// Whether the load hangs and nothing holds it without power.
+    #[must_use]
+    pub const fn leaves_load_unheld(&self) -> bool {
+        !self.standing.holds
+    }
+
+    /// The checks that could not be made for want of a datum.
+    pub fn not_checked(&self) -> impl Iterator<Item = &Check> {
+        self.judgement.checks.iter().filter(|check| check.is_open())
+    }
+}
+
+/// Checks in the one order in which every answer lists them, the governing one before the others of its verdict; see
+/// [`Check::importance`].
+#[must_use]
+pub fn by_importance(checks: &Checks) -> Vec<&Check> {
+    let mut sorted: Vec<&Check> = checks.iter().collect();
+    sorted.sort_by_cached_key(|check| check.importance());
+    let governing = checks.governing();
+    if let Some(place) = governing.and_then(|governing| sorted.iter().position(|check| check.id == governing.id)) {
+        let first = sorted.iter().position(|check| governing.is_some_and(|other| other.verdict == check.verdict));
+        if let Some(part) = first.and_then(|first| sorted.get_mut(first..=place)) {
+            part.rotate_right(1);
+        }
+    }
+    sorted
+}
+
+/// The reason for which an actuator is rejected.
+#[derive(Clone, Copy, Debug)]
+pub enum Reason<'c> {
+    /// The governing check.
+    Check(&'c Check),
+    /// Where no check fails, the first objection.
+    Objection(&'c Objection),
+}
+
+impl Candidate<'_> {
+    /// Ranks it anew by its judgement.
+    pub(crate) fn stand(&mut self) {
+        let Standing { size, mass_kg, .. } = self.standing;
+        let mass = Some(mass_kg).filter(|mass| mass.is_finite());
+        self.standing = Standing::of(&self.judgement, self.objections.is_empty(), size, mass);
+    }
+}

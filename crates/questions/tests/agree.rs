@@ -1,0 +1,278 @@
+//! One truth: every answer about an actuator names the same failing checks, the same governing check and the same nearest miss, and
+//! what it proposes fits as it is shown. Every example with seeded values is taken, so every mechanism.
+#![allow(clippy::unwrap_used, reason = "a test may fail")]
+
+use project::{Counted, Edit, Heading, Input, NoFiles, Project, edit, inputs};
+use quantities::Measure;
+use questions::list::size::{mends, sized};
+use questions::sweep::{Cells, Judged, Options, Sweep};
+use questions::{Candidate, CandidateId, Check, Fit, Patience, Rejected, Sizing, Verdict, check};
+use sizing::{CheckId, RankKey};
+
+/// Seeded values of each example.
+const ROWS: usize = 5;
+
+/// Seeded numbers from zero to one.
+struct Chance(u64);
+
+impl Chance {
+    fn share(&mut self) -> f64 {
+        self.0 = self.0.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+        (self.0 >> 11) as f64 / (1_u64 << 53) as f64
+    }
+}
+
+/// The values of a project that may be others.
+fn varied(text: &str) -> Vec<Input> {
+    let is_number = |input: &Input| {
+        // Ways stay as they are, so that a cycle still ends where it begins.
+        let is_way = input.path.starts_with("motion") && input.path.ends_with("distance");
+        let is_other = is_way || ["actuator", "twin"].iter().any(|table| input.path.starts_with(table));
+        !is_other && Heading::read(&heading(input), Counted::FromOne, None).is_ok_and(|heading| heading.is_number())
+    };
+    let counted = inputs(text).into_iter().filter(|input| input.amount.is_some_and(|(value, _)| value != 0.0));
+    counted.filter(is_number).collect()
+}
+
+/// Returns `true` for a mass or a moment of inertia.
+fn is_mass(input: &Input) -> bool {
+    input.amount.is_some_and(|(_, unit)| unit.ascii.starts_with("kg"))
+}
+
+fn heading(input: &Input) -> String {
+    let (_, unit) = input.amount.unwrap();
+    if unit.ascii.is_empty() || unit.ascii == "1" {
+        input.path.clone()
+    } else {
+        format!("{} [{}]", input.path, unit.ascii)
+    }
+}
+
+/// A text with other values at some of its keys.
+fn with(text: &str, values: &[(&Input, f64)]) -> String {
+    values.iter().fold(text.to_owned(), |text, (input, value)| {
+        let written = Heading::read(&heading(input), Counted::FromOne, None).unwrap().written(*value);
+        edit(&text, &input.path, Edit::Value(&written)).unwrap()
+    })
+}
+
+/// Examples with seeded values from near to far and with heavier loads, as far as there is such an axis.
+fn texts() -> Vec<String> {
+    let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/../../examples");
+    let mut files: Vec<_> = std::fs::read_dir(folder).unwrap().map(|entry| entry.unwrap().path()).collect();
+    files.sort();
+    let mut chance = Chance(5);
+    let mut found = Vec::new();
+    for path in files.iter().filter(|path| path.extension().is_some_and(|end| end == "toml")) {
+        let text = std::fs::read_to_string(path).unwrap();
+        let Ok(project) = questions::read(&text) else { continue };
+        // A tolerance is no value of its own, and of several ratios one is chosen anew for each value.
+        if project.is_of_several() || !project.tolerances.is_empty() || !project.ratios.is_empty() {
+            continue;
+        }
+        let keys = varied(&text);
+        for row in 0..ROWS {
+            let (spread, heavier) = [(0.02, 1.0), (0.1, 4.0), (0.3, 1.0), (0.05, 12.0), (0.6, 2.0)][row % 5];
+            let other = |key: &Input, share: f64| {
+                let factor = if is_mass(key) { heavier } else { 1.0 };
+                key.amount.unwrap().0 * factor * (spread * (2.0 * share - 1.0)).exp()
+            };
+            let values: Vec<(&Input, f64)> = keys.iter().map(|key| (key, other(key, chance.share()))).collect();
+            let text = with(&text, &values);
+            if questions::read(&text).is_ok() {
+                found.push(text);
+            }
+        }
+    }
+    assert!(found.len() > 30, "{} axes", found.len());
+    found
+}
+
+fn failing(candidate: &Candidate<'_>) -> Vec<CheckId> {
+    let checks = candidate.judgement.checks.iter().filter(|check| check.verdict == Verdict::Fail);
+    checks.map(|check| check.id).collect()
+}
+
+/// What is said of a candidate.
+fn said(candidate: &Candidate<'_>) -> (Fit, Vec<CheckId>, Option<CheckId>, u64) {
+    let governing = candidate.governing().map(|check| check.id);
+    (candidate.fit(), failing(candidate), governing, candidate.standing.utilisation.to_bits())
+}
+
+fn code(candidate: &Candidate<'_>) -> order_code::OrderCode {
+    match candidate.id {
+        CandidateId::Code(code) => code,
+        CandidateId::Own(_) => panic!("an actuator of the catalogue"),
+    }
+}
+
+/// The nearest miss by judging every rejected one in full.
+fn nearest(project: &Project, sizing: &Sizing<'_>) -> Option<CandidateId> {
+    let of_the_place = |check: &Check| check.verdict == Verdict::Fail && check.id.is_of_the_place();
+    let full = sizing.rejected().iter().filter_map(|each| check(project, &code(each)).ok());
+    let near = full.filter(|each| each.objections.is_empty() && !each.judgement.checks.iter().any(of_the_place));
+    near.min_by_key(|each| (RankKey::of(&each.standing), catalogue_place(each))).map(|each| each.id)
+}
+
+fn catalogue_place(candidate: &Candidate<'_>) -> usize {
+    let code = code(candidate);
+    let bare = order_code::OrderCode { option_1: None, option_2: None, ..code };
+    configurator::catalogue_actuators().iter().position(|(known, _)| *known == bare).unwrap()
+}
+
+#[test]
+fn every_answer_says_the_same_of_a_code() {
+    let (mut rejected, mut inside, mut nothing_fits) = (0, 0, 0);
+    for (place, text) in texts().iter().enumerate() {
+        let project = questions::read(text).unwrap();
+        let sizing = questions::size(&project);
+        for each in sizing.candidates.iter().skip(place % 7).step_by(7) {
+            // Options that the project requires may break a rule; then only the ranking judges it.
+            let Ok(alone) = check(&project, &code(each)) else { continue };
+            assert_eq!(said(each), said(&alone), "{}\n{text}", each.id);
+            rejected += usize::from(!each.fits());
+            inside += usize::from(each.fit() == Fit::FitsIfEstimate);
+        }
+        let [fit, fit_if_estimate] = sizing.counts();
+        let of = |fit: Fit| sizing.candidates.iter().filter(|each| each.fit() == fit).count();
+        assert_eq!([fit, fit_if_estimate], [of(Fit::Fits), of(Fit::FitsIfEstimate)]);
+        let reasons = questions::texts::rejections(&sizing, quantities::Language::En);
+        let counted: usize = reasons.iter().map(|reason| reason.candidates.len()).sum();
+        assert_eq!(counted, sizing.rejected().len(), "{text}");
+        // The row of a sweep about the same code, and the nearest miss wherever it is named.
+        let sweep = Sweep::new(("axis.toml", text), Box::new(NoFiles), &["code"], Options::default());
+        let sweep = sweep.unwrap_or_else(|why| panic!("{why:?}"));
+        let named: Vec<Option<std::borrow::Cow<'_, str>>> =
+            sizing.candidates.iter().step_by(40).map(|each| Some(each.id.to_string().into())).collect();
+        let rows = sweep.judge(&[Cells::Texts(named)], &Patience::endless()).unwrap();
+        for (row, each) in rows.iter().zip(sizing.candidates.iter().step_by(40)) {
+            let Ok(Judged::Best(row)) = row else { continue };
+            let governing = each.governing().map(|check| check.id);
+            let utilisation = Some(each.standing.utilisation).filter(|share| share.is_finite());
+            let counts = [row.fit, row.fit_if_estimate].map(|count| count == 1);
+            assert_eq!((row.tightest, row.utilisation), (governing, utilisation), "{}\n{text}", each.id);
+            let fits = [Fit::Fits, Fit::FitsIfEstimate].map(|fit| each.fit() == fit);
+            assert_eq!(counts, fits, "{}\n{text}", each.id);
+        }
+        let found = sizing.nearest_miss().map(|miss| miss.id.clone());
+        assert_eq!(found, nearest(&project, &sizing), "{text}");
+        if sizing.fitting().is_empty() {
+            nothing_fits += 1;
+            let quick = sized(&project, 0, Rejected::Nearest, &Patience::endless()).unwrap();
+            assert_eq!(quick.nearest_miss().map(|miss| miss.id.clone()), found, "{text}");
+            let named = |sizing: &Sizing<'_>| sizing.named().map(|each| each.id.clone());
+            assert_eq!(named(&quick), named(&sizing), "{text}");
+        }
+    }
+    assert!(rejected > 500 && inside > 2 && nothing_fits > 5, "{rejected} {inside} {nothing_fits}");
+}
+
+/// The governing check is the first that is listed, and its utilisation that of the actuator.
+#[test]
+fn the_governing_check_leads_the_list() {
+    for text in texts().iter().step_by(3) {
+        let project = questions::read(text).unwrap();
+        let sizing = questions::size(&project);
+        for each in sizing.candidates.iter().step_by(23) {
+            let Ok(alone) = check(&project, &code(each)) else { continue };
+            let listed = questions::texts::by_importance(&alone.judgement.checks);
+            let Some(governing) = alone.governing() else { continue };
+            let first = listed.iter().find(|check| check.verdict == governing.verdict).map(|check| check.id);
+            assert_eq!(first, Some(governing.id), "{text}");
+            assert_eq!(listed.len(), alone.judgement.checks.len());
+            let share = governing.utilisation.unwrap_or(f64::INFINITY);
+            assert_eq!(share.to_bits(), alone.standing.utilisation.to_bits(), "{text}");
+        }
+    }
+}
+
+/// Another value of the gearing as it is printed, typed into the project: the named code is the answer, and with the next value towards
+/// the stated one nothing fits.
+#[test]
+fn a_proposed_gearing_fits_as_it_is_printed() {
+    let mut seen = 0;
+    for text in &texts() {
+        let project = questions::read(text).unwrap();
+        for mend in mends(&project, &Patience::endless()).unwrap() {
+            let value = mend.unit.from_si(mend.si);
+            let scale = 10_f64.powf(2.0 - value.abs().log10().floor());
+            let digits = value * scale;
+            let has_three = (digits - digits.round()).abs() < 1e-6;
+            let stated = if mend.is_stated { stated_si(&project, &mend.path) } else { 1.0 };
+            let towards = if mend.si > stated { -1.0 } else { 1.0 };
+            let sized_with = |number: f64| {
+                let written = if mend.unit.ascii == "1" {
+                    mend.path.clone()
+                } else {
+                    format!("{} [{}]", mend.path, mend.unit.ascii)
+                };
+                let project = if mend.is_stated {
+                    let heading = Heading::read(&written, Counted::FromOne, None).unwrap();
+                    questions::read(&edit(text, &mend.path, Edit::Value(&heading.written(number))).unwrap()).ok()?
+                } else {
+                    // A stage without losses and inertia; what it weighs on the flange is not known.
+                    project.with_stage(number)?
+                };
+                questions::size(&project).answer().map(|best| (best.id.to_string(), best.fit()))
+            };
+            assert_eq!(sized_with(value), Some((mend.code.clone(), mend.fit)), "{mend:?}\n{text}");
+            if has_three {
+                let next = (digits.round() + towards) / scale;
+                if (mend.unit.to_si(next) - stated) * towards < 0.0 {
+                    assert_eq!(sized_with(next), None, "{next} is nearer than {mend:?}\n{text}");
+                }
+            }
+            seen += 1;
+        }
+    }
+    assert!(seen > 8, "{seen} proposals");
+}
+
+fn stated_si(project: &Project, path: &str) -> f64 {
+    project.gearings().into_iter().find(|gearing| gearing.path == path).map(|gearing| gearing.si).unwrap()
+}
+
+/// All masses and inertias times the printed factor, and all times of the motion times that of the cycle, typed into the project: the code
+/// fits, and with one step of the last digit more it does not.
+#[test]
+fn a_reserve_fits_as_it_is_printed() {
+    let (mut loads, mut paces) = (0, 0);
+    for text in &texts() {
+        let project = questions::read(text).unwrap();
+        let sizing = questions::size(&project);
+        let near = sizing.answer().or_else(|| sizing.nearest_miss());
+        let Some(named) = near.and_then(|near| check(&project, &code(near)).ok()) else { continue };
+        let reserve = questions::reserve_of(&project, &named);
+        let fit_with = |factor: f64, of: &dyn Fn(&Input) -> bool| {
+            let keys = varied(text);
+            let values: Vec<(&Input, f64)> =
+                keys.iter().filter(|key| of(key)).map(|key| (key, key.amount.unwrap().0 * factor)).collect();
+            let project = questions::read(&with(text, &values)).ok()?;
+            Some(check(&project, &code(&named)).ok()?.judgement.fit())
+        };
+        // What of the load is no key with a mass, such as a density of a web by its thickness, is not typed here.
+        if let Some(reach) = reserve.load_factor.filter(|_| !text.contains("[mechanism.table]")) {
+            let step = 10_f64.powf(reach.value.log10().floor() - 3.0);
+            assert_eq!(fit_with(reach.value, &is_mass), Some(reach.fit), "× {} of {}\n{text}", reach.value, named.id);
+            let beyond = fit_with(reach.value + step, &is_mass);
+            assert_eq!(beyond, Some(Fit::DoesNotFit), "× {} + {step} of {}\n{text}", reach.value, named.id);
+            loads += 1;
+        }
+        let is_timed = |key: &Input| {
+            key.path.starts_with("motion")
+                && key.amount.is_some_and(|(_, unit)| unit.ascii == "s" || unit.ascii == "ms")
+        };
+        let only_times = !["speed", "acceleration", "jerk", "file"]
+            .iter()
+            .any(|key| inputs(text).iter().any(|input| input.path.starts_with("motion") && input.path.ends_with(key)));
+        if let Some(reach) = reserve.cycle_time.filter(|_| only_times) {
+            let (cycle, now) = (reach.value.si(), project.axis.motion.duration().si());
+            let step = 10_f64.powf(cycle.log10().floor() - 3.0);
+            let with = |cycle: f64| fit_with(cycle / now, &is_timed);
+            assert_eq!(with(cycle), Some(reach.fit), "{cycle} s of {}\n{text}", named.id);
+            assert_eq!(with(cycle - step), Some(Fit::DoesNotFit), "{cycle} s − {step} of {}\n{text}", named.id);
+            paces += 1;
+        }
+    }
+    assert!(loads > 15 && paces > 8, "{loads} loads, {paces} paces");
+}
