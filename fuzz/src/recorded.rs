@@ -10,7 +10,7 @@ use arbitrary::{Result, Unstructured};
 use columns::{Columns, edit_bytes};
 use project::{Diagnostic, Fault, Files, Project};
 use questions::{answer, check, course, moves};
-use recording::{Bytes, Damage, Fault as RecordingFault, Memory};
+use recording::{Bytes, Damage, Fault as RecordingFault, Memory, Table, TableValues};
 use std::io::Read;
 use std::sync::atomic::Ordering;
 
@@ -54,7 +54,34 @@ pub fn csv(data: &[u8]) {
 pub fn parquet(data: &[u8]) {
     if let Ok((project, bytes)) = made_parquet(&mut Unstructured::new(data)) {
         hold(&project, &bytes, is_past_the_footer);
-        by_name(bytes);
+        by_name(bytes.clone());
+        as_table(bytes);
+    }
+}
+
+/// A table of many axes: rows or a refusal, and each part has as many rows as its columns say.
+fn as_table(bytes: Vec<u8>) {
+    const ROWS: usize = 1000;
+    const PARTS_MOST: usize = 20;
+    let Ok(mut table) = Table::open(Box::new(Bytes::from(bytes)), Memory::default()) else { return };
+    let columns = table.columns().len();
+    for _ in 0..PARTS_MOST {
+        let Ok(Some(part)) = table.next(ROWS) else { return };
+        assert_eq!(part.len(), columns, "a column for each heading");
+        let lengths: Vec<usize> = part.iter().map(length).collect();
+        assert!(lengths.iter().all(|length| (1..=ROWS).contains(length) && Some(length) == lengths.first()));
+    }
+    let _ = table.skip(1 << 20);
+}
+
+fn length(values: &TableValues) -> usize {
+    match values {
+        TableValues::Floats(values) => values.len(),
+        TableValues::Integers(values) => values.len(),
+        TableValues::Unsigned(values) => values.len(),
+        TableValues::Texts(values) => values.len(),
+        TableValues::Truths(values) => values.len(),
+        TableValues::Other(count) => *count,
     }
 }
 

@@ -55,6 +55,8 @@ pub struct Recording {
     pub left_out_after: u64,
     /// The columns that were read.
     pub columns: Vec<RecordedColumn>,
+    /// Names of columns that hold a quantity by name or unit, and are not used.
+    pub unused: Vec<String>,
 }
 
 /// How the text of a recording was read.
@@ -105,6 +107,8 @@ pub enum UnitBy {
     UnitRow,
     /// The file's own metadata.
     Metadata,
+    /// The values of the column: clock times.
+    Values,
     /// The project file.
     Project,
 }

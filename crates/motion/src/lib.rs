@@ -10,6 +10,7 @@ mod law;
 mod piece;
 mod points;
 mod recorded;
+mod resolution;
 mod seven_phase;
 mod solve;
 
@@ -19,3 +20,4 @@ pub use law::{Given, Law, Solved};
 pub use piece::{Piece, Runs, State};
 pub use points::{EndState, Ends, Points, PointsFault, Spline};
 pub use recorded::{Interval, Placed, Recorded, Samples, Treatment};
+pub use resolution::{MadeUp, RestNoise, SteppedColumn};

@@ -1,6 +1,7 @@
 //! A motion given by samples instead of a law.
 
 use crate::faults::RecordedFault;
+use crate::resolution::{MadeUp, RestNoise, SteppedColumn, made_up, still};
 use quantities::{AngularVelocity, Measure, Time};
 use std::ops::Range;
 use std::sync::Arc;
@@ -26,7 +27,7 @@ pub struct Samples {
 pub struct Treatment {
     /// Width of the window of a moving parabola, fitted by least squares.
     pub smoothing: Option<Time>,
-    /// Speeds below this count as standstill.
+    /// Speeds below this count as standstill; without it what is noise at rest does.
     pub standstill: Option<AngularVelocity>,
 }
 
@@ -47,6 +48,8 @@ pub struct Recorded {
     torque_nm: Option<Arc<Vec<f64>>>,
     is_placed: bool,
     end_errors_rad_s: (f64, f64),
+    rest_noise: Option<RestNoise>,
+    made_up: Option<MadeUp>,
 }
 
 impl Recorded {
@@ -65,6 +68,12 @@ impl Recorded {
             agree(&time_s, position, speed)?;
         }
         let mut end_errors = (0.0, 0.0);
+        let made_up = match (&position_rad, &speed_rad_s) {
+            (_, Some(speed)) => made_up(&time_s, speed, SteppedColumn::Speed, window),
+            (Some(position), None) => made_up(&time_s, position, SteppedColumn::Position, window),
+            (None, None) => None,
+        };
+        let differentiated = speed_rad_s.is_none();
         let (position, mut speed) = match (position_rad, speed_rad_s, window) {
             (None, None, _) => return Err(RecordedFault::NoCourse),
             (Some(position), None, None) => {
@@ -81,10 +90,19 @@ impl Recorded {
             (position, Some(speed), None) => (position, speed),
             (position, Some(speed), Some(window)) => (position, Arc::new(smooth(&time_s, &speed, window)?.0)),
         };
+        let mut rest_noise = None;
         if let Some(least) = treatment.standstill {
             for speed in Arc::make_mut(&mut speed).iter_mut().filter(|speed| speed.abs() < least.si()) {
                 *speed = 0.0;
             }
+        } else if let Some((rests, noise)) =
+            still(&time_s, &speed, position.as_deref().map(Vec::as_slice), differentiated)
+        {
+            let speed = Arc::make_mut(&mut speed);
+            for rest in rests {
+                speed.get_mut(rest).into_iter().flatten().for_each(|speed| *speed = 0.0);
+            }
+            rest_noise = Some(noise);
         }
         let position = position.unwrap_or_else(|| Arc::new(integral(&time_s, &speed)));
         let torque_nm = match (torque_nm, window) {
@@ -98,6 +116,8 @@ impl Recorded {
             torque_nm,
             is_placed,
             end_errors_rad_s: end_errors,
+            rest_noise,
+            made_up,
         })
     }
 
@@ -162,6 +182,18 @@ impl Recorded {
     #[must_use]
     pub const fn end_errors_rad_s(&self) -> (f64, f64) {
         self.end_errors_rad_s
+    }
+
+    /// Noise at rest that was taken for zero, if there is any.
+    #[must_use]
+    pub const fn rest_noise(&self) -> Option<RestNoise> {
+        self.rest_noise
+    }
+
+    /// The acceleration that the resolution of the samples makes up, if it is notable.
+    #[must_use]
+    pub const fn made_up(&self) -> Option<MadeUp> {
+        self.made_up
     }
 
     /// Number of samples.

@@ -81,7 +81,7 @@ pub use tolerance::{ALL_CORNERS_MOST, Tolerance, Variant, Varied, sign};
 pub use twin::TwinInput;
 
 use ::mechanism::{Extra, Mechanism};
-use ::motion::{Motion, Spline};
+use ::motion::{MadeUp, Motion, RestNoise, Spline, SteppedColumn};
 use bodies::together;
 use configurator::Requirements;
 use order_code::{Option1, Option2};
@@ -99,7 +99,7 @@ use value::OneOrMany;
 pub const PROJECT_MAX_BYTES: usize = 1 << 20;
 
 /// A default that the user did not confirm.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Assumption {
     /// No friction torque is given: zero is assumed.
     NoFriction,
@@ -179,13 +179,27 @@ pub enum Assumption {
     RecordedTorqueAdds,
     /// Speed and acceleration are differences of a recorded position, not smoothed.
     RecordedPositionDifferentiated,
+    /// Noise of a recorded speed at rest is taken for zero.
+    RecordedRest(RestNoise),
+    /// The resolution of a recording makes up an acceleration, with the torque that it takes of the load \[Nm\].
+    RecordedSteps(MadeUp, f64),
     /// Between the points of a cam table the motion is a spline, so many times continuous.
     SplineThroughPoints(Spline),
 }
 
+/// Steps of a position, as an example.
+const STEPS: MadeUp = MadeUp {
+    column: SteppedColumn::Position,
+    step: 1.7e-8,
+    interval_s: 60e-6,
+    acceleration_rad_s2: 4.8,
+    motion_rad_s2: 0.31,
+    smoothing_s: Some(3.3e-3),
+};
+
 impl Assumption {
-    /// Every one, in their order.
-    pub const ALL: [Self; 41] = [
+    /// Every one, in their order; those with figures with some.
+    pub const ALL: [Self; 45] = [
         Self::NoFriction,
         Self::AmbientWithinRange,
         Self::CoolingPlate,
@@ -225,6 +239,10 @@ impl Assumption {
         Self::MotorHolds,
         Self::RecordedTorqueAdds,
         Self::RecordedPositionDifferentiated,
+        Self::RecordedRest(RestNoise { speed_rad_s: 1e-3, duration_s: 9.0 }),
+        Self::RecordedSteps(STEPS, 0.5),
+        Self::RecordedSteps(MadeUp { smoothing_s: None, ..STEPS }, 0.5),
+        Self::RecordedSteps(MadeUp { column: SteppedColumn::Speed, ..STEPS }, 0.5),
         Self::SplineThroughPoints(Spline::Cubic),
         Self::SplineThroughPoints(Spline::Quintic),
     ];
@@ -344,17 +362,18 @@ impl Project {
             tolerance::hold(root, &tolerances, reader);
         }
         let required = root.parts.requirements.get();
+        let axis = axis?;
         let project = Self {
             ratios: Vec::new(),
             name: root.name.clone().unwrap_or_default(),
             own_catalogue: own_catalogue.cloned(),
             twin: root.parts.twin.get().map(|twin| twin.input()).unwrap_or_default(),
             recordings: root.segments().iter().filter_map(|segment| segment.recording().cloned()).collect(),
-            assumptions: assumptions(root, !tolerances.is_empty()),
+            assumptions: assumptions(root, &axis, !tolerances.is_empty()),
             requirements: requirements(root),
             option_1: required.and_then(|required| required.option_1.value()),
             option_2: required.and_then(|required| required.option_2.value()),
-            axis: axis?,
+            axis,
             actuator,
             root: root.clone(),
             tolerances,
@@ -372,17 +391,20 @@ impl Project {
         let mut root = root.clone();
         root.set_ratio(ratio);
         let draft = prepare(&root, &mut Reader::new(""))?;
-        Some(Self { axis: finish(&root, draft), root, ..self.clone() })
+        let axis = finish(&root, draft);
+        let assumptions = assumptions(&root, &axis, !self.tolerances.is_empty());
+        Some(Self { axis, root, assumptions, ..self.clone() })
     }
 }
 
-fn assumptions(root: &AxisSection, toleranced: bool) -> Vec<Assumption> {
+fn assumptions(root: &AxisSection, axis: &Axis, toleranced: bool) -> Vec<Assumption> {
     let mut found = Vec::new();
     let driven = root.driven();
     if let Some(driven) = driven {
         mechanism::assumptions(driven, &mut found);
     }
     motion::assumptions(root, driven, &mut found);
+    recorded::assumptions(axis, &mut found);
     let absent = RequirementsSection::absent(root.head());
     let required = root.parts.requirements.get().unwrap_or(&absent);
     found.extend(required.ambient.note());

@@ -7,14 +7,18 @@ use crate::read::{Found, Reader, shortened};
 use crate::section::{Section, section};
 use crate::stated::{Field, Stated};
 use crate::value::Value;
-use crate::{Fault, Hint};
+use crate::{Assumption, Fault, Hint};
+use ::mechanism::Extra;
 use ::motion::{Recorded, RecordedFault, Samples, Treatment};
-use quantities::Unit;
+use quantities::{Measure, Unit};
 use recording::{
-    Along, Bytes, ColumnSpec, FILE_BYTES_MAX, Layout, Limit, MEMORY_USUAL, Memory, Packing, Recording, Role, Series,
+    Along, Bytes, ColumnSpec, Content, FILE_BYTES_MAX, Layout, Limit, MEMORY_USUAL, Memory, Recording, Role, Series,
+    sniffed,
 };
+use sizing::Axis;
 use std::io::Read;
 use std::sync::Arc;
+use std::sync::atomic::AtomicBool;
 
 /// Longest excerpt of a unit in a fault, in characters.
 const UNIT_SHOWN: usize = 40;
@@ -84,6 +88,11 @@ pub trait Files {
         None
     }
 
+    /// A flag that the caller sets once it no longer waits: reading ends then.
+    fn cancelled(&self) -> Option<Arc<AtomicBool>> {
+        None
+    }
+
     /// What a project is allowed.
     fn grant(&self) -> Grant {
         Grant::default()
@@ -126,27 +135,18 @@ impl Reach {
 }
 
 /// The endings of recordings, and those of packed ones behind them.
-pub const RECORDINGS: [&str; 3] = ["csv", "txt", "parquet"];
-const PACKED: [&str; 2] = ["gz", "zst"];
+pub const RECORDINGS: [&str; 5] = ["csv", "txt", "tsv", "parquet", "pq"];
+const PACKED: [&str; 5] = ["gz", "gzip", "zst", "zstd", "snappy"];
 
 /// Whether a path is that of a recording: with one of their endings, `run.csv`, `run.csv.gz`, and no hidden part.
 #[must_use]
 pub fn is_recording_name(name: &str) -> bool {
     let lower = name.to_ascii_lowercase();
-    let (plain, _) = unpacked(&lower);
+    let packed = |ending: &str| lower.strip_suffix(ending)?.strip_suffix('.');
+    let plain = PACKED.iter().find_map(|ending| packed(ending)).unwrap_or(&lower);
     let ending = plain.rsplit_once('.').map(|(_, ending)| ending);
     ending.is_some_and(|ending| RECORDINGS.contains(&ending))
         && !name.split(['/', '\\']).any(|part| part.starts_with('.'))
-}
-
-/// A name without the ending of a packed text, and that ending.
-fn unpacked(name: &str) -> (&str, Option<Packing>) {
-    let packed = |ending: &str| name.strip_suffix(ending)?.strip_suffix('.');
-    match PACKED.map(packed) {
-        [Some(plain), _] => (plain, Some(Packing::Gzip)),
-        [_, Some(plain)] => (plain, Some(Packing::Zstd)),
-        [None, None] => (name, None),
-    }
 }
 
 /// No files at all: a project that refers to one is refused.
@@ -180,7 +180,7 @@ pub(crate) struct Recordings<'f> {
 impl<'f> Recordings<'f> {
     pub(crate) fn new(files: &'f dyn Files) -> Self {
         let Grant { memory, reach } = files.grant();
-        Self { files, reach, memory: Memory::new(memory), read: Vec::new() }
+        Self { files, reach, memory: Memory::new(memory).until(files.cancelled()), read: Vec::new() }
     }
 
     /// Reads every recording of the motion.
@@ -238,23 +238,39 @@ impl<'f> Recordings<'f> {
         if let Some(size) = size.filter(|size| *size > FILE_BYTES_MAX) {
             return Err(refused(beyond(size)));
         }
-        let lower = name.to_ascii_lowercase();
-        let (plain, packing) = unpacked(&lower);
-        if !plain.ends_with(".parquet") || packing.is_some() {
-            let source = self.files.open(name).map_err(unopened)?;
-            let source = match packing {
-                Some(packing) => recording::unpacked(source, packing).map_err(unopened)?,
-                None => source,
-            };
-            let read = recording::read_csv_within(source, layout, &mut self.memory);
-            return read.map_err(|faults| unreadable(name, faults));
+        let is_parquet = [".parquet", ".pq"].iter().any(|ending| name.to_ascii_lowercase().ends_with(ending));
+        if is_parquet {
+            // Held as a whole it would need more than there is: then it is not begun.
+            let whole = size.unwrap_or(0);
+            self.memory.take(whole).map_err(refused)?;
+            self.memory.give_back(whole);
+        }
+        // The content says what it is, whatever the name: data frames are saved as `run.parquet.gzip`.
+        let (content, source) = self.files.open(name).and_then(sniffed).map_err(unopened)?;
+        let (content, source) = match content {
+            Content::Packed(packing) => {
+                let inner = recording::unpacked(Box::new(source), packing).map_err(unopened)?;
+                sniffed(inner).map_err(unopened)?
+            }
+            content => (content, source),
+        };
+        match content {
+            Content::Parquet => {}
+            Content::Foreign(format) => return Err(refused(recording::Fault::Foreign { format })),
+            Content::Text | Content::Packed(_) => {
+                // A damaged file is known by its name.
+                if !is_parquet {
+                    let read = recording::read_csv_within(source, layout, &mut self.memory);
+                    return read.map_err(|faults| unreadable(name, faults));
+                }
+            }
         }
         // The bytes of the file are held while it is read, and no more than there is memory for.
         let held = size.unwrap_or(0);
         self.memory.take(held).map_err(refused)?;
         let most = self.memory.left().saturating_add(held).min(FILE_BYTES_MAX);
         let mut bytes = Vec::new();
-        let opened = self.files.open(name).and_then(|source| source.take(most + 1).read_to_end(&mut bytes));
+        let opened = source.take(most + 1).read_to_end(&mut bytes);
         self.memory.give_back(held);
         let _ = opened.map_err(unopened)?;
         let held = bytes.len() as u64;
@@ -354,6 +370,29 @@ pub(crate) fn motion(segment: &Segment, travel: Option<f64>, reader: &mut Reader
             };
             reader.fault(span, Fault::Recorded { name: file.clone(), fault }, None);
             None
+        }
+    }
+}
+
+/// What was taken for noise in the recordings of an axis, and what their resolution makes up.
+pub(crate) fn assumptions(axis: &Axis, found: &mut Vec<Assumption>) {
+    let nothing = Extra::none();
+    let mut put = |each: Assumption| {
+        if !found.contains(&each) {
+            found.push(each);
+        }
+    };
+    for placed in axis.motion.recordings() {
+        if let Some(noise) = placed.recorded.rest_noise() {
+            put(Assumption::RecordedRest(noise));
+        }
+        if let Some(made_up) = placed.recorded.made_up() {
+            let extra = axis.extras.get(placed.segment).unwrap_or(&nothing);
+            let (first, _) = placed.recorded.ends_rad();
+            // The samples are those of the mechanism, the inertia is that at the output in front of a stage.
+            let at_output = made_up.acceleration_rad_s2 * axis.mechanism.stage_ratio().abs();
+            let torque_nm = axis.mechanism.inertia(first + placed.offset_rad, extra).si() * at_output;
+            put(Assumption::RecordedSteps(made_up, torque_nm));
         }
     }
 }

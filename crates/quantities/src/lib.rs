@@ -22,11 +22,14 @@
 mod algebra;
 mod dimension;
 mod error;
+mod expression;
 mod format;
 mod ids;
 mod measure;
 mod parse;
+mod proposal;
 mod seen;
+mod spelling;
 mod tolerance;
 
 pub mod unit;

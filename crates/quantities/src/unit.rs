@@ -90,7 +90,9 @@ const FOOT_M: f64 = 12.0 * INCH_M;
 /// Ounces of a pound.
 const OUNCES: f64 = 16.0;
 /// One pound-force, a pound under standard gravity, 9.80665 m/s² (CGPM 1901). `uom` rounds it to seven digits.
-const POUND_FORCE_N: f64 = POUND_KG * 9.806_65;
+const POUND_FORCE_N: f64 = POUND_KG * STANDARD_GRAVITY_M_S2;
+/// Standard gravity, 9.80665 m/s² exactly (CGPM 1901): one kilogram-force in newtons.
+const STANDARD_GRAVITY_M_S2: f64 = 9.806_65;
 
 /// One revolution per minute, 2π/60 rad/s, as `uom` has it.
 fn per_minute() -> f64 {
@@ -114,9 +116,15 @@ units! {
         MILLINEWTON_METRE: "mN m", "mNm", "mNm", [], (is millinewton_meter);
         NEWTON_CENTIMETRE: "N cm", "Ncm", "Ncm", [], (is newton_centimeter);
         NEWTON_MILLIMETRE: "N mm", "Nmm", "Nmm", [], (is newton_millimeter);
-        POUND_FORCE_INCH: "lbf in", "lbf in", "lbf in", ["in lbf", "lbf-in", "in-lbf"], (times POUND_FORCE_N * INCH_M);
-        POUND_FORCE_FOOT: "lbf ft", "lbf ft", "lbf ft", ["ft lbf", "lbf-ft", "ft-lbf"], (times POUND_FORCE_N * FOOT_M);
-        OUNCE_FORCE_INCH: "ozf in", "ozf in", "ozf in", ["in ozf", "ozf-in"], (times POUND_FORCE_N / OUNCES * INCH_M);
+        ///
+        /// A pound in a torque is a pound-force.
+        POUND_FORCE_INCH: "lbf in", "lbf in", "lbf in", ["in lbf", "lb in", "in lb"], (times POUND_FORCE_N * INCH_M);
+        POUND_FORCE_FOOT: "lbf ft", "lbf ft", "lbf ft", ["ft lbf", "lb ft", "ft lb"], (times POUND_FORCE_N * FOOT_M);
+        OUNCE_FORCE_INCH: "ozf in", "ozf in", "ozf in", ["in ozf", "oz in", "in oz"],
+            (times POUND_FORCE_N / OUNCES * INCH_M);
+        KILOGRAM_FORCE_METRE: "kgf m", "kgf m", "kgf m", ["kp m"], (times STANDARD_GRAVITY_M_S2);
+        KILOGRAM_FORCE_CENTIMETRE: "kgf cm", "kgf cm", "kgf cm", ["kp cm"], (times STANDARD_GRAVITY_M_S2 / 1e2);
+        GRAM_FORCE_CENTIMETRE: "gf cm", "gf cm", "gf cm", [], (times STANDARD_GRAVITY_M_S2 / 1e5);
     }
     AngularVelocity [AngularVelocity angular_velocity] {
         ///
@@ -124,11 +132,11 @@ units! {
         REVOLUTION_PER_MINUTE: "1/min", "min⁻¹", "1/min",
             ["min^-1", "rpm", "rev/min", "U/min", "r/min"],
             (is revolution_per_minute);
-        RADIAN_PER_SECOND: "rad/s", "rad/s", "rad/s", ["rad/sec"], (is radian_per_second);
-        DEGREE_PER_SECOND: "deg/s", "°/s", "deg/s", ["deg/sec"], (is degree_per_second);
+        RADIAN_PER_SECOND: "rad/s", "rad/s", "rad/s", [], (is radian_per_second);
+        DEGREE_PER_SECOND: "deg/s", "°/s", "deg/s", [], (is degree_per_second);
         ///
         /// Never written 1/s, which some read as rad/s.
-        REVOLUTION_PER_SECOND: "rev/s", "rev/s", "rev/s", ["U/s", "r/s", "rps", "rev/sec"], (is revolution_per_second);
+        REVOLUTION_PER_SECOND: "rev/s", "rev/s", "rev/s", ["U/s", "r/s", "rps"], (is revolution_per_second);
     }
     AngularAcceleration [AngularAcceleration angular_acceleration] {
         RADIAN_PER_SECOND_SQUARED: "rad/s^2", "rad/s²", "rad/s^2", [], (is radian_per_second_squared);
@@ -149,16 +157,44 @@ units! {
         ///
         /// 10⁻³ kg × 10⁻⁴ m².
         GRAM_SQUARE_CENTIMETRE: "g cm^2", "gcm²", "gcm^2", [], (over 1e7);
+        ///
+        /// 10⁻³ kg × 1 m².
+        GRAM_SQUARE_METRE: "g m^2", "gm²", "gm^2", [], (over 1e3);
+        ///
+        /// (10⁻³ m)² = 10⁻⁶ m².
+        KILOGRAM_SQUARE_MILLIMETRE: "kg mm^2", "kgmm²", "kgmm^2", [], (over 1e6);
+        ///
+        /// 10⁻³ kg × 10⁻⁶ m².
+        GRAM_SQUARE_MILLIMETRE: "g mm^2", "gmm²", "gmm^2", [], (over 1e9);
         POUND_SQUARE_INCH: "lb in^2", "lb in²", "lb in^2", ["lbm in^2"], (times POUND_KG * INCH_M * INCH_M);
         POUND_SQUARE_FOOT: "lb ft^2", "lb ft²", "lb ft^2", ["lbm ft^2"], (times POUND_KG * FOOT_M * FOOT_M);
         OUNCE_SQUARE_INCH: "oz in^2", "oz in²", "oz in^2", [], (times POUND_KG / OUNCES * INCH_M * INCH_M);
         ///
+        /// 1 slug is accelerated with 1 ft/s² by 1 lbf.
+        SLUG_SQUARE_FOOT: "slug ft^2", "slug ft²", "slug ft^2",
+            ["lbf ft s^2", "ft lbf s^2", "lb ft s^2", "ft lb s^2"],
+            (times POUND_FORCE_N * FOOT_M);
+        ///
         /// 1 lbf in per 1 rad/s².
-        POUND_FORCE_INCH_SECOND_SQUARED: "lbf in s^2", "lbf in s²", "lbf in s^2", ["in lbf s^2"],
+        POUND_FORCE_INCH_SECOND_SQUARED: "lbf in s^2", "lbf in s²", "lbf in s^2",
+            ["in lbf s^2", "lb in s^2", "in lb s^2"],
             (times POUND_FORCE_N * INCH_M);
+        ///
+        /// 1 ozf in per 1 rad/s².
+        OUNCE_FORCE_INCH_SECOND_SQUARED: "ozf in s^2", "ozf in s²", "ozf in s^2",
+            ["in ozf s^2", "oz in s^2", "in oz s^2"],
+            (times POUND_FORCE_N / OUNCES * INCH_M);
+        ///
+        /// 1 kgf m per 1 rad/s².
+        KILOGRAM_FORCE_METRE_SECOND_SQUARED: "kgf m s^2", "kgf m s²", "kgf m s^2", ["kp m s^2"],
+            (times STANDARD_GRAVITY_M_S2);
+        ///
+        /// 1 kgf cm per 1 rad/s².
+        KILOGRAM_FORCE_CENTIMETRE_SECOND_SQUARED: "kgf cm s^2", "kgf cm s²", "kgf cm s^2", ["kp cm s^2"],
+            (times STANDARD_GRAVITY_M_S2 / 1e2);
     }
     Time [Time time] {
-        SECOND: "s", "s", "s", ["sec"], (is second);
+        SECOND: "s", "s", "s", [], (is second);
         MILLISECOND: "ms", "ms", "ms", [], (is millisecond);
         MICROSECOND: "us", "µs", "us", [], (is microsecond);
         NANOSECOND: "ns", "ns", "ns", [], (is nanosecond);
@@ -175,14 +211,14 @@ units! {
         CENTIMETRE: "cm", "cm", "cm", [], (is centimeter);
         MICROMETRE: "um", "µm", "um", [], (is micrometer);
         KILOMETRE: "km", "km", "km", [], (is kilometer);
-        INCH: "in", "in", "in", ["inch"], (times INCH_M);
-        FOOT: "ft", "ft", "ft", ["foot"], (times FOOT_M);
+        INCH: "in", "in", "in", [], (times INCH_M);
+        FOOT: "ft", "ft", "ft", [], (times FOOT_M);
     }
     Lead [] {
         MILLIMETRE_PER_REVOLUTION: "mm", "mm", "mm", ["mm/rev", "mm/U", "mm/r"], (over 1e3);
         METRE_PER_REVOLUTION: "m", "m", "m", ["m/rev", "m/U", "m/r"], (si);
         CENTIMETRE_PER_REVOLUTION: "cm", "cm", "cm", ["cm/rev", "cm/U", "cm/r"], (over 1e2);
-        INCH_PER_REVOLUTION: "in", "in", "in", ["in/rev", "inch/rev", "inch", "in/r"], (times INCH_M);
+        INCH_PER_REVOLUTION: "in", "in", "in", ["in/rev", "in/r"], (times INCH_M);
     }
     Area [Area area] {
         SQUARE_MILLIMETRE: "mm^2", "mm²", "mm^2", [], (is square_millimeter);
@@ -195,7 +231,7 @@ units! {
         ///
         /// 1000 kg.
         TONNE: "t", "t", "t", [], (is ton);
-        POUND: "lb", "lb", "lb", ["lbm", "lbs"], (times POUND_KG);
+        POUND: "lb", "lb", "lb", ["lbm"], (times POUND_KG);
         OUNCE: "oz", "oz", "oz", [], (times POUND_KG / OUNCES);
     }
     MassDensity [MassDensity mass_density] {
@@ -213,22 +249,23 @@ units! {
         MEGANEWTON: "MN", "MN", "MN", [], (is meganewton);
         MILLINEWTON: "mN", "mN", "mN", [], (is millinewton);
         POUND_FORCE: "lbf", "lbf", "lbf", [], (times POUND_FORCE_N);
+        KILOGRAM_FORCE: "kgf", "kgf", "kgf", ["kp"], (times STANDARD_GRAVITY_M_S2);
         OUNCE_FORCE: "ozf", "ozf", "ozf", [], (times POUND_FORCE_N / OUNCES);
     }
     Current [ElectricCurrent electric_current] {
-        AMPERE: "A", "A", "A", ["Aeff", "A_eff", "Arms", "A_rms"], (is ampere);
+        AMPERE: "A", "A", "A", ["A eff", "A_eff", "A rms", "A_rms"], (is ampere);
         MILLIAMPERE: "mA", "mA", "mA", [], (is milliampere);
         MICROAMPERE: "uA", "µA", "uA", [], (is microampere);
     }
     Voltage [ElectricPotential electric_potential] {
-        VOLT: "V", "V", "V", ["VDC", "Vdc"], (is volt);
+        VOLT: "V", "V", "V", ["V DC", "V dc"], (is volt);
         MILLIVOLT: "mV", "mV", "mV", [], (is millivolt);
         KILOVOLT: "kV", "kV", "kV", [], (is kilovolt);
     }
     EffectiveVoltage [] {
         ///
         /// Of an alternating voltage; of a DC link it is [`VOLT`].
-        EFFECTIVE_VOLT: "V", "V", "V", ["VAC", "Vac", "Veff", "V_eff", "Vrms", "V_rms", "V~"], (si);
+        EFFECTIVE_VOLT: "V", "V", "V", ["V AC", "V ac", "V eff", "V_eff", "V rms", "V_rms", "V~"], (si);
     }
     Resistance [ElectricalResistance electrical_resistance] {
         OHM: "ohm", "Ω", "ohm", ["Ohm"], (is ohm);
@@ -267,8 +304,8 @@ units! {
     Temperature [ThermodynamicTemperature thermodynamic_temperature] {
         ///
         /// The only unit with an offset: 0 °C is 273.15 K.
-        DEGREE_CELSIUS: "degC", "°C", "degC", [], (is degree_celsius);
-        DEGREE_FAHRENHEIT: "degF", "°F", "degF", [], (is degree_fahrenheit);
+        DEGREE_CELSIUS: "degC", "°C", "degC", ["° C"], (is degree_celsius);
+        DEGREE_FAHRENHEIT: "degF", "°F", "degF", ["° F"], (is degree_fahrenheit);
         KELVIN: "K", "K", "K", [], (is kelvin);
     }
     TemperatureInterval [TemperatureInterval temperature_interval] {
@@ -292,8 +329,8 @@ units! {
         MILLIMETRE_PER_SECOND: "mm/s", "mm/s", "mm/s", [], (is millimeter_per_second);
         METRE_PER_MINUTE: "m/min", "m/min", "m/min", [], (over 60.0);
         MILLIMETRE_PER_MINUTE: "mm/min", "mm/min", "mm/min", [], (over 60e3);
-        INCH_PER_SECOND: "in/s", "in/s", "in/s", ["in/sec", "ips"], (times INCH_M);
-        FOOT_PER_SECOND: "ft/s", "ft/s", "ft/s", ["ft/sec"], (times FOOT_M);
+        INCH_PER_SECOND: "in/s", "in/s", "in/s", ["ips"], (times INCH_M);
+        FOOT_PER_SECOND: "ft/s", "ft/s", "ft/s", [], (times FOOT_M);
         INCH_PER_MINUTE: "in/min", "in/min", "in/min", ["ipm"], (times INCH_M / 60.0);
         FOOT_PER_MINUTE: "ft/min", "ft/min", "ft/min", ["fpm"], (times FOOT_M / 60.0);
     }

@@ -1,6 +1,8 @@
 //! A unit: how it is written, how it converts, and how a spelling finds it.
 
 use crate::dimension::Dimension;
+use crate::proposal;
+use crate::spelling::{Canonical, abbreviated};
 use std::collections::BTreeMap;
 use std::fmt;
 use std::hash::{Hash, Hasher};
@@ -42,17 +44,18 @@ impl Unit {
     /// [`Dimension::ALL`] has it: `g` is a gram, `K` a temperature.
     #[must_use]
     pub fn of(spelling: &str) -> Option<&'static Self> {
-        with_spelling(spelling).first().copied()
+        with_spelling(spelling, |_| true)
     }
 
     /// The unit of a dimension with this spelling.
     ///
-    /// Case matters (`mN` is no `MN`); spaces and `^` do not, and `²`, `⁻¹`, `µ`, `Ω`, `°` may stand for `2`, `-1`, `u`, `ohm`,
-    /// `deg`. A sign of a product (`·`, `*`, `×`) parts factors, as a space between two units does: `m·N` is a newton metre and
-    /// no millinewton. Factors may stand in any order.
+    /// Case matters (`mN` is no `MN`), and so does the sign of a product: `m N` is a torque, `mN` a force. Which sign it is does not
+    /// (space, `·`, `*`, `×`, or `-` and `.` between letters), nor does `^`; `²`, `⁻¹`, `µ`, `Ω`, `°` may stand for `2`, `-1`, `u`,
+    /// `ohm`, `deg`, words for their abbreviations (`degrees/sec`), and a negative power for a stroke (`rad s^-1`). Factors may stand
+    /// in any order.
     #[must_use]
     pub fn of_dimension(dimension: Dimension, spelling: &str) -> Option<&'static Self> {
-        with_spelling(spelling).iter().copied().find(|unit| unit.dimension == dimension)
+        with_spelling(spelling, |unit| unit.dimension == dimension)
     }
 
     /// Every spelling, the one of project files first.
@@ -60,29 +63,13 @@ impl Unit {
         [self.ascii, self.symbol, self.json].into_iter().chain(self.others.iter().copied())
     }
 
-    /// The unit of a dimension whose spelling is nearest to a misspelt one; `None` if nothing is near.
+    /// The unit of a dimension that was probably meant by a text that is none of it; `None` where another one could be meant.
+    ///
+    /// A proposal keeps what the text means: where it reads as a product of units, with prefixes and powers, the proposed unit has
+    /// the same value. Otherwise the letters differ from those of one unit only in case, or by one letter that is no prefix.
     #[must_use]
     pub fn nearest(dimension: Dimension, spelling: &str) -> Option<&'static Self> {
-        if spelling.len() > SPELLING_LENGTH_MAX {
-            return None;
-        }
-        let wanted = canonical(spelling);
-        let length = wanted.chars().count();
-        let mut best: Option<((usize, usize), &Self)> = None;
-        for unit in dimension.units() {
-            for known in unit.spellings().map(canonical) {
-                // Case counts, but less than a wrong letter.
-                let letters = strsim::damerau_levenshtein(&wanted.to_lowercase(), &known.to_lowercase());
-                let distance = (letters, strsim::damerau_levenshtein(&wanted, &known));
-                // What is alike but for its factors, `m·s` and `ms`, is another unit.
-                let is_near = letters <= 1 + length / 3 && letters < length.max(known.chars().count());
-                let near = is_near && known != wanted;
-                if near && best.is_none_or(|(least, _)| distance < least) {
-                    best = Some((distance, unit));
-                }
-            }
-        }
-        best.map(|(_, unit)| unit)
+        if spelling.len() > SPELLING_LENGTH_MAX { None } else { proposal::of(dimension, spelling) }
     }
 }
 
@@ -109,142 +96,79 @@ impl fmt::Debug for Unit {
 /// Longer texts are no unit; the longest spelling has less than half of it.
 const SPELLING_LENGTH_MAX: usize = 64;
 
-/// Canonical spelling to the units that have it, in the order of [`Dimension::ALL`].
-static INDEX: LazyLock<BTreeMap<String, Vec<&'static Unit>>> = LazyLock::new(|| {
-    let mut index: BTreeMap<String, Vec<&'static Unit>> = BTreeMap::new();
+/// A unit by one of its spellings.
+struct Known {
+    unit: &'static Unit,
+    /// Places at which the sign of a product may stand.
+    products: u64,
+}
+
+/// Units by their canonical text, and by their factors in a fixed order, in the order of [`Dimension::ALL`].
+struct Index {
+    texts: BTreeMap<String, Vec<Known>>,
+    factors: BTreeMap<String, Vec<&'static Unit>>,
+}
+
+static INDEX: LazyLock<Index> = LazyLock::new(|| {
+    let mut index = Index { texts: BTreeMap::new(), factors: BTreeMap::new() };
     for unit in Dimension::ALL.iter().flat_map(|dimension| dimension.units()) {
         for spelling in unit.spellings() {
-            let units = index.entry(canonical(spelling)).or_default();
-            if !units.contains(&unit) {
-                units.push(unit);
+            let mut put = |spelling: &str| {
+                let canonical = Canonical::of(spelling);
+                if let Some(factors) = canonical.factors() {
+                    let units = index.factors.entry(factors).or_default();
+                    if !units.contains(&unit) {
+                        units.push(unit);
+                    }
+                }
+                let units = index.texts.entry(canonical.text).or_default();
+                match units.iter_mut().find(|known| known.unit == unit) {
+                    Some(known) => known.products |= canonical.products,
+                    None => units.push(Known { unit, products: canonical.products }),
+                }
+            };
+            put(spelling);
+            if let Some(spelling) = with_negative_power(spelling) {
+                put(&spelling);
             }
         }
     }
     index
 });
 
-fn with_spelling(spelling: &str) -> &'static [&'static Unit] {
+/// The spelling with a negative power in the place of its stroke: `rad s^-1` for `rad/s`.
+fn with_negative_power(spelling: &str) -> Option<String> {
+    let (over, under) = spelling.split_once('/')?;
+    let name = under.trim_end_matches(|sign: char| !sign.is_ascii_alphabetic());
+    let is_name = !name.is_empty() && name.bytes().all(|byte| byte.is_ascii_alphabetic());
+    let power = match under.get(name.len()..)? {
+        "" => "1",
+        "^2" | "²" => "2",
+        "^3" | "³" => "3",
+        _ => return None,
+    };
+    let has_unit = over.chars().any(char::is_alphabetic) || over.contains(['°', 'Ω']);
+    (is_name && has_unit).then(|| format!("{over} {name}-{power}"))
+}
+
+/// The first unit with a spelling that is one of those looked for.
+fn with_spelling(spelling: &str, is_wanted: impl Fn(&Unit) -> bool) -> Option<&'static Unit> {
     if spelling.len() > SPELLING_LENGTH_MAX {
-        return &[];
+        return None;
     }
+    // `None` where nothing is written so, of whatever dimension.
+    let found = |text: &str, products: u64| {
+        let known = INDEX.texts.get(text)?.iter().filter(|known| products & !known.products == 0);
+        let mut known = known.map(|known| known.unit);
+        let first = known.next()?;
+        Some(std::iter::once(first).chain(known).find(|unit| is_wanted(unit)))
+    };
+    let of = |spelling: &str| {
+        let canonical = Canonical::of(spelling);
+        let in_order = found(&canonical.text, canonical.products);
+        in_order
+            .or_else(|| Some(INDEX.factors.get(&canonical.factors()?)?.iter().copied().find(|unit| is_wanted(unit))))
+    };
     // Most are written as the index has them.
-    if let Some(units) = INDEX.get(spelling) {
-        return units;
-    }
-    let written = Factors::of(spelling);
-    match INDEX.get(&written.text) {
-        Some(units) if units.iter().all(|unit| written.are_of(unit)) => units,
-        _ => written.sorted().and_then(|product| PRODUCTS.get(&product)).map_or(&[], Vec::as_slice),
-    }
-}
-
-/// Units by the factors above and below their fraction stroke, each sorted: `m·N` is a newton metre.
-static PRODUCTS: LazyLock<BTreeMap<String, Vec<&'static Unit>>> = LazyLock::new(|| {
-    let mut products: BTreeMap<String, Vec<&'static Unit>> = BTreeMap::new();
-    for unit in Dimension::ALL.iter().flat_map(|dimension| dimension.units()) {
-        for spelling in unit.spellings() {
-            let Some(product) = Factors::of(spelling).sorted() else { continue };
-            let units = products.entry(product).or_default();
-            if !units.contains(&unit) {
-                units.push(unit);
-            }
-        }
-    }
-    products
-});
-
-/// A spelling with the places at which factors part.
-struct Factors {
-    /// The canonical spelling.
-    text: String,
-    /// Bytes before which a sign of a product or a space stands between two letters, and whether it is a sign.
-    parted: Vec<(usize, bool)>,
-}
-
-impl Factors {
-    fn of(spelling: &str) -> Self {
-        let mut found = Self { text: String::with_capacity(spelling.len()), parted: Vec::new() };
-        let mut between = None;
-        for part in spelling.split_inclusive(|c: char| is_product(c) || c.is_whitespace()) {
-            let letters = part.trim_end_matches(|c: char| is_product(c) || c.is_whitespace());
-            let behind = canonical(letters);
-            // A power, a stroke and a number join what stands beside them.
-            if let Some(is_sign) = between
-                && behind.starts_with(char::is_alphabetic)
-                && found.text.ends_with(char::is_alphanumeric)
-            {
-                found.parted.push((found.text.len(), is_sign));
-            }
-            let is_sign = part.chars().next_back().filter(|_| letters.len() < part.len()).map(is_product);
-            between = if letters.is_empty() { between.max(is_sign) } else { is_sign };
-            found.text.push_str(&behind);
-        }
-        found
-    }
-
-    /// The factors between the places.
-    fn each(&self) -> impl Iterator<Item = &str> {
-        let ends = self.parted.iter().map(|(at, _)| *at).chain([self.text.len()]);
-        let begins = [0].into_iter().chain(self.parted.iter().map(|(at, _)| *at));
-        begins.zip(ends).map(|(begin, end)| self.text.get(begin..end).unwrap_or_default())
-    }
-
-    /// Whether a unit has its factors parted at these places, in the spelling that is alike but for them. A prefix is no factor:
-    /// behind a sign of a product `m` is a metre, and a space between two units parts them too.
-    fn are_of(&self, unit: &Unit) -> bool {
-        let own = || unit.spellings().map(Self::of).filter(|own| own.text == self.text);
-        let is_own = |at: usize| own().any(|own| own.parted.iter().any(|(place, _)| *place == at));
-        let mut factors = self.each();
-        let mut before = factors.next().unwrap_or_default();
-        self.parted.iter().zip(factors).all(|((at, is_sign), behind)| {
-            let both = [std::mem::replace(&mut before, behind), behind];
-            is_own(*at) || !is_sign && !both.iter().all(|factor| INDEX.contains_key(*factor))
-        })
-    }
-
-    /// The factors above the fraction stroke in a fixed order, and what stands below it; `None` where there is one factor only, or
-    /// where its place may say something.
-    fn sorted(&self) -> Option<String> {
-        let (above, below) = self.text.split_at(self.text.find('/').unwrap_or(self.text.len()));
-        let is_plain = below.matches('/').count() < 2 && !self.text.contains(['(', ')']);
-        if self.parted.is_empty() || !is_plain || self.parted.iter().any(|(at, _)| *at > above.len()) {
-            return None;
-        }
-        let mut factors: Vec<&str> = self.each().map(|factor| factor.strip_suffix(below).unwrap_or(factor)).collect();
-        factors.sort_unstable();
-        Some(factors.join("·") + below)
-    }
-}
-
-/// A sign of a product.
-const fn is_product(c: char) -> bool {
-    matches!(c, '·' | '⋅' | '∙' | '*' | '×')
-}
-
-/// A spelling without what does not matter: spaces and signs of a product or power, raised digits, Greek letters.
-pub(crate) fn canonical(spelling: &str) -> String {
-    let mut out = String::with_capacity(spelling.len());
-    for c in spelling.chars() {
-        match c {
-            '·' | '⋅' | '∙' | '*' | '×' | '^' => {}
-            c if c.is_whitespace() => {}
-            '⁻' | '−' => out.push('-'),
-            '⁰' => out.push('0'),
-            '¹' => out.push('1'),
-            '²' => out.push('2'),
-            '³' => out.push('3'),
-            '⁴' => out.push('4'),
-            '⁵' => out.push('5'),
-            '⁶' => out.push('6'),
-            '⁷' => out.push('7'),
-            '⁸' => out.push('8'),
-            '⁹' => out.push('9'),
-            // The micro sign and the Greek mu; the ohm sign and the Greek omega.
-            '\u{b5}' | '\u{3bc}' => out.push('u'),
-            '\u{2126}' | '\u{3a9}' => out.push_str("ohm"),
-            '°' => out.push_str("deg"),
-            c => out.push(c),
-        }
-    }
-    out
+    found(spelling, 0).or_else(|| of(spelling)).or_else(|| of(&abbreviated(spelling)?)).flatten()
 }

@@ -1,6 +1,7 @@
 //! Progress and cancellation of an answer.
 
 use sizing::Watch;
+use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 
 /// Cancelled.
@@ -12,7 +13,7 @@ pub struct Stopped;
 #[derive(Debug, Default)]
 pub struct Patience {
     limited: bool,
-    cancelled: AtomicBool,
+    cancelled: Arc<AtomicBool>,
     late: AtomicBool,
     displaced: AtomicBool,
     heard: AtomicBool,
@@ -36,6 +37,12 @@ impl Patience {
     /// Ends the work before its next step.
     pub fn cancel(&self) {
         self.cancelled.store(true, Ordering::Relaxed);
+    }
+
+    /// The flag that is set where it is cancelled.
+    #[must_use]
+    pub fn flag(&self) -> Arc<AtomicBool> {
+        Arc::clone(&self.cancelled)
     }
 
     /// Ends it because the time is over.

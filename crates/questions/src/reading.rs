@@ -10,13 +10,16 @@ mod project_tests;
 mod stage_tests;
 
 use crate::list::Cost;
-use crate::patience::Patience;
+use crate::patience::{Patience, Stopped};
 use crate::sizing_use::{Refusal, Rejected, size_watched};
-use project::{Diagnostic, Files, Project, RatioAnswer};
+use project::{Diagnostic, Files, Grant, Project, RatioAnswer};
 use quantities::Language;
 use serde_json::Value;
 use sizing::{Unwatched, Watch, finished, rank};
 use std::cell::Cell;
+use std::io::Read;
+use std::sync::Arc;
+use std::sync::atomic::AtomicBool;
 
 /// Reads a project file with one axis that refers to no other file.
 ///
@@ -59,8 +62,36 @@ pub fn read_all_watched(text: &str, files: &dyn Files, patience: &Patience) -> R
             None
         })
     };
-    let read = Project::read_all(text, files, &choose);
-    refused.take().map_or_else(|| read.map_err(Unread::Faults), |refusal| Err(Unread::Refused(refusal)))
+    let read = Project::read_all(text, &Cancellable { files, patience }, &choose);
+    let stopped = || (read.is_err() && patience.is_over()).then(|| Refusal::from(Stopped));
+    refused
+        .take()
+        .or_else(stopped)
+        .map_or_else(|| read.map_err(Unread::Faults), |refusal| Err(Unread::Refused(refusal)))
+}
+
+/// Files that are read until the call is cancelled.
+struct Cancellable<'f> {
+    files: &'f dyn Files,
+    patience: &'f Patience,
+}
+
+impl Files for Cancellable<'_> {
+    fn open(&self, name: &str) -> std::io::Result<Box<dyn Read>> {
+        self.files.open(name)
+    }
+
+    fn size(&self, name: &str) -> Option<u64> {
+        self.files.size(name)
+    }
+
+    fn cancelled(&self) -> Option<Arc<AtomicBool>> {
+        Some(self.patience.flag())
+    }
+
+    fn grant(&self) -> Grant {
+        self.files.grant()
+    }
 }
 
 /// The JSON Schema of the project file (draft 2020-12).

@@ -21,6 +21,7 @@ use quantities::unit::{
     ARCMINUTE, DEGREE_CELSIUS, KILONEWTON_METRE_PER_RADIAN, NEWTON_METRE, PERCENT, REVOLUTION_PER_MINUTE, YEAR,
 };
 use quantities::{Language, Measure, Time, Unit, format_number, format_significant};
+use recording::{ColumnRead, KnownBy};
 use sizing::{Amount, Check, Demand, Fit, Reserve, SAMPLES_ANEW, Unsought, Verdict};
 use words::{
     check_title, describe_rule, encoding_guess, grade_word, records, source_text, symbol_term, terminal, unmet_text,
@@ -332,15 +333,21 @@ pub fn battery_lines(battery: &BatteryLife, language: Language) -> Vec<String> {
 #[must_use]
 pub fn recording_text(read: &RecordingRead, language: Language) -> String {
     // A column may carry its unit in its name already.
-    let column = |name: &str, unit: &str| {
-        if name.contains(['[', '(', '/']) { name.to_owned() } else { format!("{name} [{unit}]") }
+    let column = |each: &ColumnRead| match each.known_by {
+        KnownBy::Header if each.name.contains(['[', '(', '/']) => each.name.clone(),
+        KnownBy::Header | KnownBy::UnitRow | KnownBy::Metadata | KnownBy::Values | KnownBy::Layout => {
+            format!("{} [{}]", each.name, each.unit.symbol)
+        }
     };
-    let columns: Vec<String> = read.recording.columns.iter().map(|each| column(&each.name, each.unit.symbol)).collect();
+    let columns: Vec<String> = read.recording.columns.iter().map(column).collect();
     let (count, columns) = (read.recording.time_s.len(), columns.join(", "));
     let left = read.recording.left_out_before + read.recording.left_out_after;
     let mut what = terminal::recording_read(&read.file, &count, &columns, language);
     if left > 0 {
         what = format!("{what}; {}", terminal::outside_the_window(&left, language));
+    }
+    if !read.recording.unused.is_empty() {
+        what = format!("{what}; {}", terminal::columns_not_used(&read.recording.unused.join(", "), language));
     }
     if let Some(guess) = encoding_guess(read.recording.encoding, language) {
         what.push_str("; ");

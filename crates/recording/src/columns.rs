@@ -3,9 +3,9 @@
 use crate::faults::{Fault, Faults, NearColumn, excerpt};
 use crate::layout::{Layout, Role};
 use crate::limits::NAMES_MAX;
-use crate::names::{Named, Sureness};
+use crate::names::{Named, Sureness, before_nanoseconds, before_seconds};
 use crate::series::{Along, ColumnRead, KnownBy};
-use quantities::{Unit, seen};
+use quantities::{Dimension, Unit, seen};
 
 /// A column as the file names it.
 #[derive(Clone, Debug)]
@@ -62,9 +62,19 @@ pub(crate) struct Pick {
 /// The column of every role, in the order of [`Role::ALL`].
 pub(crate) type Picks = [Option<Pick>; 4];
 
+/// Further columns of time.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct MoreTime {
+    /// Nanoseconds that add to a column of whole seconds.
+    pub(crate) nanoseconds: Option<usize>,
+    /// Columns of the same name, one beside each channel: they must hold the same times.
+    pub(crate) twins: Vec<usize>,
+}
+
 /// Finds the column of every role. Missing and ambiguous ones are reported.
-pub(crate) fn pick(headings: &[Heading], layout: &Layout, faults: &mut Faults) -> Picks {
+pub(crate) fn pick(headings: &[Heading], layout: &Layout, faults: &mut Faults) -> (Picks, MoreTime) {
     let mut picks: Picks = [const { None }; 4];
+    let mut more = MoreTime::default();
     let mut failed = [false; 4];
     // One more than is shown says that there are more.
     let names = || headings.iter().take(NAMES_MAX + 1).map(|heading| excerpt(&heading.written)).collect::<Vec<_>>();
@@ -74,7 +84,12 @@ pub(crate) fn pick(headings: &[Heading], layout: &Layout, faults: &mut Faults) -
         let spec = layout.column(role);
         let Some(name) = spec.name.as_deref().map(str::trim).filter(|_| !spec.unused) else { continue };
         *failed = true;
-        match surest(headings, &[], |heading| heading.is_named(name, role)).as_slice() {
+        let mut found = surest(headings, &[], |heading| heading.is_named(name, role));
+        if found.is_empty() {
+            found.extend(numbered(headings, name));
+        }
+        more.keep_first(role, headings, &mut found);
+        match found.as_slice() {
             [] => faults.push(Fault::ColumnUnknown {
                 role,
                 name: excerpt(name),
@@ -90,22 +105,29 @@ pub(crate) fn pick(headings: &[Heading], layout: &Layout, faults: &mut Faults) -
                     *failed = false;
                 }
             }
-            several => faults.push(Fault::Ambiguous { role, columns: chosen_names(headings, several) }),
+            several => faults.push(ambiguous(role, headings, several)),
         }
     }
     for ((role, slot), failed) in Role::ALL.into_iter().zip(&mut picks).zip(&mut failed) {
         if layout.column(role).unused || slot.is_some() || *failed {
             continue;
         }
-        match surest(headings, &taken, |heading| heading.usual(role)).as_slice() {
+        let mut found = surest(headings, &taken, |heading| heading.usual(role));
+        if role == Role::Time && found.is_empty() {
+            found.extend(seconds(headings));
+        }
+        more.keep_first(role, headings, &mut found);
+        match found.as_slice() {
             [] => {}
             [one] => *slot = Some(one.clone()),
             several => {
                 *failed = true;
-                faults.push(Fault::Ambiguous { role, columns: chosen_names(headings, several) });
+                faults.push(ambiguous(role, headings, several));
             }
         }
     }
+    let [time, ..] = &picks;
+    more.nanoseconds = time.as_ref().and_then(|time| nanoseconds(headings, time.index));
     let [time_failed, position_failed, speed_failed, _] = failed;
     let missing = |role: Role| picks.iter().zip(Role::ALL).any(|(pick, of)| of == role && pick.is_none());
     let near = |roles: &[Role]| {
@@ -118,7 +140,62 @@ pub(crate) fn pick(headings: &[Heading], layout: &Layout, faults: &mut Faults) -
     if missing(Role::Position) && missing(Role::Speed) && !position_failed && !speed_failed {
         faults.push(Fault::CourseMissing { headers: names(), near: near(&[Role::Position, Role::Speed]) });
     }
-    picks
+    (picks, more)
+}
+
+impl MoreTime {
+    /// Of several columns of time with one name the first is used, and the others are compared with it.
+    fn keep_first(&mut self, role: Role, headings: &[Heading], found: &mut Vec<Pick>) {
+        let named = |pick: &Pick| headings.get(pick.index).map(|heading| heading.written.to_lowercase());
+        let first = found.first().and_then(named);
+        if role == Role::Time && found.len() > 1 && found.iter().all(|pick| named(pick) == first) {
+            self.twins = found.drain(1..).map(|pick| pick.index).collect();
+        }
+    }
+}
+
+/// The column of a number as a layout names it, `#3`.
+fn numbered(headings: &[Heading], name: &str) -> Option<Pick> {
+    let index = name.strip_prefix('#')?.parse::<usize>().ok()?.checked_sub(1)?;
+    let heading = headings.get(index)?;
+    Some(Pick { index, unit: heading.named.unit.clone(), sureness: Sureness::Plain })
+}
+
+/// The only column of whole seconds that has one of nanoseconds beside it.
+fn seconds(headings: &[Heading]) -> Option<Pick> {
+    let mut found = (0..headings.len()).filter(|index| nanoseconds(headings, *index).is_some());
+    let index = found.next().filter(|_| found.next().is_none())?;
+    Some(Pick { index, unit: None, sureness: Sureness::Plain })
+}
+
+/// The column of nanoseconds that belongs to one of whole seconds.
+fn nanoseconds(headings: &[Heading], seconds: usize) -> Option<usize> {
+    let before = before_seconds(&headings.get(seconds)?.written)?;
+    headings.iter().position(|heading| before_nanoseconds(&heading.written) == Some(before))
+}
+
+fn ambiguous(role: Role, headings: &[Heading], picks: &[Pick]) -> Fault {
+    let numbers = picks.iter().take(NAMES_MAX + 1).map(|pick| pick.index + 1).collect();
+    Fault::Ambiguous { role, columns: chosen_names(headings, picks), numbers }
+}
+
+/// Columns that say by name or unit that they hold a quantity, and have no role: a reader would think that they count.
+pub(crate) fn unused(headings: &[Heading], layout: &Layout, used: &[usize]) -> Vec<String> {
+    let is_quantity = |text: &String| {
+        Unit::of(text).is_some_and(|unit| !matches!(unit.dimension, Dimension::Ratio | Dimension::Information))
+    };
+    let looks = |heading: &Heading| {
+        let is_wanted = |role: &Role| !layout.column(*role).unused;
+        let usual: Vec<Role> = Role::ALL.into_iter().filter(|role| heading.usual(*role).is_some()).collect();
+        let states_unit = || [&heading.named.unit, &heading.below].into_iter().flatten().any(is_quantity);
+        if usual.is_empty() { states_unit() } else { usual.iter().any(is_wanted) }
+    };
+    let free = headings.iter().enumerate().filter(|(index, _)| !used.contains(index)).map(|(_, heading)| heading);
+    free.take(PROPOSED_FROM)
+        .filter(|heading| looks(heading))
+        .take(NAMES_MAX)
+        .map(|heading| excerpt(&heading.written))
+        .collect()
 }
 
 /// The columns that are named most surely, of those that have no role.
@@ -257,10 +334,10 @@ pub(crate) fn decide(
     }
 }
 
-/// The unit of a role whose spelling is nearest.
+/// The unit of a role that was probably meant; none where two kinds of them could be.
 fn nearest_unit(role: Role, text: &str) -> Option<&'static Unit> {
-    let distance = |unit: &Unit| unit.spellings().map(|known| strsim::damerau_levenshtein(text, known)).min();
-    role.dimensions().iter().filter_map(|dimension| Unit::nearest(*dimension, text)).min_by_key(|unit| distance(unit))
+    let mut found = role.dimensions().iter().filter_map(|dimension| Unit::nearest(*dimension, text));
+    found.next().filter(|_| found.next().is_none())
 }
 
 /// Position and speed must be of the same kind.

@@ -1,6 +1,8 @@
 //! Reading CSV.
 
-use crate::columns::{Heading, Pick, Picks, Said, decide, pick};
+use crate::ahead::Ahead;
+use crate::clock::{Clock, is_clock};
+use crate::columns::{Heading, Pick, Picks, Said, decide, pick, unused};
 use crate::encoding;
 use crate::faults::{Fault, Faults, excerpt};
 use crate::gather::{Gather, Sample, check_window};
@@ -12,6 +14,7 @@ use crate::plain::{Rows, Written, plain_time};
 use crate::series::{Encoding, KnownBy, Recording};
 use csv_core::{ReadRecordResult, ReaderBuilder};
 use memchr::{memchr, memchr2_iter};
+use quantities::unit::SECOND;
 use std::io::Read;
 use std::ops::Range;
 
@@ -25,10 +28,11 @@ pub fn read_csv(source: impl Read, layout: &Layout) -> Result<Recording, Vec<Fau
 
 /// Reads a recording from CSV.
 ///
-/// The first line that is neither empty nor a comment (`#`) is the header. It decides what separates the cells: `;`,
-/// else a tab, else `,`. With `;` and tab the numbers may have decimal commas, all or none. A unit stands in the header
-/// (`q [deg]`), in a row of units under it, or in the layout. Columns that no role needs may hold any text. Of samples
-/// outside the window only the time is read. A cell in quotes must end in its line.
+/// The header is the line above the first rows of numbers, with a row of units between them or not; comments (`#`), empty lines and
+/// lines about the file before it are passed over, as is `sep=;`. It decides what separates the cells: `;`, else a tab, else `,`.
+/// With `;`, a tab or quotes the numbers may have decimal commas, all or none. A unit stands in the header (`q [deg]`), in a row of
+/// units under it, or in the layout; times of a clock need none and count from the first. Columns that no role needs may hold any
+/// text. Of samples outside the window only the time is read. A cell in quotes must end in its line.
 ///
 /// The text is UTF-8, UTF-16 or Windows-1252; [`Recording::encoding`] says which, and whether that was guessed. Its lines
 /// end with a line feed, with a carriage return before it or not, or with a carriage return alone. What the recording
@@ -50,25 +54,36 @@ pub fn read_csv_within(source: impl Read, layout: &Layout, memory: &mut Memory) 
 
 fn read(source: impl Read, layout: &Layout, memory: &mut Memory, faults: &mut Faults) -> Option<Recording> {
     check_window(layout, faults);
-    let mut lines = Lines::new(source);
-    if !advance(&mut lines, faults)? {
+    let mut lines = Ahead::new(source);
+    let Some(found) = lines.heading().map_err(|fault| faults.push(fault)).ok()? else {
         faults.push(Fault::NoHeader);
         return None;
+    };
+    let mut more = advance(&mut lines, faults)?;
+    let mut cells = Cells::new(found.delimiter);
+    let mut header = cells.all(lines.line(), lines.number(), faults)?;
+    if found.is_missing {
+        // Without names columns are found by their numbers alone.
+        if layout.time.name.as_deref().is_none_or(|name| !name.starts_with('#')) {
+            faults.push(Fault::HeadingMissing { columns: header.len() });
+            return None;
+        }
+        header.iter_mut().for_each(Vec::clear);
     }
-    let mut cells = Cells::new(delimiter(lines.line()));
-    let header = cells.all(lines.line(), lines.number(), faults)?;
     if let Err(fault) = Limit::Columns.hold(header.len() as u64, COLUMNS_MAX as u64) {
         faults.push(fault);
         return None;
     }
     let mut is_utf8 = std::str::from_utf8(lines.line()).is_ok();
     let mut headings: Vec<Heading> = header.iter().map(|cell| Heading::new(&encoding::text(cell))).collect();
-    let mut more = advance(&mut lines, faults)?;
+    if !found.is_missing {
+        more = advance(&mut lines, faults)?;
+    }
     let second = if more { cells.all(lines.line(), lines.number(), faults) } else { None };
     for (heading, cell) in headings.iter_mut().zip(second.iter().flatten()) {
         heading.below = Some(unbracketed(&encoding::text(cell)));
     }
-    let picks = pick(&headings, layout, faults);
+    let (picks, more_time) = pick(&headings, layout, faults);
 
     let mut units = None;
     let mut is_table = false;
@@ -96,51 +111,89 @@ fn read(source: impl Read, layout: &Layout, memory: &mut Memory, faults: &mut Fa
         faults.push(Fault::NoTable);
         return None;
     }
+    if units.is_none() {
+        headings.iter_mut().for_each(|heading| heading.below = None);
+    }
+    let first_row = if more { cells.try_all(lines.line()).unwrap_or_default() } else { Vec::new() };
     let mut columns = Vec::new();
     let mut wanted = Wanted { fields: headings.len(), ..Wanted::default() };
     for (role, picked) in Role::ALL.into_iter().zip(picks) {
         let Some(Pick { index, unit, .. }) = picked else { continue };
         let Some(heading) = headings.get(index) else { continue };
         let in_row = units.as_ref().and_then(|row| row.get(index)).filter(|text| !text.is_empty());
+        let cell = first_row.get(index).map(|cell| encoding::text(cell)).unwrap_or_default();
+        if role == Role::Time && is_clock(&cell) {
+            wanted.form = TimeForm::Clock(Clock::default());
+            let said = [(KnownBy::Values, Said::Unit(&SECOND))];
+            wanted.put(index, heading);
+            columns.extend(decide(role, heading, said, faults));
+            continue;
+        }
+        let nanoseconds = more_time.nanoseconds.and_then(|index| Some((index, headings.get(index)?)));
+        if role == Role::Time
+            && let Some((other, more)) = nanoseconds
+        {
+            wanted.form = TimeForm::Seconds;
+            let written = format!("{} + {}", heading.written, more.written);
+            let both = Heading { written, ..heading.clone() };
+            wanted.put(index, heading);
+            wanted.beside.push((other, excerpt(&more.written)));
+            columns.extend(decide(role, &both, [(KnownBy::Header, Said::Unit(&SECOND))], faults));
+            continue;
+        }
         let said = [
             unit.map(|text| (KnownBy::Header, Said::Text(text))),
             in_row.map(|text| (KnownBy::UnitRow, Said::Text(text.clone()))),
             layout.column(role).unit.map(|unit| (KnownBy::Layout, Said::Unit(unit))),
         ];
         let column = decide(role, heading, said.into_iter().flatten(), faults);
-        wanted.names.push(excerpt(&heading.written));
-        wanted.indices.push(index);
+        wanted.put(index, heading);
         columns.extend(column);
+    }
+    let twins = more_time.twins.iter().filter_map(|index| Some((*index, excerpt(&headings.get(*index)?.written))));
+    wanted.beside.extend(twins);
+    wanted.channels = columns.len().saturating_sub(1);
+    let used: Vec<usize> =
+        wanted.indices.iter().copied().chain(wanted.beside.iter().map(|(index, _)| *index)).collect();
+    let unused = unused(&headings, layout, &used);
+    for (index, name) in std::mem::take(&mut wanted.beside) {
+        wanted.indices.push(index);
+        wanted.names.push(name);
     }
     // Without a column or a unit the samples mean nothing.
     if !faults.none() {
         return None;
     }
     let mut gather = Gather::new(columns, layout, false, memory, faults)?;
-    let mut decimals = if cells.delimiter == b',' { Decimals::PointAlways } else { Decimals::Undecided };
+    // Between commas a decimal comma stands in quotes.
+    let is_plain = cells.delimiter == b',' && memchr(b'"', lines.line()).is_none();
+    let mut decimals = if is_plain { Decimals::PointAlways } else { Decimals::Undecided };
     let mut rows = <[Rows; 2]>::default();
     while more {
-        let going_on = row(lines.line(), lines.number(), &wanted, &mut cells, &mut decimals, &mut gather, faults);
+        if let Err(fault) = gather.go_on() {
+            *faults = Faults::default();
+            faults.push(fault);
+            return None;
+        }
+        let going_on = row(lines.line(), lines.number(), &mut wanted, &mut cells, &mut decimals, &mut gather, faults);
         if !going_on || faults.enough() {
             return None;
         }
-        if let Some(sign) = decimals.sign() {
-            plain_rows(&mut lines, sign, &wanted, &mut cells, &mut rows, &mut gather, faults)?;
+        if let Some(sign) = decimals.sign()
+            && wanted.is_plain()
+            && let Some(lines) = lines.unread()
+        {
+            plain_rows(lines, sign, &wanted, &mut cells, &mut rows, &mut gather, faults)?;
         }
         more = advance(&mut lines, faults)?;
     }
     let encoding = Some(if is_utf8 { lines.encoding() } else { Encoding::Windows1252Guessed });
-    gather.finish(faults).map(|recording| Recording { encoding, ..recording })
+    gather.finish(faults).map(|recording| Recording { encoding, unused, ..recording })
 }
 
 /// Goes to the next line; a read error is reported.
-fn advance(lines: &mut Lines<impl Read>, faults: &mut Faults) -> Option<bool> {
+fn advance(lines: &mut Ahead<impl Read>, faults: &mut Faults) -> Option<bool> {
     lines.advance().map_err(|fault| faults.push(fault)).ok()
-}
-
-/// What separates the cells of a table with this header.
-pub(crate) fn delimiter(header: &[u8]) -> u8 {
-    [b';', b'\t'].into_iter().find(|sign| memchr(*sign, header).is_some()).unwrap_or(b',')
 }
 
 /// The row as units, if no cell in use is a number.
@@ -172,6 +225,33 @@ struct Wanted {
     fields: usize,
     indices: Vec<usize>,
     names: Vec<String>,
+    form: TimeForm,
+    /// Columns of values, behind that of time.
+    channels: usize,
+    /// Further columns of time, which come last.
+    beside: Vec<(usize, String)>,
+}
+
+/// How times are written.
+#[derive(Default)]
+enum TimeForm {
+    #[default]
+    Number,
+    Clock(Clock),
+    /// Whole seconds, with nanoseconds in the first column behind the values.
+    Seconds,
+}
+
+impl Wanted {
+    fn put(&mut self, index: usize, heading: &Heading) {
+        self.names.push(excerpt(&heading.written));
+        self.indices.push(index);
+    }
+
+    /// Whether a row is nothing but numbers with the time before the values.
+    const fn is_plain(&self) -> bool {
+        matches!(self.form, TimeForm::Number) && self.indices.len() == self.channels + 1
+    }
 }
 
 /// Reads the rows of plain numbers that follow; `None` if no further row can be kept.
@@ -199,6 +279,7 @@ fn plain_rows(
             let mut line = None;
             match gather.sample(number, Tick::of_float(*time), faults) {
                 Sample::Kept => {}
+                Sample::Dropped if faults.enough() => return None,
                 Sample::Dropped => continue,
                 Sample::Full => return None,
             }
@@ -221,7 +302,7 @@ fn plain_rows(
         }
         let (bytes, all) = (rows.iter().map(|rows| rows.bytes).sum(), text.len());
         lines.pass(bytes, count as u64);
-        if bytes < all || bytes == 0 {
+        if bytes < all || bytes == 0 || gather.go_on().is_err() {
             return Some(());
         }
     }
@@ -231,7 +312,7 @@ fn plain_rows(
 fn row(
     line: &[u8],
     number: u64,
-    wanted: &Wanted,
+    wanted: &mut Wanted,
     cells: &mut Cells,
     decimals: &mut Decimals,
     gather: &mut Gather<'_>,
@@ -249,8 +330,32 @@ fn row(
     }
     let mut read = wanted.names.iter().zip(cells.found(line));
     let Some((name, cell)) = read.next() else { return false };
-    let quick = decimals.sign().and_then(|sign| plain_time(cell, sign)).map(Tick::of_float);
-    match quick.map_or_else(|| decimals.plain(cell, number).and_then(|text| Tick::read(&text)), Ok) {
+    let behind = 1 + wanted.channels;
+    let tick = match &mut wanted.form {
+        TimeForm::Number => {
+            let quick = decimals.sign().and_then(|sign| plain_time(cell, sign)).map(Tick::of_float);
+            quick.map_or_else(|| decimals.plain(cell, number).and_then(|text| Tick::read(&text)), Ok)
+        }
+        TimeForm::Clock(clock) => clock.tick(&encoding::text(cell)).ok_or(Bad::Unreadable),
+        TimeForm::Seconds => {
+            let more = cells.found(line).nth(behind).unwrap_or_default();
+            let whole = decimals.plain(cell, number).and_then(|text| Tick::read(&text));
+            let more = decimals.plain(more, number).and_then(|text| finite(&text));
+            let more = more.and_then(|more| if (0.0..1e9).contains(&more) { Ok(more) } else { Err(Bad::Unreadable) });
+            whole.and_then(|whole| more.map(|more| whole.later(1e-9 * more)))
+        }
+    };
+    let first = behind + usize::from(matches!(wanted.form, TimeForm::Seconds));
+    for (place, other) in cells.found(line).enumerate().skip(first) {
+        if other.trim_ascii() != cell.trim_ascii() {
+            let at = crate::FileRow::Line(number);
+            let numbers = [0, place].map(|place| wanted.indices.get(place).map_or(0, |index| index + 1));
+            faults.push(Fault::TimesDiffer { at, column: name.clone(), numbers });
+            gather.time_failed();
+            return true;
+        }
+    }
+    match tick {
         Err(bad) => {
             gather.time_failed();
             faults.push(cell_fault(bad, number, name, cell));
@@ -262,7 +367,7 @@ fn row(
             Sample::Full => return false,
         },
     }
-    for (channel, (name, cell)) in read.enumerate() {
+    for (channel, (name, cell)) in read.take(wanted.channels).enumerate() {
         let quick = decimals.sign().and_then(|sign| plain(cell, sign));
         match quick.map_or_else(|| decimals.plain(cell, number).and_then(|text| finite(&text)), Ok) {
             Ok(value) => {
@@ -358,12 +463,18 @@ impl Cells {
         self.found.iter().map(|range| text.get(range.clone()).unwrap_or_default())
     }
 
-    /// Every cell of a line.
+    /// Every cell of a line; an open quote is reported.
     fn all(&mut self, line: &[u8], number: u64, faults: &mut Faults) -> Option<Vec<Vec<u8>>> {
-        let Some(count) = self.unquote(line) else {
+        let cells = self.try_all(line);
+        if cells.is_none() {
             faults.push(Fault::QuoteOpen { line: number });
-            return None;
-        };
+        }
+        cells
+    }
+
+    /// Every cell of a line; `None` if a quote is open at its end.
+    pub(crate) fn try_all(&mut self, line: &[u8]) -> Option<Vec<Vec<u8>>> {
+        let count = self.unquote(line)?;
         let cell = |index| self.text.get(range_of(&self.ends, index)).unwrap_or_default().to_vec();
         Some((0..count).map(cell).collect())
     }
@@ -416,13 +527,14 @@ const SHOWN_MOST: usize = 32;
 
 /// The header of a CSV and so many rows under it; `None` where no number stands under its first line.
 pub fn preview_csv(source: impl Read, rows: usize) -> Option<Preview> {
-    let mut lines = Lines::new(source);
+    let mut lines = Ahead::new(source);
     let mut faults = Faults::default();
+    let found = lines.heading().ok()??;
     if !advance(&mut lines, &mut faults)? {
         return None;
     }
-    let mut cells = Cells::new(delimiter(lines.line()));
-    let mut shown = |lines: &Lines<_>| {
+    let mut cells = Cells::new(found.delimiter);
+    let mut shown = |lines: &Ahead<_>| {
         let row = cells.all(lines.line(), lines.number(), &mut faults)?;
         Some(row.iter().take(SHOWN_MOST).map(|cell| excerpt(encoding::text(cell).trim())).collect::<Vec<_>>())
     };

@@ -3,6 +3,7 @@
 use crate::FAULTS_MAX;
 use crate::layout::Role;
 use crate::limits::{Limit, SAMPLES_MAX};
+use crate::packed::Foreign;
 use crate::series::KnownBy;
 use quantities::{Dimension, Time, Unit, is_unseen};
 use std::fmt;
@@ -182,7 +183,34 @@ pub enum Fault {
         role: Role,
         /// The columns that could have it.
         columns: Vec<String>,
+        /// Their numbers, counted from 1.
+        numbers: Vec<usize>,
     },
+    /// The first line holds numbers: there is no heading.
+    #[error("the first line holds numbers, no names of columns")]
+    HeadingMissing {
+        /// Cells of the line.
+        columns: usize,
+    },
+    /// Two columns of time with one name differ.
+    #[error("{at}: two columns \"{column}\" hold different times")]
+    TimesDiffer {
+        /// Where.
+        at: FileRow,
+        /// Their name.
+        column: String,
+        /// Their numbers, counted from 1.
+        numbers: [usize; 2],
+    },
+    /// The file has another format.
+    #[error("this is {format:?}")]
+    Foreign {
+        /// The format.
+        format: Foreign,
+    },
+    /// Reading was cancelled.
+    #[error("cancelled")]
+    Stopped,
     /// The unit of a column is missing.
     #[error("the unit of \"{column}\" is missing")]
     UnitMissing {
@@ -410,6 +438,7 @@ impl Fault {
             | Self::ValueNotFinite { column, .. }
             | Self::ValueImplausible { column, .. }
             | Self::DecimalMixed { column, .. }
+            | Self::TimesDiffer { column, .. }
             | Self::ThousandsGrouped { column, .. } => Some(column.clone()),
             Self::Ragged { .. }
             | Self::QuoteOpen { .. }

@@ -106,6 +106,11 @@ impl<'m> Gather<'m> {
         self.from_si.is_finite() || self.to_si.is_finite()
     }
 
+    /// A fault if the caller no longer waits.
+    pub(crate) fn go_on(&self) -> Result<(), Fault> {
+        self.memory.go_on()
+    }
+
     /// The memory that is left.
     pub(crate) fn memory(&self) -> Memory {
         self.memory.clone()
@@ -277,6 +282,7 @@ impl<'m> Gather<'m> {
             torque,
             columns: std::mem::take(&mut self.columns),
             encoding: None,
+            unused: Vec::new(),
             left_out_before: self.before,
             left_out_after: self.after,
         })

@@ -37,7 +37,7 @@ impl Layout {
 /// What the user says about one column.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct ColumnSpec {
-    /// Its name, with or without the unit that stands behind it; otherwise it is recognised by the usual names.
+    /// Its name, with or without the unit that stands behind it, or its number, `#3`; otherwise it is recognised by the usual names.
     pub name: Option<String>,
     /// Its unit, if the file does not say it.
     pub unit: Option<&'static Unit>,
@@ -67,9 +67,39 @@ impl Role {
     pub const fn names(self) -> &'static [&'static str] {
         match self {
             Self::Time => &["time", "t", "zeit", "timestamp"],
-            Self::Position => &["position", "pos", "angle", "q", "phi", "winkel", "lage", "stellung", "weg", "x"],
-            Self::Speed => &["speed", "velocity", "vel", "n", "v", "omega", "qd", "dq", "drehzahl", "geschwindigkeit"],
-            Self::Torque => &["torque", "tau", "m", "moment", "drehmoment", "force", "f", "kraft", "effort"],
+            Self::Position => &[
+                "position",
+                "pos",
+                "angle",
+                "q",
+                "phi",
+                "winkel",
+                "lage",
+                "stellung",
+                "weg",
+                "x",
+                "angularposition",
+                "linearposition",
+            ],
+            Self::Speed => &[
+                "speed",
+                "velocity",
+                "vel",
+                "n",
+                "v",
+                "omega",
+                "qd",
+                "dq",
+                "drehzahl",
+                "geschwindigkeit",
+                "velo",
+                "angularvelocity",
+                "linearvelocity",
+                "angularspeed",
+            ],
+            Self::Torque => {
+                &["torque", "tau", "m", "moment", "drehmoment", "force", "f", "kraft", "effort", "loadtorque"]
+            }
         }
     }
 

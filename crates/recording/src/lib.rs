@@ -16,6 +16,8 @@
 //! assert_eq!(*recording.torque.unwrap().values, [1.5, 1.6, 1.7]);
 //! ```
 
+mod ahead;
+mod clock;
 mod columns;
 mod csv;
 mod encoding;
@@ -38,10 +40,12 @@ pub use faults::{Damage, Fault, FileRow, NearColumn, Stamp};
 pub use layout::{ColumnSpec, Layout, Role};
 pub use limits::{
     DELTA_BLOCK_MAX, FILE_BYTES_MAX, LINE_BYTES_MAX, Limit, MAGNITUDE_MAX, MEMORY_USUAL, Memory, NESTING_MAX,
-    SAMPLES_MAX, STEP_MIN_S,
+    SAMPLES_MAX, STEP_MIN_S, TABLE_COLUMNS_MAX,
 };
-pub use packed::{Packing, unpacked};
-pub use parquet::{read_columns, read_parquet, read_parquet_within};
+pub use packed::{Content, Foreign, Packing, Sniffed, sniffed, unpacked};
+pub use parquet::{
+    Ranges, Table, TableColumn, TableValues, ValueKind, read_columns, read_parquet, read_parquet_within,
+};
 pub use records::Records;
 pub use series::{Along, ColumnRead, Course, Encoding, KnownBy, Recording, Series};
 

@@ -2,6 +2,8 @@
 
 use crate::faults::Fault;
 use std::fmt;
+use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, Ordering};
 
 /// Largest file that is read, in bytes.
 pub const FILE_BYTES_MAX: u64 = 1 << 30;
@@ -20,6 +22,15 @@ pub(crate) const ROWS_MAX: u64 = 1 << 26;
 
 /// Most columns of a file; more than any logger has channels.
 pub(crate) const COLUMNS_MAX: usize = 10_000;
+
+/// Columns of a table of many axes; no project has so many keys.
+pub const TABLE_COLUMNS_MAX: u64 = 1000;
+
+/// Rows of a table whatever its size.
+pub(crate) const TABLE_ROWS_FREE: u64 = 1 << 20;
+
+/// Rows of a larger table for each of its bytes: more are made up of nothing.
+pub(crate) const TABLE_ROWS_PER_BYTE: u64 = 256;
 
 /// Most bytes in one line of a CSV, 64 KiB: bounds its text buffer.
 pub const LINE_BYTES_MAX: usize = 1 << 16;
@@ -104,10 +115,12 @@ impl Limit {
 }
 
 /// Memory that recordings may take, and what they took of it.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug)]
 pub struct Memory {
     most: u64,
     taken: u64,
+    /// Set by a caller who no longer waits.
+    cancelled: Option<Arc<AtomicBool>>,
 }
 
 impl Default for Memory {
@@ -120,7 +133,19 @@ impl Memory {
     /// So many bytes, none of them taken.
     #[must_use]
     pub const fn new(most: u64) -> Self {
-        Self { most, taken: 0 }
+        Self { most, taken: 0, cancelled: None }
+    }
+
+    /// The same, and reading ends where the flag is set.
+    #[must_use]
+    pub fn until(self, cancelled: Option<Arc<AtomicBool>>) -> Self {
+        Self { cancelled, ..self }
+    }
+
+    /// A fault if the caller no longer waits.
+    pub(crate) fn go_on(&self) -> Result<(), Fault> {
+        let is_over = self.cancelled.as_ref().is_some_and(|flag| flag.load(Ordering::Relaxed));
+        if is_over { Err(Fault::Stopped) } else { Ok(()) }
     }
 
     /// Bytes that are left.

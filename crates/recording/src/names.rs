@@ -47,10 +47,11 @@ pub(crate) struct Named {
 
 impl Named {
     /// Takes off the unit that stands in brackets or behind a stroke: `q [deg]`, `q(deg)`, `q {deg}`, `n / 1/min`, `n in 1/min`,
-    /// `q/deg`.
+    /// `q/deg`. Of several brackets the last one that reads as a unit holds it: `Axis[1].ActPos [deg]`, `n [1/min] (actual)`; an
+    /// index or a word about the measurement is part of the name.
     pub(crate) fn marked(written: &str) -> Self {
         let written = written.trim();
-        match split(written) {
+        match bracketed(written).or_else(|| behind_a_stroke(written)) {
             Some((bare, unit)) => Self { bare: bare.trim_end().to_owned(), unit: Some(unit.trim().to_owned()) },
             None => Self { bare: written.to_owned(), unit: None },
         }
@@ -101,19 +102,92 @@ impl Named {
     }
 }
 
-fn split(written: &str) -> Option<(&str, &str)> {
-    for (open, close) in [('[', ']'), ('(', ')'), ('{', '}')] {
-        if let Some((bare, unit)) = written.strip_suffix(close).and_then(|inner| inner.split_once(open))
-            && !bare.is_empty()
-        {
-            // `n / (1/min)` is a fraction in brackets, not a name that ends with a stroke.
-            return Some((bare.trim_end().strip_suffix('/').unwrap_or(bare), unit));
-        }
+/// A name without its brackets, and what stands in them: of those that read as a unit the last, else those at its end that hold
+/// neither an index nor a word about the measurement.
+fn bracketed(written: &str) -> Option<(String, &str)> {
+    const BRACKETS: [(char, char); 3] = [('[', ']'), ('(', ')'), ('{', '}')];
+    // Most names have one pair of brackets at their end, or none.
+    let is_open = |sign: char| BRACKETS.iter().any(|(open, _)| *open == sign);
+    let opened = written.rfind(is_open)?;
+    let at_end = BRACKETS.into_iter().find_map(|(open, close)| {
+        let inner = written.get(opened..)?.strip_prefix(open)?.strip_suffix(close)?;
+        Some((written.get(..opened)?.trim_end(), inner))
+    });
+    if let Some((before, inner)) = at_end
+        && !before.is_empty()
+        && !inner.bytes().all(|byte| byte.is_ascii_digit())
+        && Unit::of(inner).is_some()
+    {
+        return Some((before.strip_suffix('/').unwrap_or(before).to_owned(), inner));
     }
-    if let Some(parts) = [" / ", " in "].iter().find_map(|by| written.split_once(by)) {
-        return Some(parts);
-    }
-    written.split_once('/').filter(|(bare, unit)| !bare.is_empty() && Unit::of(unit).is_some())
+    let groups = written.char_indices().filter_map(|(place, sign)| {
+        let (open, close) = BRACKETS.into_iter().find(|(open, _)| *open == sign)?;
+        let rest = written.get(place + open.len_utf8()..)?;
+        let inner = rest.get(..rest.find(close)?)?;
+        let before = written.get(..place)?;
+        let behind = rest.get(inner.len() + close.len_utf8()..)?;
+        (!before.trim().is_empty()).then_some((before, inner, behind))
+    });
+    let groups: Vec<(&str, &str, &str)> = groups.take(GROUPS_MOST).collect();
+    let unit = groups
+        .iter()
+        .rev()
+        .find(|(_, inner, _)| !inner.bytes().all(|byte| byte.is_ascii_digit()) && Unit::of(inner).is_some());
+    let is_about = |inner: &str| {
+        let words = words(inner);
+        let about = |word: &String| {
+            word.bytes().all(|byte| byte.is_ascii_digit())
+                || [MEASURED, COMMANDED, FILLING].iter().any(|list| list.contains(&word.as_str()))
+        };
+        words.iter().all(about)
+    };
+    let at_end = || groups.last().filter(|(_, inner, behind)| behind.is_empty() && !is_about(inner));
+    let (before, inner, behind) = unit.or_else(at_end)?;
+    // `n / (1/min)` is a fraction in brackets, not a name that ends with a stroke.
+    let before = before.trim_end();
+    Some((format!("{}{behind}", before.strip_suffix('/').unwrap_or(before)), inner))
+}
+
+/// Brackets of a name that are looked at.
+const GROUPS_MOST: usize = 8;
+
+fn behind_a_stroke(written: &str) -> Option<(String, &str)> {
+    let parts = [" / ", " in "].iter().find_map(|by| written.split_once(by));
+    let parts =
+        parts.or_else(|| written.split_once('/').filter(|(bare, unit)| !bare.is_empty() && Unit::of(unit).is_some()));
+    parts.map(|(bare, unit)| (bare.to_owned(), unit))
+}
+
+/// Whether a heading is one of the usual names of a role.
+pub(crate) fn is_usual_name(written: &str) -> bool {
+    let named = Named::marked(written);
+    let is_usual = |role: Role, bare: &str| Named { bare: bare.to_owned(), unit: None }.sureness(role).is_some();
+    Role::ALL
+        .into_iter()
+        .any(|role| named.sureness(role).is_some() || named.for_role(role, |bare| is_usual(role, bare)).is_some())
+}
+
+/// Names of a column of whole seconds, and of the one beside it that holds the nanoseconds.
+const SECONDS: [&str; 4] = ["sec", "secs", "second", "seconds"];
+const NANOSECONDS: [&str; 6] = ["nanosec", "nanosecs", "nsec", "nsecs", "nanosecond", "nanoseconds"];
+
+/// What stands before the name of a column of whole seconds, `/header/stamp/` of `/header/stamp/sec`.
+pub(crate) fn before_seconds(written: &str) -> Option<&str> {
+    before(written, &SECONDS)
+}
+
+/// What stands before the name of a column of nanoseconds.
+pub(crate) fn before_nanoseconds(written: &str) -> Option<&str> {
+    before(written, &NANOSECONDS)
+}
+
+fn before<'w>(written: &'w str, names: &[&str]) -> Option<&'w str> {
+    let written = written.trim();
+    let start = written
+        .rfind(|sign: char| !sign.is_ascii_alphabetic())
+        .map_or(0, |at| at + written.get(at..).and_then(|rest| rest.chars().next()).map_or(0, char::len_utf8));
+    let (before, name) = written.split_at_checked(start)?;
+    names.contains(&name.to_ascii_lowercase().as_str()).then_some(before)
 }
 
 /// A unit of a role, spelt with underscores for strokes or spaces; in small letters where that is one unit only.
@@ -164,6 +238,15 @@ mod tests {
             ("t/s", "t", Some("s")),
             ("v/vmax", "v/vmax", None),
             ("(deg)", "(deg)", None),
+            ("Axis[1].ActPos [deg]", "Axis[1].ActPos", Some("deg")),
+            ("q[2] [deg]", "q[2]", Some("deg")),
+            ("q[2]", "q[2]", None),
+            ("r0061[0]: Speed (1/min)", "r0061[0]: Speed", Some("1/min")),
+            ("n (motor) [rpm]", "n (motor)", Some("rpm")),
+            ("Position (actual)", "Position (actual)", None),
+            ("Time [s] (relative)", "Time (relative)", Some("s")),
+            ("q [degr]", "q", Some("degr")),
+            ("q (1) (deg)", "q (1)", Some("deg")),
             ("M", "M", None),
         ] {
             let named = Named::marked(written);
@@ -227,6 +310,14 @@ mod tests {
             ("soll_drehzahl", Role::Speed, Some(Commanded)),
             ("/joint_2/effort", Role::Torque, Some(Measured)),
             ("TimeStamp", Role::Time, Some(Plain)),
+            ("Axis[1].ActPos", Role::Position, Some(Measured)),
+            ("Axis[1].ActVelo", Role::Speed, Some(Measured)),
+            ("q[2]", Role::Position, Some(Measured)),
+            ("r0061[0]: Speed", Role::Speed, Some(Measured)),
+            ("Position (actual)", Role::Position, Some(Measured)),
+            ("AngularPosition", Role::Position, Some(Plain)),
+            ("Angular velocity", Role::Speed, Some(Measured)),
+            ("FrictionTorque", Role::Torque, None),
             // Another quantity, or one at another place.
             ("position error", Role::Position, None),
             ("Motor position", Role::Position, None),

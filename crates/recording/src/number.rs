@@ -172,6 +172,16 @@ impl Tick {
         Self { whole, part: 0.0 }
     }
 
+    /// A whole number and a part, each with its own sign.
+    pub(crate) const fn of_parts(whole: i64, part: f64) -> Self {
+        Self { whole, part }
+    }
+
+    /// The time so much later.
+    pub(crate) const fn later(self, part: f64) -> Self {
+        Self { whole: self.whole, part: self.part + part }
+    }
+
     pub(crate) const fn of_float(part: f64) -> Self {
         Self { whole: 0, part }
     }

@@ -1,8 +1,10 @@
-//! Texts that are packed as a whole: `run.csv.gz`, `run.csv.zst`.
+//! What the bytes of a file are, and texts that are packed as a whole: `run.csv.gz`, `run.csv.zst`.
 
-use std::io::{Read, Result};
+use ruzstd::decoding::errors::{FrameDecoderError, ReadFrameHeaderError};
+use ruzstd::decoding::{BlockDecodingStrategy, FrameDecoder};
+use std::io::{Chain, Cursor, Read, Result};
 
-/// How a file is packed.
+/// Packing of a file.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Packing {
     /// gzip (RFC 1952), of one member or several.
@@ -11,32 +13,182 @@ pub enum Packing {
     Zstd,
 }
 
-/// What a packed file holds, unpacked while it is read: its reader bounds how much that is.
+/// Content of a file by its first bytes.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Content {
+    /// Parquet.
+    Parquet,
+    /// Packed.
+    Packed(Packing),
+    /// Another format.
+    Foreign(Foreign),
+    /// Anything else, read as text.
+    Text,
+}
+
+/// A format that is no recording, but holds one now and then.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Foreign {
+    /// A workbook of a spreadsheet (`.xlsx`, `.ods`) or another zip archive.
+    Zip,
+    /// A workbook of an old spreadsheet (`.xls`).
+    Xls,
+    /// A MAT file of MATLAB up to version 7.
+    Mat,
+    /// HDF5, which MAT files of version 7.3 are too.
+    Hdf5,
+    /// TDMS of LabVIEW.
+    Tdms,
+    /// MDF of measuring systems (`.mf4`, `.mdf`).
+    Mdf,
+    /// Arrow or Feather.
+    Arrow,
+    /// A bag of ROS or MCAP.
+    Bag,
+    /// SQLite, which bags of ROS 2 are too.
+    Sqlite,
+    /// PDF.
+    Pdf,
+}
+
+impl Foreign {
+    /// Every one.
+    pub const ALL: [Self; 10] = [
+        Self::Zip,
+        Self::Xls,
+        Self::Mat,
+        Self::Hdf5,
+        Self::Tdms,
+        Self::Mdf,
+        Self::Arrow,
+        Self::Bag,
+        Self::Sqlite,
+        Self::Pdf,
+    ];
+}
+
+/// First bytes and what begins with them.
+const MARKS: [(&[u8], Content); 16] = [
+    (b"PAR1", Content::Parquet),
+    (b"\x1f\x8b", Content::Packed(Packing::Gzip)),
+    (b"\x28\xb5\x2f\xfd", Content::Packed(Packing::Zstd)),
+    (b"PK\x03\x04", Content::Foreign(Foreign::Zip)),
+    (b"\xd0\xcf\x11\xe0\xa1\xb1\x1a\xe1", Content::Foreign(Foreign::Xls)),
+    (b"MATLAB 5.0 MAT", Content::Foreign(Foreign::Mat)),
+    (b"MATLAB 7.3 MAT", Content::Foreign(Foreign::Hdf5)),
+    (b"\x89HDF\r\n\x1a\n", Content::Foreign(Foreign::Hdf5)),
+    (b"TDSm", Content::Foreign(Foreign::Tdms)),
+    (b"MDF     ", Content::Foreign(Foreign::Mdf)),
+    (b"ARROW1", Content::Foreign(Foreign::Arrow)),
+    (b"FEA1", Content::Foreign(Foreign::Arrow)),
+    (b"#ROSBAG", Content::Foreign(Foreign::Bag)),
+    (b"\x89MCAP0", Content::Foreign(Foreign::Bag)),
+    (b"SQLite format 3", Content::Foreign(Foreign::Sqlite)),
+    (b"%PDF-", Content::Foreign(Foreign::Pdf)),
+];
+
+/// Bytes that are looked at.
+const HEAD: u64 = 16;
+
+/// A source of which the first bytes were looked at.
+pub type Sniffed = Chain<Cursor<Vec<u8>>, Box<dyn Read>>;
+
+/// What a source holds, by its first bytes; it is read from its beginning afterwards.
 ///
 /// # Errors
-/// What the source says at the beginning.
+/// Those of the source.
+pub fn sniffed(mut source: Box<dyn Read>) -> Result<(Content, Sniffed)> {
+    let mut head = Vec::new();
+    let _ = source.by_ref().take(HEAD).read_to_end(&mut head)?;
+    let found = MARKS.iter().find(|(mark, _)| head.starts_with(mark));
+    let content = found.map_or(Content::Text, |(_, content)| *content);
+    Ok((content, Cursor::new(head).chain(source)))
+}
+
+/// Content of a packed file, unpacked while it is read: its reader bounds the size.
+///
+/// # Errors
+/// Those of the source at its beginning.
 pub fn unpacked(source: Box<dyn Read>, packing: Packing) -> Result<Box<dyn Read>> {
     match packing {
         Packing::Gzip => Ok(Box::new(flate2::read::MultiGzDecoder::new(source))),
-        Packing::Zstd => zstd_frames(source),
+        Packing::Zstd => Ok(Box::new(Frames::of(source))),
     }
 }
 
-/// Larger windows of a frame are refused, as 2 to this power: memory is bounded however the file is packed.
-#[cfg(not(target_family = "wasm"))]
-const WINDOW_LOG_MAX: u32 = 25;
+/// Larger windows of a frame are refused: memory is bounded however the file is packed.
+const WINDOW_MAX: u64 = 32 << 20;
 
-#[cfg(not(target_family = "wasm"))]
-fn zstd_frames(source: Box<dyn Read>) -> Result<Box<dyn Read>> {
-    let mut frames = zstd::stream::read::Decoder::new(source)?;
-    frames.window_log_max(WINDOW_LOG_MAX)?;
-    Ok(Box::new(frames))
+/// Frames of Zstandard, one behind the other.
+pub(crate) struct Frames<R> {
+    source: Pushed<R>,
+    frames: FrameDecoder,
+    is_open: bool,
 }
 
-#[cfg(target_family = "wasm")]
-fn zstd_frames(source: Box<dyn Read>) -> Result<Box<dyn Read>> {
-    let frames = ruzstd::decoding::StreamingDecoder::new(source);
-    frames.map(|frames| Box::new(frames) as Box<dyn Read>).map_err(std::io::Error::other)
+/// A source with a byte before it.
+struct Pushed<R> {
+    byte: Option<u8>,
+    source: R,
+}
+
+impl<R: Read> Read for Pushed<R> {
+    fn read(&mut self, room: &mut [u8]) -> Result<usize> {
+        match (self.byte, room.first_mut()) {
+            (Some(byte), Some(first)) => {
+                (*first, self.byte) = (byte, None);
+                Ok(1)
+            }
+            (Some(_), None) => Ok(0),
+            (None, _) => self.source.read(room),
+        }
+    }
+}
+
+impl<R: Read> Frames<R> {
+    pub(crate) fn of(source: R) -> Self {
+        Self { source: Pushed { byte: None, source }, frames: FrameDecoder::new(), is_open: false }
+    }
+
+    /// Begins the next frame that holds anything; false at the end.
+    fn begin(&mut self) -> Result<bool> {
+        let mut first = [0];
+        while self.source.read(&mut first)? > 0 {
+            self.source.byte = first.first().copied();
+            self.frames.set_max_window_size(WINDOW_MAX);
+            match self.frames.reset(&mut self.source) {
+                Ok(()) => return Ok(true),
+                Err(FrameDecoderError::ReadFrameHeaderError(ReadFrameHeaderError::SkipFrame { length, .. })) => {
+                    let _ = std::io::copy(&mut self.source.by_ref().take(length.into()), &mut std::io::sink())?;
+                }
+                Err(error) => return Err(std::io::Error::other(error)),
+            }
+        }
+        Ok(false)
+    }
+}
+
+impl<R: Read> Read for Frames<R> {
+    fn read(&mut self, room: &mut [u8]) -> Result<usize> {
+        while !room.is_empty() {
+            if !self.is_open {
+                self.is_open = self.begin()?;
+                if !self.is_open {
+                    return Ok(0);
+                }
+            }
+            while self.frames.can_collect() < room.len() && !self.frames.is_finished() {
+                let wanted = BlockDecodingStrategy::UptoBytes(room.len() - self.frames.can_collect());
+                let _ = self.frames.decode_blocks(&mut self.source, wanted).map_err(std::io::Error::other)?;
+            }
+            let count = self.frames.read(room)?;
+            if count > 0 {
+                return Ok(count);
+            }
+            self.is_open = false;
+        }
+        Ok(0)
+    }
 }
 
 #[cfg(test)]
@@ -50,13 +202,34 @@ mod tests {
         let mut gzip = flate2::write::GzEncoder::new(Vec::new(), flate2::Compression::fast());
         gzip.write_all(text.as_bytes()).unwrap();
         let zstd = zstd::bulk::compress(text.as_bytes(), 3).unwrap();
-        for (packed, packing) in [(gzip.finish().unwrap(), Packing::Gzip), (zstd, Packing::Zstd)] {
+        // A frame to be skipped stands between.
+        let skipped: &[u8] = b"\x50\x2a\x4d\x18\x03\x00\x00\x00abc";
+        let two = [
+            zstd::bulk::compress(&text.as_bytes()[..100], 3).unwrap(),
+            skipped.to_vec(),
+            zstd::bulk::compress(&text.as_bytes()[100..], 9).unwrap(),
+        ]
+        .concat();
+        for (packed, packing) in [(gzip.finish().unwrap(), Packing::Gzip), (zstd, Packing::Zstd), (two, Packing::Zstd)]
+        {
             let mut found = String::new();
-            let source = Box::new(std::io::Cursor::new(packed.clone()));
-            unpacked(source, packing).unwrap().read_to_string(&mut found).unwrap();
+            let source: Box<dyn Read> = Box::new(Cursor::new(packed.clone()));
+            let (content, source) = sniffed(source).unwrap();
+            assert_eq!(content, Content::Packed(packing));
+            unpacked(Box::new(source), packing).unwrap().read_to_string(&mut found).unwrap();
             assert_eq!(found, text);
-            let half = Box::new(std::io::Cursor::new(packed[..packed.len() / 2].to_vec()));
+            let half = Box::new(Cursor::new(packed[..packed.len() / 2].to_vec()));
             assert!(unpacked(half, packing).unwrap().read_to_end(&mut Vec::new()).is_err(), "a damaged file");
+        }
+    }
+
+    #[test]
+    fn a_text_is_a_text_however_short() {
+        for text in ["", "t", "t;q\n", "PA", "Zeit"] {
+            let (content, mut source) = sniffed(Box::new(Cursor::new(text.as_bytes().to_vec()))).unwrap();
+            let mut found = String::new();
+            source.read_to_string(&mut found).unwrap();
+            assert_eq!((content, found.as_str()), (Content::Text, text));
         }
     }
 }

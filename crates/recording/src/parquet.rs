@@ -5,31 +5,32 @@
 
 mod footer;
 mod pages;
+mod streams;
+mod table;
 mod thrift;
 mod unpack;
 
-use crate::columns::{Heading, Said, decide, pick};
+use crate::columns::{Heading, Said, decide, pick, unused};
 use crate::faults::{Damage, Fault, Faults, FileRow, excerpt};
 use crate::gather::{Gather, Sample, check_window};
 use crate::layout::{Layout, Role};
 use crate::limits::{Limit, Memory, ROWS_MAX, SAMPLES_MAX};
 use crate::number::{Bad, Tick};
 use crate::series::{KnownBy, Recording};
-use ::parquet::basic::{ConvertedType, Repetition, Type};
-use ::parquet::column::reader::{ColumnReader, ColumnReaderImpl, get_column_reader};
-use ::parquet::data_type::{DataType, DoubleType, FloatType, Int32Type, Int64Type};
+use ::parquet::basic::{ConvertedType, Type};
 use ::parquet::errors::ParquetError;
-use ::parquet::schema::types::{ColumnDescriptor, ColumnPath};
 use bytes::Bytes;
 use footer::{Chunk, Column, Footer, Logical};
 use pages::Pages;
 use quantities::Unit;
-use quantities::unit::{MICROSECOND, MILLISECOND};
+use quantities::unit::{MICROSECOND, MILLISECOND, NANOSECOND, SECOND};
 use std::sync::Arc;
 use std::sync::atomic::AtomicU64;
+use streams::{Cell, Stream};
+pub use table::{Ranges, Table, TableColumn, TableValues, ValueKind};
 
 /// Rows that are read at a time.
-const BATCH: usize = 8192;
+pub(crate) const BATCH: usize = 8192;
 
 /// Reads a recording from Parquet within the usual memory.
 ///
@@ -41,7 +42,7 @@ pub fn read_parquet(file: Bytes, layout: &Layout) -> Result<Recording, Vec<Fault
 
 /// Reads a recording from Parquet.
 ///
-/// Columns are recognised as in CSV. They hold floats, doubles or integers without a scale. A unit stands in the name
+/// Columns are recognised as in CSV. They hold floats, doubles, integers or decimals. A unit stands in the name
 /// (`q [deg]`), in the metadata of the file under `q.unit` or `unit:q`, or in the layout; a timestamp type says its
 /// unit itself. Row groups are read one after another, a few thousand rows at a time. What the recording holds is taken
 /// from the memory; the bytes of the file are the caller's.
@@ -90,12 +91,13 @@ fn columns_of(file: &Bytes, names: &[&str], memory: &mut Memory, faults: &mut Fa
         while let count @ 1.. = filled(&mut streams)? {
             for (stream, values) in streams.iter().zip(&mut values) {
                 for (row, cell) in (number + 1..).zip(&stream.cells) {
-                    let (at, column) = (FileRow::Row(row), stream.name);
+                    let (at, column) = (FileRow::Row(row), stream.name.as_str());
                     match *cell {
                         Cell::Null => faults.push(Fault::ValueMissing { at, column: column.to_owned() }),
                         Cell::Float(value) if !value.is_finite() => faults.push(not_finite(at, column, value)),
                         Cell::Float(value) => values.push(value),
                         Cell::Integer(value) => values.push(value as f64),
+                        Cell::Text(_) | Cell::Truth(_) => {}
                     }
                 }
             }
@@ -116,23 +118,23 @@ fn columns_of(file: &Bytes, names: &[&str], memory: &mut Memory, faults: &mut Fa
 }
 
 /// The columns of a row group, opened.
-fn opened<'f>(
+fn opened(
     file: &Bytes,
-    used: &'f [Used<'f>],
+    used: &[Used<'_>],
     chunks: Vec<Chunk>,
     memory: &Memory,
     spent: &Arc<AtomicU64>,
-) -> Result<Vec<Stream<'f>>, Fault> {
-    let open = |(column, chunk): (&'f Used<'f>, Chunk)| {
+) -> Result<Vec<Stream>, Fault> {
+    let open = |(column, chunk): (&Used<'_>, Chunk)| {
         let memory = (memory.clone(), used.len());
         let pages = Pages::new(file.clone(), chunk, column.column, memory, Arc::clone(spent))?;
-        Stream::open(column, pages)
+        Stream::open(&column.name, column.kind, column.column, pages)
     };
     used.iter().zip(chunks).map(open).collect()
 }
 
 /// The next rows of all columns; their number, which is zero at the end.
-fn filled(streams: &mut [Stream<'_>]) -> Result<usize, Fault> {
+fn filled(streams: &mut [Stream]) -> Result<usize, Fault> {
     let counts = streams.iter_mut().map(Stream::fill).collect::<Result<Vec<_>, ParquetError>>();
     let mut counts = counts.map_err(unreadable)?.into_iter();
     let count = counts.next().unwrap_or(0);
@@ -165,8 +167,17 @@ fn read(file: &Bytes, layout: &Layout, memory: &mut Memory, faults: &mut Faults)
     check_window(layout, faults);
     let footer = Footer::read(file).map_err(|fault| faults.push(fault)).ok()?;
     let headings: Vec<Heading> = footer.columns.iter().map(|column| Heading::new(&column.path)).collect();
-    let picks = pick(&headings, layout, faults);
+    let (picks, more_time) = pick(&headings, layout, faults);
 
+    if !more_time.twins.is_empty() {
+        // Beside each channel its own time: which one counts is said by its number.
+        let [Some(time), ..] = &picks else { return None };
+        let all: Vec<usize> = std::iter::once(time.index).collect();
+        let columns = all.iter().filter_map(|index| Some(excerpt(&headings.get(*index)?.written))).collect();
+        let numbers = all.iter().map(|index| index + 1).collect();
+        faults.push(Fault::Ambiguous { role: Role::Time, columns, numbers });
+        return None;
+    }
     let mut columns = Vec::new();
     let mut used: Vec<Used<'_>> = Vec::new();
     for (role, picked) in Role::ALL.into_iter().zip(picks) {
@@ -177,6 +188,13 @@ fn read(file: &Bytes, layout: &Layout, memory: &mut Memory, faults: &mut Faults)
             faults.push(Fault::ColumnType { column: excerpt(&heading.written), found: type_name(column) });
             continue;
         };
+        let nanoseconds = more_time.nanoseconds.filter(|_| role == Role::Time).and_then(|index| headings.get(index));
+        if let Some(more) = nanoseconds {
+            let both = Heading { written: format!("{} + {}", heading.written, more.written), ..heading.clone() };
+            columns.extend(decide(role, &both, [(KnownBy::Header, Said::Unit(&SECOND))], faults));
+            used.push(Used { index, name: excerpt(&heading.written), kind, column });
+            continue;
+        }
         let said = [
             picked.unit.clone().map(|text| (KnownBy::Header, Said::Text(text))),
             kind.time.map(|unit| (KnownBy::Metadata, Said::Unit(unit))),
@@ -186,9 +204,16 @@ fn read(file: &Bytes, layout: &Layout, memory: &mut Memory, faults: &mut Faults)
         columns.extend(decide(role, heading, said.into_iter().flatten(), faults));
         used.push(Used { index, name: excerpt(&heading.written), kind, column });
     }
+    if let Some((index, column)) = more_time.nanoseconds.and_then(|index| Some((index, footer.columns.get(index)?))) {
+        match kind(column) {
+            Some(kind) => used.push(Used { index, name: excerpt(&column.path), kind, column }),
+            None => faults.push(Fault::ColumnType { column: excerpt(&column.path), found: type_name(column) }),
+        }
+    }
     if !faults.none() {
         return None;
     }
+    let channels = columns.len().saturating_sub(1);
     let mut gather = Gather::new(columns, layout, true, memory, faults)?;
     if !gather.has_window() && footer.rows > SAMPLES_MAX as u64 {
         faults.push(Fault::too_many_samples());
@@ -204,7 +229,8 @@ fn read(file: &Bytes, layout: &Layout, memory: &mut Memory, faults: &mut Faults)
         let mut streams = opened(file, &used, chunks, &gather.memory(), &spent)?;
         while let count @ 1.. = filled(&mut streams)? {
             Limit::Rows.hold(number + count as u64, ROWS_MAX)?;
-            more = hand_on(&streams, &mut number, &mut gather, faults) && !faults.enough();
+            gather.go_on()?;
+            more = hand_on(&streams, channels, &mut number, &mut gather, faults) && !faults.enough();
             if !more {
                 break;
             }
@@ -215,7 +241,9 @@ fn read(file: &Bytes, layout: &Layout, memory: &mut Memory, faults: &mut Faults)
         faults.push(fault);
         return None;
     }
-    if more { gather.finish(faults) } else { None }
+    let indices: Vec<usize> = used.iter().map(|column| column.index).collect();
+    let unused = unused(&headings, layout, &indices);
+    if more { gather.finish(faults).map(|recording| Recording { unused, ..recording }) } else { None }
 }
 
 /// The unit that the metadata of the file state for a column.
@@ -227,23 +255,42 @@ fn metadata_unit(footer: &Footer<'_>, heading: &Heading) -> Option<String> {
 
 /// What a column of numbers holds.
 #[derive(Clone, Copy)]
-struct Holds {
+pub(crate) struct Holds {
     unsigned: bool,
+    /// Power of ten that a decimal is divided by.
+    scale: Option<i32>,
     /// The unit that its type states.
     time: Option<&'static Unit>,
 }
 
-/// What a column holds; `None` if it holds no plain numbers.
+/// Digits of a decimal.
+const DIGITS_MAX: i32 = 38;
+
+/// What a column holds; `None` if it holds no numbers.
 fn kind(column: &Column) -> Option<Holds> {
     if column.repeated {
         return None;
     }
-    let plain = Holds { unsigned: false, time: None };
+    let plain = Holds { unsigned: false, scale: None, time: None };
     let time = |unit| Some(Holds { time: Some(unit), ..plain });
+    let is_decimal = column.logical == Logical::Decimal || column.converted == ConvertedType::DECIMAL;
+    if is_decimal {
+        let scale = i32::try_from(column.scale).ok().filter(|scale| (0..=DIGITS_MAX).contains(scale))?;
+        let is_read = match column.physical {
+            Type::INT32 | Type::INT64 => true,
+            Type::FIXED_LEN_BYTE_ARRAY => (1..=16).contains(&column.width),
+            _ => false,
+        };
+        return is_read.then_some(Holds { scale: Some(scale), ..plain });
+    }
     match (column.physical, column.logical, column.converted) {
         (Type::FLOAT | Type::DOUBLE, Logical::Plain, ConvertedType::NONE) => Some(plain),
         (Type::INT32 | Type::INT64, Logical::Integer { signed }, _) => Some(Holds { unsigned: !signed, ..plain }),
-        (Type::INT64, Logical::Timestamp(unit), _) => time(unit),
+        (Type::INT32 | Type::INT64, Logical::Timestamp(unit), _) => time(unit),
+        // Days and nanoseconds, as Spark and Impala write timestamps.
+        (Type::INT96, Logical::Plain, _) => time(&NANOSECOND),
+        (Type::INT32, Logical::Plain, ConvertedType::TIME_MILLIS) => time(&MILLISECOND),
+        (Type::INT64, Logical::Plain, ConvertedType::TIME_MICROS) => time(&MICROSECOND),
         (Type::INT64, Logical::Plain, ConvertedType::TIMESTAMP_MILLIS) => time(&MILLISECOND),
         (Type::INT64, Logical::Plain, ConvertedType::TIMESTAMP_MICROS) => time(&MICROSECOND),
         (Type::INT32 | Type::INT64, Logical::Plain, converted) => match converted {
@@ -277,18 +324,40 @@ struct Used<'f> {
     column: &'f Column,
 }
 
-/// Hands on the rows that were read; false if no further row can be kept.
-fn hand_on(streams: &[Stream<'_>], number: &mut u64, gather: &mut Gather<'_>, faults: &mut Faults) -> bool {
-    let Some((time, values)) = streams.split_first() else { return true };
+/// Hands on the rows that were read, of a time, of so many channels, and of nanoseconds of the time where a column follows; false if
+/// no further row can be kept.
+fn hand_on(
+    streams: &[Stream],
+    channels: usize,
+    number: &mut u64,
+    gather: &mut Gather<'_>,
+    faults: &mut Faults,
+) -> bool {
+    let Some((time, rest)) = streams.split_first() else { return true };
+    let (values, nanoseconds) = rest.split_at_checked(channels).unwrap_or((rest, &[]));
     for (row, cell) in time.cells.iter().enumerate() {
         *number += 1;
         let at = FileRow::Row(*number);
         let tick = match *cell {
-            Cell::Null => Err(Fault::ValueMissing { at, column: time.name.to_owned() }),
-            Cell::Float(value) if !value.is_finite() => Err(not_finite(at, time.name, value)),
+            Cell::Null | Cell::Text(_) | Cell::Truth(_) => {
+                Err(Fault::ValueMissing { at, column: time.name.to_owned() })
+            }
+            Cell::Float(value) if !value.is_finite() => Err(not_finite(at, &time.name, value)),
             Cell::Float(value) => Ok(Tick::of_float(value)),
             Cell::Integer(value) => Ok(Tick::of_integer(value)),
         };
+        let tick = nanoseconds.iter().fold(tick, |tick, more| {
+            let missing = || Fault::ValueMissing { at, column: more.name.to_owned() };
+            let part = match more.cells.get(row) {
+                None | Some(Cell::Null | Cell::Text(_) | Cell::Truth(_)) => Err(missing()),
+                Some(Cell::Float(value)) => Ok(*value),
+                Some(Cell::Integer(value)) => Ok(*value as f64),
+            };
+            let part = part.and_then(|part| {
+                if (0.0..1e9).contains(&part) { Ok(part) } else { Err(not_finite(at, &more.name, part)) }
+            });
+            tick.and_then(|tick| part.map(|part| tick.later(1e-9 * part)))
+        });
         let sample = tick.map(|tick| gather.sample(*number, tick, faults)).unwrap_or_else(|fault| {
             gather.time_failed();
             faults.push(fault);
@@ -301,7 +370,7 @@ fn hand_on(streams: &[Stream<'_>], number: &mut u64, gather: &mut Gather<'_>, fa
         }
         for (channel, stream) in values.iter().enumerate() {
             let value = match stream.cells.get(row) {
-                None | Some(Cell::Null) => {
+                None | Some(Cell::Null | Cell::Text(_) | Cell::Truth(_)) => {
                     faults.push(Fault::ValueMissing { at, column: stream.name.to_owned() });
                     continue;
                 }
@@ -314,7 +383,7 @@ fn hand_on(streams: &[Stream<'_>], number: &mut u64, gather: &mut Gather<'_>, fa
                     let (column, text) = (stream.name.to_owned(), format!("{value:e}"));
                     faults.push(Fault::ValueImplausible { at, column, text });
                 }
-                Err(_) => faults.push(not_finite(at, stream.name, value)),
+                Err(_) => faults.push(not_finite(at, &stream.name, value)),
             }
         }
     }
@@ -323,121 +392,4 @@ fn hand_on(streams: &[Stream<'_>], number: &mut u64, gather: &mut Gather<'_>, fa
 
 fn not_finite(at: FileRow, column: &str, value: f64) -> Fault {
     Fault::ValueNotFinite { at, column: column.to_owned(), text: format!("{value:e}") }
-}
-
-#[derive(Clone, Copy)]
-enum Cell {
-    Null,
-    Float(f64),
-    Integer(i64),
-}
-
-/// One column of a row group, a batch at a time.
-struct Stream<'a> {
-    name: &'a str,
-    source: Source,
-    unsigned: bool,
-    level_max: i16,
-    levels: Vec<i16>,
-    cells: Vec<Cell>,
-}
-
-enum Source {
-    Float(ColumnReaderImpl<FloatType>, Vec<f32>),
-    Double(ColumnReaderImpl<DoubleType>, Vec<f64>),
-    Int32(ColumnReaderImpl<Int32Type>, Vec<i32>),
-    Int64(ColumnReaderImpl<Int64Type>, Vec<i64>),
-}
-
-impl<'a> Stream<'a> {
-    fn open(used: &'a Used<'_>, pages: Pages) -> Result<Self, Fault> {
-        let column = used.column;
-        // The library needs the levels and the type; the reader knows the path.
-        let repetition = if column.defined > 0 { Repetition::OPTIONAL } else { Repetition::REQUIRED };
-        let primitive = ::parquet::schema::types::Type::primitive_type_builder("values", column.physical)
-            .with_repetition(repetition)
-            .build()
-            .map_err(unreadable)?;
-        let path = ColumnPath::from("values");
-        let descriptor = Arc::new(ColumnDescriptor::new(Arc::new(primitive), column.defined, 0, path));
-        let source = match get_column_reader(descriptor, Box::new(pages)) {
-            ColumnReader::FloatColumnReader(reader) => Source::Float(reader, Vec::new()),
-            ColumnReader::DoubleColumnReader(reader) => Source::Double(reader, Vec::new()),
-            ColumnReader::Int32ColumnReader(reader) => Source::Int32(reader, Vec::new()),
-            ColumnReader::Int64ColumnReader(reader) => Source::Int64(reader, Vec::new()),
-            // `kind` has let no other type through.
-            _ => return Err(damaged(Damage::Footer)),
-        };
-        let (name, unsigned) = (used.name.as_str(), used.kind.unsigned);
-        Ok(Self { name, source, unsigned, level_max: column.defined, levels: Vec::new(), cells: Vec::new() })
-    }
-
-    /// Reads the next batch and returns its length; zero at the end.
-    fn fill(&mut self) -> Result<usize, ParquetError> {
-        self.cells.clear();
-        self.levels.clear();
-        let (levels, most) = (&mut self.levels, self.level_max);
-        let unsigned = self.unsigned;
-        match &mut self.source {
-            Source::Float(reader, values) => {
-                let count = batch(reader, values, levels, most)?;
-                spread(values, levels, most, count, &mut self.cells, |value| Cell::Float(f64::from(value)));
-            }
-            Source::Double(reader, values) => {
-                let count = batch(reader, values, levels, most)?;
-                spread(values, levels, most, count, &mut self.cells, Cell::Float);
-            }
-            Source::Int32(reader, values) => {
-                let count = batch(reader, values, levels, most)?;
-                spread(values, levels, most, count, &mut self.cells, |value| {
-                    Cell::Integer(if unsigned { i64::from(value.cast_unsigned()) } else { i64::from(value) })
-                });
-            }
-            Source::Int64(reader, values) => {
-                let count = batch(reader, values, levels, most)?;
-                spread(values, levels, most, count, &mut self.cells, |value| match unsigned {
-                    true if value < 0 => Cell::Float(value.cast_unsigned() as f64),
-                    _ => Cell::Integer(value),
-                });
-            }
-        }
-        Ok(self.cells.len())
-    }
-}
-
-/// Reads up to a batch of values that are there, and the levels that say where nulls are.
-fn batch<T: DataType>(
-    reader: &mut ColumnReaderImpl<T>,
-    values: &mut Vec<T::T>,
-    levels: &mut Vec<i16>,
-    level_max: i16,
-) -> Result<usize, ParquetError> {
-    values.clear();
-    let mut count = 0;
-    while count < BATCH {
-        let (rows, ..) = reader.read_records(BATCH - count, (level_max > 0).then_some(&mut *levels), None, values)?;
-        if rows == 0 {
-            break;
-        }
-        count += rows;
-    }
-    Ok(count)
-}
-
-/// Puts values and nulls in the order of the rows.
-fn spread<T: Copy>(
-    values: &[T],
-    levels: &[i16],
-    level_max: i16,
-    count: usize,
-    cells: &mut Vec<Cell>,
-    cell: impl Fn(T) -> Cell,
-) {
-    let mut values = values.iter().copied();
-    if level_max == 0 {
-        cells.extend(values.take(count).map(cell));
-    } else {
-        let mut next = |level: &i16| if *level == level_max { values.next().map(&cell) } else { None };
-        cells.extend(levels.iter().map(|level| next(level).unwrap_or(Cell::Null)));
-    }
 }

@@ -1,6 +1,7 @@
 //! Tables of any columns in CSV, in the dialects of recordings: every cell as it is written.
 
-use crate::csv::{Cells, delimiter};
+use crate::ahead::delimiter;
+use crate::csv::Cells;
 use crate::encoding;
 use crate::faults::Fault;
 use crate::limits::{COLUMNS_MAX, Limit};

@@ -19,6 +19,8 @@ pub struct Recording {
     pub columns: Vec<ColumnRead>,
     /// How the text was read; `None` of a format that is no text.
     pub encoding: Option<Encoding>,
+    /// Columns that hold a quantity by their name or unit, and are not used.
+    pub unused: Vec<String>,
     /// How many samples lie before the window.
     pub left_out_before: u64,
     /// How many samples lie after the window.
@@ -97,6 +99,8 @@ pub enum KnownBy {
     UnitRow,
     /// The metadata of the file: a key `q.unit` or `unit:q`, or the time unit of a timestamp type.
     Metadata,
+    /// The values: clock times.
+    Values,
     /// The [`Layout`](crate::Layout).
     Layout,
 }

@@ -16,7 +16,7 @@ const DELTAS: i64 = 5;
 const ZSTD: i64 = 6;
 
 /// Far longer than a refusal takes without optimisation on a busy machine, far shorter than the work that was claimed.
-const AT_ONCE: Duration = Duration::from_millis(250);
+const AT_ONCE: Duration = Duration::from_millis(600);
 
 fn read(bytes: Vec<u8>) -> Result<Recording, Vec<Fault>> {
     let begin = Instant::now();

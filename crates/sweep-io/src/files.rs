@@ -1,19 +1,24 @@
 //! Tables as files: read a batch at a time, answers written as parts and put together.
 
-use arrow_array::{ArrayRef, RecordBatch, StringArray};
+use arrow_array::{
+    ArrayRef, BooleanArray, Float64Array, Int64Array, RecordBatch, StringArray, UInt32Array, UInt64Array,
+    new_null_array,
+};
 use arrow_cast::display::{ArrayFormatter, FormatOptions};
-use arrow_schema::{DataType, Field, Schema, SchemaRef};
+use arrow_schema::{DataType, Field, Schema, SchemaRef, TimeUnit};
 use parquet::arrow::ArrowWriter;
-use parquet::arrow::arrow_reader::{ParquetRecordBatchReader, ParquetRecordBatchReaderBuilder};
 use parquet::basic::Compression;
 use parquet::file::properties::WriterProperties;
 use project::TabularFault;
 use quantities::Language;
 use questions::sweep::csv::{self, Broken, Columns, Lines};
+use recording::{Bytes, Fault, Memory, Ranges, Table, TableColumn, TableValues, ValueKind};
 use std::fs::File;
-use std::io::Write;
+use std::io::{Read, Seek, SeekFrom, Write};
+use std::ops::Range;
 use std::path::Path;
 use std::sync::Arc;
+use words::table_text;
 
 /// The format of a table.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -46,8 +51,31 @@ pub struct Batches {
 enum From {
     /// Text, and how many rows a batch has.
     Csv(Box<Lines<File>>, usize),
-    /// Pages.
-    Parquet(Box<ParquetRecordBatchReader>),
+    /// Pages, and how many rows a batch has.
+    Parquet(Box<Table>, usize),
+}
+
+/// A file that is read where the pages lie.
+struct Pages {
+    file: File,
+    size: u64,
+}
+
+impl Ranges for Pages {
+    fn size(&self) -> u64 {
+        self.size
+    }
+
+    fn bytes(&mut self, range: Range<u64>) -> std::io::Result<Bytes> {
+        let length = range.end.saturating_sub(range.start);
+        let _ = self.file.seek(SeekFrom::Start(range.start))?;
+        let mut bytes = Vec::new();
+        if (&self.file).take(length).read_to_end(&mut bytes)? as u64 == length {
+            Ok(bytes.into())
+        } else {
+            Err(std::io::ErrorKind::UnexpectedEof.into())
+        }
+    }
 }
 
 /// Why there is no batch.
@@ -90,11 +118,12 @@ impl Batches {
     pub fn open(file: File, format: Format, skipped: u64, rows: usize, language: Language) -> Result<Self, Unread> {
         match format {
             Format::Parquet => {
-                let builder = ParquetRecordBatchReaderBuilder::try_new(file).map_err(trouble)?;
-                let schema = Arc::clone(builder.schema());
-                let skipped = usize::try_from(skipped).unwrap_or(usize::MAX);
-                let reader = builder.with_batch_size(rows).with_offset(skipped).build().map_err(trouble)?;
-                Ok(Self { schema, from: From::Parquet(Box::new(reader)) })
+                let refused = |fault: Fault| Unread::Table(table_text(&fault, language));
+                let size = file.metadata().map_err(trouble)?.len();
+                let mut table = Table::open(Box::new(Pages { file, size }), Memory::default()).map_err(refused)?;
+                table.skip(skipped).map_err(refused)?;
+                let schema = Arc::new(Schema::new(table.columns().iter().map(field).collect::<Vec<_>>()));
+                Ok(Self { schema, from: From::Parquet(Box::new(table), rows) })
             }
             Format::Csv => {
                 let broken = |broken| Unread::of(broken, language);
@@ -118,7 +147,7 @@ impl Batches {
     pub const fn has_decimal_commas(&self) -> bool {
         match &self.from {
             From::Csv(lines, _) => lines.has_decimal_commas(),
-            From::Parquet(_) => false,
+            From::Parquet(..) => false,
         }
     }
 
@@ -128,7 +157,14 @@ impl Batches {
     /// Why they cannot be read.
     pub fn next(&mut self, language: Language) -> Result<Option<RecordBatch>, Unread> {
         match &mut self.from {
-            From::Parquet(reader) => reader.next().transpose().map_err(trouble),
+            From::Parquet(table, rows) => {
+                let columns = table.next(*rows).map_err(|fault| Unread::Table(table_text(&fault, language)))?;
+                let batch = |columns: Vec<TableValues>| {
+                    let arrays = self.schema.fields().iter().zip(columns).map(|(field, values)| array(field, values));
+                    RecordBatch::try_new(Arc::clone(&self.schema), arrays.collect())
+                };
+                columns.map(batch).transpose().map_err(trouble)
+            }
             From::Csv(lines, rows) => {
                 let columns = lines.rows(*rows).map_err(|broken| Unread::of(broken, language))?;
                 let array = |cells: Vec<Option<String>>| Arc::new(StringArray::from(cells)) as ArrayRef;
@@ -137,6 +173,41 @@ impl Batches {
                 columns.map(batch).transpose().map_err(trouble)
             }
         }
+    }
+}
+
+/// The heading of a column, with the type of its cells.
+fn field(column: &TableColumn) -> Field {
+    let of = match &column.kind {
+        ValueKind::Float => DataType::Float64,
+        ValueKind::Integer => DataType::Int64,
+        ValueKind::Unsigned { is_long: false } => DataType::UInt32,
+        ValueKind::Unsigned { is_long: true } => DataType::UInt64,
+        ValueKind::Text => DataType::Utf8,
+        ValueKind::Truth => DataType::Boolean,
+        // No key takes these; the type is said where they count.
+        ValueKind::Other(name) if name.contains("TIME") || name.contains("INT96") => {
+            DataType::Timestamp(TimeUnit::Nanosecond, None)
+        }
+        ValueKind::Other(name) if name.contains("DATE") => DataType::Date32,
+        ValueKind::Other(_) => DataType::Binary,
+    };
+    Field::new(&column.name, of, column.nullable || matches!(column.kind, ValueKind::Other(_)))
+}
+
+/// The cells of a column.
+fn array(field: &Field, values: TableValues) -> ArrayRef {
+    match values {
+        TableValues::Floats(values) => Arc::new(Float64Array::from(values)),
+        TableValues::Integers(values) => Arc::new(Int64Array::from(values)),
+        TableValues::Unsigned(values) if *field.data_type() == DataType::UInt32 => {
+            let short = |value: Option<u64>| value.and_then(|value| u32::try_from(value).ok());
+            Arc::new(values.into_iter().map(short).collect::<UInt32Array>())
+        }
+        TableValues::Unsigned(values) => Arc::new(UInt64Array::from(values)),
+        TableValues::Texts(values) => Arc::new(StringArray::from(values)),
+        TableValues::Truths(values) => Arc::new(BooleanArray::from(values)),
+        TableValues::Other(count) => new_null_array(field.data_type(), count),
     }
 }
 

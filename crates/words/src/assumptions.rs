@@ -1,14 +1,27 @@
 //! What is assumed where the project states nothing.
 
 use crate::pick;
-use motion::Spline;
+use crate::texts::said;
+use motion::{MadeUp, Spline, SteppedColumn};
 use project::Assumption;
-use quantities::Language;
+use quantities::unit::{DEGREE, MILLISECOND, NEWTON_METRE, RADIAN_PER_SECOND_SQUARED, REVOLUTION_PER_MINUTE, SECOND};
+use quantities::{Language, Unit, format_significant};
 
 /// A default that the user did not confirm.
 #[must_use]
 pub fn assumption_text(assumption: Assumption, language: Language) -> String {
     let (en, de) = match assumption {
+        Assumption::RecordedRest(noise) => {
+            let (speed, time) = (
+                figure(noise.speed_rad_s, &REVOLUTION_PER_MINUTE, language),
+                figure(noise.duration_s, &SECOND, language),
+            );
+            return said!(language =>
+                "the axis is at rest where the recorded speed is noise alone, up to {speed}, for {time} in all: no friction there (standstill sets another limit)"
+                | "wo die aufgezeichnete Geschwindigkeit nur rauscht, bis {speed}, insgesamt {time}, steht die Achse: dort wirkt keine Reibung (standstill gibt eine andere Grenze vor)"
+            );
+        }
+        Assumption::RecordedSteps(made_up, torque) => return steps_text(&made_up, torque, language),
         Assumption::SplineThroughPoints(Spline::Cubic) => (
             "a cubic spline goes through the points of the cam table: the acceleration is continuous there (C²), the jerk is discontinuous; at the ends the acceleration may be discontinuous",
             "Kurventabelle mit kubischem Spline interpoliert: die Beschleunigung ist an den Stützpunkten stetig (C²), der Ruck unstetig; an den Enden kann die Beschleunigung springen",
@@ -168,4 +181,47 @@ pub fn assumption_text(assumption: Assumption, language: Language) -> String {
         ),
     };
     pick(language, en, de).to_owned()
+}
+
+fn figure(si: f64, unit: &'static Unit, language: Language) -> String {
+    format!("{} {}", format_significant(unit.from_si(si), 3, language), unit.symbol)
+}
+
+/// An acceleration that the steps of a column make up, and what takes it out.
+fn steps_text(made_up: &MadeUp, torque_nm: f64, language: Language) -> String {
+    let interval = figure(made_up.interval_s, &MILLISECOND, language);
+    let of = |si: f64| figure(si, &RADIAN_PER_SECOND_SQUARED, language);
+    let (alone, motion) = (of(made_up.acceleration_rad_s2), of(made_up.motion_rad_s2));
+    let torque = figure(torque_nm, &NEWTON_METRE, language);
+    let remedy = match (made_up.smoothing_s, made_up.column) {
+        (Some(window), _) => {
+            // A line of the project file has a decimal point.
+            let window = format_significant(MILLISECOND.from_si(window), 4, Language::En);
+            said!(language =>
+                "smoothing = \"{window} ms\" reduces them to a twentieth of it"
+                | "smoothing = \"{window} ms\" senkt sie auf ein Zwanzigstel davon"
+            )
+        }
+        (None, SteppedColumn::Position) => said!(language =>
+            "a recorded speed or more digits are needed"
+            | "nötig sind eine aufgezeichnete Geschwindigkeit oder mehr Stellen"
+        ),
+        (None, SteppedColumn::Speed) => said!(language => "more digits are needed" | "nötig sind mehr Stellen"),
+    };
+    match made_up.column {
+        SteppedColumn::Position => {
+            let step = figure(made_up.step, &DEGREE, language);
+            said!(language =>
+                "the recorded position has steps of {step} at intervals of {interval}: they alone make up accelerations of up to {alone}, {torque} at the load, where the motion has {motion}; {remedy}"
+                | "die aufgezeichnete Position hat Stufen von {step} im Abstand von {interval}: sie allein täuschen Beschleunigungen bis {alone} vor, an der Last {torque}, die Bewegung selbst hat {motion}; {remedy}"
+            )
+        }
+        SteppedColumn::Speed => {
+            let step = figure(made_up.step, &REVOLUTION_PER_MINUTE, language);
+            said!(language =>
+                "the recorded speed has steps of {step} at intervals of {interval}: they alone make up accelerations of up to {alone}, {torque} at the load, where the motion has {motion}; {remedy}"
+                | "die aufgezeichnete Geschwindigkeit hat Stufen von {step} im Abstand von {interval}: sie allein täuschen Beschleunigungen bis {alone} vor, an der Last {torque}, die Bewegung selbst hat {motion}; {remedy}"
+            )
+        }
+    }
 }

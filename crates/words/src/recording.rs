@@ -1,18 +1,40 @@
 //! Words about recordings that cannot be read.
 
 mod beyond;
+mod foreign;
 
 use crate::pick;
 use crate::texts::said;
 use beyond::{beyond, damage};
+use foreign::foreign;
 use quantities::unit::SECOND;
 use quantities::{Dimension, Language, Measure, Time, Unit, format_significant};
-use recording::{Encoding, Fault, FileRow, GAP_FACTOR, KnownBy, MAGNITUDE_MAX, NearColumn, Role, STEP_MIN_S, Stamp};
+use recording::{
+    Encoding, Fault, FileRow, GAP_FACTOR, KnownBy, Limit, MAGNITUDE_MAX, NearColumn, Role, STEP_MIN_S, Stamp,
+};
 
 /// What is wrong with a file of a recording, in one sentence.
 #[must_use]
 pub fn recording_text(found: &Fault, language: Language) -> String {
     fault(found, language).0
+}
+
+/// What is wrong with a Parquet file that is read as a table of axes, in one sentence.
+#[must_use]
+pub fn table_text(found: &Fault, language: Language) -> String {
+    match found {
+        Fault::ReadFailed { kind, .. } => {
+            said!(language => "the table cannot be read: {kind}" | "die Tabelle ist nicht lesbar: {kind}")
+        }
+        Fault::Beyond { limit: Limit::Memory, found, most } => {
+            let (found, most) = (found.div_ceil(1 << 20), most.div_ceil(1 << 20));
+            said!(language =>
+                "a part of the table needs {found} MiB of memory, at most {most} MiB are taken; smaller row groups or fewer columns help"
+                | "ein Teil der Tabelle braucht {found} MiB Speicher, verwendet werden höchstens {most} MiB; kleinere Zeilengruppen oder weniger Spalten helfen"
+            )
+        }
+        found => recording_text(found, language),
+    }
 }
 
 /// What is wrong with a recording, and what to do about it.
@@ -80,6 +102,34 @@ pub(super) fn fault(fault: &Fault, language: Language) -> (String, Option<String
                 said!(language => "the file runs from {first} to {last}" | "die Datei reicht von {first} bis {last}")
             }),
         ),
+        Fault::HeadingMissing { columns } => (
+            said!(language =>
+                "the file has no heading: its first line holds {columns} numbers, and nothing says what they are"
+                | "die Datei hat keine Kopfzeile: in der ersten Zeile stehen {columns} Zahlen, ihre Bedeutung steht nirgends"
+            ),
+            Some(said!(language =>
+                "write one, for example time [s];q [deg], or state the numbers of the columns and their units in the project: columns = {{ time = \"#1\", position = \"#2\" }} and units = {{ time = \"s\", position = \"deg\" }}"
+                | "eine Kopfzeile schreiben, zum Beispiel time [s];q [deg], oder im Projekt die Nummern der Spalten und ihre Einheiten angeben: columns = {{ time = \"#1\", position = \"#2\" }} und units = {{ time = \"s\", position = \"deg\" }}"
+            )),
+        ),
+        Fault::TimesDiffer { at, column, numbers: [first, second] } => (
+            said!(language =>
+                "{}: the columns {first} and {second} are both named {} and hold different times"
+                | "{}: die Spalten {first} und {second} heißen beide {} und enthalten verschiedene Zeiten", place(*at, language), q(column)
+            ),
+            Some(said!(language =>
+                "state which one counts, columns = {{ time = \"#{first}\" }}, or export all channels at the same instants"
+                | "die maßgebende angeben, columns = {{ time = \"#{first}\" }}, oder alle Kanäle zu denselben Zeitpunkten ausgeben"
+            )),
+        ),
+        Fault::Foreign { format } => {
+            let (what, remedy) = foreign(*format, language);
+            (
+                said!(language => "this is {what}, not a CSV or Parquet" | "das ist {what}, kein CSV oder Parquet"),
+                Some(remedy),
+            )
+        }
+        Fault::Stopped => (said!(language => "reading was cancelled" | "das Lesen wurde abgebrochen"), None),
         Fault::TooManySamples { most } => (
             said!(language => "the file has more than {most} samples" | "die Datei hat mehr als {most} Abtastwerte"),
             Some(said!(language => "select a part with from and to" | "mit from und to einen Abschnitt wählen")),
@@ -92,8 +142,8 @@ pub(super) fn fault(fault: &Fault, language: Language) -> (String, Option<String
                     | "die Parquet-Datei ist nicht lesbar: {reason}"
                 ),
                 Some(said!(language =>
-                    "uncompressed, snappy, zstd, gzip and lz4 files without encryption are read"
-                    | "gelesen werden unverschlüsselte Dateien ohne Kompression oder mit snappy, zstd, gzip, lz4"
+                    "uncompressed, snappy, zstd, gzip, brotli and lz4 files without encryption are read"
+                    | "gelesen werden unverschlüsselte Dateien ohne Kompression oder mit snappy, zstd, gzip, brotli, lz4"
                 )),
             )
         }
@@ -158,24 +208,35 @@ pub(super) fn fault(fault: &Fault, language: Language) -> (String, Option<String
             ),
             Some(columns_and_names(headers, near, "position or speed", &[Role::Position, Role::Speed], language)),
         ),
-        Fault::Ambiguous { role, columns } => {
-            let list = list(columns, language);
+        Fault::Ambiguous { role, columns, numbers } => {
             let (role, key) = (role_text(*role, language), role_key(*role));
+            let first = columns.first().map_or("", String::as_str);
+            // Columns of one name differ by their numbers.
+            let is_alike = columns.iter().any(|name| columns.iter().filter(|other| *other == name).count() > 1);
+            let (list, line) = if is_alike {
+                let named =
+                    columns.iter().zip(numbers).map(|(name, number)| format!("#{number} {}", quoted(name, language)));
+                let named: Vec<String> = named.take(LIST_MOST).collect();
+                (named.join(", "), numbers.first().map_or_else(String::new, |number| format!("\"#{number}\"")))
+            } else {
+                (list(columns, language), toml_text(first))
+            };
             (
                 said!(language =>
                     "several columns could be the {role}: {list}"
                     | "mehrere Spalten kommen für {role} in Frage: {list}"
                 ),
-                Some(
-                    said!(language => "state the right one in columns.{key}" | "die richtige in columns.{key} angeben"),
-                ),
+                Some(said!(language =>
+                    "state the right one, for example columns = {{ {key} = {line} }}"
+                    | "die richtige angeben, zum Beispiel columns = {{ {key} = {line} }}"
+                )),
             )
         }
         Fault::UnitMissing { role, column } => (
             said!(language => "the unit of {} is missing" | "die Einheit von {} fehlt", q(column)),
             Some(said!(language =>
-                "state it after the name, for example {}, or in a row below the header"
-                | "hinter dem Namen angeben, zum Beispiel {}, oder in einer Zeile unter der Kopfzeile", header(column, *role)
+                "state it after the name, for example {}, in a row below the header, or in the project: units = {{ {} = \"…\" }}"
+                | "hinter dem Namen angeben, zum Beispiel {}, in einer Zeile unter der Kopfzeile oder im Projekt: units = {{ {} = \"…\" }}", header(column, *role), role_key(*role)
             )),
         ),
         Fault::UnitUnknown { role, column, text, by, nearest } => (
@@ -391,6 +452,7 @@ fn known_by(by: KnownBy, language: Language) -> String {
         KnownBy::Header => said!(language => "in the header" | "in der Kopfzeile"),
         KnownBy::UnitRow => said!(language => "in the row of units" | "in der Einheitenzeile"),
         KnownBy::Metadata => said!(language => "in the metadata" | "in den Metadaten"),
+        KnownBy::Values => said!(language => "in the values" | "in den Werten"),
         KnownBy::Layout => said!(language => "in the project file" | "in der Projektdatei"),
     }
 }
@@ -411,11 +473,13 @@ fn valid_units(role: Role, language: Language) -> String {
     said!(language => "expected {expected}" | "erwartet wird {expected}")
 }
 
+/// Names of columns that are listed.
+const LIST_MOST: usize = 20;
+
 /// The names of columns; more would only fill the screen.
 fn list(names: &[String], language: Language) -> String {
-    const MOST: usize = 20;
-    let mut list = names.iter().take(MOST).map(|name| quoted(name, language)).collect::<Vec<_>>().join(", ");
-    if names.len() > MOST {
+    let mut list = names.iter().take(LIST_MOST).map(|name| quoted(name, language)).collect::<Vec<_>>().join(", ");
+    if names.len() > LIST_MOST {
         list.push_str(", …");
     }
     list
@@ -513,11 +577,11 @@ mod tests {
 
     #[test]
     fn units_are_asked_for_and_corrected() {
-        let faults = read_csv("t,q [grad],n [deg]\n0,1,2\n".as_bytes(), &Layout::default()).unwrap_err();
+        let faults = read_csv("t,q [arcmim],n [deg]\n0,1,2\n".as_bytes(), &Layout::default()).unwrap_err();
         let said: Vec<(String, Option<String>)> = faults.iter().map(|found| fault(found, Language::De)).collect();
         assert_eq!(said[0].0, "die Einheit von „t“ fehlt");
         assert!(said[0].1.as_ref().unwrap().contains("t [s]"));
-        assert_eq!(said[1].1.as_deref(), Some("ist „rad“ gemeint?"));
+        assert_eq!(said[1].1.as_deref(), Some("ist „arcmin“ gemeint?"));
         assert_eq!(
             said[2].0,
             "„deg“ ist eine Einheit für Winkel, „n [deg]“ wird als Geschwindigkeit gelesen (in der Kopfzeile)"

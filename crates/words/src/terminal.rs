@@ -87,6 +87,7 @@ texts! {
         | "{more} weitere geeignet; mit --top N oder --all anzeigen";
     demand_on(id) = "demand on {id}" | "geforderte Werte am Abtrieb, {id}";
     more_segments(more) = "{more} more; --json lists all" | "{more} weitere; --json nennt alle";
+    columns_not_used(names) = "not used: {names}" | "nicht verwendet: {names}";
     outside_the_window(left) = "{left} outside the window" | "{left} außerhalb des Fensters";
     built_without_report =
         "this build of antrieb does not include the typesetting engine and cannot write reports; `cargo install --path crates/cli` builds it with the report"

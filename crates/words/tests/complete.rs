@@ -279,8 +279,13 @@ fn recording_faults() -> Vec<Fault> {
     let samples = [
         recording::Fault::ValueImplausible { at: FileRow::Line(3), column: name(), text: name() },
         recording::Fault::TooClose { at: FileRow::Row(3), length: q(1e-15) },
+        recording::Fault::HeadingMissing { columns: 3 },
+        recording::Fault::TimesDiffer { at: FileRow::Line(3), column: name(), numbers: [1, 3] },
+        recording::Fault::Ambiguous { role: recording::Role::Time, columns: vec![name(), name()], numbers: vec![1, 3] },
+        recording::Fault::Stopped,
     ];
-    let made = beyond.into_iter().chain(damaged).chain(samples);
+    let foreign = recording::Foreign::ALL.map(|format| recording::Fault::Foreign { format });
+    let made = beyond.into_iter().chain(damaged).chain(samples).chain(foreign);
     all.extend(made.map(|fault| Fault::Recording { name: "run.parquet".to_owned(), fault }));
     let recorded = [
         RecordedFault::TooFew { samples: 2 },

@@ -52,6 +52,7 @@ fn recording(read: &RecordingRead) -> Recording {
             KnownBy::Header => UnitBy::Header,
             KnownBy::UnitRow => UnitBy::UnitRow,
             KnownBy::Metadata => UnitBy::Metadata,
+            KnownBy::Values => UnitBy::Values,
             KnownBy::Layout => UnitBy::Project,
         },
     });
@@ -68,5 +69,6 @@ fn recording(read: &RecordingRead) -> Recording {
         left_out_before: recording.left_out_before,
         left_out_after: recording.left_out_after,
         columns: columns.collect(),
+        unused: recording.unused.clone(),
     }
 }

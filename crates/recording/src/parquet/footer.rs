@@ -32,6 +32,7 @@ pub(super) struct Footer<'b> {
     groups: Option<Thrift<'b>>,
     /// Bytes before the footer: in them all pages lie.
     data: u64,
+    rows_most: u64,
 }
 
 /// A column of values.
@@ -47,6 +48,10 @@ pub(super) struct Column {
     pub(super) defined: i16,
     /// Whether a row has any number of values.
     pub(super) repeated: bool,
+    /// Bytes of a value of fixed length.
+    pub(super) width: u64,
+    /// Digits behind the point of a decimal.
+    pub(super) scale: i64,
 }
 
 /// What the values of a column mean.
@@ -57,6 +62,10 @@ pub(super) enum Logical {
     Integer {
         signed: bool,
     },
+    /// A decimal.
+    Decimal,
+    /// Texts.
+    Text,
     /// Times in this unit.
     Timestamp(&'static Unit),
     /// Something else than numbers.
@@ -74,21 +83,33 @@ pub(super) struct Chunk {
     pub(super) bytes: Range<usize>,
 }
 
+/// Where the footer of a file of so many bytes lies, by its last ones.
+pub(super) fn place(size: u64, tail: &[u8]) -> Result<Range<u64>, Fault> {
+    let no_parquet = || damaged(Damage::NoParquet);
+    let before = size.checked_sub(TAIL as u64).ok_or_else(no_parquet)?;
+    let (length, mark) = tail.split_first_chunk::<4>().ok_or_else(no_parquet)?;
+    match mark {
+        MARK => {}
+        MARK_ENCRYPTED => return Err(damaged(Damage::Encrypted)),
+        _ => return Err(no_parquet()),
+    }
+    let start = before.checked_sub(u32::from_le_bytes(*length).into()).filter(|start| *start >= MARK.len() as u64);
+    start.map(|start| start..before).ok_or_else(|| damaged(Damage::Footer))
+}
+
 impl<'b> Footer<'b> {
     /// Reads the footer of a file.
     pub(super) fn read(file: &'b [u8]) -> Result<Self, Fault> {
-        let no_parquet = || damaged(Damage::NoParquet);
-        let (before, tail) = file.len().checked_sub(TAIL).map(|at| file.split_at(at)).ok_or_else(no_parquet)?;
-        let (length, mark) = tail.split_first_chunk::<4>().ok_or_else(no_parquet)?;
-        match mark {
-            MARK => {}
-            MARK_ENCRYPTED => return Err(damaged(Damage::Encrypted)),
-            _ => return Err(no_parquet()),
-        }
-        let length = usize::try_from(u32::from_le_bytes(*length)).map_err(|_| damaged(Damage::Footer))?;
-        let start = before.len().checked_sub(length).filter(|start| *start >= MARK.len());
-        let (data, footer) = start.map(|at| before.split_at(at)).ok_or_else(|| damaged(Damage::Footer))?;
-        let mut read = Self { columns: Vec::new(), rows: 0, units: Vec::new(), groups: None, data: data.len() as u64 };
+        let tail = file.len().checked_sub(TAIL).and_then(|at| file.get(at..)).unwrap_or_default();
+        let place = place(file.len() as u64, tail)?;
+        let range = usize::try_from(place.start).ok().zip(usize::try_from(place.end).ok());
+        let footer = range.and_then(|(start, end)| file.get(start..end)).ok_or_else(|| damaged(Damage::Footer))?;
+        Self::of(footer, place.start, ROWS_MAX)
+    }
+
+    /// Reads a footer behind so many bytes of pages, of at most so many rows.
+    pub(super) fn of(footer: &'b [u8], data: u64, rows_most: u64) -> Result<Self, Fault> {
+        let mut read = Self { columns: Vec::new(), rows: 0, units: Vec::new(), groups: None, data, rows_most };
         let mut has_schema = false;
         let footer = Thrift::new(footer).structure(|thrift, id, kind| {
             match (id, kind) {
@@ -111,7 +132,7 @@ impl<'b> Footer<'b> {
         if !has_schema {
             return Err(damaged(Damage::Footer));
         }
-        Limit::Rows.hold(read.rows, ROWS_MAX)?;
+        Limit::Rows.hold(read.rows, rows_most)?;
         Ok(read)
     }
 
@@ -132,7 +153,7 @@ impl<'b> Footer<'b> {
             for _ in 0..count {
                 let (rows, chunks) = self.group(&mut thrift, wanted)?;
                 before = before.saturating_add(rows);
-                Limit::Rows.hold(before, ROWS_MAX)?;
+                Limit::Rows.hold(before, self.rows_most)?;
                 group(chunks)?;
             }
             Ok(())
@@ -141,7 +162,9 @@ impl<'b> Footer<'b> {
     }
 
     fn group(&self, thrift: &mut Thrift<'b>, wanted: &[usize]) -> Result<(u64, Vec<Chunk>), Stop> {
-        let (mut rows, mut found) = (None, Vec::new());
+        let (mut rows, mut found) = (None, vec![None; self.columns.len()]);
+        let mut is_wanted = vec![false; self.columns.len()];
+        wanted.iter().filter_map(|index| Some(*is_wanted.get_mut(*index)? = true)).for_each(drop);
         thrift.structure(|thrift, id, kind| {
             match (id, kind) {
                 (1, ThriftType::List) => {
@@ -149,9 +172,9 @@ impl<'b> Footer<'b> {
                     if kind != ThriftType::Struct || count != self.columns.len() {
                         return Err(Stop::Broken);
                     }
-                    for index in 0..count {
-                        if wanted.contains(&index) {
-                            found.push((index, self.chunk(thrift)?));
+                    for (is_wanted, found) in is_wanted.iter().zip(&mut found) {
+                        if *is_wanted {
+                            *found = Some(self.chunk(thrift)?);
                         } else {
                             thrift.skip(kind)?;
                         }
@@ -165,7 +188,7 @@ impl<'b> Footer<'b> {
         let rows = rows.ok_or(Broken)?;
         let mut chunks = Vec::new();
         for index in wanted {
-            let (_, chunk) = found.iter().find(|(each, _)| each == index).ok_or(Broken)?;
+            let chunk = found.get(*index).and_then(Option::as_ref).ok_or(Broken)?;
             // Columns without repetition have one value, be it a null, for each row.
             if chunk.values != rows {
                 return Err(damaged(Damage::Lengths).into());
@@ -216,6 +239,8 @@ struct Element<'b> {
     children: Option<i64>,
     converted: Option<i64>,
     logical: Option<Logical>,
+    width: i64,
+    scale: i64,
 }
 
 /// A group whose elements follow.
@@ -262,6 +287,8 @@ fn schema(thrift: &mut Thrift<'_>) -> Result<Vec<Column>, Stop> {
                 converted: converted_type(each.converted),
                 defined,
                 repeated,
+                width: u64::try_from(each.width).unwrap_or(0),
+                scale: each.scale,
             });
         } else {
             Limit::Nesting.hold(depth, NESTING_MAX as u64)?;
@@ -281,7 +308,9 @@ fn element<'b>(thrift: &mut Thrift<'b>) -> Result<Element<'b>, Stop> {
     thrift.structure(|thrift, id, kind| {
         match (id, kind) {
             (1, ThriftType::Integer) => read.physical = Some(thrift.integer()?),
+            (2, ThriftType::Integer) => read.width = thrift.integer()?,
             (3, ThriftType::Integer) => read.repetition = thrift.integer()?,
+            (7, ThriftType::Integer) => read.scale = thrift.integer()?,
             (4, ThriftType::Binary) => read.name = thrift.binary()?,
             (5, ThriftType::Integer) => read.children = Some(thrift.integer()?),
             (6, ThriftType::Integer) => read.converted = Some(thrift.integer()?),
@@ -298,7 +327,15 @@ fn logical(thrift: &mut Thrift<'_>) -> Result<Logical, Stop> {
     let mut found = Logical::Other;
     thrift.structure(|thrift, id, kind| {
         match (id, kind) {
-            (8, ThriftType::Struct) => {
+            (1 | 4, ThriftType::Struct) => {
+                found = Logical::Text;
+                thrift.skip(kind)?;
+            }
+            (5, ThriftType::Struct) => {
+                found = Logical::Decimal;
+                thrift.skip(kind)?;
+            }
+            (7 | 8, ThriftType::Struct) => {
                 let mut unit = None;
                 thrift.structure(|thrift, id, kind| match (id, kind) {
                     (2, ThriftType::Struct) => thrift.structure(|thrift, id, kind| {

@@ -19,6 +19,9 @@ use std::sync::atomic::{AtomicU64, Ordering};
 /// Bytes that a value with its level may take in any encoding.
 const BYTES_PER_VALUE: u64 = 32;
 
+/// Bytes that a text may take.
+const BYTES_PER_TEXT: u64 = 4096;
+
 /// Bytes that a page may take besides, for heads and for blocks that are not full.
 const BYTES_PER_PAGE: u64 = 4096;
 
@@ -34,6 +37,8 @@ pub(super) struct Pages {
     chunk: Chunk,
     codec: Codec,
     physical: Type,
+    /// Bytes of a value; at least so many where lengths differ, none where several share a byte.
+    width: u64,
     defined: i16,
     has_dictionary: bool,
     /// Values that the rest of the pages may have.
@@ -79,7 +84,26 @@ impl Pages {
         let codec = Codec::of(chunk.codec)?;
         let (values_left, physical, defined) = (chunk.values, column.physical, column.defined);
         let share = 2 * columns as u64;
-        Ok(Self { file, chunk, codec, physical, defined, has_dictionary: false, values_left, memory, share, spent })
+        let width = match physical {
+            Type::BOOLEAN => 0,
+            Type::INT32 | Type::FLOAT | Type::BYTE_ARRAY => 4,
+            Type::INT64 | Type::DOUBLE => 8,
+            Type::INT96 => 12,
+            Type::FIXED_LEN_BYTE_ARRAY => column.width,
+        };
+        Ok(Self {
+            file,
+            chunk,
+            codec,
+            physical,
+            width,
+            defined,
+            has_dictionary: false,
+            values_left,
+            memory,
+            share,
+            spent,
+        })
     }
 
     /// The next page; `None` at the end.
@@ -111,7 +135,7 @@ impl Pages {
         let buf = self.unpacked(head, packed, 0)?;
         let encoding = encoding(head.encoding)?;
         known(matches!(encoding, Encoding::PLAIN | Encoding::PLAIN_DICTIONARY))?;
-        known(head.values.saturating_mul(size_of_value(self.physical)) <= buf.len() as u64)?;
+        known(head.values.saturating_mul(self.width) <= buf.len() as u64)?;
         Ok(Page::DictionaryPage { buf, num_values: count(head.values)?, encoding, is_sorted: false })
     }
 
@@ -170,7 +194,8 @@ impl Pages {
             self.spend(0)?;
             return Ok(packed);
         }
-        known(head.unpacked <= head.values.saturating_mul(BYTES_PER_VALUE).saturating_add(BYTES_PER_PAGE))?;
+        let per_value = if self.physical == Type::BYTE_ARRAY { BYTES_PER_TEXT } else { BYTES_PER_VALUE };
+        known(head.unpacked <= head.values.saturating_mul(per_value).saturating_add(BYTES_PER_PAGE))?;
         if head.unpacked > PAGE_BYTES_FREE {
             Limit::PageRatio.hold(head.unpacked / (packed.len() as u64).max(1), PAGE_RATIO_MAX)?;
         }
@@ -213,10 +238,11 @@ impl Pages {
                 known(self.has_dictionary && values.first().is_some_and(|bits| *bits <= INDEX_BITS_MAX))?;
             }
             Encoding::BYTE_STREAM_SPLIT => {
+                known(self.width > 0 && self.physical != Type::BYTE_ARRAY)?;
                 // The decoder of split values looks for bytes behind the end where there are fewer than levels; that of
                 // plain ones counts what is left.
                 self.memory.clone().take((buf.len() as u64).saturating_mul(self.share))?;
-                return Ok((Encoding::PLAIN, joined(&buf, levels, size_of_value(self.physical))?));
+                return Ok((Encoding::PLAIN, joined(&buf, levels, self.width)?));
             }
             Encoding::PLAIN => {}
             Encoding::DELTA_BINARY_PACKED => {
@@ -319,14 +345,6 @@ fn encoding(code: i64) -> Result<Encoding, Fault> {
 
 fn count(number: u64) -> Result<u32, Fault> {
     u32::try_from(number).map_err(|_| damaged(Damage::Page))
-}
-
-/// Bytes of a number.
-const fn size_of_value(physical: Type) -> u64 {
-    match physical {
-        Type::INT32 | Type::FLOAT => 4,
-        _ => 8,
-    }
 }
 
 impl Iterator for Pages {

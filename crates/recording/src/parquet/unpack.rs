@@ -1,6 +1,7 @@
 //! Unpacking of a page into exactly the bytes that it says it has.
 
 use crate::faults::{Damage, Fault};
+use crate::packed::Frames;
 use std::io::Read;
 
 /// How the pages of a column are packed.
@@ -9,6 +10,7 @@ pub(super) enum Codec {
     None,
     Snappy,
     Gzip,
+    Brotli,
     /// Blocks with their lengths before them; older files have frames or a bare block under the same number.
     Lz4,
     Zstd,
@@ -22,15 +24,12 @@ impl Codec {
             0 => Self::None,
             1 => Self::Snappy,
             2 => Self::Gzip,
+            4 => Self::Brotli,
             5 => Self::Lz4,
             6 => Self::Zstd,
             7 => Self::Lz4Block,
             other => {
-                let name = match other {
-                    3 => "LZO".to_owned(),
-                    4 => "BROTLI".to_owned(),
-                    other => other.to_string(),
-                };
+                let name = if other == 3 { "LZO".to_owned() } else { other.to_string() };
                 return Err(super::damaged(Damage::Compression { name }));
             }
         })
@@ -52,7 +51,9 @@ impl Codec {
                     && in_place(into, size, |room| snap::raw::Decoder::new().decompress(packed, room).ok())
             }
             Self::Gzip => streamed(flate2::read::MultiGzDecoder::new(packed), size, into),
-            Self::Zstd => zstd_frames(packed, size, into),
+            Self::Brotli => streamed(brotli_decompressor::Decompressor::new(packed, BROTLI_BUFFER), size, into),
+            // A reader in Rust: a damaged file of a stranger meets no C library.
+            Self::Zstd => streamed(Frames::of(packed), size, into),
             Self::Lz4Block => lz4_block(packed, size, into),
             Self::Lz4 => {
                 let mut ways = [hadoop, lz4_frame, lz4_block].into_iter();
@@ -66,6 +67,9 @@ impl Codec {
     }
 }
 
+/// Bytes that the reader of brotli takes at a time.
+const BROTLI_BUFFER: usize = 4096;
+
 /// Unpacks into room that is made for it; true if it is filled.
 fn in_place(into: &mut Vec<u8>, size: usize, unpack: impl FnOnce(&mut [u8]) -> Option<usize>) -> bool {
     let before = into.len();
@@ -76,26 +80,6 @@ fn in_place(into: &mut Vec<u8>, size: usize, unpack: impl FnOnce(&mut [u8]) -> O
 /// Reads no more than a byte beyond the size.
 fn streamed(source: impl Read, size: usize, into: &mut Vec<u8>) -> bool {
     source.take(size as u64 + 1).read_to_end(into).is_ok()
-}
-
-#[cfg(not(target_family = "wasm"))]
-fn zstd_frames(packed: &[u8], size: usize, into: &mut Vec<u8>) -> bool {
-    let before = into.len();
-    into.reserve_exact(size);
-    // It writes into the room that is there, and no further.
-    let mut room = std::io::Cursor::new(&mut *into);
-    room.set_position(before as u64);
-    let unpack = |mut with: zstd::bulk::Decompressor<'_>| with.decompress_to_buffer(packed, &mut room);
-    zstd::bulk::Decompressor::new().and_then(unpack).is_ok()
-}
-
-#[cfg(target_family = "wasm")]
-use zstd_in_rust as zstd_frames;
-
-/// The same without the C library, which a browser does not have.
-#[cfg(any(test, target_family = "wasm"))]
-fn zstd_in_rust(packed: &[u8], size: usize, into: &mut Vec<u8>) -> bool {
-    in_place(into, size, |room| ruzstd::decoding::FrameDecoder::new().decode_all(packed, room).ok())
 }
 
 fn lz4_block(packed: &[u8], size: usize, into: &mut Vec<u8>) -> bool {
@@ -165,9 +149,19 @@ mod tests {
         }
     }
 
-    /// What the browser reads is what the C library reads: several frames, one cut short, one damaged, one with no end.
+    /// The reader in Rust reads what the C library reads: several frames, one cut short, one damaged, one with no end.
     #[test]
     fn both_readers_of_zstd_agree() {
+        fn ours(packed: &[u8], size: usize, into: &mut Vec<u8>) -> bool {
+            streamed(Frames::of(packed), size, into)
+        }
+        fn in_c(packed: &[u8], size: usize, into: &mut Vec<u8>) -> bool {
+            let before = into.len();
+            into.reserve_exact(size);
+            let mut room = std::io::Cursor::new(&mut *into);
+            room.set_position(before as u64);
+            zstd::bulk::Decompressor::new().and_then(|mut with| with.decompress_to_buffer(packed, &mut room)).is_ok()
+        }
         let text: Vec<u8> = (0..90_000_u32).flat_map(|number| (number / 7 * 13).to_le_bytes()).collect();
         for level in [-5, 1, 3, 9, 19] {
             let frame = zstd::bulk::compress(&text, level).unwrap();
@@ -180,7 +174,7 @@ mod tests {
                         let mut into = b"levels".to_vec();
                         (with(packed, size, &mut into) && into.len() == size + 6).then_some(into)
                     };
-                    let (ours, theirs) = (read(zstd_in_rust), read(zstd_frames));
+                    let (ours, theirs) = (read(ours), read(in_c));
                     if packed == damaged && theirs.is_some() {
                         continue;
                     }

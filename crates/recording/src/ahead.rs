@@ -1,0 +1,204 @@
+//! The heading of a CSV: behind lines about the file, and before the rows of numbers.
+
+use crate::clock::is_clock;
+use crate::csv::Cells;
+use crate::encoding;
+use crate::faults::Fault;
+use crate::lines::Lines;
+use crate::names::is_usual_name;
+use crate::number::Decimals;
+use crate::series::Encoding;
+use memchr::memchr;
+use quantities::Unit;
+use std::collections::VecDeque;
+use std::io::Read;
+
+/// Lines in which the heading is looked for.
+const LINES_MOST: usize = 200;
+
+/// Bytes of these lines.
+const BYTES_MOST: usize = 1 << 20;
+
+/// Lines of which the first are read already.
+pub(crate) struct Ahead<R> {
+    lines: Lines<R>,
+    queue: VecDeque<(u64, Vec<u8>)>,
+    current: Option<(u64, Vec<u8>)>,
+    /// A read error behind the queue.
+    failed: Option<Fault>,
+}
+
+/// Where the heading is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) struct Found {
+    /// The sign between the cells.
+    pub(crate) delimiter: u8,
+    /// Whether the first line holds numbers already.
+    pub(crate) is_missing: bool,
+}
+
+impl<R: Read> Ahead<R> {
+    pub(crate) fn new(source: R) -> Self {
+        Self { lines: Lines::new(source), queue: VecDeque::new(), current: None, failed: None }
+    }
+
+    /// Looks for the heading; the next line is it, or the first row where it is missing. `None` of a file without lines.
+    ///
+    /// The heading is the line above the first of two rows of as many cells, most of them numbers, and a row of units may
+    /// stand between. Where there are no such rows it is the first line.
+    pub(crate) fn heading(&mut self) -> Result<Option<Found>, Fault> {
+        let mut seen: Vec<(u64, Vec<u8>)> = Vec::new();
+        let (mut stated, mut bytes) = (None, 0);
+        let mut found = None;
+        let mut is_end = false;
+        while found.is_none() && !is_end && seen.len() < LINES_MOST && bytes < BYTES_MOST {
+            match self.lines.advance() {
+                Ok(true) => {}
+                Ok(false) => is_end = true,
+                Err(fault) if seen.is_empty() => return Err(fault),
+                Err(fault) => {
+                    self.failed = Some(fault);
+                    is_end = true;
+                }
+            }
+            if !is_end {
+                let line = self.lines.line().to_vec();
+                if seen.is_empty()
+                    && stated.is_none()
+                    && let Some(sign) = stated_delimiter(&line)
+                {
+                    stated = Some(sign);
+                    continue;
+                }
+                bytes += line.len();
+                seen.push((self.lines.number(), line));
+            }
+            // A row counts once the next one confirms it, or none follows.
+            let row = if is_end { seen.len().checked_sub(1) } else { seen.len().checked_sub(2) };
+            found = row.and_then(|row| heading_above(&seen, row, (stated, is_row)));
+        }
+        // Most columns may hold texts.
+        let rows = 1..seen.len();
+        let found =
+            found.or_else(|| rows.into_iter().find_map(|row| heading_above(&seen, row, (stated, is_mixed_row))));
+        let Some((_, first)) = seen.first() else { return Ok(None) };
+        let (start, answer) = found
+            .unwrap_or_else(|| (0, Found { delimiter: stated.unwrap_or_else(|| delimiter(first)), is_missing: false }));
+        self.queue = seen.into_iter().skip(start).collect();
+        Ok(Some(answer))
+    }
+
+    /// Goes to the next line that says something; false at the end.
+    pub(crate) fn advance(&mut self) -> Result<bool, Fault> {
+        self.current = self.queue.pop_front();
+        if self.current.is_some() {
+            return Ok(true);
+        }
+        match self.failed.take() {
+            Some(fault) => Err(fault),
+            None => self.lines.advance(),
+        }
+    }
+
+    /// The line without its end.
+    pub(crate) fn line(&self) -> &[u8] {
+        self.current.as_ref().map_or_else(|| self.lines.line(), |(_, line)| line.as_slice())
+    }
+
+    /// Its number, counted from 1.
+    pub(crate) fn number(&self) -> u64 {
+        self.current.as_ref().map_or_else(|| self.lines.number(), |(number, _)| *number)
+    }
+
+    /// How the text is read.
+    pub(crate) const fn encoding(&self) -> Encoding {
+        self.lines.encoding()
+    }
+
+    /// The lines that are not read yet, once those read ahead are gone.
+    pub(crate) fn unread(&mut self) -> Option<&mut Lines<R>> {
+        (self.queue.is_empty() && self.failed.is_none()).then_some(&mut self.lines)
+    }
+}
+
+/// The sign that a first line `sep=;` states, as spreadsheets write it.
+fn stated_delimiter(line: &[u8]) -> Option<u8> {
+    let line = line.trim_ascii();
+    let line = line.strip_prefix(b"\"").and_then(|line| line.strip_suffix(b"\"")).unwrap_or(line);
+    let (key, sign) = line.split_at_checked(4)?;
+    let sign = match sign {
+        b"" => b'\t',
+        b"\\t" => b'\t',
+        [sign] => *sign,
+        _ => return None,
+    };
+    (key.eq_ignore_ascii_case(b"sep=") && [b';', b',', b'\t', b'|'].contains(&sign)).then_some(sign)
+}
+
+/// The sign between cells by the first line that has one.
+pub(crate) fn delimiter(header: &[u8]) -> u8 {
+    [b';', b'\t'].into_iter().find(|sign| memchr(*sign, header).is_some()).unwrap_or(b',')
+}
+
+fn split(line: &[u8], delimiter: u8) -> Option<Vec<String>> {
+    let cells = Cells::new(delimiter).try_all(line)?;
+    Some(cells.iter().map(|cell| encoding::text(cell).trim().to_owned()).collect())
+}
+
+/// Numbers and clock times among the cells that are not empty, and how many these are.
+fn values(cells: &[String]) -> (usize, usize) {
+    let filled = || cells.iter().filter(|cell| !cell.is_empty());
+    (filled().filter(|cell| Decimals::is_number(cell) || is_clock(cell)).count(), filled().count())
+}
+
+/// Whether most cells are numbers or clock times.
+fn is_row(cells: &[String]) -> bool {
+    let (values, filled) = values(cells);
+    2 * values > filled
+}
+
+/// Whether at least half of the cells are.
+fn is_mixed_row(cells: &[String]) -> bool {
+    let (values, filled) = values(cells);
+    values > 0 && 2 * values >= filled
+}
+
+/// The line that heads a row, if it is one: its place, and what is known of it.
+fn heading_above(
+    seen: &[(u64, Vec<u8>)],
+    row: usize,
+    (stated, is_row): (Option<u8>, fn(&[String]) -> bool),
+) -> Option<(usize, Found)> {
+    let line = |place: usize| seen.get(place).map(|(_, line)| line.as_slice());
+    let above = row.checked_sub(1).and_then(line);
+    let usual = [above.map_or(b';', delimiter), b';', b'\t', b','];
+    let signs = stated.map_or_else(|| usual.to_vec(), |sign| vec![sign]);
+    signs.into_iter().find_map(|delimiter| {
+        let cells = split(line(row)?, delimiter).filter(|cells| cells.len() > 1 && is_row(cells))?;
+        let alike = |place: usize| split(line(place)?, delimiter).filter(|other| other.len() == cells.len());
+        if line(row + 1).is_some() && !alike(row + 1).is_some_and(|next| is_row(&next)) {
+            return None;
+        }
+        let Some(head) = row.checked_sub(1) else {
+            let (values, filled) = values(&cells);
+            return (values == filled).then_some((0, Found { delimiter, is_missing: true }));
+        };
+        // A row with one number is a faulty row, or a line about the file.
+        let heading = alike(head).filter(|cells| values(cells).0 == 0)?;
+        let at = |place| Some((place, Found { delimiter, is_missing: false }));
+        let Some((higher, names)) = head.checked_sub(1).and_then(|place| Some((place, alike(place)?))) else {
+            return at(head);
+        };
+        // Of two lines of texts the lower one may hold the units.
+        let are_units = heading.iter().filter(|cell| !cell.is_empty()).all(|cell| is_unit(cell));
+        let usual = |cells: &[String]| cells.iter().filter(|cell| is_usual_name(cell)).count();
+        let (own, above) = (usual(&heading), usual(&names));
+        let is_higher = values(&names).0 == 0 && (are_units || above >= own.max(1) || own == 0 && higher == 0);
+        at(if is_higher { higher } else { head })
+    })
+}
+
+fn is_unit(cell: &str) -> bool {
+    let bare = cell.trim_matches(['[', ']', '(', ')']).trim();
+    bare.is_empty() || bare == "-" || Unit::of(bare).is_some()
+}

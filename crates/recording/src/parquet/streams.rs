@@ -1,0 +1,198 @@
+//! The values of a column, a batch at a time.
+
+use super::footer::Column;
+use super::pages::Pages;
+use super::{BATCH, Holds, damaged, unreadable};
+use crate::faults::{Damage, Fault};
+use ::parquet::basic::{Repetition, Type};
+use ::parquet::column::reader::{ColumnReader, ColumnReaderImpl, get_column_reader};
+use ::parquet::data_type::{
+    BoolType, ByteArray, ByteArrayType, DataType, DoubleType, FixedLenByteArray, FixedLenByteArrayType, FloatType,
+    Int32Type, Int64Type, Int96, Int96Type,
+};
+use ::parquet::errors::ParquetError;
+use ::parquet::schema::types::{ColumnDescriptor, ColumnPath};
+use std::sync::Arc;
+
+/// Julian day of 1 January 1970.
+const DAY_OF_1970: i64 = 2_440_588;
+
+/// Nanoseconds of a day.
+const DAY_NS: i64 = 86_400_000_000_000;
+
+/// A value.
+#[derive(Clone, Copy)]
+pub(super) enum Cell {
+    Null,
+    Float(f64),
+    Integer(i64),
+    Truth(bool),
+    /// Number of the text in the batch.
+    Text(usize),
+}
+
+/// One column of a row group, a batch at a time.
+pub(super) struct Stream {
+    pub(super) name: String,
+    source: Source,
+    unsigned: bool,
+    scale: Option<i32>,
+    level_max: i16,
+    levels: Vec<i16>,
+    pub(super) cells: Vec<Cell>,
+    /// Texts of the batch.
+    pub(super) texts: Vec<ByteArray>,
+}
+
+enum Source {
+    Float(ColumnReaderImpl<FloatType>, Vec<f32>),
+    Double(ColumnReaderImpl<DoubleType>, Vec<f64>),
+    Int32(ColumnReaderImpl<Int32Type>, Vec<i32>),
+    Int64(ColumnReaderImpl<Int64Type>, Vec<i64>),
+    Int96(ColumnReaderImpl<Int96Type>, Vec<Int96>),
+    Fixed(ColumnReaderImpl<FixedLenByteArrayType>, Vec<FixedLenByteArray>),
+    Truth(ColumnReaderImpl<BoolType>, Vec<bool>),
+    Text(ColumnReaderImpl<ByteArrayType>),
+}
+
+impl Stream {
+    pub(super) fn open(name: &str, kind: Holds, column: &Column, pages: Pages) -> Result<Self, Fault> {
+        // The library needs the levels and the type; the reader knows the path.
+        let repetition = if column.defined > 0 { Repetition::OPTIONAL } else { Repetition::REQUIRED };
+        let mut primitive = ::parquet::schema::types::Type::primitive_type_builder("values", column.physical)
+            .with_repetition(repetition);
+        if column.physical == Type::FIXED_LEN_BYTE_ARRAY {
+            primitive = primitive.with_length(i32::try_from(column.width).map_err(|_| damaged(Damage::Footer))?);
+        }
+        let primitive = primitive.build().map_err(unreadable)?;
+        let path = ColumnPath::from("values");
+        let descriptor = Arc::new(ColumnDescriptor::new(Arc::new(primitive), column.defined, 0, path));
+        let source = match get_column_reader(descriptor, Box::new(pages)) {
+            ColumnReader::FloatColumnReader(reader) => Source::Float(reader, Vec::new()),
+            ColumnReader::DoubleColumnReader(reader) => Source::Double(reader, Vec::new()),
+            ColumnReader::Int32ColumnReader(reader) => Source::Int32(reader, Vec::new()),
+            ColumnReader::Int64ColumnReader(reader) => Source::Int64(reader, Vec::new()),
+            ColumnReader::Int96ColumnReader(reader) => Source::Int96(reader, Vec::new()),
+            ColumnReader::FixedLenByteArrayColumnReader(reader) => Source::Fixed(reader, Vec::new()),
+            ColumnReader::BoolColumnReader(reader) => Source::Truth(reader, Vec::new()),
+            ColumnReader::ByteArrayColumnReader(reader) => Source::Text(reader),
+        };
+        Ok(Self {
+            name: name.to_owned(),
+            source,
+            unsigned: kind.unsigned,
+            scale: kind.scale,
+            level_max: column.defined,
+            levels: Vec::new(),
+            cells: Vec::new(),
+            texts: Vec::new(),
+        })
+    }
+
+    /// Reads up to a batch and returns its length; zero at the end.
+    pub(super) fn fill(&mut self) -> Result<usize, ParquetError> {
+        self.fill_up_to(BATCH)
+    }
+
+    /// Reads up to so many values and returns their number; zero at the end.
+    pub(super) fn fill_up_to(&mut self, most: usize) -> Result<usize, ParquetError> {
+        self.cells.clear();
+        self.levels.clear();
+        self.texts.clear();
+        let (levels, cells, max) = (&mut self.levels, &mut self.cells, self.level_max);
+        let (unsigned, scale) = (self.unsigned, self.scale);
+        let scaled = |value: i128| scale.map(|scale| Cell::Float(value as f64 / 10_f64.powi(scale)));
+        match &mut self.source {
+            Source::Float(reader, values) => {
+                let count = batch(reader, values, levels, max, most)?;
+                spread(values, levels, max, count, cells, |value| Cell::Float(f64::from(*value)));
+            }
+            Source::Double(reader, values) => {
+                let count = batch(reader, values, levels, max, most)?;
+                spread(values, levels, max, count, cells, |value| Cell::Float(*value));
+            }
+            Source::Int32(reader, values) => {
+                let count = batch(reader, values, levels, max, most)?;
+                spread(values, levels, max, count, cells, |value| {
+                    let whole = if unsigned { i64::from(value.cast_unsigned()) } else { i64::from(*value) };
+                    scaled(whole.into()).unwrap_or(Cell::Integer(whole))
+                });
+            }
+            Source::Int64(reader, values) => {
+                let count = batch(reader, values, levels, max, most)?;
+                spread(values, levels, max, count, cells, |value| match unsigned {
+                    true if *value < 0 => Cell::Float(value.cast_unsigned() as f64),
+                    _ => scaled((*value).into()).unwrap_or(Cell::Integer(*value)),
+                });
+            }
+            Source::Int96(reader, values) => {
+                let count = batch(reader, values, levels, max, most)?;
+                spread(values, levels, max, count, cells, |value| {
+                    // Nanoseconds of the day in two words, the lower one first, and the Julian day.
+                    let [low, high, day] = [0, 1, 2].map(|word| value.data().get(word).copied().unwrap_or(0));
+                    let of_day = (u64::from(high) << 32 | u64::from(low)).cast_signed();
+                    let days = (i64::from(day) - DAY_OF_1970).checked_mul(DAY_NS);
+                    days.and_then(|days| days.checked_add(of_day)).map_or(Cell::Null, Cell::Integer)
+                });
+            }
+            Source::Fixed(reader, values) => {
+                let count = batch(reader, values, levels, max, most)?;
+                spread(values, levels, max, count, cells, |value| {
+                    // A decimal, the highest byte first, in two's complement.
+                    let bytes = value.data();
+                    let sign = if bytes.first().is_some_and(|byte| *byte >= 0x80) { -1_i128 } else { 0 };
+                    let whole = bytes.iter().fold(sign, |whole, byte| whole << 8 | i128::from(*byte));
+                    scaled(whole).unwrap_or(Cell::Null)
+                });
+            }
+            Source::Truth(reader, values) => {
+                let count = batch(reader, values, levels, max, most)?;
+                spread(values, levels, max, count, cells, |value| Cell::Truth(*value));
+            }
+            Source::Text(reader) => {
+                let count = batch(reader, &mut self.texts, levels, max, most)?;
+                let numbers: Vec<usize> = (0..self.texts.len()).collect();
+                spread(&numbers, levels, max, count, cells, |number| Cell::Text(*number));
+            }
+        }
+        Ok(self.cells.len())
+    }
+}
+
+/// Reads up to so many values that are there, and the levels that say where nulls are.
+fn batch<T: DataType>(
+    reader: &mut ColumnReaderImpl<T>,
+    values: &mut Vec<T::T>,
+    levels: &mut Vec<i16>,
+    level_max: i16,
+    most: usize,
+) -> Result<usize, ParquetError> {
+    values.clear();
+    let mut count = 0;
+    while count < most {
+        let (rows, ..) = reader.read_records(most - count, (level_max > 0).then_some(&mut *levels), None, values)?;
+        if rows == 0 {
+            break;
+        }
+        count += rows;
+    }
+    Ok(count)
+}
+
+/// Puts values and nulls in the order of the rows.
+fn spread<T>(
+    values: &[T],
+    levels: &[i16],
+    level_max: i16,
+    count: usize,
+    cells: &mut Vec<Cell>,
+    cell: impl Fn(&T) -> Cell,
+) {
+    let mut values = values.iter();
+    if level_max == 0 {
+        cells.extend(values.take(count).map(cell));
+    } else {
+        let mut next = |level: &i16| if *level == level_max { values.next().map(&cell) } else { None };
+        cells.extend(levels.iter().map(|level| next(level).unwrap_or(Cell::Null)));
+    }
+}

@@ -1,0 +1,221 @@
+//! Files as loggers, controllers and spreadsheets write them: read right, or refused with the true reason.
+
+#![allow(clippy::unwrap_used, clippy::panic, clippy::indexing_slicing, reason = "a test fails loudly")]
+
+use quantities::unit::{DEGREE, DEGREE_PER_SECOND, RADIAN, RADIAN_PER_SECOND, SECOND};
+use recording::{
+    ColumnSpec, Fault, FileRow, KnownBy, Layout, Memory, Recording, Role, preview_csv, read_csv, read_csv_within,
+};
+use std::sync::Arc;
+use std::sync::atomic::AtomicBool;
+
+fn read(text: &str) -> Recording {
+    read_csv(text.as_bytes(), &Layout::default()).unwrap_or_else(|faults| panic!("{text}: {faults:?}"))
+}
+
+fn faults(text: &str) -> Vec<Fault> {
+    read_csv(text.as_bytes(), &Layout::default()).unwrap_err()
+}
+
+fn named(name: &str) -> ColumnSpec {
+    ColumnSpec { name: Some(name.to_owned()), ..ColumnSpec::default() }
+}
+
+fn near(found: &[f64], expected: &[f64]) -> bool {
+    found.len() == expected.len() && found.iter().zip(expected).all(|(one, other)| (one - other).abs() < 1e-9)
+}
+
+fn degrees(recording: &Recording) -> Vec<f64> {
+    recording.course.position.as_ref().unwrap().values.iter().map(|q| q.to_degrees()).collect()
+}
+
+/// One motion, written in many ways.
+#[test]
+fn every_way_of_writing_gives_the_same_samples() {
+    let times = [0.0, 0.005, 0.01, 0.015];
+    let positions = [0.0, 0.25, 1.5, 2.0];
+    for text in [
+        // Clock times, with the date or without, also beside a date of its own and past midnight.
+        "timestamp,q [deg]\n2025-04-17T17:00:08.000,0\n2025-04-17T17:00:08.005,0.25\n2025-04-17T17:00:08.010,1.5\n2025-04-17T17:00:08.015,2\n",
+        "timestamp [s],q [deg]\n2025-04-17T17:00:08.000Z,0\n2025-04-17T17:00:08.005Z,0.25\n2025-04-17T17:00:08.010Z,1.5\n2025-04-17T17:00:08.015Z,2\n",
+        "Date,Time,q [deg]\n2026-01-01,10:30:20.000,0\n2026-01-01,10:30:20.005,0.25\n2026-01-01,10:30:20.010,1.5\n2026-01-01,10:30:20.015,2\n",
+        "Zeit;Lage [Grad]\n17.04.2025 23:59:59,990;0,0\n17.04.2025 23:59:59,995;0,25\n18.04.2025 00:00:00,000;1,5\n18.04.2025 00:00:00,005;2,0\n",
+        "time;q [deg]\n23:59:59.990;0\n23:59:59.995;0.25\n00:00:00.000;1.5\n00:00:00.005;2\n",
+        // Times since 1970, in seconds and nanoseconds, in one column and in two.
+        "t [s],q [deg]\n1700000000.600,0\n1700000000.605,0.25\n1700000000.610,1.5\n1700000000.615,2\n",
+        "t [ns],q [deg]\n1700000000600000000,0\n1700000000605000000,0.25\n1700000000610000000,1.5\n1700000000615000000,2\n",
+        "/js/stamp/sec,/js/stamp/nanosec,/js/position [deg]\n1700000000,990000000,0\n1700000000,995000000,0.25\n1700000001,0,1.5\n1700000001,5000000,2\n",
+        "secs,nsecs,q [deg]\n5,990000000,0\n5,995000000,0.25\n6,0,1.5\n6,5000000,2\n",
+        // Lines about the file before the heading, of as many cells as the table or not, and a row of units.
+        "Recorder;bench\nSamples;4\n\nTime [s];Position [deg]\n0,000;0\n0,005;0,25\n0,010;1,5\n0,015;2\n",
+        "Recorder;bench 4.2\nAxis;Rotary 1\nStart;12.03.2025 08:15:02\n\nTime [s];Position [deg];Status\n0.000;0;ok\n0.005;0.25;ok\n0.010;1.5;ok\n0.015;2;ok\n",
+        "Recorder;workbench 4.2\nAxis;Rotary 1\nStart;12.03.2025 08:15:02\nSamples;4\n\nTime [s];Position [deg];Velocity [deg/s]\n0.000;0;0\n0.005;0.25;1\n0.010;1.5;1\n0.015;2;0\n",
+        "t [s];a;b;q [deg]\n0,000;x;y;0\n0,005;x;y;0,25\n0,010;x;y;1,5\n0,015;x;y;2\n",
+        "t [s];a;b;c;q [deg]\n0,000;x;y;z;0\n0,005;x;y;z;0,25\n0,010;x;y;z;1,5\n0,015;x;y;z;2\n",
+        "Name,TwinCAT Scope\nFile,run.svdx\nStart,132\n\nTime,Axis1.ActPos,Axis1.Status,State\nms,°,,\n0,0,1,2\n5,0.25,1,2\n10,1.5,1,2\n15,2,1,2\n",
+        "sep=;\nt [s];q [deg]\n0,000;0\n0,005;0,25\n0,010;1,5\n0,015;2\n",
+        "\"sep=,\"\nt [s],q [deg]\n0.000,0\n0.005,0.25\n0.010,1.5\n0.015,2\n",
+        "SEP=\t\nt [s]\tq [deg]\n0.000\t0\n0.005\t0.25\n0.010\t1.5\n0.015\t2\n",
+        // Decimal commas in quotes between commas.
+        "t [s],q [deg]\n\"0,000\",\"0,0\"\n\"0,005\",\"0,25\"\n\"0,010\",\"1,5\"\n\"0,015\",\"2,0\"\n",
+        // An index in brackets, the unit in others.
+        "Time [ms];Axis[1].ActPos [deg];Axis[1].State\n0;0;1\n5;0.25;1\n10;1.5;1\n15;2;1\n",
+        "t [ms];q[2] [deg]\n0;0\n5;0.25\n10;1.5\n15;2\n",
+        "Time [ms];r0482[0]: Position [deg]\n0;0\n5;0.25\n10;1.5\n15;2\n",
+        "t (s) [actual],q (measured) {deg}\n0,0\n0.005,0.25\n0.010,1.5\n0.015,2\n",
+        // One column of time beside each channel.
+        "t [s],q [deg],t [s],M [Nm]\n0,0,0,1\n0.005,0.25,0.005,1\n0.010,1.5,0.010,1\n0.015,2,0.015,1\n",
+        "t [msec],q [Deg]\n0,0\n5,0.25\n10,1.5\n15,2\n",
+    ] {
+        let recording = read(text);
+        assert!(near(&recording.time_s, &times), "{text}: {:?}", recording.time_s);
+        assert!(near(&degrees(&recording), &positions), "{text}: {:?}", degrees(&recording));
+    }
+}
+
+#[test]
+fn the_source_of_a_unit_is_named() {
+    let recording = read("time,q [deg]\n10:00:00,0\n10:00:01,1\n10:00:02,2\n");
+    assert_eq!((recording.columns[0].unit, recording.columns[0].known_by), (&SECOND, KnownBy::Values));
+    let recording = read("a/sec,a/nanosec,q [deg]\n1,0,0\n1,5,1\n1,10,2\n");
+    assert_eq!((recording.columns[0].unit, recording.columns[0].name.as_str()), (&SECOND, "a/sec + a/nanosec"));
+}
+
+/// The motion files of IDTA 02021, turning and along a line: what is not used is named.
+#[test]
+fn what_is_not_used_is_named() {
+    let rotative = "Time [s];AngularPosition [rad];AngularVelocity [rad/s];AngularAcceleration [rad/s²];AngularJerk [rad/s³];FrictionTorque [Nm];LoadTorque [Nm]\n0;0;0;0;0;2;1\n1;1;1;0;0;2;1\n2;2;1;0;0;2;1\n";
+    let recording = read(rotative);
+    let units: Vec<_> = recording.columns.iter().map(|column| (column.role, column.unit.ascii)).collect();
+    assert_eq!(units, [(Role::Time, "s"), (Role::Position, "rad"), (Role::Speed, "rad/s"), (Role::Torque, "N m")]);
+    assert_eq!(recording.unused, ["AngularAcceleration [rad/s²]", "AngularJerk [rad/s³]", "FrictionTorque [Nm]"]);
+    let linear = "Time [s];Position [m];LinearVelocity [m/s];LinearAcceleration [m/s²];FrictionForce [N];Force [N]\n0;0;0;0;20;100\n1;1;1;0;20;100\n2;2;1;0;20;100\n";
+    let recording = read(linear);
+    assert_eq!(recording.columns.len(), 4);
+    assert_eq!(recording.unused, ["LinearAcceleration [m/s²]", "FrictionForce [N]"]);
+    // TwinCAT's speed is one; a set-point beside the measured position and a unit in a row are not used, a counter holds nothing.
+    let text = "Time;ActPos;SetPos;ActVelo;Temp;Counter\nms;°;°;°/s;°C;\n0;0;0;0;20;1\n1;1;1;1;20;2\n2;2;2;1;20;3\n";
+    let recording = read(text);
+    assert!(recording.course.speed.is_some());
+    assert_eq!(recording.unused, ["SetPos", "Temp"]);
+    let none = Layout { speed: ColumnSpec { unused: true, ..ColumnSpec::default() }, ..Layout::default() };
+    let recording = read_csv(text.as_bytes(), &none).unwrap();
+    assert_eq!(recording.unused, ["SetPos", "Temp"], "what the layout leaves out is no surprise");
+}
+
+#[test]
+fn columns_are_named_by_their_numbers() {
+    let text = "t [s],q [deg],q [deg]\n0,0,5\n1,1,6\n2,2,7\n";
+    let found = faults(text);
+    assert!(
+        matches!(&found[0], Fault::Ambiguous { role: Role::Position, numbers, .. } if *numbers == [2, 3]),
+        "{found:?}"
+    );
+    let layout = Layout { position: named("#3"), ..Layout::default() };
+    assert!(near(&degrees(&read_csv(text.as_bytes(), &layout).unwrap()), &[5.0, 6.0, 7.0]));
+    let beyond = Layout { position: named("#4"), ..Layout::default() };
+    assert!(matches!(read_csv(text.as_bytes(), &beyond).unwrap_err()[0], Fault::ColumnUnknown { .. }));
+    // A column that is called so is meant itself.
+    let odd = Layout { position: named("#1"), ..Layout::default() };
+    assert!(near(&degrees(&read_csv(&b"t [s],#1 [deg]\n0,0\n1,1\n2,2\n"[..], &odd).unwrap()), &[0.0, 1.0, 2.0]));
+}
+
+#[test]
+fn times_beside_each_channel_must_agree() {
+    let text = "t [s],q [deg],t [s],n [deg/s]\n0,0,0,1\n1,1,1,1\n2,2,2.5,1\n3,3,3,1\n";
+    let [Fault::TimesDiffer { at: FileRow::Line(4), numbers: [1, 3], .. }] = faults(text).as_slice() else {
+        panic!("{:?}", faults(text))
+    };
+    let layout = Layout { time: named("#1"), ..Layout::default() };
+    assert_eq!(*read_csv(text.as_bytes(), &layout).unwrap().time_s, [0.0, 1.0, 2.0, 3.0]);
+    for name in ["t", "t [s]"] {
+        let layout = Layout { time: named(name), ..Layout::default() };
+        assert!(matches!(read_csv(text.as_bytes(), &layout).unwrap_err()[0], Fault::TimesDiffer { .. }), "{name}");
+    }
+}
+
+#[test]
+fn without_a_heading_numbers_and_units_are_needed() {
+    let text = "0,0,0\n0.1,1,2\n0.2,2,3\n0.3,3,4\n";
+    assert_eq!(faults(text), [Fault::HeadingMissing { columns: 3 }]);
+    let of = |name: &str, unit| ColumnSpec { name: Some(name.to_owned()), unit: Some(unit), unused: false };
+    let layout = Layout { time: of("#1", &SECOND), position: of("#3", &DEGREE), ..Layout::default() };
+    let recording = read_csv(text.as_bytes(), &layout).unwrap();
+    assert_eq!(*recording.time_s, [0.0, 0.1, 0.2, 0.3].map(|t: f64| t));
+    assert!(near(&degrees(&recording), &[0.0, 2.0, 3.0, 4.0]));
+}
+
+#[test]
+fn what_is_wrong_in_such_files_has_its_line() {
+    let clock = "time,q [deg]\n10:00:00,0\n10:00:01,1\n10:00:61,2\nx,3\n10:00:04,4\n";
+    let found = faults(clock);
+    assert!(
+        matches!(
+            &found[..],
+            [
+                Fault::ValueUnreadable { at: FileRow::Line(4), .. },
+                Fault::ValueUnreadable { at: FileRow::Line(5), text: None, .. }
+            ]
+        ),
+        "{found:?}"
+    );
+    let nano = "sec,nanosec,q [deg]\n1,0,0\n1,1000000000,1\n2,-5,2\n3,0,2\n";
+    assert_eq!(faults(nano).len(), 2, "{:?}", faults(nano));
+    let backwards = "time,q [deg]\n2025-01-01 10:00:00,0\n2025-01-01 09:00:00,1\n2025-01-01 11:00:00,2\n";
+    assert!(matches!(faults(backwards)[..], [Fault::Backwards { at: FileRow::Line(3), .. }]));
+    // Columns without units say which are missing.
+    let ros = "h/stamp/sec,h/stamp/nanosec,j3/position,j3/velocity\n1,0,0,0\n1,5,1,1\n1,9,2,1\n";
+    let found = faults(ros);
+    assert!(
+        matches!(
+            &found[..],
+            [Fault::UnitMissing { role: Role::Position, .. }, Fault::UnitMissing { role: Role::Speed, .. }]
+        ),
+        "{found:?}"
+    );
+    let of = |unit| ColumnSpec { unit: Some(unit), ..ColumnSpec::default() };
+    let layout = Layout { position: of(&RADIAN), speed: of(&RADIAN_PER_SECOND), ..Layout::default() };
+    assert!(read_csv(ros.as_bytes(), &layout).is_ok());
+    let other = Layout {
+        position: of(&DEGREE),
+        speed: of(&DEGREE_PER_SECOND),
+        time: named("h/stamp/sec"),
+        ..Layout::default()
+    };
+    assert_eq!(read_csv(ros.as_bytes(), &other).unwrap().time_s.len(), 3, "the nanoseconds belong to it");
+}
+
+#[test]
+fn a_preview_begins_at_the_heading() {
+    let found =
+        preview_csv(&b"sep=;\nAxis;Rotary 1;;\nt;q [deg];mode;M\ns;;;Nm\n0,0;1,5;auto;2\n0,1;2;auto;3\n"[..], 2)
+            .unwrap();
+    assert_eq!(found.headings, ["t", "q [deg]", "mode", "M"]);
+    assert_eq!(found.rows[1], ["0,0", "1,5", "auto", "2"]);
+}
+
+/// Faulty rows end the reading after some thousands, and a caller who no longer waits ends it at once.
+#[test]
+fn reading_ends_where_nothing_new_is_to_be_found() {
+    /// A heading and equal rows without end; counts the bytes that it gave.
+    struct Endless<'c>(&'c std::cell::Cell<usize>);
+    impl std::io::Read for Endless<'_> {
+        fn read(&mut self, room: &mut [u8]) -> std::io::Result<usize> {
+            let text = b"t [s],q [deg]\n".iter().chain(b"0.5,1.25\n".iter().cycle()).copied();
+            let given = self.0.get();
+            let (head, row) = (14, 9);
+            let skipped = if given < head { given } else { head + (given - head) % row };
+            room.iter_mut().zip(text.skip(skipped)).for_each(|(to, byte)| *to = byte);
+            self.0.set(given + room.len());
+            Ok(room.len())
+        }
+    }
+    let given = std::cell::Cell::new(0);
+    let found = read_csv(Endless(&given), &Layout::default()).unwrap_err();
+    assert!(matches!(found[..], [Fault::Repeated { .. }, Fault::More { stopped: true, .. }]), "{found:?}");
+    assert!(given.get() < 4 << 20, "{} bytes were read", given.get());
+
+    let given = std::cell::Cell::new(0);
+    let mut memory = Memory::default().until(Some(Arc::new(AtomicBool::new(true))));
+    assert_eq!(read_csv_within(Endless(&given), &Layout::default(), &mut memory).unwrap_err(), [Fault::Stopped]);
+}

@@ -1,0 +1,55 @@
+//! Words about files of another format that were given as a recording.
+
+use crate::texts::said;
+use quantities::Language;
+use recording::Foreign;
+
+/// The format with its article, and how its content becomes a recording.
+pub(super) fn foreign(format: Foreign, language: Language) -> (String, String) {
+    let (what, remedy) = match format {
+        Foreign::Zip => (
+            said!(language => "an Excel workbook or another zip archive" | "eine Excel-Mappe oder ein anderes Zip-Archiv"),
+            said!(language => "save the sheet as CSV" | "das Blatt als CSV speichern"),
+        ),
+        Foreign::Xls => (
+            said!(language => "an old Excel workbook (.xls)" | "eine alte Excel-Mappe (.xls)"),
+            said!(language => "save the sheet as CSV" | "das Blatt als CSV speichern"),
+        ),
+        Foreign::Mat => (
+            said!(language => "a MAT file of MATLAB" | "eine MAT-Datei von MATLAB"),
+            said!(language =>
+                "in MATLAB: writetable(table(t, q, VariableNames=[\"t [s]\", \"q [rad]\"]), \"run.csv\")"
+                | "in MATLAB: writetable(table(t, q, VariableNames=[\"t [s]\", \"q [rad]\"]), \"run.csv\")"
+            ),
+        ),
+        Foreign::Hdf5 => (
+            said!(language => "HDF5, as MATLAB 7.3 writes it too" | "HDF5, wie es auch MATLAB 7.3 schreibt"),
+            said!(language => "export the columns as CSV or Parquet" | "die Spalten als CSV oder Parquet ausgeben"),
+        ),
+        Foreign::Tdms => (
+            said!(language => "a TDMS file of LabVIEW" | "eine TDMS-Datei von LabVIEW"),
+            said!(language => "export the channels as CSV" | "die Kanäle als CSV ausgeben"),
+        ),
+        Foreign::Mdf => (
+            said!(language => "an MDF file of a measuring system" | "eine MDF-Datei eines Messsystems"),
+            said!(language => "export the channels as CSV on one time base" | "die Kanäle mit gemeinsamer Zeitbasis als CSV ausgeben"),
+        ),
+        Foreign::Arrow => (
+            said!(language => "an Arrow or Feather file" | "eine Arrow- oder Feather-Datei"),
+            said!(language => "save the table as Parquet" | "die Tabelle als Parquet speichern"),
+        ),
+        Foreign::Bag => (
+            said!(language => "a bag of ROS" | "eine Bag-Datei von ROS"),
+            said!(language => "export the topic as CSV" | "das Topic als CSV ausgeben"),
+        ),
+        Foreign::Sqlite => (
+            said!(language => "an SQLite database, as bags of ROS 2 are" | "eine SQLite-Datenbank, wie auch Bag-Dateien von ROS 2"),
+            said!(language => "export the columns as CSV" | "die Spalten als CSV ausgeben"),
+        ),
+        Foreign::Pdf => (
+            said!(language => "a PDF" | "ein PDF"),
+            said!(language => "a table of numbers is needed" | "nötig ist eine Tabelle aus Zahlen"),
+        ),
+    };
+    (what, remedy)
+}
