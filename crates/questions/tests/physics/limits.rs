@@ -77,8 +77,9 @@ fn a_datum_is_kept_up_to_rounding() {
         };
         let value = of(1e4).value.unwrap_or_else(|| panic!("{id:?}")).si;
         for share in [1.0, 1.0 + 1e-12, 1.0 - 1e-12, 1.0 + 1e-6] {
+            // A remark may make advice of it.
             let check = of(value * share);
-            assert!(check.verdict == Verdict::Pass && check.utilisation.unwrap() <= 1.0, "{id:?} {share}: {check:?}");
+            assert!(check.verdict != Verdict::Fail && check.utilisation.unwrap() <= 1.0, "{id:?} {share}: {check:?}");
         }
         let check = of(value * (1.0 - 1e-6));
         assert!(check.verdict == Verdict::Fail && check.relation() == Some(">"), "{id:?}: {check:?}");
