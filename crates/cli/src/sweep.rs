@@ -137,7 +137,7 @@ fn shown(summary: &SweepSummary, language: Language) -> String {
     let _ = writeln!(text, "{}", sweeps::fitting(counted(summary.fitting), &share(summary.fitting), language));
     if summary.fit_if_estimate > 0 {
         let rows = summary.fit_if_estimate;
-        let _ = writeln!(text, "  {}", sweeps::fitting_if_estimate(counted(rows), &share(rows), language));
+        let _ = writeln!(text, "  {}", sweeps::fitting_if_estimate(&rows, &share(rows), language));
     }
     let missed: u64 = summary.none_fits.iter().map(|each| each.rows).sum();
     if missed > 0 {

@@ -193,7 +193,7 @@ texts! {
         | "Alle geführten Nachweise sind erfüllt. Das Ergebnis gilt erst nach Klärung der offenen Punkte.";
     v_if_estimate = "Fits if the estimate holds" | "Geeignet, sofern die Schätzung zutrifft";
     v_if_estimate_text =
-        "No check fails. These are beyond the lower edge of an estimate and within its band: have the maker confirm them, or give a curve:"
+        "No check fails. These are beyond the lower edge of an estimate and within its band: have the manufacturer confirm them, or state a curve:"
         | "Kein Nachweis ist verletzt. Diese liegen über dem unteren Rand einer Schätzung und in ihrem Band; vom Hersteller bestätigen lassen oder eine Kennlinie angeben:";
     if_estimate = "if the estimate holds" | "sofern die Schätzung zutrifft";
     fitting_if_estimate = "more if an estimate holds" | "weitere, sofern eine Schätzung zutrifft";
