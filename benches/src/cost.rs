@@ -1,17 +1,20 @@
-//! The cost generator: what can be multiplied is multiplied (points of a table, moves, samples, tolerances, ratios, axes), and each
-//! product is put to `size` and `check` as a process. An answer keeps what `docs/reference/limits.md` promises, some five seconds of
+//! The cost generator: what can be multiplied is multiplied (points of a table, moves, samples, tolerances, ratios, axes), and every key of
+//! every mechanism is drawn at the extremes of its range ([`benches::drawn`]). Each product is put to commands as a process. An answer keeps what `docs/reference/limits.md` promises, some five seconds of
 //! one core and half a gigabyte, or the work is refused before it begins. What an answer is predicted to take stands beside what it
 //! took. A promise or a prediction that is exceeded by more than a factor of two fails.
 //!
 //! Baseline: numbers sorted, by which the seconds of another machine are ours.
 #![allow(
     clippy::expect_used,
+    clippy::indexing_slicing,
     clippy::panic,
     clippy::print_stdout,
     reason = "a bench fails loudly and prints what it measured"
 )]
 
+use benches::drawn::{Chance, drawn, repeated, toleranced};
 use benches::{binary, sort, timed};
+use mechanism::MechanismId;
 use project::Files;
 use questions::Draw;
 use questions::list::Cost;
@@ -20,7 +23,7 @@ use std::path::Path;
 use std::process::{Command, ExitCode, Stdio};
 use std::time::{Duration, Instant};
 
-/// Seconds of one core, and bytes, that an answer takes at most.
+/// Seconds of one core, and bytes, that an answer takes at most; what is no ranking and no check takes twice as long.
 const PROMISED: (f64, f64) = (5.0, 500e6);
 
 /// Starting a process and reading its project take so long in any case.
@@ -32,20 +35,43 @@ const SLACK: f64 = 2.0;
 /// So many numbers are sorted, which took this time where the promise was measured.
 const SORTED: (usize, f64) = (4_000_000, 0.16);
 
-/// A project with the recording that it names.
+/// A project with the recording that it names, and the commands that it is put to.
 struct Case {
     name: String,
     project: String,
     recording: Option<usize>,
+    commands: Vec<&'static str>,
+}
+
+/// What a command is predicted to cost.
+fn cost(command: &str) -> Cost {
+    let draw = Draw::default();
+    match command {
+        "size" => Cost::Ranking { complete: 10, draw },
+        "check" => Cost::Check { draw },
+        "report" => Cost::Report,
+        "export" => Cost::Workbook,
+        _ => Cost::Other,
+    }
+}
+
+/// The arguments of a command about a project.
+fn arguments<'a>(command: &'a str, path: &'a str, out: &'a str) -> Vec<&'a str> {
+    match command {
+        "check" => vec![command, path, "--code", CODE],
+        "diff" => vec![command, path, path],
+        "simulate" => vec![command, path, "--code", CODE],
+        "report" | "export" => vec![command, path, "--out", out, "--force"],
+        _ => vec![command, path],
+    }
 }
 
 impl Case {
-    /// What `size` and `check` of it are predicted to take, seconds and bytes; `None` where it is refused as it is read.
-    fn predicted(&self) -> Option<[(f64, f64); 2]> {
+    /// Prediction for each of its commands, seconds and bytes; `None` where it is refused as it is read.
+    fn predicted(&self) -> Option<Vec<(f64, f64)>> {
         let project = questions::read_all(&self.project, &Recorded(self.recording.map(recording))).ok()?;
         let project = project.first()?;
-        let draw = Draw::default();
-        Some([Cost::Ranking { complete: 10, draw }, Cost::Check { draw }].map(|cost| cost.predicted(project)))
+        Some(self.commands.iter().map(|command| cost(command).predicted(project)).collect())
     }
 }
 
@@ -117,7 +143,8 @@ fn cases() -> Vec<Case> {
     let mut all = Vec::new();
     let mut add = |name: String, body: String, recording: Option<usize>| {
         let single = if recording.is_some() { "[axis]\nsingle_move = true\n" } else { "" };
-        all.push(Case { name, project: format!("format = 1\n{single}{body}{SUPPLY}"), recording });
+        let project = format!("format = 1\n{single}{body}{SUPPLY}");
+        all.push(Case { name, project, recording, commands: vec!["size", "check"] });
     };
     for points in [36, 360, 3600, 9900] {
         for count in [2, 20, 100, 1000] {
@@ -140,6 +167,41 @@ fn cases() -> Vec<Case> {
         }
         add(format!("{kind} × 1000000 samples"), load(kind, 0, "") + RECORDED, Some(1_000_000));
         add(format!("{kind} with a tolerance × 100000 samples"), load(kind, 0, " ± 10 %") + RECORDED, Some(100_000));
+    }
+    all.extend(at_the_extremes());
+    all
+}
+
+/// Projects of each mechanism.
+const SEEDS: u64 = 3;
+
+/// Commands of which one drawn project is put to one.
+const OTHERS: [&str; 6] = ["report", "export", "diff", "simulate", "explain", "bearing"];
+
+/// Every key of every mechanism at the extremes, alone, with many moves, with a tolerance and with the ratios of a stage.
+fn at_the_extremes() -> Vec<Case> {
+    const RATIOS: &str =
+        "\n[stage]\nkind = \"belt\"\nratios = [0.5, 0.6, 0.7, 0.8, 0.9, 1, 1.2, 1.4, 1.6, 1.8, 2, 2.5, 3, 4, 5, 6]\n";
+    let mut all = Vec::new();
+    let mut chance = Chance::new(SEEDS);
+    for id in MechanismId::ALL.iter().copied() {
+        for seed in 0..SEEDS {
+            let found = drawn(id, seed);
+            let text = &found.text;
+            let staged = (!text.contains("[stage]")).then(|| format!("{text}{RATIOS}"));
+            let products = [
+                ("", Some(text.clone())),
+                (" × 300 times its moves", repeated(text, 300)),
+                (" with a tolerance", toleranced(text)),
+                (" × 16 ratios", staged),
+            ];
+            for (what, project) in products {
+                let Some(project) = project else { continue };
+                let other = OTHERS[chance.below(OTHERS.len())];
+                let name = format!("{}{what}", found.name);
+                all.push(Case { name, project, recording: None, commands: vec!["size", "check", other] });
+            }
+        }
     }
     all
 }
@@ -205,11 +267,14 @@ fn main() -> ExitCode {
             written = Some(samples);
         }
         let path = path.to_str().expect("a folder with a name");
-        let predicted = case.predicted().unwrap_or_default();
-        let calls = [vec!["size", path], vec!["check", path, "--code", CODE]];
-        for (arguments, predicted) in calls.into_iter().zip(predicted) {
+        // What cannot be read is refused.
+        let predicted = case.predicted().unwrap_or_else(|| vec![(0.0, 0.0); case.commands.len()]);
+        let out = folder.join("out");
+        for (command, predicted) in case.commands.iter().zip(predicted) {
+            let out = out.with_extension(if *command == "report" { "pdf" } else { "xlsx" });
+            let arguments = arguments(command, path, out.to_str().expect("a folder with a name"));
             let Some(taken) = taken(&binary, &arguments, predicted) else { continue };
-            found.push((format!("{} {}", arguments.first().copied().unwrap_or_default(), case.name), taken));
+            found.push((format!("{command} {}", case.name), taken));
         }
     }
     let _ = std::fs::remove_dir_all(&folder);

@@ -2,6 +2,8 @@
 //! machine may be slow or shared.
 #![allow(clippy::print_stdout, reason = "a bench prints what it measured")]
 
+pub mod drawn;
+
 use project::Project;
 use questions::list::size::sized;
 use questions::{Patience, Rejected, Sizing};

@@ -55,7 +55,8 @@ pub(crate) fn put(drawing: &Drawing, call: &Call<'_>, inputs: &[PathBuf]) -> Res
     let png = call.path("png");
     let mut pixels = Vec::new();
     if png.is_some() {
-        let too_large = || Unanswered::message(terminal::picture_too_large(language));
+        let too_large =
+            || Unanswered::message(terminal::picture_too_large(&(Picture::PIXELS_MAX / 1_000_000), language));
         pixels = picture.png(PNG_SCALE).ok_or_else(too_large)?;
     }
     let svg = call.file("svg").map(|path| (path, picture.svg().as_bytes()));

@@ -6,10 +6,11 @@ use crate::fault::path_text;
 use crate::laid_out::shown;
 use crate::plot;
 use answers::{Answered, Fit};
-use questions::list::{Asked, Cost, Unanswered, identify, simulate};
+use questions::list::{Asked, Unanswered, identify, simulate};
 use questions::{answer, chapter};
+use std::io::{BufWriter, Write};
 use tables::Format;
-use words::{simulation, terminal};
+use words::{file_trouble, simulation, terminal};
 
 /// `antrieb simulate PROJECT --code CODE --scenario NAME --out FILE`
 pub(crate) fn simulate(call: &Call<'_>, asked: &Asked<'_>) -> Result<Answer, Unanswered> {
@@ -19,7 +20,7 @@ pub(crate) fn simulate(call: &Call<'_>, asked: &Asked<'_>) -> Result<Answer, Una
     let ending = || Unanswered::option("out", (simulation::ending_of_a_trace(language).to_owned(), None));
     let is_trace = |format: &Format| matches!(format, Format::Csv | Format::Parquet);
     let format = file.map(|file| Format::of(file).filter(is_trace).ok_or_else(ending)).transpose()?;
-    let axes = asked.axes(args.axis.as_deref(), Cost::Other)?;
+    let axes = args.axes(asked)?;
     let inputs = call.inputs(axes.iter().map(|(_, project)| project));
     let desk = call.desk(&inputs);
     // As of `plot`: without a file the picture goes to standard output.
@@ -38,12 +39,20 @@ pub(crate) fn simulate(call: &Call<'_>, asked: &Asked<'_>) -> Result<Answer, Una
     let fits = runs.iter().all(questions::Simulated::fits);
     let mut records: Vec<answers::Simulation> = runs.iter().map(|run| answer::simulation(run, language)).collect();
     if let (Some(file), Some(format), Some(run), Some(record)) = (file, format, runs.first(), records.first_mut()) {
-        let table = tables::trace(&run.course, &args.signals, language);
-        let bytes = match format {
-            Format::Parquet => tables::parquet(&table).map_err(|error| Unanswered::message(error.message(language)))?,
-            Format::Csv | Format::Json | Format::Workbook => tables::csv(&table).into_bytes(),
-        };
-        desk.save(&[(file, &bytes)])?;
+        match format {
+            Format::Parquet => {
+                let table = tables::trace(&run.course, &args.signals, language);
+                let bytes = tables::parquet(&table);
+                desk.save(&[(file, &bytes.map_err(|error| Unanswered::message(error.message(language)))?)])?;
+            }
+            Format::Csv | Format::Json | Format::Workbook => desk.save_by(file, |to| {
+                let mut to = BufWriter::new(to);
+                let refused = |error: &std::io::Error| Unanswered::message(file_trouble(error, language));
+                let rows = |rows: &str| to.write_all(rows.as_bytes());
+                tables::trace_csv(&run.course, &args.signals, language, rows).map_err(|error| refused(&error))?;
+                to.flush().map_err(|error| refused(&error))
+            })?,
+        }
         record.trace = Some(path_text(file));
     }
     if let Some(run) = runs.first().filter(|_| draws) {

@@ -450,6 +450,21 @@ impl Mechanism {
         self.kind.equations().smooth_over(0.0, 0.0).is_some()
     }
 
+    /// Time of one evaluation of its equations by that of a load that turns with the output.
+    #[must_use]
+    pub const fn evaluation_cost(&self) -> f64 {
+        match &self.kind {
+            MechanismKind::FourBar(_) => 2.0,
+            MechanismKind::SliderCrank(_) | MechanismKind::ScissorLift(_) => 1.5,
+            MechanismKind::Table(_)
+            | MechanismKind::Hoist(_)
+            | MechanismKind::Winder(_)
+            | MechanismKind::Linear(_)
+            | MechanismKind::Rotor(_)
+            | MechanismKind::Joint(_) => 1.0,
+        }
+    }
+
     /// Whether the torque over a ramp of constant acceleration is constant: no viscous friction, no dependence on the
     /// position.
     #[must_use]

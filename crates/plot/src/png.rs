@@ -10,9 +10,12 @@ use crate::font::{FONT_FAMILY, font_files};
 use crate::picture::Picture;
 
 impl Picture {
+    /// Largest number of pixels of a picture: four bytes each, and as many again while the file is written.
+    pub const PIXELS_MAX: u64 = 48_000_000;
+
     /// The picture as a PNG file, `scale` pixels to the CSS pixel (2 is about 190 dpi).
     ///
-    /// Draws with the fonts of the crate and no others. `None` if the pixels are too many to be held or the scale is not
+    /// Draws with the fonts of the crate and no others. `None` if the pixels are more than [`Self::PIXELS_MAX`] or the scale is not
     /// positive. CSS variables are not resolved: take a light or dark theme.
     #[must_use]
     pub fn png(&self, scale: f64) -> Option<Vec<u8>> {
@@ -23,6 +26,9 @@ impl Picture {
         let options = Options { fontdb: Arc::new(fonts), font_family: FONT_FAMILY.to_owned(), ..Options::default() };
         let tree = Tree::from_str(&self.svg, &options).ok()?;
         let (width, height) = (side(self.width * scale)?, side(self.height * scale)?);
+        if u64::from(width) * u64::from(height) > Self::PIXELS_MAX {
+            return None;
+        }
         let mut pixels = Pixmap::new(width, height)?;
         // To the last pixel: a fraction of one at an edge would show as a line.
         #[expect(clippy::cast_precision_loss, reason = "a side has few digits")]
@@ -32,7 +38,7 @@ impl Picture {
     }
 }
 
-/// Longest side of a picture in pixels; four times this squared is the memory it takes.
+/// Longest side of a picture in pixels.
 const SIDE_MAX: f64 = 16_000.0;
 
 fn side(pixels: f64) -> Option<u32> {

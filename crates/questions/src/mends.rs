@@ -55,6 +55,9 @@ const EFFORT: usize = 400_000;
 /// Fine steps of a search at least and at most.
 const STEPS: [usize; 2] = [40, 400];
 
+/// Work of an instant of the loads on the flange by that of an instant of the cycle.
+const FLANGE_SHARE: f64 = 0.05;
+
 /// The longest cycle: some hundred rankings of a longer one would keep the user waiting for more than a second.
 pub const GEARING_INSTANTS_MOST: usize = 10_000;
 
@@ -65,7 +68,9 @@ pub const GEARING_INSTANTS_MOST: usize = 10_000;
 /// [`Refusal::Stopped`] where it was cancelled.
 pub fn mends(project: &Project, patience: &Patience) -> Result<Vec<Mend>, Refusal> {
     let instants = project.axis.instants();
-    if instants > GEARING_INSTANTS_MOST {
+    let [on_flange, recorded] = project.axis.flange_instants();
+    #[allow(clippy::cast_precision_loss, reason = "a count far below 2^52")]
+    if instants as f64 + FLANGE_SHARE * (on_flange + recorded) > GEARING_INSTANTS_MOST as f64 {
         return Ok(Vec::new());
     }
     let here = Ranked::of(project, patience)?;

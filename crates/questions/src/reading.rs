@@ -12,6 +12,7 @@ mod stage_tests;
 use crate::list::Cost;
 use crate::patience::{Patience, Stopped};
 use crate::sizing_use::{Refusal, Rejected, size_watched};
+use crate::tolerance::Draw;
 use project::{Diagnostic, Files, Grant, Project, RatioAnswer};
 use quantities::Language;
 use serde_json::Value;
@@ -55,7 +56,9 @@ pub fn read_all_watched(text: &str, files: &dyn Files, patience: &Patience) -> R
     let refused = Cell::new(None);
     let choose = |ratios: &[f64], with: &dyn Fn(f64) -> Option<Project>| {
         let first = ratios.iter().find_map(|ratio| with(*ratio)).filter(|_| !patience.is_limited());
-        let quick = first.map_or(Ok(()), |first| Cost::Other.is_quick_for(&first, ratios.len()));
+        // The work comes before that of the question itself.
+        let ranking = Cost::Ranking { complete: 0, draw: Draw::default() };
+        let quick = first.map_or(Ok(()), |first| ranking.is_quick_for(&first, ratios.len()));
         let found = quick.and_then(|()| best_ratio(ratios, with, patience).map_err(Refusal::from));
         found.unwrap_or_else(|refusal| {
             refused.set(Some(refusal));

@@ -20,8 +20,8 @@ use words::{Word, simulation};
 /// So many steps are run where the call states no time limit: about ten seconds on one core.
 pub(crate) const STEPS_MOST: u64 = 50_000_000;
 
-/// So many rows of a course are kept.
-pub(crate) const ROWS_MOST: u64 = 2_000_000;
+/// Rows of a course that are kept: some two hundred bytes each.
+pub(crate) const ROWS_MOST: u64 = 1_000_000;
 
 /// The largest voltage of a DC link that is assumed where the project states none \[V\].
 const SUPPLY_USUAL_V: f64 = 560.0;
@@ -126,6 +126,23 @@ pub(crate) struct Judged {
     pub(crate) verdict: Verdict,
 }
 
+/// Cycles that the settled state takes besides, and those of days of operation: two at each of three temperatures, and the settled state.
+const WARM_CYCLES: u32 = 8;
+const DAYS_CYCLES: u32 = 14;
+
+/// Steps of a run at least, known before the actuator is.
+pub(crate) fn steps_least(project: &Project, cycles: u32, cold: bool, days: bool) -> u64 {
+    let besides = if cold { 0 } else { WARM_CYCLES } + if days { DAYS_CYCLES } else { 0 };
+    let cycle = Measure::si(project.axis.motion.duration()) * twin::CURRENT_RATE_HZ * f64::from(twin::SUBSTEPS_USUAL);
+    #[allow(
+        clippy::cast_possible_truncation,
+        clippy::cast_sign_loss,
+        reason = "a count; beyond its range there are too many"
+    )]
+    let steps = (cycle * (f64::from(cycles) + f64::from(besides))) as u64;
+    steps
+}
+
 /// The result of a part of the twin that polls whether it goes on; the caller may cancel it.
 fn watched<T>(
     patience: &Patience,
@@ -159,11 +176,16 @@ pub(crate) fn simulate<'p>(
     }
     let twin = Twin::new(&setup)?;
     // The settled state takes some cycles more.
-    let warm_cycles =
-        if wanted.scenario.cold { 0 } else { 8 * twin.steps() / u64::from(wanted.scenario.cycles.max(1)) };
-    // Days of operation take two cycles at each of three temperatures, and the settled state too.
-    let of_days =
-        if wanted.operation.is_some() { 14 * twin.steps() / u64::from(wanted.scenario.cycles.max(1)) } else { 0 };
+    let warm_cycles = if wanted.scenario.cold {
+        0
+    } else {
+        u64::from(WARM_CYCLES) * twin.steps() / u64::from(wanted.scenario.cycles.max(1))
+    };
+    let of_days = if wanted.operation.is_some() {
+        u64::from(DAYS_CYCLES) * twin.steps() / u64::from(wanted.scenario.cycles.max(1))
+    } else {
+        0
+    };
     let steps = twin.steps().saturating_add(warm_cycles).saturating_add(of_days);
     if refuses_long && steps > STEPS_MOST {
         return Err(NotRun::Steps(steps));

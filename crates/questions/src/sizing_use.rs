@@ -124,7 +124,7 @@ pub enum Refusal {
     TooLong {
         /// Samples in use.
         samples: usize,
-        /// At most; half as many under a load that hangs on the position or has losses.
+        /// At most under a load such as theirs.
         most: usize,
         /// How long those take, about \[s\].
         seconds: usize,

@@ -232,11 +232,17 @@ impl Axis {
         self.trace.instants()
     }
 
-    /// The samples of its long recordings, and what they cost: those under a load that hangs on the position or has losses count
-    /// twice.
+    /// The samples of its long recordings, and their work: those under a load that depends on the position or has losses count twice,
+    /// more if the equations of the load take longer, and a little more if the loads on the flange follow from the mechanism.
     #[must_use]
     pub fn samples(&self) -> [usize; 2] {
-        self.trace.samples()
+        /// Instants of the flange that take as long as a sample, for all bearings of the catalogue.
+        const A_SAMPLE: f64 = 32.0;
+        let [samples, work] = self.trace.samples();
+        let [_, on_flange] = self.flange_instants();
+        #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a count far below 2^52")]
+        let on_flange = (on_flange / A_SAMPLE) as usize;
+        [samples, if samples == 0 { 0 } else { work + on_flange }]
     }
 
     /// The ranges of the closed swings of a cycle \[rad\]; only the output bearing needs them.

@@ -223,12 +223,13 @@ impl Axis {
 }
 
 impl Axis {
-    /// Number of instants at which the loads on the flange are found in one walk over the cycle, for one bearing; zero where none follow
-    /// from the mechanism. Cuts at reversals and changes of sign are not counted.
+    /// Number of instants at which the loads on the flange are found in one walk over the cycle, for one bearing: those of motion laws and
+    /// those of recordings, times [`mechanism::Mechanism::evaluation_cost`]; zero where none follow from the mechanism. Cuts at reversals
+    /// and changes of sign are not counted.
     #[must_use]
-    pub fn flange_instants(&self) -> f64 {
-        let Some(duty) = self.bearing.as_ref().filter(|duty| duty.forces_known(self).is_ok()) else { return 0.0 };
-        let Some(derived) = &duty.derived else { return 0.0 };
+    pub fn flange_instants(&self) -> [f64; 2] {
+        let Some(duty) = self.bearing.as_ref().filter(|duty| duty.forces_known(self).is_ok()) else { return [0.0; 2] };
+        let Some(derived) = &duty.derived else { return [0.0; 2] };
         let walk = Walk::of(self, duty, derived, Length::from_si(0.0), 3.0);
         let of_piece = |piece: &Piece| {
             let parts = if piece.is_rest() { 0.0 } else { walk.parts(piece, piece.duration_s) };
@@ -245,7 +246,7 @@ impl Axis {
         };
         let pieces: f64 = self.motion.pieces().iter().map(of_piece).sum();
         let recordings: f64 = self.motion.recordings().iter().map(of_recording).sum();
-        pieces + recordings
+        [pieces, recordings].map(|instants| instants * self.mechanism.evaluation_cost())
     }
 }
 

@@ -286,7 +286,7 @@ impl Axis {
             clippy::cast_sign_loss,
             reason = "a count; what is out of range is clamped"
         )]
-        let instants = ((kept as f64 + self.flange_instants()) * AN_INSTANT) as usize;
+        let instants = ((kept as f64 + self.flange_instants().iter().sum::<f64>()) * AN_INSTANT) as usize;
         self.trace.found_anew().map(|samples| samples + instants)
     }
 

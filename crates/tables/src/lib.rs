@@ -32,5 +32,5 @@ pub use format::Format;
 pub use ical::calendar;
 pub use rows::Rows;
 pub use table::{Cell, Column, ColumnContent, Derived, Table};
-pub use trace::trace;
+pub use trace::{trace, trace_csv};
 pub use xlsx::{Front, SHEET_ROWS_MOST, xlsx};

@@ -1,5 +1,6 @@
 //! The course of a simulation as a table.
 
+use crate::csv::csv;
 use crate::define::column;
 use crate::rows::Rows;
 use crate::table::{ColumnContent, Table};
@@ -24,4 +25,26 @@ pub fn trace(samples: &[TwinSample], signals: &[&Signal], language: Language) ->
         rows: Rows::numbered(shown.len(), values),
         derived: Vec::new(),
     }
+}
+
+/// Rows of a piece of [`trace_csv`].
+const PIECE: usize = 4096;
+
+/// Writes the course of a run as CSV, piece by piece: the text of all of it takes more memory than the run.
+///
+/// # Errors
+/// Why a piece is not taken.
+pub fn trace_csv<E>(
+    samples: &[TwinSample],
+    signals: &[&Signal],
+    language: Language,
+    mut take: impl FnMut(&str) -> Result<(), E>,
+) -> Result<(), E> {
+    for (place, piece) in samples.chunks(PIECE).enumerate() {
+        let text = csv(&trace(piece, signals, language));
+        // The heading stands once.
+        let rows = if place == 0 { text.as_str() } else { text.split_once("\r\n").map_or("", |(_, rows)| rows) };
+        take(rows)?;
+    }
+    Ok(())
 }

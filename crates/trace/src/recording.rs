@@ -169,10 +169,21 @@ impl Strip {
         recorded_passes(&self.mechanism, &self.kinks, &self.placed) as usize
     }
 
-    /// What it costs, in samples under a load that makes every interval a straight one: others take about twice as long.
+    /// Work of a pass over it, in samples under a load that makes every interval a straight one: others take about twice as long, and longer
+    /// if the equations of the load do.
+    #[allow(
+        clippy::cast_possible_truncation,
+        clippy::cast_sign_loss,
+        clippy::cast_precision_loss,
+        reason = "a count far below 2^52"
+    )]
     pub(super) fn cost(&self) -> usize {
         let samples = self.placed.recorded.len() + self.kinks_passed();
-        if self.straight().is_some() { samples } else { 2 * samples }
+        if self.straight().is_some() {
+            samples
+        } else {
+            (2.0 * self.mechanism.evaluation_cost() * samples as f64) as usize
+        }
     }
 
     /// The load where it makes every interval a straight one.

@@ -33,7 +33,7 @@ pub use identify::{
 pub use parameters::{MeasuredLoad, Model, NoSuchParameter, Parameter, Parameters};
 pub use plant::Energies;
 pub use scenario::{Event, EventKind, Failed, Reaction, Scenario, ScenarioId};
-pub use setup::{Fault, Setup, Supply, Switches};
+pub use setup::{Fault, SUBSTEPS_USUAL, Setup, Supply, Switches};
 pub use summary::Summary;
 pub use twin::{Reading, Sample, Twin};
 pub use warm::settled;

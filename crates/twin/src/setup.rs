@@ -106,7 +106,7 @@ pub struct Setup<'a> {
 pub(crate) const SUPPLY_USUAL_V: f64 = 560.0;
 
 /// Steps of the solver in one period of the current loop, unless stated: 10.4 µs each.
-pub(crate) const SUBSTEPS_USUAL: u32 = 6;
+pub const SUBSTEPS_USUAL: u32 = 6;
 
 /// More steps in one period gain nothing and cost time.
 pub(crate) const SUBSTEPS_MOST: u32 = 1000;

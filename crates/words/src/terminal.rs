@@ -98,7 +98,9 @@ texts! {
     png_needs_a_file =
         "--png requires a file name: a PNG is not written to standard output"
         | "--png erfordert einen Dateinamen: ein PNG wird nicht auf die Standardausgabe geschrieben";
-    picture_too_large = "the picture is too large for a PNG" | "das Bild ist zu groß für ein PNG";
+    picture_too_large(most) =
+        "the picture has more than {most} million pixels: reduce its size, or write it as SVG"
+        | "das Bild hat mehr als {most} Millionen Pixel: Größe verringern oder als SVG schreiben";
     several_axes(names) =
         "the project has several axes; select one with --axis: {names}"
         | "das Projekt hat mehrere Achsen; eine mit --axis wählen: {names}";
@@ -145,8 +147,8 @@ texts! {
         "{asked} samples of these tolerances take more than about ten seconds; by default at most {most} are evaluated: state fewer with --samples, or a time limit with --deadline"
         | "{asked} Stichproben dieser Toleranzen dauern länger als etwa zehn Sekunden; ohne Angabe werden höchstens {most} ausgewertet: mit --samples weniger oder mit --deadline eine Zeitgrenze angeben";
     too_long(samples, most, seconds) =
-        "{samples} samples of recordings take more than about {seconds} seconds; by default at most {most} are read, half as many if the load depends on the position or has losses: state a time limit with --deadline, or use fewer samples with from and to"
-        | "{samples} Abtastwerte von Aufzeichnungen dauern länger als etwa {seconds} Sekunden; ohne Angabe werden höchstens {most} gelesen, halb so viele bei positionsabhängiger oder verlustbehafteter Last: mit --deadline eine Zeitgrenze angeben oder mit from und to weniger Abtastwerte verwenden";
+        "{samples} samples of recordings take more than about {seconds} seconds; by default at most {most} are evaluated for such a load: state a time limit with --deadline, or use fewer samples with from and to"
+        | "{samples} Abtastwerte von Aufzeichnungen dauern länger als etwa {seconds} Sekunden; ohne Angabe werden bei einer solchen Last höchstens {most} ausgewertet: mit --deadline eine Zeitgrenze angeben oder mit from und to weniger Abtastwerte verwenden";
     too_many_axes(axes, seconds) =
         "{axes} axes together take more than about {seconds} seconds: select one with --axis, or state a time limit with --deadline"
         | "{axes} Achsen dauern zusammen länger als etwa {seconds} Sekunden: mit --axis eine wählen oder mit --deadline eine Zeitgrenze angeben";

@@ -9,6 +9,7 @@ use questions::list::{
 };
 use questions::{Refusal, Rejected};
 use std::borrow::Cow;
+use std::convert::Infallible;
 use tables::{Format, Front, Subject};
 use words::{requests, simulation, terminal};
 
@@ -133,15 +134,22 @@ fn simulated(asked: &Asked<'_>, _: &dyn Shell) -> Result<Reply, Unanswered> {
     };
     let (_, project) = asked.axis(args.axis.as_deref(), Cost::Other)?;
     let run = args.simulated(&project, asked, true)?;
-    let table = tables::trace(&run.course, &args.signals, language);
     let (media, bytes) = match format {
         Format::Parquet => {
-            let bytes = tables::parquet(&table).map_err(|error| Unanswered::message(error.message(language)))?;
-            (media::PARQUET, bytes)
+            let bytes = tables::parquet(&tables::trace(&run.course, &args.signals, language));
+            (media::PARQUET, bytes.map_err(|error| Unanswered::message(error.message(language)))?)
         }
-        Format::Csv | Format::Json | Format::Workbook => (media::CSV, tables::csv(&table).into_bytes()),
+        Format::Csv | Format::Json | Format::Workbook => {
+            let mut bytes = Vec::new();
+            let rows = |rows: &str| {
+                bytes.extend_from_slice(rows.as_bytes());
+                Ok::<_, Infallible>(())
+            };
+            let Ok(()) = tables::trace_csv(&run.course, &args.signals, language, rows);
+            (media::CSV, bytes)
+        }
     };
-    Ok(Reply::of(200, media, bytes).saved_as(&format!("{}.{}", table.name, format.ending())))
+    Ok(Reply::of(200, media, bytes).saved_as(&format!("trace.{}", format.ending())))
 }
 
 fn tabled(asked: &Asked<'_>, shell: &dyn Shell) -> Result<Reply, Unanswered> {

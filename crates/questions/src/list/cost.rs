@@ -23,6 +23,10 @@ pub enum Cost {
     },
     /// A report.
     Report,
+    /// A workbook, or a table other than the time course.
+    Workbook,
+    /// The time course as a table.
+    Course,
     /// Anything else.
     Other,
 }
@@ -32,16 +36,17 @@ impl Cost {
     const fn seconds(self) -> usize {
         match self {
             Self::Ranking { .. } | Self::Check { .. } => 5,
-            Self::Report | Self::Other => 10,
+            Self::Report | Self::Workbook | Self::Course | Self::Other => 10,
         }
     }
 
-    /// The samples of recordings that are looked at within it, of all axes together; those under a load that hangs on the
-    /// position or has losses count twice.
+    /// The samples of recordings that are looked at within it, of all axes together, in the measure of [`sizing::Axis::samples`].
     #[must_use]
     pub const fn samples(self) -> usize {
         match self {
-            Self::Ranking { .. } | Self::Check { .. } | Self::Report => 1 << 21,
+            // A workbook has the candidates by every check.
+            Self::Workbook => 1 << 20,
+            Self::Ranking { .. } | Self::Check { .. } | Self::Report | Self::Course => 1 << 21,
             Self::Other => 1 << 22,
         }
     }
@@ -52,24 +57,24 @@ impl Cost {
         match self {
             Self::Report => 50.0,
             Self::Ranking { complete, .. } => 500.0 / (1.0 + complete.min(300) as f64 / 60.0),
-            Self::Check { .. } | Self::Other => 500.0,
+            Self::Check { .. } | Self::Workbook | Self::Course | Self::Other => 500.0,
         }
     }
 
     /// The share of that time which an axis takes.
     #[allow(clippy::cast_precision_loss, reason = "counts far below 2^52")]
     fn share(self, project: &Project) -> f64 {
-        let [recorded, samples] = project.axis.samples();
-        let nodes = project.axis.instants().saturating_sub(recorded);
+        let [_, samples] = project.axis.samples();
+        let nodes = instants_of(project);
         let (instants, tolerances) = match self {
             Self::Ranking { complete, draw } => {
                 (INSTANTS_MOST, work::share(project, complete.min(ASSESSED_MOST), draw))
             }
             Self::Check { draw } => (INSTANTS_MOST, work::share(project, 1, draw)),
             Self::Report => (INSTANTS_MOST, work::share(project, 1, Draw::default())),
-            Self::Other => (2.0 * INSTANTS_MOST, 0.0),
+            Self::Workbook | Self::Course | Self::Other => (2.0 * INSTANTS_MOST, 0.0),
         };
-        1.0 / self.axes() + samples as f64 / self.samples() as f64 + nodes as f64 / instants + tolerances
+        1.0 / self.axes() + samples as f64 / self.samples() as f64 + nodes / instants + tolerances
     }
 
     /// What an answer about an axis takes at most, about, on one core: seconds, and bytes of the process.
@@ -99,11 +104,19 @@ impl Cost {
     /// # Errors
     /// [`Refusal::TooLong`] for recordings, [`Refusal::TooManyAxes`] for several axes that take longer together. What a single
     /// axis is besides its recordings is bounded where it is read.
+    #[allow(
+        clippy::cast_precision_loss,
+        clippy::cast_possible_truncation,
+        clippy::cast_sign_loss,
+        reason = "counts far below 2^52"
+    )]
     pub fn is_quick<'p>(self, projects: impl IntoIterator<Item = &'p Project> + Clone) -> Result<(), Refusal> {
         let (most, seconds) = (self.samples(), self.seconds());
         let each = projects.clone().into_iter().map(|project| project.axis.samples());
         let [samples, cost] = each.fold([0; 2], |[samples, cost], [a, b]| [samples + a, cost + b]);
         if cost > most {
+            // For loads such as these.
+            let most = (most as f64 * samples as f64 / cost as f64) as usize;
             return Err(Refusal::TooLong { samples, most, seconds });
         }
         let shares: Vec<f64> = projects.into_iter().map(|project| self.share(project)).collect();
@@ -113,6 +126,16 @@ impl Cost {
         }
         Ok(())
     }
+}
+
+/// The instants of an axis without its recordings, with those of the loads on its flange: an instant there costs less, since of all
+/// actuators only those with another bearing look at it again.
+#[allow(clippy::cast_precision_loss, reason = "a count far below 2^52")]
+fn instants_of(project: &Project) -> f64 {
+    const ON_THE_FLANGE: f64 = 1.0 / 64.0;
+    let [recorded, _] = project.axis.samples();
+    let [on_flange, _] = project.axis.flange_instants();
+    project.axis.instants().saturating_sub(recorded) as f64 + ON_THE_FLANGE * on_flange
 }
 
 #[cfg(test)]

@@ -57,7 +57,8 @@ impl Args {
     pub fn axis(&self, asked: &Asked<'_>) -> Result<Axis, Unanswered> {
         let axes = asked.axes_of(asked.source()?, self.axis.as_deref())?;
         let axis = asked.only(axes, |names| terminal::export_is_of_one_axis(&names, asked.language))?;
-        asked.within(Cost::Other, [&axis])?;
+        let cost = if self.table.as_deref() == Some("course") { Cost::Course } else { Cost::Workbook };
+        asked.within(cost, [&axis])?;
         Ok(axis)
     }
 }

@@ -3,14 +3,14 @@
 use super::given::{arguments, by_id, count, flag, number, some, some_code_among, text, word};
 use super::plot::{HEIGHT, THEME, WIDTH};
 use super::{
-    AXIS, Answer, Argument, ArgumentKind, Asked, Cost, Entry, Given, Gives, OutputFile, Reads, Record, Unanswered,
-    argument, media,
+    AXIS, Answer, Argument, ArgumentKind, Asked, Axis, Cost, Entry, Given, Gives, OutputFile, Reads, Record,
+    Unanswered, argument, media,
 };
 use crate::answer;
 use crate::chapters::{read_hours, read_quantity};
 use crate::patience::Patience;
 use crate::signal::Signal;
-use crate::simulate::{NotRun, ROWS_MOST, STEPS_MOST, Simulated, Wanted, simulate};
+use crate::simulate::{NotRun, ROWS_MOST, STEPS_MOST, Simulated, Wanted, simulate, steps_least};
 use feedback::Failure;
 use order_code::OrderCode;
 use project::Project;
@@ -119,7 +119,7 @@ pub static ENTRY: Entry = Entry {
 /// # Errors
 /// Faults of project and arguments; why nothing is simulated.
 pub fn record(args: &Args, asked: &Asked<'_>) -> Result<Answer, Unanswered> {
-    let axes = asked.axes(args.axis.as_deref(), Cost::Other)?;
+    let axes = args.axes(asked)?;
     asked.record_of_each(&axes, |project| {
         let found = args.simulated(project, asked, false)?;
         Ok((answer::simulation(&found, asked.language), answers::Fit::of(found.fits())))
@@ -130,6 +130,28 @@ pub fn record(args: &Args, asked: &Asked<'_>) -> Result<Answer, Unanswered> {
 const ROWS_USUAL_S: f64 = 1e-3;
 
 impl Args {
+    /// The axes that are simulated. The steps of all of them together are counted before the first is judged.
+    ///
+    /// # Errors
+    /// Faults of the project; more steps than are run without a time limit.
+    pub fn axes(&self, asked: &Asked<'_>) -> Result<Vec<Axis>, Unanswered> {
+        let axes = asked.axes(self.axis.as_deref(), Cost::Other)?;
+        let of = |(_, project): &Axis| {
+            let stated = &project.twin.scenario;
+            let cold = self.cold || stated.cold || self.scenario.unwrap_or(stated.id) == ScenarioId::ColdGrease;
+            steps_least(project, self.cycles(project), cold, self.days.is_some())
+        };
+        let steps = axes.iter().map(of).fold(0, u64::saturating_add);
+        if asked.refuses_long && steps > STEPS_MOST {
+            return Err(Unanswered::message(said(&NotRun::Steps(steps), asked.language)));
+        }
+        Ok(axes)
+    }
+
+    fn cycles(&self, project: &Project) -> u32 {
+        self.cycles.unwrap_or_else(|| project.twin.scenario.cycles.max(1))
+    }
+
     /// The run; with its course where that is written.
     ///
     /// # Errors
@@ -177,7 +199,7 @@ impl Args {
                 at_s: self.at.map(Time::si).or(stated.at_s),
                 reaction: self.reaction.unwrap_or(stated.reaction),
                 failure: self.failure.or(stated.failure),
-                cycles: self.cycles.unwrap_or_else(|| stated.cycles.max(1)),
+                cycles: self.cycles(project),
                 cold: self.cold || stated.cold,
             },
             seed: self.seed as u64,

@@ -16,13 +16,20 @@ pub(super) const FOR_CORNERS: f64 = 1e6;
 /// An instant of a cycle whose load does not depend on the position is made this much faster.
 const PLAIN: f64 = 0.2;
 
+/// Work of an instant at which the loads on the flange are found for one bearing.
+const ON_THE_FLANGE: f64 = 0.15;
+
+/// Bearings of the actuators that are judged for a variant: neighbours in a ranking share theirs.
+const BEARINGS: usize = 4;
+
 /// Work to make one variant of the axis and to judge some actuators for it: each looks at all blocks of the cycle and into
 /// some of them.
 #[allow(clippy::cast_precision_loss, reason = "counts far below 2^52")]
 pub(super) fn cost_of_a_variant(project: &Project, actuators: usize) -> f64 {
     let instants = project.axis.instants() as f64;
     let made = if project.axis.mechanism.depends_on_position() { instants } else { PLAIN * instants };
-    1.5 * made + actuators as f64 * (10.0 + 0.125 * instants)
+    let flange: f64 = project.axis.flange_instants().iter().sum();
+    1.5 * made + actuators as f64 * (10.0 + 0.125 * instants) + ON_THE_FLANGE * flange * actuators.min(BEARINGS) as f64
 }
 
 /// Limit of the work while the user types: up to a second.
