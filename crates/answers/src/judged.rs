@@ -92,9 +92,10 @@ pub struct Reserve {
 pub struct NotSought {
     /// The fields beside this one that are `null` for it.
     pub quantities: Vec<&'static str>,
-    /// How many samples each step would look at.
+    /// Work of each search step: recorded samples whose load is found anew, with a quarter of the instants of motion laws and of the
+    /// loads on the flange.
     pub samples: usize,
-    /// How many it may without `--deadline`.
+    /// Largest such work without `--deadline`.
     pub most: usize,
     /// The same in words.
     pub text: String,

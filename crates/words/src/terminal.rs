@@ -122,11 +122,11 @@ texts! {
     would_fit_with_this_asked_for = "would fit if the limit of the project were" | "wäre geeignet mit dieser Grenze des Projekts";
     not_sought = "not searched" | "nicht gesucht";
     load_and_pace_not_sought(samples, most) =
-        "other loads and cycle times: each search step would have to recompute the load of {samples} samples; above {most} samples this is done only if check, size or report is given a time limit with --deadline"
-        | "andere Lasten und Zykluszeiten: jeder Suchschritt müsste die Last von {samples} Abtastwerten neu berechnen; über {most} Abtastwerte geschieht dies nur, wenn bei check, size oder report mit --deadline eine Zeitgrenze angegeben ist";
+        "other loads and cycle times: each search step would have to recompute loads equivalent to {samples} recorded samples; above {most} this is done only if check, size or report is given a time limit with --deadline"
+        | "andere Lasten und Zykluszeiten: jeder Suchschritt müsste Lasten im Umfang von {samples} Abtastwerten neu berechnen; über {most} geschieht dies nur, wenn bei check, size oder report mit --deadline eine Zeitgrenze angegeben ist";
     load_not_sought(samples, most) =
-        "other loads: each search step would have to recompute the load of {samples} samples; above {most} samples this is done only if check, size or report is given a time limit with --deadline"
-        | "andere Lasten: jeder Suchschritt müsste die Last von {samples} Abtastwerten neu berechnen; über {most} Abtastwerte geschieht dies nur, wenn bei check, size oder report mit --deadline eine Zeitgrenze angegeben ist";
+        "other loads: each search step would have to recompute loads equivalent to {samples} recorded samples; above {most} this is done only if check, size or report is given a time limit with --deadline"
+        | "andere Lasten: jeder Suchschritt müsste Lasten im Umfang von {samples} Abtastwerten neu berechnen; über {most} geschieht dies nur, wenn bei check, size oder report mit --deadline eine Zeitgrenze angegeben ist";
     payload_factor(factor) = "payload × {factor}" | "Nutzlast × {factor}";
     load_factor(factor) = "all masses and inertias × {factor}" | "alle Massen und Trägheitsmomente × {factor}";
     cycle_time(time) = "cycle time {time} s" | "Zykluszeit {time} s";
