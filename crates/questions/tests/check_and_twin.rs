@@ -114,7 +114,7 @@ fn a_winding_of_48_volt_runs_at_its_printed_supply() {
     let project = questions::read(text).unwrap();
     let code = "CHA-17A-50-E-RES";
     let judged = check(&project, &order_code::parse(code).unwrap().code).unwrap();
-    assert!(judged.fits(), "{:?}", judged.worst_failure().map(|check| check.id));
+    assert!(judged.fits(), "{:?}", judged.judgement.worst_failure().map(|check| check.id));
     let (record, fits) = simulated(text, code);
     assert!(fits, "{} {}", record["verdicts"], record["events"]);
 }

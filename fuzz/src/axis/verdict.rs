@@ -39,22 +39,22 @@ pub(crate) fn candidate(candidate: &Candidate<'_>) {
 /// At the reserve the actuator still fits, beyond it no longer: shown on the project with that value written into it.
 pub(super) fn reserve(case: &Case<'_>, code: &OrderCode, judged: &Candidate<'_>) {
     let reserve = reserve_of(case.project, judged);
-    let factors = [reserve.load_factor, reserve.payload_factor];
+    let factors = [reserve.load_factor, reserve.payload_factor].map(|factor| factor.map(|reach| reach.value));
     assert!(factors.iter().flatten().all(|factor| factor.is_finite() && *factor > 0.0), "{reserve:?}");
-    assert!(reserve.cycle_time.is_none_or(|time| time.si().is_finite() && time.si() > 0.0), "{reserve:?}");
+    assert!(reserve.cycle_time.is_none_or(|time| time.value.si().is_finite() && time.value.si() > 0.0), "{reserve:?}");
     // One axis without a choice of ratios: a change of the load does not change what is judged.
     if case.text.contains("[[axis]]") || case.text.contains("ratios") {
         return;
     }
     if let Some(ambient) = reserve.ambient {
-        let degrees = ambient.si() - 273.15;
+        let degrees = ambient.value.si() - 273.15;
         let at = |degrees: f64| fits_with(case, code, "ambient", &format!("{degrees} degC"));
         if let Some(below) = at(degrees - 1e-6) {
             assert!(below, "{code} does not fit at its highest ambient temperature of {degrees} °C");
         }
-        // The search ends at 80 °C.
+        // The search ends at 80 °C; the reserve is rounded down to four digits.
         if degrees < 79.9
-            && let Some(above) = at(degrees + 1e-3)
+            && let Some(above) = at(degrees + 0.02)
         {
             assert!(!above, "{code} fits above its highest ambient temperature of {degrees} °C");
         }
@@ -63,7 +63,7 @@ pub(super) fn reserve(case: &Case<'_>, code: &OrderCode, judged: &Candidate<'_>)
         return;
     }
     let inertia = inputs(case.text).into_iter().find(|input| input.path == "load.inertia");
-    if let (Some(factor), Some((inertia, unit))) = (reserve.load_factor, inertia.and_then(|input| input.amount)) {
+    if let (Some(factor), Some((inertia, unit))) = (reserve.load_factor.map(|reach| reach.value), inertia.and_then(|input| input.amount)) {
         let at = |factor: f64| fits_with(case, code, "inertia", &format!("{} {}", inertia * factor, unit.ascii));
         assert!(at(factor * (1.0 - 1e-6)) != Some(false), "{code} does not fit at {factor} times its load");
         assert!(at(factor * 1.01) != Some(true), "{code} fits beyond {factor} times its load");
