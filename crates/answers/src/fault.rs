@@ -11,6 +11,7 @@ pub struct Faults {
     pub errors: Vec<Fault>,
     /// The nearest valid codes, where a wrong ordering code is among the faults.
     #[serde(skip_serializing_if = "Vec::is_empty")]
+    #[schemars(default)]
     pub nearest_codes: Vec<ListedCode>,
 }
 

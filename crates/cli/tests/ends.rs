@@ -66,7 +66,7 @@ fn start(folder: &Path, call: &[&str], deadline: &str) -> Child {
     command.stdout(Stdio::piped()).stderr(Stdio::piped()).stdin(Stdio::null()).spawn().unwrap()
 }
 
-/// Nothing that a call began to write is there after its end. A sweep keeps what it has answered, to go on from there.
+/// No file that a call began to write outlives it. A sweep keeps its finished answers, from which it continues.
 fn nothing_is_left(folder: &Path, call: &[&str]) {
     if call.first() == Some(&"sweep") {
         return;

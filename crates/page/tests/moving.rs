@@ -91,7 +91,7 @@ fn work_that_ends_early_takes_the_change_and_leaves_the_result_in_its_place() {
         let reply = ask("/work", &fields, &patience);
         assert!(reply.headers.contains(&("hx-reswap", String::from("none"))), "{:?}", reply.headers);
         let html = String::from_utf8(reply.body).unwrap();
-        assert!(html.contains(words) && html.contains("from before the change") && html.contains("id=\"again\""));
+        assert!(html.contains(words) && html.contains("the one before the change") && html.contains("id=\"again\""));
         assert!(text_in(&html).contains("mass = \"21 kg\""), "the change is kept");
         assert!(
             !html.contains("id=\"plot-cycle\"") && !html.contains("id=\"demands\""),

@@ -32,7 +32,7 @@ fn a_changed_field_changes_text_and_verdict_and_leaves_the_rest() {
     assert!(html.contains("# carriage and gripper") && html.contains("276 actuators evaluated"));
     whole(&html);
     let heavy = page(&post("/work", &[("text", &text), ("path", "mechanism.belt.mass"), ("value", "6000 kg")]));
-    assert!(heavy.contains("No actuator of the catalogue fits"));
+    assert!(heavy.contains("No actuator in the catalogue fits"));
 }
 
 #[test]
@@ -107,7 +107,7 @@ fn what_is_refused_unasked_is_told_as_that_and_not_as_stopped() {
          {moves}[requirements]\nsupply = \"560 V\"\nambient = \"30 degC\"\n"
     );
     let html = page(&post("/work", &[("text", &text)]));
-    assert!(html.contains("16 ratios") && !html.contains("was cancelled"), "{}", &html[..2000.min(html.len())]);
+    assert!(html.contains("16 stage ratios") && !html.contains("was cancelled"), "{}", &html[..2000.min(html.len())]);
     assert!(!html.contains("id=\"again\""), "the same question would be refused again");
 }
 

@@ -56,7 +56,7 @@ fn a_calculator_answers_with_number_source_grade_and_picture() {
     let code = "CHA-20A-100-H-C1024";
     let torsion = tool("torsion", code, &[("t_torque", "60 N m")]);
     assert!(torsion.contains("under 60.00 Nm, stiffness region 3") && torsion.contains("<svg"), "{torsion}");
-    assert!(torsion.contains("Hysteresis loss: at most 1.00 arcmin (printed, table 54.1"), "{torsion}");
+    assert!(torsion.contains("Hysteresis loss: at most 1.00 arcmin (manufacturer data, table 54.1"), "{torsion}");
     let back = tool("torsion", code, &[("t_torque", ""), ("t_angle", "1 arcmin")]);
     assert!(back.contains("1.00 arcmin"), "{back}");
     let curve = tool("curve", code, &[("t_voltage", "220 V")]);
@@ -146,7 +146,7 @@ fn what_a_drive_is_told_comes_as_its_files() {
 fn measured_values_are_judged_as_they_are_typed() {
     let code = "CHA-25A-100-H-M512P-B";
     let blank = tool("record", code, &[]);
-    assert!(blank.contains("0 off, 15 not checked") && blank.contains("3.33 to 4.07"), "{blank}");
+    assert!(blank.contains("0 out of tolerance, 15 not checked") && blank.contains("3.33 to 4.07"), "{blank}");
     let text = "# mine\nformat = 1\n";
     let typed = |more: &[(&str, &str)]| {
         let mut fields = vec![("t_text", text), ("t_was", text)];
@@ -160,7 +160,7 @@ fn measured_values_are_judged_as_they_are_typed() {
         ),
         "{html}"
     );
-    assert!(html.contains("1 off") && html.contains("class=\"fail\""), "{html}");
+    assert!(html.contains("1 out of tolerance") && html.contains("class=\"fail\""), "{html}");
     let html = typed(&[("t_winding.temperature", "22 degC"), ("t_winding.resistance_ll", "9")]);
     assert!(
         row(&html, "winding.resistance_ll").contains("the unit is missing") && html.contains("class=\"old\""),

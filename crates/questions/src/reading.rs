@@ -65,8 +65,10 @@ pub fn read_all_watched(text: &str, files: &dyn Files, patience: &Patience) -> R
             None
         })
     };
-    let read = Project::read_all(text, &Cancellable { files, patience }, &choose);
-    let stopped = || (read.is_err() && patience.is_over()).then(|| Refusal::from(Stopped));
+    let cancellable = Cancellable { files, patience, opened: Cell::new(false) };
+    let read = Project::read_all(text, &cancellable, &choose);
+    // Only the reading of a file can be cut short; the faults of a text alone are complete.
+    let stopped = || (read.is_err() && cancellable.opened.get() && patience.is_over()).then(|| Refusal::from(Stopped));
     refused
         .take()
         .or_else(stopped)
@@ -77,10 +79,12 @@ pub fn read_all_watched(text: &str, files: &dyn Files, patience: &Patience) -> R
 struct Cancellable<'f> {
     files: &'f dyn Files,
     patience: &'f Patience,
+    opened: Cell<bool>,
 }
 
 impl Files for Cancellable<'_> {
     fn open(&self, name: &str) -> std::io::Result<Box<dyn Read>> {
+        self.opened.set(true);
         self.files.open(name)
     }
 

@@ -25,7 +25,7 @@ fn sweep(batch: &RecordBatch, wanted: Wanted) -> Sweep {
 fn a_table_is_answered_row_by_row() {
     let table = batch(vec![
         ("load.inertia [kg m^2]", Arc::new(Float64Array::from(vec![1.0, -1.0, 900.0])) as ArrayRef),
-        ("motion[1].time [ms]", Arc::new(Int64Array::from(vec![500, 500, 50]))),
+        ("motion[1].time [ms]", Arc::new(Int64Array::from(vec![500, 500, 1000]))),
         ("motion[1].law", Arc::new(StringArray::from(vec!["trapezoid", "polynomial_5", "trapezoid"]))),
     ]);
     let sweep = sweep(&table, Wanted::Best);

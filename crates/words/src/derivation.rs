@@ -286,7 +286,7 @@ const TERMS: &[(&str, &str, &str)] = &[
     ("resolution_out", "resolution at the output", "Auflösung am Abtrieb"),
     ("s", "deviation at the lever arm", "Abweichung am Hebelarm"),
     ("S_off", "force taken off the rope", "Entlastung des Seils"),
-    ("S_w", "weight on the rope", "Gewicht am Seil"),
+    ("S_w", "weight on the rope", "Gewichtskraft am Seil"),
     ("s_max", "permissible deviation", "zulässige Abweichung"),
     ("s_perm", "permissible step", "zulässiger Schritt"),
     ("T_av", "cubic mean torque", "kubisch gemitteltes Moment"),

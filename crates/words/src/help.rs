@@ -152,8 +152,8 @@ texts! {
         "With --svg or --png: motor, feedback (motor encoder, default) or output_encoder"
         | "Mit --svg oder --png: motor, feedback (Motorgeber, Vorgabe) oder output_encoder (Abtriebsgeber)";
     encoder =
-        "Signals and data words of the encoders of one actuator at an angle; decoding of a word"
-        | "Signale und Datenwörter der Geber eines Antriebs bei einem Winkel; Decodieren eines Worts";
+        "Encoder signals and data words at an angle; decoding of a word"
+        | "Signale und Datenwörter der Geber bei einem Winkel; Decodieren eines Worts";
     encoder_angle =
         "Angle of the motor shaft, clockwise seen from the front, such as \"30 deg\""
         | "Winkel der Motorwelle, rechtsdrehend von vorne gesehen, etwa \"30 deg\"";
@@ -254,8 +254,8 @@ texts! {
         "Project whose torques and flange loads are used instead of the limits"
         | "Projekt, dessen Drehmomente und Flanschlasten anstelle der Grenzwerte gelten";
     upkeep =
-        "Maintenance plan with dates for storage, maintenance, replacement, shutdown and disposal"
-        | "Wartungsplan mit Terminen für Lagerung, Wartung, Austausch, Stillsetzen und Entsorgung";
+        "Maintenance plan with dates, from storage to disposal"
+        | "Wartungsplan mit Terminen, von der Lagerung bis zur Entsorgung";
     upkeep_delivered = "Date of delivery, for example 2026-03-01" | "Lieferdatum, zum Beispiel 2026-03-01";
     upkeep_storage =
         "Storage before operation: a time such as \"1 a\" or \"6 months\", or the date on which it ends"

@@ -63,7 +63,9 @@ pub(super) fn reserve(case: &Case<'_>, code: &OrderCode, judged: &Candidate<'_>)
         return;
     }
     let inertia = inputs(case.text).into_iter().find(|input| input.path == "load.inertia");
-    if let (Some(factor), Some((inertia, unit))) = (reserve.load_factor.map(|reach| reach.value), inertia.and_then(|input| input.amount)) {
+    if let (Some(factor), Some((inertia, unit))) =
+        (reserve.load_factor.map(|reach| reach.value), inertia.and_then(|input| input.amount))
+    {
         let at = |factor: f64| fits_with(case, code, "inertia", &format!("{} {}", inertia * factor, unit.ascii));
         assert!(at(factor * (1.0 - 1e-6)) != Some(false), "{code} does not fit at {factor} times its load");
         assert!(at(factor * 1.01) != Some(true), "{code} fits beyond {factor} times its load");

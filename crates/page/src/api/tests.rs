@@ -74,7 +74,7 @@ fn every_fault_of_a_query_is_told_at_once_with_what_is_near() {
         .collect();
     let expected = [
         ("tpo", "did you mean `top`?"),
-        ("top", "valid is 1 to 65535"),
+        ("top", "valid range: 1 to 65535"),
         ("samples", "a whole number is expected"),
         ("all", "valid here: true, false"),
         ("lang", "valid here: en, de"),

@@ -19,19 +19,26 @@ class Sizing:
     axis: str
     """Name of the axis."""
     verdict: Fit
-    """Whether an actuator fits, the project's own included."""
+    """The verdict on the best, the project's own included."""
     answer: str | None = None
     """The best ordering code; `null` if none fits."""
     judged: int
     """How many actuators of the catalogue were judged."""
+    fit: int
+    """How many of them fit within every limit, verdict `fits`."""
+    fit_if_estimate: int
+    """How many others fit if an estimate holds, verdict `fits_if_estimate`."""
     fitting: int
-    """How many of them fit."""
+    """The sum of both."""
     rule: str
     """What the ranking goes by, in words."""
     ranking: list[Ranked]
     """The best that fit, in the requested number."""
     rejected: list[Rejection]
-    """Those that do not fit, the nearest first."""
+    """Those that do not fit, by what they miss by."""
+    nearest_miss: str | None = None
+    """Of those that do not fit the one that misses by least, among those that meet every requirement and are of the right class of
+voltage and place; `null` where there is none."""
     own: Assessed | None = None
     """The project's own actuator."""
     would_fit_with: list[WouldFit] | None = None
@@ -58,11 +65,12 @@ class Ranked:
     name: str | None = None
     """Name, of the project's own actuator."""
     verdict: Fit
-    """Whether nothing speaks against it."""
+    """The verdict on it."""
     utilisation: float | None
-    """Highest utilisation of all limits; 1 is the limit."""
+    """Utilisation of the governing check; 1 is the limit. `null` where it fails at a limit of zero or outside a range."""
     tightest: CheckId | None = None
-    """Id of the check that it belongs to; `null` if no check has a limit."""
+    """Id of the governing check: the failing one that is exceeded most; where none fails, the one with the highest utilisation.
+`null` if no check has a limit."""
     mass_kg: float | None = None
     """Mass in kg, the larger one where the print is in doubt."""
     on_request: list[str]
@@ -271,7 +279,7 @@ class Rejection:
     code: str
     """Its ordering code."""
     check: CheckId | None = None
-    """Id of the failing check that is exceeded most."""
+    """Id of the governing check: the failing one that is exceeded most; `null` where only objections speak against it."""
     value: float | None = None
     """Value of that check."""
     limit: float | None = None
@@ -279,9 +287,9 @@ class Rejection:
     unit: str | None = None
     """Unit of both."""
     utilisation: float | None = None
-    """Its utilisation; `null` where the limit is zero."""
+    """Its utilisation; `null` where the limit is zero or a range."""
     failing: list[CheckId]
-    """Ids of all failing checks."""
+    """Ids of all failing checks, in the order of the checks."""
     objections: list[str]
     """Requirements not met and rules broken, in words."""
 
@@ -295,11 +303,12 @@ class Assessed:
     name: str | None = None
     """Name, of the project's own actuator."""
     verdict: Fit
-    """Whether nothing speaks against it."""
+    """The verdict on it."""
     utilisation: float | None
-    """Highest utilisation of all limits; 1 is the limit."""
+    """Utilisation of the governing check; 1 is the limit. `null` where it fails at a limit of zero or outside a range."""
     tightest: CheckId | None = None
-    """Id of the check that it belongs to; `null` if no check has a limit."""
+    """Id of the governing check: the failing one that is exceeded most; where none fails, the one with the highest utilisation.
+`null` if no check has a limit."""
     mass_kg: float | None = None
     """Mass in kg, the larger one where the print is in doubt."""
     on_request: list[str]
@@ -325,11 +334,13 @@ class WouldFit:
     stated: bool
     """Whether the project states it; else it would be added."""
     value: float | None
-    """The value nearest to the stated one, rounded towards what fits."""
+    """The value of three digits nearest to the stated one with which an actuator fits."""
     unit: str
     """Its unit; `1` for a ratio."""
     code: str
     """The best ordering code with it."""
+    verdict: Fit
+    """The verdict on it."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -351,9 +362,9 @@ class StageRatio:
     answer: str | None = None
     """The best ordering code with it; `null` if none fits."""
     utilisation: float | None
-    """Highest utilisation of the best."""
+    """Utilisation of the governing check of the best, or of the nearest miss."""
     fitting: int
-    """How many fit."""
+    """How many fit, if only by an estimate."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -406,6 +417,8 @@ class Recording:
     """How many samples after the cut were left out."""
     columns: list[RecordedColumn]
     """The columns that were read."""
+    unused: list[str]
+    """Names of columns that hold a quantity by name or unit, and are not used."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -427,7 +440,7 @@ class AxesOfSizing:
     """The answers of several axes."""
 
     verdict: Fit
-    """Whether every axis fits."""
+    """The worst verdict of the axes."""
     axes: list[Sizing]
     """The answer of each axis."""
 
@@ -441,11 +454,12 @@ class Judgement:
     name: str | None = None
     """Name, of the project's own actuator."""
     verdict: Fit
-    """Whether nothing speaks against it."""
+    """The verdict on it."""
     utilisation: float | None
-    """Highest utilisation of all limits; 1 is the limit."""
+    """Utilisation of the governing check; 1 is the limit. `null` where it fails at a limit of zero or outside a range."""
     tightest: CheckId | None = None
-    """Id of the check that it belongs to; `null` if no check has a limit."""
+    """Id of the governing check: the failing one that is exceeded most; where none fails, the one with the highest utilisation.
+`null` if no check has a limit."""
     mass_kg: float | None = None
     """Mass in kg, the larger one where the print is in doubt."""
     on_request: list[str]
@@ -477,9 +491,10 @@ class Judgement:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Reserve:
-    """How far one thing may be changed, all others as they are, until the actuator just fits (or would fit); `null` where
-nothing within reach fits or everything does. The search walks in steps of 10 %, temperatures in steps of 5 K, and
-narrows the last step to 10⁻⁹ of it."""
+    """How far one thing may be changed, all others as they are, with the actuator still fitting (or with which it would fit);
+`null` where nothing within reach fits or everything does. Each value has four digits and is judged as it stands: with it no
+check fails, one step of the last digit further one does. The search walks in steps of 10 %, temperatures in steps of 5 K; a
+gap between two regions that fit is passed over where it is narrower."""
 
     limits: list[NeededLimit] | None = None
     """Only limits of the project keep the actuator out, and these values of their keys, rounded to four digits on the side
@@ -494,6 +509,8 @@ that suffices, all together would let it in."""
     """The ambient temperature."""
     units: Units
     """Units of the latter two."""
+    if_estimate: list[str]
+    """The fields above with whose value it fits only if an estimate holds, `fits_if_estimate`."""
     not_sought: NotSought | None = None
     """What was not sought because of what it costs; `null` where everything was."""
 
@@ -517,9 +534,10 @@ class NotSought:
     quantities: list[str]
     """The fields beside this one that are `null` for it."""
     samples: int
-    """How many samples each step would look at."""
+    """Work of each search step: recorded samples whose load is found anew, with a quarter of the instants of motion laws and of the
+loads on the flange."""
     most: int
-    """How many it may without `--deadline`."""
+    """Largest such work without `--deadline`."""
     text: str
     """The same in words."""
 
@@ -529,7 +547,7 @@ class AxesOfJudgement:
     """The answers of several axes."""
 
     verdict: Fit
-    """Whether every axis fits."""
+    """The worst verdict of the axes."""
     axes: list[Judgement]
     """The answer of each axis."""
 
@@ -542,10 +560,14 @@ class SweepSummary:
     """The file of the answers; `null` where there is none."""
     rows: int
     """Rows of the table."""
+    fit: int
+    """Rows for which an actuator fits within every limit."""
+    fit_if_estimate: int
+    """Rows for which one fits only if an estimate holds."""
     fitting: int
-    """Rows for which an actuator fits."""
+    """The sum of both."""
     none_fits: list[MissedBy]
-    """Rows for which none fits, by the tightest check of the nearest miss, most first."""
+    """Rows for which none fits, by the governing check of the nearest miss, most first."""
     not_judged: list[NotJudged]
     """Rows that are not judged, by the reason, most first."""
     further: int
@@ -583,13 +605,15 @@ class SweepRow:
     row: int
     """The row, from 0."""
     fit: int | None = None
-    """How many codes fit."""
+    """How many codes fit within every limit."""
+    fit_if_estimate: int | None = None
+    """How many others fit if an estimate holds."""
     code: str | None = None
-    """The best of them."""
+    """The best of both."""
     utilisation: float | None = None
-    """Its largest utilisation; where none fits that of the nearest miss."""
+    """Utilisation of its governing check; where none fits that of the nearest miss."""
     tightest: str | None = None
-    """The check with it."""
+    """That check."""
     error: str | None = None
     """Why the row is not judged."""
 
@@ -708,7 +732,7 @@ class AxesOfExplanations:
     """The answers of several axes."""
 
     verdict: Fit
-    """Whether every axis fits."""
+    """The worst verdict of the axes."""
     axes: list[Explanations]
     """The answer of each axis."""
 
@@ -895,7 +919,7 @@ class AxesOfSimulation:
     """The answers of several axes."""
 
     verdict: Fit
-    """Whether every axis fits."""
+    """The worst verdict of the axes."""
     axes: list[Simulation]
     """The answer of each axis."""
 
@@ -911,11 +935,16 @@ class Identification:
     samples: int
     """Rows of the run."""
     estimates: list[Identified95]
-    """The estimates."""
+    """Estimates that the run separates from each other."""
+    open: list[LeftOpen]
+    """Parameters without an estimate."""
+    doubts: list[Doubted]
+    """Signals that seem to have another unit, sign or side than their columns; while there are any, the estimates are not those of the
+axis, `overrides` is empty, and the exit status is 1."""
     overrides: str
     """Lines of the project file with the measured values of actuator and load."""
     notes: list[str]
-    """What the estimate rests on, in words."""
+    """Method, assumptions and what is left out, in words."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -933,7 +962,33 @@ class Identified95:
     unit: str
     """Its unit."""
     stated: float | None = None
-    """What project or table say; `null` where they say nothing."""
+    """Value of project or table; `null` where they have none."""
+    known: bool
+    """The interval is apart from zero, and narrow enough for a line of the project."""
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class LeftOpen:
+    """A parameter that a run does not determine."""
+
+    id: str
+    """Identifier."""
+    title: str
+    """In words."""
+    reason: str
+    """Reason, in words."""
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Doubted:
+    """A signal that does not fit its column."""
+
+    id: str
+    """Identifier of the convention that the signal seems to have."""
+    column: str
+    """Heading of the column."""
+    text: str
+    """Observation and advice, in words."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -968,7 +1023,7 @@ class Head:
     verdict: Fit
     """Whether nothing speaks against it."""
     utilisation: float | None
-    """Highest utilisation of all limits."""
+    """Utilisation of the governing check; 1 is the limit."""
     tightest: CheckId | None = None
     """Id of the check that it belongs to."""
     open_questions: int
@@ -1008,7 +1063,7 @@ class AxesOfComparison:
     """The answers of several axes."""
 
     verdict: Fit
-    """Whether every axis fits."""
+    """The worst verdict of the axes."""
     axes: list[Comparison]
     """The answer of each axis."""
 
@@ -1093,7 +1148,7 @@ class AxesOfDifference:
     """The answers of several axes."""
 
     verdict: Fit
-    """Whether every axis fits."""
+    """The worst verdict of the axes."""
     axes: list[Difference]
     """The answer of each axis."""
 
@@ -2274,7 +2329,7 @@ class AxesOfBearings:
     """The answers of several axes."""
 
     verdict: Fit
-    """Whether every axis fits."""
+    """The worst verdict of the axes."""
     axes: list[Bearings]
     """The answer of each axis."""
 
@@ -2765,6 +2820,8 @@ class Faults:
 
     errors: list[Fault]
     """The faults, in the order of the file."""
+    nearest_codes: list[ListedCode]
+    """The nearest valid codes, where a wrong ordering code is among the faults."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -2793,14 +2850,16 @@ class Fault:
     """What was expected, or the nearest valid choice; `null` where nothing is near."""
 
 
-Fit = Literal["fits", "does_not_fit"]
-"""Whether nothing speaks against an actuator, or against the best of several.
+Fit = Literal["fits", "fits_if_estimate", "does_not_fit"]
+"""Verdict on an actuator, or on the best of several; the best first.
 
-`fits`: It fits
+`fits`: Nothing speaks against it
 
-`does_not_fit`: It does not"""
+`fits_if_estimate`: No check fails, but one is beyond its limit within the band of an estimate, with the verdict `advice`
 
-CheckId = Literal["peak_torque", "peak_speed", "mean_speed", "continuous_torque", "peak_current", "demagnetisation", "drive_current", "voltage", "inertia_ratio", "gear_mean_torque", "gear_life", "torsion", "natural_frequency", "bearing_axial", "bearing_radial", "bearing_tilting_moment", "bearing_life", "bearing_static", "tilt_angle", "ambient", "torque_speed_trace", "thermal", "overload_i2t", "gear_mean_input_speed", "collision_torque", "resonance_speed", "error_budget", "brake_holding", "brake_emergency", "dc_link", "regeneration", "feedback_range", "feedback_resolution", "battery", "screw_joint_load", "screw_joint_housing", "application"]
+`does_not_fit`: A check fails, or a requirement is not met"""
+
+CheckId = Literal["peak_torque", "peak_speed", "mean_speed", "continuous_torque", "peak_current", "demagnetisation", "drive_current", "voltage", "inertia_ratio", "rope_tension", "gear_mean_torque", "gear_life", "torsion", "natural_frequency", "bearing_axial", "bearing_radial", "bearing_tilting_moment", "bearing_static_moment", "bearing_life", "bearing_static", "tilt_angle", "ambient", "torque_speed_trace", "thermal", "overload_i2t", "gear_mean_input_speed", "collision_torque", "resonance_speed", "error_budget", "brake_holding", "brake_emergency", "dc_link", "regeneration", "feedback_range", "feedback_resolution", "battery", "screw_joint_load", "screw_joint_housing", "application"]
 
 DemandMode = Literal["manual", "integral"]
 """How the figures of a demand were found.
@@ -2834,7 +2893,7 @@ TextEncoding = Literal["utf8", "utf16", "utf16_guessed", "windows1252_guessed"]
 ColumnRole = Literal["time", "position", "speed", "torque"]
 """What a column of a recording is."""
 
-UnitBy = Literal["header", "unit_row", "metadata", "project"]
+UnitBy = Literal["header", "unit_row", "metadata", "values", "project"]
 """Source of the unit of a column.
 
 `header`: The name of the column
@@ -2842,6 +2901,8 @@ UnitBy = Literal["header", "unit_row", "metadata", "project"]
 `unit_row`: A row of units below the names
 
 `metadata`: The file's own metadata
+
+`values`: The values of the column: clock times
 
 `project`: The project file"""
 
@@ -3033,6 +3094,7 @@ __all__ = [
     "Derivation",
     "Difference",
     "Direction",
+    "Doubted",
     "DriveObject",
     "DriveParameter",
     "Encoder",
@@ -3082,6 +3144,7 @@ __all__ = [
     "Joint",
     "JointCase",
     "Judgement",
+    "LeftOpen",
     "LicenceText",
     "Licences",
     "ListedCode",

@@ -21,8 +21,8 @@ from antrieb._call import Lang, Path, Picture, Text, ask
 @overload
 def size(
     text: Text,
-    lang: Lang = "en",
     *,
+    lang: Lang = "en",
     axis: str,
     top: int = 10,
     all: bool = False,
@@ -38,8 +38,8 @@ def size(
 @overload
 def size(
     text: Text,
-    lang: Lang = "en",
     *,
+    lang: Lang = "en",
     axis: None = None,
     top: int = 10,
     all: bool = False,
@@ -54,8 +54,8 @@ def size(
 
 def size(
     text: Text,
-    lang: Lang = "en",
     *,
+    lang: Lang = "en",
     axis: str | None = None,
     top: int = 10,
     all: bool = False,
@@ -72,10 +72,10 @@ def size(
         text: The project as text, or the path of its file.
         lang: Language of the texts: `en` or `de`.
         axis: Only this axis of a project with several.
-        top: How many fitting actuators to show (10). 1 to 65535.
-        all: Show every actuator, the rejected ones with their reason.
-        samples: Samples within the tolerances of the project (10000, or fewer where each costs more). 1 to 1000000.
-        seed: Seed of the samples; the same seed draws the same (1).
+        top: Number of fitting actuators shown (10). 1 to 65535.
+        all: Show all actuators, rejected ones with the reason.
+        samples: Samples within the tolerances of the project (10000, fewer for projects that are expensive to compute). 1 to 1000000.
+        seed: Seed of the samples; same seed, same samples (1).
         file: What a text is called in faults.
         folder: Where the recordings that a text names lie; without it the current folder.
         deadline: How long the answer may take, such as `60 s`; without it what would take long is refused.
@@ -105,8 +105,8 @@ def size(
 def check(
     text: Text,
     code: str | None = None,
-    lang: Lang = "en",
     *,
+    lang: Lang = "en",
     axis: str,
     samples: int | None = None,
     seed: int | None = None,
@@ -121,8 +121,8 @@ def check(
 def check(
     text: Text,
     code: str | None = None,
-    lang: Lang = "en",
     *,
+    lang: Lang = "en",
     axis: None = None,
     samples: int | None = None,
     seed: int | None = None,
@@ -136,8 +136,8 @@ def check(
 def check(
     text: Text,
     code: str | None = None,
-    lang: Lang = "en",
     *,
+    lang: Lang = "en",
     axis: str | None = None,
     samples: int | None = None,
     seed: int | None = None,
@@ -146,15 +146,15 @@ def check(
     deadline: str | None = None,
     memory: str | None = None,
 ) -> answers.Judgement | answers.AxesOfJudgement:
-    """Judge one actuator, every check with its margin.
+    """Evaluate one actuator, every check with its margin.
 
     Args:
         text: The project as text, or the path of its file.
-        code: Ordering code; without it the project's own [actuator] is judged.
+        code: Ordering code; default: the project's own [actuator].
         lang: Language of the texts: `en` or `de`.
         axis: Only this axis of a project with several.
-        samples: Samples within the tolerances of the project (10000, or fewer where each costs more). 1 to 1000000.
-        seed: Seed of the samples; the same seed draws the same (1).
+        samples: Samples within the tolerances of the project (10000, fewer for projects that are expensive to compute). 1 to 1000000.
+        seed: Seed of the samples; same seed, same samples (1).
         file: What a text is called in faults.
         folder: Where the recordings that a text names lie; without it the current folder.
         deadline: How long the answer may take, such as `60 s`; without it what would take long is refused.
@@ -183,25 +183,25 @@ def check(
 def sweep(
     text: Text,
     table: Path,
-    lang: Lang = "en",
     *,
+    lang: Lang = "en",
     axis: str | None = None,
-    check: Literal["peak_torque", "peak_speed", "mean_speed", "continuous_torque", "peak_current", "demagnetisation", "drive_current", "voltage", "inertia_ratio", "gear_mean_torque", "gear_life", "torsion", "natural_frequency", "bearing_axial", "bearing_radial", "bearing_tilting_moment", "bearing_life", "bearing_static", "tilt_angle", "ambient", "torque_speed_trace", "thermal", "overload_i2t", "gear_mean_input_speed", "collision_torque", "resonance_speed", "error_budget", "brake_holding", "brake_emergency", "dc_link", "regeneration", "feedback_range", "feedback_resolution", "battery", "screw_joint_load", "screw_joint_housing", "application"] | Sequence[Literal["peak_torque", "peak_speed", "mean_speed", "continuous_torque", "peak_current", "demagnetisation", "drive_current", "voltage", "inertia_ratio", "gear_mean_torque", "gear_life", "torsion", "natural_frequency", "bearing_axial", "bearing_radial", "bearing_tilting_moment", "bearing_life", "bearing_static", "tilt_angle", "ambient", "torque_speed_trace", "thermal", "overload_i2t", "gear_mean_input_speed", "collision_torque", "resonance_speed", "error_budget", "brake_holding", "brake_emergency", "dc_link", "regeneration", "feedback_range", "feedback_resolution", "battery", "screw_joint_load", "screw_joint_housing", "application"]] | None = None,
+    check: Literal["peak_torque", "peak_speed", "mean_speed", "continuous_torque", "peak_current", "demagnetisation", "drive_current", "voltage", "inertia_ratio", "rope_tension", "gear_mean_torque", "gear_life", "torsion", "natural_frequency", "bearing_axial", "bearing_radial", "bearing_tilting_moment", "bearing_static_moment", "bearing_life", "bearing_static", "tilt_angle", "ambient", "torque_speed_trace", "thermal", "overload_i2t", "gear_mean_input_speed", "collision_torque", "resonance_speed", "error_budget", "brake_holding", "brake_emergency", "dc_link", "regeneration", "feedback_range", "feedback_resolution", "battery", "screw_joint_load", "screw_joint_housing", "application"] | Sequence[Literal["peak_torque", "peak_speed", "mean_speed", "continuous_torque", "peak_current", "demagnetisation", "drive_current", "voltage", "inertia_ratio", "rope_tension", "gear_mean_torque", "gear_life", "torsion", "natural_frequency", "bearing_axial", "bearing_radial", "bearing_tilting_moment", "bearing_static_moment", "bearing_life", "bearing_static", "tilt_angle", "ambient", "torque_speed_trace", "thermal", "overload_i2t", "gear_mean_input_speed", "collision_torque", "resonance_speed", "error_budget", "brake_holding", "brake_emergency", "dc_link", "regeneration", "feedback_range", "feedback_resolution", "battery", "screw_joint_load", "screw_joint_housing", "application"]] | None = None,
     front: bool = False,
     file: str | None = None,
     folder: Path | None = None,
     deadline: str | None = None,
     memory: str | None = None,
 ) -> answers.SweepSummary:
-    """Judge many axes: a table whose columns are keys of the project.
+    """Evaluate many axes: a table whose columns are keys of the project.
 
     Args:
         text: The project as text, or the path of its file.
-        table: Table of the rows, .csv or .parquet; headings such as "motion[0].time [s]", "requirements.ambient [degC]", "code".
+        table: Table of the rows, .csv or .parquet; headings such as "motion[1].time [s]", "requirements.ambient [degC]", "code".
         lang: Language of the texts: `en` or `de`.
         axis: Only this axis of a project with several.
-        check: Every code of every row, with verdict and utilisation of this check; several times.
-        front: Of each row the codes that no other fitting one beats in mass, length and margin.
+        check: All ordering codes of every row with verdict and utilisation of this check; may be repeated.
+        front: For each row the ordering codes that are Pareto-optimal in mass, length and margin.
         file: What a text is called in faults.
         folder: Where the recordings that a text names lie; without it the current folder.
         deadline: How long the answer may take, such as `60 s`; without it what would take long is refused.
@@ -231,10 +231,10 @@ def sweep(
 def explain(
     text: Text,
     code: str | None = None,
-    lang: Lang = "en",
     *,
+    lang: Lang = "en",
     axis: str,
-    check: Literal["peak_torque", "peak_speed", "mean_speed", "continuous_torque", "peak_current", "demagnetisation", "drive_current", "voltage", "inertia_ratio", "gear_mean_torque", "gear_life", "torsion", "natural_frequency", "bearing_axial", "bearing_radial", "bearing_tilting_moment", "bearing_life", "bearing_static", "tilt_angle", "ambient", "torque_speed_trace", "thermal", "overload_i2t", "gear_mean_input_speed", "collision_torque", "resonance_speed", "error_budget", "brake_holding", "brake_emergency", "dc_link", "regeneration", "feedback_range", "feedback_resolution", "battery", "screw_joint_load", "screw_joint_housing", "application"] | None = None,
+    check: Literal["peak_torque", "peak_speed", "mean_speed", "continuous_torque", "peak_current", "demagnetisation", "drive_current", "voltage", "inertia_ratio", "rope_tension", "gear_mean_torque", "gear_life", "torsion", "natural_frequency", "bearing_axial", "bearing_radial", "bearing_tilting_moment", "bearing_static_moment", "bearing_life", "bearing_static", "tilt_angle", "ambient", "torque_speed_trace", "thermal", "overload_i2t", "gear_mean_input_speed", "collision_torque", "resonance_speed", "error_budget", "brake_holding", "brake_emergency", "dc_link", "regeneration", "feedback_range", "feedback_resolution", "battery", "screw_joint_load", "screw_joint_housing", "application"] | None = None,
     file: str | None = None,
     folder: Path | None = None,
     deadline: str | None = None,
@@ -246,10 +246,10 @@ def explain(
 def explain(
     text: Text,
     code: str | None = None,
-    lang: Lang = "en",
     *,
+    lang: Lang = "en",
     axis: None = None,
-    check: Literal["peak_torque", "peak_speed", "mean_speed", "continuous_torque", "peak_current", "demagnetisation", "drive_current", "voltage", "inertia_ratio", "gear_mean_torque", "gear_life", "torsion", "natural_frequency", "bearing_axial", "bearing_radial", "bearing_tilting_moment", "bearing_life", "bearing_static", "tilt_angle", "ambient", "torque_speed_trace", "thermal", "overload_i2t", "gear_mean_input_speed", "collision_torque", "resonance_speed", "error_budget", "brake_holding", "brake_emergency", "dc_link", "regeneration", "feedback_range", "feedback_resolution", "battery", "screw_joint_load", "screw_joint_housing", "application"] | None = None,
+    check: Literal["peak_torque", "peak_speed", "mean_speed", "continuous_torque", "peak_current", "demagnetisation", "drive_current", "voltage", "inertia_ratio", "rope_tension", "gear_mean_torque", "gear_life", "torsion", "natural_frequency", "bearing_axial", "bearing_radial", "bearing_tilting_moment", "bearing_static_moment", "bearing_life", "bearing_static", "tilt_angle", "ambient", "torque_speed_trace", "thermal", "overload_i2t", "gear_mean_input_speed", "collision_torque", "resonance_speed", "error_budget", "brake_holding", "brake_emergency", "dc_link", "regeneration", "feedback_range", "feedback_resolution", "battery", "screw_joint_load", "screw_joint_housing", "application"] | None = None,
     file: str | None = None,
     folder: Path | None = None,
     deadline: str | None = None,
@@ -260,23 +260,23 @@ def explain(
 def explain(
     text: Text,
     code: str | None = None,
-    lang: Lang = "en",
     *,
+    lang: Lang = "en",
     axis: str | None = None,
-    check: Literal["peak_torque", "peak_speed", "mean_speed", "continuous_torque", "peak_current", "demagnetisation", "drive_current", "voltage", "inertia_ratio", "gear_mean_torque", "gear_life", "torsion", "natural_frequency", "bearing_axial", "bearing_radial", "bearing_tilting_moment", "bearing_life", "bearing_static", "tilt_angle", "ambient", "torque_speed_trace", "thermal", "overload_i2t", "gear_mean_input_speed", "collision_torque", "resonance_speed", "error_budget", "brake_holding", "brake_emergency", "dc_link", "regeneration", "feedback_range", "feedback_resolution", "battery", "screw_joint_load", "screw_joint_housing", "application"] | None = None,
+    check: Literal["peak_torque", "peak_speed", "mean_speed", "continuous_torque", "peak_current", "demagnetisation", "drive_current", "voltage", "inertia_ratio", "rope_tension", "gear_mean_torque", "gear_life", "torsion", "natural_frequency", "bearing_axial", "bearing_radial", "bearing_tilting_moment", "bearing_static_moment", "bearing_life", "bearing_static", "tilt_angle", "ambient", "torque_speed_trace", "thermal", "overload_i2t", "gear_mean_input_speed", "collision_torque", "resonance_speed", "error_budget", "brake_holding", "brake_emergency", "dc_link", "regeneration", "feedback_range", "feedback_resolution", "battery", "screw_joint_load", "screw_joint_housing", "application"] | None = None,
     file: str | None = None,
     folder: Path | None = None,
     deadline: str | None = None,
     memory: str | None = None,
 ) -> answers.Explanations | answers.AxesOfExplanations:
-    """Derive the checks of one actuator, figures put in.
+    """Show the derivation of the checks of one actuator with numbers substituted.
 
     Args:
         text: The project as text, or the path of its file.
-        code: Ordering code; without it the project's own [actuator] is explained.
+        code: Ordering code; default: the project's own [actuator].
         lang: Language of the texts: `en` or `de`.
         axis: Only this axis of a project with several.
-        check: One check, for example continuous_torque; all without it.
+        check: One check, for example continuous_torque; default: all.
         file: What a text is called in faults.
         folder: Where the recordings that a text names lie; without it the current folder.
         deadline: How long the answer may take, such as `60 s`; without it what would take long is refused.
@@ -306,8 +306,8 @@ def explain(
 def simulate(
     text: Text,
     code: str | None = None,
-    lang: Lang = "en",
     *,
+    lang: Lang = "en",
     axis: str,
     scenario: Literal["cycle", "emergency_stop", "power_failure", "brake_stuck", "hanging_load", "blocked_load", "encoder_failure", "battery_loss", "link_sag", "hot_ambient", "cold_grease", "collision"] | None = None,
     at: str | None = None,
@@ -318,7 +318,7 @@ def simulate(
     days: int | None = None,
     hours_per_day: str | None = None,
     every: str | None = None,
-    signals: Literal["wanted_position", "wanted_speed", "position", "speed", "acceleration", "measured_position", "motor_position", "motor_speed", "torque", "current_q", "current_d", "voltage_q", "voltage_d", "link", "winding", "housing", "sensor", "overload", "following_error", "brake"] | Sequence[Literal["wanted_position", "wanted_speed", "position", "speed", "acceleration", "measured_position", "motor_position", "motor_speed", "torque", "current_q", "current_d", "voltage_q", "voltage_d", "link", "winding", "housing", "sensor", "overload", "following_error", "brake"]] | None = None,
+    signals: Literal["wanted_position", "wanted_speed", "position", "speed", "acceleration", "measured_position", "motor_position", "motor_speed", "torque", "current_q", "current_d", "voltage_q", "voltage_d", "link", "winding", "housing", "sensor", "overload", "following_error", "brake", "link_high"] | Sequence[Literal["wanted_position", "wanted_speed", "position", "speed", "acceleration", "measured_position", "motor_position", "motor_speed", "torque", "current_q", "current_d", "voltage_q", "voltage_d", "link", "winding", "housing", "sensor", "overload", "following_error", "brake", "link_high"]] | None = None,
     format: Literal["json"] = "json",
     figure: Literal["simulation", "control_loops"] | None = None,
     theme: Literal["light", "dark"] = "light",
@@ -336,8 +336,8 @@ def simulate(
 def simulate(
     text: Text,
     code: str | None = None,
-    lang: Lang = "en",
     *,
+    lang: Lang = "en",
     axis: None = None,
     scenario: Literal["cycle", "emergency_stop", "power_failure", "brake_stuck", "hanging_load", "blocked_load", "encoder_failure", "battery_loss", "link_sag", "hot_ambient", "cold_grease", "collision"] | None = None,
     at: str | None = None,
@@ -348,7 +348,7 @@ def simulate(
     days: int | None = None,
     hours_per_day: str | None = None,
     every: str | None = None,
-    signals: Literal["wanted_position", "wanted_speed", "position", "speed", "acceleration", "measured_position", "motor_position", "motor_speed", "torque", "current_q", "current_d", "voltage_q", "voltage_d", "link", "winding", "housing", "sensor", "overload", "following_error", "brake"] | Sequence[Literal["wanted_position", "wanted_speed", "position", "speed", "acceleration", "measured_position", "motor_position", "motor_speed", "torque", "current_q", "current_d", "voltage_q", "voltage_d", "link", "winding", "housing", "sensor", "overload", "following_error", "brake"]] | None = None,
+    signals: Literal["wanted_position", "wanted_speed", "position", "speed", "acceleration", "measured_position", "motor_position", "motor_speed", "torque", "current_q", "current_d", "voltage_q", "voltage_d", "link", "winding", "housing", "sensor", "overload", "following_error", "brake", "link_high"] | Sequence[Literal["wanted_position", "wanted_speed", "position", "speed", "acceleration", "measured_position", "motor_position", "motor_speed", "torque", "current_q", "current_d", "voltage_q", "voltage_d", "link", "winding", "housing", "sensor", "overload", "following_error", "brake", "link_high"]] | None = None,
     format: Literal["json"] = "json",
     figure: Literal["simulation", "control_loops"] | None = None,
     theme: Literal["light", "dark"] = "light",
@@ -366,8 +366,8 @@ def simulate(
 def simulate(
     text: Text,
     code: str | None = None,
-    lang: Lang = "en",
     *,
+    lang: Lang = "en",
     axis: str | None = None,
     scenario: Literal["cycle", "emergency_stop", "power_failure", "brake_stuck", "hanging_load", "blocked_load", "encoder_failure", "battery_loss", "link_sag", "hot_ambient", "cold_grease", "collision"] | None = None,
     at: str | None = None,
@@ -378,7 +378,7 @@ def simulate(
     days: int | None = None,
     hours_per_day: str | None = None,
     every: str | None = None,
-    signals: Literal["wanted_position", "wanted_speed", "position", "speed", "acceleration", "measured_position", "motor_position", "motor_speed", "torque", "current_q", "current_d", "voltage_q", "voltage_d", "link", "winding", "housing", "sensor", "overload", "following_error", "brake"] | Sequence[Literal["wanted_position", "wanted_speed", "position", "speed", "acceleration", "measured_position", "motor_position", "motor_speed", "torque", "current_q", "current_d", "voltage_q", "voltage_d", "link", "winding", "housing", "sensor", "overload", "following_error", "brake"]] | None = None,
+    signals: Literal["wanted_position", "wanted_speed", "position", "speed", "acceleration", "measured_position", "motor_position", "motor_speed", "torque", "current_q", "current_d", "voltage_q", "voltage_d", "link", "winding", "housing", "sensor", "overload", "following_error", "brake", "link_high"] | Sequence[Literal["wanted_position", "wanted_speed", "position", "speed", "acceleration", "measured_position", "motor_position", "motor_speed", "torque", "current_q", "current_d", "voltage_q", "voltage_d", "link", "winding", "housing", "sensor", "overload", "following_error", "brake", "link_high"]] | None = None,
     format: Literal["csv"],
     figure: Literal["simulation", "control_loops"] | None = None,
     theme: Literal["light", "dark"] = "light",
@@ -396,8 +396,8 @@ def simulate(
 def simulate(
     text: Text,
     code: str | None = None,
-    lang: Lang = "en",
     *,
+    lang: Lang = "en",
     axis: str | None = None,
     scenario: Literal["cycle", "emergency_stop", "power_failure", "brake_stuck", "hanging_load", "blocked_load", "encoder_failure", "battery_loss", "link_sag", "hot_ambient", "cold_grease", "collision"] | None = None,
     at: str | None = None,
@@ -408,7 +408,7 @@ def simulate(
     days: int | None = None,
     hours_per_day: str | None = None,
     every: str | None = None,
-    signals: Literal["wanted_position", "wanted_speed", "position", "speed", "acceleration", "measured_position", "motor_position", "motor_speed", "torque", "current_q", "current_d", "voltage_q", "voltage_d", "link", "winding", "housing", "sensor", "overload", "following_error", "brake"] | Sequence[Literal["wanted_position", "wanted_speed", "position", "speed", "acceleration", "measured_position", "motor_position", "motor_speed", "torque", "current_q", "current_d", "voltage_q", "voltage_d", "link", "winding", "housing", "sensor", "overload", "following_error", "brake"]] | None = None,
+    signals: Literal["wanted_position", "wanted_speed", "position", "speed", "acceleration", "measured_position", "motor_position", "motor_speed", "torque", "current_q", "current_d", "voltage_q", "voltage_d", "link", "winding", "housing", "sensor", "overload", "following_error", "brake", "link_high"] | Sequence[Literal["wanted_position", "wanted_speed", "position", "speed", "acceleration", "measured_position", "motor_position", "motor_speed", "torque", "current_q", "current_d", "voltage_q", "voltage_d", "link", "winding", "housing", "sensor", "overload", "following_error", "brake", "link_high"]] | None = None,
     format: Literal["parquet", "svg"],
     figure: Literal["simulation", "control_loops"] | None = None,
     theme: Literal["light", "dark"] = "light",
@@ -425,8 +425,8 @@ def simulate(
 def simulate(
     text: Text,
     code: str | None = None,
-    lang: Lang = "en",
     *,
+    lang: Lang = "en",
     axis: str | None = None,
     scenario: Literal["cycle", "emergency_stop", "power_failure", "brake_stuck", "hanging_load", "blocked_load", "encoder_failure", "battery_loss", "link_sag", "hot_ambient", "cold_grease", "collision"] | None = None,
     at: str | None = None,
@@ -437,7 +437,7 @@ def simulate(
     days: int | None = None,
     hours_per_day: str | None = None,
     every: str | None = None,
-    signals: Literal["wanted_position", "wanted_speed", "position", "speed", "acceleration", "measured_position", "motor_position", "motor_speed", "torque", "current_q", "current_d", "voltage_q", "voltage_d", "link", "winding", "housing", "sensor", "overload", "following_error", "brake"] | Sequence[Literal["wanted_position", "wanted_speed", "position", "speed", "acceleration", "measured_position", "motor_position", "motor_speed", "torque", "current_q", "current_d", "voltage_q", "voltage_d", "link", "winding", "housing", "sensor", "overload", "following_error", "brake"]] | None = None,
+    signals: Literal["wanted_position", "wanted_speed", "position", "speed", "acceleration", "measured_position", "motor_position", "motor_speed", "torque", "current_q", "current_d", "voltage_q", "voltage_d", "link", "winding", "housing", "sensor", "overload", "following_error", "brake", "link_high"] | Sequence[Literal["wanted_position", "wanted_speed", "position", "speed", "acceleration", "measured_position", "motor_position", "motor_speed", "torque", "current_q", "current_d", "voltage_q", "voltage_d", "link", "winding", "housing", "sensor", "overload", "following_error", "brake", "link_high"]] | None = None,
     format: Literal["json", "csv", "parquet", "svg"] = "json",
     figure: Literal["simulation", "control_loops"] | None = None,
     theme: Literal["light", "dark"] = "light",
@@ -453,25 +453,25 @@ def simulate(
 
     Args:
         text: The project as text, or the path of its file.
-        code: Ordering code; without it the project's own [actuator] is judged.
+        code: Ordering code; default: the project's own [actuator].
         lang: Language of the texts: `en` or `de`.
         axis: Only this axis of a project with several.
-        scenario: What happens; without it what the project states, else the cycle.
-        at: When it happens, such as "300 ms"; without it when the axis is fastest.
-        reaction: How the drive ends a motion (along a ramp).
-        failure: How the encoder fails in its scenario; without it no signal arrives.
-        cycles: Cycles that are run (1). 1 to 100000.
-        cold: Begin as cold as the ambient air, not settled.
-        days: Also run so many days by the mean losses of the cycle: temperatures, energy. 1 to 3660.
-        hours_per_day: Operation a day, in hours (24).
-        every: Time between two rows of the trace ("1 ms").
-        signals: Signals of the trace, separated by commas; all without it.
+        scenario: Scenario; default: that of the project, otherwise the cycle.
+        at: Time of the event, such as "300 ms"; default: at the highest speed of the axis.
+        reaction: Stop reaction of the drive (ramp).
+        failure: Type of encoder failure in the encoder scenario; default: signal loss.
+        cycles: Number of cycles simulated (1). 1 to 100000.
+        cold: Start at ambient temperature instead of in thermal steady state.
+        days: Additionally simulate this number of days with the mean losses of the cycle: temperatures, energy. 1 to 3660.
+        hours_per_day: Operation per day in hours (24).
+        every: Sampling interval of the trace ("1 ms").
+        signals: Signals of the trace, separated by commas; default: all.
         format: Json for the summary (default), csv or parquet for the trace, svg for a picture.
-        figure: Which picture: the course, or the responses of the control loops (simulation).
+        figure: Picture: the trace, or the frequency responses of the control loops (simulation).
         theme: Light (default) or dark.
         width: Width of the picture, for example "160 mm".
-        height: Height of the picture; it grows if its content needs it.
-        seed: Seed of the errors of gear and encoder (0).
+        height: Height of the picture; increased if the content requires it.
+        seed: Seed of the gear and encoder errors (0).
         file: What a text is called in faults.
         folder: Where the recordings that a text names lie; without it the current folder.
         deadline: How long the answer may take, such as `60 s`; without it what would take long is refused.
@@ -498,11 +498,11 @@ def simulate(
 
 
 def identify(
-    text: Text,
     trace: Path,
+    text: Text,
     code: str | None = None,
-    lang: Lang = "en",
     *,
+    lang: Lang = "en",
     axis: str | None = None,
     file: str | None = None,
     folder: Path | None = None,
@@ -512,9 +512,9 @@ def identify(
     """Estimate load, friction and torque constant from a recorded run.
 
     Args:
+        trace: Recorded run (.csv or .parquet) with the columns of a trace file.
         text: The project as text, or the path of its file.
-        trace: Recorded run (.csv or .parquet) with the columns of a trace.
-        code: Ordering code; without it the project's own [actuator] is judged.
+        code: Ordering code; default: the project's own [actuator].
         lang: Language of the texts: `en` or `de`.
         axis: Only this axis of a project with several.
         file: What a text is called in faults.
@@ -545,8 +545,8 @@ def identify(
 def report(
     text: Text,
     code: str | None = None,
-    lang: Lang = "en",
     *,
+    lang: Lang = "en",
     axis: str | None = None,
     full: bool = False,
     installation: bool = False,
@@ -560,12 +560,12 @@ def report(
 
     Args:
         text: The project as text, or the path of its file.
-        code: Ordering code; without it the project's own [actuator], else the best of the catalogue.
+        code: Ordering code; default: the project's own [actuator], otherwise the best of the catalogue.
         lang: Language of the texts: `en` or `de`.
         axis: Only this axis of a project with several.
-        full: With the derivation of every check, all sources and all codes as appendices.
-        installation: With wiring, mounting and commissioning of the code; with upkeep where --delivered states its beginning.
-        date: Date of the document, 2026-11-21; none without it, so that the same call gives the same bytes.
+        full: Include the derivation of every check, all sources and all ordering codes as appendices.
+        installation: Include wiring, mounting and commissioning of the ordering code, and maintenance if --delivered is given.
+        date: Date of the document, for example 2026-11-21; default: none, so that the same call gives the same bytes.
         file: What a text is called in faults.
         folder: Where the recordings that a text names lie; without it the current folder.
         deadline: How long the answer may take, such as `60 s`; without it what would take long is refused.
@@ -595,8 +595,8 @@ def report(
 def compare(
     text: Text,
     code: str | Sequence[str],
-    lang: Lang = "en",
     *,
+    lang: Lang = "en",
     axis: str,
     file: str | None = None,
     folder: Path | None = None,
@@ -609,8 +609,8 @@ def compare(
 def compare(
     text: Text,
     code: str | Sequence[str],
-    lang: Lang = "en",
     *,
+    lang: Lang = "en",
     axis: None = None,
     file: str | None = None,
     folder: Path | None = None,
@@ -622,8 +622,8 @@ def compare(
 def compare(
     text: Text,
     code: str | Sequence[str],
-    lang: Lang = "en",
     *,
+    lang: Lang = "en",
     axis: str | None = None,
     file: str | None = None,
     folder: Path | None = None,
@@ -634,7 +634,7 @@ def compare(
 
     Args:
         text: The project as text, or the path of its file.
-        code: Ordering code; given once for each actuator.
+        code: Ordering code; repeat for each actuator.
         lang: Language of the texts: `en` or `de`.
         axis: Only this axis of a project with several.
         file: What a text is called in faults.
@@ -667,8 +667,8 @@ def diff(
     old: Text,
     new: Text,
     code: str | None = None,
-    lang: Lang = "en",
     *,
+    lang: Lang = "en",
     axis: str,
     folder: Path | None = None,
     deadline: str | None = None,
@@ -681,8 +681,8 @@ def diff(
     old: Text,
     new: Text,
     code: str | None = None,
-    lang: Lang = "en",
     *,
+    lang: Lang = "en",
     axis: None = None,
     folder: Path | None = None,
     deadline: str | None = None,
@@ -694,19 +694,19 @@ def diff(
     old: Text,
     new: Text,
     code: str | None = None,
-    lang: Lang = "en",
     *,
+    lang: Lang = "en",
     axis: str | None = None,
     folder: Path | None = None,
     deadline: str | None = None,
     memory: str | None = None,
 ) -> answers.Difference | answers.AxesOfDifference:
-    """What another revision of a project changes in each check.
+    """Changes in each check between two revisions of a project.
 
     Args:
         old: The project before as text, or the path of its file.
         new: The project after as text, or the path of its file.
-        code: Ordering code; without it the project's own [actuator], else the best before.
+        code: Ordering code; default: the project's own [actuator], otherwise the best one before.
         lang: Language of the texts: `en` or `de`.
         axis: Only this axis of a project with several.
         folder: Where the recordings that a text names lie; without it the current folder.
@@ -736,8 +736,8 @@ def diff(
 def export(
     text: Text,
     code: str | None = None,
-    lang: Lang = "en",
     *,
+    lang: Lang = "en",
     axis: str | None = None,
     table: Literal["inputs", "assumptions", "demand", "motion", "candidates", "checks", "course"] | None = None,
     format: Literal["json"] = "json",
@@ -755,8 +755,8 @@ def export(
 def export(
     text: Text,
     code: str | None = None,
-    lang: Lang = "en",
     *,
+    lang: Lang = "en",
     axis: str | None = None,
     table: Literal["inputs", "assumptions", "demand", "motion", "candidates", "checks", "course"] | None = None,
     format: Literal["csv"],
@@ -774,8 +774,8 @@ def export(
 def export(
     text: Text,
     code: str | None = None,
-    lang: Lang = "en",
     *,
+    lang: Lang = "en",
     axis: str | None = None,
     table: Literal["inputs", "assumptions", "demand", "motion", "candidates", "checks", "course"] | None = None,
     format: Literal["parquet", "xlsx"],
@@ -792,8 +792,8 @@ def export(
 def export(
     text: Text,
     code: str | None = None,
-    lang: Lang = "en",
     *,
+    lang: Lang = "en",
     axis: str | None = None,
     table: Literal["inputs", "assumptions", "demand", "motion", "candidates", "checks", "course"] | None = None,
     format: Literal["json", "csv", "parquet", "xlsx"] = "json",
@@ -809,14 +809,14 @@ def export(
 
     Args:
         text: The project as text, or the path of its file.
-        code: Ordering code; without it the project's own [actuator], else the best.
+        code: Ordering code; default: the project's own [actuator], otherwise the best one.
         lang: Language of the texts: `en` or `de`.
         axis: Only this axis of a project with several.
         table: One table: inputs, assumptions, demand, motion, candidates, checks, course.
-        format: Json, csv or parquet for one table, xlsx for the workbook; without it json where a table is named, else xlsx.
-        top: How many of the ranking the tables hold (20). 1 to 65535.
-        revision: Revision for the first sheet.
-        date: Date for the first sheet; none without it, so that the same call gives the same bytes.
+        format: Json, csv or parquet for one table, xlsx for the workbook; default: json if a table is named, otherwise xlsx.
+        top: Number of ranked actuators in the tables (20). 1 to 65535.
+        revision: Revision on the first sheet.
+        date: Date on the first sheet; default: none, so that the same call gives the same bytes.
         file: What a text is called in faults.
         folder: Where the recordings that a text names lie; without it the current folder.
         deadline: How long the answer may take, such as `60 s`; without it what would take long is refused.
@@ -844,9 +844,10 @@ def export(
 
 def code_parse(
     code: str,
+    *,
     lang: Lang = "en",
 ) -> answers.CodeReading:
-    """Read a code and explain each field.
+    """Read an ordering code and explain each field.
 
     Args:
         code: Ordering code, for example CHA-20A-100-H-C1024-B.
@@ -870,16 +871,16 @@ def code_parse(
 
 def code_list(
     pattern: str | None = None,
-    lang: Lang = "en",
     *,
+    lang: Lang = "en",
     available: bool = False,
 ) -> list[answers.ListedCode]:
-    """List the valid codes.
+    """List the valid ordering codes.
 
     Args:
-        pattern: Partial code, for example CHA-20A-*-H; all without it.
+        pattern: Partial ordering code, for example CHA-20A-*-H; default: all.
         lang: Language of the texts: `en` or `de`.
-        available: Only codes that are available without asking.
+        available: Only ordering codes available without enquiry.
 
     Returns:
         The record, as `--json` has it, as typed objects; units as `antrieb.answers` states.
@@ -899,12 +900,13 @@ def code_list(
 
 def code_complete(
     code: str,
+    *,
     lang: Lang = "en",
 ) -> answers.Completion:
-    """Complete a partial code and say what may follow.
+    """Complete a partial ordering code and show the possible continuations.
 
     Args:
-        code: Partial code; * stands for any value of a field.
+        code: Partial ordering code; * stands for any value of a field.
         lang: Language of the texts: `en` or `de`.
 
     Returns:
@@ -925,9 +927,10 @@ def code_complete(
 
 def data(
     code: str,
+    *,
     lang: Lang = "en",
 ) -> answers.Sheet:
-    """Data sheet of one actuator, each value with its table.
+    """Data sheet of one actuator, each value with its source table.
 
     Args:
         code: Ordering code.
@@ -951,18 +954,18 @@ def data(
 
 def wiring(
     code: str,
-    lang: Lang = "en",
     *,
+    lang: Lang = "en",
     length: str | None = None,
     cross_section: str | None = None,
 ) -> answers.Wiring:
-    """Connectors, pins and cables of one actuator, and what is wrong in a list of pins.
+    """Connectors, pins and cables of one actuator, and check of a pin list.
 
     Args:
         code: Ordering code.
         lang: Language of the texts: `en` or `de`.
-        length: Length of the cable, such as "15 m": voltage lost by brake and encoder supply.
-        cross_section: Cross-section of its wires, such as "1 mm²".
+        length: Cable length, such as "15 m": voltage drop of brake and encoder supply.
+        cross_section: Conductor cross-section, such as "1 mm²".
 
     Returns:
         The record, as `--json` has it, as typed objects; units as `antrieb.answers` states.
@@ -983,14 +986,14 @@ def wiring(
 def wiring_check(
     text: Text,
     code: str,
-    lang: Lang = "en",
     *,
+    lang: Lang = "en",
     file: str | None = None,
     folder: Path | None = None,
     deadline: str | None = None,
     memory: str | None = None,
 ) -> answers.WiringCheck:
-    """A list of pins compared with the print.
+    """Comparison of a pin list with the manual.
 
     Args:
         text: The list of pins in CSV as text, or the path of its file.
@@ -1023,8 +1026,8 @@ def wiring_check(
 
 def encoder(
     code: str,
-    lang: Lang = "en",
     *,
+    lang: Lang = "en",
     angle: str | None = None,
     turn: str | None = None,
     speed: str | None = None,
@@ -1034,19 +1037,19 @@ def encoder(
     error: bool = False,
     decode: str | None = None,
 ) -> answers.Encoder:
-    """Signals and words of the encoders of one actuator at an angle; a word read back.
+    """Signals and data words of the encoders of one actuator at an angle; decoding of a word.
 
     Args:
         code: Ordering code.
         lang: Language of the texts: `en` or `de`.
-        angle: Angle of the motor shaft, clockwise seen from the front, such as "12.5 deg". Without it `0 deg`.
-        turn: Whole turns of the motor shaft before it. Without it `0`.
+        angle: Angle of the motor shaft, clockwise seen from the front, such as "30 deg". Without it `0 deg`.
+        turn: Whole turns of the motor shaft before this angle. Without it `0`.
         speed: Speed of the motor shaft, such as "300 rad/s". Without it `0 1/min`.
-        seed: Let the encoder deviate within its accuracy, by this seed; without it the encoder sees the true angle.
-        window: Angle over which the signals are shown; without it two periods of each.
-        battery_lost: Battery and supply have failed together (M128S).
+        seed: Seed of the encoder error within its accuracy; default: no error.
+        window: Angle range of the signals shown; default: two periods each.
+        battery_lost: Battery and supply have failed at the same time (M128S).
         error: The encoder reports an error (EnDat).
-        decode: Read this word, bits in the order sent, and say what is wrong with it.
+        decode: Decode this word (bits in the order sent) and report its errors.
 
     Returns:
         The record, as `--json` has it, as typed objects; units as `antrieb.answers` states.
@@ -1066,8 +1069,8 @@ def encoder(
 
 def encoder_vcd(
     code: str,
-    lang: Lang = "en",
     *,
+    lang: Lang = "en",
     angle: str | None = None,
     turn: str | None = None,
     speed: str | None = None,
@@ -1081,10 +1084,10 @@ def encoder_vcd(
     Args:
         code: Ordering code.
         lang: Language of the texts: `en` or `de`.
-        angle: Angle of the motor shaft, clockwise seen from the front, such as "12.5 deg". Without it `0 deg`.
-        turn: Whole turns of the motor shaft before it. Without it `0`.
+        angle: Angle of the motor shaft, clockwise seen from the front, such as "30 deg". Without it `0 deg`.
+        turn: Whole turns of the motor shaft before this angle. Without it `0`.
         speed: Speed of the motor shaft, such as "300 rad/s". Without it `0 1/min`.
-        seed: Let the encoder deviate within its accuracy, by this seed; without it the encoder sees the true angle.
+        seed: Seed of the encoder error within its accuracy; default: no error.
         time: Length of the trace (--vcd). Without it `1 ms`.
         endat: Command set of the EnDat word in the trace.
         connector: Encoder in the trace.
@@ -1107,12 +1110,13 @@ def encoder_vcd(
 
 def errata(
     about: str | None = None,
+    *,
     lang: Lang = "en",
 ) -> answers.Errata:
-    """What is wrong or in doubt in the print, and what is used.
+    """Errors and doubtful values in the manual, and the values used instead.
 
     Args:
-        about: Ordering code, number of a table, or id of an erratum; all without it.
+        about: Ordering code, table number, or id of an erratum; default: all.
         lang: Language of the texts: `en` or `de`.
 
     Returns:
@@ -1133,26 +1137,26 @@ def errata(
 
 @overload
 def catalogue_export(
-    lang: Lang = "en",
     *,
+    lang: Lang = "en",
     format: Literal["json"] = "json",
 ) -> list[answers.CatalogueCell]: ...
 
 
 @overload
 def catalogue_export(
-    lang: Lang = "en",
     *,
+    lang: Lang = "en",
     format: Literal["csv"],
 ) -> str: ...
 
 
 def catalogue_export(
-    lang: Lang = "en",
     *,
+    lang: Lang = "en",
     format: Literal["json", "csv"] = "json",
 ) -> list[answers.CatalogueCell] | str:
-    """Every cell of the maker's tables in long form.
+    """Every cell of the manufacturer's tables in long format.
 
     Args:
         lang: Language of the texts: `en` or `de`.
@@ -1176,18 +1180,18 @@ def catalogue_export(
 
 def torsion(
     code: str,
-    lang: Lang = "en",
     *,
+    lang: Lang = "en",
     torque: str | None = None,
     angle: str | None = None,
 ) -> answers.Torsion:
-    """Torsion of the gear under a torque, or the torque of an angle.
+    """Torsion of the gear under a torque, or the torque for an angle.
 
     Args:
         code: Ordering code.
         lang: Language of the texts: `en` or `de`.
         torque: Torque at the output, for example "60 N m".
-        angle: Angle of torsion, for example "1 arcmin", instead of the torque.
+        angle: Torsion angle, for example "1 arcmin", instead of the torque.
 
     Returns:
         The record, as `--json` has it, as typed objects; units as `antrieb.answers` states.
@@ -1207,17 +1211,17 @@ def torsion(
 
 def commission(
     code: str,
-    lang: Lang = "en",
     *,
+    lang: Lang = "en",
     for_: Literal["sinamics", "cia402", "plain"] | None = None,
     ambient: str | None = None,
 ) -> answers.CommissionAnswer:
-    """Values for the drive, check-lists, and the judgement of what was measured.
+    """Settings for the drive, checklists, and evaluation of measured values.
 
     Args:
         code: Ordering code.
         lang: Language of the texts: `en` or `de`.
-        for_: Form of the values: sinamics, cia402, plain.
+        for_: Format of the settings: sinamics, cia402, plain.
         ambient: Temperature at which winding and sensors are measured (20 degC).
 
     Returns:
@@ -1239,13 +1243,14 @@ def commission(
 def commission_out(
     code: str,
     for_: Literal["sinamics", "cia402"],
+    *,
     lang: Lang = "en",
 ) -> str:
-    """Values for the drive as a file: parameters line by line (sinamics), or an EDS (cia402).
+    """Drive settings as a file: parameters line by line (sinamics), or an EDS (cia402).
 
     Args:
         code: Ordering code.
-        for_: Form of the values: sinamics, cia402, plain.
+        for_: Format of the settings: sinamics, cia402, plain.
         lang: Language of the texts: `en` or `de`.
 
     Returns:
@@ -1266,11 +1271,11 @@ def commission_out(
 
 def commission_checklist(
     code: str,
-    lang: Lang = "en",
     *,
+    lang: Lang = "en",
     ambient: str | None = None,
 ) -> bytes:
-    """The check-lists as PDF, a form to fill in on the screen or on paper.
+    """Checklists as PDF, a form to be completed on screen or on paper.
 
     Args:
         code: Ordering code.
@@ -1295,9 +1300,10 @@ def commission_checklist(
 
 def commission_blank(
     code: str,
+    *,
     lang: Lang = "en",
 ) -> str:
-    """Write an empty record of measured values to fill in.
+    """Write an empty record for measured values.
 
     Args:
         code: Ordering code.
@@ -1322,14 +1328,14 @@ def commission_blank(
 def commission_record(
     text: Text,
     code: str,
-    lang: Lang = "en",
     *,
+    lang: Lang = "en",
     file: str | None = None,
     folder: Path | None = None,
     deadline: str | None = None,
     memory: str | None = None,
 ) -> answers.Recorded:
-    """Measured values judged, with likely causes.
+    """Evaluation of measured values with likely causes.
 
     Args:
         text: The measured values as text, or the path of their file.
@@ -1362,6 +1368,7 @@ def commission_record(
 
 def inertia(
     body: str | Sequence[str],
+    *,
     lang: Lang = "en",
 ) -> answers.Inertia:
     """Moment of inertia of solid bodies.
@@ -1388,8 +1395,8 @@ def inertia(
 
 def curve(
     code: str,
-    lang: Lang = "en",
     *,
+    lang: Lang = "en",
     voltage: str | None = None,
 ) -> answers.Curves:
     """Curves of the torque-speed plane.
@@ -1397,7 +1404,7 @@ def curve(
     Args:
         code: Ordering code.
         lang: Language of the texts: `en` or `de`.
-        voltage: Terminal voltage of the motor, rms, for example "220 V"; without it the maker's range holds.
+        voltage: Motor terminal voltage, rms, for example "220 V"; default: the range of the manufacturer's data.
 
     Returns:
         The record, as `--json` has it, as typed objects; units as `antrieb.answers` states.
@@ -1419,8 +1426,8 @@ def plot(
     text: Text,
     figure: Literal["torque_speed", "cycle", "utilisation", "torsion", "bearing_load", "candidate_map"],
     code: str | None = None,
-    lang: Lang = "en",
     *,
+    lang: Lang = "en",
     axis: str | None = None,
     by: Literal["mass", "length"] = "mass",
     theme: Literal["light", "dark"] = "light",
@@ -1431,18 +1438,18 @@ def plot(
     deadline: str | None = None,
     memory: str | None = None,
 ) -> Picture:
-    """A picture of an axis on an actuator, as SVG or PNG.
+    """Diagram of an axis with an actuator, as SVG or PNG.
 
     Args:
         text: The project as text, or the path of its file.
-        figure: Which picture.
-        code: Ordering code; without it the project's own [actuator], else the best of the catalogue.
+        figure: Picture.
+        code: Ordering code; default: the project's own [actuator], otherwise the best of the catalogue.
         lang: Language of the texts: `en` or `de`.
         axis: Only this axis of a project with several.
-        by: Candidate_map over mass (default) or length.
+        by: Abscissa of candidate_map: mass (default) or length.
         theme: Light (default) or dark.
         width: Width of the picture, for example "160 mm".
-        height: Height of the picture; it grows if its content needs it.
+        height: Height of the picture; increased if the content requires it.
         file: What a text is called in faults.
         folder: Where the recordings that a text names lie; without it the current folder.
         deadline: How long the answer may take, such as `60 s`; without it what would take long is refused.
@@ -1471,8 +1478,8 @@ def plot(
 @overload
 def bearing(
     text: Text,
-    lang: Lang = "en",
     *,
+    lang: Lang = "en",
     axis: str,
     file: str | None = None,
     folder: Path | None = None,
@@ -1484,8 +1491,8 @@ def bearing(
 @overload
 def bearing(
     text: Text,
-    lang: Lang = "en",
     *,
+    lang: Lang = "en",
     axis: None = None,
     file: str | None = None,
     folder: Path | None = None,
@@ -1496,15 +1503,15 @@ def bearing(
 
 def bearing(
     text: Text,
-    lang: Lang = "en",
     *,
+    lang: Lang = "en",
     axis: str | None = None,
     file: str | None = None,
     folder: Path | None = None,
     deadline: str | None = None,
     memory: str | None = None,
 ) -> answers.Bearings | answers.AxesOfBearings:
-    """The output bearing of every size under a project's loads.
+    """Output bearing of every size under the loads of a project.
 
     Args:
         text: The project as text, or the path of its file.
@@ -1537,15 +1544,15 @@ def bearing(
 
 def moves(
     text: Text,
-    lang: Lang = "en",
     *,
+    lang: Lang = "en",
     axis: str | None = None,
     file: str | None = None,
     folder: Path | None = None,
     deadline: str | None = None,
     memory: str | None = None,
 ) -> answers.Motion:
-    """The motion of an axis, every segment with what follows from it.
+    """Motion of an axis, every segment with the derived quantities.
 
     Args:
         text: The project as text, or the path of its file.
@@ -1578,16 +1585,16 @@ def moves(
 
 def battery(
     hours_per_day: str,
-    lang: Lang = "en",
     *,
+    lang: Lang = "en",
     storage: str | None = None,
 ) -> answers.Battery:
-    """Life of the battery of a buffered encoder.
+    """Battery life of a buffered encoder.
 
     Args:
-        hours_per_day: Hours of operation a day, 0 to 24.
+        hours_per_day: Hours of operation per day, 0 to 24.
         lang: Language of the texts: `en` or `de`.
-        storage: Storage before operation, for example "1 a"; none without it.
+        storage: Storage before operation, for example "1 a"; default: none.
 
     Returns:
         The record, as `--json` has it, as typed objects; units as `antrieb.answers` states.
@@ -1607,20 +1614,20 @@ def battery(
 
 def mount(
     code: str,
-    lang: Lang = "en",
     *,
+    lang: Lang = "en",
     bore: str | None = None,
     bore_load: str | None = None,
     bore_housing: str | None = None,
 ) -> answers.Mount:
-    """Fits, screws and their utilisation, mass: how an actuator is mounted.
+    """Mounting of an actuator: fits, screws and their utilisation, mass.
 
     Args:
         code: Ordering code.
         lang: Language of the texts: `en` or `de`.
-        bore: Bore over both pilots: a zone such as K7, or limit deviations such as "+12/-3 um"; H7 without it, as the manual recommends.
-        bore_load: Bore of the load, where it is another.
-        bore_housing: Bore of the machine, where it is another.
+        bore: Bore for both pilots: a tolerance zone such as K7, or limit deviations such as "+12/-3 um"; default: H7, as recommended in the manual.
+        bore_load: Bore of the load, if different.
+        bore_housing: Bore of the machine, if different.
 
     Returns:
         The record, as `--json` has it, as typed objects; units as `antrieb.answers` states.
@@ -1641,8 +1648,8 @@ def mount(
 def mount_project(
     text: Text,
     code: str,
-    lang: Lang = "en",
     *,
+    lang: Lang = "en",
     bore: str | None = None,
     bore_load: str | None = None,
     bore_housing: str | None = None,
@@ -1652,15 +1659,15 @@ def mount_project(
     deadline: str | None = None,
     memory: str | None = None,
 ) -> answers.Mount:
-    """How an actuator is mounted under the torques and loads of a project.
+    """Mounting of an actuator with the torques and loads of a project.
 
     Args:
         text: The project as text, or the path of its file.
         code: Ordering code.
         lang: Language of the texts: `en` or `de`.
-        bore: Bore over both pilots: a zone such as K7, or limit deviations such as "+12/-3 um"; H7 without it, as the manual recommends.
-        bore_load: Bore of the load, where it is another.
-        bore_housing: Bore of the machine, where it is another.
+        bore: Bore for both pilots: a tolerance zone such as K7, or limit deviations such as "+12/-3 um"; default: H7, as recommended in the manual.
+        bore_load: Bore of the load, if different.
+        bore_housing: Bore of the machine, if different.
         axis: Only this axis of a project with several.
         file: What a text is called in faults.
         folder: Where the recordings that a text names lie; without it the current folder.
@@ -1690,23 +1697,23 @@ def mount_project(
 def upkeep(
     code: str,
     delivered: str | Day,
-    lang: Lang = "en",
     *,
+    lang: Lang = "en",
     storage: str | None = None,
     hours_per_day: str | None = None,
     inspect: str | None = None,
     today: str | Day | None = None,
 ) -> answers.Upkeep:
-    """Plan with dates for storage, upkeep and exchange, shutting down, disposal.
+    """Maintenance plan with dates for storage, maintenance, replacement, shutdown and disposal.
 
     Args:
         code: Ordering code.
-        delivered: Day of delivery, 2026-03-01.
+        delivered: Date of delivery, for example 2026-03-01.
         lang: Language of the texts: `en` or `de`.
-        storage: Storage before service: a time such as "1 a" or "6 months", or the day on which it ends.
-        hours_per_day: Hours of operation a day, 0 to 24, for the battery of the encoder.
-        inspect: Interval of what the manual wants regularly, such as "6 months"; a year without it, listed as assumed.
-        today: Day to look from: it marks what has passed, and the next date of each series.
+        storage: Storage before operation: a time such as "1 a" or "6 months", or the date on which it ends.
+        hours_per_day: Hours of operation per day, 0 to 24, for the encoder battery.
+        inspect: Interval for work the manual calls for regularly, such as "6 months"; default: one year, listed as assumed.
+        today: Reference date: marks overdue dates and the next date of each series.
 
     Returns:
         The record, as `--json` has it, as typed objects; units as `antrieb.answers` states.
@@ -1727,25 +1734,25 @@ def upkeep(
 def upkeep_ical(
     code: str,
     delivered: str | Day,
-    lang: Lang = "en",
     *,
+    lang: Lang = "en",
     storage: str | None = None,
     hours_per_day: str | None = None,
     inspect: str | None = None,
     today: str | Day | None = None,
     name: str | None = None,
 ) -> str:
-    """The same plan as iCalendar.
+    """The maintenance plan as iCalendar.
 
     Args:
         code: Ordering code.
-        delivered: Day of delivery, 2026-03-01.
+        delivered: Date of delivery, for example 2026-03-01.
         lang: Language of the texts: `en` or `de`.
-        storage: Storage before service: a time such as "1 a" or "6 months", or the day on which it ends.
-        hours_per_day: Hours of operation a day, 0 to 24, for the battery of the encoder.
-        inspect: Interval of what the manual wants regularly, such as "6 months"; a year without it, listed as assumed.
-        today: Day to look from: it marks what has passed, and the next date of each series.
-        name: Name of the actuator in the calendar: distinguishes two of one code.
+        storage: Storage before operation: a time such as "1 a" or "6 months", or the date on which it ends.
+        hours_per_day: Hours of operation per day, 0 to 24, for the encoder battery.
+        inspect: Interval for work the manual calls for regularly, such as "6 months"; default: one year, listed as assumed.
+        today: Reference date: marks overdue dates and the next date of each series.
+        name: Name of the actuator in the calendar, to distinguish actuators with the same ordering code.
 
     Returns:
         The text of the file.
@@ -1765,21 +1772,21 @@ def upkeep_ical(
 
 def new(
     kind: Literal["manual", "table", "arm", "screw", "belt", "recording", "turntable", "conveyor", "slider_crank", "joint", "hoist", "winder", "scissor_lift", "four_bar", "sweep"],
-    lang: Lang = "en",
     *,
+    lang: Lang = "en",
     key: str | Sequence[str] | None = None,
     by: Literal["sobol", "lhs", "grid"] = "sobol",
     samples: int = 100,
     seed: int = 1,
 ) -> str:
-    """A commented project file to fill in.
+    """Create a commented project file to fill in.
 
     Args:
         kind: Kind of the project.
         lang: Language of the texts: `en` or `de`.
-        key: For `new sweep`: a key with its range or values, "motion[0].time [s] = 1..3 log"; several times.
-        by: For `new sweep`: how the ranges are covered (sobol).
-        samples: For `new sweep`: rows that are drawn, or steps of each range of a grid (100). 1 to 1000000.
+        key: For `new sweep`: a key with its range or values, "motion[1].time [s] = 1..3 log"; may be repeated.
+        by: For `new sweep`: sampling method (sobol).
+        samples: For `new sweep`: number of sampled rows, or steps per range of a grid (100). 1 to 1000000.
         seed: For `new sweep`: seed of the samples (1).
 
     Returns:
@@ -1800,12 +1807,13 @@ def new(
 
 def glossary(
     term: str | None = None,
+    *,
     lang: Lang = "en",
 ) -> answers.Glossary:
-    """Words and symbols with their meaning, in both languages.
+    """Terms and symbols with their definitions, in both languages.
 
     Args:
-        term: Symbol, name or word, for example T_rms; all without it.
+        term: Symbol, identifier or term, for example T_rms; default: all.
         lang: Language of the texts: `en` or `de`.
 
     Returns:
@@ -1826,12 +1834,13 @@ def glossary(
 
 def units(
     quantity: str | None = None,
+    *,
     lang: Lang = "en",
 ) -> answers.Units2:
-    """Units that are read, every spelling and its value in SI.
+    """Accepted units with all spellings and their value in SI.
 
     Args:
-        quantity: Quantity or unit, for example torque or rpm; all without it.
+        quantity: Quantity or unit, for example torque or rpm; default: all.
         lang: Language of the texts: `en` or `de`.
 
     Returns:
@@ -1851,9 +1860,10 @@ def units(
 
 
 def licences(
+    *,
     lang: Lang = "en",
 ) -> answers.Licences:
-    """Licences of antrieb and of all that is built into it, fonts included.
+    """Licences of antrieb and of all components included, fonts too.
 
     Args:
         lang: Language of the texts: `en` or `de`.
@@ -1875,15 +1885,15 @@ def licences(
 
 
 def schema(
-    lang: Lang = "en",
     *,
+    lang: Lang = "en",
     answers: bool = False,
 ) -> dict[str, object]:
     """JSON Schema of the project file, or of the answers.
 
     Args:
         lang: Language of the texts: `en` or `de`.
-        answers: What --json writes for each command.
+        answers: Output of --json for each command.
 
     Returns:
         JSON as Python has it.

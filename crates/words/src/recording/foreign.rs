@@ -31,7 +31,7 @@ pub(super) fn foreign(format: Foreign, language: Language) -> (String, String) {
             said!(language => "export the channels as CSV" | "die Kanäle als CSV ausgeben"),
         ),
         Foreign::Mdf => (
-            said!(language => "an MDF file of a measuring system" | "eine MDF-Datei eines Messsystems"),
+            said!(language => "an MDF file of a measuring system" | "eine MDF-Datei einer Messdatenerfassung"),
             said!(language => "export the channels as CSV on one time base" | "die Kanäle mit gemeinsamer Zeitbasis als CSV ausgeben"),
         ),
         Foreign::Arrow => (
