@@ -23,7 +23,7 @@ fn files(folder: &Path) {
     });
     std::fs::write(folder.join("run.csv"), rows).unwrap();
     let bar = "[mechanism.four_bar]\ncrank = \"60 mm\"\nground = \"200 mm\"\ncoupler = \"180 mm\"\nrocker = \"160 mm\"\n\
-        coupler_mass = \"2 kg\"\nrocker_mass = \"2 kg\"\naxis_tilt = \"90 deg\"\n";
+        coupler_mass = \"2 kg\"\nrocker_mass = \"2 kg\"\naxis_tilt = \"90 deg\"\nstart_angle = \"0 deg\"\n";
     let text = format!(
         "format = 1\n[axis]\nsingle_move = true\n{bar}efficiency = 0.9\n[[motion]]\nlaw = \"recorded\"\nfile = \"run.csv\"\n\
          smoothing = \"20 ms\"\n[bearing]\noverhang = \"60 mm\"\n"

@@ -62,7 +62,7 @@ fn a_calculator_answers_with_number_source_grade_and_picture() {
     let curve = tool("curve", code, &[("t_voltage", "220 V")]);
     assert!(curve.contains("<svg") && curve.contains("published, cha-page-39") && curve.contains("220 V"), "{curve}");
     let battery = tool("battery", "", &[("t_hours-per-day", "10"), ("t_storage", "1 a")]);
-    assert!(battery.contains("Battery of the encoder:") && battery.contains("at the latest"), "{battery}");
+    assert!(battery.contains("Encoder battery:") && battery.contains("at the latest"), "{battery}");
     let inertia =
         tool("inertia", "", &[("t_body", "point mass=2kg distance=500mm\npoint mass=2kg distance=500mm angle=180deg")]);
     assert!(inertia.contains("J = 1.000 kgm², m = 4.000 kg"), "{inertia}");
@@ -72,7 +72,7 @@ fn a_calculator_answers_with_number_source_grade_and_picture() {
         ("t_motion[1].speed", "10 1/min"),
     ];
     let bearing = tool("bearing", "CHA-25A-100-H-C1024", &loads);
-    assert!(bearing.contains("id=\"size-25A\" open") && bearing.contains("printed, table 55.1"), "{bearing}");
+    assert!(bearing.contains("id=\"size-25A\" open") && bearing.contains("manufacturer data, table 55.1"), "{bearing}");
     let mount = tool("mount", code, &[("t_bore", "K7")]);
     assert!(mount.contains("K7"));
 }

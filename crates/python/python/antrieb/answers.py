@@ -2820,7 +2820,7 @@ class Faults:
 
     errors: list[Fault]
     """The faults, in the order of the file."""
-    nearest_codes: list[ListedCode]
+    nearest_codes: list[ListedCode] | None = None
     """The nearest valid codes, where a wrong ordering code is among the faults."""
 
 

@@ -1037,7 +1037,7 @@ def encoder(
     error: bool = False,
     decode: str | None = None,
 ) -> answers.Encoder:
-    """Signals and data words of the encoders of one actuator at an angle; decoding of a word.
+    """Encoder signals and data words at an angle; decoding of a word.
 
     Args:
         code: Ordering code.
@@ -1704,7 +1704,7 @@ def upkeep(
     inspect: str | None = None,
     today: str | Day | None = None,
 ) -> answers.Upkeep:
-    """Maintenance plan with dates for storage, maintenance, replacement, shutdown and disposal.
+    """Maintenance plan with dates, from storage to disposal.
 
     Args:
         code: Ordering code.
