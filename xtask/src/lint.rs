@@ -28,7 +28,9 @@ pub(crate) fn clippy(root: &Path) -> Result<(), Error> {
         ["clippy", "--quiet", "--package", "python", "--features", "extension", "--no-deps", "--", "-D", "warnings"];
     must_succeed(cargo(root, &module).env("PYO3_NO_PYTHON", "1"))?;
     let workspace = Workspace::ask(root)?;
-    let bans: [(&str, fn(&str, u8) -> bool); 3] = [
+    // Returns true if a ban holds for a crate of this name and layer.
+    type Covers = fn(&str, u8) -> bool;
+    let bans: [(&str, Covers); 3] = [
         ("outside-world", |_, layer| layer <= HANDED_IN_MAX),
         ("threads", |_, layer| layer <= ONE_THREAD_MAX),
         ("own-files", |name, layer| layer > HANDED_IN_MAX && name != WRITES_FILES),

@@ -105,7 +105,8 @@ fn names(folder: &Path) -> Vec<String> {
 /// Rows before the interruption never answer another recording, table, project or request than those behind it.
 #[test]
 fn a_run_that_continues_is_the_same_run() {
-    let changes: [(&str, &dyn Fn(&Bench)); 4] = [
+    type Change<'c> = &'c dyn Fn(&Bench);
+    let changes: [(&str, Change<'_>); 4] = [
         ("recording", &|bench| drop(put(bench.here(), "turn.csv", &turn(60.0)))),
         ("table", &|bench| drop(put(bench.here(), "tasks.csv", &table(0.7)))),
         ("project", &|bench| drop(put(bench.here(), "axis.toml", &RECORDED.replace("5 N m", "6 N m")))),

@@ -1,6 +1,6 @@
 //! One truth: every answer about an actuator names the same failing checks, the same governing check and the same nearest miss, and
 //! what it proposes fits as it is shown. Every example with seeded values is taken, so every mechanism.
-#![allow(clippy::unwrap_used, reason = "a test may fail")]
+#![allow(clippy::unwrap_used, clippy::panic, clippy::indexing_slicing, reason = "a test may fail")]
 
 use project::{Counted, Edit, Heading, Input, NoFiles, Project, edit, inputs};
 use quantities::Measure;

@@ -163,12 +163,11 @@ fn is_mixed_row(cells: &[String]) -> bool {
     values > 0 && 2 * values >= filled
 }
 
+/// Returns `true` if the cells of a line can be those of a row of values.
+type IsRow = fn(&[String]) -> bool;
+
 /// The line that heads a row, if it is one: its place, and what is known of it.
-fn heading_above(
-    seen: &[(u64, Vec<u8>)],
-    row: usize,
-    (stated, is_row): (Option<u8>, fn(&[String]) -> bool),
-) -> Option<(usize, Found)> {
+fn heading_above(seen: &[(u64, Vec<u8>)], row: usize, (stated, is_row): (Option<u8>, IsRow)) -> Option<(usize, Found)> {
     let line = |place: usize| seen.get(place).map(|(_, line)| line.as_slice());
     let above = row.checked_sub(1).and_then(line);
     let usual = [above.map_or(b';', delimiter), b';', b'\t', b','];

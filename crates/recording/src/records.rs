@@ -112,7 +112,9 @@ mod tests {
     use super::*;
     use crate::limits::LINE_BYTES_MAX;
 
-    fn all(source: &[u8]) -> (Vec<String>, Vec<Result<Vec<String>, Fault>>, Encoding) {
+    type Rows = Vec<Result<Vec<String>, Fault>>;
+
+    fn all(source: &[u8]) -> (Vec<String>, Rows, Encoding) {
         let mut records = Records::open(source).unwrap();
         let mut rows = Vec::new();
         loop {

@@ -164,7 +164,11 @@ impl<'b> Footer<'b> {
     fn group(&self, thrift: &mut Thrift<'b>, wanted: &[usize]) -> Result<(u64, Vec<Chunk>), Stop> {
         let (mut rows, mut found) = (None, vec![None; self.columns.len()]);
         let mut is_wanted = vec![false; self.columns.len()];
-        wanted.iter().filter_map(|index| Some(*is_wanted.get_mut(*index)? = true)).for_each(drop);
+        for index in wanted {
+            if let Some(flag) = is_wanted.get_mut(*index) {
+                *flag = true;
+            }
+        }
         thrift.structure(|thrift, id, kind| {
             match (id, kind) {
                 (1, ThriftType::List) => {
