@@ -116,7 +116,11 @@ pub(crate) fn a_link_of_a_tile(stage: &Stage<'_>) -> Worded {
     tab.click("#link")?;
     tab.until("location.hash.startsWith('#p=')")?;
     let address = tab.eval("location.href")?.as_str().unwrap_or_default().to_owned();
-    tab.run("sessionStorage.clear(); localStorage.clear();", Vec::new())?;
+    // The token is the access of the browser to this server, not knowledge of the project.
+    tab.run(
+        "const token = localStorage.getItem('antrieb-token'); sessionStorage.clear(); localStorage.clear(); if (token !== null) localStorage.setItem('antrieb-token', token);",
+        Vec::new(),
+    )?;
     tab.open("about:blank")?;
     tab.open(&address)?;
     stage.ready()?;
