@@ -168,12 +168,11 @@ impl Deref for Expected {
 /// Among the words of some fields the one that is nearest to a text, with its field. Of several as near, the one that
 /// begins most like the text, then the first in the order of the fields.
 pub(crate) fn nearest_token(found: &str, series: Series, fields: &[Field]) -> Option<(Field, &'static str)> {
-    let found: String = found.chars().take(16).collect();
-    let mut distances = crate::Distances::from(&found);
+    let found = found.chars().take(16).collect::<String>().to_ascii_uppercase();
     fields
         .iter()
         .flat_map(|field| series.words(*field).iter().map(move |token| (*field, *token)))
-        .map(|(field, token)| (distances.to(token), field, token))
+        .map(|(field, token)| (strsim::osa_distance(&found, token), field, token))
         .filter(|(distance, _, token)| distance * 2 <= token.len())
         .min_by_key(|(distance, _, token)| (*distance, std::cmp::Reverse(common_beginning(&found, token))))
         .map(|(_, field, token)| (field, token))

@@ -34,7 +34,6 @@
 //! another, except that option 2 `S` begins `SP`, and no word is the `P` that would be left. The tests walk all codes to
 //! hold this, and a second reading would be an error ([`CodeError::Ambiguous`]), not a guess.
 
-mod distance;
 mod error;
 mod field;
 mod grammar;
@@ -43,7 +42,6 @@ mod pattern;
 mod scan;
 mod tokens;
 
-pub use distance::{Distances, Texts};
 pub use error::{CodeError, CodeErrors, Expected};
 pub use field::{Brake, Feedback, Field, Option1, Option2, OrderCode, Ratio, Size, Winding};
 pub use grammar::{FEEDBACKS, FeedbackKind, FieldWords, Grammar, Meaning, OPTIONS_1, OPTIONS_2, Series, extend};
