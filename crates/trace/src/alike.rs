@@ -1,20 +1,20 @@
-//! Panels of a cycle that are like one another: a move that is made again and again need be looked into once.
+//! Detection of repeated panels: a move that recurs in the cycle is evaluated once.
 
 use super::{Kept, Like, Node};
 use std::collections::BTreeMap;
 use std::collections::btree_map::Entry;
 
-/// In fewer panels nothing is sought: looking into all of them costs less.
+/// Minimum number of panels for the search for repetitions; below it, evaluating every panel is cheaper.
 const WORTH_IT: usize = 32;
 
-/// Two signals that differ by less than this share of the largest one of their kind are the same: what adds up along the
-/// cycle rounds no worse, and a peak is found no more closely.
+/// Relative tolerance for equal signals, as a share of the largest magnitude of each signal. Sums over the cycle round
+/// no better, and peaks are located no more precisely.
 const SAME: f64 = 1e-12;
 
-/// Marks each panel that is like an earlier one.
+/// Marks each panel that repeats an earlier one.
 ///
-/// Signals are compared as whole numbers of [`SAME`]; of two that are equal but for rounding some fall to either side of a
-/// step, and their panels are then taken for different ones, which costs time only.
+/// Signals are compared as integer multiples of [`SAME`]. Rounding can put equal signals on either side of a step; such
+/// panels count as different, which costs time but changes no result.
 ///
 /// Cost: O(n log n) over the nodes.
 pub(super) fn find(nodes: &[Node], panels: &mut [Kept]) {
@@ -43,7 +43,7 @@ pub(super) fn find(nodes: &[Node], panels: &mut [Kept]) {
     }
 }
 
-/// How many steps each signal has to one of its unit.
+/// Returns the number of comparison steps per unit of each signal.
 fn steps(nodes: &[Node]) -> [f64; 4] {
     let largest = nodes.iter().fold([0.0_f64; 4], |mut most, node| {
         most.iter_mut().zip(node.signals()).for_each(|(most, x)| *most = most.max(x.abs()));
@@ -52,7 +52,7 @@ fn steps(nodes: &[Node]) -> [f64; 4] {
     largest.map(|largest| if largest > 0.0 { 1.0 / (SAME * largest) } else { 0.0 })
 }
 
-/// The signals of a panel's nodes as whole numbers of steps, and how long it lasts.
+/// Returns the duration of a panel and the signals at its nodes as whole numbers of comparison steps.
 fn signature(nodes: &[Node], duration: f64, steps: &[f64; 4]) -> Vec<i64> {
     #[allow(clippy::cast_possible_truncation, reason = "at most 10¹² steps")]
     let whole = |x: f64| x.round() as i64;
@@ -73,13 +73,13 @@ mod tests {
     use crate::{Any, Form, Lag, Like, TorqueWith, Trace};
     use motion::{Law, SegmentSpec};
 
-    /// Swings of an arm, each back and forth, in groups that differ.
+    /// Returns back-and-forth swings of an arm in groups of different angles.
     fn swings(angles: &[f64], rounds: usize) -> Vec<SegmentSpec> {
         let there_and_back = |angle: &f64| [*angle, -*angle].map(|angle| law(Law::ModifiedSine, angle, 0.6));
         (0..rounds).flat_map(|_| angles.iter().flat_map(there_and_back)).collect()
     }
 
-    /// The same trace with every panel taken for the first of its kind.
+    /// Returns a copy of the trace in which no panel is marked as repeated.
     fn unmarked(trace: &Trace) -> Trace {
         let mut plain = trace.clone();
         for (index, kept) in plain.panels.iter_mut().enumerate() {
@@ -97,7 +97,8 @@ mod tests {
         for (angles, rounds) in [(&[1.2][..], 40), (&[0.7, 1.9, 0.3], 15), (&[1.0, 1.01], 30)] {
             let trace = under(&arm(), &motion(&swings(angles, rounds)));
             let copies = trace.panels.iter().filter(|kept| kept.like.is_copy).count();
-            // Each round but the first is a copy; some panels fall to either side of a step of the comparison.
+            // The first round is original; rounding puts some panels of later rounds on the other side of a comparison
+            // step.
             let most = trace.panels.len() * (rounds - 1) / rounds;
             assert!(copies <= most && copies as f64 > 0.9 * most as f64, "{copies} of {}", trace.panels.len());
             let plain = unmarked(&trace);
@@ -120,7 +121,7 @@ mod tests {
         }
     }
 
-    /// Another load on the same motion: what is known of the copies is sought anew, or left alone where there are none.
+    /// A trace changed to another load equals a trace built from scratch, with and without repeated panels.
     #[test]
     fn a_changed_trace_is_that_made_anew() {
         for (angles, rounds) in [(&[0.7, 1.9, 0.3][..], 15), (&[0.5, 0.9, 1.4, 1.7, 0.2, 1.1, 0.8, 1.6], 1)] {
@@ -139,7 +140,7 @@ mod tests {
         }
     }
 
-    /// Moves that differ by a millionth are different ones.
+    /// Moves that differ by a millionth count as different.
     #[test]
     fn what_nearly_repeats_does_not() {
         let segments: Vec<SegmentSpec> = (0..40).flat_map(|k| swings(&[1.2 + 1e-6 * f64::from(k)], 1)).collect();

@@ -1,4 +1,4 @@
-//! The pass over the motion that makes the trace.
+//! Construction of a trace in one pass over the motion.
 
 use super::alike;
 use super::kinks::{kink_passes, passes, recorded_passes};
@@ -18,48 +18,50 @@ pub(super) struct Builder<'a> {
     motion: &'a Motion,
     extras: &'a [Extra],
     carried: &'a [Carried],
-    /// Strips of a trace of the same recordings.
+    /// Strips of an existing trace of the same recordings.
     known: &'a [Strip],
     nodes: Vec<Node>,
     panels: Vec<Kept>,
     strips: Vec<Strip>,
     blocks: Vec<Block>,
-    /// Nodes and panels before these are in a block.
+    /// Numbers of nodes and panels that already belong to a block.
     blocked: (usize, usize),
-    /// How often what is being added follows upon itself.
+    /// Number of repetitions of the part being added.
     times: f64,
     shares: Vec<Share>,
     inertia: (f64, f64),
     span: (f64, f64),
     holding: f64,
-    /// Whether the load has kinks over the position.
+    /// The load has kinks over the position.
     kinked: bool,
-    /// Whether panels that repeat are sought.
+    /// Repeated panels are searched for.
     seeks_alike: bool,
-    /// Whether the nodes of the recordings are kept.
+    /// The nodes of recordings are stored.
     keeps_recordings: bool,
 }
 
-/// Over so many panels of a load that depends on the position one search for roots runs, with 64 steps: more than ten to a half turn.
+/// Number of panels of a position-dependent load covered by one root search with 64 steps: more than ten steps per half
+/// turn.
 const PANELS_PER_SEARCH: f64 = 12.0;
 
-/// A panel covers at most this phase of the harmonic of its law.
+/// Largest phase of the law's harmonic covered by one panel \[rad\].
 const PANEL_PHASE: f64 = std::f64::consts::FRAC_PI_4;
 
-/// Instants of one cycle at most, recordings apart: beyond, it is refused.
+/// Maximum number of instants of one cycle, not counting recordings; a larger cycle is refused.
 pub const INSTANTS_MOST: f64 = 130_000.0;
 
-/// Between kinks that lie close together the load is smoother than over a whole panel: where a panel is shorter than this share of
-/// one, and the load turns by less than this angle, nine nodes integrate to 10⁻¹².
+/// Panels between neighbouring kinks need fewer nodes: if a panel is shorter than this share of a regular one and the
+/// load turns by less than [`SHORT_TURN`] \[rad\], nine nodes integrate to 10⁻¹².
 const SHORT: f64 = 0.25;
 const SHORT_TURN: f64 = 0.1;
 const NODES_BETWEEN_KINKS: usize = 9;
 
-/// A panel of so many nodes holds signals that are straight over time.
+/// Maximum number of nodes of a panel whose signals are straight over time.
 const STRAIGHT: usize = 4;
 
-/// The nodes of recordings of at most so many intervals together are kept: they are looked at many times for every
-/// candidate, and a few megabytes hold them. Those of longer ones would cost more to store and load than to make.
+/// Maximum number of intervals of all recordings together whose nodes are stored. They are read many times for every
+/// candidate and fit into a few megabytes; for longer recordings storing and loading would cost more than computing the
+/// nodes again.
 const KEPT: usize = 1 << 13;
 
 impl<'a> Builder<'a> {
@@ -91,7 +93,8 @@ impl<'a> Builder<'a> {
         }
     }
 
-    /// With the strips of a trace of the same motion, and whether its panels repeat: another load or pace changes neither.
+    /// Adds the strips of a trace of the same motion and that trace's result on repeated panels, neither of which
+    /// depends on load or pace.
     pub(super) fn knowing(self, known: &'a [Strip], has_copies: bool) -> Self {
         Self { known, seeks_alike: has_copies, ..self }
     }
@@ -138,7 +141,7 @@ impl<'a> Builder<'a> {
         trace
     }
 
-    /// Makes a block of the nodes since the last one.
+    /// Closes the current block: groups all nodes added since the last one.
     fn close_block(&mut self) {
         let (nodes, panels) = self.blocked;
         if panels == self.panels.len() {
@@ -190,11 +193,11 @@ impl<'a> Builder<'a> {
         self.turning(piece, extra);
     }
 
-    /// Whole revolutions at constant speed under a load that repeats with each: one of them stands for all, and what is
-    /// left over follows.
+    /// Adds whole revolutions at constant speed under a load with the period of one revolution: one revolution
+    /// represents all, the remainder follows.
     fn revolutions(&mut self, piece: &Piece, extra: &Extra, times: f64) {
         self.close_block();
-        // Of the load; the stage between it and the actuator turns the output farther.
+        // Angle of one revolution of the load, seen at the actuator: the stage in between multiplies it.
         let angle = TAU * self.mechanism.stage_ratio().abs();
         let period = angle / piece.speed_rad_s.abs();
         self.times = times;
@@ -224,7 +227,7 @@ impl<'a> Builder<'a> {
                 let between = self.kinked && to - from <= short && turned(*from, *to) <= near;
                 let nodes = if between { NODES_BETWEEN_KINKS.min(nodes) } else { nodes };
                 self.panel(piece, &loading, (*from, *to, runs.direction(0.5 * (from + to))), nodes);
-                // What repeats is one block.
+                // A repeated part stays in one block.
                 if self.times == 1.0 && self.nodes.len() - self.blocked.0 >= BLOCK {
                     self.close_block();
                 }
@@ -258,15 +261,15 @@ impl<'a> Builder<'a> {
         self.see(&output, &load);
     }
 
-    /// Notes extremes at an instant.
+    /// Updates the extremes of inertia, position and holding torque.
     fn see(&mut self, output: &Output, load: &Load) {
         self.inertia = (self.inertia.0.max(load.inertia_kgm2), self.inertia.1.min(load.inertia_kgm2));
         self.span = (self.span.0.min(output.position_rad), self.span.1.max(output.position_rad));
         self.holding = self.holding.max(load.holding_nm.abs());
     }
 
-    /// Panel borders: reversals, changes of sign of the torque and kinks of the load, and then as many equal parts as a
-    /// smooth integrand needs.
+    /// Returns the panel borders \[s\]: reversals, sign changes of the torque, kinks of the load, and equal parts short
+    /// enough for the quadrature of a smooth integrand.
     fn cuts(&self, piece: &Piece, loading: &Loading<'_>, runs: &Runs) -> Vec<f64> {
         let mut cuts = vec![0.0];
         cuts.extend(runs.reversals());
@@ -278,7 +281,7 @@ impl<'a> Builder<'a> {
             cuts.extend(piece.jerk_roots());
         }
         if !(ramp && self.mechanism.is_constant_over_ramps()) {
-            // So many spans that no two roots fall into one step of the search.
+            // Enough spans that no two roots fall into one step of the search.
             let spans = (parts / PANELS_PER_SEARCH).ceil().max(1.0);
             let span = piece.duration_s / spans;
             // A root on the border of two spans lies inside neither.
@@ -294,7 +297,7 @@ impl<'a> Builder<'a> {
             let mut k = 0.0;
             while k < spans {
                 let from = k * span;
-                // Every function looks at the same instants first.
+                // All functions share the same search instants.
                 seen.clear();
                 seen.extend(root_steps(span).map(|t| looked(at(from + t))));
                 let mut search = |f: &dyn Fn(&(Output, Load)) -> f64| {
@@ -303,7 +306,7 @@ impl<'a> Builder<'a> {
                     let found = roots_between(&values, |t| f(&looked(at(from + t))), span);
                     cuts.extend(found.into_iter().map(|t| from + t));
                 };
-                // Without friction and losses both torques are one and pass zero together.
+                // Without friction and losses both torques are equal and pass zero together.
                 if seen.iter().any(|(_, load)| load.useful_nm != load.torque_nm) {
                     search(&|(_, load)| load.useful_nm);
                 }
@@ -344,7 +347,7 @@ impl<'a> Builder<'a> {
         let (kinked, beside, state) = (self.kinked, 1e-9 * (to - from), piece.states());
         let first = self.nodes.len();
         for (u, weight) in lobatto(nodes) {
-            // The end is met to the last bit, so that time never runs back into the next panel.
+            // The last node takes the exact end, so that time never runs back into the next panel.
             let t = if *u == 1.0 { to } else { from + u * (to - from) };
             // At a kink of the load each panel takes the slope of its own side.
             let beside = if kinked { (t.max(from + beside)).min(to - beside) } else { t };
@@ -369,7 +372,7 @@ impl<'a> Builder<'a> {
     }
 }
 
-/// How far each signal may leave the straight line between two neighbouring nodes of a panel.
+/// Computes the bound on the deviation of each signal from the straight line between two neighbouring nodes of a panel.
 ///
 /// g²/8 Σ |a_j| P_j''(1), P_j''(1) = (j − 1) j (j + 1) (j + 2)/8
 ///
@@ -397,7 +400,8 @@ fn bow(nodes: &[Node]) -> [f64; 4] {
     bow.map(|bow| bow * (gap * gap / 8.0))
 }
 
-/// How many whole revolutions of the load a piece makes at constant speed, if it repeats with each and there are several.
+/// Returns the number of whole revolutions that a piece makes at constant speed under a load with the period of one
+/// revolution; `None` below two.
 fn whole_revolutions(mechanism: &Mechanism, piece: &Piece) -> Option<f64> {
     let repeats = mechanism.depends_on_position()
         && mechanism.endless() == Endless::EachRevolution
@@ -407,15 +411,15 @@ fn whole_revolutions(mechanism: &Mechanism, piece: &Piece) -> Option<f64> {
     (repeats && times >= 2.0).then_some(times)
 }
 
-/// Revolutions of the load in a piece. They are at most those at the largest speed; the ends and the quarters of the piece
-/// bound it closely.
+/// Returns the number of revolutions of the load in a piece, estimated as duration times the largest speed at the ends
+/// and quarters of the piece.
 fn turned(mechanism: &Mechanism, piece: &Piece) -> f64 {
     let state = piece.states();
     let speed = [0.0, 0.25, 0.5, 0.75, 1.0].map(|u| state(u * piece.duration_s).speed_rad_s.abs());
     speed.into_iter().fold(0.0, f64::max) * piece.duration_s / (TAU * mechanism.stage_ratio().abs())
 }
 
-/// Lowest and highest position of a piece: those at its ends, its quarters and its reversals.
+/// Returns the lowest and the highest position of a piece \[rad\], sampled at its ends, quarters and reversals.
 fn extremes(piece: &Piece) -> [f64; 2] {
     let state = piece.states();
     let at = [0.0, 0.25, 0.5, 0.75, 1.0].into_iter().map(|u| u * piece.duration_s).chain(piece.runs().reversals());
@@ -423,15 +427,15 @@ fn extremes(piece: &Piece) -> [f64; 2] {
         .fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], q| [low.min(q), high.max(q)])
 }
 
-/// An instant between kinks costs so much of another one: no root is sought there.
+/// Cost of an instant between kinks relative to a regular one: no root search is needed there.
 const BETWEEN_KINKS: f64 = 0.25;
 
-/// So many passes of a kink within recordings cost as much as an instant that is kept.
+/// Number of kink passes within recordings that cost as much as one stored instant.
 const RECORDED_PASSES: f64 = 8.0;
 
-/// How many instants each piece is looked at, by segment: panels times nodes, one revolution standing for all of those at
-/// constant speed, and the panels between the kinks of the load that are passed, those of recordings too. What cuts at
-/// reversals add is not counted.
+/// Estimates the number of instants at which each piece is evaluated, by segment: panels times nodes, one revolution
+/// representing all at constant speed, plus the panels between kinks, including those passed by recordings. Cuts at
+/// reversals are not counted.
 pub fn instants(mechanism: &Mechanism, motion: &Motion) -> Vec<(usize, f64)> {
     let (kinks, ratio) = (mechanism.kinks(), mechanism.stage_ratio());
     let at_kinks = |piece: &Piece, share: f64| {
@@ -456,7 +460,7 @@ pub fn instants(mechanism: &Mechanism, motion: &Motion) -> Vec<(usize, f64)> {
         }
         let nodes = nodes_per_panel(mechanism, piece) as f64;
         match whole_revolutions(mechanism, piece) {
-            // The one that stands for them, and what is left over.
+            // The representative revolution and the remainder.
             Some(times) => {
                 nodes * (2.0 * parts(mechanism, piece) / times).max(1.0) + at_kinks(piece, (2.0 / times).min(1.0))
             }
@@ -466,7 +470,7 @@ pub fn instants(mechanism: &Mechanism, motion: &Motion) -> Vec<(usize, f64)> {
     motion.pieces().iter().map(|piece| (piece.segment, of(piece))).chain(recorded).collect()
 }
 
-/// Equal parts of a piece that a smooth integrand needs.
+/// Returns the number of equal parts into which a piece is cut for the quadrature of a smooth integrand.
 fn parts(mechanism: &Mechanism, piece: &Piece) -> f64 {
     let [amplitude, frequency, _] = piece.harmonic;
     let phase = if amplitude == 0.0 { 0.0 } else { frequency * piece.duration_s / PANEL_PHASE };
@@ -478,7 +482,7 @@ fn parts(mechanism: &Mechanism, piece: &Piece) -> f64 {
     phase.max(angle).ceil()
 }
 
-/// So many nodes that T², I² and T³ω are integrated exactly where they are polynomials of time.
+/// Returns the number of nodes per panel that integrates T², I² and T³ω exactly where they are polynomials in time.
 fn nodes_per_panel(mechanism: &Mechanism, piece: &Piece) -> usize {
     if mechanism.depends_on_position() {
         return 16;
@@ -503,7 +507,7 @@ fn nodes_per_panel(mechanism: &Mechanism, piece: &Piece) -> usize {
     }
 }
 
-/// The blocks as runs of kept panels and whole recordings.
+/// Merges the blocks into runs of stored panels and whole recordings.
 fn runs(blocks: &[Block]) -> Vec<Run> {
     let mut runs: Vec<Run> = Vec::new();
     for block in blocks {
@@ -518,7 +522,7 @@ fn runs(blocks: &[Block]) -> Vec<Run> {
     runs
 }
 
-/// The blocks of recordings in groups.
+/// Groups the blocks of recordings.
 fn groups(blocks: &[Block]) -> Vec<Group> {
     let mut groups = Vec::new();
     let mut from = 0;
@@ -536,7 +540,7 @@ fn groups(blocks: &[Block]) -> Vec<Group> {
     groups
 }
 
-/// The motion of the output at an instant.
+/// Returns the motion of the output at an instant.
 const fn output(state: &State, direction: f64) -> Output {
     Output {
         position_rad: state.position_rad,

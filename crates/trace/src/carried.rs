@@ -1,26 +1,27 @@
-//! Rests in which what drives the axis does not carry the load all the time.
+//! Rest segments in which the actuator carries the load only part of the time.
 
 use quantities::{Measure, Time};
 
-/// How long the load weighs on the output in a segment at rest.
+/// Part of a rest segment during which the load acts on the output.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub enum Carried {
-    /// All the time.
+    /// The whole segment.
     #[default]
     Throughout,
-    /// At the beginning until a brake has closed, and at the end while it opens: both together not longer than the rest.
+    /// The start until the brake has closed and the end while it opens; both together no longer than the segment.
     AtItsEnds {
-        /// Time at the beginning.
+        /// Time at the start.
         first: Time,
         /// Time at the end.
         last: Time,
     },
-    /// Never.
+    /// No part of the segment.
     Never,
 }
 
 impl Carried {
-    /// The instants of a rest of a duration between which nothing is carried, from its beginning \[s\].
+    /// Returns start and end of the interval in which the load is not carried, from the start of a rest of the given
+    /// duration \[s\].
     #[must_use]
     pub fn ends(self, duration_s: f64) -> (f64, f64) {
         match self {

@@ -9,7 +9,7 @@ use wide::f64x4;
 /// The moments ∫ α^i R^j ω^k |ω| dt of a cell, i + j + k ≤ 3, in the order of [`POWERS`], in the signals of the cells.
 pub(super) type Moments = [f64; 20];
 
-/// i, j, k and 3!/(i! j! k! (3 − i − j − k)!)
+/// Exponents i, j, k and the multinomial coefficient 3!/(i! j! k! (3 − i − j − k)!).
 const POWERS: [(i32, i32, i32, f64); 20] = [
     (0, 0, 0, 1.0),
     (1, 0, 0, 3.0),
@@ -33,8 +33,8 @@ const POWERS: [(i32, i32, i32, f64); 20] = [
     (1, 1, 1, 6.0),
 ];
 
-/// Adds what a panel of a cell contributes. Its three nodes integrate polynomials of the third degree; T³ω of straight lines
-/// has the fourth, so five nodes are taken.
+/// Adds the contribution of a panel of a cell. Its three nodes integrate polynomials of the third degree only; T³ω of
+/// straight lines has the fourth, so five nodes are used.
 pub(super) fn add(moments: &mut Moments, panel: &Panel<'_>) {
     let ([first, .., last], true) = (panel.nodes, panel.is_straight()) else { return };
     for (s, weight) in lobatto(5) {
@@ -68,7 +68,7 @@ pub(super) fn add(moments: &mut Moments, panel: &Panel<'_>) {
     }
 }
 
-/// The same of an interval under a constant torque R that is run through in one direction: ∫|ω|^n dt in closed form.
+/// Adds the contribution of an interval with constant torque R and one direction: ∫|ω|^n dt in closed form.
 pub(super) fn add_interval(moments: &mut Moments, r: f64, interval: &Interval) {
     let (h, [w0, w1]) = (interval.duration_s, interval.speed_rad_s);
     let (a, p, s, q) = ((w1 - w0) / h, w0 + w1, w0 * w0 + w1 * w1, w0 * w1);
@@ -102,7 +102,7 @@ pub(super) fn add_interval(moments: &mut Moments, r: f64, interval: &Interval) {
     moments.iter_mut().zip(powers).for_each(|(sum, power)| *sum += power);
 }
 
-/// ∫|s + p α + r R + q ω|³ |ω| dt of a cell in which that torque has one sign.
+/// Computes ∫|s + p α + r R + q ω|³ |ω| dt of a cell in which the torque in the bars keeps its sign.
 fn cube(moments: &Moments, [p, r, s, q]: [f64; 4]) -> f64 {
     let powers = |x: f64| [1.0, x, x * x, x * x * x];
     let (of_p, of_r, of_s, of_q) = (powers(p), powers(r), powers(s), powers(q));
@@ -114,10 +114,10 @@ fn cube(moments: &Moments, [p, r, s, q]: [f64; 4]) -> f64 {
 }
 
 impl Trace {
-    /// ∫|T_L|³ |ω| dt; only gears with a rating need it.
+    /// Returns ∫|T_L|³ |ω| dt over the cycle, computed on first use; needed only by gears with a rating.
     pub fn cubes(&self) -> f64 {
         *self.cubes.get_or_init(|| {
-            // The moments pay off for many loads; for one alone they would cost more than a pass.
+            // The moments pay off for many loads; for a single one they cost more than a pass.
             let by_cells = |strip: &&Strip| self.is_changed && strip.has_moments();
             let passed = self.blocks.iter().filter(|block| !self.strip_of(block).as_ref().is_some_and(by_cells));
             let strips = self.strips.iter().filter(by_cells);
@@ -145,10 +145,10 @@ impl Trace {
     }
 }
 
-/// ∫|T|³ |ω| dt over straight intervals that do not turn round.
+/// Computes ∫|T|³ |ω| dt over straight intervals without a reversal.
 ///
-/// Where T keeps its sign Boole's rule is exact, for T³ω has the fourth degree; about a zero z of T, with the speed ω_z there,
-/// ∫_z^1 = |T_1|³ (1 − z) (ω_z/20 + ω_1/5), and alike before it.
+/// Where T keeps its sign, Boole's rule is exact because T³ω has the fourth degree; after a zero z of T with the speed
+/// ω_z there, ∫_z^1 = |T_1|³ (1 − z) (ω_z/20 + ω_1/5), and correspondingly before it.
 pub(super) fn cubes_of_ramps(ramps: &Ramps) -> f64 {
     let [a, b] = ramps.load_nm.map(f64x4::new);
     let [v, w] = ramps.speed_rad_s.map(|speed| f64x4::new(speed).abs());
@@ -165,7 +165,8 @@ pub(super) fn cubes_of_ramps(ramps: &Ramps) -> f64 {
     (f64x4::new(ramps.duration_s) * crosses.select(cut, smooth)).reduce_add()
 }
 
-/// By its moments where the torque keeps its sign all through a cell that turns one way.
+/// Computes ∫|T|³ |ω| dt of a cell, from its moments if the torque keeps its sign and the cell has one direction, else
+/// from its parts.
 fn cubes_of_cell(strip: &Strip, cell: &Cell) -> f64 {
     let (back, forth) = cell.extent.direction;
     if back == forth {
@@ -175,7 +176,7 @@ fn cubes_of_cell(strip: &Strip, cell: &Cell) -> f64 {
         if (low >= 0.0 || high <= 0.0)
             && let Some(moments) = strip.cubic(cell)
         {
-            // The angle travelled, by which the cube is weighted, is the same however fast the recording is run through.
+            // The cube is weighted by the angle travelled, which does not depend on the pace of the recording.
             return cube(moments, [p, r, s * back, q]);
         }
     }
@@ -198,14 +199,14 @@ pub(super) fn cubes_of_panel(panel: &Panel<'_>) -> f64 {
     }
 }
 
-/// |T|³ |ω|
+/// Returns |T|³ |ω| at a node.
 fn cubed(node: &Node) -> f64 {
     (node.load_nm * node.load_nm * node.load_nm * node.speed_rad_s).abs()
 }
 
-/// ∫|T|³ |ω| dt of a panel with three nodes, cut where T passes zero: with straight lines of the fourth degree already, for
-/// which the nodes themselves are not enough. The cube is smooth enough at its zero that the place of the straight line
-/// through the ends serves.
+/// Computes ∫|T|³ |ω| dt of a panel with three nodes, split where T passes zero. Three nodes do not suffice: straight
+/// lines already give the fourth degree. The cube is smooth enough at its zero that the zero of the chord is a
+/// sufficient place for the split.
 fn few(panel: &Panel<'_>) -> f64 {
     let [first, _, last] = panel.nodes else { return 0.0 };
     let at = |s: f64| if panel.is_straight() { first.towards(last, s) } else { panel.at(s) };

@@ -30,7 +30,7 @@ impl Form {
         form
     }
 
-    /// The sum of two.
+    /// Returns the sum of two forms.
     #[inline]
     pub fn plus(mut self, other: &Self) -> Self {
         for (row, others) in self.0.iter_mut().zip(&other.0) {
@@ -41,14 +41,14 @@ impl Form {
         self
     }
 
-    /// A multiple.
+    /// Returns the form multiplied by a factor.
     #[inline]
     pub fn scale(mut self, factor: f64) -> Self {
         self.0.iter_mut().flatten().for_each(|q| *q *= factor);
         self
     }
 
-    /// u at an instant.
+    /// Evaluates u at a node.
     #[inline]
     pub fn at(&self, node: &Node) -> f64 {
         let x = node.signals();

@@ -1,27 +1,28 @@
-//! What a stretch of the cycle adds to the lag of each product of two signals, once per time constant for all candidates.
+//! Contribution of a stretch of the cycle to the lag of each product of two signals, computed once per time constant
+//! for all candidates.
 
 use super::rule::{self, lagged, rule, short};
 use super::{Form, Node, Panel};
 use std::sync::{Arc, Mutex, OnceLock};
 
-/// One number for each product x_i x_j, i ≤ j.
+/// One value for each product x_i x_j, i ≤ j.
 pub(super) type Products = [f64; 10];
 
-/// The products of the signals at an instant.
+/// Returns the products of the signals at a node.
 pub(super) fn products(node: &Node) -> Products {
     let [a, t, s, w] = node.signals();
     [a * a, a * t, a * s, a * w, t * t, t * s, t * w, s * s, s * w, w * w]
 }
 
 impl Form {
-    /// The factors of the products: u = Σ q_m p_m.
+    /// Returns the coefficients q_m of the products: u = Σ q_m p_m.
     pub(super) const fn factors(&self) -> Products {
         let [[aa, at, as_, aw], [_, tt, ts, tw], [_, _, ss, sw], [_, _, _, ww]] = self.0;
         [aa, 2.0 * at, 2.0 * as_, 2.0 * aw, tt, 2.0 * ts, 2.0 * tw, ss, 2.0 * sw, ww]
     }
 }
 
-/// The largest of each.
+/// Returns the element-wise maximum.
 pub(super) fn largest<'a>(swings: impl Iterator<Item = &'a Products>) -> Products {
     swings.fold([0.0; 10], |mut most, swing| {
         most.iter_mut().zip(swing).for_each(|(most, swing)| *most = most.max(*swing));
@@ -39,7 +40,7 @@ pub(super) fn sum_of_magnitudes(a: &Products, b: &Products) -> f64 {
     a.iter().zip(b).map(|(a, b)| a.abs() * b).sum()
 }
 
-/// Over a stretch of the cycle y becomes y e^(−λ) + Σ q_m g_m.
+/// Effect of a stretch of the cycle on a lag: y becomes y e^(−λ) + Σ q_m g_m.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Gain {
     /// e^(−λ)
@@ -49,10 +50,10 @@ pub(super) struct Gain {
 }
 
 impl Gain {
-    /// Nothing yet.
+    /// The identity: a stretch of zero duration.
     pub(super) const NONE: Self = Self { decay: 1.0, gain: [0.0; 10] };
 
-    /// A panel later.
+    /// Appends a panel to the stretch.
     pub(super) fn pass(&mut self, panel: &Panel<'_>, tau_s: f64) {
         let lambda = panel.duration_s / tau_s;
         let mut add = |decay: f64, weights: &[f64]| {
@@ -72,15 +73,15 @@ impl Gain {
         }
     }
 
-    /// Another stretch later.
+    /// Appends another stretch.
     pub(super) fn then(&mut self, next: &Self) {
         self.decay *= next.decay;
         self.gain.iter_mut().zip(next.gain).for_each(|(g, further)| *g = *g * next.decay + further);
     }
 }
 
-/// How far ∫(p − p̄) dt may lie from zero on the way through a panel, between its ends: a quarter of the duration times
-/// the range. A parabola leaves the range of its three nodes by an eighth of it.
+/// Bounds |∫(p − p̄) dt| within a panel: a quarter of the duration times the range of p. A parabola exceeds the range
+/// of its three nodes by at most an eighth of it.
 pub(super) fn swing(panel: &Panel<'_>) -> Products {
     let (mut low, mut high) = ([f64::INFINITY; 10], [f64::NEG_INFINITY; 10]);
     for node in panel.nodes {
@@ -96,8 +97,7 @@ pub(super) fn swing(panel: &Panel<'_>) -> Products {
     swing
 }
 
-/// The largest |∫(p_m − p̄_m) dt| on a way: what is gathered until the end of each part of it, and how far that swings
-/// within the part.
+/// Bounds |∫(p_m − p̄_m) dt| along a course: the sum up to the end of each part plus the swing within the part.
 fn most_away<'a>(
     course: impl Iterator<Item = (f64, &'a Products, &'a Products)>,
     whole: &Products,
@@ -115,7 +115,7 @@ fn most_away<'a>(
     most
 }
 
-/// The same through neighbouring blocks.
+/// Bounds |∫(p_m − p̄_m) dt| along neighbouring blocks.
 pub(super) fn most_on_the_way(blocks: &[LagBlock], duration: f64) -> Products {
     if let [one] = blocks {
         return one.swing;
@@ -131,26 +131,26 @@ pub(super) fn most_on_the_way(blocks: &[LagBlock], duration: f64) -> Products {
     most_away(course.iter().map(|(until, sums, swing)| (*until, sums, *swing)), &gathered, duration)
 }
 
-/// Legendre moments kept of each block.
+/// Number of Legendre moments stored for each block.
 const MOMENTS: usize = 4;
 
-/// Up to this λ the moments of a block serve: what the next one would add is (λ/2)⁴/105 of a gain, 10⁻¹⁰.
+/// Largest λ for which the moments of a block suffice: the next one would contribute (λ/2)⁴/105 of a gain, 10⁻¹⁰.
 const SHORT: f64 = 0.02;
 
-/// What any lag needs of a block of a recording.
+/// Data of a block from which the gain for any time constant follows.
 #[derive(Clone, Debug, Default)]
 pub(super) struct LagBlock {
     pub(super) duration: f64,
-    /// ∫ P̃_k(s) p_m dt, s the share of the block.
+    /// ∫ P̃_k(s) p_m dt, s the share of the block's duration.
     moments: [Products; MOMENTS],
-    /// Largest |∫(p_m − p̄_m) dt| on the way.
+    /// Largest |∫(p_m − p̄_m) dt| within the block.
     pub(super) swing: Products,
 }
 
 impl LagBlock {
     pub(super) fn of(duration: f64, panels: impl Fn(&mut dyn FnMut(Panel<'_>))) -> Self {
         let mut moments = [[0.0; 10]; MOMENTS];
-        // What is gathered until the end of each panel, and how far it may swing within.
+        // Sum up to the end of each panel, and bound of the swing within it.
         let mut course: Vec<(f64, Products, Products)> = Vec::with_capacity(264);
         let mut elapsed = 0.0;
         let mut gathered = [0.0; 10];
@@ -179,8 +179,9 @@ impl LagBlock {
         Self { duration, moments, swing }
     }
 
-    /// Of a kept panel, once: by the polynomials through the products at its nodes, whose factors are (2k + 1)/h times the
-    /// moments. With all of them, or with the first alone where no gains are made of it.
+    /// Computes the data of a stored panel from the polynomials through the products at its nodes, whose coefficients
+    /// are (2k + 1)/h times the moments. Without `all` only the first moment is computed, for panels of which no gains
+    /// are made.
     pub(super) fn of_panel(panel: &Panel<'_>, all: bool) -> Self {
         let (duration, mut moments) = (panel.duration_s, [[0.0; 10]; MOMENTS]);
         let mut found = [[0.0; 10]; rule::MOST];
@@ -195,9 +196,10 @@ impl LagBlock {
         Self { duration, moments, swing: swing(panel) }
     }
 
-    /// The same of straight intervals under a constant torque and in one direction: of the ten products five change, and
-    /// within an interval only α ω, ω and ω² do. Of these the moment about its middle is counted with the slope of the
-    /// Legendre polynomials; what they bend by over an interval is (h/H)² of a moment that itself is 10⁻⁵ of a gain.
+    /// Computes the data of straight intervals with constant torque and one direction. Five of the ten products vary,
+    /// and within an interval only α ω, ω and ω² do. Their moment about the middle of the interval is taken with the
+    /// slope of the Legendre polynomials; the neglected curvature over an interval is (h/H)² of a moment that is 10⁻⁵
+    /// of a gain.
     pub(super) fn straight(
         duration: f64,
         [load, direction]: [f64; 2],
@@ -272,12 +274,12 @@ impl LagBlock {
         Self { duration, moments: expanded, swing: all(most, 0.0, [load.abs(), direction.abs()]) }
     }
 
-    /// Whether its moments serve a lag.
+    /// Returns `true` if the moments suffice for a lag with this time constant.
     pub(super) fn is_short(&self, tau_s: f64) -> bool {
         self.duration <= SHORT * tau_s
     }
 
-    /// What the block does to a lag, from its moments or, where it is not short, from its panels.
+    /// Computes the gain of the block for a lag, from the moments or, if the block is too long, from its panels.
     ///
     /// g_m = (λ/h) Σ_k (2k + 1) c_k(λ) ∫ P̃_k p_m dt
     pub(super) fn gain(&self, lagging: &mut Lagging, panels: impl Fn(&mut dyn FnMut(Panel<'_>))) -> Gain {
@@ -297,7 +299,7 @@ impl LagBlock {
     }
 }
 
-/// A lag through blocks most of which last equally long: up to the rounding of the instants of a recording.
+/// Cache of decay and weights for consecutive blocks of equal duration, up to the rounding of a recording's instants.
 pub(super) struct Lagging {
     tau_s: f64,
     duration: f64,
@@ -306,7 +308,7 @@ pub(super) struct Lagging {
     weights: [f64; MOMENTS],
 }
 
-/// Durations that differ by no more than this share are those of the same number of samples.
+/// Relative tolerance within which durations count as the same number of samples.
 const ROUNDING: f64 = 1e-12;
 
 impl Lagging {
@@ -328,13 +330,13 @@ impl Lagging {
     }
 }
 
-/// The gains of consecutive stretches for a time constant.
+/// Gains of consecutive stretches for one time constant.
 #[derive(Debug, Default)]
 pub(super) struct Gains {
     known: OnceLock<Known>,
 }
 
-/// Of each stretch, and of its parts if requested.
+/// Gains of each stretch, and of its parts once requested.
 #[derive(Debug)]
 struct Known {
     stretches: Vec<Gain>,
@@ -342,44 +344,45 @@ struct Known {
 }
 
 impl Gains {
-    /// Of each stretch.
+    /// Returns the gain of each stretch.
     pub(super) fn stretches(&self) -> &[Gain] {
         self.known.get().map_or(&[], |known| &known.stretches)
     }
 
-    /// Of the parts of one stretch, made if it is the first time.
+    /// Returns the gains of the parts of one stretch, computed on first use.
     pub(super) fn parts(&self, stretch: usize, make: impl FnOnce() -> Vec<Gain>) -> &[Gain] {
         let parts = self.known.get().and_then(|known| known.parts.get(stretch));
         parts.map_or(&[], |parts| parts.get_or_init(make))
     }
 }
 
-/// Those for a time constant, by its bits.
+/// Gains with the bits of their time constant.
 type Cached = (u64, Arc<Gains>);
 
-/// Number of cached time constants. Judging one actuator after the other needs those of a size or two at a time; a
-/// catalogue has more of them, and each costs memory in proportion to the recording.
+/// Number of cached time constants. Judging actuators one after the other needs those of one or two sizes at a time; a
+/// catalogue has more, and each costs memory in proportion to the recording.
 const TABLES: usize = 8;
 
-/// A time constant without its last twelve bits, 10⁻¹²: equal ones of different actuators are rounded differently.
+/// Rounds a time constant to a relative 10⁻¹² (the last twelve bits), so that equal ones of different actuators share
+/// an entry.
 pub(super) fn rounded(tau_s: f64) -> f64 {
     f64::from_bits((tau_s.to_bits() + (1 << 11)) & !((1 << 12) - 1))
 }
 
-/// Gains for the requested time constants.
+/// Cache of gains by time constant.
 #[derive(Debug, Default)]
 pub(super) struct GainTables(Mutex<Vec<Cached>>);
 
 impl GainTables {
-    /// The gains for a time constant, made if it is the first time.
+    /// Returns the gains for a time constant, computed on first use.
     pub(super) fn of(&self, tau_s: f64, make: impl FnOnce(f64) -> Vec<Gain>) -> Arc<Gains> {
         let entry = {
-            // What another thread left behind when it failed is whole: entries are added, moved or taken out.
+            // Entries are only added, moved or removed, so the table is consistent even if another thread panicked.
             let mut tables = self.0.lock().unwrap_or_else(std::sync::PoisonError::into_inner);
             let key = rounded(tau_s).to_bits();
             match tables.iter().position(|(known, _)| *known == key) {
                 Some(place) => {
-                    // The last one requested goes last.
+                    // The most recently used entry moves to the end.
                     let (_, latest) = tables.split_at_mut(place);
                     latest.rotate_left(1);
                 }

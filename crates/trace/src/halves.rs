@@ -1,14 +1,15 @@
-//! Points among signals, halved again and again where they differ most: neighbours in the signals, whenever they were.
+//! Bisection of points by their signals: repeated splitting along the signal with the widest spread. Points that end up
+//! together are close in the signals, independent of time.
 
-/// Something by some of its signals: only neighbourhood counts, exactness is not needed.
+/// Some signals of an item in single precision, which is sufficient to find neighbours.
 #[derive(Clone, Copy)]
 pub(super) struct Point<const N: usize> {
     pub(super) signals: [f32; N],
-    /// Which it is.
+    /// Index of the item.
     pub(super) index: u32,
 }
 
-/// Largest less smallest of each signal.
+/// Returns the range (largest minus smallest value) of each signal.
 fn spread<const N: usize>(points: &[Point<N>]) -> [f32; N] {
     let (mut low, mut high) = ([f32::INFINITY; N], [f32::NEG_INFINITY; N]);
     for point in points {
@@ -22,12 +23,12 @@ fn spread<const N: usize>(points: &[Point<N>]) -> [f32; N] {
     spread
 }
 
-/// One by the spread of each signal; zero where it does not differ.
+/// Returns the reciprocal of the range of each signal; zero for a constant signal.
 pub(super) fn scale<const N: usize>(points: &[Point<N>]) -> [f32; N] {
     spread(points).map(|spread| if spread > 0.0 { 1.0 / spread } else { 0.0 })
 }
 
-/// Sorts points into two halves by the signal that differs most among them; the place between.
+/// Partitions the points at the median of the signal with the widest scaled spread and returns the index of the split.
 pub(super) fn halve<const N: usize>(points: &mut [Point<N>], scale: &[f32; N]) -> usize {
     let spread = spread(points);
     let mut widest = (0, 0.0);

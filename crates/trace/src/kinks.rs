@@ -1,12 +1,12 @@
-//! The kinks of a load over the position: where a motion passes them, and how many it passes.
+//! Kinks of a load over the position: instants at which a motion passes them, and their number.
 
 use mechanism::{Endless, Mechanism};
 use motion::{Piece, Placed};
 use numeric::root;
 use std::f64::consts::TAU;
 
-/// The kinks of a load, in rising order, strictly between two positions, in the order in which they are passed; those of a load
-/// that repeats with each revolution at every revolution.
+/// Visits the kinks strictly between two positions in the order in which they are passed. `kinks` is in rising order;
+/// for a load with the period of one revolution they recur at every revolution.
 pub(crate) fn passed(kinks: &[f64], endless: Endless, from: f64, to: f64, look: &mut dyn FnMut(f64)) {
     let (low, high) = (from.min(to), from.max(to));
     let turns =
@@ -28,8 +28,9 @@ pub(crate) fn passed(kinks: &[f64], endless: Endless, from: f64, to: f64, look: 
     if to >= from { (0..=count).for_each(&mut turn) } else { (0..=count).rev().for_each(&mut turn) }
 }
 
-/// Returns the instants within a piece at which the position passes a kink of the load \[s\]. Between two reversals the position
-/// is monotone, so each kink in between is passed once: the work grows with what is passed, not with all kinks.
+/// Returns the instants within a piece at which the position passes a kink of the load \[s\]. Between two reversals the
+/// position is monotone, so each kink in between is passed once: the work grows with the passes, not with the number of
+/// kinks.
 #[must_use]
 pub fn kink_passes(mechanism: &Mechanism, piece: &Piece) -> Vec<f64> {
     let (kinks, mut found) = (mechanism.kinks(), Vec::new());
@@ -56,7 +57,7 @@ pub fn kink_passes(mechanism: &Mechanism, piece: &Piece) -> Vec<f64> {
     found
 }
 
-/// How many kinks a recording passes.
+/// Returns the approximate number of kink passes of a recording.
 pub(crate) fn recorded_passes(mechanism: &Mechanism, kinks: &[f64], placed: &Placed) -> f64 {
     if kinks.is_empty() {
         return 0.0;
@@ -66,7 +67,7 @@ pub(crate) fn recorded_passes(mechanism: &Mechanism, kinks: &[f64], placed: &Pla
     pairs.map(|(a, b)| passes(mechanism, kinks, a / ratio, b / ratio)).sum()
 }
 
-/// How many kinks are passed between two positions, about.
+/// Returns the approximate number of kinks between two positions.
 pub(crate) fn passes(mechanism: &Mechanism, kinks: &[f64], from: f64, to: f64) -> f64 {
     if mechanism.endless() == Endless::EachRevolution {
         return (to - from).abs() / TAU * kinks.len() as f64;

@@ -1,4 +1,4 @@
-//! First-order lags of quadratic forms over a cycle that repeats for ever.
+//! First-order lags of quadratic forms over a cycle in the steady periodic state.
 
 mod course;
 mod lots;
@@ -21,26 +21,27 @@ pub struct Lag {
     pub form: Form,
 }
 
-/// A largest value and when in the cycle it is reached.
+/// Largest value of a signal and the instant in the cycle at which it is reached.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Peak {
-    /// The value.
+    /// Largest value, in the unit of the form.
     pub value: f64,
     /// Instant from the start of the cycle \[s\].
     pub at_s: f64,
 }
 
-/// What lags need of the panels that are kept.
+/// Cached data of the stored panels for lags.
 #[derive(Debug, Default)]
 pub(super) struct LagCache {
     lots: OnceLock<Lots>,
     gains: GainTables,
 }
 
-/// What is not higher by more than this share is not looked for: far below what any reader sees, above what rounding makes.
+/// Relative tolerance of the search for the peak: a value must exceed the best one by more than this share. Far below
+/// any displayed digit, above rounding.
 const NEGLIGIBLE: f64 = 1e-10;
 
-/// What one period of a stretch that repeats does to a lag.
+/// Effect of one period of a repeated stretch on a lag.
 struct Period {
     /// Duration over τ.
     lambda: f64,
@@ -52,28 +53,28 @@ impl Period {
         Self { lambda: duration / tau_s, gain: sum(factors, &once.gain) }
     }
 
-    /// The state that each period brings back.
+    /// Returns the state at which a period ends in the value at which it began.
     fn steady(&self) -> f64 {
         self.gain / -(-self.lambda).exp_m1()
     }
 
-    /// What is left of the state after some periods.
+    /// Returns the share of the initial state that remains after a number of periods.
     fn decay(&self, times: f64) -> f64 {
         (-times * self.lambda).exp()
     }
 
-    /// What some periods add: the geometric sum of their gains.
+    /// Returns the contribution of a number of periods: the geometric sum of their gains.
     fn added(&self, times: f64) -> f64 {
         self.steady() * -(-times * self.lambda).exp_m1()
     }
 }
 
-/// One lag through the stretches of a run.
+/// One lag along the stretches of the cycle.
 struct Flow {
     tau_s: f64,
-    /// e^(−λ) and what is added, of each stretch.
+    /// Decay e^(−λ) and added value of each stretch.
     stretches: Vec<(f64, f64)>,
-    /// The factors of the products in the signals of each run, and what these gain.
+    /// Coefficients of the products in the signals of each run, and the gains of each run.
     factors: Vec<Products>,
     gains: Vec<Arc<Gains>>,
     /// y at the start of the cycle.
@@ -81,21 +82,22 @@ struct Flow {
 }
 
 impl Flow {
-    /// e^(−λ) and what is added, of one stretch.
+    /// Returns decay e^(−λ) and added value of one stretch.
     fn stretch(&self, index: usize) -> (f64, f64) {
         self.stretches.get(index).copied().unwrap_or((1.0, 0.0))
     }
 }
 
 impl Trace {
-    /// Mean of a form over the cycle.
+    /// Returns the mean of a form over the cycle.
     #[cfg(test)]
     pub fn mean(&self, form: &Form) -> f64 {
         let sum = self.gram.0.iter().flatten().zip(form.0.iter().flatten()).map(|(g, q)| g * q).sum::<f64>();
         sum / self.duration
     }
 
-    /// The largest value over the cycle of the sum of some lags, in the steady periodic state, and its first instant.
+    /// Returns the largest value over the cycle of the sum of several lags, in the steady periodic state, with the
+    /// first instant at which it is reached.
     ///
     /// y_k(0) = (∫_0^T e^(−(T−t)/τ_k) u_k(t)/τ_k dt)/(1 − e^(−T/τ_k)); within a panel u is the polynomial through its nodes,
     /// which has a lag in closed form
@@ -127,7 +129,7 @@ impl Trace {
         Search { trace: self, lags, flows: &flows, states: starts, best, seen: BTreeMap::new() }.search()
     }
 
-    /// The lag through all stretches: lots of panels that are kept, blocks of recordings.
+    /// Computes a lag along all stretches: batches of stored panels and blocks of recordings.
     fn flow(&self, lag: &Lag) -> Flow {
         let mut stretches = Vec::with_capacity(self.panels.len());
         let (mut factors, mut gains) = (Vec::with_capacity(self.runs.len()), Vec::with_capacity(self.runs.len()));
@@ -164,13 +166,13 @@ impl Trace {
         self.lags.lots.get_or_init(|| Lots::of(self))
     }
 
-    /// The instant at which a kept panel ends \[s\].
+    /// Returns the instant at which a stored panel ends \[s\].
     fn end_of_panel(&self, panel: usize) -> f64 {
         let nodes = self.panels.get(panel).and_then(|kept| self.nodes.get(kept.nodes.clone()));
         nodes.and_then(<[Node]>::last).map_or(0.0, |node| node.time_s)
     }
 
-    /// Instant at which a stretch of the lags ends \[s\].
+    /// Returns the instant at which a stretch ends \[s\].
     fn end_of_stretch(&self, index: usize) -> f64 {
         let mut before = 0;
         for (number, run) in self.runs.iter().enumerate() {
@@ -208,14 +210,14 @@ impl Trace {
     }
 }
 
-/// The search within the stretches whose bound lies above what is found.
+/// Search for the peak within the stretches whose upper bound exceeds the best value found.
 struct Search<'a> {
     trace: &'a Trace,
     lags: &'a [Lag],
     flows: &'a [Flow],
     states: Vec<f64>,
     best: Peak,
-    /// States at the start of the first panel of each kind that was looked into.
+    /// States at the start of the first evaluated panel of each kind, by index of the kind.
     seen: BTreeMap<usize, Vec<f64>>,
 }
 
@@ -268,7 +270,7 @@ impl Search<'_> {
         self.best
     }
 
-    /// Through the panels of a lot: first their ends, then what lies between them.
+    /// Searches the panels of a batch: first their ends, then the values between them.
     fn inside_lot(&mut self, (run, place): (usize, usize), lot: &Lot) {
         let (trace, flows) = (self.trace, self.flows);
         let count = flows.len();
@@ -300,7 +302,7 @@ impl Search<'_> {
         }
     }
 
-    /// Within a kept panel, from the states at its start, with what it does to each lag.
+    /// Searches a stored panel, given the states at its start and its effect on each lag.
     fn inside_kept(&mut self, panel: usize, states: &[f64], steps: &[(f64, f64)]) {
         let trace = self.trace;
         let Some(panel) = trace.panels.get(panel).map(|kept| trace.panel(kept)) else { return };
@@ -309,8 +311,8 @@ impl Search<'_> {
         }
     }
 
-    /// Whether a panel with the same signals was looked into, and no lag is higher now where it starts: then none of them
-    /// gets higher within it either, since what is left of the start only ever adds.
+    /// Returns `true` if a panel with the same signals was searched before and no lag starts higher now. The remaining
+    /// initial state only adds to the result, so no lag can get higher within the panel either.
     fn was_seen(&mut self, panel: &Panel<'_>, states: &[f64]) -> bool {
         let Some(like) = panel.like().filter(|like| like.has_others) else { return false };
         if let Some(seen) = self.seen.get(&like.first)
@@ -329,7 +331,7 @@ impl Search<'_> {
         }
     }
 
-    /// Through the parts of a block of a recording.
+    /// Searches the parts of a block of a recording.
     fn inside_block(&mut self, run: usize, strip: &Strip, block: usize) {
         let stretch = strip.view().stretch();
         let mut states = self.states.clone();
@@ -359,8 +361,8 @@ impl Search<'_> {
         }
     }
 
-    /// Whether the sum of the lags may be higher within a stretch than what is found: its higher end, and what the inputs
-    /// and the lags themselves may swing on the way.
+    /// Returns `true` if the sum of the lags may exceed the best value within a stretch, bounded by its higher end plus
+    /// the swings of inputs and lags in between.
     fn may_rise(
         &self,
         states: &[f64],
@@ -375,19 +377,20 @@ impl Search<'_> {
             let (next, lambda) = (state * decay + gain, duration / flow.tau_s);
             start += state;
             end += next;
-            // From the straight line between its ends a lag of the mean strays by so much at most, and it never leaves them.
+            // Largest deviation of a lag of the mean input from the straight line between its ends; it never leaves
+            // their range.
             moved += 0.25 * lambda * (next - state).abs();
             ends += next.max(*state);
             quickest = f64::max(quickest, lambda);
         }
         let left = self.enough() - f64::min(f64::max(start, end) + moved, ends);
         let swung = |rise: f64| rise * (1.0 + 2.0 * quickest) > left;
-        // First with the largest swings of the run, which are known.
+        // The largest swings of the whole run are already known and tested first.
         swung(most) && swung(own())
     }
 
-    /// Whether the slope of the sum of the lags may change from rising to falling within a kept panel so that it is higher
-    /// there than what is found; its ends are known.
+    /// Returns `true` if the slope of the sum of the lags may change from rising to falling within a stored panel, at a
+    /// value above the best one. The ends of the panel are already known.
     fn may_turn(&self, panel: &Panel<'_>, states: &[f64], steps: &[(f64, f64)]) -> bool {
         let (mut lowest, mut highest, mut start, mut end) = (0.0, 0.0, 0.0, 0.0);
         for ((state, (decay, gain)), lag) in states.iter().zip(steps).zip(self.lags) {
@@ -402,7 +405,7 @@ impl Search<'_> {
         turns(lowest, highest) && f64::max(start, end) + 0.25 * panel.duration_s * (highest - lowest) > self.enough()
     }
 
-    /// How far the sum of the lags may rise by the swings of what drives them.
+    /// Returns the bound on the rise of the sum of the lags due to the swings of their inputs.
     fn rise(&self, run: usize, swings: &Products, stretch: f64) -> f64 {
         let of = |flow: &Flow| {
             flow.factors.get(run).map_or(f64::INFINITY, |q| sum_of_magnitudes(q, swings) * stretch / flow.tau_s)
@@ -410,8 +413,8 @@ impl Search<'_> {
         self.flows.iter().map(of).sum()
     }
 
-    /// Through an interval of a recording, short against every time constant; only where the sum of the lags turns within
-    /// it, and may be higher there, it is looked at like any panel.
+    /// Searches an interval of a recording. An interval is short against every time constant, so it is evaluated like a
+    /// regular panel only if the sum of the lags has a maximum within it that may exceed the best value.
     fn inside_interval(&mut self, panel: &Panel<'_>, states: &mut [f64]) {
         let ([a, b, c], false) = (panel.nodes, self.is_long(panel)) else {
             self.inside(panel, states);
@@ -447,9 +450,9 @@ impl Search<'_> {
         self.lags.len() > LAGS || self.lags.iter().any(|lag| panel.duration_s > SHORT * lag.tau_s)
     }
 
-    /// Through the periods in which the sum of the lags may be largest. From one period to the next each lag comes nearer to
-    /// the state that repeats itself, y = y_∞ + (y_0 − y_∞) e^(−jT/τ): the sum of two has its largest value in the first or the
-    /// last period or about the one where its derivative to j is zero.
+    /// Searches the periods in which the sum of the lags may be largest. From one period to the next each lag
+    /// approaches its steady state, y = y_∞ + (y_0 − y_∞) e^(−jT/τ): the sum of two lags is largest in the first or the
+    /// last period or near the one where its derivative with respect to j is zero.
     fn inside_repeated(
         &mut self,
         (run, place): (usize, usize),
@@ -490,12 +493,12 @@ impl Search<'_> {
         }
     }
 
-    /// What a value must exceed to count.
+    /// Returns the value that a candidate must exceed to replace the best one.
     fn enough(&self) -> f64 {
         self.best.value + NEGLIGIBLE * self.best.value.abs()
     }
 
-    /// Through a panel from its start: the states become those at its end.
+    /// Searches a panel and advances the states to its end.
     fn inside(&mut self, panel: &Panel<'_>, states: &mut [f64]) {
         let courses: Vec<Course> = self.lags.iter().map(|lag| Course::of(lag, panel)).collect();
         let start = panel.nodes.first().map_or(0.0, |node| node.time_s);
@@ -512,12 +515,13 @@ impl Search<'_> {
     }
 }
 
-/// The states behind a stretch, by what it does to each lag.
+/// Advances the states over a stretch with the given decay and added value of each lag.
 fn pass(states: &mut [f64], steps: &[(f64, f64)]) {
     states.iter_mut().zip(steps).for_each(|(state, (decay, gain))| *state = *state * decay + gain);
 }
 
-/// Most lags in one sum; further ones are looked at like any panel.
+/// Maximum number of lags in one sum for the shortcut over short intervals; with more, intervals are evaluated like
+/// regular panels.
 const LAGS: usize = 4;
 
 #[cfg(test)]
@@ -528,7 +532,7 @@ mod tests {
     use crate::{Kept, Like};
     use motion::Law;
 
-    /// Only a panel that has others like it is known again, and only while no lag is higher.
+    /// Only a panel with repetitions is skipped when it recurs, and only if no lag starts higher.
     #[test]
     fn only_what_has_others_is_known_again() {
         let trace = under(&arm(), &motion(&[law(Law::ModifiedSine, 1.0, 0.6), law(Law::ModifiedSine, -1.0, 0.6)]));

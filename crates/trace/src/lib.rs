@@ -1,8 +1,9 @@
-//! A cycle as weighted instants: a motion under its load in blocks with their sums of products and bounds.
+//! A cycle as weighted instants: a motion under its load in blocks with sums of products and bounds.
 //!
-//! [`Trace::of`] passes a motion once. Whatever is a form of the four signals (α, T_L, σ, ω), such as torque, current, loss or
-//! voltage, is then integrated, searched for its largest value or sent through a first-order lag without another pass. Of what
-//! drives the motion nothing is known here, only how long it carries the load at rest ([`Carried`]).
+//! [`Trace::of`] evaluates a motion once. Any form of the four signals (α, T_L, σ, ω), such as torque, current, loss or
+//! voltage, can then be integrated, searched for its largest value or passed through a first-order lag without
+//! evaluating the motion again. The actuator is unknown here, except for the part of each rest during which it carries
+//! the load ([`Carried`]).
 
 mod alike;
 mod build;
@@ -41,7 +42,7 @@ use short::Straight;
 use std::ops::Range;
 use std::sync::{Arc, OnceLock};
 
-/// One instant with its share of the cycle.
+/// One instant of the cycle with its quadrature weight.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Node {
     /// Instant from the start of the cycle \[s\].
@@ -54,18 +55,19 @@ pub struct Node {
     pub speed_rad_s: f64,
     /// σ: +1, −1, 0 at rest.
     pub direction: f64,
-    /// Torque that the load asks of the actuator, without the actuator's own inertia \[Nm\]; zero where the brake holds.
+    /// Torque at the actuator required by the load, without the actuator's own inertia \[Nm\]; zero while the brake
+    /// holds.
     pub load_nm: f64,
 }
 
 impl Node {
-    /// x = (α, T_L, σ, ω)
+    /// Returns the signals x = (α, T_L, σ, ω).
     #[inline]
     pub const fn signals(&self) -> [f64; 4] {
         [self.acceleration_rad_s2, self.load_nm, self.direction, self.speed_rad_s]
     }
 
-    /// The instant at a share of the way to the next one, everything taken as straight in between.
+    /// Returns the instant at a share of the way to the next one, by linear interpolation.
     #[inline]
     pub fn towards(&self, next: &Self, share: f64) -> Self {
         let between = |a: f64, b: f64| a + share * (b - a);
@@ -80,7 +82,7 @@ impl Node {
     }
 }
 
-/// Bounds of some nodes.
+/// Bounds of the signals of some nodes.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Extent {
     /// α [rad/s²]
@@ -114,7 +116,7 @@ impl Extent {
         self.speed_rad_s = self.speed_rad_s.max(node.speed_rad_s.abs());
     }
 
-    /// Of the nodes of a panel and what lies between them.
+    /// Returns the bounds of a panel: its nodes and the curve between them.
     fn of(nodes: &[Node], bow: &[f64; 4]) -> Self {
         let mut extent = Self::NONE;
         nodes.iter().for_each(|node| extent.widen(node));
@@ -122,7 +124,7 @@ impl Extent {
         extent
     }
 
-    /// Of what lies between two neighbouring nodes of a panel.
+    /// Returns the bounds of the curve between two neighbouring nodes of a panel.
     #[inline]
     fn between(a: &Node, b: &Node, bow: &[f64; 4]) -> Self {
         let mut extent = Self::NONE;
@@ -132,7 +134,7 @@ impl Extent {
         extent
     }
 
-    /// Wider by how far the signals bend beyond their nodes.
+    /// Widens the bounds by the largest deviation of each signal from the straight lines between the nodes.
     #[inline]
     fn bend(&mut self, [acceleration, load, _, speed]: &[f64; 4]) {
         for ((low, high), bow) in
@@ -155,7 +157,7 @@ impl Extent {
         self.speed_rad_s = self.speed_rad_s.max(other.speed_rad_s);
     }
 
-    /// All c·x lie between these.
+    /// Returns the range of c·x within the bounds.
     #[inline]
     pub fn range(&self, c: [f64; 4]) -> (f64, f64) {
         let ranges = [self.acceleration_rad_s2, self.load_nm, self.direction, self.speeds_rad_s];
@@ -164,22 +166,23 @@ impl Extent {
         })
     }
 
-    /// No |J α + T_L| of the nodes is above this.
+    /// Returns an upper bound of |J α + T_L| at the nodes \[Nm\].
     #[inline]
     pub fn torque(&self, inertia: f64) -> f64 {
         let (low, high) = self.torques(inertia);
         high.max(-low)
     }
 
-    /// All J α + T_L of the nodes lie between these.
+    /// Returns the range of J α + T_L within the bounds \[Nm\].
     #[inline]
     pub fn torques(&self, inertia: f64) -> (f64, f64) {
-        // A joint that takes T_L − J α asks with a negative inertia.
+        // A joint with T_L − J α passes a negative inertia.
         let (a, b) = (inertia * self.acceleration_rad_s2.0, inertia * self.acceleration_rad_s2.1);
         (a.min(b) + self.load_nm.0, a.max(b) + self.load_nm.1)
     }
 
-    /// Whether (J α + T_L) σ has one sign over all nodes: +1 if nowhere negative, −1 if nowhere positive.
+    /// Returns the sign of (J α + T_L) σ if it is the same at all nodes: +1 if nowhere negative, −1 if nowhere
+    /// positive, else `None`.
     #[inline]
     pub fn power_sign(&self, inertia: f64) -> Option<f64> {
         let ((low, high), (back, forth)) = (self.torques(inertia), self.direction);
@@ -193,7 +196,7 @@ impl Extent {
     }
 }
 
-/// The load in the direction of the motion: sums of products of (α, T_L, σ, ω) over a time.
+/// Sums of products of the signals (α, T_L, σ, ω) over a time.
 ///
 /// G_ij = ∫ x_i x_j dt with x = (α, T_L, σ, ω). Any signal that is a weighted sum s = Σ c_i x_i, such as torque and
 /// current, has ∫s² dt = cᵀ G c: one pass over the motion, then ten products per candidate.
@@ -223,68 +226,68 @@ impl Gram {
         }
     }
 
-    /// Without those of a panel.
+    /// Subtracts the contribution of a panel.
     pub fn take(&mut self, panel: &Panel<'_>) {
         panel.nodes.iter().for_each(|node| self.add(&Node { weight_s: -node.weight_s, ..*node }));
     }
 
-    /// cᵀ G c
+    /// Returns cᵀ G c, the integral of (c·x)².
     #[inline]
     pub fn square(&self, c: [f64; 4]) -> f64 {
         // Rounding may leave a tiny negative sum where the signal vanishes.
         self.product(c, c).max(0.0)
     }
 
-    /// aᵀ G b
+    /// Returns aᵀ G b, the integral of (a·x)(b·x).
     #[inline]
     pub fn product(&self, a: [f64; 4], b: [f64; 4]) -> f64 {
         self.0.iter().zip(a).map(|(row, a)| a * row.iter().zip(b).map(|(g, b)| g * b).sum::<f64>()).sum()
     }
 
-    /// G_ij = ∫ x_i x_j dt with x = (α, T_L, σ, ω).
+    /// Returns the matrix G_ij = ∫ x_i x_j dt with x = (α, T_L, σ, ω).
     #[must_use]
     #[inline]
     pub const fn sums(&self) -> &[[f64; 4]; 4] {
         &self.0
     }
 
-    /// ∫σ² dt: time in motion.
+    /// Returns ∫σ² dt, the time in motion \[s\].
     #[inline]
     pub const fn moving(&self) -> f64 {
         self.0[2][2]
     }
 
-    /// ∫σ ω dt = ∫|ω| dt: angle travelled.
+    /// Returns ∫σ ω dt = ∫|ω| dt, the angle travelled \[rad\].
     #[inline]
     pub const fn travelled(&self) -> f64 {
         self.0[2][3]
     }
 }
 
-/// What one segment contributes.
+/// Contribution of one segment to the cycle.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Share {
-    /// ∫|ω| dt
+    /// Angle travelled, ∫|ω| dt.
     pub travelled: Angle,
 }
 
-/// Where the panels of a block are.
+/// Location of the panels of a block.
 #[derive(Clone, Debug, PartialEq)]
 enum BlockPanels {
-    /// Kept, between two indices.
+    /// Stored panels, as a range of indices.
     Kept(Range<usize>),
-    /// Made from the intervals of a recording whenever they are looked at.
+    /// Intervals of a recording, whose panels are computed each time they are read.
     Recorded { strip: usize, intervals: Range<usize> },
 }
 
-/// Panels or blocks in the order of time.
+/// A sequence of panels or blocks in chronological order.
 #[derive(Clone, Debug, PartialEq)]
 enum Run {
-    /// Kept panels between two indices.
+    /// Stored panels, as a range of indices.
     Kept(Range<usize>),
-    /// Kept panels that follow upon each other several times: the revolutions at constant speed.
+    /// Stored panels that are repeated several times: the revolutions at constant speed.
     Repeated(Range<usize>, f64),
-    /// All blocks of a strip.
+    /// Blocks of one strip, by its index.
     Recorded(usize),
 }
 
@@ -294,11 +297,11 @@ pub struct Block {
     place: BlockPanels,
     /// Instant at which it begins \[s\].
     pub from_s: f64,
-    /// Duration of all of them \[s\].
+    /// Duration including repetitions \[s\].
     pub duration_s: f64,
-    /// How often its panels follow upon each other; their nodes bear the weight of all.
+    /// Number of repetitions of its panels; the weights of their nodes include them.
     pub times: f64,
-    /// Bounds of its nodes and of what lies between them.
+    /// Bounds of the nodes and of the curve between them.
     pub extent: Extent,
     /// Sums of the products of the signals.
     pub gram: Gram,
@@ -309,13 +312,13 @@ impl Block {
         Self { place, from_s: 0.0, duration_s: 0.0, times: 1.0, extent: Extent::NONE, gram: Gram([[0.0; 4]; 4]) }
     }
 
-    /// Whether its nodes are made from a recording whenever they are looked at.
+    /// Returns `true` if the nodes are computed from a recording each time they are read.
     #[inline]
     pub const fn is_recorded(&self) -> bool {
         matches!(self.place, BlockPanels::Recorded { .. })
     }
 
-    /// The place of that recording among the strips.
+    /// Returns the index of the recording among the strips, if the block belongs to one.
     #[inline]
     #[must_use]
     pub const fn strip(&self) -> Option<usize> {
@@ -339,27 +342,27 @@ impl Block {
     }
 }
 
-/// A short cycle as few bounds of its signals, and instants within them.
+/// A short cycle reduced to a few bounds of its signals and some instants.
 #[derive(Clone, Debug, Default)]
 pub struct Outline {
-    /// Bounds of the signals, which together hold the whole cycle.
+    /// Bounds of the signals, which together enclose the whole cycle.
     pub extents: Vec<Extent>,
     /// The signals at some instants.
     pub nodes: Vec<[f64; 4]>,
-    /// Whether every signal is straight between its nodes.
+    /// Every signal is straight between the nodes.
     pub is_straight: bool,
 }
 
-/// A panel is looked at in stretches of so many parts between neighbouring nodes.
+/// Number of intervals between neighbouring nodes in one stretch of a panel.
 const STRETCH: usize = 4;
 
-/// A block holds about so many nodes.
+/// Approximate number of nodes in a block.
 const BLOCK: usize = 128;
 
-/// So many blocks share one extent.
+/// Number of blocks that share one extent.
 const GROUP: usize = 64;
 
-/// Neighbouring blocks of recordings with what bounds them all.
+/// Neighbouring blocks of recordings with common bounds.
 #[derive(Clone, Debug)]
 struct Group {
     blocks: Range<usize>,
@@ -376,58 +379,58 @@ pub struct Trace {
     strips: Vec<Strip>,
     blocks: Vec<Block>,
     groups: Vec<Group>,
-    /// The kept panels by their bounds, found when something is sought among them.
+    /// Search tree over the stored panels, built on first use.
     near: OnceLock<Near>,
-    /// Whether it is made from another one of the same recordings, whose cells serve it.
+    /// The trace was derived from another one of the same recordings and uses its cells.
     is_changed: bool,
     runs: Vec<Run>,
     lags: Arc<LagCache>,
-    /// Of a short cycle of straight panels: what a search looks at.
+    /// Ends and lines of the panels of a short cycle with straight panels only.
     straight: Option<Straight>,
     /// Sum of the weights \[s\].
     duration: f64,
     gram: Gram,
     cubes: OnceLock<f64>,
     shares: Vec<Share>,
-    /// Largest and smallest J_L on the way.
+    /// Largest and smallest J_L in the cycle \[kgm²\].
     inertia: (f64, f64),
-    /// Lowest and highest position.
+    /// Lowest and highest position \[rad\].
     span: (f64, f64),
     holding: f64,
 }
 
 impl Trace {
-    /// One pass over a motion under its load: what each segment adds to the load, and how it is carried in those at rest. A
-    /// segment without an entry has nothing added, and its load is carried throughout.
+    /// Evaluates a motion under its load. `extras` holds the load added in each segment, `carried` the part of each
+    /// rest during which the load is carried; a segment without an entry has no added load and is carried throughout.
     #[must_use]
     pub fn of(mechanism: &Mechanism, motion: &Motion, extras: &[Extra], carried: &[Carried]) -> Self {
         build::Builder::new(mechanism, motion, extras, carried).trace()
     }
 
-    /// The same for another load or another pace of the same recordings, which need not be passed again where the load
-    /// is a sum of four parts with constant factors.
+    /// Evaluates another load or another pace of the same recordings. A recording is not evaluated again if the load is
+    /// a sum of four parts with constant factors.
     #[must_use]
     pub fn changed(&self, mechanism: &Mechanism, motion: &Motion, extras: &[Extra], carried: &[Carried]) -> Self {
         let builder = build::Builder::new(mechanism, motion, extras, carried);
         Self { is_changed: true, ..builder.knowing(&self.strips, self.has_copies()).trace() }
     }
 
-    /// The samples of long recordings whose load has to be found anew for another load, and for another pace: where it has
-    /// losses, a stage or an inertia that hangs on the position, and of a weight beside a torque that stays.
+    /// Returns the number of samples of long recordings whose load must be computed again for another load, and for
+    /// another pace: with losses, a stage, a position-dependent inertia, or a weight together with a constant torque.
     #[must_use]
     pub fn found_anew(&self) -> [usize; 2] {
         self.strips.iter().map(Strip::found_anew).fold([0; 2], |[load, pace], [a, b]| [load + a, pace + b])
     }
 
-    /// The samples of its long recordings, and what they cost: those under a load that hangs on the position or has losses
-    /// count twice.
+    /// Returns the number of samples of the long recordings and their cost; samples under a load that depends on the
+    /// position or has losses count twice.
     #[must_use]
     pub fn samples(&self) -> [usize; 2] {
         let each = |strip: &Strip| [strip.intervals() + 1, strip.cost()];
         self.strips.iter().map(each).fold([0; 2], |[samples, cost], [a, b]| [samples + a, cost + b])
     }
 
-    /// The cycle as few bounds of its signals, and instants within them; `None` of a cycle that is not short.
+    /// Writes the bounds and instants of a short cycle into `outline`; returns `false` if the cycle is not short.
     #[must_use]
     pub fn outline(&self, outline: &mut Outline) -> bool {
         outline.extents.clear();
@@ -447,38 +450,38 @@ impl Trace {
         true
     }
 
-    /// Sums of the products of the signals over the whole cycle.
+    /// Returns the sums of the products of the signals over the whole cycle.
     #[must_use]
     #[inline]
     pub const fn gram(&self) -> &Gram {
         &self.gram
     }
 
-    /// What each segment contributes.
+    /// Returns the contribution of each segment.
     #[must_use]
     pub fn shares(&self) -> &[Share] {
         &self.shares
     }
 
-    /// Largest and smallest J_L on the way.
+    /// Returns the largest and the smallest J_L in the cycle.
     #[must_use]
     pub fn inertia(&self) -> (MomentOfInertia, MomentOfInertia) {
         (MomentOfInertia::from_si(self.inertia.0), MomentOfInertia::from_si(self.inertia.1))
     }
 
-    /// Lowest and highest position.
+    /// Returns the lowest and the highest position.
     #[must_use]
     pub fn span(&self) -> (Angle, Angle) {
         (Angle::from_si(self.span.0), Angle::from_si(self.span.1))
     }
 
-    /// Largest magnitude of the torque that holds the load without friction at any instant, by motor or brake.
+    /// Returns the largest magnitude of the torque that holds the load without friction, by motor or brake.
     #[must_use]
     pub fn holding(&self) -> Torque {
         Torque::from_si(self.holding)
     }
 
-    /// The panels of a block in the order of time.
+    /// Visits the panels of a block in chronological order.
     pub fn panels(&self, block: &Block, look: &mut impl FnMut(Panel<'_>)) {
         match &block.place {
             BlockPanels::Kept(range) => {
@@ -492,7 +495,7 @@ impl Trace {
         }
     }
 
-    /// The same, of recordings several straight intervals at a time.
+    /// Visits the panels of a block in chronological order, several straight intervals of a recording at a time.
     pub fn sweep(&self, block: &Block, look: &mut impl FnMut(Swept<'_>)) {
         match &block.place {
             BlockPanels::Recorded { strip, .. } => {
@@ -509,26 +512,26 @@ impl Trace {
         kept.panel(&self.nodes)
     }
 
-    /// The nodes of a block in the order of time.
+    /// Visits the nodes of a block in chronological order.
     #[cfg(test)]
     fn within(&self, block: &Block, look: &mut impl FnMut(&Node)) {
         self.panels(block, &mut |panel| panel.nodes.iter().for_each(&mut *look));
     }
 
-    /// The blocks in the order of time.
+    /// Returns the blocks in chronological order.
     #[must_use]
     #[inline]
     pub fn blocks(&self) -> &[Block] {
         &self.blocks
     }
 
-    /// The recordings whose nodes are not kept.
+    /// Returns the recordings whose nodes are not stored.
     #[inline]
     pub fn strips(&self) -> &[Strip] {
         &self.strips
     }
 
-    /// At how many instants the cycle is looked at, samples of recordings counted: what a pass over it costs.
+    /// Returns the number of instants in the cycle, including the samples of recordings: the cost of one evaluation.
     #[must_use]
     pub fn instants(&self) -> usize {
         self.nodes.len() + self.strips.iter().map(Strip::intervals).sum::<usize>()
@@ -538,7 +541,7 @@ impl Trace {
         self.panels.iter().any(|kept| kept.like.is_copy)
     }
 
-    /// Whether so few nodes make the cycle that each may be looked at for every candidate.
+    /// Returns `true` if the cycle has so few nodes that each can be evaluated for every candidate.
     #[inline]
     pub fn is_short(&self) -> bool {
         self.strips.is_empty() && self.nodes.len() <= 2 * BLOCK

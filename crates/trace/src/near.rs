@@ -1,16 +1,16 @@
-//! The kept panels as a k-d tree over their bounds: neighbours in the signals, not in time. Neighbours have
-//! close bounds regardless of the number of different moves, and a search visits few of them.
+//! The stored panels as a k-d tree over their bounds, so that neighbours are close in the signals, not in time. Close
+//! bounds are found for any number of different moves, and a search visits few branches.
 
 use crate::halves::{Point, halve, scale};
 use crate::{Extent, Kept, Node};
 
-/// A branch of at most so many panels is not split.
+/// Maximum number of panels in a branch that is not split.
 const LEAF: usize = 2;
 
-/// Panels with close bounds.
+/// A group of panels with close bounds.
 #[derive(Clone, Debug)]
 pub(super) struct Branch {
-    /// What bounds them all.
+    /// Common bounds of the panels.
     pub(super) extent: Extent,
     /// Instant at which the first of them begins \[s\].
     pub(super) from: f64,
@@ -19,9 +19,9 @@ pub(super) struct Branch {
 
 #[derive(Clone, Debug)]
 enum Inside {
-    /// Panels, between two places of the order.
+    /// Panels, as a range of places in the order.
     Panels(usize, usize),
-    /// Two branches.
+    /// Two branches, by index.
     Halves([usize; 2]),
 }
 
@@ -33,7 +33,7 @@ pub(super) struct Near {
 }
 
 impl Near {
-    /// Of the panels that are no copies of others.
+    /// Builds the tree over the panels that are not copies of others.
     ///
     /// Cost: O(n log n)
     pub(super) fn of(panels: &[Kept], nodes: &[Node]) -> Self {
@@ -52,7 +52,7 @@ impl Near {
         all
     }
 
-    /// Adds the branches of some points; which is the one of all of them.
+    /// Adds the branches of some points and returns the index of the branch that contains all of them.
     fn split(&mut self, of: (&[Kept], &[Node]), points: &mut [Point<6>], scale: &[f32; 6]) -> usize {
         let mut branch = Branch { extent: Extent::NONE, from: f64::INFINITY, inside: Inside::Panels(0, 0) };
         if points.len() <= LEAF {
@@ -84,7 +84,7 @@ impl Near {
         self.branches.last()
     }
 
-    /// The halves of a branch, or the panels of one that is not split.
+    /// Returns the two halves of a branch, or the indices of the panels of an undivided one.
     #[inline]
     pub(super) fn inside(&self, branch: &Branch) -> Result<[Option<&Branch>; 2], &[usize]> {
         match branch.inside {
@@ -94,7 +94,7 @@ impl Near {
     }
 }
 
-/// The bounds of acceleration, torque and speed.
+/// Returns the bounds of acceleration, torque and speed in single precision.
 #[allow(clippy::cast_possible_truncation, reason = "only neighbourhood counts")]
 const fn signals(extent: &Extent) -> [f32; 6] {
     let (a, t, w) = (extent.acceleration_rad_s2, extent.load_nm, extent.speeds_rad_s);
@@ -154,7 +154,7 @@ mod tests {
         assert_eq!(seen, trace.panels.len());
     }
 
-    /// What is sought by the tree is what is found panel by panel.
+    /// The search with the tree finds the same values as the search panel by panel.
     #[test]
     fn the_tree_finds_what_the_panels_show() {
         fn same(trace: &Trace, sought: &impl Sought) {

@@ -4,14 +4,14 @@ use super::{Extent, Node, rule};
 use std::ops::Range;
 use std::sync::OnceLock;
 
-/// Which panels of the cycle a panel is like: those that show the same signals over the same time.
+/// Relation of a panel to the panels of the cycle that have the same signals over the same time.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Like {
-    /// Index of the first of them among the panels that are kept.
+    /// Index of the first such panel among the stored ones.
     pub first: usize,
-    /// Whether it is not the first itself.
+    /// The panel is not the first one.
     pub is_copy: bool,
-    /// Whether there are others.
+    /// There are several such panels.
     pub has_others: bool,
 }
 
@@ -22,33 +22,34 @@ pub struct Panel<'a> {
     pub nodes: &'a [Node],
     /// Duration \[s\].
     pub duration_s: f64,
-    /// Between two neighbouring nodes no signal leaves the straight line by more than this.
+    /// Largest deviation of each signal from the straight line between two neighbouring nodes.
     pub bow: [f64; 4],
-    /// What else is known of it, if it is kept.
+    /// Further data of a stored panel.
     kept: Option<&'a Kept>,
 }
 
 impl<'a> Panel<'a> {
-    /// One that is made whenever it is looked at.
+    /// Creates a panel that is computed for one visit and not stored.
     pub(super) const fn passing(nodes: &'a [Node], duration_s: f64, bow: [f64; 4]) -> Self {
         Self { nodes, duration_s, bow, kept: None }
     }
 
-    /// Of a panel that is kept: bounds of its nodes and of what lies between them.
+    /// Returns the bounds of a stored panel: its nodes and the curve between them.
     #[inline]
     #[must_use]
     pub fn extent(&self) -> Option<&'a Extent> {
         self.kept.map(|kept| &kept.extent)
     }
 
-    /// Of a panel that is kept: which panels of the cycle it is like.
+    /// Returns the relation of a stored panel to those with the same signals.
     #[inline]
     #[must_use]
     pub fn like(&self) -> Option<Like> {
         self.kept.map(|kept| kept.like)
     }
 
-    /// Of a panel that is kept and has many nodes: bounds of its stretches, each of so many parts between neighbouring nodes.
+    /// Returns the bounds of the stretches of a stored panel with many nodes, each stretch spanning `parts` intervals
+    /// between nodes; empty for other panels.
     #[inline]
     pub(super) fn stretches(&self, parts: usize) -> &'a [Extent] {
         let Some(kept) = self.kept.filter(|_| self.nodes.len() > parts + 1) else { return &[] };
@@ -59,7 +60,7 @@ impl<'a> Panel<'a> {
         })
     }
 
-    /// The instant at a share of the panel.
+    /// Returns the instant at a share of the panel.
     #[inline]
     pub fn at(&self, share: f64) -> Node {
         match self.kept {
@@ -68,24 +69,24 @@ impl<'a> Panel<'a> {
         }
     }
 
-    /// The instant half-way between a node and the next.
+    /// Returns the instant half-way between a node and the next.
     #[inline]
     #[must_use]
     pub fn middle(&self, node: usize) -> Node {
         rule::middle(self.nodes, node)
     }
 
-    /// Whether every signal is straight.
+    /// Returns `true` if every signal is straight.
     #[inline]
     pub fn is_straight(&self) -> bool {
         self.bow == [0.0; 4]
     }
 }
 
-/// Through so many nodes goes a parabola, which needs no series.
+/// Number of nodes through which the polynomial is a parabola and needs no series.
 const PARABOLA: usize = 3;
 
-/// A panel whose nodes are kept.
+/// A panel whose nodes are stored.
 #[derive(Clone, Debug)]
 pub(super) struct Kept {
     pub(super) nodes: Range<usize>,
@@ -93,14 +94,14 @@ pub(super) struct Kept {
     pub(super) bow: [f64; 4],
     pub(super) extent: Extent,
     pub(super) like: Like,
-    /// Its polynomials.
+    /// Series of the polynomials through the nodes.
     pub(super) series: rule::Series,
-    /// Bounds of its stretches, found when it is first looked into.
+    /// Bounds of the stretches, computed on first use.
     pub(super) stretches: OnceLock<Box<[Extent]>>,
 }
 
 impl Kept {
-    /// The last nodes of those that are kept.
+    /// Creates the panel of the stored nodes from `first` on.
     pub(super) fn of(nodes: &[Node], first: usize, duration: f64, bow: [f64; 4]) -> Self {
         let extent = Extent::of(nodes.get(first..).unwrap_or_default(), &bow);
         let (like, series, stretches) = (Like::default(), rule::Series::default(), OnceLock::new());

@@ -1,5 +1,5 @@
-//! A recording under its load: bounds and sums of its blocks in one pass; the nodes of a long one are made when they are
-//! looked at.
+//! A recording under its load: bounds and sums of its blocks from one pass. The nodes of a long recording are computed
+//! each time they are read.
 
 mod bent;
 mod cells;
@@ -27,46 +27,47 @@ use quantities::Measure;
 use std::ops::Range;
 use std::sync::{Arc, OnceLock};
 
-/// From so many intervals two threads share the pass; the sums are those of one thread to the last bit.
+/// Number of intervals from which two threads share the pass; the sums equal those of one thread to the last bit.
 const SHARED_FROM: usize = 1 << 16;
 
-/// A block holds at most so many intervals of a recording.
+/// Maximum number of intervals of a recording in a block.
 pub(super) const INTERVALS: usize = 256;
 
-/// And lasts about so long at most \[s\], unless that were less than [`INTERVALS_LEAST`]: short enough that the models of
-/// heat may take it as a whole.
+/// Approximate maximum duration of a block \[s\], unless it held fewer than [`INTERVALS_LEAST`] intervals: short enough
+/// for the thermal models to take it as a whole.
 const BLOCK_S: f64 = 0.5;
 
-/// So many intervals a block holds at least.
+/// Minimum number of intervals in a block.
 const INTERVALS_LEAST: usize = 16;
 
-/// A recording with what it moves.
+/// A recording with the mechanism that it moves.
 #[derive(Clone, Debug)]
 pub struct Strip {
     placed: Placed,
-    /// What the survey looks at: of a plain mechanism the recording by itself.
+    /// Recording as the survey evaluates it: unscaled for a plain mechanism, else as placed.
     surveyed: Placed,
     mechanism: Mechanism,
     extra: Extra,
-    /// Of a load that is a sum of parts with constant factors: then a view of a survey shows it.
+    /// Parts of the load if it is a sum with constant factors; the survey is then seen through the view.
     plain: Option<Plain>,
-    /// The weight under which it was surveyed \[Nm\].
+    /// Weight with which the survey was made \[Nm\].
     surveyed_weight_nm: f64,
-    /// Positions at which the load has a corner.
+    /// Positions at which the load has a kink \[rad\].
     kinks: Vec<f64>,
     view: View,
-    /// Where the intervals are not straight: what does not hang on the pace of a load that is a sum, else all of it.
+    /// Loads of intervals that are not straight: for a load that is a sum the part independent of pace, else the whole
+    /// load.
     loads: Arc<Known>,
     survey: Arc<Survey>,
 }
 
-/// What one pass over a recording finds, in the signals before the view.
+/// Result of one pass over a recording, in the signals before the view.
 #[derive(Debug)]
 pub(super) struct Survey {
     blocks: Vec<Block>,
-    /// Smallest and largest J_L \[kgm²\] and holding torque \[Nm\] over the positions; of a load that is a sum not needed.
+    /// Smallest and largest J_L \[kgm²\] and holding torque \[Nm\] over the positions; `None` for a load that is a sum.
     by_position: Option<((f64, f64), f64)>,
-    /// The positions at which the weight of such a load has its smallest and its largest lever \[rad\].
+    /// Positions with the smallest and the largest lever of the weight of such a load \[rad\].
     levers: [f64; 2],
     /// Lowest and highest recorded position \[rad\].
     span: (f64, f64),
@@ -78,7 +79,7 @@ pub(super) struct Survey {
     pub(super) gains: GainTables,
 }
 
-/// What a recording contributes to a trace.
+/// Contribution of a recording to a trace.
 pub(super) struct Found {
     pub(super) blocks: Vec<Block>,
     /// Smallest and largest J_L \[kgm²\].
@@ -89,14 +90,15 @@ pub(super) struct Found {
     pub(super) holding: f64,
 }
 
-/// A panel of an interval has so many nodes at most.
+/// Maximum number of nodes in a panel of an interval.
 const NODES: usize = 16;
 
-/// A part of an interval in which the direction does not change, from one share of it to another.
+/// A part of an interval with one direction: start and end as shares of the interval, and the direction.
 type Part = (f64, f64, f64);
 
 impl Strip {
-    /// A recording under a load; the survey of one of the known strips serves if only the view differs.
+    /// Creates the strip of a recording under a load; reuses the survey of one of the known strips if only the view
+    /// differs.
     pub(super) fn new(placed: Placed, mechanism: Mechanism, extra: Extra, known: &[Self]) -> Self {
         let plain = mechanism.plain(&extra);
         let view = match &plain {
@@ -135,7 +137,7 @@ impl Strip {
         strip
     }
 
-    /// Whether a view of its survey shows a recording under a load that is a sum of parts.
+    /// Returns `true` if a view of this survey represents the recording under a load that is a sum of parts.
     fn shows(&self, plain: &Plain, placed: &Placed) -> bool {
         let Some(own) = &self.plain else { return false };
         if !Arc::ptr_eq(&self.placed.recorded, &placed.recorded) || own.constant_nm != plain.constant_nm {
@@ -149,12 +151,12 @@ impl Strip {
             && self.placed.offset_rad == placed.offset_rad
     }
 
-    /// Whether nothing is added to the weight, so that another one is a factor.
+    /// Returns `true` if the load before the view is a weight alone, so that another weight is a factor.
     fn is_weight_alone(&self) -> bool {
         self.placed.recorded.torque_nm().is_none() && self.plain.is_some_and(|plain| plain.constant_nm == 0.0)
     }
 
-    /// Its samples where their load is found anew for another load, and for another pace.
+    /// Returns the number of samples whose load must be computed again for another load, and for another pace.
     pub(super) fn found_anew(&self) -> [usize; 2] {
         let samples = self.placed.recorded.len() + self.kinks_passed();
         match &self.plain {
@@ -164,13 +166,13 @@ impl Strip {
         }
     }
 
-    /// How many kinks of the load it passes: each parts an interval as a sample does.
+    /// Returns the number of kinks passed; each divides an interval like a sample.
     fn kinks_passed(&self) -> usize {
         recorded_passes(&self.mechanism, &self.kinks, &self.placed) as usize
     }
 
-    /// Work of a pass over it, in samples under a load that makes every interval a straight one: others take about twice as long, and longer
-    /// if the equations of the load do.
+    /// Returns the work of a pass, in samples under a load with straight intervals. Other loads take about twice as
+    /// long, and longer if their equations do.
     #[allow(
         clippy::cast_possible_truncation,
         clippy::cast_sign_loss,
@@ -186,14 +188,14 @@ impl Strip {
         }
     }
 
-    /// The load where it makes every interval a straight one.
+    /// Returns the load if it makes every interval straight.
     #[inline]
     fn straight(&self) -> Option<&Plain> {
         self.plain.as_ref().filter(|_| self.surveyed_weight_nm == 0.0)
     }
 
-    /// The panels of an interval, one for each direction: both ends and the middle with the weights of Simpson's rule. Where
-    /// the load depends on the position or has losses there are more, see [`Self::bent_interval`].
+    /// Visits the panels of an interval, one for each direction: both ends and the middle with the weights of Simpson's
+    /// rule. A load that depends on the position or has losses needs more panels, see [`Self::bent_interval`].
     pub(super) fn interval(&self, index: usize, look: &mut impl FnMut(Panel<'_>)) {
         if self.plain.is_none() {
             self.raw_interval(index, look);
@@ -207,7 +209,7 @@ impl Strip {
         });
     }
 
-    /// The same in the signals of the survey: of a plain mechanism those of the recording by itself.
+    /// Visits the panels of an interval in the signals of the survey.
     fn raw_interval(&self, index: usize, look: &mut impl FnMut(Panel<'_>)) {
         let Some(interval) = self.surveyed.interval(index) else { return };
         let Some(plain) = self.straight() else {
@@ -238,13 +240,13 @@ impl Strip {
         }
     }
 
-    /// Number of intervals between samples.
+    /// Returns the number of intervals between samples.
     #[must_use]
     pub fn intervals(&self) -> usize {
         self.placed.intervals()
     }
 
-    /// Makes the panels of a block once and for all.
+    /// Computes the panels of a block and stores them.
     pub(super) fn keep(&self, block: &mut Block, nodes: &mut Vec<Node>, panels: &mut Vec<Kept>) {
         if let BlockPanels::Recorded { intervals, .. } = &block.place {
             let from = panels.len();
@@ -259,7 +261,7 @@ impl Strip {
         }
     }
 
-    /// So many intervals make a block.
+    /// Returns the number of intervals per block.
     pub(super) fn block_intervals(&self) -> usize {
         let time = self.placed.recorded.time_s();
         let whole = time.last().zip(time.first()).map_or(0.0, |(last, first)| last - first);
@@ -273,7 +275,7 @@ impl Strip {
         fitting.clamp(INTERVALS_LEAST, INTERVALS) / LANES * LANES
     }
 
-    /// One pass over all samples.
+    /// Evaluates all samples in one pass.
     fn look(&self) -> Survey {
         let (intervals, most) = (self.placed.intervals(), self.block_intervals());
         let ranges: Vec<Range<usize>> =
@@ -305,7 +307,7 @@ impl Strip {
         }
     }
 
-    /// The positions at which the weight has its smallest and its largest lever.
+    /// Returns the positions with the smallest and the largest lever of the weight \[rad\].
     fn levers(&self) -> [f64; 2] {
         let Some(plain) = self.plain.filter(|plain| plain.weight_nm != 0.0) else { return [0.0; 2] };
         let positions = self.placed.recorded.position_rad().iter().map(|q| q + self.placed.offset_rad);
@@ -318,7 +320,7 @@ impl Strip {
         [low.1, high.1]
     }
 
-    /// What the survey says under this load, with the blocks of the strip of this number.
+    /// Returns the result of the survey under this load; its blocks refer to the strip with the index `own`.
     pub(super) fn found(&self, own: usize) -> Found {
         let offset = self.placed.offset_rad;
         let block = |raw: &Block| {
@@ -358,7 +360,7 @@ impl Strip {
         &self.view
     }
 
-    /// Identifies a survey.
+    /// Returns the address that identifies a survey.
     #[cfg(test)]
     pub(super) fn survey_address(&self) -> *const Survey {
         Arc::as_ptr(&self.survey)
@@ -368,60 +370,61 @@ impl Strip {
         &self.survey
     }
 
-    /// Whether its cells have moments for the cube of a torque.
+    /// Returns `true` if the cells have moments for the cube of a torque.
     pub(super) fn has_moments(&self) -> bool {
         self.straight().is_some()
     }
 
-    /// The moments of a cell for the cube of a torque; of a plain mechanism only, whose intervals are straight.
+    /// Returns the moments of a cell for the cube of a torque; `None` unless the mechanism is plain and its intervals
+    /// are straight.
     pub(super) fn cubic(&self, cell: &Cell) -> Option<&Moments> {
         self.straight()?;
         self.survey.cubes.get_or_init(|| self.cells().moments(self)).get(cell.number as usize)
     }
 
-    /// The panels of a block in the signals of the survey.
+    /// Visits the panels of a block in the signals of the survey.
     pub(super) fn raw_panels(&self, block: &Block, look: &mut dyn FnMut(Panel<'_>)) {
         if let BlockPanels::Recorded { intervals, .. } = &block.place {
             intervals.clone().for_each(|index| self.raw_interval(index, &mut |panel| look(panel)));
         }
     }
 
-    /// The intervals by their signals, computed on first use.
+    /// Returns the tree of the intervals, built on first use.
     #[inline]
     fn cells(&self) -> &Cells {
         self.survey.cells.get_or_init(|| Cells::of(self))
     }
 
-    /// The cell of all intervals.
+    /// Returns the cell that contains all intervals.
     #[inline]
     pub fn root(&self) -> Option<&Cell> {
         self.cells().root()
     }
 
-    /// The two cells within one.
+    /// Returns the two halves of a cell.
     #[inline]
     pub fn halves(&self, halves: [u32; 2]) -> [Option<&Cell>; 2] {
         self.cells().halves(halves)
     }
 
-    /// The panels of the intervals of a cell.
+    /// Visits the panels of the intervals of a cell.
     pub fn panels_within(&self, (from, to): (u32, u32), look: &mut impl FnMut(Panel<'_>)) {
         self.cells().intervals(from, to).for_each(|index| self.interval(index, look));
     }
 
-    /// The weights of the signals of the cells that make the same sum as others of those under the load.
+    /// Converts the weights of a sum of signals under the load to weights of the signals of the cells.
     #[inline]
     pub fn weights(&self, c: [f64; 4]) -> [f64; 4] {
         if self.plain.is_some() { self.view.weights(c) } else { c }
     }
 
-    /// By which factor the time of the cells is stretched.
+    /// Returns the factor by which the time of the cells is stretched.
     #[inline]
     pub fn stretch(&self) -> f64 {
         if self.plain.is_some() { self.view.stretch } else { 1.0 }
     }
 
-    /// Bounds of a cell under the load, and the instant at which the first of its intervals begins.
+    /// Returns the bounds of a cell under the load, and the start of its first interval \[s\].
     #[inline]
     pub(super) fn seen(&self, cell: &Cell) -> (Extent, f64) {
         if self.plain.is_some() {
@@ -431,14 +434,14 @@ impl Strip {
         }
     }
 
-    /// The panels of a block under the load.
+    /// Visits the panels of a block under the load.
     pub fn panels(&self, block: &Block, look: &mut impl FnMut(Panel<'_>)) {
         if let BlockPanels::Recorded { intervals, .. } = &block.place {
             intervals.clone().for_each(|index| self.interval(index, look));
         }
     }
 
-    /// The blocks in the signals of the survey.
+    /// Returns the blocks in the signals of the survey.
     pub(super) fn raw_blocks(&self) -> &[Block] {
         &self.survey.blocks
     }
@@ -461,7 +464,7 @@ impl Survey {
     }
 }
 
-/// The answers for all items in their order, the second half by another thread where that is worth it.
+/// Applies `of` to all items in their order; computes the second half in another thread if `shared`.
 fn in_two<I: Sync, O: Send>(items: &[I], shared: bool, of: &(impl Fn(&I) -> O + Sync)) -> Vec<O> {
     let work = |items: &[I]| -> Vec<O> { items.iter().map(of).collect() };
     if !shared {
@@ -472,16 +475,16 @@ fn in_two<I: Sync, O: Send>(items: &[I], shared: bool, of: &(impl Fn(&I) -> O + 
         let other = std::thread::Builder::new().spawn_scoped(scope, || work(second)).ok();
         let mut all = Vec::with_capacity(items.len());
         all.extend(first.iter().map(of));
-        // A thread that cannot be had, as in a browser, or could not finish leaves its part to this one.
+        // The second half is computed here if the thread could not be started, as in a browser, or did not finish.
         all.extend(other.and_then(|other| other.join().ok()).unwrap_or_else(|| work(second)));
         all
     })
 }
 
-/// So many intervals run side by side.
+/// Number of intervals processed in parallel lanes.
 pub(super) const LANES: usize = 4;
 
-/// Smallest and largest value.
+/// Returns the smallest and the largest value.
 fn range(values: &[f64]) -> (f64, f64) {
     let (mut low, mut high) = ([f64::INFINITY; LANES], [f64::NEG_INFINITY; LANES]);
     let (lanes, rest) = values.as_chunks::<LANES>();
@@ -495,7 +498,7 @@ fn range(values: &[f64]) -> (f64, f64) {
     all.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), value| (low.min(value), high.max(value)))
 }
 
-/// The parts of an interval in each of which the speed keeps its sign; the zero of a straight speed between them.
+/// Iterates over the parts of an interval in which the speed keeps its sign, split at the zero of the straight speed.
 #[inline]
 fn parts(interval: &Interval) -> impl Iterator<Item = Part> {
     let [first, last] = interval.speed_rad_s;

@@ -1,17 +1,17 @@
-//! What the nodes of a panel say between themselves: the polynomial through them, and its first-order lag.
+//! Interpolation within a panel: the polynomial through its nodes, and its first-order lag.
 
 use super::Node;
 use numeric::lobatto;
 use std::sync::{LazyLock, OnceLock};
 use wide::f64x4;
 
-/// Most nodes of a panel.
+/// Maximum number of nodes of a panel.
 pub(super) const MOST: usize = 16;
 
-/// One number for each node of a panel; those beyond its nodes are zero.
+/// One value per node of a panel; zero beyond its nodes.
 pub(super) type Values = [f64; MOST];
 
-/// The polynomial through the nodes of a Gauss-Lobatto rule on 0…1.
+/// Gauss-Lobatto rule on 0…1 with the polynomial through its nodes.
 #[derive(Debug)]
 pub(super) struct Rule {
     nodes: Vec<f64>,
@@ -28,10 +28,10 @@ pub(super) struct Rule {
     middles: Vec<Values>,
 }
 
-/// Into so many equal parts a panel is cut where a change of sign is sought.
+/// Number of equal parts of a panel in the search for a change of sign.
 pub(super) const PARTS: u32 = 16;
 
-/// The rule of n nodes.
+/// Returns the rule of n nodes.
 #[inline]
 pub(super) fn rule(n: usize) -> &'static Rule {
     static RULES: LazyLock<Vec<Rule>> = LazyLock::new(|| (0..=MOST).map(Rule::new).collect());
@@ -48,8 +48,8 @@ pub(super) fn rule(n: usize) -> &'static Rule {
 }
 
 impl Rule {
-    /// The factors a_j = (2j + 1) Σ w_k P_j(x_k) u_k; of the highest (n − 1) Σ w_k P_j(x_k) u_k, since Lobatto's rule gives
-    /// 1/(n − 1) for the square of that one.
+    /// Computes the coefficients a_j = (2j + 1) Σ w_k P_j(x_k) u_k; that of the highest degree is (n − 1) Σ w_k
+    /// P_j(x_k) u_k, because Lobatto's rule gives 1/(n − 1) for the square of that polynomial.
     ///
     /// The barycentric weights of the nodes are (−1)^k √w_k.
     ///
@@ -84,7 +84,7 @@ impl Rule {
         made
     }
 
-    /// The weights of the values at the nodes in the integral of their polynomial from the beginning to a share.
+    /// Returns the weights of the values at the nodes in the integral of their polynomial from the start to a share.
     ///
     /// ∫_0^s P̃_j ds = (P̃_(j+1) − P̃_(j−1))/(2(2j + 1)), P̃_(−1) = −1
     fn integral_until(&self, s: f64) -> Values {
@@ -97,7 +97,7 @@ impl Rule {
         weights
     }
 
-    /// The weights of the values at the nodes in the factor of T_j.
+    /// Returns the weights of the values at the nodes in the coefficient of T_j.
     ///
     /// c_j = (2 − δ_j0)/n Σ_m u(cos θ_m) cos(j θ_m), θ_m = π (m + ½)/n, m = 0…n−1
     fn chebyshev_factor(&self, j: usize) -> Values {
@@ -112,10 +112,10 @@ impl Rule {
         weights
     }
 
-    /// The values at the nodes of the lag y' = λ (u − y), y(0) = start, for a λ that is not large.
+    /// Returns the values at the nodes of the lag y' = λ (u − y), y(0) = start, for a small λ.
     ///
-    /// y = start + λ ∫(u − y) ds at every node, solved by inserting: each time the error is smaller by λ over the number
-    /// of times.
+    /// y = start + λ ∫(u − y) ds at every node, solved by fixed-point iteration: iteration k reduces the error by the
+    /// factor λ/k.
     ///
     /// # Valid
     /// λ ≤ 0.5; y is then the polynomial through its nodes as closely as u is
@@ -138,12 +138,13 @@ impl Rule {
         lag
     }
 
-    /// The values at equal parts of the panel, from its beginning to its end.
+    /// Iterates over the values at equal parts of the panel, from its start to its end.
     pub(super) fn at_parts<'a>(&'a self, values: &'a Values) -> impl Iterator<Item = f64> + 'a {
         self.parts.iter().map(move |row| dot(row, values))
     }
 
-    /// The values of the basis polynomials at a share of the panel: the value there is the sum of each times its node's.
+    /// Returns the values of the basis polynomials at a share of the panel; the interpolated value is the sum of each
+    /// times the value at its node.
     pub(super) fn shares(&self, s: f64) -> Values {
         let mut shares = [0.0; MOST];
         if let Some(at) = self.nodes.iter().position(|node| *node == s) {
@@ -160,7 +161,7 @@ impl Rule {
         shares
     }
 
-    /// The factors of the shifted Legendre polynomials.
+    /// Returns the coefficients of the shifted Legendre polynomials.
     pub(super) fn coefficients(&self, values: &Values) -> Values {
         let mut coefficients = [0.0; MOST];
         for (coefficient, row) in coefficients.iter_mut().zip(&self.legendre) {
@@ -169,7 +170,8 @@ impl Rule {
         coefficients
     }
 
-    /// The same of several values at each node, in the order of the polynomials.
+    /// Iterates over the coefficients of the shifted Legendre polynomials for several values per node, by rising
+    /// degree.
     pub(super) fn coefficients_of<const N: usize>(
         &self,
         values: impl Iterator<Item = [f64; N]> + Clone,
@@ -183,7 +185,8 @@ impl Rule {
         })
     }
 
-    /// The weights of the values at the nodes in the lag at the end of the panel, for its duration over the time constant.
+    /// Returns the weights of the values at the nodes in the lag at the end of the panel; λ is duration over time
+    /// constant.
     pub(super) fn weights(&self, lambda: f64) -> Values {
         let mut weights = [0.0; MOST];
         for (row, c) in self.legendre.iter().zip(lagged(lambda, self.nodes.len())) {
@@ -194,7 +197,7 @@ impl Rule {
         weights
     }
 
-    /// The values at the nodes of the same rule on 0…s.
+    /// Returns the values at the nodes of the same rule on 0…s.
     pub(super) fn first_part(&self, values: &Values, s: f64) -> Values {
         let mut part = [0.0; MOST];
         for (value, node) in part.iter_mut().zip(&self.nodes) {
@@ -208,7 +211,7 @@ impl Rule {
         &self.nodes
     }
 
-    /// The weights of the values at the nodes in those half-way between neighbouring nodes.
+    /// Returns the weights of the values at the nodes in those half-way between neighbouring nodes.
     #[inline]
     pub(super) fn middles(&self) -> &[Values] {
         &self.middles
@@ -236,8 +239,8 @@ fn legendre(j: usize, s: f64) -> f64 {
     numeric::legendre(j, 2.0 * s - 1.0).1
 }
 
-/// What a first-order lag takes over from a Legendre polynomial that runs through a time: the lag is λ Σ a_j c_j at its
-/// end if it was zero at its beginning.
+/// Computes the response of a first-order lag to each shifted Legendre polynomial over a time: a lag that starts from
+/// zero ends at λ Σ a_j c_j.
 ///
 /// c_j = ∫_0^1 e^(−λ(1−s)) P̃_j(s) ds = e^(−λ/2) i_j(λ/2)
 ///
@@ -272,7 +275,7 @@ pub(super) fn lagged(lambda: f64, n: usize) -> Values {
     }
     let first = -(-lambda).exp_m1() / lambda;
     if x > 200.0 {
-        // Upwards; the error grows by e^(j²/x) only.
+        // Upward recurrence; the error grows by e^(j²/x) only.
         let mut pair = (first, (0.5 * (1.0 + (-lambda).exp()) - first) / x);
         for (j, c) in wanted.enumerate() {
             *c = pair.0;
@@ -280,7 +283,7 @@ pub(super) fn lagged(lambda: f64, n: usize) -> Values {
         }
         return found;
     }
-    // Downwards from where nothing is left, then to scale.
+    // Downward recurrence from a negligible start value, then scaled.
     #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "at most two hundred")]
     let from = n + 20 + (9.0 * x.sqrt()) as usize;
     let (mut above, mut here) = (0.0, 1e-300);
@@ -299,10 +302,10 @@ pub(super) fn lagged(lambda: f64, n: usize) -> Values {
     found
 }
 
-/// Up to this λ an interval of a recording has a lag by a few terms.
+/// Largest λ for which the lag over an interval of a recording is evaluated with a few terms.
 pub(super) const SHORT: f64 = 0.01;
 
-/// e^(−λ) and the weights of the values at both ends and the middle in the lag of a parabola.
+/// Returns e^(−λ) and the weights of the values at both ends and the middle in the lag of a parabola.
 ///
 /// # Valid
 /// λ ≤ 0.01, to the last digits
@@ -317,24 +320,24 @@ pub(super) fn short(lambda: f64) -> (f64, [f64; 3]) {
     (decay * decay, [even / 6.0 - odd / 2.0 + bend / 3.0, (even - bend) / 1.5, even / 6.0 + odd / 2.0 + bend / 3.0])
 }
 
-/// The instant at a share of a panel, on the polynomial through its nodes.
+/// Returns the instant at a share of a panel, on the polynomial through its nodes.
 #[inline]
 pub(super) fn between(nodes: &[Node], s: f64) -> Node {
     if let [_, _, _] = nodes {
-        // The parabola through both ends and the middle, as most intervals of a recording have it.
+        // The parabola through both ends and the middle, as in most intervals of a recording.
         let ahead = 2.0 * s - 1.0;
         return weighted(nodes, &[ahead * (s - 1.0), 4.0 * s * (1.0 - s), ahead * s], s);
     }
     weighted(nodes, &rule(nodes.len()).shares(s), s)
 }
 
-/// The polynomials through the nodes of a panel as series of Chebyshev polynomials, made on first use: at
-/// many instants they cost a fraction of what the nodes do.
+/// Polynomials through the nodes of a panel as Chebyshev series, computed on first use; for many instants cheaper than
+/// interpolation between the nodes.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Series(OnceLock<Box<[f64x4]>>);
 
 impl Series {
-    /// The same as [`between`] says, by Clenshaw's recurrence.
+    /// Returns the same instant as [`between`], by Clenshaw's recurrence.
     #[inline]
     pub(super) fn at(&self, nodes: &[Node], s: f64) -> Node {
         let factors = self.0.get_or_init(|| {
@@ -353,7 +356,7 @@ impl Series {
     }
 }
 
-/// The instant half-way between a node and the next.
+/// Returns the instant half-way between a node and the next.
 pub(super) fn middle(nodes: &[Node], place: usize) -> Node {
     let rule = rule(nodes.len());
     let (Some(shares), Some([a, b])) = (rule.middles.get(place), rule.nodes.get(place..place + 2)) else {
@@ -373,7 +376,7 @@ fn weighted(nodes: &[Node], shares: &[f64], s: f64) -> Node {
     at
 }
 
-/// The instant at a share of a panel, with the direction that all of it has.
+/// Returns the instant at a share of a panel with the direction of the panel; the other signals are zero.
 #[inline]
 fn placed(nodes: &[Node], s: f64) -> Node {
     let (Some(first), Some(last)) = (nodes.first(), nodes.last()) else { return Node::default() };
@@ -385,7 +388,7 @@ fn placed(nodes: &[Node], s: f64) -> Node {
 mod tests {
     use super::*;
 
-    /// Against Simpson sums of the integral that defines them.
+    /// The closed form agrees with Simpson sums of the defining integral.
     #[test]
     fn the_lag_of_legendre_polynomials_is_their_integral() {
         for lambda in [0.0, 1e-9, 1e-3, 0.3, 0.99, 1.01, 7.0, 60.0, 399.0, 401.0, 5e3] {

@@ -1,55 +1,55 @@
-//! The largest value of a signal over the cycle: bounds of panels with close signals first, then nodes, then what lies between
-//! them.
+//! Search for the largest value of a signal over the cycle: bounds of panels with close signals first, then nodes, then
+//! the curve between them.
 
 use super::near::{Branch, Near};
 use super::recording::{Cell, Inside, Strip};
 use super::{Block, Extent, Group, Kept, Node, Panel, STRETCH, Trace};
 
-/// What is not higher by more than this share of the highest is not looked for: rounding makes as much.
+/// Relative excess over the highest value that is ignored, since rounding causes as much.
 const ROUNDING: f64 = 1e-12;
 
-/// What lies between two nodes is looked for where it may be higher by more than this share.
+/// Relative excess up to which a higher value between two nodes is ignored.
 const NEGLIGIBLE: f64 = 1e-9;
 
-/// So often the place of a largest value between two nodes is halved: what is left is 10⁻¹² of the smooth bend there.
+/// Maximum number of halvings around a maximum between two nodes, leaving 10⁻¹² of the smooth curvature.
 const HALVINGS: u32 = 20;
 
-/// A vertex is where its parabola says if both differ by this share at most.
+/// Relative tolerance between the value at a vertex and its parabola.
 const AGREEMENT: f64 = 1e-13;
 
-/// A vertex is rounded to one of this many places between two nodes, the resolution of its value.
+/// Number of places between two nodes to which a vertex is rounded, the resolution of its value.
 const PLACES: f64 = (1 << 24) as f64;
 
-/// Of more corners than these it is first asked whether what lies between them counts.
+/// Number of corners above which the bound of the whole stretch is tested before the curve between the corners.
 const FEW: usize = 4;
 
-/// A parabola serves where it is off at its vertex by at most this share of its bend.
+/// Largest error of a parabola at its vertex, as a share of its bend, at which the parabola is used.
 const GOOD: f64 = 0.05;
 
 /// A signal whose largest value over the cycle is sought.
 pub trait Sought {
-    /// Whether no value on a straight line is above both its ends, as of the magnitude of a weighted sum.
+    /// `true` if no value on a straight line exceeds both of its ends, as for the magnitude of a weighted sum.
     const CONVEX: bool = false;
 
-    /// Above every value of instants within some bounds.
+    /// Returns an upper bound of the values of instants within some bounds.
     fn bound(&self, extent: &Extent) -> f64;
 
-    /// The value at an instant.
+    /// Returns the value at an instant.
     fn value(&self, node: &Node) -> f64;
 
-    /// Above every value on the straight line between two instants, between which there is no corner.
+    /// Returns an upper bound of the values on the straight line between two instants with no corner in between.
     fn on_line(&self, a: &Node, b: &Node) -> f64 {
         self.bound(&Extent::between(a, b, &[0.0; 4]))
     }
 
-    /// Values of |ω| at which the value may have a corner that points upwards, rising: only between them do values at a few
-    /// instants tell what lies between these.
+    /// Returns the values of |ω| at which the value may have an upward corner, in rising order. Values at a few
+    /// instants determine the curve only between corners.
     fn corners(&self) -> &[f64] {
         &[]
     }
 }
 
-/// The magnitude of a weighted sum, or what else is convex over (α, T_L, σ, ω): its bound and its value.
+/// A signal that is convex over (α, T_L, σ, ω), such as the magnitude of a weighted sum: its bound and its value.
 pub struct Convex<B, V>(pub B, pub V);
 
 impl<B: Fn(&Extent) -> f64, V: Fn(&Node) -> f64> Sought for Convex<B, V> {
@@ -64,7 +64,7 @@ impl<B: Fn(&Extent) -> f64, V: Fn(&Node) -> f64> Sought for Convex<B, V> {
     }
 }
 
-/// Any value: what lies between two instants is bounded like what lies within their bounds.
+/// A signal of any shape: values between two instants are bounded like values within their bounds.
 pub struct Any<B, V>(pub B, pub V);
 
 impl<B: Fn(&Extent) -> f64, V: Fn(&Node) -> f64> Sought for Any<B, V> {
@@ -96,14 +96,14 @@ impl Sought for TorqueWith {
 }
 
 impl Trace {
-    /// The largest value over the cycle and the first instant that has it. What has a bound not above what is found already
-    /// is left out.
+    /// Returns the largest value over the cycle and the first instant with it. Parts with a bound not above the best
+    /// value are skipped.
     pub fn largest(&self, sought: &impl Sought) -> (f64, Node) {
         self.search(sought, false)
     }
 
-    /// The same of a trace just made: for one look neither the tree of the kept panels nor the cells of a recording are worth
-    /// their while, unless these serve from the trace that it was changed from.
+    /// Returns the same as [`Self::largest`] for a single search of a new trace, which does not pay for building the
+    /// tree of stored panels or the cells of a recording; cells of the trace it was changed from are used.
     pub fn largest_once(&self, sought: &impl Sought) -> (f64, Node) {
         self.search(sought, true)
     }
@@ -119,7 +119,7 @@ impl Trace {
             }
             return (best.value, best.node);
         }
-        // What a copy shows the first of its kind has shown, or will. A trace that is changed is looked at but a few times.
+        // A copy has the values of the first panel of its kind. A changed trace is searched only a few times.
         if is_once || self.is_changed {
             let from = |kept: &Kept| self.nodes.get(kept.nodes.start).map_or(0.0, |node| node.time_s);
             let bound = |kept: &Kept| {
@@ -147,14 +147,14 @@ impl Trace {
     }
 }
 
-/// Panels in parts with close bounds, each of two others or not split.
+/// A tree of panels with close bounds; each part has two halves or is undivided.
 trait Parted {
     type Part;
 
-    /// Above every value within a part, and when its first panel begins.
+    /// Returns an upper bound of the values within a part, and the start of its first panel \[s\].
     fn bound(&self, part: &Self::Part, sought: &impl Sought) -> (f64, f64);
 
-    /// The halves of a part; of one that is not split the panels, one after the other.
+    /// Returns the halves of a part; visits the panels of an undivided one and returns `None`.
     fn open<'a>(
         &'a self,
         part: &'a Self::Part,
@@ -206,7 +206,7 @@ impl Parted for (&Trace, &Near) {
 }
 
 impl Strip {
-    /// The largest value over a recording whose nodes are not kept, if it is above the least that counts; else that.
+    /// Returns the largest value over a recording whose nodes are not stored, or `least` if no value exceeds it.
     pub fn largest(&self, sought: &impl Sought, least: f64) -> f64 {
         let mut best = Best { value: least, node: Node { time_s: f64::NEG_INFINITY, ..Node::default() } };
         best.descend(self, self.root(), sought);
@@ -227,7 +227,7 @@ impl Best {
         }
     }
 
-    /// Whether a bound of what begins at an instant leaves room for something better, or for the same at an earlier instant.
+    /// Returns `true` if the bound of a part that begins at an instant permits a better value, or an equal one earlier.
     #[inline]
     fn may_be_within(&self, bound: f64, from: f64) -> bool {
         if self.value == f64::NEG_INFINITY || from < self.node.time_s {
@@ -237,7 +237,7 @@ impl Best {
         }
     }
 
-    /// Looks into a part, if it may hold something better.
+    /// Searches a part if it may contain a better value.
     fn descend<T: Parted>(&mut self, tree: &T, part: Option<&T::Part>, sought: &impl Sought) {
         if let Some(part) = part {
             let (bound, from) = tree.bound(part, sought);
@@ -247,7 +247,7 @@ impl Best {
         }
     }
 
-    /// Looks into a part, first into the half that may hold more.
+    /// Searches a part, beginning with the half with the higher bound.
     fn within<T: Parted>(&mut self, tree: &T, part: &T::Part, sought: &impl Sought) {
         let Some(halves) = tree.open(part, &mut |panel| self.look(&panel, sought)) else { return };
         let mut halves = halves.map(|half| {
@@ -274,7 +274,7 @@ impl Best {
             }
             return;
         }
-        // Of a kept panel the bounds are known, and most panels of a block lie below what is found.
+        // Bounds of a stored panel are known, and most panels of a block lie below the best value.
         let from = panel.nodes.first().map_or(0.0, |node| node.time_s);
         if panel.extent().is_some_and(|extent| !self.may_be_within(sought.bound(extent), from)) {
             return;
@@ -302,7 +302,7 @@ impl Best {
         }
     }
 
-    /// The straight line between two instants: its ends, and what lies between these.
+    /// Searches the straight line between two instants: its ends, then the values between them.
     fn line<S: Sought>(&mut self, a: &Node, b: &Node, sought: &S) {
         self.see(a, sought.value(a));
         self.see(b, sought.value(b));
@@ -311,13 +311,13 @@ impl Best {
         }
     }
 
-    /// What lies between two instants on a straight line.
+    /// Searches the values between two instants on a straight line.
     fn along<S: Sought>(&mut self, a: &Node, b: &Node, sought: &S) {
         self.cut([(0.0, a), (1.0, b)], sought, &[0.0; 4], &|s| a.towards(b, s));
     }
 
-    /// What lies between two shares of a way, between whose instants no signal leaves the straight line by more than `bow`:
-    /// cut at the corners of the value that it passes.
+    /// Searches the values between two shares of a panel, where no signal deviates from the straight line by more than
+    /// `bow`: split at the corners of the value that it passes.
     fn cut<S: Sought>(
         &mut self,
         [(from, a), (to, b)]: [(f64, &Node); 2],
@@ -351,14 +351,14 @@ impl Best {
         bound > self.value + NEGLIGIBLE * self.value.abs()
     }
 
-    /// The largest value between two shares of a panel: the best of three instants closer and closer together, by half each
-    /// time, and by a quarter where the parabola through them predicts the value at its vertex. It ends where two vertices
-    /// that follow upon each other agree with their parabolas. What bends by less between the three than the best of them and
-    /// both ends lie below the highest is left alone.
+    /// Finds the largest value between two shares of a panel: the best of three instants at ever smaller distance,
+    /// reduced to a half each time, or to a quarter if the parabola through them predicts the value at its vertex. Ends
+    /// when two successive vertices agree with their parabolas. A stretch is skipped if it bends by less between the
+    /// three than the best of them and both ends lie below the highest value.
     fn narrow(&mut self, ends: [(f64, f64); 2], sought: &impl Sought, place: impl Fn(f64) -> Node) {
         let mut own = Self { value: f64::NEG_INFINITY, node: Node::default() };
         self.narrow_alone(&mut own, ends, sought, place);
-        // Of what is as high but for rounding the first counts.
+        // Among values that differ by rounding only, the first instant counts.
         let room = ROUNDING * self.value.abs();
         if own.value > self.value + room {
             *self = own;
@@ -396,11 +396,11 @@ impl Best {
             if !is_between {
                 let five = [low_end, before.1, middle.1, after.1, high_end];
                 if is_highest_at_an_end(five, highest) {
-                    // That end was seen; of values equal except for rounding its instant is returned.
+                    // That end was evaluated before; its instant counts among values that differ by rounding only.
                     own.value = f64::NEG_INFINITY;
                     return;
                 }
-                // The ends of what is looked at next are neighbours of the best of the five instants.
+                // The next interval is bounded by the neighbours of the best of the five instants.
                 (low_end, high_end) = if best.0 < middle.0 {
                     (low_end, middle.1)
                 } else if best.0 > middle.0 {
@@ -415,8 +415,8 @@ impl Best {
             let (vertex, _) = at(middle.0 - rise / bend * quarter);
             let (off, close) = ((vertex.1 - height).abs(), AGREEMENT * height.abs());
             if off <= close && (vertex.1 - agreed).abs() <= close {
-                // What is higher by the last digits alone is so by chance, and lies somewhere else on another machine; so do
-                // the last digits of the place.
+                // A value higher in the last digits only is so by chance and lies elsewhere on another machine; the
+                // same holds for the last digits of the place.
                 if own.value <= vertex.1 + close {
                     let node = place(from + (to - from) / PLACES * ((vertex.0 - from) / (to - from) * PLACES).round());
                     *own = Self { value: sought.value(&node), node };
@@ -433,11 +433,12 @@ impl Best {
     }
 }
 
-/// Whether of five values at equal steps one at an end is the largest, and nothing before it is above the highest known
-/// value by more than rounding: there the values rise towards that end or fall by so little that the vertex of the parabola with
-/// their bend is no higher.
+/// Returns `true` if an end is the largest of five values at equal steps and nothing before it exceeds the highest
+/// known value by more than rounding: the values rise towards that end, or fall by so little that the vertex of the
+/// parabola with their curvature is no higher.
 ///
-/// Slope and bend per step are those of the polynomial through all five, the slope less by what the fifth of them changes.
+/// Slope and bend per step are those of the polynomial through all five; the slope is reduced by the contribution of
+/// the fifth.
 fn is_highest_at_an_end(five: [f64; 5], highest: f64) -> bool {
     let [first, .., last] = five;
     let [a, b, c, d, e] = if first > last { [five[4], five[3], five[2], five[1], five[0]] } else { five };
@@ -451,7 +452,7 @@ fn is_highest_at_an_end(five: [f64; 5], highest: f64) -> bool {
     slope >= -counts || slope * slope <= 2.0 * bend * counts
 }
 
-/// The corners that lie between two speeds.
+/// Returns the corners between two speeds.
 #[inline]
 fn within(corners: &[f64], low: f64, high: f64) -> &[f64] {
     let from = corners.partition_point(|corner| *corner <= low);
@@ -459,7 +460,8 @@ fn within(corners: &[f64], low: f64, high: f64) -> &[f64] {
     corners.get(from..to).unwrap_or_default()
 }
 
-/// Visits what may hold something better than the best: the one with the largest bound, then the others in their order.
+/// Visits items that may contain a value better than the best: the one with the largest bound first, then the others in
+/// order.
 fn in_order<T>(items: &[T], bound: impl Fn(&T) -> (f64, f64), best: &mut Best, mut visit: impl FnMut(&T, &mut Best)) {
     if let [only] = items {
         visit(only, best);

@@ -1,21 +1,21 @@
-//! A short cycle of straight panels, which every search looks at as a whole.
+//! A short cycle of straight panels, which every search evaluates as a whole.
 
 use super::{Kept, Node, Trace};
 
 /// The ends of the panels and the lines between them.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Straight {
-    /// Of neighbouring ends with the same signals the first.
+    /// End nodes of the panels; of neighbouring ones with the same signals the first.
     pub(super) ends: Vec<Node>,
     /// Both ends of each panel along which a signal changes.
     pub(super) lines: Vec<[Node; 2]>,
 }
 
-/// So many ends before one are compared with it: those of a move and its pause.
+/// Number of preceding ends with which an end is compared: those of a move and its pause.
 const NEIGHBOURS: usize = 8;
 
 impl Straight {
-    /// Of a cycle that is short and has no other panels.
+    /// Collects ends and lines of a short cycle; `None` if the cycle is long or has a curved panel.
     pub(super) fn of(trace: &Trace) -> Option<Self> {
         if !trace.is_short() {
             return None;
@@ -40,7 +40,7 @@ impl Straight {
 }
 
 impl Trace {
-    /// The ends of a straight panel.
+    /// Returns both ends of a panel if it is straight.
     fn straight(&self, kept: &Kept) -> Option<[Node; 2]> {
         let panel = self.panel(kept);
         match panel.nodes {
@@ -57,7 +57,7 @@ mod tests {
     use crate::{Any, Convex, Extent, Node, TorqueWith, Trace};
     use motion::Law;
 
-    /// As it was searched without knowing that it is short.
+    /// Returns a copy of the trace that is searched like a long one.
     fn long(trace: &Trace) -> Trace {
         Trace { straight: None, ..trace.clone() }
     }
@@ -83,7 +83,7 @@ mod tests {
             };
             let sought = Convex(bound, current);
             assert_eq!(trace.largest(&sought), blocks.largest(&sought));
-            // Largest between two ends: power that falls again while the speed still grows.
+            // The maximum lies between two ends: power that falls again while the speed still rises.
             let bent = |speed: f64, torque: f64| speed * (60.0 - 9.0 * speed) + 0.01 * torque;
             let sought = Any(
                 |extent: &Extent| 100.0 + 0.01 * extent.torque(1.0),

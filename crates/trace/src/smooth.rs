@@ -1,4 +1,4 @@
-//! One value along a panel of many nodes, as the polynomial through what it is there.
+//! One value along a panel of many nodes, as the polynomial through its values at the nodes.
 
 use crate::Panel;
 use crate::rule::{MOST, Rule, Values, dot, rule};
@@ -15,20 +15,20 @@ const STEPS: [(f64, f64); MOST - 1] = {
     steps
 };
 
-/// The polynomial through the values of something at the nodes of a panel.
+/// The polynomial through the values of a quantity at the nodes of a panel.
 ///
-/// Of a panel of sixteen nodes the signals are resolved to the last digits by half of them, and their products by all
+/// Half of the sixteen nodes of a panel resolve the signals to the last digits, all of them resolve their products
 /// (docs/theory/moments.md).
 #[derive(Clone, Copy, Debug)]
 pub struct Smooth {
     rule: &'static Rule,
     values: Values,
-    /// Of the shifted Legendre polynomials.
+    /// Coefficients of the shifted Legendre polynomials.
     factors: Values,
 }
 
 impl Smooth {
-    /// Its value at a share of the panel.
+    /// Returns the value at a share of the panel.
     #[inline]
     #[must_use]
     pub fn at(&self, share: f64) -> f64 {
@@ -42,13 +42,13 @@ impl Smooth {
         sum
     }
 
-    /// Its integral from the beginning of the panel to a share, as a mean over the whole panel.
+    /// Returns the integral from the start of the panel to a share, as a mean over the whole panel.
     ///
     /// ∫_0^s P̃_j ds = (P̃_(j+1) − P̃_(j−1))/(2(2j + 1)), P̃_(−1) = −1
     #[must_use]
     pub fn until(&self, share: f64) -> f64 {
         let [whole, ..] = self.factors;
-        // Of most parts one end is that of the panel.
+        // Most parts have one end in common with the panel.
         if share <= 0.0 || share >= 1.0 {
             return if share <= 0.0 { 0.0 } else { whole };
         }
@@ -63,7 +63,7 @@ impl Smooth {
         sum
     }
 
-    /// The value half-way between a node and the next.
+    /// Returns the value half-way between a node and the next.
     #[inline]
     #[must_use]
     pub fn middle(&self, node: usize) -> f64 {
@@ -71,11 +71,12 @@ impl Smooth {
     }
 }
 
-/// The step behind the last polynomial, of which nothing more is asked.
+/// Placeholder for the step beyond the last polynomial, whose result is not used.
 const LAST: (f64, f64) = (0.0, 0.0);
 
 impl Panel<'_> {
-    /// The polynomial through values at the nodes; none on a panel of fewer nodes than resolve a product of its signals.
+    /// Returns the polynomial through values at the nodes; `None` for a panel with too few nodes to resolve a product
+    /// of its signals.
     #[must_use]
     pub fn smooth(&self, value: impl FnMut(&crate::Node) -> f64) -> Option<Smooth> {
         if self.nodes.len() < MOST {

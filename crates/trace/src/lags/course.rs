@@ -1,4 +1,4 @@
-//! Where within a panel the sum of several lags turns from rising to falling.
+//! Search for the maximum of a sum of lags within a panel.
 
 use super::Lag;
 use crate::Panel;
@@ -16,7 +16,7 @@ pub(super) struct Course {
     count: usize,
     /// u at the nodes.
     input: Values,
-    /// What the panel adds until its end.
+    /// Added value at the end of the panel.
     gain: f64,
 }
 
@@ -29,30 +29,31 @@ impl Course {
         Self { tau_s: lag.tau_s, lambda, decay: (-lambda).exp(), count, input, gain }
     }
 
-    /// y at the end.
+    /// Returns y at the end of the panel.
     pub(super) fn end(&self, start: f64) -> f64 {
         start * self.decay + self.gain
     }
 
-    /// y at a share of the panel.
+    /// Returns y at a share of the panel.
     fn at(&self, start: f64, s: f64) -> f64 {
         let (rule, lambda) = (rule(self.count), s * self.lambda);
         let part = rule.coefficients(&rule.first_part(&self.input, s));
         start * (-lambda).exp() + lambda * dot(&lagged(lambda, self.count), &part)
     }
 
-    /// y' at a share of the panel.
+    /// Returns y' at a share of the panel.
     fn slope(&self, start: f64, s: f64) -> f64 {
         (dot(&rule(self.count).shares(s), &self.input) - self.at(start, s)) / self.tau_s
     }
 
-    /// Between these lies y' all through the panel.
+    /// Returns a lower and an upper bound of y' within the panel.
     fn slopes(&self, start: f64) -> (f64, f64) {
         slopes(self.input.iter().take(self.count).copied(), (start, self.end(start)), self.lambda, self.tau_s)
     }
 }
 
-/// Between these lies y' of a lag all through a panel, by its input at the nodes and its own ends.
+/// Returns a lower and an upper bound of y' of a lag within a panel, from the inputs at the nodes and the values at
+/// both ends.
 pub(super) fn slopes(
     inputs: impl Iterator<Item = f64>,
     (start, end): (f64, f64),
@@ -62,23 +63,25 @@ pub(super) fn slopes(
     let (low, high) = inputs.fold((f64::INFINITY, f64::NEG_INFINITY), |(a, b), u| (a.min(u), b.max(u)));
     let room = 0.125 * (high - low);
     let (low, high) = (low - room, high + room);
-    // y strays from the straight line by less than λ/4 of what drives it.
+    // y deviates from the straight line by less than λ/4 of the range of its input.
     let stray = 0.25 * lambda * (high - low + (end - start).abs());
     ((low - start.max(end) - stray) / tau_s, (high - start.min(end) + stray) / tau_s)
 }
 
-/// Whether slopes between these two may fall from above zero to below.
+/// Returns `true` if a slope within these bounds may change from positive to negative.
 pub(super) fn turns(lowest: f64, highest: f64) -> bool {
     lowest < 0.0 && highest > 0.0
 }
 
-/// A share of a panel up to which the instant of a largest value is sought.
+/// Tolerance for the instant of a maximum, as a share of the panel.
 const CLOSE: f64 = 1e-12;
 
-/// Up to this λ, and from so many nodes on, a lag is the polynomial through its values at the nodes.
+/// Largest λ and smallest number of nodes for which a lag is represented by the polynomial through its values at the
+/// nodes.
 const SMOOTH: (f64, usize) = (0.5, 8);
 
-/// Where within a panel the sum of lags turns from rising to falling, with the highest value, if that exceeds the least.
+/// Returns the share of the panel at which the sum of lags has its highest maximum, and that value, if it exceeds
+/// `least`.
 pub(super) fn turn(courses: &[Course], states: &[f64], duration: f64, least: f64) -> Option<(f64, f64)> {
     let (mut lowest, mut highest, mut start, mut end) = (0.0, 0.0, 0.0, 0.0);
     for (course, state) in courses.iter().zip(states) {
@@ -88,7 +91,7 @@ pub(super) fn turn(courses: &[Course], states: &[f64], duration: f64, least: f64
         start += state;
         end += course.end(*state);
     }
-    // A slope between these two takes the sum no further above its ends than that.
+    // The sum exceeds its ends by at most this much with slopes within these bounds.
     if !turns(lowest, highest) || f64::max(start, end) + 0.25 * duration * (highest - lowest) <= least {
         return None;
     }
@@ -120,15 +123,15 @@ pub(super) fn turn(courses: &[Course], states: &[f64], duration: f64, least: f64
     best
 }
 
-/// Of so many nodes the input is a parabola.
+/// Number of nodes of a panel whose input is a parabola.
 const PARABOLA: usize = 3;
 
-/// Powers of the share that count: from the third on each factor is λ/(k + 1) of the one before, so that of a λ of 0.5 the next
-/// one is 0.5¹³ · 3!/16! of the third, 10⁻¹⁶.
+/// Number of powers of the share that are evaluated. From the third on each coefficient is λ/(k + 1) of the one before,
+/// so for λ = 0.5 the first neglected one is 0.5¹³ · 3!/16! of the third, 10⁻¹⁶.
 const POWERS: usize = 16;
 
 impl Course {
-    /// The factors of the powers of the share in the input: a parabola or a line through its nodes.
+    /// Returns the coefficients of the input as a polynomial of the share: a parabola or a line through the nodes.
     const fn parabola(&self) -> [f64; 3] {
         let [first, second, third, ..] = self.input;
         if self.count == PARABOLA {
@@ -138,7 +141,8 @@ impl Course {
         }
     }
 
-    /// Adds the factors of the powers of the share in the lag of a parabola, and returns how many of them count.
+    /// Adds the coefficients of the lag of a parabola as powers of the share, and returns the number of powers that
+    /// matter.
     ///
     /// y_(k+1) = λ (u_k − y_k)/(k + 1), y_0 the lag at the beginning
     ///
@@ -164,7 +168,7 @@ impl Course {
     }
 }
 
-/// The same of parabolas, whose lags over a short panel are a few powers of the share.
+/// Finds the maximum like [`turn`], for parabolas over a short panel, from a few powers of the share.
 fn turn_by_powers(courses: &[Course], states: &[f64], least: f64) -> Option<(f64, f64)> {
     let (mut sums, mut slopes) = ([0.0; POWERS], [0.0; POWERS]);
     let count = courses.iter().zip(states).map(|(course, state)| course.add_powers(*state, &mut sums)).max()?;
@@ -193,7 +197,7 @@ fn turn_by_powers(courses: &[Course], states: &[f64], least: f64) -> Option<(f64
     best
 }
 
-/// The same by the values at the nodes, where each lag is the polynomial through them.
+/// Finds the maximum like [`turn`], from the values at the nodes, where each lag is the polynomial through them.
 fn turn_by_nodes(courses: &[Course], states: &[f64], least: f64) -> Option<(f64, f64)> {
     let rule = rule(courses.first()?.count);
     let (mut slopes, mut sums) = ([0.0; MOST], [0.0; MOST]);
@@ -210,7 +214,7 @@ fn turn_by_nodes(courses: &[Course], states: &[f64], least: f64) -> Option<(f64,
         let here = (f64::from(part) / f64::from(PARTS), here);
         if last.1 > 0.0 && here.1 < 0.0 {
             let s = root(|s| dot(&rule.shares(s), &slopes), last, here, CLOSE);
-            // What lies clearly below is not worth the closed form.
+            // The closed form is evaluated only for values that are not clearly lower.
             if dot(&rule.shares(s), &sums) > most - 1e-6 * most.abs() {
                 let value = courses.iter().zip(states).map(|(course, state)| course.at(*state, s)).sum();
                 if value > most {

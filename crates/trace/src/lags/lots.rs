@@ -1,33 +1,34 @@
-//! Kept panels in lots, each of which a lag passes at one step.
+//! Batches of stored panels, which a lag passes in one step each.
 
 use crate::gains::{Gain, LagBlock, Lagging, Products, largest, most_on_the_way};
 use crate::{Panel, Run, Trace};
 use std::ops::Range;
 
-/// So many panels make a lot, where there are more than a few.
+/// Number of panels in a batch of a long run.
 const LOT: usize = 16;
 
-/// Of so few panels of a run each is a lot: to look at all costs less than to look at one lot in two ways.
+/// Number of panels up to which each panel of a run is a batch of its own: evaluating all of them is cheaper than a
+/// bound per batch first.
 const FEW: usize = 32;
 
-/// Neighbouring panels of one run.
+/// A batch of neighbouring panels of one run.
 #[derive(Debug)]
 pub(super) struct Lot {
     pub(super) panels: Range<usize>,
-    /// Of all of them once \[s\].
+    /// Duration of the panels of one repetition \[s\].
     pub(super) duration: f64,
-    /// Largest |∫(p_m − p̄_m) dt| on the way.
+    /// Largest |∫(p_m − p̄_m) dt| within the batch.
     pub(super) swing: Products,
 }
 
-/// All panels of a trace, and the lots that they make.
+/// Panels of a trace and the batches they form.
 #[derive(Debug)]
 pub(super) struct Lots {
-    /// None for a modified trace: only the lags of one actuator are requested, and passing its panels costs less
-    /// than to keep this.
+    /// Lag data of the panels; empty for a changed trace, for which only the lags of one actuator are requested and
+    /// integrating the panels again costs less than storing this data.
     panels: Vec<LagBlock>,
     lots: Vec<Lot>,
-    /// The lots of each run, and the largest of their swings; none of a recording.
+    /// Batches of each run, and the largest of their swings; empty for a recording.
     of_run: Vec<(Range<usize>, Products)>,
 }
 
@@ -42,7 +43,7 @@ impl Lots {
             let from = lots.len();
             let (range, at_once) = match run {
                 Run::Kept(range) => (range.clone(), if range.len() <= FEW { 1 } else { LOT }),
-                // What repeats is passed period by period.
+                // A repeated part is passed period by period.
                 Run::Repeated(range, _) => (range.clone(), range.len().max(1)),
                 Run::Recorded(_) => (0..0, 1),
             };
@@ -63,18 +64,18 @@ impl Lots {
         Self { panels, lots, of_run }
     }
 
-    /// The lots of a run: which they are, and what they are.
+    /// Returns the indices of the batches of a run and the batches.
     pub(super) fn of_run(&self, run: usize) -> (Range<usize>, &[Lot]) {
         let range = self.of_run.get(run).map_or(0..0, |(range, _)| range.clone());
         (range.clone(), self.lots.get(range).unwrap_or_default())
     }
 
-    /// The largest swings of the lots of a run.
+    /// Returns the largest swings of the batches of a run.
     pub(super) fn largest_swings(&self, run: usize) -> Products {
         self.of_run.get(run).map_or([0.0; 10], |(_, swings)| *swings)
     }
 
-    /// What each panel of a lot does to a lag.
+    /// Iterates over the gains of the panels of a batch.
     fn gains_within<'a>(&'a self, trace: &'a Trace, lot: &Lot, tau_s: f64) -> impl Iterator<Item = Gain> + 'a {
         let mut lagging = Lagging::of(tau_s);
         lot.panels.clone().map(move |index| {
@@ -90,12 +91,12 @@ impl Lots {
         })
     }
 
-    /// What each panel of a lot does to a lag.
+    /// Returns the gains of the panels of a batch.
     pub(super) fn part_gains(&self, trace: &Trace, lot: usize, tau_s: f64) -> Vec<Gain> {
         self.lots.get(lot).map(|lot| self.gains_within(trace, lot, tau_s).collect()).unwrap_or_default()
     }
 
-    /// What each lot does to a lag, of one that repeats once.
+    /// Returns the gain of each batch; of a repeated one for a single period.
     pub(super) fn gains(&self, trace: &Trace, tau_s: f64) -> Vec<Gain> {
         let through = |lot: &Lot| {
             let mut whole = Gain::NONE;
@@ -119,7 +120,7 @@ mod tests {
     use motion::{Law, SegmentSpec};
     use std::sync::Arc;
 
-    /// Swings of an arm, there and back, each time farther and slower, by two laws in turn.
+    /// Returns the trace of back-and-forth swings of an arm, increasing in angle and duration, with two laws in turn.
     fn trace() -> Trace {
         let swings: Vec<SegmentSpec> = (0..40)
             .map(|k| {
@@ -132,7 +133,7 @@ mod tests {
         trace
     }
 
-    /// As it was made from another one: its panels are passed by their nodes.
+    /// Returns the trace marked as changed, whose panels are integrated from their nodes.
     fn changed(trace: &Trace) -> Trace {
         Trace { is_changed: true, lags: Arc::default(), ..trace.clone() }
     }
@@ -163,7 +164,7 @@ mod tests {
         }
     }
 
-    /// No product is farther from its mean over the lot than the swing says, at any instant between the nodes either.
+    /// No product deviates from its mean over the batch by more than the stated swing, between the nodes included.
     #[test]
     fn no_course_within_a_lot_swings_farther() {
         let trace = trace();
@@ -185,14 +186,14 @@ mod tests {
             for (at, sums) in &course {
                 for ((sum, whole), swing) in sums.iter().zip(whole).zip(lot.swing) {
                     let away = (sum - whole * at / lot.duration).abs();
-                    // What the sum of middles is off by.
+                    // Error of the midpoint sum.
                     assert!(away <= swing + 1e-4 * (whole.abs() + swing), "{away} {swing}");
                 }
             }
         }
     }
 
-    /// Against a walk in small steps through two rounds of the cycle.
+    /// The peak agrees with an integration in small steps over two rounds of the cycle.
     #[test]
     fn peaks_are_those_of_a_plain_walk() {
         let trace = trace();
@@ -227,7 +228,7 @@ mod tests {
             for trace in [&trace, &changed(&trace)] {
                 let found = trace.peak_of_lags(&lags).value;
                 let above = found / expected - 1.0;
-                // The walk sees its steps alone.
+                // The integration samples its steps only, so it may miss the peak slightly.
                 assert!((-1e-10..1e-5).contains(&above), "{taus:?}: {found} {expected}");
             }
         }

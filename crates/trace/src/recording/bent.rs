@@ -1,5 +1,5 @@
-//! An interval of a recording whose load depends on the position or has losses: cut where the losses change sides and at
-//! the corners of the load, with as many nodes as it turns far.
+//! Panels of an interval whose load depends on the position or has losses: split where the losses change sides and at
+//! the kinks of the load, with a number of nodes that grows with the angle turned.
 
 use super::super::kinks::passed;
 use super::{NODES, Node, Panel, Strip, parts};
@@ -8,17 +8,18 @@ use motion::Interval;
 use numeric::{lobatto, root};
 use quantities::{Measure, Torque};
 
-/// An interval turns so far at most for 3, 5 and 9 nodes \[rad\]; beyond 16 are taken. By the error of the rule for cos³.
+/// Largest angle turned in an interval for 3, 5 and 9 nodes \[rad\]; beyond, 16 are used. From the error of the rule
+/// for cos³.
 const TURNED: [(f64, usize); 3] = [(0.01, 3), (0.1, 5), (0.5, 9)];
 
-/// A share of what it is sought within up to which the place of a cut is found.
+/// Tolerance for the place of a cut, as a share of the interval searched.
 const CLOSE: f64 = 1e-14;
 
-/// At a corner of the load the node lies this share of the panel beside it, on its own side.
+/// Distance of a node from a kink of the load, as a share of the panel; the node lies on its own side.
 const BESIDE: f64 = 1e-9;
 
 impl Strip {
-    /// The panels of such an interval.
+    /// Visits the panels of an interval with a curved load.
     pub(super) fn bent_interval(&self, interval: &Interval, look: &mut impl FnMut(Panel<'_>)) {
         let lossless = |driving: f64, driven: f64| driving == 1.0 && driven == 1.0;
         let lossy = !lossless(self.mechanism.efficiency_driving, self.mechanism.efficiency_driven);
@@ -50,7 +51,7 @@ impl Strip {
         Extra { torque: self.extra.torque + Torque::from_si(torque), ..self.extra }
     }
 
-    /// Where the power before the losses changes its sign.
+    /// Adds the places at which the power before the losses changes its sign.
     fn switches(&self, interval: &Interval, (from, to, direction): (f64, f64, f64), lossy: bool, cuts: &mut Vec<f64>) {
         let useful = |u: f64| {
             let (output, torque) = Self::output(interval, u, direction);
@@ -68,15 +69,15 @@ impl Strip {
         }
     }
 
-    /// Where the position passes a corner of the load.
+    /// Adds the places at which the position passes a kink of the load.
     fn corners(&self, interval: &Interval, (from, to): (f64, f64), cuts: &mut Vec<f64>) {
         if self.kinks.is_empty() {
             return;
         }
         let ratio = self.mechanism.stage_ratio();
         let at = |u: f64| interval.at(u).0 / ratio;
-        // Within an interval the speed is straight over time: the position is monotone where it does not change its sign, and a part
-        // of an interval ends there. At its ends and in the middle it is looked at.
+        // Within an interval the speed is straight, so the position is monotone between the parts of an interval, which
+        // end where the speed changes its sign. The ends and the middle are sampled.
         let middle = 0.5 * (from + to);
         for (low, high) in [(from, middle), (middle, to)] {
             passed(&self.kinks, self.mechanism.endless(), at(low), at(high), &mut |kink| {
@@ -108,7 +109,7 @@ impl Strip {
                 speed_rad_s: output.speed_rad_s,
                 direction,
                 load_nm: match &self.plain {
-                    // The rest is a matter of the view.
+                    // The view adds the remaining parts.
                     Some(plain) => {
                         let lever = (output.position_rad + plain.angle_rad).cos();
                         torque + plain.constant_nm + self.surveyed_weight_nm * lever
@@ -122,8 +123,9 @@ impl Strip {
     }
 }
 
-/// How far a smooth load may rise above the straight line between two neighbouring nodes, by its largest second difference:
-/// a parabola rises above its chord by an eighth of the second derivative times the square of the chord's time.
+/// Computes a bound on the rise of a smooth load above the straight line between two neighbouring nodes from its
+/// largest second difference: a parabola rises above its chord by an eighth of the second derivative times the square
+/// of the chord's duration.
 fn bow(nodes: &[Node]) -> f64 {
     let triples = nodes.iter().zip(nodes.iter().skip(1)).zip(nodes.iter().skip(2));
     let most = triples.fold(0.0_f64, |most, ((a, b), c)| {
@@ -131,11 +133,11 @@ fn bow(nodes: &[Node]) -> f64 {
         let bend = 2.0 * ((c.load_nm - b.load_nm) / right - (b.load_nm - a.load_nm) / left) / (left + right);
         most.max(bend.abs() * left.max(right) * left.max(right) / 8.0)
     });
-    // Of three nodes the parabola is all there is; of more the bend between two of them may be larger than at either.
+    // Three nodes define the parabola; with more, the curvature between two of them may exceed that at either.
     if nodes.len() > 3 { 2.0 * most } else { most }
 }
 
-/// Where a function changes its sign between two shares, looked for in both halves.
+/// Adds the zeros with a change of sign between two shares, one at most in each half.
 fn crossings(value: &impl Fn(f64) -> f64, from: f64, to: f64, cuts: &mut Vec<f64>) {
     let middle = 0.5 * (from + to);
     let at = [from, middle, to].map(value);

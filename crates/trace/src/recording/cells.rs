@@ -1,6 +1,6 @@
-//! The intervals of a recording as a k-d tree over their signals: neighbours in acceleration, speed and torque, whenever
-//! they were. However much noise there is, what a cell holds has close bounds, and a search or an integral that depends on a
-//! sign need look into few of them.
+//! The intervals of a recording as a k-d tree over their signals: neighbours are close in acceleration, speed and
+//! torque, not in time. A cell has close bounds even in a noisy recording, and a search or an integral that depends on
+//! a sign visits few cells.
 
 use super::straight::{Sums, bounds};
 use super::{SHARED_FROM, Strip, in_two};
@@ -9,30 +9,30 @@ use crate::halves::{Point, halve, scale};
 use crate::{Extent, Gram, Panel};
 use mechanism::Plain;
 
-/// A cell of at most so many intervals is not split.
+/// Maximum number of intervals in a cell that is not split.
 const LEAF: usize = 128;
 
-/// Intervals with close signals, their bounds and sums in the signals of the survey.
+/// Intervals with close signals, with bounds and sums in the signals of the survey.
 #[derive(Debug)]
 pub struct Cell {
-    /// Bounds of its intervals, in the signals of the cells.
+    /// Bounds of the intervals, in the signals of the cells.
     pub extent: Extent,
-    /// Sums of their products.
+    /// Sums of the products of the signals.
     pub gram: Gram,
-    /// Instant at which the first of them begins \[s\].
+    /// Start of the first interval \[s\].
     pub(super) from: f64,
-    /// What it is made of.
+    /// Intervals or halves of the cell.
     pub inside: Inside,
-    /// Its place among the cells.
+    /// Index among the cells.
     pub(super) number: u32,
 }
 
-/// What a cell is made of.
+/// Content of a cell.
 #[derive(Clone, Copy, Debug)]
 pub enum Inside {
-    /// Intervals, between two places of the order.
+    /// Intervals, as a range of places in the order.
     Intervals(u32, u32),
-    /// Two cells.
+    /// Two cells, by index.
     Halves([u32; 2]),
 }
 
@@ -48,13 +48,13 @@ pub(super) struct Cells {
 struct Group {
     direction: usize,
     count: usize,
-    /// The sign of the speed; none where it turns round.
+    /// Sign of the speed; `None` if the axis reverses within the intervals.
     side: Option<f64>,
-    /// The place of the first of them in the order.
+    /// Place of the first interval in the order.
     first: u32,
 }
 
-/// Directions: backwards, at rest, forwards, turning round.
+/// Number of directions: backwards, at rest, forwards, reversing.
 const DIRECTIONS: usize = 4;
 
 impl Cells {
@@ -70,7 +70,7 @@ impl Cells {
             }
             first += count;
         }
-        // Two threads: for the groups where the work divides between them, else for the halves of each.
+        // Two threads: one per group if that divides the work, else one per half of each group.
         let shared = strip.intervals() >= SHARED_FROM;
         let by_group = shared && counts.iter().all(|count| *count <= strip.intervals() / 4 * 3);
         let tree = |group: &Group| {
@@ -98,14 +98,14 @@ impl Cells {
         all
     }
 
-    /// The cells of the intervals of one direction. The points go with it: those of all directions would take as much as two
-    /// columns of the recording.
+    /// Builds the cells of the intervals of one direction. The points are freed with each group: those of all
+    /// directions would need as much memory as two columns of the recording.
     fn of_group<const N: usize>(strip: &Strip, group: &Group, points: &mut [Point<N>], shared: bool) -> Self {
         let of = (strip, group.side);
         let scale = scale(points);
         let mut tree = Self { cells: Vec::with_capacity(1 + cells_of(points.len())), order: Vec::new() };
         if shared && points.len() >= SHARED_FROM {
-            // Two halves, each by its own thread; the cells of the second follow upon those of the first.
+            // One thread per half; the cells of the second half are appended to those of the first.
             let middle = halve(points, &scale);
             let (low, high) = points.split_at_mut(middle);
             let mut others = Vec::with_capacity(cells_of(high.len()));
@@ -116,7 +116,8 @@ impl Cells {
                 (split(of, low, group.first, &scale, &mut tree.cells), other.and_then(|other| other.join().ok()))
             });
             if b.is_none() {
-                // A thread that cannot be had, as in a browser, or could not finish leaves its part to this one.
+                // The second half is computed here if the thread could not be started, as in a browser, or did not
+                // finish.
                 others.clear();
                 split(of, high, from, &scale, &mut others);
             }
@@ -129,7 +130,7 @@ impl Cells {
         tree
     }
 
-    /// Adds the cells of another tree behind its own; which is now the root of those.
+    /// Appends the cells of another tree and returns the index of its root.
     fn follow(&mut self, others: Vec<Cell>) -> u32 {
         let shift = count(self.cells.len());
         self.cells.extend(others.into_iter().map(|cell| Cell { inside: cell.inside.shifted(shift), ..cell }));
@@ -146,7 +147,7 @@ impl Cells {
         halves.map(|index| self.cells.get(index as usize))
     }
 
-    /// The moments of all cells for the cube of a torque.
+    /// Returns the moments of all cells for the cube of a torque.
     pub(super) fn moments(&self, strip: &Strip) -> Vec<Moments> {
         let of_leaf = |cell: &Cell| {
             let mut moments = [0.0; 20];
@@ -165,7 +166,7 @@ impl Cells {
         let mut all = in_two(&self.cells, strip.intervals() >= SHARED_FROM, &of_leaf);
         for (place, cell) in self.cells.iter().enumerate() {
             if let Inside::Halves(halves) = cell.inside {
-                // Both stand before the whole.
+                // Both halves stand before their parent.
                 let (before, whole) = all.split_at_mut(place);
                 let halves = halves.into_iter().filter_map(|half| before.get(half as usize));
                 if let Some(whole) = whole.first_mut() {
@@ -191,23 +192,23 @@ impl Inside {
     }
 }
 
-/// A number of intervals or cells; a file of more than 2³² samples is refused long before.
+/// Converts a number of intervals or cells; a file of more than 2³² samples is refused much earlier.
 #[allow(clippy::cast_possible_truncation, reason = "see above")]
 const fn count(n: usize) -> u32 {
     n as u32
 }
 
-/// At most so many cells hold so many intervals: each is halved until it is a leaf.
+/// Returns the maximum number of cells for a number of intervals, each halved until it is a leaf.
 const fn cells_of(points: usize) -> usize {
     2 * points.div_ceil(LEAF).next_power_of_two()
 }
 
-// An interval by α, ω in its middle and T. A torque that the load makes of them changes little within an interval and counts
-// in its middle; a recorded one may be noise and counts at both ends.
+// An interval as a point of α, ω at its middle, and T. A torque that follows from the load changes little within an
+// interval and is taken at its middle; a recorded torque may be noise and is taken at both ends.
 
 #[allow(clippy::cast_possible_truncation, reason = "only neighbourhood counts")]
 impl Point<3> {
-    /// Of an interval without a torque of its own.
+    /// Creates the point of an interval without a recorded torque.
     fn of(strip: &Strip, index: usize) -> Option<Self> {
         let interval = strip.surveyed.interval(index)?;
         let [from, to] = interval.speed_rad_s;
@@ -224,7 +225,7 @@ impl Point<3> {
 
 #[allow(clippy::cast_possible_truncation, reason = "only neighbourhood counts")]
 impl Point<4> {
-    /// Of an interval with a torque of its own.
+    /// Creates the point of an interval with a recorded torque.
     fn with_recorded(strip: &Strip, index: usize) -> Option<Self> {
         let interval = strip.surveyed.interval(index)?;
         let [from, to] = interval.speed_rad_s;
@@ -244,7 +245,7 @@ impl Point<4> {
     }
 }
 
-/// In which of the [`DIRECTIONS`] an interval is run through, by the speeds at its ends.
+/// Returns the index among the [`DIRECTIONS`] of an interval, from the speeds at its ends.
 fn direction(from: f64, to: f64) -> usize {
     if from * to < 0.0 {
         3
@@ -257,7 +258,8 @@ fn direction(from: f64, to: f64) -> usize {
     }
 }
 
-/// Adds the cells of some points, of which the first has that place in the order; which is the one of all of them.
+/// Adds the cells of some points, whose first has the place `first` in the order, and returns the index of the cell
+/// that contains all of them.
 fn split<const N: usize>(
     of: (&Strip, Option<f64>),
     points: &mut [Point<N>],
@@ -267,7 +269,7 @@ fn split<const N: usize>(
 ) -> u32 {
     if points.len() <= LEAF {
         let inside = Inside::Intervals(first, first + count(points.len()));
-        // As they lie in the memory.
+        // In memory order.
         points.sort_unstable_by_key(|point| point.index);
         let strip = of.0;
         let cell = match (strip.straight(), of.1) {
@@ -289,7 +291,7 @@ fn split<const N: usize>(
     join(cells, halves)
 }
 
-/// The cell of straight intervals of one direction.
+/// Creates the cell of straight intervals with one direction.
 fn straight<const N: usize>(
     strip: &Strip,
     (plain, direction): (&Plain, f64),
@@ -312,7 +314,7 @@ fn straight<const N: usize>(
     Cell { extent, gram: sums.gram(plain, direction), from, inside, number: 0 }
 }
 
-/// The cell of two.
+/// Adds the cell that joins two halves and returns its index.
 fn join(cells: &mut Vec<Cell>, halves: [u32; 2]) -> u32 {
     let mut cell = Cell { inside: Inside::Halves(halves), ..Cell::NONE };
     for half in halves.iter().filter_map(|index| cells.get(*index as usize)) {

@@ -1,14 +1,14 @@
-//! What lags need of a recording: gains of its blocks and of their parts.
+//! Lag data of a recording: gains of its blocks and of their parts.
 
 use super::{SHARED_FROM, Strip, in_two};
 use crate::gains::{Gain, LagBlock, Lagging, Products, largest};
 use crate::{Block, BlockPanels};
 use std::ops::Range;
 
-/// A part of a block has so many intervals.
+/// Number of intervals in a part of a block.
 const PART: usize = 32;
 
-/// What any lag needs of a part of a block.
+/// Data of a part of a block from which the gain for any time constant follows.
 #[derive(Debug)]
 pub(crate) struct LagPart {
     pub(crate) intervals: Range<usize>,
@@ -26,7 +26,7 @@ impl Strip {
         })
     }
 
-    /// What lags need of some intervals.
+    /// Computes the lag data of some intervals.
     fn lag_block(&self, duration: f64, (back, forth): (f64, f64), intervals: &Range<usize>) -> LagBlock {
         if let (Some(plain), None, true) = (self.straight(), self.surveyed.recorded.torque_nm(), back == forth) {
             let intervals = intervals.clone().filter_map(|index| self.surveyed.interval(index));
@@ -37,7 +37,7 @@ impl Strip {
         })
     }
 
-    /// What lags need of the parts of a block, found when it is first looked into.
+    /// Returns the parts of a block with their lag data, computed on first use.
     pub(crate) fn lag_parts(&self, block: usize) -> &[LagPart] {
         let (Some(parts), Some(whole)) = (self.survey.lag_parts.get(block), self.survey.blocks.get(block)) else {
             return &[];
@@ -54,22 +54,22 @@ impl Strip {
         })
     }
 
-    /// The instant at which a part ends \[s\].
+    /// Returns the instant at which a part ends \[s\].
     pub(crate) fn end_of(&self, part: &LagPart) -> f64 {
         let time = self.placed.recorded.time_s().get(part.intervals.end).copied().unwrap_or(0.0);
         self.placed.start_s + time * self.placed.stretch
     }
 
-    /// What the blocks do to a lag of the signals of the survey.
+    /// Returns the gains of the blocks for a lag of the signals of the survey.
     pub(crate) fn gains(&self, tau_s: f64) -> Vec<Gain> {
         let mut lagging = Lagging::of(tau_s);
         let gain = |(number, (block, lag)): (usize, (&Block, &LagBlock))| {
-            // Not computed if they cannot be short enough.
+            // The parts are not computed if they cannot be short enough.
             let parts = self.block_intervals().div_ceil(PART) as f64;
             if lag.is_short(tau_s) || !lag.is_short(parts * tau_s) || !self.has_short_parts(number, tau_s) {
                 return lag.gain(&mut lagging, |look| self.raw_panels(block, look));
             }
-            // Where the moments of a block do not serve, those of its parts may.
+            // The moments of the parts may suffice even if those of the block do not.
             let mut gain = Gain::NONE;
             self.part_gains(number, tau_s).iter().for_each(|part| gain.then(part));
             gain
@@ -81,7 +81,7 @@ impl Strip {
         self.lag_parts(block).iter().all(|part| part.lag.is_short(tau_s))
     }
 
-    /// What the parts of a block do to a lag of the signals of the survey.
+    /// Returns the gains of the parts of a block for a lag of the signals of the survey.
     pub(crate) fn part_gains(&self, block: usize, tau_s: f64) -> Vec<Gain> {
         let mut lagging = Lagging::of(tau_s);
         let gain = |part: &LagPart| {
@@ -92,7 +92,7 @@ impl Strip {
         self.lag_parts(block).iter().map(gain).collect()
     }
 
-    /// The largest swings of all blocks.
+    /// Returns the largest swings of all blocks.
     pub(crate) fn largest_swings(&self) -> &Products {
         self.survey.largest_swings.get_or_init(|| largest(self.lag_blocks().iter().map(|block| &block.swing)))
     }

@@ -1,5 +1,5 @@
-//! The load of a recording that hangs on the position or has losses, found once: the sines of an arm and the lever of a crank
-//! cost more than all that is asked of an interval afterwards.
+//! Loads of a recording under a load that depends on the position or has losses, computed once: the sines of an arm and
+//! the lever of a crank cost more than all later evaluations of an interval.
 
 use super::{LANES, Node, Panel, SHARED_FROM, Strip, in_two, parts};
 use motion::Interval;
@@ -7,26 +7,27 @@ use motion::Interval;
 /// T_L at the beginning, in the middle and at the end of a part of an interval \[Nm\].
 type Loads = [f64; 3];
 
-/// Intervals that are looked at in one go.
+/// Number of intervals per work item.
 const GO: usize = 1 << 10;
 
-/// The loads of all intervals that have one panel with three nodes, or two of them on both sides of a cut.
+/// Loads of all intervals with one panel of three nodes, or with two such panels on either side of a cut.
 #[derive(Debug, Default)]
 pub(super) struct Known {
-    /// Of an interval with one panel; of one with a cut no numbers but the place among the cuts; else no numbers at all.
+    /// Loads of an interval with one panel. An interval with a cut has NaN and the index of the cut, any other interval
+    /// only NaN.
     whole: Vec<Loads>,
     cuts: Vec<Cut>,
 }
 
-/// An interval in two.
+/// An interval split in two.
 #[derive(Clone, Copy, Debug)]
 struct Cut {
-    /// The share of the interval before it.
+    /// Place of the cut as a share of the interval.
     at: f64,
     loads: [Loads; 2],
 }
 
-/// A part of an interval, from one share of it to another, with its loads.
+/// A part of an interval, between two shares of it, with its loads.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Piece {
     pub(super) from: f64,
@@ -60,14 +61,14 @@ impl Known {
         self.cuts.extend_from_slice(&other.cuts);
     }
 
-    /// The loads of neighbouring intervals from one on, if each has one panel.
+    /// Returns the loads of [`LANES`] neighbouring intervals if each has one panel.
     #[inline]
     pub(super) fn whole(&self, from: usize) -> Option<&[Loads; LANES]> {
         let loads: &[Loads; LANES] = self.whole.get(from..from + LANES)?.try_into().ok()?;
         loads.iter().all(|[first, ..]| !first.is_nan()).then_some(loads)
     }
 
-    /// The pieces of an interval, in the order of time; of one with other panels none.
+    /// Returns the pieces of an interval in chronological order; none for an interval with other panels.
     #[inline]
     pub(super) fn pieces(&self, index: usize) -> [Option<Piece>; 2] {
         match self.whole.get(index) {
@@ -83,13 +84,13 @@ impl Known {
 }
 
 impl Piece {
-    /// How far the middle lies above the straight line between the ends \[Nm\].
+    /// Returns the height of the middle above the straight line between the ends \[Nm\].
     pub(super) fn bend(&self) -> f64 {
         let [first, middle, last] = self.loads;
         middle - 0.5 * (first + last)
     }
 
-    /// The panel of a piece of an interval in which the axis does not turn round.
+    /// Visits the panel of a piece of an interval in which the axis does not reverse.
     #[inline]
     pub(super) fn panel(&self, interval: &Interval, direction: f64, look: &mut impl FnMut(Panel<'_>)) {
         let share = self.to - self.from;
@@ -115,7 +116,7 @@ impl Piece {
     }
 }
 
-/// The direction in which an interval is run through, if it is one.
+/// Returns the direction of an interval if it does not reverse.
 #[inline]
 pub(super) fn direction(interval: &Interval) -> Option<f64> {
     let mut parts = parts(interval);
@@ -124,7 +125,7 @@ pub(super) fn direction(interval: &Interval) -> Option<f64> {
 }
 
 impl Strip {
-    /// The loads of all intervals.
+    /// Computes the loads of all intervals.
     pub(super) fn find_loads(&self) -> Known {
         let count = self.placed.intervals();
         let goes: Vec<usize> = (0..count).step_by(GO).collect();
@@ -139,7 +140,7 @@ impl Strip {
         all
     }
 
-    /// The pieces of an interval, found anew; none if there are panels with more nodes, more panels, or the axis turns round.
+    /// Computes the pieces of an interval; none if it has panels with more nodes, more than two panels, or a reversal.
     fn pieces_of(&self, index: usize) -> [Option<Piece>; 2] {
         let none = [None; 2];
         let Some(interval) = self.surveyed.interval(index).filter(|interval| direction(interval).is_some()) else {
@@ -165,7 +166,7 @@ mod tests {
     use crate::tests::{arm, lossless};
     use crate::{Node, Panel, Trace};
 
-    /// What was found once is what is found anew.
+    /// Stored panels equal newly computed ones.
     #[test]
     fn known_panels_are_those_made_anew() {
         for (mechanism, is_cut) in [(lossless(), false), (arm(), true)] {
@@ -187,7 +188,7 @@ mod tests {
                     assert!((bow - expected).abs() <= 1e-11 * (1.0 + found[0].load_nm.abs()), "{bow} {expected}");
                 }
                 for (found, expected) in found.iter().zip(&expected) {
-                    // The place of a cut is known as closely as the time is.
+                    // A cut is located with the resolution of the time.
                     let [a, b] = [found, expected]
                         .map(|node| [node.time_s, node.speed_rad_s, node.load_nm, node.direction, node.weight_s]);
                     assert!(a.iter().zip(b).all(|(a, b)| (a - b).abs() <= 1e-13 * (1.0 + b.abs())), "{a:?} {b:?}");

@@ -1,4 +1,4 @@
-//! Blocks of straight intervals: their sums and bounds without a node.
+//! Blocks of straight intervals: sums and bounds without nodes.
 
 use super::{LANES, Strip, range};
 use crate::{Block, BlockPanels, Extent, Gram, Panel};
@@ -14,7 +14,7 @@ impl Strip {
         block.from_s = self.surveyed.interval(intervals.start).map_or(0.0, |interval| interval.start_s);
         let mut from = intervals.start;
         while from < intervals.end {
-            // Up to where the axis turns round, starts or stops; one interval at least.
+            // Up to the first reversal, start or stop; at least one interval.
             let to = self.one_way(from, intervals.end).max(from + 1);
             let many = from + (to - from) / LANES * LANES;
             let sums = self.straight().filter(|_| many > from);
@@ -29,7 +29,7 @@ impl Strip {
         block
     }
 
-    /// The first interval from one on that is not run through in the direction in which that one begins.
+    /// Returns the first interval from `from` on that is not passed in the direction of the interval `from`.
     pub(super) fn one_way(&self, from: usize, end: usize) -> usize {
         let speeds = self.placed.recorded.speed_rad_s().get(from..=end).unwrap_or_default();
         let Some(first) = speeds.first() else { return end };
@@ -40,11 +40,11 @@ impl Strip {
         } else {
             speeds.iter().position(|speed| *speed != 0.0)
         };
-        // The interval before that sample has it as its end.
+        // The interval before that sample ends in it.
         other.map_or(end, |sample| from + sample.saturating_sub(1))
     }
 
-    /// The block of a plain mechanism that turns one way all through it, or rests, several intervals at a time.
+    /// Computes the block of a plain mechanism that has one direction or rests throughout, several intervals at a time.
     ///
     /// With α constant, ω and τ straight over an interval of length h the products of the four signals integrate to
     /// ∫α² = α Δω, ∫ω² = h (s² − ω_0 ω_1)/3, ∫ω = h s/2 with s = ω_0 + ω_1, and alike for τ; those of α with ω and with a
@@ -74,7 +74,7 @@ impl Strip {
         let [mut a_high, mut l_high] = [all(f64::NEG_INFINITY); 2];
         let mut from = 0;
         while from < intervals.len() {
-            // LANES samples from one on, and the next ones.
+            // LANES samples from one on, and the following ones.
             let ends = |values: &[f64]| -> Option<(f64x4, f64x4)> {
                 let first: [f64; LANES] = values.get(from..from + LANES)?.try_into().ok()?;
                 let next: [f64; LANES] = values.get(from + 1..=from + LANES)?.try_into().ok()?;
@@ -127,7 +127,7 @@ impl Strip {
     }
 }
 
-/// Integrals over straight intervals of one direction: of the products of α, ω and the recorded torque τ.
+/// Integrals over straight intervals of one direction: products of α, ω and the recorded torque τ.
 #[derive(Clone, Copy, Debug, Default)]
 pub(super) struct Sums {
     aa: f64,
@@ -143,7 +143,7 @@ pub(super) struct Sums {
 }
 
 impl Sums {
-    /// ∫α² = α Δω, ∫ω² = h (s² − ω_0 ω_1)/3, ∫ω = h s/2 with s = ω_0 + ω_1, and alike for τ.
+    /// Adds an interval: ∫α² = α Δω, ∫ω² = h (s² − ω_0 ω_1)/3, ∫ω = h s/2 with s = ω_0 + ω_1, and likewise for τ.
     pub(super) fn add(&mut self, interval: &Interval) {
         let (h, [w0, w1], [t0, t1]) = (interval.duration_s, interval.speed_rad_s, interval.torque_nm);
         let (dw, s, p) = (w1 - w0, w0 + w1, t0 + t1);
@@ -159,7 +159,7 @@ impl Sums {
         self.duration += h;
     }
 
-    /// The products of (α, R, σ, ω) out of those of the basis (α, τ, 1, ω), R = τ + T_h.
+    /// Converts the products of the basis (α, τ, 1, ω) to those of (α, R, σ, ω), R = τ + T_h.
     pub(super) fn gram(&self, plain: &Plain, direction: f64) -> Gram {
         let Self { aa, ww, w, tt, ta, tw, t, a, aw, duration } = *self;
         let basis = Gram([[aa, ta, a, aw], [ta, tt, t, tw], [a, t, duration, w], [aw, tw, w, ww]]);
@@ -169,8 +169,8 @@ impl Sums {
     }
 }
 
-/// The bounds of straight intervals of one direction, by those of α, τ and ω. The nodes are rounded otherwise than what these
-/// were found of; the bounds must hold for them too.
+/// Computes the bounds of straight intervals of one direction from those of α, τ and ω, widened because the nodes are
+/// rounded differently from these bounds.
 pub(super) fn bounds(
     plain: &Plain,
     direction: f64,

@@ -1,4 +1,4 @@
-//! A recording passed several straight intervals at a time: for what no sum of a block or cell holds.
+//! Passes over a recording several straight intervals at a time, for signals that no sum of a block or cell covers.
 
 use super::loads::{Piece, direction};
 use super::{LANES, Strip, parts};
@@ -7,38 +7,38 @@ use mechanism::Plain;
 use motion::Interval;
 use std::ops::Range;
 
-/// A load that bends away from the straight line between its ends by at most this share of the largest of its block is taken
-/// as straight, at the same mean. Its integral over an interval, alone and times the speed, stays what it is; its square, and
-/// where a sign changes within the interval, feel this share.
+/// Largest deviation of a load from the straight line between its ends, as a share of the largest load of its block, up
+/// to which it is replaced by a straight line with the same mean. Its integral over an interval, alone and multiplied
+/// by the speed, stays exact; its square, and the place of a change of sign, change by this share.
 const STRAIGHT: f64 = 1e-6;
 
-/// Neighbouring intervals of a recording, or parts of them, in which all signals are straight lines, run through in one
-/// direction. A lane may be empty: its duration is zero then, and all else in it.
+/// Neighbouring intervals of a recording, or parts of them, in which all signals are straight lines, with one
+/// direction. An empty lane has the duration zero and zeros throughout.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Ramps {
     /// Durations \[s\].
     pub duration_s: [f64; LANES],
     /// α \[rad/s²\]
     pub acceleration_rad_s2: [f64; LANES],
-    /// ω at the beginning and the end of each \[rad/s\].
+    /// ω at the start and the end of each \[rad/s\].
     pub speed_rad_s: [[f64; LANES]; 2],
-    /// T_L at the beginning and the end of each \[Nm\].
+    /// T_L at the start and the end of each \[Nm\].
     pub load_nm: [[f64; LANES]; 2],
-    /// σ of all of them.
+    /// σ, common to all lanes.
     pub direction: f64,
 }
 
-/// What a sweep passes.
+/// Part of a block, as visited by a sweep.
 #[derive(Clone, Copy, Debug)]
 pub enum Swept<'p> {
-    /// Straight intervals, one after the other.
+    /// Consecutive straight intervals.
     Ramps(&'p [Ramps]),
-    /// One panel, whatever its signals are.
+    /// One panel with any signals.
     Panel(Panel<'p>),
 }
 
 impl Strip {
-    /// Passes the intervals of a block in the order of time, as [`Strip::panels`] does.
+    /// Visits the intervals of a block in chronological order, as [`Strip::panels`] does.
     pub fn sweep(&self, block: &Block, look: &mut impl FnMut(Swept<'_>)) {
         let BlockPanels::Recorded { intervals, .. } = &block.place else { return };
         let mut gathered = Gathered::of(intervals.len());
@@ -49,20 +49,20 @@ impl Strip {
         gathered.pass(look);
     }
 
-    /// The direction in which a sample is passed.
+    /// Returns the direction of the motion at a sample.
     fn direction(&self, sample: usize) -> f64 {
         let speed = self.placed.recorded.speed_rad_s().get(sample);
         speed.map_or(0.0, |speed| if *speed == 0.0 { 0.0 } else { speed.signum() })
     }
 
-    /// Gathers intervals under a load that makes each a straight one.
+    /// Gathers intervals under a load that makes each of them straight.
     fn straight_intervals(&self, plain: &Plain, block: &Block, intervals: Range<usize>, gathered: &mut Gathered) {
-        // Where the bounds show one direction nothing turns round.
+        // No interval reverses if the bounds show one direction.
         let turns = block.extent.direction.0 != block.extent.direction.1;
         let mut from = intervals.start;
         while from < intervals.end {
             let to = if turns { self.one_way(from, intervals.end).max(from + 1) } else { intervals.end };
-            // A block that starts from rest has its direction all the same.
+            // A block that starts from rest takes its direction from the bounds.
             let direction = if turns { self.direction(from) } else { block.extent.direction.0 };
             let done = self.ramps(plain, from..to, direction, gathered);
             for interval in (done..to).filter_map(|index| self.placed.interval(index)) {
@@ -81,7 +81,8 @@ impl Strip {
         }
     }
 
-    /// Gathers as many intervals of one direction as make whole lanes; the first that is left.
+    /// Gathers intervals of one direction as long as they fill whole lanes, and returns the index of the first
+    /// remaining one.
     fn ramps(&self, plain: &Plain, intervals: Range<usize>, direction: f64, gathered: &mut Gathered) -> usize {
         let torque = self.placed.recorded.torque_nm();
         let mut from = intervals.start;
@@ -102,12 +103,12 @@ impl Strip {
         from
     }
 
-    /// The course of neighbouring intervals from one on, without their load.
+    /// Returns the motion of [`LANES`] neighbouring intervals, without their load.
     #[inline]
     fn lanes(&self, from: usize, direction: f64) -> Option<Ramps> {
         let recorded = &*self.placed.recorded;
         let ([t0, t1], [w0, w1]) = (ends(recorded.time_s(), from)?, ends(recorded.speed_rad_s(), from)?);
-        // What is not plain is surveyed as it is placed.
+        // A load that is not plain is surveyed as placed.
         let stretch = self.placed.stretch;
         let slow = 1.0 / stretch;
         let mut ramps =
@@ -121,7 +122,7 @@ impl Strip {
         Some(ramps)
     }
 
-    /// Neighbouring intervals from one on that are run through in one direction, each with one piece that is nearly straight.
+    /// Returns [`LANES`] neighbouring intervals with one direction, each with one nearly straight piece.
     #[inline]
     fn leaning(&self, from: usize, bent_at_most: f64) -> Option<Ramps> {
         let loads = self.loads.whole(from)?;
@@ -148,8 +149,8 @@ impl Strip {
         (bent <= bent_at_most).then_some(ramps)
     }
 
-    /// Gathers intervals whose load hangs on the position or has losses: the pieces whose loads are known and nearly straight
-    /// side by side; whatever else there is, is passed one by one.
+    /// Gathers intervals whose load depends on the position or has losses: pieces with known, nearly straight loads in
+    /// lanes; the others are visited one by one.
     fn pieces(
         &self,
         block: &Block,
@@ -179,7 +180,7 @@ impl Strip {
             match direction(&interval) {
                 Some(direction) if pieces[0].is_some() && pieces.iter().flatten().all(is_straight) => {
                     for piece in pieces.iter().flatten() {
-                        // A straight line of the same mean: Simpson's is ⅔ of the bend above the line between the ends.
+                        // A straight line with the same mean: Simpson's rule adds ⅔ of the bend to the chord.
                         let raised = 2.0 / 3.0 * piece.bend();
                         let [first, _, last] = piece.loads;
                         gathered.add((piece.from, piece.to), [first + raised, last + raised], &interval, direction);
@@ -194,28 +195,28 @@ impl Strip {
     }
 }
 
-/// Straight intervals on their way to be passed together.
+/// Straight intervals gathered for one visit.
 struct Gathered {
     ramps: Vec<Ramps>,
-    /// Single ones that wait for others, in the first lanes.
+    /// Single intervals in the first lanes, waiting for further ones.
     single: Ramps,
     count: usize,
 }
 
 impl Gathered {
     fn of(intervals: usize) -> Self {
-        // Single ones may leave lanes empty where the direction changes.
+        // Single intervals may leave lanes empty where the direction changes.
         Self { ramps: Vec::with_capacity(intervals / LANES + LANES), single: Ramps::default(), count: 0 }
     }
 
-    /// Neighbouring intervals, as many as there are lanes.
+    /// Adds neighbouring intervals that fill all lanes.
     #[inline]
     fn push(&mut self, ramps: &Ramps) {
         self.close();
         self.ramps.push(*ramps);
     }
 
-    /// A part of an interval, with its load at both ends.
+    /// Adds a part of an interval with its load at both ends.
     fn add(&mut self, (from, to): (f64, f64), loads: [f64; 2], interval: &Interval, direction: f64) {
         if self.single.direction != direction {
             self.close();
@@ -242,7 +243,7 @@ impl Gathered {
         }
     }
 
-    /// No further single one joins those that wait; the lanes that are left have no duration, and nothing in them.
+    /// Closes the lanes of single intervals; unused lanes have the duration zero.
     #[inline]
     fn close(&mut self) {
         if self.count > 0 {
@@ -251,7 +252,7 @@ impl Gathered {
         }
     }
 
-    /// Passes what is there.
+    /// Visits the gathered intervals and clears them.
     fn pass(&mut self, look: &mut impl FnMut(Swept<'_>)) {
         self.close();
         if !self.ramps.is_empty() {
@@ -261,7 +262,7 @@ impl Gathered {
     }
 }
 
-/// The values of samples from one on, and those of the samples after each of them.
+/// Returns the values of [`LANES`] samples, and of the samples after each of them.
 fn ends(values: &[f64], from: usize) -> Option<[[f64; LANES]; 2]> {
     let first = values.get(from..from + LANES)?.try_into().ok()?;
     let next = values.get(from + 1..=from + LANES)?.try_into().ok()?;

@@ -1,10 +1,10 @@
-//! A recording seen under another load and at another pace than its survey.
+//! A recording under another load and at another pace than its survey.
 
 use super::loads::Piece;
 use crate::{Extent, Form, Gram, Node};
 use motion::Interval;
 
-/// How the signals of a strip follow from those that its survey holds.
+/// Transformation from the signals of the survey to those of a strip.
 ///
 /// α = α_0/f², ω = ω_0/f, T_L = w R + J α + T_c σ + b ω, t = t_0 + f t'
 ///
@@ -24,7 +24,7 @@ pub(crate) struct View {
 }
 
 impl View {
-    /// What the survey holds itself.
+    /// The identity: the signals of the survey.
     pub(super) const NONE: Self =
         Self { weight: 1.0, inertia: 0.0, coulomb: 0.0, viscous: 0.0, stretch: 1.0, start: 0.0 };
 
@@ -45,7 +45,7 @@ impl View {
         }
     }
 
-    /// A piece of an interval, placed as the view has it and run through in one direction, under the load.
+    /// Converts a piece of an interval to the load of the view; `interval` is placed and has one direction.
     #[inline]
     pub(super) fn piece(&self, raw: &Piece, interval: &Interval, direction: f64) -> Piece {
         let [begin, end] = interval.speed_rad_s;
@@ -56,13 +56,13 @@ impl View {
         Piece { loads, ..*raw }
     }
 
-    /// How far the signals bend: R alone does.
+    /// Scales the deviations from the chord; only R is curved.
     #[inline]
     pub(super) fn bow(&self, [acceleration, load, direction, speed]: [f64; 4]) -> [f64; 4] {
         [acceleration, self.weight.abs() * load, direction, speed]
     }
 
-    /// Row i gives signal i from those of the survey.
+    /// Returns the matrix A; row i gives signal i from those of the survey.
     #[inline]
     pub(super) fn rows(&self) -> [[f64; 4]; 4] {
         let slow = 1.0 / self.stretch;
@@ -75,7 +75,7 @@ impl View {
         ]
     }
 
-    /// A G Aᵀ with the rows above, over a time that is longer by the stretch.
+    /// Returns A G Aᵀ with the matrix above, over a time longer by the stretch.
     pub(super) fn gram(&self, raw: &Gram) -> Gram {
         let slow = 1.0 / self.stretch;
         let (a, j, c, b) = (slow * slow, self.inertia * slow * slow, self.coulomb, self.viscous * slow);
@@ -90,7 +90,7 @@ impl View {
         Gram([[aa, at, as_, aw], [at, ttt, tts, ttw], [as_, tts, ss, sw], [aw, ttw, sw, ww]])
     }
 
-    /// The weights of the signals of the survey that make the same sum as others of those under the load: Aᵀ c.
+    /// Converts the weights of a sum of signals under the load to weights of the signals of the survey: Aᵀ c.
     #[inline]
     pub(super) fn weights(&self, c: [f64; 4]) -> [f64; 4] {
         let mut raw = [0.0; 4];
@@ -112,7 +112,7 @@ impl View {
             times(speeds, self.viscous),
         ];
         let load = parts.iter().fold((0.0, 0.0), |(low, high), part| (low + part.0, high + part.1));
-        // The nodes are rounded otherwise than the sums here; the bounds must hold for them too.
+        // The nodes are rounded differently from these sums; the bounds must hold for them too.
         let room = 8.0 * f64::EPSILON * parts.iter().map(|part| part.0.abs().max(part.1.abs())).sum::<f64>();
         let load = (load.0 - room, load.1 + room);
         Extent {
@@ -124,7 +124,7 @@ impl View {
         }
     }
 
-    /// Qʹ = Aᵀ Q A: the same form of the signals of the survey.
+    /// Converts a form to the signals of the survey: Qʹ = Aᵀ Q A.
     pub(crate) fn form(&self, form: &Form) -> Form {
         let rows = self.rows();
         let mut raw = Form::default();
