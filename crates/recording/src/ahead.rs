@@ -1,4 +1,4 @@
-//! The heading of a CSV: behind lines about the file, and before the rows of numbers.
+//! Search for the heading of a CSV, which may follow lines about the file.
 
 use crate::clock::is_clock;
 use crate::csv::Cells;
@@ -13,27 +13,27 @@ use quantities::Unit;
 use std::collections::VecDeque;
 use std::io::Read;
 
-/// Lines in which the heading is looked for.
+/// Maximum number of lines searched for the heading.
 const LINES_MOST: usize = 200;
 
-/// Bytes of these lines.
+/// Maximum number of bytes in these lines.
 const BYTES_MOST: usize = 1 << 20;
 
-/// Lines of which the first are read already.
+/// Lines with look-ahead: those read during the search for the heading come first.
 pub(crate) struct Ahead<R> {
     lines: Lines<R>,
     queue: VecDeque<(u64, Vec<u8>)>,
     current: Option<(u64, Vec<u8>)>,
-    /// A read error behind the queue.
+    /// Read error that occurred after the queued lines.
     failed: Option<Fault>,
 }
 
-/// Where the heading is.
+/// Position of the heading and the delimiter.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) struct Found {
-    /// The sign between the cells.
+    /// Delimiter of the cells.
     pub(crate) delimiter: u8,
-    /// Whether the first line holds numbers already.
+    /// The file has no heading: its first line holds numbers.
     pub(crate) is_missing: bool,
 }
 
@@ -42,10 +42,11 @@ impl<R: Read> Ahead<R> {
         Self { lines: Lines::new(source), queue: VecDeque::new(), current: None, failed: None }
     }
 
-    /// Looks for the heading; the next line is it, or the first row where it is missing. `None` of a file without lines.
+    /// Searches the heading; the next line is then the heading, or the first row if there is none. Returns `None` for a
+    /// file without lines.
     ///
-    /// The heading is the line above the first of two rows of as many cells, most of them numbers, and a row of units may
-    /// stand between. Where there are no such rows it is the first line.
+    /// The heading is the line above the first of two rows with the same number of cells, most of them numbers; a row
+    /// of units may stand in between. Without such rows it is the first line.
     pub(crate) fn heading(&mut self) -> Result<Option<Found>, Fault> {
         let mut seen: Vec<(u64, Vec<u8>)> = Vec::new();
         let (mut stated, mut bytes) = (None, 0);
@@ -73,11 +74,11 @@ impl<R: Read> Ahead<R> {
                 bytes += line.len();
                 seen.push((self.lines.number(), line));
             }
-            // A row counts once the next one confirms it, or none follows.
+            // A row counts once the next one confirms it or the file ends.
             let row = if is_end { seen.len().checked_sub(1) } else { seen.len().checked_sub(2) };
             found = row.and_then(|row| heading_above(&seen, row, (stated, is_row)));
         }
-        // Most columns may hold texts.
+        // Most columns may hold text.
         let rows = 1..seen.len();
         let found =
             found.or_else(|| rows.into_iter().find_map(|row| heading_above(&seen, row, (stated, is_mixed_row))));
@@ -88,7 +89,7 @@ impl<R: Read> Ahead<R> {
         Ok(Some(answer))
     }
 
-    /// Goes to the next line that says something; false at the end.
+    /// Advances to the next line with content; returns `false` at the end.
     pub(crate) fn advance(&mut self) -> Result<bool, Fault> {
         self.current = self.queue.pop_front();
         if self.current.is_some() {
@@ -100,28 +101,28 @@ impl<R: Read> Ahead<R> {
         }
     }
 
-    /// The line without its end.
+    /// Returns the current line without its end.
     pub(crate) fn line(&self) -> &[u8] {
         self.current.as_ref().map_or_else(|| self.lines.line(), |(_, line)| line.as_slice())
     }
 
-    /// Its number, counted from 1.
+    /// Returns the number of the current line, counted from 1.
     pub(crate) fn number(&self) -> u64 {
         self.current.as_ref().map_or_else(|| self.lines.number(), |(number, _)| *number)
     }
 
-    /// How the text is read.
+    /// Returns the encoding of the text.
     pub(crate) const fn encoding(&self) -> Encoding {
         self.lines.encoding()
     }
 
-    /// The lines that are not read yet, once those read ahead are gone.
+    /// Returns the lines not read yet, once the queued ones are used up.
     pub(crate) fn unread(&mut self) -> Option<&mut Lines<R>> {
         (self.queue.is_empty() && self.failed.is_none()).then_some(&mut self.lines)
     }
 }
 
-/// The sign that a first line `sep=;` states, as spreadsheets write it.
+/// Returns the delimiter stated by a first line `sep=;`, as written by spreadsheets.
 fn stated_delimiter(line: &[u8]) -> Option<u8> {
     let line = line.trim_ascii();
     let line = line.strip_prefix(b"\"").and_then(|line| line.strip_suffix(b"\"")).unwrap_or(line);
@@ -135,7 +136,7 @@ fn stated_delimiter(line: &[u8]) -> Option<u8> {
     (key.eq_ignore_ascii_case(b"sep=") && [b';', b',', b'\t', b'|'].contains(&sign)).then_some(sign)
 }
 
-/// The sign between cells by the first line that has one.
+/// Returns the delimiter found in a line: `;`, else a tab, else `,`.
 pub(crate) fn delimiter(header: &[u8]) -> u8 {
     [b';', b'\t'].into_iter().find(|sign| memchr(*sign, header).is_some()).unwrap_or(b',')
 }
@@ -145,28 +146,28 @@ fn split(line: &[u8], delimiter: u8) -> Option<Vec<String>> {
     Some(cells.iter().map(|cell| encoding::text(cell).trim().to_owned()).collect())
 }
 
-/// Numbers and clock times among the cells that are not empty, and how many these are.
+/// Counts the numbers and clock times among the non-empty cells, and the non-empty cells.
 fn values(cells: &[String]) -> (usize, usize) {
     let filled = || cells.iter().filter(|cell| !cell.is_empty());
     (filled().filter(|cell| Decimals::is_number(cell) || is_clock(cell)).count(), filled().count())
 }
 
-/// Whether most cells are numbers or clock times.
+/// Returns `true` if most cells are numbers or clock times.
 fn is_row(cells: &[String]) -> bool {
     let (values, filled) = values(cells);
     2 * values > filled
 }
 
-/// Whether at least half of the cells are.
+/// Returns `true` if at least half of the cells are numbers or clock times.
 fn is_mixed_row(cells: &[String]) -> bool {
     let (values, filled) = values(cells);
     values > 0 && 2 * values >= filled
 }
 
-/// Returns `true` if the cells of a line can be those of a row of values.
+/// Predicate: the cells of a line can be those of a row of values.
 type IsRow = fn(&[String]) -> bool;
 
-/// The line that heads a row, if it is one: its place, and what is known of it.
+/// Returns the index of the line that heads a row, and its properties, if the row has a heading.
 fn heading_above(seen: &[(u64, Vec<u8>)], row: usize, (stated, is_row): (Option<u8>, IsRow)) -> Option<(usize, Found)> {
     let line = |place: usize| seen.get(place).map(|(_, line)| line.as_slice());
     let above = row.checked_sub(1).and_then(line);
@@ -188,7 +189,7 @@ fn heading_above(seen: &[(u64, Vec<u8>)], row: usize, (stated, is_row): (Option<
         let Some((higher, names)) = head.checked_sub(1).and_then(|place| Some((place, alike(place)?))) else {
             return at(head);
         };
-        // Of two lines of texts the lower one may hold the units.
+        // The lower of two lines of text may hold the units.
         let are_units = heading.iter().filter(|cell| !cell.is_empty()).all(|cell| is_unit(cell));
         let usual = |cells: &[String]| cells.iter().filter(|cell| is_usual_name(cell)).count();
         let (own, above) = (usual(&heading), usual(&names));

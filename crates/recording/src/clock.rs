@@ -1,25 +1,25 @@
-//! Clock times as loggers write them: `2025-04-17T17:00:08.005`, `17.04.2025 17:00:08,005`, `17:00:08.005`.
+//! Clock times in the notations of loggers: `2025-04-17T17:00:08.005`, `17.04.2025 17:00:08,005`, `17:00:08.005`.
 
 use crate::number::Tick;
 
 /// Seconds of a day.
 const DAY_S: i64 = 86_400;
 
-/// A column of clock times: its times count from the first of them.
+/// Reader of a column of clock times; times are counted from the first one.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Clock {
     first: Option<Stamp>,
     last: Option<i64>,
-    /// Days that passed, where no date is written.
+    /// Days elapsed, counted at midnight if no date is written.
     days: i64,
 }
 
 /// An instant of a clock.
 #[derive(Clone, Copy, Debug, PartialEq)]
 struct Stamp {
-    /// Seconds since 1970, or of the day where no date is written.
+    /// Seconds since 1970, or since midnight if no date is written.
     seconds: i64,
-    /// Part of a second.
+    /// Fraction of a second.
     part: f64,
     has_date: bool,
 }
@@ -30,7 +30,7 @@ pub(crate) fn is_clock(text: &str) -> bool {
 }
 
 impl Clock {
-    /// The time of a cell since the first one; `None` of any other text.
+    /// Returns the time of a cell; `None` if the text is no clock time.
     pub(crate) fn tick(&mut self, text: &str) -> Option<Tick> {
         let stamp = read(text)?;
         if let Some(last) = self.last
@@ -48,7 +48,7 @@ impl Clock {
 
 fn read(text: &str) -> Option<Stamp> {
     let text = text.trim();
-    // Every clock time has a colon, which no number has: most cells end here.
+    // Every clock time has a colon and no number has one, so most cells are decided here.
     let colon = text.find(':')?;
     let begin = text.get(..colon)?.rfind(|sign: char| !sign.is_ascii_digit()).map_or(0, |at| at + 1);
     let (date, time) = text.split_at_checked(begin)?;
@@ -76,7 +76,7 @@ fn read(text: &str) -> Option<Stamp> {
         Some(false) => hour % 12,
         None => hour,
     };
-    // A leap second is the next one here.
+    // A leap second counts as the first second of the next minute.
     if hour > 23 || minute > 59 || whole > 60 {
         return None;
     }
@@ -84,7 +84,7 @@ fn read(text: &str) -> Option<Stamp> {
     Some(Stamp { seconds, part, has_date: days.is_some() })
 }
 
-/// A time without the offset from UTC behind it, and that in seconds.
+/// Splits the offset from UTC off a time and returns it in seconds.
 fn offset(time: &str) -> Option<(&str, i64)> {
     if let Some(time) = time.strip_suffix(['Z', 'z']) {
         return Some((time, 0));
@@ -101,7 +101,7 @@ fn offset(time: &str) -> Option<(&str, i64)> {
     (hours <= 14 && minutes <= 59).then_some((time.trim_end(), sign * (3600 * hours + 60 * minutes)))
 }
 
-/// Days since 1970 of a date: `2025-04-17`, `2025/04/17`, `17.04.2025`, `4/17/2025`.
+/// Returns the days since 1970 of a date: `2025-04-17`, `2025/04/17`, `17.04.2025`, `4/17/2025`.
 fn days(date: &str) -> Option<i64> {
     let sign = ['-', '/', '.'].into_iter().find(|sign| date.contains(*sign))?;
     let mut parts = date.split(sign);
@@ -112,7 +112,7 @@ fn days(date: &str) -> Option<i64> {
     let (year, month, day) = match (first.len(), sign) {
         (4, _) => (number(first, 4)?, number(second, 2)?, number(third, 2)?),
         (_, '/') => {
-            // The month comes first, unless it cannot be one.
+            // The month comes first unless the number is too large for one.
             let (one, other) = (number(first, 2)?, number(second, 2)?);
             let (month, day) = if one > 12 { (other, one) } else { (one, other) };
             (number(third, 4)?, month, day)
@@ -131,7 +131,7 @@ fn days(date: &str) -> Option<i64> {
     Some(before(year - 1) - before(1969) + in_year + day - 1)
 }
 
-/// A number of at most so many digits.
+/// Parses a number of at most `most` digits.
 fn number(digits: &str, most: usize) -> Option<i64> {
     let is_number = !digits.is_empty() && digits.len() <= most && digits.bytes().all(|byte| byte.is_ascii_digit());
     is_number.then(|| digits.parse().ok()).flatten()
@@ -165,7 +165,7 @@ mod tests {
         ] {
             assert!((since(first, second) - expected).abs() < 1e-9, "{first} {second}: {}", since(first, second));
         }
-        // Nanoseconds of a time of today are kept.
+        // Nanoseconds are preserved for present-day times.
         assert!((since("2025-04-17T17:00:08.000000001", "2025-04-17T17:00:08.000000003") - 2e-9).abs() < 1e-16);
         assert_eq!(read("1970-01-01T00:00:00Z").unwrap().seconds, 0);
         assert_eq!(read("2000-03-01T00:00:00Z").unwrap().seconds, 951_868_800);

@@ -1,4 +1,4 @@
-//! Which column is what, and in which unit.
+//! Assignment of columns to roles, and their units.
 
 use crate::faults::{Fault, Faults, NearColumn, excerpt};
 use crate::layout::{Layout, Role};
@@ -7,14 +7,14 @@ use crate::names::{Named, Sureness, before_nanoseconds, before_seconds};
 use crate::series::{Along, ColumnRead, KnownBy};
 use quantities::{Dimension, Unit, seen};
 
-/// A column as the file names it.
+/// Heading of a column.
 #[derive(Clone, Debug)]
 pub(crate) struct Heading {
-    /// As written.
+    /// Text as written.
     pub(crate) written: String,
-    /// Without the unit that is marked as one.
+    /// Name and unit, if the unit is marked as one.
     pub(crate) named: Named,
-    /// The text under it in a line that may be a row of units.
+    /// Text of the column in the line below the heading, which may be a row of units.
     pub(crate) below: Option<String>,
 }
 
@@ -24,7 +24,8 @@ impl Heading {
         Self { written: written.to_owned(), named: Named::marked(written), below: None }
     }
 
-    /// As one of the usual names of a role: a unit behind an underscore may be part of the name.
+    /// Matches the usual names of a role, also with a unit after an underscore, which may otherwise be part of the
+    /// name.
     fn usual(&self, role: Role) -> Option<Pick> {
         let pick =
             |reading: &Named| Some(Pick { index: 0, sureness: reading.sureness(role)?, unit: reading.unit.clone() });
@@ -32,14 +33,14 @@ impl Heading {
         pick(&self.named).or_else(|| pick(&self.named.for_role(role, is_usual)?))
     }
 
-    /// Whether its name states a unit of a role.
+    /// Returns `true` if the name or the row of units states a unit of the role.
     fn has_unit_of(&self, role: Role) -> bool {
         let of_role = |unit: &String| role.dimensions().iter().any(|of| Unit::of_dimension(*of, unit).is_some());
         [&self.named.unit, &self.below].into_iter().flatten().any(of_role)
             || self.named.for_role(role, |_| true).is_some()
     }
 
-    /// As a name of a layout writes it.
+    /// Matches a name given in a layout, with or without its unit.
     fn is_named(&self, name: &str, role: Role) -> Option<Pick> {
         let same = |one: &str| one == name || one.to_lowercase() == name.to_lowercase();
         let with_unit = self.named.for_role(role, |bare| same(bare) || same(&self.written));
@@ -50,35 +51,35 @@ impl Heading {
     }
 }
 
-/// The column of a role.
+/// A column chosen for a role.
 #[derive(Clone, Debug)]
 pub(crate) struct Pick {
     pub(crate) index: usize,
-    /// The unit that its name states.
+    /// Unit stated in the name.
     pub(crate) unit: Option<String>,
     sureness: Sureness,
 }
 
-/// The column of every role, in the order of [`Role::ALL`].
+/// The columns chosen, in the order of [`Role::ALL`].
 pub(crate) type Picks = [Option<Pick>; 4];
 
-/// Further columns of time.
+/// Additional columns of time.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct MoreTime {
-    /// Nanoseconds that add to a column of whole seconds.
+    /// Index of the column of nanoseconds that add to a column of whole seconds.
     pub(crate) nanoseconds: Option<usize>,
-    /// Columns of the same name, one beside each channel: they must hold the same times.
+    /// Indices of columns with the same name, one next to each channel; they must hold the same times.
     pub(crate) twins: Vec<usize>,
 }
 
-/// Finds the column of every role. Missing and ambiguous ones are reported.
+/// Finds the column of every role; reports missing and ambiguous ones.
 pub(crate) fn pick(headings: &[Heading], layout: &Layout, faults: &mut Faults) -> (Picks, MoreTime) {
     let mut picks: Picks = [const { None }; 4];
     let mut more = MoreTime::default();
     let mut failed = [false; 4];
-    // One more than is shown says that there are more.
+    // One more name than is shown indicates that there are more.
     let names = || headings.iter().take(NAMES_MAX + 1).map(|heading| excerpt(&heading.written)).collect::<Vec<_>>();
-    // What the layout names is found first: such a column is not free for another role.
+    // Columns named in the layout are assigned first and are not available for other roles.
     let mut taken: Vec<(usize, Role)> = Vec::new();
     for ((role, slot), failed) in Role::ALL.into_iter().zip(&mut picks).zip(&mut failed) {
         let spec = layout.column(role);
@@ -144,7 +145,7 @@ pub(crate) fn pick(headings: &[Heading], layout: &Layout, faults: &mut Faults) -
 }
 
 impl MoreTime {
-    /// Of several columns of time with one name the first is used, and the others are compared with it.
+    /// Keeps the first of several columns of time with one name; the others are compared with it while reading.
     fn keep_first(&mut self, role: Role, headings: &[Heading], found: &mut Vec<Pick>) {
         let named = |pick: &Pick| headings.get(pick.index).map(|heading| heading.written.to_lowercase());
         let first = found.first().and_then(named);
@@ -154,21 +155,21 @@ impl MoreTime {
     }
 }
 
-/// The column of a number as a layout names it, `#3`.
+/// Returns the column with the number given in a layout, `#3`.
 fn numbered(headings: &[Heading], name: &str) -> Option<Pick> {
     let index = name.strip_prefix('#')?.parse::<usize>().ok()?.checked_sub(1)?;
     let heading = headings.get(index)?;
     Some(Pick { index, unit: heading.named.unit.clone(), sureness: Sureness::Plain })
 }
 
-/// The only column of whole seconds that has one of nanoseconds beside it.
+/// Returns the only column of whole seconds with a column of nanoseconds next to it.
 fn seconds(headings: &[Heading]) -> Option<Pick> {
     let mut found = (0..headings.len()).filter(|index| nanoseconds(headings, *index).is_some());
     let index = found.next().filter(|_| found.next().is_none())?;
     Some(Pick { index, unit: None, sureness: Sureness::Plain })
 }
 
-/// The column of nanoseconds that belongs to one of whole seconds.
+/// Returns the index of the column of nanoseconds that belongs to one of whole seconds.
 fn nanoseconds(headings: &[Heading], seconds: usize) -> Option<usize> {
     let before = before_seconds(&headings.get(seconds)?.written)?;
     headings.iter().position(|heading| before_nanoseconds(&heading.written) == Some(before))
@@ -179,7 +180,8 @@ fn ambiguous(role: Role, headings: &[Heading], picks: &[Pick]) -> Fault {
     Fault::Ambiguous { role, columns: chosen_names(headings, picks), numbers }
 }
 
-/// Columns that say by name or unit that they hold a quantity, and have no role: a reader would think that they count.
+/// Returns the columns without a role whose name or unit indicates a quantity; a reader could assume that they are
+/// used.
 pub(crate) fn unused(headings: &[Heading], layout: &Layout, used: &[usize]) -> Vec<String> {
     let is_quantity = |text: &String| {
         Unit::of(text).is_some_and(|unit| !matches!(unit.dimension, Dimension::Ratio | Dimension::Information))
@@ -198,7 +200,7 @@ pub(crate) fn unused(headings: &[Heading], layout: &Layout, used: &[usize]) -> V
         .collect()
 }
 
-/// The columns that are named most surely, of those that have no role.
+/// Returns the columns with the surest match, among those without a role.
 fn surest(headings: &[Heading], taken: &[(usize, Role)], pick: impl Fn(&Heading) -> Option<Pick>) -> Vec<Pick> {
     let free = headings.iter().enumerate().filter(|(index, _)| taken.iter().all(|(other, _)| other != index));
     let mut found: Vec<Pick> = free.filter_map(|(index, heading)| Some(Pick { index, ..pick(heading)? })).collect();
@@ -207,8 +209,8 @@ fn surest(headings: &[Heading], taken: &[(usize, Role)], pick: impl Fn(&Heading)
     found
 }
 
-/// The column that probably has a role: the only one with a unit of it, else the one whose name is nearest to one of its names
-/// or holds one.
+/// Returns the column that probably has a role: the only one with a unit of the role, else the one whose name contains
+/// or is closest to one of its names.
 fn proposed(headings: &[Heading], role: Role, is_used: impl Fn(usize) -> bool) -> Option<NearColumn> {
     let free = || {
         headings
@@ -221,7 +223,7 @@ fn proposed(headings: &[Heading], role: Role, is_used: impl Fn(usize) -> bool) -
     let has_unit = |heading: &&Heading| heading.has_unit_of(role);
     let with_unit: Vec<&Heading> = free().filter(has_unit).collect();
     let by_name = || {
-        // Short names are near to anything.
+        // Short names are close to any name.
         let names = || role.names().iter().filter(|name| name.len() >= 3);
         let distance = |heading: &Heading| {
             let small = heading.named.bare.to_lowercase();
@@ -240,10 +242,11 @@ fn proposed(headings: &[Heading], role: Role, is_used: impl Fn(usize) -> bool) -
     Some(NearColumn { role, column: excerpt(&found.written), has_unit: has_unit(&found) })
 }
 
-/// A column is proposed out of so many of the first.
+/// Number of leading columns that are searched for a proposal.
 const PROPOSED_FROM: usize = 256;
 
-/// Longer names are not typing errors; the distance costs the product of both lengths.
+/// Maximum length of a name in spelling comparisons: longer names are not typing errors, and the distance costs the
+/// product of both lengths.
 const LONGEST: usize = 64;
 
 fn chosen_names(headings: &[Heading], picks: &[Pick]) -> Vec<String> {
@@ -251,7 +254,7 @@ fn chosen_names(headings: &[Heading], picks: &[Pick]) -> Vec<String> {
     chosen.map(|heading| excerpt(&heading.written)).collect()
 }
 
-/// The column whose name is nearest to one that does not exist.
+/// Returns the name of a column closest to one that does not exist.
 fn nearest(headings: &[Heading], name: &str) -> Option<String> {
     if name.len() > LONGEST {
         return None;
@@ -270,14 +273,14 @@ fn nearest(headings: &[Heading], name: &str) -> Option<String> {
         .map(|(_, heading)| excerpt(&heading.written))
 }
 
-/// A statement of a unit.
+/// A statement of a unit, as text or resolved.
 #[derive(Clone, Debug)]
 pub(crate) enum Said {
     Text(String),
     Unit(&'static Unit),
 }
 
-/// The unit of a column out of everything that is said about it.
+/// Determines the unit of a column from all statements about it; reports missing, unknown and contradictory ones.
 pub(crate) fn decide(
     role: Role,
     heading: &Heading,
@@ -334,13 +337,13 @@ pub(crate) fn decide(
     }
 }
 
-/// The unit of a role that was probably meant; none where two kinds of them could be.
+/// Returns the unit of a role that was probably meant; `None` if units of two dimensions are possible.
 fn nearest_unit(role: Role, text: &str) -> Option<&'static Unit> {
     let mut found = role.dimensions().iter().filter_map(|dimension| Unit::nearest(*dimension, text));
     found.next().filter(|_| found.next().is_none())
 }
 
-/// Position and speed must be of the same kind.
+/// Reports position and speed of different kinds, one rotary and one linear.
 pub(crate) fn check_course(columns: &[ColumnRead], faults: &mut Faults) {
     let of = |role: Role| columns.iter().find(|column| column.role == role).map(|column| column.unit);
     if let (Some(position), Some(speed)) = (of(Role::Position), of(Role::Speed))

@@ -1,4 +1,4 @@
-//! Reading CSV.
+//! CSV reader for recordings.
 
 use crate::ahead::Ahead;
 use crate::clock::{Clock, is_clock};
@@ -18,7 +18,7 @@ use quantities::unit::SECOND;
 use std::io::Read;
 use std::ops::Range;
 
-/// Reads a recording from CSV within the usual memory.
+/// Reads a recording from CSV with the default memory limit.
 ///
 /// # Errors
 /// All faults of the file.
@@ -28,21 +28,22 @@ pub fn read_csv(source: impl Read, layout: &Layout) -> Result<Recording, Vec<Fau
 
 /// Reads a recording from CSV.
 ///
-/// The header is the line above the first rows of numbers, with a row of units between them or not; comments (`#`), empty lines and
-/// lines about the file before it are passed over, as is `sep=;`. It decides what separates the cells: `;`, else a tab, else `,`.
-/// With `;`, a tab or quotes the numbers may have decimal commas, all or none. A unit stands in the header (`q [deg]`), in a row of
-/// units under it, or in the layout; times of a clock need none and count from the first. Columns that no role needs may hold any
-/// text. Of samples outside the window only the time is read. A cell in quotes must end in its line.
+/// The header is the line above the first rows of numbers; a row of units may stand in between. Comments (`#`), empty
+/// lines, lines about the file and `sep=;` before it are skipped. The header determines the delimiter: `;`, else a tab,
+/// else `,`. With `;`, a tab or quotes the numbers may have decimal commas, either all or none. A unit stands in the
+/// header (`q [deg]`), in a row of units below it, or in the layout; clock times need none and are counted from the
+/// first. Columns without a role may hold any text. Only the time is read of samples outside the window. A quoted cell
+/// must end in its line.
 ///
-/// The text is UTF-8, UTF-16 or Windows-1252; [`Recording::encoding`] says which, and whether that was guessed. Its lines
-/// end with a line feed, with a carriage return before it or not, or with a carriage return alone. What the recording
-/// holds is taken from the memory.
+/// The text is UTF-8, UTF-16 or Windows-1252; [`Recording::encoding`] states which, and if it was guessed. Lines end
+/// with a line feed, with or without a carriage return before it, or with a carriage return alone. The memory of the
+/// recording is taken from `memory`.
 ///
 /// # Errors
 /// All faults of the file.
 pub fn read_csv_within(source: impl Read, layout: &Layout, memory: &mut Memory) -> Result<Recording, Vec<Fault>> {
     let mut faults = Faults::default();
-    // One byte more than is read shows that there is more.
+    // Reading one byte beyond the limit shows that the file is larger.
     let mut source = source.take(FILE_BYTES_MAX + 1);
     let recording = read(&mut source, layout, memory, &mut faults);
     if source.limit() == 0 {
@@ -63,7 +64,7 @@ fn read(source: impl Read, layout: &Layout, memory: &mut Memory, faults: &mut Fa
     let mut cells = Cells::new(found.delimiter);
     let mut header = cells.all(lines.line(), lines.number(), faults)?;
     if found.is_missing {
-        // Without names columns are found by their numbers alone.
+        // Without names, columns are identified by their numbers only.
         if layout.time.name.as_deref().is_none_or(|name| !name.starts_with('#')) {
             faults.push(Fault::HeadingMissing { columns: header.len() });
             return None;
@@ -97,7 +98,7 @@ fn read(source: impl Read, layout: &Layout, memory: &mut Memory, faults: &mut Fa
                 faults.push(Fault::Ragged { line, found, expected });
             }
         }
-        // A row that is no numbers may be one of units of columns that are not found.
+        // A row without numbers may be the units of columns that were not found.
         if units.is_some() || !is_table && !faults.none() {
             more = advance(&mut lines, faults)?;
         }
@@ -105,7 +106,7 @@ fn read(source: impl Read, layout: &Layout, memory: &mut Memory, faults: &mut Fa
             is_table = more && cells.all(lines.line(), lines.number(), faults).as_deref().is_some_and(holds_number);
         }
     }
-    // Whatever stands in a file that is no table is not repeated: it may be a note or a key.
+    // Text of a file that is no table is not quoted in faults: it may be a note or a key.
     if !is_table && !faults.none() {
         *faults = Faults::default();
         faults.push(Fault::NoTable);
@@ -160,12 +161,12 @@ fn read(source: impl Read, layout: &Layout, memory: &mut Memory, faults: &mut Fa
         wanted.indices.push(index);
         wanted.names.push(name);
     }
-    // Without a column or a unit the samples mean nothing.
+    // Samples have no meaning without a column or a unit.
     if !faults.none() {
         return None;
     }
     let mut gather = Gather::new(columns, layout, false, memory, faults)?;
-    // Between commas a decimal comma stands in quotes.
+    // In a comma-separated file a decimal comma must be quoted.
     let is_plain = cells.delimiter == b',' && memchr(b'"', lines.line()).is_none();
     let mut decimals = if is_plain { Decimals::PointAlways } else { Decimals::Undecided };
     let mut rows = <[Rows; 2]>::default();
@@ -191,23 +192,23 @@ fn read(source: impl Read, layout: &Layout, memory: &mut Memory, faults: &mut Fa
     gather.finish(faults).map(|recording| Recording { encoding, unused, ..recording })
 }
 
-/// Goes to the next line; a read error is reported.
+/// Advances to the next line; reports a read error.
 fn advance(lines: &mut Ahead<impl Read>, faults: &mut Faults) -> Option<bool> {
     lines.advance().map_err(|fault| faults.push(fault)).ok()
 }
 
-/// The row as units, if no cell in use is a number.
+/// Returns the row as units if no cell in use is a number.
 fn unit_row(row: &[Vec<u8>], picks: &Picks) -> Option<Vec<String>> {
     let texts: Vec<String> = row.iter().map(|cell| unbracketed(&encoding::text(cell))).collect();
     let mut used =
         picks.iter().flatten().filter_map(|pick| texts.get(pick.index)).filter(|text| !text.is_empty()).peekable();
-    // A missing value of the first sample is no unit.
+    // A missing value in the first sample is no unit.
     let missing = |text: &str| ["na", "n/a", "null", "none", "-"].contains(&text.to_lowercase().as_str());
     let any = used.peek().is_some();
     (any && used.all(|text| !Decimals::is_number(text) && !missing(text))).then_some(texts)
 }
 
-/// Whether a cell of a row is a number.
+/// Returns `true` if a cell of the row is a number.
 fn holds_number(row: &[Vec<u8>]) -> bool {
     row.iter().any(|cell| Decimals::is_number(&encoding::text(cell)))
 }
@@ -226,19 +227,19 @@ struct Wanted {
     indices: Vec<usize>,
     names: Vec<String>,
     form: TimeForm,
-    /// Columns of values, behind that of time.
+    /// Number of value columns, which follow the time.
     channels: usize,
-    /// Further columns of time, which come last.
+    /// Additional columns of time, which come last.
     beside: Vec<(usize, String)>,
 }
 
-/// How times are written.
+/// Notation of the times.
 #[derive(Default)]
 enum TimeForm {
     #[default]
     Number,
     Clock(Clock),
-    /// Whole seconds, with nanoseconds in the first column behind the values.
+    /// Whole seconds; nanoseconds stand in the first column after the values.
     Seconds,
 }
 
@@ -248,13 +249,13 @@ impl Wanted {
         self.indices.push(index);
     }
 
-    /// Whether a row is nothing but numbers with the time before the values.
+    /// Returns `true` if a row consists of the time and the values, all plain numbers.
     const fn is_plain(&self) -> bool {
         matches!(self.form, TimeForm::Number) && self.indices.len() == self.channels + 1
     }
 }
 
-/// Reads the rows of plain numbers that follow; `None` if no further row can be kept.
+/// Reads the following rows of plain numbers; returns `None` if no further row can be kept.
 fn plain_rows(
     lines: &mut Lines<impl Read>,
     sign: u8,
@@ -270,7 +271,7 @@ fn plain_rows(
         let text = lines.whole();
         written.read(text, rows);
         let numbers = rows.iter().flat_map(|rows| rows.numbers.chunks_exact(wanted.indices.len().max(1)));
-        // The lines, for faults alone: each is looked at once, however many there are.
+        // Lines are needed only for faults and are visited once each.
         let (mut texts, mut looked_at) = (text.split(|byte| *byte == end), 0);
         let mut count = 0;
         for (number, row) in (before + 1..).zip(numbers) {
@@ -308,7 +309,7 @@ fn plain_rows(
     }
 }
 
-/// Reads one row; false if no further row can be kept.
+/// Reads one row; returns `false` if no further row can be kept.
 fn row(
     line: &[u8],
     number: u64,
@@ -401,7 +402,8 @@ fn cell_fault(bad: Bad, line: u64, column: &str, cell: &[u8]) -> Fault {
     }
 }
 
-/// A cell as a fault shows it: what is written like a number or a time of day, else nothing, since it may be any text.
+/// Returns the text of a cell for a fault if it is written like a number or a time of day; other text of a file is not
+/// quoted.
 fn shown(cell: &str) -> Option<String> {
     let may_stand = |sign: char| sign.is_ascii_digit() || "+-.,:/'’ eE\u{a0}\u{202f}".contains(sign);
     let is_number = cell.chars().all(may_stand) && cell.contains(|sign: char| sign.is_ascii_digit());
@@ -409,14 +411,14 @@ fn shown(cell: &str) -> Option<String> {
     (is_number || is_word).then(|| excerpt(cell))
 }
 
-/// Splits lines into cells.
+/// Splitter of lines into cells.
 pub(crate) struct Cells {
     pub(crate) delimiter: u8,
     quoted: csv_core::Reader,
     /// Cells of a line with quotes, without their quotes.
     text: Vec<u8>,
     ends: Vec<usize>,
-    /// Where the wanted cells are, in the line or in the text.
+    /// Ranges of the requested cells, in the line or in `text`.
     found: Vec<Range<usize>>,
     in_text: bool,
 }
@@ -427,7 +429,7 @@ impl Cells {
         Self { delimiter, quoted, text: Vec::new(), ends: Vec::new(), found: Vec::new(), in_text: false }
     }
 
-    /// Finds the wanted cells and counts all; `None` if a quoted cell does not end.
+    /// Finds the requested cells and returns the number of all cells; `None` if a quoted cell does not end.
     fn split(&mut self, line: &[u8], wanted: &[usize]) -> Option<usize> {
         self.found.clear();
         self.found.resize(wanted.len(), 0..0);
@@ -457,13 +459,13 @@ impl Cells {
         Some(count)
     }
 
-    /// The cells that were wanted of the line split last.
+    /// Iterates over the requested cells of the line split last.
     fn found<'a>(&'a self, line: &'a [u8]) -> impl Iterator<Item = &'a [u8]> {
         let text = if self.in_text { self.text.as_slice() } else { line };
         self.found.iter().map(|range| text.get(range.clone()).unwrap_or_default())
     }
 
-    /// Every cell of a line; an open quote is reported.
+    /// Returns every cell of a line; reports an open quote.
     fn all(&mut self, line: &[u8], number: u64, faults: &mut Faults) -> Option<Vec<Vec<u8>>> {
         let cells = self.try_all(line);
         if cells.is_none() {
@@ -472,14 +474,14 @@ impl Cells {
         cells
     }
 
-    /// Every cell of a line; `None` if a quote is open at its end.
+    /// Returns every cell of a line; `None` if a quoted cell does not end.
     pub(crate) fn try_all(&mut self, line: &[u8]) -> Option<Vec<Vec<u8>>> {
         let count = self.unquote(line)?;
         let cell = |index| self.text.get(range_of(&self.ends, index)).unwrap_or_default().to_vec();
         Some((0..count).map(cell).collect())
     }
 
-    /// Counts the cells of a line; `None` if a quoted cell does not end.
+    /// Returns the number of cells of a line; `None` if a quoted cell does not end.
     pub(crate) fn count(&mut self, line: &[u8]) -> Option<usize> {
         self.split(line, &[])
     }
@@ -497,12 +499,12 @@ impl Cells {
 
     fn unquote(&mut self, line: &[u8]) -> Option<usize> {
         self.quoted.reset();
-        // No cell is longer than the line, and no line has more cells than bytes and one.
+        // No cell is longer than the line, and a line has at most one more cell than bytes.
         self.text.resize(line.len() + 1, 0);
         self.ends.resize(line.len() + 2, 0);
         let (_, _, written, cells) = self.quoted.read_record(line, &mut self.text, &mut self.ends);
         let (text, ends) = (self.text.get_mut(written..)?, self.ends.get_mut(cells..)?);
-        // A line's end inside quotes belongs to the cell, and the record goes on.
+        // An end of line within quotes belongs to the cell and continues the record.
         let (result, _, _, rest) = self.quoted.read_record(b"\n", text, ends);
         (result == ReadRecordResult::Record).then_some(cells + rest)
     }
@@ -513,19 +515,19 @@ fn range_of(ends: &[usize], index: usize) -> Range<usize> {
     start..ends.get(index).copied().unwrap_or(start)
 }
 
-/// What a file begins with, as it is written, whether it can be read as a recording or not.
+/// Beginning of a file as written, even if it cannot be read as a recording.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Preview {
-    /// The names of its columns.
+    /// Names of the columns.
     pub headings: Vec<String>,
-    /// Its first rows; one of units may be among them.
+    /// First rows; one of them may hold the units.
     pub rows: Vec<Vec<String>>,
 }
 
-/// So many columns are shown.
+/// Maximum number of columns shown.
 const SHOWN_MOST: usize = 32;
 
-/// The header of a CSV and so many rows under it; `None` where no number stands under its first line.
+/// Returns the header of a CSV and up to `rows` rows below it; `None` if there is no number below its first line.
 pub fn preview_csv(source: impl Read, rows: usize) -> Option<Preview> {
     let mut lines = Ahead::new(source);
     let mut faults = Faults::default();

@@ -1,31 +1,31 @@
-//! Texts as controllers write them: UTF-8, UTF-16 with its mark at the beginning or without, and Windows-1252 in what is
-//! no UTF-8.
+//! Text encodings of controllers: UTF-8, UTF-16 with or without byte order mark, and Windows-1252 for text that is no
+//! UTF-8.
 
 use crate::series::Encoding;
 use std::borrow::Cow;
 use std::io::Read;
 
-/// Most bytes of UTF-16 that are held at a time.
+/// Buffer size for UTF-16 input, in bytes.
 const RAW_BYTES: usize = 1 << 14;
 
-/// A source as UTF-8: UTF-16 is translated, everything else goes through as it is.
+/// Adapter that converts UTF-16 to UTF-8 and passes all other bytes through.
 pub(crate) struct Utf8<R> {
     source: R,
     form: Form,
-    /// Translated and not yet given.
+    /// Converted bytes not yet delivered.
     ready: Vec<u8>,
     given: usize,
     encoding: Encoding,
 }
 
 enum Form {
-    /// Nothing is known yet; the bytes read so far.
+    /// The bytes read so far, before the encoding is known.
     Unknown(Vec<u8>),
     Bytes,
     Utf16 {
         little: bool,
         raw: Vec<u8>,
-        /// The first half of a byte pair, and the first of a pair of units.
+        /// First byte of an incomplete code unit, and first unit of an incomplete surrogate pair.
         half: Option<u8>,
         high: Option<u16>,
     },
@@ -36,12 +36,12 @@ impl<R: Read> Utf8<R> {
         Self { source, form: Form::Unknown(Vec::new()), ready: Vec::new(), given: 0, encoding: Encoding::Utf8 }
     }
 
-    /// How the bytes are read, once the first of them were.
+    /// Returns the encoding; valid once the first bytes were read.
     pub(crate) const fn encoding(&self) -> Encoding {
         self.encoding
     }
 
-    /// Looks at the first two bytes.
+    /// Determines the encoding from the first two bytes.
     fn decide(&mut self) -> std::io::Result<()> {
         while let Form::Unknown(head) = &mut self.form {
             let mut byte = [0];
@@ -51,7 +51,7 @@ impl<R: Read> Utf8<R> {
                 continue;
             }
             let head = std::mem::take(head);
-            // No text in UTF-8 has a zero in it, and a header begins with a letter that UTF-16 writes with one.
+            // Text in UTF-8 contains no zero byte, and a header begins with a letter whose UTF-16 code contains one.
             let (little, encoding) = match *head.as_slice() {
                 [0xff, 0xfe] => (true, Encoding::Utf16),
                 [0xfe, 0xff] => (false, Encoding::Utf16),
@@ -66,7 +66,7 @@ impl<R: Read> Utf8<R> {
             if encoding == Encoding::Utf16Guessed
                 && let [first, second] = *head.as_slice()
             {
-                // Without a mark the first two bytes are a letter already.
+                // Without a byte order mark the first two bytes are a letter.
                 let unit = if little { [first, second] } else { [second, first] };
                 self.ready = String::from_utf16_lossy(&[u16::from_le_bytes(unit)]).into_bytes();
             }
@@ -76,7 +76,7 @@ impl<R: Read> Utf8<R> {
         Ok(())
     }
 
-    /// Translates the next part; false at the end.
+    /// Converts the next part; returns `false` at the end.
     fn translate(&mut self) -> std::io::Result<bool> {
         let Form::Utf16 { little, raw, half, high } = &mut self.form else { return Ok(false) };
         let count = self.source.read(raw)?;
@@ -87,7 +87,7 @@ impl<R: Read> Utf8<R> {
             self.ready.extend(text.encode_utf8(&mut bytes).as_bytes());
         };
         if count == 0 {
-            // A file that ends in the middle of a character.
+            // The file ends in the middle of a character.
             let (half, high) = (half.take(), high.take());
             if half.is_some() || high.is_some() {
                 put(char::REPLACEMENT_CHARACTER);
@@ -136,10 +136,10 @@ impl<R: Read> Read for Utf8<R> {
     }
 }
 
-/// A whole text as a controller, a spreadsheet or an editor writes it, without the mark at its beginning, and how it is read.
+/// Reads a whole text without its byte order mark and returns it with its encoding.
 ///
 /// # Errors
-/// Of the source.
+/// Errors of the source.
 pub fn read_text(source: impl Read) -> std::io::Result<(String, Encoding)> {
     let (mut utf8, mut bytes) = (Utf8::new(source), Vec::new());
     utf8.read_to_end(&mut bytes)?;
@@ -154,7 +154,8 @@ const WINDOWS: [char; 32] = [
     '\u{fffd}', '‘', '’', '\u{201c}', '”', '•', '–', '—', '˜', '™', 'š', '›', 'œ', '\u{fffd}', 'ž', 'Ÿ',
 ];
 
-/// A text that is UTF-8, or else Windows-1252: in that each byte is a character, `°` and `²` among them.
+/// Decodes bytes as UTF-8, or as Windows-1252 if they are no UTF-8; in the latter each byte is one character, such as
+/// `°` and `²`.
 pub(crate) fn text(bytes: &[u8]) -> Cow<'_, str> {
     let windows = |byte: &u8| match byte {
         0x80..=0x9f => WINDOWS.get(usize::from(byte - 0x80)).copied().unwrap_or(char::REPLACEMENT_CHARACTER),
@@ -170,7 +171,7 @@ pub(crate) fn text(bytes: &[u8]) -> Cow<'_, str> {
 mod tests {
     use super::*;
 
-    /// Gives its bytes one by one.
+    /// Source that delivers its bytes one by one.
     struct Slow<'b>(&'b [u8]);
 
     impl Read for Slow<'_> {
@@ -203,7 +204,7 @@ mod tests {
         let big: Vec<u8> = units.iter().flat_map(|unit| unit.to_be_bytes()).collect();
         assert_eq!((all(&little), all(&big)), (text.to_owned(), text.to_owned()));
         assert_eq!(all(&little[..little.len() - 1]), text.replace('🛠', "\u{fffd}"));
-        // Without the mark.
+        // Without byte order mark.
         assert_eq!((all(&little[2..]), all(&big[2..])), (text.to_owned(), text.to_owned()));
     }
 

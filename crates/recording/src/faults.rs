@@ -1,4 +1,4 @@
-//! Why a file is no recording.
+//! Reasons why a file cannot be read as a recording.
 
 use crate::FAULTS_MAX;
 use crate::layout::Role;
@@ -11,7 +11,7 @@ use std::io::ErrorKind;
 use std::mem::Discriminant;
 use thiserror::Error;
 
-/// Where in a file.
+/// Place in a file.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum FileRow {
     /// Line of a text, counted from 1 with every comment and empty line.
@@ -29,12 +29,12 @@ impl fmt::Display for FileRow {
     }
 }
 
-/// A time as the file has it.
+/// A time in the unit of the file.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Stamp {
-    /// The number as written.
+    /// Number as written.
     pub value: f64,
-    /// The unit of the column.
+    /// Unit of the column.
     pub unit: &'static Unit,
 }
 
@@ -47,21 +47,21 @@ impl fmt::Display for Stamp {
 /// A column that probably has a role.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct NearColumn {
-    /// The role.
+    /// Role.
     pub role: Role,
-    /// The column as the file names it.
+    /// Name of the column in the file.
     pub column: String,
-    /// Whether it states a unit of the role.
+    /// The column states a unit of the role.
     pub has_unit: bool,
 }
 
-/// What is wrong with a Parquet file.
+/// Reason why a Parquet file cannot be read.
 #[derive(Clone, Debug, PartialEq, Eq, Error)]
 pub enum Damage {
-    /// The marks of the format are missing.
+    /// The magic bytes of the format are missing.
     #[error("it is none")]
     NoParquet,
-    /// It is encrypted.
+    /// The file is encrypted.
     #[error("it is encrypted")]
     Encrypted,
     /// The pages lie in another file.
@@ -73,7 +73,7 @@ pub enum Damage {
     /// A page is damaged.
     #[error("a page is damaged")]
     Page,
-    /// A page does not unpack to what it says.
+    /// A page does not unpack to its stated size.
     #[error("a page does not unpack to the size that it says")]
     Packed,
     /// The columns of a row group differ in length.
@@ -82,130 +82,130 @@ pub enum Damage {
     /// A compression that is not supported.
     #[error("compression {name} is not read")]
     Compression {
-        /// Its name, or its number.
+        /// Name, or number if unknown.
         name: String,
     },
     /// An encoding of numbers that is not supported.
     #[error("encoding {name} of numbers is not read")]
     Encoding {
-        /// Its name, or its number.
+        /// Name, or number if unknown.
         name: String,
     },
     /// The values cannot be decoded.
     #[error("the values of a page: {text}")]
     Values {
-        /// What the library says.
+        /// Message of the library.
         text: String,
     },
 }
 
-/// Why a file is no recording. Texts out of the file are shortened to 40 characters.
+/// Reason why a file cannot be read as a recording. Quoted text of the file is shortened to 40 characters.
 #[derive(Clone, Debug, PartialEq, Error)]
 pub enum Fault {
-    /// The source cannot be read on.
+    /// The source cannot be read further.
     #[error("line {line}: the source cannot be read: {kind}")]
     ReadFailed {
-        /// The line that was being read.
+        /// Line being read.
         line: u64,
-        /// What the source says.
+        /// Kind of the read error.
         kind: ErrorKind,
     },
     /// There is no header.
     #[error("the file has no header")]
     NoHeader,
-    /// A line is longer than is read.
+    /// A line exceeds the maximum length.
     #[error("line {line}: longer than {most} bytes")]
     LineTooLong {
-        /// The line.
+        /// Line number.
         line: u64,
-        /// Most bytes in a line.
+        /// Maximum length of a line in bytes.
         most: usize,
     },
     /// A quoted cell is not closed in its line.
     #[error("line {line}: a quoted cell does not end in this line")]
     QuoteOpen {
-        /// The line.
+        /// Line number.
         line: u64,
     },
     /// A row has more or fewer cells than the header.
     #[error("line {line}: {found} cells under a header of {expected}")]
     Ragged {
-        /// The line.
+        /// Line number.
         line: u64,
         /// Cells in the row.
         found: usize,
         /// Cells in the header.
         expected: usize,
     },
-    /// The column that the layout names does not exist.
+    /// A column named in the layout does not exist.
     #[error("no column is named \"{name}\"")]
     ColumnUnknown {
-        /// What it should be read as.
+        /// Role given to the column in the layout.
         role: Role,
-        /// The name in the layout.
+        /// Name in the layout.
         name: String,
-        /// The name in the file that is nearest, if any is near.
+        /// Closest name in the file, if one is similar.
         nearest: Option<String>,
-        /// The columns of the file.
+        /// Columns of the file.
         headers: Vec<String>,
     },
     /// The layout names one column for two roles.
     #[error("the column \"{column}\" is named for two roles")]
     ColumnTwice {
-        /// The column.
+        /// Name of the column.
         column: String,
         /// Both roles.
         roles: [Role; 2],
     },
-    /// It is no table: no number stands in the lines under the first.
+    /// The file is no table: there is no number below the first line.
     #[error("no numbers stand under the first line")]
     NoTable,
     /// No column of time is found.
     #[error("no column of time is found")]
     TimeMissing {
-        /// The columns of the file.
+        /// Columns of the file.
         headers: Vec<String>,
-        /// The column that it probably is.
+        /// Columns that probably hold the time.
         near: Vec<NearColumn>,
     },
     /// Neither a column of position nor one of speed is found.
     #[error("neither a column of position nor one of speed is found")]
     CourseMissing {
-        /// The columns of the file.
+        /// Columns of the file.
         headers: Vec<String>,
-        /// The columns that they probably are.
+        /// Columns that probably hold position or speed.
         near: Vec<NearColumn>,
     },
     /// Several columns could have a role.
     #[error("several columns could be the {role:?}")]
     Ambiguous {
-        /// The role.
+        /// Role.
         role: Role,
-        /// The columns that could have it.
+        /// Names of the columns that could have the role.
         columns: Vec<String>,
-        /// Their numbers, counted from 1.
+        /// Numbers of these columns, counted from 1.
         numbers: Vec<usize>,
     },
     /// The first line holds numbers: there is no heading.
     #[error("the first line holds numbers, no names of columns")]
     HeadingMissing {
-        /// Cells of the line.
+        /// Number of cells in the line.
         columns: usize,
     },
     /// Two columns of time with one name differ.
     #[error("{at}: two columns \"{column}\" hold different times")]
     TimesDiffer {
-        /// Where.
+        /// Place in the file.
         at: FileRow,
-        /// Their name.
+        /// Name of the columns.
         column: String,
-        /// Their numbers, counted from 1.
+        /// Numbers of the columns, counted from 1.
         numbers: [usize; 2],
     },
     /// The file has another format.
     #[error("this is {format:?}")]
     Foreign {
-        /// The format.
+        /// Format detected.
         format: Foreign,
     },
     /// Reading was cancelled.
@@ -214,137 +214,137 @@ pub enum Fault {
     /// The unit of a column is missing.
     #[error("the unit of \"{column}\" is missing")]
     UnitMissing {
-        /// What the column is read as.
+        /// Role of the column.
         role: Role,
-        /// The column.
+        /// Name of the column.
         column: String,
     },
-    /// A unit is none that is known.
+    /// A unit is not known.
     #[error("\"{text}\" is no known unit")]
     UnitUnknown {
-        /// What the column is read as.
+        /// Role of the column.
         role: Role,
-        /// The column.
+        /// Name of the column.
         column: String,
-        /// The unit as written.
+        /// Unit as written.
         text: String,
-        /// Who says it.
+        /// Origin of the unit.
         by: KnownBy,
-        /// The unit that is nearest in spelling, if any is near.
+        /// Known unit closest in spelling, if one is similar.
         nearest: Option<&'static Unit>,
     },
-    /// A unit measures something else than the role has.
+    /// A unit has another dimension than the role.
     #[error("\"{}\" is no unit of \"{column}\"", unit.ascii)]
     UnitWrong {
-        /// What the column is read as.
+        /// Role of the column.
         role: Role,
-        /// The column.
+        /// Name of the column.
         column: String,
-        /// The unit.
+        /// Unit stated.
         unit: &'static Unit,
-        /// Who says it.
+        /// Origin of the unit.
         by: KnownBy,
     },
     /// Two statements of a unit differ.
     #[error("\"{column}\" is said to be in \"{}\" and in \"{}\"", units[0].ascii, units[1].ascii)]
     UnitContradiction {
-        /// The column.
+        /// Name of the column.
         column: String,
-        /// The units.
+        /// Units stated.
         units: [&'static Unit; 2],
-        /// Who says which.
+        /// Origin of each unit.
         by: [KnownBy; 2],
     },
-    /// Position and speed are not of the same kind: one turns, the other moves along a line.
+    /// Position and speed are of different kinds, one rotary and one linear.
     #[error("position and speed do not belong together")]
     CourseMixed {
-        /// What the position measures.
+        /// Dimension of the position.
         position: Dimension,
-        /// What the speed measures.
+        /// Dimension of the speed.
         speed: Dimension,
     },
     /// The window ends before it begins.
     #[error("the window ends before it begins")]
     WindowReversed {
-        /// Its beginning.
+        /// Start of the window.
         from: Time,
-        /// Its end.
+        /// End of the window.
         to: Time,
     },
     /// A cell is empty or null.
     #[error("{at}: the value of \"{column}\" is missing")]
     ValueMissing {
-        /// Where.
+        /// Place in the file.
         at: FileRow,
-        /// The column.
+        /// Name of the column.
         column: String,
     },
-    /// A cell is no number.
+    /// A cell is not a number.
     #[error("{at}: the value of \"{column}\" is no number")]
     ValueUnreadable {
-        /// Where.
+        /// Place in the file.
         at: FileRow,
-        /// The column.
+        /// Name of the column.
         column: String,
-        /// The cell as written, if it is written like a number: other text of a file is not repeated.
+        /// Cell as written, if it is written like a number; other text of a file is not quoted.
         text: Option<String>,
     },
-    /// A number is infinite, not a number, or too large to be held in SI.
+    /// A number is infinite, not a number, or too large to be represented in SI.
     #[error("{at}: \"{text}\" in \"{column}\" is no finite number")]
     ValueNotFinite {
-        /// Where.
+        /// Place in the file.
         at: FileRow,
-        /// The column.
+        /// Name of the column.
         column: String,
-        /// The cell as written.
+        /// Cell as written.
         text: String,
     },
-    /// A number, in SI, beyond [`MAGNITUDE_MAX`](crate::MAGNITUDE_MAX).
+    /// A number exceeds [`MAGNITUDE_MAX`](crate::MAGNITUDE_MAX) in SI.
     #[error("{at}: \"{text}\" in \"{column}\" is beyond every measurement")]
     ValueImplausible {
-        /// Where.
+        /// Place in the file.
         at: FileRow,
-        /// The column.
+        /// Name of the column.
         column: String,
-        /// The number.
+        /// Number as written.
         text: String,
     },
-    /// A number has a decimal point where others have a comma, or the reverse.
+    /// A number has a decimal point in a file with decimal commas, or the reverse.
     #[error("line {line}: \"{text}\" in \"{column}\" has another decimal sign than line {decided}")]
     DecimalMixed {
-        /// The line.
+        /// Line number.
         line: u64,
-        /// The column.
+        /// Name of the column.
         column: String,
-        /// The cell as written.
+        /// Cell as written.
         text: String,
-        /// The line that decided the decimal sign.
+        /// Line that determined the decimal sign.
         decided: u64,
     },
-    /// A number has signs between its thousands.
+    /// A number has separators between its thousands.
     #[error("{at}: \"{text}\" in \"{column}\" has signs between its thousands")]
     ThousandsGrouped {
-        /// Where.
+        /// Place in the file.
         at: FileRow,
-        /// The column.
+        /// Name of the column.
         column: String,
-        /// The cell as written.
+        /// Cell as written.
         text: String,
     },
-    /// A column holds something else than plain numbers.
+    /// A column holds other data than plain numbers.
     #[error("the column \"{column}\" holds {found}, no numbers")]
     ColumnType {
-        /// The column.
+        /// Name of the column.
         column: String,
-        /// Its type as the format names it.
+        /// Type of the column, as named by the format.
         found: String,
     },
     /// Time runs backwards.
     #[error("{at}: the time {time} follows {before}")]
     Backwards {
-        /// The later sample.
+        /// Place of the later sample.
         at: FileRow,
-        /// Its time.
+        /// Time of the later sample.
         time: Stamp,
         /// Time of the sample before.
         before: Stamp,
@@ -352,17 +352,17 @@ pub enum Fault {
     /// Two samples have the same time.
     #[error("{at}: the same time {time} as {first}")]
     SameTime {
-        /// The later sample.
+        /// Place of the later sample.
         at: FileRow,
-        /// The sample before.
+        /// Place of the sample before.
         first: FileRow,
-        /// Their time.
+        /// Time of both samples.
         time: Stamp,
     },
     /// Two times are closer together than [`STEP_MIN_S`](crate::STEP_MIN_S).
     #[error("{at}: only {} s after the sample before", length.value)]
     TooClose {
-        /// The later sample.
+        /// Place of the later sample.
         at: FileRow,
         /// Length of the interval.
         length: Time,
@@ -370,67 +370,67 @@ pub enum Fault {
     /// An interval is much longer than the others.
     #[error("{at}: a gap of {} s before this sample", length.value)]
     Gap {
-        /// The sample after the gap.
+        /// Place of the sample after the gap.
         at: FileRow,
         /// Length of the interval.
         length: Time,
         /// Median of all intervals.
         median: Time,
     },
-    /// There are too few samples, or too few inside the window.
+    /// There are too few samples, or too few within the window.
     #[error("{found} samples, at least {least} are needed")]
     TooFewSamples {
-        /// Samples that are kept.
+        /// Number of samples kept.
         found: usize,
-        /// Fewest samples that make a recording.
+        /// Minimum number of samples of a recording.
         least: usize,
-        /// Samples outside the window.
+        /// Number of samples outside the window.
         outside: u64,
-        /// Time of the first and the last sample of the file.
+        /// Times of the first and the last sample of the file.
         span: Option<[Stamp; 2]>,
     },
-    /// There are more samples than are kept.
+    /// There are more samples than can be kept.
     #[error("more than {most} samples")]
     TooManySamples {
-        /// Most samples that are kept.
+        /// Maximum number of samples.
         most: usize,
     },
-    /// The file is no Parquet, is damaged, or uses what is not supported.
+    /// The file is no Parquet file, is damaged, or uses an unsupported feature.
     #[error("the Parquet file cannot be read: {reason}")]
     ParquetUnreadable {
-        /// What is wrong.
+        /// Reason.
         reason: Damage,
     },
-    /// The file is larger in something than is read.
+    /// The file exceeds a size limit.
     #[error("{found} {limit}, at most {most}")]
     Beyond {
-        /// What there is too much of.
+        /// Limit exceeded.
         limit: Limit,
-        /// How much there is, or is claimed.
+        /// Size found or claimed.
         found: u64,
-        /// The most that is read.
+        /// Maximum size.
         most: u64,
     },
-    /// A fault that many lines have.
+    /// A fault that occurs in many lines.
     #[error("{first}; {more} more like it")]
     Repeated {
-        /// The first of them.
+        /// First occurrence.
         first: Box<Fault>,
-        /// How many more there are.
+        /// Number of further occurrences.
         more: u64,
     },
-    /// There are more faults.
+    /// There are further faults.
     #[error("{count} more faults")]
     More {
-        /// How many were counted.
+        /// Number of further faults counted.
         count: u64,
-        /// Whether the reading stopped there, so that there may be still more.
+        /// Reading stopped there, so the file may contain still more.
         stopped: bool,
     },
 }
 
 impl Fault {
-    /// The kind of a fault of a line or of its cells.
+    /// Returns the kind of a fault in a line or its cells; `None` for a fault of the whole file.
     fn kind(&self) -> Option<FaultKind> {
         let column = match self {
             Self::ValueMissing { column, .. }
@@ -456,24 +456,24 @@ impl Fault {
     }
 }
 
-/// Beyond this number of faults reading stops, since the rest of a file adds nothing new.
+/// Number of faults after which reading stops, because the rest of the file gives no new information.
 const COUNTED_MAX: u64 = 10_000;
 
-/// Up to this number equal faults are reported one by one; of more only the first.
+/// Number of equal faults reported individually; of more than that, only the first is kept.
 const EQUAL_MAX: u64 = 3;
 
-/// What makes faults equal: their kind, and the column.
+/// Key of equal faults: variant and column.
 type FaultKind = (Discriminant<Fault>, Option<String>);
 
-/// The faults of a file, in the order found.
+/// Faults of a file, in the order found.
 #[derive(Debug, Default)]
 pub(crate) struct Faults {
     listed: Vec<Fault>,
-    /// The kinds of those that can repeat, and how often each was found.
+    /// Kinds of repeatable faults, with the number of occurrences.
     kinds: Vec<(FaultKind, u64)>,
-    /// How many were found and not kept.
+    /// Number of faults found but not kept.
     more: u64,
-    /// Of these, how many belong to a kind of which the first is kept.
+    /// Number of these whose kind is represented by its first fault.
     repeated: u64,
 }
 
@@ -500,7 +500,7 @@ impl Faults {
         }
     }
 
-    /// What is kept, with one fault in the place of many equal ones.
+    /// Returns the faults kept, with many equal ones combined into one.
     fn grouped(&mut self) -> Vec<Fault> {
         let mut grouped: Vec<Fault> = Vec::new();
         let mut begun: Vec<FaultKind> = Vec::new();
@@ -524,12 +524,12 @@ impl Faults {
         self.listed.is_empty()
     }
 
-    /// Whether reading on is of no use.
+    /// Returns `true` if further reading is pointless.
     pub(crate) const fn enough(&self) -> bool {
         self.more >= COUNTED_MAX
     }
 
-    /// The answer, if there is no fault.
+    /// Returns the answer if there is no fault, else the faults.
     pub(crate) fn outcome<T>(mut self, answer: Option<T>) -> Result<T, Vec<Fault>> {
         match answer {
             Some(answer) if self.listed.is_empty() => Ok(answer),
@@ -546,7 +546,7 @@ impl Faults {
     }
 }
 
-/// A text out of a file, shortened for a message.
+/// Shortens a text of a file for a message.
 pub(crate) fn excerpt(text: &str) -> String {
     const LONGEST: usize = 40;
     let plain = |c: char| if is_unseen(c) { '\u{fffd}' } else { c };

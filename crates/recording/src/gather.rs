@@ -1,4 +1,4 @@
-//! Samples one after another become a recording.
+//! Assembly of a recording from consecutive samples.
 
 use crate::GAP_FACTOR;
 use crate::columns::check_course;
@@ -11,10 +11,10 @@ use quantities::{Measure, Time, Unit};
 use std::cmp::Ordering;
 use std::sync::Arc;
 
-/// What is to be done with a sample.
+/// Treatment of a sample.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Sample {
-    /// Its values are wanted.
+    /// The sample is kept; its values follow.
     Kept,
     /// It lies outside the window, or its time is faulty.
     Dropped,
@@ -22,16 +22,16 @@ pub(crate) enum Sample {
     Full,
 }
 
-/// Values of one column that are kept.
+/// Values kept of one column.
 struct Channel {
     role: Role,
     unit: &'static Unit,
     values: Vec<f64>,
 }
 
-/// Takes samples in the order of the file.
+/// Collector of samples in the order of the file.
 pub(crate) struct Gather<'m> {
-    /// What the recordings of a project may take, and for how many samples it was taken.
+    /// Memory of all recordings of a project, and the number of samples for which it is reserved.
     memory: &'m mut Memory,
     room: usize,
     columns: Vec<ColumnRead>,
@@ -45,15 +45,15 @@ pub(crate) struct Gather<'m> {
     first_kept: Option<Tick>,
     time_s: Vec<f64>,
     channels: Vec<Channel>,
-    /// Where the numbers of samples and places part: index of the sample and its place.
+    /// Points at which sample index and place in the file stop advancing together: index and place.
     places: Vec<(usize, u64)>,
     before: u64,
     after: u64,
-    /// Whether no time was faulty.
+    /// No faulty time was found.
     sound: bool,
 }
 
-/// Checks the window before anything is read.
+/// Checks the window of the layout.
 pub(crate) fn check_window(layout: &Layout, faults: &mut Faults) {
     if let (Some(from), Some(to)) = (layout.from, layout.to)
         && from.si().partial_cmp(&to.si()) != Some(Ordering::Less)
@@ -63,7 +63,7 @@ pub(crate) fn check_window(layout: &Layout, faults: &mut Faults) {
 }
 
 impl<'m> Gather<'m> {
-    /// Columns that have all their units; `rows` says whether places are rows or lines.
+    /// Creates the collector for columns with known units; `rows` states if places are rows instead of lines.
     pub(crate) fn new(
         columns: Vec<ColumnRead>,
         layout: &Layout,
@@ -78,7 +78,7 @@ impl<'m> Gather<'m> {
             .filter(|column| column.role != Role::Time)
             .map(|column| Channel { role: column.role, unit: column.unit, values: Vec::new() })
             .collect();
-        // A bound and a time that are written alike may differ in the last digits once they are in SI.
+        // A bound and a time written alike may differ in the last digits after conversion to SI.
         let slack = |bound: f64| 4.0 * f64::EPSILON * bound.abs();
         Some(Self {
             memory,
@@ -101,35 +101,35 @@ impl<'m> Gather<'m> {
         })
     }
 
-    /// Whether only a part of the samples is wanted.
+    /// Returns `true` if only a part of the samples is requested.
     pub(crate) fn has_window(&self) -> bool {
         self.from_si.is_finite() || self.to_si.is_finite()
     }
 
-    /// A fault if the caller no longer waits.
+    /// Returns an error if the caller cancelled.
     pub(crate) fn go_on(&self) -> Result<(), Fault> {
         self.memory.go_on()
     }
 
-    /// The memory that is left.
+    /// Returns the remaining memory.
     pub(crate) fn memory(&self) -> Memory {
         self.memory.clone()
     }
 
-    /// Bytes that so many samples take.
+    /// Returns the number of bytes of a number of samples.
     fn bytes_of(&self, samples: usize) -> u64 {
         (samples as u64).saturating_mul(8 * (1 + self.channels.len() as u64))
     }
 
-    /// Makes room for a further sample; twice as much as before, as long as it is to be had.
+    /// Reserves room for a further sample; doubles the room as long as memory is left.
     fn make_room(&mut self) -> Result<(), Fault> {
         if self.time_s.len() < self.room {
             return Ok(());
         }
-        // Room for this many samples is taken at first.
+        // Initial number of samples.
         const FIRST: usize = 4096;
         let room = (2 * self.time_s.len()).clamp(FIRST, SAMPLES_MAX);
-        // The old arrays go when they are copied into the new ones.
+        // Old and new arrays exist together while the samples are copied.
         self.memory.take(self.bytes_of(room))?;
         let more = room - self.time_s.len();
         self.time_s.reserve_exact(more);
@@ -147,7 +147,8 @@ impl<'m> Gather<'m> {
         Stamp { value: tick.value(), unit: self.unit }
     }
 
-    /// A sample begins: its time is checked against the one before. If it is kept, a value for every channel follows.
+    /// Starts a sample: checks its time against the one before. If the sample is kept, a value for every channel must
+    /// follow.
     pub(crate) fn sample(&mut self, number: u64, tick: Tick, faults: &mut Faults) -> Sample {
         self.first.get_or_insert(tick);
         let before = self.last.replace((tick, number));
@@ -185,7 +186,7 @@ impl<'m> Gather<'m> {
         }
         let first = *self.first_kept.get_or_insert(tick);
         let time = self.unit.to_si(tick.since(first));
-        // Beside a very distant first time two times may become one.
+        // Relative to a very distant first time, two different times may become equal.
         if let (Some(last), Some(before)) = (self.time_s.last(), before)
             && time <= *last
             && self.sound
@@ -219,7 +220,7 @@ impl<'m> Gather<'m> {
         Sample::Dropped
     }
 
-    /// No clock shows such a time.
+    /// Reports a time that is out of range.
     fn out_of_range(&mut self, number: u64, tick: Tick, faults: &mut Faults) -> Sample {
         self.sound = false;
         let time = self.columns.iter().find(|column| column.role == Role::Time);
@@ -228,12 +229,12 @@ impl<'m> Gather<'m> {
         Sample::Dropped
     }
 
-    /// A time could not be read: the intervals around it say nothing.
+    /// Records that a time could not be read, so that the intervals around it are not checked.
     pub(crate) const fn time_failed(&mut self) {
         self.sound = false;
     }
 
-    /// The value of a channel, by its number in the order of the columns without time.
+    /// Adds the value of a channel, by its index in the order of the columns without time.
     pub(crate) fn value(&mut self, channel: usize, value: f64) -> Result<(), Bad> {
         let Some(channel) = self.channels.get_mut(channel) else { return Ok(()) };
         let si = channel.unit.to_si(value);
@@ -245,7 +246,7 @@ impl<'m> Gather<'m> {
         }
     }
 
-    /// The recording, after the last sample.
+    /// Builds the recording after the last sample.
     pub(crate) fn finish(mut self, faults: &mut Faults) -> Option<Recording> {
         if self.sound && self.time_s.len() < SAMPLES_MIN && faults.none() {
             faults.push(Fault::TooFewSamples {
@@ -292,7 +293,7 @@ impl<'m> Gather<'m> {
         let steps = || self.time_s.iter().zip(self.time_s.iter().skip(1)).map(|(before, after)| after - before);
         let (least, most) =
             steps().fold((f64::INFINITY, 0.0_f64), |(least, most), step| (least.min(step), most.max(step)));
-        // The median is no shorter than the shortest.
+        // The median is at least as long as the shortest interval.
         if most <= GAP_FACTOR * least {
             return;
         }
@@ -311,7 +312,7 @@ impl<'m> Gather<'m> {
         }
     }
 
-    /// Line or row of a kept sample.
+    /// Returns the line or row of a kept sample.
     fn number_of(&self, index: usize) -> u64 {
         let run = self.places.partition_point(|(start, _)| *start <= index);
         let (start, number) = run.checked_sub(1).and_then(|run| self.places.get(run)).copied().unwrap_or((0, 0));
@@ -320,7 +321,7 @@ impl<'m> Gather<'m> {
 }
 
 impl Drop for Gather<'_> {
-    /// What became no recording needs no memory.
+    /// Returns the reserved memory if no recording was built.
     fn drop(&mut self) {
         self.memory.give_back(self.bytes_of(self.room));
     }

@@ -1,8 +1,8 @@
-//! What the user says about a file, and the roles of its columns.
+//! Statements of the user about a file, and the roles of its columns.
 
 use quantities::{Dimension, Time, Unit};
 
-/// What the user says about the columns; everything is optional.
+/// Statements of the user about the columns, all optional.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Layout {
     /// The column of time.
@@ -13,16 +13,16 @@ pub struct Layout {
     pub speed: ColumnSpec,
     /// The column of torque or force.
     pub torque: ColumnSpec,
-    /// Samples before are left out; in the time of the file.
+    /// Start of the window, in the time of the file; earlier samples are left out.
     pub from: Option<Time>,
-    /// Samples after are left out; in the time of the file.
+    /// End of the window, in the time of the file; later samples are left out.
     pub to: Option<Time>,
-    /// Whether an interval longer than [`GAP_FACTOR`](crate::GAP_FACTOR) median intervals is accepted.
+    /// Accepts an interval longer than [`GAP_FACTOR`](crate::GAP_FACTOR) median intervals.
     pub allow_gaps: bool,
 }
 
 impl Layout {
-    /// What is said about the column of a role.
+    /// Returns the statements about the column of a role.
     #[must_use]
     pub const fn column(&self, role: Role) -> &ColumnSpec {
         match role {
@@ -34,18 +34,18 @@ impl Layout {
     }
 }
 
-/// What the user says about one column.
+/// Statements of the user about one column.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct ColumnSpec {
-    /// Its name, with or without the unit that stands behind it, or its number, `#3`; otherwise it is recognised by the usual names.
+    /// Name, with or without the unit that follows it, or number, `#3`; `None` searches the usual names.
     pub name: Option<String>,
-    /// Its unit, if the file does not say it.
+    /// Unit, if the file does not state it.
     pub unit: Option<&'static Unit>,
-    /// No column has this role, whatever the names say: `m` may be a mode and no moment.
+    /// No column has this role, even if a name suggests it: `m` may be a mode instead of a moment.
     pub unused: bool,
 }
 
-/// What a column is for.
+/// Role of a column.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum Role {
     /// Time of the sample.
@@ -59,10 +59,10 @@ pub enum Role {
 }
 
 impl Role {
-    /// Every role, in the order of the output.
+    /// The roles in the order of the output.
     pub const ALL: [Self; 4] = [Self::Time, Self::Position, Self::Speed, Self::Torque];
 
-    /// Names by which a column is recognised, in lower case.
+    /// Returns the names by which a column is recognised, in lower case.
     #[must_use]
     pub const fn names(self) -> &'static [&'static str] {
         match self {
@@ -103,7 +103,7 @@ impl Role {
         }
     }
 
-    /// What its unit may measure: turning first, then along a line.
+    /// Returns the permitted dimensions of the unit: rotary first, then linear.
     #[must_use]
     pub const fn dimensions(self) -> &'static [Dimension] {
         match self {

@@ -1,9 +1,9 @@
 //! Recorded or planned motion, read from CSV and Parquet into plain SI arrays.
 //!
-//! [`read_csv`] and [`read_parquet`] find the columns of time, position, speed and torque by their names or by what a
-//! [`Layout`] says, demand a unit for each, and check every sample. What they give is ready to compute with: times rise
-//! strictly, all values are finite and in SI. What they refuse comes back as all its faults at once, each with its line
-//! or row. Nothing is smoothed, filled in or sorted.
+//! [`read_csv`] and [`read_parquet`] find the columns of time, position, speed and torque by their names or by a
+//! [`Layout`], require a unit for each, and check every sample. A [`Recording`] is ready for computation: times rise
+//! strictly, all values are finite and in SI. A refused file returns all its faults at once, each with its line or row.
+//! Nothing is smoothed, filled in or sorted.
 //!
 //! ```
 //! use recording::{Along, Layout, read_csv};
@@ -51,9 +51,9 @@ pub use series::{Along, ColumnRead, Course, Encoding, KnownBy, Recording, Series
 
 pub use ::bytes::Bytes;
 
-/// Largest number of faults reported; the last entry then gives the number of the others.
+/// Maximum number of faults reported; the last entry then states the number of the others.
 pub const FAULTS_MAX: usize = 50;
 
-/// An interval longer than this many median intervals is a gap. A choice of this crate: a logger that skips a few
+/// Number of median intervals above which an interval is a gap. A choice of this crate: a logger that skips a few
 /// samples passes, a recording that was paused does not.
 pub const GAP_FACTOR: f64 = 10.0;

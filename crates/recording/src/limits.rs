@@ -1,90 +1,90 @@
-//! How much of a file is read: every size that a file may claim has its bound here.
+//! Size limits of a file: every size that a file may claim has its bound here.
 
 use crate::faults::Fault;
 use std::fmt;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 
-/// Largest file that is read, in bytes.
+/// Maximum size of a file, in bytes.
 pub const FILE_BYTES_MAX: u64 = 1 << 30;
 
-/// Memory that all recordings of a project may take, unless it is said otherwise: 512 MiB.
+/// Default memory of all recordings of a project: 512 MiB.
 pub const MEMORY_USUAL: u64 = 512 << 20;
 
-/// Most samples that are kept: 2²⁴, more than four hours at 1 kHz.
+/// Maximum number of samples kept: 2²⁴, more than four hours at 1 kHz.
 pub const SAMPLES_MAX: usize = 1 << 24;
 
-/// Fewest samples that make a recording: two intervals, so that there is a change of speed.
+/// Minimum number of samples of a recording: two intervals, so that there is a change of speed.
 pub(crate) const SAMPLES_MIN: usize = 3;
 
-/// Most rows that are looked at, kept or outside the window: 2²⁶, eighteen hours at 1 kHz.
+/// Maximum number of rows read, kept or outside the window: 2²⁶, eighteen hours at 1 kHz.
 pub(crate) const ROWS_MAX: u64 = 1 << 26;
 
-/// Most columns of a file; more than any logger has channels.
+/// Maximum number of columns of a file; more than any logger has channels.
 pub(crate) const COLUMNS_MAX: usize = 10_000;
 
-/// Columns of a table of many axes; no project has so many keys.
+/// Maximum number of columns of a table of many axes; no project has as many keys.
 pub const TABLE_COLUMNS_MAX: u64 = 1000;
 
-/// Rows of a table whatever its size.
+/// Number of rows permitted in a table of any size.
 pub(crate) const TABLE_ROWS_FREE: u64 = 1 << 20;
 
-/// Rows of a larger table for each of its bytes: more are made up of nothing.
+/// Maximum number of rows per byte of a larger table; a higher number cannot come from real data.
 pub(crate) const TABLE_ROWS_PER_BYTE: u64 = 256;
 
-/// Most bytes in one line of a CSV, 64 KiB: bounds its text buffer.
+/// Maximum number of bytes in one line of a CSV, 64 KiB: bounds its text buffer.
 pub const LINE_BYTES_MAX: usize = 1 << 16;
 
-/// Values beyond this are no measurement: the bound of a project file, in SI.
+/// Largest plausible magnitude of a measured value in SI, the same bound as in a project file.
 pub const MAGNITUDE_MAX: f64 = 1e12;
 
-/// Times closer together than this are no recording, in seconds.
+/// Shortest interval between two samples \[s\].
 pub const STEP_MIN_S: f64 = 1e-12;
 
-/// Groups within groups in the schema of a Parquet file.
+/// Maximum nesting of groups in the schema of a Parquet file.
 pub const NESTING_MAX: usize = 16;
 
-/// Bytes in the path of a column of a Parquet file.
+/// Maximum number of bytes in the path of a column of a Parquet file.
 pub(crate) const PATH_BYTES_MAX: usize = 1024;
 
-/// Row groups of a Parquet file.
+/// Maximum number of row groups of a Parquet file.
 pub(crate) const ROW_GROUPS_MAX: usize = 1 << 16;
 
-/// A page that unpacks to more than [`PAGE_BYTES_FREE`] may not unpack to more than this many times its packed size.
+/// Maximum ratio of unpacked to packed size of a page larger than [`PAGE_BYTES_FREE`].
 pub(crate) const PAGE_RATIO_MAX: u64 = 1000;
 
-/// What a page may unpack to whatever its packed size is: 16 MiB, many times what writers put into one.
+/// Unpacked size of a page permitted at any packed size: 16 MiB, many times what writers put into one.
 pub(crate) const PAGE_BYTES_FREE: u64 = 16 << 20;
 
-/// What all pages in use may unpack to, one after another: 4 GiB bound the time that they take.
+/// Maximum unpacked size of all pages in use together: 4 GiB bound the time of reading.
 pub(crate) const UNPACKED_BYTES_MAX: u64 = 4 << 30;
 
-/// Values in one block of the delta encoding: the most that a known writer puts there.
+/// Maximum number of values in one block of the delta encoding: the most that a known writer puts there.
 pub const DELTA_BLOCK_MAX: u64 = 2048;
 
-/// Names of columns that a fault carries.
+/// Maximum number of column names in a fault.
 pub(crate) const NAMES_MAX: usize = 20;
 
-/// What a limit bounds.
+/// Quantity bounded by a limit.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Limit {
     /// Bytes of the file.
     FileBytes,
     /// Bytes of memory for all recordings of a project.
     Memory,
-    /// Rows looked at.
+    /// Rows read.
     Rows,
-    /// Columns.
+    /// Columns of the file.
     Columns,
-    /// Groups within groups of a schema.
+    /// Nesting of groups in a schema.
     Nesting,
     /// Bytes in the path of a column.
     PathBytes,
     /// Row groups.
     RowGroups,
-    /// How many times its packed size a page unpacks to.
+    /// Ratio of unpacked to packed size of a page.
     PageRatio,
-    /// Bytes that all pages unpack to.
+    /// Unpacked bytes of all pages.
     UnpackedBytes,
     /// Values in a block of the delta encoding.
     DeltaBlock,
@@ -108,18 +108,18 @@ impl fmt::Display for Limit {
 }
 
 impl Limit {
-    /// A fault if there are more than the limit allows.
+    /// Returns an error if `found` exceeds the limit `most`.
     pub(crate) fn hold(self, found: u64, most: u64) -> Result<(), Fault> {
         if found <= most { Ok(()) } else { Err(Fault::Beyond { limit: self, found, most }) }
     }
 }
 
-/// Memory that recordings may take, and what they took of it.
+/// Memory budget of recordings, and the part in use.
 #[derive(Clone, Debug)]
 pub struct Memory {
     most: u64,
     taken: u64,
-    /// Set by a caller who no longer waits.
+    /// Flag by which the caller cancels reading.
     cancelled: Option<Arc<AtomicBool>>,
 }
 
@@ -130,34 +130,34 @@ impl Default for Memory {
 }
 
 impl Memory {
-    /// So many bytes, none of them taken.
+    /// Creates a budget of `most` bytes, none of them in use.
     #[must_use]
     pub const fn new(most: u64) -> Self {
         Self { most, taken: 0, cancelled: None }
     }
 
-    /// The same, and reading ends where the flag is set.
+    /// Adds a flag by which the caller cancels reading.
     #[must_use]
     pub fn until(self, cancelled: Option<Arc<AtomicBool>>) -> Self {
         Self { cancelled, ..self }
     }
 
-    /// A fault if the caller no longer waits.
+    /// Returns an error if the caller cancelled.
     pub(crate) fn go_on(&self) -> Result<(), Fault> {
         let is_over = self.cancelled.as_ref().is_some_and(|flag| flag.load(Ordering::Relaxed));
         if is_over { Err(Fault::Stopped) } else { Ok(()) }
     }
 
-    /// Bytes that are left.
+    /// Returns the number of bytes left.
     #[must_use]
     pub const fn left(&self) -> u64 {
         self.most.saturating_sub(self.taken)
     }
 
-    /// Takes so many bytes.
+    /// Reserves a number of bytes.
     ///
     /// # Errors
-    /// [`Fault::Beyond`] where they are not left; then nothing is taken.
+    /// [`Fault::Beyond`] if fewer bytes are left; nothing is reserved then.
     pub fn take(&mut self, bytes: u64) -> Result<(), Fault> {
         let taken = self.taken.saturating_add(bytes);
         Limit::Memory.hold(taken, self.most)?;
@@ -165,7 +165,7 @@ impl Memory {
         Ok(())
     }
 
-    /// Gives so many bytes back.
+    /// Returns a number of reserved bytes.
     pub const fn give_back(&mut self, bytes: u64) {
         self.taken = self.taken.saturating_sub(bytes);
     }

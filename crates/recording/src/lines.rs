@@ -1,4 +1,4 @@
-//! The lines of a text of any length, in a bounded buffer.
+//! Line reader with a bounded buffer, for text of any length.
 
 use crate::encoding::Utf8;
 use crate::faults::Fault;
@@ -8,24 +8,24 @@ use memchr::{memchr, memchr2, memrchr};
 use std::io::{ErrorKind, Read};
 use std::ops::Range;
 
-/// Enough for several lines of the greatest length, so that few bytes are moved to the front again, and for two threads that read
-/// numbers.
+/// Buffer size: several lines of maximum length, so that few bytes are moved to the front again, and enough for two
+/// threads that read numbers.
 const BUFFER_BYTES: usize = 16 * LINE_BYTES_MAX;
 
-/// Lines that say something: comments (`#`) and empty lines are passed over, but counted.
+/// Reader of lines with content; comments (`#`) and empty lines are skipped but counted.
 pub(crate) struct Lines<R> {
     source: Utf8<R>,
     buffer: Vec<u8>,
-    /// Text read and not yet returned.
+    /// Range of the buffered text not yet returned.
     rest: Range<usize>,
     line: Range<usize>,
     number: u64,
     at_end: bool,
-    /// A read error behind what is buffered.
+    /// Read error that occurred after the buffered text.
     failed: Option<ErrorKind>,
-    /// What ends a line: a line feed, or a carriage return where that alone ends the first line.
+    /// Line ending: a line feed, or a carriage return if that alone ends the first line; `None` before the first line.
     end: Option<u8>,
-    /// Whether the rest of a line that is too long is still to be passed over.
+    /// The rest of a line that is too long must still be skipped.
     in_long: bool,
 }
 
@@ -44,22 +44,22 @@ impl<R: Read> Lines<R> {
         }
     }
 
-    /// The line without its end.
+    /// Returns the current line without its end.
     pub(crate) fn line(&self) -> &[u8] {
         self.buffer.get(self.line.clone()).unwrap_or_default()
     }
 
-    /// Its number, counted from 1.
+    /// Returns the number of the current line, counted from 1.
     pub(crate) const fn number(&self) -> u64 {
         self.number
     }
 
-    /// How the text is read, once its first line was.
+    /// Returns the encoding of the text; valid once the first line was read.
     pub(crate) const fn encoding(&self) -> Encoding {
         self.source.encoding()
     }
 
-    /// Goes to the next line that says something; false at the end.
+    /// Advances to the next line with content; returns `false` at the end.
     pub(crate) fn advance(&mut self) -> Result<bool, Fault> {
         while self.next_physical()? {
             let line = self.line();
@@ -70,12 +70,12 @@ impl<R: Read> Lines<R> {
         Ok(false)
     }
 
-    /// What ends a line, once the first of them was read.
+    /// Returns the line ending; valid once the first line was read.
     pub(crate) fn ending(&self) -> u8 {
         self.end.unwrap_or(b'\n')
     }
 
-    /// The whole lines behind the present one, as many as are buffered, with their ends.
+    /// Returns the complete lines after the current one that are buffered, with their ends.
     pub(crate) fn whole(&mut self) -> &[u8] {
         while !self.at_end && self.failed.is_none() && self.rest.len() < BUFFER_BYTES - LINE_BYTES_MAX {
             self.failed = self.read_on().err();
@@ -85,7 +85,7 @@ impl<R: Read> Lines<R> {
         rest.get(..length).unwrap_or_default()
     }
 
-    /// Passes over lines that [`whole`](Self::whole) returned.
+    /// Skips lines returned by [`whole`](Self::whole).
     pub(crate) const fn pass(&mut self, bytes: usize, lines: u64) {
         self.rest.start += bytes;
         self.number += lines;
@@ -114,7 +114,7 @@ impl<R: Read> Lines<R> {
         }
     }
 
-    /// Passes over the rest of a line that was too long.
+    /// Skips the rest of a line that was too long.
     fn pass_long(&mut self, end: u8) -> Result<(), Fault> {
         while self.in_long {
             let rest = self.buffer.get(self.rest.clone()).unwrap_or_default();
@@ -131,7 +131,7 @@ impl<R: Read> Lines<R> {
         Ok(())
     }
 
-    /// What ends the lines, as the first of them shows.
+    /// Returns the line ending, determined from the first line.
     fn end(&mut self) -> Result<u8, Fault> {
         loop {
             if let Some(end) = self.end {
@@ -141,7 +141,7 @@ impl<R: Read> Lines<R> {
             let first = memchr2(b'\n', b'\r', rest).and_then(|at| Some((*rest.get(at)?, rest.get(at + 1).copied())));
             self.end = match first {
                 Some((b'\r', Some(behind))) if behind != b'\n' => Some(b'\r'),
-                // What follows a carriage return may not be read yet.
+                // The byte after a carriage return may not be buffered yet.
                 Some((b'\r', None)) if !self.at_end => None,
                 Some(_) => Some(b'\n'),
                 None if self.at_end || rest.len() > LINE_BYTES_MAX => Some(b'\n'),
@@ -182,7 +182,7 @@ impl<R: Read> Lines<R> {
         }
         let free = self.buffer.get_mut(self.rest.end..).unwrap_or_default();
         match self.source.read(free) {
-            // A source that claims more than it was given room for is not believed.
+            // A source may not claim more bytes than it was given room for.
             Ok(count) => {
                 self.rest.end += count.min(free.len());
                 self.at_end = count == 0;

@@ -1,12 +1,12 @@
-//! The names of columns as loggers write them: `time_s`, `Ist-Lage [mm]`, `Axis1.ActPos`.
+//! Names of columns in the notation of loggers: `time_s`, `Ist-Lage [mm]`, `Axis1.ActPos`.
 
 use crate::layout::Role;
 use quantities::Unit;
 
-/// What behind or before the name of a quantity says that it was measured.
+/// Words before or after the name of a quantity that mark it as measured.
 pub(crate) const MEASURED: &[&str] =
     &["act", "actual", "ist", "meas", "measured", "mess", "gemessen", "fbk", "feedback", "istwert", "real"];
-/// What says that it was commanded: such a column is used where none was measured, as of a planned motion.
+/// Words that mark a quantity as commanded: such a column is used if none was measured, as for a planned motion.
 pub(crate) const COMMANDED: &[&str] = &[
     "set",
     "setpoint",
@@ -21,24 +21,24 @@ pub(crate) const COMMANDED: &[&str] = &[
     "desired",
     "demand",
 ];
-/// What says nothing about the quantity.
+/// Words without meaning for the quantity.
 const FILLING: &[&str] = &["axis", "ax", "achse", "joint", "gelenk", "value", "val", "wert"];
 
-/// Longer names are none of a quantity: what is done for each of many columns stays small.
+/// Maximum length of the name of a quantity, which bounds the work per column.
 const NAME_BYTES: usize = 64;
 
-/// How surely a name names a quantity; the surest is used.
+/// Certainty with which a name denotes a quantity; the surest name is used.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub(crate) enum Sureness {
-    /// The name alone, its unit stated or not.
+    /// The name alone, with or without a unit.
     Plain,
-    /// With a prefix, a number, or a word that says that it was measured.
+    /// With a prefix, a number, or a word that marks it as measured.
     Measured,
-    /// With a word that says that it was commanded.
+    /// With a word that marks it as commanded.
     Commanded,
 }
 
-/// A name without its unit, and that unit.
+/// A name without its unit, and the unit.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(crate) struct Named {
     pub(crate) bare: String,
@@ -46,9 +46,9 @@ pub(crate) struct Named {
 }
 
 impl Named {
-    /// Takes off the unit that stands in brackets or behind a stroke: `q [deg]`, `q(deg)`, `q {deg}`, `n / 1/min`, `n in 1/min`,
-    /// `q/deg`. Of several brackets the last one that reads as a unit holds it: `Axis[1].ActPos [deg]`, `n [1/min] (actual)`; an
-    /// index or a word about the measurement is part of the name.
+    /// Splits off a unit in brackets or after a slash: `q [deg]`, `q(deg)`, `q {deg}`, `n / 1/min`, `n in 1/min`,
+    /// `q/deg`. Among several brackets the last one that reads as a unit holds it: `Axis[1].ActPos [deg]`, `n [1/min]
+    /// (actual)`; an index or a word about the measurement is part of the name.
     pub(crate) fn marked(written: &str) -> Self {
         let written = written.trim();
         match bracketed(written).or_else(|| behind_a_stroke(written)) {
@@ -57,8 +57,8 @@ impl Named {
         }
     }
 
-    /// Takes off a unit of a role behind an underscore, `time_s`, `vel_mm_s`, `n_1_min`, where none is marked; `fits` says of a name
-    /// whether it is looked for, which is cheaper than to look for units.
+    /// Splits off a unit of a role after an underscore, `time_s`, `vel_mm_s`, `n_1_min`, if no unit is marked. `fits`
+    /// tests the name first, which is cheaper than searching units.
     pub(crate) fn for_role(&self, role: Role, fits: impl Fn(&str) -> bool) -> Option<Self> {
         if self.unit.is_some() || self.bare.len() > NAME_BYTES {
             return None;
@@ -72,7 +72,7 @@ impl Named {
         })
     }
 
-    /// How surely it names the quantity of a role.
+    /// Returns the certainty with which the name denotes the quantity of a role.
     pub(crate) fn sureness(&self, role: Role) -> Option<Sureness> {
         if self.bare.len() > NAME_BYTES {
             return None;
@@ -81,7 +81,7 @@ impl Named {
         if is_name(&self.bare.to_lowercase()) {
             return Some(Sureness::Plain);
         }
-        // Beyond a name that stands for itself a wrong unit says that it is another quantity.
+        // With anything but a plain name, a unit of another dimension indicates another quantity.
         if self
             .unit
             .as_deref()
@@ -102,8 +102,8 @@ impl Named {
     }
 }
 
-/// A name without its brackets, and what stands in them: of those that read as a unit the last, else those at its end that hold
-/// neither an index nor a word about the measurement.
+/// Splits a name into the part outside and the text inside its brackets: the last brackets that read as a unit, else
+/// those at its end that hold neither an index nor a word about the measurement.
 fn bracketed(written: &str) -> Option<(String, &str)> {
     const BRACKETS: [(char, char); 3] = [('[', ']'), ('(', ')'), ('{', '}')];
     // Most names have one pair of brackets at their end, or none.
@@ -148,7 +148,7 @@ fn bracketed(written: &str) -> Option<(String, &str)> {
     Some((format!("{}{behind}", before.strip_suffix('/').unwrap_or(before)), inner))
 }
 
-/// Brackets of a name that are looked at.
+/// Maximum number of brackets of a name that are examined.
 const GROUPS_MOST: usize = 8;
 
 fn behind_a_stroke(written: &str) -> Option<(String, &str)> {
@@ -158,7 +158,7 @@ fn behind_a_stroke(written: &str) -> Option<(String, &str)> {
     parts.map(|(bare, unit)| (bare.to_owned(), unit))
 }
 
-/// Whether a heading is one of the usual names of a role.
+/// Returns `true` if a heading is one of the usual names of a role.
 pub(crate) fn is_usual_name(written: &str) -> bool {
     let named = Named::marked(written);
     let is_usual = |role: Role, bare: &str| Named { bare: bare.to_owned(), unit: None }.sureness(role).is_some();
@@ -167,16 +167,16 @@ pub(crate) fn is_usual_name(written: &str) -> bool {
         .any(|role| named.sureness(role).is_some() || named.for_role(role, |bare| is_usual(role, bare)).is_some())
 }
 
-/// Names of a column of whole seconds, and of the one beside it that holds the nanoseconds.
+/// Names of a column of whole seconds, and of the column of nanoseconds next to it.
 const SECONDS: [&str; 4] = ["sec", "secs", "second", "seconds"];
 const NANOSECONDS: [&str; 6] = ["nanosec", "nanosecs", "nsec", "nsecs", "nanosecond", "nanoseconds"];
 
-/// What stands before the name of a column of whole seconds, `/header/stamp/` of `/header/stamp/sec`.
+/// Returns the part before the name of a column of whole seconds, `/header/stamp/` of `/header/stamp/sec`.
 pub(crate) fn before_seconds(written: &str) -> Option<&str> {
     before(written, &SECONDS)
 }
 
-/// What stands before the name of a column of nanoseconds.
+/// Returns the part before the name of a column of nanoseconds.
 pub(crate) fn before_nanoseconds(written: &str) -> Option<&str> {
     before(written, &NANOSECONDS)
 }
@@ -190,7 +190,7 @@ fn before<'w>(written: &'w str, names: &[&str]) -> Option<&'w str> {
     names.contains(&name.to_ascii_lowercase().as_str()).then_some(before)
 }
 
-/// A unit of a role, spelt with underscores for strokes or spaces; in small letters where that is one unit only.
+/// Returns the unit of a role, spelt with underscores for slashes or spaces; in lower case if that is unambiguous.
 fn unit_of(role: Role, written: &str) -> Option<&'static Unit> {
     let spellings = [written.replace('_', "/").replace("/per/", "/"), written.replace('_', "")];
     let known = |spelling: &String| role.dimensions().iter().find_map(|of| Unit::of_dimension(*of, spelling));
@@ -202,7 +202,8 @@ fn unit_of(role: Role, written: &str) -> Option<&'static Unit> {
     found.next().filter(|_| found.next().is_none())
 }
 
-/// The words of a name in small letters: parted by other signs, between a small letter and a capital one, and before digits.
+/// Splits a name into words in lower case: at other characters, between a lower-case and an upper-case letter, and
+/// before digits.
 fn words(name: &str) -> Vec<String> {
     let mut words = vec![String::new()];
     let mut before = ' ';
@@ -271,7 +272,7 @@ mod tests {
             let named = Named::marked(written).for_role(role, |_| true).unwrap();
             assert_eq!((named.bare.as_str(), named.unit.as_deref()), (bare, Some(unit)), "{written}");
         }
-        // Millinewton or meganewton: in small letters it is both.
+        // Millinewton or meganewton: ambiguous in lower case.
         for (written, role) in
             [("time_s", Role::Speed), ("F_mn", Role::Torque), ("q_soll", Role::Position), ("_s", Role::Time)]
         {

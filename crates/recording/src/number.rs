@@ -1,21 +1,21 @@
-//! Numbers as files write them.
+//! Number parsing in the notations of files.
 
 use std::borrow::Cow;
 
-/// What is wrong with a cell.
+/// Reason why a cell is not usable.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Bad {
     Missing,
     Unreadable,
     NotFinite,
-    /// Beyond any measurement.
+    /// Larger than any measurement.
     Implausible,
-    /// The other decimal sign was decided in this line.
+    /// The other decimal sign was determined in this line.
     Mixed(u64),
 }
 
-/// The decimal sign of a file. One that separates its cells otherwise than by commas may have decimal commas; the first
-/// number with either sign decides, because `1.234` beside `5,6` may be a thousand.
+/// Decimal sign of a file. Decimal commas are possible if commas do not separate cells; the first number with either
+/// sign decides, because `1.234` next to `5,6` may be a thousand.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Decimals {
     /// Commas separate cells.
@@ -26,7 +26,7 @@ pub(crate) enum Decimals {
 }
 
 impl Decimals {
-    /// The number in a cell, with a decimal point.
+    /// Returns the number in a cell with a decimal point.
     pub(crate) fn plain<'a>(&mut self, cell: &'a [u8], line: u64) -> Result<Cow<'a, str>, Bad> {
         let cell = cell.trim_ascii();
         if cell.is_empty() {
@@ -55,7 +55,7 @@ impl Decimals {
         }
     }
 
-    /// The sign between whole and fraction, once it is decided.
+    /// Returns the decimal sign, once it is determined.
     pub(crate) const fn sign(self) -> Option<u8> {
         match self {
             Self::PointAlways | Self::Point(_) => Some(b'.'),
@@ -64,13 +64,14 @@ impl Decimals {
         }
     }
 
-    /// Whether a cell looks like a number, decided or not.
+    /// Returns `true` if a cell looks like a number with either decimal sign.
     pub(crate) fn is_number(cell: &str) -> bool {
         cell.trim().replacen(',', ".", 1).parse::<f64>().is_ok() || is_grouped(cell.trim())
     }
 }
 
-/// Whether a text that is no number has separators of thousands beyond doubt: `1.234,5`, `1,234.5`, `1'234`, `1.234.567`. `1.234` is ambiguous.
+/// Returns `true` if a text that is no number has unambiguous separators of thousands: `1.234,5`, `1,234.5`, `1'234`,
+/// `1.234.567`. `1.234` is ambiguous.
 pub(crate) fn is_grouped(text: &str) -> bool {
     let unsigned = text.strip_prefix(['-', '+']).unwrap_or(text);
     ['.', ',', '\'', '’', ' ', '\u{a0}', '\u{202f}'].into_iter().any(|sign| {
@@ -90,14 +91,14 @@ pub(crate) fn is_grouped(text: &str) -> bool {
     })
 }
 
-/// The powers of ten that a double holds exactly.
+/// Powers of ten that a double represents exactly.
 const TENS: [f64; 23] = [
     1e0, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8, 1e9, 1e10, 1e11, 1e12, 1e13, 1e14, 1e15, 1e16, 1e17, 1e18, 1e19, 1e20,
     1e21, 1e22,
 ];
 
-/// A plain number, digits and at most one sign between whole and fraction: `-12.345`. `None` for anything else, which a slower
-/// reader takes: an exponent, a space, more digits than a double holds, no number.
+/// Parses a plain number, digits with at most one decimal sign: `-12.345`. Returns `None` for anything else, which a
+/// slower reader handles: an exponent, a space, more digits than a double holds, no number.
 ///
 /// m/10^k with m < 2⁵³ and k ≤ 22 is one division of two exact doubles, hence correctly rounded (Clinger, How to read floating
 /// point numbers accurately, PLDI 1990).
@@ -131,7 +132,7 @@ pub(crate) fn plain(cell: &[u8], between: u8) -> Option<f64> {
     Some(if is_negative { -value } else { value })
 }
 
-/// A finite number.
+/// Parses a finite number.
 pub(crate) fn finite(text: &str) -> Result<f64, Bad> {
     match text.parse::<f64>() {
         Ok(value) if value.is_finite() => Ok(value),
@@ -140,8 +141,8 @@ pub(crate) fn finite(text: &str) -> Result<f64, Bad> {
     }
 }
 
-/// A time as written, in two parts: an f64 holds the seconds since 1970 to a quarter of a microsecond only, and
-/// differences of times are what counts.
+/// A time as written, in two parts: an f64 resolves the seconds since 1970 to a quarter of a microsecond only, and
+/// differences of times matter.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Tick {
     whole: i64,
@@ -149,9 +150,9 @@ pub(crate) struct Tick {
 }
 
 impl Tick {
-    /// From fewer digits before the point an f64 loses nothing that matters.
+    /// Minimum number of digits before the point that are kept apart; with fewer, an f64 is precise enough.
     const DIGITS_MIN: usize = 8;
-    /// An i64 has so many; nanoseconds since 1970 need them.
+    /// Maximum number of digits of an i64, needed for nanoseconds since 1970.
     const DIGITS_MAX: usize = 19;
 
     pub(crate) fn read(text: &str) -> Result<Self, Bad> {
@@ -172,12 +173,12 @@ impl Tick {
         Self { whole, part: 0.0 }
     }
 
-    /// A whole number and a part, each with its own sign.
+    /// Creates a time from a whole number and a part, each with its own sign.
     pub(crate) const fn of_parts(whole: i64, part: f64) -> Self {
         Self { whole, part }
     }
 
-    /// The time so much later.
+    /// Returns the time increased by `part`.
     pub(crate) const fn later(self, part: f64) -> Self {
         Self { whole: self.whole, part: self.part + part }
     }
@@ -190,7 +191,7 @@ impl Tick {
         self.whole as f64 + self.part
     }
 
-    /// Time from another to this one.
+    /// Returns the time elapsed since another one.
     pub(crate) fn since(self, other: Self) -> f64 {
         let whole = match self.whole.checked_sub(other.whole) {
             Some(near) => near as f64,
@@ -200,7 +201,7 @@ impl Tick {
     }
 }
 
-/// The digits behind the point, if nothing else follows.
+/// Parses the digits after the point, if nothing else follows.
 fn part(fraction: &str) -> Option<f64> {
     if fraction.is_empty() {
         return Some(0.0);
@@ -228,7 +229,7 @@ mod tests {
         assert_eq!(Tick::read("123456789.").unwrap().value(), 123_456_789.0);
     }
 
-    /// The quick reader gives the bits of the library's, or nothing.
+    /// The fast parser returns the same bits as the library, or nothing.
     #[test]
     fn a_plain_number_is_that_of_the_library() {
         for text in

@@ -1,4 +1,4 @@
-//! What the bytes of a file are, and texts that are packed as a whole: `run.csv.gz`, `run.csv.zst`.
+//! Content detection by the first bytes, and text packed as a whole: `run.csv.gz`, `run.csv.zst`.
 
 use ruzstd::decoding::errors::{FrameDecoderError, ReadFrameHeaderError};
 use ruzstd::decoding::{BlockDecodingStrategy, FrameDecoder};
@@ -26,7 +26,7 @@ pub enum Content {
     Text,
 }
 
-/// A format that is no recording, but holds one now and then.
+/// A format that is no recording but may contain one.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Foreign {
     /// A workbook of a spreadsheet (`.xlsx`, `.ods`) or another zip archive.
@@ -52,7 +52,7 @@ pub enum Foreign {
 }
 
 impl Foreign {
-    /// Every one.
+    /// The formats, in the order of their detection.
     pub const ALL: [Self; 10] = [
         Self::Zip,
         Self::Xls,
@@ -67,7 +67,7 @@ impl Foreign {
     ];
 }
 
-/// First bytes and what begins with them.
+/// First bytes of a file and the content they indicate.
 const MARKS: [(&[u8], Content); 16] = [
     (b"PAR1", Content::Parquet),
     (b"\x1f\x8b", Content::Packed(Packing::Gzip)),
@@ -87,16 +87,16 @@ const MARKS: [(&[u8], Content); 16] = [
     (b"%PDF-", Content::Foreign(Foreign::Pdf)),
 ];
 
-/// Bytes that are looked at.
+/// Number of bytes examined.
 const HEAD: u64 = 16;
 
-/// A source of which the first bytes were looked at.
+/// A source after examination of its first bytes; reads from its beginning.
 pub type Sniffed = Chain<Cursor<Vec<u8>>, Box<dyn Read>>;
 
-/// What a source holds, by its first bytes; it is read from its beginning afterwards.
+/// Determines the content of a source from its first bytes; the source returned reads from its beginning.
 ///
 /// # Errors
-/// Those of the source.
+/// Errors of the source.
 pub fn sniffed(mut source: Box<dyn Read>) -> Result<(Content, Sniffed)> {
     let mut head = Vec::new();
     let _ = source.by_ref().take(HEAD).read_to_end(&mut head)?;
@@ -105,10 +105,10 @@ pub fn sniffed(mut source: Box<dyn Read>) -> Result<(Content, Sniffed)> {
     Ok((content, Cursor::new(head).chain(source)))
 }
 
-/// Content of a packed file, unpacked while it is read: its reader bounds the size.
+/// Unpacks a packed file while it is read; the reader bounds the size.
 ///
 /// # Errors
-/// Those of the source at its beginning.
+/// Errors of the source at its beginning.
 pub fn unpacked(source: Box<dyn Read>, packing: Packing) -> Result<Box<dyn Read>> {
     match packing {
         Packing::Gzip => Ok(Box::new(flate2::read::MultiGzDecoder::new(source))),
@@ -116,17 +116,17 @@ pub fn unpacked(source: Box<dyn Read>, packing: Packing) -> Result<Box<dyn Read>
     }
 }
 
-/// Larger windows of a frame are refused: memory is bounded however the file is packed.
+/// Maximum window of a frame, in bytes, which bounds the memory for any file.
 const WINDOW_MAX: u64 = 32 << 20;
 
-/// Frames of Zstandard, one behind the other.
+/// Reader of consecutive Zstandard frames.
 pub(crate) struct Frames<R> {
     source: Pushed<R>,
     frames: FrameDecoder,
     is_open: bool,
 }
 
-/// A source with a byte before it.
+/// A source with a byte put back in front.
 struct Pushed<R> {
     byte: Option<u8>,
     source: R,
@@ -150,7 +150,7 @@ impl<R: Read> Frames<R> {
         Self { source: Pushed { byte: None, source }, frames: FrameDecoder::new(), is_open: false }
     }
 
-    /// Begins the next frame that holds anything; false at the end.
+    /// Begins the next frame with content; returns `false` at the end.
     fn begin(&mut self) -> Result<bool> {
         let mut first = [0];
         while self.source.read(&mut first)? > 0 {
@@ -202,7 +202,7 @@ mod tests {
         let mut gzip = flate2::write::GzEncoder::new(Vec::new(), flate2::Compression::fast());
         gzip.write_all(text.as_bytes()).unwrap();
         let zstd = zstd::bulk::compress(text.as_bytes(), 3).unwrap();
-        // A frame to be skipped stands between.
+        // A skippable frame stands in between.
         let skipped: &[u8] = b"\x50\x2a\x4d\x18\x03\x00\x00\x00abc";
         let two = [
             zstd::bulk::compress(&text.as_bytes()[..100], 3).unwrap(),

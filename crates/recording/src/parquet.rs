@@ -1,7 +1,7 @@
-//! Reading Parquet.
+//! Parquet reader for recordings.
 //!
-//! Footer and heads of pages are read here, within bounds that no file can move; the library is handed pages that are
-//! unpacked and checked, and decodes the values.
+//! Footer and page headers are read here, within fixed bounds; the library receives pages that are unpacked and
+//! checked, and decodes the values.
 
 mod footer;
 mod pages;
@@ -29,10 +29,10 @@ use std::sync::atomic::AtomicU64;
 use streams::{Cell, Stream};
 pub use table::{Ranges, Table, TableColumn, TableValues, ValueKind};
 
-/// Rows that are read at a time.
+/// Number of rows read at a time.
 pub(crate) const BATCH: usize = 8192;
 
-/// Reads a recording from Parquet within the usual memory.
+/// Reads a recording from Parquet with the default memory limit.
 ///
 /// # Errors
 /// All faults of the file.
@@ -42,10 +42,10 @@ pub fn read_parquet(file: Bytes, layout: &Layout) -> Result<Recording, Vec<Fault
 
 /// Reads a recording from Parquet.
 ///
-/// Columns are recognised as in CSV. They hold floats, doubles, integers or decimals. A unit stands in the name
-/// (`q [deg]`), in the metadata of the file under `q.unit` or `unit:q`, or in the layout; a timestamp type says its
-/// unit itself. Row groups are read one after another, a few thousand rows at a time. What the recording holds is taken
-/// from the memory; the bytes of the file are the caller's.
+/// Columns are recognised as in CSV. They hold floats, doubles, integers or decimals. A unit stands in the name (`q
+/// [deg]`), in the metadata of the file under `q.unit` or `unit:q`, or in the layout; a timestamp type states its unit
+/// itself. Row groups are read one after another, a few thousand rows at a time. The memory of the recording is taken
+/// from `memory`; the bytes of the file belong to the caller.
 ///
 /// # Errors
 /// All faults of the file.
@@ -55,8 +55,8 @@ pub fn read_parquet_within(file: Bytes, layout: &Layout, memory: &mut Memory) ->
     faults.outcome(recording)
 }
 
-/// Columns of numbers by their names, as they are written: no unit is read and nothing is converted. `None` in the place of a
-/// column that the file does not have. What they hold is taken from the memory.
+/// Reads columns of numbers by their names as written, without units or conversion; `None` stands for a column that the
+/// file does not have. Their memory is taken from `memory`.
 ///
 /// # Errors
 /// All faults of the file: columns that hold no numbers, values that are missing or not finite.
@@ -102,7 +102,7 @@ fn columns_of(file: &Bytes, names: &[&str], memory: &mut Memory, faults: &mut Fa
                 }
             }
             number += count as u64;
-            // The footer counts the rows that memory was taken for.
+            // Memory was reserved for the number of rows in the footer.
             if number > footer.rows {
                 return Err(damaged(Damage::Lengths));
             }
@@ -117,7 +117,7 @@ fn columns_of(file: &Bytes, names: &[&str], memory: &mut Memory, faults: &mut Fa
     Some(places.into_iter().map(|place| place.and_then(|_| values.next())).collect())
 }
 
-/// The columns of a row group, opened.
+/// Opens the columns of a row group.
 fn opened(
     file: &Bytes,
     used: &[Used<'_>],
@@ -133,7 +133,7 @@ fn opened(
     used.iter().zip(chunks).map(open).collect()
 }
 
-/// The next rows of all columns; their number, which is zero at the end.
+/// Reads the next rows of all columns and returns their number; zero at the end.
 fn filled(streams: &mut [Stream]) -> Result<usize, Fault> {
     let counts = streams.iter_mut().map(Stream::fill).collect::<Result<Vec<_>, ParquetError>>();
     let mut counts = counts.map_err(unreadable)?.into_iter();
@@ -144,7 +144,7 @@ fn filled(streams: &mut [Stream]) -> Result<usize, Fault> {
     Ok(count)
 }
 
-/// What the library refuses, as a fault; the faults of pages come through it unchanged.
+/// Converts an error of the library to a fault; faults of pages pass through unchanged.
 fn unreadable(error: ParquetError) -> Fault {
     // Messages of the library may quote the file; the bound keeps them readable.
     const LONGEST: usize = 200;
@@ -170,7 +170,7 @@ fn read(file: &Bytes, layout: &Layout, memory: &mut Memory, faults: &mut Faults)
     let (picks, more_time) = pick(&headings, layout, faults);
 
     if !more_time.twins.is_empty() {
-        // Beside each channel its own time: which one counts is said by its number.
+        // A time next to each channel: the user must choose one by its number.
         let [Some(time), ..] = &picks else { return None };
         let all: Vec<usize> = std::iter::once(time.index).collect();
         let columns = all.iter().filter_map(|index| Some(excerpt(&headings.get(*index)?.written))).collect();
@@ -220,7 +220,7 @@ fn read(file: &Bytes, layout: &Layout, memory: &mut Memory, faults: &mut Faults)
         return None;
     }
     let wanted: Vec<usize> = used.iter().map(|column| column.index).collect();
-    // Rows that were read, and whether a further one can be kept.
+    // Rows read, and a flag for further ones.
     let (spent, mut number, mut more) = (Arc::default(), 0_u64, true);
     let walked = footer.groups(&wanted, |chunks| {
         if !more {
@@ -246,27 +246,27 @@ fn read(file: &Bytes, layout: &Layout, memory: &mut Memory, faults: &mut Faults)
     if more { gather.finish(faults).map(|recording| Recording { unused, ..recording }) } else { None }
 }
 
-/// The unit that the metadata of the file state for a column.
+/// Returns the unit stated for a column in the metadata of the file.
 fn metadata_unit(footer: &Footer<'_>, heading: &Heading) -> Option<String> {
     let keys = [&heading.written, &heading.named.bare].map(|name| [format!("{name}.unit"), format!("unit:{name}")]);
     let (_, unit) = footer.units.iter().find(|(key, _)| keys.as_flattened().contains(key))?;
     Some(unit.trim().to_owned())
 }
 
-/// What a column of numbers holds.
+/// Type of the values of a column of numbers.
 #[derive(Clone, Copy)]
 pub(crate) struct Holds {
     unsigned: bool,
-    /// Power of ten that a decimal is divided by.
+    /// Number of decimal places of a decimal.
     scale: Option<i32>,
-    /// The unit that its type states.
+    /// Unit stated by a time type.
     time: Option<&'static Unit>,
 }
 
-/// Digits of a decimal.
+/// Maximum number of digits of a decimal.
 const DIGITS_MAX: i32 = 38;
 
-/// What a column holds; `None` if it holds no numbers.
+/// Returns the type of the values of a column; `None` if it holds no numbers.
 fn kind(column: &Column) -> Option<Holds> {
     if column.repeated {
         return None;
@@ -324,8 +324,8 @@ struct Used<'f> {
     column: &'f Column,
 }
 
-/// Hands on the rows that were read, of a time, of so many channels, and of nanoseconds of the time where a column follows; false if
-/// no further row can be kept.
+/// Passes the rows read on to the collector: a time, `channels` values, and nanoseconds of the time if a column
+/// follows. Returns `false` if no further row can be kept.
 fn hand_on(
     streams: &[Stream],
     channels: usize,

@@ -1,27 +1,28 @@
-//! Rows of plain numbers, read many at a time: nearly all rows of nearly all files are such.
+//! Bulk reader for rows of plain numbers, the most frequent kind of row.
 
 use crate::layout::Role;
 use crate::limits::LINE_BYTES_MAX;
 use crate::number::plain;
 use memchr::{memchr3_iter, memrchr};
 
-/// Beneath so many bytes a second thread costs more than it saves.
+/// Minimum number of bytes from which a second thread saves time.
 const SHARED_FROM: usize = 1 << 17;
 
-/// A time with fewer signs before its fraction is read at once: from eight digits on a tick keeps its whole apart.
+/// Number of characters of a time up to which it is read as a float: from eight digits on, a tick stores its whole part
+/// separately.
 const TIME_QUICK: usize = 8;
 
-/// How the rows of a file are written.
+/// Notation of the rows of a file.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Written<'a> {
     pub(crate) delimiter: u8,
-    /// Between the whole and the fraction of a number.
+    /// Decimal sign.
     pub(crate) sign: u8,
-    /// What ends a line.
+    /// Line ending.
     pub(crate) end: u8,
-    /// Cells of each line.
+    /// Number of cells in each line.
     pub(crate) fields: usize,
-    /// The cells in use, time first.
+    /// Indices of the cells in use, time first.
     pub(crate) wanted: &'a [usize],
 }
 
@@ -29,12 +30,12 @@ pub(crate) struct Written<'a> {
 #[derive(Debug, Default)]
 pub(crate) struct Rows {
     pub(crate) numbers: Vec<f64>,
-    /// The bytes that they take.
+    /// Number of bytes of the rows.
     pub(crate) bytes: usize,
 }
 
-/// The number in a cell of time, if it is plain and loses nothing as a float. Of a time with many digits before the sign the last
-/// ones count.
+/// Parses a cell of time if it is a plain number that an f64 represents without loss. The last digits matter in a time
+/// with many digits before the decimal sign.
 #[inline]
 pub(crate) fn plain_time(cell: &[u8], sign: u8) -> Option<f64> {
     let is_short = cell.len() < TIME_QUICK || cell.get(..TIME_QUICK).is_some_and(|head| head.contains(&sign));
@@ -42,7 +43,8 @@ pub(crate) fn plain_time(cell: &[u8], sign: u8) -> Option<f64> {
 }
 
 impl Written<'_> {
-    /// Reads whole lines up to the first that is not a row of plain numbers, in two threads; what was read before is forgotten.
+    /// Reads complete lines up to the first one that is no row of plain numbers, in two threads; replaces the previous
+    /// content of `rows`.
     pub(crate) fn read(&self, lines: &[u8], rows: &mut [Rows; 2]) {
         let [first, second] = rows;
         let middle = memrchr(self.end, lines.get(..lines.len() / 2).unwrap_or_default()).map_or(0, |at| at + 1);
@@ -59,7 +61,7 @@ impl Written<'_> {
         if first.bytes < middle {
             second.clear();
         } else if !is_done {
-            // A thread that cannot be had, as in a browser, leaves its part to this one.
+            // The second part is read here if the thread could not be started, as in a browser.
             self.read_one(high, second);
         }
     }
@@ -146,7 +148,7 @@ mod tests {
         let (numbers, bytes) = read(&text, &[0, 2]);
         assert_eq!(bytes, text.len());
         assert!(numbers.chunks(2).enumerate().all(|(k, row)| row == [k as f64 + 0.5, 3.0 * k as f64]));
-        // Behind a row that is not plain nothing counts, in whichever half it lies.
+        // Rows after one that is not plain do not count, in either half.
         for bad in [10, 15_000, 30_000] {
             let text: String = (0..40_000).map(|k| if k == bad { "x;x;x\n".to_owned() } else { row(k) }).collect();
             assert_eq!(read(&text, &[0, 2]).0.len(), 2 * bad);

@@ -1,4 +1,4 @@
-//! Tables of any columns in CSV, in the dialects of recordings: every cell as it is written.
+//! Reader of CSV tables with any columns, in the dialects of recordings: every cell as written.
 
 use crate::ahead::delimiter;
 use crate::csv::Cells;
@@ -9,10 +9,10 @@ use crate::lines::Lines;
 use crate::series::Encoding;
 use std::io::Read;
 
-/// The rows of a table under its headings, one after the other, in a bounded buffer.
+/// Rows of a table under its headings, read one after the other in a bounded buffer.
 ///
-/// The first line that is neither empty nor a comment (`#`) holds the headings and decides what separates the cells: `;`, else a tab,
-/// else `,`; a line `sep=;` before it says so too. The text is UTF-8, UTF-16 or Windows-1252.
+/// The first line that is neither empty nor a comment (`#`) holds the headings and determines the delimiter: `;`, else
+/// a tab, else `,`; a line `sep=;` before it states it. The text is UTF-8, UTF-16 or Windows-1252.
 pub struct Records<R> {
     lines: Lines<R>,
     cells: Cells,
@@ -21,10 +21,10 @@ pub struct Records<R> {
 }
 
 impl<R: Read> Records<R> {
-    /// Reads the headings; none of an empty text.
+    /// Reads the headings; an empty text has none.
     ///
     /// # Errors
-    /// Why their line cannot be read.
+    /// Faults of the line of the headings.
     pub fn open(source: R) -> Result<Self, Fault> {
         let mut records =
             Self { lines: Lines::new(source), cells: Cells::new(b','), headings: Vec::new(), is_utf8: true };
@@ -46,30 +46,31 @@ impl<R: Read> Records<R> {
         Ok(records)
     }
 
-    /// The headings, without space around them.
+    /// Returns the headings without surrounding space.
     pub fn headings(&self) -> &[String] {
         &self.headings
     }
 
-    /// Whether numbers may have decimal commas: where commas do not separate the cells.
+    /// Returns `true` if numbers may have decimal commas, that is if commas do not separate the cells.
     pub const fn may_have_decimal_commas(&self) -> bool {
         self.cells.delimiter != b','
     }
 
-    /// How the text is read, once the lines before were.
+    /// Returns the encoding of the text read so far.
     pub const fn encoding(&self) -> Encoding {
         if self.is_utf8 { self.lines.encoding() } else { Encoding::Windows1252Guessed }
     }
 
-    /// Goes to the next row; false behind the last. After a fault of a line the next one is behind it.
+    /// Advances to the next row; returns `false` after the last. After a faulty line, reading continues with the next
+    /// one.
     ///
     /// # Errors
-    /// [`Fault::LineTooLong`], and what the source says.
+    /// [`Fault::LineTooLong`], and errors of the source.
     pub fn advance(&mut self) -> Result<bool, Fault> {
         self.lines.advance()
     }
 
-    /// The cells of the row, each put in its turn; as many as there are headings.
+    /// Passes the cells of the row to `put` in order, as many as there are headings.
     ///
     /// # Errors
     /// [`Fault::QuoteOpen`], [`Fault::Ragged`].
@@ -97,7 +98,7 @@ impl<R: Read> Records<R> {
     }
 }
 
-/// What a line says about the signs between cells, as spreadsheets write it: `sep=;`.
+/// Returns the delimiter stated in a line `sep=;`, as written by spreadsheets.
 fn separator(line: &[u8]) -> Option<u8> {
     match line.trim_ascii_end().strip_prefix(b"sep=") {
         Some([sign @ (b';' | b'\t' | b',')]) => Some(*sign),
@@ -131,7 +132,8 @@ mod tests {
         (records.headings().to_vec(), rows, records.encoding())
     }
 
-    /// One table in every dialect: separators, ends of lines, encodings, quoted or not, with a line that names the separator or not.
+    /// A table is read alike in all dialects: delimiters, line endings, encodings, quotes, with and without a line that
+    /// states the delimiter.
     #[test]
     fn a_table_is_read_alike_in_every_dialect() {
         let table = [["Drehmoment [N·m]", "Größe", "c"], ["0,5", "3 µm; b", ""], ["-1,25e3", "say \"so\"", "x"]];

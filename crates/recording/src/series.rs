@@ -1,46 +1,46 @@
-//! What was read.
+//! The recording as read.
 
 use crate::layout::Role;
 use quantities::{Dimension, Time, Unit};
 use std::sync::Arc;
 
-/// Recorded samples in SI. Its arrays are shared with the motion that is made of them.
+/// Recorded samples in SI. The arrays are shared with the motion built from them.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Recording {
     /// Times since the first kept sample \[s\], strictly rising; the first is zero.
     pub time_s: Arc<Vec<f64>>,
-    /// Time of the first kept sample, as the file counts it.
+    /// Time of the first kept sample, in the time of the file.
     pub first_time: Time,
     /// Position, speed or both.
     pub course: Course,
     /// Torque or force, if there is such a column.
     pub torque: Option<Series>,
-    /// The columns that were read, in the order of [`Role::ALL`].
+    /// Columns that were read, in the order of [`Role::ALL`].
     pub columns: Vec<ColumnRead>,
-    /// How the text was read; `None` of a format that is no text.
+    /// Encoding of the text; `None` for a format that is no text.
     pub encoding: Option<Encoding>,
-    /// Columns that hold a quantity by their name or unit, and are not used.
+    /// Columns that hold a quantity by their name or unit but are not used.
     pub unused: Vec<String>,
-    /// How many samples lie before the window.
+    /// Number of samples before the window.
     pub left_out_before: u64,
-    /// How many samples lie after the window.
+    /// Number of samples after the window.
     pub left_out_after: u64,
 }
 
-/// How the bytes of a text were read.
+/// Encoding of a text.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Encoding {
-    /// UTF-8, which every byte of the header agrees to.
+    /// UTF-8; every byte of the header is valid.
     Utf8,
-    /// UTF-16, as the mark at the beginning says.
+    /// UTF-16, stated by the byte order mark.
     Utf16,
     /// UTF-16, guessed from the zeros between the letters.
     Utf16Guessed,
-    /// Windows-1252, of which Latin-1 is a part: guessed, since the header is no UTF-8.
+    /// Windows-1252, which includes Latin-1: guessed, since the header is no UTF-8.
     Windows1252Guessed,
 }
 
-/// Position and speed over time; at least one of them is there, and both are of the same kind.
+/// Position and speed over time; at least one is present, and both are of the same kind.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Course {
     /// Position.
@@ -49,17 +49,17 @@ pub struct Course {
     pub speed: Option<Series>,
 }
 
-/// Whether an axis turns or moves along a line.
+/// Kind of motion of an axis.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Along {
-    /// Turning: rad, rad/s, Nm.
+    /// Rotary: rad, rad/s, Nm.
     Turning,
-    /// Along a line: m, m/s, N.
+    /// Linear: m, m/s, N.
     Line,
 }
 
 impl Along {
-    /// The quantity by its unit.
+    /// Returns the kind of motion of a unit.
     pub(crate) const fn of(unit: &Unit) -> Self {
         match unit.dimension {
             Dimension::Length | Dimension::Velocity | Dimension::Force => Self::Line,
@@ -71,29 +71,29 @@ impl Along {
 /// A position or speed, torque or force at every time.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Series {
-    /// Turning (rad, rad/s, Nm) or along a line (m, m/s, N).
+    /// Kind of motion: rotary (rad, rad/s, Nm) or linear (m, m/s, N).
     pub along: Along,
     /// Values in SI, one per time.
     pub values: Arc<Vec<f64>>,
 }
 
-/// Which column was read as what.
+/// Assignment of a column to a role.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct ColumnRead {
-    /// What it was read as.
+    /// Role of the column.
     pub role: Role,
-    /// Its name as written.
+    /// Name as written.
     pub name: String,
-    /// Its unit.
+    /// Unit of the values in the file.
     pub unit: &'static Unit,
-    /// Who says the unit.
+    /// Origin of the unit.
     pub known_by: KnownBy,
 }
 
-/// Who says the unit of a column.
+/// Origin of the unit of a column.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum KnownBy {
-    /// The name of the column carries it: `q [deg]`.
+    /// The name of the column: `q [deg]`.
     Header,
     /// The row under the header.
     UnitRow,

@@ -1,4 +1,4 @@
-//! The footer of a Parquet file: schema, metadata and where the pages of a column lie.
+//! Footer of a Parquet file: schema, metadata and the position of the pages.
 
 use super::damaged;
 use super::thrift::{Broken, Stop, Thrift, ThriftType};
@@ -9,28 +9,28 @@ use quantities::Unit;
 use quantities::unit::{MICROSECOND, MILLISECOND, NANOSECOND};
 use std::ops::Range;
 
-/// The mark at the end of a file, and that of one with an encrypted footer.
+/// Magic bytes at the end of a file, and those of a file with an encrypted footer.
 const MARK: &[u8] = b"PAR1";
 const MARK_ENCRYPTED: &[u8] = b"PARE";
 
-/// Bytes behind the footer: its length and the mark.
+/// Number of bytes after the footer: its length and the magic bytes.
 const TAIL: usize = 8;
 
-/// Longest unit in the metadata that is looked at.
+/// Maximum length of a unit in the metadata.
 const UNIT_BYTES_MAX: usize = 64;
 
-/// What the footer says.
+/// Content of the footer.
 #[derive(Debug)]
 pub(super) struct Footer<'b> {
-    /// The columns of values, in the order of the schema.
+    /// Columns of values, in the order of the schema.
     pub(super) columns: Vec<Column>,
-    /// Rows that the file says it has.
+    /// Number of rows claimed by the file.
     pub(super) rows: u64,
-    /// Units in the metadata, by the key that says them.
+    /// Units in the metadata, each with its key.
     pub(super) units: Vec<(String, String)>,
-    /// The list of row groups, not read yet.
+    /// List of row groups, not parsed yet.
     groups: Option<Thrift<'b>>,
-    /// Bytes before the footer: in them all pages lie.
+    /// Number of bytes before the footer, which contain all pages.
     data: u64,
     rows_most: u64,
 }
@@ -38,26 +38,26 @@ pub(super) struct Footer<'b> {
 /// A column of values.
 #[derive(Clone, Debug)]
 pub(super) struct Column {
-    /// Its name, behind those of the groups that it lies in.
+    /// Name, preceded by those of the enclosing groups.
     pub(super) path: String,
     pub(super) physical: Type,
     pub(super) logical: Logical,
-    /// What it is converted from, of older files.
+    /// Converted type, as used by older files.
     pub(super) converted: ConvertedType,
-    /// Largest level of definition: zero where there are no nulls.
+    /// Maximum definition level; zero if there are no nulls.
     pub(super) defined: i16,
-    /// Whether a row has any number of values.
+    /// A row may have any number of values.
     pub(super) repeated: bool,
-    /// Bytes of a value of fixed length.
+    /// Number of bytes of a value of fixed length.
     pub(super) width: u64,
-    /// Digits behind the point of a decimal.
+    /// Number of decimal places of a decimal.
     pub(super) scale: i64,
 }
 
-/// What the values of a column mean.
+/// Meaning of the values of a column.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Logical {
-    /// Nothing is said.
+    /// No logical type is stated.
     Plain,
     Integer {
         signed: bool,
@@ -68,22 +68,22 @@ pub(super) enum Logical {
     Text,
     /// Times in this unit.
     Timestamp(&'static Unit),
-    /// Something else than numbers.
+    /// Other data than numbers.
     Other,
 }
 
 /// The pages of a column in a row group.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(super) struct Chunk {
-    /// Compression, by the number of the format.
+    /// Compression, as the number in the format.
     pub(super) codec: i64,
-    /// Values, nulls among them.
+    /// Number of values including nulls.
     pub(super) values: u64,
-    /// Where they lie in the file.
+    /// Position in the file.
     pub(super) bytes: Range<usize>,
 }
 
-/// Where the footer of a file of so many bytes lies, by its last ones.
+/// Returns the position of the footer of a file of `size` bytes, from its last bytes.
 pub(super) fn place(size: u64, tail: &[u8]) -> Result<Range<u64>, Fault> {
     let no_parquet = || damaged(Damage::NoParquet);
     let before = size.checked_sub(TAIL as u64).ok_or_else(no_parquet)?;
@@ -107,7 +107,7 @@ impl<'b> Footer<'b> {
         Self::of(footer, place.start, ROWS_MAX)
     }
 
-    /// Reads a footer behind so many bytes of pages, of at most so many rows.
+    /// Parses a footer that follows `data` bytes of pages, with at most `rows_most` rows.
     pub(super) fn of(footer: &'b [u8], data: u64, rows_most: u64) -> Result<Self, Fault> {
         let mut read = Self { columns: Vec::new(), rows: 0, units: Vec::new(), groups: None, data, rows_most };
         let mut has_schema = false;
@@ -136,7 +136,7 @@ impl<'b> Footer<'b> {
         Ok(read)
     }
 
-    /// Goes through the row groups: the chunks of the wanted columns, in their order.
+    /// Visits the row groups with the chunks of the requested columns, in the order requested.
     pub(super) fn groups(
         &self,
         wanted: &[usize],
@@ -193,7 +193,7 @@ impl<'b> Footer<'b> {
         let mut chunks = Vec::new();
         for index in wanted {
             let chunk = found.get(*index).and_then(Option::as_ref).ok_or(Broken)?;
-            // Columns without repetition have one value, be it a null, for each row.
+            // Columns without repetition have one value, possibly null, per row.
             if chunk.values != rows {
                 return Err(damaged(Damage::Lengths).into());
             }
@@ -226,7 +226,7 @@ impl<'b> Footer<'b> {
         })?;
         let (codec, values, length) = (codec.ok_or(Broken)?, values.ok_or(Broken)?, length.ok_or(Broken)?);
         let data = data.ok_or(Broken)?;
-        // Some writers say that the dictionary begins at zero where there is none.
+        // Some writers state a dictionary at position zero where there is none.
         let start = dictionary.filter(|at| *at > 0).map_or(data, |at| at.min(data));
         let end = start.checked_add(length).filter(|end| *end <= self.data).ok_or(Broken)?;
         let place = |at: u64| usize::try_from(at).map_err(|_| Broken);
@@ -247,17 +247,17 @@ struct Element<'b> {
     scale: i64,
 }
 
-/// A group whose elements follow.
+/// A group of the schema whose elements follow.
 struct Group {
-    /// Elements that are still to come.
+    /// Number of elements still to come.
     left: u64,
-    /// Length of the path up to it.
+    /// Length of the path up to the group.
     path: usize,
     defined: i16,
     repeated: bool,
 }
 
-/// The columns of the schema, which lists its tree in the order of a walk.
+/// Parses the columns of the schema, which lists its tree in depth-first order.
 fn schema(thrift: &mut Thrift<'_>) -> Result<Vec<Column>, Stop> {
     let (kind, count) = thrift.list()?;
     if kind != ThriftType::Struct || count == 0 {
@@ -302,7 +302,7 @@ fn schema(thrift: &mut Thrift<'_>) -> Result<Vec<Column>, Stop> {
     if open.iter().any(|group| group.left > 0) { Err(Stop::Broken) } else { Ok(columns) }
 }
 
-/// How many elements a group claims; each takes a byte at least.
+/// Returns the number of elements claimed by a group; each takes at least one byte.
 fn children(group: &Element<'_>, thrift: &Thrift<'_>) -> Result<u64, Broken> {
     u64::try_from(group.children.unwrap_or(0)).ok().filter(|count| *count <= thrift.left() as u64).ok_or(Broken)
 }
@@ -326,7 +326,7 @@ fn element<'b>(thrift: &mut Thrift<'b>) -> Result<Element<'b>, Stop> {
     Ok(read)
 }
 
-/// The one field of a union says what the values mean.
+/// Parses the union that states the logical type in its only field.
 fn logical(thrift: &mut Thrift<'_>) -> Result<Logical, Stop> {
     let mut found = Logical::Other;
     thrift.structure(|thrift, id, kind| {
@@ -372,7 +372,7 @@ fn logical(thrift: &mut Thrift<'_>) -> Result<Logical, Stop> {
     Ok(found)
 }
 
-/// Units in the metadata: keys `q.unit` and `unit:q`.
+/// Parses units in the metadata: keys `q.unit` and `unit:q`.
 fn units(thrift: &mut Thrift<'_>, units: &mut Vec<(String, String)>) -> Result<(), Stop> {
     let (kind, count) = thrift.list()?;
     for _ in 0..count {
@@ -412,7 +412,7 @@ const fn physical_type(code: i64) -> Option<Type> {
     })
 }
 
-/// What the format calls the numbers of converted types, in their order.
+/// Converted types, in the order of their numbers in the format.
 const CONVERTED: [ConvertedType; 22] = [
     ConvertedType::UTF8,
     ConvertedType::MAP,
@@ -440,6 +440,6 @@ const CONVERTED: [ConvertedType; 22] = [
 
 fn converted_type(code: Option<i64>) -> ConvertedType {
     let Some(code) = code else { return ConvertedType::NONE };
-    // A number that the format does not have says at least that these are no plain numbers.
+    // An unknown number at least shows that these are no plain numbers.
     usize::try_from(code).ok().and_then(|code| CONVERTED.get(code)).copied().unwrap_or(ConvertedType::BSON)
 }

@@ -1,7 +1,7 @@
 //! Pages of a Parquet column, checked before they are unpacked and before they are decoded.
 //!
-//! The library decodes the values. What its decoders take for granted of a page is checked here, so that a damaged file
-//! is refused with a reason; and no page is unpacked that claims more than its values can need.
+//! The library decodes the values. Properties of a page that its decoders assume are checked here, so that a damaged
+//! file is refused with a reason; a page that claims more bytes than its values can need is not unpacked.
 
 use super::damaged;
 use super::footer::{Chunk, Column};
@@ -16,19 +16,19 @@ use bytes::Bytes;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicU64, Ordering};
 
-/// Bytes that a value with its level may take in any encoding.
+/// Maximum number of bytes of a value with its level in any encoding.
 const BYTES_PER_VALUE: u64 = 32;
 
-/// Bytes that a text may take.
+/// Maximum number of bytes of a text.
 const BYTES_PER_TEXT: u64 = 4096;
 
-/// Bytes that a page may take besides, for heads and for blocks that are not full.
+/// Additional bytes permitted per page, for headers and partly filled blocks.
 const BYTES_PER_PAGE: u64 = 4096;
 
-/// Work that a page makes besides unpacking, in bytes.
+/// Work per page besides unpacking, in bytes.
 const WORK_PER_PAGE: u64 = 1024;
 
-/// Bits of an index; more do not fit into the 32 bits of an index.
+/// Maximum number of bits of an index, which must fit into 32 bits.
 const INDEX_BITS_MAX: u8 = 32;
 
 /// The pages of a column in a row group.
@@ -37,20 +37,20 @@ pub(super) struct Pages {
     chunk: Chunk,
     codec: Codec,
     physical: Type,
-    /// Bytes of a value; at least so many where lengths differ, none where several share a byte.
+    /// Number of bytes of a value: a lower bound if lengths differ, zero if several share a byte.
     width: u64,
     defined: i16,
     has_dictionary: bool,
-    /// Values that the rest of the pages may have.
+    /// Number of values that the remaining pages may have.
     values_left: u64,
-    /// The memory that is left, and among how many it is shared: pages of all columns, each with what is decoded of it.
+    /// Memory left, and the number of parts it is divided into: pages of all columns, each with its decoded values.
     memory: Memory,
     share: u64,
-    /// What all pages of the file unpacked to.
+    /// Unpacked size of all pages of the file so far.
     spent: Arc<AtomicU64>,
 }
 
-/// The head of a page.
+/// Header of a page.
 #[derive(Default)]
 struct Head {
     kind: i64,
@@ -59,7 +59,7 @@ struct Head {
     values: u64,
     encoding: i64,
     level_encoding: i64,
-    /// Of pages of the second version.
+    /// Fields of pages of the second version follow.
     nulls: u64,
     rows: u64,
     defined_bytes: u64,
@@ -72,8 +72,8 @@ fn known(holds: bool) -> Result<(), Fault> {
 }
 
 impl Pages {
-    /// The pages of a chunk, one of so many `columns` that are read beside each other; none may take more than its share
-    /// of what is left of `memory` once it is unpacked.
+    /// Opens the pages of a chunk, one of `columns` that are read in parallel; an unpacked page may not take more than
+    /// its share of the remaining memory.
     pub(super) fn new(
         file: Bytes,
         chunk: Chunk,
@@ -106,9 +106,9 @@ impl Pages {
         })
     }
 
-    /// The next page; `None` at the end.
+    /// Returns the next page; `None` at the end.
     fn page(&mut self) -> Result<Option<Page>, Fault> {
-        // The dictionary and every page with values; whatever lies behind the last value is none of ours.
+        // The dictionary and every page with values; data after the last value is not read.
         while self.values_left > 0 && !self.chunk.bytes.is_empty() {
             let here = self.file.get(self.chunk.bytes.clone()).ok_or_else(|| damaged(Damage::Page))?;
             let mut thrift = Thrift::new(here);
@@ -181,14 +181,14 @@ impl Pages {
         Ok(())
     }
 
-    /// Counts the work; a file must not require more than its share.
+    /// Adds to the work done; returns an error if the file requires more than its share.
     fn spend(&self, bytes: u64) -> Result<(), Fault> {
         let bytes = bytes.saturating_add(WORK_PER_PAGE);
         let spent = self.spent.fetch_add(bytes, Ordering::Relaxed).saturating_add(bytes);
         Limit::UnpackedBytes.hold(spent, UNPACKED_BYTES_MAX)
     }
 
-    /// The bytes of a page, of which the first `plain` are not packed.
+    /// Returns the bytes of a page, of which the first `plain` are not packed.
     fn unpacked(&self, head: &Head, packed: Bytes, plain: usize) -> Result<Bytes, Fault> {
         if self.codec == Codec::None || !head.is_packed {
             self.spend(0)?;
@@ -212,7 +212,7 @@ impl Pages {
         Ok(Bytes::from(bytes))
     }
 
-    /// Length of the levels at the beginning of a page of the first version.
+    /// Returns the length of the levels at the beginning of a page of the first version.
     fn level_bytes(&self, buf: &[u8], count: u64, encoding: Encoding) -> Result<usize, Fault> {
         if self.defined == 0 {
             return Ok(0);
@@ -229,7 +229,7 @@ impl Pages {
         length.and_then(|length| usize::try_from(length).ok()).ok_or_else(|| damaged(Damage::Page))
     }
 
-    /// The encoding of the values behind the levels, and the page as the library shall have it.
+    /// Returns the encoding of the values after the levels, and the page in the form passed to the library.
     fn checked(&self, head: &Head, buf: Bytes, levels: usize) -> Result<(Encoding, Bytes), Fault> {
         let values = buf.get(levels..).ok_or_else(|| damaged(Damage::Page))?;
         let encoding = encoding(head.encoding)?;
@@ -239,8 +239,8 @@ impl Pages {
             }
             Encoding::BYTE_STREAM_SPLIT => {
                 known(self.width > 0 && self.physical != Type::BYTE_ARRAY)?;
-                // The decoder of split values looks for bytes behind the end where there are fewer than levels; that of
-                // plain ones counts what is left.
+                // The decoder of split values reads beyond the end if there are fewer values than levels; the decoder
+                // of plain values checks the remaining length.
                 self.memory.clone().take((buf.len() as u64).saturating_mul(self.share))?;
                 return Ok((Encoding::PLAIN, joined(&buf, levels, self.width)?));
             }
@@ -250,7 +250,7 @@ impl Pages {
                 let deltas = deltas(values).map_err(|stop| stop.or(Damage::Page))?;
                 known(deltas <= head.values)?;
                 if deltas == 0 {
-                    // A page of nulls; the decoder of deltas needs one value at least, the plain one none.
+                    // A page of nulls: the decoder of deltas needs at least one value, the plain one none.
                     return Ok((Encoding::PLAIN, buf.slice(..levels)));
                 }
             }
@@ -263,7 +263,8 @@ impl Pages {
     }
 }
 
-/// A page of split values, all first bytes before all second ones, as one of plain values behind the same levels.
+/// Converts a page of split values (all first bytes before all second ones) to one of plain values after the same
+/// levels.
 fn joined(page: &[u8], levels: usize, size: u64) -> Result<Bytes, Fault> {
     let (levels, split) = page.split_at_checked(levels).ok_or_else(|| damaged(Damage::Page))?;
     let size = usize::try_from(size).map_err(|_| damaged(Damage::Page))?;
@@ -273,7 +274,7 @@ fn joined(page: &[u8], levels: usize, size: u64) -> Result<Bytes, Fault> {
     Ok(levels.iter().copied().chain(values).collect())
 }
 
-/// The head of delta-coded values, checked; gives their number.
+/// Checks the header of delta-coded values and returns their number.
 fn deltas(values: &[u8]) -> Result<u64, Stop> {
     let mut thrift = Thrift::new(values);
     let (block, parts, count) = (thrift.varint()?, thrift.varint()?, thrift.varint()?);

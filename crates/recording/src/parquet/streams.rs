@@ -1,4 +1,4 @@
-//! The values of a column, a batch at a time.
+//! Batch reader for the values of a column.
 
 use super::footer::Column;
 use super::pages::Pages;
@@ -20,18 +20,18 @@ const DAY_OF_1970: i64 = 2_440_588;
 /// Nanoseconds of a day.
 const DAY_NS: i64 = 86_400_000_000_000;
 
-/// A value.
+/// A value of a column.
 #[derive(Clone, Copy)]
 pub(super) enum Cell {
     Null,
     Float(f64),
     Integer(i64),
     Truth(bool),
-    /// Number of the text in the batch.
+    /// Index of the text in the batch.
     Text(usize),
 }
 
-/// One column of a row group, a batch at a time.
+/// One column of a row group, read batch by batch.
 pub(super) struct Stream {
     pub(super) name: String,
     source: Source,
@@ -40,7 +40,7 @@ pub(super) struct Stream {
     level_max: i16,
     levels: Vec<i16>,
     pub(super) cells: Vec<Cell>,
-    /// Texts of the batch.
+    /// Text values of the batch.
     pub(super) texts: Vec<ByteArray>,
 }
 
@@ -57,7 +57,7 @@ enum Source {
 
 impl Stream {
     pub(super) fn open(name: &str, kind: Holds, column: &Column, pages: Pages) -> Result<Self, Fault> {
-        // The library needs the levels and the type; the reader knows the path.
+        // The library needs the levels and the type; the path is known to the reader.
         let repetition = if column.defined > 0 { Repetition::OPTIONAL } else { Repetition::REQUIRED };
         let mut primitive = ::parquet::schema::types::Type::primitive_type_builder("values", column.physical)
             .with_repetition(repetition);
@@ -94,7 +94,7 @@ impl Stream {
         self.fill_up_to(BATCH)
     }
 
-    /// Reads up to so many values and returns their number; zero at the end.
+    /// Reads up to `most` values and returns their number; zero at the end.
     pub(super) fn fill_up_to(&mut self, most: usize) -> Result<usize, ParquetError> {
         self.cells.clear();
         self.levels.clear();
@@ -138,7 +138,7 @@ impl Stream {
             Source::Fixed(reader, values) => {
                 let count = batch(reader, values, levels, max, most)?;
                 spread(values, levels, max, count, cells, |value| {
-                    // A decimal, the highest byte first, in two's complement.
+                    // A decimal in two's complement, the highest byte first.
                     let bytes = value.data();
                     let sign = if bytes.first().is_some_and(|byte| *byte >= 0x80) { -1_i128 } else { 0 };
                     let whole = bytes.iter().fold(sign, |whole, byte| whole << 8 | i128::from(*byte));
@@ -159,7 +159,7 @@ impl Stream {
     }
 }
 
-/// Reads up to so many values that are there, and the levels that say where nulls are.
+/// Reads up to `most` non-null values, and the levels that mark nulls.
 fn batch<T: DataType>(
     reader: &mut ColumnReaderImpl<T>,
     values: &mut Vec<T::T>,
@@ -179,7 +179,7 @@ fn batch<T: DataType>(
     Ok(count)
 }
 
-/// Puts values and nulls in the order of the rows.
+/// Arranges values and nulls in the order of the rows.
 fn spread<T>(
     values: &[T],
     levels: &[i16],

@@ -1,5 +1,5 @@
-//! A table of any columns, read a part at a time within the bounds of a recording: whatever a file claims, no more memory is taken
-//! than is given.
+//! Reader of a table with any columns in parts, within the bounds of a recording: it takes no more memory than given,
+//! independent of the sizes claimed in the file.
 
 use super::footer::{Chunk, Column, Footer, Logical, place};
 use super::pages::Pages;
@@ -14,15 +14,15 @@ use std::ops::Range;
 use std::sync::Arc;
 use std::sync::atomic::AtomicU64;
 
-/// Bytes of a file that are read where they lie.
+/// Random access to the bytes of a file.
 pub trait Ranges {
     /// Size of the file.
     fn size(&self) -> u64;
 
-    /// The bytes of a range within the file.
+    /// Returns the bytes of a range within the file.
     ///
     /// # Errors
-    /// Those of the system.
+    /// Errors of the system.
     fn bytes(&mut self, range: Range<u64>) -> IoResult<Bytes>;
 }
 
@@ -47,23 +47,23 @@ pub enum ValueKind {
     Integer,
     /// Integers without a sign, of 32 bits or of 64.
     Unsigned {
-        /// 64 bits.
+        /// The integers have 64 bits.
         is_long: bool,
     },
     /// Texts.
     Text,
-    /// Truths.
+    /// Boolean values.
     Truth,
-    /// Something else, by the name of its type.
+    /// Another kind, by the name of its type.
     Other(String),
 }
 
 /// A column of a table.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct TableColumn {
-    /// Its name.
+    /// Name of the column.
     pub name: String,
-    /// Kind of its values.
+    /// Kind of the values.
     pub kind: ValueKind,
     /// Cells may be empty.
     pub nullable: bool,
@@ -80,38 +80,38 @@ pub enum TableValues {
     Unsigned(Vec<Option<u64>>),
     /// Texts.
     Texts(Vec<Option<String>>),
-    /// Truths.
+    /// Boolean values.
     Truths(Vec<Option<bool>>),
-    /// So many values of another kind.
+    /// Number of values of another kind.
     Other(usize),
 }
 
-/// A table, open.
+/// An open table.
 pub struct Table {
     source: Box<dyn Ranges>,
     columns: Vec<TableColumn>,
-    /// The columns that are read, and how.
+    /// Columns that are read: index, type of the values, description.
     used: Vec<(usize, Holds, Column)>,
-    /// Row groups still to be read, the next one last: the rows of each, and its chunks.
+    /// Row groups still to be read, the next one last: number of rows and chunks of each.
     groups: Vec<(u64, Vec<Chunk>)>,
     streams: Vec<Stream>,
-    /// Rows of the open group that are left.
+    /// Number of rows left in the open group.
     left: u64,
     memory: Memory,
     held: u64,
 }
 
 impl Table {
-    /// Opens a table; what is read of it is taken from the memory.
+    /// Opens a table; the memory for reading it is taken from `memory`.
     ///
     /// # Errors
-    /// What is wrong with the file.
+    /// The fault of the file.
     pub fn open(mut source: Box<dyn Ranges>, mut memory: Memory) -> Result<Self, Fault> {
         const TAIL: u64 = 8;
         let size = source.size();
         let tail = source.bytes(size.saturating_sub(TAIL)..size).map_err(unread)?;
         let place = place(size, &tail)?;
-        // What is made of a footer is a few times as large.
+        // The parsed footer takes a few times as much memory.
         memory.take((place.end - place.start).saturating_mul(8))?;
         let bytes = source.bytes(place.clone()).map_err(unread)?;
         let rows_most = TABLE_ROWS_FREE.max(size.saturating_mul(TABLE_ROWS_PER_BYTE));
@@ -127,7 +127,7 @@ impl Table {
         let wanted: Vec<usize> = used.iter().map(|(index, ..)| *index).collect();
         let mut groups = Vec::new();
         if wanted.is_empty() {
-            // Rows without a column that can be read.
+            // Rows without a readable column.
             groups.push((footer.rows, Vec::new()));
         } else {
             footer.groups(&wanted, |chunks| {
@@ -139,16 +139,16 @@ impl Table {
         Ok(Self { source, columns, used, groups, streams: Vec::new(), left: 0, memory, held: 0 })
     }
 
-    /// Its columns.
+    /// Returns the columns of the table.
     #[must_use]
     pub fn columns(&self) -> &[TableColumn] {
         &self.columns
     }
 
-    /// Passes over rows.
+    /// Skips rows.
     ///
     /// # Errors
-    /// What is wrong with the file.
+    /// The fault of the file.
     pub fn skip(&mut self, mut rows: u64) -> Result<(), Fault> {
         while rows > 0 {
             // Whole groups are not read.
@@ -173,10 +173,10 @@ impl Table {
         Ok(())
     }
 
-    /// The next rows, at most so many; `None` behind the last.
+    /// Returns the next rows, at most `most`; `None` after the last.
     ///
     /// # Errors
-    /// What is wrong with the file.
+    /// The fault of the file.
     pub fn next(&mut self, most: usize) -> Result<Option<Vec<TableValues>>, Fault> {
         while self.left == 0 {
             if self.groups.is_empty() {
@@ -214,7 +214,7 @@ impl Table {
         Ok(())
     }
 
-    /// Reads up to so many rows of the open group; their number.
+    /// Reads up to `most` rows of the open group and returns their number.
     fn fill(&mut self, most: usize) -> Result<usize, Fault> {
         let most = most.min(usize::try_from(self.left).unwrap_or(usize::MAX));
         let mut count = if self.streams.is_empty() { most } else { 0 };
@@ -229,9 +229,9 @@ impl Table {
         Ok(count)
     }
 
-    /// The rows that were read last, column by column.
+    /// Returns the rows read last, column by column.
     fn values(&mut self, count: usize) -> Result<Vec<TableValues>, Fault> {
-        // A text of a dictionary may stand in every row.
+        // A text of a dictionary may occur in every row.
         let lengths = self.streams.iter().flat_map(|stream| &stream.texts).map(|text| text.len() as u64);
         let mut bounded = self.memory.clone();
         bounded.take(lengths.sum::<u64>().saturating_mul(3))?;
@@ -245,7 +245,7 @@ impl Table {
                 ValueKind::Unsigned { .. } => {
                     let whole = |cell: &Cell| match cell {
                         Cell::Integer(value) => u64::try_from(*value).ok(),
-                        // Beyond 2⁶³, to the digits of a float.
+                        // Above 2⁶³, to the precision of a float.
                         Cell::Float(value) => Some(*value as u64),
                         Cell::Null | Cell::Text(_) | Cell::Truth(_) => None,
                     };
@@ -273,10 +273,10 @@ impl Table {
     }
 }
 
-/// Rows that are passed over at a time.
+/// Number of rows skipped at a time.
 const SKIPPED_AT_ONCE: u64 = 8192;
 
-/// Bytes of a cell in all its forms.
+/// Bytes of a cell in all its representations.
 const CELL_BYTES: u64 = 48;
 
 fn number(cell: Cell) -> Option<f64> {
@@ -287,7 +287,7 @@ fn number(cell: Cell) -> Option<f64> {
     }
 }
 
-/// Kind of the values of a column, and how they are read, if they are.
+/// Returns the kind of the values of a column and, if they can be read, their type.
 fn value_kind(column: &Column) -> (ValueKind, Option<Holds>) {
     let plain = Holds { unsigned: false, scale: None, time: None };
     let is_plain = column.logical == Logical::Plain && column.converted == ConvertedType::NONE;

@@ -1,24 +1,24 @@
-//! The compact protocol of Thrift, read without believing what it claims.
+//! Reader of the Thrift compact protocol for untrusted input.
 //!
-//! A length or a count is looked at against the bytes that are there before anything is done with it, and nothing is
-//! allocated. What is not needed is passed over to a bounded depth. The library would read the same, but it allocates
-//! what a file claims and recurses as deep as a file asks.
+//! Lengths and counts are checked against the remaining bytes before they are used, and nothing is allocated. Unused
+//! data is skipped to a bounded depth. The reader of the library accepts the same input, but allocates the claimed
+//! sizes and recurses without a bound.
 
 use crate::faults::{Damage, Fault};
 
-/// Structures within structures that are passed over.
+/// Maximum nesting of structures that are skipped.
 const DEPTH_MAX: u8 = 32;
 
-/// Bytes of a number of 64 bits.
+/// Maximum number of bytes of a 64-bit number.
 const VARINT_BYTES_MAX: u32 = 10;
 
-/// What a field holds.
+/// Type of a field.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum ThriftType {
-    /// A field holds its truth itself, an element of a list takes a byte.
+    /// Boolean: a field contains its value, an element of a list takes a byte.
     Bool(bool),
     Byte,
-    /// An integer of 16, 32 or 64 bits: all are written alike.
+    /// An integer of 16, 32 or 64 bits, all in the same encoding.
     Integer,
     Double,
     Binary,
@@ -50,7 +50,7 @@ impl ThriftType {
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) struct Broken;
 
-/// Why a structure was not read: the bytes, or what they say.
+/// Reason why a structure was not read: the bytes or their content.
 #[derive(Debug)]
 pub(super) enum Stop {
     Broken,
@@ -70,7 +70,7 @@ impl From<Fault> for Stop {
 }
 
 impl Stop {
-    /// The fault; bytes that do not follow the protocol are this damage.
+    /// Converts the reason to a fault; bytes that do not follow the protocol become `damage`.
     pub(super) fn or(self, damage: Damage) -> Fault {
         match self {
             Self::Broken => super::damaged(damage),
@@ -79,7 +79,7 @@ impl Stop {
     }
 }
 
-/// Bytes that are read from their beginning.
+/// Cursor over the bytes.
 #[derive(Clone, Debug)]
 pub(super) struct Thrift<'b> {
     rest: &'b [u8],
@@ -90,7 +90,7 @@ impl<'b> Thrift<'b> {
         Self { rest: bytes }
     }
 
-    /// Bytes that are not read yet.
+    /// Returns the number of bytes not read yet.
     pub(super) const fn left(&self) -> usize {
         self.rest.len()
     }
@@ -124,7 +124,7 @@ impl<'b> Thrift<'b> {
         Ok((coded >> 1).cast_signed() ^ -((coded & 1).cast_signed()))
     }
 
-    /// An integer that is not negative.
+    /// Reads a non-negative integer.
     pub(super) fn natural(&mut self) -> Result<u64, Broken> {
         u64::try_from(self.integer()?).map_err(|_| Broken)
     }
@@ -134,10 +134,10 @@ impl<'b> Thrift<'b> {
         self.take(usize::try_from(length).map_err(|_| Broken)?)
     }
 
-    /// Begins a list: what its elements hold and how many there are. Each takes a byte at least.
+    /// Reads the header of a list and returns type and number of its elements. Each takes at least one byte.
     pub(super) fn list(&mut self) -> Result<(ThriftType, usize), Broken> {
         let head = self.byte()?;
-        // Some writers give an empty list no kind.
+        // Some writers state no type for an empty list.
         if head == 0 {
             return Ok((ThriftType::Byte, 0));
         }
@@ -149,7 +149,7 @@ impl<'b> Thrift<'b> {
         if count > self.left() { Err(Broken) } else { Ok((kind, count)) }
     }
 
-    /// Reads a structure: every field is handed to `field`, which reads or passes over what it holds.
+    /// Reads a structure: passes every field to `field`, which reads or skips its content.
     pub(super) fn structure(
         &mut self,
         mut field: impl FnMut(&mut Self, i64, ThriftType) -> Result<(), Stop>,
@@ -169,10 +169,10 @@ impl<'b> Thrift<'b> {
         }
     }
 
-    /// Passes over what a field holds.
+    /// Skips the content of a field.
     pub(super) fn skip(&mut self, kind: ThriftType) -> Result<(), Broken> {
         match kind {
-            // The field said it.
+            // The value is part of the field header.
             ThriftType::Bool(_) => Ok(()),
             other => self.skip_element(other, DEPTH_MAX),
         }

@@ -1,24 +1,24 @@
-//! Unpacking of a page into exactly the bytes that it says it has.
+//! Decompression of a page to exactly its stated size.
 
 use crate::faults::{Damage, Fault};
 use crate::packed::Frames;
 use std::io::Read;
 
-/// How the pages of a column are packed.
+/// Compression of the pages of a column.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Codec {
     None,
     Snappy,
     Gzip,
     Brotli,
-    /// Blocks with their lengths before them; older files have frames or a bare block under the same number.
+    /// Blocks preceded by their lengths; older files have frames or a bare block under the same number.
     Lz4,
     Zstd,
     Lz4Block,
 }
 
 impl Codec {
-    /// The codec by the number of the format.
+    /// Returns the codec with the given number in the format.
     pub(super) fn of(number: i64) -> Result<Self, Fault> {
         Ok(match number {
             0 => Self::None,
@@ -35,10 +35,10 @@ impl Codec {
         })
     }
 
-    /// Unpacks a page behind what `into` holds. No more than `size` bytes are made, whatever the packed bytes say.
+    /// Appends the unpacked page to `into`. At most `size` bytes are produced, for any input.
     ///
     /// # Errors
-    /// [`Damage::Packed`] if they are not exactly `size`.
+    /// [`Damage::Packed`] if the page does not unpack to exactly `size` bytes.
     pub(super) fn unpack(self, packed: &[u8], size: usize, into: &mut Vec<u8>) -> Result<(), Fault> {
         let before = into.len();
         let whole = match self {
@@ -52,7 +52,7 @@ impl Codec {
             }
             Self::Gzip => streamed(flate2::read::MultiGzDecoder::new(packed), size, into),
             Self::Brotli => streamed(brotli_decompressor::Decompressor::new(packed, BROTLI_BUFFER), size, into),
-            // A reader in Rust: a damaged file of a stranger meets no C library.
+            // A reader in Rust, so that a damaged file from outside reaches no C library.
             Self::Zstd => streamed(Frames::of(packed), size, into),
             Self::Lz4Block => lz4_block(packed, size, into),
             Self::Lz4 => {
@@ -67,17 +67,17 @@ impl Codec {
     }
 }
 
-/// Bytes that the reader of brotli takes at a time.
+/// Buffer size of the brotli reader, in bytes.
 const BROTLI_BUFFER: usize = 4096;
 
-/// Unpacks into room that is made for it; true if it is filled.
+/// Unpacks into newly allocated room and returns `true` if it is filled.
 fn in_place(into: &mut Vec<u8>, size: usize, unpack: impl FnOnce(&mut [u8]) -> Option<usize>) -> bool {
     let before = into.len();
     into.resize(before + size, 0);
     into.get_mut(before..).and_then(unpack) == Some(size)
 }
 
-/// Reads no more than a byte beyond the size.
+/// Reads at most one byte beyond the size.
 fn streamed(source: impl Read, size: usize, into: &mut Vec<u8>) -> bool {
     source.take(size as u64 + 1).read_to_end(into).is_ok()
 }
@@ -90,7 +90,7 @@ fn lz4_frame(packed: &[u8], size: usize, into: &mut Vec<u8>) -> bool {
     streamed(lz4_flex::frame::FrameDecoder::new(packed), size, into)
 }
 
-/// Blocks, each behind its unpacked and packed length as four bytes, the highest first.
+/// Unpacks blocks, each preceded by its unpacked and its packed length as four bytes, the highest first.
 fn hadoop(packed: &[u8], size: usize, into: &mut Vec<u8>) -> bool {
     let (mut rest, mut left) = (packed, size);
     while !rest.is_empty() {
@@ -149,7 +149,8 @@ mod tests {
         }
     }
 
-    /// The reader in Rust reads what the C library reads: several frames, one cut short, one damaged, one with no end.
+    /// The reader in Rust accepts the same input as the C library: several frames, one cut short, one damaged, one
+    /// without end.
     #[test]
     fn both_readers_of_zstd_agree() {
         fn ours(packed: &[u8], size: usize, into: &mut Vec<u8>) -> bool {
