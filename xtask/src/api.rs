@@ -1,5 +1,5 @@
-//! The interface over HTTP tried by an outside tool: schemathesis reads the OpenAPI document and sends unexpected
-//! requests. No answer may be a failure of the server, of another form than the document says, or accept what it forbids.
+//! HTTP interface test with an external tool: schemathesis reads the OpenAPI document and sends unexpected requests. No
+//! answer may be a server error, deviate from the documented form, or accept forbidden input.
 
 use std::fs;
 use std::io::{BufRead, BufReader};
@@ -10,23 +10,23 @@ use crate::cargo::{Workspace, must_succeed, spelled};
 use crate::environment::Environment;
 use crate::{Error, samples};
 
-/// The tool with all that it needs, each with its sums.
+/// Requirements of the tool, each with its hashes.
 const PINNED: &str = include_str!("../schemathesis/requirements.txt");
 
-/// Its settings, and hints about the interface.
+/// Settings of the tool, and hints about the interface.
 const SETTINGS: [(&str, &str); 2] = [
     ("schemathesis.toml", include_str!("../schemathesis/schemathesis.toml")),
     ("hooks.py", include_str!("../schemathesis/hooks.py")),
 ];
 
-/// So long it asks at the most, in seconds.
+/// Maximum duration of the test \[s\].
 const TIME: &str = "90";
 
-/// The question is a text whose errors are reported with status 422: rejecting a text of the right type is
-/// not a failure.
+/// Check that is switched off: input is free text whose errors are reported with status 422, so the rejection of a text
+/// of the right type is no failure.
 const NOT_ASKED: &str = "positive_data_acceptance";
 
-/// Tries the interface.
+/// Runs the test.
 pub(crate) fn run(root: &Path) -> Result<(), Error> {
     let tool = ready(root)?;
     let program = samples::built(root)?;
@@ -51,7 +51,7 @@ pub(crate) fn run(root: &Path) -> Result<(), Error> {
     let mut command = Command::new(tool);
     command.args(["run", &document, "--no-color", "--workers", "1", "--seed", "1", "--max-time", TIME]);
     command.args(["--phases", "coverage,fuzzing", "--exclude-checks", NOT_ASKED, "--generation-database", "none"]);
-    // Next to its settings, which refer to the hints about text bodies; its files stay out of the tree.
+    // The tool runs next to its settings, which refer to the hints about text bodies; its files stay out of the tree.
     for (name, text) in SETTINGS {
         let path = desk.join(name);
         fs::write(&path, text).map_err(|source| Error::File { path, source })?;
@@ -60,7 +60,7 @@ pub(crate) fn run(root: &Path) -> Result<(), Error> {
     must_succeed(&mut command)
 }
 
-/// A server that ends with the step.
+/// A server process that is terminated when the step ends.
 struct Ends(Child);
 
 impl Drop for Ends {
@@ -70,7 +70,7 @@ impl Drop for Ends {
     }
 }
 
-/// The program, installed into an environment of its own where it is not there yet.
+/// Returns the path of the tool, installed into its own environment if missing.
 fn ready(root: &Path) -> Result<PathBuf, Error> {
     let (list, missing) = ("schemathesis/requirements.txt", || Error::NoSchemathesis);
     let environment = Environment { name: "schemathesis", list, pinned: PINNED, missing };

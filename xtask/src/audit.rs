@@ -1,9 +1,9 @@
 //! Cross-checks of the data: every value against its neighbours, every deviation against the errata.
 //!
-//! A check recomputes a printed value from others, with half a printed digit of room for each. A deviation must be
-//! explained by an erratum at the cell, or by a rule in code with its reason. Each check runs three times: on the print,
-//! on the values after errata, and on the values that checks of a drive use. The other way round, an erratum that says the
-//! print is wrong at a cell some check covers must show up there as a deviation, or it is an orphan.
+//! A check recomputes a stated value from others, with a tolerance of half a printed digit for each. A deviation must
+//! be explained by an erratum at the cell, or by a rule in code with its reason. Each check runs three times: on the
+//! manual's values, on the values after errata, and on the values used by the checks of an actuator. Conversely, an
+//! erratum that corrects a cell covered by a check must show up as a deviation there; otherwise it is an orphan.
 
 mod bearing;
 mod feedback;
@@ -67,7 +67,7 @@ fn records(view: &View, tally: &mut Tally) {
     records::errata(view, tally);
 }
 
-/// What the checks have found.
+/// Result of the checks.
 pub struct Report {
     tallies: Vec<Tally>,
     orphans: Vec<&'static str>,
@@ -97,7 +97,7 @@ fn tally(name: &'static str, check: Check, view: &View) -> Tally {
     tally
 }
 
-/// The number of errata at cells that a check covers, and those among them that explain nothing.
+/// Returns the number of errata at cells covered by a check, and the identifiers of those that explain no deviation.
 fn orphans(errata: &[Erratum], tallies: &[Tally]) -> (usize, Vec<&'static str>) {
     let printed = || tallies.iter().filter(|tally| tally.reading == Reading::Printed);
     let covered: BTreeSet<_> = printed().flat_map(|tally| &tally.covered).collect();
@@ -117,7 +117,7 @@ fn orphans(errata: &[Erratum], tallies: &[Tally]) -> (usize, Vec<&'static str>) 
 }
 
 impl Report {
-    /// Whatever nothing explains, and errata without a deviation, in words.
+    /// Returns the unexplained deviations and the errata without a deviation as text.
     #[must_use]
     pub fn findings(&self) -> Vec<String> {
         let deviations = self.tallies.iter().flat_map(Tally::unexplained).map(ToString::to_string);
@@ -127,12 +127,12 @@ impl Report {
         deviations.chain(orphans).collect()
     }
 
-    /// The deviations of all checks and readings.
+    /// Iterates over the deviations of all checks and readings.
     pub fn deviations(&self) -> impl Iterator<Item = &Deviation> {
         self.tallies.iter().flat_map(|tally| &tally.deviations)
     }
 
-    /// How many comparisons were made in all.
+    /// Returns the total number of comparisons.
     #[must_use]
     pub fn comparisons(&self) -> usize {
         self.tallies.iter().map(|tally| tally.comparisons).sum()
@@ -177,7 +177,7 @@ impl fmt::Display for Report {
     }
 }
 
-/// The unexplained deviations that a check finds in a view.
+/// Returns the unexplained deviations that a check finds in a view.
 #[cfg(test)]
 fn findings_of(check: Check, view: &View) -> Vec<String> {
     tally("under test", check, view).findings()

@@ -1,8 +1,8 @@
-//! The book: the documents of `docs/` and those beside them, built by mdBook into `target/book`, its links tried.
+//! Builds the book: the documents of `docs/` and those they link, with mdBook into `target/book`; checks its links.
 //!
-//! The documents link each other and the files of the repository as it stands, so that they can be read on a code forge too.
-//! A book that knew `docs/` alone would break half of these links; so the pages of the summary and the files they lead to are
-//! laid out under `target/xtask/book` as they stand in the repository, and mdBook is given that.
+//! The documents link each other and the files of the repository in place, so that they can be read on a code forge
+//! too. A book of `docs/` alone would break half of these links, so the pages of the summary and the files they link
+//! are copied to `target/xtask/book` in the layout of the repository, and mdBook builds from there.
 
 use std::collections::BTreeSet;
 use std::fs;
@@ -14,12 +14,12 @@ use crate::markdown::{Document, Link, leads_to};
 use crate::tidy::tree::Tree;
 use crate::tools::{LYCHEE, MDBOOK};
 
-/// The order of the pages.
+/// Order of the pages.
 pub(crate) const SUMMARY: &str = "docs/SUMMARY.md";
 /// The settings of mdBook, and the width of a page.
 const SETTINGS: [&str; 2] = ["docs/book.toml", "docs/book.css"];
 
-/// Builds the book and tries every link in it.
+/// Builds the book and checks every link in it.
 ///
 /// # Errors
 /// When a tool is missing, a page cannot be copied, mdBook does not build or a link leads nowhere.
@@ -37,19 +37,19 @@ pub fn run(root: &Path) -> Result<(), Error> {
     Ok(())
 }
 
-/// Whether a document is written in German.
+/// Returns `true` for a document written in German.
 pub(crate) fn is_german(document: &str) -> bool {
     document.starts_with("docs/anleitung/")
         || ["docs/reference/befehle.md", "docs/reference/projektdatei.md"].contains(&document)
 }
 
-/// The pages that the summary names, in its order.
+/// Returns the pages named in the summary, in its order.
 pub(crate) fn chapters(tree: &Tree) -> Vec<String> {
     let summary = Document::read(&tree.text(SUMMARY).unwrap_or_default());
     summary.links.iter().filter_map(|link| leads_to(SUMMARY, &link.target)).collect()
 }
 
-/// Lays out settings, summary, pages and the files that the pages lead to.
+/// Copies settings, summary, pages and the files linked by the pages.
 fn lay_out(root: &Path, tree: &Tree, folder: &Path) -> Result<(), Error> {
     if folder.exists() {
         fs::remove_dir_all(folder).map_err(|source| Error::File { path: folder.to_path_buf(), source })?;
@@ -59,7 +59,7 @@ fn lay_out(root: &Path, tree: &Tree, folder: &Path) -> Result<(), Error> {
     for page in &chapters {
         let document = Document::read(&tree.text(page).unwrap_or_default());
         let led_to = document.links.iter().filter_map(|Link { target, .. }| leads_to(page, target));
-        // A page that is not in the summary would be there as text: its link is left to fail.
+        // A page missing from the summary would be copied as text: its link is left to fail.
         files.extend(led_to.filter(|file| !file.ends_with(".md") && root.join(file).is_file()));
     }
     for file in &files {
@@ -77,7 +77,7 @@ fn lay_out(root: &Path, tree: &Tree, folder: &Path) -> Result<(), Error> {
     write(&folder.join("src").join("SUMMARY.md"), &from_the_root(&tree.text(SUMMARY).unwrap_or_default()))
 }
 
-/// The summary with its links as they are from the root of the repository.
+/// Returns the summary with links relative to the root of the repository.
 fn from_the_root(summary: &str) -> String {
     let line = |line: &str| {
         let (head, rest) = line.split_once("](")?;
@@ -87,12 +87,12 @@ fn from_the_root(summary: &str) -> String {
     summary.lines().map(|text| line(text).unwrap_or_else(|| text.to_owned()) + "\n").collect()
 }
 
-/// mdBook makes `index.html` of a README, and leaves the links to it as they are.
+/// Replaces README.md by index.md: mdBook renders a README as `index.html` but leaves the links to it unchanged.
 fn as_index(path: &str) -> String {
     path.replace("README.md", "index.md")
 }
 
-/// A page with its links to a README as links to an index.
+/// Returns a page with its links to a README changed to links to an index.
 fn with_indices(page: &str) -> String {
     let links = Document::read(page).links.into_iter().map(|link| link.target);
     links
@@ -102,7 +102,8 @@ fn with_indices(page: &str) -> String {
         })
 }
 
-/// mdBook knows one language for a book; a screen reader wants that of the page.
+/// Sets the language of a page to German: mdBook supports one language per book, and screen readers need that of the
+/// page.
 fn name_language(page: &Path) -> Result<(), Error> {
     let file = |source| Error::File { path: page.to_path_buf(), source };
     let text = fs::read_to_string(page).map_err(file)?;

@@ -1,4 +1,4 @@
-//! The page in a real browser, with and without a server: package `browser`.
+//! Tests of the page in a real browser, with and without a server: package `browser`.
 
 use std::path::{Path, PathBuf};
 use std::process::Command;
@@ -7,7 +7,7 @@ use crate::Error;
 use crate::cargo::{Workspace, must_succeed, program};
 use crate::{lint, site, tools};
 
-/// A browser and the program that drives it, each under the names that it has.
+/// Program names of a browser and of its driver.
 struct Make {
     browser: &'static [&'static str],
     driver: &'static [&'static str],
@@ -19,8 +19,8 @@ const CHROMIUM: Make = Make {
 };
 const FIREFOX: Make = Make { browser: &["firefox", "firefox-esr"], driver: &["geckodriver"] };
 
-/// Goes the ways through the page that are named so, or all, in Chromium or, with `firefox` before them, in Firefox; the folder
-/// of `cargo xtask site` is built where it is missing.
+/// Runs the browser tests with the given names, or all, in Chromium or, with `firefox` as the first word, in Firefox;
+/// builds the folder of `cargo xtask site` if missing.
 ///
 /// # Errors
 /// When there is no such browser or no driver for it, something does not build, or a way fails.
@@ -42,19 +42,19 @@ fn with(root: &Path, make: &Make, names: &[String]) -> Result<(), Error> {
     must_succeed(browser.command(root, &antrieb)?.arg("--site").arg(folder).args(names))
 }
 
-/// The step of a night: every way, with a server and without one, in both browsers.
+/// Runs the nightly step: every test, with and without a server, in both browsers.
 pub(crate) fn both(root: &Path) -> Result<(), Error> {
     with(root, &CHROMIUM, &[])?;
     with(root, &FIREFOX, &[])
 }
 
-/// The step of a push: every way with a server, the one that the tests have built.
+/// Runs the step of a push: every test with a server, the one built with the tests.
 pub(crate) fn served(root: &Path) -> Result<(), Error> {
     let browser = Browser::find(root, &CHROMIUM)?;
     must_succeed(&mut browser.command(root, &program(root, "antrieb")?)?)
 }
 
-/// What the tests of the page need beside the workspace.
+/// Programs and scripts required by the browser tests.
 struct Browser {
     browser: PathBuf,
     driver: PathBuf,
@@ -76,7 +76,7 @@ impl Browser {
     }
 }
 
-/// The first of these programs that is on the `PATH`.
+/// Returns the first of these programs found on the `PATH`.
 fn found(names: &[&str]) -> Option<PathBuf> {
     let path = std::env::var_os("PATH").unwrap_or_default();
     let all = |name: &&str| {

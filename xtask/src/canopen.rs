@@ -1,5 +1,5 @@
-//! The virtual drive tried by an outside client: python-canopen walks it through the states of CiA 402, moves it, makes it fail and
-//! resets it, over the interface of python-can for socketcand.
+//! Test of the virtual drive with an external client: python-canopen takes it through the states of CiA 402, moves it,
+//! causes a fault and resets it, over python-can's interface for socketcand.
 
 use std::path::Path;
 use std::process::{Command, Stdio};
@@ -8,7 +8,7 @@ use crate::cargo::must_succeed;
 use crate::environment::Environment;
 use crate::{Error, samples};
 
-/// The clients, each with its sums.
+/// Requirements of the clients, each with its hashes.
 const PINNED: &str = include_str!("../canopen/requirements.txt");
 
 /// Runs the script of `validation/drive`.

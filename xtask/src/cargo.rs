@@ -1,4 +1,4 @@
-//! Running cargo and asking it what the workspace holds.
+//! Invocation of cargo, and its metadata about the workspace.
 
 use std::ffi::OsString;
 use std::path::{Path, PathBuf};
@@ -8,7 +8,7 @@ use cargo_metadata::{Metadata, MetadataCommand, Package};
 
 use crate::Error;
 
-/// A cargo command in the repository's root, without colour.
+/// Creates a cargo command in the repository's root, without colour.
 pub(crate) fn cargo(root: &Path, args: &[&str]) -> Command {
     let program = std::env::var_os("CARGO").unwrap_or_else(|| OsString::from("cargo"));
     let mut command = Command::new(program);
@@ -16,10 +16,10 @@ pub(crate) fn cargo(root: &Path, args: &[&str]) -> Command {
     command
 }
 
-/// A program of the workspace, built together with the tests.
+/// Returns the path of a program of the workspace, built together with the tests.
 ///
-/// cargo unifies the features of the packages that it builds at once: to build one package alone would compile most dependencies
-/// a second time.
+/// cargo unifies the features of the packages built together: building one package alone would compile most
+/// dependencies a second time.
 pub(crate) fn program(root: &Path, name: &str) -> Result<PathBuf, Error> {
     must_succeed(&mut cargo(root, &["test", "--quiet", "--workspace", "--no-run"]))?;
     let file = format!("{name}{}", std::env::consts::EXE_SUFFIX);
@@ -35,7 +35,7 @@ pub(crate) fn must_succeed(command: &mut Command) -> Result<(), Error> {
     Err(Error::Failed { command: spelled(command), status: status.to_string() })
 }
 
-/// The command as a person would type it.
+/// Returns the command as it would be typed.
 pub(crate) fn spelled(command: &Command) -> String {
     let program = Path::new(command.get_program()).file_name().unwrap_or_default();
     let mut text = program.to_string_lossy().into_owned();
@@ -46,7 +46,7 @@ pub(crate) fn spelled(command: &Command) -> String {
     text
 }
 
-/// Asks cargo about the tree at `root`.
+/// Reads the cargo metadata of the tree at `root`.
 pub(crate) fn metadata(
     root: &Path,
     set: impl FnOnce(&mut MetadataCommand) -> &mut MetadataCommand,
@@ -56,7 +56,7 @@ pub(crate) fn metadata(
     set(&mut command).exec().map_err(|source| Error::Metadata { source: Box::new(source) })
 }
 
-/// What `cargo metadata` says about the workspace.
+/// Metadata of the workspace.
 pub(crate) struct Workspace {
     pub(crate) packages: Vec<Package>,
     pub(crate) target: PathBuf,
@@ -68,7 +68,7 @@ impl Workspace {
         Ok(Self { packages: found.packages, target: found.target_directory.into_std_path_buf() })
     }
 
-    /// A step that needs a package fails without it; it is never skipped.
+    /// Returns an error if a package required by a step is missing; a step is never skipped.
     pub(crate) fn require(&self, name: &'static str) -> Result<(), Error> {
         if self.packages.iter().any(|package| package.name == name) {
             return Ok(());

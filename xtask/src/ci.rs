@@ -1,8 +1,9 @@
-//! What CI runs, in CI's order: `.ci/run` starts [`push`] for a change and [`nightly`] once a day.
+//! Steps of CI in their order: `.ci/run` starts [`push`] for a change and [`nightly`] once a day.
 //!
-//! A push waits for what finds a fault of the change: lints, tests, documents, the page with a server. One debug build of the
-//! workspace serves all of it. What needs a build of its own or looks for faults as long as it may runs at night: the optimised
-//! program, the page without a server, a cluster that loses nodes, benches, a thousand kills of a program that saves and of sweeps, a day of the digital twin, fuzz campaigns, the coverage of the corpora.
+//! A push runs the steps that can find a fault of the change: lints, tests, documents, the page with a server. One
+//! debug build of the workspace serves all of it. Steps that need a build of their own or search for faults for a fixed
+//! time run at night: the optimised program, the page without a server, a cluster that loses nodes, benches, a thousand
+//! kills of a saving program and of sweeps, a day of the digital twin, fuzz campaigns, the coverage of the corpora.
 
 use std::path::Path;
 use std::time::Instant;
@@ -27,7 +28,7 @@ const fn step(name: &'static str, cost: Cost, run: fn(&Path) -> Result<(), Error
     Step { name, cost, run }
 }
 
-/// Cheap steps first: a slip is reported within seconds. For the costs see [`Cost`].
+/// Steps of a push, cheap ones first: a slip is reported within seconds. For the costs see [`Cost`].
 const PUSH: &[Step] = &[
     step("fmt", Cost::on_one(2), lint::fmt),
     step("tools", Cost::on_one(15), tools::install),
@@ -62,19 +63,19 @@ const NIGHTLY: &[Step] = &[
     step("coverage", Cost::shared(450), fuzz::coverage),
 ];
 
-/// Runs every step of a push, or those named, announced on stderr with its time: beforehand what is to be expected, at the end
-/// what it was.
+/// Runs every step of a push, or those named. Each is announced on stderr; the expected times are printed beforehand,
+/// the actual ones at the end.
 ///
 /// # Errors
-/// The first step that fails, by name; the steps after it do not run. A name that no step has.
+/// The first step that fails, by name; the steps after it do not run. An unknown name of a step.
 pub fn push(root: &Path, names: &[String]) -> Result<(), Error> {
     run(PUSH, root, names)
 }
 
-/// The same for the steps of a night.
+/// Runs every step of a night, or those named.
 ///
 /// # Errors
-/// As [`push`].
+/// The same as for [`push`].
 pub fn nightly(root: &Path, names: &[String]) -> Result<(), Error> {
     run(NIGHTLY, root, names)
 }
@@ -85,7 +86,7 @@ fn run(steps: &[Step], root: &Path, names: &[String]) -> Result<(), Error> {
     all(&steps, root, Forecast::read(&target), is_ci())
 }
 
-/// The steps of these names in their order; all of them without a name.
+/// Returns the steps with these names in their order; all steps if no name is given.
 fn named(steps: &[Step], names: &[String]) -> Result<Vec<Step>, Error> {
     let is = |step: &Step, name: &String| step.name == name;
     if let Some(unknown) = names.iter().find(|name| !steps.iter().any(|step| is(step, name))) {
@@ -95,7 +96,7 @@ fn named(steps: &[Step], names: &[String]) -> Result<Vec<Step>, Error> {
     Ok(steps.iter().filter(|step| names.is_empty() || names.iter().any(|name| is(step, name))).copied().collect())
 }
 
-/// Whether this is a run of CI, where a tool that is missing is a failure.
+/// Returns `true` in a run of CI, where a missing tool is a failure.
 pub(crate) fn is_ci() -> bool {
     std::env::var_os("CI").is_some_and(|value| value == "true")
 }
@@ -156,12 +157,13 @@ fn all(steps: &[Step], root: &Path, mut forecast: Forecast, strict: bool) -> Res
     Ok(())
 }
 
-/// Processor time of this program and of those that it has started and that have ended, in seconds: what a [`Cost`] is, whatever
-/// else the machine does. Known where the system has `/proc`.
+/// Returns the processor time of this process and its finished children \[s\], the unit of a [`Cost`], independent of
+/// other load on the machine; `None` without `/proc`.
 pub(crate) fn worked() -> Option<f64> {
     const TICKS_PER_SECOND: f64 = 100.0;
     let stat = std::fs::read_to_string("/proc/self/stat").ok()?;
-    // Behind the name, which stands in brackets and may hold anything: utime, stime, cutime, cstime are words 12 to 15.
+    // After the name, which stands in brackets and may contain anything: utime, stime, cutime, cstime are words 12 to
+    // 15.
     let ticks = stat.rsplit_once(')')?.1.split_whitespace().skip(11).take(4);
     let sum: f64 = ticks.filter_map(|word| word.parse::<f64>().ok()).sum();
     Some(sum / TICKS_PER_SECOND)

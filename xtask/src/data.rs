@@ -1,7 +1,7 @@
-//! Cross-checks of the data, as a chore: runs [`crate::audit`] and prints its report.
+//! Command `data`: runs [`crate::audit`] and prints its report.
 //!
-//! The build of the catalogue already stops at a file that breaks its own form. What belongs here holds
-//! between tables: sums, products and ratios that the print itself must keep.
+//! The build of the catalogue already rejects a file that violates its own form. The checks here hold between tables:
+//! sums, products and ratios that the stated values must satisfy.
 
 use crate::{Error, audit};
 

@@ -1,4 +1,4 @@
-//! Environments of Python: under `target/tools` those with what a list pins, and empty ones.
+//! Python environments under `target/tools` with pinned packages, and empty ones.
 
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -7,23 +7,23 @@ use std::process::{Command, Stdio};
 use crate::Error;
 use crate::cargo::{Workspace, must_succeed};
 
-/// An environment with what a list pins.
+/// An environment with the packages of a list.
 pub(crate) struct Environment {
-    /// Its folder under `target/tools`.
+    /// Name of the folder under `target/tools`.
     pub(crate) name: &'static str,
-    /// The list under `xtask`.
+    /// Path of the list under `xtask`.
     pub(crate) list: &'static str,
-    /// What stands in it, each with its sums.
+    /// Content of the list, each package with its hashes.
     pub(crate) pinned: &'static str,
-    /// What it means that it cannot be installed.
+    /// Error if the packages cannot be installed.
     pub(crate) missing: fn() -> Error,
 }
 
-/// An environment that is there.
+/// Folder of an installed environment.
 pub(crate) struct Ready(PathBuf);
 
 impl Environment {
-    /// Installs it where it is not there yet, or holds something else.
+    /// Installs the environment if it is missing or has other packages.
     pub(crate) fn ready(&self, root: &Path) -> Result<Ready, Error> {
         let folder = Workspace::ask(root)?.target.join("tools").join(self.name);
         let whole = folder.join("whole");
@@ -35,14 +35,14 @@ impl Environment {
         let mut pip = made.pip();
         pip.args(["--only-binary", ":all:", "--require-hashes", "--requirement"]);
         must_succeed(pip.arg(root.join("xtask").join(self.list))).map_err(|_| (self.missing)())?;
-        // An environment that is half installed is not found.
+        // Written last, so that a partly installed environment is not used.
         fs::write(&whole, self.pinned).map_err(|source| Error::File { path: whole, source })?;
         Ok(made)
     }
 }
 
 impl Ready {
-    /// An environment without any package.
+    /// Creates an environment without packages.
     pub(crate) fn empty(folder: PathBuf, missing: fn() -> Error) -> Result<Self, Error> {
         let made = |python: &str| {
             let mut command = Command::new(python);
@@ -52,13 +52,13 @@ impl Ready {
         Ok(Self(folder))
     }
 
-    /// A program of it.
+    /// Returns the path of a program in the environment.
     pub(crate) fn program(&self, name: &str) -> PathBuf {
         let bin = self.0.join(if cfg!(windows) { "Scripts" } else { "bin" });
         bin.join(format!("{name}{}", std::env::consts::EXE_SUFFIX))
     }
 
-    /// Installs a wheel and nothing that it could need.
+    /// Installs a wheel without its dependencies.
     pub(crate) fn install(&self, wheel: &Path) -> Result<(), Error> {
         must_succeed(self.pip().args(["--no-index", "--force-reinstall"]).arg(wheel))
     }

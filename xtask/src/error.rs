@@ -1,179 +1,179 @@
 use std::fmt;
 use std::path::PathBuf;
 
-/// Why a chore did not come to a good end.
+/// Reason why a command of `xtask` failed.
 #[derive(Debug)]
 #[non_exhaustive]
 pub enum Error {
-    /// A program could not be started at all.
+    /// A program could not be started.
     NotStarted {
-        /// The command as it would be typed.
+        /// Command as it would be typed.
         command: String,
-        /// What the operating system said.
+        /// Error of the operating system.
         source: std::io::Error,
     },
-    /// A program ran and ended badly.
+    /// A program returned a failure.
     Failed {
-        /// The command as it would be typed.
+        /// Command as it would be typed.
         command: String,
-        /// Its exit status in words.
+        /// Exit status as text.
         status: String,
     },
     /// A file or folder could not be read or written.
     File {
-        /// The file or folder.
+        /// Path of the file or folder.
         path: PathBuf,
-        /// What the operating system said.
+        /// Error of the operating system.
         source: std::io::Error,
     },
-    /// Cargo could not say what the workspace holds.
+    /// Cargo could not return the metadata of the workspace.
     Metadata {
-        /// What it said instead.
+        /// Error of cargo.
         source: Box<cargo_metadata::Error>,
     },
-    /// A standard tool is neither there nor to be had.
+    /// A standard tool is missing and cannot be installed.
     NoTool {
-        /// The program.
+        /// Name of the program.
         program: &'static str,
-        /// The crate that builds it.
+        /// Crate that builds the program.
         from_crate: &'static str,
     },
-    /// A target of the compiler is neither there nor to be had.
+    /// A target of the compiler is missing and cannot be installed.
     NoTarget {
-        /// Its name.
+        /// Name of the target.
         target: &'static str,
     },
-    /// There is no browser for the tests, or nothing that drives it.
+    /// There is no browser for the tests, or no driver for it.
     NoBrowser {
-        /// The program.
+        /// Name of the program.
         program: &'static str,
     },
-    /// What a browser fetches has become too heavy.
+    /// A file fetched by a browser exceeds its limit.
     Heavy {
-        /// Bytes that it has.
+        /// Size \[bytes\].
         bytes: usize,
-        /// Bytes that it may have.
+        /// Limit \[bytes\].
         most: usize,
     },
-    /// A list of words is neither there nor to be had.
+    /// A list of words is missing and cannot be installed.
     NoWords {
-        /// The package that holds it.
+        /// Package that contains the list.
         package: &'static str,
     },
     /// German documents contain unknown words; they have been printed.
     UnknownWords {
-        /// How many.
+        /// Number of unknown words.
         count: usize,
     },
     /// There is no C++ compiler.
     NoCompiler,
-    /// The tool that tries the interface is neither there nor to be had.
+    /// The tool that tests the interface is missing and cannot be installed.
     NoSchemathesis,
-    /// The clients of the virtual drive are neither there nor to be had.
+    /// The clients of the virtual drive are missing and cannot be installed.
     NoCanopen,
-    /// There is no Python, or it has no way to make environments and to fill them.
+    /// There is no Python, or it cannot create and fill environments.
     NoPython,
-    /// A tool of LLVM is not there that comes with a component of the toolchain.
+    /// An LLVM tool that comes with a component of the toolchain is missing.
     NoCoverageTool {
-        /// The program.
+        /// Name of the program.
         program: &'static str,
     },
     /// A fuzz target has found a failing case; it has been printed.
     Finds {
-        /// The target.
+        /// Name of the target.
         target: &'static str,
-        /// How many runs ended so.
+        /// Number of runs with a failing case.
         count: usize,
-        /// Where the cases are.
+        /// Folder of the failing cases.
         folder: PathBuf,
     },
     /// A fuzz target ran nothing.
     NoCases {
-        /// The target.
+        /// Name of the target.
         target: &'static str,
     },
     /// A word of the command line is wrong.
     Word {
-        /// The word.
+        /// Argument as given.
         word: String,
-        /// What is wrong with it.
+        /// Reason.
         why: String,
     },
-    /// A package that a step needs is not in the workspace.
+    /// A package that a step requires is not in the workspace.
     NoPackage {
-        /// Its name.
+        /// Name of the package.
         name: &'static str,
     },
     /// Tests were skipped.
     Ignored {
-        /// How many.
+        /// Number of skipped tests.
         count: u64,
     },
     /// The test runner printed no closing line.
     NoTests,
-    /// The README shows no command that could be tried.
+    /// The README contains no command to run.
     NoReadmeCommand,
-    /// A README command cannot be tried as it stands.
+    /// A README command cannot be parsed.
     ReadmeSyntax {
-        /// Line in the README, from 1.
+        /// Line in the README, counted from 1.
         line: usize,
-        /// What is wrong with it.
+        /// Reason.
         why: &'static str,
     },
-    /// A README command ended badly or not at all.
+    /// A README command failed or did not end.
     ReadmeCommand {
-        /// Line in the README, from 1.
+        /// Line in the README, counted from 1.
         line: usize,
-        /// The command as printed there.
+        /// Command as written there.
         command: String,
-        /// Exit status in words, or that it did not end.
+        /// Exit status as text, or a note that it did not end.
         status: String,
     },
-    /// Documents show answers that are not given; they have been printed.
+    /// Documents show answers that the program does not give; they have been printed.
     Samples {
-        /// How many lines.
+        /// Number of lines.
         count: usize,
     },
-    /// A file that is made from others is not what they say now.
+    /// A generated file differs from its sources.
     Stale {
-        /// The file.
+        /// Path of the file.
         file: &'static str,
-        /// The first line that differs, from 1.
+        /// First line that differs, counted from 1.
         line: usize,
-        /// What makes it anew.
+        /// Command that regenerates the file.
         command: &'static str,
     },
-    /// A lock file with a yanked crate passes for one without.
+    /// The check does not find a yanked crate in a lock file that contains one.
     BlindToYanked {
-        /// The crate.
+        /// Name of the crate.
         name: &'static str,
-        /// Its yanked version.
+        /// Yanked version.
         version: &'static str,
     },
-    /// A dependency comes under no licence that is taken.
+    /// A dependency has no accepted licence.
     Licence {
-        /// Its name.
+        /// Name of the package.
         package: String,
-        /// What its manifest says.
+        /// Licence stated in its manifest.
         offered: String,
     },
-    /// House rules are broken; the findings have been printed.
+    /// House rules are violated; the findings have been printed.
     Untidy {
-        /// How many findings.
+        /// Number of findings.
         count: usize,
     },
-    /// `ci` has no step of this name.
+    /// `ci` has no step with this name.
     NoStep {
-        /// The name given.
+        /// Name as given.
         name: String,
-        /// The names that there are.
+        /// Names of the existing steps.
         known: String,
     },
     /// A step of `ci` failed.
     Step {
         /// Name of the step.
         name: &'static str,
-        /// Why.
+        /// Reason.
         source: Box<Error>,
     },
 }

@@ -1,4 +1,4 @@
-//! Fuzzing: the steps of a night, campaigns, and how far the corpora reach. see `fuzz/README.md` for its use.
+//! Fuzzing: nightly steps, campaigns, and the coverage of the corpora. See `fuzz/README.md` for its use.
 
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -14,34 +14,34 @@ mod coverage;
 mod engine;
 pub mod instrument;
 
-/// A target with its limits. A case beyond one of them is a find.
+/// A fuzz target with its limits. A case that exceeds one of them is a find.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Target {
-    /// Its name in `fuzz/src/lib.rs`, and that of its folders.
+    /// Name in `fuzz/src/lib.rs`, and of the target's folders.
     name: &'static str,
-    /// How long it runs in a night of CI.
+    /// Duration in a nightly run of CI \[s\].
     ci_seconds: u32,
-    /// Most memory for a case.
+    /// Memory limit of a case \[MB\].
     memory_mb: u32,
-    /// Longest case in bytes.
+    /// Maximum length of a case \[bytes\].
     bytes: u32,
-    /// How many cases a campaign has at least.
+    /// Minimum number of cases in a campaign.
     cases: u64,
-    /// The gate behind which cases are counted; none for most.
+    /// First gate of the target, behind which cases are counted; `None` for most targets.
     gate: Option<&'static str>,
 }
 
 impl Target {
-    /// Its packed cases.
+    /// Returns the path of the packed corpus.
     fn corpus(&self, root: &Path) -> PathBuf {
         root.join("fuzz").join("corpus").join(format!("{}.txt", self.name))
     }
 }
 
-/// The time that an answer is promised to take, which no case may exceed.
+/// Promised maximum time of an answer \[s\], which no case may exceed.
 const CASE_SECONDS: u32 = 5;
 
-/// The largest project file; a recording, a body and the choices of a generated project may be as long.
+/// Maximum size of a project file \[bytes\]; also that of a recording, a body and the choices of a generated project.
 const FILE_BYTES: u32 = 1 << 20;
 
 const fn target(name: &'static str, ci_seconds: u32, memory_mb: u32, bytes: u32, cases: u64) -> Target {
@@ -59,13 +59,13 @@ const TARGETS: [Target; 8] = [
     target("request", 30, 512, FILE_BYTES, 10_000),
 ];
 
-/// After so many finds of a target a run ends: they are rarely different.
+/// Number of finds of a target after which a run ends; further ones are rarely different.
 const FINDS_MOST: usize = 10;
 
-/// The variable that repeats a run.
+/// Environment variable with the seed that repeats a run.
 const SEED: &str = "ANTRIEB_FUZZ_SEED";
 
-/// The step of a night: all of the corpora and of what was once a crash, then new cases from another seed each time.
+/// Runs the nightly step: all of the corpora and former crashes, then new cases from a new seed each time.
 pub(crate) fn step(root: &Path) -> Result<(), Error> {
     let engine = Engine::build(root)?;
     let seed = seed();
@@ -78,12 +78,12 @@ pub(crate) fn step(root: &Path) -> Result<(), Error> {
     failed
 }
 
-/// The step of a night that reports which share of the lines the corpora reach.
+/// Runs the nightly step that reports the share of lines reached by the corpora.
 pub(crate) fn coverage(root: &Path) -> Result<(), Error> {
     coverage::tell(root, &TARGETS.iter().collect::<Vec<_>>())
 }
 
-/// `cargo xtask fuzz` with its words.
+/// Runs `cargo xtask fuzz` with its arguments.
 ///
 /// # Errors
 /// An unknown argument, a failed build, or failing cases, which have been printed.
@@ -115,7 +115,7 @@ pub fn run(root: &Path, words: &[String]) -> Result<(), Error> {
     }
 }
 
-/// Runs a target to its end, in several processes at once; a process that ends with a find is followed by another.
+/// Runs a target to its end in several processes at once; a process that ends with a find is restarted.
 fn explored(engine: &Engine, target: &Target, stop: Stop, jobs: u32, seed: u32) -> Result<Run, Error> {
     let (begin, worked) = (Instant::now(), ci::worked());
     let finds = engine.finds(target)?;
@@ -159,7 +159,7 @@ fn job_of(engine: &Engine, target: &Target, stop: Stop, seed: u32) -> Result<Run
     let mut sum = Run::default();
     for attempt in 0.. {
         let Some(left) = stop.after(begin.elapsed(), sum.cases) else { break };
-        // Another seed behind a find: the same one leads to the same place.
+        // A new seed after a find: the same one leads to the same place.
         let run = engine.explore(target, left, seed.wrapping_add(attempt * 7919))?;
         sum = sum.and(run);
         if run.finds == 0 || sum.finds >= FINDS_MOST {
@@ -170,7 +170,7 @@ fn job_of(engine: &Engine, target: &Target, stop: Stop, seed: u32) -> Result<Run
 }
 
 impl Stop {
-    /// What each of several processes has to do.
+    /// Returns the share of the work of each of several processes.
     fn shared(self, jobs: u32) -> Self {
         match self {
             Self::Seconds(seconds) => Self::Seconds(seconds),
@@ -178,7 +178,7 @@ impl Stop {
         }
     }
 
-    /// What is left.
+    /// Returns the remaining work; `None` if there is none.
     fn after(self, spent: Duration, done: u64) -> Option<Self> {
         match self {
             Self::Seconds(seconds) => {
@@ -190,12 +190,12 @@ impl Stop {
     }
 }
 
-/// A new seed each time, unless one is given.
+/// Returns the seed given in the environment, else a new one.
 fn seed() -> u32 {
     let asked = std::env::var(SEED).ok().and_then(|text| text.parse().ok());
     asked.unwrap_or_else(|| {
         let now = SystemTime::now().duration_since(UNIX_EPOCH).unwrap_or_default();
-        // libFuzzer takes zero for none.
+        // libFuzzer treats zero as no seed.
         (now.subsec_nanos() ^ std::process::id()).max(1)
     })
 }

@@ -1,10 +1,11 @@
 //! Spelling of the German documents.
 //!
-//! A word is known if it stands in the list of German words that `tools` installs (forms of Wikidata's lexemes, without regard to
-//! capitals and to ß for ss) or in `german-words.txt`, which holds the terms of the field and what that list lacks; if it is such a word
-//! with an ending of the declension; or if it is put together from known words of four letters and more, with an s between them
-//! or without. Code, formulas and words with capitals inside are not read. What this cannot tell: a slip that is a word itself,
-//! capitals, grammar. Beside it no document says a word that `data/glossary.toml` keeps out for one thing.
+//! A word is known if it is in the list of German words that `tools` installs (forms of Wikidata's lexemes, ignoring
+//! capitals and ß for ss) or in `german-words.txt`, which holds terms of the field and words missing in that list; if
+//! it is such a word with an ending of the declension; or if it is composed of known words of at least four letters,
+//! with or without an s between them. Code, formulas and words with capitals inside are not checked. Not detected: a
+//! slip that is a word itself, wrong capitals, grammar. In addition, no document may use a word that
+//! `data/glossary.toml` excludes for a term.
 
 use std::collections::BTreeSet;
 use std::fs::File;
@@ -17,19 +18,19 @@ use crate::markdown::Document;
 use crate::tidy::tree::Tree;
 use crate::tools;
 
-/// Words beside the list, one to a line, in order.
+/// Additional words, one per line, in order.
 const OWN: &str = "xtask/german-words.txt";
-/// What an adjective, a participle or a noun may end in.
+/// Endings of adjectives, participles and nouns.
 const ENDINGS: [&str; 12] = ["e", "en", "er", "es", "em", "s", "n", "ere", "eren", "erer", "eres", "sten"];
-/// Shorter pieces are found in any word.
+/// Minimum length of a part of a compound; shorter parts occur in any word.
 const SHORTEST_PART: usize = 4;
-/// More of them are put together by chance.
+/// Maximum number of parts of a compound; with more, words match by chance.
 const MOST_PARTS: usize = 4;
 
-/// Reads every German document.
+/// Checks every German document.
 ///
 /// # Errors
-/// When the list of words is missing, or a word is not known; all of them are printed first.
+/// The list of words is missing, or a word is unknown; all of them are printed first.
 pub fn run(root: &Path) -> Result<(), Error> {
     let tree = Tree::read(root);
     let words = Words::read(root, &tree)?;
@@ -56,12 +57,12 @@ pub fn run(root: &Path) -> Result<(), Error> {
     if count > 0 { Err(Error::UnknownWords { count }) } else { Ok(()) }
 }
 
-/// The words of the running text with their lines.
+/// Returns the words of the running text with their lines.
 fn of_document(text: &str) -> Vec<(usize, String)> {
     let document = Document::read(text);
     let mut found = Vec::new();
     for (line, piece) in document.sections.iter().flat_map(|section| &section.prose) {
-        // A word with a digit or an underscore in it is a sign.
+        // A word with a digit or an underscore is a symbol.
         let chunks = piece.split_whitespace().filter(|token| !is_path(token));
         let chunks = chunks.flat_map(|token| token.split(|sign: char| !(sign.is_alphanumeric() || sign == '_')));
         for chunk in chunks.filter(|chunk| chunk.chars().all(char::is_alphabetic)) {
@@ -74,7 +75,7 @@ fn of_document(text: &str) -> Vec<(usize, String)> {
     found
 }
 
-/// Whether a word of the running text is the name of a file: a point with a letter behind it.
+/// Returns `true` if a word of the running text is the name of a file: a point followed by a letter.
 fn is_path(token: &str) -> bool {
     token.split('.').skip(1).any(|rest| rest.starts_with(|letter: char| letter.is_ascii_lowercase()))
 }
@@ -83,7 +84,7 @@ fn is_latin(letter: char) -> bool {
     letter.is_ascii_alphabetic() || "äöüßÄÖÜé".contains(letter)
 }
 
-/// Words that the glossary keeps out, where they begin a word.
+/// Returns words that begin like one excluded by the glossary.
 fn kept_out(text: &str) -> Vec<(usize, &'static str)> {
     let words = of_document(text);
     let twins =
@@ -96,11 +97,11 @@ fn kept_out(text: &str) -> Vec<(usize, &'static str)> {
         .collect()
 }
 
-/// What is known.
+/// Known words.
 struct Words {
-    /// The list that is installed.
+    /// Words of the installed list.
     listed: BTreeSet<String>,
-    /// Our own beside it.
+    /// Words of the additional list.
     own: BTreeSet<String>,
 }
 
@@ -116,7 +117,7 @@ impl Words {
         Ok(Self { listed: text.lines().map(folded).collect(), own: own.lines().map(folded).collect() })
     }
 
-    /// Our own words that the list has too, or that stand in none of the words read.
+    /// Iterates over additional words that the list also contains, or that occur in none of the words read.
     fn needless<'w>(&'w self, read: &'w BTreeSet<String>) -> impl Iterator<Item = &'w String> {
         self.own.iter().filter(|own| self.listed.contains(*own) || !read.iter().any(|word| word.contains(own.as_str())))
     }
@@ -129,7 +130,7 @@ impl Words {
         self.put_together(&folded(word), MOST_PARTS)
     }
 
-    /// Whether it is a known word, or known words one behind the other.
+    /// Returns `true` if a word is known or composed of known words.
     fn put_together(&self, word: &str, parts: usize) -> bool {
         if self.with_ending(word) {
             return true;
@@ -153,7 +154,7 @@ fn long_enough(part: &str) -> bool {
     part.chars().count() >= SHORTEST_PART
 }
 
-/// As the list has it.
+/// Returns a word in the notation of the list.
 fn folded(word: &str) -> String {
     word.trim().to_lowercase().replace('ß', "ss")
 }

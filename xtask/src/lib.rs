@@ -1,8 +1,11 @@
-//! The chores of the project, each one a module with a `run`.
+//! Development tasks of the project, each one a module with a `run`.
 //!
-//! [`ci`] is exactly what CI runs, [`mod@test`] the tests alone. [`tidy`] holds the rules of the house that no compiler holds.
-//! [`data`] prints the cross-checks of the data in [`audit`], [`snapshots`] rewrites the snapshots, [`samples`] the
-//! answers that the documents show, [`notices`] the list of third parties, [`mod@book`] makes the book, [`german`] reads its German, [`picture`] composes that of the README, [`site`] the folder of the page without a server, [`mod@browser`] tries both in a browser, [`mod@bench`] runs the bench gates, [`fuzz`] the targets. A Rust toolchain is enough to start: [`tools`] gets the rest.
+//! [`ci`] is exactly what CI runs, [`mod@test`] the tests alone. [`tidy`] checks the house rules that no compiler
+//! checks. [`data`] prints the cross-checks of the data in [`audit`], [`snapshots`] rewrites the snapshots, [`samples`]
+//! the answers shown in the documents, [`notices`] the list of third parties; [`mod@book`] builds the book, [`german`]
+//! checks its German, [`picture`] composes the picture of the README, [`site`] builds the folder of the page without a
+//! server, [`mod@browser`] tests both in a browser, [`mod@bench`] runs the bench gates, [`fuzz`] the targets. A Rust
+//! toolchain is enough to start: [`tools`] installs the rest.
 #![allow(clippy::print_stdout, clippy::print_stderr, reason = "a chore talks to the person who started it")]
 
 use std::path::{Path, PathBuf};
@@ -37,7 +40,7 @@ mod yanked;
 
 pub use error::Error;
 
-/// The root of the repository that this program was built from.
+/// Returns the root of the repository from which this program was built.
 #[must_use]
 pub fn root() -> PathBuf {
     let here = Path::new(env!("CARGO_MANIFEST_DIR"));

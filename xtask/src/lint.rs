@@ -1,4 +1,4 @@
-//! The steps of `ci` that cargo does: format, lints, documentation, the release build.
+//! Steps of `ci` done by cargo: format, lints, documentation, the release build.
 
 use std::path::Path;
 
@@ -6,29 +6,29 @@ use crate::Error;
 use crate::cargo::{Workspace, cargo, must_succeed};
 use crate::tidy::layers::layer;
 
-/// The highest layer that gets everything handed in.
+/// Highest layer that receives files, clock and other resources from its caller.
 const HANDED_IN_MAX: u8 = 6;
-/// The one crate of the faces that makes, replaces and removes files.
+/// The only crate of the faces that creates, replaces and removes files.
 const WRITES_FILES: &str = "disk";
-/// The highest layer without any thread.
+/// Highest layer without threads.
 const ONE_THREAD_MAX: u8 = 1;
 
 pub(crate) fn fmt(root: &Path) -> Result<(), Error> {
     must_succeed(&mut cargo(root, &["fmt", "--all", "--check", "--", "--color=never"]))
 }
 
-/// The lints of the workspace, then what a layer must not reach for.
+/// Runs the lints of the workspace, then the bans of each layer.
 ///
-/// clippy takes one `clippy.toml` for a crate with its tests, its build script and all; so the bans of the layers stand in files
-/// of their own that are put to the libraries alone.
+/// clippy uses one `clippy.toml` for a crate including its tests and build script; so the bans of the layers are in
+/// files of their own that apply to the libraries only.
 pub(crate) fn clippy(root: &Path) -> Result<(), Error> {
     must_succeed(&mut cargo(root, &["clippy", "--workspace", "--all-targets", "--", "-D", "warnings"]))?;
-    // The module that Python loads; no Python is needed to read it.
+    // The Python module; no Python is needed to check it.
     let module =
         ["clippy", "--quiet", "--package", "python", "--features", "extension", "--no-deps", "--", "-D", "warnings"];
     must_succeed(cargo(root, &module).env("PYO3_NO_PYTHON", "1"))?;
     let workspace = Workspace::ask(root)?;
-    // Returns true if a ban holds for a crate of this name and layer.
+    // Returns `true` if a ban holds for a crate with this name and layer.
     type Covers = fn(&str, u8) -> bool;
     let bans: [(&str, Covers); 3] = [
         ("outside-world", |_, layer| layer <= HANDED_IN_MAX),
@@ -60,7 +60,7 @@ pub(crate) fn release(root: &Path) -> Result<(), Error> {
 mod tests {
     use std::process::Command;
 
-    /// What clippy says to one line of a library under the bans of a folder.
+    /// Returns the output of clippy for one line of a library under the bans of a folder.
     fn printed(bans: &str, line: &str) -> String {
         let root = crate::root();
         let folder = std::env::temp_dir().join(format!("antrieb-bans-{}-{bans}", std::process::id()));

@@ -1,4 +1,4 @@
-//! A document in Markdown, taken apart: what it links to, which code it shows, what it says under which heading.
+//! Parser for Markdown documents: links, code blocks, and sections with their headings.
 
 use std::ops::Range;
 
@@ -9,7 +9,7 @@ use pulldown_cmark::{CodeBlockKind, Event, Options, Parser, Tag, TagEnd};
 pub(crate) struct Document {
     pub(crate) links: Vec<Link>,
     pub(crate) code: Vec<Code>,
-    /// The parts between two headings, each with its heading; the first one holds what stands before any.
+    /// Parts between two headings, each with its heading; the first one holds the text before any heading.
     pub(crate) sections: Vec<Section>,
 }
 
@@ -17,7 +17,7 @@ pub(crate) struct Document {
 #[derive(Debug, PartialEq, Eq)]
 pub(crate) struct Link {
     pub(crate) line: usize,
-    /// As it is written, with its fragment.
+    /// Target as written, with its fragment.
     pub(crate) target: String,
     pub(crate) is_picture: bool,
 }
@@ -26,20 +26,20 @@ pub(crate) struct Link {
 #[derive(Debug, PartialEq, Eq)]
 pub(crate) struct Code {
     pub(crate) line: usize,
-    /// The word behind the fence.
+    /// Word after the fence.
     pub(crate) info: String,
     pub(crate) text: String,
 }
 
-/// A heading and what follows it up to the next one.
+/// A heading and the text that follows it up to the next one.
 #[derive(Debug, Default)]
 pub(crate) struct Section {
     pub(crate) line: usize,
-    /// 0 before the first heading.
+    /// Level of the heading; 0 before the first one.
     pub(crate) level: usize,
-    /// Running text, piece by piece with its line; without code.
+    /// Running text without code, piece by piece with its line.
     pub(crate) prose: Vec<(usize, String)>,
-    /// Code within a line.
+    /// Inline code.
     pub(crate) spans: Vec<String>,
 }
 
@@ -86,8 +86,8 @@ impl Document {
     }
 }
 
-/// The file that a link of a document leads to, from the root of the tree and without its fragment; `None` for an address
-/// outside and for a place in the document itself.
+/// Returns the file that a link of a document refers to, from the root of the tree and without its fragment; `None` for
+/// an external address or a place in the document itself.
 pub(crate) fn leads_to(document: &str, target: &str) -> Option<String> {
     let path = target.split('#').next().unwrap_or_default();
     if path.is_empty() || target.contains("://") || target.starts_with("mailto:") {

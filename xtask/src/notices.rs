@@ -1,7 +1,8 @@
-//! THIRD-PARTY.md: whose work is in the program, under which licence, and the texts that must go with it.
+//! THIRD-PARTY.md: third-party work in the program, its licences, and the texts that must accompany it.
 //!
-//! Made from what cargo says of the dependencies of `antrieb` and of the package for Python on the systems of `deny.toml` and from the files that these
-//! crates bring. Which licences may occur at all is held by `cargo deny`; here one is taken where several are offered.
+//! Generated from cargo's metadata on the dependencies of `antrieb` and of the Python package on the systems of
+//! `deny.toml`, and from the files in these crates. `cargo deny` checks the permitted licences; here one is chosen if
+//! several are offered.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::fmt::Write as _;
@@ -15,22 +16,23 @@ use crate::Error;
 use crate::cargo::metadata;
 
 const FILE: &str = "THIRD-PARTY.md";
-/// The program, and the package for Python, which is the program and what Python loads it with.
+/// The program, and the Python package, which consists of the program and its Python binding.
 const ROOT_PACKAGES: [&str; 2] = ["antrieb", "python"];
 
-/// What a part of them is behind.
+/// Feature of the Python package that enables part of its dependencies.
 const FEATURE: &str = "python/extension";
 
 const SYSTEMS: [&str; 4] =
     ["x86_64-unknown-linux-gnu", "aarch64-unknown-linux-gnu", "aarch64-apple-darwin", "x86_64-pc-windows-msvc"];
 
-/// The first of these that a crate offers is taken: the one that requires one text and the notices first.
+/// Accepted licences in order of preference: those that require one text and the notices first.
 const TAKEN: [&str; 7] = ["Apache-2.0", "MIT", "Unicode-3.0", "BSD-3-Clause", "BSD-2-Clause", "Zlib", "CC0-1.0"];
 
-/// Licences of what crates embed or link besides their own source: package, file in it, what it is.
+/// Licences of works that crates embed or link besides their own source: package, file in it, description.
 const EMBEDDED: [(&str, &str, &str); 1] = [("zstd-sys", "zstd/LICENSE", "the C library of zstd")];
 
-/// The same where it stands in a file of this repository, for one version of the crate: package, version, file, what it is.
+/// Licences of embedded works whose text is in a file of this repository, for one version of the crate: package,
+/// version, file, description.
 const LISTED: [(&str, &str, &str, &str); 1] = [(
     "two-face",
     "0.4.5",
@@ -38,22 +40,22 @@ const LISTED: [(&str, &str, &str, &str); 1] = [(
     "the definitions for highlighting source text, which the typesetting engine embeds",
 )];
 
-/// What of others lies in this repository: its licence, what it is.
+/// Third-party files in this repository: licence, description.
 const HERE: [(&str, &str); 2] = [
     ("crates/plot/fonts/OFL.txt", "Inter, the font of the pictures"),
     ("crates/page/assets/htmx-LICENSE.txt", "htmx 4.0.1, a script of the web workbench"),
 ];
 
-/// Writes THIRD-PARTY.md anew.
+/// Rewrites THIRD-PARTY.md.
 ///
 /// # Errors
-/// When cargo has no answer, a licence is not among those taken, or a file cannot be read or written.
+/// Cargo returns no metadata, a licence is not accepted, or a file cannot be read or written.
 pub fn run(root: &Path) -> Result<(), Error> {
     let path = root.join(FILE);
     fs::write(&path, text(root)?).map_err(|source| Error::File { path, source })
 }
 
-/// Whether THIRD-PARTY.md is what the lock file says.
+/// Compares THIRD-PARTY.md with the lock file.
 pub(crate) fn check(root: &Path) -> Result<(), Error> {
     let wanted = text(root)?;
     let there = read(&root.join(FILE))?;
@@ -107,7 +109,8 @@ the crates below, with the licence that is taken where they offer several, fonts
 `cargo xtask notices` from the lock file; whoever passes a built program on passes this file on with it.\n\n\
 Without the typesetting engine (`--no-default-features`) a part of them is in the program; the list is that of the whole, with what the package for Python adds.\n";
 
-/// The crates whose code is in the program, by name: normal dependencies, no macros, no build scripts, nothing of tests.
+/// Returns the crates whose code is in the program, by name: normal dependencies, no macros, no build scripts, no test
+/// dependencies.
 fn linked(metadata_found: &Metadata) -> Vec<&Package> {
     let packages: BTreeMap<&PackageId, &Package> =
         metadata_found.packages.iter().map(|package| (&package.id, package)).collect();
@@ -138,7 +141,7 @@ fn linked(metadata_found: &Metadata) -> Vec<&Package> {
     linked
 }
 
-/// The licences that are taken of what a crate offers.
+/// Returns the licences chosen from those that a crate offers.
 fn elected(package: &Package, taken: &[Licensee]) -> Result<Vec<LicenseReq>, Error> {
     let offered = package.license.clone().unwrap_or_default();
     let none = || Error::Licence { package: package.name.to_string(), offered: offered.clone() };
@@ -180,10 +183,10 @@ fn embedded(out: &mut String, root: &Path, package: &Package) -> Result<(), Erro
     Ok(())
 }
 
-/// The crates by the line that names their holder.
+/// Crates by the line that names their copyright holder.
 type Holders = BTreeMap<String, BTreeSet<String>>;
 
-/// Each text once, with the copyright lines of all that bring it.
+/// Appends every licence text once, with the copyright lines of all crates that include it.
 fn texts(out: &mut String, crates: &[(&Package, Vec<LicenseReq>)]) -> Result<(), Error> {
     for name in TAKEN {
         let mut bodies: BTreeMap<String, (String, Holders)> = BTreeMap::new();
@@ -224,7 +227,7 @@ fn standard(name: &str) -> &'static str {
     spdx::license_id(name).map_or("", |id| id.text())
 }
 
-/// The file of a crate that holds the text of one licence.
+/// Returns the file of a crate that holds the text of one licence.
 fn own_text(package: &Package, licence: &str) -> Result<Option<String>, Error> {
     let hint = licence.split('-').next().unwrap_or(licence).to_lowercase();
     let named = files(package, |name| name.contains(&hint))?.into_iter().next();
@@ -239,7 +242,7 @@ fn own_text(package: &Package, licence: &str) -> Result<Option<String>, Error> {
     Ok(found.map(|(_, text)| text))
 }
 
-/// Files at the top of a crate that speak of licences, by name.
+/// Returns the licence files at the top level of a crate, by name.
 fn files(package: &Package, wanted: impl Fn(&str) -> bool) -> Result<Vec<(String, String)>, Error> {
     let folder = folder(package);
     let file = |source| Error::File { path: folder.to_path_buf(), source };
@@ -267,7 +270,7 @@ fn read(path: &Path) -> Result<String, Error> {
     Ok(String::from_utf8_lossy(&bytes).replace("\r\n", "\n"))
 }
 
-/// The copyright lines above a text, and the text without them and without its title.
+/// Splits a text into the copyright lines at its top and the remainder without its title.
 fn parted(text: &str) -> (Vec<String>, String) {
     let (mut holders, mut body) = (Vec::new(), Vec::new());
     let mut above = true;
@@ -287,12 +290,12 @@ fn parted(text: &str) -> (Vec<String>, String) {
     (holders, body.join("\n"))
 }
 
-/// What makes two texts the same: letters and digits.
+/// Returns the key by which texts are compared: letters and digits.
 fn key(body: &str) -> String {
     body.chars().filter(|letter| letter.is_alphanumeric()).flat_map(char::to_lowercase).collect()
 }
 
-/// A text as it is, in a fence that it does not close.
+/// Appends a text verbatim, in a fence that it does not close.
 fn quote(out: &mut String, title: &str, text: &str) {
     let text: Vec<&str> = text.trim().lines().map(str::trim_end).collect();
     let _ = write!(out, "\n### {title}\n\n~~~~text\n{}\n~~~~\n", text.join("\n"));

@@ -1,5 +1,5 @@
-//! The package for Python: the wheel installed into an empty environment, its tests, examples and types; at night the wheel that
-//! is handed out, with the engine of clusters.
+//! The Python package: the wheel installed into an empty environment, its tests, examples and types; at night the
+//! release wheel with the engine of clusters.
 
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -9,7 +9,7 @@ use crate::Error;
 use crate::cargo::{Workspace, cargo, must_succeed, spelled};
 use crate::environment::{Environment, Ready};
 
-/// What is installed beside the wheel in a push, and in a night.
+/// Packages installed next to the wheel in a push, and in a night.
 const PUSH: Environment = Environment {
     name: "python",
     list: "python/push.txt",
@@ -23,17 +23,18 @@ const NIGHT: Environment = Environment {
     missing: || Error::NoPython,
 };
 
-/// Where the package is.
+/// Path of the package.
 const PACKAGE: &str = "crates/python";
 
-/// The wheel out of what the tests of the workspace are built of, in an empty environment and beside libraries of tables; the types.
+/// Builds the wheel from the artifacts of the workspace tests, runs its tests in an empty environment and with table
+/// libraries, and checks the types.
 ///
 /// # Errors
-/// Where there is no Python, something does not build, or a test fails.
+/// There is no Python, something does not build, or a test fails.
 pub(crate) fn push(root: &Path) -> Result<(), Error> {
     let desk = Desk::clear(root, "python")?;
     let tools = PUSH.ready(root)?;
-    // With the features of the tests of the workspace: alone it would compile most dependencies a second time.
+    // With the features of the workspace tests: alone it would compile most dependencies a second time.
     let all = ["build", "--quiet", "--workspace", "--lib", "--bins", "--tests", "--features", "python/extension"];
     must_succeed(&mut cargo(root, &all))?;
     let library = Workspace::ask(root)?.target.join("debug").join(library());
@@ -57,7 +58,7 @@ pub(crate) fn push(root: &Path) -> Result<(), Error> {
     types(root, &desk, &tools)
 }
 
-/// The guides show the heat map that the examples draw.
+/// Checks that the guides show the heat map drawn by the examples.
 fn shown(root: &Path, pictures: &Path) -> Result<(), Error> {
     const DRAW: &str = "python -m antrieb.examples; it is one of the pictures in target/xtask/python/pictures";
     for (guide, file) in [
@@ -74,23 +75,23 @@ fn shown(root: &Path, pictures: &Path) -> Result<(), Error> {
     Ok(())
 }
 
-/// The checks of the types: the package by two checkers, and the stub of the native part against what is there.
+/// Checks the types: the package with two checkers, and the stub of the native part against the module.
 fn types(root: &Path, desk: &Desk, tools: &Ready) -> Result<(), Error> {
     let (settings, sources) =
         (root.join(PACKAGE).join("pyproject.toml"), root.join(PACKAGE).join("python").join("antrieb"));
     must_succeed(desk.at(tools.program("mypy")).arg("--config-file").arg(&settings).arg(&sources))?;
     let mut stub = desk.at(tools.program("python"));
     must_succeed(stub.args(["-m", "mypy.stubtest", "antrieb._antrieb", "--mypy-config-file"]).arg(&settings))?;
-    // The checker pyright as a package that needs nothing from elsewhere.
+    // pyright as a package that needs no download of its own.
     let mut pyright = desk.at(tools.program("basedpyright"));
     pyright.arg("--project").arg(&settings).arg("--pythonpath").arg(tools.program("python"));
     must_succeed(pyright.arg(&sources))
 }
 
-/// The wheel that is handed out, beside the engine of clusters: a cluster that loses a worker and a node.
+/// Builds the release wheel and tests it with the engine of clusters: a cluster that loses a worker and a node.
 ///
 /// # Errors
-/// Where there is no Python, something does not build, or a test fails.
+/// There is no Python, something does not build, or a test fails.
 pub(crate) fn night(root: &Path) -> Result<(), Error> {
     let desk = Desk::clear(root, "python-night")?;
     let (makers, tools) = (PUSH.ready(root)?, NIGHT.ready(root)?);
@@ -103,7 +104,7 @@ pub(crate) fn night(root: &Path) -> Result<(), Error> {
         tools.install(&wheel.path())?;
     }
     let tests = root.join(PACKAGE).join("tests").join("night");
-    // Without a network of its own the engine looks for one outside.
+    // Without an isolated network the engine searches one outside.
     let alone = Command::new("unshare").args(["--net", "true"]).stderr(Stdio::null()).status();
     let mut run = if alone.is_ok_and(|status| status.success()) {
         let mut run = desk.at(PathBuf::from("unshare"));
@@ -113,11 +114,11 @@ pub(crate) fn night(root: &Path) -> Result<(), Error> {
         desk.at(tools.program("python"))
     };
     run.args(["-m", "unittest", "discover", "--verbose", "--start-directory"]).arg(tests);
-    // Its settings and the token that it writes stay in the desk.
+    // Its settings and the token that it writes stay in the folder of the run.
     must_succeed(run.env("HOME", &desk.folder).env("RAY_USAGE_STATS_ENABLED", "0"))
 }
 
-/// A folder for one run.
+/// Folder for one run.
 struct Desk {
     folder: PathBuf,
 }
@@ -132,7 +133,7 @@ impl Desk {
         Ok(Self { folder })
     }
 
-    /// A program in this folder, so that no package is found by where it is called.
+    /// Creates a command that runs in this folder, so that no package is found through the current directory.
     fn at(&self, program: PathBuf) -> Command {
         let mut command = Command::new(program);
         command.current_dir(&self.folder).stdin(Stdio::null()).env("PYTHONDONTWRITEBYTECODE", "1");
@@ -140,12 +141,12 @@ impl Desk {
     }
 }
 
-/// The library that cargo builds.
+/// Returns the file name of the library that cargo builds.
 fn library() -> String {
     format!("{}_antrieb{}", std::env::consts::DLL_PREFIX, std::env::consts::DLL_SUFFIX)
 }
 
-/// What a program prints.
+/// Runs a program and returns its output.
 fn printed(command: &mut Command) -> Result<String, Error> {
     let output = command.stdin(Stdio::null()).stderr(Stdio::inherit()).output();
     let output = output.map_err(|source| Error::NotStarted { command: spelled(command), source })?;

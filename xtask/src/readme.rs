@@ -1,5 +1,5 @@
-//! The README's commands are tried as printed, and the answers that the documents show compared: what the first reader types
-//! must work.
+//! Test of the README's commands as printed, and of the answers shown in the documents: the first commands a reader
+//! types must work.
 
 use std::fs::{self, File};
 use std::path::{Path, PathBuf};
@@ -10,11 +10,11 @@ use crate::cargo::Workspace;
 use crate::{Error, picture, samples};
 
 const PREFIX: &str = "cargo run -- ";
-/// A command that the README shows must answer while the reader waits; on a slow machine with others at work he waits long.
+/// Time limit for a command shown in the README, generous for a slow, loaded machine.
 const PATIENCE: Duration = Duration::from_secs(120);
 
-/// Runs the commands in their order in a fresh folder that holds a copy of `examples/`, so that one command
-/// may read what an earlier one wrote and the working tree stays clean.
+/// Runs the commands in their order in a new folder with a copy of `examples/`, so that one command may read the output
+/// of an earlier one and the working tree stays clean.
 pub(crate) fn run(root: &Path) -> Result<(), Error> {
     let readme = root.join("README.md");
     let text = fs::read_to_string(&readme).map_err(|source| Error::File { path: readme, source })?;
@@ -23,14 +23,14 @@ pub(crate) fn run(root: &Path) -> Result<(), Error> {
         return Err(Error::NoReadmeCommand);
     }
     let desk = desk(root)?;
-    // Built first: the patience is with the program, not with the compiler.
+    // Built first: the time limit applies to the program, not to the compiler.
     let program = samples::built(root)?;
     lines.iter().try_for_each(|line| line.try_in(&program, &desk))?;
     samples::check(root)?;
     picture::check(root)
 }
 
-/// A fresh folder under the target directory with a copy of `examples/`.
+/// Creates an empty folder under the target directory with a copy of `examples/`.
 pub(crate) fn desk(root: &Path) -> Result<PathBuf, Error> {
     let desk = Workspace::ask(root)?.target.join("xtask").join("readme");
     if desk.exists() {
@@ -95,7 +95,7 @@ impl Line {
     }
 }
 
-/// The commands in fenced blocks that start with `cargo run -- `, a prompt `$ ` allowed.
+/// Returns the commands in fenced blocks that start with `cargo run -- `, with or without a prompt `$ `.
 fn commands(readme: &str) -> Result<Vec<Line>, Error> {
     let mut found = Vec::new();
     let mut fenced = false;
@@ -156,8 +156,8 @@ impl Word {
     }
 }
 
-/// Words as a shell splits them: quotes, `>` and a comment; nothing else, so that the README's commands read
-/// the same in every shell.
+/// Splits a line into words like a shell, with quotes, `>` and a comment only, so that the README's commands have the
+/// same meaning in every shell.
 pub(crate) fn split(line: &str) -> Result<Vec<Word>, &'static str> {
     let mut words = Vec::new();
     let mut word: Option<String> = None;

@@ -1,7 +1,7 @@
-//! The answers that the documents show are the answers that the program gives.
+//! Comparison of the answers shown in the documents with the answers of the program.
 //!
-//! A sample is a fenced block `console`: after `$ antrieb …` the lines of its answer, as printed on 100 columns, with `…` alone on
-//! a line for what is left out. Samples that read other files than the examples are not run.
+//! A sample is a fenced block `console`: after `$ antrieb …` the lines of its answer, as printed on 100 columns, with
+//! `…` alone on a line for omitted lines. Samples that read other files than the examples are not run.
 
 use std::fs;
 use std::ops::Range;
@@ -16,15 +16,15 @@ use crate::tidy::tree::Tree;
 const PROMPT: &str = "$ ";
 const PROGRAM: &str = "antrieb ";
 const GAP: &str = "…";
-/// Below this likeness a line of the answer is no later form of the one shown.
+/// Minimum similarity of a line of the answer to be taken as a newer form of the line shown.
 const LIKE: f64 = 0.5;
-/// The likeness of lines that differ in their figures alone.
+/// Similarity of lines that differ only in their numbers.
 const FIGURES_APART: f64 = 0.95;
 
-/// Rewrites the lines that the program gives otherwise now, each by the one most like it; `git diff` shows what it did.
+/// Rewrites lines that differ from the program's answer, each with the most similar one; `git diff` shows the changes.
 ///
 /// # Errors
-/// When the program cannot be built or started, or a line has nothing like it in the answer: that one is for a person.
+/// The program cannot be built or started, or a line has no similar one in the answer and needs a manual change.
 pub fn run(root: &Path) -> Result<(), Error> {
     every(root, true)
 }
@@ -40,7 +40,7 @@ fn every(root: &Path, rewrite: bool) -> Result<(), Error> {
     for file in tree.under("", ".md").filter(|file| *file == "README.md" || file.starts_with("docs/")) {
         let mut lines: Vec<String> = tree.text(file).unwrap_or_default().lines().map(String::from).collect();
         let mut changed = false;
-        // One page may write the file that another writes too.
+        // A page may write a file that another one writes too.
         let desk = desk(root)?;
         for sample in samples(&lines).into_iter().rev() {
             if !stands_alone(&sample.words) {
@@ -51,7 +51,7 @@ fn every(root: &Path, rewrite: bool) -> Result<(), Error> {
             let shown: Vec<&str> =
                 sample.shown.clone().filter_map(|at| lines.get(at)).map(|line| line.trim_end()).collect();
             let answers = answers(&desk, &program, &sample.words)?;
-            // A terminal shows talk and answer in either order.
+            // A terminal shows stderr and stdout in either order.
             let pairs = answers.iter().map(|answer| (answer, departures(&shown, answer)));
             let Some((answer, found)) = pairs.min_by_key(|(_, found)| found.len()) else { continue };
             for Departure { at, instead } in found.into_iter().rev() {
@@ -80,14 +80,14 @@ fn every(root: &Path, rewrite: bool) -> Result<(), Error> {
     if tried == 0 { Err(Error::NoReadmeCommand) } else { Ok(()) }
 }
 
-/// The program that answers.
+/// Returns the path of the program.
 pub(crate) fn built(root: &Path) -> Result<std::path::PathBuf, Error> {
     program(root, "antrieb")
 }
 
 struct Sample {
     words: Vec<String>,
-    /// The lines of the document that show the answer.
+    /// Lines of the document that show the answer.
     shown: Range<usize>,
 }
 
@@ -112,12 +112,12 @@ fn samples(lines: &[String]) -> Vec<Sample> {
     found
 }
 
-/// Whether a command reads nothing but the examples.
+/// Returns `true` if a command reads no other files than the examples.
 fn stands_alone(words: &[String]) -> bool {
     words.iter().filter(|word| word.ends_with(".toml")).all(|word| word.starts_with("examples/"))
 }
 
-/// What the program gives: of a question for JSON the answer alone, else answer and talk in both orders.
+/// Runs a command and returns its output: stdout only if JSON is requested, else stdout and stderr in both orders.
 fn answers(desk: &Path, program: &Path, words: &[String]) -> Result<Vec<Vec<String>>, Error> {
     let mut command = Command::new(program);
     command.args(words).current_dir(desk).env("COLUMNS", "100").env_remove("ANTRIEB_LANG").stdin(Stdio::null());
@@ -132,15 +132,15 @@ fn answers(desk: &Path, program: &Path, words: &[String]) -> Result<Vec<Vec<Stri
     Ok(vec![[answer.clone(), talk.clone()].concat(), [talk, answer].concat()])
 }
 
-/// A block of shown lines that is not given, and the lines of the answer that come nearest to it.
+/// A block of shown lines that the program does not print, and the most similar lines of the answer.
 #[derive(Debug, PartialEq)]
 struct Departure {
     at: Range<usize>,
     instead: Option<Range<usize>>,
 }
 
-/// Between two gaps the lines shown are lines of the answer, one after the other; the first block begins with the answer and the
-/// last one ends with it, unless a gap stands there.
+/// Returns the blocks that differ. Between two gaps the lines shown must be consecutive lines of the answer; the first
+/// block begins with the answer and the last one ends with it, unless a gap stands there.
 fn departures(shown: &[&str], answer: &[String]) -> Vec<Departure> {
     let is_gap = |line: &&str| line.trim() == GAP;
     let mut found = Vec::new();
@@ -170,7 +170,7 @@ fn same(block: &[&str], given: &[String]) -> bool {
     block.len() == given.len() && block.iter().zip(given).all(|(shown, given)| shown == given)
 }
 
-/// Where a block stands in the answer from `next` on, or what is most like it there.
+/// Returns the range of a block in the answer from `next` on, or the most similar range.
 fn place(block: &[&str], answer: &[String], next: usize, first: bool) -> Option<Range<usize>> {
     let starts = if first { 0..1 } else { next..answer.len() };
     let exact = starts.clone().find(|from| same(block, answer.get(*from..from + block.len()).unwrap_or_default()));
@@ -181,7 +181,7 @@ fn place(block: &[&str], answer: &[String], next: usize, first: bool) -> Option<
         let rest = answer.get(from..).unwrap_or_default();
         block.iter().zip(rest).map(|(shown, given)| like(shown, given)).sum::<f64>()
     };
-    // The first one of the best.
+    // The first of the best.
     let mut best: Option<(usize, f64)> = None;
     for from in starts {
         let likeness = likeness(from);
@@ -190,7 +190,7 @@ fn place(block: &[&str], answer: &[String], next: usize, first: bool) -> Option<
         }
     }
     let (from, _) = best.filter(|(_, likeness)| *likeness >= LIKE * as_f64(block.len()))?;
-    // A line more or less in between: the block ends where its last line does.
+    // Lines may have been inserted or removed: the block ends at its last line.
     let rest = answer.get(from..).unwrap_or_default();
     let ends = rest.iter().take(2 * block.len() + 2).skip(block.len() / 2);
     let last = block.last().copied().unwrap_or_default();
@@ -203,7 +203,7 @@ fn as_f64(count: usize) -> f64 {
     u32::try_from(count).map_or(f64::INFINITY, f64::from)
 }
 
-/// From 0 to 1, and nearly 1 for lines that differ in their figures alone.
+/// Returns the similarity from 0 to 1; nearly 1 for lines that differ only in their numbers.
 fn like(shown: &str, given: &str) -> f64 {
     if shown == given {
         return 1.0;
@@ -254,7 +254,7 @@ mod tests {
         assert_eq!(departures(&["head", "1  58.3", "…"], &given), departure(0..2, Some(0..2)));
         assert_eq!(departures(&["head", "…", "2  64.1", "foot"], &given), departure(2..4, Some(2..4)));
         assert_eq!(departures(&["head", "…", "quite another thing", "…"], &given), departure(2..3, None));
-        // An answer that goes on, and a line that has come in between.
+        // A longer answer, and an inserted line.
         assert_eq!(departures(&["head"], &given), departure(0..1, Some(0..4)));
         let given = lines("{\n  \"unit\": \"Nm\",\n  \"part\": \"drive\",\n  \"at\": 0.5\n}\n");
         assert_eq!(

@@ -1,4 +1,4 @@
-//! The page without a server: the engine as WebAssembly, and a folder that any host of files serves.
+//! The page without a server: the engine as WebAssembly, and a folder that any static file host can serve.
 
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -7,13 +7,13 @@ use std::process::Command;
 use crate::Error;
 use crate::cargo::{Workspace, cargo, must_succeed};
 
-/// What the engine is compiled for: WebAssembly with the few functions of WASI in the place of an operating system.
+/// Compilation target of the engine: WebAssembly with the few functions of WASI instead of an operating system.
 const TARGET: &str = "wasm32-wasip1";
 
-/// Bytes that the engine may take as a browser fetches it, packed with brotli.
+/// Maximum size of the engine as fetched by a browser, packed with brotli \[bytes\].
 const ENGINE_MOST: usize = 1 << 20;
 
-/// Where the folder is.
+/// Returns the path of the folder.
 pub(crate) fn folder(root: &Path) -> Result<PathBuf, Error> {
     Ok(Workspace::ask(root)?.target.join("site"))
 }
@@ -21,7 +21,7 @@ pub(crate) fn folder(root: &Path) -> Result<PathBuf, Error> {
 /// Builds the folder and prints its size.
 ///
 /// # Errors
-/// When the target of the compiler is not to be had, something does not build, or the engine is heavier than it may be.
+/// The target of the compiler cannot be installed, something does not build, or the engine exceeds its maximum size.
 pub fn run(root: &Path) -> Result<(), Error> {
     target_ready(root)?;
     let target = Workspace::ask(root)?.target;
@@ -49,13 +49,13 @@ pub fn run(root: &Path) -> Result<(), Error> {
         println!("site: {name} of {} kB, {} kB packed with brotli", bytes.len() / 1000, packed / 1000);
         Ok(packed)
     };
-    // The larger one is fetched when something is downloaded.
+    // The larger one is fetched only for a download.
     length(&interface)?;
     let packed = length(&engine)?;
     if packed > ENGINE_MOST { Err(Error::Heavy { bytes: packed, most: ENGINE_MOST }) } else { Ok(()) }
 }
 
-/// Bytes as a host that packs well sends them.
+/// Returns the size of bytes packed with the strongest compression of a host.
 fn packed(bytes: &[u8]) -> usize {
     let mut counter = Counter(0);
     let parameters = brotli::enc::BrotliEncoderParams { quality: 11, lgwin: 24, ..Default::default() };
@@ -77,13 +77,13 @@ impl std::io::Write for Counter {
     }
 }
 
-/// The target of the compiler, installed with rustup where it is missing.
+/// Installs the target of the compiler with rustup if it is missing.
 fn target_ready(root: &Path) -> Result<(), Error> {
     if has_target(root) {
         return Ok(());
     }
     eprintln!("site: installing the target {TARGET} …");
-    // What rustup says is on the screen already; without it the target may still have come with the compiler.
+    // rustup has printed its errors; the target may also have come with the compiler.
     must_succeed(Command::new("rustup").args(["target", "add", TARGET]).current_dir(root)).ok();
     if has_target(root) { Ok(()) } else { Err(Error::NoTarget { target: TARGET }) }
 }

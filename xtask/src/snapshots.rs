@@ -1,4 +1,4 @@
-//! Rewrites the snapshots of our own words. Reference values are not snapshots and stay untouched.
+//! Rewrites the snapshots of the project's own texts. Reference values are not snapshots and stay unchanged.
 
 use std::path::Path;
 use std::process::Command;

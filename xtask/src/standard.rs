@@ -1,5 +1,5 @@
-//! The steps of `ci` that a standard tool does as it is: spelling, links, licences. How is said in the tool's own file
-//! at the root: `_typos.toml`, `lychee.toml`, `deny.toml`.
+//! Steps of `ci` done by unmodified standard tools: spelling, links, licences. Their settings are in each tool's own
+//! file at the root: `_typos.toml`, `lychee.toml`, `deny.toml`.
 
 use std::path::Path;
 
@@ -13,7 +13,7 @@ pub(crate) fn typos(root: &Path) -> Result<(), Error> {
     must_succeed(TYPOS.command(root)?.args(["--color", "never"]))
 }
 
-/// Every document that git knows: what lies in the target directory is not ours.
+/// Checks the links of the documents tracked by git; files in the target directory are excluded.
 pub(crate) fn links(root: &Path) -> Result<(), Error> {
     let tree = Tree::read(root);
     must_succeed(LYCHEE.command(root)?.args(tree.under("", ".md")))

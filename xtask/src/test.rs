@@ -1,6 +1,6 @@
 //! `cargo xtask test`, a step of `ci` too: every test of the workspace, the runners' closing lines on stdout.
 //!
-//! cargo-nextest runs the tests, each in a process of its own with a limit in time; documentation examples it cannot run.
+//! cargo-nextest runs the tests, each in its own process with a time limit; documentation examples are run by cargo.
 
 use std::io::{BufRead, BufReader, Read};
 use std::path::Path;
@@ -11,7 +11,7 @@ use crate::cargo::{cargo, must_succeed, spelled};
 use crate::ci::is_ci;
 use crate::tools::NEXTEST;
 
-/// Runs every test; cargo-nextest is installed where it is missing.
+/// Runs every test; installs cargo-nextest if missing.
 ///
 /// # Errors
 /// A test that fails or is skipped, a runner that does not start.
@@ -33,17 +33,17 @@ pub fn run(root: &Path) -> Result<(), Error> {
     closing.verdict()
 }
 
-/// So many saves are begun for each signal in a night; some six of ten are ended before they have ended themselves, a thousand in all.
+/// Number of saves begun per signal in a night; about six of ten are killed before they end, a thousand in total.
 const KILLS: &str = "1800";
 
-/// So many sweeps are killed in a night, of each format of the answers.
+/// Number of sweeps killed in a night, for each format of the answers.
 const SWEEP_KILLS: &str = "60";
 
-/// The campaign of a night against a program that saves: ended at any instant by each signal, no file is lost; and against sweeps, each
-/// of which continues the one that was killed.
+/// Runs the nightly campaign against a saving program, which loses no file when killed at any instant by each signal,
+/// and against sweeps, each of which continues the one that was killed.
 ///
 /// # Errors
-/// A save that left a part of a file, a sweep with other bytes.
+/// A save that left a partial file, a sweep with different bytes.
 pub(crate) fn kills(root: &Path) -> Result<(), Error> {
     let mut sweeps = cargo(root, &["test", "--package", "antrieb", "--test", "sweep", "at_any_moment"]);
     must_succeed(sweeps.args(["--", "--nocapture"]).env("ANTRIEB_SWEEP_KILLS", SWEEP_KILLS))?;
@@ -51,34 +51,34 @@ pub(crate) fn kills(root: &Path) -> Result<(), Error> {
     must_succeed(command.args(["--", "--nocapture", "--test-threads", "1"]).env("ANTRIEB_SAVE_RUNS", KILLS))
 }
 
-/// A day of an axis under the digital twin: 24 hours of cycles without drift, NaN or growing memory.
+/// Runs the digital twin of an axis for a day: 24 hours of cycles without drift, NaN or growing memory.
 ///
 /// # Errors
-/// A bound that the day leaves.
+/// A bound that is exceeded.
 pub(crate) fn day(root: &Path) -> Result<(), Error> {
     let mut command = cargo(root, &["test", "--package", "twin", "--test", "it", "hours_of_cycles"]);
     must_succeed(command.args(["--", "--nocapture"]).env("ANTRIEB_TWIN_HOURS", "24"))
 }
 
-/// What every run of the tests has: no snapshot is rewritten, and none asks cargo where the workspace is.
+/// Sets the environment of every test run: no snapshot is rewritten, and the workspace root is given.
 fn set(command: &mut Command, root: &Path) {
     command.env("INSTA_UPDATE", "no").env_remove("INSTA_FORCE_PASS").env("CI", "true");
     command.env("INSTA_WORKSPACE_ROOT", root);
 }
 
-/// The sum of all closing lines.
+/// Sum of all closing lines.
 #[derive(Default)]
 struct Closing {
     lines: u64,
     passed: u64,
     failed: u64,
     skipped: u64,
-    /// Runs that ended badly, as typed.
+    /// Failed runs, as typed, with their status.
     broken: Vec<(String, String)>,
 }
 
 impl Closing {
-    /// nextest writes to stderr, which is passed on; its summary also goes to stdout.
+    /// Runs nextest, which writes to stderr (passed on); its summary also goes to stdout.
     fn nextest(&mut self, mut command: Command, root: &Path) -> Result<(), Error> {
         command.args(["nextest", "run", "--workspace", "--no-fail-fast", "--cargo-quiet", "--color", "never"]);
         command.args(["--show-progress", "none"]).stderr(Stdio::piped());
@@ -95,7 +95,7 @@ impl Closing {
         )
     }
 
-    /// `cargo test` writes to stdout, a line for each test: only the failures are printed, at the end.
+    /// Runs `cargo test`, which writes a line per test to stdout: only the failures are printed, at the end.
     fn cargo_test(&mut self, mut command: Command, root: &Path) -> Result<(), Error> {
         command.stdout(Stdio::piped());
         set(&mut command, root);
@@ -138,7 +138,7 @@ impl Closing {
         Ok(())
     }
 
-    /// Adds a line if it is a closing one, and says whether it was.
+    /// Adds a closing line and returns `true`; returns `false` for any other line.
     fn add(&mut self, line: &str) -> bool {
         let line = line.trim();
         let counts = match line.strip_prefix("Summary [") {
@@ -154,7 +154,7 @@ impl Closing {
             let count = || before.parse::<u64>().unwrap_or(0);
             match word {
                 "passed" => self.passed += count(),
-                // nextest counts what ran out of time or did not start apart.
+                // nextest counts tests that timed out or did not start separately.
                 "failed" | "timed" | "exec" => self.failed += count(),
                 "ignored" | "skipped" => self.skipped += count(),
                 _ => {}
@@ -178,7 +178,7 @@ impl Closing {
     }
 }
 
-/// Lines that would bury the one failure among hundreds of tests.
+/// Returns `true` for lines that would hide a failure among hundreds of tests.
 fn is_good_news(line: &str) -> bool {
     line.is_empty() || line.starts_with("running ") || (line.starts_with("test ") && line.ends_with(" ok"))
 }

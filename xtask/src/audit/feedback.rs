@@ -101,7 +101,7 @@ fn exact(tally: &mut Tally, cell: &AuditedCell, expected: f64, blamed: &[&Audite
     });
 }
 
-/// The incremental cell of a symbol that a table prints once.
+/// Returns the cell of a symbol that a table states once.
 fn only<'a>(view: &'a View, table: &'a str, symbol: &'a str) -> Option<&'a AuditedCell> {
     view.row(table, symbol).next()
 }

@@ -91,7 +91,7 @@ pub(super) fn time_constant_and_inertia(view: &View, tally: &mut Tally) {
 
 type Variant<'a> = (DriveView<'a>, &'a AuditedCell);
 
-/// Pairs of tau_m on the same motor: of the feedback with the smallest rotor, and of each other one.
+/// Returns pairs of tau_m on the same motor: the one of the encoder with the smallest inertia, and each other one.
 fn variants(view: &View) -> Vec<(Variant<'_>, Variant<'_>)> {
     let mut pairs = Vec::new();
     for drive in view.drives() {
@@ -204,7 +204,7 @@ fn expect(tally: &mut Tally, cell: &AuditedCell, printed: Span, expected: Span, 
     });
 }
 
-/// Runs a check on the cell of a symbol at every ratio of every drive; `None` is reported as a comparison not made.
+/// Runs a check on the cell of a symbol at every ratio of every drive; `None` is reported as an impossible comparison.
 pub(super) fn each_ratio(
     view: &View,
     tally: &mut Tally,
@@ -266,7 +266,7 @@ mod tests {
 
     #[test]
     fn an_efficiency_above_one_is_found() {
-        // 0.45 instead of 0.55: all six ratios give more than the motor.
+        // 0.45 instead of 0.55: all six ratios exceed the torque of the motor.
         assert_eq!(findings_of(torque_constant, &altered("28.1", "k_TM", "", "0,45")).len(), 6);
     }
 }

@@ -1,4 +1,4 @@
-//! What can be ordered against what has data, and the tables that must exist.
+//! Ordering codes against data tables, and the tables that must exist.
 
 use super::bearing::SIZES;
 use super::tally::Tally;

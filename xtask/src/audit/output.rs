@@ -52,7 +52,7 @@ pub(super) fn speed(view: &View, tally: &mut Tally) {
     });
 }
 
-/// Returns true if a value is the next lower number of as many digits: 29 for 29.17, and 43 for 43.75 too.
+/// Returns `true` if a value is the next lower number with as many digits: 29 for 29.17, and 43 for 43.75 too.
 fn rounded_down(printed: Span, exact: f64) -> bool {
     let digit = printed.high - printed.low;
     printed.mid <= exact && exact < printed.mid + digit
@@ -143,7 +143,7 @@ pub(super) fn brake_rotor(view: &View, tally: &mut Tally) {
     }
 }
 
-/// What must not fall with the ratio, what must not rise, and what a brake must add
+/// Monotonic order over the ratio, and the effect of a brake
 ///
 /// T_max, T_0, k_Tout and K_INL do not fall with i, n_max falls, I_NLS (20 °C) does not rise; J, J_out, mass and length
 /// grow with the brake.
@@ -185,7 +185,7 @@ pub(super) fn order(view: &View, tally: &mut Tally) {
     }
 }
 
-/// The families whose sizes are compared: the 680 V windings with the lightest and with the absolute encoder.
+/// Families whose sizes are compared: the 680 V windings with the lightest and with the absolute encoder.
 const FAMILIES: [&[&str]; 2] = [
     &[
         "CHA-14A-H/N",
@@ -229,18 +229,18 @@ pub(super) fn sizes(view: &View, tally: &mut Tally) {
     }
 }
 
-/// The smallest of the values that a drive prints for its feedback systems.
+/// Returns the smallest of the values that a drive states for its encoders.
 fn lightest<'a>(drive: &DriveView<'a>, symbol: &str) -> Option<&'a AuditedCell> {
     let value = |entry: &&AuditedCell| entry.number().unwrap_or(f64::INFINITY);
     drive.every(symbol, "").min_by(|a, b| value(a).total_cmp(&value(b)))
 }
 
-/// I_NLS at the cold limit rises with i; only the value at 20 °C falls.
+/// Returns `true` for I_NLS at the cold limit, which rises with i; only the value at 20 °C falls.
 fn cold(entry: &AuditedCell) -> bool {
     entry.cell.place.symbol == "I_NLS" && entry.cell.place.condition.starts_with('-')
 }
 
-/// Compares two numbers.
+/// Compares two numbers of neighbouring columns.
 pub(super) fn step(
     tally: &mut Tally,
     first: Option<&AuditedCell>,

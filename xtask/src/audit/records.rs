@@ -4,7 +4,7 @@ use super::tally::Tally;
 use super::view::View;
 use std::collections::BTreeSet;
 
-/// Sources that no table names, each with what it is kept for. A source that comes into use leaves this list.
+/// Sources that no table names, each with the reason for keeping it. A source that comes into use leaves this list.
 const SOURCES_WITHOUT_TABLE: [(&str, &str); 36] = [
     ("cha-manual-en-v03", "evidence of errata"),
     ("cha-manual-en-v01", "evidence of errata"),
@@ -47,7 +47,7 @@ const SOURCES_WITHOUT_TABLE: [(&str, &str); 36] = [
     ("cia-306", "layout of the EDS file of `antrieb commission --for cia402`"),
 ];
 
-/// Terms that no table uses, each with what it labels.
+/// Terms that no table uses, each with its use.
 const TERMS_WITHOUT_TABLE: [(&str, &str); 15] = [
     ("i", "the ratio in formulas; tables have it as their column head"),
     ("T_rms", "result of the sizing, chapter 7.3"),
@@ -66,7 +66,7 @@ const TERMS_WITHOUT_TABLE: [(&str, &str); 15] = [
     ("size", GLOSSARY),
 ];
 
-/// Why a term is there that no table prints.
+/// Reason for terms that no table states.
 const GLOSSARY: &str = "explained in chapter 11.1 of the manual, which every reader may look up";
 
 /// Every source is named by a table or kept for a stated reason; every table names a source that exists
@@ -89,7 +89,7 @@ pub(super) fn terms(_: &View, tally: &mut Tally) {
     each_once(tally, "term", catalogue::glossary().iter().map(|term| term.symbol), &used, &kept);
 }
 
-/// Whatever is written down is used or kept, not both, and whatever is used or kept is written down.
+/// Compares a list of entries with those in use and those kept: each entry must be in exactly one of the two sets.
 fn each_once(
     tally: &mut Tally,
     kind: &str,

@@ -30,7 +30,7 @@ pub(super) fn same_motor(view: &View, tally: &mut Tally) {
     }
 }
 
-/// What the encoder M512P adds to C1024: one mass, one inertia, no change of the brake's share
+/// Contribution of the encoder M512P compared with C1024: one mass, one inertia, no change of the brake's share
 ///
 /// m and m_brake grow by 1,0 kg, J and J_brake by 1,2·10⁻⁴ kgm² at every size; L_brake − L stays.
 ///
@@ -116,7 +116,8 @@ fn pairs<'a>(view: &'a View, first: &str, second: &str) -> Vec<(DriveView<'a>, D
     ends(first).into_iter().zip(ends(second)).filter(|(a, b)| a.size() == b.size()).collect()
 }
 
-/// The same text but for spaces (`24 ±10 %` and `24 ± 10 %`); an empty cell must be matched by an empty one.
+/// Compares two texts without regard to spaces (`24 ±10 %` and `24 ± 10 %`); an empty cell must be matched by an empty
+/// one.
 fn same_text(tally: &mut Tally, cell: &AuditedCell, twin: Option<&AuditedCell>) {
     match twin {
         Some(twin) => tally.compare(cell.text.replace(' ', "") == twin.text.replace(' ', ""), &[cell, twin], || {

@@ -1,4 +1,4 @@
-//! What the checks have compared, what deviates, and what explains it.
+//! Record of comparisons, deviations and their explanations.
 
 use super::view::{AuditedCell, Reading};
 use catalogue::Cell;
@@ -8,20 +8,20 @@ use std::fmt;
 /// A value that does not fit its neighbours.
 #[derive(Clone, Debug)]
 pub struct Deviation {
-    /// The check that found it.
+    /// Name of the check.
     pub check: &'static str,
-    /// The reading in which it deviates.
+    /// Reading in which the value deviates.
     pub reading: Reading,
-    /// What stands where, and what was expected.
+    /// Place, value found and value expected.
     pub message: String,
-    /// Identifiers of the errata that explain it.
+    /// Identifiers of the errata that explain the deviation.
     pub errata: Vec<&'static str>,
-    /// The reason written in code, where a rule explains it.
+    /// Reason written in code, if a rule explains the deviation.
     pub rule: Option<&'static str>,
 }
 
 impl Deviation {
-    /// Whether an erratum or a rule explains it.
+    /// Returns `true` if an erratum or a rule explains the deviation.
     #[must_use]
     pub fn is_explained(&self) -> bool {
         !self.errata.is_empty() || self.rule.is_some()
@@ -34,34 +34,34 @@ impl fmt::Display for Deviation {
     }
 }
 
-/// A cell by its place: table, row, column.
+/// Place of a cell: table, row, column.
 pub(super) type CellPlace = (&'static str, u16, u16);
 
-/// The place of a cell.
+/// Returns the place of a cell.
 pub(super) const fn place(cell: &Cell) -> CellPlace {
     (cell.place.table, cell.row, cell.column)
 }
 
-/// What else may explain a deviation, besides the errata of the cells compared.
+/// Explanation of a deviation other than the errata of the compared cells.
 #[derive(Clone, Copy, Default)]
 pub(super) struct Excuse {
-    /// An erratum about a table as a whole: the table, and words that its `where` must contain.
+    /// Erratum about a table as a whole: the table, and words that its `where` must contain.
     pub table_erratum: Option<(&'static str, &'static str)>,
-    /// A reason written in code.
+    /// Reason written in code.
     pub rule: Option<&'static str>,
 }
 
-/// The outcome of one check in one reading.
+/// Result of one check in one reading.
 pub(super) struct Tally {
-    /// The check.
+    /// Name of the check.
     pub check: &'static str,
-    /// The reading.
+    /// Reading.
     pub reading: Reading,
-    /// How many comparisons were made.
+    /// Number of comparisons made.
     pub comparisons: usize,
-    /// What does not fit.
+    /// Deviations found.
     pub deviations: Vec<Deviation>,
-    /// The cells that the comparisons could have blamed.
+    /// Places of the cells that could explain a failed comparison.
     pub covered: BTreeSet<CellPlace>,
 }
 
@@ -70,12 +70,12 @@ impl Tally {
         Self { check, reading, comparisons: 0, deviations: Vec::new(), covered: BTreeSet::new() }
     }
 
-    /// One comparison. `blamed` are the cells whose erratum would explain a failure.
+    /// Records a comparison. `blamed` are the cells whose erratum would explain a failure.
     pub(super) fn compare(&mut self, fits: bool, blamed: &[&AuditedCell], message: impl FnOnce() -> String) {
         self.compare_or(fits, blamed, Excuse::default(), message);
     }
 
-    /// The same with an excuse besides the errata of the blamed cells.
+    /// Records a comparison with an excuse in addition to the errata of the blamed cells.
     pub(super) fn compare_or(
         &mut self,
         fits: bool,
@@ -102,12 +102,12 @@ impl Tally {
         self.deviations.push(Deviation { check, reading, message: message(), errata, rule });
     }
 
-    /// A comparison that could not be made because a cell is absent or is no number: never passed in silence.
+    /// Records a comparison that is impossible because a cell is absent or no number; it always counts as a deviation.
     pub(super) fn absent(&mut self, what: impl fmt::Display) {
         self.compare(false, &[], || format!("cannot be checked: {what}"));
     }
 
-    /// The deviations that nothing explains.
+    /// Iterates over the unexplained deviations.
     pub(super) fn unexplained(&self) -> impl Iterator<Item = &Deviation> {
         self.deviations.iter().filter(|deviation| !deviation.is_explained())
     }
@@ -115,7 +115,7 @@ impl Tally {
 
 #[cfg(test)]
 impl Tally {
-    /// The messages of the unexplained deviations.
+    /// Returns the messages of the unexplained deviations.
     pub(super) fn findings(&self) -> Vec<String> {
         self.unexplained().map(ToString::to_string).collect()
     }

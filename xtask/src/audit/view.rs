@@ -1,23 +1,23 @@
-//! The printed cells as the checks see them: their text in one of three readings, and spans of rounding.
+//! Cells of the manual as the checks read them: text in one of three readings, and intervals of rounding.
 
 use catalogue::{Cell, Erratum, ErratumKind};
 use std::ops::{Add, Div, Mul, Sub};
 
-/// Which text of a cell a run of the checks reads.
+/// Version of the cell texts used in a run of the checks.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Reading {
-    /// As the manual prints it: every deviation needs an erratum.
+    /// Text of the manual: every deviation needs an erratum.
     Printed,
-    /// After errata: a corrected value must fit its neighbours, only a flagged one may still deviate.
+    /// Text after errata: a corrected value must fit its neighbours, only a flagged one may still deviate.
     Corrected,
-    /// As checks of a drive use it: a value set for the safe side must fit too.
+    /// Values used by the checks of an actuator: a value set to the safe side must fit too.
     Limits,
 }
 
 impl Reading {
     pub(super) const ALL: [Self; 3] = [Self::Printed, Self::Corrected, Self::Limits];
 
-    /// Name in reports.
+    /// Returns the name used in reports.
     #[must_use]
     pub const fn name(self) -> &'static str {
         match self {
@@ -27,8 +27,8 @@ impl Reading {
         }
     }
 
-    /// Whether an erratum may explain a deviation in this reading. A recovery is no error of the print and another
-    /// edition proves nothing about this one; once a value is replaced, its replacement has to fit.
+    /// Returns `true` if an erratum may explain a deviation in this reading. A recovery of the text is no error of the
+    /// manual, and another edition proves nothing about this one; a replaced value must fit itself.
     pub(super) fn explains(self, erratum: &Erratum) -> bool {
         let of_the_print =
             matches!(erratum.kind, ErratumKind::PrintError | ErratumKind::Contradiction | ErratumKind::Rounding);
@@ -51,27 +51,27 @@ impl Reading {
     }
 }
 
-/// One cell with the text that this reading gives it.
+/// One cell with its text in this reading.
 #[derive(Clone, Debug)]
 pub(super) struct AuditedCell {
     /// The cell.
     pub cell: &'static Cell,
-    /// Its text.
+    /// Text in this reading.
     pub text: String,
 }
 
 impl AuditedCell {
-    /// The value with half its last printed digit to both sides; `None` for dashes, ranges and texts.
+    /// Returns the value with half its last stated digit to both sides; `None` for dashes, ranges and texts.
     pub(super) fn span(&self) -> Option<Span> {
         Span::of(&self.text)
     }
 
-    /// The value alone.
+    /// Returns the value without its interval.
     pub(super) fn number(&self) -> Option<f64> {
         self.span().map(|span| span.mid)
     }
 
-    /// Where the cell stands, for messages.
+    /// Returns the place of the cell for messages.
     pub(super) fn place(&self) -> String {
         let mut place = format!("table {}, {}", self.cell.place.table, self.cell.place.symbol);
         for part in [self.cell.place.condition, self.cell.place.drive, self.cell.feedback] {
@@ -86,7 +86,7 @@ impl AuditedCell {
     }
 }
 
-/// All cells in one reading.
+/// The cells in one reading.
 pub(super) struct View {
     /// The reading.
     pub reading: Reading,
@@ -94,18 +94,18 @@ pub(super) struct View {
 }
 
 impl View {
-    /// The embedded tables.
+    /// Reads the embedded tables.
     pub(super) fn of(reading: Reading) -> Self {
         let entries = catalogue::cells().map(|cell| AuditedCell { cell, text: reading.text(cell) }).collect();
         Self { reading, entries }
     }
 
-    /// The cells of a table.
+    /// Iterates over the cells of a table.
     pub(super) fn table<'a, 'b>(&'a self, id: &'b str) -> impl Iterator<Item = &'a AuditedCell> + use<'a, 'b> {
         self.entries.iter().filter(move |entry| entry.cell.place.table == id)
     }
 
-    /// The cells of a symbol in a table, in the order of its columns.
+    /// Iterates over the cells of a symbol in a table, in the order of its columns.
     pub(super) fn row<'a, 'b>(
         &'a self,
         table: &'b str,
@@ -114,22 +114,22 @@ impl View {
         self.table(table).filter(move |entry| entry.cell.place.symbol == symbol)
     }
 
-    /// The cell of a symbol in a table with one column per size.
+    /// Returns the cell of a symbol in a table with one column per size.
     pub(super) fn of_size(&self, table: &str, symbol: &str, size: &str) -> Option<&AuditedCell> {
         self.row(table, symbol).find(|entry| entry.cell.place.drive == size)
     }
 
-    /// The first cell that a predicate accepts.
+    /// Returns the first cell that satisfies a predicate.
     pub(super) fn find(&self, accept: impl Fn(&Cell) -> bool) -> Option<&AuditedCell> {
         self.entries.iter().find(|entry| accept(entry.cell))
     }
 
-    /// The cells that the tables of one drive print, technical data, inertias, brake and lengths.
+    /// Returns the cells of one drive: technical data, inertias, brake and lengths.
     pub(super) fn drive(&self, name: &'static str) -> DriveView<'_> {
         DriveView { name, entries: self.entries.iter().filter(|entry| entry.cell.place.drive == name).collect() }
     }
 
-    /// All sixteen drives.
+    /// Returns the sixteen drives.
     pub(super) fn drives(&self) -> Vec<DriveView<'_>> {
         catalogue::drives().iter().map(|drive| self.drive(drive.name)).collect()
     }
@@ -137,7 +137,7 @@ impl View {
 
 #[cfg(test)]
 impl View {
-    /// As printed, with the text of one cell changed; the cell must exist once and bear no erratum.
+    /// Returns the printed reading with the text of one cell changed; the cell must exist once and have no erratum.
     pub(super) fn with(table: &str, text: &str, accept: impl Fn(&Cell) -> bool) -> Self {
         let mut view = Self::of(Reading::Printed);
         let mut hits = view.entries.iter_mut().filter(|entry| entry.cell.place.table == table && accept(entry.cell));
@@ -151,14 +151,14 @@ impl View {
 
 /// The cells of one drive.
 pub(super) struct DriveView<'a> {
-    /// Head of its section.
+    /// Heading of the drive's section.
     pub name: &'static str,
-    /// Its cells.
+    /// Cells of the drive.
     pub entries: Vec<&'a AuditedCell>,
 }
 
 impl<'a> DriveView<'a> {
-    /// Its ratios, ascending, as the columns of its tables name them.
+    /// Returns the ratios in ascending order, as in the column headings.
     pub(super) fn ratios(&self) -> Vec<&'static str> {
         self.entries
             .iter()
@@ -167,25 +167,25 @@ impl<'a> DriveView<'a> {
             .collect()
     }
 
-    /// The cell of a symbol at a ratio; a value printed once holds for every ratio. Where a symbol is printed for
-    /// several temperatures, the warm-room one: 20 °C.
+    /// Returns the cell of a symbol at a ratio; a value stated once holds for every ratio. Of values for several
+    /// temperatures the one at 20 °C is returned.
     pub(super) fn at(&self, symbol: &str, ratio: &str) -> Option<&'a AuditedCell> {
         self.every(symbol, ratio).find(|entry| ["", "20 degC"].contains(&entry.cell.place.condition))
     }
 
-    /// The cells of a symbol at a ratio, under any condition and feedback.
+    /// Iterates over the cells of a symbol at a ratio, under any condition and with any encoder.
     pub(super) fn every(&self, symbol: &str, ratio: &str) -> impl Iterator<Item = &'a AuditedCell> {
         self.entries.iter().copied().filter(move |entry| {
             entry.cell.place.symbol == symbol && (entry.cell.place.ratio.is_empty() || entry.cell.place.ratio == ratio)
         })
     }
 
-    /// The cell of a symbol printed once for all ratios.
+    /// Returns the cell of a symbol stated once for all ratios.
     pub(super) fn once(&self, symbol: &str) -> Option<&'a AuditedCell> {
         self.at(symbol, "")
     }
 
-    /// The cell that stands like `other`, feedback, condition and ratio alike, under another symbol.
+    /// Returns the cell of another symbol with the encoder, condition and ratio of `other`.
     pub(super) fn beside(&self, symbol: &str, other: &AuditedCell) -> Option<&'a AuditedCell> {
         self.entries.iter().copied().find(|entry| {
             entry.cell.place.symbol == symbol
@@ -195,17 +195,17 @@ impl<'a> DriveView<'a> {
         })
     }
 
-    /// The size as other tables head it: `CHA-20A`.
+    /// Returns the size as headed in other tables: `CHA-20A`.
     pub(super) fn size(&self) -> &'static str {
         self.name.get(..7).unwrap_or(self.name)
     }
 
-    /// Whether this is a drive with the 48 V winding E.
+    /// Returns `true` for a drive with the 48 V winding E.
     pub(super) fn is_48_v(&self) -> bool {
         self.name.ends_with("-E")
     }
 
-    /// Whether the size is 14A or 17A.
+    /// Returns `true` for the sizes 14A and 17A.
     pub(super) fn is_small(&self) -> bool {
         ["CHA-14A", "CHA-17A"].contains(&self.size())
     }
@@ -216,21 +216,22 @@ impl<'a> DriveView<'a> {
 pub(super) struct Span {
     /// Lower end.
     pub low: f64,
-    /// The value as printed, or its image.
+    /// Value as stated, or computed from stated values.
     pub mid: f64,
     /// Upper end.
     pub high: f64,
 }
 
 impl Span {
-    /// The span of a printed text: half the last printed digit to both sides. Signs of bounds are left out.
+    /// Returns the interval of a stated text: half the last digit to both sides. Signs of bounds are ignored.
     pub(super) fn of(text: &str) -> Option<Self> {
         let text = text.trim_start_matches(['<', '>', '≤', '≥', '±', ' ']);
         let digits = text.split_once(',').map_or(0, |(_, behind)| behind.len());
         Some(Self::around(text.replace(',', ".").parse().ok()?, digits))
     }
 
-    /// The same where a zero behind the comma is taken as padding: the value is known to one digit less.
+    /// Returns the interval with a trailing zero after the comma taken as padding: the value is known to one digit
+    /// less.
     pub(super) fn padded(text: &str) -> Option<Self> {
         match text.strip_suffix('0') {
             Some(shorter) if text.contains(',') => Self::of(shorter.trim_end_matches(',')),
@@ -243,12 +244,12 @@ impl Span {
         Self { low: mid - half, mid, high: mid + half }
     }
 
-    /// A value without rounding.
+    /// Returns a value without rounding.
     pub(super) const fn exact(value: f64) -> Self {
         Self { low: value, mid: value, high: value }
     }
 
-    /// Whether the two intervals have a value in common (with the noise of floating point).
+    /// Returns `true` if the intervals share a value, within floating-point rounding.
     pub(super) fn meets(self, other: Self) -> bool {
         let noise = 1e-9 * self.mid.abs().max(other.mid.abs());
         self.low <= other.high + noise && other.low <= self.high + noise
@@ -261,14 +262,14 @@ impl std::fmt::Display for Span {
     }
 }
 
-/// Four significant digits.
+/// Formats a value with four significant digits.
 pub(super) fn brief(value: f64) -> String {
     let whole = value.abs().max(1e-12).log10().floor();
     let digits = if whole >= 3.0 { 0 } else { 3_usize.saturating_add_signed(-(whole as isize)) };
     format!("{value:.digits$}")
 }
 
-/// The median of values; the mean of the middle two where their number is even; zero of none.
+/// Returns the median of values; the mean of the middle two if their number is even; zero if there are none.
 pub(super) fn median(mut values: Vec<f64>) -> f64 {
     values.sort_by(f64::total_cmp);
     let upper = values.get(values.len() / 2).copied().unwrap_or_default();

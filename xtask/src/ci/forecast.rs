@@ -1,27 +1,27 @@
-//! How long a run will take: what the same run took here before, else what it took where it was measured.
+//! Forecast of the duration of a run: the time of the same run here before, else the time where it was measured.
 
 use std::collections::BTreeMap;
 use std::fs;
 use std::path::{Path, PathBuf};
 
-/// What a step costs from an empty target directory.
+/// Cost of a step from an empty target directory.
 ///
-/// Processor time, so that neighbours do not show in it, on a machine with two cores of 2026, rounded up: measured for what runs
-/// and for the debug build, reckoned from the sizes of the crates for the release build and the lints.
+/// Processor time, independent of other load, on a machine with two cores of 2026, rounded up: measured for what runs
+/// and for the debug build, estimated from the sizes of the crates for the release build and the lints.
 #[derive(Clone, Copy)]
 pub(super) struct Cost {
     seconds: u32,
-    /// How many cores the step can use.
+    /// Number of cores the step can use.
     cores: u32,
 }
 
 impl Cost {
-    /// A step that one core works off.
+    /// Creates the cost of a step on one core.
     pub(super) const fn on_one(seconds: u32) -> Self {
         Self { seconds, cores: 1 }
     }
 
-    /// A step that cargo shares between the cores, which it cannot do to the end: four and more help little.
+    /// Creates the cost of a step that cargo distributes over the cores; beyond four cores the gain is small.
     pub(super) const fn shared(seconds: u32) -> Self {
         Self { seconds, cores: 4 }
     }
@@ -31,7 +31,7 @@ impl Cost {
     }
 }
 
-/// What is known of earlier runs, kept in the target directory: a fresh clone knows none.
+/// Times of earlier runs, stored in the target directory; empty in a fresh clone.
 #[derive(Default)]
 pub(super) struct Forecast {
     file: Option<PathBuf>,
@@ -53,7 +53,7 @@ impl Forecast {
         self.last.insert(step.to_owned(), seconds);
     }
 
-    /// Without its file the next run knows less; that is no fault of this one.
+    /// Stores the times. A failure is ignored: the next run only has less data for its forecast.
     pub(super) fn write(&self) {
         let Some(file) = &self.file else { return };
         let text: String = self.last.iter().map(|(name, seconds)| format!("{name} {seconds:.1}\n")).collect();
@@ -61,7 +61,7 @@ impl Forecast {
         fs::create_dir_all(folder).and_then(|()| fs::write(file, text)).ok();
     }
 
-    /// The steps with their times, said before the first one begins.
+    /// Returns the table of steps and expected times, printed before the first step.
     pub(super) fn table(&self, steps: &[(&str, Cost)]) -> String {
         let cores = std::thread::available_parallelism().map_or(1, |cores| u32::try_from(cores.get()).unwrap_or(1));
         let mut text = self.table_for(steps, cores);
@@ -91,12 +91,12 @@ impl Forecast {
     }
 }
 
-/// Seconds below a minute and a half, else minutes.
+/// Formats a duration in seconds below a minute and a half, else in minutes.
 pub(super) fn duration(seconds: f64) -> String {
     if seconds < 90.0 { format!("{seconds:.0} s") } else { format!("{:.0} min", seconds / 60.0) }
 }
 
-/// Number of programs waiting for a core, if the system reports it.
+/// Returns the number of programs waiting for a core, if the system reports it.
 fn load() -> Option<f64> {
     fs::read_to_string("/proc/loadavg").ok()?.split_whitespace().next()?.parse().ok()
 }

@@ -1,31 +1,31 @@
-//! The words behind `cargo xtask fuzz`.
+//! Arguments of `cargo xtask fuzz`.
 
 use std::path::PathBuf;
 
 use crate::Error;
 
-/// What to do.
+/// Task of the command.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(super) enum Work {
-    /// Look for new cases, so long in all, or until each target has its number of cases.
+    /// Searches new cases, for a total time or until each target has its number of cases.
     Campaign { minutes: Option<u32> },
-    /// Tell how far the corpora reach.
+    /// Reports the coverage of the corpora.
     Coverage,
-    /// Run one case again.
+    /// Runs one case again.
     Case(PathBuf),
 }
 
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(super) struct Arguments {
     pub(super) work: Work,
-    /// Only this target.
+    /// Name of the only target to run, if given.
     pub(super) target: Option<String>,
-    /// How many processes at once.
+    /// Number of parallel processes.
     pub(super) jobs: u32,
 }
 
 impl Arguments {
-    /// Reads the words; `targets` are the names that there are.
+    /// Parses the arguments; `targets` are the names of the existing targets.
     pub(super) fn read(words: &[String], targets: &[&str]) -> Result<Self, Error> {
         let mut found = Self { work: Work::Campaign { minutes: None }, target: None, jobs: 1 };
         let mut words = words.iter();

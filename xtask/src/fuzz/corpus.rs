@@ -1,7 +1,7 @@
-//! The corpora as they lie in the tree: a file for each target, a line for each case, its bytes in base64, the lines sorted by
-//! these bytes. So a change of a corpus is a diff of its cases, and the same cases are the same file.
+//! Storage of the corpora: one file per target, one line per case, its bytes in base64, the lines sorted by these
+//! bytes. A change of a corpus is thus a diff of its cases, and the same cases give the same file.
 //!
-//! libFuzzer reads folders: [`unpack`] makes one, [`pack`] the file of what is left in it.
+//! libFuzzer reads folders: [`unpack`] creates one, [`pack`] writes its content back to the file.
 
 use std::collections::BTreeSet;
 use std::fs;
@@ -13,7 +13,7 @@ use base64::engine::general_purpose::STANDARD;
 use super::listed;
 use crate::Error;
 
-/// Writes each case of a corpus into a file of its own, in a folder emptied before.
+/// Writes each case of a corpus to its own file, in a folder emptied before.
 ///
 /// # Errors
 /// The corpus or the folder cannot be read or written, or a line is not base64.
@@ -36,7 +36,7 @@ pub(super) fn unpack(corpus: &Path, folder: &Path) -> Result<(), Error> {
     Ok(())
 }
 
-/// Writes the cases of a folder as a corpus, each one once, and returns how many they are.
+/// Writes the cases of a folder as a corpus without duplicates, and returns their number.
 ///
 /// # Errors
 /// A case or the corpus cannot be read or written.

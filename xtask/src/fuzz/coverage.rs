@@ -1,4 +1,4 @@
-//! How many of the lines that read what a user wrote the corpora and the crashes reach.
+//! Line coverage of the code that reads user input, by the corpora and the crashes.
 
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -9,7 +9,7 @@ use super::{Target, corpus, instrument, listed};
 use crate::Error;
 use crate::cargo::{Workspace, cargo, must_succeed, spelled};
 
-/// A reported part: a name, and its folders and files under `crates/`.
+/// A reported part: name, and its folders and files under `crates/`.
 const PARTS: [(&str, &[&str]); 7] = [
     ("quantities", &["quantities/src/"]),
     ("order-code", &["order-code/src/"]),
@@ -20,14 +20,14 @@ const PARTS: [(&str, &[&str]); 7] = [
     ("page and interface", &["page/src/"]),
 ];
 
-/// The lines of the files of a part, and those of them that were run.
+/// Number of lines in the files of a part, and of those that were run.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 struct Lines {
     all: u64,
     run: u64,
 }
 
-/// Builds the targets with counters on their lines, replays the cases under `fuzz/`, and prints the share of lines run.
+/// Builds the targets with line counters, replays the cases under `fuzz/`, and prints the share of lines run.
 pub(super) fn tell(root: &Path, targets: &[&Target]) -> Result<(), Error> {
     let workspace = Workspace::ask(root)?;
     workspace.require("fuzz")?;
@@ -84,7 +84,7 @@ fn print(name: &str, lines: Lines) {
     println!("{name:<36} {:>6} of {:>6} {share:>6.1} %", lines.run, lines.all);
 }
 
-/// Adds up the counts for the files of a part, in the form of lcov: `SF:` a file, `LF:` its lines, `LH:` those run.
+/// Sums the counts for the files of a part, in lcov format: `SF:` a file, `LF:` its lines, `LH:` those run.
 fn counted(printed: &str, paths: &[&str]) -> Lines {
     let (mut sum, mut is_part) = (Lines::default(), false);
     for line in printed.lines() {
@@ -104,7 +104,7 @@ fn counted(printed: &str, paths: &[&str]) -> Lines {
     sum
 }
 
-/// The binary with counters on the lines of the crates of the workspace. Its wrapper has another path than that of the
+/// Builds the binary with line counters for the crates of the workspace. Its wrapper has another path than that of the
 /// engine's build, so that cargo keeps both.
 fn build(root: &Path, workspace: &Workspace, work: &Path) -> Result<PathBuf, Error> {
     super::engine::compiler()?;
@@ -121,7 +121,7 @@ fn build(root: &Path, workspace: &Workspace, work: &Path) -> Result<PathBuf, Err
     Ok(program)
 }
 
-/// A tool of LLVM in the version of the compiler, as rustup brings it.
+/// Returns the path of an LLVM tool in the version of the compiler, as installed by rustup.
 fn tool(root: &Path, name: &'static str) -> Result<PathBuf, Error> {
     let asked = |arguments: &[&str]| {
         let mut command = Command::new(std::env::var_os("RUSTC").unwrap_or_else(|| "rustc".into()));

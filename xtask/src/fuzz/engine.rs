@@ -1,4 +1,4 @@
-//! The fuzz binary with libFuzzer in it: building and starting it, and reading what it says.
+//! The fuzz binary with libFuzzer: build, start, and evaluation of its output.
 
 use std::fs;
 use std::io::{BufRead, BufReader, Write};
@@ -10,28 +10,28 @@ use super::{Target, corpus, instrument, listed};
 use crate::Error;
 use crate::cargo::{Workspace, cargo, must_succeed, spelled};
 
-/// When a run ends.
+/// Condition that ends a run.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Stop {
     Seconds(u32),
     Cases(u64),
 }
 
-/// What came out of a run, or of several.
+/// Result of one or several runs.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub(super) struct Run {
     pub(super) cases: u64,
-    /// Edges of the instrumented crates.
+    /// Number of edges in the instrumented crates.
     pub(super) edges: u64,
-    /// Those that a case took.
+    /// Number of edges taken by a case.
     pub(super) reached: u64,
     pub(super) finds: usize,
-    /// Cases that got past the first gate of their target, at least: see [`GATE`].
+    /// Minimum number of cases that passed the first gate of their target: see [`GATE`].
     pub(super) past: u64,
 }
 
-/// What a target says, in steps, of the cases that got past its first gate, such as the footer of a file; as in
-/// `fuzz/src/lib.rs`.
+/// Line prefix by which a target reports, in steps, the cases that passed its first gate, such as the footer of a file;
+/// as in `fuzz/src/lib.rs`.
 pub(super) const GATE: &str = "stat::past_the_gate:";
 
 impl Run {
@@ -45,7 +45,7 @@ impl Run {
         }
     }
 
-    /// Reads the values in a line.
+    /// Reads the values in a line of output.
     fn hear(&mut self, line: &str) {
         let after = |mark: &str| {
             let rest = line.split_once(mark)?.1.trim_start();
@@ -67,11 +67,11 @@ impl Run {
     }
 }
 
-/// The binary, and where its files are.
+/// The binary and its folders.
 pub(super) struct Engine {
     root: PathBuf,
     program: PathBuf,
-    /// What runs leave: new cases of each target, finds, logs.
+    /// Folder for the results of runs: new cases of each target, finds, logs.
     work: PathBuf,
 }
 
@@ -91,7 +91,7 @@ impl Engine {
         Ok(Self { root: root.to_path_buf(), program, work: workspace.target.join("fuzz-work") })
     }
 
-    /// Lays out the cases of the corpus in a folder, as the engine reads them.
+    /// Writes the cases of the corpus to a folder, in the form read by the engine.
     pub(super) fn unpack(&self, target: &Target) -> Result<(), Error> {
         corpus::unpack(&target.corpus(&self.root), &self.unpacked(target))
     }
@@ -110,7 +110,7 @@ impl Engine {
         Ok(folder)
     }
 
-    /// Where the finds of a target are left, emptied of those of earlier runs.
+    /// Returns the folder for the finds of a target, emptied of those of earlier runs.
     pub(super) fn finds(&self, target: &Target) -> Result<PathBuf, Error> {
         let folder = self.folder(target, "finds")?;
         for file in listed(&folder) {
@@ -119,7 +119,7 @@ impl Engine {
         Ok(folder)
     }
 
-    /// The binary as a command for a target, with its limits.
+    /// Returns the command for a target, with its limits.
     fn command(&self, target: &Target) -> Result<Command, Error> {
         let mut command = Command::new(&self.program);
         command.env("ANTRIEB_FUZZ_TARGET", target.name).env("ANTRIEB_FUZZ_MEMORY_MB", target.memory_mb.to_string());
@@ -131,7 +131,7 @@ impl Engine {
             .arg(artifact)
             .arg(format!("-timeout={}", super::CASE_SECONDS))
             .arg(format!("-max_len={}", target.bytes));
-        // The program itself takes some memory besides that of the case.
+        // The program itself needs some memory in addition to that of the case.
         command.arg(format!("-rss_limit_mb={}", target.memory_mb + 512)).current_dir(&self.work);
         Ok(command)
     }
@@ -144,21 +144,21 @@ impl Engine {
             Stop::Seconds(seconds) => format!("-max_total_time={seconds}"),
             Stop::Cases(cases) => format!("-runs={cases}"),
         });
-        // The bytes are choices: a short case is no simpler one. Others at work find what this one can use.
-        // The schedule by rare features costs a fifth of the time where a case has thousands of them.
+        // The bytes are choices, so a short case is not simpler. Parallel processes use each other's finds. The
+        // schedule by rare features costs a fifth of the time if a case has thousands of them.
         command.args(["-len_control=0", "-entropic=0", "-print_final_stats=1", "-reload=10"]);
         command.arg(format!("-seed={seed}"));
         command.arg(new).args([self.unpacked(target), self.crashes(target)].iter().filter(|folder| folder.is_dir()));
         self.run(command, target, &format!("{seed}.log"))
     }
 
-    /// Runs one case and passes all output on.
+    /// Runs one case and passes its output on.
     pub(super) fn repeat(&self, target: &Target, file: &Path) -> Result<(), Error> {
         let path = fs::canonicalize(file).map_err(|source| Error::File { path: file.to_path_buf(), source })?;
         must_succeed(self.command(target)?.env("ANTRIEB_FUZZ_SHOW", "1").arg(path))
     }
 
-    /// Makes the corpus the fewest cases, old and new, that reach all that was reached.
+    /// Reduces the corpus to the fewest cases, old and new, with the same coverage.
     pub(super) fn merge(&self, target: &Target) -> Result<(), Error> {
         let (merged, new) = (self.folder(target, "merged")?, self.folder(target, "new")?);
         for old in listed(&merged) {
@@ -175,7 +175,7 @@ impl Engine {
         Ok(())
     }
 
-    /// Runs the binary with its output in a log; after a failing case the end of the log is printed.
+    /// Runs the binary with its output in a log; prints the end of the log after a failing case.
     fn run(&self, mut command: Command, target: &Target, log: &str) -> Result<Run, Error> {
         let log = self.folder(target, "logs")?.join(log);
         let failed = |source| Error::File { path: log.clone(), source };
@@ -206,10 +206,10 @@ impl Engine {
     }
 }
 
-/// Lines of the log printed for a failing case.
+/// Number of log lines printed for a failing case.
 const LINES_TOLD: usize = 30;
 
-/// libFuzzer is C++.
+/// Checks for a C++ compiler, which libFuzzer requires.
 pub(super) fn compiler() -> Result<(), Error> {
     let asked = std::env::var("CXX").ok();
     let names = asked.iter().map(String::as_str).chain(["c++", "g++", "clang++", "cl"]);

@@ -1,8 +1,8 @@
-//! Compiling the crates of the workspace so that the engine sees which edges a case takes, or the report which lines.
+//! Compilation of the workspace crates with counters, for the edges taken by a case or the lines run.
 //!
-//! cargo calls a wrapper for the compiler of workspace members; this program is that wrapper. Dependencies are compiled as for
-//! any release build and shared with it. So no nightly compiler, no further tool and no second copy of the dependencies is
-//! needed: docs/decisions/0013-libfuzzer.md.
+//! cargo calls a wrapper instead of the compiler for workspace members; this program is that wrapper. Dependencies are
+//! compiled as for any release build and shared with it. Thus no nightly compiler, no further tool and no second copy
+//! of the dependencies is needed: docs/decisions/0013-libfuzzer.md.
 
 use std::ffi::{OsStr, OsString};
 use std::io;
@@ -10,10 +10,10 @@ use std::path::PathBuf;
 use std::process::{Command, ExitCode};
 use std::sync::OnceLock;
 
-/// The variable that makes this program the wrapper.
+/// Environment variable that turns this program into the wrapper.
 pub(super) const VARIABLE: &str = "ANTRIEB_INSTRUMENT";
 
-/// What the code is made to count.
+/// Counters added to the code.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Count {
     /// Edges, for the engine.
@@ -23,7 +23,7 @@ pub(super) enum Count {
 }
 
 impl Count {
-    /// What stands in the variable.
+    /// Returns the value of the environment variable.
     pub(super) const fn word(self) -> &'static str {
         match self {
             Self::Edges => "edges",
@@ -35,7 +35,7 @@ impl Count {
         [Self::Edges, Self::Lines].into_iter().find(|count| word == count.word())
     }
 
-    /// The flags for a crate.
+    /// Returns the compiler flags for a crate.
     fn flags(self, words: &[OsString]) -> Vec<&'static str> {
         match self {
             Self::Edges if is_compared(words) => [&FLAGS[..], &[COMPARED]].concat(),
@@ -45,8 +45,8 @@ impl Count {
     }
 }
 
-/// Counters on the edges, as cargo-fuzz sets them; faults of arithmetic end a case; source positions for the
-/// report. One unit of code: with several, nothing is inlined across them.
+/// Counters on the edges, as set by cargo-fuzz; arithmetic errors end a case; source positions for the report. One
+/// codegen unit: with several, nothing is inlined across them.
 const FLAGS: [&str; 10] = [
     "-Cpasses=sancov-module",
     "-Cllvm-args=-sanitizer-coverage-level=4",
@@ -60,11 +60,11 @@ const FLAGS: [&str; 10] = [
     "-Cforce-frame-pointers=yes",
 ];
 
-/// Comparisons are traced where bytes of the case are compared as they are. Elsewhere they are those of what was made of
-/// them, the engine can use none, and to trace them takes longer than all else.
+/// Flag that traces comparisons, set only where bytes of the case are compared directly. Elsewhere derived values are
+/// compared, of which the engine can use none, and tracing them takes longer than everything else.
 const COMPARED: &str = "-Cllvm-args=-sanitizer-coverage-trace-compares";
 
-/// The crates that read any text or bytes.
+/// Crates that read any text or bytes.
 const READERS: [&str; 2] = ["quantities", "recording"];
 
 fn is_compared(words: &[OsString]) -> bool {
@@ -74,19 +74,20 @@ fn is_compared(words: &[OsString]) -> bool {
     })
 }
 
-/// Where this program was when it began.
+/// Path of this program at its start.
 static OWN: OnceLock<PathBuf> = OnceLock::new();
 
-/// The path of this program. A step of `ci` that builds the workspace with other features puts another build of it at the
-/// same place; a question for its path would then be answered with one that does not exist.
+/// Returns the path of this program. A step of `ci` that builds the workspace with other features replaces it at the
+/// same place; a later query of the path could return one that does not exist.
 ///
 /// # Errors
-/// Those of [`std::env::current_exe`].
+/// Errors of [`std::env::current_exe`].
 pub(super) fn own() -> io::Result<PathBuf> {
     OWN.get().map_or_else(std::env::current_exe, |path| Ok(path.clone()))
 }
 
-/// Compiles if cargo has called this program as its wrapper; `None` if a person has. To be asked before anything else.
+/// Compiles if cargo has called this program as its wrapper; returns `None` if it was called by a user. Must be called
+/// first.
 #[must_use]
 pub fn as_wrapper() -> Option<ExitCode> {
     if let Ok(path) = std::env::current_exe() {
@@ -105,7 +106,8 @@ pub fn as_wrapper() -> Option<ExitCode> {
     Some(ExitCode::from(code))
 }
 
-/// What cargo builds to run itself, build scripts and what they use, is not optimised and has no engine to report to.
+/// Returns `true` for crates of the target; build scripts and their dependencies are not optimised and have no engine
+/// to report to.
 fn is_of_the_target(words: &[OsString]) -> bool {
     let has = |wanted: &str| words.iter().any(|word| word == OsStr::new(wanted));
     has("opt-level=3") && !has("build_script_build")

@@ -1,4 +1,4 @@
-//! ARCHITECTURE.md names every crate and no path that is gone.
+//! Rule: ARCHITECTURE.md names every crate, and every path it names exists.
 
 use std::path::Path;
 
@@ -30,7 +30,7 @@ pub(super) fn rule(root: &Path) -> Vec<Finding> {
     findings
 }
 
-/// The text of every inline code span with its line, fenced blocks left out.
+/// Returns the inline code spans with their lines, without fenced blocks.
 fn code_spans(markdown: &str) -> Vec<(usize, String)> {
     let mut fenced = false;
     let mut found = Vec::new();
@@ -44,7 +44,7 @@ fn code_spans(markdown: &str) -> Vec<(usize, String)> {
     found
 }
 
-/// A path has a slash and no sign that it stands for something else.
+/// Returns `true` for a path: a slash and no sign of a placeholder.
 fn is_path(span: &str) -> bool {
     span.contains('/') && !span.contains("://") && !span.contains([' ', '*', '<', '>', '{', '}', '…', '?'])
 }

@@ -1,4 +1,4 @@
-//! Every document of `docs/` is a page of the book, and stands in the list that greets a reader of the folder.
+//! Rule: every document of `docs/` is a page of the book, and is listed in the README of the folder.
 
 use std::path::Path;
 
@@ -7,7 +7,7 @@ use super::tree::Tree;
 use crate::book::SUMMARY;
 use crate::markdown::{Document, leads_to};
 
-/// The lists that name every page.
+/// Lists that name every page.
 const LISTS: [&str; 2] = [SUMMARY, "docs/README.md"];
 
 pub(super) fn rule(root: &Path) -> Vec<Finding> {

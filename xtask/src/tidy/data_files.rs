@@ -1,4 +1,4 @@
-//! Every TOML that people write is TOML, and a table file is named after its table.
+//! Rule: every hand-written TOML file is valid, and a table file is named after its table.
 
 use std::path::Path;
 

@@ -1,5 +1,4 @@
-//! The guide in English and the one in German are the same guide: page by page the same commands, blocks, headings, pictures
-//! and figures.
+//! Rule: the English and the German guide agree page by page in commands, blocks, headings, pictures and figures.
 
 use std::path::Path;
 
@@ -9,7 +8,7 @@ use crate::markdown::{Code, Document, Section};
 
 const ENGLISH: &str = "docs/guide";
 const GERMAN: &str = "docs/anleitung";
-/// What a command of the German guide has more.
+/// Additional argument of a command in the German guide.
 const IN_GERMAN: &str = " --lang de";
 
 pub(super) fn rule(root: &Path) -> Vec<Finding> {
@@ -33,7 +32,7 @@ pub(super) fn rule(root: &Path) -> Vec<Finding> {
     findings
 }
 
-/// Where the German page is another one than the English, with its line.
+/// Returns the differences of a German page from the English one, with their lines.
 fn differences(english: &Document, german: &Document) -> Vec<(usize, String)> {
     let mut found = Vec::new();
     let infos = |page: &Document| page.code.iter().map(|code| code.info.clone()).collect::<Vec<_>>();
@@ -68,7 +67,8 @@ fn differences(english: &Document, german: &Document) -> Vec<(usize, String)> {
     found
 }
 
-/// What must be the same in a block of code: of an answer the commands, of a file its lines without remarks.
+/// Returns the parts of a code block that must agree: the commands of a console block, the lines of a file without
+/// comments.
 fn shown(code: &Code) -> Vec<String> {
     let line = |line: &str| match code.info.as_str() {
         "console" => line.strip_prefix("$ ").map(|command| command.replace(IN_GERMAN, "")),
@@ -78,7 +78,7 @@ fn shown(code: &Code) -> Vec<String> {
     code.text.lines().filter_map(line).collect()
 }
 
-/// The figures of a section, sorted, without decimal sign: 41.47 and 41,47 are the same.
+/// Returns the numbers in a section, sorted, without decimal sign: 41.47 and 41,47 are equal.
 fn figures(section: &Section) -> Vec<String> {
     let prose = section.prose.iter().map(|(_, text)| text.as_str());
     let mut found = Vec::new();
@@ -101,7 +101,7 @@ fn figures(section: &Section) -> Vec<String> {
     found
 }
 
-/// Entries of the first that are missing in the second; duplicates count twice.
+/// Returns the entries of the first list that are missing in the second; duplicates count twice.
 fn without(first: &[String], second: &[String]) -> Vec<String> {
     let mut rest = second.to_vec();
     let mut found = Vec::new();

@@ -1,4 +1,4 @@
-//! Which room may know which: a crate is built from lower layers only.
+//! Rule: a crate depends on lower layers only.
 
 use std::path::Path;
 
@@ -9,13 +9,13 @@ use super::manifest::Members;
 
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub(super) enum Room {
-    /// Part of the product; may use lower layers.
+    /// Part of the product; may depend on lower layers.
     Layer(u8),
-    /// Serves build scripts and tests; is built from layer 0.
+    /// Used by build scripts and tests; depends on layer 0 only.
     BuildOnly,
-    /// Serves tests and nothing else.
+    /// Used by tests only.
     DevOnly,
-    /// Looks at the product from outside.
+    /// Uses the product from outside.
     Outside,
 }
 
@@ -65,14 +65,14 @@ const ROOMS: [(&str, Room); 42] = [
     ("validation", Room::Outside),
 ];
 
-/// The crates that may serve their own layer.
+/// Crates that their own layer may depend on.
 const SERVE_THEIR_LAYER: [&str; 2] = ["derivation", "motion"];
 
 fn room(name: &str) -> Option<Room> {
     ROOMS.iter().find(|(known, _)| *known == name).map(|(_, room)| *room)
 }
 
-/// The layer of a crate that is part of the product.
+/// Returns the layer of a crate that is part of the product.
 pub(crate) fn layer(name: &str) -> Option<u8> {
     match room(name) {
         Some(Room::Layer(layer)) => Some(layer),
@@ -108,7 +108,7 @@ fn objection(name: &str, from: Room, dependency: &Dependency) -> Option<String> 
     }
     let on = dependency.name.as_str();
     match (from, room(on)?) {
-        // What looks at the product from outside is no part of it, and may be a test itself.
+        // A crate that uses the product from outside is not part of it, and may be a test itself.
         (Room::Layer(_) | Room::DevOnly, Room::DevOnly) => Some(format!("`{on}` may only be a dev-dependency")),
         (Room::Layer(_), Room::BuildOnly) => {
             (dependency.kind != DependencyKind::Build).then(|| format!("`{on}` may only be a build-dependency"))

@@ -1,11 +1,11 @@
-//! No path of one person's machine in a file that all share.
+//! Rule: no shared file contains a path of a personal machine.
 
 use std::path::Path;
 
 use super::Finding;
 use super::tree::Tree;
 
-/// Folders that only one machine has, without their first slash: this file keeps the rule too.
+/// Folders that exist on personal machines only, without their first slash, so that this file satisfies the rule too.
 const FOLDERS: [&str; 4] = ["home/", "root/", "tmp/", "work/"];
 
 pub(super) fn rule(root: &Path) -> Vec<Finding> {
@@ -23,7 +23,8 @@ pub(super) fn rule(root: &Path) -> Vec<Finding> {
     findings
 }
 
-/// Whether an absolute path into `folder` begins somewhere in the line: not in the middle of a relative path or an address.
+/// Returns `true` if an absolute path into `folder` begins in the line, not in the middle of a relative path or an
+/// address.
 fn holds(line: &str, folder: &str) -> bool {
     line.match_indices('/').any(|(at, _)| {
         let (before, after) = (line.get(..at).unwrap_or_default(), line.get(at + 1..).unwrap_or_default());

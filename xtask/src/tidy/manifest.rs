@@ -1,4 +1,4 @@
-//! The members of the workspace, as cargo reads their manifests.
+//! Members of the workspace, with their manifests as read by cargo.
 
 use std::path::Path;
 
@@ -10,13 +10,13 @@ use crate::cargo::metadata;
 
 pub(super) struct Members {
     pub(super) list: Vec<Member>,
-    /// Why there is no list.
+    /// Reason for a missing list.
     pub(super) findings: Vec<Finding>,
 }
 
 pub(super) struct Member {
     pub(super) package: Package,
-    /// Its manifest, from the root of the tree.
+    /// Path of the manifest, relative to the root of the tree.
     pub(super) manifest: String,
 }
 
@@ -40,7 +40,7 @@ impl Members {
 }
 
 impl Member {
-    /// Line of the manifest that a dependency stands in; the first one if it hides in a form not looked for.
+    /// Returns the line of the manifest with a dependency; the first line if it is not found.
     pub(super) fn line_of(&self, dependency: &Dependency) -> usize {
         let text = std::fs::read_to_string(&self.package.manifest_path).unwrap_or_default();
         let key = dependency.rename.as_ref().unwrap_or(&dependency.name);
@@ -50,10 +50,10 @@ impl Member {
     }
 }
 
-/// Members with a table of their own: that of the workspace, but that a file of theirs may lift the ban on unsafe code.
+/// Members with their own lint table: that of the workspace, except that one of their files may permit unsafe code.
 const OWN_LINTS: [&str; 3] = ["python", "site", "startup"];
 
-/// Every member takes the lints of the workspace; cargo does not report which do.
+/// Checks that every member uses the lints of the workspace, which cargo does not report.
 pub(super) fn lints(root: &Path) -> Vec<Finding> {
     let tree = Tree::read(root);
     let members = Members::read(root);

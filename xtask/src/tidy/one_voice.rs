@@ -1,14 +1,14 @@
-//! Who speaks: every sentence for a user stands in `words`, in both languages, and is used by its name.
+//! Rule: every sentence for a user is in `words`, in both languages, and is used by its name.
 
 use std::path::Path;
 
 use super::Finding;
 use super::tree::Tree;
 
-/// The room that writes prose.
+/// Source folder of the texts.
 const WORDS: &str = "crates/words/src";
 
-/// Sources that may tell the languages apart or hold German, and the part of each that is not a sentence.
+/// Sources that may distinguish the languages or hold German, with the reason for each.
 const EXEMPT: [(&str, &str); 4] = [
     ("crates/quantities/src/lib.rs", "what the languages are"),
     ("crates/quantities/src/format.rs", "numbers in the signs of a language"),
@@ -16,14 +16,14 @@ const EXEMPT: [(&str, &str); 4] = [
     ("crates/quantities/src/dimension.rs", "names of dimensions, beside their units"),
 ];
 
-/// Ways to tell the languages apart.
+/// Expressions that distinguish the languages.
 const CHOICES: [&str; 4] = ["Language::En", "Language::De", "Language::{", "Language::*"];
 
-/// Letters and marks that only German has.
+/// Letters and quotation marks that occur in German only.
 const GERMAN: [char; 9] = ['ä', 'ö', 'ü', 'Ä', 'Ö', 'Ü', 'ß', '„', '“'];
 
-/// No product source but those of `words` chooses between the languages or holds a German text, nor does the template of the
-/// report.
+/// Checks that no product source outside `words` selects a language or contains German text; the same for the template
+/// of the report.
 pub(super) fn choices(root: &Path) -> Vec<Finding> {
     let tree = Tree::read(root);
     let mut findings = Vec::new();
@@ -58,7 +58,7 @@ fn choice(file: &str, line: usize, found: &str) -> Finding {
     Finding { path: file.to_owned(), line, rule: "one-voice", message }
 }
 
-/// Every named text of `words` is used by its module and name. Those of the report are used by its
+/// Checks that every named text of `words` is used by its module and name. Texts of the report are used by its
 /// template, which a test of the report checks.
 pub(super) fn unused(root: &Path) -> Vec<Finding> {
     let tree = Tree::read(root);
@@ -87,7 +87,7 @@ pub(super) fn unused(root: &Path) -> Vec<Finding> {
     findings
 }
 
-/// The names in the `texts!` of a source, with their lines.
+/// Returns the names in the `texts!` of a source, with their lines.
 fn names(text: &str) -> Vec<(usize, String)> {
     let mut inside = false;
     let mut found = Vec::new();
@@ -109,7 +109,7 @@ fn names(text: &str) -> Vec<(usize, String)> {
     found
 }
 
-/// Whether a name stands there as a whole.
+/// Returns `true` if a text contains a name as a whole word.
 fn holds(text: &str, name: &str) -> bool {
     let word = |sign: char| sign.is_alphanumeric() || sign == '_';
     text.match_indices(name).any(|(at, _)| {
@@ -119,12 +119,12 @@ fn holds(text: &str, name: &str) -> bool {
     })
 }
 
-/// Whether a source is part of the product: no test, and no crate that serves tests.
+/// Returns `true` for a source of the product: no test, and no crate for tests.
 fn is_product(file: &str) -> bool {
     file.contains("/src/") && !file.starts_with("crates/testkit/") && !file.ends_with("tests.rs")
 }
 
-/// A source without its tests, which stand last.
+/// Returns a source without its tests, which stand last.
 fn product_part(text: &str) -> &str {
     text.find("#[cfg(test)]\nmod ").and_then(|at| text.get(..at)).unwrap_or(text)
 }
@@ -132,13 +132,13 @@ fn product_part(text: &str) -> &str {
 /// A piece of a source within one line.
 #[derive(Debug, PartialEq, Eq)]
 pub(super) enum Part {
-    /// Outside literals and comments.
+    /// Text outside literals and comments.
     Code(String),
-    /// Inside a literal.
+    /// Text inside a literal.
     Literal(String),
 }
 
-/// A source taken apart: code and literals, without the comments.
+/// Splitter of a source into code and literals, without comments.
 pub(super) struct Parts {
     parts: Vec<(usize, Part)>,
     line: usize,
@@ -153,7 +153,8 @@ impl Parts {
             match sign {
                 '/' if signs.peek() == Some(&'/') => while signs.next_if(|sign| *sign != '\n').is_some() {},
                 '"' => {
-                    // `r`, `r#` and so on stand before; so many marks end it, and no backslash means anything in it.
+                    // `r`, `r#` etc. stand before it; the same number of marks ends it, and a backslash has no meaning
+                    // inside.
                     let marks = parts.text.chars().rev().take_while(|sign| *sign == '#').count();
                     let raw = parts.text.trim_end_matches('#').ends_with('r');
                     parts.end(Part::Code);
@@ -178,7 +179,7 @@ impl Parts {
                     }
                     parts.end(Part::Literal);
                 }
-                // A character; a lifetime has no second mark.
+                // A character; a lifetime has no second quotation mark.
                 '\'' => {
                     let ahead: String = signs.clone().take(3).collect();
                     let long = ahead.starts_with('\\');

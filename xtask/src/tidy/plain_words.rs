@@ -1,5 +1,5 @@
-//! Plain words: documents, comments and messages use the words of an engineer of the field, not those that STYLE.md lists;
-//! what a reader of the product sees has one term for one thing, in both languages.
+//! Rule: documents, comments and messages avoid the words listed in STYLE.md; texts for readers of the product use one
+//! term per thing, in both languages.
 
 use std::path::Path;
 
@@ -8,9 +8,9 @@ use super::one_voice::{Part, Parts};
 use super::tree::Tree;
 
 const STYLE: &str = "STYLE.md";
-/// The section of STYLE.md with the words in the first column of its table, as code.
+/// Section of STYLE.md with the words in the first column of its table, as code.
 const SECTION: &str = "### Words that are not used";
-/// The section of STYLE.md with the terms that have another one of the glossary in their place.
+/// Section of STYLE.md with the terms replaced by those of the glossary.
 const TERMS: &str = "### Terms that are not used";
 /// Texts of the product for its readers: documents, then data with texts in both languages.
 const READ: [&str; 7] = [
@@ -22,18 +22,18 @@ const READ: [&str; 7] = [
     "data/cha/code.toml",
     "data/cha/family.toml",
 ];
-/// The messages of the product.
+/// Messages of the product.
 const MESSAGES: &str = "crates/words/src/";
-/// Texts of others, and what was written about earlier versions.
+/// Texts of third parties, and texts about earlier versions.
 const FREE: [&str; 3] = ["CHANGELOG.md", "THIRD-PARTY.md", "third-party/"];
-/// Not reworded yet.
+/// Files not yet reworded.
 const PENDING: [&str; 0] = [];
 
 pub(super) fn rule(root: &Path) -> Vec<Finding> {
     findings(root, &PENDING)
 }
 
-/// What the files hold of the list, apart from those that are not reworded yet.
+/// Returns the listed words and terms that occur in the files, except in pending ones.
 fn findings(root: &Path, pending: &[&str]) -> Vec<Finding> {
     let tree = Tree::read(root);
     let style = tree.text(STYLE).unwrap_or_default();
@@ -61,7 +61,7 @@ fn findings(root: &Path, pending: &[&str]) -> Vec<Finding> {
     findings
 }
 
-/// The words of a file that a reader of the product sees; none of other files.
+/// Returns the words of a file seen by a reader of the product; empty for other files.
 fn read(file: &str, text: &str) -> Vec<Word> {
     match file.rsplit('.').next() {
         Some("rs") if file.starts_with(MESSAGES) => texts(text),
@@ -71,7 +71,7 @@ fn read(file: &str, text: &str) -> Vec<Word> {
     }
 }
 
-/// The words of the texts in a source, without the identifiers among them.
+/// Returns the words of the texts in a source, without identifiers.
 fn texts(text: &str) -> Vec<Word> {
     let is_sign = |sign: char| sign.is_ascii_lowercase() || sign.is_ascii_digit() || "_-".contains(sign);
     let mut words = Vec::new();
@@ -86,14 +86,14 @@ fn texts(text: &str) -> Vec<Word> {
     words
 }
 
-/// A document without the targets of its links, which are names of files.
+/// Returns a document without the targets of its links, which are names of files.
 fn without_targets(text: &str) -> String {
     let mut pieces = text.split("](");
     let first = pieces.next().unwrap_or_default().to_owned();
     pieces.fold(first, |kept, piece| kept + "]" + piece.split_once(')').map_or(piece, |(_, rest)| rest))
 }
 
-/// The words of the English and German texts of a file of data.
+/// Returns the words of the English and German texts of a data file.
 fn values(text: &str) -> Vec<Word> {
     let mut words = Vec::new();
     for (line, content) in (1..).zip(text.lines()) {
@@ -105,7 +105,7 @@ fn values(text: &str) -> Vec<Word> {
     words
 }
 
-/// The phrases of a list, each as its words.
+/// Returns the phrases of a list, each as its words.
 fn phrases(style: &str, section: &str) -> Vec<Vec<String>> {
     let section = style.lines().skip_while(|line| *line != section).skip(1).take_while(|line| !line.starts_with('#'));
     let first = section.filter_map(|line| line.strip_prefix("| `")?.split('|').next());
@@ -114,7 +114,7 @@ fn phrases(style: &str, section: &str) -> Vec<Vec<String>> {
     phrases.filter(|phrase| phrase.first().is_some_and(|word| word != ",")).collect()
 }
 
-/// A word of a prose with its line; none where a sentence cannot go on.
+/// A word of a prose with its line; `None` where a sentence is interrupted.
 type Word = (usize, Option<String>);
 
 fn words_of(line: usize, prose: &str, words: &mut Vec<Word>) {
@@ -132,7 +132,7 @@ fn words_of(line: usize, prose: &str, words: &mut Vec<Word>) {
     }
 }
 
-/// The words of a Markdown document without its blocks of code.
+/// Returns the words of a Markdown document without its code blocks.
 fn document(text: &str) -> Vec<Word> {
     let mut words = Vec::new();
     let mut fenced = false;
@@ -149,7 +149,7 @@ fn document(text: &str) -> Vec<Word> {
     words
 }
 
-/// The words of the comments of a source that stand on lines of their own.
+/// Returns the words of the comments of a source that stand on lines of their own.
 fn comments(text: &str) -> Vec<Word> {
     let mut words = Vec::new();
     for (line, content) in (1..).zip(text.lines()) {
@@ -161,7 +161,7 @@ fn comments(text: &str) -> Vec<Word> {
     words
 }
 
-/// The words of the texts in a source.
+/// Returns the words of the texts in a source.
 fn literals(text: &str) -> Vec<Word> {
     let mut words = Vec::new();
     for (line, part) in Parts::of(text) {
@@ -173,7 +173,7 @@ fn literals(text: &str) -> Vec<Word> {
     words
 }
 
-/// Where a phrase begins, by its line.
+/// Returns the lines where a phrase begins, with the phrase.
 fn found(words: &[Word], phrases: &[Vec<String>]) -> Vec<(usize, String)> {
     let begins = |at: usize, phrase: &[String]| words.get(at..).is_some_and(|rest| matches(rest, phrase));
     let lines = words.iter().enumerate().flat_map(|(at, (line, _))| {
@@ -196,7 +196,7 @@ fn matches(words: &[Word], phrase: &[String]) -> bool {
     }
 }
 
-/// Whether a word is that of a phrase; one with `*` behind it stands for every word that begins so.
+/// Returns `true` if a word equals that of a phrase; a trailing `*` matches any ending.
 fn is_word(word: &str, phrase: &str) -> bool {
     phrase.strip_suffix('*').map_or(word == phrase, |begin| word.starts_with(begin))
 }

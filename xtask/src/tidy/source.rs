@@ -1,4 +1,4 @@
-//! Rules on files as text: how long a source may be, and that nothing is left for later.
+//! Rules for files as text: length of a source, and no markers for later work.
 
 use std::path::Path;
 
@@ -7,10 +7,10 @@ use super::tree::Tree;
 
 const LINES_MAX: usize = 600;
 
-/// The mark of a flaw that was left in, in two parts: this file keeps the rule too.
+/// Marker of a known flaw, in two parts, so that this file satisfies the rule too.
 const MARK: &str = concat!("FIX", "ME");
 
-/// A file that cannot be read in one sitting is two files.
+/// Checks the length of the sources; a file too long to be read in one sitting holds two subjects.
 pub(super) fn length(root: &Path) -> Vec<Finding> {
     let tree = Tree::read(root);
     let long = |file: &str| {
@@ -21,7 +21,7 @@ pub(super) fn length(root: &Path) -> Vec<Finding> {
     tree.under("", ".rs").filter_map(long).collect()
 }
 
-/// Nothing is left for later in the tree. Unfinished code is found by clippy (`todo`, `unimplemented`).
+/// Checks that the tree has no marker for later work. Unfinished code is found by clippy (`todo`, `unimplemented`).
 pub(super) fn markers(root: &Path) -> Vec<Finding> {
     let tree = Tree::read(root);
     let mut findings = Vec::new();

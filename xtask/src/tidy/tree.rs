@@ -1,4 +1,4 @@
-//! The files that count: what git tracks or would track.
+//! Files of the tree: those that git tracks or would track.
 
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -12,7 +12,7 @@ pub(crate) struct Tree {
 }
 
 impl Tree {
-    /// Asks git; a tree that git does not know (a source archive) is walked instead.
+    /// Reads the list of files from git; a tree without git (a source archive) is walked instead.
     pub(crate) fn read(root: &Path) -> Self {
         let mut files = tracked(root).unwrap_or_else(|| walked(root));
         files.retain(|file| root.join(file).is_file());
@@ -25,7 +25,7 @@ impl Tree {
         self.files.iter().map(String::as_str)
     }
 
-    /// Files under one folder (`""` is the root) with one ending.
+    /// Iterates over the files under one folder (`""` is the root) with one ending.
     pub(crate) fn under(&self, folder: &str, ending: &str) -> impl Iterator<Item = &str> {
         self.files().filter(move |file| {
             file.ends_with(ending)
@@ -33,12 +33,13 @@ impl Tree {
         })
     }
 
-    /// The file's text, or nothing if it is no text.
+    /// Returns the text of a file; `None` if it is no text.
     pub(crate) fn text(&self, file: &str) -> Option<String> {
         fs::read(self.root.join(file)).ok().and_then(|bytes| String::from_utf8(bytes).ok())
     }
 
-    /// Whether a file of the tree has this path, or lies under it. An empty folder does not exist: a clone has none.
+    /// Returns `true` if a file of the tree has this path or lies under it. Empty folders do not exist: a clone has
+    /// none.
     pub(crate) fn has(&self, path: &str) -> bool {
         let path = path.trim_end_matches('/');
         path.is_empty()
@@ -48,7 +49,7 @@ impl Tree {
     }
 }
 
-/// A tree without files would pass every rule.
+/// Reports a tree without files, which would pass every rule.
 pub(super) fn not_empty(root: &Path) -> Vec<Finding> {
     if Tree::read(root).files.is_empty() {
         let message = format!("no files in {}", root.display());
