@@ -1,4 +1,4 @@
-//! The browser of the machine and the program that drives it.
+//! The browser and its WebDriver.
 
 use crate::tab::Tab;
 use fantoccini::ClientBuilder;
@@ -26,7 +26,7 @@ const ARGUMENTS: [&str; 11] = [
     "--no-default-browser-check",
 ];
 
-/// The make of the browser: what the standard of drivers leaves open differs.
+/// Make of the browser, for differences left open by the WebDriver standard.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Make {
     Chromium,
@@ -34,13 +34,13 @@ pub(crate) enum Make {
 }
 
 impl Make {
-    /// By the driver's name.
+    /// Returns the make that belongs to the driver program.
     fn of(driver: &Path) -> Self {
         let is_gecko = driver.file_stem().is_some_and(|name| name.to_string_lossy().starts_with("gecko"));
         if is_gecko { Self::Firefox } else { Self::Chromium }
     }
 
-    /// The words before the port in what the driver says at its start.
+    /// Returns the words before the port in the start message of the driver.
     const fn before_the_port(self) -> &'static str {
         match self {
             Self::Chromium => "started successfully on port ",
@@ -49,7 +49,7 @@ impl Make {
     }
 }
 
-/// The driver, which runs as long as this is held.
+/// A running driver, terminated on drop.
 pub(crate) struct Driver {
     pub(crate) make: Make,
     process: Child,
@@ -58,7 +58,7 @@ pub(crate) struct Driver {
 }
 
 impl Driver {
-    /// Starts it.
+    /// Starts the driver.
     pub(crate) fn start(program: &Path) -> Result<Self, String> {
         let mut command = Command::new(program);
         command.arg("--port=0").stdin(Stdio::null()).stdout(Stdio::piped()).stderr(Stdio::null());
@@ -71,14 +71,14 @@ impl Driver {
             .find_map(port_in)
             .map(|rest| rest.chars().take_while(char::is_ascii_digit).collect())
             .ok_or("the driver names no port")?;
-        // What it says further is of no interest, but must have somewhere to go.
+        // Further output is not needed, but the pipe must be emptied.
         drop(std::thread::spawn(move || lines.for_each(drop)));
         let runtime = tokio::runtime::Builder::new_current_thread().enable_all().build();
         let runtime = Rc::new(runtime.map_err(|error| error.to_string())?);
         Ok(Self { make, process, address: format!("http://127.0.0.1:{port}"), runtime })
     }
 
-    /// A browser with nothing kept of earlier ones; what it downloads comes into `folder`.
+    /// Starts a browser with an empty profile that downloads to `folder`.
     pub(crate) fn browser(&self, program: &Path, folder: &Path) -> Result<Tab, String> {
         let mut wanted = Capabilities::new();
         let _ = match self.make {
@@ -117,23 +117,23 @@ fn firefox(program: &Path, folder: &Path) -> Value {
             "pdfjs.disabled": true,
             "browser.helperApps.neverAsk.saveToDisk": SAVED,
             "intl.accept_languages": "en",
-            // A page with unsaved work is left without a question: a browser that asks does not end.
+            // A page with unsaved work is left without a dialog: a browser that shows one does not end.
             "dom.disable_beforeunload": true,
-            // A window that is not in front has its events of focus too.
+            // A window in the background receives focus events too.
             "focusmanager.testmode": true,
-            // The clipboard without a question, as a person's click has it.
+            // Permits clipboard access without a dialog, as after a click of the user.
             "dom.events.testing.asyncClipboard": true,
         },
     })
 }
 
-/// Media types that Firefox saves without a question.
+/// Media types that Firefox saves without a dialog.
 const SAVED: &str = "application/pdf,application/octet-stream,text/csv,text/plain,application/toml,image/svg+xml,\
     application/vnd.openxmlformats-officedocument.spreadsheetml.sheet";
 
 impl Drop for Driver {
     fn drop(&mut self) {
-        // It ends its browsers with itself.
+        // The driver terminates its browsers when it ends.
         let _ = self.process.kill();
         let _ = self.process.wait();
     }

@@ -1,7 +1,7 @@
-//! The page in a real browser: the same ways through it, served by `antrieb serve` and without any server.
+//! Tests of the page in a real browser: the same scenarios, served by `antrieb serve` and without a server.
 //!
-//! `cargo xtask browser [NAME…]` builds what is needed and calls it. A way is a function that takes a [`Stage`]; it stands in
-//! [`ways::ALL`], and what it finds wrong it gives back as a sentence.
+//! `cargo xtask browser [NAME…]` builds what is needed and calls this program. A scenario is a function of a [`Stage`],
+//! listed in [`ways::ALL`]; it returns a failure as a sentence.
 #![allow(clippy::print_stdout, clippy::print_stderr, reason = "it tells what it found")]
 #![allow(clippy::indexing_slicing, reason = "JSON gives null where there is nothing")]
 
@@ -18,14 +18,14 @@ use std::path::PathBuf;
 use std::process::ExitCode;
 use std::time::Instant;
 
-/// What the command line says.
+/// Arguments of the command line.
 struct Options {
     program: PathBuf,
     axe: PathBuf,
-    /// Chromium or Firefox, as the driver is.
+    /// Chromium or Firefox, matching the driver.
     browser: PathBuf,
     driver: PathBuf,
-    /// The page without a server; where it is not given, the ways with a server alone are gone.
+    /// Folder of the page without a server; `None` runs the scenarios with a server only.
     site: Option<PathBuf>,
     names: Vec<String>,
 }
@@ -60,7 +60,7 @@ fn main() -> ExitCode {
     }
 }
 
-/// Goes every way against the shells that are there; returns the number of those that failed.
+/// Runs every scenario against the available shells and returns the number of failures.
 fn all(options: &Options) -> Result<usize, String> {
     let axe = std::fs::read_to_string(&options.axe).map_err(|error| format!("{}: {error}", options.axe.display()))?;
     let driver = Driver::start(&options.driver)?;
@@ -72,7 +72,7 @@ fn all(options: &Options) -> Result<usize, String> {
             if !options.names.is_empty() && !options.names.iter().any(|name| way.name.contains(name.as_str())) {
                 continue;
             }
-            // Each begins in a browser that keeps nothing of the others.
+            // Each scenario begins in a browser with an empty profile.
             let tab = driver.browser(&options.browser, downloads.path())?;
             let stage = Stage { tab, shell: &shell, downloads: downloads.path(), axe: &axe };
             let begin = Instant::now();

@@ -1,4 +1,4 @@
-//! The two shells of the page, each at an address of this machine.
+//! The two ways of serving the page, each at an address of this machine.
 
 use std::fs;
 use std::io::{BufRead, BufReader, Write};
@@ -10,17 +10,17 @@ use std::sync::atomic::{AtomicBool, Ordering};
 
 /// The page as it is served.
 pub(crate) enum Shell {
-    /// By `antrieb serve`, with a folder of the disk.
+    /// Served by `antrieb serve`, with a folder on disk.
     Server { process: Child, address: String, token: String, folder: tempfile::TempDir },
-    /// As a static folder, by a host that knows nothing but files.
+    /// Served as a static folder, by a host of plain files.
     Site { address: String, folder: PathBuf, is_up: Arc<AtomicBool> },
 }
 
-/// The folder does not lie at the top of its host.
+/// Path of the folder, which is not at the top level of its host.
 const BELOW: &str = "/somewhere/antrieb/";
 
 impl Shell {
-    /// Starts the program in a folder of its own.
+    /// Starts the program in a temporary folder.
     pub(crate) fn server(program: &Path) -> Result<Self, String> {
         let folder = tempfile::tempdir().map_err(|error| error.to_string())?;
         let mut command = Command::new(program);
@@ -57,7 +57,7 @@ impl Shell {
         }
     }
 
-    /// The address of the page with a query.
+    /// Returns the address of the page with a query.
     pub(crate) fn at(&self, query: &str) -> String {
         match self {
             // Each browser begins without the token.
@@ -66,7 +66,7 @@ impl Shell {
         }
     }
 
-    /// The folder on the disk, where there is one.
+    /// Returns the folder on disk, if there is one.
     pub(crate) fn folder(&self) -> Option<PathBuf> {
         match self {
             Self::Server { folder, .. } => Some(folder.path().to_owned()),

@@ -1,4 +1,4 @@
-//! Where a way through the page begins, and the steps that many of them share.
+//! Start of a scenario, and the steps shared by many of them.
 
 use crate::shell::Shell;
 use crate::tab::{Tab, Worded, expect};
@@ -6,7 +6,7 @@ use serde_json::{Value, json};
 use std::path::{Path, PathBuf};
 use std::time::{Duration, Instant};
 
-/// A tab before a shell.
+/// A tab with the shell that it shows.
 pub(crate) struct Stage<'s> {
     pub(crate) tab: Tab,
     pub(crate) shell: &'s Shell,
@@ -14,11 +14,11 @@ pub(crate) struct Stage<'s> {
     pub(crate) axe: &'s str,
 }
 
-/// The rules of WCAG 2.2, levels A and AA, as axe-core names them.
+/// Rules of WCAG 2.2, levels A and AA, by their names in axe-core.
 const RULES: [&str; 5] = ["wcag2a", "wcag2aa", "wcag21a", "wcag21aa", "wcag22aa"];
 
 impl Stage<'_> {
-    /// Opens the page where one begins.
+    /// Opens the start page.
     pub(crate) fn start(&self, language: &str) -> Worded {
         self.tab.open(&self.shell.at(&format!("lang={language}")))?;
         self.tab.there("#start-title")?;
@@ -31,17 +31,17 @@ impl Stage<'_> {
         self.ready()
     }
 
-    /// Waits until the page with a project has its answer and listens to its keys.
+    /// Waits until the page with a project has its answer and its scripts respond to keys.
     pub(crate) fn ready(&self) -> Worded {
         self.tab.there("#standing")?;
         self.listens()?;
-        // The script has run: it shows the values at the instant, and the picture is as large as its pane.
+        // The script has run: it shows the values at the instant, and the picture fills its pane.
         self.tab.until("document.querySelector('#instant-values')?.textContent !== ''")?;
         std::thread::sleep(Duration::from_millis(120));
         self.tab.until("(() => { const figure = document.querySelector('#demands figure.plot'); const frame = figure?.querySelector('.frame'); return !document.querySelector('.htmx-request') && (!frame || frame.clientWidth === 0 || Math.abs(frame.clientWidth - figure.dataset.width) < 8); })()")
     }
 
-    /// Shows the checks of the actuator that is looked at.
+    /// Shows the checks of the selected actuator.
     pub(crate) fn unfold(&self) -> Worded {
         self.tab.there("tbody[aria-current] button.fold")?;
         if self.tab.eval("document.querySelector('#checks') === null")? == Value::Bool(true) {
@@ -50,12 +50,12 @@ impl Stage<'_> {
         self.tab.there("#checks")
     }
 
-    /// The scripts have begun; before that a field that is typed in may be replaced.
+    /// Waits until the scripts have started; before that, a field may be replaced while it is edited.
     pub(crate) fn listens(&self) -> Worded {
         self.tab.until("typeof htmx === 'object' && document.readyState === 'complete' && (document.documentElement.dataset.ready !== undefined || !document.querySelector('script[src*=\"site.js\"]'))")
     }
 
-    /// Changes a value of the project by its path and waits until the page has answered.
+    /// Changes a value of the project by its path and waits for the answer of the page.
     pub(crate) fn change(&self, field: &str, value: &str) -> Worded {
         let mark = "document.querySelector('#work').dataset.before = ''; \
             addEventListener('htmx:after:swap', () => { document.documentElement.dataset.answered = String(Number(document.documentElement.dataset.answered ?? 0) + 1); }, { once: true });";
@@ -64,12 +64,12 @@ impl Stage<'_> {
             .run(&format!("{mark} return Number(document.documentElement.dataset.answered ?? 0);"), Vec::new())?;
         self.tab.fill(field, value)?;
         self.tab.until(&format!("Number(document.documentElement.dataset.answered ?? 0) > {before}"))?;
-        // Each key may have its own answer: the last one is waited for.
+        // Each key may have its own answer; the last one is awaited.
         std::thread::sleep(Duration::from_millis(60));
         self.tab.until("!document.querySelector('.htmx-request')")
     }
 
-    /// No rule of accessibility is broken by what is in sight.
+    /// Checks that the visible part of the page violates no accessibility rule.
     pub(crate) fn accessible(&self, what: &str) -> Worded {
         self.tab
             .run(&format!("{}\nreturn null;", self.axe.replace("module.exports", "void 0")), Vec::new())
@@ -84,7 +84,7 @@ impl Stage<'_> {
         expect(violations.is_empty(), || format!("{what}: {}", Value::Array(violations)))
     }
 
-    /// The page is no wider than the window.
+    /// Checks that the page is no wider than the window.
     pub(crate) fn no_sideways_scroll(&self, what: &str) -> Worded {
         let script = "const wide = [...document.querySelectorAll('body *')].filter((each) => each.getBoundingClientRect().right > innerWidth + 1 && !each.closest('svg')).slice(0, 3).map((each) => each.tagName + '#' + each.id + '.' + each.className); \
             return [document.documentElement.scrollWidth, innerWidth, wide];";
@@ -92,7 +92,7 @@ impl Stage<'_> {
         expect(found[0].as_u64() <= found[1].as_u64(), || format!("{what}: {found}"))
     }
 
-    /// Presses a button that downloads, and gives the file when it is whole.
+    /// Clicks a button that downloads, and returns the path of the complete file.
     pub(crate) fn download(&self, button: &str, ending: &str) -> Worded<PathBuf> {
         let all = || -> Vec<PathBuf> {
             std::fs::read_dir(self.downloads).into_iter().flatten().flatten().map(|entry| entry.path()).collect()
@@ -102,7 +102,7 @@ impl Stage<'_> {
         let begin = Instant::now();
         while begin.elapsed() < Duration::from_secs(60) {
             let new: Vec<PathBuf> = all().into_iter().filter(|path| !before.contains(path)).collect();
-            // As long as there is more to come, Firefox keeps it beside the file, which is empty.
+            // During a download Firefox keeps the data in a second file next to the empty target.
             let is_part = |path: &PathBuf| path.extension().is_some_and(|found| found == "part");
             let found = new.iter().find(|path| path.extension().is_some_and(|found| found == ending)).cloned();
             let found = found.filter(|_| !new.iter().any(is_part));
@@ -114,12 +114,12 @@ impl Stage<'_> {
         Err(format!("{button} gave no file with the ending {ending}: {}", self.tab.text("#status").unwrap_or_default()))
     }
 
-    /// The console has no error, and no resource was blocked.
+    /// Checks that the console has no error and no resource was blocked.
     pub(crate) fn no_fault_in_the_console(&self) -> Worded {
         let mut faults = self.tab.faults()?;
         // Error responses are listed there too; the scenarios check the page's message.
         faults.retain(|fault| !fault.contains("the server responded with a status of 4"));
-        // Nor is it a fault to be without a network, or to leave unsaved work by a script.
+        // A missing network, or leaving unsaved work by script, is no fault either.
         let expected = ["ERR_INTERNET_DISCONNECTED", "Failed to fetch", "'beforeunload'"];
         faults.retain(|fault| expected.iter().all(|part| !fault.contains(part)));
         expect(faults.is_empty(), || faults.join("; "))

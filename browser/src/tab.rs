@@ -1,4 +1,4 @@
-//! One tab, as a person uses it: looks, types, clicks, waits.
+//! A browser tab with the actions of a user: read, type, click, wait.
 
 use crate::driver::Make;
 use fantoccini::actions::{InputSource, KeyAction, KeyActions, MOUSE_BUTTON_LEFT, MouseActions, PointerAction};
@@ -9,16 +9,16 @@ use std::rc::Rc;
 use std::time::{Duration, Instant};
 use tokio::runtime::Runtime;
 
-/// A failure in words.
+/// Result with a failure as text.
 pub(crate) type Worded<T = ()> = Result<T, String>;
 
-/// So long something may take on a machine that has others to serve.
+/// Time limit of an action, for a machine under load.
 const PATIENCE: Duration = Duration::from_secs(30);
 
-/// No window of Firefox is narrower than some 450 pixels.
+/// Minimum width of a Firefox window in the tests; the browser permits no less than about 450 pixels.
 const FIREFOX_LEAST: u32 = 500;
 
-/// Keys as the driver names them.
+/// Keys by their WebDriver codes.
 pub(crate) mod key {
     pub(crate) const TAB: char = '\u{e004}';
     pub(crate) const ENTER: char = '\u{e007}';
@@ -29,7 +29,7 @@ pub(crate) mod key {
     pub(crate) const CONTROL: char = '\u{e009}';
 }
 
-/// A browser and the tab of it that is looked at.
+/// A browser and its current tab.
 pub(crate) struct Tab {
     client: Client,
     runtime: Rc<Runtime>,
@@ -40,12 +40,12 @@ fn message(error: impl std::fmt::Display) -> String {
     error.to_string()
 }
 
-/// An expectation in words.
+/// Returns a failure with the text of `what` unless the expectation holds.
 pub(crate) fn expect(holds: bool, what: impl FnOnce() -> String) -> Worded {
     if holds { Ok(()) } else { Err(what()) }
 }
 
-/// What is in a pane that a narrow window hides, or behind the other face of the left one, is brought to sight first.
+/// Script that makes an element visible: shows its pane in a narrow window, or the hidden side of the left pane.
 const SHOWN: &str = "const pane = found.closest('.pane'); \
     if (pane && getComputedStyle(pane).display === 'none') document.querySelector(`[data-pane=\"${{ moves: 1, demands: 2, fits: 3 }[pane.id]}\"]`)?.click(); \
     if (found.id === 'text') document.querySelector('[data-left=text]')?.click(); else if (found.closest('#left-pane-form')) document.querySelector('[data-left=form]')?.click();";
@@ -57,7 +57,7 @@ impl Tab {
         Ok(Self { client, runtime, make })
     }
 
-    /// Ends the browser.
+    /// Closes the browser.
     pub(crate) fn close(self) {
         let _ = self.runtime.block_on(self.client.close());
     }
@@ -71,7 +71,7 @@ impl Tab {
         self.runtime.block_on(self.client.refresh()).map_err(message)
     }
 
-    /// A further tab, which is looked at from now on; gives the one before.
+    /// Opens a further tab, makes it current, and returns the previous one.
     pub(crate) fn another(&self) -> Worded<WindowHandle> {
         self.runtime.block_on(async {
             let before = self.client.window().await.map_err(message)?;
@@ -81,7 +81,7 @@ impl Tab {
         })
     }
 
-    /// Closes the tab and looks at another.
+    /// Closes the tab and makes another one current.
     pub(crate) fn back_to(&self, before: WindowHandle) -> Worded {
         self.runtime.block_on(async {
             self.client.close_window().await.map_err(message)?;
@@ -89,7 +89,7 @@ impl Tab {
         })
     }
 
-    /// What a script gives that is the body of a function; it may wait for promises.
+    /// Runs a script, the body of a function that may await promises, and returns its value.
     pub(crate) fn run(&self, script: &str, arguments: Vec<Value>) -> Worded<Value> {
         let script = format!(
             "const done = arguments[arguments.length - 1]; const given = arguments; \
@@ -102,7 +102,7 @@ impl Tab {
         }
     }
 
-    /// The value of an expression.
+    /// Returns the value of an expression.
     pub(crate) fn eval(&self, expression: &str) -> Worded<Value> {
         self.run(&format!("return {expression};"), Vec::new())
     }
@@ -111,7 +111,7 @@ impl Tab {
     pub(crate) fn until(&self, expression: &str) -> Worded {
         let begin = Instant::now();
         loop {
-            // While a page is being loaded there is nothing to ask.
+            // Scripts cannot run while a page is loading.
             let now = self.eval(&format!("!!({expression})"));
             if now == Ok(Value::Bool(true)) {
                 return Ok(());
@@ -128,12 +128,12 @@ impl Tab {
         }
     }
 
-    /// Waits until something is there.
+    /// Waits until an element is present.
     pub(crate) fn there(&self, selector: &str) -> Worded {
         self.until(&format!("document.querySelector({})", json!(selector)))
     }
 
-    /// Waits until a text is in something.
+    /// Waits until an element contains a text.
     pub(crate) fn says(&self, selector: &str, text: &str) -> Worded {
         self.until(&format!("document.querySelector({})?.textContent.includes({})", json!(selector), json!(text)))
     }
@@ -155,7 +155,7 @@ impl Tab {
 
     pub(crate) fn click(&self, selector: &str) -> Worded {
         self.listens(selector)?;
-        // Folds are opened as a person would who looks for what is inside.
+        // Folded sections are opened first, as by a user who searches in them.
         self.run(
             &format!(
                 "const found = document.querySelector(arguments_[0]); {SHOWN} \
@@ -170,7 +170,7 @@ impl Tab {
                 let found = self.client.find(Locator::Css(selector)).await.map_err(message)?;
                 found.click().await.map_err(|error| format!("{selector}: {error}"))
             });
-            // An answer may put another in its place between the two.
+            // An answer may replace the element between the two steps.
             let is_gone = clicked.as_ref().is_err_and(|error| error.contains("stale element"));
             if !is_gone || begin.elapsed() > PATIENCE {
                 return clicked;
@@ -178,14 +178,14 @@ impl Tab {
         }
     }
 
-    /// Waits until something is there and its events are listened to, which follows its insertion.
+    /// Waits until an element is present and its event handlers are attached, which follows its insertion.
     fn listens(&self, selector: &str) -> Worded {
         self.there(selector)?;
         let found = format!("document.querySelector({})", json!(selector));
         self.until(&format!("{found}?.matches('[hx-post], [hx-get]') === false || {found}?._htmx?.initialized"))
     }
 
-    /// Puts a text in the place of what a field holds, and leaves the field.
+    /// Replaces the text of a field, and leaves the field.
     pub(crate) fn fill(&self, selector: &str, text: &str) -> Worded {
         self.listens(selector)?;
         self.run(
@@ -210,7 +210,7 @@ impl Tab {
         self.runtime.block_on(self.client.perform_actions(actions)).map_err(message)
     }
 
-    /// Presses a key while another is held.
+    /// Presses a key while another one is down.
     pub(crate) fn chord(&self, held: char, key: char) -> Worded {
         let actions = KeyActions::new("keys".to_owned())
             .then(KeyAction::Down { value: held })
@@ -220,7 +220,7 @@ impl Tab {
         self.runtime.block_on(self.client.perform_actions(actions)).map_err(message)
     }
 
-    /// Takes something with the pointer and lets it go so many pixels further.
+    /// Drags an element by a number of pixels.
     pub(crate) fn drag(&self, selector: &str, (x, y): (i64, i64)) -> Worded {
         self.there(selector)?;
         self.run("document.querySelector(arguments_[0]).scrollIntoView({ block: 'center' });", vec![json!(selector)])?;
@@ -238,7 +238,7 @@ impl Tab {
         })
     }
 
-    /// Presses the tabulator until something has the focus.
+    /// Presses the tab key until an element has the focus.
     pub(crate) fn tab_to(&self, selector: &str) -> Worded {
         for _ in 0..400 {
             self.keys(&key::TAB.to_string())?;
@@ -259,7 +259,7 @@ impl Tab {
         Ok(())
     }
 
-    /// Gives a file to the next chooser that the page opens.
+    /// Provides the file for the next file dialog that the page opens.
     pub(crate) fn will_choose(&self, name: &str, text: &str) -> Worded {
         self.run(
             "const [name, text] = arguments_; const click = HTMLInputElement.prototype.click; \
@@ -273,7 +273,7 @@ impl Tab {
         Ok(())
     }
 
-    /// A size of the page in its own pixels, and how many of the screen's there are to each; Firefox has one.
+    /// Sets the size of the page in CSS pixels, and the number of screen pixels per CSS pixel; Firefox has only one.
     pub(crate) fn sized(&self, width: u32, height: u32, scale: f64) -> Worded {
         match self.make {
             Make::Chromium => {
@@ -281,7 +281,7 @@ impl Tab {
                 self.command("Emulation.setDeviceMetricsOverride", metrics)
             }
             Make::Firefox => {
-                // Its window has a least width, and a frame around the page.
+                // Its window has a minimum width, and a frame around the page.
                 let width = width.max(FIREFOX_LEAST);
                 let around = self.eval("[outerWidth - innerWidth, outerHeight - innerHeight]")?;
                 let side = |inside: u32, place: usize| inside + around[place].as_u64().unwrap_or(0) as u32;
@@ -292,14 +292,14 @@ impl Tab {
         }
     }
 
-    /// Takes the network away, or gives it back: Chromium alone can.
+    /// Disconnects or reconnects the network; Chromium only.
     pub(crate) fn offline(&self, is: bool) -> Worded {
         self.command("Network.enable", json!({}))?;
         let network = json!({ "offline": is, "latency": 0, "downloadThroughput": -1, "uploadThroughput": -1 });
         self.command("Network.emulateNetworkConditions", network)
     }
 
-    /// New errors in the console since the last call; the driver of Firefox does not give them.
+    /// Returns new errors in the console since the last call; the driver of Firefox does not provide them.
     pub(crate) fn faults(&self) -> Worded<Vec<String>> {
         if self.make == Make::Firefox {
             return Ok(Vec::new());
@@ -311,7 +311,7 @@ impl Tab {
         Ok(answer.as_array().into_iter().flatten().filter(severe).map(message).collect())
     }
 
-    /// A picture of the page as it is seen.
+    /// Returns a screenshot of the page.
     pub(crate) fn picture(&self) -> Worded<Vec<u8>> {
         self.runtime.block_on(self.client.screenshot()).map_err(message)
     }
@@ -322,7 +322,7 @@ impl Tab {
     }
 }
 
-/// A command of the browser itself, which the standard does not have.
+/// A browser-specific command outside the WebDriver standard.
 #[derive(Debug)]
 struct OfTheBrowser {
     name: &'static str,
@@ -339,7 +339,7 @@ impl WebDriverCompatibleCommand for OfTheBrowser {
     }
 }
 
-/// Reads the console.
+/// Command that reads the console.
 #[derive(Debug)]
 struct Log;
 

@@ -1,4 +1,4 @@
-//! The ways through the page.
+//! The test scenarios.
 
 mod begin;
 mod files;
@@ -16,7 +16,7 @@ use crate::shell::Shell;
 use crate::stage::Stage;
 use crate::tab::Worded;
 
-/// One way.
+/// One scenario.
 pub(crate) struct Way {
     pub(crate) name: &'static str,
     shells: Shells,
@@ -24,15 +24,15 @@ pub(crate) struct Way {
     pub(crate) go: fn(&Stage<'_>) -> Worded,
 }
 
-/// Which browsers it is gone with.
+/// Browsers in which a scenario runs.
 #[derive(Clone, Copy)]
 enum Makes {
     Any,
-    /// It needs what its driver alone can do, or compares with pictures that it made.
+    /// The scenario needs a function of Chromium's driver, or compares screenshots taken with it.
     Chromium,
 }
 
-/// Which shells it is gone with.
+/// Shells with which a scenario runs.
 #[derive(Clone, Copy)]
 enum Shells {
     Both,
@@ -53,12 +53,12 @@ impl Way {
         Self { name, shells: Shells::Site, makes: Makes::Any, go }
     }
 
-    /// The same with Chromium alone.
+    /// Restricts the scenario to Chromium.
     const fn in_chromium(self) -> Self {
         Self { makes: Makes::Chromium, ..self }
     }
 
-    /// Whether it is gone with a shell, in a browser of a make.
+    /// Returns `true` if the scenario runs with a shell in a browser of this make.
     pub(crate) fn concerns(&self, shell: &Shell, make: Make) -> bool {
         let is_able = match self.makes {
             Makes::Any => true,
@@ -73,7 +73,7 @@ impl Way {
     }
 }
 
-/// All of them.
+/// The scenarios, by name.
 pub(crate) const ALL: &[Way] = &[
     Way::server("another-port", neighbour::a_server_at_another_port_gets_no_token),
     Way::both("begin-with-figures", begin::with_figures),

@@ -1,5 +1,5 @@
-//! Whole use cases on a drafted project: verdicts that follow from the checks, questions that agree with each other, answers
-//! that keep to their schema, tables and pictures that are whole.
+//! Whole use cases on a generated project: verdicts that follow from the checks, answers that agree with each other and
+//! with their schema, complete tables and pictures.
 
 mod forms;
 pub(crate) mod verdict;
@@ -16,10 +16,10 @@ use serde::Serialize;
 use serde_json::Value;
 use std::sync::LazyLock;
 
-/// Enough samples to go through everything.
+/// Few samples, enough to execute every step.
 const FEW: Draw = Draw { samples: Some(5), seed: 1 };
 
-/// What a use case needs.
+/// Input of a use case.
 struct Case<'c> {
     text: &'c str,
     /// Place of the axis in the file.
@@ -28,7 +28,7 @@ struct Case<'c> {
     language: Language,
 }
 
-/// A drafted project, at times with edits, sized; then one further question about it.
+/// Sizes a generated project, in some cases with edits, and tests one further use case.
 pub fn run(data: &[u8]) {
     let mut u = Unstructured::new(data);
     let Ok((question, language, text)) = chosen(&mut u) else { return };
@@ -39,7 +39,7 @@ pub fn run(data: &[u8]) {
     }
 }
 
-/// The text that a case is.
+/// Returns the text of a case.
 pub fn shown(data: &[u8]) -> String {
     chosen(&mut Unstructured::new(data))
         .map(|(question, language, text)| format!("# question {question}, {language:?}\n{text}"))
@@ -85,18 +85,18 @@ fn ranking(case: &Case<'_>) {
     }
 }
 
-/// A run of the twin that is not longer than what a case may take.
+/// Runs the twin if the run fits into the time of a case.
 fn twin(case: &Case<'_>, code: &OrderCode) {
     if let Some(Ok(run)) = twin_of(case.project, code, case.language) {
         keeps_to_schema("simulate", &answer::simulation(&run, case.language));
     }
 }
 
-/// A run of the twin: refused with a reason, or every figure a number, or the run marked as having left every bound. `None` where
-/// it takes too long: ten cycles at a tenth of the speed that the engine of the fuzzer leaves.
+/// Runs the twin: the run is refused with a reason, or every figure is a number, or the run is marked as having left
+/// every bound. Returns `None` if it takes too long: ten cycles at a tenth of the speed that the fuzzing engine leaves.
 ///
 /// # Panics
-/// Where a run is none of these.
+/// The run is none of these.
 pub fn twin_of<'p>(
     project: &'p Project,
     code: &OrderCode,
@@ -120,13 +120,13 @@ pub fn twin_of<'p>(
     Some(found)
 }
 
-/// The ranking judges in stages, and a candidate alone in full: what fits there must fit here.
+/// Checks that the ranking, which judges in stages, agrees with the full judgement of a single candidate.
 fn agree(case: &Case<'_>, sizing: &Sizing<'_>) {
     let fitting = sizing.candidates.iter().filter(|each| each.fits()).take(4);
     let rejected = sizing.candidates.iter().filter(|each| !each.fits()).step_by(40);
     for each in fitting.chain(rejected) {
         let CandidateId::Code(code) = each.id else { continue };
-        // Options required by the project may break a rule; then only the ranking judges it.
+        // Options required by the project may violate a rule; then only the ranking judges the candidate.
         let Ok(alone) = check(case.project, &code) else { continue };
         verdict::candidate(&alone);
         let said = |candidate: &Candidate<'_>| {
@@ -166,7 +166,7 @@ fn workings(case: &Case<'_>, code: &OrderCode) {
     }
 }
 
-/// The first two of the ranking, and the first with itself.
+/// Compares the first two of the ranking, and the first with itself.
 fn beside(case: &Case<'_>, sizing: &Sizing<'_>) {
     let of = |each: &Candidate<'_>| match each.id {
         CandidateId::Code(code) => Some(code),
@@ -186,7 +186,7 @@ fn beside(case: &Case<'_>, sizing: &Sizing<'_>) {
     assert!(found.checks.iter().all(|row| row.better.is_none()), "nothing is better than itself");
 }
 
-/// A revision that changes nothing changes nothing.
+/// Checks that a revision without changes shows no difference.
 fn revisions(case: &Case<'_>, code: &OrderCode) {
     let Ok(found) = difference(case.project, case.project, Some(code), &Patience::endless()) else { return };
     assert!(found.demand.iter().all(questions::list::compare::DatumRow::is_same), "{:?}", found.demand);
@@ -197,7 +197,7 @@ fn revisions(case: &Case<'_>, code: &OrderCode) {
     keeps_to_schema("diff", &answer::difference(&found, &inputs, &case.project.name, case.language));
 }
 
-/// The schema of each answer, compiled once.
+/// Schema of each answer, compiled once.
 struct Compiled {
     schemas: boon::Schemas,
     of: Vec<(&'static str, boon::SchemaIndex)>,
@@ -220,7 +220,7 @@ fn compiled(schema: &Value) -> Option<Compiled> {
     Some(found)
 }
 
-/// An answer as JSON is what its schema says, and no text in it would be acted on by a terminal.
+/// Checks that an answer as JSON satisfies its schema, and that no text in it would control a terminal.
 fn keeps_to_schema(command: &str, record: &impl Serialize) {
     let value = serde_json::to_value(record).unwrap_or_default();
     let found = COMPILED.as_ref().and_then(|found| Some((found, found.of.iter().find(|(of, _)| *of == command)?.1)));

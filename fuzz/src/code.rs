@@ -1,4 +1,4 @@
-//! Ordering codes: never another code than the one written, and every fault has its place and its words.
+//! Ordering codes: a code is never read as another one, and every fault has its place and its text.
 
 use crate::text::{any_edits, mutate, one_in, rest, tells};
 use arbitrary::{Result, Unstructured};
@@ -13,12 +13,12 @@ use std::sync::LazyLock;
 static CODES: LazyLock<Vec<OrderCode>> =
     LazyLock::new(|| list_codes(None).into_iter().map(|(code, _)| *code).collect());
 
-/// A valid code with edits, or any text.
+/// Tests a valid code with edits, or any text.
 pub fn run(data: &[u8]) {
     let text = shown(data);
     hold(&text);
-    // The nearest codes, and what a partial code allows, are sought among all: each takes as long as ten other cases or
-    // more, and the languages differ in words.
+    // The nearest codes and the completions of a partial code are searched among all codes: each takes as long as ten
+    // other cases or more, and the languages differ in their texts only.
     let language = if one_in(2, &text) { Language::De } else { Language::En };
     if one_in(15, &text) {
         hold_read(&text, language);
@@ -27,7 +27,7 @@ pub fn run(data: &[u8]) {
     }
 }
 
-/// The text that a case is.
+/// Returns the text of a case.
 pub fn shown(data: &[u8]) -> String {
     text(&mut Unstructured::new(data)).unwrap_or_default()
 }
@@ -92,7 +92,7 @@ fn refused(text: &str, refusal: &CodeRefusal, language: Language) {
     let _ = answer::code_faults(text, refusal, language);
 }
 
-/// What may follow a partial code leads to a code.
+/// Checks that every completion of a partial code leads to a code.
 fn partial(pattern: &Pattern, language: Language) {
     let codes = list_codes(Some(pattern));
     assert!(!codes.is_empty(), "{pattern:?}");

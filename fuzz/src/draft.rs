@@ -1,4 +1,4 @@
-//! Projects from bytes: every mechanism, law, stage, load and requirement, mostly of sizes that such machines have.
+//! Generation of projects from bytes: every mechanism, law, stage, load and requirement, mostly with realistic sizes.
 
 mod asked;
 mod motion;
@@ -8,24 +8,24 @@ mod twin;
 use arbitrary::{Result, Unstructured};
 use page::{ANGLE, FORCE, INERTIA, LENGTH, MASS, Page, TORQUE};
 
-/// What hangs on the flange, as far as the motion must know it.
+/// Kind of load on the flange, as needed by the motion.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Load {
-    /// Turns as far as it likes.
+    /// Rotates without a limit.
     Free,
-    /// Turns, and comes back.
+    /// Rotates within a range and returns.
     Bound,
-    /// Moves along a line, and comes back.
+    /// Moves along a line and returns.
     Line,
-    /// Moves along a line without end.
+    /// Moves along a line without an end.
     Belt,
 }
 
-/// A project file with one axis or several, without recordings. With `ratios` some have several ratios of their stage, for
-/// each of which the whole catalogue is sized while the file is read.
+/// Generates a project file with one axis or several, without recordings. With `ratios`, some files have several ratios
+/// of their stage, for each of which the whole catalogue is sized while the file is read.
 ///
 /// # Errors
-/// When the case is out of bytes.
+/// The case has too few bytes.
 pub fn project(u: &mut Unstructured<'_>, ratios: bool) -> Result<String> {
     let tolerances = if u.ratio(1, 8)? { 4 } else { 0 };
     let edges = u.ratio(1, 6)?;
@@ -46,7 +46,7 @@ pub fn project(u: &mut Unstructured<'_>, ratios: bool) -> Result<String> {
     Ok(page.text)
 }
 
-/// The tables of an axis behind its name; what belongs to `[axis]` comes first.
+/// Writes the tables of an axis after its name, the keys of `[axis]` first.
 fn axis(page: &mut Page<'_, '_>) -> Result<()> {
     let single = page.seldom()?;
     if single {
@@ -75,7 +75,7 @@ fn axis(page: &mut Page<'_, '_>) -> Result<()> {
     Ok(())
 }
 
-/// Keys of `[bearing]` for what turns with the flange, for a screw or crank, a belt or rack, a conveyor.
+/// Keys of `[bearing]` for a load that rotates with the flange, a screw or crank, a belt or rack, a conveyor.
 const TURNING: &[&str] = &["overhang", "payload_overhang", "flange_share"];
 const COUPLED: &[&str] = &["overhang", "flange_share", "wheel_mass"];
 const PULLED: &[&str] = &["overhang", "flange_share", "wheel_mass", "belt_tension"];
@@ -146,14 +146,14 @@ fn load(page: &mut Page<'_, '_>) -> Result<Load> {
         10 => scissor_lift(page)?,
         _ => four_bar(page)?,
     };
-    // The bodies of a turntable are tables of their own, behind what all have.
+    // The bodies of a turntable are tables of their own, after the keys common to all.
     if kind != 1 {
         shared(page, kind != 0)?;
     }
     Ok(found)
 }
 
-/// What every mechanism may have.
+/// Writes keys permitted for every mechanism.
 fn shared(page: &mut Page<'_, '_>, efficiencies: bool) -> Result<()> {
     page.may("friction_torque", 0.1, 15.0, TORQUE)?;
     page.may("viscous_friction", 0.01, 3.0, &[("N m s/rad", 1.0)])?;
@@ -165,7 +165,7 @@ fn shared(page: &mut Page<'_, '_>, efficiencies: bool) -> Result<()> {
     Ok(())
 }
 
-/// What belongs to every mechanism along a line.
+/// Writes keys permitted for every linear mechanism.
 fn line(page: &mut Page<'_, '_>) -> Result<()> {
     page.may("inclination", -90.0, 90.0, ANGLE)?;
     page.may("friction_force", 1.0, 80.0, FORCE)?;
@@ -229,7 +229,7 @@ fn scissor_lift(page: &mut Page<'_, '_>) -> Result<Load> {
 fn four_bar(page: &mut Page<'_, '_>) -> Result<Load> {
     page.table("mechanism.four_bar");
     let crank = page.between(20.0, 150.0)?;
-    // The crank is the shortest; with the ground it stays shorter than coupler and rocker together.
+    // The crank is the shortest link; together with the ground it stays shorter than coupler and rocker.
     let [ground, coupler, rocker] = [(3.0, 5.0), (3.0, 4.0), (2.5, 3.5)];
     page.exactly("crank", crank, LENGTH)?;
     for (key, (low, high)) in [("ground", ground), ("coupler", coupler), ("rocker", rocker)] {
@@ -346,7 +346,7 @@ fn stage(page: &mut Page<'_, '_>) -> Result<()> {
     if kind != "coupling" { page.may("pitch_diameter", 30.0, 300.0, LENGTH) } else { Ok(()) }
 }
 
-/// Forces at the flange, of the whole cycle or of a segment.
+/// Writes forces at the flange, for the whole cycle or a segment.
 fn forces(page: &mut Page<'_, '_>) -> Result<()> {
     page.key("radial_force", 1.0, 2000.0, FORCE)?;
     page.key("radial_distance", 1.0, 300.0, LENGTH)?;
@@ -354,7 +354,8 @@ fn forces(page: &mut Page<'_, '_>) -> Result<()> {
     page.key("axial_distance", 1.0, 200.0, LENGTH)
 }
 
-/// Returns `true` if the mechanism or its stage loads the flange: beside stated loads the file must say what its own do.
+/// Returns `true` if the mechanism or its stage loads the flange; next to stated loads the file must then describe its
+/// own.
 fn has_own_loads(page: &Page<'_, '_>) -> bool {
     !page.effective.is_empty()
 }

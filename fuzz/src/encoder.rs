@@ -1,4 +1,4 @@
-//! Words of encoders: any text is read or refused, a word that is read is the one that is sent, and a trace keeps its order.
+//! Encoder words: any text is read or refused, a word read equals the word sent, and a trace keeps its order.
 
 use crate::text::{any_edits, mutate, rest};
 use arbitrary::{Result, Unstructured};
@@ -9,7 +9,7 @@ use feedback::{
 };
 use quantities::{Angle, AngularVelocity, Measure, Time};
 
-/// A word that an encoder sends with edits, or any text; then a turning shaft.
+/// Tests a word of an encoder with edits, or any text; then a turning shaft.
 pub fn run(data: &[u8]) {
     let mut u = Unstructured::new(data);
     if let Ok(text) = text(&mut u)
@@ -20,7 +20,7 @@ pub fn run(data: &[u8]) {
     let _ = turn(&mut u);
 }
 
-/// The text of a case.
+/// Returns the text of a case.
 pub fn shown(data: &[u8]) -> String {
     text(&mut Unstructured::new(data)).unwrap_or_default()
 }
@@ -44,7 +44,7 @@ fn text(u: &mut Unstructured<'_>) -> Result<String> {
     Ok(mutate(&word, &edits))
 }
 
-/// What is read is what is sent: the same word again.
+/// Checks that reading a word and sending the result gives the same word.
 fn read(word: Word) {
     assert_eq!(word.to_string().parse(), Ok(word));
     for absolute in ABSOLUTE {
@@ -87,7 +87,8 @@ fn encoder(u: &mut Unstructured<'_>) -> Result<Encoder> {
     Ok(Encoder { interface, deviation })
 }
 
-/// Levels of a line alternate, edges are in order and within the trace, and the word in it is that of the position.
+/// Checks that the levels of a line alternate, edges are in order and within the trace, and the word in it is that of
+/// the position.
 fn turn(u: &mut Unstructured<'_>) -> Result<()> {
     let encoder = encoder(u)?;
     let turns: i64 = u.arbitrary()?;

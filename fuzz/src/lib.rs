@@ -1,8 +1,9 @@
-//! The fuzz targets: functions that take any bytes and hold what is made of them to what antrieb promises.
+//! The fuzz targets: functions that accept any bytes and test antrieb's promises on the input made from them.
 //!
-//! The bytes are choices, not the input itself: [`draft`] makes a project of them that is mostly valid, [`recorded`] a
-//! recording, [`text`] an edited text. So an engine that changes bytes goes from one valid project to another.
-//! A target knows no engine; `main.rs` puts it under libFuzzer, and `tests/` replays the corpora without one.
+//! The bytes are choices, not the input itself: [`draft`] makes a mostly valid project of them, [`recorded`] a
+//! recording, [`text`] an edited text. Thus an engine that changes bytes moves from one valid project to another. A
+//! target is independent of the engine; `main.rs` runs it under libFuzzer, and `tests/` replays the corpora without an
+//! engine.
 
 use std::sync::atomic::AtomicU64;
 
@@ -16,21 +17,21 @@ pub mod recorded;
 pub mod request;
 pub mod text;
 
-/// How many cases got past the first gate of their target: for Parquet the footer. Others have none.
+/// Number of cases that passed the first gate of their target: the footer for Parquet; the others have none.
 pub static PAST_THE_GATE: AtomicU64 = AtomicU64::new(0);
 
 /// A fuzz target.
 #[derive(Clone, Copy, Debug)]
 pub struct Target {
-    /// Its name, and that of its folders under `corpus` and `crashes`.
+    /// Name of the target, and of its folders under `corpus` and `crashes`.
     pub name: &'static str,
-    /// Holds one case to its promises; a promise that is broken panics.
+    /// Function that tests one case and panics if a promise is broken.
     pub run: fn(&[u8]),
-    /// What a case is, for people.
+    /// Function that returns a readable form of a case.
     pub shown: fn(&[u8]) -> String,
 }
 
-/// Every target; `xtask/src/fuzz.rs` has their limits.
+/// The targets; `xtask/src/fuzz.rs` has their limits.
 pub const TARGETS: [Target; 8] = [
     Target { name: "code", run: code::run, shown: code::shown },
     Target { name: "encoder", run: encoder::run, shown: encoder::shown },

@@ -1,4 +1,4 @@
-//! One fuzz target under libFuzzer: `ANTRIEB_FUZZ_TARGET` names it. `cargo xtask fuzz` builds and starts this.
+//! One fuzz target under libFuzzer, named by `ANTRIEB_FUZZ_TARGET`. `cargo xtask fuzz` builds and starts this program.
 #![no_main]
 
 use fuzz::PAST_THE_GATE;
@@ -7,17 +7,17 @@ use std::io::Write as _;
 use std::sync::OnceLock;
 use std::sync::atomic::Ordering;
 
-/// Cases past the gate between two reports.
+/// Number of cases past the gate between two reports.
 const STEP: u64 = 1000;
 
-/// Counts what is allocated, and refuses what goes beyond the limit of the target: libFuzzer sees such a case as a crash,
-/// even if the memory is allocated and never touched.
+/// Counts the allocated memory and refuses allocations beyond the limit of the target: libFuzzer reports such a case as
+/// a crash, even if the memory is never touched.
 #[global_allocator]
 static ALLOCATOR: cap::Cap<System> = cap::Cap::new(System, usize::MAX);
 
 static TARGET: OnceLock<fuzz::Target> = OnceLock::new();
 
-/// Whether each case is printed: when one is repeated.
+/// Cases are printed, as required when one is repeated.
 static SHOWN: OnceLock<bool> = OnceLock::new();
 
 fn prepare() {
@@ -25,7 +25,7 @@ fn prepare() {
     let found = fuzz::TARGETS.iter().find(|target| target.name == name);
     assert!(found.is_some(), "no target {name:?}; there are: {:?}", fuzz::TARGETS.map(|target| target.name));
     if let Some(target) = found.copied() {
-        // What is loaded once per process is not put down to the first case.
+        // Data loaded once per process must not count for the first case.
         (target.run)(&[]);
         let megabytes = std::env::var("ANTRIEB_FUZZ_MEMORY_MB").ok().and_then(|text| text.parse::<usize>().ok());
         assert!(megabytes.is_none_or(|most| ALLOCATOR.set_limit(ALLOCATOR.allocated() + (most << 20)).is_ok()));

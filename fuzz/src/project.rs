@@ -1,4 +1,4 @@
-//! Project files: whatever the text, a project or faults that have their place and their words.
+//! Project files: any text gives a project, or faults with their place and text.
 
 use crate::draft;
 use crate::text::{any_edits, mutate, one_in, rest, tells};
@@ -9,12 +9,12 @@ use questions::{answer, project_fingerprint};
 use std::ops::Range;
 use words::{Worded, worded};
 
-/// A project that is mostly valid, with edits in a share of the cases; or any text.
+/// Tests a mostly valid project, in some cases with edits, or any text.
 pub fn run(data: &[u8]) {
     hold(&shown(data));
 }
 
-/// The text that a case is.
+/// Returns the text of a case.
 pub fn shown(data: &[u8]) -> String {
     text(&mut Unstructured::new(data)).unwrap_or_default()
 }
@@ -31,12 +31,12 @@ fn text(u: &mut Unstructured<'_>) -> Result<String> {
     }
 }
 
-/// Holds the faults of a text to their promises in both languages, and gives the projects if there are none.
+/// Tests the faults of a text in both languages, and returns the projects if there are none.
 pub fn hold(text: &str) -> Option<Vec<Project>> {
     read(text, || questions::read_all(text, &project::NoFiles))
 }
 
-/// The same with another way to read it.
+/// Tests the faults of a text that is read by another function, and returns the projects if there are none.
 pub fn read(
     text: &str,
     with: impl FnOnce() -> std::result::Result<Vec<Project>, Vec<project::Diagnostic>>,
@@ -44,7 +44,7 @@ pub fn read(
     let faults = match with() {
         Ok(projects) => {
             assert!(!projects.is_empty());
-            // What is not judged by its text is not read a second time in every case.
+            // Inputs and fingerprint are tested in a share of the cases only.
             if one_in(4, text) {
                 for input in inputs(text) {
                     assert!(text.get(input.span.clone()).is_some(), "{text:?}: {input:?}");
@@ -72,7 +72,7 @@ pub fn read(
     None
 }
 
-/// Holds the words of faults to their promises, also as they are shown within the text; their ids and places.
+/// Tests the texts of faults, also as shown within the project text, and returns their ids and places.
 fn wording(text: &str, faults: &[Diagnostic], language: Language) -> Vec<(&'static str, Range<usize>)> {
     let worded = worded(faults, language);
     for fault in &worded {
@@ -84,9 +84,9 @@ fn wording(text: &str, faults: &[Diagnostic], language: Language) -> Vec<(&'stat
     worded.into_iter().map(|fault| (fault.id, fault.span)).collect()
 }
 
-/// Each fault as it is shown within the text: nothing in it acts on a terminal but its colours.
+/// Checks that a fault shown within its text contains no terminal control except colours.
 fn excerpts(text: &str, faults: &[Worded]) {
-    // All of them cost as much as the rest of the case, and are as the first and the last.
+    // Testing all would cost as much as the rest of the case; first and last represent them.
     let ends = faults.iter().take(1).chain(faults.last());
     for fault in ends {
         let (message, hint) = (seen(&fault.message), fault.hint.as_deref().map(seen));
@@ -106,7 +106,7 @@ fn excerpts(text: &str, faults: &[Worded]) {
     }
 }
 
-/// What is shown, between the colours.
+/// Iterates over the parts of a shown text between the colours.
 fn plain(shown: &str) -> impl Iterator<Item = &str> {
     let is_colour = |code: &str| code.chars().all(|sign| sign.is_ascii_digit() || sign == ';');
     shown.split("\u{1b}[").enumerate().map(move |(index, part)| match part.split_once('m') {

@@ -1,20 +1,21 @@
-//! Quantities: a finite value that is read again as it is printed, or a fault inside the text.
+//! Quantities: a finite value that is read back as printed, or a fault inside the text.
 
 use crate::text::{any_edits, mutate, rest, tells};
 use arbitrary::{Result, Unstructured};
 use quantities::{Dimension, Language, Reading, Unit, format_significant, parse, parse_german, unit};
 
-/// Digits that are printed to be read again.
+/// Number of digits in the printed form that is read back.
 const DIGITS: usize = 6;
 
-/// An example of a dimension with edits, a number with a unit, or any text; held to its dimension and two others.
+/// Tests an example of a dimension with edits, a number with a unit, or any text, as a quantity of its dimension and
+/// two others.
 pub fn run(data: &[u8]) {
     if let Ok((dimensions, text)) = made(data) {
         dimensions.into_iter().for_each(|dimension| hold(&text, dimension));
     }
 }
 
-/// The text that a case is.
+/// Returns the text of a case.
 pub fn shown(data: &[u8]) -> String {
     made(data).map(|(_, text)| text).unwrap_or_default()
 }
@@ -61,7 +62,7 @@ fn read_again(text: &str, of: Dimension, reading: &Reading) {
         let again = parse(of, &printed).map(|again| again.si.to_bits());
         assert_eq!(again.ok(), Some(reading.si.to_bits()), "{text:?} printed as {printed:?}");
     }
-    // What a person reads, in both languages. Beyond these bounds a power of ten is printed.
+    // The displayed form in both languages. Outside these bounds a power of ten is printed.
     let value = reading.value;
     if (1e-3..1e5).contains(&value.abs()) {
         let [english, german] =

@@ -1,4 +1,4 @@
-//! Recordings as CSV and Parquet: whatever stands in the file, a recording or faults; what is read can be judged.
+//! Recordings as CSV and Parquet: any file gives a recording or faults, and a recording can be judged.
 
 mod columns;
 mod table;
@@ -20,7 +20,7 @@ const ARM: &str = "[mechanism.arm]\ninertia = \"0.5 kg m^2\"\nmass = \"6 kg\"\nc
 const JOINT: &str = "[mechanism.joint]\ninertia = \"1 kg m^2\"\n";
 const SCREW: &str = "[mechanism.screw]\nlead = \"10 mm\"\nmass = \"8 kg\"\n";
 
-/// What a segment may say about its recording.
+/// Additional keys of a segment with a recording.
 const SAID: [&str; 10] = [
     "",
     "standstill = \"0.01 1/min\"\n",
@@ -34,7 +34,7 @@ const SAID: [&str; 10] = [
     "smoothing = \"3 s\"\nstandstill = \"1 rad/s\"\ngaps = \"allow\"\n",
 ];
 
-/// The one file that a project refers to.
+/// File access that has a single file.
 struct Only<'t>(&'t [u8]);
 
 impl Files for Only<'_> {
@@ -43,14 +43,14 @@ impl Files for Only<'_> {
     }
 }
 
-/// CSV as loggers write it, with edits in a share of the cases; or any bytes.
+/// Tests CSV as written by loggers, in some cases with edits; or any bytes.
 pub fn csv(data: &[u8]) {
     if let Ok((project, bytes)) = made_csv(&mut Unstructured::new(data)) {
         hold(&project, &bytes, |_| false);
     }
 }
 
-/// Parquet as the writer of the library makes it, with changed bytes in a share of the cases; or any bytes.
+/// Tests Parquet as written by the library, in some cases with changed bytes; or any bytes.
 pub fn parquet(data: &[u8]) {
     if let Ok((project, bytes)) = made_parquet(&mut Unstructured::new(data)) {
         hold(&project, &bytes, is_past_the_footer);
@@ -59,7 +59,7 @@ pub fn parquet(data: &[u8]) {
     }
 }
 
-/// A table of many axes: rows or a refusal, and each part has as many rows as its columns say.
+/// Tests a table of many axes: rows or a refusal, and each part has the same number of rows in all columns.
 fn as_table(bytes: Vec<u8>) {
     const ROWS: usize = 1000;
     const PARTS_MOST: usize = 20;
@@ -85,7 +85,8 @@ fn length(values: &TableValues) -> usize {
     }
 }
 
-/// Columns by their names, as a recorded run is read for identification: all as long as each other and finite, or faults.
+/// Tests columns read by name, as for the identification of a recorded run: all of the same length and finite, or
+/// faults.
 fn by_name(bytes: Vec<u8>) {
     const NAMES: [&str; 9] =
         ["time", "t", "Zeit", "timestamp", "position [deg]", "q [rad]", "speed [rad/s]", "torque [Nm]", "note"];
@@ -103,14 +104,14 @@ fn by_name(bytes: Vec<u8>) {
     }
 }
 
-/// The project and the file that a case of CSV is.
+/// Returns the project and the file of a CSV case.
 pub fn shown_csv(data: &[u8]) -> String {
     made_csv(&mut Unstructured::new(data))
         .map(|(project, bytes)| format!("{project}---\n{}", String::from_utf8_lossy(&bytes)))
         .unwrap_or_default()
 }
 
-/// The project and the bytes that a case of Parquet is.
+/// Returns the project and the bytes of a Parquet case.
 pub fn shown_parquet(data: &[u8]) -> String {
     made_parquet(&mut Unstructured::new(data))
         .map(|(project, bytes)| format!("{project}---\n{}", bytes.escape_ascii()))
@@ -138,9 +139,9 @@ fn made_csv(u: &mut Unstructured<'_>) -> Result<(String, Vec<u8>)> {
 fn made_parquet(u: &mut Unstructured<'_>) -> Result<(String, Vec<u8>)> {
     let project = project(u, "run.parquet")?;
     let bytes = match u.int_in_range(0..=9)? {
-        // The bytes are the file: what the engine changes is behind the magic and before it.
+        // The bytes are the file: the engine's changes lie between the magic bytes at both ends.
         0 => u.bytes(u.len())?.to_vec(),
-        // The bytes are the footer of a file that has no columns to show for it.
+        // The bytes are the footer of a file without columns.
         1 => table::with_footer(u.bytes(u.len())?),
         2..=5 => {
             let edits: Vec<(u16, u8)> = any_edits(u, 6)?;
@@ -161,7 +162,7 @@ fn project(u: &mut Unstructured<'_>, file: &str) -> Result<String> {
     ))
 }
 
-/// Whether what is wrong with a file was found behind its footer; where nothing is, it was read to its end.
+/// Returns `true` if the faults of a file were found after its footer, or there are none.
 fn is_past_the_footer(faults: &[Diagnostic]) -> bool {
     let at_the_footer = |fault: &RecordingFault| match fault {
         RecordingFault::ParquetUnreadable { reason } => {
@@ -177,12 +178,12 @@ fn is_past_the_footer(faults: &[Diagnostic]) -> bool {
     })
 }
 
-/// What is read can be shown and judged, in half of the cases; one actuator is enough, the target `axis` has the others.
-/// Counts the cases with which `past` says that they got past the gate.
+/// Checks that a recording can be shown and judged, in half of the cases; one actuator is enough, the target `axis`
+/// covers the others. Counts the cases for which `past` reports that they passed the gate.
 fn hold(text: &str, file: &[u8], past: fn(&[Diagnostic]) -> bool) {
     let read_it = || {
         let read = questions::read_all(text, &Only(file));
-        // For CSV there is no gate, and what is read is not counted either.
+        // CSV has no gate, so its cases are not counted.
         if past(read.as_ref().err().map_or(&[], Vec::as_slice)) {
             PAST_THE_GATE.fetch_add(1, Ordering::Relaxed);
         }

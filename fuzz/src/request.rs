@@ -1,4 +1,4 @@
-//! Requests: whatever is asked of the page or of the interface, an answer that is whole, and never a failure of ours.
+//! Requests: any request to the page or the interface gets a complete answer, and never a server error.
 
 use crate::draft;
 use crate::text::{any_edits, mutate};
@@ -16,7 +16,7 @@ use std::sync::LazyLock;
 use std::time::Duration;
 use testkit::html::whole;
 
-/// A path of the page, and the names that its fields may have besides those of its state.
+/// A path of the page, and the names of its fields besides those of its state.
 const PAGES: [(Method, &str, &[&str]); 17] = [
     (Method::Get, "/", &["new", "open", "kind"]),
     (Method::Post, "/", &["do"]),
@@ -40,7 +40,7 @@ const PAGES: [(Method, &str, &[&str]); 17] = [
 /// Names of the state of the page.
 const STATE: [&str; 9] = ["lang", "theme", "axis", "code", "file", "from", "until", "known", "good"];
 
-/// Words that fields are given: such as mean something in one of them, and such as mean nothing in any.
+/// Values for fields, some with a meaning in one of them, some without any.
 const WORDS: [&str; 44] = [
     "en",
     "de",
@@ -88,10 +88,10 @@ const WORDS: [&str; 44] = [
     "",
 ];
 
-/// What must never stand in a page as it was sent.
+/// Text that must never appear unescaped in a page.
 const MARK: &str = "<b onload='x'>\"&";
 
-/// A path of the interface: how it is asked, its parameters, the media types of its body.
+/// A path of the interface: method, parameters, media types of its body.
 struct Operation {
     method: Method,
     path: String,
@@ -99,7 +99,7 @@ struct Operation {
     media: Vec<String>,
 }
 
-/// The interface as it describes itself.
+/// The interface according to its own description.
 static INTERFACE: LazyLock<Vec<Operation>> = LazyLock::new(|| {
     let reply = answered(&Asked { method: Method::Get, path: "/api/v1/openapi.json".to_owned(), ..Asked::default() });
     let described: Value = serde_json::from_slice(&reply.body).unwrap_or_default();
@@ -122,7 +122,7 @@ static INTERFACE: LazyLock<Vec<Operation>> = LazyLock::new(|| {
     found
 });
 
-/// A request that owns what it is made of.
+/// A request with owned parts.
 struct Asked {
     method: Method,
     path: String,
@@ -145,7 +145,7 @@ impl Default for Asked {
     }
 }
 
-/// Asks, and holds the answer to its promises.
+/// Sends a request and checks the reply.
 pub fn run(data: &[u8]) {
     let Ok(asked) = chosen(&mut Unstructured::new(data)) else { return };
     let reply = answered(&asked);
@@ -162,7 +162,7 @@ pub fn run(data: &[u8]) {
         assert!(value.is_object() || value.is_array(), "{}: no JSON", what());
         assert_eq!(reply.status >= 400, errors, "{}: errors without their status, or without being reported", what());
     } else if reply.status >= 400 {
-        // Whether a work is there is all that is asked of it.
+        // The only information is whether a work exists.
         assert!(!reply.body.is_empty() || asked.path == "/progress", "{}", what());
     }
     for (name, value) in &reply.headers {
@@ -170,7 +170,7 @@ pub fn run(data: &[u8]) {
     }
 }
 
-/// The request that a case is.
+/// Returns the request of a case.
 pub fn shown(data: &[u8]) -> String {
     chosen(&mut Unstructured::new(data)).map_or_else(
         |_| String::new(),
@@ -196,8 +196,8 @@ fn chosen(u: &mut Unstructured<'_>) -> Result<Asked> {
     Ok(asked)
 }
 
-/// The text of a project, mostly valid. Its tolerances are left out: ten thousand samples are worth their ten seconds to a user,
-/// not to a case.
+/// Generates a mostly valid project without tolerances: ten thousand samples take ten seconds, which is acceptable for
+/// a user but not for a case.
 fn project(u: &mut Unstructured<'_>) -> Result<String> {
     let edits = if u.ratio(1, 4)? { any_edits(u, 3)? } else { Vec::new() };
     let mut text = draft::project(u, false)?;
@@ -212,7 +212,7 @@ fn word(u: &mut Unstructured<'_>) -> Result<&'static str> {
     u.choose(&WORDS).copied()
 }
 
-/// Fields as a form sends them.
+/// Encodes fields as sent by a form.
 fn form(fields: &[(&str, &str)]) -> String {
     let mut text = String::new();
     for (name, value) in fields {

@@ -1,8 +1,8 @@
-//! Texts from bytes: any text, and a small language of edits that turns a valid text into a broken one.
+//! Texts from bytes: any text, and edits that turn a valid text into an invalid one.
 
 use arbitrary::{Result, Unstructured};
 
-/// Pieces that break texts in ways that random bytes seldom find.
+/// Text fragments that random bytes seldom produce.
 const PIECES: [&str; 56] = [
     "NaN",
     "inf",
@@ -62,15 +62,15 @@ const PIECES: [&str; 56] = [
     ";",
 ];
 
-/// All bytes that are left as text, what is no UTF-8 replaced.
+/// Returns the remaining bytes as text, with invalid UTF-8 replaced.
 #[must_use]
 pub fn rest(u: &mut Unstructured<'_>) -> String {
     let length = u.len();
     String::from_utf8_lossy(u.bytes(length).unwrap_or_default()).into_owned()
 }
 
-/// Whether a case belongs to the share of one in `many`, by a hash of its text or bytes (FNV-1a): for checks too expensive for every
-/// case. Shares with no common divisor are independent.
+/// Returns `true` if a case belongs to the share of one in `many`, by a hash of its text or bytes (FNV-1a): for checks
+/// too expensive for every case. Shares without a common divisor are independent.
 #[must_use]
 pub fn one_in(many: u64, case: impl AsRef<[u8]>) -> bool {
     let mixed = case
@@ -80,21 +80,21 @@ pub fn one_in(many: u64, case: impl AsRef<[u8]>) -> bool {
     (mixed >> 7).is_multiple_of(many)
 }
 
-/// One to `most` edits for [`mutate`].
+/// Chooses one to `most` edits for [`mutate`].
 ///
 /// # Errors
-/// When the case is out of bytes.
+/// The case has too few bytes.
 pub fn any_edits(u: &mut Unstructured<'_>, most: usize) -> Result<Vec<(u16, u8)>> {
     (0..u.int_in_range(1..=most)?).map(|_| u.arbitrary()).collect()
 }
 
-/// A text for a person is not empty. Quotations are unchanged: each face makes invisible characters
+/// Checks that a text for a person is not empty. Quotations are unchanged: each face makes invisible characters
 /// harmless in its own way.
 pub fn tells(text: &str) {
     assert!(!text.trim().is_empty(), "{text:?}");
 }
 
-/// Applies edits to a text: each edit is a place and a choice of what to do there.
+/// Applies edits to a text: each edit is a place and an operation.
 #[must_use]
 pub fn mutate(text: &str, edits: &[(u16, u8)]) -> String {
     let mut characters: Vec<char> = text.chars().collect();
@@ -131,7 +131,7 @@ pub fn mutate(text: &str, edits: &[(u16, u8)]) -> String {
     characters.into_iter().collect()
 }
 
-/// Writes a line twice, leaves it out, or exchanges it with the next one.
+/// Doubles a line, drops it, or exchanges it with the next one.
 fn edit_line(characters: &[char], place: usize, choice: u8) -> Vec<char> {
     let mut lines: Vec<&[char]> = characters.split_inclusive(|c| *c == '\n').collect();
     if lines.is_empty() {

@@ -1,4 +1,4 @@
-//! To a first answer.
+//! Scenarios from the start page to a first answer.
 
 use crate::stage::Stage;
 use crate::tab::Worded;
@@ -6,7 +6,7 @@ use serde_json::json;
 
 const PROJECT: &str = "# a table\nformat = 1\n[load]\ninertia = \"1.3 kg m^2\"\n[[motion]]\nlaw = \"trapezoid\"\ndistance = \"48 deg\"\ntime = \"1.3 s\"\n[requirements]\nsupply = \"560 V\"\n";
 
-/// A drawing, a few figures, an answer.
+/// A mechanism tile, a few values, an answer.
 pub(crate) fn with_figures(stage: &Stage<'_>) -> Worded {
     let tab = &stage.tab;
     stage.start("en")?;
@@ -26,12 +26,12 @@ pub(crate) fn with_an_example(stage: &Stage<'_>) -> Worded {
     tab.click("a[href*=\"new=belt\"]")?;
     stage.ready()?;
     tab.says("#demands-title", "Belastung")?;
-    // The way back leads to where one began.
+    // The link back leads to the start page.
     tab.click("a[data-leaves]")?;
     tab.there("#start-title")
 }
 
-/// A project file of the disk.
+/// A project file from disk.
 pub(crate) fn with_a_file(stage: &Stage<'_>) -> Worded {
     let tab = &stage.tab;
     stage.start("en")?;
@@ -42,7 +42,7 @@ pub(crate) fn with_a_file(stage: &Stage<'_>) -> Worded {
     tab.holds("#text", PROJECT)
 }
 
-/// A link that holds the whole project behind its mark.
+/// A link that contains the whole project after its `#`.
 pub(crate) fn with_a_link(stage: &Stage<'_>) -> Worded {
     let tab = &stage.tab;
     stage.example("belt", "en")?;
@@ -52,7 +52,7 @@ pub(crate) fn with_a_link(stage: &Stage<'_>) -> Worded {
     tab.click("#link")?;
     tab.until("location.hash.startsWith('#p=')")?;
     let hash = tab.eval("location.hash")?;
-    // Another browser would begin where one begins.
+    // A new browser would show the start page.
     tab.run("sessionStorage.clear();", Vec::new())?;
     tab.open("about:blank")?;
     tab.open(&format!("{}{}", stage.shell.at("lang=en"), hash.as_str().unwrap_or_default()))?;

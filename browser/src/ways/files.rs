@@ -1,4 +1,4 @@
-//! What is saved, opened, brought and taken away.
+//! Scenarios with files: save, open, paste, download.
 
 use crate::shell::Shell;
 use crate::stage::Stage;
@@ -21,7 +21,7 @@ pub(crate) fn save_and_open(stage: &Stage<'_>) -> Worded {
     tab.click("a[href*=\"open=saved.toml\"]")?;
     stage.ready()?;
     tab.until(&format!("document.querySelector('#text')?.value === {}", json!(text)))?;
-    // What is saved again is the version that was opened.
+    // The file is saved as a new version of the one that was opened.
     stage.change("#f-mechanism-belt-mass", "48 kg")?;
     tab.click("#save")?;
     tab.says("#status", "saved.toml")?;
@@ -51,7 +51,7 @@ pub(crate) fn two_tabs(stage: &Stage<'_>) -> Worded {
     tab.holds("#f-mechanism-belt-mass", "31")
 }
 
-/// As many columns as a logger writes: time, angle.
+/// Returns a recording with the columns time and angle, as written by a logger.
 fn recording() -> String {
     let rows = (0..200)
         .map(|row| f64::from(row) * 0.01)
@@ -63,7 +63,7 @@ pub(crate) fn paste_a_recording(stage: &Stage<'_>) -> Worded {
     let tab = &stage.tab;
     stage.example("table", "en")?;
     tab.paste(&recording())?;
-    // What it begins with is shown before it changes the project.
+    // The first rows are shown before the project is changed.
     tab.says("#detail table", "phi in deg")?;
     tab.click("#recording-replaces")?;
     tab.says("#text", "file = \"pasted.csv\"")?;
@@ -72,7 +72,7 @@ pub(crate) fn paste_a_recording(stage: &Stage<'_>) -> Worded {
     if let Some(folder) = stage.shell.folder() {
         expect(folder.join("pasted.csv").is_file(), || "no recording in the folder".to_owned())?;
     }
-    // It is read: what is wrong with it, if anything, is no missing file.
+    // The file is read: a fault, if any, is not a missing file.
     let faults = tab.text("body")?;
     expect(!faults.contains("cannot be read") && !faults.contains("no such file"), || faults)
 }
@@ -97,7 +97,7 @@ pub(crate) fn report(stage: &Stage<'_>) -> Worded {
     expect(report.starts_with(b"%PDF"), || "no PDF".to_owned())
 }
 
-/// Where there is no typesetting engine the page says who writes the report, and offers no button.
+/// Without a typesetting engine the page names the command that writes the report, and offers no button.
 pub(crate) fn no_report(stage: &Stage<'_>) -> Worded {
     stage.example("belt", "de")?;
     stage.tab.until("!document.querySelector('#report')")?;
@@ -120,7 +120,7 @@ pub(crate) fn no_network(stage: &Stage<'_>) -> Worded {
     let tab = &stage.tab;
     stage.start("en")?;
     tab.until("(await navigator.serviceWorker.ready).active?.state === 'activated'")?;
-    // The page is in the hands of its worker from the next time on.
+    // From the next load on the service worker answers for the page.
     tab.reload()?;
     tab.until("navigator.serviceWorker.controller")?;
     tab.offline(true)?;

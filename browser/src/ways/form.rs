@@ -1,4 +1,4 @@
-//! The form and its answer.
+//! Scenarios of the form and its answer.
 
 use crate::stage::Stage;
 use crate::tab::{Worded, expect, key};
@@ -48,7 +48,7 @@ pub(crate) fn a_number_is_explained(stage: &Stage<'_>) -> Worded {
     tab.click("#check-peak_torque button.plain")?;
     tab.there("#detail .formula")?;
     tab.until("document.activeElement.id === 'detail-title'")?;
-    // Escape closes it, and the focus is where it was.
+    // Escape closes it, and the focus returns.
     tab.keys(&key::ESCAPE.to_string())?;
     tab.until("!document.querySelector('#detail').firstElementChild")?;
     tab.until("document.activeElement.closest('#check-peak_torque') !== null")
@@ -67,7 +67,7 @@ pub(crate) fn language_and_dark(stage: &Stage<'_>) -> Worded {
     let dark = tab.eval("getComputedStyle(document.documentElement).backgroundColor")?;
     expect(light != dark, || format!("as light as before: {dark}"))?;
     tab.says("#text", "44 kg")?;
-    // At the next visit it is as dark.
+    // The theme is kept for the next visit.
     stage.start("en")?;
     tab.until("document.documentElement.dataset.theme === 'dark'")
 }
@@ -88,7 +88,7 @@ pub(crate) fn compare(stage: &Stage<'_>) -> Worded {
     Ok(())
 }
 
-/// From the example to a changed verdict and through the plots, without a pointer.
+/// Example, changed verdict and plots, by keyboard only.
 pub(crate) fn by_keyboard(stage: &Stage<'_>) -> Worded {
     let tab = &stage.tab;
     stage.start("en")?;

@@ -1,10 +1,10 @@
-//! The frame of the page: panes, verdict, palette, links, and work that is not lost.
+//! Scenarios of the page frame: panes, verdict, palette, links, and unsaved work.
 
 use crate::stage::Stage;
 use crate::tab::{Worded, expect, key};
 use serde_json::json;
 
-/// What must be in sight without scrolling in a usual window: verdict, sketch, first plot, the five best codes.
+/// Verdict, sketch, first plot and the five best codes are visible without scrolling in a window of common size.
 pub(crate) fn in_sight(stage: &Stage<'_>) -> Worded {
     let tab = &stage.tab;
     for language in ["en", "de"] {
@@ -19,7 +19,7 @@ pub(crate) fn in_sight(stage: &Stage<'_>) -> Worded {
                 .collect();
             let script = "return arguments_[0].filter((each) => { const box = document.querySelector(each)?.getBoundingClientRect(); \
                 return !box || box.height === 0 || box.top < 0 || box.bottom > innerHeight + 1 || box.left < 0 || box.right > innerWidth + 1; });";
-            // The picture takes the room of its pane once it is known.
+            // The picture fills its pane once the size is known.
             tab.until("Math.abs(document.querySelector('#plot-cycle .frame').clientWidth - document.querySelector('#plot-cycle').dataset.width) < 8")?;
             let hidden = tab.run(script, vec![json!(sought)])?;
             expect(hidden == json!([]), || format!("{language}, {width} × {height}: out of sight: {hidden}"))?;
@@ -34,7 +34,7 @@ pub(crate) fn in_sight(stage: &Stage<'_>) -> Worded {
     Ok(())
 }
 
-/// A narrow window has three tabs, and a count of the bar leads to its check.
+/// A narrow window has three tabs, and a count in the bar leads to its check.
 pub(crate) fn narrow(stage: &Stage<'_>) -> Worded {
     let tab = &stage.tab;
     tab.sized(375, 800, 1.0)?;
@@ -48,7 +48,7 @@ pub(crate) fn narrow(stage: &Stage<'_>) -> Worded {
     tab.there("#checks")
 }
 
-/// A border is moved by keys, and stays where it was at the next visit.
+/// A border is moved by keys, and keeps its place at the next visit.
 pub(crate) fn a_border_is_moved(stage: &Stage<'_>) -> Worded {
     let tab = &stage.tab;
     stage.example("belt", "en")?;
@@ -86,7 +86,7 @@ pub(crate) fn the_palette_finds(stage: &Stage<'_>) -> Worded {
     tab.says("#standing", "CHA-25A-50")
 }
 
-/// A number takes the unit beside it, a comma is one in German, and another unit states the same.
+/// A number takes the unit next to it, a comma is decimal in German, and another unit states the same value.
 pub(crate) fn numbers_and_units(stage: &Stage<'_>) -> Worded {
     let tab = &stage.tab;
     stage.example("belt", "de")?;
@@ -101,7 +101,7 @@ pub(crate) fn numbers_and_units(stage: &Stage<'_>) -> Worded {
     tab.holds("#f-mechanism-belt-mass", "17500")
 }
 
-/// A link opens the same state in a browser that knows nothing, for a project begun from a tile too.
+/// A link opens the same state in a browser without stored data, for a project begun from a tile too.
 pub(crate) fn a_link_of_a_tile(stage: &Stage<'_>) -> Worded {
     let tab = &stage.tab;
     stage.start("en")?;
@@ -127,7 +127,7 @@ pub(crate) fn a_link_of_a_tile(stage: &Stage<'_>) -> Worded {
     tab.until(&format!("document.querySelector('#text')?.value === {}", json!(text)))
 }
 
-/// What was not saved is there again after a reload, and is offered after a new start.
+/// Unsaved work is restored after a reload, and offered after a new start.
 pub(crate) fn unsaved_work_stays(stage: &Stage<'_>) -> Worded {
     let tab = &stage.tab;
     stage.example("belt", "en")?;
@@ -143,7 +143,8 @@ pub(crate) fn unsaved_work_stays(stage: &Stage<'_>) -> Worded {
     tab.holds("#f-mechanism-belt-mass", "39")
 }
 
-/// No answer is said within some seconds, and what was typed meanwhile is taken once there is one again.
+/// The page reports a missing answer within seconds, and applies the values typed meanwhile once the connection is
+/// back.
 pub(crate) fn no_answer(stage: &Stage<'_>) -> Worded {
     let tab = &stage.tab;
     stage.example("belt", "en")?;
@@ -157,7 +158,7 @@ pub(crate) fn no_answer(stage: &Stage<'_>) -> Worded {
     tab.until("document.documentElement.dataset.away === undefined")
 }
 
-/// Names as people type them; a name that is taken is said to be; a file that was deleted is written anew.
+/// File names as typed by users: a name in use is reported, a deleted file is written anew.
 pub(crate) fn names_of_files(stage: &Stage<'_>) -> Worded {
     let tab = &stage.tab;
     stage.example("belt", "en")?;
@@ -182,7 +183,7 @@ pub(crate) fn names_of_files(stage: &Stage<'_>) -> Worded {
     Ok(())
 }
 
-/// Versions of the session lead back, and say what they changed.
+/// Versions of the session restore an earlier state, and name their changes.
 pub(crate) fn versions(stage: &Stage<'_>) -> Worded {
     let tab = &stage.tab;
     stage.example("belt", "en")?;
@@ -195,7 +196,7 @@ pub(crate) fn versions(stage: &Stage<'_>) -> Worded {
     tab.until(&format!("document.querySelector('#text').value === {}", json!(before)))
 }
 
-/// The curves of a picture, as they were computed.
+/// The curves of a picture as computed.
 pub(crate) fn curves(stage: &Stage<'_>) -> Worded {
     let tab = &stage.tab;
     stage.example("belt", "de")?;
@@ -215,7 +216,7 @@ pub(crate) fn curves(stage: &Stage<'_>) -> Worded {
     expect((far - 800.0).abs() < 1e-9 && rows.len() > 20, || format!("{} rows, {far} mm at most", rows.len()))
 }
 
-/// A simulated scenario beside the sizing, and the signals of an encoder.
+/// A simulated scenario next to the sizing, and the signals of an encoder.
 pub(crate) fn the_twin(stage: &Stage<'_>) -> Worded {
     let tab = &stage.tab;
     stage.example("table", "en")?;
@@ -230,11 +231,11 @@ pub(crate) fn the_twin(stage: &Stage<'_>) -> Worded {
     stage.accessible("encoder")
 }
 
-/// Clicks and keys to a first answer: of a screw, an arm and a recording.
+/// Number of clicks and keys to a first answer: for a screw, an arm and a recording.
 pub(crate) fn actions_to_an_answer(stage: &Stage<'_>) -> Worded {
     const MOST: usize = 25;
     let tab = &stage.tab;
-    // A field that is chosen is typed over: Tab leads to the next.
+    // A selected field is overwritten: Tab leads to the next one.
     let begin = |tile: &str, values: &[&str]| -> Worded<usize> {
         stage.start("en")?;
         tab.click(&format!(".tiles li:nth-child({tile}) .tile"))?;
@@ -243,7 +244,7 @@ pub(crate) fn actions_to_an_answer(stage: &Stage<'_>) -> Worded {
         for (place, value) in values.iter().enumerate() {
             tab.run("document.activeElement.select(); window.typedIn = document.activeElement;", Vec::new())?;
             tab.keys(value)?;
-            // The browser takes what is typed in its own time.
+            // The browser accepts typed characters with a delay.
             tab.until(&format!("window.typedIn.value === {}", json!(value)))?;
             actions += value.chars().count();
             if place + 1 < values.len() {
@@ -260,7 +261,7 @@ pub(crate) fn actions_to_an_answer(stage: &Stage<'_>) -> Worded {
     };
     let screw = begin("4", &["10 mm", "80 kg"])?;
     let arm = begin("3", &["9 kg", "0.3 m"])?;
-    // Of a recording: the load by itself, its table pasted, the motion replaced.
+    // For a recording: a plain load, its table pasted, the motion replaced.
     let load = begin("1", &["2 kg m^2"])?;
     let rows: String = (0..200)
         .map(|row| f64::from(row) * 0.01)
@@ -281,7 +282,7 @@ pub(crate) fn actions_to_an_answer(stage: &Stage<'_>) -> Worded {
     Ok(())
 }
 
-/// A fault is shown without moving the field that is typed in; where nothing fits, another gearing is proposed.
+/// A fault is shown without moving the field being edited; if nothing fits, another gearing is proposed.
 pub(crate) fn faults_and_proposals(stage: &Stage<'_>) -> Worded {
     let tab = &stage.tab;
     stage.example("belt", "en")?;
@@ -300,7 +301,7 @@ pub(crate) fn faults_and_proposals(stage: &Stage<'_>) -> Worded {
     tab.says("#verdict .would", "mechanism.screw.lead")
 }
 
-/// A lift that no actuator moves with its lead.
+/// A lift whose lead suits no actuator.
 const LIFT: &str = "format = 1\n[mechanism.screw]\nlead = \"20 mm\"\nmass = \"60 kg\"\ninclination = \"90 deg\"\n\
     [[motion]]\nlaw = \"trapezoid\"\ndistance = \"300 mm\"\ntime = \"2 s\"\n[[motion]]\nlaw = \"dwell\"\ntime = \"1 s\"\n\
     [[motion]]\nlaw = \"trapezoid\"\ndistance = \"-300 mm\"\ntime = \"2 s\"\n[[motion]]\nlaw = \"dwell\"\ntime = \"1 s\"\n\

@@ -1,9 +1,9 @@
-//! How it looks and whom it shuts out.
+//! Scenarios of layout and accessibility.
 
 use crate::stage::Stage;
 use crate::tab::{Worded, expect, key};
 
-/// Narrow, usual, wide, and twice as large.
+/// Narrow, common and wide windows, and double scale, without horizontal scrolling.
 pub(crate) fn widths(stage: &Stage<'_>) -> Worded {
     let tab = &stage.tab;
     for language in ["en", "de"] {
@@ -23,7 +23,7 @@ pub(crate) fn widths(stage: &Stage<'_>) -> Worded {
     Ok(())
 }
 
-/// Start, main, a fault, detail, compare and tools, in light and dark.
+/// Accessibility of the start page, the main page, a fault, details, comparison and tools, in light and dark.
 pub(crate) fn accessibility(stage: &Stage<'_>) -> Worded {
     let tab = &stage.tab;
     tab.sized(1280, 900, 1.0)?;

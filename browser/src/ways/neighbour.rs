@@ -7,7 +7,7 @@ use std::io::{BufRead, BufReader, Write};
 use std::net::TcpListener;
 use std::sync::{Arc, Mutex, PoisonError};
 
-/// A link and a redirect lead the browser there; neither the request nor the page has the token.
+/// A link and a redirect lead the browser to the other server; neither the request nor the page has the token.
 pub(crate) fn a_server_at_another_port_gets_no_token(stage: &Stage<'_>) -> Worded {
     let Shell::Server { address, token, .. } = stage.shell else { return Ok(()) };
     let tab = &stage.tab;
@@ -25,10 +25,10 @@ pub(crate) fn a_server_at_another_port_gets_no_token(stage: &Stage<'_>) -> Worde
     tab.until("!location.href.includes('token')")
 }
 
-/// The heads of the requests that a server gets.
+/// Headers of the requests that a server receives.
 type Heads = Arc<Mutex<Vec<String>>>;
 
-/// A server that leads on to itself once, and its port.
+/// Starts a server that redirects once to itself, and returns its port.
 fn neighbour() -> std::io::Result<(u16, Heads)> {
     let listener = TcpListener::bind("127.0.0.1:0")?;
     let port = listener.local_addr()?.port();

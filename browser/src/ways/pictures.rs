@@ -1,9 +1,9 @@
-//! What is done in the pictures, and the tools beside the project.
+//! Scenarios of the pictures and of the tools next to the project.
 
 use crate::stage::Stage;
 use crate::tab::{Worded, expect, key};
 
-/// The end of a segment pulled by the pointer is one step back.
+/// Dragging the end of a segment is one undo step.
 pub(crate) fn an_end_is_pulled(stage: &Stage<'_>) -> Worded {
     let tab = &stage.tab;
     stage.example("belt", "en")?;
@@ -20,7 +20,7 @@ pub(crate) fn an_end_is_pulled(stage: &Stage<'_>) -> Worded {
     tab.until("document.querySelector('#undo').disabled")
 }
 
-/// The same by keys.
+/// The end of a segment is moved by keys.
 pub(crate) fn an_end_is_pulled_by_keys(stage: &Stage<'_>) -> Worded {
     let tab = &stage.tab;
     stage.example("belt", "en")?;
@@ -33,7 +33,7 @@ pub(crate) fn an_end_is_pulled_by_keys(stage: &Stage<'_>) -> Worded {
     tab.until("document.activeElement.id === 'grip-1'")
 }
 
-/// The pictures over time show less of it, and the whole again.
+/// The pictures over time are zoomed in and back to the whole.
 pub(crate) fn the_time_is_narrowed(stage: &Stage<'_>) -> Worded {
     let tab = &stage.tab;
     stage.example("belt", "en")?;
@@ -45,7 +45,7 @@ pub(crate) fn the_time_is_narrowed(stage: &Stage<'_>) -> Worded {
     tab.until(&format!("Math.abs({shown} - {whole}) < 1e-9"))
 }
 
-/// A tolerance is typed beside its value.
+/// A tolerance is entered next to its value.
 pub(crate) fn a_tolerance(stage: &Stage<'_>) -> Worded {
     let tab = &stage.tab;
     stage.example("belt", "en")?;
@@ -55,7 +55,7 @@ pub(crate) fn a_tolerance(stage: &Stage<'_>) -> Worded {
     tab.says("#text", "±")
 }
 
-/// A calculator answers while it is typed to, and says what is wrong.
+/// A calculator answers while it is edited, and reports faults.
 pub(crate) fn a_calculator(stage: &Stage<'_>) -> Worded {
     let tab = &stage.tab;
     tab.open(&stage.shell.at("tool=torsion&lang=en"))?;

@@ -1,4 +1,4 @@
-//! The engine in the browser says what the program says: every word, and every number to twelve digits.
+//! Comparison of the engine in the browser with the program: every word, and every number to twelve digits.
 
 use crate::stage::Stage;
 use crate::tab::{Worded, expect};
@@ -10,7 +10,7 @@ use questions::list::new::{template, template_kinds};
 use serde_json::json;
 use std::io::ErrorKind;
 
-/// As the engine in a browser that keeps nothing yet.
+/// Shell of an engine in a browser without stored data.
 struct Empty;
 
 impl Shell for Empty {
@@ -49,7 +49,7 @@ impl Folder for Empty {
     }
 }
 
-/// What a text of a project is asked: the page, records, pictures, a table.
+/// Requests for the text of a project: the page, records, pictures, a table.
 const ASKED: [(&str, &str); 9] = [
     ("/api/v1/size", ""),
     ("/api/v1/size", "top=300"),
@@ -62,7 +62,7 @@ const ASKED: [(&str, &str); 9] = [
     ("/api/v1/export", "table=checks&format=csv"),
 ];
 
-/// What is asked without a project.
+/// Requests without a project.
 const ALONE: [&str; 8] = [
     "/?",
     "/api/v1/catalogue?format=csv",
@@ -98,7 +98,7 @@ pub(crate) fn same_answers(stage: &Stage<'_>) -> Worded {
     Ok(())
 }
 
-/// Asks both the same.
+/// Sends a request to the engine and to the program, and compares the replies.
 fn same(stage: &Stage<'_>, path: &str, query: &str, text: Option<&str>) -> Worded {
     let script = "const [path, query, text] = arguments_; \
         const reply = await fetch(path + '?' + query, text === null ? {} : { method: 'POST', headers: { 'content-type': 'application/toml' }, body: text }); \
@@ -126,7 +126,7 @@ fn same(stage: &Stage<'_>, path: &str, query: &str, text: Option<&str>) -> Worde
     })?;
     let (theirs, ours) = (String::from_utf8_lossy(&bytes), String::from_utf8_lossy(&ours.body));
     let (theirs, ours) = (without_digests(&theirs), without_digests(&ours));
-    // A table in lines has its instants in a column, with nothing before them that says so.
+    // A table of lines has its instants in a column, without a mark before them.
     let apart = if query.contains("table=checks&format=csv") { INSTANTS_APART } else { APART };
     match difference(&theirs, &ours, apart) {
         None => Ok(()),
@@ -134,8 +134,8 @@ fn same(stage: &Stage<'_>, path: &str, query: &str, text: Option<&str>) -> Worde
     }
 }
 
-/// The page without the digests of its parts, which differ with the last digits of a number inside; what they are digests of is
-/// compared itself.
+/// Returns the page without the digests of its parts, which change with the last digits of a number inside; their
+/// content is compared itself.
 fn without_digests(page: &str) -> String {
     const MARK: &str = "data-part=\"";
     let mut parts = page.split(MARK);
@@ -143,17 +143,17 @@ fn without_digests(page: &str) -> String {
     parts.fold(first, |page, part| page + MARK + part.split_once('"').map_or(part, |(_, behind)| behind))
 }
 
-/// So far two numbers may differ: sine, root and power end in other digits on another machine.
+/// Relative tolerance for numbers: sine, root and power differ in the last digits between machines.
 const APART: f64 = 1e-12;
 
-/// So far two instants may differ at which a smooth value is largest \[s\]: the value is level there, and its last digits move the
-/// instant by the square root of themselves, of a cycle of seconds.
+/// Tolerance for instants at which a smooth value is largest \[s\]: near the maximum the value is flat, and its
+/// rounding moves the instant by the square root of it, in a cycle of seconds.
 const INSTANTS_APART: f64 = 1e-8;
 
-/// What stands before an instant, in an answer and in a page.
+/// Marks before an instant, in an answer and in a page.
 const BEFORE_INSTANTS: [&str; 2] = ["\"at\": ", "data-instant=\""];
 
-/// The first place where two texts differ in more than the last digits of a number, with what stands around it.
+/// Returns the first place where two texts differ by more than the last digits of a number, with its context.
 fn difference<'t>(theirs: &'t str, ours: &'t str, apart: f64) -> Option<(&'t str, &'t str)> {
     let (mut a, mut b) = (theirs, ours);
     loop {
@@ -176,7 +176,7 @@ fn difference<'t>(theirs: &'t str, ours: &'t str, apart: f64) -> Option<(&'t str
     }
 }
 
-/// The number that a text begins with; nothing where it begins with none.
+/// Returns the number at the beginning of a text; empty if there is none.
 fn number(text: &str) -> &str {
     if !text.starts_with(|sign: char| sign.is_ascii_digit()) {
         return "";

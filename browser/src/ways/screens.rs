@@ -1,31 +1,31 @@
-//! What the page looks like: twelve states in both languages, compared with small pictures that were looked at.
+//! Appearance of the page: twelve states in both languages, compared with small reviewed screenshots.
 //!
-//! A font or a smoothing that differs a little does not count; a block of the page that moved, vanished or changed its colour
-//! does. With `ANTRIEB_RENEW_SCREENS` set the small pictures are written anew. The large ones always lie below
-//! `target/screens`, to be looked at.
+//! Small differences of font or smoothing are ignored; a block of the page that moved, vanished or changed its colour
+//! is reported. With `ANTRIEB_RENEW_SCREENS` set the small screenshots are written anew. The large ones are always
+//! written to `target/screens` for review.
 
 use crate::stage::Stage;
 use crate::tab::{Worded, expect, key};
 use std::fs;
 use std::path::{Path, PathBuf};
 
-/// Sides of a small picture.
+/// Width and height of a small screenshot.
 const SMALL: (usize, usize) = (240, 150);
 
-/// Sides of a block that is compared, in small pixels.
+/// Side of a compared block, in small pixels.
 const BLOCK: usize = 10;
 
-/// A block differs where the mean of its pixels does by more than this, of 255.
+/// Difference of the mean of a block's pixels above which the block differs, of 255.
 const DIFFERS: f64 = 26.0;
 
-/// So many of the blocks may differ.
+/// Permitted share of differing blocks.
 const SHARE: f64 = 0.06;
 
 struct State {
     name: &'static str,
-    /// The query that opens it.
+    /// Query that opens the state.
     at: &'static str,
-    /// What is pressed then, one after the other, and what is there at last.
+    /// Elements clicked afterwards in order, and the element that appears at last.
     press: &'static [&'static str],
     there: &'static str,
     size: (u32, u32),
@@ -58,7 +58,7 @@ const STATES: [State; 12] = [
     State { size: (1440, 1400), ..state("components", "gallery", &[], "#g-fields") },
 ];
 
-/// All of them.
+/// Compares every state with its small screenshot.
 pub(crate) fn as_they_were(stage: &Stage<'_>) -> Worded {
     let tab = &stage.tab;
     let (small, large) = (folder("browser/screens"), folder("target/screens"));
@@ -87,7 +87,7 @@ pub(crate) fn as_they_were(stage: &Stage<'_>) -> Worded {
             settled(stage)?;
             let name = format!("{}-{language}.png", state.name);
             let png = tab.picture()?;
-            // The next one is not in the theme of this one.
+            // The next state must not inherit the theme of this one.
             tab.run("localStorage.removeItem('antrieb-theme');", Vec::new())?;
             fs::write(large.join(&name), &png).map_err(|error| error.to_string())?;
             let seen = shrunk(&png)?;
@@ -108,12 +108,12 @@ pub(crate) fn as_they_were(stage: &Stage<'_>) -> Worded {
     expect(wrong.is_empty(), || wrong.join("; "))
 }
 
-/// Nothing is under way, and the picture has the room of its pane.
+/// Waits until no request is pending and the picture fills its pane.
 fn settled(stage: &Stage<'_>) -> Worded {
     let quiet = "(() => { const figure = document.querySelector('#demands figure.plot'); const frame = figure?.querySelector('.frame'); \
         return !document.querySelector('.htmx-request') && (!frame || frame.clientWidth === 0 || Math.abs(frame.clientWidth - figure.dataset.width) < 8); })()";
     stage.tab.until(quiet)?;
-    // The cards of the examples fill themselves one after the other.
+    // The cards of the examples are filled one after the other.
     stage.tab.until("[...document.querySelectorAll('.card .small')].every((each) => each.textContent !== '')")?;
     std::thread::sleep(std::time::Duration::from_millis(250));
     stage.tab.until(quiet)
@@ -123,7 +123,7 @@ fn folder(below: &str) -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).parent().unwrap_or_else(|| Path::new(".")).join(below)
 }
 
-/// A picture as a mean grey of each small pixel and channel.
+/// A screenshot as the mean value of each small pixel and channel.
 struct Small {
     pixels: Vec<[f64; 3]>,
 }
@@ -171,7 +171,7 @@ fn packed(small: &Small) -> Worded<Vec<u8>> {
     Ok(out)
 }
 
-/// The share of the blocks whose means differ.
+/// Returns the share of blocks whose means differ.
 fn differing(a: &Small, b: &Small) -> f64 {
     let mean = |small: &Small, left: usize, top: usize| -> [f64; 3] {
         let mut sum = [0.0; 3];

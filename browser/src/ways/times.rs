@@ -7,10 +7,10 @@ use flate2::Compression;
 use flate2::write::GzEncoder;
 use std::io::Write;
 
-/// Keys that are pressed.
+/// Number of keys pressed.
 const KEYS: usize = 40;
 
-/// The page before it listens: what a browser fetches at first, packed as hosts do.
+/// Maximum size of the page, its style and scripts as packed by hosts \[bytes\].
 const WEIGHT_MOST: usize = 100_000;
 
 pub(crate) fn times(stage: &Stage<'_>) -> Worded {
@@ -18,7 +18,7 @@ pub(crate) fn times(stage: &Stage<'_>) -> Worded {
     let address = stage.shell.at("new=table&lang=en");
     tab.open(&address)?;
     stage.ready()?;
-    // Once more with warm caches: the result is the page, not the first disk access.
+    // Repeated with warm caches, so that the page is measured and not the first disk access.
     let mut opened = Vec::new();
     let mut painted = Vec::new();
     for _ in 0..3 {
@@ -26,7 +26,7 @@ pub(crate) fn times(stage: &Stage<'_>) -> Worded {
         tab.open(&address)?;
         stage.ready()?;
         painted.push(number(&tab.eval("performance.getEntriesByName('first-contentful-paint')[0]?.startTime ?? -1")?));
-        // The verdict is there when the script has filled in the values below it.
+        // The verdict is present when the script has filled in the values below it.
         opened.push(number(&tab.eval("performance.getEntriesByName('antrieb-answered')[0]?.startTime ?? performance.getEntriesByType('navigation')[0].domContentLoadedEventEnd")?));
     }
     tab.open(&stage.shell.at("new=manual&lang=en"))?;
@@ -43,7 +43,7 @@ pub(crate) fn times(stage: &Stage<'_>) -> Worded {
     expect(weight <= WEIGHT_MOST, || format!("{weight} bytes"))
 }
 
-/// The same of a turntable with its bodies, stage and bearing, whose smooth moves cost more.
+/// Measures a turntable with its bodies, stage and bearing, whose smooth moves cost more.
 pub(crate) fn times_of_a_table(stage: &Stage<'_>) -> Worded {
     stage.tab.open(&stage.shell.at("new=table&lang=en"))?;
     stage.ready()?;
@@ -52,7 +52,7 @@ pub(crate) fn times_of_a_table(stage: &Stage<'_>) -> Worded {
     Ok(())
 }
 
-/// From a key in a field to the page that shows what follows: half of the times, and what 95 of 100 are within \[ms\].
+/// Measures the time from a key in a field to the updated page: median and 95th percentile \[ms\].
 fn keys(stage: &Stage<'_>) -> Worded<(f64, f64)> {
     let script = "const field = document.querySelector('#f-load-inertia') ?? document.querySelector('#fields input'); const taken = []; \
         for (let key = 0; key < arguments_[0]; key++) { \
@@ -82,7 +82,8 @@ fn median(values: &mut [f64]) -> f64 {
     values.get(values.len() / 2).copied().unwrap_or(f64::NAN)
 }
 
-/// The page, its style and its scripts, packed; of the site without the engine, which `cargo xtask site` reports.
+/// Returns the packed size of the page, its style and its scripts; without the engine of the site, which
+/// `cargo xtask site` reports.
 fn weight(stage: &Stage<'_>) -> Worded<usize> {
     let own: &[&str] = if matches!(stage.shell, Shell::Site { .. }) { &["site.js"] } else { &[] };
     let mut whole = 0;
@@ -96,7 +97,7 @@ fn weight(stage: &Stage<'_>) -> Worded<usize> {
     add(page.as_str().unwrap_or_default().as_bytes())?;
     for name in own.iter().map(|name| (*name).to_owned()).chain(page::ASSETS.map(|(name, _)| format!("assets/{name}")))
     {
-        // Without a server `fetch` is the engine, which has no script of its own; a request of the former kind is not.
+        // Without a server `fetch` is answered by the engine, which has no script of its own; an XMLHttpRequest is not.
         let script = "const request = new XMLHttpRequest(); request.open('GET', arguments_[0]); \
             await new Promise((done) => { request.onloadend = done; request.send(); }); \
             return request.status === 200 ? request.responseText : null;";
@@ -106,13 +107,13 @@ fn weight(stage: &Stage<'_>) -> Worded<usize> {
     Ok(whole)
 }
 
-/// Samples of a long recording.
+/// Number of samples of a long recording.
 const LONG: u32 = 100_000;
 
-/// Script and layout of one moved instant at most, in half of the frames \[ms\]: a sixtieth of a second.
+/// Maximum time of script and layout for one moved instant, in half of the frames \[ms\]: a sixtieth of a second.
 const OWN_MOST: f64 = 16.0;
 
-/// A long recording: its numbers come before its picture, and the instant moves through it with every frame.
+/// A long recording: its numbers appear before its picture, and the instant moves through it with every frame.
 pub(crate) fn a_long_recording(stage: &Stage<'_>) -> Worded {
     let tab = &stage.tab;
     let folder = stage.shell.folder().ok_or("no folder")?;
@@ -135,7 +136,8 @@ pub(crate) fn a_long_recording(stage: &Stage<'_>) -> Worded {
     stage.change("#f-load-inertia", "1.6 kg m^2")?;
     tab.until(&format!("{torque} !== {before}"))?;
     let (half, most) = keys(stage)?;
-    // The instant moved at every frame for two seconds, once the picture of the last key is drawn: until then the server has one of the cores.
+    // The instant moves at every frame for two seconds, once the picture of the last key is drawn: until then the
+    // server occupies one of the cores.
     stage.ready()?;
     let script = "const range = document.querySelector('#instant'); range.focus(); \
         document.querySelector('figure.plot').dispatchEvent(new PointerEvent('pointerdown', { bubbles: true })); \
@@ -153,6 +155,6 @@ pub(crate) fn a_long_recording(stage: &Stage<'_>) -> Worded {
         "       {}: {LONG} samples: key to numbers {half:.0} ms (95 of 100 within {most:.0} ms), {frames:.0} frames a second while the instant moves, {own:.1} ms of script and layout each",
         stage.shell.name()
     );
-    // What the browser needs for its own drawing, without a graphics card, is not the page's.
+    // The browser's own drawing without a graphics card is not counted.
     expect(own < OWN_MOST, || format!("{own:.1} ms of script and layout for a frame"))
 }

@@ -47,8 +47,8 @@ pub(crate) struct Named {
 
 impl Named {
     /// Splits off a unit in brackets or after a slash: `q [deg]`, `q(deg)`, `q {deg}`, `n / 1/min`, `n in 1/min`,
-    /// `q/deg`. Among several brackets the last one that reads as a unit holds it: `Axis[1].ActPos [deg]`, `n [1/min]
-    /// (actual)`; an index or a word about the measurement is part of the name.
+    /// `q/deg`. Among several brackets the last one that reads as a unit holds it: `Axis[1].ActPos [deg]`,
+    /// `n [1/min] (actual)`; an index or a word about the measurement is part of the name.
     pub(crate) fn marked(written: &str) -> Self {
         let written = written.trim();
         match bracketed(written).or_else(|| behind_a_stroke(written)) {

@@ -42,8 +42,8 @@ pub fn read_parquet(file: Bytes, layout: &Layout) -> Result<Recording, Vec<Fault
 
 /// Reads a recording from Parquet.
 ///
-/// Columns are recognised as in CSV. They hold floats, doubles, integers or decimals. A unit stands in the name (`q
-/// [deg]`), in the metadata of the file under `q.unit` or `unit:q`, or in the layout; a timestamp type states its unit
+/// Columns are recognised as in CSV. They hold floats, doubles, integers or decimals. A unit stands in the name
+/// (`q [deg]`), in the metadata of the file under `q.unit` or `unit:q`, or in the layout; a timestamp type states its unit
 /// itself. Row groups are read one after another, a few thousand rows at a time. The memory of the recording is taken
 /// from `memory`; the bytes of the file belong to the caller.
 ///

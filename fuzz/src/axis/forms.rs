@@ -1,4 +1,4 @@
-//! Tables, pictures and what a report lays out.
+//! Tables, pictures and the content of a report.
 
 use super::Case;
 use crate::text::tells;
@@ -9,7 +9,7 @@ use report::{AxisContent, Content, Settings};
 use serde_json::Value;
 use tables::{Front, NAMES, Subject, Table};
 
-/// Every table is whole, and has as many rows in every form.
+/// Checks that every table is complete and has the same number of rows in every format.
 pub(super) fn tables(case: &Case<'_>, sizing: &Sizing<'_>, best: &Candidate<'_>) {
     let subject = Subject {
         text: case.text,
@@ -47,7 +47,7 @@ pub(super) fn tables(case: &Case<'_>, sizing: &Sizing<'_>, best: &Candidate<'_>)
     }
 }
 
-/// Lines of CSV, where a line break between two quotes is none.
+/// Counts the lines of CSV; a line break within quotes is none.
 fn lines(text: &str) -> usize {
     let mut quoted = false;
     let breaks = |c: &char| {
@@ -63,7 +63,7 @@ fn parquet_rows(table: &Table) -> Option<usize> {
     usize::try_from(reader.metadata().file_metadata().num_rows()).ok()
 }
 
-/// Every picture is well-formed and says what it shows.
+/// Checks that every picture is well-formed and has its texts.
 pub(super) fn figures(case: &Case<'_>, best: &Candidate<'_>) {
     for figure in Figure::ALL {
         let Ok(drawing) = draw(figure, case.project, best, By::Mass, &Patience::endless(), case.language) else {
@@ -77,7 +77,7 @@ pub(super) fn figures(case: &Case<'_>, best: &Candidate<'_>) {
     }
 }
 
-/// What a report is made from, and what its template is given.
+/// Checks the content of a report, and the input of its template.
 pub(super) fn dossier(case: &Case<'_>, sizing: &Sizing<'_>, best: &Candidate<'_>) {
     let reserve = reserve_of(case.project, best);
     let assessment = assess(case.project, &[best], Sampling { samples: 5, seed: 1 }).pop();
@@ -109,7 +109,7 @@ pub(super) fn dossier(case: &Case<'_>, sizing: &Sizing<'_>, best: &Candidate<'_>
     }
 }
 
-/// No number that is none gets into a document, as a number or in its words.
+/// Checks that no infinite or undefined number enters a document, as a number or as text.
 fn numbers(value: &Value) {
     match value {
         Value::String(text) => assert!(!tells_no_number(text), "{text:?}"),
@@ -119,7 +119,8 @@ fn numbers(value: &Value) {
     }
 }
 
-/// Whether a printed float that is no number stands in a text: alone or behind the letter of a path (`MNaN`), but not within a word (`einfach`).
+/// Returns `true` if a text contains a printed float that is no number: alone or after the letter of a path (`MNaN`),
+/// but not within a word (`einfach`).
 fn tells_no_number(text: &str) -> bool {
     let printed = |sign: &str| {
         text.match_indices(sign).any(|(at, _)| {

@@ -1,4 +1,4 @@
-//! What a verdict must be, whatever was asked.
+//! Conditions that every verdict must satisfy.
 
 use super::Case;
 use order_code::OrderCode;
@@ -6,11 +6,12 @@ use project::inputs;
 use quantities::Measure;
 use questions::{Candidate, CandidateId, Verdict, check, reserve_of};
 
-/// What a check compares is finite, and the candidate fits if and only if nothing speaks against it.
+/// Checks that compared values are finite, and that the candidate fits if and only if no check and no requirement
+/// objects.
 pub(crate) fn candidate(candidate: &Candidate<'_>) {
     for check in &candidate.judgement.checks {
         let judged = check.verdict != Verdict::NotChecked;
-        // Advice may follow from something else than a limit, such as swings that are too small for the bearing.
+        // Advice may follow from a cause other than a limit, such as swings too small for the bearing.
         let decided = matches!(check.verdict, Verdict::Pass | Verdict::Fail);
         assert!(check.value.is_some() || !judged, "{check:?}");
         assert!(check.limit.is_some() || !decided, "{check:?}");
@@ -24,25 +25,26 @@ pub(crate) fn candidate(candidate: &Candidate<'_>) {
             assert!(share <= 1.0 + 1e-9, "passes beyond its limit: {check:?}");
         }
     }
-    // Infinite where a limit of zero is exceeded: that candidate cannot fit.
+    // Infinite if a limit of zero is exceeded: that candidate cannot fit.
     let share = candidate.standing.utilisation;
     assert!(share.is_finite() || (share == f64::INFINITY && !candidate.fits()), "{:?}", candidate.standing);
     let failing = candidate.judgement.checks.iter().any(|check| check.verdict == Verdict::Fail);
     assert_eq!(candidate.judgement_fits(), !failing, "{:?}", candidate.id);
     assert!(!(candidate.fits() && failing), "{:?}", candidate.id);
-    // Of a user's own actuator a requirement may stay open without breaking it.
+    // A requirement may stay open for a user's own actuator without being violated.
     let of_the_catalogue = matches!(candidate.id, CandidateId::Code(_));
     assert!(candidate.fits() || failing || !candidate.objections.is_empty(), "{:?}", candidate.id);
     assert!(!of_the_catalogue || !candidate.fits() || candidate.objections.is_empty(), "{:?}", candidate.id);
 }
 
-/// At the reserve the actuator still fits, beyond it no longer: shown on the project with that value written into it.
+/// Checks that the actuator fits at the reserve and no longer beyond it, on the project with that value written into
+/// it.
 pub(super) fn reserve(case: &Case<'_>, code: &OrderCode, judged: &Candidate<'_>) {
     let reserve = reserve_of(case.project, judged);
     let factors = [reserve.load_factor, reserve.payload_factor].map(|factor| factor.map(|reach| reach.value));
     assert!(factors.iter().flatten().all(|factor| factor.is_finite() && *factor > 0.0), "{reserve:?}");
     assert!(reserve.cycle_time.is_none_or(|time| time.value.si().is_finite() && time.value.si() > 0.0), "{reserve:?}");
-    // One axis without a choice of ratios: a change of the load does not change what is judged.
+    // One axis without a choice of ratios: a change of the load does not change the judged project.
     if case.text.contains("[[axis]]") || case.text.contains("ratios") {
         return;
     }
@@ -72,7 +74,8 @@ pub(super) fn reserve(case: &Case<'_>, code: &OrderCode, judged: &Candidate<'_>)
     }
 }
 
-/// Whether no check fails with another value behind the first key of this name; `None` where it cannot be read.
+/// Returns `true` if no check fails with another value of the first key with this name; `None` if the project cannot be
+/// read.
 fn fits_with(case: &Case<'_>, code: &OrderCode, key: &str, value: &str) -> Option<bool> {
     let begin = format!("{key} = \"");
     let line = case.text.lines().find(|line| line.starts_with(&begin))?;

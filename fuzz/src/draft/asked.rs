@@ -5,7 +5,7 @@ use super::page::{
 };
 use arbitrary::Result;
 
-/// Keys with a quantity: name, least and most of what is usual, units.
+/// Keys with a quantity: name, lower and upper end of the usual range, units.
 const LIMITS: [(&str, f64, f64, Units); 21] = [
     ("hollow_shaft_min", 5.0, 60.0, LENGTH),
     ("length_max", 80.0, 400.0, LENGTH),
@@ -75,7 +75,7 @@ pub(super) fn requirements(page: &mut Page<'_, '_>) -> Result<()> {
     Ok(())
 }
 
-/// An actuator of the user's, with all its data or some.
+/// Writes a user's own actuator, with all its data or a part of them.
 pub(super) fn actuator(page: &mut Page<'_, '_>) -> Result<()> {
     let data: [(&str, f64, f64, Units); 21] = [
         ("torque_max", 20.0, 900.0, TORQUE),
@@ -127,7 +127,7 @@ pub(super) fn actuator(page: &mut Page<'_, '_>) -> Result<()> {
     Ok(())
 }
 
-/// A curve of the user's for actuators of the catalogue.
+/// Writes a user's own curve for actuators of the catalogue.
 pub(super) fn curve(page: &mut Page<'_, '_>) -> Result<()> {
     page.row("curve");
     let kind = *page.u.choose(&["continuous", "s3_50", "s3_25", "short_time"])?;
@@ -140,7 +140,7 @@ pub(super) fn curve(page: &mut Page<'_, '_>) -> Result<()> {
     Ok(())
 }
 
-/// Corner points from standstill, falling.
+/// Returns corner points from standstill with falling torque.
 fn corners(page: &mut Page<'_, '_>) -> Result<String> {
     let (mut speed, mut torque) = (0.0, page.between(20.0, 600.0)?);
     let mut rows = Vec::new();

@@ -1,4 +1,4 @@
-//! The motion of a drafted project: moves that close the cycle, for the load that they move.
+//! Motion of a generated project: moves that close the cycle, suited to the load.
 
 use super::page::{
     ACCELERATION, ANGLE, INERTIA, JERK, LENGTH, MASS, Page, SPEED, TIME, TORQUE, Units, WAY_ACCELERATION, WAY_JERK,
@@ -9,7 +9,7 @@ use arbitrary::Result;
 
 /// Distance in rad or m, with the units in which it and its rates are written.
 struct Way {
-    /// What one unit of a distance is in rad or m.
+    /// Units of a distance, and the number of them per rad or m.
     distance: (Units, f64),
     speed: (Units, f64),
     acceleration: Units,
@@ -51,7 +51,7 @@ pub(super) fn motions(page: &mut Page<'_, '_>, load: Load, single: bool) -> Resu
     }
 }
 
-/// Moves with rests between them; there and back where the load is bound.
+/// Writes moves with rests between them; back and forth for a bound load.
 fn moves(page: &mut Page<'_, '_>, way: &Way, one_way: bool) -> Result<()> {
     for _ in 0..page.u.int_in_range(1..=2)? {
         let distance = page.between(way.most * 0.02, way.most)?;
@@ -64,14 +64,14 @@ fn moves(page: &mut Page<'_, '_>, way: &Way, one_way: bool) -> Result<()> {
     Ok(())
 }
 
-/// One move, given by what determines it, and a rest behind it.
+/// Writes one move, given by its defining values, and a rest after it.
 fn one(page: &mut Page<'_, '_>, way: &Way, written: &str, distance: f64) -> Result<()> {
     let law = *page.u.choose(&LAWS)?;
     page.row("motion");
     page.word("law", law);
     page.word("distance", written);
     let time = page.between(0.08, 3.0)?;
-    // Of a trapezoid with equal thirds; near to it for the other laws.
+    // For a trapezoid with equal thirds; approximate for the other laws.
     let speed = distance / time * page.between(1.4, 1.9)?;
     let acceleration = distance / (time * time) * page.between(4.5, 9.0)?;
     match (law, page.u.int_in_range(0..=3)?) {
@@ -116,7 +116,7 @@ fn constant(page: &mut Page<'_, '_>, way: &Way) -> Result<()> {
     carried(page)
 }
 
-/// Accelerating to a speed, running at it, and braking, as three segments; then the same way back.
+/// Writes an acceleration to a speed, a run at it and a deceleration as three segments; then the same way back.
 fn through(page: &mut Page<'_, '_>, way: &Way, one_way: bool) -> Result<()> {
     let (reach, time) = (page.between(way.most * 0.1, way.most)?, page.between(0.1, 1.0)?);
     let law = *page.u.choose(&["polynomial_5", "trapezoid"])?;
@@ -146,14 +146,14 @@ fn through(page: &mut Page<'_, '_>, way: &Way, one_way: bool) -> Result<()> {
     dwell(page)
 }
 
-/// The seconds of a time as it is written.
+/// Returns the seconds of a time as written.
 fn time_of(text: &str) -> f64 {
     let (number, unit) = text.split_once(' ').unwrap_or((text, "s"));
     let seconds: f64 = number.parse().unwrap_or(1.0);
     if unit == "ms" { seconds * 1e-3 } else { seconds }
 }
 
-/// The manual's cycle; there and back where the load is bound.
+/// Writes the manual's cycle; back and forth for a bound load.
 fn manual(page: &mut Page<'_, '_>, way: &Way, load: Load, single: bool) -> Result<()> {
     let speed = page.between(0.1, 4.0)? * if load == Load::Line { 0.1 } else { 1.0 };
     let speed = page.literal(speed * way.speed.1, way.speed.0)?;
@@ -174,12 +174,12 @@ fn manual(page: &mut Page<'_, '_>, way: &Way, load: Load, single: bool) -> Resul
     Ok(())
 }
 
-/// What a segment may carry, and its own loads at the flange.
+/// Writes a payload of a segment, and its own loads at the flange.
 fn carried(page: &mut Page<'_, '_>) -> Result<()> {
     if page.u.ratio(1, 8)? {
         page.key("payload_inertia", 1e-3, 2.0, INERTIA)?;
     }
-    // A payload hangs somewhere: along a line, or at a distance from the axis.
+    // A payload needs a position: along a line, or at a distance from the axis.
     if ["payload_distance", "screw", "mechanism.belt", "conveyor", "hoist", "scissor_lift"]
         .iter()
         .any(|word| page.text.contains(word))

@@ -1,9 +1,9 @@
-//! The lines of a project file as they are chosen.
+//! The lines of a generated project file.
 
 use arbitrary::{Result, Unstructured};
 use std::fmt::Write as _;
 
-/// A unit of a dimension: its spelling and how many of it make one of the first.
+/// Spellings of the units of a dimension, each with the number of them per unit of the first.
 pub(super) type Units = &'static [(&'static str, f64)];
 
 pub(super) const ANGLE: Units = &[("deg", 1.0), ("rad", 0.017_453_292_519_943_295), ("arcmin", 60.0)];
@@ -28,18 +28,18 @@ pub(super) const TEMPERATURE: Units = &[("degC", 1.0)];
 const EDGES: [&str; 12] =
     ["0", "-1", "1e-300", "1e-12", "1e-6", "1e-3", "1e4", "1e6", "1e9", "1e12", "1e300", "1.7e308"];
 
-/// The text so far, and whether its amounts have tolerances.
+/// The text written so far, and settings of the generation.
 pub(super) struct Page<'u, 'b> {
     pub(super) u: &'u mut Unstructured<'b>,
     pub(super) text: String,
-    /// What stands before the name of a table: `axis.` in one of several axes.
+    /// Prefix of table names: `axis.` for one of several axes.
     pub(super) prefix: &'static str,
     pub(super) tolerances: usize,
-    /// Whether some amounts are at the edge.
+    /// Some amounts take extreme values.
     pub(super) edges: bool,
-    /// Whether a stage may have several ratios.
+    /// A stage may have several ratios.
     pub(super) ratios: bool,
-    /// The keys of `[bearing]` that have an effect on the loads of the mechanism; none where it has none.
+    /// Keys of `[bearing]` that affect the loads of the mechanism; empty if none do.
     pub(super) effective: &'static [&'static str],
 }
 
@@ -52,7 +52,7 @@ impl Page<'_, '_> {
         let _ = writeln!(self.text, "[[{}{name}]]", self.prefix);
     }
 
-    /// A key with what is written behind it.
+    /// Writes a key with a value as given.
     pub(super) fn plain(&mut self, key: &str, value: impl std::fmt::Display) {
         let _ = writeln!(self.text, "{key} = {value}");
     }
@@ -69,13 +69,13 @@ impl Page<'_, '_> {
         self.u.ratio(1, 6)
     }
 
-    /// A number between two, evenly over its powers of ten.
+    /// Returns a number between two, evenly distributed over its powers of ten.
     pub(super) fn between(&mut self, low: f64, high: f64) -> Result<f64> {
         let share = f64::from(self.u.arbitrary::<u8>()?) / 255.0;
         Ok(if low > 0.0 { low * (high / low).powf(share) } else { low + (high - low) * share })
     }
 
-    /// A quantity of this size, at times at the edge or with a tolerance.
+    /// Returns a quantity of this size, in some cases with an extreme value or a tolerance.
     pub(super) fn amount(&mut self, value: f64, units: Units) -> Result<String> {
         let (unit, factor) = *self.u.choose(units)?;
         if self.edges && self.u.ratio(1, 24)? {
@@ -90,43 +90,43 @@ impl Page<'_, '_> {
         Ok(text)
     }
 
-    /// A key with a quantity of exactly this size.
+    /// Writes a key with a quantity of this size.
     pub(super) fn exactly(&mut self, key: &str, value: f64, units: Units) -> Result<()> {
         let amount = self.amount(value, units)?;
         self.word(key, &amount);
         Ok(())
     }
 
-    /// A quantity of this size, without a tolerance and never at the edge: what others must agree with.
+    /// Returns a quantity of this size without tolerance or extreme value, for values that others must agree with.
     pub(super) fn literal(&mut self, value: f64, units: Units) -> Result<String> {
         let (unit, factor) = *self.u.choose(units)?;
         Ok(format!("{} {unit}", rounded(value * factor)))
     }
 
-    /// A key with a quantity between two sizes.
+    /// Writes a key with a quantity between two sizes.
     pub(super) fn key(&mut self, key: &str, low: f64, high: f64, units: Units) -> Result<()> {
         let value = self.between(low, high)?;
         self.exactly(key, value, units)
     }
 
-    /// The same key in a share of the cases.
+    /// Writes the key in a share of the cases.
     pub(super) fn may(&mut self, key: &str, low: f64, high: f64, units: Units) -> Result<()> {
         if self.u.ratio(1, 3)? { self.key(key, low, high, units) } else { Ok(()) }
     }
 
-    /// A plain number.
+    /// Writes a plain number.
     pub(super) fn number(&mut self, key: &str, low: f64, high: f64) -> Result<()> {
         let value = rounded(self.between(low, high)?);
         self.plain(key, value);
         Ok(())
     }
 
-    /// A plain number in a share of the cases.
+    /// Writes a plain number in a share of the cases.
     pub(super) fn may_number(&mut self, key: &str, low: f64, high: f64) -> Result<()> {
         if self.u.ratio(1, 3)? { self.number(key, low, high) } else { Ok(()) }
     }
 
-    /// One of several words in a share of the cases.
+    /// Writes one of several words in a share of the cases.
     pub(super) fn may_word(&mut self, key: &str, words: &[&str]) -> Result<()> {
         if self.u.ratio(1, 3)? {
             let word = *self.u.choose(words)?;
@@ -136,7 +136,7 @@ impl Page<'_, '_> {
     }
 }
 
-/// With three significant digits, as one writes it.
+/// Rounds to three significant digits.
 fn rounded(value: f64) -> f64 {
     format!("{value:.2e}").parse().unwrap_or(value)
 }

@@ -20,7 +20,7 @@ const SCENARIOS: [&str; 12] = [
 
 const SWITCHES: [&str; 7] = ["cold", "friction", "hysteresis", "kinematic_error", "delay", "limits", "noise"];
 
-/// Gains as plain numbers, and what they may be.
+/// Gains as plain numbers, with their ranges.
 const GAINS: [(&str, f64, f64); 3] =
     [("position_gain", 0.1, 1e4), ("speed_gain", 0.1, 1e6), ("current_gain", 0.1, 1e4)];
 
@@ -30,7 +30,7 @@ const TIMES: [(&str, f64, f64); 3] =
 const STIFFNESS: Units = &[("N m/rad", 1.0)];
 const OHM: Units = &[("ohm", 1.0)];
 
-/// Measured values: far below what is usual to far above it.
+/// Measured values, with ranges from far below to far above the usual.
 const MEASURED: [(&str, f64, f64, Units); 22] = [
     ("resistance_ll", 0.01, 100.0, OHM),
     ("inductance_ll", 0.01, 100.0, &[("mH", 1.0)]),

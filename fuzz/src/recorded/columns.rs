@@ -1,10 +1,10 @@
-//! A recorded motion, and how a file may hold it.
+//! A recorded motion and its representation in a file.
 
 use arbitrary::{Result, Unstructured};
 
-/// Samples of a motion that begins and ends at rest: (1 − cos) there and back, with a torque.
+/// Samples of a motion that begins and ends at rest: (1 − cos) back and forth, with a torque.
 pub(super) struct Columns {
-    /// Names with their values, time first.
+    /// Columns with their values, time first.
     pub(super) columns: Vec<Column>,
 }
 
@@ -15,7 +15,7 @@ pub(super) struct Column {
 }
 
 impl Columns {
-    /// Any selection of columns with any number of samples.
+    /// Generates any selection of columns with any number of samples.
     pub(super) fn any(u: &mut Unstructured<'_>) -> Result<Self> {
         let count = u.int_in_range(2..=120_u16)?;
         let duration = *u.choose(&[1.0, 0.1, 4.0, 60.0])?;
@@ -47,7 +47,7 @@ impl Columns {
         if u.ratio(1, 4)? {
             columns.push(Column { name: "note", unit: "", values: times });
         }
-        // A sample that is not as the others: missing, doubled, beyond all bounds, out of order.
+        // One irregular sample: missing, doubled, out of range, out of order.
         if u.ratio(1, 4)? {
             let odd = *u.choose(&[f64::NAN, f64::INFINITY, 1e300, -1e9, 0.0, 1e-300])?;
             let (column, row) = (u.choose_index(columns.len())?, u.choose_index(usize::from(count))?);
@@ -57,7 +57,7 @@ impl Columns {
         Ok(Self { columns })
     }
 
-    /// As CSV: separator, decimal sign, where the units stand, quotes, line ends.
+    /// Writes CSV with any separator, decimal sign, place of the units, quotes and line ending.
     pub(super) fn csv(&self, u: &mut Unstructured<'_>) -> Result<String> {
         let (separator, decimal) = *u.choose(&[(",", '.'), (";", ','), ("\t", '.'), ("\t", ','), (";", '.')])?;
         let end = *u.choose(&["\n", "\r\n"])?;
@@ -91,7 +91,7 @@ impl Columns {
     }
 }
 
-/// Changes bytes behind the first magic and before the last: each edit is a place and what to do there.
+/// Changes bytes between the magic bytes at both ends: each edit is a place and an operation.
 ///
 /// A place is counted from the end, where the footer is, in half of the edits.
 pub(super) fn edit_bytes(mut bytes: Vec<u8>, edits: &[(u16, u8)]) -> Vec<u8> {

@@ -1,4 +1,4 @@
-//! Files of columns: Parquet in every encoding that its writer has, CSV in other encodings of characters.
+//! Files of columns: Parquet in every encoding supported by its writer, CSV in other character encodings.
 
 use super::columns::{Column, Columns};
 use arbitrary::{Result, Unstructured};
@@ -11,7 +11,7 @@ use parquet::file::writer::SerializedFileWriter;
 use parquet::schema::types::{ColumnPath, Type, TypePtr};
 use std::sync::Arc;
 
-/// How the values of a column are stored.
+/// Storage type of a column.
 #[derive(Clone, Copy, Debug, PartialEq)]
 enum Store {
     Double,
@@ -37,7 +37,7 @@ const STORES: [Store; 10] = [
 ];
 
 impl Store {
-    /// The encodings that its writer has.
+    /// Returns the encodings supported by the writer.
     const fn encodings(self) -> &'static [Encoding] {
         match self {
             Self::Double | Self::Float => &[Encoding::PLAIN, Encoding::BYTE_STREAM_SPLIT],
@@ -57,18 +57,18 @@ impl Stored<'_> {
     }
 }
 
-/// What may differ from column to column.
+/// Properties of a single column.
 struct Stored<'c> {
     column: &'c Column,
     store: Store,
     repetition: Repetition,
-    /// Whether it stands in a group, and so has a longer path.
+    /// The column is in a group and thus has a longer path.
     nested: bool,
     name: String,
 }
 
 impl Columns {
-    /// As Parquet; what the writer refuses is an empty file.
+    /// Writes Parquet; returns an empty file if the writer refuses the columns.
     pub(super) fn parquet(&self, u: &mut Unstructured<'_>) -> Result<Vec<u8>> {
         let mut stored = Vec::new();
         let in_names = u.ratio(2, 3)?;
@@ -225,7 +225,7 @@ fn fill(
     .map(drop)
 }
 
-/// A file with these bytes as footer, its correct length, and some data before it to refer to.
+/// Creates a file with these bytes as footer, their correct length, and some data before it to refer to.
 pub(super) fn with_footer(footer: &[u8]) -> Vec<u8> {
     let mut bytes = b"PAR1".to_vec();
     bytes.extend((0..64).map(|byte| byte * 3));
@@ -235,7 +235,7 @@ pub(super) fn with_footer(footer: &[u8]) -> Vec<u8> {
     bytes
 }
 
-/// A text in another encoding than UTF-8, as old loggers write it.
+/// Encodes a text differently from UTF-8, as in old loggers.
 pub(super) fn encoded(text: &str, u: &mut Unstructured<'_>) -> Result<Vec<u8>> {
     let text = text.replace("deg", "°");
     Ok(match u.int_in_range(0..=3)? {
