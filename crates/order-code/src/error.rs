@@ -1,96 +1,97 @@
-//! What can be wrong with the spelling of a code.
+//! Faults in the spelling of a code.
 
 use crate::field::Field;
 use crate::grammar::Series;
 use std::ops::{Deref, Range};
 use thiserror::Error;
 
-/// One fault of a code.
+/// A fault of a code.
 ///
-/// The hint is apart from the message: [`Self::nearest`] or else [`Self::expected`].
+/// The hint is separate from the message: [`Self::nearest`], or [`Self::expected`] if no word is near.
 #[derive(Clone, Debug, PartialEq, Eq, Error)]
 pub enum CodeError {
-    /// There is nothing.
+    /// The text is empty.
     #[error("the code is empty")]
     Empty,
-    /// Longer than any code.
+    /// The text is longer than any code.
     #[error("the code is longer than {most} characters")]
     TooLong {
-        /// Place of what is too much.
+        /// Bytes beyond the limit.
         span: Range<usize>,
-        /// Longest text that is read.
+        /// Length limit in characters.
         most: usize,
     },
-    /// Nothing stands between two hyphens, before the first one or behind the last one.
+    /// A separator without a word on one side: two hyphens in a row, or a hyphen at the beginning or the end.
     #[error("nothing stands at this hyphen")]
     EmptyPart {
-        /// Place of the hyphen.
+        /// Bytes of the separator.
         span: Range<usize>,
-        /// Fields that could stand behind the last hyphen; empty at any other hyphen, which is simply too much.
+        /// Fields allowed after a final hyphen; empty at any other hyphen, which is surplus.
         expected: Expected,
     },
-    /// No word of the field that is expected here.
+    /// The text is no word of the expected field.
     #[error("{found:?} is no {field}")]
     UnknownToken {
-        /// Field expected here; where several may stand, the one with the nearest word.
+        /// Field expected here; if several are allowed, the one with the nearest word.
         field: Field,
-        /// Place in the text.
+        /// Bytes of the unknown word.
         span: Range<usize>,
-        /// What stands there, cut after 24 characters.
+        /// Text found, cut after 24 characters.
         found: String,
-        /// Every field that could stand here, in their order; none behind a complete code.
+        /// Fields allowed here, in the order of the code; empty behind a complete code.
         expected: Expected,
     },
-    /// A word of another field, and that field belongs to another place.
+    /// A known word whose field belongs to another position.
     #[error("{field} {found:?} stands in the wrong place")]
     OutOfOrder {
-        /// Field that the word belongs to.
+        /// Field of the word.
         field: Field,
-        /// Place in the text.
+        /// Bytes of the word.
         span: Range<usize>,
-        /// What stands there.
+        /// Text found.
         found: String,
-        /// Every field that could stand here.
+        /// Fields allowed here.
         expected: Expected,
     },
-    /// A field for the second time.
+    /// A field that was already given.
     #[error("{field} is given twice, here as {found:?}")]
     Repeated {
-        /// Field.
+        /// Repeated field.
         field: Field,
-        /// Place of the second.
+        /// Bytes of the second word.
         span: Range<usize>,
-        /// What stands there.
+        /// Text found.
         found: String,
-        /// Every field that could stand here.
+        /// Fields allowed here.
         expected: Expected,
     },
-    /// A field that may not be left out.
+    /// A mandatory field is missing.
     #[error("{field} is missing")]
     Missing {
-        /// Field.
+        /// Missing field.
         field: Field,
-        /// Place where it should stand.
+        /// Byte offset where its word should stand.
         at: usize,
         /// Series of the code.
         series: Series,
     },
     /// Words without hyphens that can be read in more than one way.
     ///
-    /// Cannot happen with the words of today, see the grammar; it stands here so that a new word cannot bring a guess.
+    /// Impossible with the words of the embedded series (see the grammar); kept so that a new word cannot lead to a
+    /// guess.
     #[error("{found:?} can be read as {}", .readings.join(" or "))]
     Ambiguous {
-        /// Place in the text.
+        /// Bytes of the ambiguous part.
         span: Range<usize>,
-        /// What stands there.
+        /// Text found.
         found: String,
-        /// The readings, with hyphens.
+        /// Possible readings, with hyphens.
         readings: Vec<String>,
     },
 }
 
 impl CodeError {
-    /// The offending part of the text, in bytes; empty where something is missing.
+    /// Returns the byte range of the fault; empty where something is missing.
     #[must_use]
     pub fn span(&self) -> Range<usize> {
         match self {
@@ -105,7 +106,7 @@ impl CodeError {
         }
     }
 
-    /// The words that would be valid here.
+    /// Returns the words allowed at the fault.
     #[must_use]
     pub fn expected(&self) -> Vec<&'static str> {
         let series = match self {
@@ -117,14 +118,14 @@ impl CodeError {
             | Self::Repeated { expected, .. } => expected.series,
         };
         let fields = self.expected_fields();
-        // Which series it is shows with the first word only.
+        // The series is known only after its word.
         if fields == [Field::Series] {
             return Series::all().map(Series::as_str).collect();
         }
         fields.iter().flat_map(|field| series.words(*field)).copied().collect()
     }
 
-    /// The fields of which a word would be valid here.
+    /// Returns the fields whose words are allowed at the fault.
     #[must_use]
     pub fn expected_fields(&self) -> &[Field] {
         match self {
@@ -138,7 +139,7 @@ impl CodeError {
         }
     }
 
-    /// The valid word that is nearest to what stands here, if one is near: at most half of its letters are wrong.
+    /// Returns the valid word nearest to the text found, if its edit distance is at most half of its length.
     #[must_use]
     pub fn nearest(&self) -> Option<&'static str> {
         match self {
@@ -150,7 +151,7 @@ impl CodeError {
     }
 }
 
-/// The fields of which a word could stand at a place, in their order, with the series that has the words.
+/// Fields allowed at a position, in the order of the code, with the series that defines their words.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Expected {
     pub(crate) series: Series,
@@ -165,8 +166,8 @@ impl Deref for Expected {
     }
 }
 
-/// Among the words of some fields the one that is nearest to a text, with its field. Of several as near, the one that
-/// begins most like the text, then the first in the order of the fields.
+/// Returns the word of the given fields that is nearest to `found`, with its field. Among equally near words the one
+/// with the longest common beginning wins, then the first in the order of the fields.
 pub(crate) fn nearest_token(found: &str, series: Series, fields: &[Field]) -> Option<(Field, &'static str)> {
     let found = found.chars().take(16).collect::<String>().to_ascii_uppercase();
     fields
@@ -182,7 +183,7 @@ fn common_beginning(a: &str, b: &str) -> usize {
     a.bytes().zip(b.bytes()).take_while(|(a, b)| a.eq_ignore_ascii_case(b)).count()
 }
 
-/// Every fault of a code, in the order of the text; at least one.
+/// Faults of one code, in the order of the text; at least one.
 #[derive(Clone, Debug, PartialEq, Eq, Error)]
 #[error("{}", joined(.faults))]
 pub struct CodeErrors {
@@ -197,25 +198,26 @@ fn joined(faults: &[CodeError]) -> String {
 }
 
 impl CodeErrors {
-    /// Several faults, sorted by their place, and the words that were understood. The caller has at least one fault.
+    /// Creates the list from faults, which are sorted by position, and the words that were understood. `faults` must
+    /// not be empty.
     pub(crate) fn new(mut faults: Vec<CodeError>, series: Series, understood: Vec<(Field, &'static str)>) -> Self {
         faults.sort_by_key(|fault| fault.span().start);
         Self { faults, series, understood }
     }
 
-    /// The series that the text was read as a code of.
+    /// Returns the series in whose grammar the text was read.
     #[must_use]
     pub const fn series(&self) -> Series {
         self.series
     }
 
-    /// The word of a field that was understood in spite of the faults.
+    /// Returns the word of a field that was understood despite the faults.
     #[must_use]
     pub fn understood(&self, field: Field) -> Option<&'static str> {
         self.understood.iter().find(|(known, _)| *known == field).map(|(_, token)| *token)
     }
 
-    /// The faults, in the order of the text.
+    /// Iterates over the faults, in the order of the text.
     pub fn iter(&self) -> std::slice::Iter<'_, CodeError> {
         self.faults.iter()
     }

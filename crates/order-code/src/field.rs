@@ -7,7 +7,7 @@ macro_rules! words {
     ($(#[$doc:meta])* $name:ident) => {
         $(#[$doc])*
         ///
-        /// A place among the words of its series.
+        /// Stored as the index of its word within the series.
         #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
         pub struct $name {
             series: Series,
@@ -15,38 +15,38 @@ macro_rules! words {
         }
 
         impl $name {
-            /// The word at a place; the data hold it to those that exist.
+            /// Creates the value from the index of its word, which the data guarantee to exist.
             #[must_use]
             pub const fn at(series: Series, place: u8) -> Self {
                 Self { series, place }
             }
 
-            /// Every value of a series, in the order of the ordering tables.
+            /// Iterates over the values of a series, in the order of the ordering tables.
             pub fn all(series: Series) -> impl DoubleEndedIterator<Item = Self> + ExactSizeIterator + Clone {
-                // A field has at most 64 words, which the build holds.
+                // The build script limits a field to 64 words.
                 let places = 0..u8::try_from(series.words(Field::$name).len()).unwrap_or(u8::MAX);
                 (places.start..places.end).map(move |place| Self { series, place })
             }
 
-            /// The value of this word in a series.
+            /// Returns the value of a word in a series, if the series has it.
             #[must_use]
             pub fn of(series: Series, word: &str) -> Option<Self> {
                 Self::all(series).find(|value| value.as_str() == word)
             }
 
-            /// The word in the code.
+            /// Returns the word as it stands in the code.
             #[must_use]
             pub fn as_str(self) -> &'static str {
                 self.series.words(Field::$name).get(self.place()).copied().unwrap_or_default()
             }
 
-            /// Its series.
+            /// Returns the series that the value belongs to.
             #[must_use]
             pub const fn series(self) -> Series {
                 self.series
             }
 
-            /// Its place among the words.
+            /// Returns the index of the word among the words of the field.
             #[must_use]
             pub fn place(self) -> usize {
                 usize::from(self.place)
@@ -98,7 +98,7 @@ words! {
 }
 
 impl Size {
-    /// The frame size as a number: 20 for 20A.
+    /// Returns the frame size as a number: 20 for `20A`.
     #[must_use]
     pub fn number(self) -> u16 {
         leading_number(self.as_str())
@@ -106,7 +106,7 @@ impl Size {
 }
 
 impl Ratio {
-    /// The ratio as a number.
+    /// Returns the reduction ratio as a number \[1\].
     #[must_use]
     pub fn value(self) -> u16 {
         leading_number(self.as_str())
@@ -118,45 +118,45 @@ fn leading_number(word: &str) -> u16 {
     digits.fold(0, |number: u16, digit| number.saturating_mul(10).saturating_add(u16::from(digit - b'0')))
 }
 
-/// Holding brake.
+/// Holding brake of a code.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum Brake {
-    /// No brake, nothing in the code.
+    /// No brake; the code has no word for it.
     Without,
-    /// Its word in the code.
+    /// Brake fitted; the code contains the word of the series.
     With,
 }
 
 impl Brake {
-    /// Both values.
+    /// The two values, without brake first.
     pub const ALL: &'static [Self] = &[Self::Without, Self::With];
 }
 
-/// The fields that a code may have; each series has its own order of them.
+/// A field of a code; each series has its own order of fields.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum Field {
-    /// Series.
+    /// Word of the series at the beginning of the code.
     Series,
-    /// Frame size and version.
+    /// Frame size and version letter.
     Size,
     /// Reduction ratio.
     Ratio,
-    /// Motor winding and connectors.
+    /// Motor winding and connector configuration.
     Winding,
     /// Motor feedback.
     Feedback,
-    /// Brake.
+    /// Holding brake.
     Brake,
-    /// Sensor option.
+    /// Option 1, sensor at the output.
     Option1,
-    /// Cable and connector option.
+    /// Option 2, cable and connector exit.
     Option2,
     /// Special design.
     Special,
 }
 
 impl Field {
-    /// Every field.
+    /// Fields of the codes of every series.
     pub const ALL: &'static [Self] = &[
         Self::Series,
         Self::Size,
@@ -169,7 +169,7 @@ impl Field {
         Self::Special,
     ];
 
-    /// The identifier used in data exchange.
+    /// Returns the identifier used in data exchange.
     #[must_use]
     pub const fn id(self) -> &'static str {
         match self {
@@ -197,44 +197,44 @@ impl fmt::Display for Field {
     }
 }
 
-/// An ordering code that keeps the grammar; whether it can be ordered is another question.
+/// An ordering code that follows the grammar of its series, not necessarily one that can be ordered.
 ///
-/// Displayed in the canonical spelling, `CHA-20A-100-H-C1024-B-EC-K-SP`; an absent field leaves nothing. Sorted by series
-/// and by the fields in their order, each as in the ordering tables. Its values are of one series.
+/// Displayed in the canonical spelling, `CHA-20A-100-H-C1024-B-EC-K-SP`; an absent field leaves no gap. Sorted by
+/// series, then by the fields in their order, each as in the ordering tables. All values belong to one series.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub struct OrderCode {
-    /// Frame size and version.
+    /// Frame size and version letter.
     pub size: Size,
     /// Reduction ratio.
     pub ratio: Ratio,
-    /// Motor winding and connectors.
+    /// Motor winding and connector configuration.
     pub winding: Winding,
     /// Motor feedback.
     pub feedback: Feedback,
-    /// Brake.
+    /// Holding brake.
     pub brake: Brake,
-    /// Sensor option.
+    /// Option 1, sensor at the output.
     pub option_1: Option<Option1>,
-    /// Cable and connector option.
+    /// Option 2, cable and connector exit.
     pub option_2: Option<Option2>,
-    /// Special design to the customer's wish.
+    /// Special design to customer specification.
     pub special: bool,
 }
 
 impl OrderCode {
-    /// Its series.
+    /// Returns the series of the code.
     #[must_use]
     pub const fn series(&self) -> Series {
         self.size.series()
     }
 
-    /// Whether it has the encoder at the output.
+    /// Returns `true` if the actuator has an encoder at the output.
     #[must_use]
     pub const fn has_output_encoder(&self) -> bool {
         self.option_1.is_some()
     }
 
-    /// The word at a field; `None` where the field is left out.
+    /// Returns the word of a field, or `None` if the code omits it.
     #[must_use]
     pub fn token(&self, field: Field) -> Option<&'static str> {
         let only = |stands: bool| self.series().words(field).first().copied().filter(|_| stands);

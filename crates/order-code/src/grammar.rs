@@ -1,58 +1,58 @@
-//! The grammars: for each series its fields in their order, with their words and what they mean.
+//! Grammars of the series: fields in their order, with their words and the meanings of these.
 
 use crate::field::{Feedback, Field, OrderCode};
 use std::sync::OnceLock;
 
 include!(concat!(env!("OUT_DIR"), "/grammars.rs"));
 
-/// The grammars of the program, once there are others than the embedded ones.
+/// Grammars of the program, if some were added to the embedded ones.
 static EXTENDED: OnceLock<Vec<Grammar>> = OnceLock::new();
 
-/// The ordering code of one series, read from its `code.toml`.
+/// Grammar of the ordering code of one series, read from `code.toml`.
 #[derive(Clone, Copy, Debug)]
 pub struct Grammar {
-    /// The word that every code begins with.
+    /// Word at the beginning of every code.
     pub series: &'static str,
-    /// Its fields, in their order.
+    /// Fields of the code, in their order.
     pub fields: &'static [FieldWords],
 }
 
 /// One field of a grammar.
 #[derive(Clone, Copy, Debug)]
 pub struct FieldWords {
-    /// Which one.
+    /// Field described.
     pub field: Field,
-    /// Whether it may be left out.
+    /// The field may be omitted.
     pub is_optional: bool,
-    /// Its words, in the order of the ordering tables.
+    /// Words of the field, in the order of the ordering tables.
     pub words: &'static [&'static str],
-    /// What each word is, of the field of the feedback; empty of any other.
+    /// Kind of feedback of each word; empty for every field other than the feedback.
     pub kinds: &'static [FeedbackKind],
-    /// What the words mean: the first that fits counts.
+    /// Meanings of the words; the first that applies is used.
     pub meanings: &'static [Meaning],
 }
 
-/// What a word means.
+/// Meaning of a word of a code.
 #[derive(Clone, Copy, Debug)]
 pub struct Meaning {
-    /// The word; `None`: every word, and the absence of one.
+    /// Word explained; `None` applies to every word and to its absence.
     pub word: Option<&'static str>,
-    /// Fields with their words, one of which must stand in the code.
+    /// Conditions: the code must contain one of the words of each field listed.
     pub when: &'static [(Field, &'static [&'static str])],
-    /// English text; `{}` is the word.
+    /// English text; `{}` stands for the word.
     pub en: &'static str,
-    /// German text; `{}` is the word.
+    /// German text; `{}` stands for the word.
     pub de: &'static str,
 }
 
-/// What a motor feedback is.
+/// Kind of motor feedback.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum FeedbackKind {
     /// Incremental encoder with sine signals and a commutation track.
     SineIncremental,
     /// Multiturn absolute encoder, EnDat.
     EndatMultiturn,
-    /// Resolver.
+    /// Resolver with sine and cosine winding.
     Resolver,
     /// Incremental encoder with square-wave signals and commutation signals.
     SquareIncremental,
@@ -60,14 +60,14 @@ pub enum FeedbackKind {
     SsiMultiturn,
 }
 
-/// A series of actuators with a grammar of its own; the default is the first that is embedded.
+/// A series of actuators with a grammar of its own; the default is the first embedded one.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub struct Series(u8);
 
-/// Adds grammars of series to the embedded ones, for the whole program; once, and before any code is read.
+/// Adds grammars of series to the embedded ones for the whole program; allowed once, before any code is read.
 ///
 /// # Errors
-/// The grammars, if some were added before.
+/// Returns the grammars if some were added before.
 pub fn extend(grammars: Vec<Grammar>) -> Result<(), Vec<Grammar>> {
     EXTENDED.set([EMBEDDED, &grammars].concat()).map_err(|_| grammars)
 }
@@ -77,48 +77,48 @@ fn grammars() -> &'static [Grammar] {
 }
 
 impl Series {
-    /// Every series, in order.
+    /// Iterates over all series: embedded ones first, then added ones.
     pub fn all() -> impl Iterator<Item = Self> {
         (0..).map(Self).take(grammars().len())
     }
 
-    /// The series at a place of that order.
+    /// Returns the series at an index of [`Series::all`].
     #[must_use]
     pub const fn at(place: u8) -> Self {
         Self(place)
     }
 
-    /// Its place in that order.
+    /// Returns the index of the series in [`Series::all`].
     #[must_use]
     pub fn place(self) -> usize {
         usize::from(self.0)
     }
 
-    /// The word that its codes begin with.
+    /// Returns the word at the beginning of its codes.
     #[must_use]
     pub fn as_str(self) -> &'static str {
         self.grammar().map_or("", |grammar| grammar.series)
     }
 
-    /// The fields of its codes, in their order.
+    /// Iterates over the fields of its codes, in their order.
     pub fn fields(self) -> impl DoubleEndedIterator<Item = Field> + Clone {
         self.words_of_fields().iter().map(|known| known.field)
     }
 
-    /// The words that may stand at a field; none where its codes do not have the field.
+    /// Returns the words of a field; empty if its codes lack the field.
     #[must_use]
     pub fn words(self, field: Field) -> &'static [&'static str] {
         self.field(field).map_or(&[], |known| known.words)
     }
 
-    /// Whether the field may be left out.
+    /// Returns `true` if its codes may omit the field.
     #[must_use]
     pub fn is_optional(self, field: Field) -> bool {
         self.field(field).is_none_or(|known| known.is_optional)
     }
 
-    /// The series whose word a text begins with, whatever its case, and that of the longest such word; the default if there
-    /// is none.
+    /// Returns the series whose word `text` begins with, ignoring case; the longest such word wins, and the default
+    /// series is returned if there is none.
     pub(crate) fn of_text(text: &str) -> Self {
         let text = text.trim_start();
         let begins = |series: &Self| {
@@ -142,7 +142,7 @@ impl Series {
 }
 
 impl Feedback {
-    /// What it is.
+    /// Returns the kind of the motor feedback.
     #[must_use]
     pub fn kind(self) -> Option<FeedbackKind> {
         self.series().field(Field::Feedback)?.kinds.get(self.place()).copied()
@@ -150,7 +150,7 @@ impl Feedback {
 }
 
 impl OrderCode {
-    /// What the word at a field means, or its absence, in English and in German.
+    /// Returns the meaning of the word at a field, or of its absence, in English and German.
     #[must_use]
     pub fn meaning(&self, field: Field) -> Option<[String; 2]> {
         let word = self.token(field);

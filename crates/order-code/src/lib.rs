@@ -1,8 +1,8 @@
-//! The grammar of the ordering code: `CHA-20A-100-H-C1024-B-EC-K-SP`.
+//! Grammar of ordering codes such as `CHA-20A-100-H-C1024-B-EC-K-SP`.
 //!
-//! This crate reads and prints codes and says where a text departs from the grammar. It knows the words and their order
-//! and nothing else: what may be combined stands in the tables of a manual and is read by another crate, so
-//! `CHA-14A-160-L-C1024` is a code here although it cannot be ordered.
+//! Parses and prints codes and reports where a text departs from the grammar. The crate knows the words and their order
+//! only: permitted combinations are in the tables of the manual and read by another crate, so `CHA-14A-160-L-C1024` is
+//! a code here although it cannot be ordered.
 //!
 //! ```
 //! use order_code::{Pattern, parse};
@@ -23,16 +23,17 @@
 //!
 //! # Grammar
 //!
-//! The words of each series, their order and what they mean are data: `code.toml` in its folder of `data/`. A value such as a
-//! [`Size`] is a place among the words of its series, and a code is read in the grammar of the series whose word it begins with.
+//! The words of each series, their order and their meanings are data: `code.toml` in its folder of `data/`. A value
+//! such as a [`Size`] is the index of a word within its series; a code is read in the grammar of the series whose word
+//! it begins with.
 //!
-//! Canonical are capitals with one `-` between the words. Understood, and reported as a [`Departure`], are small letters,
-//! other dashes, spaces around or instead of a hyphen, no hyphen at all, and white space around the whole. Everything
-//! else is a fault: nothing is ever taken for a word that it is not.
+//! The canonical spelling has capitals and one `-` between the words. Lower case, other dashes, spaces around or
+//! instead of a hyphen, missing hyphens and surrounding white space are understood and reported as a [`Departure`].
+//! Everything else is a fault: no text is replaced by a similar word.
 //!
-//! A text without hyphens can be read in one way only, whichever words it holds: at each place no word begins with
-//! another, except that option 2 `S` begins `SP`, and no word is the `P` that would be left. The tests walk all codes to
-//! hold this, and a second reading would be an error ([`CodeError::Ambiguous`]), not a guess.
+//! A text without hyphens has one reading: at each position no word is the beginning of another, except that option 2
+//! `S` begins `SP`, and no word is the remaining `P`. The tests check this for all codes; a second reading would be an
+//! error ([`CodeError::Ambiguous`]), not a guess.
 
 mod error;
 mod field;

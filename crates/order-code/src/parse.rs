@@ -1,4 +1,4 @@
-//! From text to code.
+//! Parser of ordering codes.
 
 use crate::error::{CodeError, CodeErrors};
 use crate::field::{Brake, Feedback, Field, Option1, Option2, OrderCode, Ratio, Size, Winding};
@@ -6,15 +6,15 @@ use crate::grammar::Series;
 use crate::scan::{Form, scan};
 use std::ops::Range;
 
-/// Reads an ordering code, of the series whose word it begins with.
+/// Parses an ordering code in the grammar of the series whose word it begins with.
 ///
-/// Small letters, other dashes, spaces and missing hyphens are understood and reported as [`Departure`]s. The manual
-/// prints its example with spaces around the hyphens, so that departs too. White space other than spaces (tab, end of
-/// line) is understood around the code only.
+/// Lower case, other dashes, spaces and missing hyphens are understood and reported as [`Departure`]s. The example of
+/// the manual has spaces around the hyphens and is therefore a departure too. White space other than spaces (tab, line
+/// end) is accepted only around the code.
 ///
 /// # Errors
-/// Every fault with its place. A text without hyphens is read up to its first unknown word and on from the next word
-/// that fits, so there one fault may hide another.
+/// Returns all faults with their positions. A text without hyphens is read up to its first unknown word and resumed at
+/// the next word that fits, so that one fault may hide another.
 pub fn parse(text: &str) -> Result<Parsed, CodeErrors> {
     let series = Series::of_text(text);
     let (tokens, departures) = scan(text, series, Form::Code)?;
@@ -38,57 +38,57 @@ pub fn parse(text: &str) -> Result<Parsed, CodeErrors> {
     Ok(Parsed { code, departures, spans })
 }
 
-/// Fields with their places in a text, in bytes.
+/// Fields with their byte ranges in a text.
 pub type Spans = Vec<(Field, Range<usize>)>;
 
-/// A code that was understood.
+/// A parsed code.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Parsed {
-    /// The code.
+    /// Code in the canonical form.
     pub code: OrderCode,
-    /// How the text departs from the canonical spelling, in the order of the text.
+    /// Departures from the canonical spelling, in the order of the text.
     pub departures: Vec<Departure>,
-    /// Each field that is present, with its place in the text, in bytes.
+    /// Fields present, with their byte ranges.
     pub spans: Spans,
 }
 
 impl Parsed {
-    /// Whether the text was written canonically.
+    /// Returns `true` if the text has the canonical spelling.
     #[must_use]
     pub const fn is_canonical(&self) -> bool {
         self.departures.is_empty()
     }
 }
 
-/// How a text departs from the canonical spelling though it is understood.
+/// A departure from the canonical spelling that is understood.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Departure {
-    /// A word with small letters.
+    /// A word with lower-case letters.
     LowerCase {
-        /// Place of the word.
+        /// Bytes of the word.
         span: Range<usize>,
     },
-    /// Spaces in place of a hyphen, or around one.
+    /// Spaces instead of a hyphen or around it.
     Spaces {
-        /// Place of the separator, with its hyphen.
+        /// Bytes of the separator, including its hyphen.
         span: Range<usize>,
     },
-    /// Another dash in place of the hyphen: `‐ ‑ ‒ – — ― −`.
+    /// Another dash instead of the hyphen: `‐ ‑ ‒ – — ― −`.
     OtherDash {
-        /// Place of the dash.
+        /// Bytes of the dash.
         span: Range<usize>,
     },
     /// Two words without a hyphen between them.
     MissingHyphen {
-        /// Place between them.
+        /// Byte offset between the words.
         at: usize,
     },
-    /// White space before or behind the code.
+    /// White space before or after the code.
     SurroundingSpace,
 }
 
 impl Departure {
-    /// Place in the text, in bytes; empty where a hyphen is missing, and `None` for the space around the code.
+    /// Returns the byte range of the departure; empty for a missing hyphen, `None` for surrounding white space.
     #[must_use]
     pub fn span(&self) -> Option<Range<usize>> {
         match self {

@@ -1,4 +1,4 @@
-//! Partial codes: `CHA-20A-100-H-*`.
+//! Partial codes, such as `CHA-20A-100-H-*`.
 
 use crate::error::CodeErrors;
 use crate::field::{Brake, Feedback, Field, Option1, Option2, OrderCode, Ratio, Size, Winding};
@@ -6,13 +6,13 @@ use crate::grammar::Series;
 use crate::parse::Spans;
 use crate::scan::{Form, scan};
 
-/// One field of a partial code.
+/// Condition on one field of a partial code.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Slot<T> {
-    /// Anything, or nothing where the field is optional.
+    /// Any value, or none if the field is optional.
     #[default]
     Any,
-    /// This value.
+    /// This value only.
     Exactly(T),
 }
 
@@ -25,11 +25,11 @@ impl<T: PartialEq> Slot<T> {
     }
 }
 
-/// A partial code, for completing and listing: `CHA-20A-100-H-*`, `CHA-20A`, `CHA-*-100-*-M512P-B`, or nothing at all.
+/// A partial code for completion and listing: `CHA-20A-100-H-*`, `CHA-20A`, `CHA-*-100-*-M512P-B`, or the empty text.
 ///
-/// `*` stands for any value of one field, or for the absence of an optional one. What the text does not name is open:
-/// everything behind its end, and an optional field that it passes over may be there or not. Absence cannot be written;
-/// set the slot instead.
+/// `*` stands for any value of one field, or for the absence of an optional one. Fields that the text does not name are
+/// open: all those after its end, and optional fields that it skips. The text cannot require absence; set the slot
+/// instead.
 ///
 /// ```
 /// use order_code::{Brake, Pattern, Slot, parse};
@@ -43,41 +43,41 @@ impl<T: PartialEq> Slot<T> {
 /// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Pattern {
-    /// Series.
+    /// Series of the actuator.
     pub series: Slot<Series>,
-    /// Frame size.
+    /// Frame size and version letter.
     pub size: Slot<Size>,
     /// Reduction ratio.
     pub ratio: Slot<Ratio>,
-    /// Motor winding and connectors.
+    /// Motor winding and connector configuration.
     pub winding: Slot<Winding>,
     /// Motor feedback.
     pub feedback: Slot<Feedback>,
-    /// Brake.
+    /// Holding brake.
     pub brake: Slot<Brake>,
-    /// Sensor option.
+    /// Option 1, sensor at the output.
     pub option_1: Slot<Option<Option1>>,
-    /// Cable and connector option.
+    /// Option 2, cable and connector exit.
     pub option_2: Slot<Option<Option2>>,
     /// Special design.
     pub special: Slot<bool>,
 }
 
 impl Pattern {
-    /// Reads a partial code, as tolerant of spelling as [`parse`](crate::parse()).
+    /// Parses a partial code with the tolerance of [`parse`](crate::parse()) for spelling.
     ///
-    /// `*` stands alone between hyphens: `20A*` and `1?0` are faults, no shell patterns.
+    /// `*` stands alone between hyphens; `20A*` and `1?0` are faults, because shell patterns are not supported.
     ///
     /// # Errors
-    /// Every fault with its place; a hyphen at the end is one.
+    /// Returns all faults with their positions, a final hyphen among them.
     pub fn parse(text: &str) -> Result<Self, CodeErrors> {
         Self::parse_with_spans(text).map(|(pattern, _)| pattern)
     }
 
-    /// The same, and each field that the text names, with its place in bytes.
+    /// Parses a partial code and also returns the byte range of each field that the text names.
     ///
     /// # Errors
-    /// As [`Pattern::parse`].
+    /// See [`Pattern::parse`].
     pub fn parse_with_spans(text: &str) -> Result<(Self, Spans), CodeErrors> {
         let series = Series::of_text(text);
         let (tokens, _) = scan(text, series, Form::Pattern)?;
@@ -86,7 +86,7 @@ impl Pattern {
         Ok((Self::of(series, token), named.map(|found| (found.field, found.span.clone())).collect()))
     }
 
-    /// The codes of a series that have these words, each a word of its field; a field without one is open.
+    /// Creates a pattern from the words of some fields; fields for which `word` returns `None` stay open.
     #[must_use]
     pub fn of<'w>(series: Series, word: impl Fn(Field) -> Option<&'w str>) -> Self {
         Self {
@@ -104,7 +104,7 @@ impl Pattern {
         }
     }
 
-    /// Whether a code is among those that the pattern allows.
+    /// Returns `true` if the pattern allows `code`.
     #[must_use]
     pub fn matches(&self, code: &OrderCode) -> bool {
         self.series.allows(&code.series())

@@ -1,4 +1,4 @@
-//! From text to words: separators, readings, and what is wrong where there is none.
+//! Splitting of a text into words: separators, readings, and diagnosis of text without a reading.
 
 use crate::error::{CodeError, CodeErrors, Expected, nearest_token};
 use crate::field::Field;
@@ -8,22 +8,23 @@ use crate::tokens::{Found, Step, complete_readings, in_any_order, readings};
 use std::cell::OnceCell;
 use std::ops::Range;
 
-/// Longest text that is read as a code, in characters: the longest code has 29, and 45 with spaces around its hyphens.
+/// Length limit of a code in characters: the longest code has 29, or 45 with spaces around its hyphens.
 const LENGTH_MAX: usize = 64;
 
-/// An unknown text longer than this holds more than one word, and a missing word cannot be distinguished from a misspelt one.
+/// Length above which an unknown text may hold several words, so that a missing word cannot be distinguished from a
+/// misspelt one.
 const LENGTH_WORD_MAX: usize = 7;
 
-/// What a text is read as.
+/// Kind of text that is scanned.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Form {
-    /// A code with all its mandatory fields.
+    /// A code with all mandatory fields.
     Code,
-    /// A partial code that may hold wildcards and stop anywhere.
+    /// A partial code that may contain wildcards and end after any field.
     Pattern,
 }
 
-/// The words of a text in the order of the fields with its departures, or every fault.
+/// Returns the words of a text in the order of the fields, with its departures, or all faults.
 pub(crate) fn scan(text: &str, series: Series, form: Form) -> Result<(Vec<Found>, Vec<Departure>), CodeErrors> {
     if let Some((at, _)) = text.char_indices().nth(LENGTH_MAX) {
         return Err(CodeError::TooLong { span: at..text.len(), most: LENGTH_MAX }.into());
@@ -60,23 +61,23 @@ struct Part {
     capitals: String,
     series: Series,
     span: Range<usize>,
-    /// See [`Part::in_any_order`].
+    /// Cache of [`Part::in_any_order`].
     any_order: OnceCell<Option<Vec<Step>>>,
 }
 
 impl Part {
-    /// All of it as known words in any order, sought once.
+    /// Returns the whole part as known words in any order; computed once.
     fn in_any_order(&self) -> Option<&[Step]> {
         self.any_order.get_or_init(|| in_any_order(&self.capitals, self.series)).as_deref()
     }
 }
 
-/// The parts of a text, with the departures and faults in its separators.
+/// Parts of a text, with the departures and faults of its separators.
 struct Parts {
     parts: Vec<Part>,
     departures: Vec<Departure>,
     faults: Vec<CodeError>,
-    /// A hyphen behind the last part.
+    /// Separator after the last part.
     trailing: Option<Range<usize>>,
 }
 
@@ -88,7 +89,7 @@ fn is_dash(c: char) -> bool {
     c == '-' || is_other_dash(c)
 }
 
-/// Spaces of any width. Tabs and ends of lines are none: inside a code they are a slip.
+/// Returns `true` for spaces of any width; tabs and line ends inside a code are slips.
 fn is_space(c: char) -> bool {
     c.is_whitespace() && !c.is_control() && !matches!(c, '\u{2028}' | '\u{2029}')
 }
@@ -110,7 +111,7 @@ fn split(text: &str, series: Series) -> Parts {
         at = gap_span.end;
         rest = next;
         if !part.is_empty() {
-            // ASCII only: no other letter may turn into one of a word ("ſp" is not SP), and all places stay.
+            // ASCII only: no other letter may become one of a word ("ſp" is not SP), and byte offsets must not change.
             found.parts.push(Part { capitals: part.to_ascii_uppercase(), series, span, any_order: OnceCell::new() });
         }
         let dashes = gap.chars().filter(|c| is_dash(*c)).count();
@@ -132,39 +133,39 @@ fn split(text: &str, series: Series) -> Parts {
     found
 }
 
-/// What follows a word: the words behind it in its own part, and the parts behind that.
+/// Words and parts that follow a word: the remaining words of its part and the remaining parts.
 struct Ahead<'a> {
     steps: &'a [Step],
     parts: &'a [Part],
 }
 
 impl Ahead<'_> {
-    /// Whether a word of this field is still to come, in whatever order. Used for faulty codes only.
+    /// Returns `true` if a word of this field follows, in any order; used for faulty codes only.
     fn names(&self, field: Field) -> bool {
         let named = |steps: &[Step]| steps.iter().any(|step| step.0 == field);
         named(self.steps) || self.parts.iter().any(|part| part.in_any_order().is_some_and(named))
     }
 }
 
-/// Reads part after part.
+/// Reads the parts one by one.
 struct Reader<'a> {
     text: &'a str,
     series: Series,
     fields: &'static [FieldWords],
     form: Form,
-    /// Position of the first field that may come.
+    /// Index of the first field that may follow.
     next: usize,
-    /// Fields that were named, also in a wrong place.
+    /// Fields named so far, including those in a wrong position.
     seen: Vec<Field>,
     tokens: Vec<Found>,
     departures: Vec<Departure>,
     faults: Vec<CodeError>,
-    /// Whether an unknown text may hold what is missing.
+    /// An unknown text was long enough to hold a missing word.
     swallowed: bool,
 }
 
 impl Reader<'_> {
-    /// Reads one part; `ahead` are the parts behind it.
+    /// Reads one part; `ahead` are the remaining parts.
     fn read(&mut self, part: &Part, ahead: &[Part]) {
         if self.form == Form::Pattern
             && part.capitals == "*"
@@ -193,7 +194,7 @@ impl Reader<'_> {
         }
     }
 
-    /// The fields that may come, in their order.
+    /// Returns the fields that may follow, in their order.
     fn open(&self) -> &'static [FieldWords] {
         self.fields.get(self.next..).unwrap_or_default()
     }
@@ -206,7 +207,7 @@ impl Reader<'_> {
         Expected { series: self.series, fields: self.reachable() }
     }
 
-    /// The fields of which a word may stand here: up to the first that may not be absent.
+    /// Returns the fields whose words are allowed here: up to and including the first mandatory one.
     fn reachable(&self) -> Vec<Field> {
         let mut fields = Vec::new();
         for known in self.open().iter().filter(|known| !self.seen.contains(&known.field)) {
@@ -218,7 +219,7 @@ impl Reader<'_> {
         fields
     }
 
-    /// Those of some fields that may not be absent and were not named.
+    /// Returns the mandatory fields among `fields` that have not been named.
     fn needed(&self, fields: &[FieldWords]) -> Vec<Field> {
         let needed = fields.iter().filter(|known| !known.is_optional && !self.seen.contains(&known.field));
         needed.map(|known| known.field).collect()
@@ -228,7 +229,7 @@ impl Reader<'_> {
         self.text.get(span.clone()).unwrap_or_default().chars().take(24).collect()
     }
 
-    /// Takes known words, one behind the other from `start` on.
+    /// Places known words one after another, beginning at byte `start`.
     fn place_all(&mut self, steps: &[Step], start: usize, ahead: &[Part]) {
         for (index, (field, token, offset)) in steps.iter().enumerate() {
             let begin = start + offset;
@@ -240,7 +241,7 @@ impl Reader<'_> {
         }
     }
 
-    /// Takes a known word, or says why it may not stand here.
+    /// Places a known word, or records why it is not allowed here.
     fn place(&mut self, word: Found, ahead: &Ahead<'_>) {
         let (field, span, place) = (word.field, word.span.clone(), self.position(word.field));
         let found = self.written(&span);
@@ -250,7 +251,7 @@ impl Reader<'_> {
             return;
         }
         let skipped: Vec<Field> = self.needed(self.fields.get(self.next..place).unwrap_or_default());
-        // Too late, or too early: what must stand before it is still to come.
+        // The word is too late, or too early because words that must precede it still follow.
         if place < self.next || skipped.iter().any(|field| ahead.names(*field)) {
             let expected = self.expected();
             self.faults.push(CodeError::OutOfOrder { field, span, found, expected });
@@ -267,19 +268,19 @@ impl Reader<'_> {
         self.tokens.push(word);
     }
 
-    /// Says what is wrong with a part that is no run of known words.
+    /// Records the faults of a part that is not a sequence of known words.
     fn diagnose(&mut self, part: &Part, ahead: &[Part]) {
         let whole_is_near = nearest_token(&part.capitals, self.series, &self.reachable()).is_some();
         let mut from = 0;
         if !whole_is_near && !part.capitals.contains('*') {
-            // Known words without hyphens before the unknown one.
+            // Known words without hyphens in front of the unknown one.
             if let Some((end, steps)) = readings(&part.capitals, self.open()).into_iter().max_by_key(|(end, _)| *end) {
                 self.place_all(&steps, part.span.start, ahead);
                 from = end;
             }
         }
         let rest = part.capitals.get(from..).unwrap_or_default();
-        // Known words behind it, if exactly one field is expected here.
+        // Known words after it, if exactly one field is expected here.
         let expected = self.expected();
         let behind = match &expected[..] {
             [only] if !self.series.is_optional(*only) && !whole_is_near => {
@@ -303,7 +304,7 @@ impl Reader<'_> {
         let near = nearest_token(&found, self.series, &expected).map(|(field, _)| field);
         let field = near.or(expected.first().copied()).unwrap_or(Field::Special);
         self.swallowed |= found.chars().count() > LENGTH_WORD_MAX;
-        // It stands for the field expected here, unless that is still to come.
+        // The unknown word stands for the expected field, unless a word of that field still follows.
         if !self.series.is_optional(field) && !ahead.names(field) {
             self.next = self.next.max(self.position(field) + 1);
         }
@@ -324,7 +325,8 @@ impl Reader<'_> {
     }
 }
 
-/// The shortest beginning of `text` behind which all is known words of the fields, with those words.
+/// Returns the length of the shortest beginning of `text` after which only known words of the fields follow, with those
+/// words.
 fn known_behind(text: &str, fields: &[FieldWords]) -> Option<(usize, Vec<Step>)> {
     text.char_indices().skip(1).find_map(|(at, _)| {
         let steps = complete_readings(text.get(at..)?, fields).into_iter().next()?;

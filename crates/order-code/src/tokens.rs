@@ -1,10 +1,10 @@
-//! Words without hyphens between them: every reading in the order of the fields, and one in any order.
+//! Words without hyphens between them: all readings in the order of the fields, and one in any order.
 
 use crate::field::Field;
 use crate::grammar::{FieldWords, Series};
 use std::ops::Range;
 
-/// One word found in the text; the wildcard of a pattern has no token.
+/// A word found in the text; the wildcard of a pattern has no token.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(crate) struct Found {
     pub(crate) field: Field,
@@ -12,13 +12,12 @@ pub(crate) struct Found {
     pub(crate) span: Range<usize>,
 }
 
-/// A word with its field and where it begins.
+/// A word with its field and its byte offset.
 pub(crate) type Step = (Field, &'static str, usize);
 
-/// Every way to read the beginning of `text`, or all of it, as words of `fields` in their order; each with its end.
+/// Returns all readings of `text`, or of a beginning of it, as words of `fields` in their order, each with its end.
 ///
-/// A field that may not be absent is never passed over. A reading has at most one word per field, so the search is small
-/// whatever the text.
+/// A mandatory field is never skipped. A reading has at most one word per field, which bounds the search for any text.
 pub(crate) fn readings(text: &str, fields: &[FieldWords]) -> Vec<(usize, Vec<Step>)> {
     let mut all = Vec::new();
     read_on(text, 0, fields, &mut Vec::new(), &mut all);
@@ -44,15 +43,15 @@ fn read_on(text: &str, at: usize, fields: &[FieldWords], so_far: &mut Vec<Step>,
     }
 }
 
-/// Every way to read all of `text` as words of `fields` in their order.
+/// Returns all readings of the whole of `text` as words of `fields` in their order.
 pub(crate) fn complete_readings(text: &str, fields: &[FieldWords]) -> Vec<Vec<Step>> {
     readings(text, fields).into_iter().filter(|(end, _)| *end == text.len()).map(|(_, reading)| reading).collect()
 }
 
-/// All of `text` as words of any fields in any order, in as few words as possible: the probable meaning of a code in
-/// the wrong order. Several words of one letter each are rather a typing error, and no reading.
+/// Returns `text` as words of any fields in any order, in as few words as possible: the probable meaning of a code in
+/// the wrong order. Several words of one letter each are more likely a typing error and are no reading.
 pub(crate) fn in_any_order(text: &str, series: Series) -> Option<Vec<Step>> {
-    // From the end: how few words read the rest from each place, and the first of them.
+    // From the end: the least number of words for the rest at each offset, and the first of them.
     let mut fewest: Vec<Option<usize>> = vec![None; text.len()];
     fewest.push(Some(0));
     let mut first: Vec<Option<(Field, &'static str)>> = vec![None; text.len()];
@@ -102,7 +101,7 @@ mod tests {
         assert!(complete_readings("AX", &fields).is_empty());
     }
 
-    /// Whatever stands first and whichever fields follow, glued words have one reading only.
+    /// Words without hyphens have one reading at every start and for every choice of fields.
     #[test]
     fn no_run_of_words_has_two_readings() {
         fn all() -> &'static [FieldWords] {

@@ -19,7 +19,7 @@ const STRANGERS: &str =
     "\u{17f}\u{212a}\u{131}\u{410}\u{421}\u{415}\u{ff12}\u{216c}\u{e9}\u{0}\t\n\u{200b}\u{301}_/.?*";
 const WORDS: &str = "ABCEHKLMNPRSX0123458- –";
 
-/// What is left of a spelling when case and understood separators do not count.
+/// Returns a spelling without separators, in upper case.
 fn bare(text: &str) -> String {
     text.trim().chars().filter(|c| !" -–".contains(*c)).collect::<String>().to_ascii_uppercase()
 }
