@@ -1,4 +1,4 @@
-//! The pictures of docs/theory on heat: our curves beside every published point.
+//! Pictures of docs/theory on heat: computed curves together with all published points.
 //!
 //! `cargo run -p configurator --example heat_pictures -- docs/theory/pictures`
 
@@ -31,7 +31,7 @@ fn parameters(code: &str) -> Result<Parameters, Fault> {
 
 const RATIOS: [u16; 4] = [30, 50, 80, 120];
 
-/// Band of the estimate and the published curve of every ratio.
+/// Returns the chart of the estimated band and the published curve of each ratio.
 fn continuous() -> Result<XyChart, Fault> {
     let mut chart = XyChart::new(
         Axis::new("n", "min⁻¹").name("Output speed").minor_ticks(),
@@ -74,7 +74,8 @@ fn continuous() -> Result<XyChart, Fault> {
     Ok(chart)
 }
 
-/// What the model says of each published point, by frame size; those of the sisters as the reference test has them.
+/// Returns the chart of the ratio of modelled to permissible temperature rise at each published point, by frame size;
+/// points of the related series as in the reference test.
 fn shares() -> Result<XyChart, Fault> {
     let mut own = Vec::new();
     for (offset, ratio) in [-0.9, -0.3, 0.3, 0.9].into_iter().zip(RATIOS) {
@@ -90,7 +91,7 @@ fn shares() -> Result<XyChart, Fault> {
             }
         }
     }
-    // docs/theory/thermal.md, table of the cross-validation; held by reference_sister_series.
+    // docs/theory/thermal.md, table of the cross-validation; checked by reference_sister_series.
     let sisters = [
         (13.4, 1.20),
         (14.0, 0.94),

@@ -1,4 +1,4 @@
-//! The actuators of the catalogue that can be had, with their parameters.
+//! The orderable actuators of the catalogue, with their parameters.
 
 use crate::codes::plain;
 use crate::parameters::parameters_beside;
@@ -6,23 +6,24 @@ use actuator::Parameters;
 use order_code::{Option1, OrderCode};
 use std::sync::{Arc, LazyLock};
 
-/// The actuators without options, or with the encoder at the output: each under its bare code, its parameters those with
-/// the option.
+/// Returns the actuators without options, or those with the encoder at the output: the code without the option, the
+/// parameters with it.
 #[must_use]
 pub fn actuators(output_encoder: bool) -> &'static [(OrderCode, Parameters)] {
     static WITH_OUTPUT_ENCODER: LazyLock<Vec<(OrderCode, Parameters)>> = LazyLock::new(|| actuators_with(true));
     if output_encoder { &WITH_OUTPUT_ENCODER } else { catalogue_actuators() }
 }
 
-/// Every actuator of the catalogue that has printed data and can be had without asking, with its parameters:
-/// each size, ratio, winding, feedback and brake, without options.
+/// Returns all actuators of the catalogue with data in the manual that are available without request, with their
+/// parameters: each size, ratio, winding, feedback and brake, without options.
 #[must_use]
 pub fn catalogue_actuators() -> &'static [(OrderCode, Parameters)] {
     static ACTUATORS: LazyLock<Vec<(OrderCode, Parameters)>> = LazyLock::new(|| actuators_with(false));
     &ACTUATORS
 }
 
-/// Each code is the bare one, its parameters those with the option. Neighbours whose drivetrains are equal share one.
+/// Lists the actuators by their code without the option, with the parameters including it. Neighbours with equal
+/// drivetrains share one.
 fn actuators_with(output_encoder: bool) -> Vec<(OrderCode, Parameters)> {
     let mut actuators: Vec<(OrderCode, Parameters)> = Vec::new();
     for code in plain() {
@@ -47,8 +48,9 @@ mod tests {
     use super::*;
     use crate::parameters;
 
-    /// What [`parameters`] says of a code is what stands in the list. Who shares a drivetrain is of one size and ratio, and
-    /// whose drivetrain differs in one value, as some do with the feedback, has its own.
+    /// The list has the parameters that [`parameters`] returns for each code. Actuators that share a drivetrain have
+    /// the same size and ratio; one whose drivetrain differs in a single value, as it may with the feedback, has its
+    /// own.
     #[test]
     fn neighbours_share_their_drivetrain_and_nothing_else() {
         let mut drivetrains = 0;
@@ -66,7 +68,7 @@ mod tests {
         assert_eq!(drivetrains, 84);
     }
 
-    /// Who writes one datum has a drivetrain of its own from then on.
+    /// Changing one datum gives the actuator a drivetrain of its own.
     #[test]
     fn a_datum_that_is_written_changes_no_neighbour() {
         let mut pairs = catalogue_actuators().windows(2);

@@ -1,14 +1,14 @@
-//! Enumerating, completing and correcting ordering codes.
+//! Lists, completion and correction of ordering codes.
 
 use crate::rules::{Availability, BrokenRule, availability, looked_up};
 use order_code::{Brake, Feedback, Field, Option1, Option2, OrderCode, Pattern, Ratio, Series, Size, Slot, Winding};
 use std::sync::LazyLock;
 
-/// Every code that can be written, whether it exists or not, without the special design.
+/// Combinations of words without the special design, orderable or not.
 static WRITABLE: LazyLock<Vec<OrderCode>> =
     LazyLock::new(|| Series::all().flat_map(|series| writable(series, true)).collect());
 
-/// The codes of a series, those with options only where requested.
+/// Returns all combinations of words of a series, with options only if `with_options`.
 fn writable(series: Series, with_options: bool) -> Vec<OrderCode> {
     let brakes = if series.words(Field::Brake).is_empty() { &[Brake::Without] } else { Brake::ALL };
     let most = if with_options { usize::MAX } else { 0 };
@@ -44,35 +44,35 @@ fn writable(series: Series, with_options: bool) -> Vec<OrderCode> {
 static ALL: LazyLock<Vec<(OrderCode, Availability)>> =
     LazyLock::new(|| WRITABLE.iter().filter_map(|code| Some((*code, availability(code).ok()?))).collect());
 
-/// Every code without options that is available without asking, in the order of the fields.
+/// Iterates over the codes without options that are available without request, in the order of the fields.
 pub(crate) fn plain() -> impl Iterator<Item = OrderCode> {
     let codes = Series::all().flat_map(|series| writable(series, false));
     codes.filter(|code| availability(code).is_ok_and(|found| found.is_available()))
 }
 
-/// Those of [`ALL`] as special designs.
+/// Codes of [`ALL`] as special designs.
 static SPECIAL: LazyLock<Vec<(OrderCode, Availability)>> = LazyLock::new(|| {
     let special = ALL.iter().map(|(code, _)| OrderCode { special: true, ..*code });
     special.filter_map(|code| Some((code, availability(&code).ok()?))).collect()
 });
 
-/// Every valid code with its availability, in the order of the fields.
+/// Returns all orderable codes with their availability, in the order of the fields.
 ///
-/// The special design is left out: it stands for any design to the customer's wish and could follow every code.
+/// The special design is omitted: it stands for any design to customer specification and could follow every code.
 #[must_use]
 pub fn all() -> &'static [(OrderCode, Availability)] {
     &ALL
 }
 
-/// The valid codes that a partial code allows; special designs only where it names the special design.
+/// Iterates over the orderable codes that a partial code allows; special designs only if it names the special design.
 pub fn complete(pattern: &Pattern) -> impl Iterator<Item = &'static (OrderCode, Availability)> + '_ {
     let codes = if pattern.special == Slot::Exactly(true) { &SPECIAL } else { &ALL };
     codes.iter().filter(move |(code, _)| pattern.matches(code))
 }
 
-/// Why a partial code allows no code: the rules that every code with its words breaks. Where no single one is broken by
-/// all of them, those of the codes that break the fewest, for each size in turn. Each with a code that breaks it; nothing
-/// if the partial code allows one.
+/// Returns the rules that exclude every code allowed by a partial code, each with a code that breaks it; empty if the
+/// partial code allows an orderable code. These are the rules broken by all its codes or, if there is none, those
+/// broken by the code with the fewest broken rules of each size.
 #[must_use]
 pub fn broken_by_all(pattern: &Pattern) -> Vec<(OrderCode, BrokenRule)> {
     let plain = Pattern { special: Slot::Any, ..*pattern };
@@ -81,7 +81,7 @@ pub fn broken_by_all(pattern: &Pattern) -> Vec<(OrderCode, BrokenRule)> {
     }
     let found: Vec<(OrderCode, Vec<BrokenRule>)> =
         WRITABLE.iter().filter(|code| plain.matches(code)).map(|code| (*code, looked_up(code).1)).collect();
-    // The code that breaks the fewest stands for all.
+    // The code with the fewest broken rules represents all of them.
     let Some((code, rules)) = found.iter().min_by_key(|(_, broken)| broken.len()) else { return Vec::new() };
     let of_all = |rule: &BrokenRule| found.iter().all(|(_, broken)| broken.contains(rule));
     let common: Vec<(OrderCode, BrokenRule)> =
@@ -94,7 +94,7 @@ pub fn broken_by_all(pattern: &Pattern) -> Vec<(OrderCode, BrokenRule)> {
     each.flat_map(|(code, broken)| broken.iter().map(|rule| (*code, *rule))).collect()
 }
 
-/// The words that the valid codes of each size have.
+/// Words that occur in the orderable codes of each size, by field.
 static TOKENS: LazyLock<Vec<(Field, Size, Vec<&'static str>)>> = LazyLock::new(|| {
     let of_size = |field: Field, size: Size| {
         let stands = |token: &&str| ALL.iter().any(|(code, _)| code.size == size && code.token(field) == Some(token));
@@ -107,7 +107,7 @@ fn sizes() -> impl Iterator<Item = Size> {
     Series::all().flat_map(Size::all)
 }
 
-/// The words of a field that some valid code of a size has.
+/// Returns the words of a field that occur in at least one orderable code of a size.
 #[must_use]
 pub fn tokens_of_size(field: Field, size: Size) -> &'static [&'static str] {
     if field == Field::Special {
@@ -117,16 +117,16 @@ pub fn tokens_of_size(field: Field, size: Size) -> &'static [&'static str] {
     found.map(|(_, _, tokens)| tokens.as_slice()).unwrap_or_default()
 }
 
-/// What may stand at one field of a partial code.
+/// A word allowed at one field of a partial code.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Choice {
-    /// The token; empty where the field may be left out.
+    /// Word; empty if the field may be omitted.
     pub token: &'static str,
-    /// Whether at least one code with it is available without asking.
+    /// At least one code with this word is available without request.
     pub available: bool,
 }
 
-/// For each field, what may stand there in the codes that a partial code allows.
+/// Returns, for each field, the words that occur in the orderable codes allowed by a partial code.
 #[must_use]
 pub fn choices(pattern: &Pattern) -> Vec<(Field, Vec<Choice>)> {
     let codes: Vec<&(OrderCode, Availability)> = complete(pattern).collect();

@@ -1,4 +1,5 @@
-//! What holds for the whole family: calibrations of the models, thresholds of the supervision, the battery of an encoder.
+//! Data common to a product family: calibrations of the models, thresholds of the supervision, the battery of an
+//! encoder.
 
 use crate::parts;
 use actuator::Battery;
@@ -9,17 +10,18 @@ use quantities::unit::DEGREE;
 use quantities::{Angle, Measure, Ratio, ThermodynamicTemperature, Time};
 use std::sync::LazyLock;
 
-/// Where the thresholds of the winding temperature of each series stand.
+/// Location of the winding temperature thresholds of each series.
 static THRESHOLDS: LazyLock<Vec<CellRef>> = LazyLock::new(|| places("T_KTY", |data| data.thresholds));
 
-/// A row of a table of each series, cited without its column.
+/// Returns the row of a table for each series, cited without its column.
 pub(crate) fn places(symbol: &'static str, table: impl Fn(&SeriesData) -> &'static str) -> Vec<CellRef> {
     let place =
         |data: &SeriesData| CellRef { document: data.manual, ..CellRef::of_the_manual(table(data), symbol, "") };
     catalogue::series().iter().map(place).collect()
 }
 
-/// A calibration headed by a drive, by its size without the feedback, or once for all.
+/// Returns the cell of a calibration: that of the drive, else that of its size without the feedback, else the one
+/// common to all.
 fn cell(series: Series, drive: &str, symbol: &str) -> Option<&'static Cell> {
     let cells = catalogue::table_cells(SeriesData::of(series).family);
     let of = |drive: &str| cells.iter().find(|cell| cell.place.symbol == symbol && cell.place.drive == drive);
@@ -27,7 +29,7 @@ fn cell(series: Series, drive: &str, symbol: &str) -> Option<&'static Cell> {
     of(drive).or_else(|| of(size)).or_else(|| of(""))
 }
 
-/// A value of a table that is not of the manual, cited by its cell: a published one, or a calibration of ours, which is
+/// Cites a value from a table outside the manual by its cell: a published value, or a calibration by antrieb, which is
 /// an estimate.
 pub(crate) fn published_as<T>(grade: Grade, datum: Datum<T>) -> Datum<T> {
     datum.map(|known| {
@@ -39,17 +41,17 @@ pub(crate) fn published_as<T>(grade: Grade, datum: Datum<T>) -> Datum<T> {
     })
 }
 
-/// A pure number of a drive.
+/// Returns a pure number of a drive \[1\].
 pub(crate) fn number(series: Series, drive: &str, symbol: &str) -> Datum<f64> {
     published_as(Grade::Estimated, parts::number_of(cell(series, drive, symbol)))
 }
 
-/// A quantity of a drive.
+/// Returns a quantity of a drive.
 pub(crate) fn quantity<Q: Measure>(series: Series, drive: &str, symbol: &str) -> Datum<Q> {
     published_as(Grade::Estimated, parts::quantity_of(cell(series, drive, symbol)))
 }
 
-/// A band of a drive by its two edges.
+/// Returns a band of a drive from its two edges.
 pub(crate) fn band(series: Series, drive: &str, low: &str, high: &str) -> Datum<(f64, f64)> {
     match (number(series, drive, low), number(series, drive, high)) {
         (Datum::Known(low), Datum::Known(high)) => {
@@ -60,12 +62,12 @@ pub(crate) fn band(series: Series, drive: &str, low: &str, high: &str) -> Datum<
     }
 }
 
-/// Growth of friction below +20 °C per kelvin, least and largest.
+/// Returns the growth of friction below +20 °C \[1/K\], lower and upper edge.
 pub(crate) fn cold_growth(series: Series) -> Datum<(f64, f64)> {
     band(series, "", "cold_growth_low", "cold_growth_high")
 }
 
-/// Largest J_L/J_out that is recommended for highly dynamic duty, from a cell such as `≤ 3J_out`.
+/// Returns the largest J_L/J_out recommended for highly dynamic duty \[1\], from a cell such as `≤ 3J_out`.
 pub(crate) fn inertia_ratio_recommended(series: Series) -> Datum<f64> {
     let cells = catalogue::table_cells(SeriesData::of(series).preselection);
     let factor = |cell: &'static Cell| {
@@ -75,7 +77,7 @@ pub(crate) fn inertia_ratio_recommended(series: Series) -> Datum<f64> {
     Datum::of(cells.iter().filter(|cell| cell.place.symbol == "J_L").find_map(factor))
 }
 
-/// Below this swing the output bearing may fret: the figure of a fact of the series.
+/// Returns the swing angle below which the output bearing may fret, from a fact of the series.
 pub(crate) fn swing_min(series: Series) -> Datum<Angle> {
     let fact = catalogue::fact("fretting_below_5_deg").filter(|fact| fact.holds_for.series == series);
     Datum::of(fact.and_then(|fact| {
@@ -85,7 +87,8 @@ pub(crate) fn swing_min(series: Series) -> Datum<Angle> {
     }))
 }
 
-/// f_s on which the printed M_0(max) of a size rests (table 55.1, footnote 3): the figure of a fact of the series.
+/// Returns f_s, the static safety on which the M_0(max) of a size is based (table 55.1, footnote 3), from a fact of the
+/// series.
 pub(crate) fn static_safety_min(code: &OrderCode) -> Datum<f64> {
     let fact = catalogue::fact("static_safety_of_the_table").filter(|fact| fact.holds_for.series == code.series());
     let class = if code.size.number() <= LAST_SMALL { "sizes_14_to_20" } else { "sizes_25_to_58" };
@@ -97,10 +100,10 @@ pub(crate) fn static_safety_min(code: &OrderCode) -> Datum<f64> {
     Datum::of(found())
 }
 
-/// The largest size of the first class of f_s.
+/// Largest size of the first class of f_s.
 const LAST_SMALL: u16 = 20;
 
-/// A threshold of the winding temperature: `warning` or `shutdown`.
+/// Returns a threshold of the winding temperature: `warning` or `shutdown`.
 pub(crate) fn winding_threshold(series: Series, which: &str) -> Datum<ThermodynamicTemperature> {
     let cells = catalogue::table_cells(SeriesData::of(series).thresholds);
     let found = cells.iter().find(|cell| cell.place.condition == which).map(catalogue::datum_of);
@@ -110,10 +113,9 @@ pub(crate) fn winding_threshold(series: Series, which: &str) -> Datum<Thermodyna
     }
 }
 
-/// T_NAT: the temperature at which the PTC of the winding responds, by the size.
+/// Returns T_NAT, the response temperature of the winding PTC, by size.
 ///
-/// # Errors
-/// `NotApplicable` where the connector of the motor does not lead the PTC out.
+/// `NotApplicable` if the motor connector has no contacts for the PTC.
 pub(crate) fn ptc_response(code: &OrderCode) -> Datum<ThermodynamicTemperature> {
     match ptc_cell(code) {
         _ if !catalogue::winding_data(code.winding).is_some_and(|data| data.ptc) => Datum::NotApplicable,
@@ -122,32 +124,33 @@ pub(crate) fn ptc_response(code: &OrderCode) -> Datum<ThermodynamicTemperature> 
     }
 }
 
-/// The cell of the response temperature T_NAT of the PTC of a size.
+/// Returns the cell of the response temperature T_NAT of the PTC of a size.
 #[must_use]
 pub fn ptc_cell(code: &OrderCode) -> Option<&'static Cell> {
-    // Looked up for every actuator when the program starts.
+    // Cached: called for every actuator at program start.
     static CELLS: LazyLock<Vec<&'static Cell>> =
         LazyLock::new(|| catalogue::cells().filter(|cell| cell.place.symbol == "T_NAT").collect());
     let head = format!("{}-{}", code.series().as_str(), code.size);
     CELLS.iter().copied().find(|cell| cell.place.drive.split(" / ").any(|drive| drive == head))
 }
 
-/// What another maker's actuator is taken to have where its owner does not say: each an assumption.
+/// Assumptions for another manufacturer's actuator whose file states no value.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Assumed {
-    /// Growth of friction in the cold, a property of the grease of such gears.
+    /// Growth of friction at low temperature, lower and upper edge \[1/K\]: a property of the grease of strain wave
+    /// gears.
     pub friction_cold_growth: Datum<(f64, f64)>,
-    /// Temperature below which friction grows so.
+    /// Temperature below which friction grows at this rate.
     pub friction_printed_from: Datum<ThermodynamicTemperature>,
-    /// Largest J_L/J_out for highly dynamic duty.
+    /// Largest J_L/J_out for highly dynamic duty \[1\].
     pub inertia_ratio_recommended: Datum<f64>,
     /// Winding temperature at which the voltage is checked.
     pub winding_shutdown: Datum<ThermodynamicTemperature>,
-    /// Swing below which the output bearing may fret.
+    /// Swing angle below which the output bearing may fret.
     pub swing_min: Datum<Angle>,
 }
 
-/// What of the family holds for any strain wave actuator, with no more trust than an assumption deserves.
+/// Returns the family data that apply to any strain wave actuator, graded as assumptions.
 #[must_use]
 pub fn assumed() -> Assumed {
     fn assume<T>(datum: Datum<T>) -> Datum<T> {
@@ -163,8 +166,8 @@ pub fn assumed() -> Assumed {
     }
 }
 
-/// t_c and t_o, the longest printed of all brakes: the demand is computed once for all candidates, and none closes or opens
-/// later.
+/// Returns t_c and t_o, the longest closing and opening times of all brakes in the manual: the demand is computed once
+/// for all candidates, and no brake is slower.
 #[must_use]
 pub fn brake_times() -> Option<(Time, Time)> {
     static TIMES: LazyLock<Option<(Time, Time)>> = LazyLock::new(|| {
@@ -178,14 +181,14 @@ pub fn brake_times() -> Option<(Time, Time)> {
     *TIMES
 }
 
-/// The battery of the first series' encoder that has one.
+/// Returns the battery of the first encoder with a battery in the default series.
 #[must_use]
 pub fn battery() -> Datum<Battery> {
     let buffered = Feedback::all(Series::default()).find(|each| each.kind() == Some(FeedbackKind::SsiMultiturn));
     buffered.map_or(Datum::NotPrinted, battery_of)
 }
 
-/// The battery of an encoder.
+/// Returns the battery of an encoder.
 pub(crate) fn battery_of(feedback: Feedback) -> Datum<Battery> {
     let series = feedback.series();
     let time = |symbol| quantity::<Time>(series, "", symbol);
@@ -229,7 +232,8 @@ mod tests {
         assert_eq!((cell.document, cell.table), ("antrieb-models", "family"));
     }
 
-    /// The growth is that of the printed starting currents of the 48 V windings: ln(I_cold/I_20)/ΔT over all ratios.
+    /// The growth follows from the no-load starting currents of the 48 V windings in the manual: ln(I_cold/I_20)/ΔT
+    /// over all ratios.
     #[test]
     fn the_growth_in_the_cold_is_that_of_the_print() {
         let growth = cold_growth(Series::default()).known().unwrap().value;

@@ -1,6 +1,6 @@
-//! What may be combined: ordering code × catalogue → actuator, or the rules broken.
+//! Combination of ordering code and catalogue: the parameters of an actuator, or the rules that the code breaks.
 //!
-//! The rules are read from the manual's tables 11.2, 11.3 and 12.1 at first use; none is written a second time in code.
+//! The rules are read from tables 11.2, 11.3 and 12.1 of the manual at first use; none is repeated in code.
 
 mod actuators;
 mod codes;

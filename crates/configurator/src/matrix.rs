@@ -1,23 +1,23 @@
-//! The matrix of a series and its pairs of winding and feedback, read from the cells.
+//! Ordering matrix of a series and its pairs of winding and feedback, read from the cells.
 
 use catalogue::{Cell, Mark, MarkEntry, SeriesData, table_cells};
 use order_code::{Feedback, Field, Series, Size, Winding};
 use std::sync::LazyLock;
 
-/// The fields that the matrix has rows for, in the order of its entries.
+/// Fields with rows in the matrix, in the order of its entries.
 const FIELDS: [Field; 6] =
     [Field::Ratio, Field::Winding, Field::Feedback, Field::Brake, Field::Option1, Field::Option2];
 
-/// What is not in the matrix does not exist.
+/// Entry of every combination that the matrix does not list.
 const NOT_AVAILABLE: Mark = Mark { begins: "", entry: MarkEntry::NotAvailable, feedback: None, longer: "" };
 
-/// Matrix and pairs in a form that answers at once.
+/// Matrix and pairs of a series, indexed for fast look-up.
 pub(crate) struct Matrix {
-    /// What the series states of its tables.
+    /// Tables and marks of the series.
     pub(crate) data: &'static SeriesData,
-    /// For each size in turn, one for each word of each of [`FIELDS`].
+    /// Entries by size, then by field of [`FIELDS`], then by word.
     entries: Vec<Mark>,
-    /// Where the words of each field begin among those of a size, and how many words there are.
+    /// Index of the first word of each field within the entries of a size.
     begins: [usize; FIELDS.len()],
     width: usize,
     pairs: Vec<(Winding, Feedback)>,
@@ -29,7 +29,7 @@ fn mark_of(cell: &Cell, data: &SeriesData) -> Option<Mark> {
 
 static MATRICES: LazyLock<Vec<Matrix>> = LazyLock::new(|| Series::all().map(Matrix::of).collect());
 
-/// The matrix of a series, read once.
+/// Returns the matrix of a series.
 pub(crate) fn matrix(series: Series) -> Option<&'static Matrix> {
     MATRICES.get(series.place())
 }
@@ -47,7 +47,7 @@ impl Matrix {
         for size in Size::all(series) {
             let head = format!("{}-{size}", series.as_str());
             for condition in &conditions {
-                // A cell merged over several sizes names all of them.
+                // A cell merged over several sizes lists all of them.
                 let covers = |cell: &&Cell| {
                     cell.place.condition == condition && cell.place.drive.split(" / ").any(|each| each == head)
                 };
@@ -68,18 +68,18 @@ impl Matrix {
         Self { data, entries, begins, width: conditions.len(), pairs }
     }
 
-    /// What the matrix says of a word of a field at a size.
+    /// Returns the entry of the matrix for a word of a field at a size.
     pub(crate) fn entry(&self, size: Size, field: Field, word: usize) -> Mark {
         let begin = FIELDS.iter().zip(self.begins).find(|(known, _)| **known == field).map_or(self.width, |(_, b)| b);
         self.entries.get(size.place() * self.width + begin + word).copied().unwrap_or(NOT_AVAILABLE)
     }
 
-    /// Whether the ordering tables list this pair of winding and feedback.
+    /// Returns `true` if the ordering tables list this pair of winding and feedback.
     pub(crate) fn pair(&self, winding: Winding, feedback: Feedback) -> bool {
         self.pairs.contains(&(winding, feedback))
     }
 
-    /// Whether the ordering tables know this winding at all.
+    /// Returns `true` if any pair of the ordering tables has this winding.
     pub(crate) fn ordered(&self, winding: Winding) -> bool {
         self.pairs.iter().any(|(known, _)| *known == winding)
     }

@@ -1,4 +1,4 @@
-//! From an ordering code to the parameters of its actuator.
+//! Parameters of the actuator of an ordering code.
 
 use crate::family;
 use crate::parts;
@@ -10,17 +10,18 @@ use quantities::unit::{DEGREE_CELSIUS, NEWTON_METRE, REVOLUTION_PER_MINUTE};
 use quantities::{AngularVelocity, ElectricCurrent, Measure, ThermodynamicTemperature, Torque};
 use std::sync::{Arc, LazyLock};
 
-/// Where the ratios of each series stand.
+/// Location of the reduction ratios of each series.
 static RATIOS: LazyLock<Vec<CellRef>> = LazyLock::new(|| family::places("i", |data| data.matrix));
 
-/// What is printed about the actuator of a code; `None` where the manual prints no data for it.
+/// Returns the data of the manual on the actuator of a code; `None` if it has none.
 #[must_use]
 pub fn parameters(code: &OrderCode) -> Option<Parameters> {
     let drive = catalogue::drive(code.size, code.winding, code.feedback)?;
     Some(with_drivetrain(code, drive, Arc::new(drivetrain(drive, code))))
 }
 
-/// The same, with the drivetrain of another code where they differ in brake and options alone, which leave it as it is.
+/// Returns [`parameters`], sharing the drivetrain of another code that differs only in brake and options, which do not
+/// affect it.
 pub(crate) fn parameters_beside(code: &OrderCode, other: Option<&(OrderCode, Parameters)>) -> Option<Parameters> {
     let of_drivetrain = |code: &OrderCode| (code.size, code.ratio, code.winding, code.feedback);
     match other {
@@ -49,7 +50,7 @@ fn with_drivetrain(code: &OrderCode, drive: &Drive, drivetrain: Arc<Drivetrain>)
     }
 }
 
-/// What is printed about the drivetrain of a code.
+/// Returns the data of the manual on the drivetrain of a code.
 fn drivetrain(drive: &Drive, code: &OrderCode) -> Drivetrain {
     let (feedback, ratio) = (code.feedback, code.ratio);
     let winding = winding_data(code.winding);
@@ -104,7 +105,7 @@ fn drivetrain(drive: &Drive, code: &OrderCode) -> Drivetrain {
     }
 }
 
-/// K_INL of a code at the coldest and at the warmest temperature for which it is printed.
+/// Returns the cells of K_INL of a code at the lowest and the highest temperature that the manual lists.
 fn no_load_cells(drive: &Drive, code: &OrderCode) -> [Option<&'static Cell>; 2] {
     let mut cells: Vec<_> =
         drive.cells_of("K_INL", code.feedback, code.ratio).filter(|cell| temperature_of(cell).is_some()).collect();
@@ -114,13 +115,13 @@ fn no_load_cells(drive: &Drive, code: &OrderCode) -> [Option<&'static Cell>; 2] 
     [cold, cells.last().copied().filter(|_| cells.len() > 1)]
 }
 
-/// The temperature at which a cell holds: `30 degC`.
+/// Returns the temperature at which a cell holds, from a condition such as `30 degC`.
 fn temperature_of(cell: &Cell) -> Option<ThermodynamicTemperature> {
     let celsius = cell.place.condition.strip_suffix(" degC")?.parse().ok()?;
     Some(ThermodynamicTemperature::new_in(celsius, &DEGREE_CELSIUS))
 }
 
-/// The temperatures of two cells, cited by the first.
+/// Returns the temperatures of two cells, citing the first.
 fn temperatures(cold: Option<&'static Cell>, warm: Option<&'static Cell>) -> Datum<[ThermodynamicTemperature; 2]> {
     let (Some(cell), Some(cold)) = (cold, cold.and_then(temperature_of)) else { return Datum::NotPrinted };
     let warm = warm.and_then(temperature_of).unwrap_or(cold);
@@ -128,8 +129,8 @@ fn temperatures(cold: Option<&'static Cell>, warm: Option<&'static Cell>) -> Dat
     Datum::Known(Sourced { value: [cold, warm], source, grade: Grade::Printed, errata: &[] })
 }
 
-/// The largest I_0 over the ratios of a drive: one motor, so its thermal limit is the same at every ratio, while the
-/// gear may limit T_0, and with it I_0, at the higher ones.
+/// Returns the largest I_0 over the ratios of a drive: the motor and therefore its thermal limit are the same at every
+/// ratio, while the gear may limit T_0, and with it I_0, at the higher ones.
 fn largest_stall_current(drive: &Drive, code: &OrderCode) -> Datum<ElectricCurrent> {
     let mut largest: Datum<ElectricCurrent> = Datum::NotPrinted;
     for &ratio in drive.ratios() {
@@ -143,7 +144,8 @@ fn largest_stall_current(drive: &Drive, code: &OrderCode) -> Datum<ElectricCurre
     largest
 }
 
-/// The calibration of the heat model for a drive: that of its winding, or of its size where all windings share it.
+/// Returns the calibration of the heat model for a drive: that of its winding, or that of its size where all windings
+/// share it.
 fn heat(drive: &Drive, code: &OrderCode) -> Heat {
     let series = code.series();
     let number = |symbol| family::number(series, drive.name, symbol);
@@ -165,7 +167,7 @@ fn heat(drive: &Drive, code: &OrderCode) -> Heat {
     }
 }
 
-/// The lower end of the printed range of the terminal voltage: `220 ... 430`.
+/// Returns the lower end of the terminal voltage range of the manual, from a cell such as `220 ... 430`.
 fn terminal_voltage_min(drive: &Drive, code: &OrderCode) -> Datum<quantities::ElectricPotential> {
     match drive.cell("U_M", "", code.feedback, code.ratio).map(|cell| (cell, cell.value)) {
         Some((cell, catalogue::Value::Range { low, .. })) => {
@@ -175,7 +177,7 @@ fn terminal_voltage_min(drive: &Drive, code: &OrderCode) -> Datum<quantities::El
     }
 }
 
-/// The permitted ambient temperature in operation, from the table of general data of the winding.
+/// Returns the permitted ambient temperature in operation, from the table of general data of the winding.
 fn ambient_range(winding: Winding) -> Datum<(ThermodynamicTemperature, ThermodynamicTemperature)> {
     let cell =
         winding_data(winding).and_then(|data| catalogue::table_cell(data.general, "ambient_temperature_operation"));
@@ -188,17 +190,17 @@ fn ambient_range(winding: Winding) -> Datum<(ThermodynamicTemperature, Thermodyn
     }
 }
 
-/// A value of the tables headed by size.
+/// Returns a value from the tables that list data by size.
 pub(crate) fn by_size<Q: Measure>(code: &OrderCode, symbol: &str) -> Datum<Q> {
     parts::quantity_of(catalogue::size_cell(code.size, code.ratio, symbol))
 }
 
-/// What tables 54.3 and 54.4 print about the gear, and the published ratings where there are any.
+/// Returns the gear data of tables 54.3 and 54.4, and the published ratings where they exist.
 fn gear(code: &OrderCode) -> Gear {
     let data = SeriesData::of(code.series());
-    // Of the interchangeable gear with the same T_R, from another maker's catalogue.
+    // Ratings of the interchangeable gear with equal T_R, from another manufacturer's catalogue.
     let rating = |symbol| published("gear-ratings", symbol, code, code.ratio.as_str());
-    // Of the same gear, printed once for all ratios.
+    // Input speeds of the same gear, published once for all ratios.
     let input_speed = |symbol| published("gear-input-speeds", symbol, code, "");
     Gear {
         torque_1: by_size(code, "T_1"),
@@ -218,8 +220,8 @@ fn gear(code: &OrderCode) -> Gear {
     }
 }
 
-/// A constant of the life of the wave-generator bearing, for all gears or for the series that the actuators have, by another
-/// maker's catalogue.
+/// Returns a constant of the life of the wave-generator bearing from another manufacturer's catalogue, for all gears or
+/// for the gear series of the actuators.
 fn of_the_life<T>(
     code: &OrderCode,
     symbol: &str,
@@ -232,7 +234,7 @@ fn of_the_life<T>(
     family::published_as(Grade::Published, value(found))
 }
 
-/// A value of a table by another maker, headed by size.
+/// Returns a value from a table of another manufacturer that lists data by size.
 fn published<Q: Measure>(table: &str, symbol: &str, code: &OrderCode, ratio: &str) -> Datum<Q> {
     let head = format!("{}-{}", code.series().as_str(), code.size);
     let cell = catalogue::table_cells(table)
@@ -241,7 +243,7 @@ fn published<Q: Measure>(table: &str, symbol: &str, code: &OrderCode, ratio: &st
     family::published_as(Grade::Published, parts::quantity_of(cell))
 }
 
-/// What table 55.1 prints about the output bearing of a size.
+/// Returns the data of table 55.1 on the output bearing of a size.
 fn output_bearing(code: &OrderCode) -> OutputBearing {
     let kind = catalogue::size_cell(code.size, code.ratio, "bearing_type").and_then(|cell| {
         let value = match cell.corrected {
@@ -267,7 +269,7 @@ fn output_bearing(code: &OrderCode) -> OutputBearing {
     }
 }
 
-/// Reads corner points written as `(0;32)(25;31)(70;20)`: speed in 1/min, torque in Nm.
+/// Parses corner points written as `(0;32)(25;31)(70;20)`: speed \[1/min\] and torque \[Nm\].
 #[must_use]
 pub fn published_curve_points(text: &str) -> Option<Vec<(f64, f64)>> {
     let inner = text.trim().strip_prefix('(')?.strip_suffix(')')?;
@@ -280,7 +282,7 @@ pub fn published_curve_points(text: &str) -> Option<Vec<(f64, f64)>> {
         .collect()
 }
 
-/// A published curve (`continuous`, `s3_50`, `s3_25`, `maximum`), for the sizes and ratios that have one.
+/// Returns a published curve (`continuous`, `s3_50`, `s3_25`, `maximum`), for the sizes and ratios that have one.
 fn published_curve(code: &OrderCode, which: &str) -> Datum<Curve> {
     let tables = SeriesData::of(code.series()).curves;
     if tables.is_empty() {

@@ -1,4 +1,4 @@
-//! The parts of an actuator beside motor and gear: brake, feedback, accuracy, screw joints.
+//! Parts of an actuator other than motor and gear: brake, feedback, accuracy, bolted joints.
 
 use crate::parameters::by_size;
 use actuator::{Accuracy, Brake, Feedback, FeedbackSide, ScrewJoint};
@@ -9,17 +9,17 @@ use quantities::{Angle, Measure};
 use std::borrow::Cow;
 use std::sync::LazyLock;
 
-/// A pure number of a cell.
+/// Returns the pure number of a cell \[1\].
 pub(crate) fn number_of(cell: Option<&'static Cell>) -> Datum<f64> {
     Datum::of(cell.and_then(|cell| Some(cell.sourced(cell.limit().number()?))))
 }
 
-/// The quantity of a cell that may be missing.
+/// Returns the quantity of a cell that may be missing.
 pub(crate) fn quantity_of<Q: Measure>(cell: Option<&'static Cell>) -> Datum<Q> {
     cell.map_or(Datum::NotPrinted, catalogue::datum_of)
 }
 
-/// What the tables `*.2` and `*.3` of a drive print about its brake.
+/// Returns the data of tables `*.2` and `*.3` of a drive on its brake.
 pub(crate) fn brake(drive: &Drive, code: &OrderCode) -> Brake {
     if code.brake == BrakeOrdered::Without {
         return Brake::absent();
@@ -37,7 +37,7 @@ pub(crate) fn brake(drive: &Drive, code: &OrderCode) -> Brake {
     }
 }
 
-/// A cell of the tables of a feedback, or of the encoder at the output, that holds at every ratio.
+/// Returns a cell that holds at every ratio, from the tables of a feedback or of the encoder at the output.
 pub(crate) fn feedback_cell(series: Series, name: &str, symbol: &str) -> Option<&'static Cell> {
     let data = SeriesData::of(series);
     let is_of_feedback = |table: &&Table| {
@@ -51,7 +51,7 @@ pub(crate) fn feedback_cell(series: Series, name: &str, symbol: &str) -> Option<
         .find(|cell| cell.feedback == name && cell.place.symbol == symbol && cell.place.ratio.is_empty())
 }
 
-/// A full turn divided by a printed number of steps.
+/// Returns a full turn divided by a number of steps.
 fn step_of(cell: Option<&'static Cell>) -> Datum<Angle> {
     number_of(cell).map(|steps| {
         let grade = steps.grade.worst(Grade::Computed);
@@ -59,7 +59,7 @@ fn step_of(cell: Option<&'static Cell>) -> Datum<Angle> {
     })
 }
 
-/// A datum that does not apply where its row is not printed.
+/// Turns a datum whose row is absent into one that does not apply.
 fn if_printed<T>(datum: Datum<T>) -> Datum<T> {
     match datum {
         Datum::NotPrinted => Datum::NotApplicable,
@@ -67,7 +67,7 @@ fn if_printed<T>(datum: Datum<T>) -> Datum<T> {
     }
 }
 
-/// What is printed about the feedback on the motor, looked up once for all codes.
+/// Returns the data of the manual on the motor feedback, looked up once for all codes.
 pub(crate) fn feedback(code: &OrderCode) -> Feedback {
     static ALL: LazyLock<Vec<(order_code::Feedback, Feedback)>> = LazyLock::new(|| {
         let ordered = Series::all().flat_map(order_code::Feedback::all);
@@ -86,7 +86,7 @@ fn printed_feedback(ordered: order_code::Feedback) -> Feedback {
         resolution_absolute: if_printed(step_of(cell("positions_per_turn"))),
         accuracy: quantity_of(cell("accuracy")),
         turns_absolute: if_printed(number_of(cell("turns"))),
-        // A resolver has one pole pair here (table 58.2), so its angle is one of a whole turn.
+        // The resolvers of the catalogue have one pole pair (table 58.2), so that the angle is unique within one turn.
         single_turn_absolute: match ordered.kind() {
             Some(FeedbackKind::EndatMultiturn | FeedbackKind::SsiMultiturn | FeedbackKind::Resolver) => true,
             Some(FeedbackKind::SineIncremental | FeedbackKind::SquareIncremental) | None => false,
@@ -97,13 +97,13 @@ fn printed_feedback(ordered: order_code::Feedback) -> Feedback {
     }
 }
 
-/// What table 68.1 prints about the encoder at the output, if the code has it.
+/// Returns the data of table 68.1 on the encoder at the output, if the code has one.
 pub(crate) fn feedback_out(code: &OrderCode) -> Feedback {
     let absent = Feedback::absent(FeedbackSide::Output);
     let Some(option) = code.option_1 else { return absent };
     let cell = |symbol| feedback_cell(code.series(), option.as_str(), symbol);
     Feedback {
-        // The rows of the output are printed directly, rounded; this one has no row of its steps.
+        // The manual lists the resolution at the output directly, rounded; it has no row for the steps of this encoder.
         resolution: quantity_of(cell("resolution_out")),
         resolution_absolute: step_of(cell("positions_per_turn")),
         accuracy: quantity_of(cell("accuracy")),
@@ -112,7 +112,7 @@ pub(crate) fn feedback_out(code: &OrderCode) -> Feedback {
     }
 }
 
-/// What tables 54.1 and 54.2 print about the accuracy of the gear.
+/// Returns the data of tables 54.1 and 54.2 on the accuracy of the gear.
 pub(crate) fn accuracy(code: &OrderCode) -> Accuracy {
     Accuracy {
         transmission_accuracy: by_size(code, "transmission_accuracy"),
@@ -122,7 +122,7 @@ pub(crate) fn accuracy(code: &OrderCode) -> Accuracy {
     }
 }
 
-/// What table 79.1 prints about the circle of screws of a side, `load` or `housing`.
+/// Returns the data of table 79.1 on the bolt circle of a side, `load` or `housing`.
 pub(crate) fn screw_joint(code: &OrderCode, side: &str) -> ScrewJoint {
     let cell = |row: &str| catalogue::size_cell(code.size, code.ratio, &format!("{row}_{side}"));
     let text = |row| {

@@ -1,4 +1,4 @@
-//! The parts against the print, and the models against the published curves.
+//! The parts compared with the manual, and the models with the published curves.
 #![allow(clippy::unwrap_used, clippy::expect_used, reason = "a test fails loudly")]
 
 use crate::parameters;
@@ -33,7 +33,7 @@ fn the_brake_of_table_26_3() {
     close(value(&brake.closing_time, &MILLISECOND), 70.0);
     close(brake.brakings_max.known().unwrap().value, 1e7);
     close(brake.emergency_max.known().unwrap().value, 200.0);
-    // Two errata hold the brake of 25A with i = 30 to T_max.
+    // Two errata limit the brake of 25A with i = 30 to T_max.
     let safe = of("CHA-25A-30-H-M512P-B").brake.holding_torque;
     close(value(&safe, &NEWTON_METRE), 50.0);
     assert_eq!(safe.known().unwrap().grade, Grade::Computed);
@@ -53,7 +53,7 @@ fn the_small_brakes_have_no_times() {
     }
 }
 
-/// Every feedback against the rows that the manual prints for the output: half of the last printed digit.
+/// The resolution of every feedback agrees with the rows of the manual for the output, within half of the last digit.
 #[test]
 fn the_resolution_at_the_output_is_the_printed_one() {
     for (code, printed, digit) in [
@@ -90,12 +90,12 @@ fn every_feedback_has_its_accuracy() {
 #[test]
 fn absolute_ranges_and_the_battery() {
     let p = of("CHA-20A-50-H-M512P");
-    // 4096 / 50 = 81.92, printed 81.
+    // 4096 / 50 = 81.92; the manual states 81.
     close(p.feedback.absolute_turns_out(&p.ratio).unwrap(), 81.92);
     assert_eq!(p.feedback.endless_axis_loses_reference(&p.ratio), Some(true));
     assert!(!p.feedback.buffered_by_battery);
     assert_eq!(p.feedback.exchange_interval, Datum::NotApplicable);
-    // 1296000″ / 8192 / 50 = 3.16″, printed 3,2.
+    // 1296000″ / 8192 / 50 = 3.16″; the manual states 3,2.
     assert!((value(&p.feedback.resolution_absolute, &ARCSECOND) / 50.0 - 3.2).abs() < 0.05);
     let m128s = of("CHA-17A-100-H-M128S").feedback;
     assert!(m128s.buffered_by_battery);
@@ -116,7 +116,7 @@ fn option_ec_sits_at_the_output() {
     assert_eq!(of("CHA-25A-100-H-C1024").feedback_out.accuracy, Datum::NotApplicable);
 }
 
-/// Tables 54.1, 54.2 and 79.1 hold every size; the merged cells hold for every ratio.
+/// Tables 54.1, 54.2 and 79.1 cover every size; the merged cells apply to every ratio.
 #[test]
 fn accuracy_and_joints_exist_for_every_code() {
     for (code, _) in crate::all() {
@@ -154,7 +154,7 @@ fn gear_ratings_exist_where_they_are_published() {
     assert_eq!(of("CHA-40A-80-H-C1024").gear.input_speed_max, Datum::NotPrinted);
 }
 
-/// Every drive has its four curves, nested in each other at standstill.
+/// Each drive has its four curves, nested in each other at standstill.
 #[test]
 fn every_actuator_has_its_curves() {
     for (code, _) in crate::all() {
@@ -173,8 +173,8 @@ fn every_actuator_has_its_curves() {
     }
 }
 
-/// The band of the estimate of intermittent duty against every published point of CHA-20A; the points are whole newton
-/// metres, and half of one is allowed.
+/// The band of the estimate of intermittent duty covers every published point of CHA-20A; the points are rounded to
+/// whole newton metres, hence a tolerance of half of one.
 #[test]
 fn the_band_of_the_s3_estimate_covers_the_published_points() {
     for ratio in [30, 50, 80, 100, 120] {
@@ -191,8 +191,8 @@ fn the_band_of_the_s3_estimate_covers_the_published_points() {
     }
 }
 
-/// The model of the short-time curve against the published one, which keeps T_max up to n_max at 220 V: the model stays
-/// below by up to 16 %, because it counts cold friction within I_max, and its upper edge meets the curve.
+/// The model of the short-time curve stays below the published one, which keeps T_max up to n_max at 220 V, by up to 16
+/// %, because it counts cold friction within I_max; its upper edge meets the curve.
 #[test]
 fn the_short_time_model_stays_below_the_published_curve() {
     for ratio in [30, 50, 80, 100, 120] {

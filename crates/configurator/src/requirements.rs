@@ -1,4 +1,4 @@
-//! What the user requires of the actuator beyond the checks.
+//! Requirements of the user on the actuator in addition to the checks.
 
 use crate::rules::uncovered;
 use actuator::Parameters;
@@ -10,9 +10,9 @@ use quantities::{ElectricPotential, Length, Mass, Measure};
 /// Requirements that filter the ordering codes.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Requirements {
-    /// Permitted motor feedback systems; empty: any.
+    /// Permitted motor feedback systems; empty if any is permitted.
     pub feedback: Vec<Feedback>,
-    /// Whether a brake must be there (`true`), must not be there (`false`), or may.
+    /// Brake required (`true`), excluded (`false`) or optional (`None`).
     pub brake: Option<bool>,
     /// Smallest bore of the hollow shaft.
     pub hollow_shaft_min: Option<Length>,
@@ -20,7 +20,7 @@ pub struct Requirements {
     pub length_max: Option<Length>,
     /// Largest mass.
     pub mass_max: Option<Mass>,
-    /// DC link voltage that feeds the drive.
+    /// DC link voltage that supplies the servo drive.
     pub supply: Option<ElectricPotential>,
 }
 
@@ -29,7 +29,7 @@ pub struct Requirements {
 pub enum Unmet {
     /// The feedback is not among the permitted ones.
     Feedback(Feedback),
-    /// A brake is required, or must not be there.
+    /// A brake is required but absent, or excluded but fitted.
     Brake(Brake),
     /// The hollow shaft is too narrow.
     HollowShaft {
@@ -47,19 +47,19 @@ pub enum Unmet {
     },
     /// The actuator is too heavy.
     Mass {
-        /// Mass of the actuator, the larger one where the print is in doubt.
+        /// Mass of the actuator; the larger one where the manual contradicts itself.
         has: Mass,
         /// Mass permitted.
         permits: Mass,
     },
-    /// The DC link voltage cannot give the terminal voltage from which the printed performance holds.
+    /// The DC link voltage does not suffice for the terminal voltage required for the stated performance.
     SupplyTooLow {
-        /// U_M from which the performance holds.
+        /// Terminal voltage U_M required for the stated performance.
         needs: ElectricPotential,
-        /// U_DC/√2, the largest fundamental that the supply can give.
+        /// U_DC/√2, the largest fundamental that the supply can provide.
         gives: ElectricPotential,
     },
-    /// The datum that the requirement needs is not printed.
+    /// The manual does not state the datum that the requirement needs.
     NotKnown {
         /// Symbol of the datum.
         symbol: &'static str,
@@ -67,12 +67,12 @@ pub enum Unmet {
 }
 
 impl Requirements {
-    /// Every requirement that an actuator does not meet; a datum that is not known meets nothing.
+    /// Iterates over the requirements that an actuator does not meet; an unknown datum meets none.
     pub fn unmet(&self, code: &OrderCode, actuator: &Parameters) -> impl Iterator<Item = Unmet> {
         let is_other_feedback =
             !self.feedback.is_empty() && !self.feedback.iter().any(|each| each.as_str() == code.feedback.as_str());
         let is_other_brake = self.brake.is_some_and(|brake| brake != (code.brake == Brake::With));
-        // A value printed for the standard version only is unknown for this code.
+        // A value stated for the standard version only is unknown for this code.
         let unknown = |symbol| uncovered(code).iter().any(|each| each.not_printed().contains(&symbol));
         let length_unknown = self.length_max.is_some() && unknown("L");
         let mass_unknown = self.mass_max.is_some() && unknown("m");
@@ -87,12 +87,14 @@ impl Requirements {
         of_the_code.into_iter().flatten().chain(self.unmet_of((length_max, mass_max), actuator))
     }
 
-    /// The requirements that look at data only, and so also hold for a user's own actuator.
+    /// Iterates over the unmet requirements among those that depend on data only; these also apply to a user's own
+    /// actuator.
     pub fn unmet_by_data(&self, actuator: &Parameters) -> impl Iterator<Item = Unmet> {
         self.unmet_of((self.length_max, self.mass_max), actuator)
     }
 
-    /// The same with what is asked of length and mass handed in.
+    /// Iterates over the unmet requirements among those that depend on data only, with the limits of length and mass
+    /// passed in.
     fn unmet_of(
         &self,
         (length_max, mass_max): (Option<Length>, Option<Mass>),
@@ -117,7 +119,7 @@ impl Requirements {
     }
 }
 
-/// Compares a requirement with a datum, if there is a requirement.
+/// Compares a requirement with a datum; `None` if there is no requirement or it is met.
 fn compare<Q: Copy>(
     required: Option<Q>,
     datum: &Datum<Q>,

@@ -1,18 +1,18 @@
-//! Whether an ordering code can be ordered.
+//! Rules of the ordering tables: availability of ordering codes.
 
 use crate::matrix::matrix;
 use catalogue::MarkEntry;
 use order_code::{Brake, Feedback, Field, Option1, Option2, OrderCode, Series};
 
-/// How an ordering code can be had.
+/// Availability of an ordering code.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Availability {
-    /// The fields that are on request only; empty: the code is available.
+    /// Fields available on request only; empty if the code is available.
     pub on_request: Vec<Field>,
 }
 
 impl Availability {
-    /// Whether everything of the code is available without asking.
+    /// Returns `true` if all fields of the code are available without request.
     #[must_use]
     pub fn is_available(&self) -> bool {
         self.on_request.is_empty()
@@ -22,36 +22,36 @@ impl Availability {
 /// A rule of the ordering tables that a code breaks.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct BrokenRule {
-    /// The field that breaks it.
+    /// Field whose word breaks the rule.
     pub field: Field,
-    /// The rule.
+    /// Kind of rule.
     pub rule: Rule,
-    /// The table that states it.
+    /// Table that states the rule.
     pub table: &'static str,
 }
 
-/// What an ordering table demands.
+/// Kind of rule of the ordering tables.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Rule {
-    /// The matrix has a dash for this field at this size.
+    /// The matrix has a dash for this word at this size.
     NotForSize,
     /// The ordering tables do not list this winding with this feedback.
     PairNotListed,
     /// The matrix lists this winding, but no ordering table does.
     NotInOrderingTables,
-    /// At this size the word exists with this feedback only.
+    /// At this size the word is available with this feedback only.
     OnlyWith {
-        /// The feedback.
+        /// Feedback required.
         feedback: Feedback,
-        /// Mark of the footnote that says that the actuator becomes longer; empty: it does not.
+        /// Mark of the footnote stating that the actuator becomes longer; empty if it does not.
         longer: &'static str,
     },
 }
 
-/// Whether a code can be ordered, and which of its fields only on request.
+/// Returns the availability of a code.
 ///
 /// # Errors
-/// Every rule that the code breaks.
+/// Returns the rules that the code breaks.
 pub fn availability(code: &OrderCode) -> Result<Availability, Vec<BrokenRule>> {
     let (on_request, broken) = looked_up(code);
     // One rule per field; for an invalid winding or feedback the pair is not checked.
@@ -65,7 +65,7 @@ pub fn availability(code: &OrderCode) -> Result<Availability, Vec<BrokenRule>> {
     if first.is_empty() { Ok(Availability { on_request }) } else { Err(first) }
 }
 
-/// The fields on request, and every rule that a code breaks, several of one field too.
+/// Returns the fields on request and all rules that a code breaks, possibly several of one field.
 pub(crate) fn looked_up(code: &OrderCode) -> (Vec<Field>, Vec<BrokenRule>) {
     let mut broken = Vec::new();
     let mut on_request = Vec::new();
@@ -103,26 +103,26 @@ pub(crate) fn looked_up(code: &OrderCode) -> (Vec<Field>, Vec<BrokenRule>) {
     (on_request, broken)
 }
 
-/// Something of a code that the printed tables do not cover.
+/// A property of a code that the tables of the manual do not cover.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Uncovered {
-    /// An option makes the actuator longer; by how much is not printed.
+    /// An option makes the actuator longer; the manual does not state by how much.
     LongerWith {
-        /// The option.
+        /// Option that adds the length.
         option: Option2,
         /// Table of the matrix.
         table: &'static str,
-        /// Mark of its footnote that says so.
+        /// Mark of the footnote that states it.
         footnote: &'static str,
     },
-    /// A special design: the tables hold for the standard.
+    /// A special design; the tables apply to the standard version.
     SpecialDesign(Series),
-    /// An encoder at the output: the tables do not say what it and its inner hollow shaft change.
+    /// An encoder at the output; the tables do not state which values it and its inner hollow shaft change.
     OutputEncoder(Option1),
 }
 
 impl Uncovered {
-    /// The data that are printed for the standard only and known to differ, or that may.
+    /// Returns the symbols of the data stated for the standard version only that differ, or may differ, for this code.
     #[must_use]
     pub const fn not_printed(self) -> &'static [&'static str] {
         match self {
@@ -132,7 +132,7 @@ impl Uncovered {
         }
     }
 
-    /// The data that a remark on it belongs to.
+    /// Returns the symbols of the data to which a remark on this property belongs.
     #[must_use]
     pub const fn concerns(self) -> &'static [&'static str] {
         match self {
@@ -142,7 +142,7 @@ impl Uncovered {
     }
 }
 
-/// What the printed tables do not cover of a code.
+/// Returns the properties of a code that the tables of the manual do not cover.
 ///
 /// # Source
 /// The marks of the matrix; cha-manual table 11.1 (special design), section 6.25.1 (option EC)

@@ -10,7 +10,7 @@ use provenance::{Datum, Sourced};
 use quantities::{AngularVelocity, ElectricalResistance, Measure, Time, Torque, TorqueConstant};
 use std::sync::Arc;
 
-/// A cell of a published table in its printed unit.
+/// Returns a cell of a published table in its printed unit.
 fn cell(table: &str, symbol: &str, drive: &str, ratio: &str) -> f64 {
     let cells = catalogue::table(table).unwrap().cells();
     let found = cells.iter().find(|cell| {
@@ -27,10 +27,10 @@ where
     Datum::Known(Sourced { value, ..known.clone() })
 }
 
-/// A sister with its own motor in the housing, on the gear and on the plate of a CHA.
+/// Returns a sister with its own motor in the housing, on the gear and on the plate of a CHA.
 ///
-/// Its k_TM follows from k_Tout with the efficiency of the gear, k_Tout/(i k_TM) of the CHA; its friction is the torque of
-/// the CHA's, so its friction currents are those times the quotient of both k_TM.
+/// The k_TM of the sister follows from k_Tout with the efficiency of the gear, k_Tout/(i k_TM) of the CHA. The friction
+/// torque is that of the CHA, so the friction currents are those of the CHA times the quotient of both k_TM.
 fn sister(cha: &str, ratio: f64, constant_out: f64, resistance_phase: f64) -> Parameters {
     let code = parse(cha).unwrap().code;
     let own = configurator::parameters(&code).unwrap();

@@ -8,7 +8,7 @@
 use actuator::MotorVoltage;
 use order_code::{Brake, Feedback, Ratio, Series, Size, Winding};
 
-/// The terminal voltages at n_mot,max and I_max over the ratios of a size, in volts.
+/// Returns the terminal voltages at n_mot,max and I_max over the ratios of a size, in volts.
 fn volts(size: Size) -> Vec<f64> {
     use quantities::Measure;
     let series = Series::default();
