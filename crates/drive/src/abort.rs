@@ -1,4 +1,4 @@
-//! Why an object is not read or written.
+//! Reasons for which an object cannot be read or written.
 
 /// An SDO abort code.
 ///
@@ -11,7 +11,7 @@ pub enum Abort {
     Toggle = 0x0503_0000,
     /// The command specifier is not valid or unknown.
     Specifier = 0x0504_0001,
-    /// A read-only object is written.
+    /// A read-only object was written.
     ReadOnly = 0x0601_0002,
     /// The object does not exist.
     NoObject = 0x0602_0000,
@@ -31,12 +31,12 @@ pub enum Abort {
     TooHigh = 0x0609_0031,
     /// The value is too low.
     TooLow = 0x0609_0032,
-    /// The value cannot be taken in the present state of the device.
+    /// The device cannot accept the value in its present state.
     State = 0x0800_0022,
 }
 
 impl Abort {
-    /// Its number on the bus.
+    /// Returns the abort code transferred on the bus.
     #[must_use]
     pub const fn code(self) -> u32 {
         self as u32

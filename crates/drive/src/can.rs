@@ -1,4 +1,4 @@
-//! The drive as a node of CANopen: frames in, frames out.
+//! The drive as a CANopen node: receives and sends frames.
 
 use crate::dictionary::{Value, parts};
 use crate::drive::{Drive, HALF_MS_S};
@@ -7,7 +7,7 @@ use crate::sdo::Server;
 use crate::trouble::Trouble;
 use std::collections::VecDeque;
 
-/// A data frame with an identifier of 11 bit.
+/// A data frame with an 11-bit identifier.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Frame {
     id: u16,
@@ -16,7 +16,7 @@ pub struct Frame {
 }
 
 impl Frame {
-    /// A frame of at most eight bytes; more are cut off.
+    /// Creates a frame of at most eight bytes; further bytes are cut off.
     #[must_use]
     pub fn new(id: u16, data: &[u8]) -> Self {
         let mut bytes = [0; 8];
@@ -26,33 +26,33 @@ impl Frame {
         Self { id: id & 0x7FF, length: u8::try_from(data.len().min(8)).unwrap_or(8), bytes }
     }
 
-    /// The identifier.
+    /// Returns the identifier.
     #[must_use]
     pub const fn id(&self) -> u16 {
         self.id
     }
 
-    /// The data.
+    /// Returns the data bytes.
     #[must_use]
     pub fn data(&self) -> &[u8] {
         self.bytes.get(..usize::from(self.length)).unwrap_or(&self.bytes)
     }
 }
 
-/// The state of the network management.
+/// State of the network management.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[repr(u8)]
 pub enum Nmt {
-    /// SDO, no PDO.
+    /// SDO only, no PDO.
     PreOperational = 127,
     /// SDO and PDO.
     Operational = 5,
-    /// Neither.
+    /// Neither SDO nor PDO.
     Stopped = 4,
 }
 
 impl Nmt {
-    /// Its number in a heartbeat.
+    /// Returns the state number transferred in the heartbeat.
     ///
     /// # Source
     /// cia-301
@@ -68,14 +68,14 @@ const SDO_ANSWER: u16 = 0x580;
 const SDO_REQUEST: u16 = 0x600;
 const HEARTBEAT: u16 = 0x700;
 
-/// Communication parameters of the PDOs.
+/// Communication parameters of the received and the sent PDOs.
 const RECEIVED: [u16; 4] = [0x1400, 0x1401, 0x1402, 0x1403];
 const SENT: [u16; 4] = [0x1800, 0x1801, 0x1802, 0x1803];
 
-/// Frames that wait to be taken; of more the oldest are lost, as on a bus.
+/// Limit of the output queue \[frames\]; the oldest frames are lost beyond it, as on a bus.
 const WAITING_MOST: usize = 1024;
 
-/// A PDO was shorter than its mapping.
+/// Emergency of a PDO shorter than its mapping: error code and error register.
 const TOO_SHORT: (u16, u8) = (0x8210, 1 << 4 | 1);
 
 /// State of a sent PDO.
@@ -94,17 +94,18 @@ pub struct Node<'a> {
     nmt: Nmt,
     server: Server,
     sent: [Sent; 4],
-    /// RPDOs that wait for the SYNC message.
+    /// Received PDOs that wait for the SYNC message.
     pending: [Option<Frame>; 4],
     out: VecDeque<Frame>,
     heartbeat_tick: u64,
-    /// When the controller was last heard.
+    /// Tick of the controller's last heartbeat.
     heard_tick: Option<u64>,
     steps_with_sync: bool,
 }
 
 impl<'a> Node<'a> {
-    /// A node that sends its boot-up message. With `steps_with_sync` time goes on with each SYNC message, by the period of 60C2h.
+    /// Creates a node that sends its boot-up message. With `steps_with_sync` each SYNC message advances time by the
+    /// period of 60C2h.
     #[must_use]
     pub fn new(drive: Drive<'a>, id: u8, steps_with_sync: bool) -> Self {
         let mut node = Self {
@@ -123,19 +124,19 @@ impl<'a> Node<'a> {
         node
     }
 
-    /// The drive.
+    /// Returns the drive.
     #[must_use]
     pub const fn drive(&self) -> &Drive<'a> {
         &self.drive
     }
 
-    /// The state of the network management.
+    /// Returns the state of the network management.
     #[must_use]
     pub const fn nmt(&self) -> Nmt {
         self.nmt
     }
 
-    /// Takes the frames that it has sent.
+    /// Removes and returns the frames to be sent.
     pub fn take(&mut self) -> Vec<Frame> {
         self.out.drain(..).collect()
     }
@@ -154,12 +155,12 @@ impl<'a> Node<'a> {
         self.send(HEARTBEAT + u16::from(self.id), &[0]);
     }
 
-    /// Goes on by steps of half a millisecond.
+    /// Advances time by steps of half a millisecond.
     pub fn advance(&mut self, steps: u64) {
         for _ in 0..steps {
             self.drive.advance(1);
             self.report();
-            // A millisecond is the unit of every timer.
+            // All timers count in milliseconds.
             if self.drive.ticks().is_multiple_of(2) {
                 self.heartbeat();
                 self.listen();
@@ -170,7 +171,7 @@ impl<'a> Node<'a> {
         }
     }
 
-    /// Faults since the last step.
+    /// Sends the faults that occurred since the last step.
     fn report(&mut self) {
         for (code, register) in self.drive.take_emergencies() {
             self.emergency(code, register);
@@ -196,7 +197,7 @@ impl<'a> Node<'a> {
         }
     }
 
-    /// Whether the controller is still there: its heartbeat, once it came.
+    /// Raises a fault when the controller's heartbeat is overdue; supervised from its first heartbeat on.
     fn listen(&mut self) {
         let longest = 2 * (self.number(0x1016, 1) & 0xFFFF);
         if longest > 0 && self.heard_tick.is_some_and(|heard| self.drive.ticks() > heard + longest) {
@@ -206,14 +207,14 @@ impl<'a> Node<'a> {
         }
     }
 
-    /// Takes a frame of the bus and lets the time pass that it makes go on.
+    /// Receives a frame and advances time by the steps that it triggers.
     pub fn receive(&mut self, frame: &Frame) {
         let steps = self.accept(frame);
         self.advance(steps);
     }
 
-    /// Takes a frame of the bus and returns the steps that it makes go on: those of a SYNC message, which the caller lets pass before
-    /// the next frame.
+    /// Receives a frame and returns the number of steps it triggers: those of a SYNC message, by which the caller
+    /// advances time before the next frame.
     #[must_use]
     pub fn accept(&mut self, frame: &Frame) -> u64 {
         let own = u16::from(self.id);
@@ -222,7 +223,7 @@ impl<'a> Node<'a> {
             0 => self.manage(frame),
             SYNC => return self.synchronise(),
             id if id == SDO_REQUEST + own => {
-                // A request has eight bytes always.
+                // A request always has eight bytes.
                 if self.nmt != Nmt::Stopped && frame.length == 8 {
                     if let Some(answer) = self.server.answer(frame.bytes, &mut self.drive) {
                         self.send(SDO_ANSWER + own, &answer);
@@ -236,7 +237,7 @@ impl<'a> Node<'a> {
         0
     }
 
-    /// A command of the network management.
+    /// Executes a command of the network management.
     fn manage(&mut self, frame: &Frame) {
         let [command, node, ..] = frame.bytes;
         if frame.length != 2 || (node != 0 && node != self.id) {
@@ -277,7 +278,7 @@ impl<'a> Node<'a> {
         }
     }
 
-    /// Writes what a frame carries. A value that an object refuses is passed over.
+    /// Writes the values of a frame; a value that its object rejects is skipped.
     fn write(&mut self, pdo: &Pdo, frame: &Frame) {
         let mut rest = frame.data();
         let mut found = Vec::new();
@@ -298,7 +299,8 @@ impl<'a> Node<'a> {
         self.report();
     }
 
-    /// Takes what waited for the SYNC message and sends what follows it; returns the steps that it makes go on.
+    /// Applies the PDOs that waited for the SYNC message and sends those due after it; returns the number of steps it
+    /// triggers.
     fn synchronise(&mut self) -> u64 {
         if self.nmt == Nmt::Operational {
             for (place, parameter) in RECEIVED.into_iter().enumerate() {
@@ -316,7 +318,7 @@ impl<'a> Node<'a> {
                 sent.syncs += 1;
                 let is_due = sent.syncs >= pdo.kind;
                 let data = data(&self.drive, &pdo);
-                // Type 0: on the SYNC behind a change.
+                // Type 0: sent at the SYNC message after a change.
                 if is_due && (pdo.kind != 0 || sent.last.as_ref() != Some(&data)) {
                     (sent.syncs, sent.last) = (0, Some(data.clone()));
                     self.send(id, &data);
@@ -330,12 +332,12 @@ impl<'a> Node<'a> {
         u64::try_from(period).unwrap_or(1)
     }
 
-    /// PDOs that a change or their timer sends.
+    /// Sends the PDOs triggered by a change or by their timer.
     fn send_events(&mut self) {
         let now = self.drive.ticks();
         for (place, parameter) in SENT.into_iter().enumerate() {
             let pdo = Pdo::of(&self.drive.dictionary, parameter);
-            // 0.1 ms against half a millisecond, upwards; milliseconds against the same.
+            // Both in ticks of half a millisecond: 0.1 ms rounded up, and milliseconds.
             let inhibit = self.number(parameter, 3).div_ceil(5);
             let timer = 2 * self.number(parameter, 5);
             let (Some(id), Some(sent)) = (pdo.id, self.sent.get_mut(place)) else { continue };
@@ -352,10 +354,10 @@ impl<'a> Node<'a> {
     }
 }
 
-/// Steps behind one SYNC message at most: ten seconds.
+/// Upper limit of the steps triggered by one SYNC message: ten seconds.
 const SYNC_MOST: i64 = 20_000;
 
-/// What a PDO carries now.
+/// Returns the present data of a PDO.
 fn data(drive: &Drive<'_>, pdo: &Pdo) -> Vec<u8> {
     let bytes = |at: &crate::Address| match (drive.read(*at), drive.dictionary.entry(*at)) {
         (Ok(Value::Number(number)), Ok(entry)) => parts::bytes(entry.data_type, number),

@@ -1,4 +1,5 @@
-//! The objects of the drive: place, type, access, bounds, value at the start, and the store of what is written.
+//! Object dictionary of the drive: address, type, access, range and initial value of each object, and the stored
+//! values.
 
 use crate::abort::Abort;
 use crate::drive::Given;
@@ -7,17 +8,17 @@ use installation::commission::cia402::DataType;
 use quantities::identified;
 use std::collections::BTreeMap;
 
-/// Index and sub-index.
+/// Address of an object: index and sub-index.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub struct Address {
-    /// Index.
+    /// Index of the object.
     pub index: u16,
-    /// Sub-index.
+    /// Sub-index within the index.
     pub sub: u8,
 }
 
 impl Address {
-    /// Of an index and a sub-index.
+    /// Creates the address from an index and a sub-index.
     #[must_use]
     pub const fn new(index: u16, sub: u8) -> Self {
         Self { index, sub }
@@ -25,65 +26,65 @@ impl Address {
 }
 
 identified! {
-    /// Who may write an object; its identifier is its name in an EDS.
+    /// Access to an object; its identifier is the name used in an EDS.
     #[derive(Clone, Copy, Debug, PartialEq, Eq)]
     pub enum Access {
-        /// It never changes.
+        /// Constant value.
         Constant = "const",
-        /// The drive alone.
+        /// Written by the drive only.
         ReadOnly = "ro",
-        /// A controller.
+        /// Written by a controller.
         ReadWrite = "rw",
     }
 }
 
-/// What an object holds.
+/// Value of an object.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Value {
-    /// A number.
+    /// Integer value.
     Number(i64),
-    /// A text.
+    /// Text value.
     Text(String),
 }
 
-/// An object.
+/// Description of an object.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Entry {
-    /// Where it is.
+    /// Address of the object.
     pub at: Address,
-    /// Its name in the profile, the same in every language; of a sub-object its own.
+    /// Name of the object or sub-object in the profile, which is not translated.
     pub name: &'static str,
-    /// The name of the index where it has several sub-objects.
+    /// Name of the index, if it has several sub-objects.
     pub group: Option<&'static str>,
-    /// Its type.
+    /// Data type of the value.
     pub data_type: DataType,
-    /// Who writes it.
+    /// Access of a controller.
     pub access: Access,
-    /// Whether a PDO may hold it.
+    /// The object can be mapped into a PDO.
     pub mappable: bool,
-    /// The least and the largest value that is taken.
+    /// Smallest and largest permitted value.
     pub range: [i64; 2],
-    /// The unit; none of a pure number or bits.
+    /// Unit of the value; empty for pure numbers and bit fields.
     pub unit: &'static str,
-    /// Its value at the start.
+    /// Initial value.
     pub usual: Value,
 }
 
-/// Every object with its value.
+/// Objects of a drive with their present values.
 #[derive(Clone, Debug)]
 pub(crate) struct Dictionary {
     slots: BTreeMap<Address, (Entry, Value)>,
 }
 
-/// A unit of positions.
+/// Unit of positions.
 pub(crate) const INC: &str = "inc";
 const INC_S: &str = "inc/s";
 const INC_S2: &str = "inc/s²";
 
-/// Parts of a position per turn of the motor where no table has them. Assumed.
+/// Encoder increments per motor turn where no table states them. Assumed.
 pub(crate) const INCREMENTS_USUAL: i64 = 65_536;
 
-/// Objects of a PDO at most.
+/// Upper limit of the objects mapped into one PDO.
 pub(crate) const MAPPED_MOST: u8 = 8;
 
 const fn one(index: u16, name: &'static str, data_type: DataType, usual: i64) -> Entry {
@@ -126,7 +127,7 @@ impl Entry {
     }
 }
 
-/// Sub-object 0 of an index with several.
+/// Returns sub-object 0 of an index with several sub-objects.
 fn highest(index: u16, group: &'static str, sub: u8) -> Entry {
     one(index, "Highest sub-index supported", DataType::Unsigned8, i64::from(sub)).sub(0, group).constant()
 }
@@ -145,8 +146,8 @@ const SENT: [[&str; 2]; 4] = [
     ["TPDO 4 communication parameter", "TPDO 4 mapping parameter"],
 ];
 
-/// What the PDOs hold at the start: controlword; with mode; with target position; with target velocity. Statusword; with mode; with
-/// position; with velocity.
+/// Initial mapping of the PDOs. Received: controlword alone, with mode, with target position, with target velocity.
+/// Sent: statusword alone, with mode, with position, with velocity.
 ///
 /// # Source
 /// cia-402: the predefined PDOs of the profile
@@ -165,7 +166,7 @@ const ENTRIES: [&str; 8] = [
     "Mapped object 8",
 ];
 
-/// Errors that are kept in 1003h.
+/// Number of errors stored in 1003h.
 pub(crate) const ERRORS_MOST: u8 = 8;
 const ERRORS: [&str; 8] = [
     "Standard error field 1",
@@ -178,7 +179,7 @@ const ERRORS: [&str; 8] = [
     "Standard error field 8",
 ];
 
-/// Every object of a drive.
+/// Returns the objects of a drive, sorted by address.
 #[must_use]
 pub(crate) fn entries(given: &Given, scale: &Scale, most: [f64; 2], ramp_rad_s2: f64) -> Vec<Entry> {
     let mut list = Vec::new();
@@ -186,7 +187,7 @@ pub(crate) fn entries(given: &Given, scale: &Scale, most: [f64; 2], ramp_rad_s2:
     pdos(&mut list, given.node);
     own(&mut list, given);
     profile(&mut list, scale, most, ramp_rad_s2);
-    // Values of the motor are those of the commissioning: one place for both.
+    // Motor values come from the commissioning data, so that both agree.
     for object in &given.objects {
         let at = Address::new(object.index, object.sub);
         if let Some(entry) = list.iter_mut().find(|entry| entry.at == at) {
@@ -199,7 +200,7 @@ pub(crate) fn entries(given: &Given, scale: &Scale, most: [f64; 2], ramp_rad_s2:
     list
 }
 
-/// The objects of CiA 301.
+/// Adds the objects of CiA 301.
 fn communication(list: &mut Vec<Entry>, given: &Given) {
     use DataType::{Unsigned8, Unsigned16, Unsigned32, VisibleString};
     let node = i64::from(given.node);
@@ -207,7 +208,7 @@ fn communication(list: &mut Vec<Entry>, given: &Given) {
         usual: Value::Text(text.to_owned()),
         ..one(index, name, VisibleString, 0).constant()
     };
-    // A servo drive of the profile 402.
+    // A servo drive of profile 402.
     list.push(one(0x1000, "Device type", Unsigned32, 0x0002_0192).constant());
     list.push(one(0x1001, "Error register", Unsigned8, 0).read_only().mapped());
     let field = "Pre-defined error field";
@@ -225,28 +226,28 @@ fn communication(list: &mut Vec<Entry>, given: &Given) {
     list.push(one(0x1017, "Producer heartbeat time", Unsigned16, 0).unit("ms"));
     let identity = "Identity object";
     list.push(highest(0x1018, identity, 4));
-    // No vendor has registered it: the vendor id is zero.
+    // Vendor id zero: no registered vendor.
     list.push(one(0x1018, "Vendor-ID", Unsigned32, 0).sub(1, identity).constant());
     list.push(one(0x1018, "Product code", Unsigned32, 0x402).sub(2, identity).constant());
     list.push(one(0x1018, "Revision number", Unsigned32, 1).sub(3, identity).constant());
     list.push(one(0x1018, "Serial number", Unsigned32, i64::from(given.seed)).sub(4, identity).constant());
 }
 
-/// Communication and mapping of the PDOs.
+/// Adds communication and mapping parameters of the PDOs.
 fn pdos(list: &mut Vec<Entry>, node: u8) {
     use DataType::{Unsigned8, Unsigned16, Unsigned32};
     let node = i64::from(node);
     let mut kind = |base: u16, names: [[&'static str; 2]; 4], held: [&[u32]; 4], cob: i64, is_sent: bool| {
         for ((number, [parameter, mapping]), held) in (0..).zip(names).zip(held) {
             let (index, mapped) = (base + number, base + 0x200 + number);
-            // The first one is on; the others have bit 31.
+            // Only the first PDO is enabled; the others have bit 31 set.
             let off = if number == 0 { 0 } else { 1 << 31 };
             let cob = cob + 0x100 * i64::from(number) + node + off;
             list.push(highest(index, parameter, if is_sent { 5 } else { 2 }));
             list.push(one(index, "COB-ID used by PDO", Unsigned32, cob).sub(1, parameter));
             list.push(one(index, "Transmission type", Unsigned8, 255).sub(2, parameter));
             if is_sent {
-                // What changes all the time is sent every 10 ms at most.
+                // Continuously changing values are sent at intervals of at least 10 ms.
                 let inhibit = if number < 2 { 0 } else { 100 };
                 list.push(one(index, "Inhibit time", Unsigned16, inhibit).sub(3, parameter).unit("0.1 ms"));
                 list.push(one(index, "Event timer", Unsigned16, 0).sub(5, parameter).unit("ms"));
@@ -267,7 +268,7 @@ fn pdos(list: &mut Vec<Entry>, node: u8) {
     kind(0x1800, SENT, SENT_USUAL, 0x180, true);
 }
 
-/// What only this drive has.
+/// Adds the manufacturer-specific objects.
 fn own(list: &mut Vec<Entry>, given: &Given) {
     use DataType::{Integer16, Unsigned8, Unsigned16, Unsigned32};
     list.push(one(0x2000, "Simulated time", Unsigned32, 0).read_only().mapped().unit("ms"));
@@ -279,10 +280,10 @@ fn own(list: &mut Vec<Entry>, given: &Given) {
     list.push(one(0x2010, "Disturbance", Unsigned8, 0).within(0, i64::from(DISTURBANCES) - 1));
 }
 
-/// Disturbances of 2010h, none among them.
+/// Number of values of 2010h, including no disturbance.
 pub(crate) const DISTURBANCES: u8 = 8;
 
-/// The objects of CiA 402.
+/// Adds the objects of CiA 402.
 fn profile(list: &mut Vec<Entry>, scale: &Scale, most: [f64; 2], ramp: f64) {
     use DataType::{Integer8, Integer16, Integer32, Unsigned8, Unsigned16, Unsigned32};
     let of = |rad: f64| scale.plain(rad);
@@ -300,14 +301,14 @@ fn profile(list: &mut Vec<Entry>, scale: &Scale, most: [f64; 2], ramp: f64) {
     list.push(one(0x6061, "Modes of operation display", Integer8, 0).read_only().mapped());
     list.push(one(0x6062, "Position demand value", Integer32, 0).read_only().mapped().unit(INC));
     list.push(one(0x6064, "Position actual value", Integer32, 0).read_only().mapped().unit(INC));
-    // 1°, 10 ms; 0.05°, 10 ms: ours.
+    // 1°, 10 ms; 0.05°, 10 ms: chosen by antrieb.
     list.push(one(0x6065, "Following error window", Unsigned32, of(pi / 180.0)).unit(INC));
     list.push(one(0x6066, "Following error time out", Unsigned16, 10).unit("ms"));
     list.push(one(0x6067, "Position window", Unsigned32, of(pi / 3600.0)).unit(INC));
     list.push(one(0x6068, "Position window time", Unsigned16, 10).unit("ms"));
     list.push(one(0x606B, "Velocity demand value", Integer32, 0).read_only().mapped().unit(INC_S));
     list.push(one(0x606C, "Velocity actual value", Integer32, 0).read_only().mapped().unit(INC_S));
-    // The windows of the speed are written in inc/s like the speeds: the profile's 16 bit would end at a hundredth of the top speed.
+    // The speed windows are in inc/s like the speeds: 16 bit of the profile would end at a hundredth of the top speed.
     list.push(one(0x606D, "Velocity window", Unsigned16, of(0.002 * fastest).min(65_535)).unit(INC_S));
     list.push(one(0x606E, "Velocity window time", Unsigned16, 10).unit("ms"));
     list.push(one(0x606F, "Velocity threshold", Unsigned16, of(0.002 * fastest).min(65_535)).unit(INC_S));
@@ -368,12 +369,12 @@ impl Dictionary {
         Self { slots: list.into_iter().map(slot).collect() }
     }
 
-    /// Every object with the value at the start.
+    /// Iterates over the objects with their initial values.
     pub(crate) fn entries(&self) -> impl Iterator<Item = &Entry> {
         self.slots.values().map(|(entry, _)| entry)
     }
 
-    /// An object.
+    /// Returns an object.
     pub(crate) fn entry(&self, at: Address) -> Result<&Entry, Abort> {
         self.slots.get(&at).map(|(entry, _)| entry).ok_or_else(|| {
             let of_index = Address::new(at.index, 0)..=Address::new(at.index, u8::MAX);
@@ -381,12 +382,12 @@ impl Dictionary {
         })
     }
 
-    /// The value that is stored.
+    /// Returns the stored value.
     pub(crate) fn stored(&self, at: Address) -> Option<&Value> {
         self.slots.get(&at).map(|(_, value)| value)
     }
 
-    /// The number that is stored; zero of what is none.
+    /// Returns the stored number; zero for a text or a missing object.
     pub(crate) fn number(&self, index: u16, sub: u8) -> i64 {
         match self.stored(Address::new(index, sub)) {
             Some(Value::Number(number)) => *number,
@@ -394,7 +395,7 @@ impl Dictionary {
         }
     }
 
-    /// Whether an object may be written with a number.
+    /// Checks that a number may be written into an object.
     pub(crate) fn check(&self, at: Address, value: i64) -> Result<(), Abort> {
         let entry = self.entry(at)?;
         if entry.access != Access::ReadWrite {
@@ -410,14 +411,14 @@ impl Dictionary {
         }
     }
 
-    /// Every object from an index to another has its value of the start again.
+    /// Resets the objects from one index to another to their initial values.
     pub(crate) fn restart(&mut self, from: u16, to: u16) {
         for (_, (entry, value)) in self.slots.range_mut(Address::new(from, 0)..=Address::new(to, u8::MAX)) {
             value.clone_from(&entry.usual);
         }
     }
 
-    /// Stores a number where there is an object.
+    /// Stores a number if the object exists.
     pub(crate) fn store(&mut self, index: u16, sub: u8, value: i64) {
         if let Some((_, place)) = self.slots.get_mut(&Address::new(index, sub)) {
             *place = Value::Number(value);
@@ -425,20 +426,20 @@ impl Dictionary {
     }
 }
 
-/// The bytes of a number in a type, lowest first, and the number of such bytes.
+/// Conversion between numbers and their bytes, lowest byte first.
 pub mod parts {
     use crate::{Abort, DataType};
 
-    /// The bytes of a number.
+    /// Returns the bytes of a number.
     #[must_use]
     pub fn bytes(data_type: DataType, value: i64) -> Vec<u8> {
         value.to_le_bytes().into_iter().take(usize::from(data_type.bytes())).collect()
     }
 
-    /// The number of some bytes.
+    /// Returns the number stored in bytes.
     ///
     /// # Errors
-    /// More or fewer bytes than the type has.
+    /// The number of bytes differs from the size of the type.
     pub fn number(data_type: DataType, bytes: &[u8]) -> Result<i64, Abort> {
         let size = usize::from(data_type.bytes());
         match bytes.len() {

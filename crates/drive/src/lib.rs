@@ -1,7 +1,8 @@
-//! A virtual drive: the twin behind the object dictionary of CiA 402.
+//! A virtual drive: the twin with the object dictionary of CiA 402.
 //!
-//! [`Drive`] has the state machine, the modes and the objects of a drive and steps its twin; [`mod@line`] and [`can`] are its two
-//! protocols as pure functions of text and frames. No socket, no clock, no language: the caller transports and gives the time.
+//! [`Drive`] has the state machine, the modes and the objects of a drive and steps its twin; [`mod@line`] and [`can`]
+//! are its two protocols as pure functions of text and frames. The crate has no socket, no clock and no language: the
+//! caller transports the data and determines the time.
 
 mod abort;
 pub mod can;

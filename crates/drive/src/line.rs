@@ -1,54 +1,55 @@
-//! The line protocol: a line of text is a request, a line the answer.
+//! Line protocol: each request is a line of text, answered by a line.
 
 use crate::dictionary::{Address, Value};
 use crate::drive::{Drive, HALF_MS_S};
 use quantities::identified;
 
-/// The longest line with its end \[bytes\].
+/// Length limit of a line including its end \[bytes\].
 pub const LINE_MOST: usize = 128;
 
-/// The longest step of one line \[ms\].
+/// Upper limit of the time step of one line \[ms\].
 pub const STEP_MOST_MS: f64 = 10_000.0;
 
 identified! {
-    /// Who makes the time go on.
+    /// Source of time.
     #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
     pub enum Time {
-        /// The clock.
+        /// Time follows the clock.
         #[default]
         Real = "real",
-        /// The client.
+        /// The client advances time.
         Stepped = "stepped",
     }
 }
 
 impl Time {
-    /// That of an identifier.
+    /// Returns the value with an identifier.
     #[must_use]
     pub fn of(id: &str) -> Option<Self> {
         Self::ALL.into_iter().find(|time| time.id() == id)
     }
 }
 
-/// The answer to a line.
+/// Answer to a line.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Answer {
-    /// A line.
+    /// A line of text.
     Line(String),
-    /// The client has said goodbye.
+    /// The client ends the connection.
     Bye,
-    /// A command with wrong arguments.
+    /// The command has wrong arguments.
     Wrong,
     /// The line is no command.
     NoCommand,
 }
 
-/// What a client gets for a command with wrong arguments.
+/// Answer to a command with wrong arguments.
 pub const WRONG: &str = "error arguments";
-/// The same for a line that is no command.
+/// Answer to a line that is no command.
 pub const NO_COMMAND: &str = "error command";
 
-/// Returns the steps that a line lets pass before its answer, [`stepped`]; `None` for any other line, which [`answer`] answers at once.
+/// Returns the number of steps by which a line advances time before its answer, [`stepped`]; `None` for any other line,
+/// which [`answer`] answers at once.
 #[must_use]
 pub fn steps_of(time: Time, line: &str) -> Option<u64> {
     let words: Vec<&str> = line.split_ascii_whitespace().collect();
@@ -58,13 +59,13 @@ pub fn steps_of(time: Time, line: &str) -> Option<u64> {
     }
 }
 
-/// Answers a line that let steps pass, behind them.
+/// Returns the answer to a line that advanced time, after its steps.
 #[must_use]
 pub fn stepped(drive: &Drive<'_>) -> String {
     format!("ok {:.1}", 1e3 * drive.time_s())
 }
 
-/// Answers a line; the steps of a line that has some pass within the call.
+/// Answers a line, advancing time within the call if the line requests it.
 pub fn answer(drive: &mut Drive<'_>, time: Time, line: &str) -> Answer {
     if let Some(steps) = steps_of(time, line) {
         drive.advance(steps);
@@ -87,7 +88,7 @@ pub fn answer(drive: &mut Drive<'_>, time: Time, line: &str) -> Answer {
     text.map_or(Answer::Wrong, Answer::Line)
 }
 
-/// `6041` or `6091:1`, hexadecimal.
+/// Parses `6041` or `6091:1`, hexadecimal.
 fn address(written: &str) -> Option<Address> {
     let (index, sub) = written.split_once(':').unwrap_or((written, "0"));
     let index = index.strip_prefix("0x").unwrap_or(index);
@@ -98,7 +99,7 @@ fn address(written: &str) -> Option<Address> {
     Some(Address::new(u16::from_str_radix(index, 16).ok()?, u8::from_str_radix(sub, 16).ok()?))
 }
 
-/// `-15`, `15` or `0x0F`.
+/// Parses `-15`, `15` or `0x0F`.
 fn number(written: &str) -> Option<i64> {
     match written.strip_prefix("0x") {
         Some(digits) if digits.bytes().all(|digit| digit.is_ascii_hexdigit()) => i64::from_str_radix(digits, 16).ok(),
@@ -107,7 +108,7 @@ fn number(written: &str) -> Option<i64> {
     }
 }
 
-/// Milliseconds as whole steps of the drive.
+/// Parses milliseconds as whole steps of the drive.
 fn steps(written: &str) -> Option<u64> {
     let milliseconds: f64 = written.parse().ok()?;
     let steps = milliseconds / (1e3 * HALF_MS_S);
@@ -149,7 +150,7 @@ fn status(drive: &Drive<'_>) -> String {
         of(0x6041),
         of(0x603F)
     );
-    // A drive without the sensor of the winding has no such object.
+    // A drive without winding temperature sensor lacks this object.
     for (name, number) in names.iter().filter_map(|(name, index)| Some((name, read(*index)?))) {
         text.push_str(&format!(" {name}={number}"));
     }

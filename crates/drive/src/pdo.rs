@@ -1,26 +1,26 @@
-//! Process data: what their objects may hold, and the objects that they carry.
+//! Process data: permitted values of the PDO parameters, and the objects mapped into a PDO.
 
 use crate::abort::Abort;
 use crate::dictionary::{Access, Address, Dictionary, MAPPED_MOST};
 
-/// Bit 31 of a COB-ID: the PDO does not exist.
+/// Bit 31 of a COB-ID: the PDO is disabled.
 pub(crate) const OFF: i64 = 1 << 31;
 
-/// The mapping belongs to the communication parameter 200h before it.
+/// Offset from the index of a communication parameter to that of its mapping.
 const TO_MAPPING: u16 = 0x200;
 
-/// The largest transmission type that follows the SYNC message.
+/// Largest transmission type that depends on the SYNC message.
 pub(crate) const CYCLIC_MOST: i64 = 240;
 
-/// Bits of a PDO.
+/// Bits that fit into a PDO.
 const BITS_MOST: i64 = 64;
 
-/// Whether a value may be written into an object of a PDO.
+/// Checks that a value may be written into a PDO parameter.
 pub(crate) fn check(dictionary: &Dictionary, at: Address, value: i64) -> Result<(), Abort> {
     let is_mapping = at.index & TO_MAPPING != 0;
     if !is_mapping {
         return match at.sub {
-            // Bit 30 forbids remote frames, which this bus does not know; the rest are 11 bit.
+            // Bit 30 forbids remote frames, which this bus lacks; the identifier has 11 bit.
             1 if value & 0x3FFF_F800 != 0 || value & 0x7FF == 0 => Err(Abort::Value),
             2 if !(0..=CYCLIC_MOST).contains(&value) && !matches!(value, 254 | 255) => Err(Abort::Value),
             _ => Ok(()),
@@ -47,13 +47,13 @@ pub(crate) fn check(dictionary: &Dictionary, at: Address, value: i64) -> Result<
     if value == 0 { Ok(()) } else { carries(dictionary, value, is_received) }
 }
 
-/// The object of an entry of a mapping.
+/// Returns the address of the object in a mapping entry.
 pub(crate) fn address(mapped: i64) -> Address {
     let [sub, low, high] = [8, 16, 24].map(|bits| u8::try_from(mapped >> bits & 0xFF).unwrap_or(0));
     Address::new(u16::from_le_bytes([low, high]), sub)
 }
 
-/// Whether a PDO can carry the object of an entry of a mapping.
+/// Checks that a PDO can contain the object of a mapping entry.
 fn carries(dictionary: &Dictionary, mapped: i64, is_received: bool) -> Result<(), Abort> {
     let entry = dictionary.entry(address(mapped))?;
     let is_writable = entry.access == Access::ReadWrite;
@@ -64,19 +64,19 @@ fn carries(dictionary: &Dictionary, mapped: i64, is_received: bool) -> Result<()
     Ok(())
 }
 
-/// A PDO as its objects describe it.
+/// A PDO as configured by its objects.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(crate) struct Pdo {
-    /// Its COB-ID; `None`: it is off.
+    /// COB-ID; `None` if the PDO is disabled.
     pub(crate) id: Option<u16>,
-    /// The transmission type.
+    /// Transmission type.
     pub(crate) kind: i64,
-    /// What it carries.
+    /// Mapped objects.
     pub(crate) objects: Vec<Address>,
 }
 
 impl Pdo {
-    /// Of the communication parameter at an index.
+    /// Reads the PDO with the communication parameter at an index.
     pub(crate) fn of(dictionary: &Dictionary, parameter: u16) -> Self {
         let cob = dictionary.number(parameter, 1);
         let mapping = parameter + TO_MAPPING;

@@ -1,14 +1,14 @@
-//! The modes of operation: which set-points the drive makes in each.
+//! Modes of operation and the setpoints generated in each.
 
 use crate::course::{Bounds, Move, ramped};
 use crate::drive::{Course, Drive, HALF_MS_S};
 use crate::state::State;
 
-/// A mode of operation.
+/// Mode of operation.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[repr(i64)]
 pub(crate) enum Mode {
-    /// None: the axis is held.
+    /// No mode: the axis is held.
     #[default]
     None = 0,
     /// Profile position.
@@ -20,7 +20,7 @@ pub(crate) enum Mode {
 }
 
 impl Mode {
-    /// Its number in 6060h.
+    /// Returns the number of the mode in 6060h.
     ///
     /// # Source
     /// cia-402
@@ -28,14 +28,14 @@ impl Mode {
         self as i64
     }
 
-    /// The mode of a number.
+    /// Returns the mode with a number.
     pub(crate) fn of(number: i64) -> Option<Self> {
         [Self::None, Self::ProfilePosition, Self::ProfileVelocity, Self::CyclicPosition]
             .into_iter()
             .find(|mode| mode.number() == number)
     }
 
-    /// Whether a position is followed whose error is supervised.
+    /// Returns `true` if the mode follows a position with supervision of the following error.
     pub(crate) const fn is_position(self) -> bool {
         match self {
             Self::ProfilePosition | Self::CyclicPosition => true,
@@ -45,12 +45,12 @@ impl Mode {
 }
 
 impl Drive<'_> {
-    /// Whether the brake still holds the axis that shall move.
+    /// Returns `true` if the brake still holds the axis.
     pub(crate) fn is_held(&self) -> bool {
         self.twin.has_brake() && self.reading().braked
     }
 
-    /// The bounds of a move.
+    /// Returns the limits of a move.
     fn bounds(&self) -> Bounds {
         Bounds {
             speed: self.fastest(self.scale.plain_rad(self.dictionary.number(0x6081, 0))).max(1e-9),
@@ -59,7 +59,7 @@ impl Drive<'_> {
         }
     }
 
-    /// A speed within 607Fh, 6080h and what the actuator permits.
+    /// Returns a speed limited by 607Fh, 6080h and the actuator [rad/s].
     fn fastest(&self, speed: f64) -> f64 {
         let [permitted, _] = self.twin.most();
         let profile = self.scale.plain_rad(self.dictionary.number(0x607F, 0));
@@ -67,14 +67,14 @@ impl Drive<'_> {
         speed.min(profile).min(motor).min(permitted)
     }
 
-    /// Whether the target velocity 60FFh is beyond what is permitted.
+    /// Returns `true` if the target velocity 60FFh exceeds the limit.
     pub(crate) fn is_target_speed_cut(&self) -> bool {
         let written = self.scale.speed_rad(self.dictionary.number(0x60FF, 0)).abs();
-        // The limits are rounded to a unit.
+        // The limits are rounded to one unit.
         written > self.fastest(written) + self.scale.plain_rad(1)
     }
 
-    /// A position within the software limits 607Dh, where the least is below the largest.
+    /// Returns a position limited by 607Dh \[rad\]; unlimited unless the lower limit is below the upper one.
     pub(crate) fn within_limits(&mut self, rad: f64) -> f64 {
         let [one, other] = [1, 2].map(|sub| self.dictionary.number(0x607D, sub));
         let whole = [i64::from(i32::MIN), i64::from(i32::MAX)];
@@ -88,21 +88,21 @@ impl Drive<'_> {
         within
     }
 
-    /// The time of a period of the cyclic mode \[s\]: value · 10^index.
+    /// Returns the period of the cyclic mode \[s\]: value · 10^index.
     pub(crate) fn period_s(&self) -> f64 {
         let value = u8::try_from(self.dictionary.number(0x60C2, 1)).unwrap_or(1);
         let index = i32::try_from(self.dictionary.number(0x60C2, 2)).unwrap_or(-3);
         (f64::from(value) * 10_f64.powi(index)).max(HALF_MS_S)
     }
 
-    /// Begins a move from the set-point of now.
+    /// Begins a move from the present setpoint.
     pub(crate) fn begin_move(&mut self, target: f64) {
         let [from, speed, _] = self.demand;
         self.course = Course::Move(Move::new(from, speed, target, &self.bounds()));
         self.within_s = 0.0;
     }
 
-    /// The set-point of the next step.
+    /// Determines the setpoint of the next step.
     pub(crate) fn follow(&mut self) {
         let reading = self.reading();
         if !reading.pulses {
@@ -110,7 +110,7 @@ impl Drive<'_> {
             return;
         }
         if self.mode == Mode::ProfileVelocity {
-            // The position follows the axis, so that another mode begins where it is.
+            // The position setpoint follows the axis, so that another mode starts at its present position.
             let [_, speed, _] = self.demand;
             self.demand = [reading.position_rad, speed, 0.0];
         }
@@ -125,7 +125,7 @@ impl Drive<'_> {
         self.judge();
     }
 
-    /// The deceleration of a halt, where the controller has set it.
+    /// Returns the deceleration of a halt [rad/s²], if the controller has set it.
     fn halted(&mut self) -> Option<f64> {
         if self.is_halted() && self.state == State::OperationEnabled {
             self.was_halted = true;
@@ -141,7 +141,7 @@ impl Drive<'_> {
         None
     }
 
-    /// The set-point slows down.
+    /// Reduces the speed of the setpoint at a deceleration [rad/s²].
     fn brake_along(&mut self, rate: f64) {
         let [position, speed, _] = self.demand;
         let bounds = Bounds { speed: 0.0, acceleration: rate, deceleration: rate };
@@ -153,7 +153,7 @@ impl Drive<'_> {
         ];
     }
 
-    /// The set-point of the mode.
+    /// Determines the setpoint of the present mode.
     fn drive_on(&mut self) {
         match (self.mode, &mut self.course) {
             (Mode::ProfileVelocity, _) => {
@@ -188,8 +188,8 @@ impl Drive<'_> {
         }
     }
 
-    /// Whether the target is reached: within its window for the time of the window; a halt and a quick stop that holds, once the
-    /// axis stands. A stop that switches off behind it reaches no target.
+    /// Determines whether the target is reached: the axis has been inside the target window for the window time or, at
+    /// a halt and at a quick stop that holds, is at rest. A stop that ends without torque never reaches the target.
     fn judge(&mut self) {
         let reading = self.reading();
         let [_, wanted, _] = self.demand;

@@ -1,10 +1,10 @@
-//! Positions of the user against angles of the output.
+//! Conversion between user units and angles of the output.
 
 use crate::dictionary::{Dictionary, INCREMENTS_USUAL};
 use crate::drive::Given;
 use std::f64::consts::TAU;
 
-/// How angles become increments.
+/// Conversion of output angles into increments.
 ///
 /// x = ± q i r/(2π) · (feed/turns) / (increments/turns · gear)
 ///
@@ -14,17 +14,17 @@ use std::f64::consts::TAU;
 /// cia-402 factor group
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Scale {
-    /// Increments of the encoder per rad at the output, as the tables have them.
+    /// Encoder increments per rad at the output, as stated in the tables.
     encoder: f64,
     ratio: f64,
     increments: f64,
     /// The encoder counts down while the output turns in the positive direction.
     is_reversed: bool,
-    /// Units of the user per rad: of positions, with their sign.
+    /// User units of position per rad, with sign.
     per_rad: f64,
-    /// The sign of speeds beside that of positions.
+    /// Sign of speeds relative to that of positions.
     speed_sign: f64,
-    /// Angle that is counted as zero \[rad\].
+    /// Angle that counts as zero \[rad\].
     zero_rad: f64,
 }
 
@@ -35,12 +35,12 @@ impl Scale {
         let increments = known(0x608F).map_or(INCREMENTS_USUAL as f64, |object| f64::from(object.value));
         let ratio = known(0x6091).map_or(1.0, |object| f64::from(object.value));
         let encoder = increments * ratio / TAU;
-        // Where the manual says which way the position rises, the gear turns against it (cha-manual section 11.1).
+        // If the manual states the direction of increasing position, the gear reverses it (cha-manual section 11.1).
         let is_reversed = given.objects.iter().any(|object| object.index == 0x607E);
         Self { encoder, ratio, increments, is_reversed, per_rad: encoder, speed_sign: 1.0, zero_rad: 0.0 }
     }
 
-    /// As the objects of the factor group have it now.
+    /// Adopts the present values of the factor group.
     pub(crate) fn follow(&mut self, dictionary: &Dictionary) {
         #[allow(clippy::cast_precision_loss, reason = "at most 32 bit")]
         let get = |index: u16, sub: u8| dictionary.number(index, sub) as f64;
@@ -52,28 +52,28 @@ impl Scale {
         self.speed_sign = sign(6) * sign(7);
     }
 
-    /// An angle as a position.
+    /// Returns the position of an angle \[rad\] in user units.
     pub(crate) fn position(&self, rad: f64) -> i64 {
         self.difference(rad - self.zero_rad)
     }
 
-    /// A position as an angle.
+    /// Returns the angle of a position \[rad\].
     pub(crate) fn angle(&self, position: i64) -> f64 {
         self.way(position) + self.zero_rad
     }
 
-    /// A way as a difference of positions.
+    /// Returns a difference of angles \[rad\] as a difference of positions.
     pub(crate) fn difference(&self, rad: f64) -> i64 {
         wrapped(rad * self.per_rad)
     }
 
-    /// A difference of positions as a way.
+    /// Returns a difference of positions as a difference of angles \[rad\].
     #[allow(clippy::cast_precision_loss, reason = "32 bit")]
     pub(crate) fn way(&self, position: i64) -> f64 {
         position as f64 / self.per_rad
     }
 
-    /// The encoder counts its turns from zero again at an angle; that within the turn stays.
+    /// Resets the turns counted by the encoder to zero at an angle \[rad\]; the angle within the turn remains.
     pub(crate) fn lose_turns(&mut self, rad: f64) {
         let turn = TAU / self.ratio;
         let seen = if self.is_reversed { self.zero_rad - rad } else { rad - self.zero_rad };
@@ -81,34 +81,34 @@ impl Scale {
         self.zero_rad += if self.is_reversed { -lost } else { lost };
     }
 
-    /// A speed of the output in units of the user.
+    /// Returns a speed of the output [rad/s] in user units.
     pub(crate) fn speed(&self, rad_s: f64) -> i64 {
         bounded(rad_s * self.per_rad * self.speed_sign, i64::from(i32::MIN), i64::from(i32::MAX))
     }
 
-    /// A speed of the user.
+    /// Returns a speed in user units as a speed of the output [rad/s].
     #[allow(clippy::cast_precision_loss, reason = "32 bit")]
     pub(crate) fn speed_rad(&self, speed: i64) -> f64 {
         speed as f64 / self.per_rad * self.speed_sign
     }
 
-    /// A size without sign in units of the user.
+    /// Returns a magnitude in user units.
     pub(crate) fn plain(&self, rad: f64) -> i64 {
         bounded((rad * self.per_rad).abs(), 0, i64::from(u32::MAX))
     }
 
-    /// A size without sign as an angle, a speed or an acceleration.
+    /// Returns a magnitude in user units as an angle, a speed or an acceleration at the output.
     #[allow(clippy::cast_precision_loss, reason = "32 bit")]
     pub(crate) fn plain_rad(&self, value: i64) -> f64 {
         (value as f64 / self.per_rad).abs()
     }
 
-    /// The speed of the motor of a speed of the output, whole 1/min, downwards: a limit.
+    /// Returns the motor speed of an output speed in whole 1/min, rounded down because it is a limit.
     pub(crate) fn motor_rpm(&self, rad_s: f64) -> i64 {
         bounded((rad_s * self.ratio * 60.0 / TAU + 1e-6).floor(), 0, i64::from(u32::MAX))
     }
 
-    /// The speed of the output of a speed of the motor in 1/min.
+    /// Returns the output speed [rad/s] of a motor speed in 1/min.
     #[allow(clippy::cast_precision_loss, reason = "32 bit")]
     pub(crate) fn motor_rad(&self, rpm: i64) -> f64 {
         rpm as f64 * TAU / 60.0 / self.ratio
@@ -123,14 +123,14 @@ impl Scale {
     }
 }
 
-/// A number rounded and kept within bounds; what is no number becomes the least.
+/// Rounds a number and limits it to a range; NaN becomes the value nearest to zero in the range.
 pub(crate) fn bounded(value: f64, least: i64, most: i64) -> i64 {
     #[allow(clippy::cast_possible_truncation, reason = "the cast keeps within its bounds")]
     let whole = value.round() as i64;
     whole.clamp(least, most)
 }
 
-/// A number rounded to 32 bit; beyond their range it begins again, as the counter of a drive does.
+/// Rounds a number to 32 bit; values out of range wrap around, as the counter of a drive does.
 fn wrapped(value: f64) -> i64 {
     #[allow(clippy::cast_possible_truncation, reason = "the cast keeps within its bounds")]
     let whole = value.round() as i64;

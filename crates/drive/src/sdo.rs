@@ -1,11 +1,11 @@
-//! The SDO server: objects by expedited transfer, texts by segments.
+//! SDO server: expedited transfer of numbers, segmented transfer of texts.
 
 use crate::abort::Abort;
 use crate::dictionary::{Address, Value, parts};
 use crate::drive::Drive;
 use installation::commission::cia402::DataType;
 
-/// A text that is read in segments.
+/// SDO server with the text that is being read in segments.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Server {
     upload: Option<Upload>,
@@ -18,11 +18,11 @@ struct Upload {
     toggle: u8,
 }
 
-/// Bytes of a segment.
+/// Data bytes of a segment.
 const SEGMENT: usize = 7;
 
 impl Server {
-    /// The answer to a request; none to an abort.
+    /// Returns the answer to a request; `None` to an abort.
     ///
     /// # Source
     /// cia-301 section 7.2.4
@@ -102,7 +102,7 @@ fn download(head: u8, at: Address, data: [u8; 4], drive: &mut Drive<'_>) -> Resu
     }
     let (is_expedited, says_size) = (head & 2 != 0, head & 1 != 0);
     if !is_expedited {
-        // No object that is written needs segments.
+        // No writable object needs segments.
         return Err(refused(if says_size && u32::from_le_bytes(data) > 4 { Abort::TooLong } else { Abort::Specifier }));
     }
     let size = if says_size { 4 - (head >> 2 & 3) } else { data_type.bytes() };

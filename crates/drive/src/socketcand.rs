@@ -1,4 +1,4 @@
-//! The text protocol of socketcand in its raw mode: frames between angle brackets.
+//! Text protocol of socketcand in raw mode: frames in angle brackets.
 
 use crate::can::Frame;
 
@@ -13,27 +13,27 @@ pub enum Message {
     Echo,
     /// `< send ID LENGTH BYTES >`
     Send(Frame),
-    /// A frame with an identifier of 29 bit, or another command: a bus has it, this node does not.
+    /// A frame with a 29-bit identifier, or another command: valid on a bus but unused by this node.
     Other,
 }
 
-/// The longest message: `< send` with eight bytes has 40 signs, a name of a bus 16.
+/// Length limit of a message \[bytes\]: `< send` with eight bytes has 40 characters, the name of a bus 16.
 pub const MESSAGE_MOST: usize = 128;
 
-/// What a server says first.
+/// Greeting of the server.
 pub const HI: &str = "< hi >";
 
-/// What it says to a command that it follows.
+/// Acknowledgement of a command.
 pub const OK: &str = "< ok >";
 
-/// What is left of a stream of messages is none.
+/// Error of a stream whose beginning is no message.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct NoMessage;
 
-/// The first message of what was received, with the number of bytes that it takes; `None` where it is not complete.
+/// Parses the first message of the received bytes and returns it with its length in bytes; `None` if it is incomplete.
 ///
 /// # Errors
-/// [`NoMessage`]: what was received begins with something else, is longer than a message, or is not readable.
+/// [`NoMessage`] if the bytes begin with something else, exceed the length of a message, or are not readable.
 pub fn read(received: &[u8]) -> Result<Option<(Message, usize)>, NoMessage> {
     let before = received.iter().take_while(|byte| byte.is_ascii_whitespace()).count();
     let rest = received.get(before..).unwrap_or_default();
@@ -66,7 +66,7 @@ fn message(inner: &str) -> Result<Message, NoMessage> {
             }
             let value = number(id)?;
             match u16::try_from(value) {
-                // Three digits are an identifier of 11 bit, eight one of 29.
+                // An identifier of three digits has 11 bit, one of eight digits 29 bit.
                 Ok(value) if id.len() <= 3 && value <= 0x7FF => Message::Send(Frame::new(value, &bytes)),
                 _ => Message::Other,
             }
@@ -76,7 +76,7 @@ fn message(inner: &str) -> Result<Message, NoMessage> {
     })
 }
 
-/// A frame for a client, with the time at which it was sent \[s\].
+/// Returns a frame as sent to a client, with the time of transmission \[s\].
 #[must_use]
 pub fn written(frame: &Frame, time_s: f64) -> String {
     use std::fmt::Write as _;
@@ -88,7 +88,7 @@ pub fn written(frame: &Frame, time_s: f64) -> String {
     text
 }
 
-/// A frame as a client sends it.
+/// Returns a frame as sent by a client.
 #[must_use]
 pub fn sent(frame: &Frame) -> String {
     use std::fmt::Write as _;

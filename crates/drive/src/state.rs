@@ -1,25 +1,25 @@
-//! The state machine of CiA 402, pure: a state and a command give the transition.
+//! State machine of CiA 402 as a pure function of state and command.
 
-/// One line per state: its variant, its identifier and its bits of the statusword.
+/// Defines the states, one per line: variant, identifier and bits of the statusword.
 macro_rules! states {
     ($($(#[$about:meta])* $variant:ident $id:literal $bits:literal;)*) => {
-        /// A state of the drive.
+        /// State of the drive.
         #[derive(Clone, Copy, Debug, PartialEq, Eq)]
         pub enum State {
             $($(#[$about])* $variant,)*
         }
 
         impl State {
-            /// All eight.
+            /// The eight states, in the order of the profile.
             pub const ALL: &'static [Self] = &[$(Self::$variant),*];
 
-            /// Its identifier.
+            /// Returns the identifier of the state.
             #[must_use]
             pub const fn id(self) -> &'static str {
                 match self { $(Self::$variant => $id,)* }
             }
 
-            /// Its bits of the statusword: 0 to 3, 5 and 6.
+            /// Returns the bits 0 to 3, 5 and 6 of the statusword.
             ///
             /// # Source
             /// cia-402
@@ -32,26 +32,26 @@ macro_rules! states {
 }
 
 states! {
-    /// Begins.
+    /// Initialising.
     NotReadyToSwitchOn "not_ready_to_switch_on" 0b000_0000;
-    /// Waits for a controller.
+    /// Switched off, waiting for a controller.
     SwitchOnDisabled "switch_on_disabled" 0b100_0000;
-    /// May be switched on.
+    /// Ready for the power supply.
     ReadyToSwitchOn "ready_to_switch_on" 0b010_0001;
-    /// Power is on, no torque.
+    /// Power on, without torque.
     SwitchedOn "switched_on" 0b010_0011;
-    /// Follows its set-points.
+    /// Setpoints are followed.
     OperationEnabled "operation_enabled" 0b010_0111;
-    /// Stops or has stopped at once.
+    /// Stopping or stopped by a quick stop.
     QuickStopActive "quick_stop_active" 0b000_0111;
-    /// Stops because of a fault.
+    /// Stopping because of a fault.
     FaultReactionActive "fault_reaction_active" 0b000_1111;
-    /// Has stopped because of a fault.
+    /// Stopped because of a fault.
     Fault "fault" 0b000_1000;
 }
 
 impl State {
-    /// Whether the axis may be moved in it.
+    /// Returns `true` if the motor can produce torque in this state.
     #[must_use]
     pub const fn has_torque(self) -> bool {
         match self {
@@ -65,30 +65,30 @@ impl State {
     }
 }
 
-/// What bits 0 to 3 of the controlword command.
+/// Command encoded in bits 0 to 3 of the controlword.
 ///
 /// # Source
 /// cia-402
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Command {
-    /// x110
+    /// Bits x110.
     Shutdown,
-    /// 0111, in state operation enabled: disable operation.
+    /// Bits 0111; in the state operation enabled the command is disable operation.
     SwitchOn,
-    /// 1111
+    /// Bits 1111.
     EnableOperation,
-    /// xx0x
+    /// Bits xx0x.
     DisableVoltage,
-    /// x01x
+    /// Bits x01x.
     QuickStop,
 }
 
 impl Command {
-    /// Every one.
+    /// The five commands.
     pub const ALL: [Self; 5] =
         [Self::Shutdown, Self::SwitchOn, Self::EnableOperation, Self::DisableVoltage, Self::QuickStop];
 
-    /// That of a controlword.
+    /// Returns the command of a controlword.
     #[must_use]
     pub const fn of(control: u16) -> Self {
         if control & 0b0010 == 0 {
@@ -108,15 +108,16 @@ impl Command {
 /// A transition of the state machine.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Transition {
-    /// Its number in the profile.
+    /// Number of the transition in the profile.
     pub number: u8,
-    /// The state behind it.
+    /// State after the transition.
     pub to: State,
 }
 
-/// The transition that a command makes in a state; `None`: the state stays.
+/// Returns the transition that a command causes in a state; `None` if the state remains.
 ///
-/// 15 (fault reset) needs a rising edge of bit 7 and is no command of the level; 0, 1, 13 and 14 are the drive's own.
+/// Transition 15 (fault reset) needs a rising edge of bit 7 and is no command of the level; 0, 1, 13 and 14 are caused
+/// by the drive itself.
 ///
 /// # Source
 /// cia-402
@@ -126,7 +127,7 @@ pub const fn transition(state: State, command: Command) -> Option<Transition> {
     use State as S;
     let (number, to) = match (state, command) {
         (S::SwitchOnDisabled, C::Shutdown) => (2, S::ReadyToSwitchOn),
-        // With enable operation the next transition follows at once.
+        // The command enable operation causes the next transition at once.
         (S::ReadyToSwitchOn, C::SwitchOn | C::EnableOperation) => (3, S::SwitchedOn),
         (S::SwitchedOn, C::EnableOperation) => (4, S::OperationEnabled),
         (S::OperationEnabled, C::SwitchOn) => (5, S::SwitchedOn),

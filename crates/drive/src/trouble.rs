@@ -1,4 +1,4 @@
-//! Faults of the drive: error codes and the bits of the error register.
+//! Faults of the drive: error codes and bits of the error register.
 
 use feedback::Finding;
 use twin::{EventKind, Twin};
@@ -7,42 +7,42 @@ use twin::{EventKind, Twin};
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[repr(u16)]
 pub enum Trouble {
-    /// DC link too high.
+    /// DC link voltage too high.
     LinkHigh = 0x3210,
-    /// DC link too low.
+    /// DC link voltage too low.
     LinkLow = 0x3220,
     /// Overload, I²t.
     Overload = 0x2350,
-    /// Winding too warm.
+    /// Winding temperature too high.
     Winding = 0x4310,
-    /// The simulation left every bound.
+    /// The simulation diverged.
     Diverged = 0x6100,
-    /// No valid position: the resolver.
+    /// No valid position from the resolver.
     Resolver = 0x7303,
-    /// No valid position: the tracks of the encoder.
+    /// No valid position from the incremental tracks of the encoder.
     Incremental = 0x7305,
-    /// No valid position: the words of the encoder.
+    /// No valid position from the absolute words of the encoder.
     Position = 0x7320,
-    /// The controller is no longer heard.
+    /// The controller's heartbeat is missing.
     Guarding = 0x8130,
     /// Speed too high.
     Overspeed = 0x8400,
-    /// The position lags behind.
+    /// Following error too large.
     Following = 0x8611,
 }
 
 impl Trouble {
-    /// Its code in 603Fh and in the emergency message.
+    /// Returns the error code used in 603Fh and in the emergency message.
     ///
     /// # Source
-    /// cia-301, cia-402; of sensors: resolver 1, incremental sensor 1, position, as Beckhoff's EtherCAT slave stack code names them
-    /// in `cia402appl.h`
+    /// cia-301, cia-402; sensor codes (resolver 1, incremental sensor 1, position) as named in `cia402appl.h` of
+    /// Beckhoff's EtherCAT slave stack code
     #[must_use]
     pub const fn code(self) -> u16 {
         self as u16
     }
 
-    /// The bits of the error register 1001h.
+    /// Returns the bits of the error register 1001h.
     ///
     /// # Source
     /// cia-301
@@ -60,7 +60,7 @@ impl Trouble {
             }
     }
 
-    /// Whether the motor can still be braked along a ramp.
+    /// Returns `true` if the motor can still be braked along a ramp.
     #[must_use]
     pub const fn can_ramp(self) -> bool {
         match self {
@@ -70,7 +70,7 @@ impl Trouble {
         }
     }
 
-    /// The fault that the supervision of a twin reports.
+    /// Returns the fault of an event reported by the supervision of a twin.
     pub(crate) fn of(event: EventKind, twin: &Twin<'_>) -> Option<Self> {
         match event {
             EventKind::Overload => Some(Self::Overload),
@@ -99,7 +99,7 @@ impl Trouble {
         }
     }
 
-    /// The fault of a feedback that has failed, by what the drive noticed.
+    /// Returns the fault of a failed feedback, by the check that detected it.
     fn of_feedback(twin: &Twin<'_>) -> Self {
         let noticed = twin.failed().and_then(|failed| failed.noticed);
         match noticed {

@@ -1,4 +1,4 @@
-//! Controlword, statusword, and how the drive passes from state to state.
+//! Controlword, statusword and the transitions between states.
 
 use super::{Course, Drive, Ending};
 use crate::course::Line;
@@ -13,12 +13,12 @@ const RESET: u16 = 1 << 7;
 const HALT: u16 = 1 << 8;
 
 impl Drive<'_> {
-    /// A controlword was written.
+    /// Processes a written controlword.
     pub(super) fn take_control(&mut self, value: i64) {
         let new = u16::try_from(value).unwrap_or(0);
         let rising = new & !self.control;
         if (new ^ self.control) & HALT != 0 {
-            // Bit 10 answers another question from now on: at rest, or at the target.
+            // Bit 10 changes its meaning between target reached and at rest.
             (self.is_reached, self.within_s) = (false, 0.0);
         }
         self.control = new;
@@ -35,12 +35,13 @@ impl Drive<'_> {
         }
     }
 
-    /// Whether the controller halts the axis.
+    /// Returns `true` if the controller halts the axis.
     pub(crate) const fn is_halted(&self) -> bool {
         self.control & HALT != 0
     }
 
-    /// Follows the command of the controlword, as long as it makes transitions: with 0Fh from ready to switch on two of them.
+    /// Executes the command of the controlword while it causes transitions: 0Fh causes two from the state ready to
+    /// switch on.
     pub(super) fn obey(&mut self) {
         for _ in 0..2 {
             let command = Command::of(self.control);
@@ -51,13 +52,13 @@ impl Drive<'_> {
         }
     }
 
-    /// Takes a transition; whether the state changed.
+    /// Executes a transition; returns `true` if the state changed.
     fn pass(&mut self, number: u8, to: State) -> bool {
         let option = |index| self.dictionary.number(index, 0);
         match number {
             3 if !self.reading().link_ready => return false,
             4 => self.enable(),
-            // What is stopping already goes on, unless it shall be quicker.
+            // A stop in progress continues, unless a faster one is commanded.
             5 | 8 if self.ending.is_some() => return false,
             5 | 8 if option(if number == 5 { 0x605C } else { 0x605B }) == 1 => {
                 self.ending = Some(Ending { rate: self.rate(0x6084), then: Some(to), stands: false });
@@ -74,7 +75,7 @@ impl Drive<'_> {
                     self.state = to;
                 }
             },
-            // Only from a quick stop that holds.
+            // Only from a quick stop that holds the axis.
             16 if option(0x605A) < 5 => return false,
             16 => {
                 (self.ending, self.course, self.waiting) = (None, Course::Hold, None);
@@ -85,7 +86,7 @@ impl Drive<'_> {
         true
     }
 
-    /// Torque on, brake open, the set-point where the axis is.
+    /// Switches the torque on, opens the brake and sets the setpoint to the position of the axis.
     fn enable(&mut self) {
         self.twin.switch_on();
         self.twin.command_brake(true);
@@ -96,7 +97,7 @@ impl Drive<'_> {
         self.state = State::OperationEnabled;
     }
 
-    /// A stop that has come to rest: the brake closes, then the state changes.
+    /// Ends a stop that has come to rest: the brake closes, then the state changes.
     pub(super) fn end(&mut self) {
         let Some(ending) = self.ending else { return };
         let reading = self.reading();
@@ -115,7 +116,7 @@ impl Drive<'_> {
         }
     }
 
-    /// A new set-point of profile position: at once, or when the move has ended.
+    /// Accepts a setpoint of profile position: at once, or at the end of the move.
     fn take_set_point(&mut self) {
         let is_immediate = self.control & IMMEDIATE != 0;
         let moves = matches!(self.course, Course::Move(_));
@@ -138,7 +139,7 @@ impl Drive<'_> {
         }
     }
 
-    /// A target position was written: in the cyclic mode it is the set-point of the next period.
+    /// Processes a written target position: in the cyclic mode it is the setpoint of the next period.
     pub(super) fn take_position(&mut self, value: i64) {
         let follows = self.state == State::OperationEnabled && self.ending.is_none() && !self.is_halted();
         if self.mode != Mode::CyclicPosition || !follows || self.is_held() {
@@ -149,7 +150,7 @@ impl Drive<'_> {
         self.course = Course::Line(Line::new(from, speed, to, self.period_s()));
     }
 
-    /// Another mode: a move is stopped along its ramp, set-points of the old one are dropped.
+    /// Changes the mode: setpoints of the old mode are dropped, and a move is stopped along its ramp.
     pub(super) fn take_mode(&mut self, mode: Mode) {
         if mode == self.mode {
             return;
@@ -164,10 +165,10 @@ impl Drive<'_> {
         }
     }
 
-    /// The statusword.
+    /// Returns the statusword.
     ///
-    /// Bits 10 to 13 as each mode has them. Bit 10: the target is reached; at a halt, and at a quick stop that holds (605Ah 5 and 6),
-    /// the axis has come to rest. Bit 11: current or voltage at a limit, or a target cut by 607Dh, 607Fh or 6080h.
+    /// Bits 10 to 13 depend on the mode. Bit 10: target reached; at a halt, and at a quick stop that holds (605Ah 5 and
+    /// 6), the axis is at rest. Bit 11: current or voltage at a limit, or a target limited by 607Dh, 607Fh or 6080h.
     ///
     /// # Source
     /// cia-402

@@ -53,7 +53,8 @@ fn an_encoder_without_signal_is_a_fault_until_it_is_gone() {
     assert_eq!(drive.state(), State::SwitchOnDisabled);
 }
 
-/// What the drive notices decides the code: resolver 7303h, tracks 7305h, words 7320h. At rest a lost track may stay unseen.
+/// The detecting check determines the code: resolver 7303h, tracks 7305h, words 7320h. At rest a lost track may remain
+/// undetected.
 #[test]
 fn the_code_of_a_failed_encoder_follows_what_is_noticed() {
     for (code, failure, expected) in [

@@ -31,7 +31,7 @@ fn holds(drive: &Drive<'_>) {
     assert!(drive.reading().position_rad.is_finite());
 }
 
-/// A value that means something more often than chance would have it.
+/// Returns a value that means something more often than chance would have it.
 fn value(u: &mut Unstructured<'_>) -> Result<i64> {
     Ok(match u.int_in_range(0..=4)? {
         0 => i64::from(u.arbitrary::<u8>()?),

@@ -22,7 +22,7 @@ use twin::{Parameters, Scenario, Setup};
 /// With a brake, M512P: its position rises with the motor clockwise.
 const CODE: &str = "CHA-25A-100-H-M512P-B";
 
-/// What a setup borrows.
+/// Data borrowed by a setup.
 struct Axis {
     parameters: Parameters,
     mechanism: Mechanism,
@@ -97,7 +97,7 @@ fn write(drive: &mut Drive<'_>, index: u16, value: i64) {
     drive.write(at(index), value).unwrap_or_else(|abort| panic!("{index:04X} = {value}: {abort:?}"));
 }
 
-/// To operation enabled, with the brake open.
+/// Brings the drive to operation enabled, with the brake open.
 fn enabled(drive: &mut Drive<'_>, mode: i64) {
     write(drive, 0x6060, mode);
     for control in [0x06, 0x07, 0x0F] {

@@ -116,7 +116,7 @@ fn every_object_is_consistent() {
     assert_eq!(parts::number(DataType::Integer8, &[1, 2]), Err(Abort::TooLong));
 }
 
-/// What may be written takes its own value.
+/// A writable object accepts its own value.
 #[test]
 fn what_is_writable_takes_its_value_of_the_start() {
     let axis = usual();
