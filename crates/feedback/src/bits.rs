@@ -1,9 +1,9 @@
-//! A word of bits in the order in which they are sent.
+//! Words of bits in the order of transmission.
 
 use std::fmt;
 use std::str::FromStr;
 
-/// Up to 64 bits, the first sent highest.
+/// A word of up to 64 bits; the first bit transmitted is the most significant.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Word {
     bits: u64,
@@ -11,23 +11,23 @@ pub struct Word {
 }
 
 impl Word {
-    /// As many bits as a word may have.
+    /// Maximum number of bits of a word.
     pub const MOST: u32 = 64;
 
-    /// A word of bits, the first sent highest; of a value that needs more, the lower ones.
+    /// Creates a word from the lower `len` bits of `bits`; the first bit transmitted is the most significant.
     #[must_use]
     pub const fn new(bits: u64, len: u32) -> Self {
         let len = if len > Self::MOST { Self::MOST } else { len };
         Self { bits: bits & mask(len), len }
     }
 
-    /// A word without bits.
+    /// Creates a word without bits.
     #[must_use]
     pub const fn empty() -> Self {
         Self::new(0, 0)
     }
 
-    /// The same with further bits behind, the highest first.
+    /// Appends the lower `len` bits of a value, most significant bit first; bits beyond [`Word::MOST`] are dropped.
     #[must_use]
     pub const fn high_first(self, value: u64, len: u32) -> Self {
         let room = Self::MOST - self.len;
@@ -36,37 +36,37 @@ impl Word {
         Self { bits: shifted | (value & mask(len)), len: self.len + len }
     }
 
-    /// The same with further bits behind, the lowest first.
+    /// Appends the lower `len` bits of a value, least significant bit first.
     #[must_use]
     pub const fn low_first(self, value: u64, len: u32) -> Self {
         self.high_first(reversed(value, len), len)
     }
 
-    /// The same with one bit behind.
+    /// Appends one bit.
     #[must_use]
     pub const fn bit(self, bit: bool) -> Self {
         self.high_first(bit as u64, 1)
     }
 
-    /// How many bits.
+    /// Returns the number of bits.
     #[must_use]
     pub const fn len(self) -> u32 {
         self.len
     }
 
-    /// Whether there is none.
+    /// Returns `true` if the word has no bits.
     #[must_use]
     pub const fn is_empty(self) -> bool {
         self.len == 0
     }
 
-    /// As a number, the first bit highest.
+    /// Returns the word as a number whose most significant bit was transmitted first.
     #[must_use]
     pub const fn number(self) -> u64 {
         self.bits
     }
 
-    /// Bits from one on; fewer where the word ends.
+    /// Returns `len` bits from bit `from` on; fewer at the end of the word.
     #[must_use]
     pub const fn part(self, from: u32, len: u32) -> Self {
         let from = if from > self.len { self.len } else { from };
@@ -76,19 +76,19 @@ impl Word {
         Self::new(bits, len)
     }
 
-    /// As a number, the first bit lowest.
+    /// Returns the word as a number whose least significant bit was transmitted first.
     #[must_use]
     pub const fn number_low_first(self) -> u64 {
         reversed(self.bits, self.len)
     }
 
-    /// The bits in the order sent.
+    /// Iterates over the bits in the order of transmission.
     pub fn iter(self) -> impl DoubleEndedIterator<Item = bool> + ExactSizeIterator {
         let len = self.len as usize;
         (0..len).map(move |at| self.bits >> (len - 1 - at) & 1 == 1)
     }
 
-    /// The same with one bit wrong.
+    /// Returns the word with one bit inverted.
     #[must_use]
     pub const fn flipped(self, at: u32) -> Self {
         if at >= self.len { self } else { Self::new(self.bits ^ (1 << (self.len - 1 - at)), self.len) }
@@ -109,14 +109,14 @@ impl fmt::Display for Word {
     }
 }
 
-/// Why a text is no word.
+/// Reason for which a text is no word.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum BitsFault {
-    /// It has no bits.
+    /// The text has no bits.
     Empty,
-    /// A sign other than 0, 1, blanks and `_`, and its place from one.
+    /// A character other than 0, 1, white space and `_`, with its position counted from one.
     Sign(char, usize),
-    /// More bits than a word may have.
+    /// More bits than a word can have.
     TooLong,
 }
 

@@ -1,28 +1,31 @@
-//! The deviation of an encoder from the true angle: a bounded sum of harmonics.
+//! Deviation of an encoder from the true angle: a bounded sum of harmonics.
 
 use numeric::Random;
 use quantities::{Angle, Measure};
 use std::f64::consts::{PI, TAU};
 
-/// Orders of the slow part, in periods per turn.
+/// Orders of the long-period part \[1/turn\].
 const ORDERS: [f64; 6] = [1.0, 2.0, 3.0, 4.0, 6.0, 8.0];
 
-/// Share of the accuracy that deviations within a signal period take, of encoders with sine tracks: assumed.
+/// Share of the accuracy taken by deviations within a signal period, for encoders with sine tracks: assumed.
 const SHARE_WITHIN_PERIOD: f64 = 0.1;
 
-/// Places of a turn at which the slow part is sampled: 64 for each period of its highest order.
+/// Samples of the long-period part per turn: 64 for each period of its highest order.
 const SAMPLES: u32 = 512;
 
-/// The deviation of one encoder over its turn, seeded.
+/// Deviation of one encoder over a turn, determined by a seed.
 ///
 /// δ(φ) = a_0 + Σ a_k sin(kφ + α_k) + b sin(Nφ + β)
 ///
 /// # Symbols
-/// φ true angle \[rad\], δ deviation of the angle seen \[rad\], k orders 1 2 3 4 6 8, N periods of the sine tracks per turn
+/// φ true angle \[rad\], δ deviation of the measured angle \[rad\], k orders 1 2 3 4 6 8, N periods of the sine tracks
+/// per turn
 /// # Source
-/// Estimated: a sum of harmonics as eccentricity (k = 1) and ovality (k = 2) make them; only its bound, the accuracy, is printed
+/// Estimated: a sum of harmonics as caused by eccentricity (k = 1) and ovality (k = 2); the manual states only its
+/// bound, the accuracy
 /// # Valid
-/// |δ| never exceeds the accuracy and comes within 0.2 % of it on both sides for every seed. The course of a real encoder is another.
+/// |δ| never exceeds the accuracy and comes within 0.2 % of it on both sides for every seed. The deviation curve of a
+/// real encoder differs.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Deviation {
     constant_rad: f64,
@@ -31,13 +34,13 @@ pub struct Deviation {
 }
 
 impl Deviation {
-    /// A deviation within an accuracy to either side; `periods` of the sine tracks per turn, none where there are none.
+    /// Creates a deviation bounded by ± `accuracy`; `periods` of the sine tracks per turn, if there are any.
     #[must_use]
     pub fn new(accuracy: Angle, periods: Option<u32>, seed: u64) -> Self {
         let mut chance = Random::new(seed);
         let bound = accuracy.si().abs();
         let share = if periods.is_some() { SHARE_WITHIN_PERIOD } else { 0.0 };
-        // Low orders dominate: the amplitude falls with the order.
+        // Low orders dominate: the amplitude decreases with the order.
         let mut slow = ORDERS.map(|order| ((0.5 + 0.5 * chance.uniform()) / order, TAU * chance.uniform()));
         let sample = |slow: &[(f64, f64)], at: u32| sum(slow, TAU * f64::from(at) / f64::from(SAMPLES));
         let (mut low, mut high) = (f64::INFINITY, f64::NEG_INFINITY);
@@ -45,8 +48,8 @@ impl Deviation {
             let value = sample(&slow, at);
             (low, high) = (low.min(value), high.max(value));
         }
-        // Between m samples a sum of orders up to n with mean c exceeds none by more than 1/cos(πn/m) of its reach
-        // (Ehlich and Zeller 1964).
+        // Between m samples, a sum of orders up to n deviates from its mean c by at most 1/cos(πn/m) times the largest
+        // sampled deviation (Ehlich and Zeller 1964).
         let highest = ORDERS.iter().fold(0.0, |a: f64, b| a.max(*b));
         let reach = (high - low) / 2.0 / (PI * highest / f64::from(SAMPLES)).cos();
         let scale = bound * (1.0 - share) / reach;
@@ -57,7 +60,7 @@ impl Deviation {
         Self { constant_rad: -(high + low) / 2.0 * scale, slow, within }
     }
 
-    /// The deviation at a true angle.
+    /// Returns the deviation at a true angle.
     #[must_use]
     pub fn at(&self, angle: Angle) -> Angle {
         let phi = angle.si();
@@ -65,7 +68,8 @@ impl Deviation {
         Angle::from_si(self.constant_rad + sum(&self.slow, phi) + within)
     }
 
-    /// The true angle at which an angle is seen: two steps towards φ = φ_seen − δ(φ), whose slope is far below one.
+    /// Returns the true angle of a measured one: six steps of the iteration φ = φ_seen − δ(φ), in which the slope of δ
+    /// is far below one.
     #[must_use]
     pub fn true_angle(&self, seen: Angle) -> Angle {
         let step = |angle: f64| seen.si() - self.at(Angle::from_si(angle)).si();

@@ -8,57 +8,57 @@ use crate::{CommutationPhases, Deviation, Resolver, Shaft, SinePair, SquareTrack
 use quantities::{Angle, ElectricPotential, Measure, Time, identified};
 use std::f64::consts::{SQRT_2, TAU};
 
-/// Time for which a trace shows the lines before the first edge of the clock \[ns\]; at its end the position is latched.
+/// Time before the first clock edge that a trace shows \[ns\]; the position is latched at its end.
 const REST_NS: u64 = 1000;
 
-/// The longest trace \[s\]: its nanoseconds are exact.
+/// Upper limit of the duration of a trace \[s\], so that its nanoseconds are exact.
 const SECONDS_MOST: f64 = 1e6;
 
-/// An encoder.
+/// An encoder with its interface and its deviation.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Encoder {
-    /// What it sends.
+    /// Signals and telegrams of the encoder.
     pub interface: Interface,
-    /// How it deviates from the angle; `None`: not at all.
+    /// Deviation of the measured from the true angle; `None` for an ideal encoder.
     pub deviation: Option<Deviation>,
 }
 
-/// What an encoder sends.
+/// Signals and telegrams of an encoder.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Interface {
     /// Sine tracks.
     Sine {
-        /// The incremental tracks.
+        /// Incremental tracks.
         pair: SinePair,
-        /// The commutation tracks.
+        /// Commutation tracks.
         commutation: Option<SinePair>,
-        /// Whether a reference mark is led out.
+        /// A reference mark is available at the connector.
         has_reference: bool,
-        /// The absolute position.
+        /// Absolute position.
         absolute: Option<Absolute>,
     },
-    /// Square tracks with a zero pulse.
+    /// Square-wave tracks with a zero pulse.
     Square {
-        /// The incremental tracks.
+        /// Incremental tracks.
         tracks: SquareTracks,
-        /// The commutation signals.
+        /// Commutation signals.
         commutation: CommutationPhases,
     },
-    /// Windings of a resolver.
+    /// Resolver windings.
     Resolver(Resolver),
 }
 
-/// An absolute position that is sent as a word.
+/// An absolute position transmitted as a word.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Absolute {
-    /// How.
+    /// Protocol of transmission.
     pub protocol: Protocol,
-    /// Its bits.
+    /// Number of bits of turns and angle.
     pub format: Format,
 }
 
 identified! {
-    /// The protocol of a word.
+    /// Protocol of a position word.
     #[derive(Clone, Copy, Debug, PartialEq, Eq)]
     pub enum Protocol {
         /// `EnDat` 2.2.
@@ -69,8 +69,8 @@ identified! {
 }
 
 identified! {
-    /// A signal of an encoder; of those led out as a pair, the difference. Its identifier is the name printed on the pins
-    /// without its polarity.
+    /// A signal of an encoder; the difference voltage if it has a pair of pins. The identifier is the name of the pins
+    /// in the manual without polarity.
     #[derive(Clone, Copy, Debug, PartialEq, Eq)]
     pub enum Signal {
         /// First incremental track.
@@ -104,26 +104,26 @@ identified! {
     }
 }
 
-/// What a signal shows at an angle.
+/// Value of a signal at an angle.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Value {
-    /// A voltage between its two pins; of a resolver at the peak of the excitation.
+    /// Voltage between the two pins; for a resolver, at the peak of the excitation.
     Voltage(ElectricPotential),
-    /// High or low.
+    /// High (`true`) or low.
     Level(bool),
-    /// A part of its amplitude, which is not printed.
+    /// Value relative to an amplitude that the manual does not state.
     Share(f64),
 }
 
 impl Encoder {
-    /// The shaft as the encoder sees it.
+    /// Returns the shaft as measured by the encoder, including the deviation.
     #[must_use]
     pub fn seen(&self, shaft: Shaft) -> Shaft {
         let deviation = self.deviation.as_ref().map_or(0.0, |deviation| deviation.at(shaft.angle()).si());
         Shaft::new(shaft.turns(), Angle::from_si(shaft.angle().si() + deviation), shaft.speed())
     }
 
-    /// Its signals.
+    /// Returns the signals of the encoder.
     #[must_use]
     pub fn signals(&self) -> Vec<Signal> {
         Signal::ALL.into_iter().filter(|signal| self.has(*signal)).collect()
@@ -148,7 +148,7 @@ impl Encoder {
         }
     }
 
-    /// Periods per turn of a signal; `None` where it has none.
+    /// Returns the periods of a signal per turn; `None` if it has none.
     #[must_use]
     pub fn periods(&self, signal: Signal) -> Option<u32> {
         match (&self.interface, signal) {
@@ -163,7 +163,7 @@ impl Encoder {
         }
     }
 
-    /// A signal at an angle that the encoder sees; `None` for those that do not follow the angle.
+    /// Returns the value of a signal at an angle measured by the encoder; `None` for signals independent of the angle.
     #[must_use]
     pub fn at(&self, signal: Signal, seen: Angle) -> Option<Value> {
         let of_pair = |pair: &SinePair, which: usize| {
@@ -188,11 +188,12 @@ impl Encoder {
         }
     }
 
-    /// Where a digital signal is high, and its periods per turn; of sine tracks behind a comparator at zero.
+    /// Returns the periods per turn of a digital signal and the part of a period in which it is high; sine tracks pass
+    /// a comparator at zero.
     fn window(&self, signal: Signal) -> Option<(u32, Window)> {
         let periods = self.periods(signal)?;
         let [u, v, w] = CommutationPhases::HIGH;
-        // A mark lies where both tracks are high, in the middle between their peaks: 45° of the first period.
+        // A mark is centred between the peaks of both tracks, where both are high: at 45° of the first period.
         let mark = |width: f64| {
             let tracks = f64::from(self.periods(Signal::A)?);
             Some(Window { middle: 0.125 / tracks, width: width / tracks })
@@ -210,7 +211,7 @@ impl Encoder {
         Some((periods, window))
     }
 
-    /// The absolute position that is sent.
+    /// Returns the absolute position that the encoder transmits.
     #[must_use]
     pub const fn absolute(&self) -> Option<Absolute> {
         match &self.interface {
@@ -219,11 +220,12 @@ impl Encoder {
         }
     }
 
-    /// The digital signals while the shaft turns at its speed, and a word whose position is latched where the shaft stands; for
-    /// `EnDat` in answer to this command. Sine tracks are shown behind a comparator at zero; a resolver has no digital signal.
+    /// Returns the digital signals while the shaft turns at its speed, and a word whose position is latched where the
+    /// shaft stands; for `EnDat`, in answer to the command with these error bits. Sine tracks pass a comparator at
+    /// zero; a resolver has no digital signal.
     ///
     /// # Errors
-    /// More edges than a trace may have.
+    /// A trace with more edges than [`EDGES_MOST`].
     pub fn trace(&self, shaft: Shaft, time: Time, errors: ErrorBits) -> Result<Trace, TooManyEdges> {
         #[allow(clippy::cast_precision_loss, reason = "a microsecond")]
         let start = shaft.after(Time::from_si(-(REST_NS as f64) * 1e-9));
@@ -264,12 +266,14 @@ impl Encoder {
         Ok(trace)
     }
 
-    /// The edges of a signal on the way from an angle: the share of the way, and the level behind them.
+    /// Returns the edges of a signal during a rotation from an angle: the share of the rotation at each edge, and the
+    /// level after it.
     #[allow(clippy::cast_possible_truncation, reason = "the number of edges was counted")]
     fn edges(&self, from_rad: f64, turned: f64, periods: u32, window: Window) -> Vec<(f64, bool)> {
         let periods = f64::from(periods);
         let (low, high) = (from_rad.min(from_rad + turned), from_rad.max(from_rad + turned));
-        // A deviation moves an edge by less than a thousandth of a turn and, of the finest tracks, by a period.
+        // A deviation shifts an edge by less than a thousandth of a turn and, for the finest tracks, by less than a
+        // period.
         let margin = if self.deviation.is_some() { 2.0 + periods / 500.0 } else { 2.0 };
         let first = (low / TAU * periods - margin).floor() as i64;
         let last = (high / TAU * periods + margin).ceil() as i64;
@@ -296,13 +300,13 @@ fn nanoseconds(seconds: f64) -> u64 {
 }
 
 impl Absolute {
-    /// The position as one number, turns above the steps of the turn.
+    /// Returns the position as one number, turns above the steps of the turn.
     #[must_use]
     pub const fn number(self, position: Position) -> u64 {
         position.turns << self.format.steps | position.step
     }
 
-    /// The parts of a number.
+    /// Splits a number into turns and step.
     #[must_use]
     pub const fn position(self, number: u64) -> Position {
         Position {
@@ -311,7 +315,7 @@ impl Absolute {
         }
     }
 
-    /// Bits of its word.
+    /// Returns the number of bits of the word.
     #[must_use]
     pub const fn bits(self, errors: ErrorBits) -> u32 {
         match self.protocol {
@@ -320,7 +324,7 @@ impl Absolute {
         }
     }
 
-    /// The word of a position; for `EnDat` with these error bits, which report an error or none.
+    /// Returns the word of a position; for `EnDat`, with these error bits, set if `is_error`.
     #[must_use]
     pub fn word(self, position: Position, errors: ErrorBits, is_error: bool) -> Word {
         match self.protocol {
@@ -332,10 +336,10 @@ impl Absolute {
         }
     }
 
-    /// Clock periods of a transmission before the first bit of its word.
+    /// Returns the clock periods of a transmission before the first bit of its word.
     ///
-    /// SSI: one that latches. `EnDat`: two, six of the command, two in which the line changes its direction, and those until the
-    /// position is computed
+    /// SSI: one, which latches the position. `EnDat`: two, six for the command, two in which the line changes
+    /// direction, and those until the position is computed
     #[must_use]
     #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a handful")]
     pub fn periods_before(self, errors: ErrorBits) -> u32 {
@@ -376,10 +380,10 @@ impl Absolute {
         }
     }
 
-    /// Reads a word of the position.
+    /// Reads a position word; the flag is `true` if the encoder reports an error.
     ///
     /// # Errors
-    /// Everything that is wrong with it.
+    /// The faults of the word.
     pub fn read(self, word: Word, errors: ErrorBits) -> Result<(Position, bool), Vec<endat::Fault>> {
         match self.protocol {
             Protocol::EnDat => {

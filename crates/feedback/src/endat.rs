@@ -1,4 +1,4 @@
-//! `EnDat` 2.2: mode commands, position words, parameters, additional information, and their check.
+//! `EnDat` 2.2: mode commands, position words, parameters, additional information and their checksum.
 
 mod device;
 
@@ -7,10 +7,10 @@ pub use device::{Device, MANUFACTURER, Refused, Reply, Request, STATUS_ERROR};
 use crate::Word;
 use quantities::{Frequency, Measure, Time};
 
-/// Bits of the check behind every word.
+/// Bits of the checksum after each word.
 pub const CRC_BITS: u32 = 5;
 
-/// The check of bits in the order sent.
+/// Returns the checksum of bits in the order of transmission.
 ///
 /// x⁵ + x³ + x + 1, register preset to ones, result inverted
 ///
@@ -19,7 +19,7 @@ pub const CRC_BITS: u32 = 5;
 #[must_use]
 #[allow(clippy::cast_possible_truncation, reason = "five bits are kept")]
 pub fn crc(word: Word) -> u8 {
-    // The bits that fill no group of five one by one, then five at a time.
+    // Bits in excess of a multiple of five are processed singly, the others five at a time.
     let single = word.len() % CRC_BITS;
     let begun = word.part(0, single).iter().fold(PRESET, shifted);
     let groups = (0..word.len() / CRC_BITS).rev();
@@ -30,20 +30,20 @@ pub fn crc(word: Word) -> u8 {
     !register & PRESET
 }
 
-/// The register before the first bit: ones.
+/// Register before the first bit: all ones.
 const PRESET: u8 = 0b11111;
 
 /// x⁵ + x³ + x + 1 without its highest power.
 const POLYNOMIAL: u8 = 0b01011;
 
-/// The register behind one bit.
+/// Returns the register after one bit.
 const fn shifted(register: u8, bit: bool) -> u8 {
     let carries = (register >> 4 & 1 == 1) != bit;
     let moved = register << 1 & PRESET;
     if carries { moved ^ POLYNOMIAL } else { moved }
 }
 
-/// The register behind five bits, by its difference to them before.
+/// Register after five bits, indexed by the exclusive or of the register and the bits.
 #[allow(clippy::indexing_slicing, reason = "evaluated by the compiler, which reports it")]
 const FIVE: [u8; 32] = {
     let mut table = [0; 32];
@@ -63,17 +63,17 @@ const FIVE: [u8; 32] = {
 
 macro_rules! modes {
     ($($(#[$about:meta])* $name:ident = $bits:literal $id:literal, $errors:expr, $infos:literal;)*) => {
-        /// A mode command: what the electronics request.
+        /// A mode command of the subsequent electronics.
         #[derive(Clone, Copy, Debug, PartialEq, Eq)]
         pub enum Mode {
             $($(#[$about])* $name,)*
         }
 
         impl Mode {
-            /// Every command.
+            /// The mode commands of both command sets.
             pub const ALL: &'static [Self] = &[$(Self::$name),*];
 
-            /// Its six bits in the order sent.
+            /// Returns the six bits of the command in the order of transmission.
             #[must_use]
             pub const fn word(self) -> Word {
                 match self {
@@ -81,7 +81,7 @@ macro_rules! modes {
                 }
             }
 
-            /// The identifier used in data exchange.
+            /// Returns the identifier used in data exchange.
             #[must_use]
             pub const fn id(self) -> &'static str {
                 match self {
@@ -89,7 +89,8 @@ macro_rules! modes {
                 }
             }
 
-            /// The error bits in its position word; `None` where it is answered without a position.
+            /// Returns the error bits of the position word that answers the command; `None` if the answer has no
+            /// position.
             #[must_use]
             pub const fn errors(self) -> Option<ErrorBits> {
                 match self {
@@ -97,7 +98,7 @@ macro_rules! modes {
                 }
             }
 
-            /// Whether it belongs to command set 2.2 alone.
+            /// Returns `true` if the command belongs to command set 2.2 only.
             #[must_use]
             pub const fn is_of_2_2(self) -> bool {
                 match self {
@@ -108,7 +109,7 @@ macro_rules! modes {
     };
 }
 
-/// The error bits of a position word.
+/// Error bits of a position word.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum ErrorBits {
     /// F1, as in command set 2.1.
@@ -118,7 +119,7 @@ pub enum ErrorBits {
 }
 
 impl ErrorBits {
-    /// How many.
+    /// Returns the number of error bits.
     #[must_use]
     pub const fn count(self) -> u32 {
         match self {
@@ -129,87 +130,88 @@ impl ErrorBits {
 }
 
 modes! {
-    /// The position.
+    /// Position value.
     Position = 0b000_111 "position", Some(ErrorBits::One), false;
     /// Selects a memory area.
     SelectMemory = 0b001_110 "select_memory", None, false;
-    /// The encoder takes a parameter.
+    /// Writes a parameter to the encoder.
     ReceiveParameter = 0b011_100 "receive_parameter", None, false;
-    /// The encoder sends a parameter.
+    /// Reads a parameter from the encoder.
     SendParameter = 0b100_011 "send_parameter", None, false;
-    /// Reset.
+    /// Resets the encoder.
     Reset = 0b101_010 "reset", None, false;
-    /// The encoder sends test values.
+    /// Reads test values.
     SendTest = 0b010_101 "send_test", None, false;
-    /// The encoder takes a test command.
+    /// Sends a test command.
     ReceiveTest = 0b110_001 "receive_test", None, false;
-    /// The position with additional information.
+    /// Position with additional information.
     PositionInfo = 0b111_000 "position_info", Some(ErrorBits::Both), true;
-    /// The same, then a memory area is selected.
+    /// Position with additional information, then selects a memory area.
     PositionSelectMemory = 0b001_001 "position_select_memory", Some(ErrorBits::Both), true;
-    /// The same, then the encoder takes a parameter.
+    /// Position with additional information, then writes a parameter.
     PositionReceiveParameter = 0b011_011 "position_receive_parameter", Some(ErrorBits::Both), true;
-    /// The same, then the encoder prepares a parameter.
+    /// Position with additional information, then requests a parameter.
     PositionSendParameter = 0b100_100 "position_send_parameter", Some(ErrorBits::Both), true;
-    /// The same, then the encoder takes a test command.
+    /// Position with additional information, then sends a test command.
     PositionReceiveTest = 0b110_110 "position_receive_test", Some(ErrorBits::Both), true;
-    /// The same, then errors are cleared.
+    /// Position with additional information, then clears errors.
     PositionErrorReset = 0b101_101 "position_error_reset", Some(ErrorBits::Both), true;
-    /// Communication commands of 2.2.
+    /// Communication commands of command set 2.2.
     Communication = 0b010_010 "communication", None, true;
 }
 
 impl Mode {
-    /// The command of six bits.
+    /// Returns the command with these six bits.
     #[must_use]
     pub fn of(word: Word) -> Option<Self> {
         Self::ALL.iter().copied().find(|mode| mode.word() == word)
     }
 }
 
-/// A position word.
+/// Content of a position word.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Frame {
-    /// The position, turns above the steps of the turn.
+    /// Position, turns above the steps of the turn.
     pub position: u64,
-    /// Whether the encoder reports an error.
+    /// The encoder reports an error.
     pub is_error: bool,
 }
 
-/// What is wrong with a word.
+/// A fault of a word.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Fault {
-    /// Its length.
+    /// The word has the wrong length.
     Length {
-        /// Bits that it has.
+        /// Bits found.
         found: u32,
-        /// Bits that it should have.
+        /// Bits expected.
         expected: u32,
     },
     /// The start bit has the wrong level.
     Start,
-    /// F1 and F2 are alike.
+    /// F1 and F2 have the same level.
     ErrorBitsAlike,
-    /// The check differs.
+    /// The checksum is wrong.
     Crc {
-        /// The check in the word.
+        /// Checksum in the word.
         found: u8,
-        /// That of its bits.
+        /// Checksum computed from the bits.
         expected: u8,
     },
 }
 
 impl Frame {
-    /// Bits of a word with a position of so many bits, from the start bit to the check.
+    /// Returns the number of bits of a word whose position has `width` bits, from start bit to checksum.
     #[must_use]
     pub const fn bits(width: u32, errors: ErrorBits) -> u32 {
         1 + errors.count() + width + CRC_BITS
     }
 
-    /// The word, from the start bit to the check: start 1, F1, F2, position from its lowest bit, check without the start bit.
+    /// Returns the word from start bit to checksum: start 1, F1, F2, position from its lowest bit, checksum without the
+    /// start bit.
     ///
     /// # Source
-    /// docs/theory/feedback.md; F1 is high and F2 low for an error
+    /// docs/theory/feedback.md; F1 is high and F2 low in case of an error
     #[must_use]
     pub fn word(self, width: u32, errors: ErrorBits) -> Word {
         let checked = match errors {
@@ -219,10 +221,10 @@ impl Frame {
         started(true, checked.low_first(self.position, width))
     }
 
-    /// Reads a word.
+    /// Reads a position word.
     ///
     /// # Errors
-    /// Everything that is wrong with it.
+    /// The faults of the word.
     pub fn read(word: Word, width: u32, errors: ErrorBits) -> Result<Self, Vec<Fault>> {
         let data = errors.count() + width;
         let body = body(word, true, data);
@@ -244,39 +246,39 @@ impl Frame {
     }
 }
 
-/// A word of parameters or additional information: eight bits and sixteen, highest first.
+/// Content of a word of parameters or additional information: eight and sixteen bits, most significant first.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Parameter {
-    /// Address, memory area, or the status and acknowledgement of additional information.
+    /// Address, memory area, or status and acknowledgement of additional information.
     pub head: u8,
-    /// Its value.
+    /// Value of the parameter.
     pub value: u16,
 }
 
-/// What a word of parameters or additional information begins with.
+/// Start bit of a word of parameters or additional information.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Opening {
-    /// A parameter: high.
+    /// Parameter: start bit high.
     Parameter,
-    /// Additional information: low.
+    /// Additional information: start bit low.
     Information,
 }
 
 impl Parameter {
-    /// Bits of a word.
+    /// Bits of a word, from start bit to checksum.
     pub const BITS: u32 = 1 + 24 + CRC_BITS;
 
-    /// The word.
+    /// Returns the word from start bit to checksum.
     #[must_use]
     pub fn word(self, opening: Opening) -> Word {
         let data = Word::empty().high_first(u64::from(self.head), 8).high_first(u64::from(self.value), 16);
         started(opening == Opening::Parameter, data)
     }
 
-    /// Reads a word.
+    /// Reads a word of parameters or additional information.
     ///
     /// # Errors
-    /// Everything that is wrong with it.
+    /// The faults of the word.
     #[allow(clippy::cast_possible_truncation, reason = "of eight and sixteen bits")]
     pub fn read(word: Word, opening: Opening) -> Result<Self, Vec<Fault>> {
         let data = body(word, opening == Opening::Parameter, 24)?;
@@ -284,12 +286,12 @@ impl Parameter {
     }
 }
 
-/// A start bit, the bits, and their check.
+/// Returns a word of start bit, data and checksum.
 fn started(start: bool, data: Word) -> Word {
     Word::empty().bit(start).high_first(data.number(), data.len()).high_first(u64::from(crc(data)), CRC_BITS)
 }
 
-/// The bits between start bit and check.
+/// Returns the bits between start bit and checksum.
 #[allow(clippy::cast_possible_truncation, reason = "five bits")]
 fn body(word: Word, start: bool, data: u32) -> Result<Word, Vec<Fault>> {
     let expected = 1 + data + CRC_BITS;
@@ -308,23 +310,23 @@ fn body(word: Word, start: bool, data: u32) -> Result<Word, Vec<Fault>> {
     if faults.is_empty() { Ok(data) } else { Err(faults) }
 }
 
-/// How fast an encoder answers.
+/// Timing of the interface.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Timing {
-    /// Clock without compensation of the delay on the cable.
+    /// Clock frequency without compensation of the cable delay.
     pub clock: Frequency,
-    /// Longest time until the position is ready.
+    /// Maximum calculation time until the position is ready.
     pub calculation: Time,
-    /// Time for which data stays high behind the last word, shortest and longest.
+    /// Recovery time in which data stays high after the last word, minimum and maximum.
     pub recovery: [Time; 2],
 }
 
 impl Timing {
-    /// Of command set 2.1 and of 2.2.
+    /// Returns the timing of command set 2.1 ([`ErrorBits::One`]) or 2.2 ([`ErrorBits::Both`]).
     ///
     /// # Source
-    /// Position within 5 µs, recovery 10 to 30 µs (2.1) and 1.25 to 3.75 µs (2.2): published for the interface in general (Beckhoff
-    /// EL5031-0011 documentation); 1 MHz assumed. Those of the encoder itself are not printed
+    /// Position within 5 µs, recovery 10 to 30 µs (2.1) and 1.25 to 3.75 µs (2.2): published for the interface in
+    /// general (Beckhoff EL5031-0011 documentation); 1 MHz assumed. The manual states no values of the encoder itself
     #[must_use]
     pub fn usual(errors: ErrorBits) -> Self {
         let recovery = match errors {

@@ -1,4 +1,5 @@
-//! A failure of an encoder: what it sends then, what a drive reads of it, and how the drive notices it.
+//! Failures of an encoder: signals of the failed encoder, the position that a drive reads from it, and detection by the
+//! drive.
 
 use crate::encoder::{Absolute, Encoder, Interface, Protocol};
 use crate::endat::{self, ErrorBits, Timing};
@@ -8,74 +9,75 @@ use quantities::{Angle, AngularVelocity, Measure, identified};
 use std::f64::consts::{PI, TAU};
 
 identified! {
-    /// What fails.
+    /// Failure of an encoder.
     #[derive(Clone, Copy, Debug, PartialEq, Eq)]
     pub enum Failure {
-        /// The second track, of a resolver its sine winding, gives nothing; a square track keeps its level.
+        /// The second track, or the sine winding of a resolver, has no signal; a square track keeps its level.
         Track = "track",
         /// Both tracks or windings have a quarter of their level.
         Amplitude = "amplitude",
         /// No signal arrives.
         Cable = "cable",
-        /// A bit of every word arrives wrong.
+        /// One bit of each word is inverted.
         Check = "check",
         /// The encoder reports an error in its word.
         ErrorBit = "error_bit",
-        /// The data line of the word stays low.
+        /// The data line of the word remains low.
         DataLine = "data_line",
     }
 }
 
 identified! {
-    /// How a drive notices it.
+    /// Check by which a drive detects a failure.
     #[derive(Clone, Copy, Debug, PartialEq, Eq)]
     pub enum Finding {
-        /// √(A² + B²) is out of its bounds.
+        /// √(A² + B²) is out of bounds.
         Amplitude = "amplitude",
         /// The counted angle differs from that of the commutation signals.
         Commutation = "commutation",
-        /// The commutation signals are all alike.
+        /// The commutation signals all have the same level.
         Sector = "sector",
-        /// A word without its start bit.
+        /// A word lacks its start bit.
         Start = "start",
-        /// A word with a wrong check.
+        /// A word has a wrong checksum.
         Check = "check",
-        /// The error bits of a word.
+        /// The error bits of a word are set.
         ErrorBit = "error_bit",
         /// The absolute position differs from the counted one.
         Difference = "difference",
     }
 }
 
-/// The level that remains of weak signals. A guess.
+/// Remaining level of weak signals \[1\]. A guess.
 const WEAK: f64 = 0.25;
 
-/// Bounds of √(A² + B²) in parts of the nominal amplitude: of sine tracks 170 and 750 of 500 mV, of a resolver 1070 and 3582 of
-/// 2900 mV.
+/// Bounds of √(A² + B²) relative to the nominal amplitude: for sine tracks 170 and 750 of 500 mV, for a resolver 1070
+/// and 3582 of 2900 mV.
 ///
 /// # Source
 /// Siemens, SINAMICS G130/G150 list manual (LH2), 07/2016, A5E03263479A, fault F31115
 const SINE_BOUNDS: [f64; 2] = [170.0 / 500.0, 750.0 / 500.0];
 const RESOLVER_BOUNDS: [f64; 2] = [1070.0 / 2900.0, 3582.0 / 2900.0];
 
-/// Largest difference of the counted angle from tracks C and D \[rad of the shaft\], and from U, V, W \[rad electrical\]: 15° and 60°.
+/// Largest difference between the counted angle and that of tracks C and D \[rad of the shaft\] or of U, V, W \[rad
+/// electrical\]: 15° and 60°.
 ///
 /// # Source
 /// Siemens, SINAMICS DCM list manual (LH8), 02/2015, 6RX1800-0ED76, fault F31129
 const TRACK_DIFFERENCE_RAD: f64 = PI / 12.0;
 const SECTOR_DIFFERENCE_RAD: f64 = PI / 3.0;
 
-/// Time between two words \[s\]: the period of a position loop. Assumed.
+/// Time between two words \[s\]: one period of the position loop. Assumed.
 const WORD_EVERY_S: f64 = 0.5e-3;
 
-/// More looks at square edges on one way gain nothing: the shaft is faster than any encoder then.
+/// Limit of the samples of square edges per call; beyond it the shaft is faster than any encoder permits.
 const LOOKS_MOST: f64 = 1e5;
 
-/// The command set of the words that are read.
+/// Error bits of the words read, here of command set 2.2.
 const ERRORS: ErrorBits = ErrorBits::Both;
 
 impl Encoder {
-    /// The failures that it can have.
+    /// Iterates over the failures that the encoder can have.
     pub fn failures(&self) -> impl Iterator<Item = Failure> {
         Failure::ALL.into_iter().filter(|failure| self.can_fail(*failure))
     }
@@ -91,37 +93,38 @@ impl Encoder {
     }
 }
 
-/// A drive that reads a failed encoder until it notices.
+/// A drive reading a failed encoder until it detects the failure.
 ///
-/// Tracks: every edge is counted, and the arctangent of both tracks refines the count; a resolver is followed by the tracking loop;
-/// a word is requested with the period of the position loop and judged when it has arrived.
+/// Tracks: every edge is counted, and the arctangent of both tracks refines the count; a resolver is followed by the
+/// tracking loop; a word is requested once per period of the position loop and evaluated after its arrival.
 ///
 /// # Source
 /// docs/theory/feedback.md
 /// # Valid
-/// A drive judges the first sample and the first word that are wrong; makers may wait for more
+/// The drive reacts to the first wrong sample and the first wrong word; manufacturers may wait for more
 #[derive(Clone, Debug)]
 pub struct Reader {
     encoder: Encoder,
     failure: Failure,
-    /// The angle that the encoder saw last, over any number of turns \[rad\], and when \[s\].
+    /// Last angle measured by the encoder over any number of turns \[rad\], followed by its time \[s\].
     seen_rad: f64,
     time_s: f64,
     counter: Quadrature,
-    /// The quarter of a period at which the count began.
+    /// Quarter of a period at the start of the count \[periods\].
     first: f64,
     tracking: TrackingLoop,
     read_rad: f64,
-    /// When the next word is requested \[s\].
+    /// Time of the next request for a word \[s\].
     next_s: f64,
-    /// When a word has arrived \[s\], and what is wrong with it.
+    /// Arrival time of the requested word \[s\], and the fault that it will show.
     arriving: Option<(f64, Option<Finding>)>,
 }
 
 impl Reader {
-    /// A drive that has read an encoder right until now, which fails.
+    /// Creates a drive that has read the encoder correctly until now, when it fails.
     ///
-    /// `seen` is the angle that the encoder sees, over any number of turns; `None`: the encoder cannot fail so.
+    /// `seen` is the angle measured by the encoder over any number of turns. Returns `None` if the encoder cannot have
+    /// this failure.
     #[must_use]
     pub fn new(encoder: &Encoder, failure: Failure, seen: Angle, speed: AngularVelocity, time_s: f64) -> Option<Self> {
         if !encoder.can_fail(failure) {
@@ -147,13 +150,13 @@ impl Reader {
         };
         if let Some(tracks) = reader.tracks() {
             reader.first = (4.0 * seen.si() / TAU * f64::from(tracks.periods)).floor();
-            // The levels before the failure: what the failure itself changes is an edge.
+            // Levels before the failure: a level changed by the failure itself counts as an edge.
             let _ = reader.counter.take(tracks.at(seen));
         }
         Some(reader)
     }
 
-    /// The tracks that are counted, behind their comparators.
+    /// Returns the counted tracks, after their comparators.
     fn tracks(&self) -> Option<SquareTracks> {
         match &self.encoder.interface {
             Interface::Sine { pair, .. } => Some(SquareTracks::from(*pair)),
@@ -162,16 +165,16 @@ impl Reader {
         }
     }
 
-    /// The angle that the drive has read last \[rad\], over any number of turns.
+    /// Returns the last angle read by the drive \[rad\], over any number of turns.
     #[must_use]
     pub const fn read_rad(&self) -> f64 {
         self.read_rad
     }
 
-    /// Takes the angle that the encoder sees at a time, not before the last.
+    /// Advances to the angle measured by the encoder at a time, not before the last one.
     ///
     /// # Errors
-    /// What the drive notices.
+    /// The check that detects the failure.
     pub fn take(&mut self, seen: Angle, time_s: f64) -> Result<(), Finding> {
         let (from, passed_s) = (self.seen_rad, time_s - self.time_s);
         (self.seen_rad, self.time_s) = (seen.si(), time_s);
@@ -218,7 +221,7 @@ impl Reader {
         }
     }
 
-    /// Both tracks, or sine and cosine winding, as they arrive.
+    /// Returns both tracks, or sine and cosine winding, as they arrive at the drive.
     fn damaged(&self, [first, second]: [f64; 2]) -> [f64; 2] {
         let is_resolver = matches!(self.encoder.interface, Interface::Resolver(_));
         match self.failure {
@@ -230,25 +233,25 @@ impl Reader {
         }
     }
 
-    /// Counts the edges on the way from an angle to the one that is seen now.
+    /// Counts the edges between an angle and the present one.
     fn count(&mut self, from: f64, periods: u32, levels: impl Fn(&Self, f64) -> [bool; 2]) {
         let way = self.seen_rad - from;
         let looks = (8.0 * way.abs() / TAU * f64::from(periods)).ceil().clamp(1.0, LOOKS_MOST);
         #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "bounded")]
         for look in 1..=looks as u32 {
             let found = levels(self, from + way * f64::from(look) / looks);
-            // A miss leaves the count: what is wrong shows elsewhere.
+            // A missed edge leaves the count unchanged; another check detects the failure.
             let _ = self.counter.take(found);
         }
     }
 
-    /// The middle of the quarter that is counted \[periods\].
+    /// Returns the middle of the counted quarter \[periods\].
     #[allow(clippy::cast_precision_loss, reason = "edges of a shaft are far below 2^52")]
     fn coarse(&self) -> f64 {
         (self.first + self.counter.count() as f64 + 0.5) / 4.0
     }
 
-    /// The counted angle against the commutation signals.
+    /// Compares the counted angle with the commutation signals.
     fn commutated(&self, commutation: CommutationPhases, seen: Angle) -> Result<(), Finding> {
         let phases = if self.failure == Failure::Cable { [true; 3] } else { commutation.at(seen) };
         let sector = commutation_sector(phases).map_err(|_| Finding::Sector)?;
@@ -257,7 +260,7 @@ impl Reader {
         if apart(counted, middle) > SECTOR_DIFFERENCE_RAD { Err(Finding::Commutation) } else { Ok(()) }
     }
 
-    /// Requests words, and judges one that has arrived.
+    /// Requests words and evaluates each after its arrival.
     fn word(&mut self, absolute: Absolute, periods: u32) -> Result<(), Finding> {
         if let Some((arrives_s, wrong)) = self.arriving
             && self.time_s >= arrives_s
@@ -274,12 +277,12 @@ impl Reader {
         Ok(())
     }
 
-    /// What is wrong with a word that is latched now.
+    /// Returns the fault of a word latched now.
     fn judged(&self, absolute: Absolute, periods: u32) -> Option<Finding> {
         let at = |rad: f64| absolute.format.position(Shaft::new(0, Angle::from_si(rad), AngularVelocity::from_si(0.0)));
         let sent = absolute.word(at(self.seen_rad), ERRORS, self.failure == Failure::ErrorBit);
         let arrived = match self.failure {
-            // Behind the start bit and the error bits.
+            // The inverted bit follows start bit and error bits.
             Failure::Check => sent.flipped(1 + ERRORS.count()),
             Failure::DataLine | Failure::Cable => Word::new(0, sent.len()),
             Failure::Track | Failure::Amplitude | Failure::ErrorBit => sent,
@@ -292,7 +295,7 @@ impl Reader {
                 let counted = at(self.read_rad);
                 let range = 1_u64 << absolute.format.bits();
                 let difference = absolute.number(position).abs_diff(absolute.number(counted));
-                // A period of the tracks: further apart the count has lost an edge, or the word is wrong.
+                // One period of the tracks: at a larger difference the count has lost an edge, or the word is wrong.
                 let most = (1_u64 << absolute.format.steps) / u64::from(periods.max(1));
                 (difference.min(range - difference) > most).then_some(Finding::Difference)
             }
@@ -301,7 +304,7 @@ impl Reader {
 }
 
 impl Absolute {
-    /// Time from the first edge of the clock until a word has arrived and the next may be requested \[s\].
+    /// Returns the time from the first clock edge until the word has arrived and the next may be requested \[s\].
     fn lasts_s(self, errors: ErrorBits) -> f64 {
         let clocks = f64::from(self.periods_before(errors) + self.bits(errors));
         match self.protocol {
@@ -313,12 +316,13 @@ impl Absolute {
         }
     }
 
-    /// The turns that a drive reads too few after battery and supply have failed together: the count begins at zero, and the word is
-    /// right in itself. The zero of the machine lies in the middle of the range, where it leaves most turns to both sides.
+    /// Returns the number of turns missing from the reading after battery and supply have failed together: the encoder
+    /// counts from zero again, and the word itself is valid. The zero of the machine is in the middle of the range,
+    /// with most turns to both sides.
     ///
     /// # Source
-    /// cha-manual section 6.22: after switching on the reported position is wrong; where the count begins and where the zero lies are
-    /// assumed
+    /// cha-manual section 6.22: the reported position is wrong after switching on; the initial count and the position
+    /// of the zero are assumed
     #[must_use]
     pub fn turns_lost(self, seen: Angle) -> Option<u64> {
         let middle = 1_i64 << (self.format.turns.checked_sub(1)?);
@@ -330,12 +334,12 @@ impl Absolute {
     }
 }
 
-/// √(x² + y²) against its bounds.
+/// Compares √(x² + y²) with its bounds.
 fn bounded([x, y]: [f64; 2], [low, high]: [f64; 2]) -> Result<(), Finding> {
     if (low..=high).contains(&x.hypot(y)) { Ok(()) } else { Err(Finding::Amplitude) }
 }
 
-/// The distance of two angles on the circle \[rad\].
+/// Returns the distance of two angles on the circle \[rad\].
 fn apart(one: f64, other: f64) -> f64 {
     let between = (one - other).rem_euclid(TAU);
     between.min(TAU - between)
@@ -348,7 +352,7 @@ mod tests {
     use crate::{Resolver, SinePair};
     use quantities::{EffectiveVoltage, Frequency};
 
-    /// A period of a current loop at 16 kHz \[s\].
+    /// Period of a current loop at 16 kHz \[s\].
     const PERIOD_S: f64 = 62.5e-6;
 
     fn sine(absolute: Option<(Protocol, u32, u32)>, periods: u32) -> Encoder {
@@ -376,7 +380,8 @@ mod tests {
         ]
     }
 
-    /// What is noticed of an encoder on a shaft that turns, and after which time \[s\]; looks for a second.
+    /// Returns the check that detects the failure of an encoder on a turning shaft, and the time until then \[s\],
+    /// within one second.
     fn noticed(encoder: &Encoder, failure: Failure, from: f64, speed: f64) -> (Option<(Finding, f64)>, f64) {
         let at = |time: f64| Angle::from_si(from + speed * time);
         let mut reader = Reader::new(encoder, failure, at(0.0), AngularVelocity::from_si(speed), 0.0).unwrap();
@@ -389,7 +394,8 @@ mod tests {
         (None, reader.read_rad() - at(1.0).si())
     }
 
-    /// Each kind of failure of each kind of encoder at 2000 1/min both ways: noticed, by what shows it, within a turn.
+    /// At 2000 1/min in both directions, each failure of each encoder is detected by the expected check within one
+    /// turn.
     #[test]
     fn a_turning_shaft_shows_every_failure() {
         let speed = 2000.0 * TAU / 60.0;
@@ -415,12 +421,12 @@ mod tests {
                 }
             }
         }
-        // Of a sine encoder three, of EnDat three more, of SSI one more; of square tracks two, of a resolver three.
+        // A sine encoder has three failures, EnDat three more, SSI one more; square tracks have two, a resolver three.
         assert_eq!(seen, 2 * (3 + 6 + 4 + 2 + 3));
     }
 
-    /// At rest a lost track is seen only where the other is near zero, a lost square track never; a word is judged when it has
-    /// arrived: 15 clocks, 33 bits and 3.75 µs for EnDat at 1 MHz, in the next period.
+    /// At rest a lost track is detected only where the other one is near zero, a lost square track never; a word is
+    /// evaluated after its arrival, which for EnDat at 1 MHz takes 15 clocks, 33 bits and 3.75 µs, in the next period.
     #[test]
     fn at_rest_a_lost_track_may_stay_unseen() {
         let [sine, endat, ssi, square, resolver] = all();
@@ -434,13 +440,13 @@ mod tests {
         assert_eq!(finding, Finding::Check);
         assert!((after - 2.0 * PERIOD_S).abs() < 1e-12, "{after}");
         assert!(error.abs() < 1e-9, "the tracks show the angle: {error}");
-        // A word of zeros is the right one at zero, and SSI has no check.
+        // A word of zeros is correct at zero, and SSI has no checksum.
         assert_eq!(noticed(&ssi, Failure::DataLine, 1e-6, 0.0).0, None);
         let (found, _) = noticed(&ssi, Failure::DataLine, 1.0, 0.0);
         assert_eq!(found.map(|(finding, _)| finding), Some(Finding::Difference));
     }
 
-    /// A lost track leaves the count where it was: the shaft turns on unseen.
+    /// After the loss of a track the count stays unchanged while the shaft turns on.
     #[test]
     fn the_angle_that_is_read_stands_still_without_a_track() {
         let square = &all()[3];
@@ -448,12 +454,12 @@ mod tests {
         let (found, error) = noticed(square, Failure::Track, 0.0, speed);
         let (_, after) = found.unwrap();
         assert!((error + speed * after).abs() < TAU / 2048.0, "{error}");
-        // Between 30° and 90° of the 72° that a period of the commutation has.
+        // Between 30° and 90° of the 72° of one commutation period.
         let electrical = (5.0 * speed * after).to_degrees();
         assert!((30.0..=92.0).contains(&electrical), "{electrical}");
     }
 
-    /// Without a failure of the tracks the drive reads the angle, at any speed.
+    /// If the tracks have not failed, the drive reads the angle at any speed.
     #[test]
     fn what_has_not_failed_is_read_right() {
         let ssi = &all()[2];
@@ -469,7 +475,7 @@ mod tests {
         }
     }
 
-    /// 4096 turns, zero in their middle: 2048 are lost; without turns none can be.
+    /// 4096 turns with zero in their middle: 2048 are lost; an encoder without turns loses none.
     #[test]
     fn a_lost_battery_leaves_a_valid_word() {
         let of = |turns| Absolute { protocol: Protocol::Ssi, format: Format { turns, steps: 17 } };

@@ -1,8 +1,9 @@
 //! Signals and telegrams of position encoders, bit for bit: encoders and decoders.
 //!
-//! A [`Shaft`] stands or turns; an [`Encoder`] with plain parameters shows it as tracks, edges and words, and decoders read them
-//! back: [`SineDecoder`], [`Quadrature`], [`TrackingLoop`], [`endat::Frame`], [`ssi::Position`]. A [`Deviation`] bends the angle
-//! that an encoder sees, within its accuracy. A [`Reader`] is a drive that reads a failed encoder until it notices. Knows no catalogue, no pin and no language.
+//! An [`Encoder`] with plain parameters represents a [`Shaft`], at rest or turning, as tracks, edges and words;
+//! decoders read them back: [`SineDecoder`], [`Quadrature`], [`TrackingLoop`], [`endat::Frame`], [`ssi::Position`]. A
+//! [`Deviation`] shifts the angle measured by the encoder within its accuracy. A [`Reader`] is a drive reading a failed
+//! encoder until it detects the failure. The crate knows no catalogue, no pin and no language.
 
 mod bits;
 mod deviation;

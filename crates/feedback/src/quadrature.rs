@@ -1,10 +1,10 @@
-//! The quadrature counter: every edge of two tracks.
+//! Quadrature counter for the edges of two tracks.
 
-/// Both tracks changed at once: an edge was missed, and which way the shaft turned is not known.
+/// Error: both tracks changed at once, so an edge was missed and the direction of rotation is unknown.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct MissedEdge;
 
-/// Counts every edge of two tracks, four to a period; up while the first leads.
+/// Counter of the edges of two tracks, four per period; counts up while the first track leads.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Quadrature {
     count: i64,
@@ -13,7 +13,7 @@ pub struct Quadrature {
 }
 
 impl Quadrature {
-    /// The quarter of the period, in the order in which they follow while the first track leads.
+    /// Returns the quarter of the period, numbered in their order while the first track leads.
     const fn quarter([a, b]: [bool; 2]) -> u8 {
         match (a, b) {
             (true, false) => 0,
@@ -23,10 +23,10 @@ impl Quadrature {
         }
     }
 
-    /// Takes the level of both tracks.
+    /// Evaluates the levels of both tracks.
     ///
     /// # Errors
-    /// Where both changed since the last; the count stays and the miss is counted.
+    /// Both levels changed since the last call; the count stays, and the miss is counted.
     pub const fn take(&mut self, tracks: [bool; 2]) -> Result<(), MissedEdge> {
         let Some(last) = self.last.replace(tracks) else { return Ok(()) };
         match (Self::quarter(tracks) + 4 - Self::quarter(last)) % 4 {
@@ -41,13 +41,13 @@ impl Quadrature {
         Ok(())
     }
 
-    /// The edges counted since the first sample.
+    /// Returns the number of edges since the first sample, with sign.
     #[must_use]
     pub const fn count(&self) -> i64 {
         self.count
     }
 
-    /// How often an edge was missed.
+    /// Returns the number of missed edges.
     #[must_use]
     pub const fn missed(&self) -> u64 {
         self.missed
@@ -61,7 +61,7 @@ mod tests {
     use quantities::{Angle, Measure};
     use std::f64::consts::TAU;
 
-    /// 2048 lines are the 8192 steps of table 61.1, both ways.
+    /// 2048 lines yield the 8192 steps of table 61.1 in both directions.
     #[test]
     fn a_turn_has_four_edges_a_line() {
         for direction in [1.0, -1.0] {

@@ -1,9 +1,10 @@
-//! The shaft of an encoder at an instant.
+//! Shaft of an encoder at an instant.
 
 use quantities::{Angle, AngularVelocity, Measure, Time};
 use std::f64::consts::TAU;
 
-/// A shaft: whole turns, the angle within one turn, and its speed; positive in the direction in which position values rise.
+/// A shaft with whole turns, the angle within one turn, and its speed; positive in the direction of increasing position
+/// values.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Shaft {
     turns: i64,
@@ -12,46 +13,47 @@ pub struct Shaft {
 }
 
 impl Shaft {
-    /// A shaft after whole turns and an angle, which may be any number of turns itself.
+    /// Creates a shaft from whole turns and an angle, which may itself exceed a turn.
     #[must_use]
     #[allow(clippy::cast_possible_truncation, reason = "a float becomes the nearest whole number that there is")]
     pub fn new(turns: i64, angle: Angle, speed: AngularVelocity) -> Self {
         let angle = if angle.si().is_finite() { angle.si() } else { 0.0 };
         let whole = (angle / TAU).floor();
         let within = angle - whole * TAU;
-        // The difference of two near numbers may be the full turn itself.
+        // The difference of two close numbers may round to the full turn.
         let (whole, within) = if within >= TAU { (whole + 1.0, 0.0) } else { (whole, within.max(0.0)) };
         Self { turns: turns.saturating_add(whole as i64), angle_rad: within, speed_rad_s: speed.si() }
     }
 
-    /// Whole turns.
+    /// Returns the whole turns.
     #[must_use]
     pub const fn turns(self) -> i64 {
         self.turns
     }
 
-    /// The angle within the turn, from zero.
+    /// Returns the angle within the turn, from zero up.
     #[must_use]
     pub fn angle(self) -> Angle {
         Angle::from_si(self.angle_rad)
     }
 
-    /// The speed.
+    /// Returns the speed.
     #[must_use]
     pub fn speed(self) -> AngularVelocity {
         AngularVelocity::from_si(self.speed_rad_s)
     }
 
-    /// The same shaft later, at its speed.
+    /// Returns the shaft after a time at constant speed.
     #[must_use]
     pub fn after(self, time: Time) -> Self {
         let angle = Angle::from_si(self.angle_rad + self.speed_rad_s * time.si());
         Self::new(self.turns, angle, self.speed())
     }
 
-    /// The output of a strain wave gear whose circular spline stands: slower by the ratio, in the opposite direction.
+    /// Returns the output of a strain wave gear with a fixed circular spline: slower by the ratio, in the opposite
+    /// direction.
     ///
-    /// φ_out = −φ / i, as each turns clockwise seen from the front
+    /// φ_out = −φ / i, each clockwise as seen from the front
     ///
     /// # Source
     /// cha-manual tables 58.1 and 68.1, footnotes on the direction: motor shaft clockwise, flange counter-clockwise
@@ -65,7 +67,7 @@ impl Shaft {
         Self::new(turns, Angle::from_si(-angle), AngularVelocity::from_si(-self.speed_rad_s / ratio_f))
     }
 
-    /// The step of the turn in which the shaft stands, of so many steps a turn.
+    /// Returns the step of the turn at which the shaft stands, of `steps` per turn.
     #[must_use]
     #[allow(
         clippy::cast_possible_truncation,
@@ -74,7 +76,7 @@ impl Shaft {
         reason = "steps of a turn are few, and the angle is not negative"
     )]
     pub fn step(self, steps: u64) -> u64 {
-        // An angle stated in degrees may lie a rounding below the step that it begins.
+        // An angle stated in degrees may be a rounding error below the step that begins there.
         let step = (self.angle_rad / TAU * steps as f64 + 1e-9).floor() as u64;
         step.min(steps.saturating_sub(1))
     }
@@ -97,7 +99,8 @@ mod tests {
         assert_eq!((later.turns(), later.step(4)), (2, 2));
     }
 
-    /// 100 turns of the motor are one of the output, backwards; exact however far the motor has turned.
+    /// 100 turns of the motor are one turn of the output in the opposite direction; exact for any number of motor
+    /// turns.
     #[test]
     fn the_output_turns_the_other_way() {
         let out = at(25, 0.0).behind_gear(100);

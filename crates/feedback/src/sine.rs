@@ -1,55 +1,55 @@
-//! Sine and cosine tracks: how they are made, corrected and interpolated.
+//! Sine and cosine tracks: generation, correction and interpolation.
 
 use quantities::{Angle, ElectricPotential, Measure};
 use std::f64::consts::{PI, TAU};
 
-/// A level with its tolerance, peak to peak.
+/// A peak-to-peak level with its tolerance.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Span {
-    /// Nominal.
+    /// Nominal level.
     pub nominal: ElectricPotential,
-    /// Lowest and highest; `None` where no tolerance is printed.
+    /// Lowest and highest level; `None` if the manual states no tolerance.
     pub bounds: Option<[ElectricPotential; 2]>,
 }
 
-/// Two sinusoidal tracks, the first a quarter period ahead of the second while the angle rises.
+/// Two sinusoidal tracks; the first leads by a quarter period while the angle increases.
 ///
 /// u_1 = û cos(Nφ),  u_2 = û sin(Nφ),  û = u_pp/2
 ///
 /// # Symbols
-/// N periods per turn, φ angle seen by the encoder \[rad\], u_pp level peak to peak \[V\]
+/// N periods per turn, φ angle measured by the encoder \[rad\], u_pp level peak to peak \[V\]
 /// # Source
-/// Levels and periods: cha-manual tables 57.1, 58.1, 59.1, 68.1. Table 66.6 names A COS and B SIN; for the other encoders the
-/// order of the tracks is assumed alike
+/// Levels and periods: cha-manual tables 57.1, 58.1, 59.1, 68.1. Table 66.6 names A COS and B SIN; for the other
+/// encoders the same order of the tracks is assumed
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SinePair {
     /// Periods per turn.
     pub periods: u32,
-    /// The level; `None` where none is printed.
+    /// Peak-to-peak level; `None` if the manual states none.
     pub level: Option<Span>,
 }
 
 impl SinePair {
-    /// Both tracks at an angle, in parts of their amplitude.
+    /// Returns both tracks at an angle, relative to their amplitude.
     #[must_use]
     pub fn unit(&self, seen: Angle) -> [f64; 2] {
         let (sine, cosine) = (f64::from(self.periods) * seen.si()).sin_cos();
         [cosine, sine]
     }
 
-    /// The amplitude: half the nominal level.
+    /// Returns the amplitude, half of the nominal level.
     #[must_use]
     pub fn amplitude(&self) -> Option<ElectricPotential> {
         self.level.map(|level| ElectricPotential::from_si(level.nominal.si() / 2.0))
     }
 }
 
-/// A correction of offset, gain and phase of two tracks that should be cosine and sine.
+/// Correction of offset, gain and phase of two tracks that should be cosine and sine.
 ///
 /// x = (u_1 − p)/a,  y = ((u_2 − q)/b − x sin α)/cos α
 ///
 /// # Symbols
-/// p, q offsets, a, b amplitudes, α phase by which the second track leads its place \[rad\]
+/// p, q offsets, a, b amplitudes, α phase lead of the second track \[rad\]
 /// # Source
 /// Heydemann, Determination and correction of quadrature fringe measurement errors in interferometers, Applied Optics 20 (1981) 3382
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -60,20 +60,20 @@ pub struct Correction {
 }
 
 impl Correction {
-    /// No correction.
+    /// Identity: no correction.
     pub const NONE: Self = Self { offset: [0.0; 2], gain: [1.0; 2], phase_rad: 0.0 };
 
-    /// The correction that makes samples of both tracks a circle: the ellipse through them with the least squares.
+    /// Returns the correction that maps samples of both tracks to a circle, from the ellipse fitted by least squares.
     ///
     /// A u² + 2 B u v + C v² + 2 D u + 2 E v = 1
     ///
     /// # Source
     /// Heydemann 1981, as above
     /// # Valid
-    /// Samples spread over a period or more; `None` where they are on no ellipse
+    /// Samples spread over one period or more; `None` if they lie on no ellipse
     #[must_use]
     pub fn fitted(samples: &[[f64; 2]]) -> Option<Self> {
-        // About the middle and in parts of the largest, so that the equations are well conditioned whatever the unit.
+        // Centred and scaled, so that the equations are well conditioned for any unit.
         let extreme =
             |of: fn(&[f64; 2]) -> f64, start: f64, pick: fn(f64, f64) -> f64| samples.iter().map(of).fold(start, pick);
         let [first, second]: [fn(&[f64; 2]) -> f64; 2] = [|s| s[0], |s| s[1]];
@@ -114,7 +114,7 @@ impl Correction {
         all.iter().all(|value| value.is_finite()).then_some(found)
     }
 
-    /// A sample on the circle.
+    /// Returns the sample mapped to the circle.
     #[must_use]
     pub fn apply(&self, [u, v]: [f64; 2]) -> [f64; 2] {
         let (sine, cosine) = self.phase_rad.sin_cos();
@@ -123,11 +123,11 @@ impl Correction {
     }
 }
 
-/// Two samples lie half a period apart or more: which way the shaft turned is not known.
+/// Error: two samples are half a period apart or more, so that the direction of rotation is unknown.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct MissedPeriod;
 
-/// Reads sine tracks: counts their periods and interpolates within one.
+/// Decoder of sine tracks: counts periods and interpolates within them.
 ///
 /// φ = (n + atan2(y, x)/2π)/N · 2π, n counted where the arctangent passes ±π
 #[derive(Clone, Debug)]
@@ -140,16 +140,16 @@ pub struct SineDecoder {
 }
 
 impl SineDecoder {
-    /// A decoder of tracks with so many steps in a period.
+    /// Creates a decoder with `steps` interpolation steps per period.
     #[must_use]
     pub const fn new(pair: SinePair, steps: u32, correction: Correction) -> Self {
         Self { pair, steps, correction, periods: 0, phase_rad: None }
     }
 
-    /// Takes a sample of both tracks.
+    /// Evaluates a sample of both tracks.
     ///
     /// # Errors
-    /// Where the sample is half a period or more from the last.
+    /// The sample is half a period or more from the last one.
     pub fn take(&mut self, sample: [f64; 2]) -> Result<(), MissedPeriod> {
         let [x, y] = self.correction.apply(sample);
         let phase = y.atan2(x);
@@ -167,7 +167,7 @@ impl SineDecoder {
         Ok(())
     }
 
-    /// The angle since the period of the first sample.
+    /// Returns the angle since the period of the first sample.
     #[must_use]
     #[allow(clippy::cast_precision_loss, reason = "periods of a shaft are far below 2^52")]
     pub fn angle(&self) -> Angle {
@@ -175,7 +175,7 @@ impl SineDecoder {
         Angle::from_si((self.periods as f64 * TAU + phase) / f64::from(self.pair.periods))
     }
 
-    /// The steps since the period of the first sample.
+    /// Returns the steps since the period of the first sample.
     #[must_use]
     #[allow(clippy::cast_possible_truncation, reason = "steps of a period are few")]
     pub fn increments(&self) -> i64 {
@@ -190,7 +190,7 @@ mod tests {
 
     const PAIR: SinePair = SinePair { periods: 128, level: None };
 
-    /// 256 steps of 128 periods are the 32768 of table 59.1.
+    /// 256 steps in 128 periods are the 32768 steps of table 59.1.
     #[test]
     fn a_turn_has_the_printed_steps_both_ways() {
         for (direction, steps) in [(1.0, 32_768), (-1.0, -32_768)] {
@@ -211,7 +211,7 @@ mod tests {
         assert_eq!(decoder.take([-1.0, 0.0]), Err(MissedPeriod));
     }
 
-    /// Offset 40 mV and −30 mV, gain 0.6 and 0.45 V, phase 5°: found from half a dozen samples and more, in any unit.
+    /// Offset 40 mV and −30 mV, gain 0.6 and 0.45 V, phase 5° are found from six samples and more, in any unit.
     #[test]
     fn offset_gain_and_phase_are_found_and_removed() {
         let phase = 5_f64.to_radians();

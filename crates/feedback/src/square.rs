@@ -1,37 +1,37 @@
-//! Square-wave tracks, the zero pulse and commutation signals.
+//! Square-wave tracks, zero pulse and commutation signals.
 
 use crate::sine::SinePair;
 use quantities::{Angle, Measure};
 use std::f64::consts::TAU;
 
-/// A part of a period, in which a signal is high \[periods\].
+/// Part of a period in which a signal is high \[periods\].
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Window {
-    /// Middle.
+    /// Phase of the middle \[periods\].
     pub middle: f64,
-    /// Width.
+    /// Width of the part \[periods\].
     pub width: f64,
 }
 
 impl Window {
-    /// Whether a phase lies in it.
+    /// Returns `true` if a phase lies within the window.
     #[must_use]
     pub fn holds(self, phase: f64) -> bool {
-        // From its beginning on: the beginning belongs to it, the end does not.
+        // The beginning belongs to the window, the end does not.
         (phase - self.middle + self.width / 2.0).rem_euclid(1.0) < self.width
     }
 
-    /// The phases at which it begins and ends.
+    /// Returns the phases at which the window begins and ends.
     #[must_use]
     pub fn ends(self) -> [f64; 2] {
         [self.middle - self.width / 2.0, self.middle + self.width / 2.0].map(|end| end.rem_euclid(1.0))
     }
 }
 
-/// Where the tracks of a pair are high after a comparator at zero: a cosine from −90° to 90°, a sine from 0° to 180°.
+/// Windows in which two tracks are high after a comparator at zero: a cosine from −90° to 90°, a sine from 0° to 180°.
 pub(crate) const HIGH: [Window; 2] = [Window { middle: 0.0, width: 0.5 }, Window { middle: 0.25, width: 0.5 }];
 
-/// Two square tracks, the first a quarter period ahead of the second while the angle rises.
+/// Two square-wave tracks; the first leads by a quarter period while the angle increases.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct SquareTracks {
     /// Periods per turn.
@@ -39,7 +39,7 @@ pub struct SquareTracks {
 }
 
 impl SquareTracks {
-    /// Both tracks at an angle.
+    /// Returns the levels of both tracks at an angle.
     #[must_use]
     pub fn at(self, seen: Angle) -> [bool; 2] {
         let phase = phase(seen, self.periods);
@@ -53,7 +53,7 @@ impl From<SinePair> for SquareTracks {
     }
 }
 
-/// The place within the period of a track \[periods\].
+/// Returns the phase within the period of a track \[periods\].
 pub(crate) fn phase(seen: Angle, periods: u32) -> f64 {
     (seen.si() / TAU * f64::from(periods)).rem_euclid(1.0)
 }
@@ -66,14 +66,14 @@ pub struct CommutationPhases {
 }
 
 impl CommutationPhases {
-    /// Where U, V and W are high.
+    /// Windows in which U, V and W are high.
     pub const HIGH: [Window; 3] = [
         Window { middle: 0.25, width: 0.5 },
         Window { middle: 0.25 + 1.0 / 3.0, width: 0.5 },
         Window { middle: 0.25 + 2.0 / 3.0, width: 0.5 },
     ];
 
-    /// U, V and W at an angle.
+    /// Returns the levels of U, V and W at an angle.
     #[must_use]
     pub fn at(self, seen: Angle) -> [bool; 3] {
         let phase = phase(seen, self.periods);
@@ -81,14 +81,14 @@ impl CommutationPhases {
     }
 }
 
-/// U, V and W are all high or all low, as they never are.
+/// Error: U, V and W are all high or all low, which a working encoder never shows.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct NoSector;
 
-/// The sixth of the period that three commutation signals show, from zero.
+/// Returns the sixth of the period that three commutation signals indicate, counted from zero.
 ///
 /// # Errors
-/// Where all three are alike.
+/// The three signals have the same level.
 pub const fn commutation_sector([u, v, w]: [bool; 3]) -> Result<u8, NoSector> {
     match (u, v, w) {
         (true, false, true) => Ok(0),
@@ -105,7 +105,7 @@ pub const fn commutation_sector([u, v, w]: [bool; 3]) -> Result<u8, NoSector> {
 mod tests {
     use super::*;
 
-    /// Five periods a turn: thirty sectors of 12°, one signal changing at a time.
+    /// Five periods per turn: thirty sectors of 12°; one signal changes at a time.
     #[test]
     fn commutation_steps_every_twelve_degrees() {
         let tracks = CommutationPhases { periods: 5 };

@@ -1,43 +1,43 @@
-//! SSI: the position as a plain binary word without a check.
+//! SSI: the position as a plain binary word without checksum.
 
 use crate::{Shaft, Word};
 use quantities::{Frequency, Measure, Time};
 
-/// How an SSI word is divided.
+/// Division of an SSI word into turns and angle.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Format {
-    /// Bits of the turns, sent first.
+    /// Bits of the turns, transmitted first.
     pub turns: u32,
     /// Bits of the angle.
     pub steps: u32,
 }
 
-/// The position in an SSI word.
+/// Position in an SSI word.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Position {
-    /// Turns, counted modulo their number.
+    /// Turns modulo the number of turns in the word.
     pub turns: u64,
-    /// Step of the turn.
+    /// Step within the turn.
     pub step: u64,
 }
 
-/// A word is not as long as the encoder sends it.
+/// Error: a word differs in length from that of the encoder.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct WrongLength {
-    /// Bits that it has.
+    /// Bits found.
     pub found: u32,
-    /// Bits that it should have.
+    /// Bits expected.
     pub expected: u32,
 }
 
 impl Format {
-    /// Bits of a word.
+    /// Returns the number of bits of a word.
     #[must_use]
     pub const fn bits(self) -> u32 {
         self.turns + self.steps
     }
 
-    /// The position of a shaft; turns beyond the last begin again at zero.
+    /// Returns the position of a shaft; turns beyond the last start again at zero.
     #[must_use]
     pub fn position(self, shaft: Shaft) -> Position {
         #[allow(clippy::cast_sign_loss, reason = "the remainder is not negative")]
@@ -45,7 +45,7 @@ impl Format {
         Position { turns, step: shaft.step(1 << self.steps) }
     }
 
-    /// The word of a position, highest bit first.
+    /// Returns the word of a position, most significant bit first.
     ///
     /// # Source
     /// cha-manual table 59.1: SSI binary, 29 bit, of which 17 for the angle and (erratum T59.1-turns-bits) 12 for the turns
@@ -54,10 +54,11 @@ impl Format {
         Word::empty().high_first(position.turns, self.turns).high_first(position.step, self.steps)
     }
 
-    /// Reads a word.
+    /// Reads a position word.
     ///
     /// # Errors
-    /// Another length. Nothing else can be found out: SSI has no check, so every bit may be wrong unseen.
+    /// The word has another length. Nothing else can be detected: SSI has no checksum, so that a wrong bit remains
+    /// unnoticed.
     pub const fn read(self, word: Word) -> Result<Position, WrongLength> {
         if word.len() != self.bits() {
             return Err(WrongLength { found: word.len(), expected: self.bits() });
@@ -66,19 +67,19 @@ impl Format {
     }
 }
 
-/// How long data stays low behind the last bit before the next word can be latched: 20 µs.
+/// Returns the time for which data stays low after the last bit before the next word can be latched: 20 µs.
 ///
 /// # Source
-/// Assumed: SSI masters of other makers wait 20 µs (PandA) to 25 µs (NI); the manual prints no time
+/// Assumed: SSI masters of other manufacturers wait 20 µs (PandA) to 25 µs (NI); the manual states no time
 #[must_use]
 pub fn monoflop() -> Time {
     Time::from_si(20e-6)
 }
 
-/// The clock of a trace: 500 kHz.
+/// Returns the clock frequency of a trace: 500 kHz.
 ///
 /// # Source
-/// Assumed: within what SSI permits on some tens of metres of cable; the manual prints none
+/// Assumed: within the limits of SSI for some tens of metres of cable; the manual states none
 #[must_use]
 pub fn clock() -> Frequency {
     Frequency::from_si(5e5)
@@ -116,7 +117,7 @@ mod tests {
         assert_eq!(M128S.read(Word::new(0, 30)), Err(WrongLength { found: 30, expected: 29 }));
     }
 
-    /// Turn 1, step 1: the lowest bits of both parts.
+    /// Turn 1, step 1: the lowest bit of each part is set.
     #[test]
     fn the_turns_are_sent_first() {
         assert_eq!(M128S.word(Position { turns: 1, step: 1 }).to_string(), "00000000000100000000000000001");

@@ -2,49 +2,49 @@
 
 use std::fmt::Write;
 
-/// As many edges as a trace may have.
+/// Maximum number of edges of a trace.
 pub const EDGES_MOST: usize = 1_000_000;
 
 /// A digital signal.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Line {
-    /// Its name.
+    /// Name of the signal.
     pub name: &'static str,
-    /// Its level at the beginning.
+    /// Level at the start.
     pub level: bool,
 }
 
-/// A change of level.
+/// A change of level of one signal.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Edge {
-    /// When \[ns\].
+    /// Time of the edge \[ns\].
     pub time_ns: u64,
-    /// Which of the lines, from zero.
+    /// Index of the line.
     pub line: usize,
-    /// The level behind it.
+    /// Level after the edge.
     pub level: bool,
 }
 
-/// A trace would have more edges than one may have.
+/// Error: a trace would exceed [`EDGES_MOST`].
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct TooManyEdges {
-    /// Edges that it would have, about.
+    /// Approximate number of edges.
     pub edges: f64,
 }
 
-/// Digital signals over time.
+/// Digital signals over time, with their edges.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Trace {
-    /// The signals.
+    /// Signals of the trace.
     pub lines: Vec<Line>,
-    /// Their edges in the order of time.
+    /// Edges in order of time.
     pub edges: Vec<Edge>,
-    /// Its end \[ns\].
+    /// End of the trace \[ns\].
     pub end_ns: u64,
 }
 
 impl Trace {
-    /// Adds the lines of another trace of the same time.
+    /// Adds the lines of another trace over the same time.
     #[must_use]
     pub fn with(mut self, other: Self) -> Self {
         let before = self.lines.len();
@@ -55,14 +55,14 @@ impl Trace {
         self
     }
 
-    /// The trace as a value change dump, in nanoseconds.
+    /// Returns the trace as a value change dump in nanoseconds.
     ///
     /// # Source
     /// IEEE 1364-2005, clause 18 (four-state VCD)
     #[must_use]
     pub fn vcd(&self, scope: &str) -> String {
         let mut out = String::with_capacity(300 + self.edges.len() * 12);
-        // Names are words in the file: a blank would end them.
+        // Names are single words in the file: white space would end them.
         let plain = |text: &str| text.replace(|sign: char| !sign.is_ascii_graphic(), "_");
         let _ = write!(out, "$timescale 1 ns $end\n$scope module {} $end\n", plain(scope));
         for (at, line) in self.lines.iter().enumerate() {
@@ -87,7 +87,7 @@ impl Trace {
         out
     }
 
-    /// The level of a line at a time.
+    /// Returns the level of a line at a time.
     #[must_use]
     pub fn level(&self, line: usize, time_ns: u64) -> Option<bool> {
         let start = self.lines.get(line)?.level;
@@ -97,12 +97,12 @@ impl Trace {
     }
 }
 
-/// The short name of a line: a printable sign.
+/// Returns the short name of a line, a printable character.
 fn key(line: usize) -> char {
     u8::try_from(line).ok().and_then(|line| b'!'.checked_add(line)).map_or('~', char::from)
 }
 
-/// A clocked serial line under construction: data changes on rising edges of the clock and is read on falling ones.
+/// Builder of a clocked serial line: data changes on rising clock edges and is read on falling ones.
 pub(crate) struct Clocked {
     trace: Trace,
     now_ns: u64,
@@ -114,7 +114,7 @@ const CLOCK: usize = 0;
 const DATA: usize = 1;
 
 impl Clocked {
-    /// Both lines at rest for some time.
+    /// Creates both lines, at rest for some time.
     pub(crate) fn at_rest(half_ns: u64, rest_ns: u64, data: bool) -> Self {
         let lines = vec![Line { name: "CLOCK", level: true }, Line { name: "DATA", level: data }];
         Self { trace: Trace { lines, edges: Vec::new(), end_ns: 0 }, now_ns: rest_ns, half_ns }
@@ -126,7 +126,7 @@ impl Clocked {
         }
     }
 
-    /// One period of the clock, falling first, without new data.
+    /// Adds one clock period, falling edge first, without new data.
     pub(crate) fn idle(&mut self) {
         self.edge(CLOCK, false);
         self.now_ns += self.half_ns;
@@ -134,23 +134,23 @@ impl Clocked {
         self.now_ns += self.half_ns;
     }
 
-    /// One period of the clock; the bit stands from the rising edge before it.
+    /// Adds one clock period; the bit is valid from the preceding rising edge.
     pub(crate) fn bit(&mut self, bit: bool) {
-        // The clock rose half a period ago: the bit was set then.
+        // The clock rose half a period ago, when the bit was set.
         self.now_ns -= self.half_ns;
         self.edge(DATA, bit);
         self.now_ns += self.half_ns;
         self.idle();
     }
 
-    /// Data takes a level for some time while the clock rests.
+    /// Sets the data line to a level for some time while the clock rests.
     pub(crate) fn hold(&mut self, level: bool, time_ns: u64) {
         self.now_ns -= self.half_ns;
         self.edge(DATA, level);
         self.now_ns += time_ns.max(self.half_ns);
     }
 
-    /// The trace, at rest for some time.
+    /// Returns the trace after some time at rest.
     pub(crate) fn done(mut self, rest_ns: u64, data: bool) -> Trace {
         self.edge(DATA, data);
         self.trace.edges.sort_by_key(|edge| (edge.time_ns, edge.line));

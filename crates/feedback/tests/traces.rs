@@ -1,4 +1,4 @@
-//! What an encoder sends is read back from its trace, as a receiver sees it: levels at edges, no knowledge of the angle.
+//! Encoder signals read back from a trace as by a receiver: levels at edges, without knowledge of the angle.
 #![allow(missing_docs, clippy::unwrap_used, clippy::indexing_slicing, reason = "a test fails loudly")]
 
 use feedback::endat::{ErrorBits, Frame};

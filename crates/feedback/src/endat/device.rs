@@ -1,65 +1,65 @@
-//! An encoder that answers mode commands.
+//! Simulation of an `EnDat` encoder that answers mode commands.
 
 use super::{Frame, Mode, Opening, Parameter};
 use crate::Word;
 use std::collections::BTreeMap;
 
-/// Memory areas of the encoder's maker, which are read only, by the code that selects them.
+/// Memory areas of the manufacturer by their selection codes; they are read-only.
 pub const MANUFACTURER: [u8; 3] = [0xa1, 0xa3, 0xa5];
 
-/// The memory area of the operating status, and there the address of the errors.
+/// Memory area of the operating status, and the address of the errors in it.
 pub const STATUS_ERROR: (u8, u8) = (0xb9, 0x00);
 
-/// The number of clock pulses of a position word, in the first area of the maker.
+/// Address of the number of clock pulses of a position word, in the first memory area of the manufacturer.
 const CLOCK_PULSES: (u8, u8) = (0xa1, 0x0d);
 
-/// A mode command with what is sent behind it.
+/// A mode command with the data that follow it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Request {
-    /// The command.
+    /// Mode command.
     pub mode: Mode,
-    /// The code of a memory area, or an address; zero where the command has neither.
+    /// Code of a memory area, or an address; zero if the command has neither.
     pub head: u8,
-    /// A value; zero where the command has none.
+    /// Value to write; zero if the command has none.
     pub value: u16,
 }
 
-/// What an encoder sends.
+/// Answer of an encoder.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Reply {
-    /// The position word.
+    /// Position word.
     pub position: Option<Word>,
-    /// Words behind it, or instead: a parameter, additional information.
+    /// Words after or instead of the position: a parameter, additional information.
     pub further: Vec<Word>,
 }
 
-/// Why a command is not answered.
+/// Reason for which a command is not answered.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Refused {
-    /// A write to the memory of the maker.
+    /// A write to the memory of the manufacturer.
     ReadOnly,
-    /// Test values and communication commands differ by maker and type, and are not published.
+    /// Test values and communication commands depend on manufacturer and type and are not published.
     NotPublished,
 }
 
-/// An encoder at its interface.
+/// An encoder with an `EnDat` interface.
 ///
 /// # Source
 /// Commands and words: docs/theory/feedback.md
 /// # Valid
-/// Of the maker's memory only the number of clock pulses is known (word 13 of area A1); other words read as zero
+/// Only the number of clock pulses is known of the manufacturer's memory (word 13 of area A1); other words read as zero
 #[derive(Clone, Debug)]
 pub struct Device {
     width: u32,
     area: u8,
     memory: BTreeMap<(u8, u8), u16>,
     is_error: bool,
-    /// The additional information that follows every position of 2.2, once one was selected.
+    /// Additional information that follows each position of command set 2.2, once selected.
     information: Option<Parameter>,
 }
 
 impl Device {
-    /// An encoder with a position of so many bits.
+    /// Creates an encoder whose position has `width` bits.
     #[must_use]
     pub fn new(width: u32) -> Self {
         let pulses = u16::try_from(width).unwrap_or(u16::MAX);
@@ -72,7 +72,7 @@ impl Device {
         }
     }
 
-    /// The encoder finds an error and reports it until it is reset.
+    /// Sets an error, which the encoder reports until it is reset.
     pub fn fail(&mut self) {
         self.is_error = true;
         self.memory.insert(STATUS_ERROR, 1);
@@ -86,7 +86,7 @@ impl Device {
     /// Answers a command at a position.
     ///
     /// # Errors
-    /// Where there is no answer; the encoder stays as it was.
+    /// The command has no answer; the encoder remains unchanged.
     pub fn answer(&mut self, request: Request, position: u64) -> Result<Reply, Refused> {
         let Request { mode, head, value } = request;
         let frame = Frame { position, is_error: self.is_error };
@@ -153,7 +153,8 @@ mod tests {
         Request { mode, head, value }
     }
 
-    /// Word 13 of area A1 holds the number of clock pulses, 25 = 0x0019, with the check of docs/theory/feedback.md.
+    /// Word 13 of area A1 contains the number of clock pulses, 25 = 0x0019, with the checksum of
+    /// docs/theory/feedback.md.
     #[test]
     fn the_clock_pulses_are_read_as_a_drive_does_at_start_up() {
         let mut device = Device::new(25);
@@ -179,7 +180,7 @@ mod tests {
         assert!(!read(&mut device, Mode::Position).is_error);
     }
 
-    /// What a command of 2.2 selects follows the next position.
+    /// Information selected by a command of set 2.2 follows the next position.
     #[test]
     fn additional_information_follows_the_next_position() {
         let mut device = Device::new(25);
