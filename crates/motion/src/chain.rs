@@ -1,4 +1,4 @@
-//! The chain of segments that makes a cycle.
+//! Chain of the segments of a cycle.
 
 use crate::faults::{MotionFault, MoveFault};
 use crate::law::{Given, Law, Solved};
@@ -8,71 +8,71 @@ use crate::recorded::{Placed, Recorded};
 use quantities::{Angle, AngularAcceleration, AngularVelocity, Measure, Time};
 use std::sync::Arc;
 
-/// One move of the manual's cycle (section 7.1): from rest to `speed`, and back to rest.
+/// A move of the manual's cycle (section 7.1): from rest to `speed`, and back to rest.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ManualMove {
-    /// n_2: speed at the output while running; its sign is the direction of the move.
+    /// n_2: output speed in the constant phase; its sign is the direction of the move.
     pub speed: AngularVelocity,
-    /// t_1: duration of the acceleration from rest.
+    /// t_1: acceleration time from rest.
     pub accelerate: Time,
-    /// t_2: duration at constant speed.
+    /// t_2: time at constant speed.
     pub run: Time,
-    /// t_3: duration of the braking to rest.
+    /// t_3: braking time to rest.
     pub brake: Time,
     /// t_p: pause at rest after the move.
     pub pause: Time,
 }
 
-/// What holds the axis at rest.
+/// Means of holding the axis at rest.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Hold {
-    /// The motor carries the load.
+    /// The motor holds the load.
     #[default]
     Motor,
-    /// The closed brake carries the load; the motor has no current.
+    /// The closed brake holds the load; the motor has no current.
     Brake,
-    /// Nothing holds: only for a load that stays where it is.
+    /// No holding: only for a load that stays in place by itself.
     Free,
 }
 
-/// What a segment does.
+/// Content of a segment.
 #[derive(Clone, Debug, PartialEq)]
 pub enum SegmentSpec {
     /// A move of the manual's cycle.
     Manual(ManualMove),
-    /// A move by a law, from the speed that the segment before ends with.
+    /// A move by a law, starting at the end speed of the previous segment.
     Move(Law, Given),
-    /// A move through points, from where the axis stands.
+    /// A move through points, starting at the present position.
     Points(Arc<Points>),
-    /// Rest.
+    /// A dwell at rest.
     Dwell(Time, Hold),
-    /// What was recorded.
+    /// A recorded motion.
     Recorded(Arc<Recorded>),
 }
 
-/// What must agree at the end of the cycle and at its beginning. The speed always must.
+/// Condition on the position at the end of the cycle; the speed must always equal the initial speed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Closing {
-    /// Only the speed: an axis that turns endlessly under a load that does not depend on its position.
+    /// No condition: an endlessly turning axis under a load independent of its position.
     Speed,
-    /// The position too, up to whole revolutions.
+    /// Equal to the initial position up to whole revolutions.
     Revolutions,
-    /// The position too.
+    /// Equal to the initial position.
     Position,
-    /// Nothing: a single move.
+    /// Neither position nor speed must agree: a single move.
     SingleMove,
 }
 
-/// One segment on the time axis.
+/// A segment on the time axis.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Stretch {
-    /// Instant of its beginning.
+    /// Start of the segment.
     pub start: Time,
-    /// Duration.
+    /// Duration of the segment.
     pub duration: Time,
-    /// What holds at rest within it.
+    /// Means of holding the axis when it is at rest.
     pub hold: Hold,
-    /// The move with everything solved; `None` for rest and for recordings.
+    /// Move with all its quantities; `None` for dwells and recordings.
     pub solved: Option<Solved>,
 }
 
@@ -88,11 +88,11 @@ pub struct Motion {
 }
 
 impl Motion {
-    /// Chains segments from a start position; without one from where a first recording or table of points says it stands,
-    /// else from zero.
+    /// Chains segments, beginning at `start`; if it is `None`, at the first position of a recording or a table of
+    /// points in the first segment, else at zero.
     ///
     /// # Errors
-    /// Every [`MotionFault`] of the segments, or those of the closing.
+    /// Returns the [`MotionFault`]s of all segments, or that of the closing.
     pub fn new(segments: &[SegmentSpec], start: Option<Angle>, closing: Closing) -> Result<Self, Vec<MotionFault>> {
         let (mut chain, initial_error) = Chain::beginning(segments.first(), start);
         let (first, initial) = (chain.position, chain.speed);
@@ -107,7 +107,7 @@ impl Motion {
                 SegmentSpec::Points(points) => chain.points(points, index),
                 SegmentSpec::Move(law, given) => match law.pieces(given, chain.speed) {
                     Ok(mut pieces) => {
-                        // The law says where the move ends; rounding must not add up over the segments.
+                        // Set to the end speed of the law, so that rounding errors do not accumulate over the segments.
                         pieces.retain(|piece| piece.duration_s > 0.0);
                         if let Some(piece) = pieces.last_mut().filter(|_| *law != Law::Constant) {
                             *piece = piece.ending_with(given.end_speed.map_or(0.0, Measure::si));
@@ -144,7 +144,7 @@ impl Motion {
         Ok(Self { pieces: chain.pieces, recordings: chain.recordings, duration, net, stretches, manual })
     }
 
-    /// The same motion run through in another time: every instant times `factor`.
+    /// Returns the motion with all times multiplied by `factor`.
     ///
     /// q'(t) = q(t/f), ω' = ω/f, α' = α/f²
     #[must_use]
@@ -194,7 +194,7 @@ impl Motion {
         }
     }
 
-    /// The same motion in front of a stage that turns `ratio` times as far, at the same instants.
+    /// Returns the motion at the input of a stage that turns `ratio` times as far, at the same instants.
     ///
     /// q' = n q, ω' = n ω, α' = n α
     #[must_use]
@@ -238,60 +238,60 @@ impl Motion {
         }
     }
 
-    /// The pieces of the laws, in order, each of positive duration.
+    /// Returns the pieces of the laws in order, each of positive duration.
     #[must_use]
     pub fn pieces(&self) -> &[Piece] {
         &self.pieces
     }
 
-    /// The recordings, in order.
+    /// Returns the recordings in order.
     #[must_use]
     pub fn recordings(&self) -> &[Placed] {
         &self.recordings
     }
 
-    /// The segments on the time axis.
+    /// Returns the segments on the time axis.
     #[must_use]
     pub fn stretches(&self) -> &[Stretch] {
         &self.stretches
     }
 
-    /// The manual's moves, if the cycle consists of nothing else.
+    /// Returns the manual's moves, if the cycle consists of nothing else.
     #[must_use]
     pub fn manual(&self) -> Option<&[ManualMove]> {
         self.manual.as_deref()
     }
 
-    /// t_0: duration of the whole cycle.
+    /// Returns t_0, the duration of the cycle.
     #[must_use]
     pub const fn duration(&self) -> Time {
         self.duration
     }
 
-    /// Position at the end minus position at the beginning.
+    /// Returns the final position minus the initial position.
     #[must_use]
     pub const fn net(&self) -> Angle {
         self.net
     }
 }
 
-/// So much of the largest recorded speed or of the recorded travel may a recording miss where it joins or closes:
-/// a recording never contains an exact zero.
+/// Tolerance for the ends of a recording, relative to its largest speed or to its travel: a recording never contains an
+/// exact zero.
 const JOINT: f64 = 1e-3;
 
-/// Where the speed is a slope of positions its error at that end is allowed for too, but never more than this share of
-/// the largest speed: samples so far apart tell nothing of the end.
+/// Limit of the tolerance for speeds that are slopes of positions, relative to the largest speed: with an error beyond
+/// it, the samples are too far apart to determine the end.
 const JOINT_MOST: f64 = 0.1;
 
-/// By how much a recorded speed may miss the one it joins, the error of its slope being known.
+/// Returns the tolerance for a recorded speed at a joint, given the error of its slope.
 fn joint(fastest: f64, slope_error: f64) -> f64 {
     (JOINT * fastest + slope_error).min(JOINT_MOST * fastest)
 }
 
-/// So much of the largest speed two speeds may differ that are the same but for rounding.
+/// Tolerance for equal speeds, relative to the largest speed: rounding only.
 const SAME_SPEED: f64 = 1e-9;
 
-/// From the lowest to the highest of some positions.
+/// Returns the difference of the highest and the lowest position.
 fn way(values: &[f64]) -> f64 {
     let (low, high) = values.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(a, b), q| (a.min(*q), b.max(*q)));
     high - low
@@ -300,7 +300,7 @@ fn way(values: &[f64]) -> f64 {
 struct Chain {
     position: f64,
     speed: f64,
-    /// What the speed may be wrong by, where it is a slope of recorded positions.
+    /// Error of the speed, if it is a slope of recorded positions [rad/s].
     speed_error: f64,
     clock: f64,
     pieces: Vec<Piece>,
@@ -308,8 +308,8 @@ struct Chain {
 }
 
 impl Chain {
-    /// Before the first segment, and what its speed there may be wrong by: the speed is that of a constant run, of a
-    /// recording or of points, else rest.
+    /// Creates the chain before the first segment, with the error of its initial speed [rad/s]: the speed is that of a
+    /// constant run, of a recording or of points, else zero.
     fn beginning(first: Option<&SegmentSpec>, start: Option<Angle>) -> (Self, f64) {
         let (position, speed, error) = match first {
             Some(SegmentSpec::Move(Law::Constant, given)) => (0.0, given.speed.map_or(0.0, Measure::si), 0.0),
@@ -325,8 +325,8 @@ impl Chain {
         (Self { position, speed, speed_error: 0.0, clock: 0.0, pieces, recordings }, error)
     }
 
-    /// A recording with positions stands where they say, shifted only if the motion begins with it at a stated angle;
-    /// one without goes on from where the axis is.
+    /// Adds a recording. One with positions keeps them, unless the motion begins with it at a stated angle; one without
+    /// starts at the present position.
     fn recorded(&mut self, recorded: &Arc<Recorded>, segment: usize) -> Result<(), MoveFault> {
         let (first, last) = recorded.ends_rad();
         let (speed, end_speed) = recorded.end_speeds_rad_s();
@@ -351,7 +351,7 @@ impl Chain {
             stretch: 1.0,
             segment,
         });
-        // What ends as near to rest as its samples can tell is at rest: a dwell or a law may follow.
+        // A recording that ends at rest within the tolerance of its samples is at rest: a dwell or a law may follow.
         let rests = end_speed.abs() <= joint(most, last_error);
         (self.position, self.speed) = (last + offset_rad, if rests { 0.0 } else { end_speed });
         self.speed_error = last_error;
@@ -359,7 +359,7 @@ impl Chain {
         Ok(())
     }
 
-    /// The points say how far it goes; their positions are met without the rounding of the pieces before.
+    /// Adds a move through points, whose positions are met without the rounding errors of the preceding pieces.
     fn points(&mut self, points: &Points, segment: usize) -> Result<(), MoveFault> {
         let (from, first) = (self.position, points.first_speed());
         let fastest = points.pieces().fold(first.si().abs(), |most, (_, (_, speed))| most.max(speed.abs()));
@@ -426,7 +426,7 @@ impl Chain {
     }
 }
 
-/// `initial`: the speed at the beginning, and what it may be wrong by.
+/// Returns the fault of the closing, if there is one; `initial` is the initial speed with its error [rad/s].
 fn closing_fault(
     chain: &Chain,
     (initial, first_error): (f64, f64),
@@ -468,12 +468,12 @@ fn closing_fault(
     None
 }
 
-/// What a move came out as.
+/// Returns distance, time, peak speed and peak acceleration of a move.
 fn solved(pieces: &[Piece]) -> Solved {
     let (mut speed, mut acceleration, mut time) = (0.0_f64, 0.0_f64, 0.0);
     for piece in pieces {
         time += piece.duration_s;
-        // The extremes lie at the ends or where the acceleration or its slope vanishes.
+        // The extremes are at the ends or where the acceleration or its derivative vanishes.
         let mut instants = vec![0.0, piece.duration_s];
         if piece.speed_degree().is_none_or(|degree| degree > 1) {
             instants.extend(piece.acceleration_roots());

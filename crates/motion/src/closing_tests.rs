@@ -1,7 +1,7 @@
 use super::*;
 use crate::{Recorded, Samples, Treatment};
 
-/// Uniform numbers, the same in every run.
+/// Reproducible uniform random numbers.
 struct Random(u64);
 
 impl Random {
@@ -21,7 +21,7 @@ const LAWS: [Law; 7] = [
     Law::InclinedSine,
 ];
 
-/// Some moves there and one back to where they began, with rests between some of them; no rest at either end.
+/// Returns some moves and one back to their start, with dwells between some of them and none at either end.
 fn there_and_back(random: &mut Random, case: usize) -> Motion {
     let moves = 1 + case % 3;
     let mut segments = Vec::new();
@@ -47,7 +47,7 @@ fn state(motion: &Motion, t: f64) -> crate::State {
     piece.at((t - piece.start_s).min(piece.duration_s))
 }
 
-/// The exact positions from one instant to another, in even steps.
+/// Samples the exact positions between two instants in equal steps.
 fn sample(motion: &Motion, (from, to): (f64, f64), steps: u32, smoothing: Option<f64>) -> SegmentSpec {
     let time_s: Vec<f64> = (0..=steps).map(|k| (to - from) * f64::from(k) / f64::from(steps)).collect();
     let position_rad = Some(Arc::new(time_s.iter().map(|t| state(motion, from + t).position_rad).collect()));
@@ -62,10 +62,10 @@ fn exact_recordings_from_rest_to_rest_close() {
     for case in 0..1_500 {
         let motion = there_and_back(&mut random, case);
         let whole = (0.0, motion.duration().si());
-        // From fifty samples a cycle to five thousand, a move being at least twenty of them.
+        // Fifty to five thousand samples per cycle, at least twenty per move.
         let shortest = motion.stretches().iter().filter(|each| each.solved.is_some());
         let shortest = shortest.map(|each| each.duration.si()).fold(f64::INFINITY, f64::min);
-        // A window of seven samples leaves of a move of twenty what no longer begins at rest.
+        // Smoothing over seven samples would distort a move of twenty so that it no longer begins at rest.
         let smooth = case % 5 == 0;
         let least = (if smooth { 80.0 } else { 20.0 } * whole.1 / shortest).max(50.0);
         let steps = least * (5000.0_f64.max(least) / least).powf(random.within(0.0, 1.0));
@@ -80,7 +80,7 @@ fn exact_recordings_from_rest_to_rest_close() {
     }
 }
 
-/// What is cut out of a cycle somewhere ends with another speed than it began with, or elsewhere.
+/// A part cut out of a cycle ends at another speed or position than it began with.
 #[test]
 fn recordings_that_do_not_close_are_refused() {
     let mut random = Random(5);
@@ -94,7 +94,7 @@ fn recordings_that_do_not_close_are_refused() {
         let SegmentSpec::Recorded(samples) = &recorded else { return };
         let fastest = samples.speed_rad_s().iter().fold(0.0_f64, |most, w| most.max(w.abs()));
         let apart = (state(&motion, from).speed_rad_s - state(&motion, to).speed_rad_s).abs();
-        // With few samples the slope of the recording is not that of the motion where a move begins.
+        // With few samples the slope of the recording differs from that of the motion at the start of a move.
         if fastest == 0.0 || apart < 0.2 * fastest {
             continue;
         }
@@ -108,7 +108,7 @@ fn recordings_that_do_not_close_are_refused() {
     assert!(refused > 1_000, "{refused}");
 }
 
-/// Where the samples stand still at an end the motion is at rest there, not on its way back.
+/// Equal samples at an end mean that the motion is at rest there, not reversing.
 #[test]
 fn equal_samples_at_an_end_are_rest() {
     let time_s: Vec<f64> = (0..8).map(f64::from).collect();

@@ -1,8 +1,8 @@
-//! Why a description is no motion.
+//! Faults in the description of a motion.
 
 use quantities::{Angle, AngularAcceleration, AngularVelocity, Time};
 
-/// Which quantities determine a move of a law.
+/// Quantities that determine a move of a law.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Needed {
     /// Any two of distance, time, speed and acceleration.
@@ -19,128 +19,128 @@ pub enum Needed {
     SpeedAndTimeOrDistance,
 }
 
-/// What is wrong with one move.
+/// A fault of a move.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum MoveFault {
-    /// There is no segment at all.
+    /// The motion has no segment.
     NoSegment,
-    /// All times of the cycle are zero.
+    /// The cycle has zero duration.
     NoDuration,
-    /// A speed cannot be reached (or left, with `braking`) in no time.
+    /// A change of speed has no time.
     NoTimeToChangeSpeed {
-        /// Whether it is the braking time that is zero.
+        /// The braking time is zero; otherwise the acceleration time.
         braking: bool,
     },
-    /// Too few or too many quantities are given.
+    /// Too few or too many quantities are stated.
     NotDetermined {
-        /// How many are given.
+        /// Number of quantities stated.
         given: usize,
-        /// Which would determine the move.
+        /// Quantities that would determine the move.
         needed: Needed,
     },
-    /// A quantity that the law divides by is zero or not finite.
+    /// A quantity by which the law divides is zero or not finite.
     OutOfRange,
     /// The speed is too low to cover the distance in the time.
     SpeedTooLow {
-        /// What it must exceed.
+        /// Lower limit of the speed, exclusive.
         above: AngularVelocity,
     },
-    /// The speed is too high: even without running at it the move takes less than the time.
+    /// The speed is too high: even without a constant phase the move takes less than the time.
     SpeedTooHigh {
-        /// What it must not exceed.
+        /// Upper limit of the speed.
         most: AngularVelocity,
     },
     /// The acceleration is too low for distance, time or speed.
     AccelerationTooLow {
-        /// What it must at least be.
+        /// Lower limit of the acceleration.
         least: AngularAcceleration,
     },
-    /// The law moves from rest to rest only.
+    /// The law is defined from rest to rest only.
     RestToRestOnly,
-    /// A speed at an end of the move is above the speed that limits it.
+    /// A speed at an end of the move exceeds its speed limit.
     EndSpeedAboveLimit,
-    /// A dwell, or a law from rest, begins while the axis still moves.
+    /// A dwell, or a law from rest, begins while the axis is moving.
     StillMoving {
         /// Speed at that instant.
         speed: AngularVelocity,
     },
-    /// A table of points begins with another speed than the axis has.
+    /// The speed at the first point differs from that of the axis.
     PointsSpeedJumps {
-        /// Speed at its first point.
+        /// Speed at the first point.
         first: AngularVelocity,
-        /// Speed of the axis before it.
+        /// Speed of the axis before the first point.
         before: AngularVelocity,
     },
-    /// A recording begins at another speed than the axis has.
+    /// The speed at the first sample differs from that of the axis.
     RecordingSpeedJumps {
-        /// Speed at its first sample.
+        /// Speed at the first sample.
         first: AngularVelocity,
-        /// Speed of the axis before it.
+        /// Speed of the axis before the recording.
         before: AngularVelocity,
     },
-    /// A recording begins at another position than where the axis stands.
+    /// The position at the first sample differs from that of the axis.
     RecordingPositionJumps {
-        /// Position at its first sample minus that of the axis.
+        /// Position at the first sample minus that of the axis.
         gap: Angle,
     },
-    /// The cycle ends with another speed than it begins with.
+    /// The speed at the end of the cycle differs from that at its beginning.
     SpeedNotClosed {
         /// Speed at the end.
         end: AngularVelocity,
         /// Speed at the beginning.
         start: AngularVelocity,
     },
-    /// The cycle ends at another position than it begins at.
+    /// The position at the end of the cycle differs from that at its beginning.
     PositionNotClosed {
-        /// End minus start.
+        /// Final minus initial position.
         gap: Angle,
     },
 }
 
-/// Why samples are no motion.
+/// Fault that prevents samples from being a motion.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum RecordedFault {
     /// Fewer than three samples.
     TooFew {
-        /// How many there are.
+        /// Number of samples.
         samples: usize,
     },
-    /// Neither position nor speed.
+    /// Neither positions nor speeds are recorded.
     NoCourse,
-    /// The columns do not have the same number of samples.
+    /// The columns differ in their number of samples.
     Uneven,
     /// A sample is not a finite number.
     NotFinite {
-        /// Its index.
+        /// Index of the sample.
         index: usize,
     },
-    /// An instant is not after the one before it.
+    /// An instant is not later than the one before it.
     NotIncreasing {
-        /// Its index.
+        /// Index of the later sample.
         index: usize,
     },
-    /// Somewhere the smoothing window holds too few samples for a parabola.
+    /// The smoothing window contains too few samples for a parabola at some instant.
     WindowTooShort {
-        /// A width that is enough everywhere.
+        /// Width of a window that suffices everywhere.
         least: Time,
     },
-    /// The smoothing window holds more samples than is sensible.
+    /// The smoothing window contains too many samples.
     WindowTooLong {
-        /// The most it may hold.
+        /// Largest permitted number of samples.
         most: usize,
     },
-    /// Position and speed are both recorded and do not tell of the same motion.
+    /// Recorded positions and speeds contradict each other.
     Contradiction {
-        /// Largest distance between the recorded and the integrated position, as a share of the travel.
+        /// Largest difference between recorded and integrated position, relative to the travel.
         share: f64,
     },
 }
 
-/// A fault with the segment that has it; the whole motion without one.
+/// A fault of a segment or of the whole motion.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct MotionFault {
-    /// Index of the segment.
+    /// Index of the segment; `None` for the whole motion.
     pub segment: Option<usize>,
-    /// What is wrong.
+    /// Kind of fault.
     pub fault: MoveFault,
 }

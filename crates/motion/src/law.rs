@@ -1,18 +1,18 @@
-//! Laws of motion: what is given of a move, and the pieces that follow.
+//! Motion laws: the quantities stated for a move, and the resulting pieces.
 
 use crate::piece::Piece;
 use quantities::{Angle, AngularAcceleration, AngularJerk, AngularVelocity, Time, identified};
 use std::f64::consts::PI;
 
 identified! {
-    /// A law of motion.
+    /// Law of motion.
     #[derive(Clone, Copy, Debug, PartialEq, Eq)]
     pub enum Law {
         /// Constant acceleration, constant speed, constant deceleration.
         Trapezoid = "trapezoid",
-        /// Constant acceleration, constant deceleration; VDI 2143 calls it quadratic parabola.
+        /// Constant acceleration, constant deceleration; quadratic parabola in VDI 2143.
         Triangle = "triangle",
-        /// Seven phases of constant jerk, the shortest move within the limits.
+        /// Seven phases of constant jerk; the shortest move within the limits.
         Jerk = "jerk",
         /// Polynomial of the fifth degree (3-4-5), VDI 2143.
         Polynomial5 = "polynomial_5",
@@ -29,24 +29,24 @@ identified! {
     }
 }
 
-/// What is known of a move. Distance or speed carry the direction; acceleration and jerk are magnitudes.
+/// Quantities stated for a move. The sign of distance or speed is the direction; acceleration and jerk are magnitudes.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Given {
     /// Angle travelled, signed.
     pub distance: Option<Angle>,
     /// Duration.
     pub time: Option<Time>,
-    /// Peak speed; with a distance its magnitude counts.
+    /// Peak speed; with a distance only its magnitude is used.
     pub speed: Option<AngularVelocity>,
     /// Peak acceleration.
     pub acceleration: Option<AngularAcceleration>,
-    /// Largest jerk.
+    /// Peak jerk.
     pub jerk: Option<AngularJerk>,
-    /// Speed at the end of the move; rest without it.
+    /// Speed at the end of the move; `None` for rest.
     pub end_speed: Option<AngularVelocity>,
 }
 
-/// A move with everything solved.
+/// A move with all its quantities.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Solved {
     /// Angle travelled, signed.
@@ -60,7 +60,8 @@ pub struct Solved {
 }
 
 impl Law {
-    /// C_v = v_max T/s and C_a = a_max T²/s of the normalised law from rest to rest; the trapezoid with thirds.
+    /// Returns C_v = v_max T/s and C_a = a_max T²/s of the normalised law from rest to rest; trapezoid with equal
+    /// thirds.
     ///
     /// # Source
     /// VDI 2143-1, characteristic values; derived in docs/theory/motion-laws.md
@@ -69,7 +70,7 @@ impl Law {
         match self {
             Self::Trapezoid => (1.5, 4.5),
             Self::Triangle => (2.0, 4.0),
-            // The seven phases have no fixed shape; with thirds of jerk and speed these would be theirs.
+            // The seven phases have no fixed shape.
             Self::Jerk | Self::Constant => (1.0, 0.0),
             Self::Polynomial5 => (1.875, 10.0 / 3.0_f64.sqrt()),
             Self::ModifiedSine => (4.0 * PI / (4.0 + PI), 4.0 * PI * PI / (4.0 + PI)),
@@ -79,7 +80,7 @@ impl Law {
         }
     }
 
-    /// The normalised pieces over a distance s in a time T, from rest to rest.
+    /// Returns the normalised pieces over a distance s in a time T, from rest to rest.
     pub(crate) fn normalised(self, s: f64, t: f64) -> Vec<Piece> {
         let (_, c_a) = self.characteristics();
         let a = c_a * s / (t * t);
@@ -108,7 +109,7 @@ impl Law {
         }
     }
 
-    /// The polynomial of the fifth degree with given speeds and no acceleration at both ends.
+    /// Returns the polynomial of the fifth degree with given end speeds and zero acceleration at both ends.
     ///
     /// s(τ) = v_0 T τ + c_3 τ³ + c_4 τ⁴ + c_5 τ⁵, c_3 = 10 s − (6 v_0 + 4 v_1) T, c_4 = −15 s + (8 v_0 + 7 v_1) T,
     /// c_5 = 6 s − 3 (v_0 + v_1) T

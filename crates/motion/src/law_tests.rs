@@ -12,7 +12,7 @@ const NORMALISED: [Law; 7] = [
     Law::InclinedSine,
 ];
 
-/// Position, speed, largest speed and largest acceleration at the end of a chain of pieces.
+/// Returns position and speed at the end of a chain of pieces, and its largest speed and acceleration.
 fn run(pieces: &[Piece]) -> (f64, f64, f64, f64) {
     let (mut q, mut w, mut v_max, mut a_max) = (0.0, 0.0, 0.0_f64, 0.0_f64);
     for piece in pieces {
@@ -27,7 +27,7 @@ fn run(pieces: &[Piece]) -> (f64, f64, f64, f64) {
     (q, w, v_max, a_max)
 }
 
-/// Characteristic values of VDI 2143 as printed in tables of cam design, to their printed digits.
+/// Characteristic values of VDI 2143 as stated in tables of cam design, compared to their last digit.
 #[test]
 #[allow(clippy::approx_constant, reason = "printed digits")]
 fn the_characteristic_values_are_the_published_ones() {
@@ -68,7 +68,7 @@ fn given(distance: Option<f64>, time: Option<f64>, speed: Option<f64>, accelerat
     }
 }
 
-/// Any two determine the same move as any other two.
+/// Any two quantities determine the same move as any other two.
 #[test]
 fn any_two_of_four_give_the_same_move() {
     for law in NORMALISED {
@@ -88,7 +88,7 @@ fn any_two_of_four_give_the_same_move() {
             let duration: f64 = pieces.iter().map(|piece| piece.duration_s).sum();
             assert!((q - s).abs() < 1e-12 && w.abs() < 1e-12 && (duration - t).abs() < 1e-12, "{law:?} {pair:?}");
         }
-        // Time and acceleration carry no direction: forward.
+        // Time and acceleration have no direction: the move goes forward.
         let (q, ..) = run(&law.pieces(&given(None, Some(t), None, Some(a)), 0.0).unwrap());
         assert!((q + s).abs() < 1e-12, "{law:?}");
     }

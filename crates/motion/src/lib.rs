@@ -1,8 +1,8 @@
-//! What the output shaft is asked to do: laws of motion, the pieces they consist of, and the chain of a cycle.
+//! Motion required of the output shaft: motion laws, their pieces, and the chain of a cycle.
 //!
-//! Everything is referred to the output of the actuator. A [`Motion`] is a chain of [`Piece`]s whose acceleration is a
-//! cubic polynomial of time plus one harmonic, so position, speed and acceleration are closed forms at every instant.
-//! A [`Recorded`] segment consists of samples instead.
+//! All quantities refer to the output of the actuator. A [`Motion`] is a chain of [`Piece`]s whose acceleration is a
+//! cubic polynomial of time plus one harmonic, so that position, speed and acceleration are closed forms at every
+//! instant. A [`Recorded`] segment consists of samples instead.
 
 mod chain;
 mod faults;

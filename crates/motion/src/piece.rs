@@ -1,4 +1,4 @@
-//! A piece of motion: acceleration as a polynomial and a harmonic of time, integrated in closed form.
+//! Pieces of motion: acceleration as a polynomial and a harmonic of time, integrated in closed form.
 
 use numeric::{root, roots};
 use std::f64::consts::{FRAC_PI_2, PI};
@@ -19,29 +19,29 @@ pub struct State {
 /// α(t) = c_0 + c_1 t + c_2 t² + c_3 t³ + A sin(Ω t + φ) for 0 ≤ t ≤ τ; ω and q by integration from the initial state.
 ///
 /// # Source
-/// own derivation; every law of VDI 2143 built here is a chain of such pieces (docs/theory/motion-laws.md)
+/// own derivation; the laws of VDI 2143 in this crate are chains of such pieces (docs/theory/motion-laws.md)
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Piece {
-    /// Instant of its beginning, from the start of the cycle \[s\].
+    /// Start of the piece, from the start of the cycle \[s\].
     pub start_s: f64,
     /// τ: duration, greater than zero \[s\].
     pub duration_s: f64,
-    /// Position at its beginning \[rad\].
+    /// Initial position \[rad\].
     pub position_rad: f64,
-    /// Speed at its beginning [rad/s].
+    /// Initial speed [rad/s].
     pub speed_rad_s: f64,
-    /// Speed at its end [rad/s], where the law states it: exactly zero at rest, free of the rounding of the integral.
+    /// Final speed [rad/s], if the law states it: exactly zero at rest, without the rounding error of the integral.
     pub end_speed_rad_s: Option<f64>,
     /// c_0 … c_3 [rad/s², rad/s³, …].
     pub polynomial: [f64; 4],
-    /// A, Ω, φ of the harmonic [rad/s², rad/s, rad]; A = 0 without one.
+    /// A, Ω, φ of the harmonic [rad/s², rad/s, rad]; A = 0 for none.
     pub harmonic: [f64; 3],
-    /// Index of the segment it belongs to.
+    /// Index of the segment.
     pub segment: usize,
 }
 
 impl Piece {
-    /// A piece of constant acceleration; start, state and segment are set when it is chained.
+    /// Creates a piece of constant acceleration; start, state and segment are set when it is chained.
     pub(crate) const fn ramp(duration_s: f64, acceleration: f64) -> Self {
         Self::polynomial(duration_s, [acceleration, 0.0, 0.0, 0.0])
     }
@@ -65,12 +65,12 @@ impl Piece {
         piece
     }
 
-    /// The same piece with the speed that its law states for its end.
+    /// Returns the piece with the end speed stated by its law.
     pub(crate) const fn ending_with(self, speed: f64) -> Self {
         Self { end_speed_rad_s: Some(speed), ..self }
     }
 
-    /// The same piece run through in `factor` times its duration.
+    /// Returns the piece with its duration multiplied by `factor`.
     #[must_use]
     pub(crate) fn stretched(&self, factor: f64) -> Self {
         let [c0, c1, c2, c3] = self.polynomial;
@@ -87,7 +87,7 @@ impl Piece {
         }
     }
 
-    /// The same piece with everything times a factor.
+    /// Returns the piece with positions, speeds and accelerations multiplied by `ratio`.
     #[must_use]
     pub(crate) fn geared(&self, ratio: f64) -> Self {
         let [amplitude, frequency, phase] = self.harmonic;
@@ -100,13 +100,14 @@ impl Piece {
         }
     }
 
-    /// The state at a time from the beginning of the piece.
+    /// Returns the state at a time from the start of the piece \[s\].
     #[must_use]
     pub fn at(&self, t: f64) -> State {
         self.states()(t)
     }
 
-    /// The states at many times from the beginning of the piece.
+    /// Returns a function of the time from the start of the piece that yields the state; faster than [`Piece::at`] for
+    /// many times.
     pub fn states(&self) -> impl Fn(f64) -> State + '_ {
         let [_, _, phase] = self.harmonic;
         let of_phase = phase.sin_cos();
@@ -129,7 +130,7 @@ impl Piece {
         State { position_rad: position, speed_rad_s: speed, acceleration_rad_s2: acceleration }
     }
 
-    /// dα/dt at a time from the beginning of the piece [rad/s³].
+    /// Returns dα/dt at a time from the start of the piece [rad/s³].
     #[must_use]
     pub fn jerk(&self, t: f64) -> f64 {
         let [_, c1, c2, c3] = self.polynomial;
@@ -137,7 +138,7 @@ impl Piece {
         c1 + t * (2.0 * c2 + t * 3.0 * c3) + amplitude * frequency * (frequency * t + phase).cos()
     }
 
-    /// Times strictly inside the piece at which the acceleration passes zero.
+    /// Returns the times strictly inside the piece at which the acceleration changes sign \[s\].
     #[must_use]
     pub fn acceleration_roots(&self) -> Vec<f64> {
         let ([c0, c1, c2, c3], [amplitude, frequency, phase]) = (self.polynomial, self.harmonic);
@@ -151,7 +152,7 @@ impl Piece {
         roots(|t| state(t).acceleration_rad_s2, self.duration_s)
     }
 
-    /// Times strictly inside the piece at which the jerk passes zero: the acceleration has its extremes there.
+    /// Returns the times strictly inside the piece at which the jerk changes sign \[s\]: extremes of the acceleration.
     #[must_use]
     pub fn jerk_roots(&self) -> Vec<f64> {
         let ([_, c1, c2, c3], [amplitude, frequency, phase]) = (self.polynomial, self.harmonic);
@@ -164,26 +165,26 @@ impl Piece {
         roots(|t| self.jerk(t), self.duration_s)
     }
 
-    /// Of some times those strictly inside; what is at an end but for rounding is not.
+    /// Returns the times strictly inside the piece; those that differ from an end by rounding only are dropped.
     fn inside(&self, times: Vec<f64>) -> Vec<f64> {
         let beside = 1e-13 * self.duration_s;
         times.into_iter().filter(|t| *t > beside && *t < self.duration_s - beside).collect()
     }
 
-    /// The state at its end, with the speed that the law states.
+    /// Returns the state at the end of the piece, with the speed stated by the law.
     #[must_use]
     pub fn end(&self) -> State {
         let end = self.at(self.duration_s);
         State { speed_rad_s: self.end_speed_rad_s.unwrap_or(end.speed_rad_s), ..end }
     }
 
-    /// Whether nothing moves.
+    /// Returns `true` if the piece is at rest.
     #[must_use]
     pub fn is_rest(&self) -> bool {
         self.speed_rad_s == 0.0 && self.harmonic[0] == 0.0 && self.polynomial == [0.0; 4]
     }
 
-    /// Degree of the speed as a polynomial of time; `None` with a harmonic.
+    /// Returns the degree of the speed as a polynomial of time; `None` with a harmonic.
     #[must_use]
     pub fn speed_degree(&self) -> Option<usize> {
         if self.harmonic[0] != 0.0 {
@@ -192,17 +193,17 @@ impl Piece {
         Some(self.polynomial.iter().rposition(|c| *c != 0.0).map_or(0, |index| index + 1))
     }
 
-    /// Times inside the piece at which it reverses.
+    /// Returns the times inside the piece at which the direction reverses \[s\].
     #[must_use]
     pub fn reversals(&self) -> Vec<f64> {
         self.runs().reversals()
     }
 
-    /// Which way the piece goes, and until when.
+    /// Returns the directions of the piece with the times at which they end.
     ///
-    /// The speed is monotone between the roots of the acceleration, so its signs there and at both ends decide: one
-    /// reversal between two speeds of opposite sign, none else. The speeds at the ends are those that the law states;
-    /// a speed in between that is not above what rounding may leave of zero counts as zero.
+    /// The speed is monotone between the roots of the acceleration, so that its signs there and at both ends decide:
+    /// one reversal between two speeds of opposite sign, no other. The speeds at the ends are those stated by the law;
+    /// a speed in between within the rounding error of zero counts as zero.
     ///
     /// # Source
     /// docs/theory/motion-laws.md
@@ -238,7 +239,7 @@ impl Piece {
         Runs(runs)
     }
 
-    /// Where the speed, monotone between two instants, passes zero.
+    /// Returns the time at which the speed, monotone between two instants, changes sign.
     fn reversal(&self, from: (f64, f64), to: (f64, f64)) -> f64 {
         if self.speed_degree() == Some(1) {
             let [c0, ..] = self.polynomial;
@@ -248,8 +249,8 @@ impl Piece {
         root(|t| state(t).speed_rad_s, from, to, 0.0)
     }
 
-    /// What rounding may leave of a speed that is zero: eight units in the last place of the sum of the magnitudes of its
-    /// terms.
+    /// Returns the rounding error of a speed that should be zero [rad/s]: eight units in the last place of the sum of
+    /// the magnitudes of its terms.
     fn rounding(&self) -> f64 {
         let ([c0, c1, c2, c3], t) = (self.polynomial.map(f64::abs), self.duration_s);
         let [amplitude, frequency, _] = self.harmonic;
@@ -259,18 +260,18 @@ impl Piece {
     }
 }
 
-/// The directions of a piece, each with the instant at which it ends.
+/// Directions of a piece, each with the time at which it ends.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Runs(Vec<(f64, f64)>);
 
 impl Runs {
-    /// The instants at which one direction ends and the other begins.
+    /// Returns the times at which the direction changes \[s\].
     #[must_use]
     pub fn reversals(&self) -> Vec<f64> {
         self.0.iter().zip(self.0.iter().skip(1)).map(|((end, _), _)| *end).collect()
     }
 
-    /// +1, −1, or 0 in a piece that rests, at a time from the beginning of the piece.
+    /// Returns the direction at a time from the start of the piece: +1, −1, or 0 at rest.
     #[must_use]
     pub fn direction(&self, t: f64) -> f64 {
         let here = self.0.iter().find(|(end, _)| t <= *end).or(self.0.last());
@@ -278,13 +279,13 @@ impl Runs {
     }
 }
 
-/// Where c_0 + c_1 t + c_2 t² passes zero, in order; where it only touches it there is none.
+/// Returns the times at which c_0 + c_1 t + c_2 t² changes sign, in order; a double root is none.
 fn quadratic(c0: f64, c1: f64, c2: f64) -> Vec<f64> {
     if c2 == 0.0 {
         return if c1 == 0.0 { Vec::new() } else { vec![-c0 / c1] };
     }
     let root = c1 * c1 - 4.0 * c2 * c0;
-    // What rounding leaves of two equal roots is none.
+    // Two equal roots, apart from rounding, are no change of sign.
     if root <= 8.0 * f64::EPSILON * c1 * c1 {
         return Vec::new();
     }
@@ -294,15 +295,15 @@ fn quadratic(c0: f64, c1: f64, c2: f64) -> Vec<f64> {
     found
 }
 
-/// A law of motion makes a few half turns; anything with more is no law, and its roots cannot be resolved.
+/// Limit of the half periods of a harmonic: a motion law has a few, and the roots of more cannot be resolved.
 const HALF_TURNS_MOST: f64 = 1e4;
 
-/// The times up to an end at which sin(Ω t + φ) passes zero.
+/// Returns the times up to `end` at which sin(Ω t + φ) changes sign.
 fn zeros_of_sine(frequency: f64, phase: f64, end: f64) -> Vec<f64> {
     let (from, to) = (phase / PI, (frequency * end + phase) / PI);
     let (mut half_turn, last) = (from.min(to).floor(), from.max(to).ceil());
     let mut found = Vec::new();
-    // What is no number is none of them.
+    // Without roots if a bound is NaN.
     if (last - half_turn).is_nan() || last - half_turn > HALF_TURNS_MOST {
         return found;
     }
@@ -318,7 +319,7 @@ fn zeros_of_sine(frequency: f64, phase: f64, end: f64) -> Vec<f64> {
 mod tests {
     use super::*;
 
-    /// Closed forms against Simpson sums of the acceleration and of the speed.
+    /// The closed forms agree with Simpson sums of the acceleration and of the speed.
     #[test]
     fn speed_and_position_are_the_integrals_of_the_acceleration() {
         let piece = Piece {
@@ -386,7 +387,8 @@ mod tests {
         assert_eq!([0.0, 0.5, 1.0, 1.5, 3.0].map(|t| runs.direction(t)), [-1.0, -1.0, -1.0, 1.0, 1.0]);
     }
 
-    /// A polynomial move between two speeds turns back at most once and forth again; where it only touches rest it goes on.
+    /// A polynomial move between two speeds reverses at most twice; where the speed only touches zero it does not
+    /// reverse.
     #[test]
     fn a_touch_of_rest_is_no_reversal() {
         // ω = (t − 1)²
@@ -400,7 +402,7 @@ mod tests {
         assert_eq!(Piece::ramp(1.0, 0.0).runs().direction(0.5), 0.0);
     }
 
-    /// The closed forms of roots against the search, over pieces of every kind.
+    /// The closed forms of the roots agree with the search, for pieces of every kind.
     #[test]
     fn roots_in_closed_form_are_those_of_the_search() {
         let polynomials = [[1.0, -3.0, 0.0, 0.0], [0.4, -2.0, 1.5, 0.0], [1.0, -2.0, 1.0, 0.0], [0.2, 0.3, 0.4, 0.0]];

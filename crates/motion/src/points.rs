@@ -1,11 +1,11 @@
-//! A move through given points, as a cam table has them: the spline through them, piece by piece.
+//! A move through given points, such as those of a cam table: the spline through them, as pieces.
 
 use crate::piece::Piece;
 use numeric::Symmetric;
 use quantities::{Angle, AngularAcceleration, AngularVelocity, Measure, Time, identified};
 
 identified! {
-    /// Which spline goes through the points.
+    /// Kind of the spline through the points.
     #[derive(Clone, Copy, Debug, PartialEq, Eq)]
     pub enum Spline {
         /// Third degree: position, speed and acceleration are continuous (C²), the jerk steps at the points.
@@ -16,7 +16,7 @@ identified! {
 }
 
 impl Spline {
-    /// Unknowns at each point: speed, and with the fifth degree acceleration.
+    /// Returns the number of unknowns per point: speed and, for the fifth degree, acceleration.
     const fn unknowns(self) -> usize {
         match self {
             Self::Cubic => 1,
@@ -25,31 +25,31 @@ impl Spline {
     }
 }
 
-/// Speed and acceleration at an end; the cubic spline takes the speed alone.
+/// Speed and acceleration at an end; the cubic spline uses the speed only.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct EndState {
-    /// ω
+    /// Angular speed ω.
     pub speed: AngularVelocity,
-    /// α
+    /// Angular acceleration α.
     pub acceleration: AngularAcceleration,
 }
 
-/// What holds at the first and the last point.
+/// Boundary condition at the first and the last point.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Ends {
-    /// Rest: no speed; with the quintic no acceleration either.
+    /// Rest: zero speed and, for the quintic, zero acceleration.
     Rest,
-    /// Free: the cubic has no acceleration there, the quintic no jerk and no derivative of it. Of all curves through the
-    /// points the one with the least ∫α² dt, or ∫j² dt.
+    /// Free: zero acceleration for the cubic, zero jerk and zero derivative of it for the quintic. The curve with the
+    /// least ∫α² dt, or ∫j² dt, of all through the points.
     Natural,
-    /// The last point joins the first one: as many derivatives agree as at any other point. The position may have moved on.
+    /// The last point joins the first: as many derivatives agree as at any other point. The positions may differ.
     Periodic,
-    /// Speed, and with the quintic acceleration, as stated at the first and the last point.
+    /// Stated speed and, for the quintic, acceleration at the first and the last point.
     Stated(EndState, EndState),
 }
 
 impl Ends {
-    /// What is fixed at both ends; none where it follows from the points.
+    /// Returns the states fixed at both ends; `None` if they follow from the points.
     fn fixed(self) -> Option<[EndState; 2]> {
         match self {
             Self::Rest => Some([EndState::default(); 2]),
@@ -59,27 +59,27 @@ impl Ends {
     }
 }
 
-/// Why points are no motion.
+/// Fault that prevents points from being a motion.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum PointsFault {
     /// Too few points for the spline and its ends.
     TooFew {
-        /// How many there are.
+        /// Number of points.
         points: usize,
-        /// How many it takes.
+        /// Number of points required.
         least: usize,
     },
     /// A value of a point is not a finite number.
     NotFinite {
-        /// Its index.
+        /// Index of the point.
         index: usize,
     },
-    /// A point is not after the one before it.
+    /// A point is not later than the one before it.
     NotIncreasing {
-        /// Its index.
+        /// Index of the later point.
         index: usize,
     },
-    /// The points lie so unevenly that the equations of the spline have no solution in double precision.
+    /// The points are spaced so unevenly that the equations of the spline have no solution in double precision.
     Uneven,
 }
 
@@ -87,22 +87,23 @@ pub enum PointsFault {
 #[derive(Clone, Debug, PartialEq)]
 pub struct Points {
     pieces: Vec<Piece>,
-    /// Positions and speeds at the points, from the first one \[rad\], [rad/s].
+    /// Positions relative to the first point \[rad\] and speeds [rad/s] at the points.
     states: Vec<(f64, f64)>,
     first: Angle,
 }
 
 impl Points {
-    /// The spline through positions at increasing instants.
+    /// Creates the spline through positions at increasing instants.
     ///
-    /// Speeds m_k and, with the quintic, accelerations M_k at the points make a polynomial between each two. They follow
-    /// from ∫α² dt → min (cubic) or ∫j² dt → min (quintic), which holds exactly where the next derivatives are continuous.
+    /// Speeds m_k and, for the quintic, accelerations M_k at the points determine a polynomial in each interval. They
+    /// follow from ∫α² dt → min (cubic) or ∫j² dt → min (quintic), which holds exactly if the next derivatives are
+    /// continuous.
     ///
     /// # Source
     /// Ahlberg, Nilson and Walsh, The Theory of Splines and Their Applications (1967), the minimum norm property;
     /// docs/theory/motion-laws.md
     /// # Errors
-    /// Every [`PointsFault`].
+    /// Returns the [`PointsFault`]s of all points.
     pub fn new(points: &[(Time, Angle)], spline: Spline, ends: Ends) -> Result<Self, Vec<PointsFault>> {
         let points: Vec<(f64, f64)> = points.iter().map(|(time, position)| (time.si(), position.si())).collect();
         let least = if spline == Spline::Quintic && ends == Ends::Natural { 3 } else { 2 };
@@ -125,32 +126,32 @@ impl Points {
         Ok(Self { pieces, states, first: Angle::from_si(first) })
     }
 
-    /// Position of the first point.
+    /// Returns the position of the first point.
     #[must_use]
     pub const fn first(&self) -> Angle {
         self.first
     }
 
-    /// Speed at the first point.
+    /// Returns the speed at the first point.
     #[must_use]
     pub fn first_speed(&self) -> AngularVelocity {
         AngularVelocity::from_si(self.states.first().map_or(0.0, |(_, speed)| *speed))
     }
 
-    /// The pieces, each with the position from the first point and the speed at which it ends.
+    /// Iterates over the pieces, each with its end position relative to the first point and its end speed.
     pub(crate) fn pieces(&self) -> impl Iterator<Item = (Piece, (f64, f64))> + '_ {
         self.pieces.iter().copied().zip(self.states.iter().skip(1).copied())
     }
 }
 
-/// Speed and acceleration at a point [rad/s, rad/s²]; the latter of the quintic alone.
+/// Speed and acceleration at a point [rad/s, rad/s²]; the acceleration is used by the quintic only.
 type Knot = [f64; 2];
 
-/// The knots and the pieces between them.
+/// Returns the knots and the pieces between them.
 fn solved(points: &[(f64, f64)], spline: Spline, ends: Ends) -> Option<(Vec<Knot>, Vec<Piece>)> {
     let size = spline.unknowns();
     let intervals = points.len() - 1;
-    // The unknown numbers of a point; those of a fixed end are known, those of a periodic one the same at both.
+    // Unknowns of a point; those of a fixed end are known, those of periodic ends are equal.
     let fixed = ends.fixed().map(|ends| ends.map(|end| [end.speed.si(), end.acceleration.si()]));
     let unknowns = match ends {
         Ends::Rest | Ends::Stated(..) => intervals - 1,
@@ -175,7 +176,7 @@ fn solved(points: &[(f64, f64)], spline: Spline, ends: Ends) -> Option<(Vec<Knot
     for ((h, step), knot) in spans().zip(0..) {
         let (rows, load) = element(spline, h);
         let of_interval = [knot, knot + 1].map(place);
-        // Number and value of each of the unknowns of both ends.
+        // Index or value of each unknown of both ends.
         let numbers = of_interval.iter().flat_map(|end| {
             (0..size).map(move |which| match end {
                 Ok(unknown) => Ok(unknown * size + which),
@@ -187,7 +188,7 @@ fn solved(points: &[(f64, f64)], spline: Spline, ends: Ends) -> Option<(Vec<Knot
             let mut known = load * step;
             for (entry, other) in row.iter().zip(numbers.clone()) {
                 match other {
-                    // Both halves of the symmetric matrix are run through, and one is kept.
+                    // Both halves of the symmetric matrix are visited, and one is stored.
                     Ok(other) if other <= number => matrix.add(number, other, *entry),
                     Ok(_) => {}
                     Err(value) => known -= entry * value,
@@ -216,10 +217,10 @@ fn solved(points: &[(f64, f64)], spline: Spline, ends: Ends) -> Option<(Vec<Knot
     Some((knots, pieces))
 }
 
-/// What an interval of duration h adds to the equations of the unknowns of its ends (m_0, M_0, m_1, M_1; of the cubic m_0,
-/// m_1): rows of the matrix, and the right side for a step of one.
+/// Returns the contribution of an interval of duration h to the equations of the unknowns at its ends (m_0, M_0, m_1,
+/// M_1; for the cubic m_0, m_1): rows of the matrix, and the right-hand side for a unit step.
 ///
-/// Derivatives of ½∫α² dt, or ½∫j² dt, of the polynomial through the states of both ends.
+/// Derivatives of ½∫α² dt, or ½∫j² dt, of the polynomial through the states at both ends.
 fn element(spline: Spline, h: f64) -> (Vec<Vec<f64>>, Vec<f64>) {
     let (h2, h3) = (h * h, h * h * h);
     match spline {
@@ -236,7 +237,7 @@ fn element(spline: Spline, h: f64) -> (Vec<Vec<f64>>, Vec<f64>) {
     }
 }
 
-/// The polynomial over a span of a duration and a step, between two knots.
+/// Returns the polynomial between two knots for a duration and a step of position.
 fn piece(spline: Spline, (h, step): (f64, f64), [m0, a0]: Knot, [m1, a1]: Knot) -> Piece {
     let made = match spline {
         Spline::Cubic => {

@@ -5,7 +5,7 @@ fn points(points: &[(f64, f64)]) -> Vec<(Time, Angle)> {
     points.iter().map(|(t, q)| (Time::from_si(*t), Angle::from_si(*q))).collect()
 }
 
-/// Instants at uneven distances and the values of a function there.
+/// Returns unevenly spaced instants with the values of a function there.
 fn of(f: impl Fn(f64) -> f64, count: u32) -> Vec<(Time, Angle)> {
     let at = |k: u32| {
         let s = f64::from(k) / f64::from(count - 1);
@@ -60,7 +60,7 @@ fn a_polynomial_of_its_degree_is_met_exactly() {
     }
 }
 
-/// Speed, acceleration, jerk and its derivative at an end of a piece.
+/// Returns speed, acceleration, jerk and the derivative of the jerk at a time of a piece.
 fn derivatives(piece: &Piece, t: f64) -> [f64; 4] {
     let (state, [_, c1, c2, c3]) = (piece.at(t), piece.polynomial);
     [state.speed_rad_s, state.acceleration_rad_s2, c1 + t * (2.0 * c2 + t * 3.0 * c3), 2.0 * c2 + t * 6.0 * c3]
@@ -85,7 +85,7 @@ fn as_many_derivatives_are_continuous_as_it_says() {
     }
 }
 
-/// ∫α² dt of the cubic and ∫j² dt of the quintic with free ends are the least of all curves through the points.
+/// With free ends, ∫α² dt of the cubic and ∫j² dt of the quintic are the least of all curves through the points.
 #[test]
 fn free_ends_bend_least() {
     let at = of(|t| (4.0 * t).sin(), 7);

@@ -1,4 +1,4 @@
-//! A motion given by samples instead of a law.
+//! Motion given by samples instead of a law.
 
 use crate::faults::RecordedFault;
 use crate::resolution::{MadeUp, RestNoise, SteppedColumn, made_up, still};
@@ -6,10 +6,11 @@ use quantities::{AngularVelocity, Measure, Time};
 use std::ops::Range;
 use std::sync::Arc;
 
-/// Recorded position and speed may differ by so much of the travel before one of them must be wrong.
+/// Largest permitted difference of recorded and integrated position, relative to the travel; beyond it one of them must
+/// be wrong.
 const CONTRADICTION: f64 = 0.05;
 
-/// Samples as they come from a file, in SI at the output; what is not changed on the way to a motion is shared with it.
+/// Samples read from a file, in SI at the output; unchanged columns are shared with the motion.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Samples {
     /// Instants \[s\], strictly increasing.
@@ -18,28 +19,28 @@ pub struct Samples {
     pub position_rad: Option<Arc<Vec<f64>>>,
     /// Speeds [rad/s].
     pub speed_rad_s: Option<Arc<Vec<f64>>>,
-    /// Torques that the actuator gives to the load, positive in the positive direction \[Nm\].
+    /// Torques of the actuator on the load, positive in the positive direction \[Nm\].
     pub torque_nm: Option<Arc<Vec<f64>>>,
 }
 
-/// Processing of samples before they are a motion. By default none.
+/// Processing of samples before they become a motion; none by default.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Treatment {
     /// Width of the window of a moving parabola, fitted by least squares.
     pub smoothing: Option<Time>,
-    /// Speeds below this count as standstill; without it what is noise at rest does.
+    /// Speeds below this value count as standstill; if `None`, those identified as noise at rest do.
     pub standstill: Option<AngularVelocity>,
 }
 
-/// A recorded motion: speed and torque are straight between two samples, so that the acceleration is constant there.
+/// A recorded motion: speed and torque are linear between two samples, so that the acceleration is constant there.
 ///
 /// α = (ω_(k+1) − ω_k)/(t_(k+1) − t_k)
 ///
 /// # Source
 /// docs/theory/recorded-motion.md
 /// # Valid
-/// the position is the recorded one at the samples; recorded without a speed it is differentiated, recorded
-/// without a position the speed is integrated
+/// the position is the recorded one at the samples; without a recorded speed it is differentiated, without a recorded
+/// position the speed is integrated
 #[derive(Clone, Debug, PartialEq)]
 pub struct Recorded {
     time_s: Arc<Vec<f64>>,
@@ -53,10 +54,10 @@ pub struct Recorded {
 }
 
 impl Recorded {
-    /// A motion from samples.
+    /// Creates a motion from samples.
     ///
     /// # Errors
-    /// [`RecordedFault`] with the first sample that makes it none.
+    /// Returns the first [`RecordedFault`].
     pub fn new(samples: Samples, treatment: Treatment) -> Result<Self, RecordedFault> {
         let Samples { time_s, position_rad, speed_rad_s, torque_nm } = samples;
         check(&time_s, [position_rad.as_ref(), speed_rad_s.as_ref(), torque_nm.as_ref()])?;
@@ -121,88 +122,91 @@ impl Recorded {
         })
     }
 
-    /// The same samples in front of a stage that turns `ratio` times as far; the torque stays that of the mechanism.
+    /// Returns the samples at the input of a stage that turns `ratio` times as far; the torque remains that of the
+    /// mechanism.
     pub(crate) fn geared(&self, ratio: f64) -> Self {
         let times = |values: &[f64]| Arc::new(values.iter().map(|value| value * ratio).collect());
         Self { position_rad: times(&self.position_rad), speed_rad_s: times(&self.speed_rad_s), ..self.clone() }
     }
 
-    /// Instants from the first sample \[s\].
+    /// Returns the instants from the first sample \[s\].
     #[must_use]
     pub fn time_s(&self) -> &[f64] {
         &self.time_s
     }
 
-    /// Positions \[rad\].
+    /// Returns the positions \[rad\].
     #[must_use]
     pub fn position_rad(&self) -> &[f64] {
         &self.position_rad
     }
 
-    /// Speeds [rad/s].
+    /// Returns the speeds [rad/s].
     #[must_use]
     pub fn speed_rad_s(&self) -> &[f64] {
         &self.speed_rad_s
     }
 
-    /// Torques \[Nm\], if they are recorded.
+    /// Returns the torques \[Nm\], if they are recorded.
     #[must_use]
     pub fn torque_nm(&self) -> Option<&[f64]> {
         self.torque_nm.as_ref().map(|torque| torque.as_slice())
     }
 
-    /// Whether positions are recorded: then they say where the axis stands, else only how far it went.
+    /// Returns `true` if positions are recorded and thus determine the position of the axis; speeds alone determine
+    /// only the travel.
     #[must_use]
     pub const fn is_placed(&self) -> bool {
         self.is_placed
     }
 
-    /// Duration \[s\].
+    /// Returns the duration \[s\].
     #[must_use]
     pub fn duration_s(&self) -> f64 {
         self.time_s.last().copied().unwrap_or(0.0)
     }
 
-    /// Position at the first and at the last sample \[rad\].
+    /// Returns the positions at the first and the last sample \[rad\].
     #[must_use]
     pub fn ends_rad(&self) -> (f64, f64) {
         ends(&self.position_rad)
     }
 
-    /// Speed at the first and at the last sample [rad/s].
+    /// Returns the speeds at the first and the last sample [rad/s].
     #[must_use]
     pub fn end_speeds_rad_s(&self) -> (f64, f64) {
         ends(&self.speed_rad_s)
     }
 
-    /// By how much the speeds at the first and at the last sample may be wrong because they are slopes of positions
-    /// [rad/s]; nothing where the speed is recorded.
+    /// Returns the errors of the speeds at the first and the last sample [rad/s] if they are slopes of positions; zero
+    /// if the speed is recorded.
     ///
-    /// h_0 (h_0 + h_1) |q'''|/3, equal steps: 2/3 h² |q'''|, twice the error of a cubic; q''' by the third difference of the four samples at the end
+    /// h_0 (h_0 + h_1) |q'''|/3, for equal steps 2/3 h² |q'''|: twice the error of a cubic; q''' from the third
+    /// difference of the four samples at the end
     #[must_use]
     pub const fn end_errors_rad_s(&self) -> (f64, f64) {
         self.end_errors_rad_s
     }
 
-    /// Noise at rest that was taken for zero, if there is any.
+    /// Returns the noise at rest that was set to zero, if there is any.
     #[must_use]
     pub const fn rest_noise(&self) -> Option<RestNoise> {
         self.rest_noise
     }
 
-    /// The acceleration that the resolution of the samples makes up, if it is notable.
+    /// Returns the spurious acceleration caused by the resolution of the samples, if it is significant.
     #[must_use]
     pub const fn made_up(&self) -> Option<MadeUp> {
         self.made_up
     }
 
-    /// Number of samples.
+    /// Returns the number of samples.
     #[must_use]
     pub fn len(&self) -> usize {
         self.time_s.len()
     }
 
-    /// Never: there are at least three samples.
+    /// Returns `false`: a recording has at least three samples.
     #[must_use]
     pub fn is_empty(&self) -> bool {
         self.time_s.is_empty()
@@ -212,19 +216,19 @@ impl Recorded {
 /// A recording on the time axis of a cycle.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Placed {
-    /// The samples.
+    /// Recorded motion.
     pub recorded: Arc<Recorded>,
     /// Instant of the first sample, from the start of the cycle \[s\].
     pub start_s: f64,
-    /// What is added to the recorded positions \[rad\].
+    /// Offset added to the recorded positions \[rad\].
     pub offset_rad: f64,
-    /// What the recorded times are multiplied with; speeds are divided by it.
+    /// Factor of the recorded times \[1\]; speeds are divided by it.
     pub stretch: f64,
     /// Index of the segment.
     pub segment: usize,
 }
 
-/// The way from one sample to the next: speed and torque straight, acceleration constant.
+/// The interval between two samples: speed and torque linear, acceleration constant.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Interval {
     /// Instant of the first sample, from the start of the cycle \[s\].
@@ -235,21 +239,22 @@ pub struct Interval {
     pub position_rad: [f64; 2],
     /// Speeds at both ends [rad/s].
     pub speed_rad_s: [f64; 2],
-    /// Recorded torque at both ends \[Nm\]; zero where none is recorded.
+    /// Recorded torques at both ends \[Nm\]; zero if none is recorded.
     pub torque_nm: [f64; 2],
 }
 
 impl Interval {
-    /// α [rad/s²]
+    /// Returns the acceleration α [rad/s²].
     #[must_use]
     pub fn acceleration_rad_s2(&self) -> f64 {
         let [first, last] = self.speed_rad_s;
         (last - first) / self.duration_s
     }
 
-    /// Position, speed and torque at a share of the way.
+    /// Returns position, speed and torque at a share u of the interval.
     ///
-    /// q = q_0 + u (q_1 − q_0) − α h² u (1 − u)/2: the recorded positions at the ends, the curvature of the speed between
+    /// q = q_0 + u (q_1 − q_0) − α h² u (1 − u)/2: the recorded positions at the ends, with the curvature of the speed
+    /// in between
     #[must_use]
     pub fn at(&self, u: f64) -> (f64, f64, f64) {
         let straight = |[a, b]: [f64; 2]| a + u * (b - a);
@@ -259,13 +264,13 @@ impl Interval {
 }
 
 impl Placed {
-    /// Number of intervals between samples.
+    /// Returns the number of intervals between samples.
     #[must_use]
     pub fn intervals(&self) -> usize {
         self.recorded.len().saturating_sub(1)
     }
 
-    /// The interval that begins with a sample; `None` at the last.
+    /// Returns the interval that begins with a sample; `None` at the last one.
     #[must_use]
     pub fn interval(&self, index: usize) -> Option<Interval> {
         let pair = |values: &[f64]| values.get(index).copied().zip(values.get(index + 1).copied());
@@ -283,7 +288,8 @@ impl Placed {
         })
     }
 
-    /// Distance from the first to the last sample, largest |ω| and largest |α| [rad, rad/s, rad/s²].
+    /// Returns the distance from the first to the last sample, the largest |ω| and the largest |α| [rad, rad/s,
+    /// rad/s²].
     #[must_use]
     pub fn course(&self) -> [f64; 3] {
         let (first, last) = self.recorded.ends_rad();
@@ -294,7 +300,7 @@ impl Placed {
         })
     }
 
-    /// Duration on the time axis \[s\].
+    /// Returns the duration on the time axis \[s\].
     #[must_use]
     pub fn duration_s(&self) -> f64 {
         self.recorded.duration_s() * self.stretch
@@ -323,13 +329,13 @@ fn check(time: &[f64], columns: [Option<&Arc<Vec<f64>>>; 3]) -> Result<(), Recor
     }
 }
 
-/// Slope of the parabola through each sample and its neighbours; at the ends that of the nearest parabola, and rest where
-/// the two samples there are equal.
+/// Returns the slope of the parabola through each sample and its neighbours; at the ends that of the nearest parabola,
+/// or zero if the two samples there are equal.
 ///
-/// ẏ_k = (h_1 d_0 + h_0 d_1)/(h_0 + h_1), d slopes of the secants, h distances of the instants; error h²/6 of the third
-/// derivative, h²/3 at the ends.
+/// ẏ_k = (h_1 d_0 + h_0 d_1)/(h_0 + h_1), d slopes of the secants, h time steps; error h²/6 of the third derivative,
+/// h²/3 at the ends.
 fn slopes(time: &[f64], values: &[f64]) -> Vec<f64> {
-    // Made as they are looked at: of a long recording they would take as much as two of its columns.
+    // Computed lazily: for a long recording they would need as much memory as two of its columns.
     let secants = || {
         let ends = time.iter().zip(values).zip(time.iter().zip(values).skip(1));
         ends.map(|((t0, y0), (t1, y1))| (t1 - t0, (y1 - y0) / (t1 - t0)))
@@ -337,7 +343,7 @@ fn slopes(time: &[f64], values: &[f64]) -> Vec<f64> {
     let pairs = || secants().zip(secants().skip(1));
     let mut slopes = Vec::with_capacity(time.len());
     if let Some(((h0, d0), (h1, d1))) = pairs().next() {
-        // A motion that stands from its first sample to the next sets out from rest, not backwards.
+        // A motion with equal first samples starts from rest, not backwards.
         slopes.push(if d0 == 0.0 { 0.0 } else { d0 + h0 * (d0 - d1) / (h0 + h1) });
     }
     slopes.extend(pairs().map(|((h0, d0), (h1, d1))| (h1 * d0 + h0 * d1) / (h0 + h1)));
@@ -347,11 +353,11 @@ fn slopes(time: &[f64], values: &[f64]) -> Vec<f64> {
     slopes
 }
 
-/// Error of the slope at the first sample, from the third difference of four samples: the next ones, or with smoothing
-/// those that divide the window there into three.
+/// Returns the error of the slope at the first sample from the third difference of four samples: the first four or,
+/// with smoothing, those that divide the window there into thirds.
 ///
-/// The parabola through three samples misses the slope of a cubic by h_0 (h_0 + h_1) y'''/6; that of least squares over a
-/// half window W by W² y'''/10.
+/// The parabola through three samples deviates from the slope of a cubic by h_0 (h_0 + h_1) y'''/6; that of least
+/// squares over a half window W by W² y'''/10.
 fn slope_error(time: &[f64], values: &[f64], half_window: f64) -> f64 {
     let first = time.first().copied().unwrap_or(0.0);
     let later = |share: f64, least: usize| {
@@ -362,21 +368,21 @@ fn slope_error(time: &[f64], values: &[f64], half_window: f64) -> f64 {
     let [Some((t0, y0)), Some((t1, y1)), Some((t2, y2)), Some((t3, y3))] = at.map(point) else { return 0.0 };
     let (d01, d12, d23) = ((y1 - y0) / (t1 - t0), (y2 - y1) / (t2 - t1), (y3 - y2) / (t3 - t2));
     let third = ((d23 - d12) / (t3 - t1) - (d12 - d01) / (t2 - t0)) / (t3 - t0);
-    // The third difference is a sixth of the third derivative, in the mean over samples between which it may change as the
-    // laws do: twice that.
+    // The third difference is a sixth of the mean third derivative over the samples, between which it may vary as in a
+    // motion law: hence a factor of two.
     (2.0 * third * if half_window > 0.0 { 0.6 * half_window * half_window } else { (t1 - t0) * (t2 - t0) }).abs()
 }
 
-/// [`slope_error`] at the last sample.
+/// Returns [`slope_error`] at the last sample.
 fn slope_error_at_end(time: &[f64], values: &[f64], half_window: f64) -> f64 {
-    // Only what lies within the window or the last four samples is turned round.
+    // Only samples within the window, or the last four, are reversed.
     let last = time.last().copied().unwrap_or(0.0);
     let from = time.partition_point(|t| last - t > half_window).min(time.len().saturating_sub(4)).saturating_sub(1);
     let turned = |values: &[f64]| values.get(from..).unwrap_or_default().iter().rev().copied().collect::<Vec<f64>>();
     slope_error(&turned(time), &turned(values), half_window)
 }
 
-/// Trapezoidal integral: exact for a speed that is straight between the samples.
+/// Returns the trapezoidal integral, which is exact for a speed linear between the samples.
 fn integral(time: &[f64], speed: &[f64]) -> Vec<f64> {
     let mut position = 0.0;
     let mut positions = Vec::with_capacity(time.len());
@@ -388,12 +394,12 @@ fn integral(time: &[f64], speed: &[f64]) -> Vec<f64> {
     positions
 }
 
-/// Value and slope at each sample of the parabola fitted to the samples within half a window on both sides.
+/// Returns value and slope, at each sample, of the parabola fitted to the samples within half a window on both sides.
 ///
-/// Least squares of y = a + b τ + c τ², τ = t − t_k; at the ends the window is cut off. Positions and speeds up to the
-/// second degree pass unchanged.
+/// Least squares of y = a + b τ + c τ², τ = t − t_k; the window is cut off at the ends. Positions and speeds up to the
+/// second degree are reproduced.
 fn smooth(time: &[f64], values: &[f64], window: f64) -> Result<(Vec<f64>, Vec<f64>), RecordedFault> {
-    // Samples at the very edge belong to the window, however their instants are rounded.
+    // Samples at the edge belong to the window despite rounding of their instants.
     let half = 0.5 * window * (1.0 + 1e-9);
     let mut fitted = (Vec::with_capacity(time.len()), Vec::with_capacity(time.len()));
     let groups = Sums::of_groups(time, values, half);
@@ -408,7 +414,7 @@ fn smooth(time: &[f64], values: &[f64], window: f64) -> Result<(Vec<f64>, Vec<f6
         if to - from > WINDOW_MOST {
             return Err(RecordedFault::WindowTooLong { most: WINDOW_MOST });
         }
-        // Cut off at an end, the window still holds a parabola.
+        // The window must determine a parabola even where it is cut off at an end.
         if to - from < 4 {
             let gap = time.windows(2).filter_map(|pair| Some(pair.last()? - pair.first()?)).fold(0.0, f64::max);
             return Err(RecordedFault::WindowTooShort { least: Time::from_si(6.0 * gap) });
@@ -434,13 +440,13 @@ fn smooth(time: &[f64], values: &[f64], window: f64) -> Result<(Vec<f64>, Vec<f6
     Ok(fitted)
 }
 
-/// Most samples in one smoothing window.
+/// Largest number of samples in one smoothing window.
 const WINDOW_MOST: usize = 10_001;
 
-/// So many samples of a long window are taken at once.
+/// Number of samples of a long window that are added at once.
 const GROUP: usize = 64;
 
-/// Sums of the powers of x, and of their products with y: what the parabola of least squares hangs on.
+/// Sums of the powers of x and of their products with y, from which the parabola of least squares follows.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 struct Sums {
     /// Σ 1, Σ x, … Σ x⁴
@@ -460,8 +466,9 @@ impl Sums {
         }
     }
 
-    /// Takes samples whose sums are known about a place d from here: x = d + x', so that Σ xᵏ follows from the sums of the
-    /// powers up to k by the binomial law. Within a window |d| ≤ 1, and nothing cancels that would not in the sums themselves.
+    /// Adds samples whose sums are known about a point at distance d: x = d + x', so that Σ xᵏ follows from the sums of
+    /// the powers up to k by the binomial theorem. Within a window |d| ≤ 1, without more cancellation than in the sums
+    /// themselves.
     fn take_group(&mut self, group: &Self, d: f64) {
         let ([s0, s1, s2, s3, s4], [r0, r1, r2]) = (group.s, group.r);
         let d2 = d * d;
@@ -477,7 +484,7 @@ impl Sums {
         self.r.iter_mut().zip(moved).for_each(|(sum, term)| *sum += term);
     }
 
-    /// Those of every [`GROUP`] samples about an instant amid them, with that instant.
+    /// Returns the sums of each [`GROUP`] of samples about its middle instant, with that instant.
     fn of_groups(time: &[f64], values: &[f64], half: f64) -> Vec<(f64, Self)> {
         let groups = time.chunks(GROUP).zip(values.chunks(GROUP));
         groups
@@ -490,7 +497,7 @@ impl Sums {
             .collect()
     }
 
-    /// Value and slope at zero of the parabola of least squares.
+    /// Returns value and slope at zero of the parabola of least squares.
     fn parabola(&self) -> (f64, f64) {
         let ([s0, s1, s2, s3, s4], [r0, r1, r2]) = (self.s, self.r);
         let (m00, m01, m02) = (s2 * s4 - s3 * s3, s2 * s3 - s1 * s4, s1 * s3 - s2 * s2);
@@ -500,7 +507,7 @@ impl Sums {
     }
 }
 
-/// Position and speed, both recorded, must tell of the same motion.
+/// Checks that recorded positions and speeds agree.
 fn agree(time: &[f64], position: &[f64], speed: &[f64]) -> Result<(), RecordedFault> {
     let travelled = integral(time, speed);
     let first = position.first().copied().unwrap_or(0.0);

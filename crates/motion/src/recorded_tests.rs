@@ -1,7 +1,7 @@
 use super::*;
 
 fn times(n: u32, h: f64) -> Vec<f64> {
-    // Irregular on purpose: every third step is a fifth longer.
+    // Intentionally irregular: every third step is a fifth longer.
     let mut t = 3.0;
     (0..n)
         .map(|k| {
@@ -31,7 +31,7 @@ fn a_parabola_of_positions_is_differentiated_exactly() {
     }
 }
 
-/// sin t: the error of the slope is h²/6 of the third derivative inside.
+/// For sin t the error of the slope is h²/6 of the third derivative inside.
 #[test]
 fn the_error_of_the_difference_falls_with_the_square_of_the_step() {
     let worst = |n: u32, h: f64| {
@@ -50,7 +50,7 @@ fn the_error_of_the_difference_falls_with_the_square_of_the_step() {
 #[test]
 fn smoothing_takes_the_noise_and_leaves_the_motion() {
     let time: Vec<f64> = (0..2000).map(|k| f64::from(k) * 1e-3).collect();
-    // Two samples above, two below by one encoder step: what hurts central differences most.
+    // Two samples above, two below by one encoder step: the worst case for central differences.
     let noisy = |k: usize, t: f64| (2.0 * t).sin() + if k % 4 < 2 { 1e-5 } else { -1e-5 };
     let position: Vec<f64> = time.iter().enumerate().map(|(k, t)| noisy(k, *t)).collect();
     let samples = Samples { time_s: time.clone().into(), position_rad: Some(position.into()), ..Samples::default() };
@@ -108,7 +108,7 @@ fn what_is_no_motion_is_reported() {
 
 #[test]
 fn a_long_window_gives_the_parabola_that_its_samples_give_one_by_one() {
-    // Irregular instants, a signal far from zero, windows from a few samples to nearly all of them.
+    // Irregular instants, a signal far from zero, windows from a few samples to nearly all.
     let mut time = vec![0.0];
     for k in 1..3000_u32 {
         time.push(time[time.len() - 1] + 1e-3 * (1.0 + 0.5 * f64::from(k * 7919 % 101) / 101.0));

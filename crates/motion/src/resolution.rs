@@ -1,44 +1,46 @@
-//! Resolution of recorded samples: the step of a column, the acceleration that it makes up, and the noise in which an axis rests.
+//! Resolution of recorded samples: the step of a column, the spurious acceleration that it causes, and the noise of an
+//! axis at rest.
 
 use std::ops::Range;
 
-/// Numbers are read to 64 rounding errors of the largest.
+/// Rounding error of a value, relative to the largest: 64 units in the last place.
 const ROUNDING: f64 = 64.0 * f64::EPSILON;
 
-/// A step is one only where it is this many times larger than the rounding.
+/// Smallest step relative to the rounding error.
 const STEP_LEAST: f64 = 16.0;
 
-/// A difference may miss a multiple of the step by this share of it.
+/// Permitted deviation of a difference from a multiple of the step, relative to the step.
 const STEP_SLACK: f64 = 0.05;
 
-/// Rounded values show themselves in differences of this share of the step at least, in a quarter of the samples.
+/// Smallest difference that counts as rough, relative to the step; values are rounded if a quarter of the samples are
+/// rough.
 const ROUGH: f64 = 0.5;
 
-/// An acceleration made up by steps is reported from this share of the motion's own on.
+/// Smallest spurious acceleration that is reported, relative to that of the motion.
 const NOTABLE: f64 = 0.05;
 
-/// Speeds below this share of the largest may be rest.
+/// Largest speed that may be rest, relative to the largest speed.
 const SLOW: f64 = 1e-3;
 
-/// Speeds below this share of the largest are rounding of a computation.
+/// Largest speed that is a rounding error of a computation, relative to the largest speed.
 const ROUNDED: f64 = 1e-9;
 
-/// Fewest samples of a rest in noise.
+/// Smallest number of samples of a rest with noise.
 const REST_LEAST: usize = 8;
 
-/// So many times the median of noise lies above all of it: 5.4 standard deviations of normal noise.
+/// Bound of noise relative to its median: 5.4 standard deviations of normal noise.
 const ABOVE_MEDIAN: f64 = 8.0;
 
-/// Noise at rest that was taken for zero.
+/// Noise at rest that was set to zero.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct RestNoise {
-    /// Largest speed that was taken for zero [rad/s].
+    /// Largest speed that was set to zero [rad/s].
     pub speed_rad_s: f64,
-    /// Time at rest that the noise hid \[s\].
+    /// Time at rest hidden by the noise \[s\].
     pub duration_s: f64,
 }
 
-/// Column whose steps make up an acceleration.
+/// Column whose steps cause a spurious acceleration.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum SteppedColumn {
     /// Positions, differentiated twice \[rad\].
@@ -47,30 +49,32 @@ pub enum SteppedColumn {
     Speed,
 }
 
-/// An acceleration that is made up by the resolution of a column.
+/// A spurious acceleration caused by the resolution of a column.
 ///
 /// # Symbols
-/// s step of the column, h interval of the samples; positions: the second difference of rounded values reaches s/h², with smoothing
+/// s step of the column, h time step; positions: the second difference of rounded values reaches s/h², with smoothing
 /// over n samples four standard deviations, 4 · 8.5 s/(√12 n² h²); speeds: s/h, with smoothing 4 · 2.1 s/(√12 n h)
 /// # Source
 /// docs/theory/recorded-motion.md
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct MadeUp {
-    /// The column.
+    /// Column with steps.
     pub column: SteppedColumn,
-    /// Its step \[rad\] or [rad/s].
+    /// Step of the column \[rad\] or [rad/s].
     pub step: f64,
-    /// Median interval of the samples \[s\].
+    /// Median time step of the samples \[s\].
     pub interval_s: f64,
-    /// Largest acceleration that the steps make up \[rad/s²\].
+    /// Largest spurious acceleration \[rad/s²\].
     pub acceleration_rad_s2: f64,
-    /// Largest acceleration of the motion, from samples so far apart that the steps do not matter \[rad/s²\].
+    /// Largest acceleration of the motion, from samples far enough apart for the steps not to matter \[rad/s²\].
     pub motion_rad_s2: f64,
-    /// Width of a smoothing window with which a twentieth of the motion's acceleration is left, if there is one \[s\].
+    /// Width of a smoothing window that reduces the spurious acceleration to a twentieth of the motion's, if there is
+    /// one \[s\].
     pub smoothing_s: Option<f64>,
 }
 
-/// Step of a column: the largest number of which all differences of neighbouring values are multiples; zero where there is none.
+/// Returns the step of a column: the largest number of which all differences of adjacent values are multiples; zero if
+/// there is none.
 fn step(values: &[f64]) -> f64 {
     let most = values.iter().fold(0.0_f64, |most, value| most.max(value.abs()));
     let least = ROUNDING * most;
@@ -86,7 +90,7 @@ fn step(values: &[f64]) -> f64 {
         }
         let rest = (difference - step * (difference / step).round()).abs();
         if rest > STEP_SLACK * step.min(difference) {
-            // Euclid's algorithm down to the rounding.
+            // Euclid's algorithm down to the rounding error.
             let (mut larger, mut smaller) = (difference.max(step), difference.min(step));
             while smaller > least && smaller > STEP_SLACK * larger.min(step) {
                 (larger, smaller) = (smaller, (larger - smaller * (larger / smaller).round()).abs());
@@ -100,8 +104,8 @@ fn step(values: &[f64]) -> f64 {
     if step < STEP_LEAST * least { 0.0 } else { step }
 }
 
-/// Whether the values are rounded to the step: their differences of this order are as large as it, where those of a motion sampled
-/// closely vanish.
+/// Returns `true` if the values are rounded to the step: their differences of this order are as large as the step,
+/// while those of a densely sampled motion vanish.
 fn is_rough(values: &[f64], step: f64, order: usize) -> bool {
     let (mut rough, mut moving) = (0_usize, 0_usize);
     let (second, third) = (order == 2, order == 3);
@@ -118,7 +122,7 @@ fn is_rough(values: &[f64], step: f64, order: usize) -> bool {
     moving >= 8 && 4 * rough >= moving
 }
 
-/// Median interval of the samples \[s\].
+/// Returns the median time step \[s\].
 fn median_interval(time: &[f64]) -> f64 {
     let mut steps: Vec<f64> = time.iter().zip(time.iter().skip(1)).map(|(one, other)| other - one).collect();
     let middle = steps.len() / 2;
@@ -128,7 +132,8 @@ fn median_interval(time: &[f64]) -> f64 {
     *steps.select_nth_unstable_by(middle, f64::total_cmp).1
 }
 
-/// The acceleration that is made up by the steps of a column, if it is notable beside that of the motion.
+/// Returns the spurious acceleration caused by the steps of a column, if it is significant compared with that of the
+/// motion.
 pub(crate) fn made_up(time: &[f64], values: &[f64], column: SteppedColumn, window_s: Option<f64>) -> Option<MadeUp> {
     let step = step(values);
     let order = match column {
@@ -149,7 +154,7 @@ pub(crate) fn made_up(time: &[f64], values: &[f64], column: SteppedColumn, windo
         SteppedColumn::Speed => step / apart,
     };
     let acceleration = window_s.map_or_else(|| plain(h), |window| smoothed(window).min(plain(h)));
-    // Samples further and further apart, until the steps are a tenth of what the motion does between them.
+    // The distance of the samples is doubled until the steps are a tenth of the motion between them.
     let mut apart = 1;
     let motion = loop {
         let found = largest_acceleration(time, values, column, apart);
@@ -166,7 +171,8 @@ pub(crate) fn made_up(time: &[f64], values: &[f64], column: SteppedColumn, windo
         SteppedColumn::Speed => 4.0 * 2.1 * deviation / (NOTABLE * motion),
     };
     let duration = time.first().zip(time.last()).map_or(0.0, |(first, last)| last - first);
-    // A little more than an even multiple of the interval holds the same samples everywhere; seven are the fewest.
+    // Slightly more than an even multiple of the time step, so that the window contains the same number of samples
+    // everywhere; at least seven.
     let half = (0.5 * wanted / h).ceil().max(3.0);
     let window = (2.0 * half + 0.5) * h;
     let is_short = window <= 0.1 * duration && half <= 5000.0 && window_s.is_none_or(|given| given < window);
@@ -180,7 +186,7 @@ pub(crate) fn made_up(time: &[f64], values: &[f64], column: SteppedColumn, windo
     })
 }
 
-/// Largest acceleration between samples so many apart.
+/// Returns the largest acceleration between samples at a distance of `apart` \[rad/s²\].
 fn largest_acceleration(time: &[f64], values: &[f64], column: SteppedColumn, apart: usize) -> f64 {
     let points = || time.iter().zip(values);
     let slopes = points().zip(points().skip(apart)).map(|((t0, y0), (t1, y1))| (t0, t1, (y1 - y0) / (t1 - t0)));
@@ -196,13 +202,13 @@ fn largest_acceleration(time: &[f64], values: &[f64], column: SteppedColumn, apa
     }
 }
 
-/// Speeds at rest, as far as they are noise, become zero: in them the position goes nowhere.
+/// Returns the samples at rest whose speeds are noise, and the noise; their speeds are to be set to zero.
 ///
-/// A stretch is looked for at ever smaller speeds, from a thousandth of the largest down to the rounding, or two steps of the
-/// column. It is rest if at least eight samples long, and if the axis stays in place there: recorded positions leave a place by less
-/// than a quarter of the way that the speeds add up to, and by no more than 10⁻⁴ of the travel or two steps; without them the speeds
-/// change their sign again and again, and their way is that of white noise. In it speeds up to eight times the median of those that
-/// are not zero become zero.
+/// Stretches are searched at decreasing speeds, from a thousandth of the largest, or two steps of the column, down to
+/// the rounding error. A stretch is rest if it has at least eight samples and the axis stays in place: recorded
+/// positions vary by less than a quarter of the travel that the speeds add up to, and by at most 10⁻⁴ of the total
+/// travel or two steps; without positions, the speeds must change sign often, and their travel must be that of white
+/// noise. Speeds in it up to eight times the median of those other than zero become zero.
 pub(crate) fn still(
     time: &[f64],
     speed: &[f64],
@@ -262,7 +268,7 @@ pub(crate) fn still(
     Some((found, RestNoise { speed_rad_s, duration_s }))
 }
 
-/// Samples between which rests are looked for.
+/// Samples among which rests are searched.
 struct Stretch<'s> {
     time: &'s [f64],
     speed: &'s [f64],
@@ -274,7 +280,7 @@ struct Stretch<'s> {
 }
 
 impl Stretch<'_> {
-    /// Bound of the noise in a run, by the median of what is not zero.
+    /// Returns the bound of the noise in a run, from the median of the speeds other than zero.
     fn noise(&self, run: &Range<usize>) -> f64 {
         let sizes = self.speed.get(run.clone()).unwrap_or_default().iter().map(|speed| speed.abs());
         let mut sizes: Vec<f64> = sizes.filter(|size| *size > 0.0).collect();
@@ -297,7 +303,7 @@ impl Stretch<'_> {
         if count < REST_LEAST {
             return false;
         }
-        // Noise turns back again and again, the ends of two moves at most once.
+        // Noise reverses often, the ends of two moves at most once.
         let turns = moving().zip(moving().skip(1)).filter(|(one, other)| (**one < 0.0) != (**other < 0.0)).count();
         let turns_often = 8 * turns >= count;
         let sizes: Vec<f64> = speed.iter().map(|speed| speed.abs()).collect();
@@ -310,10 +316,10 @@ impl Stretch<'_> {
                 way <= resolved || turns_often && place <= 0.25 * way + resolved && place <= near.max(resolved)
             }
             Some(place) if way > 4.0 * resolved => place <= 0.25 * way && place <= near.max(resolved),
-            // Positions are missing, or too coarse to tell.
+            // Positions are missing or too coarse to decide.
             _ => {
                 let place = range(travelled(time, speed));
-                // Standard deviation of the way that white noise of these speeds makes; of few samples it makes more of it.
+                // Standard deviation of the travel of white noise with these speeds; few samples may exceed it.
                 let duration = time.first().zip(time.last()).map_or(0.0, |(first, last)| last - first);
                 let square = speed.iter().map(|speed| speed * speed).sum::<f64>() / speed.len() as f64;
                 let drift = (square / count as f64).sqrt() * duration;
@@ -323,7 +329,7 @@ impl Stretch<'_> {
     }
 }
 
-/// The longest runs of samples within others that are no faster.
+/// Returns the longest runs of samples within a range that are no faster than `most`.
 fn runs(speed: &[f64], within: Range<usize>, most: f64) -> Vec<Range<usize>> {
     let mut found = Vec::new();
     let mut start = None;
@@ -342,7 +348,7 @@ fn runs(speed: &[f64], within: Range<usize>, most: f64) -> Vec<Range<usize>> {
     found
 }
 
-/// The way up to each sample, by the trapezoidal rule.
+/// Iterates over the travel up to each sample, by the trapezoidal rule.
 fn travelled<'v>(time: &'v [f64], speed: &'v [f64]) -> impl Iterator<Item = f64> + 'v {
     let points = || time.iter().zip(speed);
     let parts = points().zip(points().skip(1)).map(|((t0, w0), (t1, w1))| 0.5 * (w0 + w1) * (t1 - t0));
@@ -352,7 +358,7 @@ fn travelled<'v>(time: &'v [f64], speed: &'v [f64]) -> impl Iterator<Item = f64>
     }))
 }
 
-/// Distance of the smallest from the largest value.
+/// Returns the difference of the largest and the smallest value.
 fn range(values: impl Iterator<Item = f64>) -> f64 {
     let (low, high) =
         values.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), value| (low.min(value), high.max(value)));

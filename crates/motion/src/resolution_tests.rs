@@ -1,7 +1,7 @@
 use super::*;
 use crate::{Recorded, Samples, Treatment};
 
-/// Numbers that look random, from −1 to 1 and normal, without a library.
+/// Pseudorandom numbers, uniform from −1 to 1 and normal.
 struct Noise(u64);
 
 impl Noise {
@@ -12,20 +12,20 @@ impl Noise {
         (self.0 >> 11) as f64 / (1_u64 << 52) as f64 - 1.0
     }
 
-    /// Sum of twelve uniform numbers: standard deviation 1.
+    /// Returns the sum of twelve uniform numbers, with standard deviation 1.
     fn normal(&mut self) -> f64 {
         (0..12).map(|_| self.next()).sum::<f64>() / 2.0
     }
 }
 
-/// Position and speed of the polynomial 10τ³ − 15τ⁴ + 6τ⁵ from rest to rest over a way in a time.
+/// Returns position and speed of the polynomial 10τ³ − 15τ⁴ + 6τ⁵ from rest to rest.
 fn poly(way: f64, duration: f64, t: f64) -> (f64, f64) {
     let x = (t / duration).clamp(0.0, 1.0);
     let q = way * x * x * x * (10.0 - 15.0 * x + 6.0 * x * x);
     (q, way / duration * 30.0 * x * x * (1.0 - x) * (1.0 - x))
 }
 
-/// Forth in a second, rest, back in a second, rest: instants, positions and speeds.
+/// Returns instants, positions and speeds of a move of one second, a rest, the move back and a rest.
 fn forth_and_back(h: f64, rest: f64, way: f64) -> [Vec<f64>; 3] {
     let count = ((2.0 + 2.0 * rest) / h).round() as usize + 1;
     let time: Vec<f64> = (0..count).map(|k| k as f64 * h).collect();
@@ -52,12 +52,12 @@ fn recorded(samples: Samples) -> Recorded {
     Recorded::new(samples, Treatment::default()).unwrap()
 }
 
-/// Instants at rest.
+/// Returns `true` for each instant at rest.
 fn at_rest(recorded: &Recorded) -> Vec<bool> {
     recorded.speed_rad_s().iter().map(|speed| *speed == 0.0).collect()
 }
 
-/// Noise of any size that a rest may have leaves the samples at rest as they are without it.
+/// With noise of any size found at rest, the same samples are at rest as without it.
 #[test]
 fn noise_at_rest_is_rest() {
     let mut noise = Noise(7);
@@ -103,7 +103,7 @@ fn noise_at_rest_is_rest() {
     }
 }
 
-/// A recording without noise stays as it is, however finely it is sampled and coarsely its positions are written.
+/// A recording without noise is unchanged, however finely it is sampled and coarsely its positions are rounded.
 #[test]
 fn a_recording_without_noise_stays_as_it_is() {
     for h in [1e-4, 1e-3, 2e-3, 1e-2] {
@@ -116,7 +116,7 @@ fn a_recording_without_noise_stays_as_it_is() {
                         position.iter().map(rounded).collect()
                     });
                     let found = recorded(samples(&time, written.as_deref(), Some(&speed)));
-                    // What remains of the rounding of two numbers is no motion.
+                    // Speeds within the rounding error of two numbers are no motion.
                     let most = speed.iter().fold(0.0_f64, |most, speed| most.max(*speed));
                     let kept = found.speed_rad_s().iter().zip(&speed).filter(|(_, speed)| speed.abs() > 1e-9 * most);
                     assert!(kept.into_iter().all(|(found, speed)| found == speed), "{h} {rest} {way} {step:?}");
@@ -126,12 +126,12 @@ fn a_recording_without_noise_stays_as_it_is() {
     }
 }
 
-/// Slow motion that goes somewhere is none, however slow it is: creeping, swinging to and fro, and both below the noise of the speed.
+/// Slow motion with travel is no rest at any speed: creeping, oscillating, and both below the noise of the speed.
 #[test]
 fn slow_motion_is_no_rest() {
     let mut noise = Noise(11);
     for share in [3e-8, 1e-6, 1e-4, 9e-4] {
-        // A swing by less than 10⁻⁴ of the travel stays in its place.
+        // An oscillation by less than 10⁻⁴ of the travel stays in place.
         let all = [(0.0, false), (0.3, false), (2.0, false), (0.0, true), (0.3, true)];
         for (noisy, swinging) in all.into_iter().filter(|(_, swinging)| !swinging || share >= 1e-4) {
             let [mut time, _, mut speed] = forth_and_back(0.004, 0.5, 1.5);
@@ -148,7 +148,7 @@ fn slow_motion_is_no_rest() {
             for k in 1..time.len() {
                 position.push(position[k - 1] + 0.5 * (speed[k] + speed[k - 1]) * (time[k] - time[k - 1]));
             }
-            // Without positions more noise than motion hides it.
+            // Without positions, noise larger than the motion hides it.
             for with_position in [true, false].into_iter().filter(|with| *with || noisy < 1.0) {
                 let found = recorded(samples(&time, with_position.then_some(position.as_slice()), Some(&speed)));
                 let still = found.speed_rad_s()[fast + 10..].iter().filter(|speed| **speed == 0.0).count();
@@ -161,7 +161,7 @@ fn slow_motion_is_no_rest() {
     }
 }
 
-/// A position of six decimals of a degree every 60 µs makes up 5 rad/s² where the motion has 0.31.
+/// Positions with six decimals of a degree every 60 µs cause a spurious acceleration of 5 rad/s² in a motion with 0.31.
 #[test]
 fn steps_of_positions_are_found_with_the_acceleration_that_they_make_up() {
     let h = 60e-6;
@@ -179,7 +179,7 @@ fn steps_of_positions_are_found_with_the_acceleration_that_they_make_up() {
         let pairs = found.speed_rad_s().windows(2).zip(found.time_s().windows(2));
         pairs.map(|(w, t)| ((w[1] - w[0]) / (t[1] - t[0])).abs()).fold(0.0, f64::max)
     };
-    // The largest second difference that was found is the size that is reported.
+    // The largest second difference equals the acceleration reported.
     assert!((largest(&found) / made_up.acceleration_rad_s2 - 1.0).abs() < 0.15, "{} {made_up:?}", largest(&found));
     let smoothing = made_up.smoothing_s.map(quantities::Measure::from_si);
     let smooth =
@@ -188,7 +188,8 @@ fn steps_of_positions_are_found_with_the_acceleration_that_they_make_up() {
     assert_eq!(smooth.made_up(), None);
 }
 
-/// Encoders of 12 to 20 bits and decimals of degrees, sampled at 100 Hz to 10 kHz: what is reported is the error that the steps make.
+/// For encoders of 12 to 20 bits and decimals of degrees, sampled at 100 Hz to 10 kHz, the acceleration reported is the
+/// error caused by the steps.
 #[test]
 fn the_acceleration_made_up_is_that_of_the_second_difference() {
     let mut seen = 0;
@@ -209,7 +210,7 @@ fn the_acceleration_made_up_is_that_of_the_second_difference() {
                         assert!((made_up.step / step - 1.0).abs() < 1e-6, "{step} {h} {way}: {made_up:?}");
                         assert!(size > 0.8 * errors && size < 2.5 * errors, "{step} {h} {way}: {errors} {made_up:?}");
                     }
-                    // A way of a few steps says nothing of them; where the step is far below the motion it does not matter.
+                    // A travel of a few steps does not reveal them; steps far below the motion do not matter.
                     None => {
                         assert!(errors < 0.1 * motion || way < 40.0 * step, "{step} {h} {way}: {errors} of {motion}")
                     }
@@ -220,7 +221,7 @@ fn the_acceleration_made_up_is_that_of_the_second_difference() {
     assert!(seen > 20, "{seen}");
 }
 
-/// Few digits alone are no steps: what is exact in them makes up nothing.
+/// Few digits alone are no steps: exact values cause no spurious acceleration.
 #[test]
 fn exact_samples_have_no_steps() {
     let time: Vec<f64> = (0..200_u32).map(|k| f64::from(k) * 0.01).collect();

@@ -1,8 +1,8 @@
-//! The time-optimal move with limited jerk: seven phases of constant jerk.
+//! Time-optimal move with limited jerk: seven phases of constant jerk.
 
 use crate::piece::Piece;
 
-/// Limits of a move, all greater than zero; an infinite jerk makes the trapezoid.
+/// Limits of a move, all greater than zero; an infinite jerk yields the trapezoid.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Limits {
     pub(crate) speed: f64,
@@ -10,7 +10,7 @@ pub(crate) struct Limits {
     pub(crate) jerk: f64,
 }
 
-/// Duration of a change of speed with the acceleration zero at both ends.
+/// Returns the duration of a change of speed with zero acceleration at both ends \[s\].
 ///
 /// t = Δω/a + a/j if the acceleration limit is reached (Δω ≥ a²/j), else 2√(Δω/j)
 fn ramp_time(change: f64, limits: &Limits) -> f64 {
@@ -18,23 +18,24 @@ fn ramp_time(change: f64, limits: &Limits) -> f64 {
     if change * j >= a * a { change / a + a / j } else { 2.0 * (change / j).sqrt() }
 }
 
-/// Distance of a move that goes from `first` through `peak` to `last` without running at `peak`.
-/// The acceleration of each change is symmetric in time, so its mean speed is the mean of its ends.
+/// Returns the distance of a move from `first` through `peak` to `last` without a constant phase. The acceleration of
+/// each change is symmetric in time, so that its mean speed is the mean of its end speeds.
 fn distance(first: f64, peak: f64, last: f64, limits: &Limits) -> f64 {
     0.5 * (first + peak) * ramp_time((peak - first).abs(), limits)
         + 0.5 * (peak + last) * ramp_time((last - peak).abs(), limits)
 }
 
-/// The pieces of the shortest move over a distance between two speeds, acceleration zero at both ends.
+/// Returns the pieces of the shortest move over a distance between two speeds, with zero acceleration at both ends.
 ///
-/// The peak speed is the limit if the distance leaves room to run at it, else the root of the distance in the peak
-/// speed beyond the end speeds. There is one: the distance is convex in the peak there, and begins on the other side.
+/// The peak speed is the limit if the distance permits a constant phase, else the root of the distance as a function of
+/// a peak speed beyond the end speeds. A root exists: the distance is convex in the peak there and begins on the other
+/// side.
 ///
 /// # Source
-/// own derivation, docs/theory/motion-laws.md; durations held against an independent generator
+/// own derivation, docs/theory/motion-laws.md; durations compared with an independent generator
 pub(crate) fn pieces(length: f64, first: f64, last: f64, limits: &Limits) -> Vec<Piece> {
     let (low, high) = (first.min(last), first.max(last));
-    // What a plain change of speed travels; more needs a faster peak, less a slower or reversed one.
+    // Distance of a plain change of speed; a longer one needs a higher peak, a shorter one a lower or reversed peak.
     let forward = length >= distance(first, high, last, limits);
     let (near, far) = if forward { (high, limits.speed) } else { (low, -limits.speed) };
     let reached = distance(first, far, last, limits);
@@ -52,7 +53,7 @@ pub(crate) fn pieces(length: f64, first: f64, last: f64, limits: &Limits) -> Vec
     pieces
 }
 
-/// Jerk, constant acceleration, jerk back: the three phases of a change of speed.
+/// Returns the three phases of a change of speed: jerk, constant acceleration, opposite jerk.
 fn change(from: f64, to: f64, limits: &Limits) -> Vec<Piece> {
     let (step, sign) = ((to - from).abs(), (to - from).signum());
     if step == 0.0 {
@@ -63,10 +64,10 @@ fn change(from: f64, to: f64, limits: &Limits) -> Vec<Piece> {
     if edge == 0.0 {
         return vec![Piece::ramp(whole, step / whole * sign).ending_with(to)];
     }
-    // The jerk follows from the times, so that the change of speed is met to the last bit.
+    // The jerk follows from the times, so that the change of speed is exact to the last bit.
     let jerk = step / (edge * (whole - edge)) * sign;
     let top = jerk * edge;
-    // The speeds between the phases lie between `from` and `to`, whatever rounding the integral would add.
+    // The speeds between the phases lie between `from` and `to` despite rounding of the integral.
     let gained = (0.5 * top * edge).abs().min(0.5 * step) * sign;
     vec![
         Piece::polynomial(edge, [0.0, jerk, 0.0, 0.0]).ending_with(from + gained),
@@ -83,7 +84,7 @@ mod tests {
         pieces(length, first, last, limits).iter().map(|piece| piece.duration_s).sum()
     }
 
-    /// T = d/v + v/a + a/j where all three limits are reached; the figure of the reference list.
+    /// T = d/v + v/a + a/j where all three limits are reached; the value of the reference list.
     #[test]
     fn a_full_move_takes_the_sum_of_the_three_quotients() {
         let limits = Limits { speed: 4.0, acceleration: 30.0, jerk: 900.0 };
@@ -91,7 +92,7 @@ mod tests {
         assert!((duration(1.7, 0.0, 0.0, &limits) - expected).abs() < 1e-12);
     }
 
-    /// Random moves against the Rust form of the ruckig generator: the same duration within 1e-9, never longer.
+    /// Random moves compared with the Rust port of the ruckig generator: equal durations within 1e-9, never longer.
     #[test]
     fn durations_agree_with_an_independent_generator() {
         use rsruckig::prelude::*;

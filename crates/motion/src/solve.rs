@@ -1,4 +1,4 @@
-//! From any sufficient part of distance, time, speed and acceleration to the pieces of a move.
+//! Solution of a move: pieces from a sufficient set of distance, time, speed and acceleration.
 
 use crate::faults::{MoveFault, Needed};
 use crate::law::{Given, Law};
@@ -7,10 +7,10 @@ use crate::seven_phase::{self, Limits};
 use quantities::{AngularAcceleration, AngularVelocity, Measure};
 
 impl Law {
-    /// The pieces of a move that begins with a speed [rad/s].
+    /// Returns the pieces of a move with an initial speed [rad/s].
     ///
     /// # Errors
-    /// [`MoveFault`] where the given quantities determine no move.
+    /// Returns a [`MoveFault`] if the stated quantities determine no move.
     pub fn pieces(self, given: &Given, first: f64) -> Result<Vec<Piece>, MoveFault> {
         let last = given.end_speed.map_or(0.0, Measure::si);
         let move_of = Wanted {
@@ -54,7 +54,7 @@ impl Law {
     }
 }
 
-/// The distance, time, speed and acceleration that are given, in SI.
+/// Stated distance, time, speed and acceleration, in SI.
 struct Wanted {
     distance: Option<f64>,
     time: Option<f64>,
@@ -67,7 +67,7 @@ impl Wanted {
         [self.distance, self.time, self.speed, self.acceleration].iter().flatten().count()
     }
 
-    /// Nothing that is given may vanish: a move takes time and goes somewhere.
+    /// Checks the stated quantities: all finite, distance and speed not zero, time and acceleration positive.
     fn in_range(&self) -> Result<(), MoveFault> {
         let signed = [self.distance, self.speed].into_iter().flatten().all(|v| v.is_finite() && v != 0.0);
         let positive = [self.time, self.acceleration].into_iter().flatten().all(|v| v.is_finite() && v > 0.0);
@@ -78,12 +78,12 @@ impl Wanted {
         MoveFault::NotDetermined { given: self.count() + more, needed }
     }
 
-    /// +1 or −1: the sign of the distance, else of the speed, else forward.
+    /// Returns the direction, +1 or −1: the sign of the distance, else of the speed, else forward.
     fn direction(&self) -> f64 {
         self.distance.or(self.speed).map_or(1.0, f64::signum)
     }
 
-    /// Distance and time from any two, by v = C_v s/T and a = C_a s/T².
+    /// Returns distance and time from any two quantities, by v = C_v s/T and a = C_a s/T².
     fn distance_and_time(&self, law: Law) -> Result<(f64, f64), MoveFault> {
         let (c_v, c_a) = law.characteristics();
         let sign = self.direction();
@@ -107,7 +107,7 @@ impl Wanted {
     }
 }
 
-/// The trapezoid from three of the four, from rest to rest.
+/// Returns the trapezoid from three of the four quantities, from rest to rest.
 ///
 /// With ramps of equal length t_r: s = v (T − t_r), v = a t_r.
 fn trapezoid(wanted: &Wanted) -> Result<Vec<Piece>, MoveFault> {
@@ -125,7 +125,7 @@ fn trapezoid(wanted: &Wanted) -> Result<Vec<Piece>, MoveFault> {
         }
         (Some(s), Some(t), None, Some(a)) => {
             let least = 4.0 * s / (t * t);
-            // A triangle meets the bound with equality; rounding must not refuse it.
+            // A triangle meets the bound with equality and must not be rejected because of rounding.
             if a < least * (1.0 - 1e-12) {
                 return Err(MoveFault::AccelerationTooLow { least: AngularAcceleration::from_si(least) });
             }
@@ -152,7 +152,7 @@ fn trapezoid(wanted: &Wanted) -> Result<Vec<Piece>, MoveFault> {
     Ok(pieces)
 }
 
-/// The shortest move within limits; the end speeds must lie within them too.
+/// Returns the shortest move within limits, which must also include the end speeds.
 fn within(distance: f64, first: f64, last: f64, limits: Limits) -> Result<Vec<Piece>, MoveFault> {
     if first.abs().max(last.abs()) > limits.speed * (1.0 + 1e-12) {
         return Err(MoveFault::EndSpeedAboveLimit);
