@@ -6,7 +6,7 @@ use std::f64::consts::FRAC_PI_2;
 /// The longer of both distances on the sheet.
 const REACH: f64 = 215.0;
 
-/// How high the arm stands where no angle is stated.
+/// Angle of the drawn arm if no angle is stated \[rad\].
 const NEUTRAL_RAD: f64 = 0.27;
 
 pub(crate) fn drawing(figures: &Figures) -> Drawing {
@@ -18,7 +18,7 @@ pub(crate) fn drawing(figures: &Figures) -> Drawing {
     let end = centre.max(payload) + 8.0;
     let half = |distance: f64| 18.0 - 9.0 * distance / end;
     let weight = along(centre, 0.0);
-    // An axis that stands upright feels no weight.
+    // The weight has no effect about a vertical axis.
     let share = figures.of("axis_tilt").map_or(1.0, |tilt| tilt.sin().abs());
     let mut drawing =
         Drawing::new().line(Look::Axis, [40.0, 112.0], [230.0, 112.0]).face(axis, 38.0).turns(start, axis, 1.0, |it| {
@@ -40,7 +40,7 @@ pub(crate) fn drawing(figures: &Figures) -> Drawing {
             .calls("payload_distance", "r_p", along(0.8 * payload, -68.0), along(0.8 * payload, -52.0))
         });
     if share > 0.05 {
-        // The weight goes with its centre and points downwards all the way.
+        // The weight moves with the centre of mass and always points downwards.
         drawing = drawing.moves(
             &Course::round(start),
             weight,
@@ -62,7 +62,7 @@ pub(crate) fn drawing(figures: &Figures) -> Drawing {
         .calls("axis_tilt", "β", [64.0, 112.0], [24.0, 100.0])
 }
 
-/// Distances of centre of mass and payload on the sheet, to scale.
+/// Returns the distances of centre of mass and payload on the sheet, to scale.
 fn distances(figures: &Figures) -> [f64; 2] {
     let (centre, payload) = (figures.of("centre_distance"), figures.length("payload_distance"));
     let longest = centre.unwrap_or(0.0).max(payload.unwrap_or(0.0));

@@ -7,7 +7,7 @@ pub(crate) fn drawing(figures: &Figures) -> Drawing {
     let radius = figures.length("pulley_diameter").map_or(0.03, |diameter| 0.5 * diameter);
     let (scale, x) = figures.along(radius, 30.0 / radius, [88.0, 218.0], 155.0);
     let wheel = (radius * scale).clamp(13.0, 30.0);
-    // The belt and what runs on it follow the size of the wheels.
+    // The belt and the slide on it adapt to the size of the pulleys.
     let (top, low) = (110.0 - wheel, 114.0 + wheel);
     let turning = |it: Drawing, at: [f64; 2]| it.turns(start, at, -1.0, |it| it.holes(at, 0.66 * wheel, 0.11 * wheel));
     let mut drawing = Drawing::new()
@@ -49,7 +49,7 @@ pub(crate) fn drawing(figures: &Figures) -> Drawing {
 }
 
 impl Drawing {
-    /// A belt about two wheels on one level.
+    /// Adds a belt around two pulleys at the same height.
     pub(crate) fn strand(self, [ax, ay]: [f64; 2], [bx, by]: [f64; 2], radius: f64) -> Self {
         let steps = [
             Step::Move([ax, ay - radius]),

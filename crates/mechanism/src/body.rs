@@ -8,27 +8,27 @@ mod error;
 
 pub use error::{BodyError, BodyFault};
 
-/// How the axis of a cylinder or tube lies against the axis of rotation.
+/// Orientation of a cylinder or tube relative to the axis of rotation.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Orientation {
-    /// Its axis is parallel to the axis of rotation.
+    /// Body axis parallel to the axis of rotation.
     #[default]
     Parallel,
-    /// Its axis is perpendicular to the axis of rotation: a lying cylinder.
+    /// Body axis perpendicular to the axis of rotation: a lying cylinder.
     Perpendicular,
 }
 
-/// The form of a homogeneous body. Each one's moment of inertia is that about the axis through its centre of mass,
-/// parallel to the axis of rotation.
+/// Shape of a homogeneous body. The moments of inertia refer to the axis through the centre of mass parallel to the
+/// axis of rotation.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Shape {
     /// Solid cylinder; a disc is a short one.
     Cylinder {
         /// d: diameter.
         diameter: Length,
-        /// L: length along its axis.
+        /// L: length along the body axis.
         length: Length,
-        /// How its axis lies.
+        /// Orientation of the body axis.
         orientation: Orientation,
     },
     /// Hollow cylinder.
@@ -37,9 +37,9 @@ pub enum Shape {
         outer: Length,
         /// d_i: inner diameter, less than the outer one; zero makes it a cylinder.
         inner: Length,
-        /// L: length along its axis.
+        /// L: length along the body axis.
         length: Length,
-        /// How its axis lies.
+        /// Orientation of the body axis.
         orientation: Orientation,
     },
     /// Cuboid.
@@ -51,7 +51,7 @@ pub enum Shape {
         /// h: height, parallel to the axis of rotation.
         height: Length,
     },
-    /// Solid circular cone, its axis parallel to the axis of rotation.
+    /// Solid circular cone with its axis parallel to the axis of rotation.
     Cone {
         /// d: diameter of the base.
         diameter: Length,
@@ -65,36 +65,36 @@ pub enum Shape {
     },
     /// A mass without extent.
     PointMass,
-    /// Slender rod, perpendicular to the axis of rotation.
+    /// Slender rod perpendicular to the axis of rotation.
     Rod {
         /// L: length.
         length: Length,
     },
 }
 
-/// One body, or several equal ones evenly spaced around the axis of rotation.
+/// A body, or several equal ones evenly spaced around the axis of rotation.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Body {
-    /// Its form.
+    /// Shape of the body.
     pub shape: Shape,
-    /// m: mass of one piece. Either this or the density.
+    /// m: mass of one piece; either this or the density is stated.
     pub mass: Option<Mass>,
-    /// ρ: density. Either this or the mass.
+    /// ρ: density; either this or the mass is stated.
     pub density: Option<MassDensity>,
-    /// r: distance of its centre of mass from the axis of rotation.
+    /// r: distance of the centre of mass from the axis of rotation.
     pub distance: Length,
-    /// φ: direction of its centre in the plane of rotation; with several pieces that of the first.
+    /// φ: direction of the centre of mass in the plane of rotation; with several pieces, that of the first.
     pub angle: Angle,
     /// z: number of equal pieces, evenly spaced on the circle of radius r.
     pub count: u32,
 }
 
-/// The parts of one body's inertia.
+/// Contributions to the inertia of a body.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct BodyInertia {
     /// m: mass of one piece.
     pub mass: Mass,
-    /// J_own: of one piece about the parallel axis through its centre of mass.
+    /// J_own: inertia of one piece about the parallel axis through its centre of mass.
     pub own: MomentOfInertia,
     /// m r² of one piece.
     pub steiner: MomentOfInertia,
@@ -102,33 +102,33 @@ pub struct BodyInertia {
     pub total: MomentOfInertia,
 }
 
-/// The inertia of several bodies together.
+/// Inertia of several bodies in total.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Inertia {
     /// J: moment of inertia about the axis of rotation.
     pub inertia: MomentOfInertia,
-    /// m: mass of all.
+    /// m: mass of all bodies.
     pub mass: Mass,
     /// r_c: distance of the common centre of mass from the axis of rotation; zero if balanced.
     pub centre_radius: Length,
-    /// φ_c: its direction, from −180° to 180°; zero if balanced.
+    /// φ_c: direction of the common centre of mass, from −180° to 180°; zero if balanced.
     pub centre_angle: Angle,
 }
 
-/// Moment of inertia, mass and centre of mass of several bodies on one axis of rotation.
+/// Computes moment of inertia, mass and centre of mass of bodies on one axis of rotation.
 ///
 /// J = Σ z (J_own + m r²), m = Σ z m, m r_c e^(jφ_c) = Σ z m r e^(jφ)
 ///
 /// # Symbols
-/// z number of pieces, J_own inertia about the own parallel axis \[kgm²\], m mass \[kg\], r distance \[m\],
-/// φ direction \[rad\]
+/// z number of pieces, J_own inertia about the body's own parallel axis \[kgm²\], m mass \[kg\], r distance \[m\], φ
+/// direction \[rad\]
 /// # Source
 /// textbook mechanics: parallel axis theorem (Huygens-Steiner), centre of mass
 /// # Valid
-/// rigid homogeneous bodies; bodies are added as they are, an overlap counts twice. Several evenly spaced
-/// pieces have their common centre on the axis. A centre nearer than 10⁻¹² of Σ z m r / m counts as balanced
+/// rigid homogeneous bodies; overlapping volumes count twice. Several evenly spaced pieces have their common centre on
+/// the axis. A centre closer than 10⁻¹² of Σ z m r / m counts as balanced
 /// # Errors
-/// every fault of every body
+/// the faults of all bodies
 pub fn inertia(bodies: &[Body]) -> Result<Inertia, Vec<BodyFault>> {
     let mut faults = Vec::new();
     let (mut total, mut mass, mut moment, mut x, mut y) = (0.0, 0.0, 0.0, 0.0, 0.0);
@@ -166,7 +166,7 @@ pub fn inertia(bodies: &[Body]) -> Result<Inertia, Vec<BodyFault>> {
 }
 
 impl Inertia {
-    /// The largest torque of gravity about a horizontal axis of rotation.
+    /// Returns the largest gravity torque about a horizontal axis of rotation.
     ///
     /// T_g = m g r_c
     ///
@@ -175,7 +175,7 @@ impl Inertia {
     /// # Source
     /// textbook mechanics; g = 9.80665 m/s² (CGPM 1901)
     /// # Valid
-    /// horizontal axis, centre of mass level with it; zero if balanced
+    /// horizontal axis, centre of mass at the same height; zero if balanced
     #[must_use]
     pub fn gravity_torque_max(&self) -> Torque {
         (self.mass * Acceleration::new_in(1.0, &STANDARD_GRAVITY) * self.centre_radius).into()
@@ -183,18 +183,18 @@ impl Inertia {
 }
 
 impl Body {
-    /// The mass of one piece and its moment of inertia about the axis of rotation, in parts.
+    /// Computes the mass of one piece and the contributions to the moment of inertia about the axis of rotation.
     ///
-    /// J = z (J_own + m r²), m = ρ V if the density is given
+    /// J = z (J_own + m r²), m = ρ V if the density is stated
     ///
     /// # Symbols
-    /// as [`inertia()`]; ρ density [kg/m³], V volume \[m³\]
+    /// see [`inertia()`]; ρ density [kg/m³], V volume \[m³\]
     /// # Source
     /// textbook mechanics: parallel axis theorem
     /// # Valid
     /// homogeneous bodies
     /// # Errors
-    /// every fault of the body
+    /// the faults of the body
     pub fn inertia(&self) -> Result<BodyInertia, Vec<BodyError>> {
         let faults = self.faults();
         if !faults.is_empty() {
@@ -219,7 +219,7 @@ impl Body {
         })
     }
 
-    /// Everything that is wrong with the body; empty if it can be.
+    /// Returns the faults of the body; empty if it is valid.
     #[must_use]
     pub fn faults(&self) -> Vec<BodyError> {
         let above_zero = |si: f64| si.is_finite() && si > 0.0;
@@ -263,7 +263,7 @@ impl Body {
 }
 
 impl Shape {
-    /// The dimensions of the shape with their names.
+    /// Returns the dimensions of the shape with their names.
     fn dimensions(&self) -> [Option<(&'static str, Length)>; 3] {
         match *self {
             Self::Cylinder { diameter, length, .. } => [Some(("diameter", diameter)), Some(("length", length)), None],
@@ -278,7 +278,7 @@ impl Shape {
         }
     }
 
-    /// Volume; `None` for a point and a slender rod, which have none.
+    /// Returns the volume \[m³\]; `None` for a point and a slender rod, which have none.
     ///
     /// cylinder π/4 d² L · tube π/4 (d_o² − d_i²) L · box a b h · cone π/12 d² h · sphere π/6 d³
     ///
@@ -288,7 +288,7 @@ impl Shape {
         let square = |length: Length| length.si() * length.si();
         match *self {
             Self::Cylinder { diameter, length, .. } => Some(PI / 4.0 * square(diameter) * length.si()),
-            // The difference of the squares as a product: exact for thin walls too.
+            // The difference of the squares as a product is exact for thin walls too.
             Self::Tube { outer, inner, length, .. } => {
                 Some(PI / 4.0 * (outer.si() - inner.si()) * (outer.si() + inner.si()) * length.si())
             }
@@ -299,7 +299,7 @@ impl Shape {
         }
     }
 
-    /// Square of the radius of gyration, J_own/m.
+    /// Returns the square of the radius of gyration, J_own/m \[m²\].
     ///
     /// cylinder d²/8, lying d²/16 + L²/12 · tube (d_o² + d_i²)/8, lying (d_o² + d_i²)/16 + L²/12 ·
     /// box (a² + b²)/12 · cone 3/40 d² · sphere d²/10 · point 0 · rod L²/12

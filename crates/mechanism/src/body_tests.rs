@@ -1,4 +1,4 @@
-//! Solid bodies against numbers by hand, limits, additivity and scaling.
+//! Solid bodies compared with values by hand, limits, additivity and scaling.
 
 use super::*;
 use quantities::unit::{CENTIMETRE, DEGREE, MILLIMETRE};
@@ -33,7 +33,7 @@ fn on_axis(shape: Shape, mass: Option<Mass>, density: Option<MassDensity>) -> Bo
     Body { shape, mass, density, distance: mm(0.0), angle: Angle::from_si(0.0), count: 1 }
 }
 
-/// m and J about the own axis of one body on the axis of rotation.
+/// Returns m and J about its own axis of a body on the axis of rotation.
 fn own(shape: Shape, mass: Option<Mass>, density: Option<MassDensity>) -> (f64, f64) {
     let found = inertia(&[on_axis(shape, mass, density)]).unwrap();
     (found.mass.si(), found.inertia.si())
@@ -47,7 +47,7 @@ fn a_steel_disc_by_hand() {
     assert!((inertia - 0.024_661_502).abs() < 5e-9, "{inertia}");
 }
 
-/// Each with 2 kg, typed from the formulas of the textbook.
+/// Shapes of 2 kg each, with values typed from textbook formulas.
 #[test]
 fn every_shape_by_hand() {
     let two = |shape| own(shape, kg(2.0), None).1;
@@ -65,7 +65,7 @@ fn every_shape_by_hand() {
     assert!(close(two(tube(100.0, 80.0, 300.0, Orientation::Parallel)), 4.1e-3));
     // m (3 (r_o² + r_i²) + L²)/12 = 2 · (0.0123 + 0.09)/12
     assert!(close(two(tube(100.0, 80.0, 300.0, Orientation::Perpendicular)), 0.017_05));
-    // m (a² + b²)/12 = 2 · (0.09 + 0.16)/12; the height does not count
+    // m (a² + b²)/12 = 2 · (0.09 + 0.16)/12; independent of the height
     assert!(close(two(Shape::Box { a: mm(300.0), b: mm(400.0), height: mm(7.0) }), 0.25 / 6.0));
     // 3/10 m r² = 0.6 · 0.01
     assert!(close(two(Shape::Cone { diameter: mm(200.0), height: mm(90.0) }), 6e-3));
@@ -76,7 +76,7 @@ fn every_shape_by_hand() {
     assert!(two(Shape::PointMass).abs() < 1e-300);
 }
 
-/// Water, 1000 kg/m³: the mass in kg is the volume in litres.
+/// With water, 1000 kg/m³, the mass in kg is the volume in litres.
 #[test]
 fn volumes_are_exact() {
     let litres = |shape| own(shape, None, density(1000.0)).0;
@@ -121,7 +121,7 @@ fn a_bore_is_a_cylinder_taken_away() {
     assert!(close(found.0, full.0 - core.0) && close(found.1, full.1 - core.1));
 }
 
-/// A box cut in two halves, each off the axis by a quarter of its side, is the box again.
+/// Two halves of a box, each off the axis by a quarter of its side, are equivalent to the whole box.
 #[test]
 fn steiner_adds_the_halves_of_a_box_to_the_whole() {
     let whole = own(Shape::Box { a: mm(400.0), b: mm(100.0), height: mm(30.0) }, None, density(STEEL));
@@ -159,7 +159,7 @@ fn the_centre_of_mass_and_its_gravity() {
         angle: Angle::new_in(degrees, &DEGREE),
         ..on_axis(Shape::PointMass, kg(mass), None)
     };
-    // 3 kg at 400 mm along x and 4 kg at 300 mm along y: 1.2 kgm each way, of 7 kg.
+    // 3 kg at 400 mm along x and 4 kg at 300 mm along y: 1.2 kgm in each direction, for 7 kg.
     let found = inertia(&[at(3.0, 400.0, 0.0), at(4.0, 300.0, 90.0)]).unwrap();
     assert!(close(found.centre_radius.si(), 1.2 * 2.0_f64.sqrt() / 7.0));
     assert!(close(found.centre_angle.si(), PI / 4.0));
@@ -167,7 +167,7 @@ fn the_centre_of_mass_and_its_gravity() {
     assert!(close(found.inertia.si(), 3.0 * 0.16 + 4.0 * 0.09));
 }
 
-/// With lengths × s and density fixed the mass grows with s³ and J with s⁵; with the mass fixed J with s².
+/// At constant density the mass scales with s³ and J with s⁵ in the lengths; at constant mass J scales with s².
 #[test]
 fn scaling_laws() {
     let shapes: [fn(f64) -> Shape; 6] = [

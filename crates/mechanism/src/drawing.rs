@@ -1,6 +1,6 @@
-//! A principle drawing as plain data, for page, pictures and report alike.
+//! Principle drawings as plain data, used by page, pictures and report.
 //!
-//! Lengths are those of the sheet, 380 wide and 190 high, x to the right and y down.
+//! Lengths are in units of the sheet, 380 wide and 190 high, x to the right and y downwards.
 
 mod figures;
 mod moving;
@@ -17,61 +17,61 @@ use std::f64::consts::FRAC_PI_2;
 /// A point of the sheet.
 pub type Point = [f64; 2];
 
-/// How a part is drawn.
+/// Line style and fill of a part.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Look {
-    /// The actuator and what does not move with the load.
+    /// The actuator and other parts at rest.
     Housing,
-    /// What moves.
+    /// Moving parts.
     Body,
     /// A visible edge.
     Line,
     /// A thin edge, a dimension line.
     Thin,
-    /// What is hidden, or a second course.
+    /// Hidden edges, or a second curve.
     Hidden,
     /// An axis of rotation or symmetry.
     Axis,
-    /// What moves along or acts, with a head at its end.
+    /// Motions, forces and torques, with an arrow head at the end.
     Arrow,
-    /// A dimension, with a head at either end.
+    /// A dimension with an arrow head at each end.
     Dimension,
     /// A hole or a pin.
     Hole,
 }
 
-/// A piece of a path.
+/// A segment of a path.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Step {
-    /// A new piece begins here.
+    /// Beginning of a new subpath.
     Move(Point),
-    /// Straight to here.
+    /// Straight line to a point.
     Line(Point),
-    /// Along a circle of a radius to here, turning right if `true`, the short way round.
+    /// Arc of a radius to a point, turning right if `true`, the shorter way.
     Arc(f64, bool, Point),
-    /// A cubic curve by two points beside it to here.
+    /// Cubic curve with two control points to a point.
     Curve(Point, Point, Point),
-    /// Back to the beginning of the piece.
+    /// Line back to the beginning of the subpath.
     Close,
 }
 
-/// A part of the drawing.
+/// A part of a drawing.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Part {
-    /// A circle: centre and radius.
+    /// Circle with centre and radius.
     Circle(Look, Point, f64),
-    /// Lines and arcs.
+    /// Path of lines and arcs.
     Path(Look, Vec<Step>),
-    /// The sign for a centre of mass.
+    /// Symbol for a centre of mass.
     Centre(Point),
-    /// A symbol that stands for no key: its middle.
+    /// Symbol without a key, at its centre.
     Symbol(&'static str, Point),
-    /// What moves together, by the place of its group in [`Drawing::moving`].
+    /// Parts that move together, with the index of their group in [`Drawing::moving`].
     Group(usize, Vec<Part>),
 }
 
 impl Step {
-    /// Where it ends.
+    /// Returns the end of the step.
     const fn end(self) -> Option<Point> {
         match self {
             Self::Move(to) | Self::Line(to) | Self::Arc(_, _, to) | Self::Curve(_, _, to) => Some(to),
@@ -97,7 +97,7 @@ impl Part {
         }
     }
 
-    /// Points that it reaches.
+    /// Passes the extreme points of the part to `take`.
     fn corners(&self, take: &mut impl FnMut(Point)) {
         match self {
             Self::Circle(_, [x, y], radius) => {
@@ -116,72 +116,73 @@ impl Part {
     }
 }
 
-/// A point about another one, at a distance and an angle to the left of the right.
+/// Returns the point at a distance and an angle from another one, counter-clockwise from the right.
 pub(crate) fn polar([x, y]: Point, radius: f64, angle_rad: f64) -> Point {
     [x + radius * angle_rad.cos(), y - radius * angle_rad.sin()]
 }
 
-/// Straight from point to point.
+/// Iterates over straight lines from point to point.
 pub(crate) fn polyline(points: &[Point]) -> impl Iterator<Item = Step> {
     points.iter().enumerate().map(|(k, at)| if k == 0 { Step::Move(*at) } else { Step::Line(*at) })
 }
 
-/// A key of the project where it can be seen.
+/// Marking of a key of the project in the drawing.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct CallOut {
-    /// The key, in its table.
+    /// Key within its table.
     pub key: &'static str,
-    /// Whether it belongs to the table `[bearing]`; else to that of the mechanism.
+    /// The key belongs to the table `[bearing]`; otherwise to that of the mechanism.
     pub is_of_bearing: bool,
-    /// Its symbol; what follows `_` is its index.
+    /// Symbol of the key; the part after `_` is a subscript.
     pub symbol: &'static str,
-    /// What it points at.
+    /// End of the leader.
     pub at: Point,
-    /// The middle of the symbol.
+    /// Centre of the symbol.
     pub label: Point,
-    /// The group that it points at, where that moves.
+    /// Moving group to which the leader points, if any.
     pub group: Option<usize>,
 }
 
-/// A drawing.
+/// A principle drawing with its call-outs and moving groups.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Drawing {
     /// Width and height of the sheet.
     pub size: Point,
-    /// From back to front.
+    /// Parts from back to front.
     pub parts: Vec<Part>,
-    /// The keys it shows.
+    /// Call-outs of the keys.
     pub call_outs: Vec<CallOut>,
-    /// The groups that move.
+    /// Moving groups.
     pub moving: Vec<Moving>,
-    /// How far it is turned to the left from the way in which it is described \[rad\].
+    /// Counter-clockwise rotation of the finished drawing \[rad\].
     lean_rad: f64,
 }
 
-/// A symbol needs so much room to either side of its middle.
+/// Space required by a symbol on either side of its centre.
 const LABEL: Point = [11.0, 8.0];
 
-/// Left free at the edge of a sheet that was cut anew.
+/// Margin of a sheet adapted to its content.
 const EDGE: f64 = 6.0;
 
 impl Drawing {
-    /// An empty sheet.
+    /// Creates an empty sheet.
     pub(crate) const fn new() -> Self {
         Self { size: [380.0, 190.0], parts: Vec::new(), call_outs: Vec::new(), moving: Vec::new(), lean_rad: 0.0 }
     }
 
-    /// Turned to the left as a whole: by the inclination of a line, against the tilt of an axis \[rad\].
+    /// Sets the rotation of the whole drawing, counter-clockwise: the inclination of a line, or the negative tilt of an
+    /// axis \[rad\].
     pub(crate) const fn leaning(mut self, lean_rad: f64) -> Self {
         self.lean_rad = lean_rad;
         self
     }
 
-    /// With a line along which something moves to the right: its inclination turns the drawing.
+    /// Sets the rotation of the whole drawing to the inclination of a line along which something moves to the right.
     pub(crate) fn along_a_line(self, figures: &Figures) -> Self {
         self.leaning(figures.of("inclination").unwrap_or(0.0))
     }
 
-    /// A group that moves, with the call-outs that point at it.
+    /// Adds a moving group, with the call-outs that point to it.
     pub(crate) fn moves(
         mut self,
         course: &Course,
@@ -201,12 +202,12 @@ impl Drawing {
         self
     }
 
-    /// A group that turns with the output, to the left with a positive rate.
+    /// Adds a group that turns with the output, counter-clockwise for a positive rate.
     pub(crate) fn turns(self, start_rad: f64, about: Point, rate: f64, draw: impl FnOnce(Self) -> Self) -> Self {
         self.moves(&Course::even(start_rad), about, |angle| Placement::turned(rate * (angle - start_rad)), draw)
     }
 
-    /// The drawing as it is shown: leaning, with the overhang where it is stated, on a sheet that holds the motion.
+    /// Returns the drawing as shown: rotated, with the overhang if stated, on a sheet that includes the motion.
     pub(crate) fn finished(mut self, figures: &Figures) -> Self {
         let lean = self.lean_rad;
         if lean != 0.0 {
@@ -230,7 +231,7 @@ impl Drawing {
         self
     }
 
-    /// Every point moved.
+    /// Moves all points.
     fn map(&mut self, change: impl Fn(Point) -> Point + Copy) {
         for part in &mut self.parts {
             part.map(change);
@@ -243,7 +244,7 @@ impl Drawing {
         }
     }
 
-    /// The sheet as large as what is on it, wherever the motion takes it; only ever larger where it is not cut to it.
+    /// Adapts the sheet to its content over the whole motion; unless `to_size`, it is only enlarged.
     fn cut(&mut self, figures: &Figures, to_size: bool) {
         let [width, height] = self.size;
         let start = if to_size { [[f64::MAX; 2], [f64::MIN; 2]] } else { [[EDGE; 2], [width - EDGE, height - EDGE]] };
@@ -274,19 +275,19 @@ impl Drawing {
         self.size = [(right - left + 2.0 * EDGE).ceil(), (bottom - top + 2.0 * EDGE).ceil()];
     }
 
-    /// The direction of the weight, beside a drawing that leans.
+    /// Adds the direction of gravity beside a rotated drawing.
     fn gravity(mut self) -> Self {
         let [width, _] = self.size;
         self.size[0] += 24.0;
         self.arrow([width + 4.0, 12.0], [width + 4.0, 46.0]).symbol("g", [width + 15.0, 30.0])
     }
 
-    /// The actuator from the side with the load before its flange: a picture in the corner for what the drawing looks along.
+    /// Adds a side view of the actuator with its load in the corner, for drawings along the axis.
     fn overhang(mut self, overhang_m: f64) -> Self {
         let [width, height] = self.size;
         self.size = [width + 112.0, height.max(120.0)];
         let (x, y) = (width + 4.0, self.size[1] - 46.0);
-        // Beyond a quarter of a metre it would not fit; below 40 mm it could not be read.
+        // Limited so that it fits above a quarter of a metre and is readable below 40 mm.
         let away = (overhang_m * 160.0).clamp(-24.0, 44.0);
         let away = if away.abs() < 8.0 { 8.0_f64.copysign(away) } else { away };
         let (flange, load) = (x + 44.0, x + 44.0 + away);
@@ -305,7 +306,7 @@ impl Drawing {
         self
     }
 
-    /// Symbols that stand on each other are moved apart, within the sheet.
+    /// Moves overlapping symbols apart, within the sheet.
     fn keep_apart(&mut self) {
         let [width, height] = self.size;
         let [wide, high] = [17.0, 15.0];
@@ -354,7 +355,7 @@ impl Drawing {
         self.path(look, [Step::Move(from), Step::Line(to)])
     }
 
-    /// A closed outline.
+    /// Adds a closed outline.
     pub(crate) fn outline(self, look: Look, points: &[Point]) -> Self {
         self.path(look, polyline(points).chain([Step::Close]))
     }
@@ -371,12 +372,12 @@ impl Drawing {
         self.line(Look::Arrow, from, to)
     }
 
-    /// An arrow along a circle, turning right if `right`.
+    /// Adds an arrow along a circle, turning right if `right`.
     pub(crate) fn turning(self, from: Point, radius: f64, right: bool, to: Point) -> Self {
         self.path(Look::Arrow, [Step::Move(from), Step::Arc(radius, right, to)])
     }
 
-    /// An arrow along a circle from one angle to another \[rad\], in the direction of the difference.
+    /// Adds an arrow along a circle from one angle to another \[rad\], in the direction of the difference.
     pub(crate) fn sweep(self, look: Look, at: Point, radius: f64, [from, to]: [f64; 2]) -> Self {
         let pieces = [1.0, 2.0, 3.0, 4.0].into_iter().find(|pieces| (to - from).abs() <= FRAC_PI_2 * pieces);
         let pieces = pieces.unwrap_or(4.0);
@@ -397,7 +398,7 @@ impl Drawing {
         self.with(Part::Symbol(text, at))
     }
 
-    /// A bar with round ends between two pins.
+    /// Adds a bar with round ends between two pins.
     pub(crate) fn bar(self, [ax, ay]: Point, [bx, by]: Point, half: f64) -> Self {
         let (dx, dy) = (bx - ax, by - ay);
         let length = dx.hypot(dy).max(f64::MIN_POSITIVE);
@@ -412,13 +413,13 @@ impl Drawing {
         self.path(Look::Body, steps).circle(Look::Hole, [ax, ay], 0.55 * half).circle(Look::Hole, [bx, by], 0.55 * half)
     }
 
-    /// A rectangle about its middle, turned to the left.
+    /// Adds a rectangle about its centre, rotated counter-clockwise.
     pub(crate) fn leaning_rect(self, look: Look, middle: Point, [w, h]: Point, lean_rad: f64) -> Self {
         let corner = |x: f64, y: f64| polar(polar(middle, 0.5 * x * w, lean_rad), 0.5 * y * h, lean_rad + FRAC_PI_2);
         self.outline(look, &[corner(-1.0, -1.0), corner(1.0, -1.0), corner(1.0, 1.0), corner(-1.0, 1.0)])
     }
 
-    /// Holes around an axis, so that a turn can be seen.
+    /// Adds holes around an axis, which make a rotation visible.
     pub(crate) fn holes(mut self, at: Point, around: f64, radius: f64) -> Self {
         for hole in 0..3 {
             self = self.circle(Look::Hole, polar(at, around, f64::from(hole) * FRAC_PI_2 * 4.0 / 3.0 + 0.4), radius);
@@ -426,7 +427,7 @@ impl Drawing {
         self
     }
 
-    /// A support: a line to the right with its hatching below.
+    /// Adds a support: a line to the right with hatching below.
     pub(crate) fn ground(mut self, [x, y]: Point, width: f64) -> Self {
         self = self.line(Look::Line, [x, y], [x + width, y]);
         let mut hatching = Vec::new();
@@ -438,7 +439,7 @@ impl Drawing {
         self.path(Look::Thin, hatching)
     }
 
-    /// A support seen from below: a line to the right with its hatching above.
+    /// Adds an overhead support: a line to the right with hatching above.
     pub(crate) fn ground_above(mut self, [x, y]: Point, width: f64) -> Self {
         self = self.line(Look::Line, [x, y], [x + width, y]);
         let mut hatching = Vec::new();
@@ -450,7 +451,7 @@ impl Drawing {
         self.path(Look::Thin, hatching)
     }
 
-    /// Turns of a rope on a drum, from the upper left, with width and inclination of the strokes.
+    /// Adds turns of a rope on a drum, from the upper left, with height and inclination of the strokes.
     pub(crate) fn rope(mut self, [x, y]: Point, [height, lean]: Point) -> Self {
         for turn in 0..6 {
             let at = x + 5.0 * f64::from(turn);
@@ -459,13 +460,13 @@ impl Drawing {
         self
     }
 
-    /// A fixed pivot: a triangle on a support.
+    /// Adds a fixed pivot: a triangle on a support.
     pub(crate) fn pivot(self, [x, y]: Point) -> Self {
         self.outline(Look::Housing, &[[x, y], [x + 12.0, y + 20.0], [x - 12.0, y + 20.0]])
             .ground([x - 18.0, y + 20.0], 36.0)
     }
 
-    /// The actuator from the side, its flange 78 to the right of `x`, its axis at `y`.
+    /// Adds the actuator from the side, its flange 78 to the right of `x` and its axis at `y`.
     pub(crate) fn actuator(mut self, [x, y]: Point) -> Self {
         self = self
             .rect(Look::Housing, [x, y - 36.0], [58.0, 72.0])
@@ -477,7 +478,7 @@ impl Drawing {
         self
     }
 
-    /// The actuator along its axis.
+    /// Adds the actuator seen along its axis.
     pub(crate) fn face(self, at: Point, radius: f64) -> Self {
         self.circle(Look::Housing, at, radius).circle(Look::Hidden, at, radius * 0.72).circle(
             Look::Hole,
@@ -486,7 +487,7 @@ impl Drawing {
         )
     }
 
-    /// A slide on a line, with its nut or clamp below.
+    /// Adds a slide with its centre of mass.
     pub(crate) fn slide(self, [x, y]: Point) -> Self {
         self.rect(Look::Body, [x, y], [84.0, 36.0]).centre([x + 42.0, y + 18.0])
     }

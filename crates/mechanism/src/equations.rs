@@ -1,103 +1,104 @@
-//! The questions that each mechanism answers, in its own module.
+//! Interface of the mechanisms: the equations that each implements in its own module.
 
 use crate::flange::{FlangeForces, Instant, OnFlange};
 use crate::{Endless, Extra, MechanismId, Rope};
 
-/// The inertia that the output feels at a position, its slope and the torque of the position alone.
+/// Inertia at the output at a position, its slope, and the torque that depends on the position only.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Reduced {
     /// J(q) \[kgm²\]
     pub(crate) inertia: f64,
-    /// dJ/dq [kgm²/rad], as far as it takes a torque.
+    /// dJ/dq [kgm²/rad], as far as it causes a torque.
     pub(crate) slope: f64,
     /// Torque that holds the load at rest without friction: gravity and process \[Nm\].
     pub(crate) holding: f64,
-    /// Coulomb friction on the far side of the transmission, referred to the output \[Nm\].
+    /// Coulomb friction beyond the transmission, referred to the output \[Nm\].
     pub(crate) coulomb: f64,
 }
 
-/// What a segment of the motion can add to a mechanism; anything else would have no effect and is refused.
+/// Additions of a motion segment that affect a mechanism; others would have no effect and are rejected.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Effects {
-    /// A payload is carried along.
+    /// A payload that is carried.
     pub payload: bool,
-    /// An inertia is added at the output.
+    /// An inertia added at the output.
     pub payload_inertia: bool,
-    /// A process force acts along a line.
+    /// A process force along a line.
     pub process_force: bool,
 }
 
-/// The equations of one mechanism, at the mechanism's own shaft: a stage lies before it.
+/// Equations of a mechanism, referred to its own shaft; a stage precedes it.
 pub(crate) trait Equations {
-    /// Its name in a project file.
+    /// Returns the mechanism as named in a project file.
     fn id(&self) -> MechanismId;
 
-    /// Inertia and torque at a position.
+    /// Returns inertia and torque at a position.
     fn reduced(&self, position_rad: f64, extra: &Extra) -> Reduced;
 
-    /// J \[kgm²\] for the checks that look beyond the torque; `None` where it is not stated.
+    /// Returns J \[kgm²\] for the checks other than torque; `None` if it is not stated.
     fn known_inertia(&self, reduced: &Reduced) -> Option<f64> {
         Some(reduced.inertia)
     }
 
-    /// Torque that holds the load at rest, with the external one \[Nm\].
+    /// Returns the torque that holds the load at rest, including the external one \[Nm\].
     fn holding(&self, reduced: &Reduced, external_nm: f64) -> f64 {
         reduced.holding + external_nm
     }
 
-    /// The same with all masses and inertias times a factor; geometry and process stay.
+    /// Returns the mechanism with all masses and inertias multiplied by a factor; geometry and process remain.
     fn with_masses(&self, factor: f64) -> Self
     where
         Self: Sized;
 
-    /// The longest angle between two positions over which inertia and torque are as smooth as sixteen nodes need;
-    /// infinite where they are polynomials of the position, `None` where they do not depend on it.
+    /// Returns the largest angle between two positions over which sixteen nodes resolve inertia and torque; infinite if
+    /// they are polynomials of the position, `None` if they do not depend on it.
     fn smooth_over(&self, from_rad: f64, to_rad: f64) -> Option<f64>;
 
-    /// What the end of a cycle must come back to.
+    /// Returns the condition on the end of a cycle.
     fn endless(&self) -> Endless;
 
-    /// Lowest and highest position that the geometry allows.
+    /// Returns the lowest and highest position that the geometry permits.
     fn range_rad(&self) -> Option<(f64, f64)> {
         None
     }
 
-    /// Travel along the line per angle [m/rad], where it is constant.
+    /// Returns the travel along the line per angle [m/rad], if it is constant.
     fn travel_m_per_rad(&self) -> Option<f64> {
         None
     }
 
-    /// Positions at which inertia or torque have a kink.
+    /// Returns the positions at which inertia or torque have a kink.
     fn kinks(&self) -> Vec<f64> {
         Vec::new()
     }
 
-    /// What a segment can add.
+    /// Returns the additions of a segment that affect the mechanism.
     fn effects(&self) -> Effects;
 
-    /// How it loads the flange; `None` where its masses and forces are not described.
+    /// Returns the properties of the flange load; `None` if masses and forces are not described.
     fn on_flange(&self) -> Option<OnFlange>;
 
-    /// Its forces on the flange at one instant.
+    /// Returns the forces on the flange at one instant.
     fn forces(&self, _at: &Instant<'_>) -> FlangeForces {
         FlangeForces::default()
     }
 
-    /// Tension of a rope while it is taut \[N\], below zero where it would have to push; `None` without such a rope.
+    /// Returns the tension of a taut rope \[N\], negative where it would have to push; `None` without such a rope.
     fn rope_tension(&self, _rope: Rope, _at: &Instant<'_>) -> Option<f64> {
         None
     }
 
-    /// Forces along a line whose changes of sign bend those on the flange \[N\]; `None` where nothing bends them.
+    /// Returns forces along a line whose changes of sign cause a kink in those on the flange \[N\]; `None` if there is
+    /// no kink.
     fn switches(&self, _at: &Instant<'_>) -> Option<[f64; 2]> {
         None
     }
 }
 
-/// A twelfth of the period of what gravity and a crank make.
+/// A twelfth of the period of gravity and crank terms.
 pub(crate) const TWELFTH_RAD: f64 = std::f64::consts::FRAC_PI_6;
 
-/// The panel on which sixteen nodes integrate a function with branch points beside the real axis.
+/// Returns the panel length on which sixteen nodes integrate a function with branch points near the real axis.
 ///
 /// h = ¾ d, error ~ ρ⁻²⁹ with ρ = d/h + √(1 + (d/h)²) = 3
 ///

@@ -1,18 +1,18 @@
-//! What the load does to the flange that carries it: forces across and along the axis, and the moment that tilts it.
+//! Loads on the output flange: radial and axial force, and tilting moment.
 
 use crate::equations::Equations;
 use crate::{Endless, Extra, Mechanism, Output, StageKind, gravity_m_s2};
 use quantities::{Angle, Force, Length, Mass, Measure, Torque};
 
-/// How a wheel on the flange hands its force on.
+/// Transmission of force by a wheel on the flange.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Contact {
-    /// A belt wrapped half round a pulley, both spans parallel.
+    /// A belt wrapped halfway around a pulley, both spans parallel.
     Belt {
         /// F_v: tension of each span at rest.
         tension: Force,
     },
-    /// Teeth that mesh with a rack or a wheel.
+    /// Teeth that mesh with a rack or a gear.
     Mesh {
         /// α_n: pressure angle in the normal section.
         pressure_angle: Angle,
@@ -21,28 +21,28 @@ pub enum Contact {
     },
 }
 
-/// How the load sits on the flange. What is not stated is never guessed: see [`Mechanism::missing_for_forces`].
+/// Mounting of the load on the flange. Values not stated are not guessed: see [`Mechanism::missing_for_forces`].
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Mounting {
-    /// L: distance of the centre of mass, or of the middle of pulley, pinion or crank pin, from the flange face along
-    /// the axis, away from the actuator.
+    /// L: axial distance of the centre of mass, or of the centre of pulley, pinion or crank pin, from the flange face,
+    /// positive away from the actuator.
     pub overhang: Option<Length>,
-    /// L_p: the same of the payload.
+    /// L_p: axial distance of the payload's centre of mass from the flange face.
     pub payload_overhang: Option<Length>,
-    /// Share of the forces that reaches the flange; the rest is carried by other bearings.
+    /// Share of the forces borne by the flange \[1\]; other bearings bear the rest.
     pub share: Option<f64>,
-    /// How a wheel hands its force on.
+    /// Transmission of force by the wheel.
     pub contact: Option<Contact>,
-    /// m_w: mass of what turns with the flange and is not part of the mechanism's masses: pulley, pinion, crank.
+    /// m_w: mass of parts that turn with the flange but are not included in the mechanism: pulley, pinion, crank.
     pub wheel_mass: Option<Mass>,
-    /// β: tilt of the axis from the vertical, for the weight of the wheel; a rotor has its own.
+    /// β: tilt of the axis from the vertical, for the weight of the wheel; a rotor has a tilt of its own.
     pub axis_tilt: Option<Angle>,
 }
 
 /// Forces of the load on the flange at one instant, in SI.
 ///
-/// The plane of the flange has its first direction level, as the angle of a rotor counts from there, and its second the
-/// steepest upwards; the third direction is that of the axis, away from the actuator.
+/// In the plane of the flange, the first direction is horizontal, as is the zero of a rotor's angle, and the second is
+/// the steepest upwards; the third is along the axis, away from the actuator.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct FlangeForces {
     /// F_x, F_y: force in the plane of the flange \[N\].
@@ -51,7 +51,7 @@ pub struct FlangeForces {
     pub axial_n: f64,
     /// M_x, M_y: tilting moment about the centre of the flange face \[Nm\].
     pub moment_nm: [f64; 2],
-    /// What has no stated direction, as amounts that add at their worst.
+    /// Amounts without a stated direction, added in the worst case.
     pub aligned: Aligned,
 }
 
@@ -62,35 +62,36 @@ pub struct Aligned {
     pub radial_n: f64,
     /// Force along the axis \[N\].
     pub axial_n: f64,
-    /// Σ F L of the radial forces, each with its distance from the flange face, away from the actuator \[Nm\].
+    /// Σ F L of the radial forces, each with its axial distance from the flange face, positive away from the actuator
+    /// \[Nm\].
     pub moment_nm: f64,
-    /// Tilting moment of couples, the same about every centre \[Nm\].
+    /// Tilting moment of couples, independent of the centre \[Nm\].
     pub couple_nm: f64,
 }
 
 impl FlangeForces {
-    /// F_r: radial force \[N\].
+    /// Returns F_r, the radial force \[N\].
     #[must_use]
     pub fn radial(&self) -> f64 {
         let [x, y] = self.radial_n;
-        // No component of any force comes near the ends of the numbers, so the plain root serves.
+        // Force components never approach the limits of floating-point numbers, so the plain root suffices.
         (x * x + y * y).sqrt() + self.aligned.radial_n
     }
 
-    /// F_a: axial force \[N\].
+    /// Returns F_a, the axial force \[N\].
     #[must_use]
     pub fn axial(&self) -> f64 {
         self.axial_n.abs() + self.aligned.axial_n
     }
 
-    /// M: tilting moment about a centre that lies behind the flange face \[Nm\].
+    /// Returns M, the tilting moment about a centre behind the flange face \[Nm\].
     ///
     /// M = |M_0 + R e_z × F| + |M_al + R F_al| + M_c
     ///
     /// # Symbols
-    /// M_0 moment about the centre of the flange face \[Nm\], R distance of the centre behind it \[m\], F force
-    /// \[N\], index al amounts without direction, M_c couples. A force at the distance L has the lever |L + R|, also where L is
-    /// negative
+    /// M_0 moment about the centre of the flange face \[Nm\], R distance of the centre behind it \[m\], F force \[N\],
+    /// index al amounts without direction, M_c couples. A force at the distance L has the lever |L + R|, for negative L
+    /// too
     /// # Source
     /// docs/theory/flange-loads.md
     #[must_use]
@@ -101,7 +102,7 @@ impl FlangeForces {
         (x * x + y * y).sqrt() + (moment_nm + r * radial_n).abs() + couple_nm
     }
 
-    /// Adds a force that acts at a point: its distances from the axis and from the flange face \[m\].
+    /// Adds a force acting at a point, given by its distances from the axis and from the flange face \[m\].
     pub(crate) fn act(&mut self, [x, y, z]: [f64; 3], [fx, fy, fz]: [f64; 3]) {
         let [rx, ry] = &mut self.radial_n;
         *rx += fx;
@@ -121,77 +122,77 @@ impl FlangeForces {
     }
 }
 
-/// What must be stated of a mechanism before its forces on the flange are known.
+/// Data required for the forces of a mechanism on the flange.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Missing {
-    /// Which share of a thrust reaches the flange.
+    /// Share of a thrust that the flange bears.
     FlangeShare,
-    /// How a wheel hands its force on.
+    /// Transmission of force by the wheel.
     BeltTension,
 }
 
-/// Which distances from the flange the tilting moment needs.
+/// Distances from the flange required for the tilting moment.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) struct Overhang {
-    /// That of the mechanism itself; a wheel with a mass needs it in any case.
+    /// Distance of the mechanism itself; a wheel with a mass always needs it.
     pub(crate) of_mechanism: bool,
-    /// That of the payload, where a segment carries one.
+    /// Distance of the payload, if a segment carries one.
     pub(crate) of_payload: bool,
 }
 
-/// Course of the loads on the flange over the position of the mechanism, at the same speed and acceleration.
+/// Dependence of the flange loads on the position of the mechanism, at equal speed and acceleration.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Recurrence {
-    /// They do not depend on the position.
+    /// Independent of the position.
     Constant,
-    /// They repeat with each revolution of the mechanism.
+    /// Repeating with each revolution of the mechanism.
     EachRevolution,
-    /// They depend on the position and do not repeat.
+    /// Dependent on the position without repetition.
     Never,
 }
 
 impl Recurrence {
-    /// That of loads which repeat with each revolution if they depend on the position at all.
+    /// Returns the recurrence of loads that repeat with each revolution if they depend on the position at all.
     pub(crate) const fn each_revolution_if(depends: bool) -> Self {
         if depends { Self::EachRevolution } else { Self::Constant }
     }
 
-    /// That of loads which never repeat if they depend on the position at all.
+    /// Returns the recurrence of loads that never repeat if they depend on the position at all.
     pub(crate) const fn never_if(depends: bool) -> Self {
         if depends { Self::Never } else { Self::Constant }
     }
 }
 
-/// How a mechanism loads the flange.
+/// Properties of the load of a mechanism on the flange.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) struct OnFlange {
-    /// What its forces need.
+    /// Data required for the forces.
     pub(crate) missing: Option<Missing>,
-    /// What its tilting moment needs besides.
+    /// Distances required in addition for the tilting moment.
     pub(crate) overhang: Overhang,
-    /// Course of its loads over the position.
+    /// Dependence of the loads on the position.
     pub(crate) recurrence: Recurrence,
 }
 
-/// One instant of a mechanism on its flange.
+/// State of a mechanism on its flange at one instant.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Instant<'a> {
     pub(crate) output: &'a Output,
     pub(crate) extra: &'a Extra,
-    /// A recorded torque \[Nm\].
+    /// Recorded torque \[Nm\].
     pub(crate) recorded_nm: f64,
     pub(crate) mounting: &'a Mounting,
     pub(crate) efficiency_driving: f64,
 }
 
 impl Instant<'_> {
-    /// A force on the near side of the losses, as an amount: what drives is divided by the efficiency, what is driven
-    /// counts in full, since where along the way its losses arise is not known.
+    /// Returns the amount of a force before the losses: divided by the efficiency while driving, in full while driven,
+    /// because it is not known where the losses occur.
     pub(crate) fn before_losses(&self, force: f64, direction: f64) -> f64 {
         if force * direction > 0.0 { force.abs() / self.efficiency_driving } else { force.abs() }
     }
 
-    /// Torque of what moves along a line \[Nm\], with what the segment adds to the line alone.
+    /// Returns the torque of the parts moving along a line \[Nm\], with the additions of the segment to the line only.
     pub(crate) fn line_torque(&self, line: &impl Equations) -> f64 {
         let of_line = Extra { mass: self.extra.mass, force: self.extra.force, ..Extra::none() };
         let reduced = line.reduced(self.output.position_rad, &of_line);
@@ -200,13 +201,13 @@ impl Instant<'_> {
     }
 }
 
-/// cos β without what the rounded angle leaves of a right one.
+/// Returns cos β, with the residue of a rounded right angle set to zero.
 pub(crate) fn cosine(angle: Angle) -> f64 {
     let cosine = angle.si().cos();
     if cosine.abs() < 1e-12 { 0.0 } else { cosine }
 }
 
-/// sin β without what the rounded angle leaves of a straight one.
+/// Returns sin β, with the residue of a rounded straight angle set to zero.
 pub(crate) fn sine(angle: Angle) -> f64 {
     let sine = angle.si().sin();
     if sine.abs() < 1e-12 { 0.0 } else { sine }
@@ -217,14 +218,13 @@ pub(crate) fn metres(length: Option<Length>) -> f64 {
 }
 
 impl Mechanism {
-    /// Whether the mechanism describes the masses and forces from which loads on the flange follow; behind a stage the
-    /// torque suffices.
+    /// Returns `true` if the masses and forces of the flange load are described; with a stage the torque suffices.
     #[must_use]
     pub fn knows_flange_forces(&self) -> bool {
         self.stage.is_some() || self.kind.equations().on_flange().is_some()
     }
 
-    /// Returns the course of the loads on the flange over the position, at the same speed and acceleration. Behind a stage the
+    /// Returns the dependence of the flange loads on the position, at equal speed and acceleration. With a stage the
     /// flange bears the torque of the mechanism.
     #[must_use]
     pub fn flange_recurrence(&self) -> Recurrence {
@@ -237,7 +237,7 @@ impl Mechanism {
         }
     }
 
-    /// The key of what is missing before the forces on the flange are known; `None` where nothing is.
+    /// Returns the key of a datum missing for the forces on the flange; `None` if there is none.
     #[must_use]
     pub fn missing_for_forces(&self, mounting: &Mounting) -> Option<&'static str> {
         if let Some(stage) = &self.stage {
@@ -255,12 +255,12 @@ impl Mechanism {
         }
     }
 
-    /// The key of what is missing before the tilting moment is known besides; `payload`: some segment carries one.
+    /// Returns the key of a datum missing in addition for the tilting moment; `payload`: a segment carries one.
     #[must_use]
     pub fn missing_for_moment(&self, mounting: &Mounting, payload: bool) -> Option<&'static str> {
         let has_wheel = mounting.wheel_mass.is_some_and(|mass| mass.si() != 0.0);
         let needs = match &self.stage {
-            // A coupling hands on no force across the axis.
+            // A coupling transmits no radial force.
             Some(stage) => Overhang { of_mechanism: stage.kind != StageKind::Coupling, of_payload: false },
             None => self.kind.equations().on_flange()?.overhang,
         };
@@ -271,9 +271,10 @@ impl Mechanism {
         }
     }
 
-    /// The forces of the load on the flange at one instant.
+    /// Returns the forces of the load on the flange at one instant.
     ///
-    /// F = Σ m (g − a) of what turns with the flange; the reaction of belt, teeth, thread or rod of what does not
+    /// F = Σ m (g − a) of the parts that turn with the flange; the reaction of belt, teeth, thread or rod for the
+    /// others
     ///
     /// # Symbols
     /// m mass \[kg\], g acceleration of gravity, a acceleration of the centre of mass [m/s²]; `recorded_nm` is a
@@ -281,8 +282,8 @@ impl Mechanism {
     /// # Source
     /// docs/theory/flange-loads.md: Newton's second law
     /// # Valid
-    /// products of inertia about the centre of mass zero; where a datum is missing its force or lever counts as
-    /// zero: ask [`Self::missing_for_forces`] and [`Self::missing_for_moment`] before
+    /// zero products of inertia about the centre of mass; a missing datum makes its force or lever zero: check
+    /// [`Self::missing_for_forces`] and [`Self::missing_for_moment`] before
     #[must_use]
     pub fn flange_forces(&self, output: &Output, extra: &Extra, recorded_nm: f64, mounting: &Mounting) -> FlangeForces {
         let mut forces = match &self.stage {
@@ -302,11 +303,12 @@ impl Mechanism {
         }
     }
 
-    /// Forces along the line whose changes of sign bend those on the flange \[N\]; `None` where nothing bends them.
+    /// Returns forces along the line whose changes of sign cause a kink in those on the flange \[N\]; `None` if there
+    /// is no kink.
     #[must_use]
     pub fn flange_switches(&self, output: &Output, extra: &Extra, recorded_nm: f64) -> Option<[f64; 2]> {
         if self.stage.is_some() {
-            // Behind the stage the losses of the mechanism itself switch with its power.
+            // With a stage, the losses of the mechanism itself switch with its power.
             let extra = Extra { torque: extra.torque + Torque::from_si(recorded_nm), ..*extra };
             return Some([self.stage_hands_on(output, &extra, 0.0), self.useful_torque(output, &extra)]);
         }
@@ -323,7 +325,7 @@ impl Mechanism {
         Instant { output, extra, recorded_nm, mounting, efficiency_driving: self.efficiency_driving }
     }
 
-    /// T_2 + J_2 α_2 of the stage, with a recorded torque \[Nm\].
+    /// Returns T_2 + J_2 α_2 of the stage, including a recorded torque \[Nm\].
     fn stage_hands_on(&self, output: &Output, extra: &Extra, recorded_nm: f64) -> f64 {
         let Some(stage) = &self.stage else { return 0.0 };
         let behind = stage.behind(output);
@@ -331,7 +333,7 @@ impl Mechanism {
         stage.handed_on(self.own_torque(&behind, &extra), &behind)
     }
 
-    /// What the wheel on the flange bears of the stage; the mechanism itself rests on bearings of its own.
+    /// Returns the forces of the stage on its wheel on the flange; the mechanism itself has bearings of its own.
     fn stage_forces(&self, output: &Output, extra: &Extra, recorded_nm: f64, mounting: &Mounting) -> FlangeForces {
         let Some(stage) = self.stage.as_ref().filter(|stage| stage.kind != StageKind::Coupling) else {
             return FlangeForces::default();
@@ -341,13 +343,13 @@ impl Mechanism {
             return FlangeForces::default();
         }
         let handed_on = self.stage_hands_on(output, extra, recorded_nm);
-        // While the mechanism drives, where along the way the losses arise is not known: they count as no help.
+        // While the mechanism drives, it is not known where the losses occur: they are not counted as a relief.
         let torque = stage.taken(handed_on, output.direction).abs().max((handed_on / stage.ratio).abs());
         wheel_forces(torque / radius, radius, mounting)
     }
 }
 
-/// Forces of a wheel under a tangential force, at its overhang.
+/// Returns the forces of a wheel under a tangential force, at its overhang.
 ///
 /// belt: F_r = 2 F_v + F_t · teeth: F_t, F_s = F_t tan α_n/cos β_z, F_z = F_t tan β_z
 ///
@@ -356,7 +358,7 @@ impl Mechanism {
 /// # Source
 /// docs/theory/flange-loads.md
 /// # Valid
-/// belt: the upper bound over all places of the slide and all stiffnesses of the spans
+/// belt: the upper bound over all positions of the slide and all stiffnesses of the spans
 pub(crate) fn wheel_forces(tangential: f64, radius_m: f64, mounting: &Mounting) -> FlangeForces {
     let mut forces = FlangeForces::default();
     let place = [0.0, 0.0, metres(mounting.overhang)];
@@ -366,7 +368,7 @@ pub(crate) fn wheel_forces(tangential: f64, radius_m: f64, mounting: &Mounting) 
             let (helix, thrust) = (helix_angle.si(), tangential * helix_angle.si().tan().abs());
             let separating = tangential * pressure_angle.si().tan() / helix.cos();
             forces.act(place, [tangential, separating, 0.0]);
-            // The hand of the teeth says to which side the thrust tilts.
+            // The tilt direction of the thrust depends on the hand of the teeth.
             forces.aligned.axial_n += thrust;
             forces.aligned.couple_nm += thrust * radius_m;
         }

@@ -1,4 +1,4 @@
-//! Loads on the flange against closed forms by hand, the path of the centre of mass, limits and balances.
+//! Loads on the flange compared with closed forms by hand, with the path of the centre of mass, limits and balances.
 
 use super::*;
 use crate::{FourBar, Hoist, Linear, LinearKind, MechanismKind, Rotor, RotorKind, SliderCrank, Winder, Winding};
@@ -48,8 +48,8 @@ fn close(value: f64, expected: f64) -> bool {
     (value - expected).abs() <= 1e-12 * (1.0 + expected.abs())
 }
 
-/// Constant speed about a level axis: 6 kg at 0.35 m, 4 rad/s. Below, weight and centrifugal force add: 6 (g + 16·0.35) =
-/// 92.4399 N; above they oppose: 6 (g − 5.6) = 25.2399 N; level, √((6·5.6)² + (6 g)²) = 67.7576 N.
+/// Constant speed about a horizontal axis: 6 kg at 0.35 m, 4 rad/s. Below, weight and centrifugal force add: 6 (g +
+/// 16·0.35) = 92.4399 N; above they oppose: 6 (g − 5.6) = 25.2399 N; horizontal, √((6·5.6)² + (6 g)²) = 67.7576 N.
 #[test]
 fn an_arm_at_constant_speed_by_hand() {
     let radial =
@@ -57,7 +57,7 @@ fn an_arm_at_constant_speed_by_hand() {
     assert!(close(radial(-90.0).radial(), 6.0 * (G + 5.6)));
     assert!(close(radial(90.0).radial(), 6.0 * (G - 5.6)));
     assert!((radial(0.0).radial() - 67.7576).abs() < 5e-5, "{}", radial(0.0).radial());
-    // All forces lie in the plane of the centre of mass: M = F_r (L + R).
+    // All forces act in the plane of the centre of mass: M = F_r (L + R).
     for angle in [-90.0, 0.0, 33.0, 90.0] {
         let forces = radial(angle);
         assert!(close(forces.moment(metres_of(0.018)), forces.radial() * 0.068));
@@ -65,9 +65,9 @@ fn an_arm_at_constant_speed_by_hand() {
     }
 }
 
-/// A vertical axis, flange up, 3 rad/s and 20 rad/s²: along the radius 6·9·0.35 = 18.9 N, across it 6·20·0.35 = 42 N, along
-/// the axis 6 g. The moment about the face: weight at the radius 0.35·6 g = 20.594 Nm against z F_r = 0.05·18.9: both tilt to
-/// the same side, and z F_t = 2.1 Nm across.
+/// A vertical axis, flange up, 3 rad/s and 20 rad/s²: radial 6·9·0.35 = 18.9 N, tangential 6·20·0.35 = 42 N, axial 6 g.
+/// The moment about the face: weight at the radius 0.35·6 g = 20.594 Nm and z F_r = 0.05·18.9 tilt to the same side, z
+/// F_t = 2.1 Nm at right angles.
 #[test]
 fn a_vertical_axis_by_hand() {
     let forces = arm(6.0, 0.0).flange_forces(&out(0.7, 3.0, 20.0), &Extra::none(), 0.0, &at(0.05));
@@ -75,13 +75,13 @@ fn a_vertical_axis_by_hand() {
     assert!(close(forces.axial(), 6.0 * G));
     let expected = ((0.35 * 6.0 * G + 0.05 * 18.9).powi(2) + 2.1_f64.powi(2)).sqrt();
     assert!(close(forces.moment(metres_of(0.0)), expected), "{}", forces.moment(metres_of(0.0)));
-    // With the flange downwards the weight tilts the other way.
+    // With the flange downwards the weight tilts in the opposite direction.
     let below = arm(6.0, 180.0).flange_forces(&out(0.7, 3.0, 20.0), &Extra::none(), 0.0, &at(0.05));
     let expected = ((0.35 * 6.0 * G - 0.05 * 18.9).powi(2) + 2.1_f64.powi(2)).sqrt();
     assert!(close(below.moment(metres_of(0.0)), expected));
 }
 
-/// A fixed pseudo-random sequence in 0…1 (a linear congruence), so that every run looks at the same states.
+/// Returns a fixed pseudorandom sequence in 0…1 (linear congruential), so that every run tests the same states.
 fn draws(count: usize) -> Vec<[f64; 6]> {
     let mut state = 12_345_u64;
     let mut next = || {
@@ -91,7 +91,8 @@ fn draws(count: usize) -> Vec<[f64; 6]> {
     (0..count).map(|_| [next(), next(), next(), next(), next(), next()]).collect()
 }
 
-/// F = m (g − a) with a by differences of the path of the centre of mass, in the frame of the room: two masses, any tilt.
+/// F = m (g − a), with a from finite differences of the path of the centre of mass in the fixed frame: two masses, any
+/// tilt.
 #[test]
 fn forces_are_those_of_the_path_of_the_centre_of_mass() {
     for [q0, w, a, tilt, m, p] in draws(200) {
@@ -107,7 +108,8 @@ fn forces_are_those_of_the_path_of_the_centre_of_mass() {
         let mass = [rotor.mass.si(), 5.0 * p];
         let extra = Extra { mass: Mass::from_si(mass[1]), ..Extra::none() };
         let found = of(MechanismKind::Rotor(rotor)).flange_forces(&out(q0, w, a), &extra, 0.0, &at(0.05));
-        // The flange in the room: x level, y steepest upwards, z out of the flange; up is sin β y + cos β z.
+        // The flange in the fixed frame: x horizontal, y steepest upwards, z out of the flange; up is sin β y + cos β
+        // z.
         let up = [0.0, tilt.sin(), tilt.cos()];
         let (mut force, mut moment) = ([0.0; 3], [0.0; 3]);
         for (m, r, z) in [(mass[0], 0.35, 0.05), (mass[1], 0.7, 0.12)] {
@@ -134,15 +136,16 @@ fn forces_are_those_of_the_path_of_the_centre_of_mass() {
         assert!((found.radial() - force[0].hypot(force[1])).abs() < 2e-6 * scale);
         assert!((found.axial() - force[2].abs()).abs() < 2e-6 * scale);
         assert!((found.moment(metres_of(0.0)) - moment[0].hypot(moment[1])).abs() < 2e-6 * scale);
-        // About the axis the same forces give the torque of the mechanism, less the inertia about the centres.
+        // About the axis the same forces yield the torque of the mechanism, except for the inertia about the centres of
+        // mass.
         let own = rotor.inertia.si() - mass[0] * 0.35 * 0.35;
         let asked = of(MechanismKind::Rotor(rotor)).torque(&out(q0, w, a), &extra);
         assert!((asked - own * a + moment[2]).abs() < 2e-6 * scale, "{asked} {}", moment[2]);
     }
 }
 
-/// Over a closed cycle the momentum comes back, so the impulse of the force is that of the weight: about a level axis
-/// ∫F dt = −m g τ upwards and nothing level. q = sin(2πt/τ).
+/// Over a closed cycle the momentum returns to its initial value, so that the impulse of the force is that of the
+/// weight: about a horizontal axis ∫F dt = −m g τ upwards and zero horizontally. q = sin(2πt/τ).
 #[test]
 fn over_a_closed_cycle_the_impulse_is_that_of_the_weight() {
     let (tau, n) = (0.8_f64, 4000);
@@ -182,8 +185,9 @@ fn linear(kind: LinearKind) -> Linear {
     }
 }
 
-/// A belt by hand: 18 kg, friction 35 N + 0.02·18 g = 38.530 N; at 2.5 m/s² the slide asks 83.530 N, with both pulleys behind the
-/// belt 0.004/0.06² · 2.5 = 2.778 N more; η = 0.95: 90.851 N. With 150 N in each span 390.851 N pull at the pulley.
+/// A belt by hand: 18 kg, friction 35 N + 0.02·18 g = 38.530 N; at 2.5 m/s² the slide needs 83.530 N, with both pulleys
+/// beyond the belt 0.004/0.06² · 2.5 = 2.778 N more; η = 0.95: 90.851 N. With 150 N in each span the pulley bears
+/// 390.851 N.
 #[test]
 fn a_belt_by_hand() {
     let belt = Mechanism { efficiency_driving: 0.95, ..of(MechanismKind::Linear(linear(LinearKind::Belt))) };
@@ -191,7 +195,7 @@ fn a_belt_by_hand() {
     let forces = belt.flange_forces(&out(0.0, 1.0, 2.5 / 0.06), &Extra::none(), 0.0, &mounting);
     assert!((forces.radial() - 390.851).abs() < 1e-3, "{}", forces.radial());
     assert!(close(forces.moment(metres_of(0.014)), forces.radial() * 0.044));
-    // Braking at the same rate the slide pushes 45 − 38.530 N against the belt; losses beyond may lie anywhere.
+    // At the same deceleration the slide pushes with 45 − 38.530 N against the belt; the losses may occur anywhere.
     let braking = belt.flange_forces(&out(0.0, 1.0, -2.5 / 0.06), &Extra::none(), 0.0, &mounting);
     assert!((braking.radial() - 300.0 - (45.0 - 38.530_394 + 2.777_778)).abs() < 1e-5, "{}", braking.radial());
     assert_eq!(belt.missing_for_forces(&at(0.03)), Some("bearing.belt_tension"));
@@ -226,7 +230,7 @@ fn a_screw_pushes_along_the_axis() {
     assert_eq!(screw.missing_for_moment(&mounting, true), None);
 }
 
-/// The pin's force turns the crank by the torque of the mechanism: T = −(r × F)_z for every state; and its resultant is the
+/// The pin force turns the crank with the torque of the mechanism, T = −(r × F)_z, in every state; its resultant is the
 /// slider's force over cos ψ.
 #[test]
 fn the_force_at_the_crank_pin_makes_the_torque() {
@@ -245,7 +249,7 @@ fn the_force_at_the_crank_pin_makes_the_torque() {
         let torque = load.torque(&state, &Extra::none());
         let [fx, fy] = forces.radial_n;
         let (sin, cos) = state.position_rad.sin_cos();
-        // The vector is given up to its sign.
+        // The vector is known except for its sign.
         let couple = 0.1 * (cos * fy - sin * fx);
         assert!((couple.abs() - torque.abs()).abs() < 1e-9 * (1.0 + torque.abs()), "{couple} {torque}");
         let sin_psi = 0.1 / 0.32 * sin;
@@ -253,7 +257,7 @@ fn the_force_at_the_crank_pin_makes_the_torque() {
     }
 }
 
-/// A pulley of 2 kg on a level axis adds its weight to the pull, on a vertical one it presses along the axis.
+/// A pulley of 2 kg adds its weight to the belt pull on a horizontal axis, and presses along a vertical one.
 #[test]
 fn the_weight_of_a_wheel_follows_the_axis() {
     let belt = of(MechanismKind::Linear(linear(LinearKind::Belt)));
@@ -269,7 +273,8 @@ fn the_weight_of_a_wheel_follows_the_axis() {
     assert!(close(still(90.0).moment(metres_of(0.014)), (200.0 + 2.0 * G) * 0.044));
 }
 
-/// A force behind the bearing's centre has the lever |L + R|: winder and wheel agree with the hoist, whose force has a direction.
+/// A force behind the bearing centre has the lever |L + R|: winder and wheel agree with the hoist, whose force has a
+/// direction.
 #[test]
 fn a_negative_overhang_turns_the_lever_round() {
     let winder = of(MechanismKind::Winder(Winder {
@@ -300,7 +305,7 @@ fn a_negative_overhang_turns_the_lever_round() {
             let forces = mechanism.flange_forces(&still, &Extra::none(), 0.0, &at(overhang));
             assert!(close(forces.moment(metres_of(0.018)), forces.radial() * lever), "{overhang} {forces:?}");
         }
-        // Pull of the belt and weight of the pulley at the same place.
+        // Belt pull and pulley weight at the same place.
         let mounting = Mounting {
             contact: Some(Contact::Belt { tension: Force::from_si(100.0) }),
             wheel_mass: Some(Mass::from_si(2.0)),

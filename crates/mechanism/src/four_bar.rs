@@ -7,56 +7,57 @@ use crate::{Endless, Extra, Geometry, MechanismId, gravity_m_s2};
 use quantities::{Angle, Length, Mass, Measure, MomentOfInertia, Torque};
 use std::f64::consts::{FRAC_PI_2, TAU};
 
-/// A four-bar linkage whose crank goes round.
+/// A four-bar linkage with a fully rotating crank.
 ///
 /// r e^{iq} + c e^{iβ} = g + l e^{iψ},
 /// J = J_1 + m_c |v_c|² + J_c β'² + J_r ψ'², |v_c|² = r² + s² β'² + 2 r s β' cos(q − β),
 /// T_h = g_n sin δ (m_c y_c' + m_r y_r') + T_r ψ'
 ///
 /// # Symbols
-/// g fixed link, r crank, c coupler, l rocker \[m\]; q, β, ψ their angles against the fixed link, q = 0 along it towards
-/// the rocker's pivot; J_1 inertia of the crank, m_c, J_c, s mass, inertia about its centre and its distance from the
-/// crank pin of the coupler, m_r mass of the rocker, J_r its inertia about its pivot with what it drives, T_r torque on the
-/// rocker against increasing ψ; y height of a centre of mass, δ tilt of the axes from the vertical
+/// g fixed link, r crank, c coupler, l rocker \[m\]; q, β, ψ their angles relative to the fixed link, q = 0 along it
+/// towards the rocker's pivot; J_1 inertia of the crank, m_c, J_c, s mass of the coupler, its inertia about its centre
+/// and the distance of its centre from the crank pin, m_r mass of the rocker, J_r inertia of the rocker about its pivot
+/// including its load, T_r torque on the rocker against increasing ψ; y height of a centre of mass, δ tilt of the axes
+/// from the vertical
 /// # Source
 /// docs/theory/mechanisms.md: the closed loop and its two derivatives, Lagrange's equation
 /// # Valid
-/// the crank can go round: see [`FourBar::faults`]
+/// the crank can rotate fully: see [`FourBar::faults`]
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct FourBar {
     /// g: distance of the two fixed pivots.
     pub ground: Length,
-    /// r: crank.
+    /// r: length of the crank.
     pub crank: Length,
-    /// c: coupler.
+    /// c: length of the coupler.
     pub coupler: Length,
-    /// l: rocker.
+    /// l: length of the rocker.
     pub rocker: Length,
-    /// Whether coupler and rocker lie crossed: the joint between them on the other side of the diagonal.
+    /// Crossed linkage: the joint of coupler and rocker is on the other side of the diagonal.
     pub is_crossed: bool,
-    /// J_1: inertia of what turns with the crank.
+    /// J_1: inertia of the parts turning with the crank.
     pub inertia: MomentOfInertia,
     /// m_c: mass of the coupler.
     pub coupler_mass: Mass,
-    /// s: distance of its centre from the crank pin, along the coupler.
+    /// s: distance of the coupler's centre of mass from the crank pin, along the coupler.
     pub coupler_centre: Length,
-    /// J_c: its inertia about its centre.
+    /// J_c: inertia of the coupler about its centre of mass.
     pub coupler_inertia: MomentOfInertia,
     /// m_r: mass of the rocker.
     pub rocker_mass: Mass,
-    /// s_r: distance of its centre from its pivot, along the rocker.
+    /// s_r: distance of the rocker's centre of mass from its pivot, along the rocker.
     pub rocker_centre: Length,
-    /// J_r: its inertia about its pivot, with the load that it drives.
+    /// J_r: inertia of the rocker about its pivot, including its load.
     pub rocker_inertia: MomentOfInertia,
     /// T_r: torque on the rocker, against increasing ψ.
     pub rocker_torque: Torque,
     /// γ: angle of the fixed link above the horizontal, from crank to rocker.
     pub inclination: Angle,
-    /// δ: tilt of the axes from the vertical; 90° makes the plane of the linkage vertical.
+    /// δ: tilt of the axes from the vertical; at 90° the linkage moves in a vertical plane.
     pub tilt: Angle,
 }
 
-/// Angles of coupler and rocker with their first and second derivatives by q.
+/// Angles of coupler and rocker with their first and second derivatives with respect to q.
 struct Course {
     q: f64,
     beta: [f64; 3],
@@ -74,8 +75,8 @@ impl FourBar {
         [self.ground.si(), self.crank.si(), self.coupler.si(), self.rocker.si()]
     }
 
-    /// What is wrong with its lengths, all of it. A crank that goes round needs every diagonal between |g − r| and g + r to
-    /// close a triangle with coupler and rocker (Grashof's condition with the crank or the fixed link as the shortest).
+    /// Returns the faults of the lengths. A fully rotating crank requires that every diagonal between |g − r| and g + r
+    /// closes a triangle with coupler and rocker (Grashof's condition with crank or fixed link as the shortest link).
     #[must_use]
     pub fn faults(&self) -> Vec<Geometry> {
         let [g, r, c, l] = self.lengths();
@@ -86,8 +87,8 @@ impl FourBar {
         Geometry::found([(r + g >= c + l, Geometry::TooShort), ((g - r).abs() <= (c - l).abs(), Geometry::TooUnequal)])
     }
 
-    /// The angles by the law of cosines on the diagonal from the rocker's pivot to the crank pin, their rates from the
-    /// loop r i e^{iq} + c i β' e^{iβ} = l i ψ' e^{iψ} and its derivative.
+    /// Returns the angles, by the law of cosines on the diagonal from the rocker's pivot to the crank pin, and their
+    /// rates, from the loop r i e^{iq} + c i β' e^{iβ} = l i ψ' e^{iψ} and its derivative.
     fn course(&self, q: f64) -> Course {
         let [g, r, c, l] = self.lengths();
         let (x, y) = (r * q.cos() - g, r * q.sin());
@@ -104,14 +105,14 @@ impl FourBar {
         Course { q, beta: [beta, beta_1, beta_2], psi: [psi, psi_1, psi_2] }
     }
 
-    /// Weight per mass in the plane of the linkage, as a vector \[m/s²\].
+    /// Returns the weight per mass in the plane of the linkage, as a vector \[m/s²\].
     fn gravity(&self) -> Vector {
         let across = gravity_m_s2() * self.tilt.si().sin();
         let gamma = self.inclination.si();
         [-across * gamma.sin(), -across * gamma.cos()]
     }
 
-    /// Acceleration of the coupler's centre [m/s²].
+    /// Returns the acceleration of the coupler's centre of mass [m/s²].
     fn coupler_acceleration(&self, course: &Course, [omega, alpha]: [f64; 2]) -> Vector {
         let (r, s) = (self.crank.si(), self.coupler_centre.si());
         let [beta, first, second] = course.beta;
@@ -127,10 +128,10 @@ impl FourBar {
         sum
     }
 
-    /// Force of the crank pin on the coupler, in the plane of the linkage \[N\].
+    /// Returns the force of the crank pin on the coupler, in the plane of the linkage \[N\].
     ///
-    /// The rocker's moment about its pivot and the coupler's about the crank pin give the force between them; Newton's law
-    /// for the coupler gives the one at the pin.
+    /// The rocker's moment about its pivot and the coupler's about the crank pin yield the force between them; Newton's
+    /// law for the coupler yields that at the pin.
     fn pin_force(&self, course: &Course, rates: [f64; 2]) -> Vector {
         let [_, _, c, l] = self.lengths();
         let [omega, alpha] = rates;
@@ -138,10 +139,10 @@ impl FourBar {
         let cross = |[ax, ay]: Vector, [bx, by]: Vector| ax * by - ay * bx;
         let gravity = self.gravity();
         let (rocker, coupler) = (polar(l, course.psi[0]), polar(c, course.beta[0]));
-        // B × on the rocker: J_r ψ̈ = l × B + s_r × m_r g − T_r.
+        // B acts on the rocker: J_r ψ̈ = l × B + s_r × m_r g − T_r.
         let on_rocker = self.rocker_inertia.si() * acceleration(course.psi) + self.rocker_torque.si()
             - self.rocker_mass.si() * cross(polar(self.rocker_centre.si(), course.psi[0]), gravity);
-        // On the coupler −B: J_c β̈ + s × m_c (a − g) = −c × B.
+        // −B acts on the coupler: J_c β̈ + s × m_c (a − g) = −c × B.
         let mass = self.coupler_mass.si();
         let [ax, ay] = self.coupler_acceleration(course, rates);
         let lacking = [mass * (ax - gravity[0]), mass * (ay - gravity[1])];
@@ -156,7 +157,7 @@ impl FourBar {
         [lacking[0] + force[0], lacking[1] + force[1]]
     }
 
-    /// Torque of a force of the crank pin about the axis of the crank \[Nm\].
+    /// Returns the torque of a crank pin force about the axis of the crank \[Nm\].
     fn pin_torque(&self, course: &Course, [x, y]: Vector) -> f64 {
         let [px, py] = polar(self.crank.si(), course.q);
         px * y - py * x
@@ -207,8 +208,8 @@ impl Equations for FourBar {
         }
     }
 
-    /// Branch points where coupler and rocker are in line, cos q = (g² + r² − (c ± l)²)/2gr, and where the diagonal
-    /// vanishes, cos q = (g² + r²)/2gr; all at arcosh |cos q| beside the real axis.
+    /// Branch points where coupler and rocker are aligned, cos q = (g² + r² − (c ± l)²)/2gr, and where the diagonal
+    /// vanishes, cos q = (g² + r²)/2gr; all at a distance of arcosh |cos q| from the real axis.
     fn smooth_over(&self, _from_rad: f64, _to_rad: f64) -> Option<f64> {
         let [g, r, c, l] = self.lengths();
         let nearest = [c + l, c - l, 0.0]
@@ -231,18 +232,19 @@ impl Equations for FourBar {
         Some(OnFlange { missing: None, overhang, recurrence: Recurrence::EachRevolution })
     }
 
-    /// The force of the coupler on the crank pin, before the losses while the crank drives, in full while the linkage does.
+    /// Returns the force of the coupler on the crank pin, before the losses while the crank drives, in full while the
+    /// linkage does.
     fn forces(&self, at: &Instant<'_>) -> FlangeForces {
         let course = self.course(at.output.position_rad);
         let [x, y] = self.pin_force(&course, [at.output.speed_rad_s, at.output.acceleration_rad_s2]);
         let mut forces = FlangeForces::default();
-        // Losses turn no force: both components grow by as much as the torque of the pin.
+        // Losses do not change the direction of a force: both components scale with the torque of the pin.
         let share = at.before_losses(self.pin_torque(&course, [x, y]).signum(), at.output.direction);
         forces.act([0.0, 0.0, metres(at.mounting.overhang)], [-x * share, -y * share, 0.0]);
         forces
     }
 
-    /// The torque of the pin's force: where it changes its sign, driving and driven change sides.
+    /// Returns the torque of the pin force, at whose change of sign driving and driven side are exchanged.
     fn switches(&self, at: &Instant<'_>) -> Option<[f64; 2]> {
         let course = self.course(at.output.position_rad);
         let force = self.pin_force(&course, [at.output.speed_rad_s, at.output.acceleration_rad_s2]);
@@ -250,13 +252,13 @@ impl Equations for FourBar {
     }
 }
 
-/// Angle of the crank where none is stated.
+/// Crank angle of the drawing if none is stated \[rad\].
 const NEUTRAL_RAD: f64 = 1.107;
 
-/// Fixed link, crank, coupler and rocker on the sheet where they are not stated, or make no linkage.
+/// Fixed link, crank, coupler and rocker on the sheet if they are not stated or form no linkage.
 const NEUTRAL: [f64; 4] = [198.0, 49.2, 165.0, 93.0];
 
-/// The linkage alone, to be drawn, to the scale at which a whole revolution fits the sheet.
+/// Returns the linkage for drawing, scaled so that a full revolution fits the sheet.
 fn drawn(figures: &Figures) -> FourBar {
     let is_crossed = figures.of("crossed") == Some(1.0);
     let of = |[ground, crank, coupler, rocker]: [f64; 4]| FourBar {

@@ -1,11 +1,11 @@
-//! Friction at the output, split by how it depends on the motion.
+//! Friction at the output, divided by its dependence on the motion.
 
 use quantities::{Measure, Torque, ViscousFriction};
 
-/// Friction and the torque that does not reverse.
+/// Friction, and the torque that does not reverse.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Friction {
-    /// T_c: Coulomb friction, opposes the motion, gone at rest.
+    /// T_c: Coulomb friction, opposes the motion, zero at rest.
     pub coulomb: Torque,
     /// b: viscous friction, proportional to the speed.
     pub viscous: ViscousFriction,
@@ -14,7 +14,7 @@ pub struct Friction {
 }
 
 impl Friction {
-    /// None at all.
+    /// Returns zero friction and zero external torque.
     #[must_use]
     pub fn none() -> Self {
         Self { coulomb: Torque::from_si(0.0), viscous: ViscousFriction::from_si(0.0), external: Torque::from_si(0.0) }

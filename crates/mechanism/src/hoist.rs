@@ -6,45 +6,46 @@ use crate::flange::{FlangeForces, Instant, OnFlange, Overhang, Recurrence, metre
 use crate::{Endless, Extra, Geometry, MechanismId, Rope, gravity_m_s2};
 use quantities::{Length, Mass, Measure, MomentOfInertia};
 
-/// A hoist.
+/// A hoist with drum, rope and counterweight.
 ///
 /// k = D/2n, x = k q, J = J_d + (m + m_p + m_c) k² + μ k² ((L − x) Σ u² + n³ x),
 /// T_h = k ((m + m_p − m_c) g + n μ g (L − x) + F_p)
 ///
 /// # Symbols
-/// D diameter of the drum to the middle of the rope, n falls, x height lifted, J_d inertia of the drum, m load with hook,
-/// m_p payload of the segment, m_c counterweight with the same reeving, μ = m_r/n L mass of the rope per length, m_r that
-/// of all falls, L length of each at q = 0, u speed of a fall by that of the load: n, n − 2, n − 2, n − 4, …
+/// D diameter of the drum to the centre of the rope, n falls, x lifted height, J_d inertia of the drum, m load with
+/// hook, m_p payload of the segment, m_c counterweight with equal reeving, μ = m_r/n L rope mass per length, m_r mass
+/// of all falls, L length of each at q = 0, u speed of a fall relative to that of the load: n, n − 2, n − 2, n − 4, …
 /// # Source
 /// docs/theory/mechanisms.md; Lagrange's equation with the whole rope in the system
 /// # Valid
-/// vertical falls, stiff rope; the rope on the drum at q = 0 belongs to J_d, the inertia of the sheaves is neglected
+/// vertical falls, stiff rope; the rope on the drum at q = 0 is included in J_d, the inertia of the sheaves is
+/// neglected
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Hoist {
-    /// D: diameter of the drum to the middle of the rope.
+    /// D: diameter of the drum to the centre of the rope.
     pub drum_diameter: Length,
-    /// n: falls that carry the load.
+    /// n: falls that bear the load.
     pub falls: u32,
-    /// J_d: inertia of the drum and of what turns with it.
+    /// J_d: inertia of the drum and of parts turning with it.
     pub inertia: MomentOfInertia,
     /// m: load with hook and lower block.
     pub mass: Mass,
-    /// m_c: counterweight; it moves against the load.
+    /// m_c: counterweight, which moves opposite to the load.
     pub counterweight: Mass,
     /// m_r: mass of all falls of the rope at position zero.
     pub rope_mass: Mass,
-    /// L: length of each fall at position zero; only with a mass of the rope, and then greater than zero.
+    /// L: length of each fall at position zero; positive if the rope has a mass, else unused.
     pub hanging: Length,
 }
 
-/// Efficiency of a reeving while lifting.
+/// Returns the efficiency of a reeving while lifting \[1\].
 ///
 /// η_F = (1/n) (1 − η_S^n)/(1 − η_S)
 ///
 /// # Symbols
 /// n falls, η_S efficiency of one sheave
 /// # Source
-/// DIN 15020-1; FEM 1.001 booklet 4: the pull of each fall is that of the one before times η_S
+/// DIN 15020-1; FEM 1.001 booklet 4: the pull of each fall is that of the previous one times η_S
 /// # Valid
 /// one end of the rope on the drum, the other fixed; η_S in (0, 1]
 #[must_use]
@@ -58,13 +59,13 @@ pub fn reeving_efficiency(falls: u32, sheave: f64) -> f64 {
 }
 
 impl Hoist {
-    /// What is wrong with its figures.
+    /// Returns the faults of the data.
     #[must_use]
     pub fn faults(&self) -> Vec<Geometry> {
         Geometry::found([(self.rope_mass.si() > 0.0 && !self.has_rope(), Geometry::RopeWithoutLength)])
     }
 
-    /// k [m/rad]
+    /// Returns k, the travel per angle [m/rad].
     fn travel(&self) -> f64 {
         self.drum_diameter.si() / (2.0 * f64::from(self.falls))
     }
@@ -73,16 +74,16 @@ impl Hoist {
         self.rope_mass.si() > 0.0 && self.hanging.si() > 0.0
     }
 
-    /// μ [kg/m]
+    /// Returns μ, the rope mass per length [kg/m].
     fn rope_kg_per_m(&self) -> f64 {
         if self.has_rope() { self.rope_mass.si() / (f64::from(self.falls) * self.hanging.si()) } else { 0.0 }
     }
 
-    /// Σ u²: the squares of the speeds of the falls by that of the load.
+    /// Returns Σ u², the sum of the squared speeds of the falls relative to that of the load.
     fn speeds(&self) -> f64 {
         let mut left = self.falls;
         let (mut speed, mut sum) = (f64::from(left), 0.0);
-        // The rope runs n times as fast as the load at the drum and two slower after each pair of sheaves.
+        // At the drum the rope is n times as fast as the load, and two less after each pair of sheaves.
         let mut pair = 1;
         while left > 0 {
             let count = pair.min(left);
@@ -94,7 +95,7 @@ impl Hoist {
         sum
     }
 
-    /// Pulls of the rope and of the counterweight's rope on the drum \[N\].
+    /// Returns the pulls on the drum of the load's and of the counterweight's rope \[N\].
     fn pulls(&self, at: &Instant<'_>) -> [f64; 2] {
         let (k, g, alpha) = (self.travel(), gravity_m_s2(), at.output.acceleration_rad_s2);
         let of_load = Self { inertia: MomentOfInertia::from_si(0.0), counterweight: Mass::from_si(0.0), ..*self };
@@ -135,7 +136,7 @@ impl Equations for Hoist {
         }
     }
 
-    /// Linear in the position.
+    /// The equations are linear in the position.
     fn smooth_over(&self, _from_rad: f64, _to_rad: f64) -> Option<f64> {
         self.has_rope().then_some(f64::INFINITY)
     }
@@ -144,7 +145,7 @@ impl Equations for Hoist {
         Endless::Never
     }
 
-    /// The hook can be lifted as far as the rope hangs down.
+    /// The travel ends where the rope is fully wound.
     fn range_rad(&self) -> Option<(f64, f64)> {
         self.has_rope().then(|| (f64::NEG_INFINITY, self.hanging.si() / self.travel()))
     }
@@ -175,7 +176,7 @@ impl Equations for Hoist {
         Some(self.pulls(at))
     }
 
-    /// The pull on the drum.
+    /// Returns the pull on the drum.
     fn rope_tension(&self, rope: Rope, at: &Instant<'_>) -> Option<f64> {
         let [load, counterweight] = self.pulls(at);
         match rope {
@@ -185,10 +186,10 @@ impl Equations for Hoist {
     }
 }
 
-/// Of more falls so many are drawn.
+/// Largest number of falls drawn.
 const FALLS_MOST: u32 = 6;
 
-/// Rope that hangs down, at most and at least, on the sheet.
+/// Longest and shortest suspended rope on the sheet.
 const HANGING: [f64; 2] = [96.0, 18.0];
 
 pub(crate) fn drawing(figures: &Figures) -> Drawing {
@@ -200,7 +201,7 @@ pub(crate) fn drawing(figures: &Figures) -> Drawing {
     let by_figures = figures.length("hanging").map_or(most / (2.0 * diameter), |hanging| most / hanging);
     let (scale, lifted) = figures.along(hoist_travel, by_figures, [0.0, most - least], 0.0);
     let lifted = if figures.motion_rad().is_some() { lifted } else { 0.0 };
-    // The load stays below the drum, and above the ground.
+    // The load stays below the drum and above the ground.
     let per_rad = hoist_travel * scale;
     let way = Way::bounded(vec![start - lifted.max(30.0) / per_rad, start + (most - least - lifted) / per_rad]);
     let rise = |angle: f64| per_rad * (angle - start);

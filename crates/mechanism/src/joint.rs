@@ -1,4 +1,4 @@
-//! A joint whose torque is recorded with its motion.
+//! A joint whose torque is recorded together with its motion.
 
 use crate::drawing::{Drawing, Figures, Look, Step};
 use crate::equations::{Effects, Equations, Reduced};
@@ -6,15 +6,15 @@ use crate::flange::OnFlange;
 use crate::{Endless, Extra, MechanismId};
 use quantities::{Measure, MomentOfInertia, Torque};
 
-/// A joint of a robot: inverse dynamics or a measurement gave the torque at every instant, with inertia, gravity and the
-/// friction of the arm in it.
+/// A robot joint whose torque is known at every instant from inverse dynamics or measurement, including inertia,
+/// gravity and friction of the arm.
 ///
 /// # Valid
-/// inertia and holding torque are only for the checks that look beyond the recorded torque: ratio of inertias,
-/// natural frequency and brake
+/// inertia and holding torque are used only by checks other than the recorded torque: inertia ratio, natural frequency
+/// and brake
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Joint {
-    /// Largest inertia that the joint feels.
+    /// Largest inertia at the joint.
     pub inertia: Option<MomentOfInertia>,
     /// Largest torque that holds the arm at rest.
     pub holding_torque: Option<Torque>,
@@ -37,7 +37,7 @@ impl Equations for Joint {
         self.holding_torque.map_or(0.0, Measure::si)
     }
 
-    /// Its torque is what was recorded.
+    /// The recorded torque does not scale with the masses.
     fn with_masses(&self, _factor: f64) -> Self {
         *self
     }
@@ -50,7 +50,7 @@ impl Equations for Joint {
         Endless::Never
     }
 
-    /// The recorded torque has the inertia of everything in it.
+    /// The recorded torque includes all inertia.
     fn effects(&self) -> Effects {
         Effects { payload: false, payload_inertia: false, process_force: false }
     }

@@ -1,22 +1,22 @@
-//! A mass along a line, moved in proportion to the angle: screw, belt, rack, conveyor.
+//! A mass moved along a line in proportion to the angle: screw, belt, rack, conveyor.
 
 use crate::equations::{Effects, Equations, Reduced};
 use crate::flange::{FlangeForces, Instant, Missing, OnFlange, Overhang, Recurrence, sine, wheel_forces};
 use crate::{Endless, Extra, MechanismId, Rope, gravity_m_s2};
 use quantities::{Angle, Force, Mass, Measure, MomentOfInertia};
 
-/// What makes the line out of the rotation.
+/// Conversion of rotation into linear motion.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum LinearKind {
     /// A screw with its nut: travel = lead/2π per radian.
     Screw,
-    /// A belt or a rack and pinion with a bounded stroke: travel = pulley radius per radian.
+    /// A belt or a rack and pinion with limited stroke: travel = pulley radius per radian.
     Belt,
-    /// A conveyor or a roller that runs endlessly.
+    /// A conveyor or a roller with unlimited travel.
     Conveyor,
 }
 
-/// A linear drive.
+/// A linear drive with slide and counterweight.
 ///
 /// k = dx/dq, J = J_r + (m + m_p) k², T_h = k ((m + m_p − m_c) g sin γ + F_p), T_g = k (F_f + μ (m + m_p) g cos γ)
 ///
@@ -27,33 +27,33 @@ pub enum LinearKind {
 /// # Source
 /// cha-manual eq. 70.3 for the horizontal screw (k = P/2π); docs/theory/mechanisms.md for the rest
 /// # Valid
-/// stiff transmission without play; the counterweight moves with the slide
+/// stiff transmission without backlash; the counterweight moves with the slide
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Linear {
-    /// What makes the line out of the rotation.
+    /// Conversion of rotation into linear motion.
     pub kind: LinearKind,
     /// k: travel per angle of the output [m/rad], greater than zero.
     pub travel_m_per_rad: f64,
-    /// J_r: inertia of what turns with the output: screw, coupling, pulleys, rollers.
+    /// J_r: inertia of parts turning with the output: screw, coupling, pulleys, rollers.
     pub inertia: MomentOfInertia,
-    /// m: mass that moves along the line.
+    /// m: mass moving along the line.
     pub mass: Mass,
-    /// m_c: counterweight; it moves along, and its weight acts against that of the slide.
+    /// m_c: counterweight, which moves with the slide and whose weight opposes that of the slide.
     pub counterweight: Mass,
     /// γ: inclination of the positive direction above the horizontal.
     pub inclination: Angle,
-    /// F_f: friction force that does not depend on the mass.
+    /// F_f: friction force independent of the mass.
     pub friction_force: Force,
     /// μ: friction coefficient of the guide.
     pub friction_coefficient: f64,
 }
 
 impl Linear {
-    /// Force that the wheel or the thread gives to what moves along the line \[N\], without and with the share of the
-    /// turning inertia that may sit behind it.
+    /// Returns the force of the wheel or thread on the parts moving along the line \[N\], without and with the rotating
+    /// inertia, which may be beyond the belt.
     fn pulls(&self, at: &Instant<'_>) -> [f64; 2] {
         let (k, alpha) = (self.travel_m_per_rad, at.output.acceleration_rad_s2);
-        // What turns with the wheel, and couples about its axis, are no force along the line.
+        // Inertia turning with the wheel and couples about its axis cause no force along the line.
         let line = Self { inertia: MomentOfInertia::from_si(0.0), ..*self };
         let of_line = Extra { mass: at.extra.mass, force: at.extra.force, ..Extra::none() };
         let reduced = line.reduced(0.0, &of_line);
@@ -76,7 +76,7 @@ impl Equations for Linear {
         let k = self.travel_m_per_rad;
         let carried = self.mass.si() + extra.mass.si();
         let (sine, cosine) = self.inclination.si().sin_cos();
-        // A slide at 90° presses on its guide with nothing; the cosine of the rounded angle is no friction.
+        // A slide at 90° exerts no normal force on its guide; the residue of the rounded cosine must cause no friction.
         let normal = if cosine.abs() < 1e-12 { 0.0 } else { cosine.abs() };
         let weight = (carried - self.counterweight.si()) * gravity_m_s2() * sine;
         Reduced {
@@ -116,7 +116,7 @@ impl Equations for Linear {
             LinearKind::Screw => Missing::FlangeShare,
             LinearKind::Belt | LinearKind::Conveyor => Missing::BeltTension,
         };
-        // The thrust of a screw runs along the axis.
+        // The thrust of a screw acts along the axis.
         let overhang = Overhang { of_mechanism: self.kind != LinearKind::Screw, of_payload: false };
         Some(OnFlange { missing: Some(missing), overhang, recurrence: Recurrence::Constant })
     }
@@ -126,7 +126,7 @@ impl Equations for Linear {
         if self.kind == LinearKind::Screw {
             return FlangeForces { axial_n: without, ..FlangeForces::default() };
         }
-        // How much of the turning inertia sits behind the belt is not known; the pull is largest at one of the ends.
+        // The share of the rotating inertia beyond the belt is not known; the pull is largest at one of the limits.
         let amount = |force: f64| at.before_losses(force, at.output.direction);
         wheel_forces(amount(without).max(amount(with)), self.travel_m_per_rad, at.mounting)
     }
@@ -135,7 +135,7 @@ impl Equations for Linear {
         Some(self.pulls(at))
     }
 
-    /// The counterweight hangs on the side to which the slide would fall.
+    /// The counterweight is on the side to which the slide would fall.
     fn rope_tension(&self, rope: Rope, at: &Instant<'_>) -> Option<f64> {
         let (mass, steep) = (self.counterweight.si(), sine(self.inclination));
         let hangs = rope == Rope::Counterweight && mass > 0.0 && steep != 0.0;

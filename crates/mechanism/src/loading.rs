@@ -1,17 +1,17 @@
-//! Torque of the load at many states, one after the other.
+//! Torque of the load at a sequence of states.
 
 use crate::equations::Reduced;
 use crate::rotor::Laden;
 use crate::{Extra, Mechanism, MechanismKind, Output};
 
-/// Torque of a mechanism at one state of the output.
+/// Torque and inertia of a mechanism at one state of the output.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Load {
-    /// Torque that the load takes on the far side of the transmission, see [`Mechanism::useful_torque`] \[Nm\].
+    /// Torque required by the load beyond the transmission, see [`Mechanism::useful_torque`] \[Nm\].
     pub useful_nm: f64,
-    /// Torque that the output must give, see [`Mechanism::torque`] \[Nm\].
+    /// Torque that the output must apply, see [`Mechanism::torque`] \[Nm\].
     pub torque_nm: f64,
-    /// Torque that a stage hands on, see [`Mechanism::stage_torque`] \[Nm\].
+    /// Torque transmitted by a stage, see [`Mechanism::stage_torque`] \[Nm\].
     pub stage_nm: f64,
     /// J_L, see [`Mechanism::inertia`] \[kgm²\].
     pub inertia_kgm2: f64,
@@ -19,17 +19,17 @@ pub struct Load {
     pub holding_nm: f64,
 }
 
-/// A mechanism in one segment of the motion, with what does not change within it worked out once.
+/// A mechanism in one motion segment, with the constants of the segment computed once.
 #[derive(Clone, Copy, Debug)]
 pub struct Loading<'m> {
     mechanism: &'m Mechanism,
     extra: &'m Extra,
-    /// Of a rotor only; the other kinds have nothing that is worth while.
+    /// Constants of a rotor; the other kinds have none worth caching.
     laden: Option<Laden>,
 }
 
 impl Mechanism {
-    /// The mechanism in a segment that adds something to the load.
+    /// Returns the mechanism in a segment with its additions to the load.
     #[must_use]
     pub fn loading<'m>(&'m self, extra: &'m Extra) -> Loading<'m> {
         let laden = if let MechanismKind::Rotor(rotor) = &self.kind { Some(rotor.laden(extra)) } else { None };
@@ -38,7 +38,7 @@ impl Mechanism {
 }
 
 impl Loading<'_> {
-    /// The torque at a state of the output.
+    /// Returns the torque and inertia at a state of the output.
     #[must_use]
     pub fn at(&self, output: &Output) -> Load {
         let (mechanism, stage) = (self.mechanism, self.mechanism.gearing());

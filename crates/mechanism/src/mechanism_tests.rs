@@ -38,7 +38,8 @@ fn arm(angle: f64, tilt: f64) -> Mechanism {
     }
 }
 
-/// By hand: 6 kg at 0.35 m, horizontal: 6·9.80665·0.35 = 20.594 Nm; 2 kg payload at 0.7 m adds 13.729 Nm and 0.98 kgm².
+/// An arm by hand: 6 kg at 0.35 m, horizontal: 6·9.80665·0.35 = 20.594 Nm; 2 kg payload at 0.7 m adds 13.729 Nm and
+/// 0.98 kgm².
 #[test]
 fn an_arm_by_hand() {
     let still = out(0.0, 0.0, 0.0, 0.0);
@@ -91,14 +92,14 @@ fn a_vertical_screw_carries_the_weight_both_ways() {
     let weight = k * 80.0 * gravity_m_s2();
     let up = screw.torque(&out(0.0, 10.0, 0.0, 1.0), &Extra::none());
     let down = screw.torque(&out(0.0, -10.0, 0.0, -1.0), &Extra::none());
-    // The guide carries nothing when vertical; the friction of its wipers passes through the screw too.
+    // A vertical guide bears no normal force; the friction of the wipers passes through the screw too.
     assert!((up - (weight + k * 30.0) / 0.9).abs() < 1e-12);
     assert!((down - (weight - k * 30.0) * 0.8).abs() < 1e-12);
     let still = screw.torque(&out(0.0, 0.0, 0.0, 0.0), &Extra::none());
     assert!((still - weight).abs() < 1e-12, "at rest neither friction nor efficiency helps");
 }
 
-/// A belt axis over its pulley radius: the same numbers as a screw of lead 2π r.
+/// A belt axis has the values of a screw whose lead is 2π times the pulley radius.
 #[test]
 fn a_belt_is_a_screw_of_another_lead() {
     let (belt, screw) = (linear(LinearKind::Belt, 0.04, 20.0), linear(LinearKind::Screw, 0.04, 20.0));
@@ -108,7 +109,7 @@ fn a_belt_is_a_screw_of_another_lead() {
     assert_eq!(belt.endless(), Endless::Never);
 }
 
-/// Power of the torque equals the change of the slider's kinetic and potential energy: checked by finite differences.
+/// The power of the torque equals the change of the slider's kinetic and potential energy by finite differences.
 #[test]
 fn a_slider_crank_conserves_energy() {
     let crank = SliderCrank {

@@ -1,4 +1,4 @@
-//! Ropes that hold a load: they pull and cannot push.
+//! Ropes that hold a load; they can pull but not push.
 
 use crate::flange::Mounting;
 use crate::{Extra, Mechanism, Output};
@@ -6,22 +6,23 @@ use crate::{Extra, Mechanism, Output};
 /// A rope, belt or chain that can only pull.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Rope {
-    /// That of the load.
+    /// Rope of the load.
     Load,
-    /// That of the counterweight.
+    /// Rope of the counterweight.
     Counterweight,
 }
 
 impl Rope {
-    /// All of them.
+    /// The rope of the load, then that of the counterweight.
     pub const ALL: [Self; 2] = [Self::Load, Self::Counterweight];
 }
 
 impl Mechanism {
-    /// Tension of a rope while it is taut \[N\]; below zero it would have to push. `None` where the mechanism has no such rope.
+    /// Returns the tension of a taut rope \[N\], negative where it would have to push; `None` if the mechanism has no
+    /// such rope.
     ///
     /// # Symbols
-    /// `recorded_nm` a recorded torque \[Nm\], without a stage a force along the line
+    /// `recorded_nm` recorded torque \[Nm\], without a stage a force along the line
     /// # Source
     /// docs/theory/mechanisms.md#slack-rope
     /// # Valid
@@ -30,7 +31,7 @@ impl Mechanism {
     pub fn rope_tension(&self, rope: Rope, output: &Output, extra: &Extra, recorded_nm: f64) -> Option<f64> {
         let (behind, mounting) =
             (self.stage.as_ref().map_or(*output, |stage| stage.behind(output)), Mounting::default());
-        // Behind a stage a recorded torque is that of the actuator and no force along the line.
+        // With a stage, a recorded torque is that of the actuator and no force along the line.
         let recorded_nm = if self.stage.is_some() { 0.0 } else { recorded_nm };
         self.kind.equations().rope_tension(rope, &self.instant(&behind, extra, recorded_nm, &mounting))
     }
@@ -80,7 +81,7 @@ mod tests {
         }
     }
 
-    /// A counterweight hangs on the side to which the slide would fall: S = m_c (g |sin γ| − a sgn γ).
+    /// A counterweight is on the side to which the slide would fall: S = m_c (g |sin γ| − a sgn γ).
     #[test]
     fn a_counterweight_by_hand() {
         let slide = |inclination: f64, counterweight: f64| {

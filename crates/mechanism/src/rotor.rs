@@ -5,15 +5,15 @@ use crate::flange::{FlangeForces, Instant, OnFlange, Overhang, Recurrence, cosin
 use crate::{Endless, Extra, MechanismId, gravity_m_s2};
 use quantities::{Angle, Length, Mass, Measure, MomentOfInertia};
 
-/// How a rotor is described.
+/// Description of a rotor.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum RotorKind {
-    /// By its inertia alone: its weight and its centre of mass are not known.
+    /// Inertia only; weight and centre of mass are unknown.
     #[default]
     Load,
-    /// By its bodies.
+    /// Bodies on a plate.
     Turntable,
-    /// By inertia, mass and centre of mass.
+    /// Inertia, mass and centre of mass.
     Arm,
 }
 
@@ -21,39 +21,38 @@ pub enum RotorKind {
 ///
 /// J = J_L + m_p r_p², T_h = g cos(q + q_0) sin β (m r + m_p r_p)
 ///
-/// # Symbols
-/// q_0 angle of the centre of mass above the horizontal at q = 0, β tilt of the axis from the vertical, m r
-/// unbalance, m_p payload of the segment, r_p its distance from the axis
+/// q_0 angle of the centre of mass above the horizontal at q = 0, β tilt of the axis from the vertical, m r unbalance,
+/// m_p payload of the segment, r_p distance of the payload from the axis
 /// # Source
 /// docs/theory/mechanisms.md; cha-manual eq. 70.5 for the inertia
 /// # Valid
-/// rigid body; the payload sits in the direction of the centre of mass
+/// rigid body; the payload is in the direction of the centre of mass
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Rotor {
-    /// How it is described.
+    /// Description of the rotor in the project file.
     pub kind: RotorKind,
     /// J_L: inertia about the axis, without payload.
     pub inertia: MomentOfInertia,
-    /// m: mass whose weight makes the gravity torque.
+    /// m: mass whose weight causes the gravity torque.
     pub mass: Mass,
-    /// r: distance of its centre from the axis.
+    /// r: distance of the centre of mass from the axis.
     pub radius: Length,
     /// r_p: distance of the payload from the axis.
     pub payload_radius: Length,
     /// q_0: angle of the centre of mass above the horizontal at q = 0; 90° is upright.
     pub angle: Angle,
-    /// β: tilt of the rotation axis from the vertical; 0 without gravity torque, 90° for a horizontal axis.
+    /// β: tilt of the axis of rotation from the vertical; 0 for no gravity torque, 90° for a horizontal axis.
     pub tilt: Angle,
 }
 
 impl Rotor {
-    /// A balanced load.
+    /// Creates a balanced load.
     #[must_use]
     pub fn balanced(inertia: MomentOfInertia) -> Self {
         Self { inertia, ..Self::default() }
     }
 
-    /// What no position changes, worked out once for many.
+    /// Computes the constants that do not depend on the position, for many evaluations.
     pub(crate) fn laden(&self, extra: &Extra) -> Laden {
         let payload = extra.mass.si() * self.payload_radius.si();
         let unbalance = self.mass.si() * self.radius.si() + payload;
@@ -66,7 +65,7 @@ impl Rotor {
         }
     }
 
-    /// Whether gravity makes a torque that depends on the position.
+    /// Returns `true` if gravity causes a torque that depends on the position.
     pub(crate) fn is_unbalanced(&self) -> bool {
         self.tilt.si().sin() != 0.0 && (self.mass.si() * self.radius.si() != 0.0 || self.payload_radius.si() != 0.0)
     }
@@ -103,12 +102,12 @@ impl Equations for Rotor {
 
     fn on_flange(&self) -> Option<OnFlange> {
         let of_mass = Overhang { of_mechanism: self.mass.si() > 0.0, of_payload: true };
-        // On an upright axis the loads turn with the load, and their amounts do not change.
+        // On a vertical axis the flange loads turn with the load, and their amounts are constant.
         let recurrence = Recurrence::each_revolution_if(self.is_unbalanced());
         (self.kind != RotorKind::Load).then_some(OnFlange { missing: None, overhang: of_mass, recurrence })
     }
 
-    /// m (g − a) of the rotor and of its payload.
+    /// Returns m (g − a) of the rotor and of its payload.
     fn forces(&self, at: &Instant<'_>) -> FlangeForces {
         let (output, extra, mounting) = (at.output, at.extra, at.mounting);
         let (sin, cos) = (output.position_rad + self.angle.si()).sin_cos();
@@ -134,23 +133,24 @@ impl Equations for Rotor {
     }
 }
 
-/// A rotor with what a segment adds to it.
+/// A rotor with the additions of a segment.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Laden {
-    /// J \[kgm²\]
+    /// J: inertia \[kgm²\].
     inertia: f64,
-    /// g (m r + m_p r_p) \[Nm\]
+    /// g (m r + m_p r_p): gravity torque at the largest lever, before the tilt \[Nm\].
     weight_nm: f64,
-    /// q_0 \[rad\]
+    /// q_0: angle of the centre of mass \[rad\].
     angle_rad: f64,
-    /// sin β
+    /// sin β of the tilt \[1\].
     sine_of_tilt: f64,
     /// Process torque \[Nm\].
     torque_nm: f64,
 }
 
 impl Laden {
-    /// What no position changes, and the weight by itself: its largest torque \[Nm\] and q_0 \[rad\].
+    /// Returns the part that does not depend on the position, and of the weight its largest torque \[Nm\] and q_0
+    /// \[rad\].
     pub(crate) fn apart(&self) -> (Reduced, f64, f64) {
         let balanced = Self { weight_nm: 0.0, ..*self };
         (balanced.reduced(0.0), self.weight_nm * self.sine_of_tilt, self.angle_rad)

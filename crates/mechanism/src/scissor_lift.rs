@@ -15,33 +15,34 @@ use std::f64::consts::FRAC_PI_2;
 /// T_h = (m + m_p + m_a/2) g h' + F_p h'
 ///
 /// # Symbols
-/// n stages, L length of an arm between its end pins, b distance of the lower pins, w height of a stage, h height of the
-/// platform, k = lead/2π, θ angle of the arms above the horizontal with θ_0 at q = 0 and θ' = k/w, w' = k b/w, m platform,
-/// m_p payload of the segment, m_a all arms together, J_s inertia of the screw
+/// n stages, L length of an arm between its end pins, b distance of the lower pins, w height of a stage, h height of
+/// the platform, k = lead/2π, θ angle of the arms above the horizontal with θ_0 at q = 0 and θ' = k/w, w' = k b/w, m
+/// platform, m_p payload of the segment, m_a mass of all arms, J_s inertia of the screw
 /// # Source
 /// docs/theory/mechanisms.md; Lagrange's equation
 /// # Valid
-/// arms pinned at their middle, of even mass; one lower pin fixed, the other on the nut; 0 < θ < 90°. Near θ = 0 the
-/// torque grows without limit
+/// arms pinned at their centre, of uniform mass; one lower pin fixed, the other on the nut; 0 < θ < 90°. The torque
+/// tends to infinity as θ approaches 0
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct ScissorLift {
-    /// n: stages one above the other.
+    /// n: number of stages.
     pub stages: u32,
-    /// L: length of an arm between the pins at its ends.
+    /// L: length of an arm between its end pins.
     pub arm_length: Length,
     /// Travel of the nut per turn.
     pub lead: Length,
     /// θ_0: angle of the arms above the horizontal at position zero.
     pub angle: Angle,
-    /// m: platform with what it always carries.
+    /// m: platform with its permanent load.
     pub mass: Mass,
-    /// m_a: all arms together.
+    /// m_a: mass of all arms.
     pub arm_mass: Mass,
     /// J_s: inertia of screw and coupling.
     pub inertia: MomentOfInertia,
 }
 
-/// The least angle of the arms [°]: 57 times the thrust of the weight at 45°. A guess of what no lift is built for.
+/// Smallest permitted arm angle [°], at which the thrust of the weight is 57 times that at 45°. A guess: no lift is
+/// built for less.
 const LEAST_ANGLE_DEG: f64 = 1.0;
 
 /// Height of a stage and the rates of the linkage at a position.
@@ -55,25 +56,25 @@ struct Course {
 }
 
 impl ScissorLift {
-    /// What is wrong with its figures.
+    /// Returns the faults of the data.
     #[must_use]
     pub fn faults(&self) -> Vec<Geometry> {
         let angle = self.angle.in_unit(&DEGREE);
         Geometry::found([(angle < LEAST_ANGLE_DEG, Geometry::Flat), (angle >= 90.0, Geometry::Upright)])
     }
 
-    /// k [m/rad]
+    /// Returns k, the travel per angle [m/rad].
     fn travel(&self) -> f64 {
         self.lead.si() / std::f64::consts::TAU
     }
 
-    /// b at q = 0, and the longest one, of the least angle \[m\].
+    /// Returns b at q = 0, and the longest b, at the smallest arm angle \[m\].
     fn bases(&self) -> (f64, f64) {
         let (l, least) = (self.arm_length.si(), Angle::new_in(LEAST_ANGLE_DEG, &DEGREE));
         (l * self.angle.si().cos(), l * least.si().cos())
     }
 
-    /// b(q), between upright and the least angle \[m\].
+    /// Returns b(q), limited by upright arms and the smallest arm angle \[m\].
     fn base(&self, position_rad: f64) -> f64 {
         let (start, most) = self.bases();
         (start - self.travel() * position_rad).max(0.0).min(most)
@@ -90,7 +91,7 @@ impl ScissorLift {
         }
     }
 
-    /// The thrust of the screw \[N\].
+    /// Returns the thrust of the screw \[N\].
     fn thrust(&self, at: &Instant<'_>) -> f64 {
         let screw_less = Self { inertia: MomentOfInertia::from_si(0.0), ..*self };
         at.line_torque(&screw_less) / self.travel()
@@ -106,7 +107,7 @@ impl Equations for ScissorLift {
         let (n, k, l) = (f64::from(self.stages), self.travel(), self.arm_length.si());
         let Course { rise, rise_slope, turn, turn_slope } = self.course(position_rad);
         let (carried, arms) = (self.mass.si() + extra.mass.si(), self.arm_mass.si());
-        // Σ (i + ½)² over the stages by their number: how high the centres of the arms lie.
+        // Σ (i + ½)² over the stages, divided by their number: squared heights of the arm centres.
         let (high, wide) = (n * n / 3.0 - 1.0 / 12.0, l * l / 12.0);
         let along = (carried + 0.5 * arms) * gravity_m_s2() + extra.force.si();
         Reduced {
@@ -126,7 +127,7 @@ impl Equations for ScissorLift {
         Self { mass, arm_mass, inertia, ..*self }
     }
 
-    /// The root has its branch points at b = ±L, on the real axis beyond the lowest position.
+    /// The square root has its branch points at b = ±L, on the real axis beyond the lowest position.
     fn smooth_over(&self, from_rad: f64, to_rad: f64) -> Option<f64> {
         let widest = self.base(from_rad).max(self.base(to_rad));
         Some(beside((self.arm_length.si() - widest) / self.travel()))
@@ -136,7 +137,7 @@ impl Equations for ScissorLift {
         Endless::Never
     }
 
-    /// From the least angle to upright.
+    /// Returns the positions at the smallest arm angle and with upright arms.
     fn range_rad(&self) -> Option<(f64, f64)> {
         let (start, most) = self.bases();
         Some(((start - most) / self.travel(), start / self.travel()))
@@ -147,7 +148,7 @@ impl Equations for ScissorLift {
     }
 
     fn on_flange(&self) -> Option<OnFlange> {
-        // The thrust of the screw runs along the axis.
+        // The thrust of the screw acts along the axis.
         let overhang = Overhang { of_mechanism: false, of_payload: false };
         Some(OnFlange { missing: Some(Missing::FlangeShare), overhang, recurrence: Recurrence::Never })
     }
@@ -161,7 +162,7 @@ impl Equations for ScissorLift {
     }
 }
 
-/// Of more stages the lowest are drawn.
+/// Largest number of stages drawn, from the bottom.
 const STAGES_MOST: u32 = 4;
 
 pub(crate) fn drawing(figures: &Figures) -> Drawing {
@@ -179,14 +180,14 @@ pub(crate) fn drawing(figures: &Figures) -> Drawing {
     };
     let lean = |position: f64| (lift.base(position) / arm).clamp(-1.0, 1.0).acos();
     let highest = figures.motion_rad().map_or(angle, |[_, to]| lean(to).max(angle));
-    // High lifts are drawn smaller, so that they stay on a sheet that can be read.
+    // High lifts are drawn smaller to keep the sheet readable.
     let long = (210.0 / (n * highest.sin())).clamp(70.0, 185.0);
     let scale = long / arm;
     let high = |position: f64| long * lean(position).sin();
     let wide = |position: f64| scale * lift.base(position);
     let (right, y, start) = (330.0, 140.0, figures.start_rad());
     let (b, w) = (wide(start), high(start));
-    // Every 1.5° of the arms, from flat to upright.
+    // Rows every 1.5° of the arm angle, from flat to upright.
     let (flat, step) = (Angle::new_in(LEAST_ANGLE_DEG, &DEGREE).si(), Angle::new_in(1.5, &DEGREE).si());
     let count = (0_u32..).take_while(|index| flat + f64::from(*index) * step < upright);
     let first = arm * angle.cos();

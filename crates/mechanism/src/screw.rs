@@ -3,7 +3,7 @@
 use crate::drawing::{Course, Drawing, Figures, Look, Placement, Step};
 use std::f64::consts::TAU;
 
-/// Sheet per metre at which a lead of 10 mm is drawn, where the motion finds room.
+/// Scale at which a lead of 10 mm is drawn if the motion fits [sheet/m].
 const SCALE: f64 = 1600.0;
 
 pub(crate) fn drawing(figures: &Figures) -> Drawing {
@@ -45,7 +45,7 @@ pub(crate) fn drawing(figures: &Figures) -> Drawing {
 }
 
 impl Drawing {
-    /// A spindle from its left end along its axis, with its lead; its thread runs to the right while it turns.
+    /// Adds a spindle from its left end along its axis, with its lead; the thread moves to the right as it turns.
     pub(crate) fn spindle(self, [x, y]: [f64; 2], length: f64, pitch: f64, start_rad: f64) -> Self {
         let pitch = pitch.clamp(16.0, 32.0);
         let mut thread = Vec::new();
@@ -54,7 +54,7 @@ impl Drawing {
             thread.extend([Step::Move([at, y - 6.0]), Step::Line([at + 4.0, y + 6.0])]);
             at += pitch;
         }
-        // What lies before the left end comes in with the next turn.
+        // Hides the thread in front of the left end, which enters with the next turn.
         let hidden = [Step::Move([x, y - 6.0]), Step::Line([x, y + 6.0])];
         self.rect(Look::Hole, [x, y - 6.0], [length, 12.0])
             .moves(

@@ -1,4 +1,4 @@
-//! Crank, rod and slider.
+//! `[mechanism.slider_crank]`: crank, rod and slider.
 
 use crate::drawing::{Course as Way, Drawing, Figures, Look, Placement, polar};
 use crate::equations::{Effects, Equations, Reduced, TWELFTH_RAD, beside};
@@ -6,34 +6,34 @@ use crate::flange::{FlangeForces, Instant, OnFlange, Overhang, Recurrence, metre
 use crate::{Endless, Extra, MechanismId, Output, gravity_m_s2};
 use quantities::{Angle, Length, Mass, Measure, MomentOfInertia};
 
-/// A slider-crank.
+/// A slider-crank with payload on the slider.
 ///
 /// x(q) = r cos q + √(l² − r² sin² q), J = J_c + (m + m_p) x'², J' = 2 (m + m_p) x' x'', T_h = x' ((m + m_p) g sin γ + F_p)
 ///
 /// # Symbols
-/// r crank radius, l rod length, q = 0 where the slider is farthest out, J_c inertia of the crank (with the
-/// rotating share of the rod), m slider (with the moving share of the rod), γ inclination of the outward direction
+/// r crank radius, l rod length, q = 0 where the slider is farthest out, J_c inertia of the crank (with the rotating
+/// share of the rod), m slider (with the translating share of the rod), γ inclination of the outward direction
 /// # Source
 /// docs/theory/mechanisms.md
 /// # Valid
-/// l > r, slider's line through the crank's axis; the rod's own rotation is left to the two shares
+/// l > r, line of the slider through the axis of the crank; the rotation of the rod is represented by the two shares
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct SliderCrank {
     /// r: crank radius.
     pub crank: Length,
     /// l: rod length, greater than r.
     pub rod: Length,
-    /// J_c: inertia of what turns.
+    /// J_c: inertia of the rotating parts.
     pub inertia: MomentOfInertia,
-    /// m: mass of what slides.
+    /// m: mass of the sliding parts.
     pub mass: Mass,
     /// γ: inclination of the outward direction above the horizontal.
     pub inclination: Angle,
-    /// q_0: angle of the crank at position zero of the motion.
+    /// q_0: crank angle at position zero of the motion.
     pub angle: Angle,
 }
 
-/// x of the slider by the angle of the crank, its slopes, and tan ψ of the rod.
+/// x of the slider as a function of the crank angle, its derivatives, and tan ψ of the rod.
 struct Course {
     place: f64,
     first: f64,
@@ -56,7 +56,7 @@ impl SliderCrank {
         }
     }
 
-    /// Force that the rod gives to the slider along its line \[N\].
+    /// Returns the force of the rod on the slider along its line \[N\].
     ///
     /// F = (m + m_p)(x' α + x'' ω² + g sin γ) + F_p
     fn rod_force(&self, course: &Course, output: &Output, extra: &Extra) -> f64 {
@@ -89,7 +89,7 @@ impl Equations for SliderCrank {
         Self { inertia: self.inertia * factor, mass: self.mass * factor, ..*self }
     }
 
-    /// The root has its branch points at sin q = l/r.
+    /// The square root has its branch points at sin q = l/r.
     fn smooth_over(&self, _from_rad: f64, _to_rad: f64) -> Option<f64> {
         Some(TWELFTH_RAD.min(beside((self.rod.si() / self.crank.si()).acosh())))
     }
@@ -113,23 +113,23 @@ impl Equations for SliderCrank {
         // Outward travel has the sign of x' ω.
         let amount = at.before_losses(force, course.first * at.output.direction);
         let mut forces = FlangeForces::default();
-        // Amount and line of the rod's force: its own sign turns both components.
+        // Amount and line of the rod force: its own sign reverses both components.
         forces.act([0.0, 0.0, metres(at.mounting.overhang)], [-amount, amount * course.lean, 0.0]);
         forces
     }
 
     fn switches(&self, at: &Instant<'_>) -> Option<[f64; 2]> {
         let course = self.course(at.output.position_rad);
-        // With losses the amount steps at the dead centres, where driving and driven change sides.
+        // With losses the amount steps at the dead centres, where driving and driven side are exchanged.
         let dead_centre = if at.efficiency_driving == 1.0 { 0.0 } else { course.first };
         Some([self.rod_force(&course, at.output, at.extra), dead_centre])
     }
 }
 
-/// Angle of the crank where none is stated.
+/// Crank angle of the drawing if none is stated \[rad\].
 const NEUTRAL_RAD: f64 = 0.936;
 
-/// Of a longer rod the crank could not be seen.
+/// Longest drawn rod relative to the crank, so that the crank stays visible.
 const LONGEST_ROD: f64 = 8.0;
 
 pub(crate) fn drawing(figures: &Figures) -> Drawing {
@@ -139,7 +139,7 @@ pub(crate) fn drawing(figures: &Figures) -> Drawing {
     let r = (210.0 / (1.0 + ratio)).min(60.0);
     let l = ratio * r;
     let (start, lean) = (figures.start_rad(), figures.of("start_angle").unwrap_or(NEUTRAL_RAD));
-    // The linkage alone, with its lengths on the sheet.
+    // The linkage without masses, with its lengths on the sheet.
     let linkage = SliderCrank { crank: Length::from_si(r), rod: Length::from_si(l), ..SliderCrank::default() };
     let pin = |angle: f64| polar(axis, r, angle);
     let slider = |angle: f64| axis[0] + linkage.course(angle).place;

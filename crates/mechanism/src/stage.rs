@@ -3,19 +3,19 @@
 use crate::{Extra, Mechanism, Output};
 use quantities::{Angle, Length, Measure, MomentOfInertia, Torque, TorsionalStiffness};
 
-/// What the stage is.
+/// Kind of the stage.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum StageKind {
     /// Two pulleys and a belt.
     Belt,
-    /// A pair of wheels.
+    /// A gear pair.
     Gear,
     /// A coupling, ratio 1.
     Coupling,
 }
 
-/// A stage between the actuator and the mechanism. The motion is that of the mechanism; the output of the actuator turns
-/// i_s times as far.
+/// A stage between the actuator and the mechanism. The motion is stated at the mechanism; the output of the actuator
+/// turns i_s times as far.
 ///
 /// q = i_s q_2, T = (T_2 + J_2 α_2)/(i_s η) + J_1 α
 ///
@@ -25,31 +25,31 @@ pub enum StageKind {
 /// # Source
 /// docs/theory/stage.md
 /// # Valid
-/// both sides turn the same way as far as signs go; elasticity and backlash change no torque of the cycle
+/// both sides have the same sign of rotation; elasticity and backlash do not affect the torque of the cycle
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Stage {
-    /// What it is.
+    /// Kind of the stage.
     pub kind: StageKind,
     /// i_s: turns of the actuator's output per turn of the mechanism, greater than zero.
     pub ratio: f64,
-    /// η_1 while the actuator drives.
+    /// η_1 while the actuator drives \[1\].
     pub efficiency_driving: f64,
-    /// η_2 while the mechanism drives.
+    /// η_2 while the mechanism drives \[1\].
     pub efficiency_driven: f64,
-    /// J_1: inertia of what turns with the actuator.
+    /// J_1: inertia of parts turning with the actuator.
     pub inertia_driving: MomentOfInertia,
-    /// J_2: inertia of what turns with the mechanism.
+    /// J_2: inertia of parts turning with the mechanism.
     pub inertia_driven: MomentOfInertia,
-    /// K_s: torsional stiffness on the side of the mechanism; rigid without it.
+    /// K_s: torsional stiffness on the side of the mechanism; `None` if rigid.
     pub stiffness: Option<TorsionalStiffness>,
-    /// Backlash on the side of the mechanism; none without it.
+    /// Backlash on the side of the mechanism; `None` if there is none.
     pub backlash: Option<Angle>,
     /// d_1: pitch diameter of the wheel on the actuator, for the force on the flange.
     pub pitch_diameter: Option<Length>,
 }
 
 impl Stage {
-    /// Whether it leaves every torque and speed as it is.
+    /// Returns `true` if the stage leaves torque and speed unchanged.
     #[must_use]
     pub fn changes_nothing(&self) -> bool {
         self.ratio == 1.0
@@ -59,7 +59,7 @@ impl Stage {
             && self.inertia_driven.si() == 0.0
     }
 
-    /// The state of the mechanism behind the stage.
+    /// Returns the state of the mechanism beyond the stage.
     pub(crate) fn behind(&self, output: &Output) -> Output {
         Output {
             position_rad: output.position_rad / self.ratio,
@@ -69,29 +69,29 @@ impl Stage {
         }
     }
 
-    /// T_2 + J_2 α_2: what the stage hands on \[Nm\].
+    /// Returns T_2 + J_2 α_2, the torque transmitted by the stage \[Nm\].
     pub(crate) fn handed_on(&self, torque: f64, behind: &Output) -> f64 {
         torque + self.inertia_driven.si() * behind.acceleration_rad_s2
     }
 
-    /// What the near side of the stage takes for what it hands on, without its own inertia \[Nm\].
+    /// Returns the torque on the actuator side for a transmitted torque, without the inertia on that side \[Nm\].
     pub(crate) fn taken(&self, handed_on: f64, direction: f64) -> f64 {
         with_losses(handed_on, direction, [self.efficiency_driving, self.efficiency_driven]) / self.ratio
     }
 
-    /// Torque at the output of the actuator \[Nm\].
+    /// Returns the torque at the output of the actuator \[Nm\].
     pub(crate) fn torque(&self, torque: f64, behind: &Output, output: &Output) -> f64 {
         self.taken(self.handed_on(torque, behind), output.direction)
             + self.inertia_driving.si() * output.acceleration_rad_s2
     }
 
-    /// (J + J_2)/i_s² + J_1
+    /// Returns (J + J_2)/i_s² + J_1, the inertia at the output of the actuator \[kgm²\].
     pub(crate) fn inertia(&self, inertia: f64) -> f64 {
         (inertia + self.inertia_driven.si()) / (self.ratio * self.ratio) + self.inertia_driving.si()
     }
 }
 
-/// A torque on the near side of losses, by the efficiencies while it drives and while it is driven; at rest neither counts.
+/// Returns a torque on the input side of losses, using the efficiency for driving or driven; at rest without losses.
 pub(crate) fn with_losses(torque: f64, direction: f64, [driving, driven]: [f64; 2]) -> f64 {
     let power = torque * direction;
     if power > 0.0 {
@@ -104,31 +104,31 @@ pub(crate) fn with_losses(torque: f64, direction: f64, [driving, driven]: [f64; 
 }
 
 impl Mechanism {
-    /// The stage, where it changes torque or speed.
+    /// Returns the stage if it changes torque or speed.
     pub(crate) fn gearing(&self) -> Option<&Stage> {
         self.stage.as_ref().filter(|stage| !stage.changes_nothing())
     }
 
-    /// Turns of the actuator's output per turn of the mechanism; 1 without a stage.
+    /// Returns the turns of the actuator's output per turn of the mechanism; 1 without a stage.
     #[must_use]
     pub fn stage_ratio(&self) -> f64 {
         self.stage.as_ref().map_or(1.0, |stage| stage.ratio)
     }
 
-    /// Torque that the stage hands on to the mechanism \[Nm\]; where its sign changes the losses change sides. Zero without
-    /// a stage.
+    /// Returns the torque transmitted by the stage to the mechanism \[Nm\], at whose change of sign driving and driven
+    /// side are exchanged. Zero without a stage.
     #[must_use]
     pub fn stage_torque(&self, output: &Output, extra: &Extra) -> f64 {
         self.loading(extra).at(output).stage_nm
     }
 
-    /// Stiffness between the motor and the mechanism, at the output of the actuator: that of the gear and of the stage in
+    /// Returns the stiffness between the motor and the mechanism, at the output of the actuator: gear and stage in
     /// series.
     ///
     /// 1/K' = 1/K + i_s²/K_s
     ///
     /// # Symbols
-    /// K stiffness of the gear, K_s that of the stage on the side of the mechanism [Nm/rad], i_s ratio
+    /// K stiffness of the gear, K_s stiffness of the stage on the side of the mechanism [Nm/rad], i_s ratio
     /// # Source
     /// docs/theory/stage.md
     /// # Valid
@@ -141,13 +141,13 @@ impl Mechanism {
         }
     }
 
-    /// Torque of the Coulomb friction at the output of the actuator.
+    /// Returns the torque of the Coulomb friction at the output of the actuator.
     #[must_use]
     pub fn coulomb_torque(&self) -> Torque {
         Torque::from_si(self.before_stage(self.friction.coulomb.si()))
     }
 
-    /// A torque at rest, at the output of the actuator: losses are no help.
+    /// Returns a torque at rest, at the output of the actuator; losses are not counted as a relief.
     pub(crate) fn before_stage(&self, torque: f64) -> f64 {
         torque / self.gearing().map_or(1.0, |stage| stage.ratio)
     }

@@ -1,4 +1,4 @@
-//! The stage against the equations of both of its sides, its limits and the balance of power.
+//! The stage compared with the equations of both its sides, its limits and the power balance.
 
 use super::*;
 use crate::{Contact, Linear, LinearKind, MechanismKind, Mounting, Rotor, RotorKind};
@@ -46,7 +46,7 @@ fn close(a: f64, b: f64) -> bool {
     (a - b).abs() <= 1e-12 * (1.0 + b.abs())
 }
 
-/// 0.8 kgm² behind n = 4: 0.05 kgm², friction 2 Nm: 0.5 Nm, gravity a quarter of it at a quarter of the angle.
+/// 0.8 kgm² beyond n = 4: 0.05 kgm², friction 2 Nm: 0.5 Nm, a quarter of the gravity torque at a quarter of the angle.
 #[test]
 fn a_ratio_by_hand() {
     let (plain, geared) = (arm(), with(arm(), stage(4.0)));
@@ -61,7 +61,7 @@ fn a_ratio_by_hand() {
     assert!(close(geared.coulomb_torque().si(), 0.5));
 }
 
-/// Pure inertia: J/n² with J_1 and J_2 beside it, in torque and in inertia.
+/// Pure inertia: J/n² with J_1 and J_2 in addition, in torque and in inertia.
 #[test]
 fn a_pure_inertia_is_referred_with_the_square() {
     let load = Mechanism::direct(MomentOfInertia::from_si(1.8), Torque::from_si(0.0));
@@ -89,7 +89,7 @@ fn a_stage_that_changes_nothing_is_not_there() {
     assert_eq!(through.plain(&Extra::none()), plain.plain(&Extra::none()));
 }
 
-/// Power in times efficiency is power out while driving, and the other way round while driven.
+/// Input power times efficiency is output power while driving, and vice versa while driven.
 #[test]
 fn losses_take_their_share_of_the_power() {
     let lossy = Stage { efficiency_driving: 0.9, efficiency_driven: 0.7, ..stage(3.0) };
@@ -104,7 +104,7 @@ fn losses_take_their_share_of_the_power() {
         assert!(close(before, if driving { behind / 0.9 } else { behind * 0.7 }), "{before} {behind}");
     }
     assert_eq!(seen, [true, true]);
-    // At rest the losses are no help.
+    // At rest the losses are no relief.
     let still = geared.torque(&out(0.0, 0.0, 0.0, 0.0), &Extra::none());
     assert!(close(still, plain.torque(&out(0.0, 0.0, 0.0, 0.0), &Extra::none()) / 3.0));
 }
@@ -120,7 +120,7 @@ fn stiffness_in_series() {
     assert_eq!(with(arm(), stage(3.0)).in_series(gear), gear);
 }
 
-/// A slide behind a stage: the line travels k/n per angle of the output.
+/// A slide with a stage: the travel is k/n per angle of the output.
 #[test]
 fn the_line_behind_a_stage() {
     let linear = Linear {
@@ -140,7 +140,7 @@ fn the_line_behind_a_stage() {
     assert!(close(geared.inertia(0.0, &Extra::none()).si(), 18.0 * 0.03 * 0.03));
 }
 
-/// A belt stage pulls with 2 F_v + 2 T/d: 0.8 kgm² · 5 rad/s² + 2 Nm behind n = 2 are 3 Nm, at d = 60 mm 100 N.
+/// A belt stage pulls with 2 F_v + 2 T/d: 0.8 kgm² · 5 rad/s² + 2 Nm beyond n = 2 are 3 Nm, at d = 60 mm 100 N.
 #[test]
 fn a_belt_stage_pulls_on_the_flange() {
     let mut load = Mechanism::direct(MomentOfInertia::from_si(0.8), Torque::from_si(2.0));

@@ -1,4 +1,4 @@
-//! Inertia and torque over the position, point by point.
+//! `[mechanism.table]`: inertia and torque as a function of position, point by point.
 
 use crate::drawing::{Course, Drawing, Figures, Look, Placement, Step, polyline};
 use crate::equations::{Effects, Equations, Reduced, TWELFTH_RAD};
@@ -6,31 +6,31 @@ use crate::flange::OnFlange;
 use crate::{Endless, Extra, MechanismId};
 use quantities::{Angle, Measure, MomentOfInertia, Torque};
 
-/// One point of a table.
+/// A point of a table.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct TablePoint {
     /// q: position of the output.
     pub position: Angle,
-    /// J(q)
+    /// J(q): inertia at the position.
     pub inertia: MomentOfInertia,
-    /// T_h(q): torque that holds the load there.
+    /// T_h(q): torque that holds the load at the position.
     pub torque: Torque,
 }
 
-/// Why points make no table.
+/// Fault that prevents points from being a table.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum TableFault {
-    /// Fewer than two points.
+    /// The table has fewer than two points.
     TooFewPoints,
-    /// Positions must grow from point to point.
+    /// The positions do not increase from point to point.
     PositionsNotAscending,
     /// An inertia is negative.
     NegativeInertia,
 }
 
-/// A table of inertia and torque, straight between its points.
+/// A table of inertia and torque, linear between its points.
 ///
-/// Beyond its ends the values of the ends hold. If it spans one whole revolution and both ends agree it repeats.
+/// Beyond the ends, the end values hold. A table that spans one revolution with equal end values is periodic.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Table {
     points: Vec<TablePoint>,
@@ -38,10 +38,10 @@ pub struct Table {
 }
 
 impl Table {
-    /// A table from its points.
+    /// Creates a table from its points.
     ///
     /// # Errors
-    /// [`TableFault`] where the points do not describe a function of the position.
+    /// [`TableFault`] if the points do not describe a function of the position.
     pub fn new(points: Vec<TablePoint>) -> Result<Self, TableFault> {
         let (Some(first), Some(last)) = (points.first(), points.last()) else { return Err(TableFault::TooFewPoints) };
         if points.len() < 2 {
@@ -134,7 +134,7 @@ pub(crate) fn drawing(figures: &Figures) -> Drawing {
     for at in points {
         drawing = drawing.circle(Look::Hole, at, 4.0);
     }
-    // A revolution is the width of the table.
+    // One revolution is the width of the table.
     drawing
         .moves(
             &Course::anew(start, std::f64::consts::TAU),

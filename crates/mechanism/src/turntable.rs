@@ -4,7 +4,7 @@ use crate::drawing::{Course, Drawing, Figures, Look, Placement, Step};
 
 pub(crate) fn drawing(figures: &Figures) -> Drawing {
     let start = figures.start_rad();
-    // A body on the plate goes to and fro as the cosine of the angle, seen from the side.
+    // Seen from the side, a body on the plate moves to and fro with the cosine of the angle.
     let body = |it: Drawing, [x, y]: [f64; 2], [w, h]: [f64; 2]| {
         let radius = x + 0.5 * w - 190.0;
         it.moves(

@@ -7,38 +7,38 @@ use crate::{Endless, Extra, Geometry, MechanismId, gravity_m_s2};
 use quantities::{Force, Length, MassDensity, Measure, MomentOfInertia};
 use std::f64::consts::{PI, TAU};
 
-/// Which way a positive rotation moves the web.
+/// Direction of the web for a positive rotation.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Winding {
-    /// Onto the roll.
+    /// Wound onto the roll.
     Up,
-    /// Off the roll.
+    /// Wound off the roll.
     Off,
 }
 
-/// A winder.
+/// A winder with core and web.
 ///
 /// r(q) = D_0/2 ± s q/2π, J = J_k + ½ π ρ b (r⁴ − r_k⁴), T_h = ± F r, T_u = J α + T_h
 ///
 /// # Symbols
-/// D_0 diameter at q = 0, s thickness of the web, J_k inertia of core and shaft, ρ density of the wound material, b width,
-/// r_k radius of the core, F tension of the web; the upper sign winds up, the lower one off
+/// D_0 diameter at q = 0, s thickness of the web, J_k inertia of core and shaft, ρ density of the wound material, b
+/// width, r_k radius of the core, F tension of the web; upper sign for winding up, lower sign for winding off
 /// # Source
-/// docs/theory/mechanisms.md: the balance of angular momentum of the roll with the web that comes in
+/// docs/theory/mechanisms.md: balance of angular momentum of the roll with the incoming web
 /// # Valid
-/// the web comes in without slip and tightly wound. It brings the angular momentum ṁ v r = J' ω² with it, so that the
-/// change of inertia takes no torque of its own: the term ½ J' ω² of Lagrange's equation holds for a fixed mass only
+/// tightly wound web, incoming without slip. It adds the angular momentum ṁ v r = J' ω², so that the change of inertia
+/// requires no torque of its own: the term ½ J' ω² of Lagrange's equation holds for constant mass only
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Winder {
-    /// Which way a positive rotation moves the web.
+    /// Direction of the web for a positive rotation.
     pub winding: Winding,
     /// D_k: outer diameter of the core.
     pub core_diameter: Length,
     /// D_f: diameter of the full roll.
     pub full_diameter: Length,
-    /// D_0: diameter at position zero, from that of the core to that of the full roll.
+    /// D_0: diameter at position zero, between core and full roll.
     pub start_diameter: Length,
-    /// s: thickness of the web, by which the radius grows with each turn.
+    /// s: thickness of the web, by which the radius changes per turn.
     pub thickness: Length,
     /// b: width of the web.
     pub width: Length,
@@ -51,7 +51,7 @@ pub struct Winder {
 }
 
 impl Winder {
-    /// What is wrong with its figures, all of it.
+    /// Returns the faults of the data.
     #[must_use]
     pub fn faults(&self) -> Vec<Geometry> {
         let (core, full, start) = (self.core_diameter.si(), self.full_diameter.si(), self.start_diameter.si());
@@ -62,7 +62,7 @@ impl Winder {
         ])
     }
 
-    /// +1 while a positive rotation winds up, −1 while it winds off.
+    /// Returns +1 if a positive rotation winds up, −1 if it winds off.
     const fn sign(&self) -> f64 {
         match self.winding {
             Winding::Up => 1.0,
@@ -70,7 +70,7 @@ impl Winder {
         }
     }
 
-    /// r(q), within core and full roll \[m\].
+    /// Returns r(q), limited by core and full roll \[m\].
     fn radius(&self, position_rad: f64) -> f64 {
         let free = 0.5 * self.start_diameter.si() + self.sign() * self.thickness.si() * position_rad / TAU;
         free.max(0.5 * self.core_diameter.si()).min(0.5 * self.full_diameter.si())
@@ -97,17 +97,17 @@ impl Equations for Winder {
         Self { inertia: self.inertia * factor, density: self.density * factor, ..*self }
     }
 
-    /// A polynomial of the fourth degree.
+    /// The equations are polynomials of the fourth degree.
     fn smooth_over(&self, _from_rad: f64, _to_rad: f64) -> Option<f64> {
         Some(f64::INFINITY)
     }
 
-    /// A full roll is changed for a core: a cycle need not come back.
+    /// A full roll is replaced by a core: a cycle need not return.
     fn endless(&self) -> Endless {
         Endless::Never
     }
 
-    /// From the core to the full roll.
+    /// Returns the positions at core and full roll.
     fn range_rad(&self) -> Option<(f64, f64)> {
         let turns = |diameter: Length| {
             self.sign() * (diameter.si() - self.start_diameter.si()) / (2.0 * self.thickness.si()) * TAU
@@ -125,7 +125,8 @@ impl Equations for Winder {
         Some(OnFlange { missing: None, overhang, recurrence: Recurrence::Never })
     }
 
-    /// Tension and weight of the roll; the direction of the web is not stated, so that they add at their worst.
+    /// Returns tension and weight of the roll; the direction of the web is not stated, so that they add in the worst
+    /// case.
     fn forces(&self, at: &Instant<'_>) -> FlangeForces {
         let (r, core) = (self.radius(at.output.position_rad), 0.5 * self.core_diameter.si());
         let mass = PI * self.density.si() * self.width.si() * (r * r - core * core);
@@ -136,7 +137,7 @@ impl Equations for Winder {
     }
 }
 
-/// The full roll on the sheet.
+/// Radius of the full roll on the sheet.
 const FULL: f64 = 74.0;
 
 pub(crate) fn drawing(figures: &Figures) -> Drawing {
@@ -163,7 +164,7 @@ pub(crate) fn drawing(figures: &Figures) -> Drawing {
     let (from, to) = roll.range_rad().unwrap_or((start, start + TAU));
     let angles = (0..=40).map(|step| from + f64::from(step) / 40.0 * (to - from)).collect();
     let way = Way::bounded(angles);
-    // The guide roller lies higher than the full roll, so that the web always rises towards it.
+    // The guide roller is higher than the full roll, so that the web always rises towards it.
     let (r, guide) = (roll.radius(start), [300.0, 12.0]);
     let high = |radius: f64| middle[1] - radius - guide[1];
     let turns = roll.sign();

@@ -1,63 +1,63 @@
-//! Why a body cannot be.
+//! Faults in the description of a body.
 
 use quantities::{Length, Mass, MassDensity};
 
-/// Why a body cannot be.
+/// Fault in the description of a body.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum BodyError {
     /// A dimension is zero, negative or not finite.
     DimensionOutOfRange {
-        /// Which one: `diameter`, `length`, `outer`, `inner`, `a`, `b`, `height`.
+        /// Name of the dimension: `diameter`, `length`, `outer`, `inner`, `a`, `b`, `height`.
         field: &'static str,
-        /// Its value.
+        /// Value of the dimension.
         value: Length,
     },
-    /// The bore of a tube is not smaller than the tube.
+    /// The inner diameter of a tube is not smaller than the outer one.
     InnerNotBelowOuter {
         /// Inner diameter.
         inner: Length,
         /// Outer diameter.
         outer: Length,
     },
-    /// Neither mass nor density is given.
+    /// Neither mass nor density is stated.
     NoMass,
-    /// Mass and density are both given.
+    /// Both mass and density are stated.
     MassAndDensity {
-        /// The mass.
+        /// Stated mass.
         mass: Mass,
-        /// The density.
+        /// Stated density.
         density: MassDensity,
     },
-    /// A point or a slender rod has no volume, so a density gives no mass.
+    /// A point or a slender rod has no volume, so that a density does not determine its mass.
     NoVolume,
     /// The mass is zero, negative or not finite.
     MassOutOfRange {
-        /// The mass.
+        /// Stated mass.
         mass: Mass,
     },
     /// The density is zero, negative or not finite.
     DensityOutOfRange {
-        /// The density.
+        /// Stated density.
         density: MassDensity,
     },
     /// The distance is negative or not finite.
     DistanceOutOfRange {
-        /// The distance.
+        /// Stated distance.
         distance: Length,
     },
     /// The angle is not finite.
     AngleNotFinite,
-    /// There is no piece.
+    /// The number of pieces is zero.
     NoPiece,
-    /// The inertia of these bodies is beyond the range of numbers.
+    /// The inertia of the bodies exceeds the range of floating-point numbers.
     BeyondNumbers,
 }
 
-/// What is wrong with one of several bodies.
+/// A fault of one of several bodies.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct BodyFault {
     /// Index of the body, from zero.
     pub body: usize,
-    /// What is wrong.
+    /// Kind of fault.
     pub error: BodyError,
 }

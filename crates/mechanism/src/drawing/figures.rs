@@ -1,8 +1,9 @@
-//! What of a mechanism is known when it is drawn.
+//! Known values of a mechanism for its drawing.
 
-/// What is known of a mechanism, in SI, by the names of its keys; what is not known keeps the proportion of the neutral drawing.
+/// Known values of a mechanism in SI, by the names of their keys; the drawing keeps neutral proportions for unknown
+/// ones.
 ///
-/// `winding` is −1 for a web that is wound off, `crossed` 1 for crossed links.
+/// `winding` is −1 for a web that is wound off, `crossed` 1 for a crossed linkage.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Figures {
     known: Vec<(String, f64)>,
@@ -10,13 +11,13 @@ pub struct Figures {
 }
 
 impl Figures {
-    /// Nothing is known.
+    /// Creates an empty list of values.
     #[must_use]
     pub const fn none() -> Self {
         Self { known: Vec::new(), motion_rad: None }
     }
 
-    /// With the value of a key; one that is no finite number is not known.
+    /// Adds the value of a key; a value that is not finite is ignored.
     #[must_use]
     pub fn with(mut self, key: &str, si: f64) -> Self {
         if si.is_finite() {
@@ -25,7 +26,8 @@ impl Figures {
         self
     }
 
-    /// With the lowest and highest position of the mechanism over the motion \[rad\]: all of it is to find room.
+    /// Sets the lowest and highest position of the mechanism over the motion \[rad\], for which the drawing reserves
+    /// space.
     #[must_use]
     pub fn over(mut self, from_rad: f64, to_rad: f64) -> Self {
         self.motion_rad =
@@ -33,42 +35,42 @@ impl Figures {
         self
     }
 
-    /// The value of a key.
+    /// Returns the value of a key.
     #[must_use]
     pub fn of(&self, key: &str) -> Option<f64> {
         self.known.iter().find(|(name, _)| name == key).map(|(_, si)| *si)
     }
 
-    /// Whether any value is known.
+    /// Returns `true` if no value is known.
     #[must_use]
     pub fn is_none(&self) -> bool {
         self.known.is_empty()
     }
 
-    /// The value of a length, where it is one.
+    /// Returns the value of a positive length.
     pub(crate) fn length(&self, key: &str) -> Option<f64> {
         self.of(key).filter(|value| *value > 0.0)
     }
 
-    /// A count, at most as many as can be drawn.
+    /// Returns a count, limited to the largest that can be drawn.
     pub(crate) fn count(&self, key: &str, neutral: u32, most: u32) -> u32 {
         let count = self.of(key).unwrap_or_else(|| f64::from(neutral)).clamp(1.0, f64::from(most));
         (1..=most).rev().find(|each| f64::from(*each) <= count).unwrap_or(1)
     }
 
-    /// Position of the mechanism at which it is drawn \[rad\].
+    /// Returns the position of the mechanism at which it is drawn \[rad\].
     pub(crate) fn start_rad(&self) -> f64 {
         self.of("start_angle").unwrap_or(0.0)
     }
 
-    /// Lowest and highest position over the motion \[rad\].
+    /// Returns the lowest and highest position over the motion \[rad\].
     pub(crate) const fn motion_rad(&self) -> Option<[f64; 2]> {
         self.motion_rad
     }
 
-    /// Sheet per metre and the place at the beginning, for something that moves along a line between two places of the sheet.
+    /// Returns the scale [sheet/m] and the initial place of a part moving along a line between two places of the sheet.
     ///
-    /// With a motion all of it fits in, at most at the scale that the other figures have; without one it begins at the neutral place.
+    /// A motion is scaled to fit, at most to the given scale; without one the part starts at the neutral place.
     pub(crate) fn along(&self, per_rad: f64, scale: f64, [from, to]: [f64; 2], neutral: f64) -> (f64, f64) {
         let Some([low, high]) = self.motion_rad else { return (scale, neutral) };
         let room = to - from;

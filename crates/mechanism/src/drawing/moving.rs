@@ -1,22 +1,22 @@
-//! What of a drawing moves: where each group stands at an angle of the mechanism.
+//! Moving groups of a drawing and their placement at an angle of the mechanism.
 
 use super::Point;
 use quantities::identified;
 use std::f64::consts::TAU;
 
-/// Where a group stands beside its place in the still drawing: stretched and turned about its point, then shifted.
+/// Placement of a group relative to the still drawing: stretched and turned about its point, then shifted.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Placement {
-    /// Turn to the left \[rad\].
+    /// Counter-clockwise rotation \[rad\].
     pub turn_rad: f64,
-    /// Shift, in the lengths of the sheet.
+    /// Shift in units of the sheet.
     pub shift: Point,
-    /// Stretch along x and y.
+    /// Stretch factors along x and y.
     pub stretch: Point,
 }
 
 impl Placement {
-    /// As in the still drawing.
+    /// Placement in the still drawing.
     pub const STILL: Self = Self { turn_rad: 0.0, shift: [0.0, 0.0], stretch: [1.0, 1.0] };
 
     pub(crate) const fn turned(turn_rad: f64) -> Self {
@@ -31,7 +31,7 @@ impl Placement {
         Self { stretch, ..Self::STILL }
     }
 
-    /// Turn \[rad\], shift and stretch in a row.
+    /// Returns rotation \[rad\], shift and stretch as numbers.
     fn numbers(self) -> [f64; 5] {
         let ([dx, dy], [sx, sy]) = (self.shift, self.stretch);
         [self.turn_rad, dx, dy, sx, sy]
@@ -43,65 +43,65 @@ impl Placement {
 }
 
 identified! {
-    /// How a group goes on beyond its table.
+    /// Continuation of a group beyond its table.
     #[derive(Clone, Copy, Debug, PartialEq, Eq)]
     pub enum Beyond {
-        /// From its end as from its beginning: a revolution after the other, or straight on.
+        /// Continued from its end as from its beginning, by revolutions or linearly.
         On = "on",
-        /// It stays.
+        /// Held at the end.
         Stay = "stay",
-        /// It begins anew where it began.
+        /// Restarted from the beginning.
         Anew = "anew",
     }
 }
 
-/// The angles at which the placement of a group is worked out.
+/// Angles at which the placement of a group is computed.
 pub(crate) struct Course {
     beyond: Beyond,
     angles: Vec<f64>,
 }
 
 impl Course {
-    /// What is proportional to the angle: two points are enough.
+    /// Creates the angles of a group moving in proportion to the angle, for which two points suffice.
     pub(crate) fn even(from_rad: f64) -> Self {
         Self { beyond: Beyond::On, angles: vec![from_rad, from_rad + TAU] }
     }
 
-    /// What repeats with each revolution, every 2°.
+    /// Creates the angles of a group that repeats with each revolution, every 2°.
     pub(crate) fn round(from_rad: f64) -> Self {
         let angles = (0..=180).map(|step| from_rad + f64::from(step) * TAU / 180.0);
         Self { beyond: Beyond::On, angles: angles.collect() }
     }
 
-    /// What is proportional to the angle and begins anew after one.
+    /// Creates the angles of a group that moves in proportion to the angle and restarts after a period.
     pub(crate) fn anew(from_rad: f64, period_rad: f64) -> Self {
         Self { beyond: Beyond::Anew, angles: vec![from_rad, from_rad + period_rad] }
     }
 
-    /// A bounded way, by its angles.
+    /// Creates the angles of a limited motion.
     pub(crate) const fn bounded(angles: Vec<f64>) -> Self {
         Self { beyond: Beyond::Stay, angles }
     }
 }
 
-/// A group that moves, as a table of placements over the angle of the mechanism, straight between its rows.
+/// A moving group, as a table of placements over the angle of the mechanism, linear between its rows.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Moving {
-    /// The point that it is turned and stretched about, in the still drawing.
+    /// Centre of rotation and stretch in the still drawing.
     pub about: Point,
-    /// How it goes on beyond its table.
+    /// Continuation beyond the table.
     pub beyond: Beyond,
-    /// Angle of the mechanism \[rad\], ascending, and the placement there.
+    /// Angles of the mechanism \[rad\] in ascending order, with their placements.
     pub rows: Vec<(f64, Placement)>,
 }
 
-/// What of a shift, in the lengths of the sheet, and of a turn or stretch at the edge of the sheet is not seen.
+/// Largest invisible deviations of rotation, shift and stretch, for parts at the edge of the sheet.
 const UNSEEN: [f64; 5] = [0.0007, 0.1, 0.1, 0.0007, 0.0007];
 
 impl Moving {
     pub(crate) fn of(course: &Course, about: Point, place: impl Fn(f64) -> Placement) -> Self {
         let mut rows: Vec<_> = course.angles.iter().map(|angle| (*angle, place(*angle))).collect();
-        // An angle that was found by its tangent goes on where it comes round.
+        // Angles from an arctangent are continued across ±π.
         let mut before = rows.first().map_or(0.0, |(_, placement)| placement.turn_rad);
         let is_sampled = rows.len() > 2;
         for (_, placement) in rows.iter_mut().filter(|_| is_sampled) {
@@ -111,7 +111,7 @@ impl Moving {
         Self { about, beyond: course.beyond, rows: thinned(&rows) }
     }
 
-    /// The placement at an angle of the mechanism.
+    /// Returns the placement at an angle of the mechanism.
     #[must_use]
     pub fn at(&self, angle_rad: f64) -> Placement {
         let (Some(first), Some(last)) = (self.rows.first(), self.rows.last()) else { return Placement::STILL };
@@ -137,7 +137,7 @@ impl Moving {
         Placement::of(found)
     }
 
-    /// Where a point of the still drawing stands.
+    /// Returns the position of a point of the still drawing in a placement.
     #[must_use]
     pub fn point(&self, placement: Placement, [x, y]: Point) -> Point {
         let ([ax, ay], [dx, dy], [sx, sy]) = (self.about, placement.shift, placement.stretch);
@@ -147,7 +147,7 @@ impl Moving {
     }
 }
 
-/// Without the rows that the ones beside them give to what can be seen.
+/// Returns the rows without those that linear interpolation reproduces within the visible resolution.
 fn thinned(rows: &[(f64, Placement)]) -> Vec<(f64, Placement)> {
     let mut kept: Vec<(f64, Placement)> = rows.first().copied().into_iter().collect();
     let mut from = 0;

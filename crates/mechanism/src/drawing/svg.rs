@@ -1,10 +1,10 @@
-//! A drawing as SVG: each part bears the class of its look, so that a page can colour it; a picture by itself brings a
-//! style sheet along.
+//! Drawings as SVG: each part has the class of its style, so that a page can colour it; a stand-alone picture includes
+//! a style sheet.
 
 use super::{CallOut, Drawing, Look, Moving, Part, Point, Step};
 use std::fmt::Write;
 
-/// The looks of a picture by itself; its text is in the family Inter.
+/// Style sheet of a stand-alone picture; its text uses the font family Inter.
 const STYLE: &str = "<style>.l-line,.l-thin,.l-hidden,.l-axis,.l-arrow,.l-dimension,.l-leader{fill:none}\
     .l-housing,.l-body,.l-line,.l-hole,.l-centre{stroke:#18222c;stroke-width:1.5;stroke-linejoin:round;stroke-linecap:round}\
     .l-housing{fill:#e9eef1}.l-body{fill:#cfe0e3;stroke:#0c5160;stroke-width:1.7}.l-hole,.l-centre{fill:#fff}\
@@ -14,7 +14,7 @@ const STYLE: &str = "<style>.l-line,.l-thin,.l-hidden,.l-axis,.l-arrow,.l-dimens
     text{fill:#0c5160;font-family:Inter;font-weight:600;font-size:13px;text-anchor:middle}</style>";
 
 impl Look {
-    /// The class of its elements.
+    /// Returns the class of the elements.
     #[must_use]
     pub const fn class(self) -> &'static str {
         match self {
@@ -31,7 +31,7 @@ impl Look {
     }
 }
 
-/// A coordinate to hundredths.
+/// Returns a coordinate rounded to hundredths.
 fn shown(value: f64) -> f64 {
     (value * 100.0).round() / 100.0 + 0.0
 }
@@ -40,7 +40,7 @@ fn pair([x, y]: Point) -> String {
     format!("{} {}", shown(x), shown(y))
 }
 
-/// A point beside another one in a direction, as a share along it and across it.
+/// Returns a point relative to another one, from distances along and across a direction.
 fn beside([x, y]: Point, [dx, dy]: Point, along: f64, across: f64) -> Point {
     [x + along * dx - across * dy, y + along * dy + across * dx]
 }
@@ -50,13 +50,13 @@ fn direction([ax, ay]: Point, [bx, by]: Point) -> Point {
     [(bx - ax) / length, (by - ay) / length]
 }
 
-/// In which direction a step arrives.
+/// Returns the end of a step and the direction in which it arrives.
 fn arrival(from: Point, step: &Step) -> Option<(Point, Point)> {
     match step {
         Step::Line(to) => Some((*to, direction(from, *to))),
         Step::Curve(_, before, to) => Some((*to, direction(*before, *to))),
         Step::Arc(radius, right, to) => {
-            // The chord turns by half of the angle of the arc.
+            // The tangent differs from the chord by half of the angle of the arc.
             let half = (0.5 * (to[0] - from[0]).hypot(to[1] - from[1]) / radius).min(1.0).asin();
             let (sin, cos) = if *right { half } else { -half }.sin_cos();
             let chord = direction(from, *to);
@@ -69,7 +69,7 @@ fn arrival(from: Point, step: &Step) -> Option<(Point, Point)> {
 fn path(class: &str, steps: &[Step]) -> String {
     let mut data = String::new();
     for step in steps {
-        // Writing to a text cannot fail.
+        // Writing to a string cannot fail.
         let _ = match step {
             Step::Move(to) => write!(data, "M{}", pair(*to)),
             Step::Line(to) => write!(data, "L{}", pair(*to)),
@@ -84,7 +84,7 @@ fn path(class: &str, steps: &[Step]) -> String {
     format!("<path class='{class}' d='{data}'/>")
 }
 
-/// A head whose point is at a place.
+/// Returns an arrow head whose tip is at a point.
 fn head(class: &str, at: Point, to: Point, [length, half]: [f64; 2]) -> String {
     let (left, right) = (beside(at, to, -length, half), beside(at, to, -length, -half));
     path(class, &[Step::Move(at), Step::Line(left), Step::Line(right), Step::Close])
@@ -130,7 +130,7 @@ fn part(part: &Part) -> String {
     }
 }
 
-/// A part whose groups can be found by a script.
+/// Returns a part whose groups a script can find.
 fn movable(it: &Part) -> String {
     match it {
         Part::Group(group, _) => format!("<g data-group='{group}'>{}</g>", part(it)),
@@ -139,8 +139,8 @@ fn movable(it: &Part) -> String {
 }
 
 impl Moving {
-    /// The table for a script: the point that it turns about, how it goes on, then row by row the angle of the output
-    /// \[°\], turn to the right \[°\], shift x, shift y and, where it is stretched, stretch x and y.
+    /// Returns the table for a script: the centre of rotation, the continuation, then for each row the angle of the
+    /// output \[°\], the clockwise rotation \[°\], shift x, shift y and, if the group is stretched, stretch x and y.
     ///
     /// # Symbols
     /// `ratio` angle of the output per angle of the mechanism
@@ -150,7 +150,7 @@ impl Moving {
         let mut text = format!("{} {}", pair(self.about), self.beyond.id());
         for (angle, placement) in &self.rows {
             let turn = shown(-placement.turn_rad.to_degrees());
-            // Writing to a text cannot fail.
+            // Writing to a string cannot fail.
             let _ = write!(text, ";{} {turn} {}", shown((angle * ratio).to_degrees()), pair(placement.shift));
             if is_stretched {
                 let [x, y] = placement.stretch.map(|value| (value * 1e4).round() / 1e4);
@@ -162,7 +162,7 @@ impl Moving {
 }
 
 impl CallOut {
-    /// The line from the symbol to what it points at, as SVG; it ends short of the symbol.
+    /// Returns the leader from the symbol to its end as SVG; it starts at some distance from the symbol.
     #[must_use]
     pub fn leader(&self) -> String {
         let from = beside(self.label, direction(self.label, self.at), 9.0, 0.0);
@@ -170,7 +170,7 @@ impl CallOut {
         format!("{line}<circle class='l-mark' cx='{}' cy='{}' r='1.5'/>", shown(self.at[0]), shown(self.at[1]))
     }
 
-    /// Where the foot of the symbol stands.
+    /// Returns the position of the symbol's baseline.
     #[must_use]
     pub fn foot(&self) -> Point {
         [shown(self.label[0]), shown(self.label[1] + 4.5)]
@@ -178,25 +178,25 @@ impl CallOut {
 }
 
 impl Drawing {
-    /// The box of the sheet, for the attribute `viewBox`.
+    /// Returns the box of the sheet for the attribute `viewBox`.
     #[must_use]
     pub fn view_box(&self) -> String {
         format!("0 0 {}", pair(self.size))
     }
 
-    /// Its parts as SVG, without the call-outs.
+    /// Returns the parts as SVG, without the call-outs.
     #[must_use]
     pub fn svg(&self) -> String {
         self.parts.iter().map(part).collect()
     }
 
-    /// The same with each group that moves in an element of its own, by its number in `data-group`.
+    /// Returns the parts as SVG, each moving group in an element of its own with its index in `data-group`.
     #[must_use]
     pub fn movable_svg(&self) -> String {
         self.parts.iter().map(movable).collect()
     }
 
-    /// A picture by itself with the call-outs of some keys.
+    /// Returns a stand-alone picture with the selected call-outs.
     #[must_use]
     pub fn picture(&self, shows: impl Fn(&CallOut) -> bool) -> String {
         let [width, height] = self.size;

@@ -2,7 +2,7 @@ use super::{Drawing, Figures, Moving, Part, Placement, Point, Step};
 use crate::MechanismId;
 use std::f64::consts::{FRAC_PI_2, TAU};
 
-/// Figures as machines have them, far from the neutral proportions too.
+/// Returns figures of real machines, some far from the neutral proportions.
 fn stated(id: MechanismId) -> Vec<Figures> {
     let of = |figures: &[(&str, f64)]| figures.iter().fold(Figures::none(), |all, (key, si)| all.with(key, *si));
     let mut found = vec![Figures::none()];
@@ -86,7 +86,7 @@ fn all() -> impl Iterator<Item = (MechanismId, Figures, Drawing)> {
     })
 }
 
-/// All call-outs lie on the sheet, none on another one, and each key once.
+/// The call-outs are on the sheet, do not overlap, and show each key once.
 #[test]
 fn the_call_outs_keep_apart() {
     let leaning = MechanismId::ALL.iter().flat_map(|id| {
@@ -108,7 +108,7 @@ fn the_call_outs_keep_apart() {
     }
 }
 
-/// Where an environment variable names a folder the pictures are put there, to be looked at.
+/// The pictures are written to a folder for inspection if an environment variable names one.
 #[test]
 fn every_mechanism_has_a_picture() {
     for (place, (id, figures, drawing)) in all().enumerate() {
@@ -121,7 +121,7 @@ fn every_mechanism_has_a_picture() {
     }
 }
 
-/// A drawing is neutral unless it is given figures, and of the size of the sheet.
+/// A drawing without figures is neutral and has the size of the sheet.
 #[test]
 fn a_drawing_without_figures_fills_the_sheet() {
     for id in MechanismId::ALL {
@@ -130,7 +130,7 @@ fn a_drawing_without_figures_fills_the_sheet() {
     }
 }
 
-/// At the position at which the motion begins what moves stands as it is drawn.
+/// At the initial position the moving groups are where they are drawn.
 #[test]
 fn at_the_beginning_everything_stands_as_in_the_still_drawing() {
     for (id, figures, drawing) in all() {
@@ -147,7 +147,7 @@ fn at_the_beginning_everything_stands_as_in_the_still_drawing() {
     }
 }
 
-/// Every group is drawn once and every call-out of a group points at one that is there.
+/// Every group is drawn once, and each call-out of a group points to an existing one.
 #[test]
 fn every_group_is_in_the_picture() {
     for (id, _, drawing) in all() {
@@ -156,12 +156,12 @@ fn every_group_is_in_the_picture() {
             assert_eq!(drawn.matches(&format!("<g data-group='{group}'>")).count(), 1, "{id:?}");
         }
         assert!(drawing.call_outs.iter().all(|it| it.group.is_none_or(|group| group < drawing.moving.len())), "{id:?}");
-        // The picture by itself has the same parts without the groups.
+        // The stand-alone picture has the same parts without the groups.
         assert!(!drawing.svg().contains("<g"), "{id:?}");
     }
 }
 
-/// What is left out of a table is not missed: straight lines between its rows are where the equations are.
+/// A thinned table reproduces the equations by linear interpolation between its rows.
 #[test]
 fn a_table_is_as_good_as_its_equations() {
     let place = |angle: f64| Placement {
@@ -186,7 +186,7 @@ fn group<'d>(drawing: &'d Drawing, key: &str) -> (usize, &'d Moving) {
     (index, &drawing.moving[index])
 }
 
-/// Middles of the holes of a group, in the order in which they are drawn.
+/// Returns the centres of the holes of a group in drawing order.
 fn pins(drawing: &Drawing, group: usize) -> Vec<Point> {
     let of = |part: &Part| match part {
         Part::Circle(super::Look::Hole, at, _) => Some(*at),
@@ -206,7 +206,7 @@ fn apart([ax, ay]: Point, [bx, by]: Point) -> f64 {
     (ax - bx).hypot(ay - by)
 }
 
-/// Crank, coupler and rocker hold together at every angle: the closed loop of the equations, seen on the sheet.
+/// Crank, coupler and rocker stay connected at every angle: the closed loop of the equations on the sheet.
 #[test]
 fn the_links_of_a_four_bar_linkage_hold_together() {
     for figures in stated(MechanismId::FourBar) {
@@ -226,7 +226,7 @@ fn the_links_of_a_four_bar_linkage_hold_together() {
     }
 }
 
-/// The slider is where r cos q + √(l² − r² sin² q) is, and the rod holds on to both ends.
+/// The slider is at r cos q + √(l² − r² sin² q), and the rod stays connected at both ends.
 #[test]
 fn the_rod_of_a_slider_crank_holds_on_to_both_ends() {
     for figures in stated(MechanismId::SliderCrank) {
@@ -249,7 +249,8 @@ fn the_rod_of_a_slider_crank_holds_on_to_both_ends() {
     }
 }
 
-/// The arms of a lift stay pinned to each other, to the nut and to the platform: b = L cos θ_0 − k q, w = √(L² − b²).
+/// The arms of a lift stay connected to each other, to the nut and to the platform: b = L cos θ_0 − k q, w = √(L² −
+/// b²).
 #[test]
 fn the_arms_of_a_lift_stay_pinned() {
     for figures in stated(MechanismId::ScissorLift) {
@@ -277,7 +278,7 @@ fn the_arms_of_a_lift_stay_pinned() {
     }
 }
 
-/// A slide goes as far as the wheel unrolls, a thread by a lead with each turn, as far as the drawing is to scale.
+/// A slide moves by the rolled length of the wheel, a thread by one lead per turn, where the drawing is to scale.
 #[test]
 fn what_goes_along_a_line_goes_in_proportion_to_the_angle() {
     let figures = Figures::none().with("pulley_diameter", 0.2).over(0.0, 3.0);
@@ -296,7 +297,7 @@ fn what_goes_along_a_line_goes_in_proportion_to_the_angle() {
     assert!((shifts[0] - 8.0).abs() < 0.01 && (shifts[1] - 8.0).abs() < 0.01, "{shifts:?}");
 }
 
-/// A vertical line is vertical: a slide goes up where the positive direction does.
+/// A vertical line is drawn vertical: a slide moves up if the positive direction does.
 #[test]
 fn vertical_is_vertical() {
     for id in [MechanismId::Screw, MechanismId::Belt, MechanismId::Conveyor, MechanismId::SliderCrank] {
@@ -312,7 +313,7 @@ fn vertical_is_vertical() {
     }
 }
 
-/// Rope and load of a hoist stay together, and what is not lifted any further stays.
+/// Rope and load of a hoist stay connected, and the motion stops at its upper limit.
 #[test]
 fn a_rope_ends_at_its_load() {
     for figures in stated(MechanismId::Hoist) {
@@ -328,7 +329,7 @@ fn a_rope_ends_at_its_load() {
     }
 }
 
-/// The web meets the roll at its top, as thick as the equations make it.
+/// The web meets the roll at its top, at the radius given by the equations.
 #[test]
 fn a_web_meets_its_roll() {
     for figures in stated(MechanismId::Winder) {
