@@ -5,16 +5,16 @@ use crate::parameters::{Drivetrain, Parameters};
 use provenance::{Datum, Grade, Source, Sourced};
 use quantities::{Angle, Length, Measure, Torque};
 
-/// What is known of the accuracy of the gear, at the output.
+/// Accuracy data of the gear, at the output.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Accuracy {
-    /// Transmission accuracy: largest deviation to one side plus the largest to the other over one turn, unloaded.
+    /// Transmission accuracy: sum of the largest deviations in both directions over one turn, unloaded.
     pub transmission_accuracy: Datum<Angle>,
     /// Repeatability: half the spread of approaches from one side.
     pub repeatability: Datum<Angle>,
-    /// Hysteresis loss: width of the torsion curve at no torque after full torque to both sides.
+    /// Hysteresis loss: width of the torsion curve at zero torque after full torque in both directions.
     pub hysteresis_loss: Datum<Angle>,
-    /// Lost motion: width of the torsion curve under a few per cent of the rated torque.
+    /// Lost motion: width of the torsion curve at a few per cent of the rated torque.
     pub lost_motion: Datum<Angle>,
 }
 
@@ -37,52 +37,52 @@ pub enum ErrorKind {
     Torsion,
     /// Tilt of the flange under a moment.
     Tilt,
-    /// Backlash of a stage behind the actuator.
+    /// Backlash of a stage after the actuator.
     StageBacklash,
-    /// Torsion of a stage behind the actuator.
+    /// Torsion of a stage after the actuator.
     StageTorsion,
 }
 
-/// Where the position loop takes its position from.
+/// Feedback that closes the position loop.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum PositionLoop {
-    /// From the motor feedback: the gear's errors are not seen.
+    /// Motor feedback, which does not measure the errors of the gear.
     Motor,
-    /// From a feedback at the output, which sees the gear's errors and lets the loop remove them.
+    /// Feedback at the output, which measures the errors of the gear, so that the loop removes them.
     Output,
 }
 
-/// What the budget is made for.
+/// Conditions of an error budget.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct BudgetCase {
-    /// Torque at the output, whose torsion counts.
+    /// Torque at the output that causes the torsion.
     pub torque: Torque,
-    /// Tilting moment at the flange; `None` where the loads on the flange are not known.
+    /// Tilting moment at the flange; `None` if the loads on the flange are unknown.
     pub tilting_moment: Option<Torque>,
-    /// Where the position loop is closed.
+    /// Feedback that closes the position loop.
     pub position_loop: PositionLoop,
 }
 
-/// One entry of the budget.
+/// An entry of the budget.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Contribution {
-    /// What it is.
+    /// Kind of the error.
     pub kind: ErrorKind,
-    /// How much, at the output, never negative.
+    /// Magnitude of the error at the output.
     pub angle: Sourced<Angle>,
 }
 
-/// The budget: what is known, and what is not.
+/// Error budget with known and unknown contributions.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ErrorBudget {
-    /// Contributions that are known.
+    /// Contributions with known values.
     pub contributions: Vec<Contribution>,
-    /// Contributions that belong here but whose data are not known: the sums are then lower bounds.
+    /// Contributions with unknown values, which make the sums lower bounds.
     pub missing: Vec<ErrorKind>,
 }
 
 impl ErrorBudget {
-    /// Sum of all contributions: every error at its limit and to the same side.
+    /// Returns the sum of all contributions: every error at its limit and in the same direction.
     ///
     /// Σ φ_k
     #[must_use]
@@ -90,7 +90,7 @@ impl ErrorBudget {
         Angle::from_si(self.contributions.iter().map(|entry| entry.angle.value.si()).sum())
     }
 
-    /// Root of the sum of squares: independent errors, none of them systematic.
+    /// Returns the root of the sum of squares: independent, random errors.
     ///
     /// √(Σ φ_k²)
     #[must_use]
@@ -99,14 +99,14 @@ impl ErrorBudget {
         Angle::from_si(squares.sqrt())
     }
 
-    /// The worst grade among the contributions.
+    /// Returns the worst grade of the contributions.
     #[must_use]
     pub fn grade(&self) -> Grade {
         self.contributions.iter().map(|entry| entry.angle.grade).fold(Grade::Computed, Grade::worst)
     }
 }
 
-/// Displacement that a small angle makes at the end of a lever.
+/// Returns the displacement at the end of a lever caused by a small angle.
 ///
 /// s = φ r
 ///
@@ -121,15 +121,16 @@ pub fn deviation_at(angle: Angle, lever_arm: Length) -> Length {
     Length::from_si(angle.si() * lever_arm.si())
 }
 
-/// Angular errors at the output of an actuator.
+/// Returns the angular errors at the output of an actuator.
 ///
-/// Gear figures count whole as printed; the feedback on the motor counts divided by i; torsion and tilt are those of the
+/// Gear errors count in full as stated in the tables; the errors of the motor feedback are divided by i; torsion and
+/// tilt are those of the given torque and moment. A loop closed at the output leaves only feedback and tilt.
 /// given torque and moment. A loop closed at the output leaves feedback and tilt only.
 ///
 /// # Source
 /// docs/theory/error-budget.md; eqs. 73.1 to 73.3 for the torsion, eq. 76.4 for the tilt
 /// # Valid
-/// static; no thermal growth, no error of the load, of the mount or of the controller
+/// static; without thermal expansion and without errors of the load, of the mounting and of the controller
 #[must_use]
 pub fn error_budget(actuator: &Parameters, case: &BudgetCase) -> ErrorBudget {
     let gear = &actuator.accuracy;
@@ -162,7 +163,7 @@ pub fn error_budget(actuator: &Parameters, case: &BudgetCase) -> ErrorBudget {
     budget
 }
 
-/// Torsion under a torque, as an amount.
+/// Returns the magnitude of the torsion under a torque.
 fn torsion(actuator: &Drivetrain, torque: Torque) -> Datum<Angle> {
     let [k1, k2, k3] = &actuator.gear.stiffness;
     let grades = [k1, k2, k3].map(|stiffness| stiffness.known().map(|known| known.grade));
@@ -174,7 +175,7 @@ fn torsion(actuator: &Drivetrain, torque: Torque) -> Datum<Angle> {
     }))
 }
 
-/// Tilt under a moment, as an amount.
+/// Returns the magnitude of the tilt under a moment.
 fn tilt(actuator: &Drivetrain, moment: Option<Torque>) -> Datum<Angle> {
     let stiffness = actuator.output_bearing.tilting_stiffness.known();
     Datum::of(moment.zip(stiffness).map(|(moment, stiffness)| Sourced {
@@ -245,7 +246,7 @@ mod tests {
         BudgetCase { torque: Torque::from_si(torque), tilting_moment, position_loop }
     }
 
-    /// 0.8 + 0.1 + 1 + 1 + 0.01 + 1/600 arcmin without load.
+    /// Without load: 0.8 + 0.1 + 1 + 1 + 0.01 + 1/600 arcmin.
     #[test]
     fn the_sum_by_hand() {
         let budget = error_budget(&actuator(), &case(0.0, 0.0, PositionLoop::Motor));
@@ -256,7 +257,7 @@ mod tests {
         assert!((budget.root_sum_square().in_unit(&ARCMINUTE) - squares.sqrt()).abs() < 1e-9);
     }
 
-    /// −29 Nm on 6.7e4 Nm/rad twist by 4.328e-4 rad; 40 Nm on 4e5 Nm/rad tilt by 1e-4 rad; both count without sign.
+    /// −29 Nm on 6.7e4 Nm/rad twist by 4.328e-4 rad; 40 Nm on 4e5 Nm/rad tilt by 1e-4 rad; both count as magnitudes.
     #[test]
     fn torsion_and_tilt_come_with_the_load() {
         let idle = error_budget(&actuator(), &case(0.0, 0.0, PositionLoop::Motor)).worst_case().si();

@@ -1,4 +1,5 @@
-//! Where the heat model must agree with published curves: what it says of a duty that the maker or the user permits.
+//! Agreement of the heat model with published curves: results of the model for a duty that the manufacturer or the user
+//! permits.
 
 use crate::curve::Curve;
 use crate::heat::HeatModel;
@@ -6,21 +7,21 @@ use crate::parameters::Drivetrain;
 use provenance::{Datum, Sourced};
 use quantities::{AngularVelocity, Measure, Torque};
 
-/// What the heat model says of the published duty next to a cycle.
+/// Result of the heat model for the published duty closest to a cycle.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PublishedDuty {
-    /// Rise of the winding there as a share of the permitted one: what the estimate is divided by to agree.
+    /// Rise of the winding relative to the permitted one \[1\]: the divisor that makes the estimate agree.
     pub rise_share: f64,
-    /// Largest filtered (I/I_0)² there; the overload supervision must let it pass.
+    /// Largest filtered (I/I_0)² \[1\], which the overload supervision must permit.
     pub overload: f64,
 }
 
-/// What the heat model says of the published curves at the duty factor and mean speed of a cycle; `None` where none is
-/// published there.
+/// Returns the result of the heat model for the published curves at the duty factor and mean speed of a cycle; `None`
+/// if none is published there.
 ///
-/// The continuous curve counts at the mean speed, those of S3 at the speed in motion, between them a straight line over the
-/// duty factor. Where a curve stays at T_0, or is one of S3, the gear may limit it instead of the heat: there it can only
-/// relax the estimate.
+/// The continuous curve is evaluated at the mean speed, the S3 curves at the speed in motion, with linear interpolation
+/// over the duty factor in between. Where a curve stays at T_0, or is an S3 curve, the limit may be that of the gear
+/// instead of the heat: there it can only relax the estimate.
 ///
 /// # Symbols
 /// duty factor ED, mean speed n_av over the whole cycle
@@ -72,7 +73,8 @@ pub fn published_duty(
     }
 }
 
-/// What the model says of a torque at a speed, on for a share of the cycle of S3 and at rest for the remainder.
+/// Returns the result of the model for a torque at a speed, applied for a share of the S3 cycle, with rest for the
+/// remainder.
 fn said(
     actuator: &Drivetrain,
     model: &HeatModel,

@@ -1,48 +1,48 @@
-//! The battery that buffers the turns of an encoder.
+//! Battery that buffers the turns of an encoder.
 
 use provenance::{Grade, Source, Sourced};
 use quantities::unit::{HOUR, YEAR};
 use quantities::{Measure, Ratio, Time};
 
-/// The battery of an encoder, as a model of its load, and the rules of its maker.
+/// Battery of an encoder: model of its load, and the replacement rules of the manufacturer.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Battery {
-    /// C: life always on load, never stored.
+    /// C: life under permanent load without storage.
     pub capacity: Time,
-    /// Load of storage over that of a drive that is always off.
+    /// Load during storage relative to that in a machine that is always off \[1\].
     pub storage_load: Ratio,
-    /// Self-discharge over the load of a drive that is always off.
+    /// Self-discharge relative to the load in a machine that is always off \[1\].
     pub self_discharge: Ratio,
-    /// Longest storage that the model covers.
+    /// Longest storage covered by the model.
     pub storage_max: Time,
-    /// Interval after which replacing the encoder is recommended.
+    /// Recommended replacement interval of the encoder.
     pub exchange_recommended: Time,
-    /// Time after delivery at which the encoder must be replaced at the latest.
+    /// Latest replacement of the encoder after delivery.
     pub exchange_latest: Time,
 }
 
-/// How long the battery lasts, and the two rules of replacement. Both rules hold beside the model.
+/// Battery life, and the two replacement rules, which apply in addition to the model.
 #[derive(Clone, Debug, PartialEq)]
 pub struct BatteryLife {
-    /// L: life in use after the storage, never longer than what is left of the ten years.
+    /// L: life in use after storage, limited by the remainder of the ten years.
     pub life: Sourced<Time>,
-    /// Interval after which replacing the encoder is recommended.
+    /// Recommended replacement interval of the encoder.
     pub exchange_recommended: Time,
-    /// Time after delivery at which the encoder must be replaced at the latest.
+    /// Latest replacement of the encoder after delivery.
     pub exchange_latest: Time,
-    /// Whether the ten years end before the battery does.
+    /// The ten years end before the life of the battery.
     pub capped: bool,
 }
 
-/// Why the model gives no answer.
+/// Input outside the range of the model.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum BatteryFault {
-    /// A day has 0 h to 24 h of operation.
+    /// The operation per day is not between 0 h and 24 h.
     OperationOutOfRange {
-        /// Operation on a day.
+        /// Operation per day.
         per_day: Time,
     },
-    /// The model covers 0 a to 3 a of storage.
+    /// The storage is outside the range of the model, 0 a to 3 a.
     StorageOutOfRange {
         /// Storage before use.
         storage: Time,
@@ -65,14 +65,14 @@ impl std::fmt::Display for BatteryFault {
 impl std::error::Error for BatteryFault {}
 
 impl Battery {
-    /// Life of the buffer battery in use.
+    /// Returns the life of the buffer battery in use.
     ///
     /// L = (C − c s)/((24 − h)/24 + d), s + L ≤ L_max
     ///
     /// # Symbols
     /// L life \[a\], h operation per day \[h\], s storage before use \[a\], C capacity \[a\], c load of storage,
     /// d self-discharge, L_max latest replacement \[a\]
-    /// # Source
+    /// docs/theory/battery.md; calibrated to the 10 a at 10 h/d of the manual
     /// docs/theory/battery.md; calibrated on the printed 10 a at 10 h/d
     /// # Valid
     /// 0 ≤ h ≤ 24, s up to the longest storage covered, battery at 25 °C, self-discharge 1 % per year
@@ -80,7 +80,7 @@ impl Battery {
     /// [`BatteryFault`] outside these ranges.
     pub fn life(&self, operation_per_day: Time, storage: Time) -> Result<BatteryLife, BatteryFault> {
         let (hours, stored) = (operation_per_day.in_unit(&HOUR), storage.in_unit(&YEAR));
-        // Room for the rounding of a conversion, a billionth of the range.
+        // Tolerance for the rounding of a conversion: a billionth of the range.
         if !(-24e-9..=24.0 + 24e-9).contains(&hours) {
             return Err(BatteryFault::OperationOutOfRange { per_day: operation_per_day });
         }
@@ -124,7 +124,7 @@ mod tests {
         life.life.value.in_unit(&YEAR)
     }
 
-    /// Always switched off: the recommended six years; 10 h a day: the printed ten; then years of storage.
+    /// Always off: the recommended six years; 10 h per day: the ten years of the manual; then years of storage.
     #[test]
     fn the_points_of_the_calibration() {
         for (hours, stored, expected) in

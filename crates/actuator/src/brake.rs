@@ -1,6 +1,7 @@
-//! The holding brake: sag while it closes, and the stop of a dead drive.
+//! Holding brake: sag while it closes, and the stop of an axis without drive torque.
 //!
-//! A built-in brake holds, it is no safety function: a hanging load needs another one beside it (cha-manual section 2).
+//! The built-in brake is a holding brake and no safety function: an axis under gravity needs an additional one
+//! (cha-manual section 2).
 
 use provenance::Datum;
 use quantities::{
@@ -8,29 +9,29 @@ use quantities::{
     Torque,
 };
 
-/// What is known of the brake. Without a brake every datum is [`Datum::NotApplicable`].
+/// Data of the brake; every datum is [`Datum::NotApplicable`] without a brake.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Brake {
     /// T_Br: holding torque at the output.
     pub holding_torque: Datum<Torque>,
-    /// U_Br: nominal voltage, direct.
+    /// U_Br: nominal DC voltage.
     pub voltage: Datum<ElectricPotential>,
-    /// I_OBr: current that opens.
+    /// I_OBr: opening current.
     pub opening_current: Datum<ElectricCurrent>,
-    /// I_HBr: current that keeps open.
+    /// I_HBr: holding current, which keeps the brake open.
     pub holding_current: Datum<ElectricCurrent>,
-    /// t_o: time to open.
+    /// t_o: opening time.
     pub opening_time: Datum<Time>,
-    /// t_c: time to close.
+    /// t_c: closing time.
     pub closing_time: Datum<Time>,
     /// N_brakings: permitted number of applications at standstill.
     pub brakings_max: Datum<f64>,
-    /// N_emergency: permitted number of stops out of motion.
+    /// N_emergency: permitted number of stops from motion.
     pub emergency_max: Datum<f64>,
 }
 
 impl Brake {
-    /// No brake at all.
+    /// Returns the data of an actuator without brake.
     #[must_use]
     pub const fn absent() -> Self {
         Self {
@@ -46,22 +47,22 @@ impl Brake {
     }
 }
 
-/// Mean heat of the coil over a cycle, at most.
+/// Returns an upper bound of the mean heat of the coil over a cycle.
 ///
 /// P = U_Br I_HBr s
 ///
 /// # Symbols
-/// U_Br nominal voltage \[V\], I_HBr current that keeps open \[A\], s share of the cycle in which the brake is open
+/// U_Br nominal voltage \[V\], I_HBr holding current \[A\], s share of the cycle in which the brake is open
 /// # Source
 /// docs/theory/brake.md
 /// # Valid
-/// what the supply gives at full voltage; a drive that lowers the voltage to hold leaves less in the coil
+/// power of the supply at full voltage; a drive that lowers the voltage for holding leaves less in the coil
 #[must_use]
 pub fn coil_power(voltage: ElectricPotential, holding_current: ElectricCurrent, share_open: Ratio) -> Power {
     Power::from_si(voltage.si() * holding_current.si().abs() * share_open.si())
 }
 
-/// Angle that an axis at rest sags while its brake closes and nothing else holds it.
+/// Returns the angle by which an axis at rest sags while its brake closes and nothing else holds it.
 ///
 /// φ = ½ (T / J) t_c²
 ///
@@ -76,36 +77,36 @@ pub fn sag_angle(inertia_total: MomentOfInertia, torque_unbalanced: Torque, clos
     Angle::from_si(0.5 * torque_unbalanced.si() / inertia_total.si() * closing_time.si().powi(2))
 }
 
-/// How a stop by the brake alone ends.
+/// Outcome of a stop by the brake alone.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum StopOutcome {
-    /// The axis comes to rest and stays.
+    /// The axis comes to rest and is held.
     Stops(EmergencyStop),
-    /// The driving torque is not below the holding torque: the brake does not stop the axis or cannot hold it.
+    /// The driving torque is not below the holding torque: the brake cannot stop or hold the axis.
     DoesNotStop,
 }
 
 /// A stop by the brake alone.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct EmergencyStop {
-    /// Heat in the brake.
+    /// Energy dissipated in the brake.
     pub energy: Energy,
-    /// Path from the failure to rest, both directions counted.
+    /// Path from the failure to rest, both directions added.
     pub angle: Angle,
     /// Time from the failure to rest.
     pub time: Time,
-    /// Speed when the brake takes hold, positive in the direction of the first speed.
+    /// Speed when the brake engages, positive in the direction of the initial speed.
     pub speed_at_engagement: AngularVelocity,
 }
 
-/// Stop of an axis whose drive gives no torque any more, by the holding brake.
+/// Computes the stop of an axis without drive torque by the holding brake.
 ///
 /// ω_1 = ω_0 + (T_d/J) t_c, then |α| = (T_Br − T_d sgn ω_1)/J:
 /// t = t_c + |ω_1|/|α|, φ = φ(t_c) + ω_1²/(2 |α|), W = T_Br ω_1²/(2 |α|)
 ///
 /// # Symbols
-/// ω_0 speed at the failure [rad/s], T_d torque of the load \[Nm\], positive where it drives the motion on,
-/// J load and actuator at the output \[kgm²\], T_Br holding torque at the output \[Nm\], t_c closing time \[s\]
+/// ω_0 speed at the failure [rad/s], T_d torque of the load \[Nm\], positive if it drives the motion, J load and
+/// actuator at the output \[kgm²\], T_Br holding torque at the output \[Nm\], t_c closing time \[s\]
 /// # Source
 /// docs/theory/brake.md, uniform acceleration in two parts
 /// # Valid
@@ -119,7 +120,7 @@ pub fn emergency_stop(
     closing_time: Time,
 ) -> StopOutcome {
     let (brake, t_c, inertia) = (holding_torque.si(), closing_time.si(), inertia_total.si());
-    // Turned so that the first speed is positive.
+    // Sign convention: the initial speed is positive.
     let (omega_0, driving) = (speed.si().abs(), torque_driving.si());
     if brake <= driving.abs() {
         return StopOutcome::DoesNotStop;
@@ -129,7 +130,7 @@ pub fn emergency_stop(
     let falling = if omega_1 >= 0.0 {
         omega_0 * t_c + 0.5 * alpha * t_c * t_c
     } else {
-        // The load itself reverses the axis before the brake is closed.
+        // The load reverses the axis before the brake is closed.
         let reversal = -omega_0 / alpha;
         0.5 * omega_0 * reversal + 0.5 * alpha.abs() * (t_c - reversal).powi(2)
     };
@@ -181,7 +182,7 @@ mod tests {
         assert!((found.time.si() - (0.07 + 10.0 / 45.0)).abs() < 1e-12);
     }
 
-    /// The heat is the kinetic energy at the failure plus what the load put in over the whole path.
+    /// The heat is the kinetic energy at the failure plus the work of the load over the whole path.
     #[test]
     fn energy_balance_with_a_driving_and_a_helping_load() {
         for driving in [-30.0, -10.0, 0.0, 10.0, 30.0, 44.0] {
@@ -211,7 +212,7 @@ mod tests {
         assert_eq!(stops(2.0, 0.0, 45.0, 0.0, 0.07).energy.si(), 0.0);
     }
 
-    /// 24 V and 0.3 A: 7.2 W as long as it is open.
+    /// 24 V and 0.3 A: 7.2 W while it is open.
     #[test]
     fn the_coil_heats_while_the_brake_is_open() {
         let power = |share| {

@@ -1,8 +1,8 @@
-//! A limit curve of the torque-speed plane, given by its corner points.
+//! Limit curves of the torque-speed plane, given by corner points.
 
 use quantities::{AngularVelocity, Measure, Torque};
 
-/// One corner point.
+/// A corner point of a limit curve.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct CurvePoint {
     /// Speed at the output.
@@ -11,35 +11,35 @@ pub struct CurvePoint {
     pub torque: Torque,
 }
 
-/// A limit curve: straight between its corner points, dropping vertically to zero at its last speed.
+/// A limit curve: linear between its corner points, with a vertical drop to zero at its last speed.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Curve {
     points: Vec<CurvePoint>,
-    /// The least torque of each run of points \[Nm\]: a measured curve may have thousands of them.
+    /// Smallest torque of each run of points \[Nm\]; a measured curve may have thousands of points.
     least: Vec<f64>,
 }
 
-/// So many points make a run.
+/// Number of points in a run.
 const RUN: usize = 64;
 
-/// Why a list of points is no limit curve.
+/// Fault that prevents a list of points from being a limit curve.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum CurveFault {
-    /// Fewer than two points.
+    /// The list has fewer than two points.
     TooFewPoints,
-    /// The curve must start at standstill.
+    /// The curve does not start at standstill.
     DoesNotStartAtZero,
-    /// Speeds must grow from point to point.
+    /// The speeds do not increase from point to point.
     SpeedsNotAscending,
     /// A torque is negative or not finite.
     TorqueOutOfRange,
 }
 
 impl Curve {
-    /// A curve from its corner points.
+    /// Creates a curve from its corner points.
     ///
     /// # Errors
-    /// [`CurveFault`] where the points do not describe a limit over speed.
+    /// [`CurveFault`] if the points do not describe a limit over speed.
     pub fn new(points: Vec<CurvePoint>) -> Result<Self, CurveFault> {
         if points.len() < 2 {
             return Err(CurveFault::TooFewPoints);
@@ -58,13 +58,13 @@ impl Curve {
         Ok(Self { points, least })
     }
 
-    /// The corner points, by ascending speed.
+    /// Returns the corner points in order of speed.
     #[must_use]
     pub fn points(&self) -> &[CurvePoint] {
         &self.points
     }
 
-    /// The limit at a speed; zero beyond the last speed.
+    /// Returns the limit at a speed; zero beyond the last speed.
     #[must_use]
     pub fn at(&self, speed: AngularVelocity) -> Torque {
         let speed = speed.si().abs();
@@ -77,13 +77,13 @@ impl Curve {
         Torque::from_si(low.torque.si() + share * (high.torque.si() - low.torque.si()))
     }
 
-    /// The least limit between two speeds, the slower first; zero beyond the last speed.
+    /// Returns the smallest limit between two speeds, the slower first; zero beyond the last speed.
     #[must_use]
     pub fn least_between(&self, slower: AngularVelocity, faster: AngularVelocity) -> Torque {
         let ends = self.at(slower).si().min(self.at(faster).si());
         let place = |speed: AngularVelocity| self.points.partition_point(|point| point.speed.si() < speed.si());
         let (from, to) = (place(slower), place(faster));
-        // Whole runs by their least, the points before and behind them one by one.
+        // Whole runs by their smallest torque, the remaining points individually.
         let (first, last) = (from.div_ceil(RUN), to / RUN);
         let torques = |from: usize, to: usize| {
             let points = self.points.get(from..to).unwrap_or_default();
@@ -99,7 +99,7 @@ impl Curve {
         Torque::from_si(ends.min(inside))
     }
 
-    /// The limit at a speed; beyond the last speed that of the last one.
+    /// Returns the limit at a speed; beyond the last speed, the limit at the last speed.
     #[must_use]
     pub fn at_most_to_its_end(&self, speed: AngularVelocity) -> Torque {
         let end = self.points.last().map_or(0.0, |point| point.speed.si());

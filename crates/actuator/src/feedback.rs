@@ -4,42 +4,41 @@ use crate::battery::Battery;
 use provenance::{Datum, Grade, Sourced};
 use quantities::{Angle, Measure, Time};
 
-/// The shaft that a feedback sits on.
+/// Shaft on which a feedback is mounted.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum FeedbackSide {
-    /// On the motor: its errors reach the output divided by the ratio.
+    /// Motor shaft; errors reach the output divided by the ratio.
     #[default]
     Motor,
-    /// On the output.
+    /// Output shaft.
     Output,
 }
 
-/// What is known of one feedback system, at the shaft that it sits on.
+/// Data of a feedback system, referred to its shaft.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Feedback {
-    /// The shaft it sits on.
+    /// Shaft on which the feedback is mounted.
     pub side: FeedbackSide,
-    /// Smallest step, interpolated as the tables assume.
+    /// Smallest step, with the interpolation assumed in the tables.
     pub resolution: Datum<Angle>,
-    /// Step of the absolute position value; not applicable where there is none.
+    /// Step of the absolute position; not applicable without one.
     pub resolution_absolute: Datum<Angle>,
-    /// Largest deviation to either side.
+    /// Largest deviation in either direction.
     pub accuracy: Datum<Angle>,
-    /// Turns that the absolute value counts before it starts again; not applicable where it counts none.
+    /// Number of turns in the absolute position; not applicable if turns are not counted.
     pub turns_absolute: Datum<f64>,
-    /// Whether the position inside one turn is known at once after switching on. Tracks that serve the commutation only
-    /// do not count.
+    /// The position within one turn is known immediately after switching on, not only for commutation.
     pub single_turn_absolute: bool,
-    /// Whether a battery keeps the count of the turns.
+    /// A battery retains the number of turns.
     pub buffered_by_battery: bool,
-    /// That battery; not applicable without one.
+    /// Buffer battery; not applicable without one.
     pub battery: Datum<Battery>,
-    /// Recommended interval of replacing an encoder with a battery; not applicable without one.
+    /// Recommended replacement interval of an encoder with a battery; not applicable without one.
     pub exchange_interval: Datum<Time>,
 }
 
 impl Feedback {
-    /// No feedback on this shaft.
+    /// Returns the data of a shaft without feedback.
     #[must_use]
     pub const fn absent(side: FeedbackSide) -> Self {
         Self {
@@ -55,7 +54,7 @@ impl Feedback {
         }
     }
 
-    /// What an angle of the encoder's shaft is at the output: φ_out = φ / i on the motor, φ on the output.
+    /// Returns an angle of the encoder shaft referred to the output: φ_out = φ / i for the motor, φ for the output.
     fn at_output(&self, angle: &Datum<Angle>, ratio: &Datum<f64>) -> Datum<Angle> {
         match (angle, ratio.known(), self.side) {
             (_, _, FeedbackSide::Output) => angle.clone(),
@@ -70,36 +69,36 @@ impl Feedback {
         }
     }
 
-    /// Smallest step at the output.
+    /// Returns the smallest step at the output.
     ///
     /// φ_out = φ / i for a feedback on the motor
     ///
     /// # Source
-    /// docs/theory/feedback.md; agrees with the printed rows within their rounding
+    /// docs/theory/feedback.md; agrees with the rows of the manual within their rounding
     #[must_use]
     pub fn resolution_out(&self, ratio: &Datum<f64>) -> Datum<Angle> {
         self.at_output(&self.resolution, ratio)
     }
 
-    /// Largest deviation of the feedback at the output, φ / i for a feedback on the motor.
+    /// Returns the largest deviation at the output, φ / i for a motor feedback.
     #[must_use]
     pub fn accuracy_out(&self, ratio: &Datum<f64>) -> Datum<Angle> {
         self.at_output(&self.accuracy, ratio)
     }
 
-    /// Turns of its own shaft over which the position is absolute.
+    /// Returns the turns of the encoder shaft over which the position is absolute.
     fn absolute_turns(&self) -> Option<f64> {
         let single = self.single_turn_absolute.then_some(1.0);
         self.turns_absolute.known().map(|turns| turns.value).or(single)
     }
 
-    /// Turns of the output over which the position is absolute.
+    /// Returns the turns of the output over which the position is absolute.
     ///
-    /// N_out = N / i for a feedback on the motor that counts N turns, 1/i for one that counts none but codes its turn;
-    /// N or 1 for one on the output; `None` where nothing is absolute or the ratio is not known
+    /// N_out = N / i for a motor feedback that counts N turns, 1/i for one that codes a single turn; N or 1 for one at
+    /// the output; `None` if nothing is absolute or the ratio is unknown
     ///
     /// # Source
-    /// docs/theory/feedback.md; cha-manual prints the whole turns of it
+    /// docs/theory/feedback.md; the cha-manual lists its whole turns
     #[must_use]
     pub fn absolute_turns_out(&self, ratio: &Datum<f64>) -> Option<f64> {
         let turns = self.absolute_turns()?;
@@ -109,8 +108,8 @@ impl Feedback {
         }
     }
 
-    /// Whether an axis that turns on and on in one direction loses its absolute reference when the count overflows:
-    /// the range is no whole number of output turns. `None` where there is no absolute range to lose.
+    /// Returns `true` if an axis turning continuously in one direction loses its absolute reference when the count
+    /// overflows, because the range is not a whole number of output turns. `None` if there is no absolute range.
     ///
     /// N mod i ≠ 0 on the motor
     ///
@@ -152,7 +151,7 @@ mod tests {
         angle.known().unwrap().value.in_unit(&ARCSECOND)
     }
 
-    /// 1296000″/131072/100 = 0.0989″, printed 0,10; ±0.6″.
+    /// 1296000″/131072/100 = 0.0989″, in the manual 0,10; ±0.6″.
     #[test]
     fn the_ratio_divides_what_the_motor_sees() {
         let feedback = multi_turn();

@@ -1,32 +1,32 @@
-//! No-load friction of motor and gear as a current, and how it changes with the temperature of the grease.
+//! No-load friction of motor and gear as a current, and its dependence on the temperature of the grease.
 
 use crate::parameters::Drivetrain;
 use provenance::Missing;
 use quantities::unit::DEGREE_CELSIUS;
 use quantities::{ElectricCurrent, Measure, NoLoadCurrentConstant, ThermodynamicTemperature};
 
-/// The law of the no-load friction of one actuator.
+/// Law of the no-load friction of an actuator.
 ///
 /// I_f = I_NLS + K(ϑ) |n|, K(ϑ) = K_c (K_w/K_c)^((ϑ − ϑ_c)/(ϑ_w − ϑ_c))
 ///
-/// The viscosity of grease falls exponentially with the temperature over such a span, so the printed pair is joined by an
-/// exponential, not by a straight line. Above ϑ_w K stays K_w. Below ϑ_p the same factor holds for I_NLS too: the
-/// extrapolation *cold friction*, with the band of [`NoLoadFriction::cold_band`].
+/// The viscosity of grease decreases exponentially with the temperature over such a range, therefore the two table
+/// values are joined by an exponential instead of a straight line. Above ϑ_w K stays at K_w. Below ϑ_p the same factor
+/// applies to I_NLS too: the extrapolation *cold friction*, with the band of [`NoLoadFriction::cold_band`].
 ///
 /// # Symbols
-/// I_NLS no-load starting current \[A\], K no-load current constant [A/(1/min)] per output speed, K_c and K_w that at the
-/// temperatures ϑ_c and ϑ_w of the print, ϑ_p the temperature from which friction is printed, n output speed [1/min],
-/// ϑ temperature of the gear, taken as that of the housing
+/// I_NLS no-load starting current \[A\], K no-load current constant [A/(1/min)] per output speed, K_c and K_w its
+/// values at the temperatures ϑ_c and ϑ_w of the tables, ϑ_p lowest temperature for which friction is stated, n output
+/// speed [1/min], ϑ temperature of the gear, assumed equal to that of the housing
 /// # Source
-/// rows I_NLS and K_INL of the maker's tables; docs/theory/current.md
+/// rows I_NLS and K_INL of the manufacturer's tables; docs/theory/current.md
 /// # Valid
-/// from ϑ_p to ϑ_w within the print, below by extrapolation
+/// from ϑ_p to ϑ_w within the tables, below by extrapolation
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct NoLoadFriction {
     /// I_NLS \[A\]
     starting_a: f64,
-    /// The part of it that adds to the current of a torque: all of it, or none in the 48 V windings, whose k_Tout is
-    /// T_0/I_0 and so holds it already.
+    /// Share of I_NLS that adds to the current of a torque \[1\]: 1, or 0 for the 48 V windings, whose k_Tout is
+    /// T_0/I_0 and therefore includes it.
     counted: f64,
     /// K_c [A/(rad/s)]
     constant_cold: f64,
@@ -36,28 +36,28 @@ pub struct NoLoadFriction {
     printed_k: [f64; 2],
     /// ϑ_p \[K\]
     printed_from_k: f64,
-    /// Between these growths per kelvin friction may lie where it is extrapolated into the cold.
+    /// Lower and upper growth of friction per kelvin where it is extrapolated to low temperatures \[1/K\].
     cold_growth_per_k: Option<(f64, f64)>,
 }
 
-/// Friction at one temperature, as currents.
+/// Friction at one temperature, expressed as currents.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct FrictionAt {
     /// Temperature of the gear.
     pub temperature: ThermodynamicTemperature,
-    /// I_NLS at it.
+    /// I_NLS at this temperature.
     pub starting: ElectricCurrent,
-    /// I_s: the part of it that adds to the current of a torque; zero for the 48 V windings, whose I_0 = T_0/k_Tout.
+    /// I_s: share of I_NLS that adds to the current of a torque; zero for the 48 V windings, whose I_0 = T_0/k_Tout.
     pub counted: ElectricCurrent,
-    /// K_INL at it.
+    /// K_INL at this temperature.
     pub constant: NoLoadCurrentConstant,
 }
 
 impl NoLoadFriction {
-    /// The law of an actuator; if K_INL is known at the colder temperature only, it does not change with the temperature.
+    /// Creates the law of an actuator; if K_INL is known at the lower temperature only, it is constant.
     ///
     /// # Errors
-    /// [`Missing`] with the first datum that is not known.
+    /// [`Missing`] with the first unknown datum.
     pub fn of(actuator: &Drivetrain) -> Result<Self, Missing> {
         let starting = actuator.no_load_starting_current.require("I_NLS")?.value.si();
         let cold = actuator.no_load_current_constant_cold.require("K_INL")?.value.si();
@@ -80,27 +80,27 @@ impl NoLoadFriction {
         })
     }
 
-    /// ϑ_c: temperature of a cold gear, the colder one of those for which friction is printed. It holds where no ambient
-    /// temperature is stated or a higher one; in colder air the gear is as cold as the air.
+    /// Returns ϑ_c, the temperature of a cold gear: the lower temperature for which friction is stated. It applies if
+    /// no ambient temperature, or a higher one, is stated; in colder air the gear has the temperature of the air.
     #[must_use]
     pub fn cold_start(&self) -> ThermodynamicTemperature {
         ThermodynamicTemperature::from_si(self.printed_k[0])
     }
 
-    /// ϑ_w: the warmest temperature for which friction is printed.
+    /// Returns ϑ_w, the highest temperature for which friction is stated.
     #[must_use]
     pub fn warmest(&self) -> ThermodynamicTemperature {
         ThermodynamicTemperature::from_si(self.printed_k[1])
     }
 
-    /// The friction at a temperature of the gear.
+    /// Returns the friction at a temperature of the gear.
     #[must_use]
     pub fn at(&self, temperature: ThermodynamicTemperature) -> FrictionAt {
         let (starting, constant, _) = self.state(temperature.si());
         self.with(temperature, starting, constant)
     }
 
-    /// The friction of an I_NLS \[A\] and a K [A/(rad/s)] that were found for a temperature.
+    /// Returns the friction for an I_NLS \[A\] and a K [A/(rad/s)] already determined for a temperature.
     pub(crate) fn with(&self, temperature: ThermodynamicTemperature, starting: f64, constant: f64) -> FrictionAt {
         FrictionAt {
             temperature,
@@ -110,18 +110,18 @@ impl NoLoadFriction {
         }
     }
 
-    /// δ: decay of K per kelvin \[1/K\], between ϑ_p and ϑ_w.
+    /// Returns δ, the decay of K per kelvin between ϑ_p and ϑ_w \[1/K\].
     #[must_use]
     pub const fn decay_per_k(&self) -> f64 {
         self.decay_per_k
     }
 
-    /// I_s of an I_NLS \[A\].
+    /// Returns I_s for an I_NLS \[A\].
     pub(crate) fn counted(&self, starting: f64) -> f64 {
         starting * self.counted
     }
 
-    /// I_NLS \[A\], K [A/(rad/s)] and −dK/dϑ at a temperature \[K\].
+    /// Returns I_NLS \[A\], K [A/(rad/s)] and −dK/dϑ at a temperature \[K\].
     pub(crate) fn state(&self, temperature_k: f64) -> (f64, f64, f64) {
         let [cold_k, warm_k] = self.printed_k;
         if temperature_k >= warm_k {
@@ -134,16 +134,17 @@ impl NoLoadFriction {
         (starting, constant, self.decay_per_k * constant)
     }
 
-    /// By which factors friction may lie beside the extrapolation below ϑ_p; `None` from there on.
+    /// Returns the lower and upper factor on friction in the extrapolation below ϑ_p; `None` from ϑ_p on.
     ///
-    /// Towards the cold starting currents grow between two rates per kelvin, see [`crate::Drivetrain::friction_cold_growth`], the
-    /// extrapolation by ln(K_c/K_w)/(ϑ_w − ϑ_c): the quotient over the span below ϑ_p.
+    /// Towards low temperatures, starting currents grow at a rate between two limits per kelvin, see
+    /// [`crate::Drivetrain::friction_cold_growth`], the extrapolation at ln(K_c/K_w)/(ϑ_w − ϑ_c): the factor is their
+    /// quotient over the range below ϑ_p.
     ///
     /// # Errors
-    /// [`Missing`] where the law is extrapolated and its band is not known.
+    /// [`Missing`] if the law is extrapolated and its band is unknown.
     pub fn cold_band(&self, temperature: ThermodynamicTemperature) -> Result<Option<(f64, f64)>, Missing> {
         let cold = self.printed_from_k - temperature.si();
-        // A difference of a nanokelvin is the rounding of a unit.
+        // A difference of a nanokelvin is a rounding error of a unit.
         if cold <= 1e-9 {
             return Ok(None);
         }
@@ -154,13 +155,13 @@ impl NoLoadFriction {
 }
 
 impl FrictionAt {
-    /// I_f = I_s + K |n|: what friction adds to the current of a torque while turning, by magnitude.
+    /// Returns I_f = I_s + K |n|, the magnitude that friction adds to the current of a torque in motion.
     #[must_use]
     pub fn current(&self, speed: quantities::AngularVelocity) -> ElectricCurrent {
         ElectricCurrent::from_si(self.counted.si() + self.constant.si() * speed.si().abs())
     }
 
-    /// The temperature in degrees Celsius, for people.
+    /// Returns the temperature in degrees Celsius, for display.
     #[must_use]
     pub fn celsius(&self) -> f64 {
         self.temperature.in_unit(&DEGREE_CELSIUS)
@@ -185,7 +186,7 @@ mod tests {
         LAW.at(ThermodynamicTemperature::new_in(celsius, &DEGREE_CELSIUS))
     }
 
-    /// K_30/K_80 = e^(0.0207944·50) = 2.828: at the middle, 55 °C, the geometric mean.
+    /// K_30/K_80 = e^(0.0207944·50) = 2.828; at 55 °C, in the middle, the geometric mean.
     #[test]
     fn the_printed_pair_is_met_and_joined_by_an_exponential() {
         assert!((at(30.0).constant.si() - 0.04).abs() < 1e-15);

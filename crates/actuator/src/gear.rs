@@ -1,11 +1,11 @@
-//! The strain-wave gear: torsion, natural frequency, mean torque, life of the wave-generator bearing.
+//! Strain wave gear: torsion, natural frequency, mean torque, life of the wave-generator bearing.
 
 use derivation::Workings;
 use provenance::{Datum, Missing, Source, Sourced};
 use quantities::unit::{HOUR, REVOLUTION_PER_MINUTE};
 use quantities::{Angle, AngularVelocity, Frequency, Measure, MomentOfInertia, Time, Torque, TorsionalStiffness};
 
-/// What is known of the gear.
+/// Data of the gear.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Gear {
     /// T_1: end of the first stiffness region.
@@ -14,23 +14,23 @@ pub struct Gear {
     pub torque_2: Datum<Torque>,
     /// K_1, K_2, K_3: torsional stiffness of the three regions.
     pub stiffness: [Datum<TorsionalStiffness>; 3],
-    /// T_N: rated torque, reference of the life equation only.
+    /// T_N: rated torque, used as the reference of the life equation only.
     pub rated_torque: Datum<Torque>,
     /// T_A: limit of the cubic mean torque.
     pub average_torque_max: Datum<Torque>,
     /// T_M: limit of the momentary peak torque, in a collision or an emergency stop.
     pub collision_torque_max: Datum<Torque>,
-    /// N_0: load cycles of a tooth under the torque of a collision that the gear stands.
+    /// N_0: permitted load cycles of a tooth under the torque of a collision \[1\].
     pub collision_cycles: Datum<f64>,
-    /// L_n: nominal life of the wave-generator bearing, which half of the gears reach at T_N and n_N.
+    /// L_n: nominal life of the wave-generator bearing, reached by half of the gears at T_N and n_N.
     pub nominal_life: Datum<Time>,
     /// n_N: input speed of the nominal life.
     pub life_reference_speed: Datum<AngularVelocity>,
-    /// L_50 / L_10
+    /// L_50/L_10: ratio of both lives \[1\].
     pub life_ratio: Datum<f64>,
-    /// Torque at which the teeth of a cup-type gear of the same size jump; orientation only.
+    /// Ratcheting torque of a cup-type gear of equal size; for orientation only.
     pub ratcheting_torque: Datum<Torque>,
-    /// Torque at which its flexspline buckles; orientation only.
+    /// Buckling torque of the flexspline of a cup-type gear of equal size; for orientation only.
     pub buckling_torque: Datum<Torque>,
     /// n_in,max: largest input speed of the gear.
     pub input_speed_max: Datum<AngularVelocity>,
@@ -39,7 +39,7 @@ pub struct Gear {
 }
 
 impl Gear {
-    /// The torsion curve, if all five of its values are known.
+    /// Returns the torsion curve, if all five values are known.
     #[must_use]
     pub fn torsion(&self) -> Option<Torsion> {
         let [k1, k2, k3] = &self.stiffness;
@@ -51,19 +51,19 @@ impl Gear {
     }
 }
 
-/// The torsion curve of a gear with blocked input: three straight regions, odd in the torque.
+/// Torsion curve of a gear with blocked input: three linear regions, odd in the torque.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Torsion {
-    /// T_1
+    /// T_1: end of the first region.
     pub torque_1: Torque,
-    /// T_2
+    /// T_2: end of the second region.
     pub torque_2: Torque,
-    /// K_1, K_2, K_3
+    /// K_1, K_2, K_3: stiffness of the three regions.
     pub stiffness: [TorsionalStiffness; 3],
 }
 
 impl Torsion {
-    /// Torsion angle of a torque.
+    /// Returns the torsion angle of a torque.
     ///
     /// φ = T/K_1 up to T_1, then φ_1 + (T − T_1)/K_2 up to T_2, then φ_2 + (T − T_2)/K_3; odd in T
     ///
@@ -79,7 +79,7 @@ impl Torsion {
         Angle::from_si(angle.copysign(torque.si()))
     }
 
-    /// Torque that twists the gear by an angle: the inverse of [`Torsion::angle`].
+    /// Returns the torque that twists the gear by an angle: the inverse of [`Torsion::angle`].
     #[must_use]
     pub fn torque(&self, angle: Angle) -> Torque {
         let [k1, k2, k3] = self.stiffness.map(Measure::si);
@@ -90,7 +90,7 @@ impl Torsion {
     }
 }
 
-/// First natural frequency of a load on the gear with blocked motor.
+/// Returns the first natural frequency of a load on the gear with blocked motor.
 ///
 /// f = (1/2π) √(K / J_L)
 ///
@@ -105,13 +105,13 @@ pub fn natural_frequency(stiffness: TorsionalStiffness, inertia: MomentOfInertia
     Frequency::from_si((stiffness.si() / inertia.si()).sqrt() / std::f64::consts::TAU)
 }
 
-/// First natural frequency of a load and a free rotor that swing against each other on the gear.
+/// Returns the first natural frequency of a load and a free rotor oscillating against each other on the gear.
 ///
 /// f = (1/2π) √(K (J_L + J_R)/(J_L J_R))
 ///
 /// # Symbols
-/// K torsional stiffness of a region [Nm/rad], J_L inertia of the load, J_R inertia of the rotor at the output,
-/// J_out of the tables \[kgm²\]
+/// K torsional stiffness of a region [Nm/rad], J_L inertia of the load, J_R inertia of the rotor at the output, J_out
+/// of the tables \[kgm²\]
 /// # Source
 /// docs/theory/gear.md, the oscillator of two masses and one spring
 /// # Valid
@@ -126,12 +126,14 @@ pub fn natural_frequency_free(
     Frequency::from_si((stiffness.si() * compliant).sqrt() / std::f64::consts::TAU)
 }
 
-/// Cubic mean torque of a cycle: (Σ |T_j|³ |n_j| t_j / Σ |n_j| t_j)^(1/3), from the angle travelled under each torque.
+/// Returns the cubic mean torque of a cycle from the angle travelled under each torque.
+///
+/// T_av = (Σ |T_j|³ |n_j| t_j / Σ |n_j| t_j)^(1/3)
 ///
 /// # Source
 /// csd-2a-engineering-data, selection of the gear; T_av ≤ T_A
 /// # Valid
-/// torque constant over each part of the motion; zero where nothing moves
+/// torque constant over each part of the motion; zero without motion
 #[must_use]
 pub fn cubic_mean_torque(parts: impl Iterator<Item = (Torque, Angle)>) -> Torque {
     let (mut cubes, mut travelled) = (0.0, 0.0);
@@ -142,7 +144,7 @@ pub fn cubic_mean_torque(parts: impl Iterator<Item = (Torque, Angle)>) -> Torque
     Torque::from_si(if travelled > 0.0 { (cubes / travelled).cbrt() } else { 0.0 })
 }
 
-/// The life of the wave-generator bearing.
+/// Law of the life of the wave-generator bearing.
 ///
 /// L_50 = L_n (n_N / n_in,av) (T_N / T_av)³, L_10 = L_50 / r
 ///
@@ -160,10 +162,10 @@ pub struct LifeLaw {
 }
 
 impl LifeLaw {
-    /// The law of a gear.
+    /// Creates the law of a gear.
     ///
     /// # Errors
-    /// [`Missing`] with the first constant that is not known.
+    /// [`Missing`] with the first unknown constant.
     pub fn of(gear: &Gear) -> Result<Self, Missing> {
         Ok(Self {
             nominal: gear.nominal_life.require("L_n")?.clone(),
@@ -172,7 +174,7 @@ impl LifeLaw {
         })
     }
 
-    /// Life that half of the gears reach.
+    /// Returns the life reached by half of the gears.
     #[must_use]
     pub fn l50(&self, rated: Torque, mean: Torque, speed_in_mean: AngularVelocity) -> Time {
         let speed_rpm = speed_in_mean.si().abs() * 60.0 / std::f64::consts::TAU;
@@ -182,13 +184,14 @@ impl LifeLaw {
         Time::from_si(hours * 3600.0)
     }
 
-    /// Life that 90 % of the gears reach.
+    /// Returns the life reached by 90 % of the gears.
     #[must_use]
     pub fn l10(&self, rated: Torque, mean: Torque, speed_in_mean: AngularVelocity) -> Time {
         Time::from_si(self.l50(rated, mean, speed_in_mean).si() / self.ratio)
     }
 
-    /// [`LifeLaw::l10`] with its workings; the result is `L_10`, from `T_N`, `T_av` and `n_in` that the caller notes.
+    /// Returns [`LifeLaw::l10`] with its derivation; the result is `L_10`, computed from `T_N`, `T_av` and `n_in`,
+    /// which the caller has recorded.
     #[must_use]
     pub fn l10_with(&self, rated: Torque, mean: Torque, speed_in_mean: AngularVelocity, work: &mut Workings) -> Time {
         let life = self.l10(rated, mean, speed_in_mean);
@@ -204,12 +207,13 @@ impl LifeLaw {
     }
 }
 
-/// Number of collisions that the gear stands.
+/// Returns the permitted number of collisions.
 ///
 /// N = N_0 / (2 n i t / 60), at most N_0
 ///
 /// # Symbols
-/// N_0 load cycles of a tooth under such a torque, see [`Gear::collision_cycles`], n output speed during the collision [1/min], i ratio, t duration of one collision \[s\]
+/// N_0 load cycles of a tooth under such a torque, see [`Gear::collision_cycles`], n output speed during the collision
+/// [1/min], i ratio, t duration of one collision \[s\]
 /// # Source
 /// csd-2a-engineering-data, momentary peak torque
 /// # Valid
@@ -217,18 +221,18 @@ impl LifeLaw {
 #[must_use]
 pub fn collision_count_max(cycles: f64, speed_out: AngularVelocity, ratio: f64, duration: Time) -> f64 {
     let turns_in = speed_out.si().abs() * ratio * duration.si() / std::f64::consts::TAU;
-    // The wave generator has two lobes: each of its turns loads a tooth twice.
+    // The wave generator has two lobes, so that each turn loads a tooth twice.
     (cycles / (2.0 * turns_in)).min(cycles)
 }
 
-/// Output speed at which the wave generator excites a natural frequency.
+/// Returns the output speed at which the wave generator excites a natural frequency.
 ///
 /// 2 i n / 60 = f
 ///
 /// # Symbols
 /// n output speed [1/min], i ratio, f natural frequency \[Hz\]
 /// # Source
-/// docs/theory/gear.md; the two lobes of the wave generator push twice a turn
+/// docs/theory/gear.md; the two lobes of the wave generator excite twice per turn
 /// # Valid
 /// i > 0
 #[must_use]
@@ -250,7 +254,7 @@ mod tests {
         }
     }
 
-    /// cha-manual, example of section 7.2: 60 Nm, 7.15e-4 rad, printed 2.5 arcmin.
+    /// cha-manual, example of section 7.2: 60 Nm, 7.15e-4 rad, in the manual 2.5 arcmin.
     #[test]
     fn the_worked_example_of_the_torsion() {
         let angle = torsion().angle(Torque::from_si(60.0));
@@ -284,9 +288,9 @@ mod tests {
         assert!((f(4e4, 1.0) / f(1e4, 1.0) - 2.0).abs() < 1e-12);
     }
 
-    /// Two equal masses swing about the middle of the spring, each on twice its stiffness: √2 times the blocked frequency.
-    /// A rotor of great inertia is a blocked one; the sums of motion hold: neither momentum nor frequency change when load
-    /// and rotor change places.
+    /// Two equal masses oscillate about the centre of the spring, each on twice its stiffness: √2 times the blocked
+    /// frequency. A rotor of very large inertia acts as blocked; the frequency does not change if load and rotor are
+    /// exchanged.
     #[test]
     fn a_free_rotor_swings_against_the_load() {
         let free = |k, j, r| {
@@ -297,10 +301,10 @@ mod tests {
         assert!((free(1e4, 1.3, 1.3) / blocked(1e4, 1.3) - 2.0_f64.sqrt()).abs() < 1e-14);
         assert!((free(1e4, 1.3, 1e12) / blocked(1e4, 1.3) - 1.0).abs() < 1e-12);
         assert!((free(1e4, 1.3, 0.4) - free(1e4, 0.4, 1.3)).abs() < 1e-12);
-        // Newton's equations, stepped: K = 4e4, J_L = 1, J_R = 0.25, let go with the spring twisted by 1 rad.
+        // Newton's equations, stepped: K = 4e4, J_L = 1, J_R = 0.25, released with the spring twisted by 1 rad.
         let (k, j, r, h) = (4e4_f64, 1.0, 0.25, 1e-7);
         let (mut a, mut b, mut va, mut vb, mut t) = (0.2, -0.8, 0.0, 0.0, 0.0);
-        // A quarter of a period passes until the spring is straight.
+        // The spring is relaxed after a quarter of a period.
         while a - b > 0.0 {
             let torque = k * (a - b);
             va -= torque / j * h;
@@ -312,8 +316,8 @@ mod tests {
         assert!((4.0 * t * free(k, j, r) - 1.0).abs() < 1e-4, "{t}");
     }
 
-    /// Selection example of the gear catalogues: 400 Nm at 7, 320 at 14, 200 at 7 1/min for 0.3, 3.0, 0.4 s:
-    /// 319.74 Nm, printed 319.
+    /// Selection example of the gear catalogues: 400 Nm at 7, 320 at 14, 200 at 7 1/min for 0.3, 3.0, 0.4 s: 319.74 Nm,
+    /// 319 in the catalogue.
     #[test]
     fn the_mean_torque_of_the_catalogue_example() {
         let parts = [(400.0, 7.0 * 0.3), (320.0, 14.0 * 3.0), (200.0, 7.0 * 0.4)];
@@ -335,7 +339,7 @@ mod tests {
         }
     }
 
-    /// At rated torque and reference speed the gear reaches L_n/5 = 7000 h; twice the torque takes an eighth.
+    /// At rated torque and reference speed the gear reaches L_n/5 = 7000 h; at twice the torque an eighth of it.
     #[test]
     fn the_life_at_the_reference_point() {
         let speed = AngularVelocity::new_in(2000.0, &REVOLUTION_PER_MINUTE);

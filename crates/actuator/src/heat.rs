@@ -1,4 +1,4 @@
-//! Heat: which losses an actuator bears for ever, at which temperature, and with which current.
+//! Heat model: permitted continuous losses, temperatures and currents.
 //!
 //! One model serves the continuous curve, intermittent duty, the temperature of a cycle and the overload supervision.
 
@@ -9,37 +9,37 @@ use crate::temperature::{Losses, Network};
 use provenance::{Datum, Missing};
 use quantities::{AngularVelocity, ElectricCurrent, Measure, Power, ThermodynamicTemperature, Time, Torque};
 
-/// What the family's heat model is calibrated with; another maker's actuator has none of it unless its owner states it.
+/// Calibration of the family's heat model; another manufacturer's actuator has none unless the user states it.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Heat {
-    /// w = R_ha/(R_wh + R_ha): share of the thermal resistance that lies between housing and air.
+    /// w = R_ha/(R_wh + R_ha): share of the thermal resistance between housing and air \[1\].
     pub housing_share: Datum<f64>,
-    /// F: loss that the winding bears at standstill, as a multiple of that at the largest I_0 of the drive; above one
-    /// where the gear limits T_0 at every ratio.
+    /// F: permitted loss of the winding at standstill, relative to that at the largest I_0 of the drive \[1\]; above
+    /// one if the gear limits T_0 at every ratio.
     pub stall_loss_factor: Datum<f64>,
-    /// Edges of the band of the loss that is borne, as multiples of it.
+    /// Edges of the band of the permitted loss, as multiples of it \[1\].
     pub loss_band: Datum<(f64, f64)>,
-    /// Cycle of the intermittent duty that the curves S3 hold for.
+    /// Cycle of the intermittent duty to which the S3 curves apply.
     pub intermittent_cycle: Datum<Time>,
-    /// Upper edge of that band in intermittent duty.
+    /// Upper edge of the band in intermittent duty \[1\].
     pub intermittent_band_high: Datum<f64>,
-    /// Half width of the band about the gear's limit of intermittent duty, as a share of it.
+    /// Half width of the band about the gear's limit in intermittent duty, relative to it \[1\].
     pub gear_band: Datum<f64>,
-    /// Ambient temperature up to which the data of the actuator hold, and for which its stall torque is stated.
+    /// Ambient temperature up to which the data of the actuator apply, including the stall torque.
     pub ambient_reference: Datum<ThermodynamicTemperature>,
     /// Winding temperature of continuous duty, at which the supervision warns.
     pub winding_warning: Datum<ThermodynamicTemperature>,
-    /// Winding temperature at which the supervision shuts down: the hottest winding in operation.
+    /// Winding temperature at which the supervision shuts down: the highest in operation.
     pub winding_shutdown: Datum<ThermodynamicTemperature>,
-    /// τ_w = R_wh C_w.
+    /// τ_w = R_wh C_w: time constant of the winding.
     pub winding_time_constant: Datum<Time>,
-    /// τ_h = R_ha C_h.
+    /// τ_h = R_ha C_h: time constant of the housing.
     pub housing_time_constant: Datum<Time>,
 }
 
-/// Means over a cycle from which both losses follow for any friction.
+/// Means over a cycle from which the losses follow for any friction.
 ///
-/// With I = I_T + I_s σ + K ω: the copper loss needs the six means of the products of I_T, σ and ω.
+/// With I = I_T + I_s σ + K ω the copper loss needs the six means of the products of I_T, σ and ω.
 ///
 /// # Symbols
 /// I_T = T/k_Tout current of the torque \[A\], σ direction, ω output speed [rad/s]
@@ -60,7 +60,8 @@ pub struct LossMeans {
 }
 
 impl LossMeans {
-    /// Those of a constant torque at a constant speed for a share of the time, at rest without torque for the remainder.
+    /// Returns the means of a constant torque at a constant speed for a share of the time, with rest without torque for
+    /// the remainder.
     fn intermittent(torque_current: f64, speed: f64, duty: f64) -> Self {
         let turning = if speed > 0.0 { duty } else { 0.0 };
         Self {
@@ -74,29 +75,29 @@ impl LossMeans {
     }
 }
 
-/// The steady state that a cycle settles to.
+/// Steady state of a repeated cycle.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Settled {
-    /// Mean temperature of the housing, which the friction has too.
+    /// Mean temperature of the housing, assumed for the friction too.
     pub housing: ThermodynamicTemperature,
-    /// Friction at it.
+    /// Friction at this temperature.
     pub friction: FrictionAt,
-    /// Mean losses.
+    /// Mean losses over the cycle.
     pub losses: Losses,
 }
 
-/// The heat model of one actuator.
+/// Heat model of an actuator.
 ///
 /// P_cu = 1.5 R I², P_f = (I_NLS + K(ϑ_h)|n|) k_TM ω_mot; R_wh + R_ha = Δϑ/P_0, P_0 = F · 1.5 R I_0², R_ha = w (R_wh + R_ha)
 ///
 /// # Symbols
-/// R = R_LL at the temperature of continuous duty \[Ω\] (1.5 R_LL I² is the copper loss of a star winding),
-/// Δϑ from the reference ambient to that temperature \[K\], I_0 largest stall current of the drive over its ratios \[A\],
-/// F and w see [`Heat`], ϑ_h temperature of the housing
+/// R = R_LL at the temperature of continuous duty \[Ω\] (1.5 R_LL I² is the copper loss of a star winding), Δϑ
+/// difference from the reference ambient temperature to that temperature \[K\], I_0 largest stall current of the drive
+/// over its ratios \[A\], F and w see [`Heat`], ϑ_h temperature of the housing
 /// # Source
 /// docs/theory/thermal.md
 /// # Valid
-/// on the plate of table 13.3; resistance of continuous duty, the safe side as long as the winding is cooler
+/// mounted on the plate of table 13.3; resistance of continuous duty, which is on the safe side for a cooler winding
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct HeatModel {
     friction: NoLoadFriction,
@@ -115,10 +116,10 @@ pub struct HeatModel {
 }
 
 impl HeatModel {
-    /// The model of an actuator.
+    /// Creates the model of an actuator.
     ///
     /// # Errors
-    /// [`Missing`] with the first datum that is not known.
+    /// [`Missing`] with the first unknown datum.
     pub fn of(actuator: &Drivetrain) -> Result<Self, Missing> {
         let heat = &actuator.heat;
         let current = match actuator.stall_current_motor.known() {
@@ -152,7 +153,7 @@ impl HeatModel {
         })
     }
 
-    /// Whether the torque that is borne for ever falls with the speed, whatever the edge of the band.
+    /// Returns `true` if the permitted continuous torque provably decreases with the speed for every edge of the band.
     ///
     /// δ (1 − w) b Δϑ < 1
     ///
@@ -161,7 +162,7 @@ impl HeatModel {
     /// # Source
     /// docs/theory/sweep.md
     /// # Valid
-    /// speeds up to n_N/i; `false` says that it is not proven
+    /// speeds up to n_N/i
     #[must_use]
     pub fn falls_with_the_speed(&self) -> bool {
         let [r_wh, r_ha] = self.network.resistances_k_per_w();
@@ -170,57 +171,58 @@ impl HeatModel {
         low <= 1.0 && self.friction.decay_per_k() * across * high.max(1.0) * self.rise_permitted() < 1.0
     }
 
-    /// P_0: loss of the winding at standstill that warms it by the permitted rise.
+    /// Returns P_0, the loss of the winding at standstill that heats it by the permitted rise.
     #[must_use]
     pub fn stall_loss(&self) -> Power {
         Power::from_si(self.stall_loss_w)
     }
 
-    /// The ambient temperature that counts where none is stated: that up to which the data of the actuator hold.
+    /// Returns the ambient temperature assumed if none is stated: the highest to which the data of the actuator apply.
     #[must_use]
     pub fn ambient_reference(&self) -> ThermodynamicTemperature {
         ThermodynamicTemperature::from_si(self.ambient_k)
     }
 
-    /// The winding temperature of continuous duty.
+    /// Returns the winding temperature of continuous duty.
     #[must_use]
     pub fn winding_limit(&self) -> ThermodynamicTemperature {
         ThermodynamicTemperature::from_si(self.limit_k)
     }
 
-    /// From the reference ambient to the temperature of continuous duty \[K\]. The maker gives the same rise, 40 K, as a
-    /// guide for mounts other than the plate (cha-manual section 6.1).
+    /// Returns the rise from the reference ambient temperature to the temperature of continuous duty \[K\]. The
+    /// manufacturer states the same rise, 40 K, as a guide for mountings other than the plate (cha-manual section 6.1).
     fn rise_permitted(&self) -> f64 {
         self.limit_k - self.ambient_k
     }
 
-    /// The law of the friction.
+    /// Returns the law of the friction.
     #[must_use]
     pub const fn friction(&self) -> &NoLoadFriction {
         &self.friction
     }
 
-    /// The thermal network.
+    /// Returns the thermal network.
     #[must_use]
     pub const fn network(&self) -> &Network {
         &self.network
     }
 
-    /// τ_w.
+    /// Returns τ_w, the time constant of the winding.
     #[must_use]
     pub const fn winding_time_constant(&self) -> Time {
         self.winding_time_constant
     }
 
-    /// The losses of an instant, the winding at the temperature of continuous duty.
+    /// Returns the law of the instantaneous losses, with the winding at the temperature of continuous duty.
     #[must_use]
     pub const fn losses(&self) -> &LossLaw {
         &self.losses
     }
 
-    /// Edges of the band of the permitted loss at a mean speed, as multiples of it.
+    /// Returns the edges of the band of the permitted loss at a mean speed, as multiples of it \[1\].
     ///
-    /// At standstill T_0 is printed, so the lower edge has no distance there and gains it linearly up to n_N/i.
+    /// At standstill T_0 is known from the tables, so that the lower edge has no distance there and reaches its full
+    /// distance linearly at n_N/i.
     #[must_use]
     pub fn band(&self, speed_mean: AngularVelocity) -> (f64, f64) {
         let (low, high) = self.band;
@@ -228,7 +230,7 @@ impl HeatModel {
         (1.0 - (1.0 - low) * share, high)
     }
 
-    /// Both losses for a friction, as means over a cycle.
+    /// Returns both losses for a friction, as means over a cycle.
     fn mean_losses(&self, means: &LossMeans, starting: f64, constant: f64) -> Losses {
         let counted = self.friction.counted(starting);
         let square = means.torque_current_square
@@ -242,16 +244,17 @@ impl HeatModel {
         Losses { copper_w: law.copper_ohm() * square.max(0.0), friction_w: law.friction_v_s_per_rad() * friction }
     }
 
-    /// The temperature of the housing that a cycle settles to, and the friction and losses that go with it.
+    /// Returns the steady state of a repeated cycle: temperature of the housing, friction and losses.
     ///
-    /// ϑ_h = ϑ_a + R_ha (P_cu(K) + P_f(K) + P_x) with K = K(ϑ_h): one equation for ϑ_h, whose right side falls with ϑ_h
+    /// ϑ_h = ϑ_a + R_ha (P_cu(K) + P_f(K) + P_x) with K = K(ϑ_h): one equation for ϑ_h, whose right-hand side decreases
+    /// with ϑ_h
     ///
     /// # Symbols
-    /// P_x further loss in the housing, such as the coil of an open brake
+    /// P_x additional loss in the housing, such as that of the coil of an open brake
     /// # Source
     /// docs/theory/thermal.md
     /// # Valid
-    /// cycles short against τ_h; of longer ones the mean is meant
+    /// cycles short compared with τ_h; for longer ones the result is the mean
     #[must_use]
     pub fn settle(&self, means: &LossMeans, further: Power, ambient: ThermodynamicTemperature) -> Settled {
         let [_, r_ha] = self.network.resistances_k_per_w();
@@ -275,8 +278,7 @@ impl HeatModel {
         }
     }
 
-    /// The root of ϑ = ϑ_a + rise(ϑ); `rise` gives the rise and its slope for
-    /// I_NLS, K and −dK/dϑ at ϑ.
+    /// Returns the root of ϑ = ϑ_a + rise(ϑ); `rise` returns the rise and its slope for I_NLS, K and −dK/dϑ at ϑ.
     fn balance(&self, ambient_k: f64, rise: impl Fn(f64, f64, f64) -> (f64, f64)) -> f64 {
         let at = |temperature_k: f64| {
             let (starting, constant, slope) = self.friction.state(temperature_k);
@@ -289,13 +291,14 @@ impl HeatModel {
         numeric::root_by_slope(at, (ambient_k - excess / slope).clamp(low, high), (low, high), 1e-10)
     }
 
-    /// Torque at a constant speed at which the winding reaches a multiple of its permitted rise, at the reference ambient
-    /// temperature, while it runs for a share of each cycle and rests without loss for the remainder; not negative.
+    /// Returns the torque at a constant speed at which the winding reaches a multiple of its permitted rise, at the
+    /// reference ambient temperature, with operation for a share of each cycle and rest without loss for the remainder;
+    /// never negative.
     ///
     /// A P_cu + B P_f = b Δϑ with A, B of [`Network::intermittent`]; T = k_Tout (√(P_cu/1.5R) − I_s − K n)
     ///
     /// # Symbols
-    /// b edge of the band; friction at the housing's mean temperature ϑ_a + R_ha ED (P_cu + P_f)
+    /// b edge of the band; friction at the mean temperature of the housing ϑ_a + R_ha ED (P_cu + P_f)
     /// # Source
     /// docs/theory/continuous-torque.md, docs/theory/short-time-torque.md
     #[must_use]
@@ -324,9 +327,9 @@ impl HeatModel {
         (Torque::from_si((self.torque_constant * current).max(0.0)), settled)
     }
 
-    /// Rise of the winding at the end of each operation of an intermittent duty at a constant torque and speed, at the
-    /// reference ambient temperature, as a share of the permitted one, and what the duty settles to; duty one is
-    /// continuous duty.
+    /// Returns the rise of the winding at the end of each operation of an intermittent duty at a constant torque and
+    /// speed, at the reference ambient temperature, relative to the permitted one \[1\], and the steady state of the
+    /// duty; a duty of one is continuous duty.
     ///
     /// # Source
     /// docs/theory/thermal.md
@@ -339,7 +342,7 @@ impl HeatModel {
         (rise / self.rise_permitted(), settled)
     }
 
-    /// Current of a torque at a speed in steady state, friction at a temperature found before; driving.
+    /// Returns the current of a driving torque at a speed in steady state, with a known friction.
     #[must_use]
     pub fn current(&self, torque: Torque, speed: AngularVelocity, friction: &FrictionAt) -> ElectricCurrent {
         ElectricCurrent::from_si(torque.si() / self.torque_constant + friction.current(speed).si())

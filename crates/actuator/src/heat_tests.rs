@@ -73,8 +73,8 @@ fn standstill_by_hand() {
     assert!((steady.winding.si() - 353.15).abs() < 1e-9);
 }
 
-/// Solved apart, by bisection over the housing's temperature: 20 Nm at 70 1/min settles to a housing of 66.5018 °C with
-/// 26.3073 W in the winding and 44.7048 W in the housing, a winding of 78.5014 °C.
+/// Solved independently by bisection over the temperature of the housing: 20 Nm at 70 1/min settle at a housing of
+/// 66.5018 °C with 26.3073 W in the winding and 44.7048 W in the housing, a winding of 78.5014 °C.
 #[test]
 fn a_published_point_by_another_solution() {
     let (share, settled) = model().rise_share(Torque::from_si(20.0), rpm(70.0), 1.0, Time::from_si(MINUTE));
@@ -84,14 +84,14 @@ fn a_published_point_by_another_solution() {
     assert!((40.0 * share - 38.5014).abs() < 1e-4, "{share}");
 }
 
-/// Two separate solutions of the same balance: the torque for a rise, and the rise of that torque.
+/// Two independent solutions of the same balance: the torque for a rise, and the rise of that torque.
 #[test]
 fn torque_and_rise_are_inverse() {
     for n in [0.0, 3.0, 25.0, 70.0] {
         for (duty, edge) in [(1.0, 1.0), (1.0, 0.85), (0.5, 1.0), (0.25, 1.15)] {
             let torque = Torque::from_si(torque(n, duty, edge));
             if n == 0.0 {
-                continue; // At rest the torque is that of a shaft about to turn, the rise that of one that does not.
+                continue; // At rest the torque is that at the onset of motion, the rise that of a resting shaft.
             }
             let (share, _) = model().rise_share(torque, rpm(n), duty, Time::from_si(MINUTE));
             assert!((share - edge).abs() < 1e-9, "{n} {duty} {edge}: {share}");
@@ -112,7 +112,7 @@ fn speed_and_heat_only_take_and_rest_only_gives() {
     }
 }
 
-/// Limits: without friction the torque does not depend on the speed; with w → 0 friction costs its current only.
+/// Limits: without friction the torque does not depend on the speed; with w → 0 friction acts through its current only.
 #[test]
 fn an_ideal_gear_and_an_ideal_plate() {
     let mut ideal = actuator();
@@ -159,7 +159,7 @@ fn what_is_missing_is_named() {
     assert_eq!(HeatModel::of(&actuator).unwrap_err().symbol, "R_LL");
 }
 
-/// The band has no width below at standstill, where T_0 is printed, and all of it at n_N/i.
+/// The band has zero width downwards at standstill, where T_0 is known, and full width at n_N/i.
 #[test]
 fn the_band_opens_with_the_speed() {
     assert_eq!(model().band(rpm(0.0)), (1.0, 1.15));

@@ -38,7 +38,7 @@ fn point(torque_nm: f64, speed_rad_s: f64) -> OperatingPoint {
     OperatingPoint { torque_nm, speed_rad_s, direction }
 }
 
-/// 80 Nm at 3 rad/s: 2 A of the torque, 0.2 A and 0.3 A of friction.
+/// 80 Nm at 3 rad/s: 2 A for the torque, 0.2 A and 0.3 A for friction.
 #[test]
 fn friction_adds_while_driving_and_helps_while_braking() {
     let current = MotorCurrent::of(&actuator()).unwrap();
@@ -49,7 +49,7 @@ fn friction_adds_while_driving_and_helps_while_braking() {
     assert_eq!(at(80.0, 0.0), 2.0);
 }
 
-/// As a sum of signals the current is the same: 0.7 kgm² at 20 rad/s² and 66 Nm are the 80 Nm.
+/// The weighted sum yields the same current: 0.7 kgm² at 20 rad/s² and 66 Nm are the 80 Nm.
 #[test]
 fn the_weights_make_the_current() {
     let current = MotorCurrent::of(&actuator()).unwrap();
@@ -58,19 +58,19 @@ fn the_weights_make_the_current() {
     assert!((sum - current.at(&point(80.0, -3.0), &friction())).abs() < 1e-14);
 }
 
-/// 1.5 · 2 Ω · (1 + 0.00393 · 60) at 80 °C, and 0.5 V each friction current (0.2 + 0.3 A) at 300 rad/s.
+/// 1.5 · 2 Ω · (1 + 0.00393 · 60) at 80 °C, and 0.5 Nm/A times the friction current (0.2 + 0.3 A) at 300 rad/s.
 #[test]
 fn losses_by_hand() {
     let losses = LossLaw::of(&actuator(), celsius(80.0)).unwrap();
     let found = losses.at(&point(80.0, 3.0), 2.5, &friction());
     assert!((found.copper_w - 3.0 * 1.2358 * 6.25).abs() < 1e-12, "{}", found.copper_w);
     assert!((found.friction_w - 75.0).abs() < 1e-12);
-    // At rest nothing rubs.
+    // There is no friction loss at rest.
     assert_eq!(losses.at(&point(80.0, 0.0), 2.0, &friction()).friction_w, 0.0);
 }
 
-/// What goes in at the terminals comes out at the flange, but for copper, friction and the gear: driving the gear keeps
-/// T ω (1/η − 1), driven the same of what it is given.
+/// The power at the terminals equals that at the flange plus the losses of copper, friction and gear: T ω (1/η − 1) in
+/// the gear while driving, the same of the torque it receives while driven.
 #[test]
 fn energy_is_kept() {
     let actuator = actuator();
@@ -88,7 +88,7 @@ fn energy_is_kept() {
     }
 }
 
-/// Where the load drives against a weak torque nothing comes back: friction and gear take all of it.
+/// A weakly driving load regenerates nothing: friction and gear consume all of it.
 #[test]
 fn little_power_comes_back_and_never_more_than_the_load_gives() {
     let actuator = actuator();

@@ -1,5 +1,5 @@
-//! The physics of one actuator, from parameter structs: a printed actuator, a user's own and a measured one run
-//! the same code. Everything is referred to the output unless a name says `motor`.
+//! Physics of one actuator, computed from parameter structs: the same code serves catalogue, user-defined and measured
+//! actuators. All quantities refer to the output unless a name includes `motor`.
 
 mod accuracy;
 mod agreement;

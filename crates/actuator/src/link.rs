@@ -1,26 +1,30 @@
-//! The DC link beside the largest voltage of the actuator: where a brake resistor can be switched.
+//! DC link: switching thresholds of a braking resistor within the largest voltage of the actuator.
 
 use quantities::{ElectricPotential, Measure};
 
-/// Largest voltage at which a brake resistor is switched on, over U_DCmax. Ours: room for tolerance and overshoot of the threshold.
+/// Largest switch-on voltage of a braking resistor relative to U_DCmax \[1\]. Chosen by antrieb: margin for tolerance
+/// and overshoot of the threshold.
 const BELOW_THE_LARGEST: f64 = 0.97;
 
-/// Usual voltage at which it is switched on, over the largest of the supply. Ours.
+/// Usual switch-on voltage relative to the largest of the supply \[1\]. Chosen by antrieb.
 const ABOVE_THE_SUPPLY: f64 = 1.15;
 
-/// Hysteresis, over the distance of the threshold from the supply: 1.12 to 1.15 of the supply. Ours.
+/// Hysteresis relative to the distance of the threshold from the supply \[1\]: 1.12 to 1.15 of the supply. Chosen by
+/// antrieb.
 const HYSTERESIS: f64 = 0.2;
 
-/// Voltages at which a brake resistor is switched off and on; `None` where no threshold lies between supply and actuator.
+/// Returns the switch-off and switch-on voltage of a braking resistor; `None` if no threshold lies between supply and
+/// actuator.
 ///
 /// U_on = min(1.15 U_s, 0.97 U_DCmax), U_off = U_on − 0.2 (U_on − U_s)
 ///
 /// # Symbols
 /// U_s largest voltage of the DC link by the supply alone \[V\], U_DCmax largest stationary voltage of the actuator \[V\]
 /// # Source
-/// docs/theory/twin.md; the factors are ours
+/// docs/theory/twin.md; factors chosen by antrieb
 /// # Valid
-/// U_s < 0.97 U_DCmax. Above that a threshold that keeps U_DCmax would lie below the supply, which would then feed the resistor.
+/// U_s < 0.97 U_DCmax. Above that, a threshold that respects U_DCmax would be below the supply, which would then feed
+/// the resistor.
 #[must_use]
 pub fn chopper_thresholds(
     supply: ElectricPotential,
@@ -45,7 +49,7 @@ mod tests {
         found.is_some_and(|found| found.iter().zip(wanted).all(|(one, other)| (one - other).abs() < 1e-9))
     }
 
-    /// By hand: 560 V, 400 V mains + 10 % (622.25 V), 48 V at 680, 680 and 48 V.
+    /// Thresholds by hand: 560 V, 400 V mains + 10 % (622.25 V), 48 V at 680, 680 and 48 V.
     #[test]
     fn the_resistor_is_switched_between_supply_and_actuator() {
         assert!(is(thresholds(560.0, Some(680.0)), [627.2, 644.0]));

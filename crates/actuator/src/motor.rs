@@ -1,4 +1,4 @@
-//! Current, speed limits and continuous torque of the motor, seen from the output.
+//! Current, speed limits and continuous torque of the motor, referred to the output.
 
 use crate::heat::{HeatModel, Settled};
 use crate::parameters::Drivetrain;
@@ -13,10 +13,10 @@ use quantities::{
     TorqueConstant,
 };
 
-/// Temperature coefficient of copper at 20 °C \[1/K\] (IEC 60034-1 uses 1/(235+20) = 3.92e-3; 3.93e-3 is the handbook value).
+/// Temperature coefficient of copper at 20 °C \[1/K\]: handbook value 3.93e-3; IEC 60034-1 uses 1/(235+20) = 3.92e-3.
 const COPPER_TEMPERATURE_COEFFICIENT: f64 = 3.93e-3;
 
-/// Resistance of a copper winding at a temperature.
+/// Returns the resistance of a copper winding at a temperature.
 ///
 /// R = R_20 (1 + 3.93e-3 (ϑ − 20 °C))
 ///
@@ -31,36 +31,38 @@ pub fn copper_resistance(
     ElectricalResistance::from_si(resistance_20.si() * (1.0 + COPPER_TEMPERATURE_COEFFICIENT * rise))
 }
 
-/// Motor current per torque while the load drives, as a share of that while driving: η (2 − 1/η) = 2η − 1.
+/// Returns the motor current per torque while the load drives, relative to that while driving \[1\]: η (2 − 1/η) = 2η −
+/// 1.
 ///
-/// The gear loses the same share of the torque in either direction: driving T_mot i = T/η, driven T_mot i = T (2 − 1/η).
+/// The gear loses the same share of the torque in both directions: driving T_mot i = T/η, driven T_mot i = T (2 − 1/η).
 ///
 /// # Symbols
-/// η = k_Tout/(i k_TM), at most one: a rounded k_TM may give more
+/// η = k_Tout/(i k_TM), at most one: a rounded k_TM may yield more
 /// # Source
 /// docs/theory/energy.md; loss proportional to the torque
 /// # Valid
-/// η ≥ ½; below the gear locks itself and nothing comes back
+/// η ≥ ½; below that the gear is self-locking and no power returns
 #[must_use]
 pub fn driven_share(out: TorqueConstant, motor: TorqueConstant, ratio: f64) -> f64 {
     let efficiency = (out.si() / (ratio * motor.si())).min(1.0);
     (2.0 * efficiency - 1.0).max(0.0)
 }
 
-/// Largest output speed: the exact quotient n_mot,max / i, or n_max where motor speed or ratio are not known.
+/// Returns the largest output speed: the exact quotient n_mot,max / i, or n_max if motor speed or ratio are unknown.
 ///
-/// The printed n_max is rounded (50A with i = 120 even upwards, 30 for 29.17), therefore the quotient comes first.
+/// The n_max of the tables is rounded (50A with i = 120 even upwards, 30 for 29.17), therefore the quotient takes
+/// precedence.
 ///
 /// # Errors
-/// [`Missing`] if neither is known.
+/// [`Missing`] if both are unknown.
 pub fn speed_max(actuator: &Drivetrain) -> Result<Sourced<AngularVelocity>, Missing> {
     speed_max_with(actuator, &mut Workings::off())
 }
 
-/// [`speed_max`] with its workings.
+/// Returns [`speed_max`] with its derivation.
 ///
 /// # Errors
-/// As [`speed_max`].
+/// See [`speed_max`].
 pub fn speed_max_with(actuator: &Drivetrain, work: &mut Workings) -> Result<Sourced<AngularVelocity>, Missing> {
     match (actuator.speed_motor_max.known(), actuator.ratio.known()) {
         (Some(motor), Some(ratio)) => {
@@ -83,20 +85,20 @@ pub fn speed_max_with(actuator: &Drivetrain, work: &mut Workings) -> Result<Sour
     }
 }
 
-/// Largest mean speed at the output: n_N / i.
+/// Returns the largest mean speed at the output, n_N / i.
 ///
 /// # Source
-/// published corner points of CHA-20A: every continuous curve ends at n_N / i
+/// published corner points of CHA-20A: all continuous curves end at n_N / i
 /// # Errors
-/// [`Missing`] if rated motor speed or ratio are not known.
+/// [`Missing`] if rated motor speed or ratio are unknown.
 pub fn speed_rated_out(actuator: &Drivetrain) -> Result<Sourced<AngularVelocity>, Missing> {
     speed_rated_out_with(actuator, &mut Workings::off())
 }
 
-/// [`speed_rated_out`] with its workings.
+/// Returns [`speed_rated_out`] with its derivation.
 ///
 /// # Errors
-/// As [`speed_rated_out`].
+/// See [`speed_rated_out`].
 pub fn speed_rated_out_with(actuator: &Drivetrain, work: &mut Workings) -> Result<Sourced<AngularVelocity>, Missing> {
     let motor = actuator.speed_motor_rated.require("n_N")?;
     let ratio = actuator.ratio.require("i")?;
@@ -112,28 +114,30 @@ pub fn speed_rated_out_with(actuator: &Drivetrain, work: &mut Workings) -> Resul
     })
 }
 
-/// The continuous torque at a speed, and what an estimate leaves open.
+/// Continuous torque at a speed, with the uncertainty of an estimate.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ContinuousLimit {
-    /// Up to this torque the actuator bears it: the published curve, or the lower edge of the estimate's band.
+    /// Torque certainly permitted: the published curve, or the lower edge of the estimate's band.
     pub limit: Sourced<Torque>,
-    /// Above this one it does not: upper edge of the band; equal to the limit where the curve is published.
+    /// Torque above which operation is certainly not permitted: upper edge of the band; equal to the limit if the curve
+    /// is published.
     pub upper: Torque,
 }
 
-/// Continuous torque at a mean speed: the published or measured curve if there is one, else the estimate.
-/// Neither ever exceeds the printed T_0. Beyond n_N/i, where no mean speed is permitted, the value at n_N/i.
+/// Returns the continuous torque at a mean speed: from the published or measured curve if there is one, else from the
+/// estimate. Both are limited by the T_0 of the tables. Beyond n_N/i, where no mean speed is permitted, the value at
+/// n_N/i is returned.
 ///
 /// # Errors
-/// [`Missing`] with the first datum that neither way can do without.
+/// [`Missing`] with the first unknown datum that both ways need.
 pub fn continuous_torque(actuator: &Drivetrain, speed: AngularVelocity) -> Result<ContinuousLimit, Missing> {
     continuous_torque_with(actuator, None, speed, &mut Workings::off())
 }
 
-/// [`continuous_torque`] with its workings; `model` is the heat model of the actuator, if it is at hand.
+/// Returns [`continuous_torque`] with its derivation; `model` is the heat model of the actuator, if already available.
 ///
 /// # Errors
-/// As [`continuous_torque`].
+/// See [`continuous_torque`].
 pub fn continuous_torque_with(
     actuator: &Drivetrain,
     model: Option<&HeatModel>,
@@ -162,23 +166,24 @@ pub fn continuous_torque_with(
     })
 }
 
-/// Estimated continuous torque at a mean speed, with its band.
+/// Estimates the continuous torque at a mean speed, with its band.
 ///
 /// T at which P_cu + w P_f = b P_0, T ≤ T_0; b the edges of the band, see [`HeatModel::band`] and [`HeatModel::torque`]
 ///
 /// # Symbols
-/// P_cu copper loss, P_f friction loss, P_0 loss borne at standstill \[W\], w share of the housing
+/// P_cu copper loss, P_f friction loss, P_0 permitted loss at standstill \[W\], w share of the housing
 /// # Source
-/// docs/theory/continuous-torque.md; calibrated on curves-20A, held against fha-orientation
+/// docs/theory/continuous-torque.md; calibrated on curves-20A, compared with fha-orientation
 /// # Valid
-/// |n| ≤ n_N/i, in the warmest permitted air, on the printed plate; beyond n_N/i the value at n_N/i
+/// |n| ≤ n_N/i, at the highest permitted ambient temperature, on the plate of the manual; beyond n_N/i the value at
+/// n_N/i
 /// # Errors
-/// [`Missing`] with the first datum that is not known.
+/// [`Missing`] with the first unknown datum.
 pub fn estimated_continuous_torque(actuator: &Drivetrain, speed: AngularVelocity) -> Result<ContinuousLimit, Missing> {
     estimated_continuous_torque_with(actuator, &HeatModel::of(actuator)?, speed, &mut Workings::off())
 }
 
-/// Continuous duty as an intermittent one without rest: the cycle does not matter.
+/// Continuous duty as an intermittent one without rest, for which the cycle has no influence.
 const ALWAYS: (f64, f64) = (1.0, 60.0);
 
 fn estimated_continuous_torque_with(
@@ -212,7 +217,7 @@ fn estimated_continuous_torque_with(
     })
 }
 
-/// The workings of the current that the heat permits at a speed, `I_th`, and of the friction current, `I_f`.
+/// Records the derivation of the thermally permitted current at a speed, `I_th`, and of the friction current, `I_f`.
 fn explain_continuous(
     actuator: &Drivetrain,
     model: &HeatModel,
@@ -244,7 +249,7 @@ fn explain_continuous(
     work.estimate("I_th", &AMPERE, current, "sqrt(max(b*P_0 - w*P_f, 0)/(1.5*R_hot))", &source);
 }
 
-/// The workings of the loss that the winding bears at standstill, `P_0`.
+/// Records the derivation of the permitted loss of the winding at standstill, `P_0`.
 pub fn explain_stall_loss(actuator: &Drivetrain, work: &mut Workings) {
     let current = actuator.stall_current_motor.known().or_else(|| actuator.stall_current.known());
     let resistance = actuator.resistance_ll.known();
@@ -265,7 +270,7 @@ pub fn explain_stall_loss(actuator: &Drivetrain, work: &mut Workings) {
     work.formula("P_0", &WATT, loss, "F*1.5*R_hot*I_0^2", &source);
 }
 
-/// The workings of the friction at the temperature of the housing, `K`.
+/// Records the derivation of the friction at the temperature of the housing, `K`.
 pub fn explain_friction(actuator: &Drivetrain, settled: &Settled, work: &mut Workings) {
     let source = Source::Model { name: "current" };
     let (starting, cold) = (actuator.no_load_starting_current.known(), actuator.no_load_current_constant_cold.known());
@@ -289,7 +294,7 @@ pub fn explain_friction(actuator: &Drivetrain, settled: &Settled, work: &mut Wor
         return work.formula("K", &AMPERE_PER_REVOLUTION_PER_MINUTE, constant, "K_cold", &source);
     };
     work.given("K_warm", &AMPERE_PER_REVOLUTION_PER_MINUTE, warm);
-    // Each temperature stands at the constant that holds for it.
+    // Each temperature is cited with the constant to which it applies.
     let [at_cold, at_warm] = temperatures.value;
     let cited = |value, by: &Sourced<NoLoadCurrentConstant>| Sourced {
         value,

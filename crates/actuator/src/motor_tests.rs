@@ -111,7 +111,7 @@ fn what_is_missing_is_named() {
     assert_eq!(continuous_torque(&Parameters::unknown(), rpm(1.0)).unwrap_err().symbol, "T_0");
 }
 
-/// In a 48 V winding I_0 = T_0/k_Tout without the starting current.
+/// A 48 V winding has I_0 = T_0/k_Tout, without the starting current.
 #[test]
 fn the_convention_of_the_48_v_winding_is_kept() {
     let mut actuator = actuator_20a_50();

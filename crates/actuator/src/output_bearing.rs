@@ -1,4 +1,4 @@
-//! The output bearing: tilting moment, life, static safety and tilt (section 7.3).
+//! Output bearing: tilting moment, life, static safety and tilt (section 7.3).
 
 use provenance::Datum;
 use quantities::{Angle, AngularVelocity, Force, Length, Measure, TiltingStiffness, Time, Torque};
@@ -13,7 +13,7 @@ pub enum BearingType {
 }
 
 impl BearingType {
-    /// B: life exponent, 10/3 for rollers and 3 for balls.
+    /// Returns B, the life exponent: 10/3 for rollers and 3 for balls.
     ///
     /// # Source
     /// cha-manual table 74.5
@@ -26,10 +26,10 @@ impl BearingType {
     }
 }
 
-/// What is known of an output bearing.
+/// Data of an output bearing.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct OutputBearing {
-    /// Type.
+    /// Type of the bearing.
     pub kind: Datum<BearingType>,
     /// d_p: pitch circle diameter.
     pub pitch_diameter: Datum<Length>,
@@ -39,19 +39,20 @@ pub struct OutputBearing {
     pub dynamic_rating: Datum<Force>,
     /// C_0: static load rating.
     pub static_rating: Datum<Force>,
-    /// M_dyn(max): permissible tilting moment of a turning gear; from the tilt that the gear allows, not from the life.
+    /// M_dyn(max): permissible tilting moment of a turning gear, limited by the tilt that the gear permits, not by the
+    /// life.
     pub tilting_moment_max: Datum<Torque>,
-    /// M_0(max): permissible tilting moment of a gear at rest, alone.
+    /// M_0(max): permissible tilting moment of a gear at rest, without other loads.
     pub static_moment_max: Datum<Torque>,
-    /// f_s on which M_0(max) rests: lower limit of the static safety of this size.
+    /// f_s on which M_0(max) is based: lower limit of the static safety of this size \[1\].
     pub static_safety_min: Datum<f64>,
-    /// F_A,dyn(max): permissible dynamic axial load, alone.
+    /// F_A,dyn(max): permissible dynamic axial load, without other loads.
     pub axial_max: Datum<Force>,
-    /// F_R,dyn(max): permissible dynamic radial load, alone.
+    /// F_R,dyn(max): permissible dynamic radial load, without other loads.
     pub radial_max: Datum<Force>,
     /// K_B: tilting stiffness, mean value.
     pub tilting_stiffness: Datum<TiltingStiffness>,
-    /// Below this swing the bearing may fret for want of lubrication.
+    /// Swing angle below which the bearing may fret for lack of lubrication.
     pub swing_min: Datum<Angle>,
 }
 
@@ -68,23 +69,23 @@ pub struct FlangeLoad {
     pub axial_distance: Length,
 }
 
-/// Tilting moment on the output bearing.
+/// Returns the tilting moment on the output bearing.
 ///
 /// M = F_r (L_r + R) + F_a L_a
 ///
 /// # Symbols
-/// R offset of the bearing centre from the flange face \[m\] (table 55.1); the other symbols as in [`FlangeLoad`]
+/// R offset of the bearing centre from the flange face \[m\] (table 55.1); the other symbols see [`FlangeLoad`]
 /// # Source
-/// the sister manual FHA, selection of the output bearing; R of cha-manual table 55.1
+/// FHA manual of the same manufacturer, selection of the output bearing; R of cha-manual table 55.1
 /// # Valid
-/// both moments taken in the same direction, the worst case
+/// both moments in the same direction, the worst case
 #[must_use]
 pub fn tilting_moment(load: &FlangeLoad, offset: Length) -> Torque {
     let radial = load.radial_force.si() * (load.radial_distance.si() + offset.si());
     Torque::from_si(radial + load.axial_force.si() * load.axial_distance.si())
 }
 
-/// Average of a load over a cycle, weighted with the angle travelled under it.
+/// Returns the mean of a load over a cycle, weighted with the angle travelled under it.
 ///
 /// F_av = (Σ |n_k| t_k F_k^B / Σ |n_k| t_k)^(1/B)
 ///
@@ -93,7 +94,7 @@ pub fn tilting_moment(load: &FlangeLoad, offset: Length) -> Torque {
 /// # Source
 /// cha-manual eq. 75.2 (erratum text-7.3.1-n_av for the weight) and 75.3
 /// # Valid
-/// some travel; zero without any
+/// positive travel; zero without any
 #[must_use]
 pub fn mean_load(parts: impl Iterator<Item = (f64, Angle)>, exponent: f64) -> f64 {
     let (mut powers, mut travelled, mut largest) = (0.0, 0.0, 0.0_f64);
@@ -107,7 +108,7 @@ pub fn mean_load(parts: impl Iterator<Item = (f64, Angle)>, exponent: f64) -> f6
             travelled += weight;
         }
     }
-    // A load that does not change is its own average, to the last bit.
+    // A constant load is its own mean to the last bit.
     if travelled <= 0.0 {
         0.0
     } else if equal {
@@ -117,7 +118,7 @@ pub fn mean_load(parts: impl Iterator<Item = (f64, Angle)>, exponent: f64) -> f6
     }
 }
 
-/// Dynamic equivalent load.
+/// Returns the dynamic equivalent load.
 ///
 /// P_c = x (F_r + 2M/d_p) + y F_a; x = 1, y = 0.45 if F_a / (F_r + 2M/d_p) ≤ 1.5, else x = y = 0.67
 ///
@@ -129,7 +130,7 @@ pub fn dynamic_equivalent_load(load: &FlangeLoad, moment: Torque, pitch_diameter
     Force::from_si(x * radial_load(load, moment, pitch_diameter) + y * load.axial_force.si())
 }
 
-/// x and y of the dynamic equivalent load, and whether F_a / (F_r + 2M/d_p) ≤ 1.5.
+/// Returns x and y of the dynamic equivalent load, and `true` if F_a / (F_r + 2M/d_p) ≤ 1.5.
 ///
 /// # Source
 /// cha-manual table 75.4
@@ -142,24 +143,24 @@ pub fn dynamic_load_factors(load: &FlangeLoad, moment: Torque, pitch_diameter: L
     }
 }
 
-/// F_r + 2M/d_p \[N\]
+/// Returns F_r + 2M/d_p \[N\].
 fn radial_load(load: &FlangeLoad, moment: Torque, pitch_diameter: Length) -> f64 {
     load.radial_force.si() + 2.0 * moment.si() / pitch_diameter.si()
 }
 
-/// Life of the output bearing.
+/// Returns the life L_10 of the output bearing.
 ///
 /// L_10 = 10⁶ / (60 n_av) · (C / (f_w P_c))^B
 ///
-/// A pure swing of angle φ, n_1 times a minute there and back, travels n_1 φ/180° revolutions a minute; with this
-/// mean speed eq. 74.3 is the same equation, so one formula serves both.
+/// A pure oscillation by an angle φ, n_1 times per minute there and back, travels n_1 φ/180° revolutions per minute;
+/// with this mean speed eq. 74.3 is the same equation, so that one formula serves both.
 ///
 /// # Symbols
 /// n_av mean speed [1/min], C dynamic load rating \[N\], P_c equivalent load \[N\], f_w load factor (table 74.2), B life exponent
 /// # Source
 /// cha-manual eq. 74.1 and 74.3
 /// # Valid
-/// n_av > 0 and P_c > 0; swings below [`OutputBearing::swing_min`] may fret and are outside
+/// n_av > 0 and P_c > 0; oscillations below [`OutputBearing::swing_min`] may cause fretting and are not covered
 #[must_use]
 pub fn bearing_life(
     dynamic_rating: Force,
@@ -173,7 +174,7 @@ pub fn bearing_life(
     Time::from_si(1e6 * std::f64::consts::TAU / speed_mean.si().abs() * ratio.powf(exponent))
 }
 
-/// Static safety of the output bearing.
+/// Returns the static safety of the output bearing.
 ///
 /// f_s = C_0 / P_0, P_0 = F_r + 2M/d_p + 0.44 F_a
 ///
@@ -186,8 +187,8 @@ pub fn static_safety(static_rating: Force, load: &FlangeLoad, moment: Torque, pi
     static_rating.si() / (radial_load(load, moment, pitch_diameter) + 0.44 * load.axial_force.si())
 }
 
-/// Static equivalent tilting moment: the pure tilting moment that loads the bearing at rest as much as forces and moment
-/// together.
+/// Returns the static equivalent tilting moment: the pure tilting moment that loads the bearing at rest as much as
+/// forces and moment together.
 ///
 /// M_eq = M + d_p/2 · (F_r + 0.44 F_a)
 ///
@@ -203,7 +204,7 @@ pub fn static_equivalent_moment(load: &FlangeLoad, moment: Torque, pitch_diamete
     Torque::from_si(moment.si() + 0.5 * pitch_diameter.si() * forces)
 }
 
-/// Tilt of the output flange.
+/// Returns the tilt of the output flange.
 ///
 /// γ = M / K_B
 ///
@@ -228,7 +229,7 @@ mod tests {
         }
     }
 
-    /// By hand for CHA-25A (d_p 0.088, R 0.018, C 30000, B 10/3): F_r 500 N at 50 mm, F_a 200 N at 30 mm.
+    /// CHA-25A by hand (d_p 0.088, R 0.018, C 30000, B 10/3): F_r 500 N at 50 mm, F_a 200 N at 30 mm.
     /// M = 500·0.068 + 200·0.03 = 40 Nm; P_c = 500 + 80/0.088 + 90 = 1499.09 N;
     /// (30000/(1.2·1499.09))^(10/3) = 16.6769^(3.3333) = 11850; L = 1e6/(60·15)·11850 = 1.3166e7 h.
     #[test]
@@ -281,7 +282,7 @@ mod tests {
         }
     }
 
-    /// Eq. 74.3 for a swing of φ = 60°, 10 times a minute, against eq. 74.1 at its mean speed.
+    /// Eq. 74.3 for an oscillation of φ = 60°, 10 times per minute, compared with eq. 74.1 at its mean speed.
     #[test]
     fn swinging_is_turning_at_the_mean_speed() {
         let (swings_per_min, swing_deg) = (10.0, 60.0);

@@ -1,8 +1,8 @@
-//! Overload of the winding as a first-order lag of (I/I_0)² in a cycle repeated for ever.
+//! Overload of the winding as a first-order lag of (I/I_0)² in a periodic cycle.
 
 use quantities::{ElectricCurrent, Measure, Ratio, Time};
 
-/// Output of a first-order lag at the start of every piece of a periodic input, in steady periodic state.
+/// Returns the output of a first-order lag at the start of each piece of a periodic input, in steady periodic state.
 ///
 /// y' = (u − y)/τ with u constant on each piece; y_0 = Σ u_j (1 − e^(−t_j/τ)) e^(−rest_j/τ) / (1 − e^(−T/τ)).
 /// Pieces are (duration \[s\], input).
@@ -18,7 +18,7 @@ pub(crate) fn periodic_lag(pieces: &[(f64, f64)], tau_s: f64) -> Vec<f64> {
     }
     let loss = -(-period_s / tau_s).exp_m1();
     let mut value = if loss > 0.0 { gathered / loss } else { 0.0 };
-    // What the first pass needed of a decay gives way to the state at its start.
+    // Each decay is overwritten with the state at the start of its piece after its last use.
     for (&(_, input), place) in pieces.iter().zip(&mut decays) {
         let decay = std::mem::replace(place, value);
         value = input + (value - input) * decay;
@@ -26,7 +26,7 @@ pub(crate) fn periodic_lag(pieces: &[(f64, f64)], tau_s: f64) -> Vec<f64> {
     decays
 }
 
-/// How fast the state of the overload supervision changes at an instant [1/s].
+/// Returns the rate of change of the state of the overload supervision at an instant [1/s].
 ///
 /// y' = ((I/I_0)² − y)/τ
 ///
@@ -42,10 +42,10 @@ pub fn overload_slope(state: Ratio, current: ElectricCurrent, stall: ElectricCur
     (share * share - state.si()) / time_constant.si()
 }
 
-/// The lag of (I/I_0)² at the start of every piece of a cycle repeated for ever.
+/// Returns the lag of (I/I_0)² at the start of each piece of a periodic cycle.
 ///
-/// y' = ((I/I_0)² − y)/τ; above one the overload protection trips. Every piece is monotonic and the cycle closes, so the
-/// starts hold every extreme.
+/// y' = ((I/I_0)² − y)/τ; above one the overload protection trips. The lag is monotonic on each piece and the cycle is
+/// closed, so that the starts include all extremes.
 ///
 /// # Symbols
 /// pieces: duration and (I/I_0)², constant on each piece; τ time constant of the winding \[s\]
@@ -63,7 +63,8 @@ pub fn overload_course(pieces: &[(Time, Ratio)], time_constant: Time) -> Vec<Rat
 mod tests {
     use super::*;
 
-    /// Largest value of the lag, and when in the cycle; a peak at the start is reported at the end of the last piece.
+    /// Returns the largest value of the lag and its time in the cycle; a peak at the start is reported at the end of
+    /// the last piece.
     fn peak(pieces: &[(f64, f64)]) -> (f64, f64) {
         let typed: Vec<_> = pieces.iter().map(|&(t, u)| (Time::from_si(t), Ratio::from_si(u))).collect();
         let (mut largest, mut at, mut clock) = (0.0, 0.0, 0.0);
@@ -96,13 +97,13 @@ mod tests {
         assert_eq!(peak(&[(0.0, 5.0)]), (0.0, 0.0));
     }
 
-    /// 60 s at twice the stall current, in small steps: the lag of a constant, 4 (1 − 1/e).
+    /// 60 s at twice the stall current in small steps: the lag of a constant, 4 (1 − 1/e).
     #[test]
     fn the_slope_leads_to_the_lag() {
         let (current, stall, tau) = (ElectricCurrent::from_si(3.0), ElectricCurrent::from_si(1.5), Time::from_si(60.0));
         let (mut state, step) = (0.0, 1e-3);
         for _ in 0..60_000 {
-            // Heun's rule: the slope at both ends of the step.
+            // Heun's method: mean of the slopes at both ends of the step.
             let slope = |state: f64| overload_slope(Ratio::from_si(state), current, stall, tau);
             let first = slope(state);
             state += 0.5 * step * (first + slope(state + step * first));

@@ -1,4 +1,4 @@
-//! What is known of one actuator. Every value may be absent, and a check that needs it says so.
+//! Parameters of one actuator. Each value may be absent; a check that needs it reports the absence.
 
 use crate::accuracy::Accuracy;
 use crate::brake::Brake;
@@ -16,41 +16,41 @@ use quantities::{
 use std::ops::{Deref, DerefMut};
 use std::sync::Arc;
 
-/// The data of one actuator, in SI, each value with its source or with the reason of its absence.
+/// Parameters of one actuator in SI, each value with its source or the reason for its absence.
 ///
-/// Most actuators that differ in feedback and brake alone have one drivetrain, and share it: callers that evaluate one after
-/// the other compare them by [`Arc::ptr_eq`] to reuse results. Its data are read as if they stood
-/// here; to write one takes a drivetrain of its own.
+/// Most actuators that differ only in feedback and brake share one drivetrain: callers that evaluate them in sequence
+/// compare drivetrains by [`Arc::ptr_eq`] to reuse results. The fields of the drivetrain are readable through
+/// [`Deref`]; writing one clones a shared drivetrain first.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Parameters {
-    /// What the brake does not change, and the feedback seldom.
+    /// Data independent of the brake and mostly of the feedback.
     pub drivetrain: Arc<Drivetrain>,
-    /// J_out: own moment of inertia at the output, with the brake if there is one.
+    /// J_out: own moment of inertia at the output, including the brake if fitted.
     pub inertia_out: Datum<MomentOfInertia>,
-    /// m: mass, with the brake if there is one.
+    /// m: mass, including the brake if fitted.
     pub mass: Datum<Mass>,
-    /// L: length, with the brake if there is one.
+    /// L: length, including the brake if fitted.
     pub length: Datum<Length>,
-    /// The brake.
+    /// Holding brake.
     pub brake: Brake,
-    /// The feedback on the motor.
+    /// Feedback on the motor.
     pub feedback: Feedback,
-    /// T_NAT: the temperature at which the PTC of the winding responds; not applicable where no connector leads it out.
+    /// T_NAT: response temperature of the winding PTC; not applicable if no connector has contacts for it.
     pub ptc_response: Datum<ThermodynamicTemperature>,
-    /// Whether the connector of the feedback does not lead out the KTY, from which warning and shutdown are read.
+    /// The feedback connector has no contacts for the KTY, which is read for warning and shutdown.
     pub without_kty: bool,
-    /// The feedback at the output; not applicable without the option.
+    /// Feedback at the output; not applicable without the option.
     pub feedback_out: Feedback,
 }
 
-/// Motor, gear, output bearing and joints of an actuator: the data that no brake changes, and few feedbacks do.
+/// Data of motor, gear, output bearing and joints: independent of the brake, and mostly of the feedback.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Drivetrain {
-    /// i: reduction ratio, magnitude.
+    /// i: magnitude of the reduction ratio.
     pub ratio: Datum<f64>,
     /// T_max: largest torque for acceleration and braking.
     pub torque_max: Datum<Torque>,
-    /// n_max: largest output speed, used only where motor speed and ratio are not known.
+    /// n_max: largest output speed, used only if motor speed or ratio are unknown.
     pub speed_max: Datum<AngularVelocity>,
     /// n_mot,max: largest motor speed.
     pub speed_motor_max: Datum<AngularVelocity>,
@@ -62,27 +62,27 @@ pub struct Drivetrain {
     pub current_demagnetisation: Datum<ElectricCurrent>,
     /// T_0: continuous torque at standstill.
     pub stall_torque: Datum<Torque>,
-    /// Largest J_L as a multiple of J_out that is recommended for highly dynamic duty.
+    /// Largest J_L recommended for highly dynamic duty, as a multiple of J_out \[1\].
     pub inertia_ratio_recommended: Datum<f64>,
     /// I_0: current at T_0, rms.
     pub stall_current: Datum<ElectricCurrent>,
-    /// The largest I_0 that the same motor shows at any ratio: its thermal limit where the gear limits T_0.
+    /// Largest I_0 of the motor over all ratios: its thermal limit where the gear limits T_0.
     pub stall_current_motor: Datum<ElectricCurrent>,
-    /// Whether I_0 = T_0/k_Tout + I_NLS (680 V windings) or I_0 = T_0/k_Tout (48 V windings).
+    /// I_0 = T_0/k_Tout + I_NLS (680 V windings) if `true`, I_0 = T_0/k_Tout (48 V windings) if `false`.
     pub stall_current_includes_friction: bool,
     /// I_NLS: no-load starting current, rms.
     pub no_load_starting_current: Datum<ElectricCurrent>,
-    /// K_INL at the colder temperature of the print: no-load running current per output speed.
+    /// K_INL at the lower temperature of the tables: no-load running current per output speed.
     pub no_load_current_constant_cold: Datum<NoLoadCurrentConstant>,
-    /// K_INL at the warmer one.
+    /// K_INL at the higher temperature.
     pub no_load_current_constant_warm: Datum<NoLoadCurrentConstant>,
-    /// The temperatures for which K_INL is printed, the colder one first.
+    /// Temperatures to which K_INL applies, the lower one first.
     pub no_load_temperatures: Datum<[ThermodynamicTemperature; 2]>,
-    /// From this temperature on friction is printed; below it is extrapolated.
+    /// Lowest temperature for which friction is stated; it is extrapolated below.
     pub friction_printed_from: Datum<ThermodynamicTemperature>,
-    /// Least and largest growth of friction per kelvin below that temperature: the band of its extrapolation.
+    /// Lower and upper growth of friction per kelvin below that temperature \[1/K\]: the band of the extrapolation.
     pub friction_cold_growth: Datum<(f64, f64)>,
-    /// k_Tout: torque constant at the output, gear losses included.
+    /// k_Tout: torque constant at the output, including gear losses.
     pub torque_constant_out: Datum<TorqueConstant>,
     /// k_TM: torque constant of the motor.
     pub torque_constant_motor: Datum<TorqueConstant>,
@@ -98,32 +98,32 @@ pub struct Drivetrain {
     pub hollow_shaft: Datum<Length>,
     /// U_DCmax: largest steady DC link voltage.
     pub dc_link_max: Datum<ElectricPotential>,
-    /// U_M: motor terminal voltage (fundamental, line to line, rms) from which the performance holds.
+    /// U_M: motor terminal voltage (fundamental, line to line, rms) required for the stated performance.
     pub terminal_voltage_min: Datum<ElectricPotential>,
     /// Permitted ambient temperature in operation, lowest and highest.
     pub ambient_range: Datum<(ThermodynamicTemperature, ThermodynamicTemperature)>,
-    /// Continuous-duty curve of the torque-speed plane, where one is published or measured.
+    /// Continuous-duty curve of the torque-speed plane, if published or measured.
     pub continuous_curve: Datum<Curve>,
-    /// Curves of intermittent duty S3 with 50 % and 25 % of operation, where they are published.
+    /// Curves of intermittent duty S3 with 50 % and 25 % of operation, if published.
     pub s3_curves: [Datum<Curve>; 2],
-    /// Short-time curve (acceleration and braking), where one is published; holds from the printed terminal voltage on.
+    /// Short-time curve (acceleration and braking), if published; applies from the U_M of the tables on.
     pub short_time_curve: Datum<Curve>,
     /// Calibration of the heat model.
     pub heat: Heat,
-    /// The gear.
+    /// Data of the gear.
     pub gear: Gear,
-    /// The output bearing.
+    /// Data of the output bearing.
     pub output_bearing: OutputBearing,
     /// Accuracy of the gear.
     pub accuracy: Accuracy,
-    /// Screw joint of the load on the output flange.
+    /// Bolted joint of the load on the output flange.
     pub screw_joint_load: ScrewJoint,
-    /// Screw joint of the housing.
+    /// Bolted joint of the housing.
     pub screw_joint_housing: ScrewJoint,
 }
 
 impl Parameters {
-    /// An actuator of which nothing is known yet.
+    /// Returns an actuator without any data.
     #[must_use]
     pub fn unknown() -> Self {
         Self {
@@ -141,7 +141,7 @@ impl Parameters {
 }
 
 impl From<Drivetrain> for Parameters {
-    /// A drivetrain with feedback, brake, inertia, mass and length of which nothing is known.
+    /// Creates parameters with a drivetrain and without data of feedback, brake, inertia, mass and length.
     fn from(drivetrain: Drivetrain) -> Self {
         Self { drivetrain: Arc::new(drivetrain), ..Self::unknown() }
     }
@@ -162,7 +162,7 @@ impl DerefMut for Parameters {
 }
 
 impl Drivetrain {
-    /// One of which nothing is known yet.
+    /// Returns a drivetrain without any data.
     #[must_use]
     pub fn unknown() -> Self {
         Self {

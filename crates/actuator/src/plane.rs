@@ -1,4 +1,4 @@
-//! The curves of the torque-speed plane: continuous duty, intermittent duty S3, short time.
+//! Curves of the torque-speed plane: continuous duty, intermittent duty S3, short time.
 
 use crate::curve::{Curve, CurvePoint};
 use crate::friction::{FrictionAt, NoLoadFriction};
@@ -12,10 +12,10 @@ use provenance::{Datum, Grade, Missing, Source, Sourced};
 use quantities::unit::{AMPERE, NEWTON_METRE, NEWTON_METRE_PER_AMPERE, REVOLUTION_PER_MINUTE, VOLT};
 use quantities::{AngularVelocity, ElectricCurrent, ElectricPotential, Measure, Ratio, Time, Torque, TorqueConstant};
 
-/// Parts into which an estimated curve is cut.
+/// Number of parts of an estimated curve.
 const PARTS: u32 = 32;
 
-/// What a curve limits.
+/// Kind of duty that a curve limits.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum CurveKind {
     /// Continuous duty.
@@ -34,30 +34,30 @@ pub enum CurveKind {
 /// A curve of the torque-speed plane, from standstill to its end, where it drops vertically to zero.
 #[derive(Clone, Debug, PartialEq)]
 pub struct PerformanceCurve {
-    /// What it limits.
+    /// Kind of duty limited.
     pub kind: CurveKind,
-    /// Terminal voltage that the curve is drawn for; none: the voltage does not limit it.
+    /// Terminal voltage of the curve; `None` if the voltage does not limit it.
     pub voltage: Option<ElectricPotential>,
-    /// The limit: published, or the lower edge of the estimate's band. The last two points share their speed.
+    /// Limit: published, or the lower edge of the estimate's band. The last two points have the same speed.
     pub points: Vec<CurvePoint>,
-    /// Upper edge of the band; none where the curve is published.
+    /// Upper edge of the band; `None` if the curve is published.
     pub upper: Option<Vec<CurvePoint>>,
-    /// How far the curve can be trusted.
+    /// Grade of trust in the curve.
     pub grade: Grade,
-    /// Where it comes from.
+    /// Source of the curve.
     pub source: Source,
 }
 
-/// The curves that can be drawn for an actuator: continuous, S3 50 %, S3 25 %, short time, in this order.
+/// Returns the curves available for an actuator: continuous, S3 50 %, S3 25 %, short time, in this order.
 ///
-/// Published curves come first and are cut at T_0 or T_max; what is not published is estimated, with its band.
+/// Published curves take precedence and are limited by T_0 or T_max; others are estimated, with their band.
 ///
 /// # Source
 /// docs/theory/continuous-torque.md, docs/theory/short-time-torque.md
 /// # Valid
-/// on the printed plate in the warmest permitted air; S3 for the cycle of the published curves
+/// on the plate of the manual at the highest permitted ambient temperature; S3 for the cycle of the published curves
 /// # Errors
-/// [`Missing`] with the first datum of the first curve, if not one curve can be drawn.
+/// [`Missing`] with the first unknown datum of the first curve, if no curve is available.
 pub fn performance_curves(
     actuator: &Drivetrain,
     terminal_voltage: Option<ElectricPotential>,
@@ -82,18 +82,18 @@ pub fn performance_curves(
     }
 }
 
-/// The largest torque that an actuator can give for a short time, driving, at a terminal voltage if one is given.
+/// Largest short-time torque of an actuator, driving, at a terminal voltage if one is given.
 ///
-/// T = min(T_max, k_Tout (min(I_max, I_U) − I_f)) for |n| ≤ n_mot,max/i, never negative; zero beyond. The upper edge leaves
-/// out I_max, which has a check of its own, and the friction that grows with speed.
+/// T = min(T_max, k_Tout (min(I_max, I_U) − I_f)) for |n| ≤ n_mot,max/i, never negative; zero beyond. The upper edge
+/// omits I_max, which has a check of its own, and the speed-dependent friction.
 ///
 /// # Symbols
 /// I_U largest current of the voltage limit \[A\], see [`MotorVoltage::current_max`], I_f friction current \[A\]
 /// # Source
-/// docs/theory/short-time-torque.md; where a short-time curve is published and the voltage is not below the
-/// printed U_M, that curve
+/// docs/theory/short-time-torque.md; the short-time curve instead, if one is published and the voltage is not below the
+/// U_M of the tables
 /// # Valid
-/// driving, i_d = 0; braking allows more
+/// driving, i_d = 0; more is permitted in braking
 #[derive(Clone, Debug)]
 pub struct ShortTime<'a>(Law<'a>);
 
@@ -106,20 +106,20 @@ enum Law<'a> {
 #[derive(Clone, Debug)]
 struct Model<'a> {
     torque_max: &'a Sourced<Torque>,
-    /// Where it ends.
+    /// End of the curve.
     end: Sourced<AngularVelocity>,
     current_max: &'a Sourced<ElectricCurrent>,
     torque_constant: &'a Sourced<TorqueConstant>,
     friction: FrictionAt,
-    /// What the voltage permits, where one is given.
+    /// Voltage limit, if a voltage is given.
     motor: Option<(MotorVoltage, ElectricPotential)>,
 }
 
 impl<'a> ShortTime<'a> {
-    /// That of an actuator with its friction.
+    /// Creates the limit of an actuator with its friction.
     ///
     /// # Errors
-    /// [`Missing`] with the first datum that is not known.
+    /// [`Missing`] with the first unknown datum.
     pub fn of(
         actuator: &'a Drivetrain,
         terminal_voltage: Option<ElectricPotential>,
@@ -141,7 +141,7 @@ impl<'a> ShortTime<'a> {
         })))
     }
 
-    /// Speeds [rad/s] at which the limit may have a corner that points downwards, or drops, rising.
+    /// Returns the speeds [rad/s] at which the limit may have a downward corner or drop, in ascending order.
     #[must_use]
     pub fn corners(&self) -> Vec<f64> {
         match &self.0 {
@@ -150,12 +150,12 @@ impl<'a> ShortTime<'a> {
                 let drop = points.last().map(|end| (end.speed.si() * (1.0 + AT_THE_LIMIT)).next_up());
                 points.iter().map(|point| point.speed.si()).chain(drop).collect()
             }
-            // Where one of several laws takes over as the least of them the corner points upwards.
+            // The minimum of several laws has upward corners only.
             Law::Model(_) => Vec::new(),
         }
     }
 
-    /// The least limit between two speeds, the slower first, and that of the upper edge.
+    /// Returns the smallest limit between two speeds, the slower first, and the smallest upper edge.
     #[must_use]
     pub fn least_between(&self, slower: AngularVelocity, faster: AngularVelocity) -> [Torque; 2] {
         match &self.0 {
@@ -163,12 +163,12 @@ impl<'a> ShortTime<'a> {
                 let [slower, faster] = [slower, faster].map(|speed| within(&curve.value, speed));
                 [at_most(curve.value.least_between(slower, faster), torque_max); 2]
             }
-            // It falls with the speed.
+            // The limit decreases with the speed.
             Law::Model(model) => model.at(faster),
         }
     }
 
-    /// The limit at a speed, and the upper edge of its band.
+    /// Returns the limit at a speed, and the upper edge of its band.
     #[must_use]
     pub fn at(&self, speed: AngularVelocity) -> [Torque; 2] {
         match &self.0 {
@@ -179,7 +179,7 @@ impl<'a> ShortTime<'a> {
         }
     }
 
-    /// The same with the source of the limit.
+    /// Returns the limit at a speed with its source and the upper edge of its band.
     #[must_use]
     pub fn limit(&self, speed: AngularVelocity) -> ContinuousLimit {
         let [value, upper] = self.at(speed);
@@ -190,7 +190,7 @@ impl<'a> ShortTime<'a> {
         ContinuousLimit { limit: Sourced { value, source, grade, errata }, upper }
     }
 
-    /// The workings of the limit at a speed; the caller has noted the speed `n`, the result is `T_short`.
+    /// Records the derivation of the limit at a speed; the caller has recorded the speed `n`, the result is `T_short`.
     pub fn explain(&self, speed: AngularVelocity, work: &mut Workings) {
         let [limit, _] = self.at(speed);
         match &self.0 {
@@ -212,7 +212,7 @@ impl Model<'_> {
         speed.si().abs() <= self.end.value.si() * (1.0 + AT_THE_LIMIT)
     }
 
-    /// I_U \[A\]
+    /// Returns I_U, the largest current of the voltage limit \[A\].
     fn current_of_voltage(&self, speed: AngularVelocity) -> f64 {
         let of = |(motor, voltage): &(MotorVoltage, _)| motor.current_max(speed, *voltage).map_or(0.0, Measure::si);
         self.motor.as_ref().map_or(f64::INFINITY, of)
@@ -263,7 +263,7 @@ impl Model<'_> {
 }
 
 impl Drivetrain {
-    /// A published curve, if it holds at this voltage: from the printed U_M on.
+    /// Returns a published curve, if it applies at this voltage: from the U_M of the tables on.
     pub fn at_voltage<'a>(
         &self,
         curve: &'a Datum<Curve>,
@@ -278,7 +278,7 @@ impl Drivetrain {
     }
 }
 
-/// A speed that exceeds the end of a curve by rounding only, taken back to the end.
+/// Returns a speed, reduced to the end of a curve if it exceeds it by rounding only.
 fn within(curve: &Curve, speed: AngularVelocity) -> AngularVelocity {
     let end = curve.points().last().map_or(0.0, |point| point.speed.si());
     let speed = speed.si().abs();
@@ -289,7 +289,7 @@ fn at_most(torque: Torque, limit: &Datum<Torque>) -> Torque {
     Torque::from_si(limit.known().map_or(torque.si(), |limit| torque.si().min(limit.value.si())))
 }
 
-/// Corner points cut at a torque; where a straight part crosses the cut, a new corner.
+/// Limits corner points to a torque, with a new corner where a line crosses it.
 fn cut(points: &[CurvePoint], limit: &Datum<Torque>) -> Vec<CurvePoint> {
     let mut found: Vec<CurvePoint> = Vec::new();
     let mut last: Option<CurvePoint> = None;
@@ -308,7 +308,7 @@ fn cut(points: &[CurvePoint], limit: &Datum<Torque>) -> Vec<CurvePoint> {
     found
 }
 
-/// The vertical drop at the end.
+/// Adds the vertical drop at the end.
 fn dropped(mut points: Vec<CurvePoint>) -> Vec<CurvePoint> {
     if let Some(end) = points.last().copied()
         && end.torque.si() > 0.0
@@ -329,7 +329,7 @@ fn published(curve: &Sourced<Curve>, limit: &Datum<Torque>, kind: CurveKind) -> 
     }
 }
 
-/// The speeds at which an estimated curve is computed.
+/// Iterates over the speeds at which an estimated curve is computed.
 fn speeds(end: AngularVelocity) -> impl Iterator<Item = AngularVelocity> {
     (0..=PARTS).map(move |part| AngularVelocity::from_si(end.si() * (f64::from(part) / f64::from(PARTS))))
 }
@@ -369,7 +369,7 @@ fn continuous_curve(actuator: &Drivetrain) -> Result<PerformanceCurve, Missing> 
     estimated(CurveKind::Continuous, None, end, at)
 }
 
-/// Friction of a cold gear.
+/// Returns the friction of a cold gear.
 fn cold_friction(actuator: &Drivetrain) -> Result<FrictionAt, Missing> {
     let law = NoLoadFriction::of(actuator)?;
     Ok(law.at(law.cold_start()))
@@ -386,26 +386,26 @@ fn s3_curve(
     if let Some(curve) = actuator.at_voltage(datum, voltage) {
         return Ok(PerformanceCurve { voltage, ..published(curve, &actuator.torque_max, kind) });
     }
-    // Half of the time at rest: the mean speed is half of that under way, and only the mean has its limit at n_N/i.
+    // With half of the time at rest, the mean speed is half of that in motion, and only the mean is limited by n_N/i.
     let end = speed_max(actuator)?.value.si().min(speed_rated_out(actuator)?.value.si() / duty);
     estimated(kind, voltage, AngularVelocity::from_si(end), |speed| {
         intermittent_torque(actuator, speed, Ratio::from_si(duty), voltage)
     })
 }
 
-/// Torque of intermittent duty S3 at a speed, with its band, for the cycle of the published curves.
+/// Returns the torque of intermittent duty S3 at a speed, with its band, for the cycle of the published curves.
 ///
-/// T of [`HeatModel::torque`] with the duty factor; T ≤ T_A ED^(−1/3) (T_0 in place of T_A where that is not known),
-/// T ≤ the short-time torque
+/// T of [`HeatModel::torque`] with the duty factor; T ≤ T_A ED^(−1/3) (T_0 instead of an unknown T_A), T ≤ the
+/// short-time torque
 ///
 /// # Symbols
 /// ED duty factor, T_A average torque of the gear \[Nm\]
 /// # Source
-/// docs/theory/short-time-torque.md; estimate, held against curves-20A
+/// docs/theory/short-time-torque.md; estimate, compared with curves-20A
 /// # Valid
 /// |n| ≤ n_mot,max/i and ED |n| ≤ n_N/i, 0 < ED ≤ 1; rest without loss
 /// # Errors
-/// [`Missing`] with the first datum that is not known.
+/// [`Missing`] with the first unknown datum.
 pub fn intermittent_torque(
     actuator: &Drivetrain,
     speed: AngularVelocity,
@@ -423,7 +423,7 @@ pub fn intermittent_torque(
     let rated = speed_rated_out(actuator)?.value.si();
     let inside = numeric::at_most(duty.si() * speed.si().abs(), rated);
     let average = actuator.gear.average_torque_max.known().map(|known| known.value.si());
-    // T_0 never exceeds T_A: a lower bound where T_A is not known, which the upper edge must not use.
+    // T_0 never exceeds T_A and is a lower bound of an unknown T_A, which the upper edge must not use.
     let gear = duty.si().powf(-1.0 / 3.0) * average.map_or(stall.value.si(), |average| average.max(stall.value.si()));
     let gear_upper = if average.is_some() { gear * (1.0 + gear_band) } else { f64::INFINITY };
     let bounded = |torque: f64, gear: f64, short_time: Torque| {
@@ -449,7 +449,7 @@ fn short_time_curve(actuator: &Drivetrain, voltage: Option<ElectricPotential>) -
     let short_time = ShortTime::of(actuator, voltage, &cold_friction(actuator)?)?;
     let mut curve = estimated(kind, voltage, end, |speed| Ok(short_time.limit(speed)))?;
     let points = &mut curve.points;
-    // The corner where another limit begins, between the last flat point and the next one.
+    // The corner at the onset of another limit, between the last point of equal torque and the next one.
     let corner = points.iter().zip(points.iter().skip(1)).position(|(a, b)| b.torque.si() < a.torque.si());
     if let Some(index) = corner
         && let (Some(flat), Some(fallen)) = (points.get(index).copied(), points.get(index + 1).copied())

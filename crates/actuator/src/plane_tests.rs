@@ -57,7 +57,7 @@ fn actuator() -> Parameters {
     })
 }
 
-/// With a gear at 30 °C.
+/// Returns the limit with a gear at 30 °C.
 fn limit(actuator: &Parameters, speed: AngularVelocity, voltage: Option<ElectricPotential>) -> f64 {
     let friction = cold_friction(&self::actuator()).unwrap();
     let [limit, _] = ShortTime::of(actuator, voltage, &friction).unwrap().at(speed);
@@ -80,7 +80,7 @@ fn without_a_voltage_torque_and_current_limit() {
 
 #[test]
 fn a_small_voltage_cuts_the_fast_end() {
-    // Below the back-EMF of 138 V nothing is left.
+    // Below the back-EMF of 138 V no torque remains.
     assert_eq!(torque(120.0, Some(137.0)), 0.0);
     let mut last = f64::INFINITY;
     for n in 0..=120 {
@@ -120,7 +120,7 @@ fn the_four_curves_are_drawn_in_order_and_nested() {
     assert!((end(3) - 120.0).abs() < 1e-9);
 }
 
-/// By hand at rest, τ_w = 60 s and τ_h = 2400 s as two lags: half a minute on, half a minute off.
+/// A duty of half a minute on and half a minute off by hand, at rest, with τ_w = 60 s and τ_h = 2400 s as two lags.
 #[test]
 fn intermittent_duty_by_hand() {
     let limit = intermittent_torque(&actuator(), rpm(0.0), Ratio::from_si(0.5), None).unwrap();
@@ -130,13 +130,14 @@ fn intermittent_duty_by_hand() {
     let [g_quick, g_slow] = model.network().winding().copper;
     let per_watt = g_quick * share(quick) + g_slow * share(slow);
     let current = |edge: f64| (edge * 40.0 / per_watt / model.losses().copper_ohm()).sqrt();
-    // T_0 is printed at rest, so the lower edge has no distance there; the upper one has.
+    // T_0 is known at rest, so that the lower edge has no distance there; the upper one has.
     assert!((limit.limit.value.si() - 16.0 * (current(1.0) - 0.2)).abs() < 1e-9, "{}", limit.limit.value.si());
     assert!((limit.upper.si() - 16.0 * (current(1.15) - 0.2)).abs() < 1e-9, "{}", limit.upper.si());
-    // The slow housing sees the mean, the winding more: the loss lies between twice and once that of continuous duty.
+    // The slow housing averages the loss, the winding does not: the loss is between once and twice that of continuous
+    // duty.
     let factor = current(1.0).powi(2) / 4.0;
     assert!(factor > 1.6 && factor < 2.0, "{factor}");
-    // A gear with T_A = 32 Nm bears 32 · 2^(1/3) = 40.32 Nm half of the time.
+    // A gear with T_A = 32 Nm withstands 32 · 2^(1/3) = 40.32 Nm for half of the time.
     let mut geared = actuator();
     geared.gear.average_torque_max = known(Torque::from_si(32.0));
     let limit = intermittent_torque(&geared, rpm(0.0), Ratio::from_si(0.5), None).unwrap();
@@ -165,7 +166,7 @@ fn published_curves_win_and_are_cut_at_the_printed_torque() {
         .iter()
         .map(|point| (point.speed.in_unit(&REVOLUTION_PER_MINUTE).round(), point.torque.si()))
         .collect();
-    // 34 falls to 32 a fifth of the way from 20 to 70.
+    // 34 decreases to 32 at a fifth of the range from 20 to 70.
     assert_eq!(corners, [(0.0, 32.0), (20.0, 32.0), (30.0, 32.0), (70.0, 24.0), (70.0, 0.0)]);
     let at = |volts: f64| limit(&actuator, rpm(120.0), Some(ElectricPotential::from_si(volts)));
     assert!((at(220.0) - 50.0).abs() < 1e-9);

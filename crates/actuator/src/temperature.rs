@@ -1,17 +1,17 @@
-//! Temperatures of winding and housing: two nodes in a chain to the ambient air, linear.
+//! Temperatures of winding and housing: a linear chain of two nodes to the ambient air.
 
 use quantities::{Measure, Power, ThermodynamicTemperature, Time};
 
 /// Temperatures of the two nodes.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Temperatures {
-    /// Winding.
+    /// Temperature of the winding.
     pub winding: ThermodynamicTemperature,
-    /// Housing.
+    /// Temperature of the housing.
     pub housing: ThermodynamicTemperature,
 }
 
-/// Losses of one instant or a mean of them, each where it arises.
+/// Losses at one instant, or their mean, by place of origin.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Losses {
     /// Copper loss, in the winding \[W\].
@@ -20,29 +20,29 @@ pub struct Losses {
     pub friction_w: f64,
 }
 
-/// How much each mode of the network contributes to a temperature \[K/W\], the quick one first.
+/// Contributions of the modes of the network to a temperature \[K/W\], the fast mode first.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Gains {
-    /// Of the copper loss.
+    /// Contributions per copper loss.
     pub copper: [f64; 2],
-    /// Of the friction.
+    /// Contributions per friction loss.
     pub friction: [f64; 2],
 }
 
-/// Heat that flows at an instant, and how fast it changes both temperatures.
+/// Heat flows at an instant, and the resulting rates of both temperatures.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct HeatFlows {
-    /// From the winding to the housing \[W\].
+    /// Heat flow from the winding to the housing \[W\].
     pub winding_to_housing_w: f64,
-    /// From the housing to the ambient air \[W\].
+    /// Heat flow from the housing to the ambient air \[W\].
     pub housing_to_ambient_w: f64,
-    /// ϑ_w' \[K/s\]
+    /// ϑ_w': rate of the winding temperature \[K/s\].
     pub winding_k_per_s: f64,
-    /// ϑ_h' \[K/s\]
+    /// ϑ_h': rate of the housing temperature \[K/s\].
     pub housing_k_per_s: f64,
 }
 
-/// Winding and housing as a thermal network.
+/// Thermal network of winding and housing.
 ///
 /// C_w ϑ_w' = P_cu − (ϑ_w − ϑ_h)/R_wh, C_h ϑ_h' = P_f + (ϑ_w − ϑ_h)/R_wh − (ϑ_h − ϑ_a)/R_ha
 ///
@@ -52,21 +52,21 @@ pub struct HeatFlows {
 /// # Source
 /// docs/theory/thermal.md
 /// # Valid
-/// on the plate of table 13.3; constant resistances
+/// mounted on the plate of table 13.3; constant resistances
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Network {
     /// R_wh, R_ha \[K/W\]
     resistance_k_per_w: [f64; 2],
     /// C_w, C_h \[J/K\]
     capacity_j_per_k: [f64; 2],
-    /// Time constants of the two modes \[s\], the quick one first.
+    /// Time constants of the two modes \[s\], the fast one first.
     tau_s: [f64; 2],
     winding: Gains,
     housing: Gains,
 }
 
 impl Network {
-    /// A network with these resistances and the time constants τ_w = R_wh C_w, τ_h = R_ha C_h.
+    /// Creates a network with these resistances and the time constants τ_w = R_wh C_w, τ_h = R_ha C_h.
     #[must_use]
     pub fn new([r_wh, r_ha]: [f64; 2], [tau_w, tau_h]: [Time; 2]) -> Self {
         let (tau_w, tau_h) = (tau_w.si(), tau_h.si());
@@ -75,13 +75,14 @@ impl Network {
         let (a, c, d) = (1.0 / tau_w, 1.0 / (r_wh * c_h), 1.0 / tau_h);
         let half = (a + c + d) / 2.0;
         let quick = -half - (half * half - a * d).sqrt();
-        // The product of the two is a d; the quotient keeps the digits of the slow one.
+        // The product of both is a d; the quotient avoids cancellation in the slow one.
         let slow = a * d / quick;
         let tau_s = [-1.0 / quick, -1.0 / slow];
         let [tau_quick, tau_slow] = tau_s;
         let gains =
             |residue: &dyn Fn(f64, f64) -> f64| [residue(quick, slow) * tau_quick, residue(slow, quick) * tau_slow];
-        // What warms the housing reaches the winding as what warms the winding reaches the housing: the network is reciprocal.
+        // The network is reciprocal: heating the housing affects the winding as heating the winding affects the
+        // housing.
         let across = gains(&|own, other| c / (c_w * (own - other)));
         Self {
             resistance_k_per_w: [r_wh, r_ha],
@@ -92,13 +93,13 @@ impl Network {
         }
     }
 
-    /// R_wh, R_ha \[K/W\].
+    /// Returns R_wh and R_ha \[K/W\].
     #[must_use]
     pub const fn resistances_k_per_w(&self) -> [f64; 2] {
         self.resistance_k_per_w
     }
 
-    /// The flows of heat at an instant, and what they change.
+    /// Returns the heat flows at an instant, and the resulting rates of the temperatures.
     ///
     /// # Source
     /// docs/theory/thermal.md; the equations of [`Network`]
@@ -116,25 +117,25 @@ impl Network {
         }
     }
 
-    /// Time constants of the two modes, the quick one first.
+    /// Returns the time constants of the two modes, the fast one first.
     #[must_use]
     pub fn time_constants(&self) -> [Time; 2] {
         self.tau_s.map(Time::from_si)
     }
 
-    /// What each mode contributes to the temperature of the winding.
+    /// Returns the contributions of the modes to the temperature of the winding.
     #[must_use]
     pub const fn winding(&self) -> Gains {
         self.winding
     }
 
-    /// What each mode contributes to the temperature of the housing.
+    /// Returns the contributions of the modes to the temperature of the housing.
     #[must_use]
     pub const fn housing(&self) -> Gains {
         self.housing
     }
 
-    /// Temperatures under losses that last for ever.
+    /// Returns the steady temperatures under constant losses.
     ///
     /// ϑ_h = ϑ_a + (P_cu + P_f) R_ha, ϑ_w = ϑ_h + P_cu R_wh
     ///
@@ -150,8 +151,8 @@ impl Network {
         }
     }
 
-    /// Rise of the winding per watt of copper loss and of friction at the end of each operation of an intermittent duty
-    /// in steady periodic state \[K/W\].
+    /// Returns the rise of the winding per watt of copper loss and of friction at the end of each operation of an
+    /// intermittent duty in steady periodic state \[K/W\].
     ///
     /// Σ_k G_k (1 − e^(−ED T_c/τ_k))/(1 − e^(−T_c/τ_k)); for ED = 1 the resistances R_wh + R_ha and R_ha
     ///
@@ -168,8 +169,8 @@ impl Network {
         (sum(self.winding.copper), sum(self.winding.friction))
     }
 
-    /// Time from cold (ambient temperature) until the winding reaches a threshold under constant losses;
-    /// `None` if it never does.
+    /// Returns the time from ambient temperature until the winding reaches a threshold under constant losses; `None` if
+    /// it never does.
     ///
     /// ϑ_w(t) = ϑ_a + Σ_k (G_cu,k P_cu + G_f,k P_f)(1 − e^(−t/τ_k)), rising
     ///
@@ -191,7 +192,7 @@ impl Network {
             losses.copper_w * of(self.winding.copper) + losses.friction_w * of(self.winding.friction)
         };
         let ([quick, slow], [tau_quick, tau_slow]) = ([rise(0), rise(1)], self.tau_s);
-        // Written with what is left to the steady state, whose difference keeps its digits near the end.
+        // Written with the distance from the steady state, which avoids cancellation near the end.
         let left_at_end = quick + slow - wanted;
         if left_at_end.is_nan() || left_at_end <= 0.0 {
             return None;
@@ -208,7 +209,7 @@ impl Network {
         Some(Time::from_si(numeric::root(above, (0.0, above(0.0)), (high, above(high)), 0.0)))
     }
 
-    /// Temperatures at the start of every piece of a cycle of constant losses that repeats for ever.
+    /// Returns the temperatures at the start of each piece of a periodic cycle of constant losses.
     ///
     /// Each mode is a first-order lag whose steady periodic state is a closed form.
     ///
@@ -238,9 +239,9 @@ impl Network {
     }
 }
 
-/// Power that the losses of one instant are made of.
+/// Sum of the losses.
 impl Losses {
-    /// Both together.
+    /// Returns the sum of both losses.
     #[must_use]
     pub fn total(&self) -> Power {
         Power::from_si(self.copper_w + self.friction_w)

@@ -31,11 +31,12 @@ fn the_modes_together_are_the_resistances() {
     }
     let [quick, slow] = network.time_constants().map(Time::si);
     assert!((quick * slow - 60.0 * 2400.0).abs() < 1e-6, "det = a d");
-    // Winding and housing as one node of the slow mode: τ_w (1 + R_ha/R_wh ...) lies between.
+    // Winding and housing as one node of the slow mode: τ_w (1 + R_ha/R_wh ...) is in between.
     assert!(quick < 60.0 && slow > 2400.0);
 }
 
-/// Brute force: the two equations by Runge and Kutta, many periods; states at the starts of the pieces.
+/// Integrates the two equations by the Runge-Kutta method over many periods; returns the states at the starts of the
+/// pieces.
 fn integrate(pieces: &[(f64, Losses)], periods: usize) -> Vec<(f64, f64)> {
     let (r_wh, r_ha) = (0.45, 0.37);
     let (c_w, c_h) = (60.0 / r_wh, 2400.0 / r_ha);
@@ -78,7 +79,7 @@ fn the_course_agrees_with_a_long_integration() {
     }
 }
 
-/// The closed form for one operation a cycle is the course of two pieces, at the start of the rest.
+/// The closed form for one operation per cycle equals the course of two pieces at the start of the rest.
 #[test]
 fn intermittent_duty_is_the_course_of_operation_and_rest() {
     let network = network();
@@ -98,7 +99,7 @@ fn intermittent_duty_is_the_course_of_operation_and_rest() {
 #[test]
 fn warming_up_takes_longer_the_nearer_the_threshold_is_to_the_end() {
     let network = network();
-    // 20·0.82 + 64·0.37 = 40.08 K in the end.
+    // 20·0.82 + 64·0.37 = 40.08 K in steady state.
     let time = |threshold| network.warm_up_time(losses(20.0, 64.0), celsius(40.0), celsius(threshold)).map(Time::si);
     assert_eq!(time(80.1), None);
     assert_eq!(time(40.0), Some(0.0));
@@ -108,14 +109,14 @@ fn warming_up_takes_longer_the_nearer_the_threshold_is_to_the_end() {
         assert!(now > last);
         last = now;
     }
-    // The time found gives the threshold back, by the course of a long cycle cut there.
+    // A long cycle cut at this time reaches the threshold.
     let now = time(60.0).unwrap();
     let pieces = [(Time::from_si(now), losses(20.0, 64.0)), (Time::from_si(1e6), losses(0.0, 0.0))];
     let there = network.course(&pieces, celsius(40.0)).get(1).unwrap().winding.si();
     assert!((there - celsius(60.0).si()).abs() < 1e-6);
 }
 
-/// What is lost is stored or leaves to the air; in the steady state nothing is stored.
+/// Losses are either stored or transferred to the air; in the steady state nothing is stored.
 #[test]
 fn flows_keep_the_energy_and_vanish_in_the_steady_state() {
     let (network, ambient, load) = (network(), celsius(25.0), losses(20.0, 30.0));
@@ -129,7 +130,7 @@ fn flows_keep_the_energy_and_vanish_in_the_steady_state() {
     assert!(steady.winding_k_per_s.abs() < 1e-12 && steady.housing_k_per_s.abs() < 1e-12);
 }
 
-/// Stepped by its own slopes the network takes the course in closed form: half a minute of loss, half a minute of rest.
+/// Stepped with its own slopes, the network follows the closed form: half a minute of loss, half a minute of rest.
 #[test]
 fn the_flows_make_the_course() {
     let (network, ambient) = (network(), celsius(25.0));

@@ -1,4 +1,4 @@
-//! Terminal voltage of the motor in the rotor's dq frame.
+//! Terminal voltage of the motor in the dq frame of the rotor.
 
 use crate::motor::copper_resistance;
 use crate::parameters::Drivetrain;
@@ -9,12 +9,12 @@ use quantities::unit::{
 };
 use quantities::{AngularVelocity, ElectricCurrent, ElectricPotential, Measure, ThermodynamicTemperature};
 
-/// The electrical constants of a motor, per phase of the star.
+/// Electrical constants of a motor per phase of the star.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct MotorVoltage {
-    /// i: reduction ratio.
+    /// i: reduction ratio \[1\].
     ratio: f64,
-    /// p: pole pairs.
+    /// p: number of pole pairs.
     pole_pairs: f64,
     /// R = R_LL/2 at the temperature of the winding \[Ω\]
     resistance_ohm: f64,
@@ -22,28 +22,28 @@ pub struct MotorVoltage {
     inductance_h: f64,
     /// ψ: flux linkage, peak value of one phase \[Vs\]
     flux_vs: f64,
-    /// The worst grade among the inputs.
+    /// Worst grade of the inputs.
     pub grade: Grade,
 }
 
 impl MotorVoltage {
-    /// The constants of an actuator's motor, its winding as hot as the supervision lets it become, where the resistance is
-    /// largest.
+    /// Creates the constants of an actuator's motor with the winding at the shutdown temperature, where the resistance
+    /// is largest.
     ///
     /// # Errors
-    /// [`Missing`] with the first datum that is not known.
+    /// [`Missing`] with the first unknown datum.
     pub fn of(actuator: &Drivetrain) -> Result<Self, Missing> {
         let hot = actuator.heat.winding_shutdown.require("T_KTY")?;
         let motor = Self::with_winding(actuator, hot.value)?;
         Ok(Self { grade: motor.grade.worst(hot.grade), ..motor })
     }
 
-    /// The constants of an actuator's motor, its winding at a temperature.
+    /// Creates the constants of an actuator's motor with the winding at a temperature.
     ///
     /// ψ = k_EM √(2/3) / p, with k_EM the rms voltage line to line per mechanical angular velocity
     ///
     /// # Errors
-    /// [`Missing`] with the first datum that is not known.
+    /// [`Missing`] with the first unknown datum.
     pub fn with_winding(actuator: &Drivetrain, winding: ThermodynamicTemperature) -> Result<Self, Missing> {
         let ratio = actuator.ratio.require("i")?;
         let pole_pairs = actuator.pole_pairs.require("p")?;
@@ -63,7 +63,7 @@ impl MotorVoltage {
         })
     }
 
-    /// u_d and u_q \[V\], peak values of one phase, with i_d = 0.
+    /// Returns u_d and u_q \[V\], peak values of one phase, with i_d = 0.
     ///
     /// u_d = −ω_e L i_q, u_q = R i_q + ω_e ψ, ω_e = p i ω_out, i_q = √2 I
     #[inline]
@@ -73,7 +73,7 @@ impl MotorVoltage {
         (-omega_e * self.inductance_h * i_q, self.resistance_ohm * i_q + omega_e * self.flux_vs)
     }
 
-    /// Terminal voltage, fundamental, line to line, rms.
+    /// Returns the terminal voltage, fundamental, line to line, rms.
     ///
     /// U = √(3/2) √(u_d² + u_q²)
     ///
@@ -89,13 +89,14 @@ impl MotorVoltage {
         ElectricPotential::from_si((1.5 * (u_d * u_d + u_q * u_q)).sqrt())
     }
 
-    /// p i, R \[Ω\], L \[H\] and ψ \[Vs\] per phase of the star.
+    /// Returns p i, R \[Ω\], L \[H\] and ψ \[Vs\] per phase of the star.
     #[must_use]
     pub const fn constants(&self) -> [f64; 4] {
         [self.pole_pairs * self.ratio, self.resistance_ohm, self.inductance_h, self.flux_vs]
     }
 
-    /// The workings of [`MotorVoltage::at`]; the caller has noted the speed `n` and the current `I`, the result is `U_LL`.
+    /// Records the derivation of [`MotorVoltage::at`]; the caller has recorded the speed `n` and the current `I`, the
+    /// result is `U_LL`.
     pub fn explain(
         &self,
         actuator: &Drivetrain,
@@ -126,17 +127,17 @@ impl MotorVoltage {
         work.formula("U_LL", &VOLT, self.at(speed_out, current).si(), "sqrt(3/2)*sqrt(u_d^2 + u_q^2)", &source);
     }
 
-    /// Largest current that drives the motor on at a speed and a terminal voltage; `None` where the voltage does not
-    /// even reach the back-EMF with i_d = 0.
+    /// Returns the largest driving current at a speed and a terminal voltage; `None` if the voltage does not reach the
+    /// back-EMF with i_d = 0.
     ///
     /// (ω_e² L² + R²) i_q² + 2 R ω_e ψ i_q + ω_e² ψ² − ⅔ U² = 0, I = i_q/√2
     ///
     /// # Symbols
-    /// as in [`MotorVoltage::at`]; U terminal voltage, fundamental, line to line, rms \[V\]
+    /// see [`MotorVoltage::at`]; U terminal voltage, fundamental, line to line, rms \[V\]
     /// # Source
     /// docs/theory/short-time-torque.md
     /// # Valid
-    /// as in [`MotorVoltage::at`]; field weakening (i_d < 0) would give more
+    /// see [`MotorVoltage::at`]; field weakening (i_d < 0) would permit more
     #[must_use]
     pub fn current_max(&self, speed_out: AngularVelocity, voltage: ElectricPotential) -> Option<ElectricCurrent> {
         let omega_e = self.pole_pairs * self.ratio * speed_out.si().abs();
@@ -146,17 +147,17 @@ impl MotorVoltage {
         let rest = emf * emf - voltage.si().powi(2) / 1.5;
         let root = (resistance * emf).powi(2) - square * rest;
         (rest <= 0.0).then(|| {
-            // The product of the roots is rest/square: this form keeps its digits where both nearly cancel.
+            // The product of the roots is rest/square: this form avoids cancellation.
             let i_q = -rest / (resistance * emf + root.max(0.0).sqrt());
             ElectricCurrent::from_si(i_q / std::f64::consts::SQRT_2)
         })
     }
 
-    /// A bound of the terminal voltage over a ramp on which speed and current change linearly from one end to the other;
-    /// where both grow or both are constant it is that of the larger end.
+    /// Returns an upper bound of the terminal voltage over a ramp on which speed and current change linearly; if both
+    /// increase or both are constant, it is the voltage at the end with the larger values.
     ///
-    /// U² is a polynomial of the fourth degree there, nowhere above the largest of its coefficients in Bernstein's basis:
-    /// u_d has (d_0, d_1, d_2) with d_1 = −ω_e L i_q of crosswise ends, u_q has (q_0, q_1).
+    /// U² is a polynomial of the fourth degree there, bounded by the largest of its coefficients in the Bernstein
+    /// basis: u_d has (d_0, d_1, d_2) with d_1 = −ω_e L i_q from crosswise ends, u_q has (q_0, q_1).
     ///
     /// # Source
     /// docs/theory/voltage.md
@@ -210,14 +211,14 @@ mod tests {
         AngularVelocity::new_in(n, &REVOLUTION_PER_MINUTE)
     }
 
-    /// Without current only the back-EMF stands at the terminals: k_EM · 6000 = 138 V at 120 1/min with i = 50.
+    /// Without current the terminals have the back-EMF only: k_EM · 6000 = 138 V at 120 1/min with i = 50.
     #[test]
     fn without_current_the_back_emf_is_left() {
         let volts = motor(5.9, 8.0).at(rpm(120.0), ElectricCurrent::from_si(0.0)).si();
         assert!((volts - 138.0).abs() < 1e-9, "{volts}");
     }
 
-    /// At standstill only the hot resistance counts: √3 · R/2 · I = √3/2 · 5.9 · 1.2751 · 2 A.
+    /// At standstill only the hot resistance has an effect: √3 · R/2 · I = √3/2 · 5.9 · 1.2751 · 2 A.
     #[test]
     fn at_standstill_the_resistance_is_left() {
         let volts = motor(5.9, 8.0).at(rpm(0.0), ElectricCurrent::from_si(2.0)).si();
@@ -255,7 +256,7 @@ mod tests {
             let current = motor.current_max(rpm(n), ElectricPotential::from_si(220.0)).unwrap();
             assert!((motor.at(rpm(n), current).si() - 220.0).abs() < 1e-9, "{n}");
         }
-        // 120 1/min make 138 V of back-EMF.
+        // 120 1/min cause a back-EMF of 138 V.
         assert!(motor.current_max(rpm(120.0), ElectricPotential::from_si(137.9)).is_none());
         let nothing = motor.current_max(rpm(120.0), ElectricPotential::from_si(138.000_000_1)).unwrap();
         assert!(nothing.si() < 1e-6);
