@@ -1,4 +1,4 @@
-//! The orderable actuators of the catalogue, with their parameters.
+//! The actuators of the catalogue available without request, with their parameters.
 
 use crate::codes::plain;
 use crate::parameters::parameters_beside;

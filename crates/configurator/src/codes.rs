@@ -4,7 +4,7 @@ use crate::rules::{Availability, BrokenRule, availability, looked_up};
 use order_code::{Brake, Feedback, Field, Option1, Option2, OrderCode, Pattern, Ratio, Series, Size, Slot, Winding};
 use std::sync::LazyLock;
 
-/// Combinations of words without the special design, orderable or not.
+/// Combinations of words without the special design, valid or not.
 static WRITABLE: LazyLock<Vec<OrderCode>> =
     LazyLock::new(|| Series::all().flat_map(|series| writable(series, true)).collect());
 
@@ -56,7 +56,7 @@ static SPECIAL: LazyLock<Vec<(OrderCode, Availability)>> = LazyLock::new(|| {
     special.filter_map(|code| Some((code, availability(&code).ok()?))).collect()
 });
 
-/// Returns all orderable codes with their availability, in the order of the fields.
+/// Returns all valid codes with their availability, in the order of the fields.
 ///
 /// The special design is omitted: it stands for any design to customer specification and could follow every code.
 #[must_use]
@@ -64,14 +64,14 @@ pub fn all() -> &'static [(OrderCode, Availability)] {
     &ALL
 }
 
-/// Iterates over the orderable codes that a partial code allows; special designs only if it names the special design.
+/// Iterates over the valid codes that a partial code allows; special designs only if it names the special design.
 pub fn complete(pattern: &Pattern) -> impl Iterator<Item = &'static (OrderCode, Availability)> + '_ {
     let codes = if pattern.special == Slot::Exactly(true) { &SPECIAL } else { &ALL };
     codes.iter().filter(move |(code, _)| pattern.matches(code))
 }
 
 /// Returns the rules that exclude every code allowed by a partial code, each with a code that breaks it; empty if the
-/// partial code allows an orderable code. These are the rules broken by all its codes or, if there is none, those
+/// partial code allows an valid code. These are the rules broken by all its codes or, if there is none, those
 /// broken by the code with the fewest broken rules of each size.
 #[must_use]
 pub fn broken_by_all(pattern: &Pattern) -> Vec<(OrderCode, BrokenRule)> {
@@ -94,7 +94,7 @@ pub fn broken_by_all(pattern: &Pattern) -> Vec<(OrderCode, BrokenRule)> {
     each.flat_map(|(code, broken)| broken.iter().map(|rule| (*code, *rule))).collect()
 }
 
-/// Words that occur in the orderable codes of each size, by field.
+/// Words that occur in the valid codes of each size, by field.
 static TOKENS: LazyLock<Vec<(Field, Size, Vec<&'static str>)>> = LazyLock::new(|| {
     let of_size = |field: Field, size: Size| {
         let stands = |token: &&str| ALL.iter().any(|(code, _)| code.size == size && code.token(field) == Some(token));
@@ -107,7 +107,7 @@ fn sizes() -> impl Iterator<Item = Size> {
     Series::all().flat_map(Size::all)
 }
 
-/// Returns the words of a field that occur in at least one orderable code of a size.
+/// Returns the words of a field that occur in at least one valid code of a size.
 #[must_use]
 pub fn tokens_of_size(field: Field, size: Size) -> &'static [&'static str] {
     if field == Field::Special {
@@ -126,7 +126,7 @@ pub struct Choice {
     pub available: bool,
 }
 
-/// Returns, for each field, the words that occur in the orderable codes allowed by a partial code.
+/// Returns, for each field, the words that occur in the valid codes allowed by a partial code.
 #[must_use]
 pub fn choices(pattern: &Pattern) -> Vec<(Field, Vec<Choice>)> {
     let codes: Vec<&(OrderCode, Availability)> = complete(pattern).collect();

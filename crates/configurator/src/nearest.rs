@@ -1,4 +1,4 @@
-//! Proposals for a code that does not exist: the valid codes nearest to it.
+//! Proposals for an invalid code: the valid codes nearest to it.
 
 use crate::codes::all;
 use crate::rules::Availability;
@@ -9,7 +9,7 @@ use strsim::osa_distance;
 /// A valid code with data, and its availability.
 type Known = (OrderCode, Availability);
 
-/// A valid code as it is written and with its words in alphabetical order.
+/// A valid code with its canonical spelling, and with its words in alphabetical order.
 struct Indexed {
     known: &'static Known,
     text: String,
@@ -43,7 +43,7 @@ fn sorted_words(text: &str) -> String {
 /// with their neighbour; words in the wrong order count as one step.
 ///
 /// Proposed are codes with data that have every word that was understood or, if there are none, all words but one; of
-/// equally near codes those available without inquiry come first. A code further away than half of its characters is
+/// equally near codes those available without request come first. A code further away than half of its characters is
 /// not proposed.
 ///
 /// Cost: two edit distances for each code that has the words understood.
@@ -64,8 +64,9 @@ pub fn nearest(text: &str, most: usize) -> Vec<&'static (OrderCode, Availability
     scored.into_iter().take_while(|(distance, ..)| *distance <= limit).take(most).map(|(.., known)| known).collect()
 }
 
-/// The words of a text that a proposal keeps: all that were understood, if a code has them. Else one of them contradicts the
-/// others: the first to be left out is the one that says least of the machine. No code here is a special design.
+/// Returns the words of a text that proposals keep: all that were understood, if a code has them. Otherwise one of them
+/// contradicts the others, and the word least specific to the machine is dropped first. No code here is a special
+/// design.
 fn kept(text: &str) -> Pattern {
     let Err(faults) = order_code::parse(text) else { return Pattern::default() };
     let without = |left_out: Option<Field>| {
@@ -81,8 +82,9 @@ fn kept(text: &str) -> Pattern {
         .unwrap_or_default()
 }
 
-/// The valid codes nearest to a well-spelt one that breaks a rule, by what the actuator is: how far its ratio and size are,
-/// and which fields differ. Only codes with data; of several as near, those available without asking first.
+/// Returns at most `most` valid codes nearest to a well-spelt code that breaks a rule, by the difference of size and ratio
+/// and by the fields that differ. Only codes with data are returned; among equally near codes, those available without
+/// request come first.
 #[must_use]
 pub fn nearest_to(wanted: &OrderCode, most: usize) -> Vec<&'static (OrderCode, Availability)> {
     let of_series = WITH_DATA.iter().filter(|entry| entry.known.0.series() == wanted.series());
@@ -92,7 +94,7 @@ pub fn nearest_to(wanted: &OrderCode, most: usize) -> Vec<&'static (OrderCode, A
         let asked = |known: &Known| !known.1.is_available();
         a.total_cmp(b).then_with(|| (asked(one), one.0).cmp(&(asked(other), other.0)))
     };
-    // Only the first few are put in order.
+    // Only the codes returned are sorted.
     if most < scored.len() {
         scored.select_nth_unstable_by(most, order);
         scored.truncate(most);
@@ -101,8 +103,9 @@ pub fn nearest_to(wanted: &OrderCode, most: usize) -> Vec<&'static (OrderCode, A
     scored.into_iter().take(most).map(|(_, known)| known).collect()
 }
 
-/// How unlike two actuators are. The weights are ours and order nothing but the proposals: another brake or supply voltage
-/// is another machine, a connector is not, and options that were not requested are not proposed; a step in size weighs as much as a factor of 2.7 in the ratio.
+/// Returns the dissimilarity of two actuators \[1\]. The weights are chosen by antrieb and affect only the order of the
+/// proposals: another brake or supply voltage is another machine, a connector is not, and options that were not required
+/// are not proposed; a step in size weighs as much as a factor of 2.7 in the ratio.
 fn distance(a: &OrderCode, b: &OrderCode) -> f64 {
     let one_if = |differs: bool, weight: f64| if differs { weight } else { 0.0 };
     let steps = a.size.place().abs_diff(b.size.place());
@@ -139,7 +142,7 @@ mod tests {
         assert_eq!(proposals("CHA-14A-120-H-D2048").first().unwrap(), "CHA-14A-100-N-D2048");
     }
 
-    /// 48 V is not made of 25A: size and ratio stay, not the winding.
+    /// 25A has no 48 V winding: size and ratio are kept, the winding is not.
     #[test]
     fn a_word_that_contradicts_the_others_goes() {
         let found = |text: &str| -> Vec<String> { nearest(text, 3).iter().map(|(code, _)| code.to_string()).collect() };
