@@ -1,28 +1,29 @@
-//! Names of temporary files and folders, and the removal of those that a killed program has left behind.
+//! Names of temporary files and folders, and the removal of those left by a killed program.
 
 use std::path::Path;
 use std::sync::atomic::{AtomicU64, Ordering};
 use std::time::{Duration, SystemTime, UNIX_EPOCH};
 
-/// How the names of temporary files begin; six characters and their check follow.
+/// Prefix of the names of temporary files; six characters and their check follow.
 const PREFIX: &str = ".antrieb-";
 
-/// Letters of the part that differs from name to name.
+/// Number of characters in the part that differs from name to name.
 const DIFFERS: usize = 6;
 
-/// Letters of its check.
+/// Number of characters in the check.
 const CHECK: usize = 8;
 
-/// A file that is written is locked within this time of its making.
+/// Time after creation within which a file being written is locked.
 #[cfg(unix)]
 const AGE: Duration = Duration::from_secs(60);
 
-/// Without locks: a save takes seconds, so what is older belongs to no program that still runs, on this machine or another one.
+/// Age beyond which a file belongs to no running program on this or another machine, on systems without locks: a save
+/// takes seconds.
 #[cfg(not(unix))]
 const AGE: Duration = Duration::from_secs(24 * 3600);
 
-/// Returns a new name for a temporary file or folder: `.antrieb-3fa2b1-` and the check of the letters before it, which a file that
-/// a user named alike does not have.
+/// Returns a new name for a temporary file or folder: `.antrieb-3fa2b1-` and the check of the characters before it,
+/// which distinguishes it from a similar name given by a user.
 pub(crate) fn name() -> String {
     static COUNT: AtomicU64 = AtomicU64::new(0);
     let now = SystemTime::now().duration_since(UNIX_EPOCH).unwrap_or_default().as_nanos();
@@ -37,21 +38,21 @@ fn check(differs: &str) -> String {
     hash.chars().take(CHECK).collect()
 }
 
-/// Returns `true` if [`name`] may have made this name.
+/// Returns `true` if [`name`] could have created this name.
 fn is_name(name: &str) -> bool {
     let parts = name.strip_prefix(PREFIX).and_then(|rest| rest.split_once('-'));
     parts.is_some_and(|(differs, written)| differs.len() == DIFFERS && written == check(differs))
 }
 
-/// Removes files and folders left in a folder by an interrupted save: ours by name and owner, and written by no program any more.
-/// Errors here do not affect the save.
+/// Removes files and folders left in a folder by an interrupted save: recognised by name and owner, and no longer
+/// written by any program. Errors here do not affect the save.
 pub(crate) fn clear(folder: &Path) {
     let now = SystemTime::now();
     for entry in std::fs::read_dir(folder).into_iter().flatten().flatten() {
         if !entry.file_name().to_str().is_some_and(is_name) {
             continue;
         }
-        // Of the entry itself: a link is none.
+        // Metadata of the entry itself: a link is not followed.
         let Ok(about) = entry.metadata() else { continue };
         let age = about.modified().ok().and_then(|modified| now.duration_since(modified).ok());
         if age.is_none_or(|age| age <= AGE) || !is_own(&about) {
@@ -71,7 +72,7 @@ pub(crate) fn is_own(about: &std::fs::Metadata) -> bool {
     std::os::unix::fs::MetadataExt::uid(about) == rustix::process::geteuid().as_raw()
 }
 
-/// Returns `true`: elsewhere the folder decides who may write.
+/// Returns `true`: on these systems the folder decides who may write.
 #[cfg(not(unix))]
 pub(crate) const fn is_own(_: &std::fs::Metadata) -> bool {
     true

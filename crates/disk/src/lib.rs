@@ -1,9 +1,9 @@
 //! Files of this machine, for the faces: written whole or not at all, read within bounds.
 //!
 //! A file is written under a temporary name next to its path and then renamed ([`save`]); obstacles are reported before
-//! anything is written ([`ready`]). Finished parts of a long file are kept in a folder beside it that bears our mark ([`Parts`]).
-//! Only files that this program wrote are removed or replaced, and no link is followed. The files that a project names are opened
-//! only in permitted folders ([`Beside`]).
+//! anything is written ([`ready`]). Finished parts of a long file are kept in a marked folder next to it ([`Parts`]).
+//! Only files written by this program are removed or replaced, and no link is followed. Files named in a project are
+//! opened only in permitted folders ([`Beside`]).
 
 mod left;
 mod parts;
@@ -21,15 +21,15 @@ pub use unfinished::{end_on_signals, refuse_large_files};
 use quantities::seen;
 use std::path::Path;
 
-/// Without signals there is nothing to be done.
+/// Does nothing on systems without signals.
 #[cfg(not(unix))]
 pub const fn end_on_signals() {}
 
-/// Without signals there is nothing to be done.
+/// Does nothing on systems without signals.
 #[cfg(not(unix))]
 pub const fn refuse_large_files() {}
 
-/// A path as it may be shown.
+/// Returns a path in displayable form.
 #[must_use]
 pub fn path_text(path: &Path) -> String {
     seen(&path.to_string_lossy()).into_owned()

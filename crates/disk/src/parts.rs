@@ -1,8 +1,8 @@
-//! A folder beside a file in which finished parts of it are kept until the file is whole.
+//! A folder next to a file that holds its finished parts until the file is complete.
 //!
-//! The folder is made by this program, bears its mark and belongs to the user who runs it; any other one is left as it is. While
-//! it is open it is locked. Files in it are made new, opened without following links and removed only if this program named and
-//! wrote them: the folder is addressed by its handle, so what becomes of its name does not matter.
+//! The folder is created by this program, contains its mark and belongs to the user who runs it; any other folder is
+//! left unchanged. It is locked while open. Files in it are newly created, opened without following links and removed
+//! only if this program named and wrote them. The folder is addressed by its handle, so renaming it has no effect.
 
 mod dir;
 
@@ -13,36 +13,36 @@ use std::io::{Error, ErrorKind, Read, Result, Write};
 use std::path::{Path, PathBuf};
 use std::time::Duration;
 
-/// The file whose lock is that of the folder.
+/// File whose lock protects the folder.
 const LOCK: &str = "lock";
 
-/// The file by which the folder is known, and which says to what its parts belong.
+/// File that identifies the folder and states the file that its parts belong to.
 const MARK: &str = "sweep";
 
 /// First line of the mark.
 const TITLE: &str = "parts of an unfinished file of antrieb, removed when it is whole";
 
-/// Behind the name of a file that is not whole.
+/// Suffix of a file that is not complete.
 const UNFINISHED: &str = ".unfinished";
 
-/// The folder of the parts of a file, locked as long as this value lives.
+/// The folder of the parts of a file, locked as long as this value exists.
 #[derive(Debug)]
 pub struct Parts {
     path: PathBuf,
     dir: Dir,
-    /// To what the parts belong.
+    /// Identification of the run that the parts belong to.
     mark: String,
     _lock: File,
 }
 
-/// Why a folder of parts cannot be used.
+/// Reason why a folder of parts cannot be used.
 #[derive(Debug)]
 pub enum PartsTrouble {
-    /// Something of this name is there that this program did not make.
+    /// The name is in use by something that this program did not create.
     Foreign,
-    /// A file in it has a name of this program, and is a link or belongs to another user.
+    /// A file in it has a name of this program, but is a link or belongs to another user.
     ForeignFile(String),
-    /// Another run has it open.
+    /// Another run has the folder open.
     Busy,
     /// Error of the system.
     System(Error),
@@ -58,15 +58,15 @@ impl From<Error> for PartsTrouble {
     }
 }
 
-/// How often a folder is looked at that comes and goes, and how long after each other.
+/// Number of attempts to open a folder that other runs create and remove at the same time, and the pause between them.
 const TRIES: usize = 8;
 const PAUSE: Duration = Duration::from_millis(5);
 
 impl Parts {
-    /// Opens the folder of this program at a path, or makes it. Its parts are those that the last mark speaks of.
+    /// Opens the folder of this program at a path, or creates it. Its parts are those of the last mark.
     ///
     /// # Errors
-    /// [`PartsTrouble`]; then nothing is changed.
+    /// [`PartsTrouble`]; nothing is changed then.
     pub fn open(path: &Path) -> std::result::Result<Self, PartsTrouble> {
         let mut trouble = PartsTrouble::Busy;
         for _ in 0..TRIES {
@@ -83,13 +83,13 @@ impl Parts {
                 }
                 Err(error) => return Err(error.into()),
             }
-            // Another run may be removing it at this moment: its mark goes first.
+            // Another run may be removing it at this moment, starting with its mark.
             std::thread::sleep(PAUSE);
         }
         Err(trouble)
     }
 
-    /// Opens the folder that is there; no trouble where it has just gone.
+    /// Opens an existing folder; returns `Err(None)` if it has just been removed.
     fn known(path: &Path) -> std::result::Result<Self, Option<PartsTrouble>> {
         let system = |error: Error| match error.kind() {
             ErrorKind::NotFound => None,
@@ -107,7 +107,7 @@ impl Parts {
         Err(Some(PartsTrouble::Foreign))
     }
 
-    /// Locks an opened folder that bears the mark.
+    /// Locks an opened folder that contains the mark.
     fn locked(path: &Path, dir: Dir) -> std::result::Result<Self, PartsTrouble> {
         let lock = dir.open_or_make(LOCK)?;
         match lock.try_lock() {
@@ -115,7 +115,7 @@ impl Parts {
             Err(std::fs::TryLockError::WouldBlock) => return Err(PartsTrouble::Busy),
             Err(std::fs::TryLockError::Error(error)) => return Err(error.into()),
         }
-        // What was locked may be what the last run was just removing.
+        // The locked folder may just have been removed by the last run.
         match mark(&dir)? {
             Some(mark) if dir.has(LOCK)? && dir.is_at(path)? => {
                 dir.make_private();
@@ -130,16 +130,16 @@ impl Parts {
         }
     }
 
-    /// To what the parts belong that are there; empty in a new folder.
+    /// Returns the mark of the existing parts; empty in a new folder.
     #[must_use]
     pub fn mark(&self) -> &str {
         &self.mark
     }
 
-    /// Removes the parts that are there and notes to what those belong that will come.
+    /// Removes the existing parts and writes the mark of the following ones.
     ///
     /// # Errors
-    /// Of the system; a file with the name of a part that this program did not write.
+    /// Errors of the system; a file with the name of a part that this program did not write.
     pub fn begin(&mut self, mark: &str) -> std::result::Result<(), PartsTrouble> {
         for name in self.dir.names()?.iter().filter(|name| is_part(name)) {
             self.dir.remove(name)?;
@@ -149,26 +149,26 @@ impl Parts {
         Ok(())
     }
 
-    /// Whether the folder still bears its mark.
+    /// Returns `true` if the folder still has its mark.
     ///
     /// # Errors
-    /// Of the system.
+    /// Errors of the system.
     pub fn is_marked(&self) -> std::result::Result<bool, PartsTrouble> {
         Ok(mark(&self.dir)?.is_some_and(|found| found == self.mark) && self.dir.is_at(&self.path)?)
     }
 
-    /// Whether there is a part.
+    /// Returns `true` if a part exists.
     ///
     /// # Errors
-    /// Of the system; a file with the name of a part that this program did not write.
+    /// Errors of the system; a file with the name of a part that this program did not write.
     pub fn has(&self, index: u64) -> std::result::Result<bool, PartsTrouble> {
         Ok(self.dir.has(&name(index))?)
     }
 
-    /// Writes a part, whole or not at all.
+    /// Writes a part, completely or not at all.
     ///
     /// # Errors
-    /// Of the system.
+    /// Errors of the system.
     pub fn put(&self, index: u64, bytes: &[u8]) -> std::result::Result<(), PartsTrouble> {
         Ok(put(&self.dir, &name(index), bytes)?)
     }
@@ -176,26 +176,26 @@ impl Parts {
     /// Opens a part.
     ///
     /// # Errors
-    /// Of the system.
+    /// Errors of the system.
     pub fn part(&self, index: u64) -> std::result::Result<File, PartsTrouble> {
         Ok(self.dir.open_file(&name(index))?)
     }
 
-    /// Removes the parts and the folder; a file that another hand put there stays, and the folder with it.
+    /// Removes the parts and the folder; a file not written by this program stays, and the folder with it.
     pub fn remove(self) {
         empty(&self.dir);
-        // Only an empty folder goes.
+        // Only an empty folder is removed.
         drop(std::fs::remove_dir(&self.path));
     }
 }
 
-/// Makes a folder with a mark: under another name until it has it, so that none without stands at the path.
+/// Creates a folder with a mark, under a temporary name first, so that no folder without a mark exists at the path.
 fn make(path: &Path) -> Result<()> {
     let beside = path.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."));
     let temporary = beside.join(left::name());
     Dir::make(&temporary)?;
     let marked = Dir::open(&temporary).and_then(|dir| put(&dir, MARK, written("").as_bytes()));
-    // A folder replaces an empty one only: where another run was quicker this fails, and its folder is taken.
+    // Renaming replaces an empty folder only: if another run was faster it fails, and that run's folder is used.
     let placed = marked.and_then(|()| match path.symlink_metadata() {
         Ok(_) => Err(ErrorKind::AlreadyExists.into()),
         Err(_) => std::fs::rename(&temporary, path),
@@ -206,7 +206,7 @@ fn make(path: &Path) -> Result<()> {
     placed.or_else(|error| if path.symlink_metadata().is_ok() { Ok(()) } else { Err(error) })
 }
 
-/// The name of a part.
+/// Returns the file name of a part.
 fn name(index: u64) -> String {
     format!("part-{index:08}.parquet")
 }
@@ -217,12 +217,12 @@ fn is_part(name: &str) -> bool {
     number.is_some_and(|number| number.len() >= 8 && number.bytes().all(|byte| byte.is_ascii_digit()))
 }
 
-/// The mark as it is written.
+/// Returns the content of the mark file.
 fn written(mark: &str) -> String {
     format!("{TITLE}\n{mark}\n")
 }
 
-/// The mark of a folder; `None` where it has none.
+/// Returns the mark of a folder; `None` if it has none.
 fn mark(dir: &Dir) -> Result<Option<String>> {
     if !dir.has(MARK)? {
         return Ok(None);
@@ -236,7 +236,7 @@ fn mark(dir: &Dir) -> Result<Option<String>> {
     Ok(text.strip_prefix(TITLE).map(|mark| mark.trim().to_owned()))
 }
 
-/// Writes a file of a folder whole: under another name first.
+/// Writes a complete file in a folder, under a temporary name first.
 fn put(dir: &Dir, name: &str, bytes: &[u8]) -> Result<()> {
     let unfinished = format!("{name}{UNFINISHED}");
     dir.remove(&unfinished)?;
@@ -244,7 +244,7 @@ fn put(dir: &Dir, name: &str, bytes: &[u8]) -> Result<()> {
         let mut file = dir.make_file(&unfinished)?;
         file.write_all(bytes)?;
         file.sync_data()?;
-        // A file of this name is replaced only if it is ours.
+        // A file with this name is replaced only if it belongs to this program.
         dir.has(name)?;
         dir.rename(&unfinished, name)
     })();
@@ -254,7 +254,7 @@ fn put(dir: &Dir, name: &str, bytes: &[u8]) -> Result<()> {
     written
 }
 
-/// Removes all files that this program wrote into a folder, the lock last.
+/// Removes the files in a folder that this program wrote, the lock last.
 fn empty(dir: &Dir) {
     let names = dir.names().unwrap_or_default();
     let of_mark = |name: &str| name.strip_suffix(UNFINISHED).unwrap_or(name) == MARK;
@@ -264,7 +264,7 @@ fn empty(dir: &Dir) {
     drop(dir.remove(LOCK));
 }
 
-/// Removes a folder that was not yet in its place when its run ended, if no run has it open.
+/// Removes a folder that was not in place yet when its run ended, if no run has it open.
 pub(crate) fn remove_left(path: &Path) {
     let Ok(dir) = Dir::open(path) else { return };
     let is_free = match dir.has(LOCK) {

@@ -1,45 +1,46 @@
-//! Files that are read: so much of them, and of those that a project names only where they may lie.
+//! Reading of files: within a size limit, and for files named in a project only in permitted places.
 
 use project::{Files, Grant, Reach, Unopened, is_recording_name};
 use std::fs::File;
 use std::io::{Error, ErrorKind, Read, Result};
 use std::path::{Path, PathBuf};
 
-/// At most one byte more than `most`: a large file or an endless stream is not read to its end.
+/// Reads at most `most` bytes and one more: a large file or an endless stream is not read to its end.
 ///
 /// # Errors
-/// What the system says.
+/// Errors of the system.
 pub fn read_within(source: impl Read, most: usize) -> Result<Vec<u8>> {
     let mut bytes = Vec::new();
     source.take(most as u64 + 1).read_to_end(&mut bytes)?;
     Ok(bytes)
 }
 
-/// Where links may lead.
+/// Permitted targets of links.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Links {
-    /// Wherever they lead.
+    /// Any target.
     Followed,
-    /// Not out of the folder.
+    /// Targets inside the folder only.
     Inside,
 }
 
-/// The files that a project in a folder names.
+/// Access to the files named in a project, relative to its folder.
 #[derive(Clone, Debug)]
 pub struct Beside {
-    /// The folder of the project.
+    /// Folder of the project.
     pub folder: PathBuf,
-    /// Where a link may lead.
+    /// Permitted targets of links.
     pub links: Links,
-    /// Bytes of memory for all recordings of a project, and where their names may lie.
+    /// Memory for all recordings of a project \[bytes\], and the permitted places of their files.
     pub grant: Grant,
 }
 
 impl Beside {
-    /// The regular file of a name: what is none is refused before it is opened, because a pipe would wait for its writer.
+    /// Returns the path of a regular file. Other files are refused before they are opened, because a pipe would block
+    /// until its writer opens it.
     ///
     /// # Errors
-    /// What is in the way; a name that leads out of the folder, where it may not, is not found.
+    /// The obstacle; a name outside the folder counts as not found if links must stay inside.
     pub fn regular(&self, name: &str) -> Result<PathBuf> {
         let mut path = self.folder.join(name);
         if self.links == Links::Inside {
@@ -54,8 +55,8 @@ impl Beside {
         regular(&path).map(|_| path)
     }
 
-    /// The regular file of a recording. For others than the user of this machine only what is named as a recording is opened:
-    /// a project cannot read a hidden file, a key or a note, nor by a link.
+    /// Returns the path of a recording. For a remote user only files named as recordings are opened: a project cannot
+    /// read a hidden file, a key or a note, nor through a link.
     fn recording(&self, name: &str) -> Result<PathBuf> {
         let path = self.regular(name)?;
         if self.links == Links::Inside {
@@ -69,7 +70,7 @@ impl Beside {
     }
 }
 
-/// The size of a regular file.
+/// Returns the size of a regular file.
 fn regular(path: &Path) -> Result<u64> {
     let about = path.metadata()?;
     if about.is_dir() {

@@ -1,4 +1,4 @@
-//! Files that are written: whole or not at all, in the place that was named and nowhere else.
+//! Writing of files: completely or not at all, at the given path only.
 
 use crate::unfinished::Unfinished;
 use crate::{left, path_text};
@@ -10,22 +10,22 @@ use words::SaveTrouble;
 /// A file that could not be written.
 #[derive(Debug)]
 pub struct Unwritten {
-    /// The file as it was named.
+    /// Path as given.
     pub path: PathBuf,
-    /// Why it is not written.
+    /// Reason.
     pub trouble: SaveTrouble,
 }
 
-/// Where a file goes once links are followed.
+/// Destination of a file once links are followed.
 struct Destination<'p> {
-    /// As the user named it.
+    /// Path as given by the user.
     asked: &'p Path,
     target: PathBuf,
     exists: bool,
 }
 
 impl Destination<'_> {
-    /// Renames what is written.
+    /// Renames the written file to its destination.
     fn keep(&self, file: NamedTempFile, force: bool) -> Result<(), Unwritten> {
         let kept = if force { file.persist(&self.target) } else { file.persist_noclobber(&self.target) };
         kept.map(drop).map_err(|fault| {
@@ -35,13 +35,14 @@ impl Destination<'_> {
     }
 }
 
-/// Writes files, each beside its place first and then renamed. Nothing is renamed before all are written. A file that
-/// exists stays unless `force` says otherwise, and an input always does. What is replaced keeps its mode and owner.
+/// Writes files, each next to its destination first and then renamed. Nothing is renamed before all are written. An
+/// existing file is kept unless `force` is set, and an input is never replaced. A replaced file keeps its mode and
+/// owner.
 ///
-/// A signal that ends the program takes what is unfinished with it, where [`crate::end_on_signals`] watches.
+/// A signal that ends the program also removes unfinished files, if [`crate::end_on_signals`] is active.
 ///
 /// # Errors
-/// The first file that cannot be written, and why.
+/// The first file that cannot be written, with the reason.
 pub fn save(files: &[(&Path, &[u8])], inputs: &[PathBuf], force: bool) -> Result<(), Unwritten> {
     let places = places(files.iter().map(|(path, _)| *path), inputs, force)?;
     places.iter().filter_map(|place| place.target.parent()).for_each(left::clear);
@@ -60,10 +61,10 @@ pub fn save(files: &[(&Path, &[u8])], inputs: &[PathBuf], force: bool) -> Result
     Ok(())
 }
 
-/// Writes one file as [`save`] does, but piece by piece: for what is too large to be held.
+/// Writes one file like [`save`], but piece by piece, for content too large for the memory.
 ///
 /// # Errors
-/// Why it cannot be written; what `write` says otherwise.
+/// The reason why the file cannot be written; errors returned by `write`.
 pub fn save_by<E>(
     path: &Path,
     inputs: &[PathBuf],
@@ -84,19 +85,19 @@ pub fn save_by<E>(
     Ok(())
 }
 
-/// Why a file is not written.
+/// Reason why a file is not written.
 #[derive(Debug)]
 pub enum Unsaved<E> {
-    /// The file itself.
+    /// The file cannot be written.
     Unwritten(Unwritten),
-    /// What was to be written.
+    /// The content could not be produced.
     Other(E),
 }
 
-/// Whether files could be written there, asked before the work for them begins.
+/// Checks if files can be written, before the work for them begins.
 ///
 /// # Errors
-/// The first file that could not be written, and why.
+/// The first file that cannot be written, with the reason.
 pub fn ready(files: &[&Path], inputs: &[PathBuf], force: bool) -> Result<(), Unwritten> {
     places(files.iter().copied(), inputs, force).map(drop)
 }
@@ -105,7 +106,7 @@ fn unwritten(path: &Path, trouble: SaveTrouble) -> Unwritten {
     Unwritten { path: path.to_owned(), trouble }
 }
 
-/// The error of the system; its text may contain the name of the temporary file, so only the kind is reported if it has a text.
+/// Converts an error of the system. Its text may contain the name of the temporary file, so only the kind is reported.
 fn system(error: &std::io::Error) -> SaveTrouble {
     match error.kind() {
         ErrorKind::NotFound | ErrorKind::NotADirectory => SaveTrouble::NoFolder,
@@ -113,7 +114,7 @@ fn system(error: &std::io::Error) -> SaveTrouble {
     }
 }
 
-/// Where each file goes, before anything is written.
+/// Determines the destination of each file before anything is written.
 fn places<'p>(
     paths: impl Iterator<Item = &'p Path>,
     inputs: &[PathBuf],
@@ -168,7 +169,7 @@ fn place(asked: &Path, force: bool) -> Result<Destination<'_>, SaveTrouble> {
     if !about.is_file() {
         return Err(SaveTrouble::NoRegularFile);
     }
-    // The mode is asked, not the system: it lets the superuser write what he wrote-protected himself.
+    // The mode is checked, not the system: it permits the superuser to write files that he protected himself.
     if force && about.permissions().readonly() {
         return Err(SaveTrouble::WriteProtected);
     }
@@ -182,17 +183,18 @@ fn stage(place: &Destination<'_>, bytes: &[u8], unfinished: &Unfinished) -> std:
     Ok(file)
 }
 
-/// A file beside its place, which no other user may read before it is whole. It is locked as long as this program writes it.
+/// Creates a file next to its destination that no other user may read before it is complete. It is locked while this
+/// program writes it.
 fn begin(place: &Destination<'_>, unfinished: &Unfinished) -> std::io::Result<NamedTempFile> {
     let folder = place.target.parent().unwrap_or(Path::new("."));
     let file = unfinished.made(|| temporary(folder, |_| {}))?;
     #[cfg(unix)]
-    // Where the file system has no locks the age of a file alone shows what was left.
+    // On a file system without locks the age of a file alone identifies leftovers.
     drop(file.as_file().try_lock());
     Ok(file)
 }
 
-/// A new file with a name of ours.
+/// Creates a file with a new temporary name.
 fn temporary(folder: &Path, with: impl Fn(&mut Builder<'_, '_>)) -> std::io::Result<NamedTempFile> {
     loop {
         let name = left::name();
@@ -206,7 +208,7 @@ fn temporary(folder: &Path, with: impl Fn(&mut Builder<'_, '_>)) -> std::io::Res
     }
 }
 
-/// On the disk, with the mode that it has in its place.
+/// Writes a file to disk with the mode of its destination.
 fn finish(place: &Destination<'_>, file: &NamedTempFile, unfinished: &Unfinished) -> std::io::Result<()> {
     if place.exists {
         keep(file.as_file(), &place.target)?;
@@ -216,7 +218,8 @@ fn finish(place: &Destination<'_>, file: &NamedTempFile, unfinished: &Unfinished
     file.as_file().sync_all()
 }
 
-/// The mode of any other new file in the folder, less what the user's mask takes away: that of one made for a moment.
+/// Sets the mode of any other new file in the folder, subject to the user's mask, as found on a file created for this
+/// purpose.
 #[cfg(unix)]
 fn as_any_other(place: &Destination<'_>, file: &std::fs::File, unfinished: &Unfinished) -> std::io::Result<()> {
     use std::os::unix::fs::PermissionsExt;
@@ -236,14 +239,14 @@ fn as_any_other(_: &Destination<'_>, _: &std::fs::File, _: &Unfinished) -> std::
     Ok(())
 }
 
-/// The mode of the file that is replaced, and its owner as far as the system lets us.
+/// Sets the mode of the replaced file, and its owner if the system permits.
 #[cfg(unix)]
 fn keep(file: &std::fs::File, replaced: &Path) -> std::io::Result<()> {
     use std::os::unix::fs::{MetadataExt, fchown};
     let about = replaced.metadata()?;
     let ours = file.metadata()?;
     if (about.uid(), about.gid()) != (ours.uid(), ours.gid()) {
-        // Who may not give a file away keeps it; the mode holds all the same.
+        // Without the right to change the owner the file keeps its own; the mode is set anyway.
         let _ = fchown(file, Some(about.uid()), Some(about.gid()));
     }
     file.set_permissions(about.permissions())
@@ -278,7 +281,8 @@ mod tests {
         assert_eq!(std::fs::read_dir(folder.path()).unwrap().count(), 0);
     }
 
-    /// A file that is half written is readable by its owner alone; a whole one has the mode of any other new file, or of the one it replaces.
+    /// A partly written file is readable by its owner only; a complete one has the mode of any other new file, or of
+    /// the one it replaces.
     #[cfg(unix)]
     #[test]
     fn others_may_read_a_file_when_it_is_whole() {

@@ -1,21 +1,21 @@
-//! Temporary files that a signal takes with it.
+//! Temporary files that are removed when a signal ends the program.
 //!
-//! Interrupt, terminate and hang-up end the program with what is unfinished removed and the status that a shell gives
-//! them: 128 and the number of the signal. Nothing can be done about a kill: the hidden file that it
-//! leaves goes with a save in the same folder after a minute.
+//! Interrupt, terminate and hang-up end the program after removing unfinished files, with the status that a shell
+//! assigns: 128 plus the number of the signal. A kill cannot be handled: the hidden file that it leaves is removed by a
+//! save in the same folder after a minute.
 
 use std::path::PathBuf;
 use std::sync::{Mutex, MutexGuard, PoisonError};
 use tempfile::NamedTempFile;
 
-/// The temporary files of this process that are not renamed yet.
+/// Temporary files of this process that are not renamed yet.
 static FILES: Mutex<Vec<PathBuf>> = Mutex::new(Vec::new());
 
-/// A save that may be interrupted.
+/// A save in progress.
 pub(crate) struct Unfinished;
 
 impl Unfinished {
-    /// Makes a temporary file and notes it, without a signal between.
+    /// Creates a temporary file and records it, without a signal in between.
     pub(crate) fn made(&self, make: impl FnOnce() -> std::io::Result<NamedTempFile>) -> std::io::Result<NamedTempFile> {
         let mut files = self.hold();
         let file = make()?;
@@ -23,7 +23,7 @@ impl Unfinished {
         Ok(file)
     }
 
-    /// Keeps signals waiting.
+    /// Delays the handling of signals.
     pub(crate) fn hold(&self) -> MutexGuard<'static, Vec<PathBuf>> {
         FILES.lock().unwrap_or_else(PoisonError::into_inner)
     }
@@ -35,15 +35,15 @@ impl Drop for Unfinished {
     }
 }
 
-/// Ends the program with a status, and removes what is unfinished. A save that is being renamed is completed first.
+/// Ends the program with a status and removes unfinished files. A rename in progress is completed first.
 pub fn end(status: i32) -> ! {
     let files = FILES.lock().unwrap_or_else(PoisonError::into_inner);
     files.iter().for_each(|path| drop(std::fs::remove_file(path)));
     std::process::exit(status);
 }
 
-/// From now on interrupt, terminate and hang-up end the program, and what is unfinished goes with it; once in its life. Who has
-/// a better end of his own for them does without.
+/// Installs handlers by which interrupt, terminate and hang-up end the program and remove unfinished files. Effective
+/// once per process; callers with handlers of their own must not use this function.
 #[cfg(unix)]
 pub fn end_on_signals() {
     use signal_hook::consts::{SIGHUP, SIGINT, SIGTERM};
@@ -52,7 +52,7 @@ pub fn end_on_signals() {
 
     static WATCHED: Once = Once::new();
     WATCHED.call_once(|| {
-        // Without a watch a signal ends the program as ever.
+        // Without a handler a signal ends the program as before.
         let Ok(mut signals) = Signals::new([SIGHUP, SIGINT, SIGTERM]) else { return };
         drop(std::thread::spawn(move || {
             if let Some(signal) = signals.forever().next() {
@@ -62,15 +62,15 @@ pub fn end_on_signals() {
     });
 }
 
-/// From now on a file that grows beyond the limit of the process (`ulimit -f`) is refused as an error of the write. Without this
-/// the signal for it ends the program, and what is unfinished stays.
+/// Installs a handler by which a file that exceeds the limit of the process (`ulimit -f`) is refused as a write error.
+/// Without it, the signal ends the program and unfinished files stay.
 #[cfg(unix)]
 pub fn refuse_large_files() {
     use std::sync::atomic::AtomicBool;
     use std::sync::{Arc, Once};
 
     static REFUSED: Once = Once::new();
-    // Where no handler can be set the signal ends the program as before.
+    // If no handler can be installed the signal ends the program as before.
     REFUSED.call_once(|| {
         drop(signal_hook::flag::register(signal_hook::consts::SIGXFSZ, Arc::new(AtomicBool::new(false))))
     });

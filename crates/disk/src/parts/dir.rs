@@ -1,7 +1,7 @@
-//! A folder by its handle.
+//! Access to a folder by its handle.
 //!
-//! On Unix each name is looked up in the opened folder and no link is followed, so a folder that another user can rename leads
-//! nowhere else. Elsewhere names are joined to the path, links are refused.
+//! On Unix each name is resolved in the opened folder and no link is followed, so renaming the folder cannot redirect
+//! the access. On other systems names are joined to the path, and links are refused.
 
 use crate::left::is_own;
 use std::fs::File;
@@ -17,7 +17,7 @@ pub(super) struct Dir {
     path: std::path::PathBuf,
 }
 
-/// A file of the folder, by its name, that is a link, no regular file, or of another user.
+/// A file of the folder, by its name, that is a link, no regular file, or owned by another user.
 #[derive(Debug)]
 pub(super) struct Foreign(pub(super) String);
 
@@ -35,7 +35,7 @@ fn foreign(name: &str) -> Error {
 
 #[cfg(unix)]
 impl Dir {
-    /// Makes a folder that only the user may enter.
+    /// Creates a folder that only the user may enter.
     pub(super) fn make(path: &Path) -> Result<()> {
         use std::os::unix::fs::DirBuilderExt;
         std::fs::DirBuilder::new().mode(0o700).create(path)
@@ -47,28 +47,28 @@ impl Dir {
         Ok(Self { handle: open(path, flags, Mode::empty())?.into() })
     }
 
-    /// Whether the folder belongs to the user.
+    /// Returns `true` if the folder belongs to the user.
     pub(super) fn is_own(&self) -> Result<bool> {
         Ok(is_own(&self.handle.metadata()?))
     }
 
-    /// Whether the folder is still the one at a path.
+    /// Returns `true` if the folder is still the one at a path.
     pub(super) fn is_at(&self, path: &Path) -> Result<bool> {
         use std::os::unix::fs::MetadataExt;
         let own = self.handle.metadata()?;
         Ok(path.symlink_metadata().is_ok_and(|there| (there.dev(), there.ino()) == (own.dev(), own.ino())))
     }
 
-    /// Closes the folder to others, where the system keeps modes.
+    /// Closes the folder to other users, if the system supports modes.
     pub(super) fn make_private(&self) {
         use std::os::unix::fs::PermissionsExt;
         drop(self.handle.set_permissions(std::fs::Permissions::from_mode(0o700)));
     }
 
-    /// Whether there is a file of this name.
+    /// Returns `true` if a file with this name exists.
     ///
     /// # Errors
-    /// It is not ours.
+    /// The file does not belong to this program.
     pub(super) fn has(&self, name: &str) -> Result<bool> {
         use rustix::fs::{AtFlags, FileType, statat};
         match statat(&self.handle, name, AtFlags::SYMLINK_NOFOLLOW) {
@@ -99,13 +99,13 @@ impl Dir {
         self.opened(name, rustix::fs::OFlags::RDONLY)
     }
 
-    /// Makes a file that is not there.
+    /// Creates a new file.
     pub(super) fn make_file(&self, name: &str) -> Result<File> {
         use rustix::fs::OFlags;
         self.opened(name, OFlags::WRONLY | OFlags::CREATE | OFlags::EXCL)
     }
 
-    /// Opens a file for writing, or makes it.
+    /// Opens a file for writing, or creates it.
     pub(super) fn open_or_make(&self, name: &str) -> Result<File> {
         use rustix::fs::OFlags;
         self.opened(name, OFlags::RDWR | OFlags::CREATE)
@@ -115,10 +115,10 @@ impl Dir {
         Ok(rustix::fs::renameat(&self.handle, from, &self.handle, to)?)
     }
 
-    /// Removes a file, if it is there.
+    /// Removes a file if it exists.
     ///
     /// # Errors
-    /// It is not ours.
+    /// The file does not belong to this program.
     pub(super) fn remove(&self, name: &str) -> Result<()> {
         use rustix::fs::{AtFlags, unlinkat};
         if self.has(name)? {
@@ -127,7 +127,7 @@ impl Dir {
         Ok(())
     }
 
-    /// The names of its entries, in order.
+    /// Returns the names of the entries, in order.
     pub(super) fn names(&self) -> Result<Vec<String>> {
         let mut names = Vec::new();
         for entry in rustix::fs::Dir::read_from(&self.handle)? {
@@ -140,7 +140,7 @@ impl Dir {
 
 #[cfg(not(unix))]
 impl Dir {
-    /// Makes a folder.
+    /// Creates a folder.
     pub(super) fn make(path: &Path) -> Result<()> {
         std::fs::create_dir(path)
     }
@@ -152,23 +152,23 @@ impl Dir {
         Ok(Self { path: path.to_owned() })
     }
 
-    /// Whether the folder belongs to the user.
+    /// Returns `true` if the folder belongs to the user.
     pub(super) fn is_own(&self) -> Result<bool> {
         Ok(is_own(&self.path.symlink_metadata()?))
     }
 
-    /// Whether the folder is still the one at a path.
+    /// Returns `true` if the path is still a folder.
     pub(super) fn is_at(&self, path: &Path) -> Result<bool> {
         Ok(path.symlink_metadata().is_ok_and(|there| there.is_dir()))
     }
 
-    /// Does nothing: the folder above decides who may write.
+    /// Does nothing: the parent folder decides who may write.
     pub(super) fn make_private(&self) {}
 
-    /// Whether there is a file of this name.
+    /// Returns `true` if a file with this name exists.
     ///
     /// # Errors
-    /// It is not ours.
+    /// The file does not belong to this program.
     pub(super) fn has(&self, name: &str) -> Result<bool> {
         match self.path.join(name).symlink_metadata() {
             Ok(about) if about.is_file() => Ok(true),
@@ -183,12 +183,12 @@ impl Dir {
         if self.has(name)? { File::open(self.path.join(name)) } else { Err(ErrorKind::NotFound.into()) }
     }
 
-    /// Makes a file that is not there.
+    /// Creates a new file.
     pub(super) fn make_file(&self, name: &str) -> Result<File> {
         File::create_new(self.path.join(name))
     }
 
-    /// Opens a file for writing, or makes it.
+    /// Opens a file for writing, or creates it.
     pub(super) fn open_or_make(&self, name: &str) -> Result<File> {
         self.has(name)?;
         File::options().read(true).write(true).create(true).truncate(false).open(self.path.join(name))
@@ -198,15 +198,15 @@ impl Dir {
         std::fs::rename(self.path.join(from), self.path.join(to))
     }
 
-    /// Removes a file, if it is there.
+    /// Removes a file if it exists.
     ///
     /// # Errors
-    /// It is not ours.
+    /// The file does not belong to this program.
     pub(super) fn remove(&self, name: &str) -> Result<()> {
         if self.has(name)? { std::fs::remove_file(self.path.join(name)) } else { Ok(()) }
     }
 
-    /// The names of its entries, in order.
+    /// Returns the names of the entries, in order.
     pub(super) fn names(&self) -> Result<Vec<String>> {
         let mut names = Vec::new();
         for entry in self.path.read_dir()? {

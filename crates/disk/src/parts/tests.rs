@@ -41,7 +41,7 @@ fn an_open_folder_is_refused_to_a_second_run() {
     assert!(Parts::open(&path).is_ok());
 }
 
-/// Many runs come and go at once: each has the folder alone, none finds it half made or half removed.
+/// Simultaneous runs: each has the folder alone, and none finds it half created or half removed.
 #[test]
 fn runs_that_come_and_go_never_take_the_folder_for_a_strangers() {
     let beside = tempfile::tempdir().unwrap();
@@ -70,7 +70,7 @@ fn runs_that_come_and_go_never_take_the_folder_for_a_strangers() {
     assert_eq!(names(beside.path()), [""; 0]);
 }
 
-/// What stands there under the name of the folder and is not of this program stays as it is, to the last byte.
+/// An object with the name of the folder that is not from this program stays unchanged, to the last byte.
 #[test]
 fn what_is_foreign_is_refused_and_stays() {
     let beside = tempfile::tempdir().unwrap();
@@ -88,7 +88,7 @@ fn what_is_foreign_is_refused_and_stays() {
     assert_eq!(names(here), ["empty", "file", "own"]);
 }
 
-/// A file that a user puts into the folder survives its end.
+/// A file put into the folder by a user survives the removal of the parts.
 #[test]
 fn a_file_of_another_hand_in_the_folder_stays() {
     let beside = tempfile::tempdir().unwrap();
@@ -134,7 +134,7 @@ fn no_link_is_followed_and_none_is_replaced() {
     }
 }
 
-/// The folder is renamed by another user, who puts a link in its place.
+/// Another user renames the folder and puts a link in its place.
 #[cfg(unix)]
 #[test]
 fn a_folder_that_is_exchanged_leads_nowhere_else() {
