@@ -1,8 +1,8 @@
-//! What was searched, integrated or read off a curve.
+//! Results of a search, an integral or a curve.
 
 macro_rules! findings {
     ($($name:ident [$($symbol:literal)*];)*) => {
-        /// What was searched, integrated or read off a curve. The words are in `words`.
+        /// Result of a search, an integral or a curve. The texts are in `words`.
         #[derive(Clone, Copy, Debug, PartialEq, Eq)]
         #[allow(missing_docs, reason = "its text in words says what each is")]
         pub enum Finding {
@@ -10,10 +10,10 @@ macro_rules! findings {
         }
 
         impl Finding {
-            /// Every one.
+            /// The findings.
             pub const ALL: &[Self] = &[$(Self::$name),*];
 
-            /// The symbols of earlier steps that it was made from, in the order of its text.
+            /// Returns the symbols of earlier steps that the result is based on, in the order of its text.
             #[must_use]
             pub const fn symbols(self) -> &'static [&'static str] {
                 match self {

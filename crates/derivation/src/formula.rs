@@ -1,8 +1,8 @@
-//! Formulas as they are written in a derivation: `T_L + 2*pi/60*(J_out + J_L)*n_2/t_1`.
+//! Formulas in the notation of a derivation: `T_L + 2*pi/60*(J_out + J_L)*n_2/t_1`.
 
 use std::fmt;
 
-/// Deepest nesting of parentheses.
+/// Maximum nesting of parentheses.
 const DEPTH_MAX: usize = 32;
 
 /// A formula of numbers, symbols, `+ - * / ^`, parentheses, `pi` and the functions `sqrt abs min max exp ln sin cos`.
@@ -16,26 +16,26 @@ pub enum Formula {
     Minus(Box<Formula>),
     /// `+`, `-`, `*`, `/` or `^` between two terms.
     Binary(char, Box<Formula>, Box<Formula>),
-    /// A function of some terms.
+    /// A function with its arguments.
     Function(String, Vec<Formula>),
 }
 
-/// Why a formula has no value.
+/// Reason why a formula has no value.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum FormulaFault {
-    /// It does not read.
+    /// The text cannot be parsed.
     Syntax {
-        /// Byte at which the reader stopped.
+        /// Byte at which the parser stopped.
         at: usize,
     },
-    /// A symbol has no figure.
+    /// A symbol has no value.
     Unknown {
         /// The symbol.
         symbol: String,
     },
-    /// A function does not exist, or not with so many terms.
+    /// A function does not exist, or not with this number of arguments.
     Function {
-        /// Its name.
+        /// Name of the function.
         name: String,
     },
 }
@@ -52,7 +52,7 @@ impl fmt::Display for FormulaFault {
 
 impl std::error::Error for FormulaFault {}
 
-/// The names in a text, in their order, functions and `pi` left out.
+/// Returns the names in a text in their order, without functions and `pi`.
 pub(crate) fn symbols(text: &str) -> Vec<&str> {
     let is_name = |c: char| c.is_alphanumeric() || c == '_' || c == ',' || c == '\'';
     text.split(|c| !is_name(c))
@@ -64,10 +64,10 @@ pub(crate) fn symbols(text: &str) -> Vec<&str> {
 const FUNCTIONS: [&str; 8] = ["sqrt", "abs", "min", "max", "exp", "ln", "sin", "cos"];
 
 impl Formula {
-    /// Reads a formula.
+    /// Parses a formula.
     ///
     /// # Errors
-    /// [`FormulaFault::Syntax`] where it does not read.
+    /// [`FormulaFault::Syntax`] if the text cannot be parsed.
     pub fn parse(text: &str) -> Result<Self, FormulaFault> {
         let mut reader = Reader { text, at: 0, depth: 0 };
         let formula = reader.sum()?;
@@ -75,10 +75,10 @@ impl Formula {
         if reader.at == text.len() { Ok(formula) } else { Err(reader.fault()) }
     }
 
-    /// Its value for the figures of its symbols.
+    /// Evaluates the formula for given values of its symbols.
     ///
     /// # Errors
-    /// [`FormulaFault`] where a symbol or a function is not known.
+    /// [`FormulaFault`] if a symbol or a function is unknown.
     pub fn value(&self, figure: &dyn Fn(&str) -> Option<f64>) -> Result<f64, FormulaFault> {
         Ok(match self {
             Self::Number(number) => *number,
@@ -112,13 +112,13 @@ impl Formula {
         })
     }
 
-    /// The formula for people, each symbol and number as the callers write it.
+    /// Formats the formula for display, with symbols and numbers formatted by the callers.
     #[must_use]
     pub fn shown(&self, symbol: &dyn Fn(&str) -> String, number: &dyn Fn(f64) -> String) -> String {
         self.write(0, symbol, number)
     }
 
-    /// How tightly it binds: sum 1, product 2, power 3, all else 4.
+    /// Returns the binding strength: sum 1, product 2, power 3, everything else 4.
     const fn binding(&self) -> u8 {
         match self {
             Self::Binary('+' | '-', ..) => 1,
@@ -162,13 +162,13 @@ impl Formula {
     }
 }
 
-/// A figure with its unit in the place of a symbol, held together.
+/// Encloses a value with its unit in parentheses if it replaces a symbol.
 fn whole(text: String, term: &Formula) -> String {
     let apart = matches!(term, Formula::Symbol(_)) && text.contains(' ') && !text.starts_with('(');
     if apart { format!("({text})") } else { text }
 }
 
-/// Without the parentheses around a single negative figure.
+/// Removes the parentheses around a single negative value.
 fn bare(text: &str) -> &str {
     let inner = text.strip_prefix('(').and_then(|text| text.strip_suffix(')'));
     inner.filter(|inner| !inner.contains(['(', ')'])).unwrap_or(text)
@@ -268,7 +268,7 @@ impl Reader<'_> {
     }
 }
 
-/// Where a number ends: digits, a point, an exponent with its sign.
+/// Returns the length of the number at the start of a text: digits, a point, an exponent with its sign.
 fn number_end(text: &str) -> usize {
     let mut end = 0;
     let mut last = ' ';

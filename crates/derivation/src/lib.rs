@@ -1,8 +1,8 @@
-//! How a number came about: the figures that were put in, the formulas, what came out.
+//! Derivation of a number: input values, formulas, results.
 //!
-//! A computation that is handed [`Workings`] notes each figure where it uses it. Switched off they cost a branch; switched
-//! on they hold the derivation of exactly the numbers that were computed. A [`Formula`] is written once: it is shown,
-//! shown with its figures put in, and can be evaluated to see that it gives the number beside it.
+//! A computation with [`Workings`] records each value where it uses it. Switched off they cost a branch; switched on
+//! they hold the derivation of exactly the numbers computed. A [`Formula`] is written once: it is displayed, displayed
+//! with the values inserted, and can be evaluated to verify its result.
 
 mod finding;
 mod formula;
@@ -13,21 +13,21 @@ pub use formula::{Formula, FormulaFault};
 use provenance::{Datum, Grade, Source, Sourced};
 use quantities::{Measure, Unit};
 
-/// How a figure came about.
+/// Origin of a value within the derivation.
 #[derive(Clone, Debug, PartialEq)]
 pub enum How {
-    /// It was put in.
+    /// An input value.
     Given,
-    /// By a formula whose symbols are those of earlier steps, in their units.
+    /// Result of a formula whose symbols are those of earlier steps, in their units.
     Formula {
-        /// The formula, see [`Formula`].
+        /// Text of the formula, see [`Formula`].
         text: &'static str,
-        /// Indices of the steps of its symbols, each once, in the order of the text.
+        /// Indices of the steps of its symbols, without duplicates, in the order of the text.
         operands: Vec<usize>,
     },
-    /// By a search or an integral over the cycle, a table or a curve.
+    /// Result of a search or an integral over the cycle, a table or a curve.
     Found {
-        /// What is searched or integrated.
+        /// Kind of search, integral, table or curve.
         what: Finding,
         /// Indices of the steps of its symbols.
         operands: Vec<usize>,
@@ -43,85 +43,85 @@ impl How {
     }
 }
 
-/// What a figure is in its check.
+/// Role of a value in its check.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Part {
-    /// On the way.
+    /// An intermediate value.
     #[default]
     Step,
-    /// What the axis asks.
+    /// The value demanded by the axis.
     Value,
-    /// What the actuator gives.
+    /// The limit of the actuator.
     Limit,
 }
 
-/// One figure of a derivation.
+/// One value of a derivation.
 #[derive(Clone, Debug)]
 pub struct Step {
     /// Symbol in ASCII, as in the source: `T_max`, `n_2`.
     pub symbol: &'static str,
     /// Value in SI.
     pub si: f64,
-    /// Unit in which it is shown and put into formulas.
+    /// Unit in which it is displayed and inserted into formulas.
     pub unit: &'static Unit,
-    /// How it came about.
+    /// Origin within the derivation.
     pub how: How,
-    /// What it is in its check.
+    /// Role in the check.
     pub part: Part,
-    /// Where it, or its formula, comes from.
+    /// Source of the value or of its formula.
     pub source: Source,
-    /// How far it can be trusted: with a formula the worst of what was put in.
+    /// Grade; for a formula the worst grade of its inputs.
     pub grade: Grade,
-    /// Errata that touch it.
+    /// Errata that concern the value.
     pub errata: &'static [&'static str],
 }
 
 impl Step {
-    /// Value in its unit.
+    /// Returns the value in its unit.
     #[must_use]
     pub fn value(&self) -> f64 {
         self.unit.from_si(self.si)
     }
 
-    /// Indices of the steps that it was made from.
+    /// Returns the indices of the steps that the value is computed from.
     #[must_use]
     pub fn operands(&self) -> &[usize] {
         self.how.operands()
     }
 }
 
-/// The steps of a computation; switched off nothing is noted.
+/// The steps of a computation; empty if switched off.
 #[derive(Clone, Debug, Default)]
 pub struct Workings {
     steps: Option<Vec<Step>>,
 }
 
 impl Workings {
-    /// Notes nothing.
+    /// Creates workings that record nothing.
     #[must_use]
     pub const fn off() -> Self {
         Self { steps: None }
     }
 
-    /// Notes every step.
+    /// Creates workings that record every step.
     #[must_use]
     pub const fn on() -> Self {
         Self { steps: Some(Vec::new()) }
     }
 
-    /// Whether steps are noted: for what is computed for the derivation alone.
+    /// Returns `true` if steps are recorded, for computations needed by the derivation only.
     #[must_use]
     pub const fn is_on(&self) -> bool {
         self.steps.is_some()
     }
 
-    /// The steps, in the order in which they were made.
+    /// Returns the steps in the order in which they were recorded.
     #[must_use]
     pub fn into_steps(self) -> Vec<Step> {
         self.steps.unwrap_or_default()
     }
 
-    /// A quantity that is put in.
+    /// Records an input quantity.
     #[inline]
     pub fn given<Q: Measure>(&mut self, symbol: &'static str, unit: &'static Unit, datum: &Sourced<Q>) {
         if self.is_on() {
@@ -129,7 +129,7 @@ impl Workings {
         }
     }
 
-    /// A bare number that is put in, such as a ratio; the unit is that of a ratio.
+    /// Records an input number without a unit, such as a ratio; its unit is that of a ratio.
     #[inline]
     pub fn given_number(&mut self, symbol: &'static str, datum: &Sourced<f64>) {
         if self.is_on() {
@@ -137,7 +137,7 @@ impl Workings {
         }
     }
 
-    /// A quantity that is put in where it is known.
+    /// Records an input quantity if it is known.
     #[inline]
     pub fn known<Q: Measure>(&mut self, symbol: &'static str, unit: &'static Unit, datum: &Datum<Q>) {
         if let Some(known) = datum.known() {
@@ -145,7 +145,7 @@ impl Workings {
         }
     }
 
-    /// A bare number that is put in where it is known.
+    /// Records an input number if it is known.
     #[inline]
     pub fn known_number(&mut self, symbol: &'static str, datum: &Datum<f64>) {
         if let Some(known) = datum.known() {
@@ -153,7 +153,7 @@ impl Workings {
         }
     }
 
-    /// A figure that is put in, in SI.
+    /// Records an input value in SI.
     #[inline]
     pub fn figure(&mut self, symbol: &'static str, unit: &'static Unit, si: f64, source: &Source, grade: Grade) {
         if self.is_on() {
@@ -171,7 +171,7 @@ impl Workings {
         errata: &'static [&'static str],
     ) {
         let Some(steps) = &mut self.steps else { return };
-        // The same figure is put in once.
+        // The same input value is recorded once.
         if steps.iter().any(|step| step.symbol == symbol && step.si == si && step.how == How::Given) {
             return;
         }
@@ -179,14 +179,15 @@ impl Workings {
         steps.push(Step { symbol, si, unit, how: How::Given, part, source, grade, errata });
     }
 
-    /// What a formula gave, in SI. Its symbols are those of earlier steps, the latest of each name; grade and errata are
-    /// those of what was put in.
+    /// Records the result of a formula, in SI. Its symbols are those of earlier steps, the latest of each name; grade
+    /// and errata are those of its inputs.
     #[inline]
     pub fn formula(&mut self, symbol: &'static str, unit: &'static Unit, si: f64, text: &'static str, source: &Source) {
         self.calculation(symbol, unit, si, (text, Grade::Computed), source);
     }
 
-    /// As [`Self::formula`], of a model whose answer is an estimate however good its figures are.
+    /// Records the result of a formula like [`Self::formula`], for a model whose result is an estimate even with exact
+    /// inputs.
     #[inline]
     pub fn estimate(
         &mut self,
@@ -214,8 +215,8 @@ impl Workings {
         }
     }
 
-    /// What was searched, integrated or read off, in SI: earlier steps with its symbols are its operands. The grade is the
-    /// worst of those and of `grade`.
+    /// Records the result of a search, an integral or a curve, in SI. Earlier steps with its symbols are its operands;
+    /// the grade is the worst of theirs and of `grade`.
     #[inline]
     pub fn found(
         &mut self,
@@ -232,7 +233,7 @@ impl Workings {
         }
     }
 
-    /// The latest figure of a symbol is what the axis asks.
+    /// Marks the latest value of a symbol as the value demanded by the axis.
     #[inline]
     pub fn value(&mut self, symbol: &'static str) {
         if self.is_on() {
@@ -240,7 +241,7 @@ impl Workings {
         }
     }
 
-    /// The latest figure of a symbol is what the actuator gives.
+    /// Marks the latest value of a symbol as the limit of the actuator.
     #[inline]
     pub fn limit(&mut self, symbol: &'static str) {
         if self.is_on() {
@@ -277,10 +278,11 @@ impl Workings {
     }
 }
 
-/// The value of a step's formula from the figures beside it, in its unit; `None` where it is not a formula.
+/// Evaluates the formula of a step with the values of its operands, in the unit of the step; `None` if the step is not
+/// a formula.
 ///
 /// # Errors
-/// [`FormulaFault`] where the formula does not read or a symbol has no step.
+/// [`FormulaFault`] if the formula cannot be parsed or a symbol has no step.
 pub fn evaluate(steps: &[Step], index: usize) -> Option<Result<f64, FormulaFault>> {
     let How::Formula { text, operands } = &steps.get(index)?.how else { return None };
     let value = |name: &str| {
