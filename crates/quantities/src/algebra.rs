@@ -1,4 +1,4 @@
-//! The products of the constants that are newtypes here.
+//! Products of the constants defined as newtypes in this crate.
 
 use crate::measure::{
     Measure, NoLoadCurrentConstant, TiltingStiffness, TorqueConstant, TorsionalStiffness, ViscousFriction,

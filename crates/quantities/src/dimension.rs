@@ -1,4 +1,4 @@
-//! The kinds of quantities, decided at run time.
+//! Kinds of quantities, decided at run time.
 
 use crate::Language;
 use crate::unit;
@@ -13,10 +13,10 @@ macro_rules! dimensions {
         }
 
         impl Dimension {
-            /// Every kind. Where a spelling belongs to several, the first one here has it: `g` is a gram.
+            /// The kinds. If several share a spelling, it belongs to the first one here: `g` is a gram.
             pub const ALL: &'static [Self] = &[$(Self::$name),*];
 
-            /// Name of the quantity: `torque`, `Drehmoment`.
+            /// Returns the name of the quantity: `torque`, `Drehmoment`.
             #[must_use]
             pub const fn name(self, language: Language) -> &'static str {
                 match (self, language) {
@@ -24,7 +24,7 @@ macro_rules! dimensions {
                 }
             }
 
-            /// Name with its indefinite article: `a torque`, `ein Drehmoment`.
+            /// Returns the name with its indefinite article: `a torque`, `ein Drehmoment`.
             #[must_use]
             pub const fn name_with_article(self, language: Language) -> &'static str {
                 match (self, language) {
@@ -35,7 +35,7 @@ macro_rules! dimensions {
                 }
             }
 
-            /// A quantity of this kind as one would write it, `5 N m`; [`parse`](crate::parse()) reads it.
+            /// Returns an example of this kind in the usual notation, `5 N m`; [`parse`](crate::parse()) reads it.
             #[must_use]
             pub const fn example(self) -> &'static str {
                 match self {
@@ -122,7 +122,7 @@ dimensions! {
 }
 
 impl Dimension {
-    /// The units of this quantity, the usual one first.
+    /// Returns the units of this quantity, the usual one first.
     #[must_use]
     pub fn units(self) -> &'static [Unit] {
         unit::of_dimension(self)

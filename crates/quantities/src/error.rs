@@ -1,4 +1,4 @@
-//! Why a text is no quantity.
+//! Reasons why a text is no quantity.
 
 use crate::Language;
 use crate::dimension::Dimension;
@@ -6,7 +6,7 @@ use crate::units::Unit;
 use std::ops::Range;
 use thiserror::Error;
 
-/// Why a text is no quantity, and where in it.
+/// Reason why a text is no quantity, with its place in the text.
 ///
 /// `Display` is for developers who use this crate; texts for users are in `words`, in both languages.
 /// The texts in `found` are shortened to 40 characters.
@@ -25,17 +25,17 @@ pub enum QuantityError {
     NumberMissing {
         /// Place of the unit in the text, in bytes.
         span: Range<usize>,
-        /// The unit as written.
+        /// Unit as written.
         found: String,
         /// Expected quantity.
         expected: Dimension,
     },
-    /// What stands in place of the number is none, or is grouped with spaces or dots.
+    /// The text in place of the number is none, or is grouped with spaces or dots.
     #[error("\"{found}\" is not a number")]
     NumberUnreadable {
         /// Place in the text, in bytes.
         span: Range<usize>,
-        /// What stands there.
+        /// Text in place of the number.
         found: String,
         /// Expected quantity.
         expected: Dimension,
@@ -48,12 +48,12 @@ pub enum QuantityError {
         /// The number as written.
         found: String,
     },
-    /// The number is infinite, no number, or too large to be held.
+    /// The number is infinite, no number, or too large to be represented.
     #[error("\"{found}\" is not a finite number")]
     NotFinite {
         /// Place of the number in the text, in bytes.
         span: Range<usize>,
-        /// The number as written.
+        /// Number as written.
         found: String,
     },
     /// There is a number without a unit.
@@ -69,14 +69,14 @@ pub enum QuantityError {
     UnitUnknown {
         /// Place of the unit in the text, in bytes.
         span: Range<usize>,
-        /// The unit as written.
+        /// Unit as written.
         found: String,
         /// Expected quantity.
         expected: Dimension,
-        /// The unit of the expected quantity that is spelled most alike, if one is near.
+        /// Unit of the expected quantity with the most similar spelling, if one is close.
         nearest: Option<&'static Unit>,
     },
-    /// The unit measures something else.
+    /// The unit belongs to another quantity.
     #[error(
         "\"{found}\" is a unit of {}, expected a unit of {}",
         measures.name(Language::OF_ERRORS),
@@ -85,14 +85,14 @@ pub enum QuantityError {
     WrongQuantity {
         /// Place of the unit in the text, in bytes.
         span: Range<usize>,
-        /// The unit as written.
+        /// Unit as written.
         found: String,
-        /// What the unit measures.
+        /// Quantity measured by the unit.
         measures: Dimension,
         /// Expected quantity.
         expected: Dimension,
     },
-    /// After the sign of a tolerance nothing stands.
+    /// The sign of a tolerance is followed by nothing.
     #[error("the half-width of the tolerance is missing")]
     ToleranceMissing {
         /// Place of the sign in the text, in bytes.
@@ -104,7 +104,7 @@ pub enum QuantityError {
         /// Place of the half-width in the text, in bytes.
         span: Range<usize>,
     },
-    /// A percent of a temperature in °C.
+    /// A percentage of a temperature in °C.
     #[error("a percent of a temperature in °C has no meaning: its zero is arbitrary")]
     ToleranceOfOffsetScale {
         /// Place of the half-width in the text, in bytes.
@@ -117,7 +117,7 @@ fn en(dimension: Dimension) -> &'static str {
 }
 
 impl QuantityError {
-    /// The offending part of the text, in bytes; always at character boundaries.
+    /// Returns the offending part of the text, in bytes; always at character boundaries.
     #[must_use]
     pub fn span(&self) -> Range<usize> {
         match self {

@@ -1,11 +1,12 @@
-//! A text read as a product of units, whether the program has a unit of it or not: it says which proposals would change a value.
+//! Interpretation of a text as a product of units, including units unknown to the program; shows which proposals would
+//! change a value.
 
 use crate::spelling::Canonical;
 
 /// Powers of length, mass, time, current, temperature and angle.
 pub(crate) type Powers = [i8; 6];
 
-/// A meaning of a text: its value in SI, and what it measures.
+/// A meaning of a text: its value in SI, and its dimension.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Meaning {
     pub(crate) factor: f64,
@@ -15,7 +16,7 @@ pub(crate) struct Meaning {
 impl Meaning {
     const ONE: Self = Self { factor: 1.0, powers: [0; 6] };
 
-    /// The product with a power of another.
+    /// Returns the product with a power of another meaning.
     fn times(self, other: Self, power: i8) -> Option<Self> {
         let mut powers = self.powers;
         for (sum, each) in powers.iter_mut().zip(other.powers) {
@@ -24,19 +25,19 @@ impl Meaning {
         Some(Self { factor: self.factor * other.factor.powi(power.into()), powers })
     }
 
-    /// Returns `true` if both say the same but for rounding.
+    /// Returns `true` if both meanings agree within rounding.
     pub(crate) fn is(self, other: Self) -> bool {
         self.powers == other.powers && (self.factor - other.factor).abs() <= 1e-9 * other.factor.abs()
     }
 }
 
-/// Name, factor and powers of a unit, and whether it takes the prefixes of the SI.
+/// Name, factor and powers of a unit; the flag permits SI prefixes.
 type Symbol = (&'static str, f64, Powers, bool);
 
 const POUND_FORCE: f64 = 0.453_592_37 * 9.806_65;
 const TURN: f64 = std::f64::consts::TAU;
 
-/// Units as papers write them, more than the program reads.
+/// Units in the notation of publications, more than the program reads.
 #[rustfmt::skip]
 const SYMBOLS: &[Symbol] = &[
     ("m", 1.0, [1, 0, 0, 0, 0, 0], true),
@@ -115,15 +116,15 @@ const PREFIXES: &[(&str, f64)] = &[
     ("f", 1e-15),
 ];
 
-/// Most meanings that are kept of a text: of more each proposal would contradict one.
+/// Maximum number of meanings of a text; with more, some would contradict each proposal.
 const MEANINGS_MOST: usize = 32;
 
-/// Longer runs of letters are no units.
+/// Maximum number of letters in a run; longer runs are no units.
 const LETTERS_MOST: usize = 12;
 
-/// Every meaning that a text has as a product of units, with prefixes and powers; none where it is no such product.
+/// Returns the meanings of a text as a product of units, with prefixes and powers; empty if it is no such product.
 pub(crate) fn meanings(spelling: &Canonical) -> Vec<Meaning> {
-    // What stands in brackets behind a stroke is divided by as a whole, as everything behind a stroke is here.
+    // Brackets after a slash are divided by as a whole, as is everything after a slash here.
     if spelling.text.is_empty() || spelling.text.matches('/').count() > 1 {
         return Vec::new();
     }
@@ -156,7 +157,8 @@ pub(crate) fn meanings(spelling: &Canonical) -> Vec<Meaning> {
                 }
                 let (run, behind) = rest.split_at(length);
                 let (power, taken) = exponent(behind).unwrap_or((1, 0));
-                // A prefix binds more closely than a product: with as few units as can be, mm is a length and no area.
+                // A prefix binds more tightly than a product: read with as few units as possible, mm is a length and no
+                // area.
                 let read = |count| {
                     let mut next = Vec::new();
                     found.iter().for_each(|meaning| products(run, count, *meaning, (sign, power), &mut next));
@@ -175,7 +177,7 @@ pub(crate) fn meanings(spelling: &Canonical) -> Vec<Meaning> {
     if has_unit { found } else { Vec::new() }
 }
 
-/// An exponent at the beginning of a text, with its length.
+/// Returns the exponent at the beginning of a text, with its length.
 fn exponent(text: &str) -> Option<(i8, usize)> {
     let digits = text.strip_prefix('-').unwrap_or(text);
     let count = digits.bytes().take_while(u8::is_ascii_digit).count();
@@ -184,7 +186,7 @@ fn exponent(text: &str) -> Option<(i8, usize)> {
     Some((power, length))
 }
 
-/// Every way to read letters as so many units one behind the other, the last of them with a power.
+/// Adds every reading of letters as `count` consecutive units, the last of them with a power.
 fn products(run: &str, count: usize, before: Meaning, (sign, power): (i8, i8), found: &mut Vec<Meaning>) {
     if found.len() >= MEANINGS_MOST || run.len() < count {
         return;

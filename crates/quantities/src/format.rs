@@ -1,10 +1,10 @@
-//! Numbers for people.
+//! Number formatting for display.
 
 use crate::Language;
 
-/// A number with a fixed count of decimals; decimal comma in German; no negative zero.
+/// Formats a number with a fixed count of decimals; decimal comma in German; no negative zero.
 ///
-/// What is no number is said in words, so that it cannot pass for a result.
+/// A value that is no number is written as a word, so that it cannot pass for a result.
 ///
 /// ```
 /// use quantities::{Language, format_number};
@@ -15,9 +15,9 @@ pub fn format_number(value: f64, digits: usize, language: Language) -> String {
     if value.is_finite() { typeset(&format!("{value:.digits$}"), language) } else { not_finite(value, language) }
 }
 
-/// A number with a count of significant digits; decimal comma in German.
+/// Formats a number with a count of significant digits; decimal comma in German.
 ///
-/// Whole digits are never cut: 12345 with three digits stays 12345. Below 10⁻⁴ and from 10⁷ on a power of ten is
+/// Integer digits are never cut: 12345 with three digits stays 12345. Below 10⁻⁴ and from 10⁷ on a power of ten is
 /// written.
 ///
 /// ```
@@ -62,7 +62,7 @@ const fn raised(digit: char) -> char {
     }
 }
 
-/// A number of a German table: digits with an optional decimal comma and sign, nothing else.
+/// Parses a number of a German table: digits with an optional decimal comma and sign, nothing else.
 ///
 /// ```
 /// use quantities::parse_german;
@@ -81,7 +81,7 @@ pub fn parse_german(text: &str) -> Option<f64> {
     Some(if digits.len() == text.len() { value } else { -value })
 }
 
-/// The point or comma of the language, a true minus sign, and no minus before zero.
+/// Applies the decimal mark of the language and a true minus sign, and removes a minus before zero.
 fn typeset(text: &str, language: Language) -> String {
     let zero = text.chars().all(|c| matches!(c, '-' | '0' | '.'));
     let text = if zero { text.replace('-', "") } else { text.replace('-', "−") };

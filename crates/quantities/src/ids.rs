@@ -1,7 +1,7 @@
 //! Enumerations whose values have an identifier.
 
-/// Declares enumerations in which each value stands beside the identifier that files and data exchange have for it; the list of
-/// all values and the identifier of each follow from that.
+/// Declares enumerations in which each value is followed by its identifier in files and data exchange; the list of
+/// values and the identifiers follow from that.
 ///
 /// ```
 /// quantities::identified! {
@@ -23,13 +23,13 @@ macro_rules! identified {
         pub enum $name { $($(#[$each])* $value,)+ }
 
         impl $name {
-            /// Every one, in order.
+            /// The values, in order.
             pub const ALL: [Self; Self::IDS.len()] = [$(Self::$value),+];
 
-            /// The identifiers, in the same order.
+            /// Identifiers, in the same order.
             pub const IDS: &'static [&'static str] = &[$($id),+];
 
-            /// The identifier used in files and data exchange.
+            /// Returns the identifier used in files and data exchange.
             #[must_use]
             pub const fn id(self) -> &'static str {
                 match self { $(Self::$value => $id,)+ }

@@ -1,8 +1,8 @@
-//! Typed physical quantities: make, convert, parse and print them. The only home of conversion factors.
+//! Typed physical quantities: creation, conversion, parsing and formatting. The only place of conversion factors.
 //!
-//! The types are those of `uom` (f64, SI inside); the few that `uom` does not tell apart are newtypes here.
-//! [`Unit`] says how a unit is written and converts through `uom`, [`parse()`] reads `"1.3 kg m^2"`, and
-//! [`format_number`] writes numbers for people.
+//! The types are those of `uom` (f64, SI inside); the few that `uom` does not distinguish are newtypes here. [`Unit`]
+//! has the spellings of a unit and converts through `uom`, [`parse()`] reads `"1.3 kg m^2"`, and [`format_number`]
+//! formats numbers for display.
 //!
 //! ```
 //! use quantities::unit::{NEWTON_METRE, REVOLUTION_PER_MINUTE};
@@ -63,13 +63,13 @@ pub enum Language {
 }
 
 impl Language {
-    /// The language of errors for developers who use a crate.
+    /// Language of errors for developers who use a crate.
     pub const OF_ERRORS: Self = Self::En;
 
-    /// Every language.
+    /// The languages.
     pub const ALL: [Self; 2] = [Self::En, Self::De];
 
-    /// The code of ISO 639-1.
+    /// Returns the code of ISO 639-1.
     #[must_use]
     pub const fn id(self) -> &'static str {
         match self {
@@ -78,13 +78,13 @@ impl Language {
         }
     }
 
-    /// The language of a code, in small or large letters.
+    /// Returns the language of a code, in lower or upper case.
     #[must_use]
     pub fn of_id(id: &str) -> Option<Self> {
         Self::ALL.into_iter().find(|language| language.id().eq_ignore_ascii_case(id))
     }
 
-    /// What stands between the whole number and its decimals.
+    /// Returns the decimal mark.
     #[must_use]
     pub const fn decimal_mark(self) -> char {
         match self {

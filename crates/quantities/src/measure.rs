@@ -1,4 +1,4 @@
-//! A quantity type seen from outside: its dimension and its value in SI.
+//! Interface of a quantity type: its dimension and its value in SI.
 
 use crate::dimension::Dimension;
 use crate::units::Unit;
@@ -6,23 +6,23 @@ use std::marker::PhantomData;
 
 /// A typed quantity. `uom` types and the newtypes of this crate implement it.
 pub trait Measure: Copy {
-    /// What kind of quantity it is.
+    /// Kind of the quantity.
     const DIMENSION: Dimension;
 
-    /// From the value in SI.
+    /// Creates the quantity from its value in SI.
     fn from_si(si: f64) -> Self;
 
-    /// The value in SI.
+    /// Returns the value in SI.
     fn si(self) -> f64;
 
-    /// From a value in a unit of the same dimension.
+    /// Creates the quantity from a value in a unit of the same dimension.
     #[must_use]
     fn new_in(value: f64, unit: &Unit) -> Self {
         debug_assert!(unit.dimension == Self::DIMENSION, "{} is no unit of {:?}", unit.ascii, Self::DIMENSION);
         Self::from_si(unit.to_si(value))
     }
 
-    /// The value in a unit of the same dimension.
+    /// Returns the value in a unit of the same dimension.
     #[must_use]
     fn in_unit(self, unit: &Unit) -> f64 {
         debug_assert!(unit.dimension == Self::DIMENSION, "{} is no unit of {:?}", unit.ascii, Self::DIMENSION);
@@ -76,7 +76,7 @@ measures! {
     Velocity => Velocity,
 }
 
-/// Quantities that `uom` does not tell apart: torque constant and voltage constant have the same dimension.
+/// Quantities that `uom` does not distinguish: torque constant and voltage constant have the same dimension.
 macro_rules! newtypes {
     ($($(#[$doc:meta])* $name:ident),* $(,)?) => {$(
         $(#[$doc])*

@@ -1,4 +1,4 @@
-//! Reading `"1.3 kg m^2"`.
+//! Parser for a quantity such as `"1.3 kg m^2"`.
 
 use crate::dimension::Dimension;
 use crate::error::QuantityError;
@@ -7,7 +7,7 @@ use crate::unit::ONE;
 use crate::units::Unit;
 use std::ops::Range;
 
-/// A quantity as it was written.
+/// A quantity as written.
 #[derive(Clone, Copy, Debug)]
 pub struct Reading {
     /// Value in SI.
@@ -18,7 +18,7 @@ pub struct Reading {
     pub unit: &'static Unit,
 }
 
-/// Reads a quantity: a number with a decimal point, and a unit of the expected dimension.
+/// Parses a quantity: a number with a decimal point, and a unit of the expected dimension.
 ///
 /// The number is an optional sign, digits with at most one point, and an optional exponent. Space around and between is
 /// free. Only a ratio may go without a unit. No range is checked: a length may be negative here.
@@ -40,7 +40,7 @@ pub fn parse(expected: Dimension, text: &str) -> Result<Reading, QuantityError> 
     parse_at(expected, text, 0)
 }
 
-/// The same of a text that begins so many bytes into a longer one, in which the place of a fault counts.
+/// Parses a quantity in a text that begins `offset` bytes into a longer one, to which the place of a fault refers.
 pub(crate) fn parse_at(expected: Dimension, text: &str, offset: usize) -> Result<Reading, QuantityError> {
     let trimmed = text.trim();
     if trimmed.is_empty() {
@@ -78,15 +78,15 @@ pub(crate) fn parse_at(expected: Dimension, text: &str, offset: usize) -> Result
     Ok(Reading { si, value, unit })
 }
 
-/// Reads a typed quantity.
+/// Parses a typed quantity.
 ///
 /// # Errors
-/// As [`parse()`].
+/// The same as for [`parse()`].
 pub fn parse_as<Q: Measure>(text: &str) -> Result<Q, QuantityError> {
     parse(Q::DIMENSION, text).map(|reading| Q::from_si(reading.si))
 }
 
-/// The fault of a text that does not begin with a number.
+/// Returns the fault of a text that does not begin with a number.
 fn no_number(trimmed: &str, start: usize, expected: Dimension) -> QuantityError {
     let whole = start..start + trimmed.len();
     if Unit::of(trimmed).is_some() {
@@ -108,7 +108,7 @@ fn no_number(trimmed: &str, start: usize, expected: Dimension) -> QuantityError 
     }
 }
 
-/// The fault of a number that goes on where it should have ended: `1,5`, `1 000`, `1.000.000`, `1'000`.
+/// Returns the fault of a number that continues after its expected end: `1,5`, `1 000`, `1.000.000`, `1'000`.
 fn no_end_of_number(trimmed: &str, number: &str, start: usize, expected: Dimension) -> Option<QuantityError> {
     let rest = trimmed.get(number.len()..).unwrap_or_default();
     let goes_on = match rest.trim_start().chars().next() {
@@ -122,7 +122,7 @@ fn no_end_of_number(trimmed: &str, number: &str, start: usize, expected: Dimensi
     }
     let tail = |c: char| c.is_ascii_digit() || c.is_whitespace() || ",.'’_".contains(c);
     let run = trimmed.get(..number.len() + rest.len() - rest.trim_start_matches(tail).len()).unwrap_or(trimmed);
-    // A unit may begin with a digit, `40,5 1/min`: it is no part of the number.
+    // A unit may begin with a digit, `40,5 1/min`: it is not part of the number.
     let unit = run.match_indices(char::is_whitespace).map(|(at, _)| at);
     let unit =
         unit.into_iter().find(|at| is_unit_with_digits_first(trimmed.get(*at..).unwrap_or_default().trim_start()));
@@ -136,13 +136,13 @@ fn no_end_of_number(trimmed: &str, number: &str, start: usize, expected: Dimensi
     Some(QuantityError::NumberUnreadable { span: start..start + run.len(), found: excerpt(run), expected })
 }
 
-/// Whether a text that begins with a digit looks like a unit: `1/min`, `10^-4 kg m^2`, `10⁻³ A/min⁻¹`.
+/// Returns `true` if a text that begins with a digit looks like a unit: `1/min`, `10^-4 kg m^2`, `10⁻³ A/min⁻¹`.
 fn is_unit_with_digits_first(text: &str) -> bool {
     let after = text.trim_start_matches(|c: char| c.is_ascii_digit()).trim_start();
     after.starts_with(['/', '^', '⁻', '³'])
 }
 
-/// The fault of a text that is no unit of the expected dimension.
+/// Returns the fault of a text that is no unit of the expected dimension.
 fn no_unit(unit_text: &str, span: Range<usize>, expected: Dimension) -> QuantityError {
     let found = excerpt(unit_text);
     match Unit::of(unit_text) {
@@ -151,7 +151,8 @@ fn no_unit(unit_text: &str, span: Range<usize>, expected: Dimension) -> Quantity
     }
 }
 
-/// Length in bytes of the number at the start of a text: sign, digits, point, digits, exponent; 0 without a digit.
+/// Returns the length in bytes of the number at the start of a text: sign, digits, point, digits, exponent; 0 without a
+/// digit.
 fn number_length(text: &str) -> usize {
     let sign = text.chars().next().filter(|c| ['+', '-', '−'].contains(c)).map_or(0, char::len_utf8);
     let after_sign = text.get(sign..).unwrap_or_default();
@@ -164,7 +165,7 @@ fn number_length(text: &str) -> usize {
     mantissa + exponent_length(text.get(mantissa..).unwrap_or_default())
 }
 
-/// Length in bytes of the exponent at the start of a text; 0 if there is none.
+/// Returns the length in bytes of the exponent at the start of a text; 0 if there is none.
 fn exponent_length(text: &str) -> usize {
     let Some(after) = text.strip_prefix(['e', 'E']) else { return 0 };
     let unsigned = after.strip_prefix(['+', '-', '−']).unwrap_or(after);
@@ -178,7 +179,7 @@ fn digits(text: &str) -> usize {
     text.bytes().take_while(u8::is_ascii_digit).count()
 }
 
-/// What stands in the text, shortened for a message.
+/// Shortens a text for a message.
 fn excerpt(text: &str) -> String {
     const LONGEST: usize = 40;
     match text.char_indices().nth(LONGEST) {

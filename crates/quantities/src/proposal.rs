@@ -1,17 +1,17 @@
-//! The unit that was probably meant by a text that is none.
+//! Proposal of the unit that was probably meant by a text that is none.
 
 use crate::dimension::Dimension;
 use crate::expression::{Meaning, meanings};
 use crate::spelling::Canonical;
 use crate::units::Unit;
 
-/// Shorter texts are not near to anything by a single letter.
+/// Minimum length of a text for a proposal that differs in one letter.
 const LETTERS_MIN: usize = 4;
 
-/// The unit of a dimension that was probably meant; `None` where a proposal could change a value.
+/// Returns the unit of a dimension that was probably meant; `None` if a proposal could change a value.
 pub(crate) fn of(dimension: Dimension, spelling: &str) -> Option<&'static Unit> {
     let written = Canonical::of(spelling);
-    // `40/min` lacks the one before its stroke.
+    // `40/min` lacks the one before its slash.
     let with_one = written.text.starts_with('/').then(|| Unit::of_dimension(dimension, &format!("1{}", written.text)));
     if let Some(unit) = with_one.flatten() {
         return Some(unit);
@@ -20,7 +20,7 @@ pub(crate) fn of(dimension: Dimension, spelling: &str) -> Option<&'static Unit> 
     if !meant.is_empty() {
         return dimension.units().iter().find(|unit| meant.iter().all(|meaning| has_meaning(unit, *meaning)));
     }
-    // In small letters mN and MN are alike: then neither is proposed.
+    // mN and MN are equal in lower case: then neither is proposed.
     let small = written.text.to_lowercase();
     let alike = only(dimension, |known| known.text.to_lowercase() == small);
     let in_other_case = |unit: &&Unit| unit.spellings().any(|known| is_in_other_case(&written, &Canonical::of(known)));
@@ -30,21 +30,22 @@ pub(crate) fn of(dimension: Dimension, spelling: &str) -> Option<&'static Unit> 
     }
 }
 
-/// Whether a spelling of a unit has a meaning, and the unit the same value.
+/// Returns `true` if a spelling of a unit has a meaning and the unit has its value.
 fn has_meaning(unit: &Unit, meaning: Meaning) -> bool {
     let value = unit.to_si(1.0) - unit.to_si(0.0);
     (meaning.factor - value).abs() <= 1e-9 * value.abs()
         && unit.spellings().any(|known| meanings(&Canonical::of(known)).iter().any(|own| own.is(meaning)))
 }
 
-/// The only unit with a spelling that is near enough.
+/// Returns the only unit with a spelling that satisfies a predicate.
 fn only(dimension: Dimension, is_near: impl Fn(&Canonical) -> bool) -> Option<&'static Unit> {
     let near = |unit: &&Unit| unit.spellings().any(|known| is_near(&Canonical::of(known)));
     let mut found = dimension.units().iter().filter(near);
     found.next().filter(|_| found.next().is_none())
 }
 
-/// Whether the letters are those of a spelling in another case, and no `m` that is a prefix stands for an `M`.
+/// Returns `true` if the letters are those of a spelling in another case, unless an `m` that is a prefix stands for an
+/// `M`.
 fn is_in_other_case(written: &Canonical, known: &Canonical) -> bool {
     if written.text.to_lowercase() != known.text.to_lowercase() {
         return false;
@@ -56,8 +57,8 @@ fn is_in_other_case(written: &Canonical, known: &Canonical) -> bool {
     })
 }
 
-/// Whether one letter too many, too few, wrong or exchanged with the next one is all that parts a text from a spelling. The first
-/// letter of a name may be a prefix, and counts.
+/// Returns `true` if a text differs from a spelling by one letter inserted, missing, wrong or exchanged with the next.
+/// The first letter of a name may be a prefix and must agree.
 fn is_a_letter_away(written: &Canonical, known: &Canonical) -> bool {
     let (text, spelling) = (written.text.as_str(), known.text.as_str());
     if text.len() < LETTERS_MIN || spelling.len() + 1 < LETTERS_MIN || strsim::damerau_levenshtein(text, spelling) != 1

@@ -1,10 +1,10 @@
-//! Text of others, made safe to be shown: the one place that says which signs a reader cannot see.
+//! External text made safe for display: the only definition of the characters that a reader cannot see.
 
 use std::borrow::Cow;
 
-/// Whether a sign is not seen itself but changes what is seen: control characters (C0, delete, C1) steer a terminal,
-/// line and paragraph separators break a line, marks of direction turn the order of what follows, and noncharacters
-/// are no text at all.
+/// Returns `true` if a character is invisible but changes the display: control characters (C0, delete, C1) control a
+/// terminal, line and paragraph separators break a line, directional marks change the order of the following text, and
+/// noncharacters are no text at all.
 ///
 /// # Source
 /// Unicode: general category Cc; UAX #9, table of explicit formatting characters; section 23.7, noncharacters
@@ -23,7 +23,7 @@ pub const fn is_unseen(sign: char) -> bool {
     ) || (sign as u32) & 0xfffe == 0xfffe
 }
 
-/// The text with every sign that is not seen written as `\u{9b}`.
+/// Returns the text with every invisible character written as `\u{9b}`.
 ///
 /// ```
 /// assert_eq!(quantities::seen("axis\u{9b}31m\u{202e}"), "axis\\u{9b}31m\\u{202e}");

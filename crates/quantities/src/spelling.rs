@@ -1,11 +1,11 @@
-//! Spellings of units: what does not matter in them is taken off, what does is kept.
+//! Spellings of units in canonical form, without insignificant differences.
 
-/// A spelling in its canonical form: without spaces and signs of a product or a power, raised digits as plain ones, Greek letters
-/// as `u`, `ohm`, `deg`.
+/// A spelling in canonical form: without spaces and signs of a product or a power, superscript digits as plain ones,
+/// Greek letters as `u`, `ohm`, `deg`.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub(crate) struct Canonical {
     pub(crate) text: String,
-    /// Places of the text, as bits by byte, at which a sign or a space of a product stands before a letter: `m N` is a
+    /// Places of the text, as bits by byte, at which a sign or a space of a product precedes a letter: `m N` is a
     /// product, `mN` a millinewton.
     pub(crate) products: u64,
 }
@@ -53,13 +53,13 @@ impl Canonical {
         found
     }
 
-    /// Adds what is no letter: a space before it is no sign of a product.
+    /// Adds a character that is no letter: a space before it is no sign of a product.
     fn sign(&mut self, sign: char, is_parted: &mut bool) {
         *is_parted = false;
         self.text.push(sign);
     }
 
-    /// Adds letters; a sign of a product counts where a letter or a power stands before it.
+    /// Adds letters; a sign of a product counts after a letter or a power.
     fn word(&mut self, letters: &str, is_parted: &mut bool) {
         if std::mem::take(is_parted) && self.text.chars().next_back().is_some_and(char::is_alphanumeric) {
             self.products |= bit(self.text.len());
@@ -67,8 +67,8 @@ impl Canonical {
         self.text.push_str(letters);
     }
 
-    /// The factors above the stroke in a fixed order, and what stands below it; `None` where there is one factor only, or where its
-    /// place may say something.
+    /// Returns the factors above the slash in a fixed order, and the text below it; `None` if there is one factor only,
+    /// or if the place of a factor may be significant.
     pub(crate) fn factors(&self) -> Option<String> {
         let (above, below) = self.text.split_at(self.text.find('/').unwrap_or(self.text.len()));
         let is_plain = below.matches('/').count() < 2 && !self.text.contains(['(', ')']);
@@ -86,24 +86,25 @@ impl Canonical {
         Some(factors.join("·") + below)
     }
 
-    /// Places where a name of a unit begins: behind what is no letter, and behind the sign of a product.
+    /// Returns `true` if the name of a unit begins at a place: after a character that is no letter, or after the sign
+    /// of a product.
     pub(crate) fn begins(&self, place: usize) -> bool {
         let before = self.text.get(..place).and_then(|text| text.chars().next_back());
         !before.is_some_and(char::is_alphabetic) || self.products & bit(place) != 0
     }
 }
 
-/// Signs that may stand before the sign of a product.
+/// Returns `true` for characters that may precede the sign of a product.
 fn is_of_unit(sign: char) -> bool {
     sign.is_alphabetic() || ['.', '°', '²', '³'].contains(&sign)
 }
 
-/// The bit of a place; those behind the last one share it.
+/// Returns the bit of a place; places after the last one share it.
 pub(crate) const fn bit(place: usize) -> u64 {
     1 << if place < 63 { place } else { 63 }
 }
 
-/// Words of units and what they are written as otherwise.
+/// Abbreviations of units with the words that they replace.
 const WORDS: &[(&str, &[&str])] = &[
     ("deg", &["degree", "degrees", "Deg", "DEG", "Grad"]),
     ("rev", &["turn", "turns", "revolution", "revolutions", "Umdrehung", "Umdrehungen", "Umdr"]),
@@ -123,7 +124,8 @@ const WORDS: &[(&str, &[&str])] = &[
     ("N", &["newton", "newtons", "Newton"]),
 ];
 
-/// A spelling with the usual letters in the place of words that mean the same: `degrees/sec` is `deg/s`. `None` where it has none.
+/// Replaces words by the abbreviations with the same meaning: `degrees/sec` becomes `deg/s`. Returns `None` if there is
+/// none.
 pub(crate) fn abbreviated(spelling: &str) -> Option<String> {
     let mut out = String::with_capacity(spelling.len());
     let mut rest = spelling;

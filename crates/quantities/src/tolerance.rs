@@ -1,4 +1,4 @@
-//! Reading `"1.3 kg m^2 ± 10 %"`.
+//! Parser for a quantity with a tolerance such as `"1.3 kg m^2 ± 10 %"`.
 
 use crate::dimension::Dimension;
 use crate::error::QuantityError;
@@ -6,19 +6,19 @@ use crate::parse::{Reading, parse, parse_at};
 use crate::unit::{DEGREE_CELSIUS, PERCENT};
 use std::ops::Range;
 
-/// How "plus or minus" is written; the first is the usual sign, the others are for keyboards.
+/// Notations of "plus or minus"; the first is the usual sign, the others are for keyboards.
 pub const PLUS_MINUS: [&str; 3] = ["±", "+/-", "+-"];
 
 /// The half-width of a tolerance band, about the value before it.
 #[derive(Clone, Debug, PartialEq)]
 pub struct HalfWidth {
-    /// In SI, zero or more; of a temperature a difference.
+    /// Value in SI, zero or more; a difference for a temperature.
     pub si: f64,
     /// Place of the half-width in the text, in bytes.
     pub span: Range<usize>,
 }
 
-/// Reads a quantity that may carry a tolerance, `value ± half-width`.
+/// Parses a quantity that may have a tolerance, `value ± half-width`.
 ///
 /// The half-width is a quantity of the same kind, or a share of the value in percent; zero is no tolerance. A percent of
 /// a temperature in °C is refused, since zero degrees are no absence of temperature; so is °C for the half-width, which
@@ -38,7 +38,7 @@ pub struct HalfWidth {
 /// ```
 ///
 /// # Errors
-/// As [`parse()`], for the value and for the half-width; a half-width that is negative, or a percent of °C.
+/// The same as for [`parse()`], for the value and for the half-width; a negative half-width, or a percentage of °C.
 pub fn parse_toleranced(expected: Dimension, text: &str) -> Result<(Reading, Option<HalfWidth>), QuantityError> {
     let Some((at, sign)) = sign_of(text) else { return parse(expected, text).map(|reading| (reading, None)) };
     let value = text.get(..at).unwrap_or_default();
@@ -64,18 +64,18 @@ pub fn parse_toleranced(expected: Dimension, text: &str) -> Result<(Reading, Opt
     Ok((reading, Some(HalfWidth { si: si.abs(), span })))
 }
 
-/// The part of a text that holds the value, without its tolerance.
+/// Returns the part of a text before the tolerance.
 #[must_use]
 pub fn without_tolerance(text: &str) -> &str {
     sign_of(text).and_then(|(at, _)| text.get(..at)).unwrap_or(text)
 }
 
-/// The first sign of a tolerance and its place in bytes.
+/// Returns the first sign of a tolerance and its place in bytes.
 fn sign_of(text: &str) -> Option<(usize, &'static str)> {
     PLUS_MINUS.iter().filter_map(|sign| Some((text.find(sign)?, *sign))).min_by_key(|(at, _)| *at)
 }
 
-/// The half-width in SI, with its sign; its text begins so many bytes into the whole.
+/// Returns the half-width in SI, with its sign; `text` begins `offset` bytes into the whole.
 fn half_width(expected: Dimension, reading: &Reading, text: &str, offset: usize) -> Result<f64, QuantityError> {
     if text.trim_end().ends_with(PERCENT.symbol) {
         let share = parse_at(Dimension::Ratio, text, offset)?.si;

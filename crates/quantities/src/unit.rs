@@ -1,7 +1,8 @@
-//! Every unit by name.
+//! The units by name.
 //!
-//! A unit that `uom` has takes its factor from there (`is`). For the others the factor is an exact definition: `times`
-//! and `over` say by what a value is multiplied or divided to be SI, `si` that nothing is to be done.
+//! A unit known to `uom` takes its factor from there (`is`). For the others the factor is an exact definition: `times`
+//! and `over` state the number by which a value is multiplied or divided to obtain SI, `si` that no conversion is
+//! needed.
 
 use crate::dimension::Dimension;
 use crate::units::Unit;
@@ -31,10 +32,10 @@ macro_rules! units {
             };
         )*)*
 
-        /// Every unit, the usual one of each dimension first.
+        /// The units, the usual one of each dimension first.
         pub static ALL: &[&Unit] = &[$($(&$name),*),*];
 
-        /// The units of a dimension, the usual one first.
+        /// Returns the units of a dimension, the usual one first.
         pub(crate) fn of_dimension(dimension: Dimension) -> &'static [Unit] {
             match dimension {
                 $(Dimension::$dimension => {
@@ -46,7 +47,7 @@ macro_rules! units {
     };
 }
 
-/// From a unit to SI.
+/// Converts a value in a unit to SI.
 macro_rules! forth {
     ([$quantity:ident $module:ident] (is $unit:ident)) => {
         |value| uom::si::f64::$quantity::new::<uom::si::$module::$unit>(value).value
@@ -62,7 +63,7 @@ macro_rules! forth {
     };
 }
 
-/// From SI to a unit.
+/// Converts a value in SI to a unit.
 macro_rules! back {
     ([$quantity:ident $module:ident] (is $unit:ident)) => {
         |si| {
@@ -87,24 +88,24 @@ const POUND_KG: f64 = 0.453_592_37;
 const INCH_M: f64 = 0.0254;
 /// One foot, twelve inches.
 const FOOT_M: f64 = 12.0 * INCH_M;
-/// Ounces of a pound.
+/// Ounces per pound.
 const OUNCES: f64 = 16.0;
 /// One pound-force, a pound under standard gravity, 9.80665 m/s² (CGPM 1901). `uom` rounds it to seven digits.
 const POUND_FORCE_N: f64 = POUND_KG * STANDARD_GRAVITY_M_S2;
 /// Standard gravity, 9.80665 m/s² exactly (CGPM 1901): one kilogram-force in newtons.
 const STANDARD_GRAVITY_M_S2: f64 = 9.806_65;
 
-/// One revolution per minute, 2π/60 rad/s, as `uom` has it.
+/// One revolution per minute, 2π/60 rad/s, as in `uom`.
 fn per_minute() -> f64 {
     uom::si::f64::AngularVelocity::new::<angular_velocity::revolution_per_minute>(1.0).value
 }
 
-/// One minute of arc, π/10800 rad, as `uom` has it.
+/// One minute of arc, π/10800 rad, as in `uom`.
 fn arcminute() -> f64 {
     uom::si::f64::Angle::new::<angle::minute>(1.0).value
 }
 
-/// One day, as `uom` has it.
+/// One day, as in `uom`.
 fn day() -> f64 {
     uom::si::f64::Time::new::<time::day>(1.0).value
 }

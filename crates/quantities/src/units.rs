@@ -1,4 +1,4 @@
-//! A unit: how it is written, how it converts, and how a spelling finds it.
+//! A unit with its spellings and its conversion, and the search for a unit by a spelling.
 
 use crate::dimension::Dimension;
 use crate::proposal;
@@ -8,65 +8,67 @@ use std::fmt;
 use std::hash::{Hash, Hasher};
 use std::sync::LazyLock;
 
-/// One unit: how it is written and how it converts (SI value = value × factor + offset).
+/// One unit with its spellings and its conversion (SI value = value × factor + offset).
 ///
-/// Two units are equal if they measure the same quantity and are written alike; compare with `==`, not by address.
+/// Two units are equal if they measure the same quantity and have the same spelling; compare with `==`, not by address.
 #[derive(Clone, Copy)]
 pub struct Unit {
-    /// The quantity it measures.
+    /// Quantity measured by the unit.
     pub dimension: Dimension,
     /// Spelling of project files: `N m`, `1/min`, `kg m^2`.
     pub ascii: &'static str,
-    /// Spelling for people: `Nm`, `min⁻¹`, `kgm²`, `Ω`, `°C`.
+    /// Spelling for display: `Nm`, `min⁻¹`, `kgm²`, `Ω`, `°C`.
     pub symbol: &'static str,
     /// Spelling in data exchange: `Nm`, `1/min`, `kgm^2`, `degC`.
     pub json: &'static str,
-    /// Further spellings that are understood.
+    /// Further spellings that are accepted.
     pub(crate) others: &'static [&'static str],
     pub(crate) forth: fn(f64) -> f64,
     pub(crate) back: fn(f64) -> f64,
 }
 
 impl Unit {
-    /// A value in this unit, in SI.
+    /// Converts a value in this unit to SI.
     #[must_use]
     pub fn to_si(&self, value: f64) -> f64 {
         (self.forth)(value)
     }
 
-    /// An SI value in this unit.
+    /// Converts an SI value to this unit.
     #[must_use]
     pub fn from_si(&self, si: f64) -> f64 {
         (self.back)(si)
     }
 
-    /// The unit with this spelling, of whatever dimension. Where several dimensions share the spelling, the first of
-    /// [`Dimension::ALL`] has it: `g` is a gram, `K` a temperature.
+    /// Returns the unit with this spelling, of any dimension. If several dimensions share the spelling, it belongs to
+    /// the first of [`Dimension::ALL`]: `g` is a gram, `K` a temperature.
     #[must_use]
     pub fn of(spelling: &str) -> Option<&'static Self> {
         with_spelling(spelling, |_| true)
     }
 
-    /// The unit of a dimension with this spelling.
+    /// Returns the unit of a dimension with this spelling.
     ///
-    /// Case matters (`mN` is no `MN`), and so does the sign of a product: `m N` is a torque, `mN` a force. Which sign it is does not
-    /// (space, `·`, `*`, `×`, or `-` and `.` between letters), nor does `^`; `²`, `⁻¹`, `µ`, `Ω`, `°` may stand for `2`, `-1`, `u`,
-    /// `ohm`, `deg`, words for their abbreviations (`degrees/sec`), and a negative power for a stroke (`rad s^-1`). Factors may stand
-    /// in any order.
+    /// Case is significant (`mN` is not `MN`), and so is the sign of a product: `m N` is a torque, `mN` a force. Not
+    /// significant is the choice of the sign (space, `·`, `*`, `×`, or `-` and `.` between letters), and `^`; `²`,
+    /// `⁻¹`, `µ`, `Ω`, `°` may replace `2`, `-1`, `u`, `ohm`, `deg`, words their abbreviations (`degrees/sec`), and a
+    /// negative power a slash (`rad s^-1`). Factors may have any order.
     #[must_use]
     pub fn of_dimension(dimension: Dimension, spelling: &str) -> Option<&'static Self> {
         with_spelling(spelling, |unit| unit.dimension == dimension)
     }
 
-    /// Every spelling, the one of project files first.
+    /// Iterates over the spellings, the one of project files first.
     pub fn spellings(&self) -> impl Iterator<Item = &'static str> {
         [self.ascii, self.symbol, self.json].into_iter().chain(self.others.iter().copied())
     }
 
-    /// The unit of a dimension that was probably meant by a text that is none of it; `None` where another one could be meant.
+    /// Returns the unit of a dimension that was probably meant by a text that is none; `None` if another one is
+    /// possible.
     ///
-    /// A proposal keeps what the text means: where it reads as a product of units, with prefixes and powers, the proposed unit has
-    /// the same value. Otherwise the letters differ from those of one unit only in case, or by one letter that is no prefix.
+    /// A proposal keeps the meaning of the text: if it reads as a product of units, with prefixes and powers, the
+    /// proposed unit has the same value. Otherwise the letters differ from those of one unit only in case, or by one
+    /// letter that is no prefix.
     #[must_use]
     pub fn nearest(dimension: Dimension, spelling: &str) -> Option<&'static Self> {
         if spelling.len() > SPELLING_LENGTH_MAX { None } else { proposal::of(dimension, spelling) }
@@ -93,10 +95,10 @@ impl fmt::Debug for Unit {
     }
 }
 
-/// Longer texts are no unit; the longest spelling has less than half of it.
+/// Maximum length of a spelling; the longest one has less than half of it.
 const SPELLING_LENGTH_MAX: usize = 64;
 
-/// A unit by one of its spellings.
+/// A unit with the canonical form of one of its spellings.
 struct Known {
     unit: &'static Unit,
     /// Places at which the sign of a product may stand.
@@ -136,7 +138,7 @@ static INDEX: LazyLock<Index> = LazyLock::new(|| {
     index
 });
 
-/// The spelling with a negative power in the place of its stroke: `rad s^-1` for `rad/s`.
+/// Returns the spelling with a negative power instead of the slash: `rad s^-1` for `rad/s`.
 fn with_negative_power(spelling: &str) -> Option<String> {
     let (over, under) = spelling.split_once('/')?;
     let name = under.trim_end_matches(|sign: char| !sign.is_ascii_alphabetic());
@@ -151,12 +153,12 @@ fn with_negative_power(spelling: &str) -> Option<String> {
     (is_name && has_unit).then(|| format!("{over} {name}-{power}"))
 }
 
-/// The first unit with a spelling that is one of those looked for.
+/// Returns the first unit with a spelling that satisfies a predicate.
 fn with_spelling(spelling: &str, is_wanted: impl Fn(&Unit) -> bool) -> Option<&'static Unit> {
     if spelling.len() > SPELLING_LENGTH_MAX {
         return None;
     }
-    // `None` where nothing is written so, of whatever dimension.
+    // `None` if no unit of any dimension has this spelling.
     let found = |text: &str, products: u64| {
         let known = INDEX.texts.get(text)?.iter().filter(|known| products & !known.products == 0);
         let mut known = known.map(|known| known.unit);
@@ -169,6 +171,6 @@ fn with_spelling(spelling: &str, is_wanted: impl Fn(&Unit) -> bool) -> Option<&'
         in_order
             .or_else(|| Some(INDEX.factors.get(&canonical.factors()?)?.iter().copied().find(|unit| is_wanted(unit))))
     };
-    // Most are written as the index has them.
+    // Most spellings are in the index as written.
     found(spelling, 0).or_else(|| of(spelling)).or_else(|| of(&abbreviated(spelling)?)).flatten()
 }
