@@ -1,37 +1,37 @@
-//! From table files to flat cells, with errata applied and every rule of `data/README.md` held.
+//! Conversion of table files to flat cells, with errata applied and every rule of `data/README.md` checked.
 
 use crate::code::Code;
 use crate::read::{Data, Erratum, Row, Table};
 use provenance::Value;
 use std::collections::{BTreeMap, BTreeSet};
 
-/// The keys of a cell, in the order of [`Cell::keys`].
+/// Keys of a cell, in the order of [`Cell::keys`].
 pub const KEYS: [&str; 5] = ["drive", "feedback", "ratio", "symbol", "condition"];
 const MERGED: &str = "<<";
 
-/// One printed cell with everything that distinguishes it from the others.
+/// One cell with everything that distinguishes it from the others.
 pub struct Cell<'a> {
-    /// Place of its table.
+    /// Index of its table.
     pub table: usize,
-    /// Row of the table, from zero.
+    /// Row of the table, counted from zero.
     pub row: usize,
-    /// First column on which it stands, from zero.
+    /// First column covered by the cell, counted from zero.
     pub column: usize,
     /// Drive, feedback, ratio, symbol and condition.
     pub keys: [String; 5],
-    /// Unit as printed.
+    /// Unit as stated in the source.
     pub unit: &'a str,
-    /// Text as printed.
+    /// Text as stated in the source.
     pub printed: &'a str,
     /// Text after errata.
     pub corrected: &'a str,
-    /// What checks must use instead.
+    /// Text to be used by checks instead, if the erratum states one.
     pub checks_use: Option<&'a str>,
-    /// Places of the errata about it.
+    /// Indices of the errata about the cell.
     pub errata: Vec<usize>,
 }
 
-/// The meaning of a cell's text.
+/// Parses the text of a cell.
 #[must_use]
 pub fn value_of(text: &str) -> Value {
     let number = |text: &str| quantities::parse_german(text.trim());
@@ -67,18 +67,18 @@ pub fn value_of(text: &str) -> Value {
     Value::Text
 }
 
-/// Splits a column head into its keys: `CHA-14A | 30` with keys drive and ratio.
+/// Splits a column heading into its keys: `CHA-14A | 30` with the keys drive and ratio.
 fn column_keys<'a>(table: &'a Table, column: &'a str) -> Vec<(&'a str, &'a str)> {
     table.keys.iter().map(String::as_str).zip(column.split(" | ").map(str::trim)).collect()
 }
 
-/// What the head of a column says about one key.
+/// Returns the entry for one key in a column heading.
 fn head_of(table: &Table, column: &str, key: &str) -> String {
     column_keys(table, column).into_iter().filter(|(k, _)| *k == key).map(|(_, v)| v).collect::<Vec<_>>().join(", ")
 }
 
-/// The keys of a cell that stands on the columns `from..to`: what the table says, overridden by the row,
-/// and by the column where all its columns agree.
+/// Returns the keys of a cell that covers the columns `from..to`: those of the table, overridden by the row, and by the
+/// column headings if they agree.
 fn cell_keys(table: &Table, row: &Row, columns: &[String]) -> [String; 5] {
     let defaults = |key: &str| match key {
         "drive" => row.drive.as_deref().or(table.drive.as_deref()),
@@ -93,7 +93,7 @@ fn cell_keys(table: &Table, row: &Row, columns: &[String]) -> [String; 5] {
         distinct.dedup();
         let common = match distinct.as_slice() {
             [only] => only.clone(),
-            // Printed once for some of the drives: it holds for each of them. For all: it holds for whatever comes.
+            // Stated once for some of the drives: it holds for each of them. For all: it holds without restriction.
             some if key == "drive" && columns.len() < table.columns.len() => some.join(" / "),
             _ => String::new(),
         };
@@ -164,10 +164,10 @@ fn cells_of<'a>(index: usize, table: &'a Table, faults: &mut Vec<String>) -> Vec
     cells
 }
 
-/// Fields of a code by which an erratum of a table can say which codes it concerns.
+/// Fields of a code by which an erratum of a table can state the codes it concerns.
 const CONCERNED: [&str; 3] = ["feedback", "winding", "size"];
 
-/// Reports words under `concerns` that no code of the data has.
+/// Reports words under `concerns` that occur in no code of the data.
 fn known_words(erratum: &Erratum, codes: &[Code], faults: &mut Vec<String>) {
     let id = &erratum.id;
     for (field, words) in &erratum.concerns {
@@ -180,7 +180,7 @@ fn known_words(erratum: &Erratum, codes: &[Code], faults: &mut Vec<String>) {
     }
 }
 
-/// Finds the one cell that an erratum names and applies it.
+/// Finds the one cell named in an erratum and applies the erratum.
 fn apply<'a>(number: usize, erratum: &'a Erratum, tables: &[Table], cells: &mut [Cell<'a>], faults: &mut Vec<String>) {
     let id = &erratum.id;
     if !["recovery", "print_error", "contradiction", "rounding", "edition"].contains(&erratum.kind.as_str()) {
@@ -249,15 +249,15 @@ fn apply<'a>(number: usize, erratum: &'a Erratum, tables: &[Table], cells: &mut 
     }
 }
 
-/// The cells of all tables, and where those of each table begin and end.
+/// Cells of all tables, with the range of each table.
 pub struct Cells<'a> {
-    /// Every cell, in the order of the tables, rows and columns.
+    /// The cells, in the order of the tables, rows and columns.
     pub cells: Vec<Cell<'a>>,
-    /// First cell of each table, and the one behind its last.
+    /// Index of the first cell of each table, and one past its last.
     pub ranges: Vec<(usize, usize)>,
 }
 
-/// The cells of the tables with their errata applied, and every rule that the data break.
+/// Returns the cells of the tables with their errata applied; reports every rule that the data violate.
 pub fn cells<'a>(data: &'a Data, faults: &mut Vec<String>) -> Cells<'a> {
     let mut cells: Vec<Cell<'_>> = Vec::new();
     let mut ranges = Vec::new();
@@ -282,7 +282,7 @@ pub fn cells<'a>(data: &'a Data, faults: &mut Vec<String>) -> Cells<'a> {
     Cells { cells, ranges }
 }
 
-/// Every table that a code names is there.
+/// Checks that every table named in a code exists.
 fn roles(data: &Data, faults: &mut Vec<String>) {
     for code in &data.codes {
         let tables = &code.tables;
@@ -339,7 +339,7 @@ fn unique(data: &Data, cells: &[Cell<'_>], faults: &mut Vec<String>) {
     }
 }
 
-/// Every mark and symbol that binds a note to its rows is there.
+/// Checks that every mark and symbol that binds a note to its rows exists.
 fn notes(data: &Data, faults: &mut Vec<String>) {
     for table in &data.tables {
         let name = &table.table;
@@ -365,7 +365,7 @@ fn notes(data: &Data, faults: &mut Vec<String>) {
     }
 }
 
-/// Every translated text is printed somewhere.
+/// Checks that every translated text occurs in a cell.
 fn texts(data: &Data, cells: &[Cell<'_>], faults: &mut Vec<String>) {
     for text in &data.texts {
         if !cells.iter().any(|cell| cell.corrected == text.printed) {

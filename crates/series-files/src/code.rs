@@ -1,17 +1,17 @@
-//! `code.toml` of a series: the grammar of its ordering code, and where the rules of combination stand.
+//! `code.toml` of a series: the grammar of its ordering code, and the tables with the rules of combination.
 
 use serde::Deserialize;
 use std::collections::BTreeMap;
 
-/// The fields that a code may have; the order is that of the file.
+/// Fields that a code may have, in the order of the file.
 const FIELDS: [&str; 9] =
     ["series", "size", "ratio", "winding", "feedback", "brake", "option_1", "option_2", "special"];
 
-/// The kinds of feedback that the engine knows.
+/// Kinds of encoder that the engine supports.
 const FEEDBACK_KINDS: [&str; 5] =
     ["sine_incremental", "endat_multiturn", "resolver", "square_incremental", "ssi_multiturn"];
 
-/// The variant that an identifier stands for in the types of `order-code` and `catalogue`: `AtLeast` for `at_least`.
+/// Returns the variant name for an identifier in the types of `order-code` and `catalogue`: `AtLeast` for `at_least`.
 #[must_use]
 pub fn variant_of(id: &str) -> String {
     let capitalised = |word: &str| {
@@ -26,9 +26,9 @@ pub fn variant_of(id: &str) -> String {
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Code {
-    /// Word that every code of the series begins with.
+    /// First word of every code of the series.
     pub series: String,
-    /// Identifier of its manual in `sources.toml`.
+    /// Identifier of the manual in `sources.toml`.
     pub manual: String,
     /// Fields in their order.
     #[serde(rename = "field")]
@@ -44,7 +44,7 @@ pub struct Code {
     /// Feedback systems.
     #[serde(rename = "feedback")]
     pub feedbacks: Vec<Feedback>,
-    /// Drives that tables are headed by.
+    /// Drives that head tables.
     #[serde(rename = "drive")]
     pub drives: Vec<Drive>,
     /// Tables of connectors.
@@ -56,27 +56,27 @@ pub struct Code {
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Field {
-    /// Which one, by its identifier.
+    /// Identifier of the field.
     pub id: String,
-    /// Where its words stand.
+    /// Source of its words.
     pub source: String,
-    /// Whether it may be left out.
+    /// The field may be left out.
     #[serde(default)]
     pub optional: bool,
-    /// Its words, in the order of the ordering tables.
+    /// Words of the field, in the order of the ordering tables.
     pub words: Vec<String>,
-    /// What its words mean: the first that fits counts.
+    /// Meanings of the words; the first match applies.
     #[serde(default, rename = "meaning")]
     pub meanings: Vec<Meaning>,
 }
 
-/// What a word means.
+/// Meaning of a word.
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Meaning {
-    /// The word; absent: every word, and the absence of one.
+    /// Word; absent for every word, and for the absence of one.
     pub word: Option<String>,
-    /// Words of other fields, one of which must stand in the code.
+    /// Words of other fields, one of which must be in the code.
     #[serde(default)]
     pub when: BTreeMap<String, Vec<String>>,
     /// English text; `{}` is the word.
@@ -89,22 +89,22 @@ pub struct Meaning {
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Tables {
-    /// Calibrations of the models.
+    /// Table of calibrations of the models.
     pub family: String,
-    /// What exists at each size.
+    /// Table of the variants available at each size.
     pub matrix: String,
     /// Pairs of winding and feedback.
     pub pairs: String,
-    /// Thresholds of the winding temperature; empty: none.
+    /// Table of thresholds of the winding temperature; empty if there is none.
     #[serde(default)]
     pub thresholds: String,
-    /// Conditions of the preselection; empty: none.
+    /// Table of conditions of the preselection; empty if there is none.
     #[serde(default)]
     pub preselection: String,
-    /// The encoder at the output; empty: none.
+    /// Table of the output encoder; empty if there is none.
     #[serde(default)]
     pub output_encoder: String,
-    /// Connector and pins of the encoder at the output; empty: none.
+    /// Tables of connector and pins of the output encoder; empty if there is none.
     #[serde(default)]
     pub output_wiring: Vec<String>,
     /// Tables of cables.
@@ -112,7 +112,7 @@ pub struct Tables {
     pub cables: Vec<String>,
     /// Sections whose tables are headed by the size.
     pub by_size: Vec<String>,
-    /// Sections whose tables are about a feedback.
+    /// Sections whose tables concern a motor encoder.
     pub feedback: Vec<String>,
     /// Sections of ordering and wiring.
     pub ordering: Vec<String>,
@@ -121,30 +121,30 @@ pub struct Tables {
     /// Tables of published curves.
     #[serde(default)]
     pub curves: Vec<String>,
-    /// Table with the life of the gear; empty: none.
+    /// Table of the life of the gear; empty if there is none.
     #[serde(default)]
     pub gear_life: String,
-    /// Series of gears whose rows of that table hold.
+    /// Series of gears whose rows of that table apply.
     #[serde(default)]
     pub gear_series: String,
 }
 
-/// What a cell of the matrix says.
+/// Meaning of a cell of the matrix.
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Mark {
-    /// How its text begins.
+    /// Beginning of the text of the cell.
     pub begins: String,
     /// `available`, `on_request` or `not_available`.
     pub entry: String,
-    /// Only together with this feedback.
+    /// Feedback that must be combined with it, if any.
     pub feedback: Option<String>,
-    /// Mark of the footnote that says that the actuator becomes longer; empty: it does not.
+    /// Mark of the footnote stating that the actuator becomes longer; empty if it does not.
     #[serde(default)]
     pub longer: String,
 }
 
-/// What the tables of a winding have of their own.
+/// Table references and properties of a winding.
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Winding {
@@ -152,41 +152,41 @@ pub struct Winding {
     pub words: Vec<String>,
     /// Table of general data.
     pub general: String,
-    /// Head of its columns.
+    /// Heading of its columns.
     pub general_head: String,
     /// Condition of the row of I_NLS.
     pub starting_current: String,
-    /// Whether I_0 = T_0/k_Tout + I_NLS.
+    /// I_0 includes the friction: I_0 = T_0/k_Tout + I_NLS.
     pub stall_current_includes_friction: bool,
-    /// Whether a PTC is led out of it.
+    /// The winding has an accessible PTC.
     pub ptc: bool,
     /// Feedbacks whose connector does not carry the KTY.
     #[serde(default)]
     pub without_kty: Vec<String>,
 }
 
-/// What a feedback is.
+/// Properties of a feedback.
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Feedback {
     /// The feedback.
     pub word: String,
-    /// One of the kinds that the engine knows.
+    /// Kind supported by the engine.
     pub kind: String,
-    /// Table of its data; empty: none.
+    /// Table of its data; empty if there is none.
     #[serde(default)]
     pub table: String,
 }
 
-/// Drives that tables are headed by.
+/// Drives that head tables.
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Drive {
-    /// Heads, each with its size behind the series.
+    /// Headings, each with its size after the series.
     pub heads: Vec<String>,
-    /// Windings that they hold for.
+    /// Windings that the headings apply to.
     pub windings: Vec<String>,
-    /// Feedback systems that they hold for.
+    /// Feedback systems that the headings apply to.
     pub feedbacks: Vec<String>,
 }
 
@@ -198,30 +198,30 @@ pub struct Wiring {
     pub windings: Vec<String>,
     /// Feedback systems.
     pub feedbacks: Vec<String>,
-    /// Connector and pins of the motor, then of the feedback.
+    /// Tables of connector and pins of the motor, then of the feedback.
     pub tables: [String; 4],
 }
 
 impl Code {
-    /// The words of a field.
+    /// Returns the words of a field.
     #[must_use]
     pub fn words(&self, field: &str) -> &[String] {
         self.fields.iter().find(|known| known.id == field).map_or(&[], |known| &known.words)
     }
 
-    /// The place of a word in its field.
+    /// Returns the index of a word in its field.
     #[must_use]
     pub fn place(&self, field: &str, word: &str) -> Option<usize> {
         self.words(field).iter().position(|known| known == word)
     }
 
-    /// The size that a head names behind the series: `20A` of `CHA-20A-C1024`.
+    /// Returns the size named after the series in a heading: `20A` of `CHA-20A-C1024`.
     #[must_use]
     pub fn size_of<'h>(&self, head: &'h str) -> Option<&'h str> {
         head.strip_prefix(&self.series)?.strip_prefix('-')?.split('-').next()
     }
 
-    /// Every rule that the file breaks.
+    /// Reports every rule that the file violates.
     pub(crate) fn check(&self, faults: &mut Vec<String>) {
         let at = format!("code.toml of {}", self.series);
         let mut seen: Vec<&str> = Vec::new();

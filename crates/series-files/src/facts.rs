@@ -1,11 +1,11 @@
-//! Facts that a source states in prose: held to their form, written as static records.
+//! Facts stated in prose by a source: checked for their form and written as static records.
 
 use crate::code::variant_of;
 use crate::read::Data;
 use serde::Deserialize;
 use std::collections::BTreeSet;
 
-/// One fact, as `data/README.md` describes it.
+/// One fact, as described in `data/README.md`.
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Fact {
@@ -23,15 +23,15 @@ pub struct Fact {
     values: Vec<Value>,
     en: String,
     de: String,
-    /// File that it stands in, for faults.
+    /// File with the fact, for error messages.
     #[serde(skip)]
     pub file: String,
-    /// Place of its series among the codes of the data.
+    /// Index of its series among the codes of the data.
     #[serde(skip)]
     pub series: usize,
 }
 
-/// The codes that a fact holds for; an absent key leaves the field open.
+/// Codes that a fact holds for; an absent key leaves the field open.
 #[derive(Deserialize, Default)]
 #[serde(deny_unknown_fields)]
 struct HoldsFor {
@@ -46,7 +46,7 @@ struct HoldsFor {
     kty: Option<bool>,
 }
 
-/// A figure of the sentence in machine form.
+/// A number of the sentence in machine-readable form.
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
 struct Value {
@@ -60,7 +60,7 @@ struct Value {
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
 pub(crate) struct FactsFile {
-    /// Its facts.
+    /// Facts of the file.
     pub fact: Vec<Fact>,
 }
 
@@ -80,7 +80,7 @@ const STEPS: &[&str] = &[
 ];
 const BOUNDS: &[&str] = &["above", "below", "at_least", "at_most", "about", "exactly"];
 
-/// The variant of a word in `catalogue`'s type; an unknown word is a fault that lists the known ones.
+/// Returns the variant of a word in `catalogue`'s type; reports an unknown word with the known ones.
 fn variant(what: &str, word: &str, words: &[&str], at: &str, faults: &mut Vec<String>) -> String {
     if !words.contains(&word) {
         faults.push(format!("{at}: unknown {what} `{word}`, known are {}", words.join(", ")));
@@ -93,7 +93,7 @@ fn is_snake_case(id: &str) -> bool {
         && id.chars().all(|c| c.is_ascii_lowercase() || c.is_ascii_digit() || c == '_')
 }
 
-/// A text without the spaces that group digits, so that `10 000 Pa` has the figure 10000.
+/// Removes the spaces that group digits, so that `10 000 Pa` contains the number 10000.
 fn ungrouped(text: &str) -> String {
     let mut out = String::with_capacity(text.len());
     let mut characters = text.chars().peekable();
@@ -108,7 +108,7 @@ fn ungrouped(text: &str) -> String {
     out
 }
 
-/// Whether the figure stands in the text and is no part of a longer one.
+/// Returns `true` if a number occurs in the text and is not part of a longer one.
 fn has_figure(text: &str, figure: &str) -> bool {
     let text = ungrouped(text);
     text.match_indices(figure).any(|(start, _)| {
@@ -120,7 +120,7 @@ fn has_figure(text: &str, figure: &str) -> bool {
     })
 }
 
-/// Holds the facts to their form and writes them as `FACTS`, in the types of `catalogue`.
+/// Checks the facts and returns them as source text of `FACTS`, in the types of `catalogue`.
 pub fn embed(data: &Data, faults: &mut Vec<String>) -> String {
     let mut seen = BTreeSet::new();
     let mut out = String::from("pub(crate) static FACTS: &[Fact] = &[\n");
@@ -153,7 +153,7 @@ pub fn embed(data: &Data, faults: &mut Vec<String>) -> String {
     out
 }
 
-/// One record as Rust source.
+/// Returns one record as Rust source.
 fn record(fact: &Fact, data: &Data, at: &str, faults: &mut Vec<String>) -> String {
     let grade = variant("kind", fact.kind.as_deref().unwrap_or("printed"), GRADES, at, faults);
     let topics: Vec<String> =

@@ -1,7 +1,7 @@
-//! The files of `data/`: read, and held to the rules of `data/README.md`.
+//! Reader of the files of `data/`, which checks the rules of `data/README.md`.
 //!
-//! For build scripts, which embed what they read, and for tests, which load a series from elsewhere. A file that breaks a rule
-//! is a fault; all are listed at once.
+//! Used by build scripts, which embed the data, and by tests, which load a series from elsewhere. A file that violates
+//! a rule is a fault; all faults are listed together.
 #![allow(clippy::disallowed_methods, reason = "build scripts and tests read files")]
 
 mod cells;
@@ -17,7 +17,7 @@ pub use read::{Data, Document, Erratum, Table, codes, read_all, read_one, series
 use std::path::Path;
 use std::process::ExitCode;
 
-/// Writes what a build script embeds to its `OUT_DIR`; where there are faults cargo reports them instead.
+/// Writes the output of a build script to its `OUT_DIR`; if there are faults cargo reports them instead.
 #[allow(clippy::print_stdout, reason = "a build script speaks to cargo over stdout")]
 #[must_use]
 pub fn write_out(name: &str, text: &str, faults: &[String]) -> ExitCode {

@@ -1,4 +1,4 @@
-//! The files of `data/` as they are written: one struct per file format.
+//! File formats of `data/`: one struct per format.
 #![allow(missing_docs, reason = "data/README.md describes every key")]
 
 use crate::code::Code;
@@ -15,7 +15,7 @@ pub struct Bilingual {
     pub de: String,
 }
 
-/// A note on a table, in our own words.
+/// A note on a table in the project's own words.
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Footnote {
@@ -69,7 +69,7 @@ pub struct Erratum {
     pub table: Option<String>,
     #[serde(default)]
     pub cell: BTreeMap<String, String>,
-    /// Words of the fields `feedback`, `winding` and `size` of the codes that an erratum of a table concerns.
+    /// Words of the fields `feedback`, `winding` and `size` in the codes that an erratum of a table concerns.
     #[serde(default)]
     pub concerns: BTreeMap<String, Vec<String>>,
     #[serde(rename = "where")]
@@ -171,7 +171,7 @@ struct GlossaryFile {
     word: Vec<Word>,
 }
 
-/// All files of `data/`.
+/// Content of the files of `data/`.
 #[derive(Default)]
 pub struct Data {
     pub tables: Vec<Table>,
@@ -202,7 +202,7 @@ fn read_file<T: for<'de> Deserialize<'de>>(path: &Path, faults: &mut Vec<String>
     }
 }
 
-/// What lies in a folder.
+/// Returns the entries of a folder.
 fn entries(folder: &Path, faults: &mut Vec<String>) -> Vec<PathBuf> {
     match std::fs::read_dir(folder) {
         Ok(entries) => entries.flatten().map(|entry| entry.path()).collect(),
@@ -213,7 +213,7 @@ fn entries(folder: &Path, faults: &mut Vec<String>) -> Vec<PathBuf> {
     }
 }
 
-/// The TOML files below `folder`, in the order of their names read as numbers.
+/// Returns the TOML files in `folder`, sorted by their names read as numbers.
 fn table_paths(folder: &Path, faults: &mut Vec<String>) -> Vec<PathBuf> {
     let mut paths = entries(folder, faults);
     paths.retain(|path| path.extension().is_some_and(|e| e == "toml"));
@@ -225,7 +225,7 @@ fn table_paths(folder: &Path, faults: &mut Vec<String>) -> Vec<PathBuf> {
     paths
 }
 
-/// The folders of series below `data/`, in the order of their names: each has a `code.toml`.
+/// Returns the folders of series in `data/`, sorted by name: those with a `code.toml`.
 pub fn series_folders(root: &Path, faults: &mut Vec<String>) -> Vec<PathBuf> {
     let mut folders = entries(root, faults);
     folders.retain(|path| path.join("code.toml").is_file());
@@ -233,7 +233,7 @@ pub fn series_folders(root: &Path, faults: &mut Vec<String>) -> Vec<PathBuf> {
     folders
 }
 
-/// The ordering codes of the series below `data/`.
+/// Returns the ordering codes of the series in `data/`.
 pub fn codes(root: &Path, faults: &mut Vec<String>) -> Vec<Code> {
     series_folders(root, faults).iter().filter_map(|folder| code(folder, faults)).collect()
 }
@@ -244,7 +244,7 @@ fn code(folder: &Path, faults: &mut Vec<String>) -> Option<Code> {
     Some(code)
 }
 
-/// Reads every file of `data/`; what cannot be read is a fault, not an end.
+/// Reads every file of `data/`; a file that cannot be read is reported, and reading continues.
 pub fn read_all(root: &Path, faults: &mut Vec<String>) -> Data {
     let folders = series_folders(root, faults);
     let mut data = Data::default();
@@ -259,7 +259,7 @@ pub fn read_all(root: &Path, faults: &mut Vec<String>) -> Data {
     data
 }
 
-/// Reads one series from a folder that lies elsewhere, with the sources and the glossary of `data/`.
+/// Reads one series from another folder, with the sources and the glossary of `data/`.
 pub fn read_one(root: &Path, folder: &Path, faults: &mut Vec<String>) -> Data {
     let mut data = Data::default();
     read_tables(&folder.join("tables"), &mut data, faults);
@@ -281,7 +281,7 @@ fn read_tables(folder: &Path, data: &mut Data, faults: &mut Vec<String>) {
     }
 }
 
-/// Everything of a series but its printed tables.
+/// Reads the files of a series except its tables.
 fn read_series(folder: &Path, data: &mut Data, faults: &mut Vec<String>) {
     data.codes.extend(code(folder, faults));
     data.tables.extend(read_file::<Table>(&folder.join("family.toml"), faults));
@@ -315,7 +315,7 @@ fn read_shared(root: &Path, data: &mut Data, faults: &mut Vec<String>) {
     }
 }
 
-/// A file that a series need not have.
+/// Reads a file that a series may omit.
 fn optional<T: for<'de> Deserialize<'de>>(path: &Path, faults: &mut Vec<String>) -> Option<T> {
     if path.is_file() { read_file(path, faults) } else { None }
 }
