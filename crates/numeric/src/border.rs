@@ -1,20 +1,21 @@
-//! The edge of the region in which a function is not above zero.
+//! Search for the boundary of the region in which a function is at most zero.
 
-/// So many steps more than halving the search may take: they go where interpolation leads.
+/// Number of steps beyond bisection that the search may use for interpolation.
 const FREE: i32 = 4;
 
-/// The border between a place where a function is at most zero, `good`, and one above it where it exceeds zero, `bad`: on
-/// the good side, and to `narrow` of the distance between the two.
+/// Returns the border between a place `good`, where a function is at most zero, and a place `bad` above it, where it
+/// exceeds zero: on the good side, within `narrow` of the distance between the two.
 ///
-/// Inverse quadratic interpolation through both ends and the end that was there before, kept so near to the middle that
-/// four steps more than halving are the most; where the function is smooth five to eight suffice. Once the interpolation
-/// stays within what is left of an end, the next step goes just beyond it. The function may jump, and may be infinite above.
+/// Inverse quadratic interpolation through both ends and the previous end, kept close enough to the middle that the
+/// search needs at most four steps more than bisection; for a smooth function five to eight suffice. Once the
+/// interpolation stays within the remaining distance of an end, the next step goes just beyond it. The function may
+/// jump, and may be infinite above.
 ///
 /// # Source
 /// Chandrupatla, A new hybrid quadratic/bisection algorithm, Adv. Eng. Softw. 28 (1997), for where the
 /// interpolation is trusted; Oliveira and Takahashi, ACM TOMS 47 (2020), for the projection, with n_0 = 4
 /// # Errors
-/// What the function reports.
+/// Errors of the function.
 pub fn border<S>(
     mut excess: impl FnMut(f64) -> Result<f64, S>,
     mut good: (f64, f64),
@@ -22,7 +23,7 @@ pub fn border<S>(
     narrow: f64,
 ) -> Result<f64, S> {
     let whole = bad.0 - good.0;
-    // Where halving would stand; what is left beyond half the width is free for interpolation.
+    // Width of a bisection with the same number of steps; interpolation may use what exceeds half the width.
     let mut halved = whole * 2.0_f64.powi(FREE - 1);
     let step = 0.9 * whole * narrow;
     let mut before = None;
@@ -41,13 +42,14 @@ pub fn border<S>(
     Ok(good.0)
 }
 
-/// Where the function should be zero between two ends, by them and the end that one of them has replaced: on the straight
-/// line, later on the inverse parabola where it has one branch between the ends. The middle where neither can be trusted.
+/// Returns the place where the function should be zero between two ends, from them and the end that one of them
+/// replaced: by linear, later by inverse quadratic interpolation if the parabola has one branch between the ends.
+/// Returns the middle if neither is reliable.
 fn interpolated((a, at_a): (f64, f64), (b, at_b): (f64, f64), before: Option<(f64, f64)>) -> f64 {
     let found = match before {
         None => (at_b * a - at_a * b) / (at_b - at_a),
         Some((c, at_c)) => {
-            // The end that has just been found, and the one on the other side of the root.
+            // The end found last, and the one on the other side of the root.
             let ((new, at_new), (far, at_far)) =
                 if (at_c <= 0.0) == (at_a <= 0.0) { ((a, at_a), (b, at_b)) } else { ((b, at_b), (a, at_a)) };
             let (place, height) = ((new - far) / (c - far), (at_new - at_far) / (at_c - at_far));
@@ -88,7 +90,7 @@ mod tests {
             let (found, calls) = steps(excess);
             assert!(found <= root && root - found < 1e-10 && calls <= 7, "{found}, {calls} calls");
         }
-        // One branch takes over from another near the border.
+        // One branch replaces another near the border.
         let bent = |x: f64| f64::max(x - root, 5.0 * (x - root - 1e-5));
         let (found, calls) = steps(&bent);
         assert!(found <= root && root - found < 1e-10 && calls <= 25, "{found}, {calls} calls");

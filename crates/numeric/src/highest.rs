@@ -1,17 +1,17 @@
-//! The largest value of a curve between places that are known.
+//! Search for the largest value of a curve between known places.
 
-/// So many parabolas at most.
+/// Maximum number of parabolas.
 const STEPS: u32 = 24;
 
-/// Place and value of the highest point of a smooth curve about three places in order, by parabolas: each takes the place
-/// of the farthest of the three through which the last one was laid.
+/// Returns place and value of the highest point of a smooth curve near three places in order, by successive parabolas:
+/// each vertex replaces the farthest of the three points of the last parabola.
 ///
-/// The search ends where a parabola promises nothing above `enough` and above what is known, or where its vertex is met to
-/// `close` of the value; the error is then of the order of its square where the curve is smooth.
+/// The search ends when a parabola promises nothing above `enough` or the known values, or when the value at its vertex
+/// agrees to `close`; the error is then of second order for a smooth curve.
 ///
 /// # Valid
-/// A maximum between the outer two; of several any one. What is returned is a value of the curve and at least the largest
-/// of the three.
+/// A maximum between the outer two places; if there are several, any of them. The result is a value of the curve and at
+/// least the largest of the three.
 pub fn highest(
     value: impl Fn(f64) -> f64,
     [mut a, mut b, mut c]: [(f64, f64); 3],
@@ -39,7 +39,8 @@ pub fn highest(
     best
 }
 
-/// The vertex of the parabola through three points, strictly between the outer two; none where it opens upwards.
+/// Returns the vertex of the parabola through three points, strictly between the outer two; `None` if the parabola
+/// opens upwards.
 #[must_use]
 pub fn vertex(a: (f64, f64), b: (f64, f64), c: (f64, f64)) -> Option<(f64, f64)> {
     let (left, right) = ((b.1 - a.1) / (b.0 - a.0), (c.1 - b.1) / (c.0 - b.0));
@@ -62,7 +63,7 @@ mod tests {
         assert!((s - std::f64::consts::FRAC_PI_2).abs() < 1e-7 && (value - 1.0).abs() < 1e-15, "{s} {value}");
         let (_, value) = peak(|s| (s * s * (1.0 - s)).sqrt(), [0.2, 0.5, 0.95]);
         assert!((value - (4.0_f64 / 27.0).sqrt()).abs() < 1e-14, "{value}");
-        // What rises all along is highest at its end.
+        // A monotonically rising curve is highest at its end.
         assert_eq!(peak(f64::exp, [0.0, 0.5, 1.0]), (1.0, 1.0_f64.exp()));
     }
 

@@ -1,10 +1,10 @@
-//! Numerical methods: comparison with a limit, zeros of a function, borders of a region, largest values of a curve, quadrature, linear equations,
-//! numbers that look random.
+//! Numerical methods: comparison with a limit, zeros of a function, borders of a region, largest values of a curve,
+//! quadrature, linear equations, pseudorandom numbers.
 //!
-//! One function for one question: [`at_most`] and [`at_least`] whether a limit is kept, [`root`] where a function passes zero, [`root_by_slope`] if its slope is known,
-//! [`roots`] for all of them in a span, [`border`] for the edge of a region whose function is expensive or jumps,
-//! [`highest`] for the largest value of a smooth curve, [`lobatto`] for integrals, [`Symmetric`] for linear equations, [`Random`] for numbers
-//! that look random. The crate knows no quantity and no unit.
+//! One function per task: [`at_most`] and [`at_least`] compare with a limit, [`root`] finds a zero, [`root_by_slope`]
+//! uses the slope, [`roots`] finds the zeros in a span, [`border`] the edge of a region whose function is expensive or
+//! jumps, [`highest`] the largest value of a smooth curve; [`lobatto`] integrates, [`Symmetric`] solves linear
+//! equations, [`Random`] generates pseudorandom numbers. The crate knows no quantity and no unit.
 
 mod border;
 mod highest;

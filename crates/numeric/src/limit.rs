@@ -1,11 +1,12 @@
 //! Comparison of a value with a limit.
 
-/// Relative tolerance of every comparison with a limit: the rounding of a unit, of a sum or of a search decides no verdict.
+/// Relative tolerance of every comparison with a limit, so that the rounding of a unit, a sum or a search does not
+/// decide a verdict.
 pub const AT_THE_LIMIT: f64 = 1e-9;
 
 /// Returns `true` if a value is at most a limit, up to [`AT_THE_LIMIT`] of it.
 ///
-/// Of what is not a number nothing is at most anything.
+/// A comparison with NaN is `false`.
 #[must_use]
 pub fn at_most(value: f64, limit: f64) -> bool {
     value <= limit || value <= limit + AT_THE_LIMIT * limit.abs()

@@ -5,21 +5,21 @@ use std::sync::LazyLock;
 /// Largest number of nodes.
 const NODES_MOST: usize = 16;
 
-/// Nodes and weights of the Gauss-Lobatto rule on 0…1; the weights sum to one.
+/// Returns nodes and weights of the Gauss-Lobatto rule on 0…1; the weights sum to one.
 ///
 /// Exact for polynomials of degree 2n − 3. The inner nodes are the roots of P'_(n−1), the weights 1/(n(n−1) P_(n−1)²).
 ///
 /// # Source
 /// Abramowitz & Stegun 25.4.32
 /// # Valid
-/// 2 ≤ n ≤ 16; other n are taken to the nearest
+/// 2 ≤ n ≤ 16; other n are replaced by the nearest
 #[must_use]
 pub fn lobatto(n: usize) -> &'static [(f64, f64)] {
     static RULES: LazyLock<Vec<Vec<(f64, f64)>>> = LazyLock::new(|| (0..=NODES_MOST).map(rule).collect());
     RULES.get(n.clamp(2, NODES_MOST)).map_or(&[], Vec::as_slice)
 }
 
-/// P_(m−1) and P_m of Legendre at x, by the three-term recurrence; P_(−1) = 0.
+/// Returns P_(m−1) and P_m of Legendre at x, by the three-term recurrence; P_(−1) = 0.
 ///
 /// # Source
 /// Abramowitz & Stegun 22.7.10
@@ -33,7 +33,7 @@ pub fn legendre(m: usize, x: f64) -> (f64, f64) {
     (below, here)
 }
 
-/// P'_m and P''_m by the differential equation (1 − x²) P'' − 2x P' + m(m+1) P = 0.
+/// Returns P'_m and P''_m from the differential equation (1 − x²) P'' − 2x P' + m(m+1) P = 0.
 fn slope_and_curvature(m: usize, x: f64) -> (f64, f64) {
     let (below, here) = legendre(m, x);
     #[allow(clippy::cast_precision_loss, reason = "at most sixteen")]

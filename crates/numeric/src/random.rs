@@ -1,6 +1,6 @@
-//! Numbers that look random and are the same on every run.
+//! Pseudorandom numbers that are reproducible.
 
-/// The generator SplitMix64.
+/// The SplitMix64 generator.
 ///
 /// # Source
 /// Steele, Lea, Flood: Fast splittable pseudorandom number generators, OOPSLA 2014
@@ -8,7 +8,7 @@
 pub struct Random(u64);
 
 impl Random {
-    /// The generator that begins at a seed.
+    /// Creates the generator with a seed.
     #[must_use]
     pub const fn new(seed: u64) -> Self {
         Self(seed)
@@ -22,14 +22,14 @@ impl Random {
         z ^ (z >> 31)
     }
 
-    /// Uniform from 0 to 1.
+    /// Returns a uniformly distributed number from 0 to 1.
     #[allow(clippy::cast_precision_loss, reason = "53 bits are exact")]
     #[inline]
     pub fn uniform(&mut self) -> f64 {
         (self.next() >> 11) as f64 / 9_007_199_254_740_992.0
     }
 
-    /// Normal with variance one: the sum of twelve uniform numbers, cut at ±6.
+    /// Returns a normally distributed number with variance one: the sum of twelve uniform numbers, limited to ±6.
     #[inline]
     pub fn normal(&mut self) -> f64 {
         (0..12).map(|_| self.uniform()).sum::<f64>() - 6.0

@@ -1,21 +1,21 @@
-//! Where a function passes zero.
+//! Search for zeros of a function.
 
-/// So many steps of false position before the bracket is halved: a smooth function needs no more.
+/// Maximum number of steps of false position before bisection; a smooth function needs no more.
 const FALSE_POSITION: u32 = 12;
 
-/// So many halvings at most: enough for any two numbers of the same magnitude.
+/// Maximum number of bisections: enough for any two numbers of the same magnitude.
 const HALVINGS: u32 = 80;
 
-/// Where a function passes zero between two places with values of opposite sign.
+/// Returns the zero of a function between two places with values of opposite sign.
 ///
-/// Regula falsi; the end that stays behind counts half (Illinois). After twelve steps the bracket is halved. The search ends
-/// where two consecutive steps differ by `close` or by the last bit.
+/// Regula falsi; an end that stays counts half (Illinois). After twelve steps the bracket is bisected. The search ends
+/// when two consecutive steps differ by `close` or by the last bit.
 ///
 /// # Source
 /// Dowell and Jarratt, A modified regula falsi method for computing the root of an equation, BIT 11 (1971)
 /// # Valid
-/// a < b, and the values there not of the same sign. For a smooth function with a simple zero the error is far below `close`
-/// (the order of convergence is 1.44); a jump across zero and a multiple zero are found by halving, to `close`.
+/// a < b, with values of opposite sign or zero. For a smooth function with a simple zero the error is far below `close`
+/// (the order of convergence is 1.44); a jump across zero and a multiple zero are found by bisection, to `close`.
 #[inline]
 pub fn root(
     value: impl Fn(f64) -> f64,
@@ -56,9 +56,9 @@ pub fn root(
     s
 }
 
-/// Where a rising function passes zero, by its value and slope: Newton's method, kept within a bracket.
+/// Returns the zero of a rising function from its value and slope: Newton's method, kept within a bracket.
 ///
-/// The search ends where a step is at most `close` of the place; the error is then of the order of its square.
+/// The search ends when a step is at most `close` of the place; the error is then of second order.
 ///
 /// # Valid
 /// low < high, the value at `low` not above zero and at `high` not below; `start` between them
@@ -88,22 +88,22 @@ pub fn root_by_slope(
 /// Number of steps into which a span is divided in the search for roots; two roots closer than one step are not resolved.
 const STEPS: u32 = 64;
 
-/// The roots of a continuous function strictly inside 0…`end`, by sign changes over [`root_steps`], each found to the last
-/// bits. Roots at the ends are left out.
+/// Returns the roots of a continuous function strictly inside 0…`end`, from sign changes over [`root_steps`], each to
+/// the last bits. Roots at the ends are left out.
 pub fn roots(f: impl Fn(f64) -> f64, end: f64) -> Vec<f64> {
     let values: Vec<f64> = root_steps(end).map(&f).collect();
     roots_between(&values, f, end)
 }
 
-/// Where a search for roots looks: at 65 places from 0 to `end`.
+/// Iterates over the 65 places from 0 to `end` at which a search for roots evaluates the function.
 pub fn root_steps(end: f64) -> impl Iterator<Item = f64> {
     (0..=STEPS).map(move |step| end * f64::from(step) / f64::from(STEPS))
 }
 
-/// The roots of a function whose values at the [`root_steps`] are known already.
+/// Returns the roots of a function whose values at the [`root_steps`] are known.
 pub fn roots_between(values: &[f64], f: impl Fn(f64) -> f64, end: f64) -> Vec<f64> {
     let mut found = Vec::new();
-    // Rounding leaves traces of the size of an ulp where the exact value is zero: they are no change of sign.
+    // Rounding leaves values of the size of an ulp where the exact value is zero: they are no change of sign.
     let scale = values.iter().fold(0.0_f64, |scale, v| scale.max(v.abs()));
     let mut last: Option<(f64, f64)> = None;
     for (at, value) in root_steps(end).zip(values) {
@@ -174,7 +174,7 @@ mod tests {
         assert!(roots(|t| 1.0 + 1e-16 * (t * 1e3).sin(), 1.0).is_empty());
     }
 
-    /// A jump is found as closely as a root.
+    /// A jump is found as precisely as a root.
     #[test]
     fn jumps_are_found_by_halving() {
         let found = roots(|t| if t < 0.3 { -1.0 } else { 2.0 }, 1.0);

@@ -1,6 +1,6 @@
-//! Systems of linear equations with a symmetric positive definite matrix, of which most is zero.
+//! Systems of linear equations with a sparse symmetric positive definite matrix.
 
-/// A symmetric matrix by its rows up to the diagonal, each from its first entry that is not zero.
+/// A symmetric matrix stored by its rows up to the diagonal, each from its first non-zero entry.
 #[derive(Clone, Debug)]
 pub struct Symmetric(Vec<Row>);
 
@@ -8,7 +8,7 @@ pub struct Symmetric(Vec<Row>);
 struct Row {
     /// Column of the first value.
     first: usize,
-    /// The values up to the diagonal.
+    /// Values up to the diagonal.
     values: Vec<f64>,
 }
 
@@ -23,7 +23,7 @@ impl Row {
 }
 
 impl Symmetric {
-    /// A matrix of zeros; `first` gives the column in which each row begins, none beyond its own.
+    /// Creates a matrix of zeros; `first` returns the column in which each row begins, limited to the diagonal.
     #[must_use]
     pub fn zero(first: impl Iterator<Item = usize>) -> Self {
         let row = |(row, first): (usize, usize)| {
@@ -33,7 +33,7 @@ impl Symmetric {
         Self(first.enumerate().map(row).collect())
     }
 
-    /// Adds to the entry in a row and a column, and so to its mirror image; outside the envelope nothing is added.
+    /// Adds to the entry in a row and a column, and thus to its mirror image; entries outside the envelope are ignored.
     pub fn add(&mut self, row: usize, column: usize, value: f64) {
         let (low, high) = (row.min(column), row.max(column));
         let Some(row) = self.0.get_mut(high) else { return };
@@ -42,14 +42,14 @@ impl Symmetric {
         }
     }
 
-    /// The solution for a right side, by Cholesky's decomposition within the envelope; none where the matrix is not
-    /// positive definite.
+    /// Returns the solution for a right-hand side, by Cholesky decomposition within the envelope; `None` if the matrix
+    /// is not positive definite.
     ///
     /// # Source
     /// George and Liu, Computer Solution of Large Sparse Positive Definite Systems (1981), ch. 4
     /// # Valid
-    /// The solution is the exact one of a matrix that differs by some w ε of its own entries, w the longest row
-    /// (Higham, Accuracy and Stability of Numerical Algorithms, th. 10.4), whatever the rows are scaled by.
+    /// The solution is the exact one of a matrix that differs by about w ε of its own entries, w the longest row (Higham,
+    /// Accuracy and Stability of Numerical Algorithms, th. 10.4), for any scaling of the rows.
     #[must_use]
     pub fn solve(mut self, mut right: Vec<f64>) -> Option<Vec<f64>> {
         let rows = &mut self.0;
@@ -64,7 +64,7 @@ impl Symmetric {
             }
             let (diagonal, before) = row.values.split_last_mut()?;
             *diagonal = (*diagonal - dot(before, before)).sqrt();
-            // What is no number is not above zero either.
+            // NaN is not positive either.
             if diagonal.is_nan() || *diagonal <= 0.0 {
                 return None;
             }
@@ -85,7 +85,7 @@ impl Symmetric {
     }
 }
 
-/// Over the shorter of two.
+/// Returns the scalar product over the length of the shorter slice.
 fn dot(a: &[f64], b: &[f64]) -> f64 {
     a.iter().zip(b).map(|(a, b)| a * b).sum()
 }
