@@ -1,32 +1,31 @@
-//! Where a number comes from and how far it can be trusted.
+//! Origin and reliability of a number.
 //!
 //! Every figure that antrieb shows carries a [`Source`] and a [`Grade`]; a figure that does not exist is
-//! [`Datum::NotPrinted`] or [`Datum::NotApplicable`], never a NaN or a quiet default.
+//! [`Datum::NotPrinted`] or [`Datum::NotApplicable`], never a NaN or a silent default.
 
 use std::fmt;
 use std::ops::Deref;
 use std::sync::Arc;
 
-/// How far a number can be trusted, best first.
+/// Reliability of a number, best first.
 ///
-/// The order is the order of trust: a result is graded by the worst grade among its inputs
-/// (see [`Grade::worst`]).
+/// A result has the worst grade among its inputs (see [`Grade::worst`]).
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum Grade {
-    /// A value that the maker's manual prints.
+    /// A value stated in the manufacturer's manual.
     Printed,
-    /// Computed from printed values with an equation of the manual.
+    /// Computed from values of the manual with an equation of the manual.
     Computed,
-    /// A value of another document: a public one, which is named, or the user's own data sheet.
+    /// A value of another document: a named public one, or the user's own data sheet.
     Published,
-    /// A model of ours, which is named and has a stated band.
+    /// A result of a named model of this project with a stated error band.
     Estimated,
-    /// A default that the user did not confirm.
+    /// A default not confirmed by the user.
     Assumed,
 }
 
 impl Grade {
-    /// The identifier used in data exchange.
+    /// Returns the identifier used in data exchange.
     #[must_use]
     pub const fn id(self) -> &'static str {
         match self {
@@ -38,7 +37,7 @@ impl Grade {
         }
     }
 
-    /// The worse of two grades: a result is no better than its weakest input.
+    /// Returns the worse of two grades: a result is no better than its weakest input.
     #[must_use]
     pub fn worst(self, other: Self) -> Self {
         self.max(other)
@@ -51,10 +50,10 @@ impl fmt::Display for Grade {
     }
 }
 
-/// The manual's identifier in `data/sources.toml`.
+/// Identifier of the manual in `data/sources.toml`.
 pub const MANUAL: &str = "cha-manual";
 
-/// The place of one printed cell: document, table, row (symbol and condition) and column (ratio, drive, feedback).
+/// Place of one cell: document, table, row (symbol and condition) and column (ratio, drive, feedback).
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub struct CellRef {
     /// Identifier of the document in `data/sources.toml`.
@@ -65,14 +64,14 @@ pub struct CellRef {
     pub symbol: &'static str,
     /// Condition of the row, e.g. `30 degC`; empty if there is none.
     pub condition: &'static str,
-    /// Drive that the cell belongs to; empty if the table holds for all.
+    /// Drive that the cell belongs to; empty if the table holds for all drives.
     pub drive: &'static str,
-    /// Ratio of the column; empty if printed once for all ratios.
+    /// Ratio of the column; empty if the value is stated once for all ratios.
     pub ratio: &'static str,
 }
 
 impl CellRef {
-    /// A cell of the manual that holds for every drive and ratio.
+    /// Creates the place of a cell of the manual that holds for every drive and ratio.
     #[must_use]
     pub const fn of_the_manual(table: &'static str, symbol: &'static str, condition: &'static str) -> Self {
         Self { document: MANUAL, table, symbol, condition, drive: "", ratio: "" }
@@ -92,10 +91,10 @@ impl fmt::Display for CellRef {
     }
 }
 
-/// The meaning of a cell's text after errata, in the printed unit.
+/// Meaning of a cell's text after errata, in the unit of the table.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Value {
-    /// A dash: the manual has a place for the value but prints none.
+    /// A dash: the manual has a place for the value but states none.
     NotPrinted,
     /// A single number.
     Number(f64),
@@ -119,12 +118,12 @@ pub enum Value {
         /// Tolerance in per cent of the nominal value.
         plus_minus_percent: f64,
     },
-    /// Anything that is not a number: a type, a connector, a colour.
+    /// Text that is not a number: a type, a connector, a colour.
     Text,
 }
 
 impl Value {
-    /// The number to compute with: the number itself, the bound, the nominal value. A range has none.
+    /// Returns the number to compute with: the number itself, the bound, the nominal value; `None` for a range or text.
     #[must_use]
     pub const fn number(self) -> Option<f64> {
         match self {
@@ -138,12 +137,12 @@ impl Value {
     }
 }
 
-/// The dotted path of a key, shared by all that cite it.
+/// Dotted path of a key, shared by all sources that refer to it.
 #[derive(Clone, Debug)]
 pub enum Key {
-    /// Known to the program.
+    /// A path defined in the program.
     Fixed(&'static str),
-    /// As a file has it.
+    /// A path taken from a file.
     Stated(Arc<str>),
 }
 
@@ -184,19 +183,19 @@ impl fmt::Display for Key {
     }
 }
 
-/// Where a number comes from. Kept small: every check of every candidate carries two.
+/// Origin of a number. Kept small: every check of every candidate contains two.
 #[derive(Clone, Debug, Eq)]
 pub enum Source {
-    /// A printed cell of the manual.
+    /// A cell of the manual.
     Cell(&'static CellRef),
     /// An equation of the manual.
     Equation {
-        /// Its number as printed: `69.1`.
+        /// Number of the equation, as in the manual: `69.1`.
         number: &'static str,
     },
-    /// A cell of a published document other than the manual; the place is that in our data: table and row.
+    /// A cell of a published document other than the manual, by its table and row in the data of this project.
     Published(&'static CellRef),
-    /// A model of ours, documented under `docs/theory`.
+    /// A model of this project, documented under `docs/theory`.
     Model {
         /// Name of the model's page.
         name: &'static str,
@@ -209,7 +208,7 @@ pub enum Source {
 }
 
 impl Source {
-    /// The page of the manual that it stands on: its tables and equations are numbered by their pages.
+    /// Returns the page of the manual: tables and equations are numbered by their pages.
     #[must_use]
     pub fn page(&self) -> Option<u16> {
         let number = match self {
@@ -220,7 +219,7 @@ impl Source {
         number.split_once('.')?.0.parse().ok()
     }
 
-    /// The page of `docs/theory` that it is explained on.
+    /// Returns the page of `docs/theory` that explains the source.
     #[must_use]
     pub const fn model(&self) -> Option<&'static str> {
         match self {
@@ -233,7 +232,7 @@ impl Source {
 impl PartialEq for Source {
     fn eq(&self, other: &Self) -> bool {
         match (self, other) {
-            // Most cells that are equal are the same one.
+            // Most equal cells are identical.
             (Self::Cell(a), Self::Cell(b)) | (Self::Published(a), Self::Published(b)) => std::ptr::eq(*a, *b) || a == b,
             (Self::Equation { number: a }, Self::Equation { number: b })
             | (Self::Model { name: a }, Self::Model { name: b }) => a == b,
@@ -255,45 +254,45 @@ impl fmt::Display for Source {
     }
 }
 
-/// A value together with its source, grade and the errata that touch it.
+/// A value with its source, its grade and the errata that concern it.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Sourced<T> {
-    /// The value, in SI where it is a quantity.
+    /// Value, in SI if it is a quantity.
     pub value: T,
-    /// Where it comes from.
+    /// Source of the value.
     pub source: Source,
-    /// How far it can be trusted.
+    /// Reliability of the value.
     pub grade: Grade,
     /// Identifiers of the errata that concern this value.
     pub errata: &'static [&'static str],
 }
 
 impl<T> Sourced<T> {
-    /// The same provenance with another value, for conversions that add no information.
+    /// Converts the value and keeps the provenance, for conversions that add no information.
     pub fn map<U>(self, convert: impl FnOnce(T) -> U) -> Sourced<U> {
         Sourced { value: convert(self.value), source: self.source, grade: self.grade, errata: self.errata }
     }
 }
 
-/// A value that may not exist. Absence is a type of its own and says why.
+/// A value that may not exist; the variant states the reason.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub enum Datum<T> {
     /// The value is known.
     Known(Sourced<T>),
-    /// The source has a place for it, but prints a dash, or has no such row.
+    /// The source has a place for it, but states a dash, or has no such row.
     #[default]
     NotPrinted,
-    /// The question makes no sense for this product (a brake datum without a brake).
+    /// The value has no meaning for this product (a brake datum without a brake).
     NotApplicable,
 }
 
 impl<T> Datum<T> {
-    /// What was found, or not printed.
+    /// Creates a datum from an optional value; `None` becomes [`Datum::NotPrinted`].
     pub fn of(found: Option<Sourced<T>>) -> Self {
         found.map_or(Self::NotPrinted, Self::Known)
     }
 
-    /// The known value converted together with its provenance; what is not known stays so.
+    /// Converts a known value together with its provenance; an unknown value stays unknown.
     pub fn map<U>(self, convert: impl FnOnce(Sourced<T>) -> Sourced<U>) -> Datum<U> {
         match self {
             Self::Known(known) => Datum::Known(convert(known)),
@@ -302,7 +301,7 @@ impl<T> Datum<T> {
         }
     }
 
-    /// The known value, if there is one.
+    /// Returns the known value, if there is one.
     pub const fn known(&self) -> Option<&Sourced<T>> {
         match self {
             Self::Known(sourced) => Some(sourced),
@@ -310,10 +309,10 @@ impl<T> Datum<T> {
         }
     }
 
-    /// The known value, or the name of what is missing, for checks that answer `not checked`.
+    /// Returns the known value, or the symbol of the missing one, for checks with the result `not checked`.
     ///
     /// # Errors
-    /// [`Missing`] with the given symbol when the value is not known.
+    /// [`Missing`] with the given symbol if the value is not known.
     pub const fn require(&self, symbol: &'static str) -> Result<&Sourced<T>, Missing> {
         match self {
             Self::Known(sourced) => Ok(sourced),
@@ -322,7 +321,7 @@ impl<T> Datum<T> {
     }
 }
 
-/// A missing datum that a check needs.
+/// A missing datum required by a check.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Missing {
     /// Symbol of the datum, as in the glossary.
@@ -346,7 +345,7 @@ mod tests {
         assert_eq!(Source::Equation { number: "69.1" }.to_string(), "cha-manual eq. 69.1");
     }
 
-    /// The number of a table begins with the page that its file names.
+    /// The number of a table begins with the page stated in its file.
     #[test]
     fn a_table_stands_on_the_page_of_its_number() {
         let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/../../data/cha/tables");
@@ -370,7 +369,7 @@ mod tests {
         assert_eq!(Source::Model { name: "gear" }.page(), None);
     }
 
-    /// It stands twice in every check, of which there are thousands.
+    /// Every check contains two sources, and there are thousands of checks.
     #[test]
     fn a_source_is_small() {
         assert_eq!(size_of::<Option<Source>>(), 24);
