@@ -1,14 +1,14 @@
-//! What a page of HTML must be, whatever it says.
+//! Conditions that every HTML page must satisfy.
 
 use std::collections::BTreeMap;
 
-/// Elements without an end.
+/// Elements without an end tag.
 const VOID: [&str; 6] = ["input", "meta", "link", "br", "hr", "img"];
 
-/// The tags of a page are closed in order, no identifier stands twice, and every attribute is quoted.
+/// Checks that the tags of a page are closed in order, identifiers are unique, and attributes are quoted.
 ///
 /// # Panics
-/// With the place where a page is not so.
+/// With the place of the first violation.
 #[allow(clippy::panic, reason = "a test that uses it must fail")]
 pub fn whole(html: &str) {
     let mut open: Vec<&str> = Vec::new();

@@ -1,11 +1,11 @@
-//! Tolerances for tests against printed values, generated projects, files that lie, and what a whole page is. Development only.
+//! Test support: tolerances for printed values, generated projects, invalid files, and checks of HTML pages.
 
 pub mod html;
 pub mod parquet;
 pub mod projects;
 pub mod series;
 
-/// Whether a computed value agrees with a printed one within half of the last printed digit.
+/// Returns `true` if a computed value agrees with a printed one within half of the last printed digit.
 ///
 /// # Panics
 /// If `printed` is no number: a test with a broken reference must fail.
@@ -16,7 +16,7 @@ pub fn agrees(value: f64, printed: &str) -> bool {
     (value - reference).abs() <= half_last_digit(printed) * (1.0 + 1e-12)
 }
 
-/// Half of the last printed digit: 0.005 for `103.98`, 0.5 for `23`.
+/// Returns half of the last printed digit: 0.005 for `103.98`, 0.5 for `23`.
 #[must_use]
 pub fn half_last_digit(printed: &str) -> f64 {
     let decimals = printed.split_once('.').map_or(0, |(_, fraction)| fraction.len());

@@ -1,4 +1,4 @@
-//! Parquet files made by hand, so that a test may let one claim whatever it likes.
+//! Hand-made Parquet files, which can claim anything a test requires.
 
 /// A structure in the compact protocol of Thrift. Fields come in the order of their numbers.
 #[derive(Clone, Debug, Default)]
@@ -7,7 +7,7 @@ pub struct Structure {
     last: u8,
 }
 
-/// A number as the protocol writes it, seven bits to a byte.
+/// Encodes a number with seven bits per byte, as in the protocol.
 #[must_use]
 pub fn varint(mut number: u64) -> Vec<u8> {
     let mut bytes = Vec::new();
@@ -19,7 +19,7 @@ pub fn varint(mut number: u64) -> Vec<u8> {
     bytes
 }
 
-/// A number with its sign in the lowest bit.
+/// Encodes a number with its sign in the lowest bit.
 #[must_use]
 pub fn zigzag(number: i64) -> Vec<u8> {
     varint(((number << 1) ^ (number >> 63)).cast_unsigned())
@@ -33,33 +33,33 @@ impl Structure {
         self
     }
 
-    /// An integer of 64 bits.
+    /// Adds an integer of 64 bits.
     #[must_use]
     pub fn integer(self, id: u8, number: i64) -> Self {
         self.field(id, 6, &zigzag(number))
     }
 
-    /// A truth.
+    /// Adds a boolean.
     #[must_use]
     pub fn truth(self, id: u8, truth: bool) -> Self {
         self.field(id, if truth { 1 } else { 2 }, &[])
     }
 
-    /// A text.
+    /// Adds a text.
     #[must_use]
     pub fn text(self, id: u8, text: &str) -> Self {
         let content = [varint(text.len() as u64), text.as_bytes().to_vec()].concat();
         self.field(id, 8, &content)
     }
 
-    /// A structure.
+    /// Adds a structure.
     #[must_use]
     pub fn structure(self, id: u8, inner: Self) -> Self {
         let content = inner.end();
         self.field(id, 12, &content)
     }
 
-    /// A list of structures that claims to have `count` of them.
+    /// Adds a list of structures that claims to have `count` of them.
     #[must_use]
     pub fn list(self, id: u8, count: u64, inner: impl IntoIterator<Item = Self>) -> Self {
         let mut content = [vec![0xfc], varint(count)].concat();
@@ -67,7 +67,7 @@ impl Structure {
         self.field(id, 9, &content)
     }
 
-    /// The bytes, with the mark of the end.
+    /// Returns the bytes with the end mark.
     #[must_use]
     pub fn end(mut self) -> Vec<u8> {
         self.bytes.push(0);
@@ -75,22 +75,22 @@ impl Structure {
     }
 }
 
-/// A column of a file that is made: its pages lie one behind the other.
+/// A column of a file: its pages are stored one after the other.
 #[derive(Clone, Debug)]
 pub struct Column {
-    /// Its name.
+    /// Name of the column.
     pub name: &'static str,
-    /// The type, by the number of the format: 1 INT32, 2 INT64, 4 FLOAT, 5 DOUBLE.
+    /// Type, as the number in the format: 1 INT32, 2 INT64, 4 FLOAT, 5 DOUBLE.
     pub physical: i64,
-    /// The compression: 0 none, 1 snappy, 2 gzip, 6 zstd.
+    /// Compression: 0 none, 1 snappy, 2 gzip, 6 zstd.
     pub codec: i64,
-    /// Values that it claims to have.
+    /// Number of values claimed.
     pub values: i64,
-    /// Pages with their heads.
+    /// Pages with their headers.
     pub pages: Vec<u8>,
 }
 
-/// A page of the first version with its head: what it unpacks to and how many values it has is only claimed.
+/// Creates a page of the first version with its header; unpacked size and number of values are claims.
 #[must_use]
 pub fn page(encoding: i64, values: i64, packed: &[u8], unpacked: i64) -> Vec<u8> {
     let head = Structure::default().integer(1, values).integer(2, encoding).integer(3, 3).integer(4, 3);
@@ -98,7 +98,7 @@ pub fn page(encoding: i64, values: i64, packed: &[u8], unpacked: i64) -> Vec<u8>
     [page.structure(5, head).end(), packed.to_vec()].concat()
 }
 
-/// A file with one row group of these columns.
+/// Creates a file with one row group of these columns.
 #[must_use]
 pub fn file(rows: i64, columns: &[Column]) -> Vec<u8> {
     let mut bytes = b"PAR1".to_vec();
@@ -122,7 +122,7 @@ pub fn file(rows: i64, columns: &[Column]) -> Vec<u8> {
     ended(bytes, footer.end())
 }
 
-/// A file with this footer behind its bytes.
+/// Appends a footer to the bytes of a file.
 #[must_use]
 pub fn ended(mut bytes: Vec<u8>, footer: Vec<u8>) -> Vec<u8> {
     let length = u32::try_from(footer.len()).unwrap_or(u32::MAX).to_le_bytes();
@@ -132,7 +132,7 @@ pub fn ended(mut bytes: Vec<u8>, footer: Vec<u8>) -> Vec<u8> {
     bytes
 }
 
-/// A schema of groups, each within the one before, with a column in the innermost.
+/// Creates a file whose schema has nested groups, with a column in the innermost.
 #[must_use]
 pub fn nested_groups(depth: usize) -> Vec<u8> {
     let group = || Structure::default().text(4, "g").integer(5, 1);
@@ -142,14 +142,14 @@ pub fn nested_groups(depth: usize) -> Vec<u8> {
     ended(b"PAR1".to_vec(), footer.end())
 }
 
-/// A schema whose one group claims to have 2³¹ − 1 children.
+/// Creates a file whose schema has one group that claims 2³¹ − 1 children.
 #[must_use]
 pub fn claimed_children() -> Vec<u8> {
     let root = Structure::default().text(4, "s").integer(5, i64::from(i32::MAX));
     ended(b"PAR1".to_vec(), Structure::default().list(2, 1, [root]).end())
 }
 
-/// Integers 0, 1, 2 … as deltas of one in blocks of `block`, of which each takes a few bytes.
+/// Encodes the integers 0, 1, 2 … as deltas of one in blocks of `block`, each of which takes a few bytes.
 #[must_use]
 pub fn ramp_of_deltas(count: u64, block: u64) -> Vec<u8> {
     let mut bytes = [varint(block), varint(1), varint(count), zigzag(0)].concat();

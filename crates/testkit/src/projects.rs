@@ -1,5 +1,5 @@
-//! Generated project files: every mechanism with drawn figures, alone and behind a stage, and motions within what its geometry
-//! allows.
+//! Generated project files: every mechanism with random values, alone and behind a stage, and motions within the limits
+//! of its geometry.
 
 use numeric::Random;
 
@@ -10,35 +10,35 @@ pub struct Drawn {
     pub key: &'static str,
     /// `[mechanism.…]` or `[load]`, and `[stage]`.
     pub sections: String,
-    /// The keys of `[bearing]` from which its loads on the flange follow; `None` where it describes none.
+    /// Keys of `[bearing]` from which its loads on the flange follow; `None` if it describes none.
     pub bearing: Option<String>,
-    /// Angle that it can turn from position zero, forwards \[deg\].
+    /// Permitted angle from position zero, forwards \[deg\].
     pub stroke_deg: f64,
 }
 
-/// Laws of motion by their names, each of which moves by a distance within a time.
+/// Names of laws of motion that move by a distance within a time.
 pub const LAWS: [&str; 5] = ["trapezoid", "polynomial_5", "modified_sine", "triangle", "simple_sine"];
 
-/// Numbers drawn for a project.
+/// Random numbers for a project.
 #[derive(Clone, Debug)]
 pub struct Draws(Random);
 
 impl Draws {
-    /// The numbers that follow a seed.
+    /// Creates the numbers that follow from a seed.
     #[must_use]
     pub const fn new(seed: u64) -> Self {
         Self(Random::new(seed))
     }
 
-    /// A number between two.
+    /// Returns a number between two.
     pub fn within(&mut self, low: f64, high: f64) -> f64 {
         low + (high - low) * self.0.uniform()
     }
 
-    /// One of several.
+    /// Returns one of several values.
     ///
     /// # Panics
-    /// Where there is none.
+    /// If there is none.
     #[allow(clippy::indexing_slicing, reason = "a draw from nothing must fail the test")]
     pub fn one_of<T: Clone>(&mut self, all: &[T]) -> T {
         let place = (0..all.len()).rev().find(|place| self.0.uniform() * (index(*place) + 1.0) < 1.0).unwrap_or(0);
@@ -50,7 +50,7 @@ fn index(place: usize) -> f64 {
     f64::from(u32::try_from(place).unwrap_or(u32::MAX))
 }
 
-/// Every mechanism, alone and behind a belt and a pair of wheels.
+/// Returns every mechanism, alone and behind a belt and a pair of gear wheels.
 #[must_use]
 pub fn mechanisms(draws: &mut Draws) -> Vec<Drawn> {
     let alone = alone(draws);
@@ -97,7 +97,7 @@ fn alone(draws: &mut Draws) -> Vec<Drawn> {
     let (arm_angle, arm_length) = (draws.within(8.0, 40.0), draws.within(500.0, 1200.0));
     let falls = draws.one_of(&[1.0, 2.0, 3.0, 4.0]);
     let rope = draws.within(0.5, 12.0);
-    // To four fifths of the way from the start to upright.
+    // Up to four fifths of the way from the start to upright.
     let lift = 0.8 * arm_length * arm_angle.to_radians().cos() / lead * 360.0;
     let roll = 0.95 * (full - core) / (2.0 * thickness) * 360.0;
     let hoist = 0.9 * 3000.0 / (std::f64::consts::PI * diameter / falls) * 360.0;
@@ -208,7 +208,7 @@ fn alone(draws: &mut Draws) -> Vec<Drawn> {
 }
 
 impl Drawn {
-    /// A project file with it: a motion, further keys of `[bearing]`, and `[requirements]`.
+    /// Returns a project file with the mechanism, a motion, further keys of `[bearing]`, and `[requirements]`.
     #[must_use]
     pub fn project(&self, motion: &str, bearing: &str, requirements: &str) -> String {
         let loads = self.bearing.as_deref().unwrap_or_default();
@@ -219,7 +219,7 @@ impl Drawn {
     }
 }
 
-/// One move of a law by a distance within a time.
+/// Returns one move with a law by a distance within a time.
 #[must_use]
 pub fn moved(law: &str, distance_deg: f64, time_s: f64) -> String {
     format!("[[motion]]\nlaw = \"{law}\"\ndistance = \"{distance_deg} deg\"\ntime = \"{time_s} s\"\n")

@@ -6,13 +6,13 @@ use provenance::CellRef;
 use series_files::{Code, Data};
 use std::path::Path;
 
-/// The invented series `INV`, every figure of which is made up.
+/// Returns the folder of the fictitious series `INV`.
 #[must_use]
 pub fn invented() -> std::path::PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("series/inv")
 }
 
-/// Adds the series of a folder to this program, before it looks at any code or table.
+/// Adds the series of a folder to this program, before any code or table is read.
 ///
 /// # Panics
 /// If the folder breaks a rule of `data/README.md`, has errata or facts, which only the build embeds, or if a series was
@@ -20,7 +20,7 @@ pub fn invented() -> std::path::PathBuf {
 pub fn add(folder: &Path) {
     let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../data");
     let mut faults = Vec::new();
-    // What is added lives as long as the program, like what is embedded.
+    // The added data live as long as the program, like the embedded data.
     let data: &'static Data = Box::leak(Box::new(series_files::read_one(&root, folder, &mut faults)));
     let cells = series_files::cells(data, &mut faults);
     assert!(faults.is_empty(), "{}: {faults:#?}", folder.display());
@@ -124,7 +124,7 @@ fn table((number, (table, (first, end))): (usize, (&'static series_files::Table,
     }
 }
 
-/// Reads what a series states of its tables.
+/// Converter from the table references of a series to catalogue types.
 struct Reader {
     series: Series,
     code: &'static Code,
