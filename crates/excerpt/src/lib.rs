@@ -1,46 +1,46 @@
-//! Faults shown within the text that has them, underlined, as compilers do.
+//! Display of faults within their text, underlined, in the style of compilers.
 //!
-//! Every word is handed in. What is not seen in the text, and would act on a terminal, is shown as a mark.
+//! All words are supplied by the caller. Invisible characters, which could control a terminal, are shown as a mark.
 
 use annotate_snippets::{AnnotationKind, Group, Level, Renderer, Snippet};
 use quantities::is_unseen;
 use std::borrow::Cow;
 use std::ops::Range;
 
-/// Longest line that is shown with an underline; a longer one is cut out of the picture.
+/// Maximum length of a line shown with an underline; a longer one is not displayed.
 const LINE_MAX: usize = 400;
 
-/// A fault of a text, in words that can be shown as they are.
+/// A fault of a text, with texts ready for display.
 #[derive(Clone, Debug)]
 pub struct Fault<'f> {
     /// Offending part of the text, in bytes.
     pub span: Range<usize>,
-    /// Line of its beginning, from one.
+    /// Line of its beginning, counted from one.
     pub line: usize,
-    /// Column of its beginning, from one.
+    /// Column of its beginning, counted from one.
     pub column: usize,
-    /// What is wrong.
+    /// Description of the fault.
     pub message: &'f str,
-    /// What would help.
+    /// Suggested remedy.
     pub hint: Option<&'f str>,
 }
 
-/// How faults are shown.
+/// Settings of the display.
 #[derive(Clone, Copy, Debug)]
 pub struct Style<'s> {
-    /// What the file is called.
+    /// Name of the file.
     pub file: &'s str,
-    /// The word before a fault.
+    /// Word before a fault.
     pub error: &'s str,
-    /// The word before a hint.
+    /// Word before a hint.
     pub help: &'s str,
-    /// Columns of the terminal: a wider line is shown about the place of the fault.
+    /// Width of the terminal in columns: a wider line is cut around the place of the fault.
     pub width: usize,
 }
 
-/// A fault of a text with its line, underlined; a very long line is not shown. With the colours of a terminal.
+/// Returns a fault with its underlined line, in terminal colours; a very long line is not shown.
 ///
-/// Cost: the lines of the fault and those beside them, whatever the length of the text.
+/// Cost: the lines of the fault and their neighbours, independent of the length of the text.
 #[must_use]
 pub fn show(text: &str, fault: &Fault<'_>, style: &Style<'_>) -> String {
     let part = Part::about(text, fault);
@@ -69,7 +69,7 @@ pub fn show(text: &str, fault: &Fault<'_>, style: &Style<'_>) -> String {
     format!("{}\n", Renderer::styled().term_width(style.width).render(&[group]))
 }
 
-/// The lines of a text that a fault is in, with one before and one behind.
+/// Lines of a text that contain a fault, with one before and one after.
 struct Part<'t> {
     text: &'t str,
     /// Number of its first line, from one.
@@ -101,7 +101,7 @@ fn line_at(text: &str, at: usize) -> Option<&str> {
     text.get(begin..)?.lines().next()
 }
 
-/// A text with a mark in the place of each sign that is not seen; lines and tabs stay.
+/// Replaces invisible characters by a mark; line breaks and tabs stay.
 fn blanked(text: &str) -> Cow<'_, str> {
     let is_blank = |sign: char| is_unseen(sign) && !matches!(sign, '\n' | '\r' | '\t');
     if text.chars().any(is_blank) {
@@ -124,7 +124,7 @@ mod tests {
         plain(&show(text, &fault, &STYLE))
     }
 
-    /// Without the colours.
+    /// Removes the colours.
     fn plain(text: &str) -> String {
         let mut parts = text.split('\u{1b}');
         let first = parts.next().unwrap_or_default().to_owned();

@@ -1,4 +1,4 @@
-//! Messages of the browser: a head as JSON, behind its length, and a body.
+//! Messages of the browser: a header as JSON, preceded by its length, and a body.
 
 use crate::Store;
 use page::{Call, Method, Reply, respond};
@@ -6,54 +6,55 @@ use quantities::Language;
 use questions::Patience;
 use serde::{Deserialize, Serialize};
 
-/// What the browser says.
+/// A message of the browser.
 #[derive(Deserialize)]
 #[serde(rename_all = "snake_case", deny_unknown_fields)]
 enum Message {
-    /// A request; its body stands behind the head.
+    /// A request; the body follows the header.
     Ask(Question),
-    /// A file that the browser keeps; its bytes stand behind the head.
+    /// A file stored in the browser; its bytes follow the header.
     Put { name: String, modified_s: u64 },
-    /// A file that it keeps no longer.
+    /// A file no longer stored in the browser.
     Gone { name: String },
-    /// The bytes of a file are wanted.
+    /// A query for the bytes of a file.
     Take { name: String },
 }
 
-/// A request as the browser has it.
+/// A request from the browser.
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
 struct Question {
     post: bool,
-    /// The path, decoded.
+    /// Decoded path.
     path: String,
-    /// The query without the question mark.
+    /// Query without the question mark.
     query: String,
     media: Option<String>,
-    /// The language of the page.
+    /// Language of the page.
     language: String,
     /// Seconds since 1970 by the clock of the browser.
     now_s: u64,
 }
 
-/// What is answered; the body stands behind it.
+/// Header of an answer; the body follows it.
 #[derive(Default, Serialize)]
 struct Head<'a> {
     status: u16,
     media: &'a str,
     headers: &'a [(&'static str, String)],
-    /// The file that the request has written, which the browser is to keep.
+    /// Name of the file written by the request, to be stored by the browser.
     kept: Option<String>,
 }
 
-/// Answers messages; knows the files that the browser keeps.
+/// Message handler with the files stored in the browser.
 #[derive(Default)]
 pub struct Desk {
     store: Store,
 }
 
 impl Desk {
-    /// Answers a message. What is none is answered with the status 400 and no words: only the script beside it speaks so.
+    /// Answers a message. An invalid message gets the status 400 without a text, since only the script of the page
+    /// sends messages.
     pub fn answer(&mut self, message: &[u8]) -> Vec<u8> {
         let Some((message, body)) = taken_apart(message) else {
             return put_together(&Head { status: 400, ..Head::default() }, &[]);
@@ -91,7 +92,7 @@ impl Desk {
             body,
             language: Language::of_id(&question.language).unwrap_or_default(),
         };
-        // A client that no longer waits stops the worker in which this runs.
+        // A client that cancels stops the worker in which this runs.
         respond(&call, &self.store, &Patience::endless())
     }
 }

@@ -1,14 +1,14 @@
-//! Functions called by the browser. It writes a message to the buffer that it requested, calls for the answer, and reads it
-//! at the returned address.
+//! Functions called by the browser. It writes a message to the buffer that it requested, calls for the answer, and
+//! reads it at the returned address.
 //!
-//! Nothing here reads through an address; only the names must be kept as they stand, and that alone is what the language
-//! counts as unsafe: two functions of one name in a program would be mistaken for each other.
+//! No address is dereferenced here. Only the fixed names are unsafe: two functions with one name in a program would be
+//! confused with each other.
 #![allow(unsafe_code, reason = "the names of three functions: docs/decisions/0017-engine-in-the-browser.md")]
 
 use crate::Desk;
 use std::cell::RefCell;
 
-/// The message that is being written, and the answer that is being read.
+/// Message being written, and answer being read.
 #[derive(Default)]
 struct Counter {
     desk: Desk,
@@ -20,7 +20,7 @@ thread_local! {
     static COUNTER: RefCell<Counter> = RefCell::default();
 }
 
-/// Room for a message of so many bytes.
+/// Returns a buffer for a message of `bytes` bytes.
 #[unsafe(no_mangle)]
 extern "C" fn antrieb_room(bytes: usize) -> *mut u8 {
     COUNTER.with_borrow_mut(|counter| {
@@ -29,7 +29,7 @@ extern "C" fn antrieb_room(bytes: usize) -> *mut u8 {
     })
 }
 
-/// Answers the message; gives the length of the answer in bytes.
+/// Answers the message and returns the length of the answer in bytes.
 #[unsafe(no_mangle)]
 extern "C" fn antrieb_answer() -> usize {
     COUNTER.with_borrow_mut(|counter| {
@@ -39,7 +39,7 @@ extern "C" fn antrieb_answer() -> usize {
     })
 }
 
-/// Where the answer stands, until the next message comes.
+/// Returns the address of the answer, valid until the next message.
 #[unsafe(no_mangle)]
 extern "C" fn antrieb_answered() -> *const u8 {
     COUNTER.with_borrow(|counter| counter.answer.as_ptr())

@@ -1,4 +1,4 @@
-//! The files of the folder: the first page, the engine, and what the page itself brings.
+//! Files of the folder: the first page, the engine, and the assets of the page.
 
 use base64::Engine as _;
 use base64::engine::general_purpose::STANDARD;
@@ -11,22 +11,22 @@ use questions::Patience;
 use std::io::Write;
 use words::requests;
 
-/// Permitted sources and connections: none external. The worker and, in a folder that is opened as a file, the
-/// modules are made by the page itself (`blob:`).
+/// Permitted sources and connections: none external. The page itself creates the worker and, in a folder opened as a
+/// file, the modules (`blob:`).
 const POLICY: &str = "default-src 'self'; img-src 'self' data: blob:; style-src 'self'; \
     script-src 'self' blob: 'wasm-unsafe-eval'; worker-src 'self' blob:; connect-src 'self'; base-uri 'none'; \
     form-action 'self'; object-src 'none'";
 
-/// The larger engine in a script.
+/// Script with the larger engine.
 const PACKED: &str = "interface.js";
 
 const SITE_JS: &str = include_str!("../assets/site.js");
 const WORKER_JS: &str = include_str!("../assets/sw.js");
 
-/// Files by their paths in the folder, for the engine in these bytes and the larger one that also has the interface.
+/// Returns the files with their paths in the folder, for the engine and the larger one that includes the interface.
 ///
 /// # Errors
-/// What is in the way of packing the engine.
+/// Errors while packing the engine.
 pub fn files([engine, interface]: [&[u8]; 2], notices: &str) -> std::io::Result<Vec<(String, Vec<u8>)>> {
     let mut files = vec![
         ("index.html".to_owned(), index().into_bytes()),
@@ -49,7 +49,7 @@ pub fn files([engine, interface]: [&[u8]; 2], notices: &str) -> std::io::Result<
     Ok(files)
 }
 
-/// The page that is shown until the engine has answered.
+/// Returns the page shown until the engine has answered.
 fn index() -> String {
     let both = |word: fn(Language) -> &'static str| html! { @for l in Language::ALL { p lang=(l.id()) { (word(l)) } } };
     let policy = html! {
@@ -77,20 +77,20 @@ fn index() -> String {
     .into_string()
 }
 
-/// The engine in a script: packed, as text.
+/// Returns the packed engine as text in a script.
 fn packed(engine: &[u8]) -> std::io::Result<String> {
     let mut packer = DeflateEncoder::new(Vec::new(), Compression::best());
     packer.write_all(engine)?;
     Ok(format!("self.antriebEngine='{}';\n", STANDARD.encode(packer.finish()?)))
 }
 
-/// The script that keeps the files; its version is that of their content.
+/// Returns the service worker script; its version is derived from the content of the files.
 fn kept(files: &[(String, Vec<u8>)]) -> String {
     let mut version = blake3::Hasher::new();
     let mut names = vec!["./"];
     for (name, bytes) in files {
         let _ = version.update(name.as_bytes()).update(&(bytes.len() as u64).to_le_bytes()).update(bytes);
-        // Only a folder that is opened as a file needs the packed engine, and there is no worker there.
+        // Only a folder opened as a file needs the packed engine, and it has no service worker.
         if name != PACKED {
             names.push(name);
         }

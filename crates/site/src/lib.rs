@@ -1,7 +1,7 @@
 //! The page without a server: the engine that runs in the browser, and the few files around it.
 //!
-//! `page` answers; this crate carries what the browser asks to it and its replies back, as bytes ([`Desk`]). The working
-//! folder is in memory ([`Store`]); the script beside it keeps what is saved there in the browser.
+//! `page` answers; this crate passes requests of the browser to it and its replies back, as bytes ([`Desk`]). The
+//! working folder is in memory ([`Store`]); the script of the page stores its files in the browser.
 
 mod desk;
 mod exports;

@@ -1,4 +1,4 @@
-//! The working folder in memory, as far as the browser has said what it keeps.
+//! Working folder in memory, with the files stored in the browser.
 
 use page::{FileEntry, Folder, SaveFault, Shell, Storage, is_project_name, recording_names};
 use project::{Files, PROJECT_MAX_BYTES};
@@ -16,7 +16,7 @@ struct Held {
     modified_s: u64,
 }
 
-/// Project files and the recordings beside them.
+/// Project files and their recordings.
 #[derive(Default)]
 pub struct Store {
     files: RefCell<BTreeMap<String, Held>>,
@@ -26,28 +26,28 @@ pub struct Store {
 }
 
 impl Store {
-    /// Puts a file in, as the browser has it.
+    /// Adds a file of the browser.
     pub fn put(&self, name: &str, bytes: &[u8], modified_s: u64) {
         let _ = self.files.borrow_mut().insert(name.to_owned(), Held { bytes: bytes.into(), modified_s });
     }
 
-    /// Takes a file out.
+    /// Removes a file.
     pub fn remove(&self, name: &str) {
         let _ = self.files.borrow_mut().remove(name);
     }
 
-    /// The bytes of a file.
+    /// Returns the bytes of a file.
     #[must_use]
     pub fn bytes(&self, name: &str) -> Option<Rc<[u8]>> {
         self.files.borrow().get(name).map(|file| Rc::clone(&file.bytes))
     }
 
-    /// The file that was written since this was asked the last time.
+    /// Returns the file written since the last query.
     pub fn written(&self) -> Option<String> {
         self.written.take()
     }
 
-    /// Returns the time in seconds since 1970.
+    /// Sets the current time in seconds since 1970.
     pub fn is_now(&self, now_s: u64) {
         self.now_s.set(now_s);
     }
@@ -109,7 +109,7 @@ impl Folder for Store {
                     self.write(&name, bytes);
                     return Ok(name);
                 }
-                // The same recording once more is the one that is there.
+                // A recording that already exists is not stored again.
                 Some(there) if *there == *bytes => return Ok(name),
                 Some(_) => {}
             }

@@ -1,7 +1,8 @@
-//! What a program can know about itself only before the runtime of Rust starts.
+//! State of the process that is observable only before the Rust runtime starts.
 //!
-//! The runtime opens `/dev/null` in place of a standard stream that the caller closed, for reading and writing. Callers that throw
-//! an answer away open it in the same way (`subprocess.DEVNULL` of Python), so afterwards the two look alike.
+//! The runtime opens `/dev/null` for reading and writing in place of a standard stream closed by the caller. Callers
+//! that discard the output open it in the same way (`subprocess.DEVNULL` of Python), so the two cases cannot be
+//! distinguished afterwards.
 
 #[cfg(unix)]
 mod unix {
@@ -22,10 +23,10 @@ mod unix {
     }
 }
 
-/// Whether the program was started with a standard output that takes what is written to it.
+/// Checks that the program was started with an open standard output.
 ///
 /// # Errors
-/// `EBADF` where the caller closed it. On other systems than Unix the standard library reports it by itself when it writes.
+/// `EBADF` if the caller closed it. On systems other than Unix the standard library reports this when it writes.
 pub fn stdout_is_open() -> std::io::Result<()> {
     #[cfg(unix)]
     if unix::is_closed() {
