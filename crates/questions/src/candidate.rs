@@ -3,7 +3,7 @@
 use actuator::Parameters;
 use configurator::{BrokenRule, Unmet};
 use order_code::{Field, OrderCode};
-use sizing::{Check, Checks, Fit, Judgement, Standing, Verdict};
+use sizing::{Check, Fit, Judgement, Standing, Verdict};
 use words::Counts;
 
 /// What a candidate is called.
@@ -145,10 +145,10 @@ impl Candidate<'_> {
 /// Checks in the one order in which every answer lists them, the governing one before the others of its verdict; see
 /// [`Check::importance`].
 #[must_use]
-pub fn by_importance(checks: &Checks) -> Vec<&Check> {
+pub fn by_importance(checks: &[Check]) -> Vec<&Check> {
     let mut sorted: Vec<&Check> = checks.iter().collect();
     sorted.sort_by_cached_key(|check| check.importance());
-    let governing = checks.governing();
+    let governing = sizing::governing(checks);
     if let Some(place) = governing.and_then(|governing| sorted.iter().position(|check| check.id == governing.id)) {
         let first = sorted.iter().position(|check| governing.is_some_and(|other| other.verdict == check.verdict));
         if let Some(part) = first.and_then(|first| sorted.get_mut(first..=place)) {

@@ -7,7 +7,7 @@ use order_code::OrderCode;
 use project::Project;
 use provenance::{Grade, Source, Sourced};
 use quantities::{Language, Measure, Torque};
-use sizing::{Check, CheckId, Depth};
+use sizing::{Check, CheckId, Scope};
 use words::mounting::bore_fault;
 
 /// Reads the bore over a pilot from the command line.
@@ -29,7 +29,7 @@ pub fn joint_loads(project: &Project, code: &OrderCode) -> Result<AxisLoads, Ref
     let without = collision.map(|_| {
         let mut axis = project.axis.clone();
         axis.asked.collision_torque = None;
-        sizing::judge(&axis, candidate.parameters, Depth::Full)
+        sizing::judge(&axis, candidate.parameters, Scope::All)
     });
     let cycle = without.as_ref().unwrap_or(&candidate.judgement);
     let found = |id: CheckId| candidate.judgement.checks.iter().find(|check| check.id == id);

@@ -10,8 +10,8 @@ use provenance::Datum;
 use quantities::Measure;
 use rayon::prelude::*;
 use sizing::{
-    Check, CheckId, Course, Depth, Fit, Judge, Judgement, Part, RankKey, Reserve, SAMPLES_ANEW, Standing, Unwatched,
-    Verdict, Watch, energies, finished, reserve_watched,
+    Check, CheckId, Course, Depth, Fit, Judge, Judgement, Part, RankKey, Reserve, SAMPLES_ANEW, Scope, Standing,
+    Unwatched, Verdict, Watch, finished, reserve_watched,
 };
 use std::sync::Arc;
 
@@ -178,8 +178,8 @@ pub fn size(project: &Project) -> Sizing<'_> {
     finished(size_watched(project, usize::MAX, Rejected::All, &Unwatched))
 }
 
-/// The same, but it can be cancelled; only the first `complete_count` are judged in full, the others only as far as their place in
-/// the ranking requires ([`Depth::Ranking`]), and what is rejected as far as `rejected` states.
+/// The same, but it can be cancelled; only the first `complete_count` are judged by every check, the others by those of a
+/// ranking ([`Scope::Ranking`]), and those that are rejected as far as `rejected` states.
 ///
 /// # Errors
 /// Where it was stopped.
@@ -190,28 +190,27 @@ pub(crate) fn size_watched<'p, W: Watch>(
     watch: &W,
 ) -> Result<Sizing<'p>, W::Stop> {
     let actuators = actuators_of(project, project.option_1.is_some());
-    // Of a short cycle the energy costs less than to look at some of them twice.
-    let is_long = !project.axis.is_short();
-    let depth = if is_long { Depth::Ranking } else { Depth::Survivors };
+    let all_complete = complete_count >= actuators.len();
+    let scope = if all_complete { Scope::All } else { Scope::Ranking };
+    let depth = if rejected == Rejected::All { Depth::Complete } else { Depth::UntilRejected };
     let parts = by_drivetrain(actuators);
     let begin = || {
-        let mut judging = Judging::of(project, depth, rejected == Rejected::All);
+        let mut judging = Judging::of(project, scope, depth);
         move |part: &&'p [(OrderCode, Parameters)]| judged(&mut judging, part, watch)
     };
     let mut candidates = Vec::with_capacity(actuators.len());
     in_parallel(&parts, begin)?.into_iter().for_each(|part| candidates.extend(part));
-    // Where the project limits it, the order depends on it, and a rejected one may fail by it.
-    let is_limited = project.axis.asked.regeneration_power_max.is_some();
-    if is_long && is_limited {
-        complete(project, candidates.iter_mut(), rejected == Rejected::All, watch)?;
-    }
     if rejected == Rejected::Nearest && !candidates.iter().any(Candidate::fits) {
         settle_nearest(project, &mut candidates, watch)?;
     }
     let mut candidates = ranked(candidates);
     let fitting = candidates.partition_point(Candidate::fits);
-    if is_long && !is_limited {
-        complete(project, candidates.iter_mut().take(complete_count), false, watch)?;
+    if !all_complete {
+        let mut judging = Judging::of(project, Scope::All, Depth::Complete);
+        for candidate in candidates.iter_mut().take(complete_count) {
+            watch.step()?;
+            candidate.judgement = judging.judge(candidate.parameters);
+        }
     }
     Ok(Sizing {
         name: &project.name,
@@ -225,7 +224,7 @@ pub(crate) fn size_watched<'p, W: Watch>(
 /// Judges those candidates by every check that may come first where none fits, so that the nearest miss is that of
 /// [`Rejected::All`]. What was judged until a check failed misses by at least that check: the others come behind what is found.
 fn settle_nearest<W: Watch>(project: &Project, candidates: &mut [Candidate<'_>], watch: &W) -> Result<(), W::Stop> {
-    let mut judging = Judging::of(project, Depth::Margins, false);
+    let mut judging = Judging::of(project, Scope::Deciding, Depth::Complete);
     let mut settle = |candidates: &mut [Candidate<'_>], counts: fn(&Candidate<'_>) -> bool| {
         let keys = candidates.iter().map(|candidate| RankKey::of(&candidate.standing)).zip(0..);
         let mut order: Vec<(RankKey, usize)> = keys.collect();
@@ -248,30 +247,6 @@ fn settle_nearest<W: Watch>(project: &Project, candidates: &mut [Candidate<'_>],
     };
     if !settle(candidates, may_be_near)? {
         settle(candidates, |_| true)?;
-    }
-    Ok(())
-}
-
-/// So many actuators pass a long cycle together at most: what is kept of them stays near the processor.
-const TOGETHER: usize = 64;
-
-/// Adds to the judgements of those that fit, or of all, what a ranking leaves out.
-fn complete<'c, 'p: 'c, W: Watch>(
-    project: &'p Project,
-    candidates: impl Iterator<Item = &'c mut Candidate<'p>>,
-    all: bool,
-    watch: &W,
-) -> Result<(), W::Stop> {
-    let mut open: Vec<&mut Candidate<'_>> = candidates
-        .filter(|candidate| (all || candidate.judgement_fits()) && !candidate.judgement.tells_energy())
-        .collect();
-    let actuators: Vec<&Parameters> = open.iter().map(|candidate| candidate.parameters).collect();
-    let parts: Vec<_> = actuators.chunks(actuators.len().div_ceil(2).clamp(1, TOGETHER)).collect();
-    let found = in_parallel(&parts, || |part: &&[&Parameters]| energies(&project.axis, part, watch))?;
-    let mut cited = Cited::of(project);
-    for (candidate, energy) in open.iter_mut().zip(found.into_iter().flatten()) {
-        candidate.judgement.complete(energy, &mut |check, governing| cited.cite(check, governing));
-        candidate.stand();
     }
     Ok(())
 }
@@ -349,7 +324,7 @@ pub(crate) fn with_options(project: &Project, code: &OrderCode) -> Option<OrderC
 /// [`Refusal`] where the code cannot be ordered or has no printed data.
 pub fn check<'p>(project: &'p Project, code: &OrderCode) -> Result<Candidate<'p>, Refusal> {
     availability(code).map_err(Refusal::Broken)?;
-    Ok(candidate(&mut Judging::of(project, Depth::Full, false), *code, parameters_of(project, code)?))
+    Ok(candidate(&mut Judging::of(project, Scope::All, Depth::Complete), *code, parameters_of(project, code)?))
 }
 
 /// Judges one code by the checks of one part alone: what the others cost is saved.
@@ -439,11 +414,8 @@ struct Judging<'p> {
 }
 
 impl<'p> Judging<'p> {
-    /// `completes`: see [`Judge::completing`].
-    fn of(project: &'p Project, depth: Depth, completes: bool) -> Self {
-        let axis = &project.axis;
-        let judge = if completes { Judge::completing(axis, depth) } else { Judge::of(axis, depth) };
-        Self { project, judge, cited: Cited::of(project) }
+    fn of(project: &'p Project, scope: Scope, depth: Depth) -> Self {
+        Self { project, judge: Judge::new(&project.axis, scope, depth), cited: Cited::of(project) }
     }
 
     fn of_part(project: &'p Project, part: Part) -> Self {
@@ -480,7 +452,7 @@ fn candidate<'p>(judging: &mut Judging<'p>, code: OrderCode, parameters: &'p Par
 }
 
 fn own_candidate<'p>(project: &'p Project, own: &'p OwnActuator) -> Candidate<'p> {
-    let judgement = Judging::of(project, Depth::Full, false).judge(&own.parameters);
+    let judgement = Judging::of(project, Scope::All, Depth::Complete).judge(&own.parameters);
     let objections: Vec<Objection> =
         project.requirements.unmet_by_data(&own.parameters).map(Objection::Unmet).collect();
     // Of a user's actuator little may be known: an unknown datum leaves a requirement open, it does not break it.

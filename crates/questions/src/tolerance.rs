@@ -10,7 +10,7 @@ use crate::sizing_use::{Candidate, CandidateId, Objection, Refusal};
 use draws::Draws;
 use project::{Project, Variant, Varied};
 use rayon::prelude::*;
-use sizing::{CheckId, Depth, Fit, Judge, Judgement, Unwatched, Watch, finished};
+use sizing::{CheckId, Depth, Fit, Judge, Judgement, Scope, Unwatched, Watch, finished};
 use statistics::{Ranks, wilson};
 use std::ops::Range;
 
@@ -303,7 +303,7 @@ const fn speaks(own: bool, unmet: &crate::Unmet) -> bool {
 
 /// Of a variant verdict and utilisation are looked at.
 fn judge_of(variant: &Variant) -> Judge<'_> {
-    Judge::of(&variant.axis, Depth::Margins)
+    Judge::new(&variant.axis, Scope::Deciding, Depth::Complete)
 }
 
 /// What is found at one point of the bands.

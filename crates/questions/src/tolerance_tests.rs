@@ -191,7 +191,7 @@ fn the_margins_alone_give_the_verdict_and_the_utilisation_of_every_check() {
         let project = crate::read(&text).unwrap();
         for (code, parameters) in configurator::catalogue_actuators() {
             let [full, margins] =
-                [Depth::Full, Depth::Margins].map(|depth| sizing::judge(&project.axis, parameters, depth));
+                [Scope::All, Scope::Deciding].map(|depth| sizing::judge(&project.axis, parameters, depth));
             let said = |judgement: &Judgement| {
                 let id = |check: Option<&sizing::Check>| check.map(|check| check.id);
                 (judgement.fit(), judgement.utilisation(), id(judgement.governing()))

@@ -4,7 +4,7 @@
 use configurator::catalogue_actuators;
 use project::Files;
 use questions::{Candidate, Patience, Rejected, Verdict};
-use sizing::{Check, Depth, Judge};
+use sizing::{Check, Depth, Judge, Scope};
 
 struct Examples;
 
@@ -89,16 +89,17 @@ fn what_neighbours_share_each_has_alone() {
     projects.extend(questions::read_all(TURNING, &Examples).unwrap());
     assert!(projects.len() > 5);
     for project in &projects {
-        for depth in [Depth::Survivors, Depth::Ranking, Depth::Margins] {
-            let mut all = Judge::of(&project.axis, depth);
+        for (scope, depth) in
+            [(Scope::All, Depth::Complete), (Scope::Ranking, Depth::UntilRejected), (Scope::Deciding, Depth::Complete)]
+        {
+            let mut all = Judge::new(&project.axis, scope, depth);
             // Of a long cycle some neighbours show it as well as all of them.
             let most = if project.axis.is_short() { usize::MAX } else { 12 };
             for (code, parameters) in catalogue_actuators().iter().take(most) {
                 let together = all.next(parameters, &mut named);
-                let alone = Judge::of(&project.axis, depth).next(parameters, &mut named);
+                let alone = Judge::new(&project.axis, scope, depth).next(parameters, &mut named);
                 assert_eq!(format!("{together:?}"), format!("{alone:?}"), "{}, {code}", project.name);
                 assert_eq!(together.utilisation(), alone.utilisation());
-                assert_eq!(together.checks.len(), together.checks.iter().count());
             }
         }
     }
@@ -108,7 +109,7 @@ fn what_neighbours_share_each_has_alone() {
 #[test]
 fn the_order_of_the_checks_is_the_same_for_every_actuator() {
     let project = questions::read(TURNING).unwrap();
-    let mut judge = Judge::of(&project.axis, Depth::Full);
+    let mut judge = Judge::new(&project.axis, Scope::All, Depth::Complete);
     let order = |judge: &mut Judge<'_>, parameters| -> Vec<_> {
         judge.next(parameters, &mut |_, _| {}).checks.iter().map(|check| check.id).take(20).collect()
     };
@@ -126,14 +127,14 @@ fn what_a_cycle_gives_back_is_found_for_many_as_for_one() {
     let (mut seen, mut failed) = (0, 0);
     for project in projects.iter().filter(|project| !project.axis.is_short()) {
         let all = questions::size(project).candidates;
-        let mut judge = Judge::of(&project.axis, Depth::Full);
+        let mut judge = Judge::new(&project.axis, Scope::All, Depth::Complete);
         for candidate in all.iter().filter(|candidate| candidate.fits()).take(20) {
-            let energy = |checks: &sizing::Checks| {
+            let energy = |checks: &[sizing::Check]| {
                 let energy = checks.iter().find(|check| check.id == sizing::CheckId::Regeneration).unwrap();
                 (energy.value, energy.verdict, energy.notes.clone())
             };
             let alone = judge.next(candidate.parameters, &mut |_, _| {});
-            let ids = |checks: &sizing::Checks| checks.iter().map(|check| check.id).collect::<Vec<_>>();
+            let ids = |checks: &[sizing::Check]| checks.iter().map(|check| check.id).collect::<Vec<_>>();
             assert_eq!(ids(&candidate.judgement.checks), ids(&alone.checks), "{}, {}", project.name, candidate.id);
             let (together, alone) = (energy(&candidate.judgement.checks), energy(&alone.checks));
             assert_eq!(format!("{together:?}"), format!("{alone:?}"), "{}, {}", project.name, candidate.id);

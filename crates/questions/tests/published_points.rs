@@ -8,7 +8,7 @@ use order_code::parse;
 use provenance::{Datum, Sourced};
 use quantities::unit::REVOLUTION_PER_MINUTE;
 use quantities::{AngularVelocity, Measure, MomentOfInertia, ThermodynamicTemperature, Time, Torque, ViscousFriction};
-use sizing::{Axis, CheckId, Depth, Judgement, Verdict, judge};
+use sizing::{Axis, CheckId, Judgement, Scope, Verdict, judge};
 
 /// The actuator with a massless rotor: the points are those of a steady torque, not of the way there.
 fn massless(ratio: u16) -> Parameters {
@@ -110,7 +110,7 @@ fn every_published_point_passes_and_a_tenth_more_does_not() {
             (&actuator.short_time_curve, 0.02, most, "maximum"),
         ] {
             for (n, torque) in points(&actuator, curve, duty, cap) {
-                let judged = |torque: f64| judge(&axis(torque, rpm(n), duty), &actuator, Depth::Full);
+                let judged = |torque: f64| judge(&axis(torque, rpm(n), duty), &actuator, Scope::All);
                 // The ramps of the intermittent duty turn a little less than the whole time: a ten-thousandth.
                 let found = not_passed(&judged(if duty < 1.0 { 0.9999 * torque } else { torque }));
                 assert!(found.is_empty(), "i = {ratio}, {name}: {torque} Nm at {n}: {found:?}");

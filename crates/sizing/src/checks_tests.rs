@@ -1,5 +1,5 @@
 use super::*;
-use crate::judge::{Depth, judge};
+use crate::judge::{Scope, judge};
 use crate::notes::Note;
 use crate::{Supply, SupplyFrom};
 use actuator::{Brake, Drivetrain, Feedback, FeedbackSide, Gear, ScrewJoint};
@@ -65,7 +65,7 @@ fn axis(segments: &[SegmentSpec]) -> Axis {
 }
 
 fn check(axis: &Axis, actuator: &Parameters, id: CheckId) -> Check {
-    judge(axis, actuator, Depth::Full).checks.iter().find(|check| check.id == id).unwrap().clone()
+    judge(axis, actuator, Scope::All).checks.iter().find(|check| check.id == id).unwrap().clone()
 }
 
 /// ∫T² over the dwells: 39² Nm² for as long as the motor holds.
@@ -151,13 +151,13 @@ fn a_hanging_load_without_a_brake_is_reported_and_not_rejected() {
     let found = check(&hanging, &unbraked(), CheckId::BrakeHolding);
     assert_eq!(found.verdict, Verdict::Advice);
     assert_eq!(found.notes[..], [Note::NothingHoldsWithoutPower]);
-    assert!(judge(&hanging, &unbraked(), Depth::Full).fits());
+    assert!(judge(&hanging, &unbraked(), Scope::All).fits());
     let unknown = Parameters { brake: Brake::default(), ..actuator() };
     let found = check(&hanging, &unknown, CheckId::BrakeHolding);
     assert_eq!((found.verdict, found.missing), (Verdict::NotChecked, Some("T_Br")));
     let load = Mechanism::direct(MomentOfInertia::from_si(1.0), Torque::from_si(3.0));
     let level = Axis::new(load, Motion::new(&[swing(4.0)], None, Closing::Speed).unwrap(), Vec::new());
-    assert!(judge(&level, &unbraked(), Depth::Full).checks.iter().all(|check| check.id != CheckId::BrakeHolding));
+    assert!(judge(&level, &unbraked(), Scope::All).checks.iter().all(|check| check.id != CheckId::BrakeHolding));
 }
 
 #[test]

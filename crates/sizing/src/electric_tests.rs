@@ -1,6 +1,6 @@
 use super::*;
 use crate::check::Check;
-use crate::judge::{Depth, judge};
+use crate::judge::{Scope, judge};
 use actuator::Parameters;
 use mechanism::{Extra, Mechanism};
 use motion::{Closing, ManualMove, Motion, SegmentSpec};
@@ -54,7 +54,7 @@ fn axis(pause: f64, drive: [Option<f64>; 3]) -> Axis {
 }
 
 fn check(axis: &Axis, actuator: &Parameters) -> Option<Check> {
-    judge(axis, actuator, Depth::Full).checks.iter().find(|check| check.id == CheckId::DriveCurrent).cloned()
+    judge(axis, actuator, Scope::All).checks.iter().find(|check| check.id == CheckId::DriveCurrent).cloned()
 }
 
 /// Verdict, value and limit.

@@ -5,13 +5,11 @@ mod cells;
 mod ramps;
 
 use crate::axis::Axis;
-use crate::check::{Check, CheckId};
-use crate::comparison::{Asking, against_asked, not_checked};
+use crate::check::CheckId;
+use crate::comparison::{Asking, against_asked};
 use crate::currents::{Currents, SPEED};
-use crate::electrics::Electrics;
 use crate::list::{Case, Outcome};
 use crate::notes::Note;
-use crate::watch::Watch;
 use actuator::{Parameters, TerminalPower};
 use cells::CellPower;
 use derivation::{Finding, Workings};
@@ -342,7 +340,20 @@ impl<'a> Account<'a> {
     }
 
     fn once(&mut self, axis: &Axis, block: &Block) {
-        sweep(axis, block, &mut [self]);
+        // Of what is passed as ramps.
+        let mut gram = block.gram;
+        axis.trace.sweep(block, &mut |swept| match swept {
+            Swept::Ramps(ramps) => self.ramps(ramps, &block.extent),
+            Swept::Panel(panel) => {
+                if block.is_recorded() {
+                    gram.take(&panel);
+                }
+                self.panel(&panel);
+            }
+        });
+        if block.is_recorded() {
+            self.balance.whole += self.power.driving(&gram);
+        }
     }
 
     fn close(self) -> Balance {
@@ -355,24 +366,6 @@ impl<'a> Account<'a> {
     }
 }
 
-/// Passes a block once for several accounts.
-fn sweep(axis: &Axis, block: &Block, accounts: &mut [&mut Account<'_>]) {
-    // Of what is passed as ramps.
-    let mut gram = block.gram;
-    axis.trace.sweep(block, &mut |swept| match swept {
-        Swept::Ramps(ramps) => accounts.iter_mut().for_each(|account| account.ramps(ramps, &block.extent)),
-        Swept::Panel(panel) => {
-            if block.is_recorded() {
-                gram.take(&panel);
-            }
-            accounts.iter_mut().for_each(|account| account.panel(&panel));
-        }
-    });
-    if block.is_recorded() {
-        accounts.iter_mut().for_each(|account| account.balance.whole += account.power.driving(&gram));
-    }
-}
-
 /// What the cycle takes and gives back with one actuator.
 fn balance(axis: &Axis, power: &CyclePower<'_>) -> Balance {
     let mut account = Account::of(axis, power);
@@ -382,35 +375,6 @@ fn balance(axis: &Axis, power: &CyclePower<'_>) -> Balance {
         }
     }
     account.close()
-}
-
-/// Blocks between two checks for cancellation.
-const STEP: usize = 64;
-
-/// What the cycle takes and gives back with each of several actuators. The load of a recording is computed once for all of
-/// them, which costs as much as to pass it where it has losses.
-fn balances<W: Watch>(axis: &Axis, powers: &[CyclePower<'_>], watch: &W) -> Result<Vec<Balance>, W::Stop> {
-    let mut accounts = Vec::with_capacity(powers.len());
-    for power in powers {
-        watch.step()?;
-        accounts.push(Account::of(axis, power));
-    }
-    for blocks in axis.trace.blocks().chunks(STEP) {
-        watch.step()?;
-        for block in blocks {
-            let mut asking: Vec<_> =
-                accounts.iter_mut().filter_map(|each| each.asks_for(axis, block).then_some(each)).collect();
-            if asking.is_empty() {
-                continue;
-            }
-            if block.is_recorded() {
-                sweep(axis, block, &mut asking);
-            } else {
-                asking.iter_mut().for_each(|account| account.repeated(axis, block));
-            }
-        }
-    }
-    Ok(accounts.into_iter().map(Account::close).collect())
 }
 
 /// −P: what the motor gives back at an instant \[W\].
@@ -447,7 +411,7 @@ impl Sought for Returned<'_> {
     }
 }
 
-/// Whether a datum is missing without which the energy that comes back is not known.
+/// Returns `true` if a datum is missing without which the regenerated energy is not known.
 pub(crate) fn is_missing(actuator: &Parameters, currents: Result<&Currents, &Missing>) -> bool {
     CyclePower::of(actuator, currents).is_err()
 }
@@ -462,38 +426,14 @@ pub(crate) fn is_below(axis: &Axis, actuator: &Parameters, currents: Result<&Cur
     most < share * permitted.si() * axis.moments.duration.si()
 }
 
-/// The check of the energy that comes back with each of several actuators, in one pass over the cycle.
-pub(crate) fn regenerations<W: Watch>(
-    axis: &Axis,
-    actuators: &[&Parameters],
-    watch: &W,
-) -> Result<Vec<Check>, W::Stop> {
-    let electrics: Vec<_> = actuators.iter().map(|actuator| Electrics::of(axis, actuator)).collect();
-    let of = |(actuator, electrics)| Currents::of(axis, actuator, electrics);
-    let currents: Vec<_> = actuators.iter().copied().zip(&electrics).map(of).collect();
-    let (mut powers, mut known) = (Vec::new(), Vec::new());
-    for (actuator, currents) in actuators.iter().zip(&currents) {
-        known.push(CyclePower::of(actuator, currents.as_ref()).map(|power| powers.push(power)));
-    }
-    let mut found = powers.iter().zip(balances(axis, &powers, watch)?);
-    let check_of = |(power, balance): (&CyclePower<'_>, Balance)| check_of(axis, power, &balance, &mut Workings::off());
-    let check = |known: Result<(), Missing>| match known {
-        Ok(()) => found.next().map(check_of),
-        Err(missing) => Some(not_checked(CheckId::Regeneration, missing)),
-    };
-    Ok(known.into_iter().filter_map(check).collect())
-}
-
 /// Mean power that the motor gives back over the cycle, winding cold.
 ///
 /// P = 1.5 R I² + k_TM I ω_mot at every instant; P < 0 is given back. Friction is in I, so it is taken off what the
 /// load returns. What is taken besides is the balance: E_mot = ∫P dt + E_reg.
 pub(crate) fn regeneration(case: &Case<'_>, work: &mut Workings) -> Outcome {
     let power = CyclePower::of(case.actuator, case.currents)?;
-    Ok(check_of(case.axis, &power, &balance(case.axis, &power), work))
-}
-
-fn check_of(axis: &Axis, power: &CyclePower<'_>, balance: &Balance, work: &mut Workings) -> Check {
+    let axis = case.axis;
+    let balance = balance(axis, &power);
     let id = CheckId::Regeneration;
     let grade = power.currents.grade.worst(Grade::Computed);
     let mean = balance.back / axis.moments.duration.si();
@@ -524,7 +464,7 @@ fn check_of(axis: &Axis, power: &CyclePower<'_>, balance: &Balance, work: &mut W
         regenerated: Energy::from_si(balance.back),
         peak: Power::from_si(balance.peak),
     });
-    check
+    Ok(check)
 }
 
 #[cfg(test)]

@@ -46,7 +46,7 @@ pub use course::{Course, Sample};
 pub use demand::{Demand, ManualDemand, MoveTorques, Moves};
 pub use derivation;
 pub use flange::{DerivedLoads, FlangeSample};
-pub use judge::{Checks, Depth, InOrder, Judge, Judgement, Naming, energies, judge};
+pub use judge::{Depth, Judge, Judgement, Naming, Scope, governing, judge};
 pub use list::{Asked, SpecialApplication};
 pub use notes::{BrakeStop, Budget, Note, Notes, ResonanceSpeeds, RopeSlack};
 pub use rank::{RankKey, Standing, rank};

@@ -122,19 +122,30 @@ pub(crate) enum Answer {
     Bearing(fn(&Borne<'_>, &mut Workings) -> Outcome),
 }
 
+/// The part that actuators with the same answer of a check have in common.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum SharedBy {
+    /// Each actuator has its own answer.
+    Nothing,
+    /// The drivetrain.
+    Drivetrain,
+    /// The output bearing.
+    Bearing,
+}
+
 /// The answer of a check, or the datum that it lacks.
 pub(crate) type Outcome = Result<Check, Missing>;
 
 /// When a check is judged. The stages follow each other, and within one the order is that of the list.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub(crate) enum Stage {
-    /// Of every actuator.
+    /// Without evaluating the cycle once more.
     First,
-    /// Of an actuator that no earlier check rejects: by the heat of the whole cycle.
+    /// By the heat of the whole cycle.
     Heat,
-    /// As above, in one pass over the cycle for all actuators of a ranking.
+    /// By the energy of the whole cycle.
     Pass,
-    /// Of an actuator that no earlier check rejects: the rest.
+    /// All others.
     Further,
 }
 
@@ -454,6 +465,14 @@ impl CheckId {
         self.entry().answer
     }
 
+    pub(crate) const fn shared_by(self) -> SharedBy {
+        match self.answer() {
+            Answer::Actuator(_) | Answer::Concerned(_) => SharedBy::Nothing,
+            Answer::Drivetrain(_) => SharedBy::Drivetrain,
+            Answer::Bearing(_) => SharedBy::Bearing,
+        }
+    }
+
     /// Its answer in a case: not checked where a datum is missing, none where it does not concern the actuator.
     pub(crate) fn of(self, case: &Case<'_>, work: &mut Workings) -> Option<Check> {
         let found = match self.answer() {
@@ -477,11 +496,6 @@ impl CheckId {
     #[must_use]
     pub fn is_limit(key: &str) -> bool {
         Self::ALL.iter().any(|id| matches!(id.entry().requirement, Requirement::Limit(known, _) if known == key))
-    }
-
-    /// Whether a judgement of an axis has this check; `bare`: only where it can fail or has a margin.
-    pub(crate) fn is_listed(self, axis: &Axis, bare: bool) -> bool {
-        self.is_made(axis) && (!bare || self.can_fail(axis))
     }
 
     /// Whether an axis has this check.

@@ -3,7 +3,7 @@
 use crate::axis::Axis;
 use crate::brake_times::carried;
 use crate::check::{Check, CheckId, Fit, Verdict};
-use crate::judge::{Depth, Judgement, judge};
+use crate::judge::{Judgement, Scope, judge};
 use crate::watch::{Unwatched, Watch, finished};
 use actuator::Parameters;
 use numeric::border;
@@ -99,7 +99,7 @@ pub fn reserve_watched<W: Watch>(
 ) -> Result<Reserve, W::Stop> {
     let judged = |axis: &Axis| -> Result<Judgement, W::Stop> {
         watch.step()?;
-        Ok(judge(axis, actuator, Depth::Margins))
+        Ok(judge(axis, actuator, Scope::Deciding))
     };
     let duration = axis.moments().duration.si();
     let load = Search { unit: &ONE, worse_above: true, at: |factor: f64| judged(&axis.with_load(factor, factor)) };
@@ -122,7 +122,7 @@ pub fn reserve_watched<W: Watch>(
         // Recorded torques say nothing about another load or another pace.
         return Ok(Reserve { ambient: ambient()?, ..Reserve::default() });
     }
-    let now = judge(axis, actuator, Depth::Margins);
+    let now = judge(axis, actuator, Scope::Deciding);
     let fails = |of: fn(CheckId) -> bool| now.checks.iter().any(|check| check.verdict == Verdict::Fail && of(check.id));
     if fails(CheckId::is_of_the_place) {
         // No load and no pace mends what hangs on neither.
@@ -379,7 +379,7 @@ mod tests {
     fn at_the_border_the_actuator_fits_and_beyond_it_does_not() {
         let axis = axis(1.3);
         let factor = reserve(&axis, &actuator()).load_factor.unwrap().value;
-        let fits = |factor: f64| judge(&axis.with_load(factor, factor), &actuator(), Depth::Full).fits();
+        let fits = |factor: f64| judge(&axis.with_load(factor, factor), &actuator(), Scope::All).fits();
         assert!(fits(factor) && !fits(factor + 0.001));
     }
 

@@ -1,5 +1,5 @@
 use super::*;
-use crate::judge::{Depth, judge};
+use crate::judge::{Scope, judge};
 use actuator::{Drivetrain, Gear};
 use mechanism::{Mechanism, MechanismKind, SliderCrank};
 use motion::{Closing, Given, Law, Motion, SegmentSpec};
@@ -38,7 +38,7 @@ fn hold(speed: f64, time: f64) -> SegmentSpec {
 }
 
 fn check(axis: &Axis) -> Check {
-    let judged = judge(axis, &actuator(), Depth::Full);
+    let judged = judge(axis, &actuator(), Scope::All);
     judged.checks.iter().find(|check| check.id == CheckId::ResonanceSpeed).unwrap().clone()
 }
 
@@ -101,7 +101,7 @@ fn a_changing_inertia_resonates_over_a_range() {
         assert!(d(low + share * (high - low)) < 1e-12, "{share}");
     }
     assert!((d(0.9 * low) - 0.1).abs() < 1e-4, "{}", d(0.9 * low));
-    let again = judge(&axis(0.9 * low), &actuator(), Depth::Full);
+    let again = judge(&axis(0.9 * low), &actuator(), Scope::All);
     let note = again.checks.iter().find(|check| check.id == CheckId::ResonanceSpeed).unwrap().notes[0].clone();
     let Note::ResonanceSpeeds(speeds) = note else { panic!("{note:?}") };
     let ResonanceSpeeds { blocked, free: Some(free) } = *speeds else { panic!("{speeds:?}") };

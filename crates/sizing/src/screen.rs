@@ -15,8 +15,8 @@ use crate::bearing_checks::Borne;
 use crate::check::{Check, CheckId, Fit, Verdict};
 use crate::currents::Currents;
 use crate::electrics::Electrics;
-use crate::judge::{Depth, Judgement, last_of_equal};
-use crate::list::{Answer, Case};
+use crate::judge::{Depth, Judge, Judgement, Scope, judge, last_of_equal};
+use crate::list::{Answer, Case, SharedBy};
 use crate::notes::Note;
 use crate::rank::{RankKey, Standing};
 use actuator::Parameters;
@@ -93,7 +93,7 @@ impl<'s> Screening<'s> {
             }
         }
         let (of_bearing, others): (Vec<CheckId>, Vec<CheckId>) =
-            others(axis).into_iter().partition(|id| matches!(id.answer(), Answer::Bearing(_)));
+            others(axis).into_iter().partition(|id| id.shared_by() == SharedBy::Bearing);
         let borne = RefCell::new(vec![None; screen.bearings]);
         let row = Row { axis, meets, others, of_bearing, borne, has_outline, conditions };
         row.found(figures, &mut self.bounds)
@@ -106,10 +106,10 @@ fn others(axis: &Axis) -> Vec<CheckId> {
     let no_loads = axis.bearing.as_ref().is_none_or(|duty| !duty.has_loads);
     let is_other = |id: &CheckId| {
         let is_of_the_brake = matches!(id, CheckId::BrakeHolding | CheckId::BrakeEmergency);
-        let is_of_the_bearing = matches!(id.answer(), Answer::Bearing(_));
+        let is_of_the_bearing = id.shared_by() == SharedBy::Bearing;
         !(bounds::COVERED.contains(id) || (is_of_the_brake && no_brake) || (is_of_the_bearing && no_loads))
     };
-    CheckId::ALL.iter().copied().filter(|id| id.is_listed(axis, true)).filter(is_other).collect()
+    CheckId::ALL.iter().copied().filter(|id| id.is_made(axis) && id.can_fail(axis)).filter(is_other).collect()
 }
 
 /// Whether no check of the brake can fail, nor have a utilisation that counts: nothing hangs, no segment is held by a brake, and
@@ -275,7 +275,7 @@ impl Row<'_> {
     }
 
     fn judged(&self, actuator: &Parameters) -> Judgement {
-        crate::judge::judge(self.axis, actuator, Depth::Rank)
+        Judge::new(self.axis, Scope::Deciding, Depth::UntilRejected).next(actuator, &mut |_, _| {})
     }
 
     /// The best of the groups that fit, with its best member; `first`: the class that comes first.
@@ -344,7 +344,7 @@ impl Row<'_> {
                 break;
             }
             // The bound is below every check that fails, so every check is made.
-            let judgement = crate::judge::judge(self.axis, &group.representative, Depth::Margins);
+            let judgement = judge(self.axis, &group.representative, Scope::Deciding);
             let is_elsewhere = |check: &Check| check.verdict == Verdict::Fail && check.id.is_of_the_place();
             if judgement.checks.iter().any(is_elsewhere) {
                 continue;
@@ -374,12 +374,8 @@ fn checked(id: CheckId, case: &Case<'_>) -> Option<Check> {
 
 /// Whether a check looks at currents, voltages or heat.
 fn is_electric(id: CheckId) -> bool {
-    match id.answer() {
-        Answer::Drivetrain(_) | Answer::Bearing(_) => false,
-        Answer::Actuator(_) | Answer::Concerned(_) => {
-            !matches!(id, CheckId::PeakTorque | CheckId::ScrewJointLoad | CheckId::ScrewJointHousing)
-        }
-    }
+    id.shared_by() == SharedBy::Nothing
+        && !matches!(id, CheckId::PeakTorque | CheckId::ScrewJointLoad | CheckId::ScrewJointHousing)
 }
 
 impl Row<'_> {

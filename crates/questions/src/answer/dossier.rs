@@ -16,7 +16,7 @@ use project::Project;
 use provenance::{Datum, MANUAL, Source};
 use quantities::unit::{MILLIMETRE, NEWTON_METRE};
 use quantities::{Language, Measure, Unit, format_number};
-use sizing::{Checks, Reserve};
+use sizing::{Check, Reserve};
 use words::{Counts, check_missing, check_title, describe_token, document_note, records, source_text, terms, unpadded};
 
 /// An axis with everything there is to tell of it and of the actuator chosen.
@@ -37,7 +37,7 @@ pub fn dossier(
         CandidateId::Own(_) => crate::explain_own(project),
     };
     // Where the rules of the code refuse the judgement, the ranking has judged it without workings.
-    let checks: &Checks = workings.as_ref().map_or(&chosen.judgement.checks, |found| &found.judgement.checks);
+    let checks: &[Check] = workings.as_ref().map_or(&chosen.judgement.checks, |found| &found.judgement.checks);
     let inputs = inputs_of_axis(text, place);
     let mut judgement = judgement(project, chosen, found, assessment, language);
     judgement.candidate.checks =
@@ -84,7 +84,7 @@ fn rejections(ranked: &Sizing<'_>, language: Language) -> Vec<RejectionGroup> {
 }
 
 /// The documents that the figures of the checks are from, the manual first.
-fn documents(checks: &Checks, language: Language) -> Vec<Document> {
+fn documents(checks: &[Check], language: Language) -> Vec<Document> {
     let mut ids: Vec<&'static str> = vec![MANUAL];
     let sources = checks.iter().flat_map(|check| {
         let own = [&check.limit_source, &check.value_source].into_iter().flatten();
@@ -112,7 +112,7 @@ pub(crate) fn document(found: &catalogue::Document, language: Language) -> Docum
 }
 
 /// Every erratum that a figure of the checks rests on, once, with the first check that does.
-fn errata(checks: &Checks, language: Language) -> Vec<ErratumUsed> {
+fn errata(checks: &[Check], language: Language) -> Vec<ErratumUsed> {
     let mut found: Vec<ErratumUsed> = Vec::new();
     for check in checks {
         let noted = check.notes.iter().filter_map(|note| match note {

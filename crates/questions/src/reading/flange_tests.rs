@@ -46,7 +46,7 @@ fn messages(text: &str) -> Vec<String> {
 
 fn checks(project: &Project) -> Vec<Check> {
     let code = order_code::parse("CHA-25A-100-H-M512P").unwrap().code;
-    check(project, &code).unwrap().judgement.checks.iter().cloned().collect()
+    check(project, &code).unwrap().judgement.checks
 }
 
 fn of(project: &Project, id: CheckId) -> Check {

@@ -41,7 +41,7 @@ fn messages(stage: &str) -> Vec<String> {
 
 fn checks(project: &Project) -> Vec<Check> {
     let code = order_code::parse("CHA-25A-100-H-M512P").unwrap().code;
-    check(project, &code).unwrap().judgement.checks.iter().cloned().collect()
+    check(project, &code).unwrap().judgement.checks
 }
 
 fn value(project: &Project, id: CheckId) -> f64 {

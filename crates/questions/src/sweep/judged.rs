@@ -8,7 +8,7 @@ use configurator::{Requirements, availability};
 use order_code::OrderCode;
 use project::Project;
 use quantities::Language;
-use sizing::{Axis, CheckId, Depth, Fit, Judgement, Ranked, Screen, Screening, Standing, Verdict};
+use sizing::{Axis, CheckId, Depth, Fit, Judgement, Ranked, Scope, Screen, Screening, Standing, Verdict};
 
 /// The answer of a row.
 #[derive(Clone, Debug, PartialEq)]
@@ -167,7 +167,7 @@ impl<'r> Row<'r> {
     }
 
     fn single(&self, entrant: &Entrant<'_>) -> Best {
-        let judgement = sizing::judge(self.axis, entrant.parameters, Depth::Margins);
+        let judgement = sizing::judge(self.axis, entrant.parameters, Scope::Deciding);
         let fit = entrant.standing(&judgement, entrant.meets(self.requirements)).fit;
         Best {
             fit: u32::from(fit == Fit::Fits),
@@ -179,7 +179,7 @@ impl<'r> Row<'r> {
     }
 
     pub(super) fn every(&self, entrants: &[Entrant<'_>], wanted: &[CheckId]) -> Vec<Every> {
-        let mut judge = sizing::Judge::of(self.axis, Depth::Full);
+        let mut judge = sizing::Judge::new(self.axis, Scope::All, Depth::Complete);
         let of = |entrant: &Entrant<'_>| {
             let judgement = judge.next(entrant.parameters, &mut |_, _| {});
             let standing = entrant.standing(&judgement, entrant.meets(self.requirements));
@@ -199,7 +199,7 @@ impl<'r> Row<'r> {
     }
 
     pub(super) fn front(&self, entrants: &[Entrant<'_>]) -> Vec<OnFront> {
-        let mut judge = sizing::Judge::of(self.axis, Depth::Rank);
+        let mut judge = sizing::Judge::new(self.axis, Scope::Deciding, Depth::UntilRejected);
         let of = |entrant: &Entrant<'_>| {
             let judgement = judge.next(entrant.parameters, &mut |_, _| {});
             let standing = entrant.standing(&judgement, entrant.meets(self.requirements));

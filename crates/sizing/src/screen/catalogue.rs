@@ -217,7 +217,7 @@ impl Screen {
 
     /// The actuators whose answers are the same for an axis.
     pub(super) fn groups(&self, axis: &Axis) -> &[Group] {
-        let limits = |id: &CheckId| id.is_of_the_feedback() && id.is_listed(axis, true);
+        let limits = |id: &CheckId| id.is_of_the_feedback() && id.is_made(axis) && id.can_fail(axis);
         if CheckId::ALL.iter().any(limits) { &self.singles } else { &self.groups }
     }
 }
