@@ -1,4 +1,4 @@
-//! Actuators side by side, and an actuator before and after.
+//! Comparison of actuators side by side, and of an actuator before and after a change.
 
 use crate::{Check, Fit, Id, Number};
 use schemars::JsonSchema;

@@ -1,4 +1,4 @@
-//! Chapters that are answered alone: curves, torsion, bearing, battery, inertia.
+//! Records of single subjects: curves, torsion, bearing, battery, inertia.
 
 use crate::{Check, Id, Number, Units};
 use provenance::Grade;

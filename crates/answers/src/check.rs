@@ -1,4 +1,4 @@
-//! One check, and how its figures came about.
+//! One check, and the derivation of its figures.
 
 use crate::{Id, Number};
 use provenance::Grade;

@@ -1,4 +1,4 @@
-//! The answer of `commission`.
+//! Records of `commission`.
 
 use crate::{Fact, Fit, Id, Number, TableCell};
 use catalogue::{Signal, Step};

@@ -1,4 +1,4 @@
-//! What the axis demands of any actuator.
+//! Demand of the axis on any actuator.
 
 use crate::{Number, Units};
 use schemars::JsonSchema;

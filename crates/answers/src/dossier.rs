@@ -1,4 +1,4 @@
-//! All that a report lays out.
+//! Content of a report.
 
 use crate::{CitedErratum, Explained, Id, Inertia, Judgement, Number, Sizing};
 use schemars::JsonSchema;

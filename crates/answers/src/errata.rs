@@ -1,4 +1,4 @@
-//! What is wrong or in doubt in the print.
+//! Errors and doubts in the manual.
 
 use schemars::JsonSchema;
 use serde::Serialize;

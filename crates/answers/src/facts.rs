@@ -1,4 +1,4 @@
-//! Facts that a source states in prose: hazards, rules, limits.
+//! Facts stated in prose by a source: hazards, rules, limits.
 
 use crate::{Id, Number};
 use catalogue::{Bound, Signal, Step};

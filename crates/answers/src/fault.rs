@@ -1,4 +1,4 @@
-//! What keeps a question from being answered.
+//! Faults that prevent an answer.
 
 use crate::ListedCode;
 use schemars::JsonSchema;
@@ -54,7 +54,7 @@ pub struct Place {
 }
 
 impl Faults {
-    /// Those of several questions as one, each once.
+    /// Combines the faults of several questions without duplicates.
     #[must_use]
     pub fn together(all: impl IntoIterator<Item = Self>) -> Self {
         let mut found = Self::default();
@@ -73,7 +73,7 @@ impl Faults {
         found
     }
 
-    /// One fault in one sentence.
+    /// Creates a single fault from one sentence.
     #[must_use]
     pub fn of(message: impl Into<String>) -> Self {
         Self::from(vec![Fault { message: message.into(), ..Fault::default() }])

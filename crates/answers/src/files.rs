@@ -1,4 +1,4 @@
-//! The answer of a command that writes files.
+//! Records of commands that write files.
 
 use crate::{Fit, Number, Units};
 use schemars::JsonSchema;

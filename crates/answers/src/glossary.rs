@@ -1,4 +1,4 @@
-//! The answer of `glossary`.
+//! Records of `glossary`.
 
 use schemars::JsonSchema;
 use serde::Serialize;
@@ -15,7 +15,7 @@ pub struct Glossary {
 }
 
 impl Glossary {
-    /// Whether nothing was found.
+    /// Returns `true` if nothing was found.
     #[must_use]
     pub const fn is_empty(&self) -> bool {
         self.words.is_empty() && self.terms.is_empty() && self.symbols.is_empty()

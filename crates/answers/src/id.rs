@@ -1,4 +1,4 @@
-//! Words of a fixed set, as data exchange has them.
+//! Words of a fixed set in the form of data exchange.
 
 use catalogue::{Bound, Signal, Step};
 use installation::wiring::{CableFor, CableRole, Circuit, Group, Role, Severity};
@@ -13,17 +13,17 @@ use twin::{EventKind, Loop, Reaction, ScenarioId};
 
 /// A type of the engine whose values have an identifier in data exchange.
 pub trait Identified: Copy + 'static {
-    /// What the set is called in the schema.
+    /// Name of the set in the schema.
     const NAME: &'static str;
 
-    /// Every value, in its order.
+    /// The values, in their order.
     const ALL: &'static [Self];
 
-    /// The identifier of a value.
+    /// Returns the identifier of a value.
     fn id(self) -> &'static str;
 }
 
-/// A value that is written as its identifier; the schema lists all of its set.
+/// A value serialised as its identifier; the schema lists the identifiers of its set.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Id<T>(pub T);
 
@@ -110,19 +110,19 @@ pub enum Fit {
 }
 
 impl Fit {
-    /// Verdict of a comparison without an estimate.
+    /// Returns the verdict of a comparison without an estimate.
     #[must_use]
     pub const fn of(fits: bool) -> Self {
         if fits { Self::Fits } else { Self::DoesNotFit }
     }
 
-    /// Returns `true` unless something speaks against it.
+    /// Returns `true` unless a check fails or a requirement is not met.
     #[must_use]
     pub const fn fits(self) -> bool {
         !matches!(self, Self::DoesNotFit)
     }
 
-    /// Verdict on several together: the worst of theirs.
+    /// Returns the worst of several verdicts.
     #[must_use]
     pub fn of_all(all: impl IntoIterator<Item = Self>) -> Self {
         all.into_iter().max().unwrap_or(Self::Fits)
@@ -150,7 +150,7 @@ pub enum Availability {
 }
 
 impl Availability {
-    /// The word for an answer.
+    /// Returns the availability for an answer.
     #[must_use]
     pub const fn of(available: bool) -> Self {
         if available { Self::Available } else { Self::OnRequest }

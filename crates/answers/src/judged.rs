@@ -1,4 +1,4 @@
-//! An actuator judged, the catalogue ranked.
+//! Judgement of an actuator, and ranking of the catalogue.
 
 use crate::{Check, Demand, Fit, Id, Motion, Number, Units};
 use schemars::JsonSchema;
@@ -36,7 +36,7 @@ pub struct Candidate {
 }
 
 impl Candidate {
-    /// What it is called.
+    /// Returns the ordering code or the name.
     #[must_use]
     pub fn called(&self) -> &str {
         self.code.as_deref().or(self.name.as_deref()).unwrap_or_default()

@@ -1,54 +1,54 @@
-//! An answer laid out: what a terminal, a page or a sheet of paper shows of it, in its order, in one language.
+//! Layout of an answer for terminal, page or paper: its parts in order, in one language.
 //!
-//! The records stay the answer; this is one way to read them aloud, made once for all who show them.
+//! The records stay the answer; the layout is one presentation of them, made once for all faces.
 
 use serde::Serialize;
 
 /// A part of a document with a heading.
 #[derive(Clone, Debug, Default, PartialEq, Eq, Serialize)]
 pub struct Chapter {
-    /// Its heading.
+    /// Heading.
     pub title: String,
-    /// What stands in it.
+    /// Content in order.
     pub blocks: Vec<Block>,
 }
 
-/// What stands in a chapter.
+/// Part of a chapter.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize)]
 #[serde(tag = "kind", rename_all = "snake_case")]
 pub enum Block {
     /// A heading within the chapter.
     Section {
-        /// Its text.
+        /// Text of the heading.
         text: String,
     },
     /// A paragraph.
     Text {
-        /// Its text.
+        /// Text of the paragraph.
         text: String,
     },
-    /// Sentences that stand side by side.
+    /// Independent sentences.
     Points {
-        /// One each.
+        /// One sentence per entry.
         items: Vec<String>,
     },
-    /// Steps in their order, numbered from 1.
+    /// Steps in order, numbered from 1.
     Steps {
-        /// One each.
+        /// One step per entry.
         items: Vec<String>,
     },
     /// A table.
     Grid(Grid),
-    /// Hazards and rules, gravest first.
+    /// Hazards and rules, the gravest first.
     Hazards {
-        /// One each.
+        /// One hazard or rule per entry.
         items: Vec<Hazard>,
     },
     /// A picture.
     Picture(Picture),
-    /// What is to be done and ticked off.
+    /// Tasks to be ticked off.
     Tasks {
-        /// One each.
+        /// One task per entry.
         items: Vec<Task>,
     },
 }
@@ -56,20 +56,20 @@ pub enum Block {
 /// A table of texts.
 #[derive(Clone, Debug, Default, PartialEq, Eq, Serialize)]
 pub struct Grid {
-    /// Its columns.
+    /// Columns of the table.
     pub columns: Vec<Column>,
-    /// Its rows, a cell for each column.
+    /// Rows with a cell for each column.
     pub rows: Vec<Vec<String>>,
 }
 
 /// The head of a column.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize)]
 pub struct Column {
-    /// What stands above it.
+    /// Heading of the column.
     pub head: String,
-    /// Whether its cells are numbers and stand on the right.
+    /// `true` if the cells are numbers, aligned right.
     pub numbers: bool,
-    /// Whether its cells may be sentences and take the room that is left.
+    /// `true` if the cells may be sentences and take the remaining width.
     pub wide: bool,
 }
 
@@ -78,50 +78,50 @@ pub struct Column {
 pub struct Hazard {
     /// `danger`, `warning`, `caution`, `notice`, `info`; empty for a plain statement.
     pub level: &'static str,
-    /// The signal word in the language; empty for a plain statement.
+    /// Signal word in the language; empty for a plain statement.
     pub word: &'static str,
-    /// What it says.
+    /// Text of the hazard or rule.
     pub text: String,
-    /// Where it stands.
+    /// Source.
     pub source: String,
 }
 
 /// A picture.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize)]
 pub struct Picture {
-    /// It, as SVG.
+    /// Picture as SVG.
     pub svg: String,
-    /// The line below it.
+    /// Caption below the picture.
     pub caption: String,
     /// Description of the picture, for screen readers.
     pub alternative_text: String,
 }
 
-/// An entry of a check-list.
+/// An entry of a checklist.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize)]
 pub struct Task {
-    /// What is to be done; a hazard has its signal word.
+    /// Task; a hazard has its signal word.
     pub what: Hazard,
-    /// What is expected, with unit; empty where there is nothing to measure.
+    /// Expected value with unit; empty if nothing is measured.
     pub expected: String,
-    /// Unit of what is written down; none: nothing is.
+    /// Unit of the value to record; `null` if none is recorded.
     pub unit: Option<String>,
 }
 
 impl Column {
-    /// A column of short texts.
+    /// Creates a column of short texts.
     #[must_use]
     pub fn text(head: impl Into<String>) -> Self {
         Self { head: head.into(), numbers: false, wide: false }
     }
 
-    /// A column of numbers.
+    /// Creates a column of numbers.
     #[must_use]
     pub fn numbers(head: impl Into<String>) -> Self {
         Self { head: head.into(), numbers: true, wide: false }
     }
 
-    /// A column of sentences.
+    /// Creates a column of sentences.
     #[must_use]
     pub fn wide(head: impl Into<String>) -> Self {
         Self { head: head.into(), numbers: false, wide: true }
@@ -147,7 +147,7 @@ impl Block {
 }
 
 impl Chapter {
-    /// A chapter without anything in it.
+    /// Creates an empty chapter.
     #[must_use]
     pub fn new(title: impl Into<String>) -> Self {
         Self { title: title.into(), blocks: Vec::new() }
@@ -158,7 +158,7 @@ impl Chapter {
         self.blocks.push(Block::Section { text: text.into() });
     }
 
-    /// Every text of the chapter, in its order.
+    /// Iterates over the texts of the chapter, in order.
     pub fn texts(&self) -> impl Iterator<Item = &str> {
         self.blocks.iter().flat_map(Block::texts)
     }
@@ -169,14 +169,14 @@ impl Chapter {
         self.add(text.is_empty(), Block::Text { text });
     }
 
-    /// Adds what is not empty.
+    /// Adds a block unless it is empty.
     fn add(&mut self, is_empty: bool, block: Block) {
         if !is_empty {
             self.blocks.push(block);
         }
     }
 
-    /// Adds sentences side by side, if there are any.
+    /// Adds independent sentences, if there are any.
     pub fn points(&mut self, items: Vec<String>) {
         self.add(items.is_empty(), Block::Points { items });
     }
@@ -196,7 +196,7 @@ impl Chapter {
         self.add(items.is_empty(), Block::Hazards { items });
     }
 
-    /// Adds entries of a check-list, if there are any.
+    /// Adds entries of a checklist, if there are any.
     pub fn tasks(&mut self, items: Vec<Task>) {
         self.add(items.is_empty(), Block::Tasks { items });
     }

@@ -1,9 +1,9 @@
-//! What comes out of antrieb, as plain data: the record of every answer, and of every fault.
+//! Output of antrieb as plain data: the record of every answer, and of every fault.
 //!
-//! `--json` is the serialisation of these records, their [JSON Schema](schema()) is generated from them, and report, tables
-//! and figures take them as they are. A word of a fixed set is an [`Id`], a number a [`Number`]; a `String` whose name is
-//! `title`, `name`, `meaning`, `message`, `hint`, `notes`, `source` … is a text in the requested language. Nothing here
-//! computes, and no record is made from JSON.
+//! `--json` is the serialisation of these records, their [JSON Schema](schema()) is generated from them, and report,
+//! tables and figures use them unchanged. A word of a fixed set is an [`Id`], a number a [`Number`]; a `String` with
+//! the name `title`, `name`, `meaning`, `message`, `hint`, `notes`, `source` … is a text in the requested language.
+//! This crate computes nothing, and no record is created from JSON.
 
 mod beside;
 mod chapters;

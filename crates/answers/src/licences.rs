@@ -1,4 +1,4 @@
-//! The answer of `licences`.
+//! Records of `licences`.
 
 use schemars::JsonSchema;
 use serde::Serialize;

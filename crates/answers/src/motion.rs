@@ -1,4 +1,4 @@
-//! The motion as it came out.
+//! Motion resulting from the project.
 
 use crate::{Number, Units};
 use schemars::JsonSchema;

@@ -1,4 +1,4 @@
-//! How an actuator is mounted.
+//! Mounting of an actuator.
 
 use crate::{CitedErratum, Fact, Fit, Id, Number, TableCell, Units};
 use installation::fit::{FitKind, Side};

@@ -1,23 +1,23 @@
-//! Numbers as data exchange has them.
+//! Numbers in the form of data exchange.
 
 use quantities::Unit;
 use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
 use serde::{Serialize, Serializer};
 use std::borrow::Cow;
 
-/// A number, kept as it was computed and written with twelve significant digits: without those that only a change of unit
-/// has made. What is not finite is written `null`, a negative zero as zero.
+/// A number as computed, written with twelve significant digits, which removes digits caused by a change of unit only.
+/// A value that is not finite is written `null`, a negative zero as zero.
 #[derive(Clone, Copy, Debug, PartialEq, PartialOrd)]
 pub struct Number(pub f64);
 
 impl Number {
-    /// An SI value in a unit.
+    /// Converts an SI value to a unit.
     #[must_use]
     pub fn in_unit(si: f64, unit: &Unit) -> Self {
         Self(unit.from_si(si))
     }
 
-    /// The number as it is written, if it is.
+    /// Returns the number as written; `None` if it is not finite.
     #[must_use]
     pub fn written(self) -> Option<f64> {
         if !self.0.is_finite() {

@@ -1,11 +1,11 @@
-//! The reference page of the answers, made from their schema.
+//! Reference page of the answers, generated from their schema.
 
 use crate::schema::VERSION;
 use serde_json::Value;
 use std::fmt::Write as _;
 
-/// The page in Markdown, from the schema of the answers: each command with its record, then every record with its fields, and
-/// every set of words.
+/// Generates the page in Markdown from the schema of the answers: each command with its record, then every record with
+/// its fields, and every set of words.
 #[must_use]
 pub fn reference(schema: &Value) -> String {
     let mut page = format!(
@@ -32,7 +32,7 @@ pub fn reference(schema: &Value) -> String {
     page
 }
 
-/// The values of a list; none where there is no list.
+/// Iterates over the values of a list; empty if there is none.
 fn list<'v>(schema: &'v Value, name: &str) -> impl Iterator<Item = &'v Value> {
     schema.get(name).and_then(Value::as_array).into_iter().flatten()
 }
@@ -71,12 +71,12 @@ fn body(record: &Value, page: &mut String) {
     }
 }
 
-/// The records whose fields stand beside those of a record.
+/// Returns the records whose fields are merged into a record.
 fn parts(record: &Value) -> Vec<&Value> {
     record.get("$ref").map(|_| record).into_iter().chain(list(record, "allOf")).collect()
 }
 
-/// The words of a fixed set with their meanings.
+/// Returns the words of a fixed set with their meanings.
 fn words(schema: &Value) -> Vec<(String, Option<String>)> {
     let plain = list(schema, "enum").filter_map(|word| Some((word.as_str()?.to_owned(), None)));
     let stated = list(schema, "oneOf").filter_map(|each| {
@@ -91,7 +91,7 @@ fn is_nullable(schema: &Value) -> bool {
     list(schema, "type").any(is_null) || list(schema, "anyOf").any(|each| each.get("type").is_some_and(is_null))
 }
 
-/// What a value looks like, in a few words.
+/// Describes the form of a value in a few words.
 fn shape(schema: &Value) -> String {
     if let Some(path) = schema.get("$ref").and_then(Value::as_str) {
         let name = path.rsplit('/').next().unwrap_or(path);

@@ -1,11 +1,11 @@
-//! The JSON Schema of every answer, and the reference page made from it.
+//! JSON Schema of the answers, the source of their reference page.
 
 use crate::Fit;
 use schemars::{JsonSchema, SchemaGenerator, generate::SchemaSettings};
 use serde::Serialize;
 use serde_json::{Map, Value, json};
 
-/// Version of the records. It rises when a field goes or changes its meaning, not when one is added.
+/// Version of the records. It increases when a field is removed or changes its meaning, not when one is added.
 pub const VERSION: u32 = 1;
 
 /// The answers of several axes.
@@ -30,7 +30,7 @@ pub enum Answered<T> {
 }
 
 impl<T> Answered<T> {
-    /// The answer of all axes: one alone as it is, several with the verdict on all.
+    /// Wraps the answers of all axes: a single one unchanged, several with the common verdict.
     #[must_use]
     pub fn of(axes: Vec<T>, verdict: Fit) -> Self {
         match <[T; 1]>::try_from(axes) {
@@ -40,23 +40,23 @@ impl<T> Answered<T> {
     }
 }
 
-/// A record that answers a command: the name of the command, and the schema of the record.
+/// The record that answers a command, with its schema.
 #[derive(Clone, Copy, Debug)]
 pub struct Record {
-    /// The command, with the option that makes another answer of it.
+    /// Command, including the option that changes the answer.
     pub command: &'static str,
     schema: fn(&mut SchemaGenerator) -> schemars::Schema,
 }
 
 impl Record {
-    /// The record `T` as the answer of a command.
+    /// Creates the entry for the record `T` as the answer of a command.
     #[must_use]
     pub const fn of<T: JsonSchema>(command: &'static str) -> Self {
         Self { command, schema: SchemaGenerator::subschema_for::<T> }
     }
 }
 
-/// The JSON Schema of answers: each command's under `properties`, the records that they share under `$defs`.
+/// Generates the JSON Schema of answers: one per command under `properties`, the shared records under `$defs`.
 #[must_use]
 pub fn schema(records: &[Record]) -> Value {
     let mut generator = SchemaSettings::draft2020_12().into_generator();

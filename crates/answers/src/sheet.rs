@@ -1,4 +1,4 @@
-//! The data sheet of a code, and the cells of the catalogue.
+//! Data sheet of a code, and cells of the catalogue.
 
 use crate::{Id, Number, TableCell};
 use provenance::Grade;

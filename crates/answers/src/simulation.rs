@@ -1,4 +1,4 @@
-//! A run of the digital twin.
+//! Run of the digital twin.
 
 use crate::{Id, Number};
 use provenance::Grade;

@@ -1,22 +1,22 @@
-//! The units of the figures of a record.
+//! Units of the figures of a record.
 
 use quantities::Unit;
 use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
 use serde::{Serialize, Serializer};
 use std::borrow::Cow;
 
-/// What the figures are measured in, by symbol or field: `{"T": "Nm", "n": "1/min"}`.
+/// Units of the figures, by symbol or field: `{"T": "Nm", "n": "1/min"}`.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Units(Vec<(&'static str, &'static str)>);
 
 impl Units {
-    /// Each field with its unit.
+    /// Creates the units of the given fields.
     #[must_use]
     pub fn of(units: &[(&'static str, &Unit)]) -> Self {
         Self(units.iter().map(|(of, unit)| (*of, unit.json)).collect())
     }
 
-    /// The unit of a field, as data exchange writes it.
+    /// Returns the unit of a field in the form of data exchange.
     #[must_use]
     pub fn unit(&self, of: &str) -> Option<&'static str> {
         self.0.iter().find(|(name, _)| *name == of).map(|(_, unit)| *unit)

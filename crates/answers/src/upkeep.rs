@@ -1,4 +1,4 @@
-//! Storage, upkeep, shutting down and disposal of an actuator.
+//! Storage, maintenance, shutdown and disposal of an actuator.
 
 use crate::{Battery, CitedErratum, Fact, Fit, Id};
 use installation::upkeep::{Rule, Task};

@@ -1,4 +1,4 @@
-//! Connectors, pins and cables of a code, and a list of pins compared with them.
+//! Connectors, pins and cables of a code, and the comparison of a pin list with them.
 
 use crate::{Fact, Id, NoteBy, Number};
 use installation::wiring::{CableFor, CableRole, Circuit, Group, Role, Severity};
