@@ -1,4 +1,4 @@
-//! Days and years of operation, by the mean losses of a cycle.
+//! Operation over days and years, computed from the mean losses of a cycle.
 
 use crate::machine::Machine;
 use crate::setup::{Fault, Setup};
@@ -8,45 +8,45 @@ use crate::{Scenario, ScenarioId};
 use actuator::{HeatModel, Losses, Network, Temperatures};
 use quantities::{Measure, ThermodynamicTemperature};
 
-/// When the axis runs: in every day, or other period, its cycles for a part of it, then a rest.
+/// Schedule of operation: in each day or other period, cycles for a part of it, then a rest.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Operation {
-    /// Periods.
+    /// Number of periods.
     pub periods: u32,
-    /// One of them \[s\].
+    /// Duration of a period \[s\].
     pub period_s: f64,
-    /// Operation in each \[s\], from none to all of it.
+    /// Time in operation per period \[s\], from zero to the whole period.
     pub running_s: f64,
 }
 
-/// Operation over days in figures.
+/// Results of operation over days.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Averaged {
     /// Largest temperatures of winding and housing \[K\].
     pub peak_k: [f64; 2],
-    /// Both at the end \[K\].
+    /// Final temperatures of winding and housing \[K\].
     pub end_k: [f64; 2],
-    /// How far both swing over the last period \[K\].
+    /// Ranges of both temperatures over the last period \[K\].
     pub swing_k: [f64; 2],
-    /// Mean temperature of the housing while the axis runs \[K\].
+    /// Mean temperature of the housing in operation \[K\].
     pub running_housing_k: f64,
-    /// Time in operation \[s\], and cycles of the motion in it.
+    /// Total time in operation \[s\].
     pub running_s: f64,
-    /// Cycles of the motion.
+    /// Number of cycles of the motion.
     pub cycles: f64,
-    /// Starts from rest: cycles of the temperature.
+    /// Number of starts from rest, which are cycles of the temperature.
     pub starts: u32,
-    /// Heat of the winding and of the housing \[J\].
+    /// Heat generated in winding and housing \[J\].
     pub lost_j: [f64; 2],
     /// Energy from the supply \[J\].
     pub supplied_j: f64,
 }
 
-/// Length of a step at most \[s\]; and as a share of the quick time constant.
+/// Upper limit of a step \[s\], and as a share of the fast time constant.
 const STEP_S: f64 = 60.0;
 const STEP_SHARE: f64 = 0.25;
 
-/// Mean powers of a cycle with the housing at one temperature.
+/// Mean powers of a cycle at one temperature of the housing.
 #[derive(Clone, Copy, Debug)]
 struct Node {
     housing_k: f64,
@@ -62,14 +62,14 @@ struct Means {
 }
 
 impl Means {
-    /// Two cycles each at three temperatures of the housing; `None` where the caller ends it.
+    /// Runs two cycles at each of three temperatures of the housing; `None` if cancelled by the caller.
     fn of(setup: &Setup<'_>, settled_k: [f64; 2], goes_on: &mut dyn FnMut() -> bool) -> Result<Option<Self>, Fault> {
         let machine = Machine::of(setup.parameters, setup.switches, setup.seed)?;
         let cold = setup.ambient_k;
         let [hot, housing] = settled_k;
-        // So much warmer than the air at least that three nodes are apart.
+        // A minimum rise separates the three nodes.
         let rise = (housing - cold).max(3.0);
-        // The second cycle counts: the first begins with the DC link at the voltage of the supply.
+        // The second cycle is evaluated: the first begins with the DC link at the voltage of the supply.
         let scenario = Scenario { id: ScenarioId::Cycle, cycles: 2, ..setup.scenario };
         let mut nodes = [Node { housing_k: cold, powers: [0.0; 3] }; 3];
         let mut period_s = 0.0;
@@ -104,7 +104,8 @@ impl Means {
         Ok(Some(Self { nodes, period_s }))
     }
 
-    /// Mean losses \[W\] and power of the supply \[W\] at temperatures: Lagrange's polynomial through the three nodes.
+    /// Returns mean losses and power of the supply \[W\] at temperatures, by Lagrange's polynomial through the three
+    /// nodes.
     fn at(&self, machine: &Machine, winding_k: f64, housing_k: f64) -> (Losses, f64) {
         let [a, b, c] = &self.nodes;
         let weight = |own: &Node, one: &Node, two: &Node| {
@@ -124,7 +125,7 @@ impl Means {
     }
 }
 
-/// How a network moves within a step under constant losses: x(t + Δt) = x_s + e^(A Δt) (x − x_s).
+/// Transition of a network over one step under constant losses: x(t + Δt) = x_s + e^(A Δt) (x − x_s).
 struct Stride<'a> {
     network: &'a Network,
     ambient: ThermodynamicTemperature,
@@ -159,17 +160,17 @@ impl<'a> Stride<'a> {
     }
 }
 
-/// Temperatures and energies of operation over days, from cold: the mean losses of a cycle, at the temperatures of each minute.
+/// Computes temperatures and energies of operation over days from cold, from the mean losses of a cycle at the
+/// temperatures of each minute.
 ///
-/// x' = A x + B P(ϑ_w, ϑ_h), P the means of a cycle at three temperatures; steps of a minute or less, exact for constant P,
-/// P at the middle of the step
+/// x' = A x + B P(ϑ_w, ϑ_h), P the means of a cycle at three temperatures; steps of at most a minute, exact for
+/// constant P, P at the middle of the step
 ///
 /// # Source
 /// docs/theory/twin.md; the network of docs/theory/thermal.md
-/// # Valid
-/// cycles short against τ_w; the winding swings within a longer one by what the run of one cycle shows
+/// cycles short compared with τ_w; within a longer one the winding temperature varies as in the simulation of one cycle
 /// # Errors
-/// [`Fault`] as of [`Twin::new`]; `Ok(None)` where the caller ends it or the actuator has no heat model
+/// [`Fault`] of [`Twin::new`]; `Ok(None)` if cancelled by the caller or if the actuator has no heat model
 pub fn averaged(
     setup: &Setup<'_>,
     operation: Operation,
@@ -196,7 +197,7 @@ pub fn averaged(
         lost_j: [0.0; 2],
         supplied_j: 0.0,
     };
-    // Both parts of a period in whole steps.
+    // Both parts of a period are divided into whole steps.
     let parts = [(running_s, true), (period_s - running_s, false)].map(|(time, runs)| {
         let count = (time / most).ceil();
         let step = if count > 0.0 { time / count } else { 0.0 };
@@ -214,7 +215,7 @@ pub fn averaged(
                 let of = |[winding, housing]: [f64; 2]| {
                     if *runs { means.at(&machine, winding, housing) } else { (Losses::default(), 0.0) }
                 };
-                // Losses at the middle of the step, from a first step with those of its start.
+                // Losses at the middle of the step, from a trial step with those at its start.
                 let first = stride.step(state, of(state).0);
                 let middle = [0, 1].map(|k| {
                     let at = |of: &[f64; 2]| of.get(k).copied().unwrap_or_default();

@@ -1,4 +1,4 @@
-//! Frequency responses of the loops: exact linear transfer functions, with sampling, hold and delay.
+//! Frequency responses of the loops: exact linear transfer functions, including sampling, hold and delay.
 
 use crate::control::{CURRENT_RATE_HZ, Gains, POSITION_EVERY, SPEED_EVERY};
 use crate::load::Local;
@@ -21,7 +21,7 @@ impl Complex {
         Self { re, im }
     }
 
-    /// e^(jφ)
+    /// Returns e^(jφ).
     pub(crate) fn unit(phi: f64) -> Self {
         Self::new(phi.cos(), phi.sin())
     }
@@ -77,20 +77,20 @@ impl Div for Complex {
 const ONE: Complex = Complex::new(1.0, 0.0);
 
 identified! {
-    /// A loop of the control, the innermost first.
+    /// A control loop, the innermost first.
     #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
     pub enum Loop {
-        /// Current.
+        /// Current loop.
         Current = "current",
-        /// Speed.
+        /// Speed loop.
         Speed = "speed",
-        /// Position.
+        /// Position loop.
         Position = "position",
     }
 }
 
 impl Loop {
-    /// Its period \[s\].
+    /// Returns the sampling period \[s\].
     fn period_s(self) -> f64 {
         #[allow(clippy::cast_precision_loss, reason = "small counts")]
         let every = match self {
@@ -102,79 +102,80 @@ impl Loop {
     }
 }
 
-/// One point of a response.
+/// A point of a frequency response.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Response {
-    /// \[Hz\]
+    /// Frequency \[Hz\].
     pub frequency_hz: f64,
-    /// Magnitude of the open loop.
+    /// Magnitude of the open loop \[1\].
     pub open: f64,
-    /// Its phase, continuous \[rad\].
+    /// Continuous phase of the open loop \[rad\].
     pub open_phase_rad: f64,
-    /// Magnitude of the closed loop.
+    /// Magnitude of the closed loop \[1\].
     pub closed: f64,
-    /// Its phase, continuous \[rad\].
+    /// Continuous phase of the closed loop \[rad\].
     pub closed_phase_rad: f64,
 }
 
-/// Margins of a loop.
+/// Stability margins of a loop.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Margins {
-    /// The highest frequency at which the open loop has magnitude one \[Hz\]; `None` where it has nowhere.
+    /// Highest frequency at which the open loop has magnitude one \[Hz\]; `None` if there is none.
     pub crossover_hz: Option<f64>,
-    /// The least distance of the phase from −180° at a magnitude of one \[rad\].
+    /// Phase margin: smallest distance of the phase from −180° at magnitude one \[rad\].
     pub phase_rad: Option<f64>,
-    /// By so much the gain may grow until the loop swings up.
+    /// Gain margin: factor on the gain at the stability limit \[1\].
     pub gain: Option<f64>,
-    /// The highest frequency up to which the closed loop follows within 3 dB \[Hz\].
+    /// Bandwidth: highest frequency up to which the closed loop follows within 3 dB \[Hz\].
     pub bandwidth_hz: Option<f64>,
-    /// Whether the closed loop is stable, by Nyquist's criterion.
+    /// The closed loop is stable by Nyquist's criterion.
     pub stable: bool,
 }
 
-/// A loop with its response and its margins.
+/// A loop with its frequency response and its margins.
 #[derive(Clone, Debug, PartialEq)]
 pub struct LoopResponse {
-    /// Which.
+    /// Kind of loop.
     pub of: Loop,
-    /// The response, by ascending frequency.
+    /// Frequency response in order of frequency.
     pub points: Vec<Response>,
-    /// Its margins.
+    /// Stability margins.
     pub margins: Margins,
 }
 
-/// The linear drive about its start: no limits, no dry friction, no hysteresis.
+/// Drive linearised at its initial state: no limits, no dry friction, no hysteresis.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Linear<'a> {
     plant: &'a Plant,
     load: &'a Local,
     gains: Gains,
     delay: bool,
-    /// Whether the position is that of the load.
+    /// The position is measured at the load.
     at_output: bool,
-    /// Stiffness at the twist of the start [Nm/rad].
+    /// Stiffness at the initial twist [Nm/rad].
     stiffness: f64,
 }
 
 impl Linear<'_> {
-    /// Hold of a sample: (1 − e^(−sT))/(sT).
+    /// Returns the transfer function of the hold of a sample: (1 − e^(−sT))/(sT).
     fn hold(s: Complex, period: f64) -> Complex {
         (ONE - Complex::unit(-s.im * period)) / (s * period)
     }
 
-    /// A sample of a slow loop that a quicker one reads several times: (1 − e^(−sT))/(n (1 − e^(−sT/n))).
+    /// Returns the transfer function of a slow sample read several times by a faster loop: (1 − e^(−sT))/(n (1 −
+    /// e^(−sT/n))).
     fn repeated(s: Complex, slow: Loop, quick: Loop) -> Complex {
         let (slow, quick) = (slow.period_s(), quick.period_s());
         (ONE - Complex::unit(-s.im * slow)) / (ONE - Complex::unit(-s.im * quick)) * (quick / slow)
     }
 
-    /// A PI controller that samples: K (1 + (T/T_n) z/(z − 1)).
+    /// Returns the transfer function of a sampled PI controller: K (1 + (T/T_n) z/(z − 1)).
     fn pi(s: Complex, gain: f64, time: f64, period: f64) -> Complex {
         let z = Complex::unit(s.im * period);
         (ONE + z / (z - ONE) * (period / time)) * gain
     }
 
-    /// The spring of the gear and the load on it: Z = D + K/s, Z_L' = J_L s + b_L + k_L/s + Z.
+    /// Returns the spring of the gear and the load on it: Z = D + K/s, Z_L' = J_L s + b_L + k_L/s + Z.
     fn spring_and_load(&self, s: Complex) -> [Complex; 2] {
         let spring = Complex::new(self.plant.damping_nms, 0.0) + Complex::new(self.stiffness, 0.0) / s;
         let load = s * self.load.inertia_kgm2
@@ -184,7 +185,7 @@ impl Linear<'_> {
         [spring, load]
     }
 
-    /// Speed of the motor per torque, of rotor and load on the spring of the gear.
+    /// Returns the motor speed per torque, for rotor and load on the spring of the gear.
     ///
     /// Ω/T = Z_L'/((J_M s + b + Z) Z_L' − Z²)
     pub(crate) fn mechanics(&self, s: Complex) -> Complex {
@@ -193,7 +194,7 @@ impl Linear<'_> {
         load / (rotor * load - spring * spring)
     }
 
-    /// Speed of the load per speed of the motor: Z/Z_L'.
+    /// Returns the load speed per motor speed: Z/Z_L'.
     fn through_the_gear(&self, s: Complex) -> Complex {
         let [spring, load] = self.spring_and_load(s);
         spring / load
@@ -206,20 +207,20 @@ impl Linear<'_> {
         Self::pi(s, self.gains.current_p, self.gains.current_time_s, period) * delay * Self::hold(s, period) * winding
     }
 
-    /// From the wanted speed to the speed of the motor without the path back, and the path back.
+    /// Returns the forward path from the speed setpoint to the motor speed, and the feedback path.
     fn speed_path(&self, s: Complex) -> [Complex; 2] {
         let period = Loop::Speed.period_s();
         let current = self.current_open(s);
         let current = current / (ONE + current);
         let controller = Self::pi(s, self.gains.speed_p, self.gains.speed_time_s, period);
         let forth = controller * Self::repeated(s, Loop::Speed, Loop::Current) * current * self.mechanics(s);
-        // The speed is the difference of two angles, filtered.
+        // The speed is the filtered difference of two angles.
         let share = period / (period + self.gains.speed_filter_s);
         let filter = Complex::new(share, 0.0) / (ONE - Complex::unit(-s.im * period) * (1.0 - share));
         [forth, Self::hold(s, period) * filter]
     }
 
-    /// The open loop, and the closed one from its set-point to what it controls.
+    /// Returns the open loop, and the closed loop from its setpoint to the controlled variable.
     pub(crate) fn both(&self, of: Loop, s: Complex) -> [Complex; 2] {
         match of {
             Loop::Current => {
@@ -253,7 +254,7 @@ impl Linear<'_> {
             points.push(Response {
                 frequency_hz,
                 open: open.size(),
-                // The open loops begin with integrators: between −π and −3π/2 stands for −π and less.
+                // The open loops begin with integrators: phases between −π and −3π/2 continue those of −π and below.
                 open_phase_rad: follow(open.angle(), last.map(|last| last.open_phase_rad).or(Some(-0.75 * PI))),
                 closed: closed.size(),
                 closed_phase_rad: follow(closed.angle(), last.map(|last| last.closed_phase_rad)),
@@ -269,7 +270,7 @@ fn margins(points: &[Response]) -> Margins {
     let mut turns = 0_i32;
     for pair in points.windows(2) {
         let [a, b] = pair else { continue };
-        // Between two points everything is a straight line over the logarithm.
+        // Linear interpolation over the logarithm of the frequency.
         let between = |u: f64, from: f64, to: f64| from + u * (to - from);
         let at = |u: f64| a.frequency_hz * (b.frequency_hz / a.frequency_hz).powf(u);
         let (la, lb) = (a.open.ln(), b.open.ln());
@@ -304,15 +305,15 @@ fn margins(points: &[Response]) -> Margins {
 }
 
 impl LoopResponse {
-    /// The loops of a setup about its start, the innermost first.
+    /// Computes the loops of a setup at its initial state, the innermost first.
     ///
     /// # Source
     /// docs/theory/twin.md
     /// # Valid
-    /// linear: no limits, no dry friction, no hysteresis, stiffness of the region of the twist at the start; what sampling folds
-    /// down from above half its rate is left out
+    /// linear: no limits, no dry friction, no hysteresis, stiffness of the torsion region at the start; without
+    /// aliasing from above half the sampling rate
     /// # Errors
-    /// [`Fault`] as of [`Twin::new`]
+    /// [`Fault`] of [`Twin::new`]
     pub fn of(setup: &Setup<'_>) -> Result<Vec<Self>, Fault> {
         let twin = Twin::new(setup)?;
         let linear = linear(&twin, setup);
@@ -320,7 +321,7 @@ impl LoopResponse {
     }
 }
 
-/// The linear drive of a run that stands at its start.
+/// Returns the linearised drive of a run at its initial state.
 pub(crate) fn linear<'a>(twin: &'a Twin<'_>, setup: &Setup<'_>) -> Linear<'a> {
     let (plant, load) = twin.linear();
     let (delay, at_output) = (setup.switches.delay, setup.loop_at_output);

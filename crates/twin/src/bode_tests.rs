@@ -5,7 +5,7 @@ use motion::{Closing, Hold, Motion, SegmentSpec};
 use provenance::{Grade, Source, Sourced};
 use quantities::{Measure, MomentOfInertia, Time, Torque};
 
-/// Speed of the motor after a sine of the wanted speed, as a complex amplitude of the last periods.
+/// Returns the motor speed in response to a sinusoidal speed setpoint, as a complex amplitude over the last periods.
 fn swung(setup: &Setup<'_>, frequency: f64) -> Complex {
     let mut twin = Twin::new(setup).unwrap();
     let amplitude = 1e-4;
@@ -16,7 +16,7 @@ fn swung(setup: &Setup<'_>, frequency: f64) -> Complex {
     while twin.time_s() < end {
         let time = twin.time_s();
         twin.want_speed(amplitude * (omega * time).sin());
-        // The speed at the middle of eight periods stands for them.
+        // The speed at the middle of eight periods represents them.
         for _ in 0..8 {
             if twin.time_s() >= start {
                 let now = twin.sample();
@@ -31,8 +31,8 @@ fn swung(setup: &Setup<'_>, frequency: f64) -> Complex {
     sum * Complex::new(0.0, 2.0 / (count * amplitude))
 }
 
-/// The simulated drive answers a sine of the wanted speed as the transfer function says, which reads it at the rate of
-/// the position loop: below the resonance, about it, above it.
+/// The response of the simulated drive to a sinusoidal speed setpoint, sampled at the rate of the position loop, agrees
+/// with the transfer function below, near and above the resonance.
 #[test]
 fn the_simulated_drive_answers_as_the_transfer_function_says() {
     let code = order_code::parse("CHA-20A-100-H-C1024").unwrap().code;

@@ -1,19 +1,19 @@
-//! The drive's control: position, speed and current loop at their rates, and its default gains.
+//! Control of the drive: position, speed and current loop at their rates, and their default gains.
 
 use crate::plant::Plant;
 
-/// So many periods of the current loop make one of the speed loop.
+/// Periods of the current loop per period of the speed loop.
 pub(crate) const SPEED_EVERY: u64 = 4;
 
-/// So many periods of the current loop make one of the position loop.
+/// Periods of the current loop per period of the position loop.
 pub const POSITION_EVERY: u64 = 8;
-/// Rate of the current loop \[Hz\]; those of speed and position are 4 kHz and 2 kHz.
+/// Rate of the current loop \[Hz\]; speed and position loop run at 4 kHz and 2 kHz.
 pub const CURRENT_RATE_HZ: f64 = 16_000.0;
 
-/// Gains of the loops, seen from the output.
+/// Gains of the loops, referred to the output.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Gains {
-    /// K_p of the current loop \[V/A\], of phase quantities.
+    /// K_p of the current loop for phase quantities \[V/A\].
     pub current_p: f64,
     /// T_n of the current loop \[s\].
     pub current_time_s: f64,
@@ -25,27 +25,28 @@ pub struct Gains {
     pub speed_filter_s: f64,
     /// K_v of the position loop [1/s].
     pub position_p: f64,
-    /// Share of the speed of the set-point that is fed forward.
+    /// Share of the setpoint speed used as feedforward \[1\].
     pub feed_speed: f64,
-    /// Inertia whose torque is fed forward \[kgm²\].
+    /// Inertia of the torque feedforward \[kgm²\].
     pub feed_inertia: f64,
 }
 
 impl Gains {
-    /// The default gains.
+    /// Returns the default gains.
     ///
-    /// Current: K_p = L/(2 T_σ), T_n = L/R (magnitude optimum, T_σ = 1.5 T_c); speed: K_p = J_M/(2 T_Σ),
-    /// T_n = 4 T_Σ (J_M + J_L)/J_M (symmetrical optimum of the rotor above the resonance, of rotor and load below it, T_Σ = 2 T_σ + T_s + T_f);
-    /// position: K_v = min(1/(2 T_n), ω_a/5); closed over the output also at most ζ_a ω_a = D/(2 J_L), half of what the resonance bears
+    /// Current: K_p = L/(2 T_σ), T_n = L/R (magnitude optimum, T_σ = 1.5 T_c); speed: K_p = J_M/(2 T_Σ), T_n = 4 T_Σ
+    /// (J_M + J_L)/J_M (symmetrical optimum of the rotor above the resonance, of rotor and load below it, T_Σ = 2 T_σ +
+    /// T_s + T_f); position: K_v = min(1/(2 T_n), ω_a/5); for a loop closed at the output also at most ζ_a ω_a = D/(2
+    /// J_L), half of the limit given by the resonance
     ///
     /// # Symbols
-    /// T_c, T_s periods of the current and speed loop, T_f filter of the speed, J_M inertia of the rotor, J_L of the load at the
-    /// output, ω_a = √(K_2/J_L) frequency of the load on the blocked rotor, D damping of the gear
+    /// T_c, T_s periods of the current and speed loop, T_f filter of the speed, J_M inertia of the rotor, J_L inertia
+    /// of the load at the output, ω_a = √(K_2/J_L) frequency of the load on the blocked rotor, D damping of the gear
     /// # Source
     /// Kessler, Das symmetrische Optimum, Regelungstechnik 6 (1958); Schröder, Elektrische Antriebe, Regelung von
-    /// Antriebssystemen; the factor of the load and the bound by ω_a are ours
+    /// Antriebssystemen; the factor of the load and the bound by ω_a are chosen by antrieb
     /// # Valid
-    /// measured speed on the motor, position there or at the output
+    /// measured speed of the motor, position of the motor or at the output
     #[must_use]
     pub(crate) fn usual(plant: &Plant, load_kgm2: f64, stiffness_nm: f64, delay: bool, at_output: bool) -> Self {
         let period = 1.0 / CURRENT_RATE_HZ;
@@ -70,19 +71,19 @@ impl Gains {
     }
 }
 
-/// What the drive shall do.
+/// Setpoint of the drive.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Demand {
-    /// Follow a position \[rad\] with its speed [rad/s] and acceleration [rad/s²].
+    /// Position \[rad\] with its speed [rad/s] and acceleration [rad/s²].
     Position([f64; 3]),
-    /// Turn at a speed [rad/s].
+    /// Speed [rad/s].
     Speed(f64),
 }
 
 /// Limits within the control.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Bounds {
-    /// Largest i_q \[A\], peak of a phase.
+    /// Largest i_q, peak of a phase \[A\].
     pub(crate) current_a: f64,
     /// Largest voltage of a phase, peak \[V\].
     pub(crate) voltage_v: f64,
@@ -94,9 +95,9 @@ pub(crate) struct Bounds {
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Measured {
     pub(crate) current: [f64; 2],
-    /// Of the motor.
+    /// Angle of the motor over i \[rad\].
     pub(crate) angle_rad: f64,
-    /// What the position loop looks at.
+    /// Position measured for the position loop \[rad\].
     pub(crate) position_rad: f64,
 }
 
@@ -104,7 +105,7 @@ pub(crate) struct Measured {
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Control {
     pub(crate) gains: Gains,
-    /// Constants that the decoupling knows.
+    /// Constants of the decoupling.
     resistance_l: [f64; 2],
     flux_vs: f64,
     electrical: f64,
@@ -114,19 +115,19 @@ pub(crate) struct Control {
     integral_v: [f64; 2],
     pub(crate) integral_nm: f64,
     last_angle: f64,
-    /// Measured speed, filtered [rad/s].
+    /// Filtered measured speed [rad/s].
     pub(crate) speed: f64,
     pub(crate) speed_wanted: f64,
     feed_nm: f64,
     pub(crate) current_wanted: f64,
-    /// What is put out now and in the next period.
+    /// Voltage computed in the last period \[V\], applied one period later.
     pending: [f64; 2],
     pub(crate) following_rad: f64,
     pub(crate) limited: bool,
 }
 
 impl Control {
-    /// At rest with a torque that holds \[Nm\].
+    /// Creates the control at rest with a holding torque \[Nm\].
     pub(crate) fn at_rest(gains: Gains, plant: &Plant, delay: bool, angle_rad: f64, holding_nm: f64) -> Self {
         let current = holding_nm / plant.torque_constant;
         let voltage = [0.0, plant.resistance_ohm * current];
@@ -150,7 +151,7 @@ impl Control {
         }
     }
 
-    /// The voltage of this period.
+    /// Computes the voltage of this period.
     #[inline]
     pub(crate) fn period(
         &mut self,
@@ -185,7 +186,7 @@ impl Control {
             let wanted = (self.gains.speed_p * error + grown + self.feed_nm) / self.torque_constant;
             self.current_wanted = wanted.clamp(-bounds.current_a, bounds.current_a);
             self.limited = self.current_wanted != wanted;
-            // The integral stands while the current is at its limit, unless it leads back.
+            // Anti-windup: the integral is frozen while the current is limited, unless the error reduces it.
             if !self.limited || error * wanted < 0.0 {
                 self.integral_nm = grown;
             }
@@ -206,7 +207,7 @@ impl Control {
             let scale = bounds.voltage_v / size;
             for (u, integral) in voltage.iter_mut().zip(&mut self.integral_v) {
                 let cut = *u * scale;
-                // Back-calculation: the integral gives up what the inverter cannot give.
+                // Back-calculation: the integral is reduced by the voltage that the inverter cannot provide.
                 *integral += share.min(1.0) * (cut - *u);
                 *u = cut;
             }

@@ -1,23 +1,23 @@
-//! The gear as a spring: torsion of three parts, hysteresis by Maxwell-slip elements, kinematic error.
+//! The gear as a spring: torsion with three regions, hysteresis by Maxwell-slip elements, kinematic error.
 
 use actuator::Torsion;
 use quantities::Measure;
 use std::f64::consts::TAU;
 
-/// Elements of the hysteresis.
+/// Number of hysteresis elements.
 pub(crate) const ELEMENTS: usize = 3;
 
-/// Slip distances of the elements over half the lost motion. A guess of ours: the transition is spread evenly about it.
+/// Slip distances of the elements over half the lost motion \[1\]. A guess: the transition is spread evenly about it.
 const SLIP: [f64; ELEMENTS] = [0.5, 1.0, 1.5];
 
 /// The torsion curve as plain numbers.
 ///
-/// T(φ) of [`Torsion`], and V(φ) = ∫ T dφ, the energy that it stores
+/// T(φ) of [`Torsion`], and V(φ) = ∫ T dφ, the stored energy
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Spring {
     stiffness: [f64; 3],
     corner_rad: [f64; 2],
-    /// T = offset + K φ beyond the corners.
+    /// Intercepts of the outer regions: T = offset + K φ beyond the corners \[Nm\].
     offset_nm: [f64; 2],
 }
 
@@ -31,7 +31,7 @@ impl Spring {
         Self { stiffness, corner_rad, offset_nm }
     }
 
-    /// T(φ) \[Nm\], the stiffness about φ, and the twists between which it is that.
+    /// Returns T(φ) \[Nm\], the stiffness at φ, and the range of twist in which it is constant.
     #[inline]
     pub(crate) fn part(&self, phi: f64) -> (f64, f64, [f64; 2]) {
         let ([k1, k2, k3], [c1, c2]) = (self.stiffness, self.corner_rad);
@@ -45,7 +45,7 @@ impl Spring {
         (torque * side, k, if side > 0.0 { [near, far] } else { [-far, -near] })
     }
 
-    /// φ(T) \[rad\], the inverse.
+    /// Returns φ(T) \[rad\], the inverse.
     pub(crate) fn angle(&self, torque: f64) -> f64 {
         let [k1, k2, k3] = self.stiffness;
         let [t1, t2] = [k1 * self.corner_rad[0], self.offset_nm[0] + k2 * self.corner_rad[1]];
@@ -60,7 +60,7 @@ impl Spring {
         angle.copysign(torque)
     }
 
-    /// V(φ) \[J\].
+    /// Returns V(φ), the stored energy \[J\].
     pub(crate) fn energy(&self, phi: f64) -> f64 {
         let [k1, k2, k3] = self.stiffness;
         let ([c1, c2], [o1, o2]) = (self.corner_rad, self.offset_nm);
@@ -72,12 +72,12 @@ impl Spring {
         first + second + third
     }
 
-    /// The largest of the three stiffnesses.
+    /// Returns the largest of the three stiffnesses.
     pub(crate) fn stiffest(&self) -> f64 {
         self.stiffness.into_iter().fold(0.0, f64::max)
     }
 
-    /// The stiffness at an angle.
+    /// Returns the stiffness at an angle.
     pub(crate) fn stiffness_at(&self, phi: f64) -> f64 {
         let [k1, k2, k3] = self.stiffness;
         if phi.abs() <= self.corner_rad[0] {
@@ -90,23 +90,23 @@ impl Spring {
     }
 }
 
-/// Hysteresis as Maxwell-slip: springs in parallel to the torsion curve, each of which slips at its force.
+/// Maxwell-slip model of the hysteresis: springs in parallel to the torsion curve, each slipping at its force limit.
 ///
 /// F_j = clamp(F_j0 + k_j (φ − φ_0), ±W_j), Σ W = K_1 H/2, k_j = W_j/(s_j L/2)
 ///
 /// # Symbols
-/// H hysteresis loss \[rad\]: width of the torsion curve at no torque after full torque to both sides, L lost motion \[rad\],
-/// K_1 stiffness of the first region [Nm/rad], s_j spread of the slip
+/// H hysteresis loss \[rad\]: width of the torsion curve at zero torque after full torque in both directions, L lost
+/// motion \[rad\], K_1 stiffness of the first region [Nm/rad], s_j spread of the slip
 /// # Source
 /// Maxwell-slip model (Iwan 1966; for strain-wave gears Tjahjowidodo, Al-Bender, Van Brussel, Mechatronics 23, 2013); H and L
 /// of tables 54.1 and 54.2
 /// # Valid
-/// rate-independent; printed are upper bounds of H and L
+/// rate-independent; the tables state upper bounds of H and L
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Hysteresis {
     pub(crate) stiffness: [f64; ELEMENTS],
     pub(crate) slip_nm: [f64; ELEMENTS],
-    /// 1/k; endless where there is no element.
+    /// 1/k of each element; infinite if it is absent.
     pub(crate) compliance: [f64; ELEMENTS],
 }
 
@@ -122,7 +122,7 @@ impl Hysteresis {
         Self { stiffness: [0.0; ELEMENTS], slip_nm: [0.0; ELEMENTS], compliance: [f64::INFINITY; ELEMENTS] }
     }
 
-    /// Takes a twist over into the forces; returns the energy that slipping has turned into heat \[J\].
+    /// Applies a change of twist to the forces; returns the energy dissipated by slipping \[J\].
     #[inline]
     pub(crate) fn advance(&self, force: &mut [f64; ELEMENTS], twist: f64) -> f64 {
         let mut lost = 0.0;
@@ -137,35 +137,36 @@ impl Hysteresis {
         lost
     }
 
-    /// Σ F²/2k: what the elements store \[J\].
+    /// Returns Σ F²/2k, the energy stored in the elements \[J\].
     pub(crate) fn energy(&self, force: &[f64; ELEMENTS]) -> f64 {
         let each = force.iter().zip(&self.stiffness);
         each.map(|(f, k)| if *k > 0.0 { 0.5 * f * f / k } else { 0.0 }).sum()
     }
 }
 
-/// Kinematic error of the gear: how far the output leads the ideal transmission at an angle of the input.
+/// Kinematic error of the gear: lead of the output over the ideal transmission at an angle of the input.
 ///
-/// e(θ) = a_1 sin(α + φ_1) + a_2 sin(2α + φ_2) + a_4 sin(4α + φ_4) + a_o sin(θ + φ_o), α = i θ; max e − min e over one turn of the
-/// output is the transmission accuracy
+/// e(θ) = a_1 sin(α + φ_1) + a_2 sin(2α + φ_2) + a_4 sin(4α + φ_4) + a_o sin(θ + φ_o), α = i θ; max e − min e over one
+/// turn of the output is the transmission accuracy
 ///
 /// # Symbols
-/// θ angle of the motor over i \[rad\], α angle of the wave generator \[rad\], a amplitudes in the ratio of the stated shares
+/// θ angle of the motor over i \[rad\], α angle of the wave generator \[rad\], a amplitudes in the ratio of the stated
+/// shares
 /// # Source
-/// lines: Tuttle, MIT 1992; Ghorbel, Gandhi, Alpeter, ASME J. Mech. Des. 123 (2001); main line twice per turn of the wave
-/// generator. Shares and phases are ours.
+/// lines: Tuttle, MIT 1992; Ghorbel, Gandhi, Alpeter, ASME J. Mech. Des. 123 (2001); main line twice per turn of the
+/// wave generator. Shares and phases are chosen by antrieb.
 /// # Valid
 /// unloaded gear
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct KinematicError {
     ratio: f64,
-    /// Amplitude times sine and cosine of the phase, of the lines 1, 2 and 4.
+    /// Amplitude times sine and cosine of the phase, for the lines 1, 2 and 4.
     lines: [[f64; 2]; 3],
-    /// Of the line of the output.
+    /// Amplitude times sine and cosine of the phase, for the line of the output.
     out: [f64; 2],
 }
 
-/// Taylor's series of a kinematic error and its derivatives about one angle, in the angle of the wave generator.
+/// Taylor series of a kinematic error and its derivatives about one angle, in the angle of the wave generator.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Anchor {
     theta: f64,
@@ -176,25 +177,25 @@ pub(crate) struct Anchor {
     third: [f64; 3],
 }
 
-/// So far from its angle an anchor holds, in the angle of the wave generator \[rad\]: below 1e-9 of the error.
+/// Range of validity of an anchor in the angle of the wave generator \[rad\]: error below 1e-9 of the kinematic error.
 const NEAR_RAD: f64 = 0.022;
 
-/// A new anchor lies at most this far ahead \[rad\].
+/// Largest distance of a new anchor ahead of the angle \[rad\].
 const AHEAD_RAD: f64 = 0.02;
 
 impl Anchor {
-    /// Of a gear without error.
+    /// Returns the anchor of a gear without kinematic error.
     pub(crate) const fn none() -> Self {
         Self { theta: 0.0, ratio: 0.0, value: [0.0; 6], slope: [0.0; 5], bend: [0.0; 4], third: [0.0; 3] }
     }
 
-    /// Whether it holds at an angle.
+    /// Returns `true` if the anchor is valid at an angle.
     #[inline]
     pub(crate) fn is_near(&self, theta: f64) -> bool {
         (self.ratio * (theta - self.theta)).abs() <= NEAR_RAD
     }
 
-    /// e and its first three derivatives by θ.
+    /// Returns e and its first three derivatives with respect to θ.
     #[inline(always)]
     pub(crate) fn at(&self, theta: f64) -> (f64, f64, f64, f64) {
         let x = self.ratio * (theta - self.theta);
@@ -211,7 +212,7 @@ impl Anchor {
 }
 
 impl KinematicError {
-    /// The error that spans an accuracy, with lines in the ratio of these shares and phases [rad].
+    /// Creates the error whose range is an accuracy, with lines in the ratio of these shares and phases [rad].
     pub(crate) fn spanning(accuracy_rad: f64, ratio: f64, shares: [f64; 4], phases: [f64; 4]) -> Option<Self> {
         if accuracy_rad <= 0.0 || shares.iter().all(|share| *share == 0.0) {
             return None;
@@ -222,7 +223,7 @@ impl KinematicError {
             [share * sin, share * cos]
         };
         let unit = Self { ratio, lines: [line(0), line(1), line(2)], out: line(3) };
-        // Sixty-four samples a turn of the wave generator: the span is found to a thousandth.
+        // Sixty-four samples per turn of the wave generator determine the range to a thousandth.
         #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "at most some ten thousand")]
         let samples = (64.0 * ratio).clamp(64.0, 65_536.0) as u32;
         let mut ends = (f64::INFINITY, f64::NEG_INFINITY);
@@ -235,7 +236,7 @@ impl KinematicError {
         Some(Self { lines: unit.lines.map(scaled), out: scaled(unit.out), ..unit })
     }
 
-    /// The series about an angle.
+    /// Returns the series about an angle.
     pub(crate) fn anchor(&self, theta: f64) -> Anchor {
         let [one, out] = [self.ratio * theta, theta].map(f64::sin_cos);
         let double = |(s, c): (f64, f64)| (2.0 * s * c, 1.0 - 2.0 * s * s);
@@ -244,7 +245,7 @@ impl KinematicError {
         let lines = [(l1, one, 1.0), (l2, two, 2.0), (l4, double(two), 4.0), (self.out, out, 1.0 / self.ratio)];
         let mut value = [0.0; 6];
         for ([a, b], (s, c), times) in lines {
-            // a sin(x + φ) = (a cos φ) sin x + (a sin φ) cos x; each derivative turns it by a quarter.
+            // a sin(x + φ) = (a cos φ) sin x + (a sin φ) cos x; each derivative rotates it by a quarter turn.
             let (mut now, mut next) = (b * s + a * c, b * c - a * s);
             for (coefficient, over) in value.iter_mut().zip(FACTORIALS) {
                 *coefficient += now * over;
@@ -256,19 +257,19 @@ impl KinematicError {
         Anchor { theta, ratio: self.ratio, value, slope, bend, third: derived(&bend, self.ratio) }
     }
 
-    /// The series for an angle that moves on [rad/s].
+    /// Returns the series ahead of an angle moving at a speed [rad/s].
     pub(crate) fn anchor_ahead(&self, theta: f64, speed_rad_s: f64, time_s: f64) -> Anchor {
         let most = AHEAD_RAD / self.ratio;
         self.anchor(theta + (speed_rad_s * time_s).max(-most).min(most))
     }
 
-    /// e at an angle.
+    /// Returns e at an angle.
     pub(crate) fn at(&self, theta: f64) -> f64 {
         self.anchor(theta).at(theta).0
     }
 }
 
-/// Coefficients of the derivative of a polynomial in x, by θ = x/ratio.
+/// Returns the coefficients of the derivative of a polynomial in x with respect to θ = x/ratio.
 fn derived<const N: usize>(of: &[f64], ratio: f64) -> [f64; N] {
     let mut slope = [0.0; N];
     for ((slope, value), power) in slope.iter_mut().zip(of.iter().skip(1)).zip(1_u8..) {
@@ -277,7 +278,7 @@ fn derived<const N: usize>(of: &[f64], ratio: f64) -> [f64; N] {
     slope
 }
 
-/// 1/n!
+/// 1/n! for n = 0…5.
 const FACTORIALS: [f64; 6] = [1.0, 1.0, 1.0 / 2.0, 1.0 / 6.0, 1.0 / 24.0, 1.0 / 120.0];
 
 #[cfg(test)]
@@ -313,7 +314,7 @@ mod tests {
             let angle = torsion().angle(Torque::from_si(torque)).si();
             assert!((spring().torque(angle) - torque).abs() < 1e-10);
             assert!((spring().angle(torque) - angle).abs() < 1e-16);
-            // The energy is the integral of the torque: by Simpson's rule over small steps.
+            // The energy is the integral of the torque, by Simpson's rule over small steps.
             let n = 2000;
             let h = angle / f64::from(n);
             let sum: f64 = (0..n).map(|k| h * spring().torque(h * (f64::from(k) + 0.5))).sum();
@@ -321,8 +322,9 @@ mod tests {
         }
     }
 
-    /// After ±60 Nm the curve is as wide at no torque as the table prints: 1 arcmin; a loop of a twentieth of the rated torque
-    /// stays within the printed lost motion of 1 arcmin, and means of both branches are the printed torsion.
+    /// After ±60 Nm the width of the curve at zero torque is that of the tables, 1 arcmin; a loop of a twentieth of the
+    /// rated torque stays within the lost motion of the tables, 1 arcmin, and the means of both branches are the
+    /// torsion of the manual.
     #[test]
     fn hysteresis_and_lost_motion_span_the_table() {
         let (spring, hysteresis) = (spring(), Hysteresis::of(&spring(), MINUTE, MINUTE));
@@ -343,7 +345,8 @@ mod tests {
         assert!(((unloading[1] - loading[0]) / MINUTE - 1.0).abs() < 1e-3, "{}", (unloading[1] - loading[0]) / MINUTE);
         let mean = 0.5 * (unloading[0] + loading[1]);
         assert!((mean / torsion().angle(Torque::from_si(40.0)).si() - 1.0).abs() < 1e-3);
-        // Area of the loop: the loss. W times the way of each element, to both sides, within the slip of each.
+        // The area of the loop is the loss: W times the travel of each element in both directions, less its slip
+        // distance.
         turn_to(60.0, &mut force);
         let way = 2.0 * (spring.angle(60.0) - spring.angle(-60.0));
         let most = 0.5 * 16e3 * MINUTE * way;

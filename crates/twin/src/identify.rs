@@ -1,8 +1,9 @@
-//! Parameters of the load and of the motor from a recorded run.
+//! Identification of load and motor parameters from a recorded run.
 //!
-//! [`identify`] integrates the equations of motion over short windows (`windows`), so that position, motor speed, torque and
-//! current enter as measured, and none is differentiated. `load` and `motor` make linear equations of the windows, `regression`
-//! solves them with their intervals, `moves` finds the segment of each window, `doubts` finds signals of another convention.
+//! [`identify`] integrates the equations of motion over short windows (`windows`), so that position, motor speed,
+//! torque and current are used as measured, and none is differentiated. `load` and `motor` form linear equations of the
+//! windows, `regression` solves them with confidence intervals, `moves` finds the segment of each window, `doubts`
+//! finds signals with another convention.
 
 mod doubts;
 mod load;
@@ -26,33 +27,33 @@ pub use doubts::{Column, Doubt, Misread};
 pub struct Observed {
     /// Instants \[s\].
     pub time_s: Vec<f64>,
-    /// q \[rad\]
+    /// Positions q \[rad\].
     pub position_rad: Vec<f64>,
-    /// ω [rad/s], where it was recorded: it is compared with the position and not estimated from.
+    /// Speeds ω [rad/s], if recorded; compared with the position but not used for estimates.
     pub speed_rad_s: Option<Vec<f64>>,
-    /// Speed of the motor over i [rad/s].
+    /// Motor speeds over i [rad/s].
     pub motor_rad_s: Vec<f64>,
-    /// Torque through the gear \[Nm\].
+    /// Torques through the gear \[Nm\].
     pub torque_nm: Vec<f64>,
-    /// i_q \[A\]
+    /// Currents i_q \[A\].
     pub current_q_a: Vec<f64>,
 }
 
-/// The axis as project and tables state it.
+/// The axis as stated by project and tables.
 #[derive(Clone, Copy, Debug)]
 pub struct Stated<'a> {
-    /// The actuator and the model.
+    /// Parameters of actuator and model.
     pub parameters: &'a Parameters,
-    /// The load.
+    /// Mechanism of the load.
     pub mechanism: &'a Mechanism,
-    /// The motion of the cycle.
+    /// Motion of the cycle.
     pub motion: &'a Motion,
-    /// Payload and process of each segment of the motion; those of the first segment belong to the estimates.
+    /// Payload and process of each segment of the motion; those of the first segment are included in the estimates.
     pub extras: &'a [Extra],
 }
 
 identified! {
-    /// What is estimated.
+    /// An identified parameter.
     #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
     pub enum Identified {
         /// J_L: inertia of the load \[kgm²\].
@@ -65,13 +66,13 @@ identified! {
         Gravity = "gravity",
         /// q_0: angle of the centre of mass above the horizontal at q = 0 \[rad\].
         GravityAngle = "gravity_angle",
-        /// T_e: torque that neither speed nor position change \[Nm\].
+        /// T_e: torque independent of speed and position \[Nm\].
         External = "external",
-        /// k_Tout: torque at the output per ampere rms, driving [Nm/A].
+        /// k_Tout: torque at the output per ampere rms while driving [Nm/A].
         TorqueConstant = "torque_constant_out",
         /// I_NLS: friction of motor and gear as a current, rms \[A\].
         StartingCurrent = "no_load_starting_current",
-        /// K_INL: its growth with the output speed [A s/rad].
+        /// K_INL: growth of this current with the output speed [A s/rad].
         CurrentConstant = "no_load_current_constant",
     }
 }
@@ -83,18 +84,19 @@ pub struct Estimate {
     pub of: Identified,
     /// Value in SI.
     pub value: f64,
-    /// Half the width of the interval that holds the true value in 95 of 100 runs, in SI.
+    /// Half width of the 95 % confidence interval, in SI.
     pub half_width: f64,
 }
 
-/// Largest share of half the interval in an inertia or a torque constant that counts as known. A choice.
+/// Largest half interval of an inertia or a torque constant that counts as known, relative to its value \[1\]. A
+/// choice.
 const SHARE_MOST: f64 = 0.2;
 
 /// Largest half interval of an angle that counts as known \[rad\].
 const ANGLE_MOST: f64 = 0.5;
 
 impl Estimate {
-    /// Returns `true` if the run says the value: its interval is apart from zero, and its sign is possible.
+    /// Returns `true` if the run determines the value: its interval excludes zero, and its sign is possible.
     #[must_use]
     pub fn is_known(&self) -> bool {
         let Self { of, value, half_width } = *self;
@@ -114,11 +116,11 @@ impl Estimate {
 /// Reason why a parameter has no estimate.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Open {
-    /// The run moves in one direction: Coulomb friction and constant torques are one.
+    /// The run moves in one direction, so that Coulomb friction and constant torques cannot be distinguished.
     OneDirection,
-    /// The run changes the parameter's share of the torque only together with others.
+    /// The run varies the parameter's share of the torque only together with others.
     NotSeparated,
-    /// The interval is as wide as a fifth of the value, or wider.
+    /// The half interval is at least a fifth of the value.
     Wide,
     /// The load of this mechanism has no such constant.
     NotConstant,
@@ -126,53 +128,53 @@ pub enum Open {
     AtLimit,
 }
 
-/// What a run says.
+/// Result of an identification.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Identification {
     /// Estimates that the run separates from each other.
     pub estimates: Vec<Estimate>,
     /// Parameters without an estimate, with the reason.
     pub open: Vec<(Identified, Open)>,
-    /// Signs of another unit, sign or side of a signal; then the estimates are not those of the axis.
+    /// Signs that a signal has another unit, sign or side, so that the estimates are not those of the axis.
     pub doubts: Vec<Doubt>,
-    /// Windows whose current is at its limit: they say nothing of the motor.
+    /// Number of windows with limited current, which provide no information on the motor.
     pub at_limit: usize,
     /// The run moves in both directions.
     pub both_ways: bool,
-    /// Length of the windows \[s\], and their number.
+    /// Length of the windows \[s\].
     pub window_s: f64,
     /// Number of windows.
     pub windows: usize,
-    /// Step of a position that has few digits \[rad\].
+    /// Step of a position with few digits \[rad\].
     pub position_step_rad: Option<f64>,
-    /// Inertia of rotor and wave generator at the output that the motor's equation takes from the tables \[kgm²\], and the standard
-    /// deviation that is assumed, as a share.
+    /// Inertia of rotor and wave generator at the output that the motor's equation takes from the tables \[kgm²\], and
+    /// its assumed relative standard deviation.
     pub rotor: Option<[f64; 2]>,
-    /// Time by which the speed of the motor lags the position, which the estimates take into account \[s\]; zero where it is a small part
-    /// of the time between two samples.
+    /// Lag of the motor speed behind the position, which the estimates take into account \[s\]; zero if it is a small
+    /// part of the sampling interval.
     pub motor_lag_s: f64,
-    /// k_Tout of the tables, beside the friction of no load [Nm/A].
+    /// k_Tout of the tables without the no-load friction [Nm/A].
     pub tabulated_nm_a: Option<f64>,
-    /// Time of the cycle at the instant 0 of the run \[s\], where segments add different payloads or process torques.
+    /// Time of the cycle at the instant 0 of the run \[s\], if segments add different payloads or process torques.
     pub shift_s: Option<f64>,
 }
 
-/// Reason why nothing is estimated.
+/// Reason for which an identification is impossible.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum IdentifyFault {
-    /// Columns of different lengths.
+    /// The columns differ in length.
     Uneven,
-    /// A time that does not come after that of the row before, by its row from 0.
+    /// A time is not later than that of the previous row; index of the row from 0.
     TimeNotRising(usize),
     /// Too few samples in motion.
     TooFew,
-    /// The run moves in a way that leaves the values open.
+    /// The motion of the run does not determine the values.
     NotExcited,
-    /// Steps of the position hide the acceleration.
+    /// The steps of the position hide the acceleration.
     TooCoarse {
         /// Step of the position, or standard deviation of its noise \[rad\].
         step_rad: f64,
-        /// Largest one with which the run can be evaluated \[rad\].
+        /// Largest step with which the run could be evaluated \[rad\].
         most_rad: f64,
     },
     /// Segments add different payloads, and the run does not follow the motion.
@@ -199,8 +201,8 @@ impl From<NoWindows> for IdentifyFault {
 /// # Source
 /// docs/theory/twin.md, *Identification*
 /// # Valid
-/// samples in motion; torque through the gear measured or simulated; constant parameters over the run. What a segment of the motion
-/// adds to the load counts as stated, and J_M as the tables have it, within a stated tolerance.
+/// samples in motion; torque through the gear measured or simulated; constant parameters over the run. Additions of
+/// motion segments are taken as stated, and J_M from the tables within a stated tolerance.
 /// # Errors
 /// [`IdentifyFault`]
 pub fn identify(run: &Observed, stated: &Stated<'_>) -> Result<Identification, IdentifyFault> {
@@ -214,7 +216,7 @@ pub fn identify(run: &Observed, stated: &Stated<'_>) -> Result<Identification, I
     let followed = Followed::of(stated.motion, &run, differs.then_some(&same));
     let signals = Signals::of(&run, &strokes, followed.as_ref().filter(|followed| followed.follows()), stated);
     if !signals.doubts.is_empty() {
-        // Signals of another unit make no equation of motion.
+        // Signals with another unit do not satisfy an equation of motion.
         return Ok(Identification {
             doubts: signals.doubts,
             both_ways: strokes.both_ways(),
@@ -253,7 +255,7 @@ pub fn identify(run: &Observed, stated: &Stated<'_>) -> Result<Identification, I
     Ok(found)
 }
 
-/// Checks the columns; a position that is counted within one revolution is continued beyond it.
+/// Checks the columns; a position counted within one revolution is unwrapped.
 fn prepared(run: &Observed) -> Result<Observed, IdentifyFault> {
     let count = run.time_s.len();
     let columns = [&run.position_rad, &run.motor_rad_s, &run.torque_nm, &run.current_q_a];

@@ -1,8 +1,9 @@
-//! The digital twin: an actuator with its drive and its load, stepped through time.
+//! Digital twin: an actuator with its drive and its load, simulated over time.
 //!
-//! [`Setup`] is what is simulated, [`Twin`] the run: plant (motor, gear, load), control, drive with its supervision, and a solver of
-//! fixed step are apart. The formulas of an instant are those of `actuator`, the load is the mechanism of the project, the set-points
-//! are its motion. Everything is referred to the output unless a name says `motor`. Same setup, same bits.
+//! [`Setup`] describes the simulation, [`Twin`] is the run; plant (motor, gear, load), control, drive with its
+//! supervision, and a solver of fixed step are separate. The formulas of an instant are those of `actuator`, the load
+//! is the mechanism of the project, the setpoints are its motion. All quantities refer to the output unless a name
+//! includes `motor`. Equal setups yield equal bits.
 
 mod averaged;
 mod bode;

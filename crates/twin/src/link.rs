@@ -1,15 +1,15 @@
-//! The DC link: supply through a rectifier, capacitor, brake resistor.
+//! DC link: supply through a rectifier, capacitor, braking resistor.
 
-/// The constants of a DC link.
+/// Constants of a DC link.
 ///
 /// ½ C (U⁺² − U²) = (P_s − P − P_b) Δt with all currents at the mean voltage of the step
 ///
 /// # Symbols
-/// P_s power of the supply, which gives and never takes \[W\], P power of the inverter, P_b that of the brake resistor
+/// P_s power of the supply, never negative \[W\], P power of the inverter, P_b power of the braking resistor
 /// # Source
 /// docs/theory/twin.md
 /// # Valid
-/// rectifier as a voltage behind a resistance; switching of the brake resistor with hysteresis
+/// rectifier as a voltage source with a resistance; switching of the braking resistor with hysteresis
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct LinkModel {
     pub(crate) capacity_f: f64,
@@ -19,16 +19,16 @@ pub(crate) struct LinkModel {
     pub(crate) chopper_v: [f64; 2],
 }
 
-/// The state of the DC link and its energies.
+/// State of the DC link with its energies.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Link {
     pub(crate) voltage_v: f64,
     pub(crate) chopping: bool,
-    /// From the supply, before its resistance \[J\].
+    /// Energy from the supply, before its resistance \[J\].
     pub(crate) supplied_j: f64,
-    /// Heat of the resistance of the supply \[J\].
+    /// Heat in the resistance of the supply \[J\].
     pub(crate) rectifier_j: f64,
-    /// Heat of the brake resistor \[J\].
+    /// Heat in the braking resistor \[J\].
     pub(crate) brake_j: f64,
 }
 
@@ -37,13 +37,15 @@ impl LinkModel {
         Link { voltage_v: self.supply_v, chopping: false, supplied_j: 0.0, rectifier_j: 0.0, brake_j: 0.0 }
     }
 
-    /// A step with the energy that the inverter took from it \[J\]; `supply` as a share of the nominal voltage, zero without mains.
+    /// Advances a step with the energy taken by the inverter \[J\]; `supply` is a share of the nominal voltage, zero
+    /// without mains.
     #[inline]
     pub(crate) fn step(&self, link: &mut Link, taken_j: f64, supply: f64, step_s: f64) {
         let [off, on] = self.chopper_v;
         link.chopping = link.voltage_v > if link.chopping { off } else { on };
         let (supply_v, before) = (supply * self.supply_v, link.voltage_v);
-        // The mean m of both ends solves (2 m − U)² = U² + 2 Δt/C ((U_s − m) m/R_s − m²/R_b − P): without its current where m ≥ U_s.
+        // The mean m of both ends solves (2 m − U)² = U² + 2 Δt/C ((U_s − m) m/R_s − m²/R_b − P); without supply
+        // current if m ≥ U_s.
         let share = 2.0 * step_s / self.capacity_f;
         let burns = if link.chopping { share / self.brake_ohm } else { 0.0 };
         let feeds = share / self.supply_ohm;
@@ -62,7 +64,7 @@ impl LinkModel {
         link.brake_j += burnt * step_s;
     }
 
-    /// Energy in the capacitor \[J\].
+    /// Returns the energy in the capacitor \[J\].
     #[cfg(test)]
     pub(crate) fn energy(&self, link: &Link) -> f64 {
         0.5 * self.capacity_f * link.voltage_v * link.voltage_v
@@ -76,7 +78,7 @@ mod tests {
     const MODEL: LinkModel =
         LinkModel { capacity_f: 470e-6, supply_v: 560.0, supply_ohm: 1.0, brake_ohm: 82.0, chopper_v: [627.2, 644.0] };
 
-    /// What comes in is what goes out and what stays; the brake resistor keeps the voltage below its threshold.
+    /// Input energy equals output and stored energy; the braking resistor keeps the voltage below its threshold.
     #[test]
     fn energy_is_kept_and_the_brake_resistor_bounds_the_voltage() {
         let mut link = MODEL.start();
@@ -94,7 +96,7 @@ mod tests {
         assert!(highest > 640.0 && highest < 650.0, "{highest}");
     }
 
-    /// Under 900 W the supply drops by R I: 560 − 1.612 V.
+    /// Under 900 W the supply voltage drops by R I: 560 − 1.612 V.
     #[test]
     fn a_steady_load_drops_over_the_resistance() {
         let mut link = MODEL.start();

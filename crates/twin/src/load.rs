@@ -1,29 +1,29 @@
-//! The load at the output: the project's mechanism, near one state a linear one.
+//! The load at the output: the mechanism of the project, linearised about a state.
 
 use crate::parameters::MeasuredLoad;
 use mechanism::{Extra, Loading, Mechanism, Output, Plain};
 use provenance::Sourced;
 
-/// The load about one state: T = J α + T_m + k (q − q_0) + c (q − q_0)² + b (ω − ω_0) + T_c σ.
+/// Load linearised about a state: T = J α + T_m + k (q − q_0) + c (q − q_0)² + b (ω − ω_0) + T_c σ.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Local {
     pub(crate) position_rad: f64,
     pub(crate) speed_rad_s: f64,
-    /// J with the flange \[kgm²\].
+    /// J including the flange \[kgm²\].
     pub(crate) inertia_kgm2: f64,
-    /// Torque without friction of the direction \[Nm\].
+    /// T_m: torque without direction-dependent friction \[Nm\].
     pub(crate) middle_nm: f64,
-    /// [Nm/rad], [Nm/rad²]
+    /// k and c: dependence on the position [Nm/rad], [Nm/rad²].
     pub(crate) slope_nm: f64,
     pub(crate) bend_nm: f64,
-    /// [Nm s/rad]
+    /// b: dependence on the speed [Nm s/rad].
     pub(crate) viscous_nms: f64,
-    /// Half the width between both directions \[Nm\].
+    /// T_c: half the difference between both directions \[Nm\].
     pub(crate) coulomb_nm: f64,
 }
 
 impl Local {
-    /// Torque that the load takes without acceleration and friction of the direction \[Nm\].
+    /// Returns the torque of the load without acceleration and direction-dependent friction \[Nm\].
     #[inline]
     pub(crate) fn torque(&self, position_rad: f64, speed_rad_s: f64) -> f64 {
         let way = position_rad - self.position_rad;
@@ -33,7 +33,7 @@ impl Local {
     }
 }
 
-/// The mechanism of an axis with what its segments add.
+/// The mechanism of an axis with the additions of its segments.
 #[derive(Clone, Debug)]
 pub(crate) struct LoadModel<'a> {
     parts: Vec<Part<'a>>,
@@ -41,7 +41,7 @@ pub(crate) struct LoadModel<'a> {
     measured: Measured,
 }
 
-/// Measured values as plain numbers; those that belong to the position change a load alone whose factors are constant.
+/// Measured values as plain numbers; those that depend on the position apply only to a load with constant coefficients.
 #[derive(Clone, Copy, Debug, Default)]
 struct Measured {
     inertia_kgm2: Option<f64>,
@@ -56,7 +56,8 @@ struct Part<'a> {
 }
 
 impl<'a> LoadModel<'a> {
-    /// With measured values in the place of the mechanism's own; `Err` with the key of one that it does not have.
+    /// Creates the load with measured values instead of the mechanism's own; `Err` with the key of a value that the
+    /// mechanism does not have.
     pub(crate) fn of(
         mechanism: &'a Mechanism,
         extras: &'a [Extra],
@@ -77,7 +78,7 @@ impl<'a> LoadModel<'a> {
         if let Some((key, _)) = refused.into_iter().find(|(_, refused)| *refused) {
             return Err(key);
         }
-        // Another payload adds to what was measured with the first.
+        // Another payload adds to the values measured with the first.
         let first = extras.first().and_then(|extra| mechanism.plain(extra));
         let replaced = |own: Plain| {
             let added = |of: fn(&Plain) -> f64| first.as_ref().map_or(0.0, |first| of(&own) - of(first));
@@ -109,7 +110,7 @@ impl<'a> LoadModel<'a> {
         })
     }
 
-    /// The load about a state in a segment of the motion; `before` is the load of the step before.
+    /// Returns the load linearised about a state in a segment of the motion.
     pub(crate) fn near(&self, segment: usize, position: f64, speed: f64, acceleration: f64) -> Option<Local> {
         let part = self.parts.get(segment).or(self.parts.last())?;
         let local = Local {
@@ -138,7 +139,7 @@ impl<'a> LoadModel<'a> {
             part.loading.at(&Output { position_rad, speed_rad_s, acceleration_rad_s2, direction }).torque_nm
         };
         let sign = if speed == 0.0 { 0.0 } else { speed.signum() };
-        // Torque is piecewise linear in the acceleration: the slope is that about the last one.
+        // Torque is piecewise linear in the acceleration: the slope is taken at the last one.
         let own = torque(position, speed, acceleration, sign);
         let inertia = torque(position, speed, acceleration + 1.0, sign) - own;
         let still = own - inertia * acceleration;
@@ -163,7 +164,8 @@ impl<'a> LoadModel<'a> {
     }
 }
 
-/// Weight and angle of a segment: the measured vector of the first segment with what another payload adds to it.
+/// Returns weight and angle of a segment: the measured vector of the first segment plus the addition of another
+/// payload.
 fn laden(own: &Plain, first: &Plain, weight: Option<f64>, angle: Option<f64>) -> (f64, f64) {
     let vector = |weight: f64, angle: f64| {
         let (sine, cosine) = angle.sin_cos();

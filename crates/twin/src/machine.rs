@@ -1,4 +1,4 @@
-//! From the parameters to the constants of the equations.
+//! Constants of the equations, derived from the parameters.
 
 use crate::gear::{Hysteresis, KinematicError, Spring};
 use crate::parameters::{Parameters, si};
@@ -13,7 +13,7 @@ use std::f64::consts::{SQRT_2, TAU};
 /// An actuator as constants.
 #[derive(Clone, Debug)]
 pub(crate) struct Machine {
-    /// The equations at 20 °C; what follows the temperature is set by [`Machine::warmed`].
+    /// Constants at 20 °C; temperature-dependent ones are set by [`Machine::warm`].
     pub(crate) plant: Plant,
     pub(crate) ratio: f64,
     resistance_ll_20: f64,
@@ -21,7 +21,7 @@ pub(crate) struct Machine {
     /// Torque at the output per ampere rms of a friction current.
     friction_nm_a: f64,
     pub(crate) heat: Option<HeatModel>,
-    /// I_max, I_0, I_E \[A\], rms.
+    /// I_max, I_0, I_E, rms \[A\].
     pub(crate) current_max_a: f64,
     pub(crate) stall_current_a: Option<f64>,
     pub(crate) demagnetisation_a: Option<f64>,
@@ -30,15 +30,15 @@ pub(crate) struct Machine {
     pub(crate) brake: Option<BrakeData>,
     /// J of the flange \[kgm²\].
     pub(crate) flange_kgm2: f64,
-    /// Largest deviation and step of the feedback, at the output \[rad\].
+    /// Largest deviation and step of the motor feedback, referred to the output \[rad\].
     pub(crate) feedback_rad: [f64; 2],
-    /// The same of the encoder at the output; `None`: there is none.
+    /// Largest deviation and step of the encoder at the output \[rad\]; `None` without one.
     pub(crate) feedback_out_rad: Option<[f64; 2]>,
-    /// Data that are not known: the part of the model is left out.
+    /// Symbols of unknown data, whose part of the model is omitted.
     pub(crate) left_out: Vec<&'static str>,
 }
 
-/// The holding brake.
+/// Data of the holding brake.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct BrakeData {
     pub(crate) torque_nm: f64,
@@ -49,7 +49,7 @@ pub(crate) struct BrakeData {
 }
 
 impl Machine {
-    /// Of an actuator with parts of the model switched off.
+    /// Creates the constants of an actuator, with parts of the model switched off.
     pub(crate) fn of(parameters: &Parameters, switches: Switches, seed: u64) -> Result<Self, Fault> {
         let actuator = &parameters.actuator;
         let model = &parameters.model;
@@ -63,7 +63,7 @@ impl Machine {
         let mut left_out = Vec::new();
         let friction = if switches.friction { Some(NoLoadFriction::of(actuator)?) } else { None };
         let out_nm_a = loaded(parameters)?;
-        // A k_TM that is rounded down would give an efficiency above one: then the motor gives what the output does.
+        // A k_TM rounded down would yield an efficiency above one: the motor then provides the torque of the output.
         let constant_motor = constant_motor.max(out_nm_a / ratio);
         let mesh = if switches.friction && out_nm_a > 0.0 { ratio * constant_motor / out_nm_a - 1.0 } else { 0.0 };
         let accuracy = &actuator.accuracy;
@@ -162,13 +162,13 @@ impl Machine {
         })
     }
 
-    /// R of a phase at a temperature of the winding \[Ω\].
+    /// Returns R of a phase at a temperature of the winding \[Ω\].
     pub(crate) fn resistance_ohm(&self, winding_k: f64) -> f64 {
         let cold = ElectricalResistance::from_si(self.resistance_ll_20);
         0.5 * copper_resistance(cold, ThermodynamicTemperature::from_si(winding_k)).si()
     }
 
-    /// Sets what follows the temperatures \[K\] of winding and housing.
+    /// Sets the constants that depend on the temperatures of winding and housing \[K\].
     pub(crate) fn warm(&self, plant: &mut Plant, winding_k: f64, housing_k: f64) {
         plant.resistance_ohm = self.resistance_ohm(winding_k);
         if let Some(friction) = &self.friction {
@@ -179,9 +179,9 @@ impl Machine {
     }
 }
 
-/// η i k_TM: torque at the output per ampere beyond the friction of no load \[Nm/A\].
+/// Returns η i k_TM, the torque at the output per ampere beyond the no-load friction \[Nm/A\].
 ///
-/// k_Tout; of the 48 V windings, whose k_Tout is T_0/I_0 and so holds that friction, T_0/(I_0 − I_NLS)
+/// k_Tout; for the 48 V windings, whose k_Tout is T_0/I_0 and includes that friction, T_0/(I_0 − I_NLS)
 fn loaded(parameters: &Parameters) -> Result<f64, Missing> {
     let actuator = &parameters.actuator;
     if actuator.stall_current_includes_friction {

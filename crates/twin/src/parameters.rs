@@ -1,4 +1,5 @@
-//! The parameters of the model: those of the actuator, and those that no table of the maker has, each with grade and source.
+//! Parameters of the model: those of the actuator, and those that the manufacturer's tables lack, each with grade and
+//! source.
 
 use crate::setup::{SUPPLY_USUAL_V, Supply};
 use actuator::Parameters as Actuator;
@@ -9,40 +10,40 @@ use quantities::{
 };
 use std::sync::Arc;
 
-/// One parameter as an exported file has it.
+/// A parameter of the exported file.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Parameter {
-    /// Its key.
+    /// Key of the parameter.
     pub key: &'static str,
-    /// What it measures.
+    /// Dimension of the value.
     pub dimension: Dimension,
-    /// Its value in SI with grade and source; `None` where nothing is known.
+    /// Value in SI with grade and source; `None` if unknown.
     pub value: Option<Sourced<f64>>,
 }
 
 impl Parameter {
-    /// Whether it can be negative.
+    /// Returns `true` if the value may be negative.
     pub(crate) fn has_a_sign(&self) -> bool {
         matches!(self.key, "load_external" | "load_gravity_angle")
     }
 }
 
-/// A parameter that cannot be replaced.
+/// Error: a parameter cannot be replaced.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct NoSuchParameter;
 
-/// What the simulation of an actuator is made of.
+/// Parameters of the simulation of an actuator.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Parameters {
-    /// The data of the actuator, with the values that replace some of them.
+    /// Data of the actuator, some of them replaced.
     pub actuator: Actuator,
     /// Parameters beyond the tables.
     pub model: Model,
-    /// Measured values of the load, in the place of what follows from the mechanism.
+    /// Measured values of the load, which replace those of the mechanism.
     pub load: MeasuredLoad,
 }
 
-/// A key of the actuator's data: how it is read and replaced.
+/// A key of the actuator's data with its read and write access.
 struct Of {
     key: &'static str,
     dimension: Dimension,
@@ -50,7 +51,7 @@ struct Of {
     set: fn(&mut Actuator, Sourced<f64>),
 }
 
-/// One line per datum: its key, its place, its quantity.
+/// Defines the data of the actuator, one per line: key, field and quantity.
 macro_rules! data {
     ($($key:literal $($place:ident).+ : $quantity:ty;)*) => {
         const DATA: &[Of] = &[$(Of {
@@ -146,13 +147,13 @@ data! {
     "ptc_response_temperature" ptc_response: ThermodynamicTemperature;
 }
 
-/// The three stiffnesses stand in an array, which the lines above cannot name.
+/// Keys of the three stiffnesses, which are an array and therefore not in `data!`.
 const STIFFNESS: [&str; 3] = ["gear_stiffness_1", "gear_stiffness_2", "gear_stiffness_3"];
 
-/// One line per parameter of the model: its name, its quantity, its usual value, its grade.
+/// Defines the parameters of the model, one per line: name, quantity, default value and grade.
 macro_rules! model {
     ($($(#[$about:meta])* $name:ident: $dimension:ident = $usual:expr, $grade:ident;)*) => {
-        /// Parameters that no table of the maker has, in SI. A value that nothing supports is `assumed`.
+        /// Parameters that the manufacturer's tables lack, in SI. A value without evidence is `assumed`.
         #[derive(Clone, Debug, PartialEq)]
         pub struct Model {
             $($(#[$about])* pub $name: Sourced<f64>,)*
@@ -183,11 +184,12 @@ macro_rules! model {
 }
 
 model! {
-    /// Share of J_out that turns with the output flange and not with the wave generator. A guess.
+    /// Share of J_out that turns with the output flange instead of the wave generator \[1\]. A guess.
     flange_inertia_share: Ratio = 0.02, Assumed;
-    /// ζ: damping of the gear against J_out on K_2, D = 2 ζ √(K_2 J_out). A guess.
+    /// ζ: damping of the gear for J_out on K_2, D = 2 ζ √(K_2 J_out) \[1\]. A guess.
     gear_damping_ratio: Ratio = 0.03, Assumed;
-    /// Breakaway torque over the running torque at no speed: I_NLS is printed as the current that starts the motor.
+    /// Breakaway torque over the running torque at zero speed \[1\]: I_NLS is defined as the current that starts the
+    /// motor.
     breakaway_ratio: Ratio = 1.0, Assumed;
     /// Share of the kinematic error with one period per turn of the wave generator. A guess.
     kinematic_share_1: Ratio = 0.15, Assumed;
@@ -201,30 +203,30 @@ model! {
     sensor_lag: Time = 10.0, Assumed;
     /// Time constant of the PTC in the winding, a smaller bead. A guess.
     ptc_lag: Time = 5.0, Assumed;
-    /// Energy that the capacitor of the DC link holds at the nominal voltage of the supply: 470 µF at 560 V.
+    /// Energy of the DC link capacitor at the nominal voltage of the supply \[J\]: 470 µF at 560 V.
     link_energy: Energy = 73.7, Assumed;
-    /// Resistance of the supply of the DC link with its cable, at 560 V.
+    /// Resistance of the DC link supply including its cable, at 560 V \[Ω\].
     supply_resistance: Resistance = 1.0, Assumed;
-    /// Resistance of the brake resistor, at 560 V.
+    /// Braking resistor at 560 V \[Ω\].
     brake_resistor: Resistance = 82.0, Assumed;
-    /// Voltage at which the brake resistor is switched on, over the largest of the supply.
+    /// Switch-on voltage of the braking resistor relative to the highest of the supply \[1\].
     chopper_on: Ratio = 1.15, Assumed;
-    /// Voltage at which it is switched off, over the largest of the supply.
+    /// Switch-off voltage of the braking resistor relative to the highest of the supply \[1\].
     chopper_off: Ratio = 1.12, Assumed;
-    /// Stiffness of a stop that the load meets. A guess: as stiff as a good machine frame.
+    /// Stiffness of a stop hit by the load [Nm/rad]. A guess: that of a rigid machine frame.
     stop_stiffness: TorsionalStiffness = 2.0e5, Assumed;
-    /// Opening time of a brake where none is printed: that of the larger sizes.
+    /// Opening time of a brake if the tables state none \[s\]: that of the larger sizes.
     brake_opening_usual: Time = 0.11, Assumed;
-    /// Closing time of a brake where none is printed: that of the larger sizes.
+    /// Closing time of a brake if the tables state none \[s\]: that of the larger sizes.
     brake_closing_usual: Time = 0.07, Assumed;
-    /// Noise of a measured phase current, rms.
+    /// Noise of a measured phase current, rms \[A\].
     current_noise: Current = 0.0, Assumed;
 }
 
-/// One line per measured value of the load: its key, its field, its quantity.
+/// Defines the measured values of the load, one per line: key, field and quantity.
 macro_rules! load {
     ($($(#[$about:meta])* $key:literal $name:ident: $dimension:ident;)*) => {
-        /// Measured values of the load at the output, in SI; of what is not measured the mechanism's own.
+        /// Measured values of the load at the output, in SI; values not measured are those of the mechanism.
         #[derive(Clone, Debug, Default, PartialEq)]
         pub struct MeasuredLoad {
             $($(#[$about])* pub $name: Option<Sourced<f64>>,)*
@@ -248,30 +250,31 @@ macro_rules! load {
 }
 
 load! {
-    /// J_L with the flange.
+    /// J_L: inertia including the flange.
     "load_inertia" inertia: MomentOfInertia;
     /// T_c: Coulomb friction.
     "load_coulomb" coulomb: Torque;
     /// b: viscous friction.
     "load_viscous" viscous: ViscousFriction;
-    /// W: weight at its largest lever.
+    /// W: gravity torque at its largest lever.
     "load_gravity" gravity: Torque;
     /// q_0: angle of the centre of mass above the horizontal at q = 0.
     "load_gravity_angle" gravity_angle: Angle;
-    /// T_e: torque that neither speed nor position change.
+    /// T_e: torque independent of speed and position.
     "load_external" external: Torque;
 }
 
 impl Parameters {
-    /// Those of an actuator on a drive at 560 V.
+    /// Creates the parameters of an actuator on a drive at 560 V.
     #[must_use]
     pub fn of(actuator: &Actuator) -> Self {
         Self::on_supply(actuator, &Supply::of(SUPPLY_USUAL_V))
     }
 
-    /// Those of an actuator on a drive of a supply.
+    /// Creates the parameters of an actuator on a drive with a supply.
     ///
-    /// E = E_560 U/560 V (C = C_560 560 V/U), R = R_560 U/560 V: a drive of the same current at another voltage; the brake resistor
+    /// E = E_560 U/560 V (C = C_560 560 V/U), R = R_560 U/560 V: a drive of equal current at another voltage;
+    /// thresholds of the braking resistor between the highest voltage of the supply and that of the actuator
     /// between the largest voltage of the supply and that of the actuator
     ///
     /// # Symbols
@@ -279,7 +282,7 @@ impl Parameters {
     /// # Source
     /// docs/theory/twin.md; [`actuator::chopper_thresholds`]
     /// # Valid
-    /// assumed: the drive is not known
+    /// assumed: the drive is unknown
     #[must_use]
     pub fn on_supply(actuator: &Actuator, supply: &Supply) -> Self {
         let mut model = Model::default();
@@ -296,7 +299,7 @@ impl Parameters {
         Self { actuator: actuator.clone(), model, load: MeasuredLoad::default() }
     }
 
-    /// All of them, in a fixed order: the exported file.
+    /// Returns all parameters in the fixed order of the exported file.
     #[must_use]
     pub fn list(&self) -> Vec<Parameter> {
         let of = |of: &Of| Parameter { key: of.key, dimension: of.dimension, value: (of.get)(&self.actuator) };
@@ -308,7 +311,7 @@ impl Parameters {
         DATA.iter().map(of).chain(stiffness).chain(self.model.list()).chain(self.load.list()).collect()
     }
 
-    /// Every key with its dimension.
+    /// Returns all keys with their dimensions.
     #[must_use]
     pub fn keys() -> Vec<(&'static str, Dimension)> {
         let stiffness = STIFFNESS.iter().map(|key| (*key, Dimension::TorsionalStiffness));
@@ -317,14 +320,14 @@ impl Parameters {
         DATA.iter().map(|of| (of.key, of.dimension)).chain(stiffness).chain(model).chain(load).collect()
     }
 
-    /// Puts a measured value, in SI, in the place of one.
+    /// Replaces a parameter by a measured value, in SI.
     ///
     /// # Errors
     /// [`NoSuchParameter`] for a key that is not in [`Parameters::list`].
     pub fn replace(&mut self, key: &str, value: Sourced<f64>) -> Result<(), NoSuchParameter> {
         if let Some(of) = DATA.iter().find(|of| of.key == key) {
             (of.set)(&mut self.actuator, value);
-            // A measured constant is the slope of the torque, beside the current of no load.
+            // A measured constant is the slope of the torque, without the no-load current.
             self.actuator.stall_current_includes_friction |= key == "torque_constant_out";
             return Ok(());
         }
@@ -344,7 +347,7 @@ impl Parameters {
     }
 }
 
-/// A datum in SI.
+/// Returns a datum in SI.
 pub(crate) fn si<Q: Measure>(datum: &Datum<Q>, symbol: &'static str) -> Result<f64, Missing> {
     datum.require(symbol).map(|known| known.value.si())
 }

@@ -1,61 +1,61 @@
-//! Motor, gear and load: constants and state of their equations of motion, and the accounts of energy.
+//! Motor, gear and load: constants and state of their equations of motion, and the energy balance.
 
 use crate::gear::{Anchor, ELEMENTS, Hysteresis, KinematicError, Spring};
 use crate::load::Local;
 
-/// The constants of the equations; those that follow the temperature are set anew every millisecond.
+/// Constants of the equations; temperature-dependent ones are updated every millisecond.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Plant {
     /// R of a phase at the temperature of the winding \[Ω\].
     pub(crate) resistance_ohm: f64,
     /// L of a phase \[H\].
     pub(crate) inductance_h: f64,
-    /// ψ, peak of a phase \[Vs\].
+    /// ψ: flux linkage, peak of a phase \[Vs\].
     pub(crate) flux_vs: f64,
-    /// p i: electrical angle per angle of the output.
+    /// p i: electrical angle per angle of the output \[1\].
     pub(crate) electrical: f64,
     /// k_TM i/√2: torque at the output per i_q [Nm/A].
     pub(crate) torque_constant: f64,
-    /// J of what turns with the wave generator, at the output \[kgm²\].
+    /// J_M: inertia of the parts turning with the wave generator, at the output \[kgm²\].
     pub(crate) inertia_kgm2: f64,
-    /// Friction of motor and gear that does not depend on the speed \[Nm\], its breakaway value as a multiple, and its
-    /// viscous part [Nm s/rad].
+    /// Speed-independent friction of motor and gear \[Nm\], its breakaway value as a multiple \[1\], and the viscous
+    /// part [Nm s/rad].
     pub(crate) friction_nm: f64,
     pub(crate) breakaway: f64,
     pub(crate) viscous_nms: f64,
-    /// Friction of the teeth per torque: 1/η − 1.
+    /// Friction of the teeth per torque, 1/η − 1 \[1\].
     pub(crate) mesh: f64,
-    /// Torque of the closed brake \[Nm\]; zero when it is open.
+    /// Torque of the closed brake \[Nm\]; zero when open.
     pub(crate) brake_nm: f64,
     pub(crate) spring: Spring,
     pub(crate) hysteresis: Hysteresis,
-    /// Damping of the twist [Nm s/rad].
+    /// D: damping of the twist [Nm s/rad].
     pub(crate) damping_nms: f64,
     pub(crate) kinematic: Option<KinematicError>,
 }
 
-/// Where energy went since the start \[J\].
+/// Energy balance since the start of the run \[J\], by sink.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Energies {
-    /// From the inverter to the motor.
+    /// Energy from the inverter to the motor.
     pub terminal_j: f64,
-    /// Heat of the winding.
+    /// Heat in the winding.
     pub copper_j: f64,
     /// No-load friction of motor and gear.
     pub friction_j: f64,
     /// Friction of the teeth under torque.
     pub mesh_j: f64,
-    /// Heat of the brake.
+    /// Heat in the brake.
     pub brake_j: f64,
     /// Damping of the gear.
     pub damping_j: f64,
     /// Hysteresis of the gear.
     pub hysteresis_j: f64,
-    /// Given to the load at the flange.
+    /// Energy transferred to the load at the flange.
     pub flange_j: f64,
-    /// Difference of the printed k_TM and k_EM: work that the voltage shows and the torque does not.
+    /// Difference between k_TM and k_EM of the tables: work that appears in the voltage but not in the torque.
     pub constants_j: f64,
-    /// Of the terminal energy the part that came back, as a positive number.
+    /// Regenerated part of the terminal energy, as a positive number.
     pub regenerated_j: f64,
 }
 
@@ -64,42 +64,42 @@ pub struct Energies {
 pub(crate) struct State {
     /// i_d, i_q \[A\], θ \[rad\], Ω [rad/s], q \[rad\], ω [rad/s]; θ and Ω are those of the motor over i.
     pub(crate) x: [f64; 6],
-    /// Forces of the hysteresis \[Nm\].
+    /// Forces of the hysteresis elements \[Nm\].
     pub(crate) force: [f64; ELEMENTS],
-    /// Direction of sliding at the motor and in the load; 0 sticks.
+    /// Directions of sliding at the motor and in the load; 0 while sticking.
     pub(crate) sliding: [f64; 2],
     pub(crate) energies: Energies,
-    /// Angle that the closed brake has slipped \[rad\].
+    /// Angle by which the closed brake has slipped \[rad\].
     pub(crate) slipped_rad: f64,
     /// Last directions of the twist and of the torque through the gear.
     pub(crate) turning: f64,
     pub(crate) pull: f64,
-    /// Torque through the gear \[Nm\], its twist \[rad\] and the acceleration of the load.
+    /// Torque through the gear \[Nm\], its twist \[rad\] and the acceleration of the load [rad/s²].
     pub(crate) gear_nm: f64,
     pub(crate) twist_rad: f64,
     pub(crate) acceleration_rad_s2: f64,
-    /// Whether the inverter switches; without pulses no current flows.
+    /// The inverter is switching; without pulses no current flows.
     pub(crate) pulses: bool,
 }
 
-/// A stop that the load meets, elastic.
+/// An elastic stop hit by the load.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Stop {
     pub(crate) at_rad: f64,
-    /// Held to both sides, or only against motion in the positive direction (+1) or the negative (−1).
+    /// 0 for a clamp in both directions, +1 or −1 for a stop against motion in that direction only.
     pub(crate) side: f64,
     pub(crate) stiffness_nm: f64,
     pub(crate) damping_nms: f64,
 }
 
 impl Stop {
-    /// Torque that it takes on contact \[Nm\].
+    /// Returns the torque on the stop in contact \[Nm\].
     #[inline]
     pub(crate) fn torque(&self, position: f64, speed: f64) -> f64 {
         self.stiffness_nm * (position - self.at_rad) + self.damping_nms * speed
     }
 
-    /// By what the load touches it \[Nm\]; negative apart from it. A clamp of both sides always holds.
+    /// Returns the contact torque \[Nm\]; negative without contact. A clamp in both directions always holds.
     pub(crate) fn pressed(&self, position: f64, speed: f64) -> f64 {
         if self.side == 0.0 {
             return f64::INFINITY;
@@ -108,7 +108,7 @@ impl Stop {
     }
 }
 
-/// What does not change within a step.
+/// Constants within a step.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Given<'a> {
     /// u_d, u_q \[V\].
@@ -119,13 +119,13 @@ pub(crate) struct Given<'a> {
 }
 
 impl Plant {
-    /// Sets the twist of a state whose angles were set.
+    /// Sets the twist of a state from its angles.
     pub(crate) fn place(&self, state: &mut State) {
         let error = self.kinematic.map_or(0.0, |error| error.at(state.x[2]));
         state.twist_rad = state.x[2] - state.x[4] - error;
     }
 
-    /// The inverter stops: the energy of the windings returns through its diodes at once.
+    /// Blocks the inverter: the energy of the windings returns through its diodes at once.
     pub(crate) fn block(&self, state: &mut State) {
         let stored = self.magnetic(state);
         state.energies.terminal_j -= stored;
@@ -140,7 +140,7 @@ impl Plant {
         0.75 * self.inductance_h * (i_d * i_d + i_q * i_q)
     }
 
-    /// Energy that windings, rotor and gear hold \[J\].
+    /// Returns the energy stored in windings, rotor and gear \[J\].
     pub(crate) fn stored(&self, state: &State) -> f64 {
         let omega = state.x[3];
         self.magnetic(state)
@@ -149,7 +149,7 @@ impl Plant {
             + self.hysteresis.energy(&state.force)
     }
 
-    /// The largest product of a step and an eigenvalue of the equations: what a step must keep below about one.
+    /// Returns the largest product of a step and an eigenvalue of the equations, which must stay below about one.
     pub(crate) fn stiffness(&self, load_kgm2: f64, stop_nm: f64, speed_max: f64, h: f64) -> f64 {
         let spring = self.spring.stiffest() + self.hysteresis.stiffness.iter().sum::<f64>();
         let swing = (spring / self.inertia_kgm2 + (spring + stop_nm) / load_kgm2).sqrt();
@@ -159,7 +159,8 @@ impl Plant {
 }
 
 impl Energies {
-    /// What came from the terminals and is neither lost, nor given to the load, nor stored: the error of the balance.
+    /// Returns the error of the balance: terminal energy that is neither lost, nor transferred to the load, nor stored
+    /// \[J\].
     pub(crate) fn unaccounted(&self, stored_j: f64) -> f64 {
         self.terminal_j
             - self.copper_j
@@ -173,12 +174,12 @@ impl Energies {
             - stored_j
     }
 
-    /// Energy that went through the motor, both ways.
+    /// Returns the energy through the motor, in both directions \[J\].
     pub(crate) fn throughput(&self) -> f64 {
         self.terminal_j + 2.0 * self.regenerated_j
     }
 
-    /// Heat in the housing: all losses but that of the copper.
+    /// Returns the heat in the housing, all losses except that of the copper \[J\].
     pub(crate) fn heat(&self) -> f64 {
         self.friction_j + self.mesh_j + self.brake_j + self.damping_j + self.hysteresis_j
     }

@@ -1,108 +1,109 @@
-//! What happens to the axis: scenarios and the reaction of the drive.
+//! Scenarios of a run, and the reactions of the drive.
 
 use feedback::{Failure, Finding};
 use quantities::identified;
 
 identified! {
-    /// How a drive ends a motion.
+    /// Reaction of a drive that ends a motion.
     #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
     pub enum Reaction {
-        /// Brakes the axis along a ramp, closes the brake and switches off.
+        /// Brakes the axis along a ramp, then closes the brake and switches off.
         #[default]
         Ramp = "ramp",
         /// Switches off and closes the brake.
         Brake = "brake",
-        /// Switches off; the axis runs out.
+        /// Switches off and lets the axis coast.
         Coast = "coast",
     }
 }
 
 identified! {
-    /// What happens to the axis.
+    /// A scenario.
     #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord)]
     pub enum ScenarioId {
-        /// The cycle of the project.
+        /// The cycle of the project without disturbance.
         #[default]
         Cycle = "cycle",
-        /// A stop on demand at an instant, by the stated reaction.
+        /// A stop on demand at an instant, with the stated reaction.
         EmergencyStop = "emergency_stop",
-        /// Mains and control fail at an instant: no pulses, the brake closes.
+        /// Mains and control fail at an instant: pulses off, the brake closes.
         PowerFailure = "power_failure",
         /// The brake does not open.
         BrakeStuck = "brake_stuck",
-        /// The drive switches off at rest and the brake closes at the same instant: the load sags.
+        /// The drive switches off at rest while the brake closes at the same instant: the load sags.
         HangingLoad = "hanging_load",
         /// The load is clamped at an instant.
         BlockedLoad = "blocked_load",
         /// The feedback fails at an instant.
         EncoderFailure = "encoder_failure",
-        /// Battery and supply of the feedback have failed before the start: it has lost its turns, and its word is valid.
+        /// Battery and supply of the feedback failed before the start: it has lost its turns, while its word is valid.
         BatteryLoss = "battery_loss",
-        /// The supply of the DC link drops for a while.
+        /// The supply of the DC link drops for a limited time.
         LinkSag = "link_sag",
-        /// The warmest permitted ambient.
+        /// Operation at the highest permitted ambient temperature.
         HotAmbient = "hot_ambient",
-        /// Everything as cold as the coldest permitted ambient.
+        /// Operation from the lowest permitted ambient temperature.
         ColdGrease = "cold_grease",
-        /// The load meets a stop.
+        /// The load hits a stop.
         Collision = "collision",
     }
 }
 
 impl ScenarioId {
-    /// The scenario of an identifier.
+    /// Returns the scenario with an identifier.
     #[must_use]
     pub fn of(id: &str) -> Option<Self> {
         Self::ALL.into_iter().find(|each| each.id() == id)
     }
 }
 
-/// A scenario with what is stated of it.
+/// A scenario with its parameters.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Scenario {
-    /// What happens.
+    /// Kind of scenario.
     pub id: ScenarioId,
-    /// When it happens \[s\]; without it when the axis is fastest, at the start for what begins at rest.
+    /// Instant of the event \[s\]; `None` for the instant of the highest speed, or for the start if the event happens
+    /// at rest.
     pub at_s: Option<f64>,
-    /// How the drive reacts to a stop on demand and to its own faults.
+    /// Reaction of the drive to a stop on demand and to its own faults.
     pub reaction: Reaction,
-    /// How the feedback fails; without it no signal arrives.
+    /// Failure of the feedback; `None` for a cable without signals.
     pub failure: Option<Failure>,
-    /// So many cycles are run; none means one.
+    /// Number of cycles; zero means one.
     pub cycles: u32,
-    /// Whether the drive begins cold, as the ambient air; warm is the settled state of the repeated cycle.
+    /// The run begins at ambient temperature instead of the settled state of the repeated cycle.
     pub cold: bool,
 }
 
-/// How the feedback failed, and what the drive noticed.
+/// Failure of the feedback, and its detection by the drive.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Failed {
-    /// What failed; `None`: the battery, and with it the turns.
+    /// Kind of failure; `None` for a loss of the turns with the battery.
     pub failure: Option<Failure>,
-    /// What the drive noticed, and how long after the failure \[s\]; `None`: nothing.
+    /// Check that detected the failure, and the time from the failure to its detection \[s\]; `None` if undetected.
     pub noticed: Option<(Finding, f64)>,
-    /// The angle that it read less the true one, at the output \[rad\]: when it noticed, else at the end.
+    /// Error of the angle read by the drive at the output \[rad\], at detection or else at the end.
     pub error_rad: f64,
 }
 
-/// Something that happened.
+/// An event of a run.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Event {
-    /// When \[s\].
+    /// Time of the event \[s\].
     pub time_s: f64,
-    /// What.
+    /// Kind of event.
     pub kind: EventKind,
 }
 
 identified! {
-    /// What happened.
+    /// Kind of event.
     #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
     pub enum EventKind {
-        /// The scenario takes place.
+        /// The event of the scenario occurs.
         Scenario = "scenario",
         /// The drive stops along a ramp.
         Ramp = "ramp",
-        /// The inverter gives no pulses any more.
+        /// The inverter switches its pulses off.
         PulsesOff = "pulses_off",
         /// The brake is commanded to close.
         BrakeCloses = "brake_closes",
@@ -116,35 +117,35 @@ identified! {
         BrakeSlips = "brake_slips",
         /// The axis came to rest after a stop.
         AtRest = "at_rest",
-        /// The current reached its limit or the voltage its largest value.
+        /// The current reached its limit, or the voltage its largest value.
         Limited = "limited",
-        /// Overload supervision I²t.
+        /// The overload supervision I²t responds.
         Overload = "overload",
-        /// The sensor of the winding reached its warning.
+        /// The winding temperature sensor reached the warning.
         WindingWarning = "winding_warning",
-        /// The sensor of the winding reached its shutdown.
+        /// The winding temperature sensor reached the shutdown temperature.
         WindingShutdown = "winding_shutdown",
         /// The PTC of the winding responds.
         PtcResponse = "ptc_response",
-        /// The position lags behind its set-point by more than is permitted.
+        /// The following error exceeds its limit.
         FollowingError = "following_error",
-        /// The DC link is below its least voltage.
+        /// The DC link voltage is below its lower limit.
         LinkLow = "link_low",
-        /// The DC link is above its largest voltage.
+        /// The DC link voltage is above its upper limit.
         LinkHigh = "link_high",
-        /// The brake resistor was switched on.
+        /// The braking resistor was switched on.
         BrakeResistor = "brake_resistor",
-        /// The drive notices that the feedback has failed: no valid position.
+        /// The drive detects the failure of the feedback: no valid position.
         NoPosition = "no_position",
-        /// The feedback has lost its turns, which nothing shows.
+        /// The feedback has lost its turns, undetected.
         TurnsLost = "turns_lost",
-        /// The current reached that of demagnetisation.
+        /// The current reached the demagnetisation current.
         Demagnetisation = "demagnetisation",
-        /// The gear passed more than the collision torque.
+        /// The torque through the gear exceeded the collision torque.
         CollisionTorque = "collision_torque",
-        /// The speed exceeds the largest of the motor.
+        /// The speed exceeds the largest motor speed.
         Overspeed = "overspeed",
-        /// A value left every bound: the run ends here.
+        /// The simulation diverged and ends here.
         Diverged = "diverged",
     }
 }

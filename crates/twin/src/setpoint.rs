@@ -1,20 +1,20 @@
-//! The motion of the project as set-points, cycle after cycle.
+//! Setpoints from the motion of the project, repeated over the cycles.
 
 use motion::{Hold, Motion};
 use quantities::Measure;
 
-/// Where the axis shall be.
+/// Setpoint of the axis.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct SetPoint {
-    /// q \[rad\], ω [rad/s], α [rad/s²].
+    /// Position q \[rad\], speed ω [rad/s], acceleration α [rad/s²].
     pub(crate) state: [f64; 3],
-    /// The segment of the motion.
+    /// Segment of the motion.
     pub(crate) segment: usize,
-    /// Whether the brake holds in it, and the time since its beginning and to its end \[s\].
+    /// Times since the beginning and until the end of a segment held by the brake \[s\]; `None` for other segments.
     pub(crate) braked: Option<[f64; 2]>,
 }
 
-/// A motion repeated.
+/// A repeated motion.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Course<'a> {
     motion: &'a Motion,
@@ -28,12 +28,12 @@ impl<'a> Course<'a> {
         Self { motion, period_s: motion.duration().si(), net_rad: motion.net().si(), cycles: f64::from(cycles.max(1)) }
     }
 
-    /// Duration of all cycles \[s\].
+    /// Returns the duration of all cycles \[s\].
     pub(crate) fn duration_s(&self) -> f64 {
         self.period_s * self.cycles
     }
 
-    /// At a time; after the last cycle the axis stands.
+    /// Returns the setpoint at a time; after the last cycle the axis is at rest.
     pub(crate) fn at(&self, time_s: f64) -> SetPoint {
         let cycle = (time_s / self.period_s).floor().clamp(0.0, self.cycles - 1.0);
         let is_over = time_s >= self.duration_s();
@@ -76,7 +76,7 @@ impl<'a> Course<'a> {
         })
     }
 
-    /// The instant of the first cycle at which the axis is fastest \[s\].
+    /// Returns the instant of the highest speed in the first cycle \[s\].
     pub(crate) fn fastest_s(&self) -> f64 {
         let samples = 2000;
         let instants = (0..=samples).map(|k| self.period_s * f64::from(k) / f64::from(samples));

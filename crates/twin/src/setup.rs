@@ -1,4 +1,4 @@
-//! What is simulated, and why something cannot be.
+//! Setup of a simulation, and reasons for which it is impossible.
 
 use crate::control::Gains;
 use crate::drive::Limits;
@@ -9,7 +9,7 @@ use mechanism::{Extra, Mechanism};
 use motion::Motion;
 use provenance::Missing;
 
-/// Parts of the model, each of which can be switched off.
+/// Parts of the model that can be switched off individually.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[allow(clippy::struct_excessive_bools, reason = "switches")]
 pub struct Switches {
@@ -19,7 +19,7 @@ pub struct Switches {
     pub hysteresis: bool,
     /// Kinematic error of the gear.
     pub kinematic_error: bool,
-    /// The sample by which the current loop is late.
+    /// Delay of the current loop by one sample.
     pub delay: bool,
     /// Limits of current, voltage and speed, and the supervision.
     pub limits: bool,
@@ -28,94 +28,94 @@ pub struct Switches {
 }
 
 impl Default for Switches {
-    /// Everything on.
+    /// Returns the complete model.
     fn default() -> Self {
         Self { friction: true, hysteresis: true, kinematic_error: true, delay: true, limits: true, noise: true }
     }
 }
 
 impl Switches {
-    /// Everything off: the linear drive.
+    /// Returns the linear drive, with all parts switched off.
     #[must_use]
     pub const fn none() -> Self {
         Self { friction: false, hysteresis: false, kinematic_error: false, delay: false, limits: false, noise: false }
     }
 }
 
-/// Voltages that the supply gives to the DC link by itself \[V\].
+/// Voltages of the DC link with supply but without regeneration \[V\].
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Supply {
-    /// Under load at the lowest mains: what the drive works with.
+    /// Voltage under load at the lowest mains, used for the drive.
     pub least_v: f64,
-    /// Without load at nominal mains.
+    /// Voltage without load at nominal mains.
     pub nominal_v: f64,
-    /// Without load at the highest mains: from there on what comes back raises the voltage.
+    /// Voltage without load at the highest mains, above which regeneration raises the voltage.
     pub most_v: f64,
 }
 
 impl Supply {
-    /// A DC link that is stated: one voltage.
+    /// Creates a DC link with a single stated voltage.
     #[must_use]
     pub const fn of(voltage_v: f64) -> Self {
         Self { least_v: voltage_v, nominal_v: voltage_v, most_v: voltage_v }
     }
 }
 
-/// What is simulated.
+/// Setup of a simulation.
 #[derive(Clone, Copy, Debug)]
 pub struct Setup<'a> {
-    /// The actuator and the model.
+    /// Parameters of actuator and model.
     pub parameters: &'a Parameters,
-    /// What is moved.
+    /// Mechanism of the load.
     pub mechanism: &'a Mechanism,
-    /// How it shall move.
+    /// Motion of the cycle.
     pub motion: &'a Motion,
-    /// What each segment of the motion adds to the load.
+    /// Additions of each segment of the motion to the load.
     pub extras: &'a [Extra],
-    /// What happens.
+    /// Scenario of the run.
     pub scenario: Scenario,
-    /// Which parts of the model count.
+    /// Parts of the model that are switched on.
     pub switches: Switches,
-    /// The supply of the DC link.
+    /// Supply of the DC link.
     pub supply: Supply,
-    /// Share of U_DC/√2 that the drive can give.
+    /// Share of U_DC/√2 available from the drive \[1\].
     pub modulation: f64,
-    /// Temperature of the air \[K\].
+    /// Ambient temperature \[K\].
     pub ambient_k: f64,
-    /// Temperatures of winding and housing at the start \[K\]; without them those of the air.
+    /// Initial temperatures of winding and housing \[K\]; `None` for ambient temperature.
     pub start_k: Option<[f64; 2]>,
-    /// Gains; without them those of the rule.
+    /// Gains of the loops; `None` for the default gains.
     pub gains: Option<Gains>,
-    /// What is supervised; without it what follows from the data.
+    /// Limits of the supervision; `None` for those derived from the data.
     pub limits: Option<Limits>,
-    /// The signals of the feedback on the motor; without them it cannot fail.
+    /// Signals of the motor feedback; without them it cannot fail.
     pub encoder: Option<&'a Encoder>,
-    /// Whether the position loop is closed over the encoder at the output instead of that of the motor.
+    /// The position loop is closed by the encoder at the output instead of that of the motor.
     pub loop_at_output: bool,
-    /// Within this angle of its last position the axis counts as settled \[rad\].
+    /// Distance from the last position within which the axis counts as settled \[rad\].
     pub settled_rad: f64,
-    /// Steps of the solver in one period of the current loop.
+    /// Solver steps per period of the current loop.
     pub substeps: u32,
     /// Seed of phases and noise.
     pub seed: u64,
-    /// A speed that is stepped to instead of the motion [rad/s].
+    /// Speed step instead of the motion [rad/s].
     pub speed_step: Option<f64>,
 }
 
-/// The DC link at which the assumed parts of a drive are rated \[V\]: the mean of a rectifier at 400 V.
+/// DC link voltage at which the assumed parts of a drive are rated \[V\]: the mean of a rectifier at 400 V.
 pub(crate) const SUPPLY_USUAL_V: f64 = 560.0;
 
-/// Steps of the solver in one period of the current loop, unless stated: 10.4 µs each.
+/// Default solver steps per period of the current loop: 10.4 µs each.
 pub const SUBSTEPS_USUAL: u32 = 6;
 
-/// More steps in one period gain nothing and cost time.
+/// Upper limit of the solver steps per period; more gain nothing.
 pub(crate) const SUBSTEPS_MOST: u32 = 1000;
 
-/// The largest product of step and eigenvalue with which the method of fourth order is accurate.
+/// Largest product of step and eigenvalue at which the fourth-order method is accurate.
 pub(crate) const STEP_MOST: f64 = 0.7;
 
 impl<'a> Setup<'a> {
-    /// A load and its motion on an actuator, everything else as usual.
+    /// Creates a setup of a load and its motion on an actuator, with default values otherwise.
     #[must_use]
     pub fn of(parameters: &'a Parameters, mechanism: &'a Mechanism, motion: &'a Motion, extras: &'a [Extra]) -> Self {
         Self {
@@ -141,49 +141,50 @@ impl<'a> Setup<'a> {
     }
 }
 
-/// Why something cannot be simulated.
+/// Reason for which a simulation is impossible.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Fault {
-    /// A datum of the actuator is not known.
+    /// A datum of the actuator is unknown.
     Missing(Missing),
-    /// The torque of the load is recorded with its motion: it does not follow from a state.
+    /// The torque of the load is recorded with its motion and does not follow from the state.
     RecordedTorque,
-    /// A measured value, by its key, that replaces nothing: the load changes with the position, or with the direction of the power.
+    /// A measured value, by its key, does not apply: the load changes with the position, or with the direction of the
+    /// power.
     NotOfThisLoad(&'static str),
     /// The load has no inertia.
     NoInertia,
-    /// The step is too long for the stiffest part.
+    /// The step is too long for the stiffest part of the model.
     StepTooLong {
-        /// Steps in one period of the current loop that would do.
+        /// Number of steps per period of the current loop that would suffice.
         substeps: u32,
     },
-    /// The scenario needs a brake, and the actuator has none.
+    /// The scenario needs a brake, but the actuator has none.
     NoBrake,
-    /// The scenario needs a battery in the feedback, and it has none.
+    /// The scenario needs a battery in the feedback, but there is none.
     NoBattery,
-    /// The feedback fails, and its signals are not known.
+    /// The scenario needs the signals of the feedback, which are unknown.
     NoEncoder,
-    /// The feedback cannot fail so, but in these ways.
+    /// The feedback cannot have this failure.
     NotOfThisEncoder {
-        /// How it shall fail.
+        /// Failure of the scenario.
         failure: Failure,
-        /// How it can.
+        /// Failures that the feedback can have.
         possible: [Option<Failure>; Failure::ALL.len()],
     },
-    /// The position loop is closed at the output, and no encoder is there.
+    /// The position loop is closed at the output, but there is no encoder.
     NoOutputEncoder,
-    /// The scenario takes place after the end of the run.
+    /// The event of the scenario is after the end of the run.
     AfterTheEnd {
-        /// The end \[s\].
+        /// End of the run \[s\].
         end_s: f64,
     },
-    /// The load moves at the instant of a scenario that begins at rest.
+    /// The load moves at the instant of an event that happens at rest.
     NotAtRest,
-    /// The load rests at the instant at which it shall meet a stop.
+    /// The load is at rest at the instant at which it should hit a stop.
     AtRest,
-    /// Gains with which a loop swings up.
+    /// The gains make a loop unstable.
     Unstable,
-    /// A value that is not finite or out of its bounds, by its key.
+    /// A value, by its key, is not finite or out of range.
     OutOfRange(&'static str),
 }
 

@@ -1,9 +1,9 @@
-//! The solver: Taylor's series of fourth order, from kink to kink.
+//! Solver: fourth-order Taylor series between kinks.
 //!
-//! Between two kinks every law of the plant is smooth: the gear is on one part of its torsion curve, each element of the hysteresis sticks
-//! or slips, friction has one direction. There the terms of the series follow from each other, and one evaluation of the laws makes a
-//! step. A step that would pass a kink ends at it. The accounts are trapezoid sums over the nodes with Euler-Maclaurin's correction
-//! at both ends of a piece, of fourth order too.
+//! Between two kinks every law of the plant is smooth: the gear stays in one region of its torsion curve, each
+//! hysteresis element sticks or slips, and friction has one direction. The terms of the series then follow from each
+//! other, and one evaluation of the laws makes a step. A step that would pass a kink ends at it. The energies are
+//! trapezoidal sums over the nodes with Euler-Maclaurin corrections at both ends of a piece, of fourth order too.
 
 mod series;
 
@@ -12,18 +12,19 @@ use crate::plant::{Given, Plant, State};
 use numeric::root;
 use series::{Pace, Series, sum};
 
-/// So many kinks are located within one step; a state that meets more of them passes the next.
+/// Largest number of kinks located within one step; further ones are passed without being located.
 const KINKS_MOST: u32 = 24;
 
-/// This far beyond its end a piece is over: twist \[rad\], its rate [rad/s], torque \[Nm\]. More than rounding, less than matters.
+/// Tolerances beyond which a piece has ended: twist \[rad\], twist rate [rad/s], torque \[Nm\]. Above the rounding
+/// error, below any significance.
 const BEYOND_RAD: f64 = 1e-12;
 const BEYOND_RAD_S: f64 = 1e-11;
 const BEYOND_NM: f64 = 1e-7;
 
-/// Quantities of which an account is the integral: i_d, i_q, i², i_q Ω, Ω², Ω|T|, φ'², T ω.
+/// Integrands of the energy balance: i_d, i_q, i², i_q Ω, Ω², Ω|T|, φ'², T ω.
 type Powers = [f64; 8];
 
-/// What holds from one kink to the next.
+/// Constants between two kinks.
 #[derive(Clone, Copy)]
 struct Piece {
     /// u/L, R/L, ψ/L; zero without pulses.
@@ -32,45 +33,46 @@ struct Piece {
     flux: f64,
     /// p i
     electrical: f64,
-    /// k, b, 1 and the dry friction over J_M, zero where the motor sticks; what the teeth add to the torque.
+    /// k, b, 1 and the dry friction over J_M, zero while the motor sticks; friction of the teeth per torque.
     constant: f64,
     viscous: f64,
     over_rotor: f64,
     dry: f64,
     mesh: f64,
-    /// Sign of Ω T while it slides.
+    /// Sign of Ω T while sliding.
     rubbing: f64,
-    /// 1/J_L, zero where the load sticks, and its dry friction \[Nm\].
+    /// 1/J_L, zero while the load sticks, and the dry friction of the load \[Nm\].
     over_load: f64,
     load_dry_nm: f64,
-    /// Angle of the motor, twist and torque without damping at its start, and the stiffness from there.
+    /// Motor angle, twist and torque without damping at the start of the piece, and the stiffness from there on.
     theta: f64,
     phi: f64,
     static_nm: f64,
     stiffness: f64,
     damping_nms: f64,
-    /// Twists between which it holds.
+    /// Range of twist in which the piece is valid.
     between: [f64; 2],
-    /// Directions of the twist while an element slips, of the torque where the teeth rub, of motor and load where they rub; else zero.
+    /// Directions of the twist while an element slips, of the torque with tooth friction, of motor and load with
+    /// friction; otherwise zero.
     directions: [f64; 4],
-    /// Whether the load touches the stop.
+    /// The load touches the stop.
     touches: bool,
 }
 
-/// A state with what follows from it.
+/// A state with derived quantities.
 #[derive(Clone, Copy)]
 struct Node {
-    /// As in [`State`].
+    /// State variables, see [`State`].
     x: [f64; 6],
     phi: f64,
     /// φ' and T.
     rate: f64,
     gear: f64,
-    /// e' and its two next derivatives.
+    /// e' and its next two derivatives.
     error: [f64; 3],
 }
 
-/// What ends a piece.
+/// Cause of the end of a piece.
 #[derive(Clone, Copy)]
 enum Kink {
     Corner,
@@ -85,11 +87,11 @@ impl Kink {
     const ALL: [Self; 6] = [Self::Corner, Self::Reversal, Self::Pull, Self::Motor, Self::Load, Self::Contact];
 }
 
-/// Where a kink is looked for: φ, φ', T, Ω, q, ω.
+/// Quantities that locate a kink: φ, φ', T, Ω, q, ω.
 type Place = [f64; 6];
 
 impl Piece {
-    /// Whether it still holds at a node.
+    /// Returns `true` if the piece is still valid at a node.
     #[inline(always)]
     fn holds(&self, node: &Node, given: &Given<'_>) -> bool {
         let [low, high] = self.between;
@@ -105,7 +107,7 @@ impl Piece {
                 || self.distance(Kink::Contact, [0.0, 0.0, 0.0, 0.0, node.x[4], speed], given) >= 0.0)
     }
 
-    /// How far a kink is away, in its own measure; negative beyond it.
+    /// Returns the distance from a kink in its own measure; negative beyond it.
     fn distance(&self, kink: Kink, [phi, rate, gear, omega, q, speed]: Place, given: &Given<'_>) -> f64 {
         let [low, high] = self.between;
         let [turning, pull, motor, load] = self.directions;
@@ -124,7 +126,7 @@ impl Piece {
         }
     }
 
-    /// The first kink within a step, and the part of the step up to it.
+    /// Returns the first kink within a step, with the share of the step up to it.
     fn first(&self, series: &Series, (start, end): (&Node, &Node), given: &Given<'_>, h: f64) -> (f64, Kink) {
         let at = |kink, x: f64| {
             let [_, _, _, omega, q, speed] = &series.x;
@@ -184,7 +186,7 @@ fn add(worked: &mut Powers, weight: f64, powers: &Powers) {
 }
 
 impl Plant {
-    /// Some steps of the same duration \[s\] under one voltage and one load.
+    /// Advances several steps of equal duration \[s\] under one voltage and one load.
     pub(crate) fn steps(&self, state: &mut State, given: &Given<'_>, count: u32, h: f64) {
         let (mut worked, mut inner) = (Powers::default(), Powers::default());
         let (mut piece, mut node) = self.piece(state, given);
@@ -221,7 +223,7 @@ impl Plant {
         energies.constants_j += (1.5 * self.flux_vs * self.electrical - self.torque_constant) * turned;
     }
 
-    /// One step in which laws change: part by part.
+    /// Advances a step with changing laws, piece by piece.
     #[cold]
     #[inline(never)]
     fn over_kinks(
@@ -259,14 +261,14 @@ impl Plant {
         (piece, node)
     }
 
-    /// The accounts between two nodes of one piece.
+    /// Adds the integrals between two nodes of one piece.
     fn stretch(&self, worked: &mut Powers, piece: &Piece, (from, to): (&Node, &Node), given: &Given<'_>, h: f64) {
         self.edge(worked, piece, from, given, h);
         add(worked, h, &to.powers());
         self.edge(worked, piece, to, given, -h);
     }
 
-    /// What changes with a kink.
+    /// Applies the change of state at a kink.
     fn pass(&self, state: &mut State, kink: Kink, piece: &Piece) {
         let [turning, pull, ..] = piece.directions;
         match kink {
@@ -285,7 +287,7 @@ impl Plant {
         }
     }
 
-    /// Takes over into the state what a piece did.
+    /// Applies the results of a piece to the state.
     #[inline]
     fn close(&self, state: &mut State, piece: &Piece, node: &Node) {
         let slid = node.x[2] - piece.theta;
@@ -299,7 +301,7 @@ impl Plant {
         state.twist_rad = node.phi;
     }
 
-    /// The piece that holds from a state on.
+    /// Returns the piece that starts at a state.
     #[inline]
     fn piece(&self, state: &mut State, given: &Given<'_>) -> (Piece, Node) {
         let [_, i_q, theta, omega, q, speed] = state.x;
@@ -366,7 +368,7 @@ impl Plant {
         (piece, node)
     }
 
-    /// What follows from a state.
+    /// Returns the quantities derived from a state.
     #[inline(always)]
     fn node(&self, piece: &Piece, anchor: &Anchor, x: [f64; 6]) -> Node {
         let [_, _, theta, omega, q, speed] = x;
@@ -377,7 +379,8 @@ impl Plant {
         Node { x, phi, rate, gear, error: [slope, bend, twist] }
     }
 
-    /// What an end of a piece adds to the accounts: h/2 f + h²/12 f', at its other end with −h; returns ω'.
+    /// Adds the contribution of an end of a piece to the integrals, h/2 f + h²/12 f', with −h for the other end;
+    /// returns ω'.
     #[inline]
     fn edge(&self, worked: &mut Powers, piece: &Piece, node: &Node, given: &Given<'_>, h: f64) -> f64 {
         let [i_d, i_q, _, omega, _, speed] = node.x;
@@ -400,7 +403,7 @@ impl Plant {
         load
     }
 
-    /// Whether what sticks begins to slide.
+    /// Returns `true` if the torque exceeds the breakaway torque and a sticking contact starts to slip.
     #[inline(always)]
     fn releases(&self, state: &State, node: &Node, given: &Given<'_>) -> bool {
         let [motor, load] = state.sliding;
@@ -408,7 +411,7 @@ impl Plant {
             || (load == 0.0 && Self::load_released(node.gear, node.x[4], given) != 0.0)
     }
 
-    /// Whether what sticks begins to slide, from the torques at the start of a piece.
+    /// Starts the sliding of sticking contacts, from the torques at the start of a piece.
     fn let_go(&self, state: &mut State, i_q: f64, gear: f64, slope: f64, given: &Given<'_>) {
         if state.sliding[0] == 0.0 {
             state.sliding[0] = self.released(i_q, gear, slope);
@@ -418,14 +421,14 @@ impl Plant {
         }
     }
 
-    /// Direction in which a motor at rest is driven by more than friction holds, else zero.
+    /// Returns the direction in which a motor at rest is driven beyond its breakaway torque, otherwise zero.
     fn released(&self, i_q: f64, gear: f64, slope: f64) -> f64 {
         let driving = self.torque_constant * i_q - gear * (1.0 - slope);
         let held = self.friction_nm * self.breakaway + self.brake_nm + self.mesh * gear.abs();
         if driving.abs() > held { driving.signum() } else { 0.0 }
     }
 
-    /// That of the load.
+    /// Returns the direction in which a load at rest is driven beyond its breakaway torque, otherwise zero.
     fn load_released(gear: f64, position: f64, given: &Given<'_>) -> f64 {
         let contact =
             given.stop.filter(|stop| stop.pressed(position, 0.0) > 0.0).map_or(0.0, |stop| stop.torque(position, 0.0));

@@ -1,60 +1,60 @@
-//! A run in figures.
+//! Results of a run as figures.
 
 use crate::link::Link;
 use crate::plant::Energies;
 
-/// A run in figures, in SI; currents rms of a phase.
+/// Results of a run, in SI; currents rms of a phase.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Summary {
     /// Simulated time \[s\].
     pub time_s: f64,
-    /// Largest following error of the load, set-point minus position \[rad\].
+    /// Largest following error of the load, setpoint minus position \[rad\].
     pub following_peak_rad: f64,
-    /// Its root mean square \[rad\].
+    /// Root mean square of the following error \[rad\].
     pub following_rms_rad: f64,
-    /// Longest time from the end of a move until the load stays near its last position \[s\]; `None` where no move ends.
+    /// Longest time from the end of a move until the load stays near its final position \[s\]; `None` if no move ends.
     pub settling_s: Option<f64>,
-    /// Largest deviation of the load where it stands, against the set-point \[rad\]: torsion and errors of the gear.
+    /// Largest deviation of the load at rest from the setpoint \[rad\]: torsion and errors of the gear.
     pub standing_rad: Option<f64>,
     /// Largest motor current \[A\].
     pub current_peak_a: f64,
-    /// Its root mean square \[A\].
+    /// Root mean square of the motor current \[A\].
     pub current_rms_a: f64,
     /// Largest torque through the gear \[Nm\].
     pub torque_peak_nm: f64,
     /// Root mean square of the torque through the gear \[Nm\].
     pub torque_rms_nm: f64,
-    /// Largest speed of the motor over i [rad/s].
+    /// Largest motor speed over i [rad/s].
     pub speed_peak_rad_s: f64,
-    /// Temperatures of winding and housing at the end, and the largest of the winding \[K\]; zero without a heat model.
+    /// Final temperature of the winding \[K\]; zero without a heat model, as for the following two.
     pub winding_end_k: f64,
-    /// \[K\]
+    /// Final temperature of the housing \[K\].
     pub housing_end_k: f64,
-    /// \[K\]
+    /// Largest temperature of the winding \[K\].
     pub winding_peak_k: f64,
-    /// Largest state of the overload supervision.
+    /// Largest state of the overload supervision \[1\].
     pub overload_peak: f64,
-    /// Least voltage of the DC link at the least of the supply, and largest at the largest of it \[V\].
+    /// Lowest DC link voltage at the lowest supply, and highest at the highest supply \[V\].
     pub link_v: [f64; 2],
-    /// Energies.
+    /// Energy balance of the run.
     pub energies: Energies,
-    /// What the balance of energy does not account for, and what went through the motor \[J\].
+    /// Error of the energy balance \[J\].
     pub unaccounted_j: f64,
-    /// \[J\]
+    /// Energy through the motor, in both directions \[J\].
     pub throughput_j: f64,
-    /// From the supply, at its least voltage, and heat of the brake resistor, at its largest \[J\].
+    /// Energy from the supply at its lowest voltage \[J\].
     pub supplied_j: f64,
-    /// \[J\]
+    /// Heat in the braking resistor at the highest voltage of the supply \[J\].
     pub resistor_j: f64,
-    /// Times that the brake closed at rest and on a moving axis.
+    /// Number of closings of the brake at rest and on a moving axis.
     pub brake_closings: [u32; 2],
-    /// Time from the event of the scenario until the axis stands \[s\] and its way \[rad\]; `None` where nothing stops it.
+    /// Time from the event of the scenario until the axis is at rest \[s\]; `None` if it does not stop.
     pub stop_s: Option<f64>,
-    /// \[rad\]
+    /// Path from the event until the axis is at rest \[rad\].
     pub stop_rad: Option<f64>,
 }
 
-/// What a run gathers on its way.
+/// Results accumulated during a run.
 #[derive(Clone, Debug)]
 pub(crate) struct Gathered {
     settled_rad: f64,
@@ -62,7 +62,7 @@ pub(crate) struct Gathered {
     looks: f64,
     settling: Option<f64>,
     standing: Option<f64>,
-    /// Since when the set-point rests, and errors since then.
+    /// Start of the present rest of the setpoint \[s\], and the errors since then \[rad\].
     rest: Option<(f64, Vec<f64>)>,
     current: [f64; 2],
     periods: f64,
@@ -76,10 +76,10 @@ pub(crate) struct Gathered {
     stop_way: f64,
 }
 
-/// So many errors of one rest are kept: a hundred seconds.
+/// Largest number of errors stored for one rest: a hundred seconds.
 const REST_MOST: usize = 200_000;
 
-/// Time between two looks at the position \[s\].
+/// Time between two evaluations of the position \[s\].
 const LOOK_S: f64 = 8.0 * crate::twin::PERIOD_S;
 
 impl Gathered {
@@ -104,12 +104,12 @@ impl Gathered {
         }
     }
 
-    /// Largest torque so far \[Nm\].
+    /// Returns the largest torque so far \[Nm\].
     pub(crate) const fn torque_nm(&self) -> f64 {
         self.torque[0]
     }
 
-    /// At the rate of the position loop.
+    /// Evaluates the position, at the rate of the position loop.
     pub(crate) fn look(&mut self, time: f64, wanted: &[f64; 3], position: f64) {
         let [place, speed, acceleration] = *wanted;
         let error = place - position;
@@ -129,7 +129,7 @@ impl Gathered {
         }
     }
 
-    /// A rest is over; after a move its settling counts.
+    /// Evaluates a rest that has ended; after a move its settling time counts.
     fn rested(&mut self, errors: &[f64], after_move: bool) {
         let Some(last) = errors.last() else { return };
         self.standing = Some(self.standing.unwrap_or(0.0).max(last.abs()));
@@ -141,7 +141,7 @@ impl Gathered {
         }
     }
 
-    /// Once a period.
+    /// Evaluates one period of the current loop.
     #[inline]
     pub(crate) fn each(&mut self, square_a2: f64, torque: f64, speed: f64, [low_v, high_v]: [f64; 2]) {
         self.current[0] = self.current[0].max(square_a2);
@@ -153,14 +153,14 @@ impl Gathered {
         self.link = [self.link[0].min(low_v), self.link[1].max(high_v)];
     }
 
-    /// Once a millisecond.
+    /// Evaluates temperatures and overload, once a millisecond.
     pub(crate) fn warm(&mut self, winding: f64, housing: f64, overload: f64) {
         self.temperatures = [winding, housing, self.temperatures[2].max(winding)];
         self.overload = self.overload.max(overload);
     }
 
-    /// The stop after the event of a scenario; whether the axis stands for good, as far as is known. One that hangs is at rest for a
-    /// moment before it sags.
+    /// Evaluates the stop after the event of a scenario; returns `true` if the axis is at rest so far. An axis under
+    /// gravity is at rest for a moment before it sags.
     pub(crate) fn stop(&mut self, time: f64, happened: bool, rests: bool, position: f64) -> bool {
         if !happened {
             return false;
@@ -171,7 +171,7 @@ impl Gathered {
         }
         if let Some((since, place)) = &mut self.stop_from {
             *place = position;
-            // At rest for good: the first instant of rest, unless it moves on.
+            // The first instant of rest counts, unless the axis moves again.
             if rests && self.stop.is_none() && time > *since + 0.01 {
                 self.stop = Some((time - *since, self.stop_way));
             } else if !rests && self.stop.is_some() {

@@ -1,4 +1,4 @@
-//! The run: control, plant, DC link and supervision, period by period.
+//! A run: control, plant, DC link and supervision, period by period.
 
 mod commanded;
 mod driving;
@@ -32,16 +32,16 @@ pub use sample::Sample;
 /// Duration of a period of the current loop \[s\].
 pub(crate) const PERIOD_S: f64 = 1.0 / CURRENT_RATE_HZ;
 
-/// Periods between two looks at temperatures and supervision: 1 ms.
+/// Periods between two updates of temperatures and supervision: 1 ms.
 const SLOW_EVERY: u64 = 16;
 
-/// After the motion the run goes on for so long \[s\].
+/// Duration of the run after the end of the motion \[s\].
 const AFTER_S: f64 = 0.5;
 
-/// The supply drops to this share and returns after this time \[s\].
+/// Share to which the supply drops, and the duration of the drop \[s\].
 const SAG: (f64, f64) = (0.6, 0.2);
 
-/// A run.
+/// A run of the simulation.
 #[derive(Clone, Debug)]
 pub struct Twin<'a> {
     setup: Setup<'a>,
@@ -54,7 +54,7 @@ pub struct Twin<'a> {
     stop: Option<Stop>,
     course: Course<'a>,
     point: SetPoint,
-    /// Angle of the motor minus set-point at the start \[rad\].
+    /// Motor angle minus setpoint at the start \[rad\].
     offset_rad: f64,
     control: Control,
     limits: Limits,
@@ -62,7 +62,7 @@ pub struct Twin<'a> {
     brake: BrakeState,
     link_model: LinkModel,
     pub(crate) link: Link,
-    /// The DC link at the largest voltage of the supply, under the same power; `None` where the supply has one voltage.
+    /// DC link at the highest voltage of the supply, under equal power; `None` if the supply has a single voltage.
     link_high: Option<(LinkModel, Link)>,
     supply_share: f64,
     temperatures: Temperatures,
@@ -80,14 +80,14 @@ pub struct Twin<'a> {
     gathered: Gathered,
     events: Vec<Event>,
     stored_at_start_j: f64,
-    /// Heat of the coil of the open brake so far \[J\].
+    /// Heat in the coil of the open brake so far \[J\].
     coil_j: f64,
     ambient_k: f64,
-    /// What a caller commands; `None` where the motion of the project is followed.
+    /// Commands of a caller; `None` if the run follows the motion of the project.
     commanded: Option<Commanded>,
 }
 
-/// What is summed up for the next slow look.
+/// Sums for the next update of the temperatures.
 #[derive(Clone, Copy, Debug, Default)]
 struct Slow {
     copper_j: f64,
@@ -96,10 +96,10 @@ struct Slow {
 }
 
 impl<'a> Twin<'a> {
-    /// A run that stands at its start.
+    /// Creates a run in its initial state.
     ///
     /// # Errors
-    /// [`Fault`]: what is missing, contradicts itself, or cannot be computed with this step.
+    /// [`Fault`]: data are missing or contradictory, or the step is too long.
     pub fn new(setup: &Setup<'a>) -> Result<Self, Fault> {
         Self::build(*setup, None)
     }
@@ -175,7 +175,7 @@ impl<'a> Twin<'a> {
         }
         let holding = local.middle_nm;
         let twist = plant.spring.angle(holding);
-        // e hangs on the angle itself by little: a few steps suffice.
+        // e depends weakly on the angle itself: a few iterations suffice.
         let mut theta = position + twist;
         for _ in 0..6 {
             theta = position + twist + plant.kinematic.map_or(0.0, |error| error.at(theta));
@@ -288,7 +288,7 @@ impl<'a> Twin<'a> {
             ambient_k,
             commanded,
         };
-        // The angle at which the drive starts is the one that it measures.
+        // The initial angle of the drive is the measured one.
         let measured = twin.angle();
         twin.offset_rad = twin.position_seen(measured) - position;
         twin.control = Control::at_rest(gains, &twin.plant, setup.switches.delay, measured, holding);
@@ -298,61 +298,61 @@ impl<'a> Twin<'a> {
         Ok(twin)
     }
 
-    /// The gains in use.
+    /// Returns the gains in use.
     #[must_use]
     pub const fn gains(&self) -> &Gains {
         &self.control.gains
     }
 
-    /// What is supervised.
+    /// Returns the limits of the supervision.
     #[must_use]
     pub const fn limits(&self) -> &Limits {
         &self.limits
     }
 
-    /// Data that are not known, so that a part of the model is left out.
+    /// Returns the symbols of unknown data, whose part of the model is omitted.
     #[must_use]
     pub fn left_out(&self) -> &[&'static str] {
         &self.machine.left_out
     }
 
-    /// The constants and the load at the start, for the linear responses.
+    /// Returns the constants and the load at the start, for the linear responses.
     pub(crate) const fn linear(&self) -> (&Plant, &Local) {
         (&self.plant, &self.local)
     }
 
-    /// Periods of the current loop from start to end.
+    /// Returns the number of periods of the current loop from start to end.
     #[must_use]
     pub const fn periods(&self) -> u64 {
         self.end_tick
     }
 
-    /// Steps of the solver from start to end: the work of the run.
+    /// Returns the number of solver steps from start to end, the work of the run.
     #[must_use]
     pub fn steps(&self) -> u64 {
         self.end_tick * u64::from(self.setup.substeps)
     }
 
-    /// Another wanted speed from now on.
+    /// Changes the speed setpoint.
     #[cfg(test)]
     pub(crate) const fn want_speed(&mut self, speed: f64) {
         self.setup.speed_step = Some(speed);
     }
 
-    /// The time reached \[s\].
+    /// Returns the simulated time \[s\].
     #[must_use]
     #[allow(clippy::cast_precision_loss, reason = "far below 2^53")]
     pub fn time_s(&self) -> f64 {
         self.tick as f64 * PERIOD_S
     }
 
-    /// Whether the end is reached.
+    /// Returns `true` if the end is reached.
     #[must_use]
     pub const fn is_over(&self) -> bool {
         self.tick >= self.end_tick
     }
 
-    /// Goes on for some periods, at most to the end.
+    /// Advances by some periods, at most to the end.
     pub fn advance(&mut self, periods: u64) {
         for _ in 0..periods {
             if self.is_over() {
@@ -367,13 +367,14 @@ impl<'a> Twin<'a> {
         if repeats && self.events.iter().any(|event| event.kind == kind) {
             return;
         }
-        // A cycle that closes its brake a thousand times needs no list of it.
+        // The list is limited: a cycle may close its brake a thousand times.
         if self.events.len() < EVENTS_MOST {
             self.events.push(Event { time_s: self.time_s(), kind });
         }
     }
 
-    /// What the position loop measures: the angle of the motor, or that of the encoder at the output \[rad\].
+    /// Returns the position measured for the position loop \[rad\]: the angle of the motor, or that of the encoder at
+    /// the output.
     fn position_seen(&self, motor_rad: f64) -> f64 {
         let Some([accuracy, step]) = self.machine.feedback_out_rad.filter(|_| self.setup.loop_at_output) else {
             return motor_rad;
@@ -390,7 +391,7 @@ impl<'a> Twin<'a> {
     fn period(&mut self) {
         let time = self.time_s();
         if self.tick.is_multiple_of(POSITION_EVERY) {
-            // After a stop the set-point stands, and what the axis carries stays.
+            // After a stop the setpoint and the segment with its payload remain.
             if matches!(self.phase, Phase::Running | Phase::Resting) {
                 self.point = self.course.at(time);
             }
@@ -441,12 +442,12 @@ impl<'a> Twin<'a> {
         }
     }
 
-    /// The DC link at the largest voltage of the supply.
+    /// Returns the DC link at the highest voltage of the supply.
     pub(crate) fn highest_link(&self) -> &Link {
         self.link_high.as_ref().map_or(&self.link, |(_, link)| link)
     }
 
-    /// The voltage that the control puts out in this period.
+    /// Returns the voltage of the control in this period.
     fn controlled(&mut self) -> [f64; 2] {
         let [i_d, i_q, ..] = self.state.x;
         let [mut i_d, mut i_q] = self.seen_by_the_drive([i_d, i_q]);
@@ -455,7 +456,7 @@ impl<'a> Twin<'a> {
             i_d += noise * self.random.normal();
             i_q += noise * self.random.normal();
         }
-        // The loops of speed and position alone look at it.
+        // Measured only for the speed and position loops.
         let angle_rad = if self.tick.is_multiple_of(SPEED_EVERY) { self.angle() } else { 0.0 };
         let position_rad =
             if self.tick.is_multiple_of(POSITION_EVERY) { self.position_seen(angle_rad) } else { angle_rad };
@@ -487,19 +488,19 @@ impl<'a> Twin<'a> {
         self.given_by_the_drive(voltage)
     }
 
-    /// What happened so far.
+    /// Returns the events so far.
     #[must_use]
     pub fn events(&self) -> &[Event] {
         &self.events
     }
 
-    /// Mean losses up to now.
+    /// Returns the mean losses so far.
     pub(crate) fn losses(&self) -> Losses {
         let (energies, time) = (&self.state.energies, self.time_s().max(PERIOD_S));
         Losses { copper_w: energies.copper_j / time, friction_w: (energies.heat() + self.coil_j) / time }
     }
 
-    /// The run in figures, up to now.
+    /// Returns the results so far.
     #[must_use]
     pub fn summary(&self) -> Summary {
         let stored = self.plant.stored(&self.state) - self.stored_at_start_j;
@@ -515,5 +516,5 @@ impl<'a> Twin<'a> {
     }
 }
 
-/// So many events are kept at most.
+/// Largest number of stored events.
 const EVENTS_MOST: usize = 1000;

@@ -1,4 +1,5 @@
-//! Signals of another unit, sign or side than the columns have: what two signals, or an estimate and the tables, disagree by.
+//! Signals whose unit, sign or side differs from the convention of the columns: disagreement of two signals, or of an
+//! estimate with the tables.
 
 use super::motor::Tabulated;
 use super::moves::Followed;
@@ -16,7 +17,7 @@ identified! {
         Position = "position",
         /// Speed of the load.
         Speed = "speed",
-        /// Speed of the motor over i.
+        /// Motor speed over i.
         MotorSpeed = "motor_speed",
         /// Torque through the gear.
         Torque = "torque",
@@ -31,29 +32,30 @@ identified! {
     pub enum Misread {
         /// The opposite sign.
         Reversed = "reversed",
-        /// Degrees in the place of radians.
+        /// Degrees instead of radians.
         Degrees = "degrees",
-        /// Revolutions in the place of radians.
+        /// Revolutions instead of radians.
         Turns = "turns",
-        /// Revolutions per minute in the place of radians per second.
+        /// Revolutions per minute instead of radians per second.
         PerMinute = "per_minute",
-        /// The motor shaft, not divided by i (a torque: not multiplied).
+        /// The motor shaft without division by i (a torque: without multiplication).
         MotorShaft = "motor_shaft",
         /// The motor shaft in revolutions per minute.
         MotorShaftPerMinute = "motor_shaft_per_minute",
-        /// Milliseconds in the place of seconds.
+        /// Milliseconds instead of seconds.
         Milliseconds = "milliseconds",
-        /// The rms value in the place of the peak value of a phase.
+        /// The rms value instead of the peak value of a phase.
         Rms = "rms",
         /// i_q of a power-invariant transformation, √(3/2) times the peak of a phase.
         PowerInvariant = "power_invariant",
         /// √2 times the peak value of a phase.
         PeakTwice = "peak_twice",
-        /// The weight acts on the other side: the position counts the other way, or from half a turn beside.
+        /// The weight acts on the opposite side: the position counts in the opposite direction, or with an offset of
+        /// half a turn.
         GravityOpposite = "gravity_opposite",
-        /// Friction that drives.
+        /// Negative friction, which would drive the axis.
         NegativeFriction = "negative_friction",
-        /// None that is known.
+        /// Unknown convention.
         Other = "other",
     }
 }
@@ -61,30 +63,31 @@ identified! {
 /// Sign of another convention of a signal.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Doubt {
-    /// Signal that does not agree.
+    /// Signal that disagrees.
     pub column: Column,
-    /// Convention that it seems to have.
+    /// Convention that the signal seems to have.
     pub misread: Misread,
-    /// Value that gives rise to the doubt: a ratio of two signals or of an estimate and its table value, an angle \[rad\], a torque \[Nm\].
+    /// Value that causes the doubt: a ratio of two signals or of an estimate and its table value, an angle \[rad\], a
+    /// torque \[Nm\].
     pub value: f64,
 }
 
 /// Largest deviation of a ratio of two signals that should be one. A choice.
 const AGREE: f64 = 0.1;
 
-/// Largest deviation from a ratio that has a name. A choice.
+/// Largest deviation from a ratio with a known cause. A choice.
 const NAMED: f64 = 0.06;
 
 /// Largest deviation of a torque constant from the tables, beyond its interval. A choice: measured joints are within.
 const CONSTANT: f64 = 0.15;
 
-/// Smallest angle between the stated weight and the estimated one that is a doubt \[rad\].
+/// Smallest angle between the stated and the estimated weight that causes a doubt \[rad\].
 const OPPOSITE: f64 = 0.75 * PI;
 
-/// A revolution per minute in rad/s, inverted.
+/// One rad/s in revolutions per minute.
 const PER_MINUTE: f64 = 30.0 / PI;
 
-/// Degrees in a radian.
+/// One radian in degrees.
 const DEGREES: f64 = 180.0 / PI;
 
 /// Comparison of the signals with each other.
@@ -99,7 +102,7 @@ impl Signals {
         let ratio = Tabulated::of(stated.parameters).map_or(f64::NAN, |tabulated| tabulated.ratio);
         let mut doubts = Vec::new();
         if let Some(slope) = followed.map(|followed| followed.slope) {
-            // A run may well make smaller or larger moves; only what has a name is a doubt.
+            // A run may make smaller or larger moves; only ratios with a known cause are doubts.
             let names = [(DEGREES, Misread::Degrees), (0.5 / PI, Misread::Turns), (ratio, Misread::MotorShaft)];
             let named = nearest(slope, &names);
             doubts.extend(named.map(|misread| Doubt { column: Column::Position, misread, value: slope }));
@@ -128,7 +131,7 @@ impl Signals {
         ];
         let speeds = run.speed_rad_s.as_ref().map(|speed| (Column::Speed, against(speed)));
         let motor = Some((Column::MotorSpeed, against(&run.motor_rad_s)));
-        // A position in degrees differs from every speed.
+        // A position in degrees disagrees with every speed.
         let of_position = |factor: f64| (factor - 1.0 / DEGREES).abs() < NAMED / DEGREES;
         let all: Vec<(Column, f64)> = speeds.into_iter().chain(motor).collect();
         if all.iter().any(|(_, value)| of_position(*value)) && doubts.is_empty() {
@@ -139,7 +142,7 @@ impl Signals {
             if (value - 1.0).abs() < AGREE || of_position(value) {
                 continue;
             }
-            // Speeds in the unit of a motor that turns as fast as a number of degrees: the side is likelier for the motor.
+            // A motor speed whose ratio is that of degrees may also be on the motor side, which is more likely.
             let own = nearest(value, &names);
             let side = if column == Column::MotorSpeed { nearest(value, &of_motor) } else { None };
             let misread = side.or(own).unwrap_or(Misread::Other);
@@ -149,14 +152,14 @@ impl Signals {
     }
 }
 
-/// Returns the name of a ratio.
+/// Returns the convention with a ratio.
 fn nearest(value: f64, names: &[(f64, Misread)]) -> Option<Misread> {
     let near = names.iter().filter(|(ratio, _)| (value / ratio - 1.0).abs() < NAMED);
     let off = |(ratio, _): &(f64, Misread)| (value / ratio - 1.0).abs();
     near.min_by(|a, b| off(a).total_cmp(&off(b))).map(|(_, misread)| *misread)
 }
 
-/// Compares the estimates with the sign that physics permits and with project and tables.
+/// Compares the estimates with the physically possible sign, and with project and tables.
 pub(super) fn of_estimates(stated: &Stated<'_>, extras: &[Extra], windows: &Windows, found: &mut Identification) {
     let of = |of| found.estimates.iter().find(|each| each.of == of).copied();
     let mut doubts = Vec::new();
@@ -168,20 +171,20 @@ pub(super) fn of_estimates(stated: &Stated<'_>, extras: &[Extra], windows: &Wind
             doubts.push(Doubt { column: Column::Torque, misread: Misread::Reversed, value: inertia.value });
         } else if let (Some(plain), Some(tabulated)) = (plain, tabulated) {
             let value = inertia.value / plain.inertia_kgm2;
-            // All angles in degrees agree with each other, and a torque before the gear with the motion.
+            // Angles that are all in degrees agree with each other, as a torque before the gear agrees with the motion.
             let names = [(1.0 / DEGREES, Misread::Degrees), (1.0 / tabulated.ratio, Misread::MotorShaft)];
             let column = |misread| if misread == Misread::Degrees { Column::Position } else { Column::Torque };
             let named = nearest(value, &names);
             doubts.extend(named.map(|misread| Doubt { column: column(misread), misread, value }));
         }
     }
-    // What the torque says is then said of all estimates.
+    // A reversed torque explains the signs of all estimates.
     let is_reversed = !doubts.is_empty();
     #[allow(clippy::cast_precision_loss, reason = "counts of windows")]
     let mean = |part: fn(&super::windows::Window) -> f64| {
         windows.all.iter().map(part).sum::<f64>() / (windows.all.len() as f64).max(1.0)
     };
-    // Both parts together at the mean speed: one alone may be negative where friction falls with the speed.
+    // Both parts together at the mean speed: one alone may be negative if friction decreases with the speed.
     let (speed, size) = (mean(|window| window.speed.abs()), mean(|window| window.torque.abs()));
     let friction = |start, with_speed, least: f64| {
         let (start, with_speed) = (of(start)?, of(with_speed)?);
@@ -212,7 +215,7 @@ pub(super) fn of_estimates(stated: &Stated<'_>, extras: &[Extra], windows: &Wind
             (1.0 / tabulated.ratio, Misread::MotorShaft),
         ];
         if value < 0.0 {
-            // Both signs are wrong together where the torque is reversed.
+            // With a reversed torque both signs are wrong together.
             if !is_reversed {
                 doubts.push(Doubt { column: Column::Current, misread: Misread::Reversed, value });
             }

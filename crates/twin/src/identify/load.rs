@@ -1,24 +1,24 @@
-//! Parameters of the load: linear equations of the windows, less what the segments of the motion add.
+//! Parameters of the load: linear equations of the windows, without the additions of the segments.
 
 use super::regression::{Fit, Row, fit};
 use super::windows::{Window, Windows};
 use super::{Estimate, Identification, Identified, IdentifyFault, Observed, Open};
 use mechanism::{Extra, Mechanism, Output, Plain};
 
-/// Over a smaller swing of the position gravity is estimated only where the project states one \[rad\].
+/// Smallest range of the position over which gravity is estimated although the project states none \[rad\].
 const SWING: f64 = 0.2;
 
-/// Radius of the circle that holds 95 % of a normal distribution in two dimensions, over the 95 % quantile of one.
+/// Radius of the circle that contains 95 % of a normal distribution in two dimensions, over the 95 % quantile in one.
 const CIRCLE: f64 = 2.448 / 1.960;
 
-/// Share of an estimate that the trapezoidal rule leaves open where a torque jumps between two samples.
+/// Relative error of an estimate caused by the trapezoidal rule where a torque jumps between two samples.
 const QUADRATURE: f64 = 1e-3;
 
-/// Estimates the parameters of the load, in the presence of the payload of the first segment.
+/// Estimates the parameters of the load, including the payload of the first segment.
 ///
 /// # Valid
-/// a load with constant factors by all of its parameters; any other by what differs from the stated one: its friction, of a linear
-/// drive its inertia too
+/// all parameters of a load with constant coefficients; for other loads the deviation from the stated one: friction,
+/// and for a linear drive the inertia too
 pub(super) fn estimate<'e>(
     run: &Observed,
     windows: &Windows,
@@ -74,7 +74,7 @@ fn plainly<'e>(
     if found.estimates.is_empty() { Err(IdentifyFault::NotExcited) } else { Ok(()) }
 }
 
-/// Torque that a segment adds to that of the first in a window \[Nm\].
+/// Returns the torque that a segment adds to that of the first in a window \[Nm\].
 fn difference(own: &Plain, first: &Plain, window: &Window) -> f64 {
     let weight = |plain: &Plain| {
         let (sine, cosine) = plain.angle_rad.sin_cos();
@@ -94,7 +94,7 @@ fn take(fit: &Fit, of: Identified, place: Option<usize>, both_ways: bool, found:
     };
     let Some((value, half_width)) = fit.estimate(place) else { return };
     let estimate = Estimate { of, value, half_width: half_width.max(QUADRATURE * value.abs()) };
-    // In one direction friction and constant torque share what the others leave.
+    // In one direction friction and constant torque cannot be distinguished.
     if !fit.separates(place) {
         found.open.push((of, if both_ways { Open::NotSeparated } else { Open::OneDirection }));
     } else if of == Identified::LoadInertia && half_width >= super::SHARE_MOST * value.abs() {
@@ -104,7 +104,7 @@ fn take(fit: &Fit, of: Identified, place: Option<usize>, both_ways: bool, found:
     }
 }
 
-/// Weight and angle from the factors of cos q and sin q.
+/// Computes weight and angle from the coefficients of cos q and sin q.
 fn gravity(fit: &Fit, hangs: bool, found: &mut Identification) {
     if !hangs || !fit.separates(3) || !fit.separates(4) {
         found.open.extend([(Identified::Gravity, Open::NotSeparated), (Identified::GravityAngle, Open::NotSeparated)]);
@@ -114,7 +114,7 @@ fn gravity(fit: &Fit, hangs: bool, found: &mut Identification) {
     let weight = c.hypot(*s);
     let factors = |of_c: f64, of_s: f64| fit.quantile * fit.deviation(&[0.0, 0.0, 0.0, of_c, of_s]);
     let size = weight.max(f64::MIN_POSITIVE);
-    // Along the gradient of the hypotenuse and across it; near zero the interval is the circle about both.
+    // Along the gradient of the hypotenuse and perpendicular to it; near zero the interval is the circle about both.
     let [along, across] = [factors(c / size, s / size), factors(-s / size, c / size)];
     let is_there = weight > 2.0 * along.max(across);
     let half = if is_there { along } else { CIRCLE * factors(1.0, 0.0).max(factors(0.0, 1.0)) };
@@ -132,7 +132,8 @@ fn gravity(fit: &Fit, hangs: bool, found: &mut Identification) {
 /// Instants of a window at which the stated load is evaluated.
 const WITHIN: u32 = 8;
 
-/// A load whose factors are not constant: friction, of a linear drive inertia too, beside the stated load without friction.
+/// Estimates friction, and for a linear drive inertia, of a load without constant coefficients, relative to the stated
+/// load without friction.
 fn beside<'e>(
     run: &Observed,
     windows: &Windows,
@@ -143,7 +144,7 @@ fn beside<'e>(
     let is_even = mechanism.travel_m_per_rad().is_some();
     let both_ways = found.both_ways;
     let row = |window: &Window| {
-        // The flange turns with every load, so that the acceleration is a column of all of them.
+        // The flange turns with every load, so that the acceleration is a column in each case.
         let regressors = vec![window.sign, window.speed, 1.0, window.acceleration];
         let own = extra(window.samples.start).map_or(0.0, |extra| without_friction(run, window, mechanism, extra));
         Row { regressors, value: window.torque - own, stroke: window.stroke }
@@ -173,7 +174,7 @@ fn beside<'e>(
     Ok(())
 }
 
-/// Mean torque of the stated load without friction and losses in a window \[Nm\].
+/// Returns the mean torque of the stated load without friction and losses in a window \[Nm\].
 fn without_friction(run: &Observed, window: &Window, mechanism: &Mechanism, extra: &Extra) -> f64 {
     let loading = mechanism.loading(extra);
     let length = window.samples.len() - 1;
@@ -192,7 +193,7 @@ fn without_friction(run: &Observed, window: &Window, mechanism: &Mechanism, extr
             let output = Output { position_rad, speed_rad_s, acceleration_rad_s2, direction: 0.0 };
             loading.at(&output).torque_nm
         };
-        // Viscous friction is odd in the speed, the torque of a changing inertia is even.
+        // Viscous friction is odd in the speed, the torque of a varying inertia is even.
         let own = 0.5 * (state(speed_rad_s, window.acceleration) + state(-speed_rad_s, window.acceleration));
         sum += weight * own;
         all += weight;

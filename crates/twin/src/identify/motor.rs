@@ -1,4 +1,4 @@
-//! Parameters of the motor: current over torque, friction and the acceleration of the rotor.
+//! Parameters of the motor: current as a function of torque, friction and rotor acceleration.
 
 use super::regression::{Prior, Row, fit};
 use super::windows::{Window, Windows};
@@ -8,23 +8,23 @@ use crate::machine::Machine;
 use crate::{Parameters, Switches};
 use std::f64::consts::SQRT_2;
 
-/// Constants of the actuator at the output that the tables state.
+/// Constants of the actuator at the output, from the tables.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Tabulated {
-    /// J_M \[kgm²\]
+    /// J_M: inertia of the rotor \[kgm²\].
     pub(super) rotor_kgm2: f64,
-    /// i k_TM [Nm/A]
+    /// i k_TM: torque constant of the motor [Nm/A].
     pub(super) motor_nm_a: f64,
-    /// k_Tout beside the friction of no load [Nm/A].
+    /// k_Tout without the no-load friction [Nm/A].
     pub(super) output_nm_a: f64,
-    /// i
+    /// i: reduction ratio \[1\].
     pub(super) ratio: f64,
     /// Torsion of the gear.
     spring: Spring,
 }
 
 impl Tabulated {
-    /// Returns the constants, where the tables have all of them.
+    /// Returns the constants, if the tables have all of them.
     pub(super) fn of(parameters: &Parameters) -> Option<Self> {
         let machine = Machine::of(parameters, Switches::default(), 0).ok()?;
         let motor_nm_a = SQRT_2 * machine.plant.torque_constant;
@@ -38,40 +38,40 @@ impl Tabulated {
     }
 }
 
-/// Standard deviation of J_M as the tables have it, as a share: rounding of print and the share of the flange. A guess.
+/// Relative standard deviation of J_M from the tables: rounding and the share of the flange. A guess.
 const ROTOR_SPREAD: f64 = 0.02;
 
-/// Standard deviation of c over that of J_M where the current may be sampled in step with the control, as a share.
+/// Standard deviation of c relative to that of J_M if the current may be sampled in step with the control \[1\].
 ///
-/// The set-point of the current changes with every period of the speed loop by a part of J_M α; an instant that always is the same in
-/// this period sees another current than its mean. Rows each 0.5 ms or 1 ms of the twin see c smaller by 10.5 %, rows each 62.5 µs
-/// or 312.5 µs by less than 0.1 %.
+/// The setpoint of the current changes with each period of the speed loop by a part of J_M α; samples at a fixed phase
+/// of this period differ from the mean current. Rows every 0.5 ms or 1 ms of the twin yield c smaller by 10.5 %, rows
+/// every 62.5 µs or 312.5 µs by less than 0.1 %.
 const SAMPLED_SPREAD: f64 = 0.1;
 
-/// Time between two samples below which a period of the speed loop has several of them \[s\].
+/// Sampling interval below which a period of the speed loop has several samples \[s\].
 const RESOLVED_S: f64 = 2e-4;
 
-/// Smallest half interval, as a share: over a run of some seconds the temperature changes friction by as much. A choice; the twin's
-/// own friction changes by 0.4 % within a run of ten seconds.
+/// Smallest relative half interval: over a run of some seconds the temperature changes friction by as much. A choice;
+/// the friction of the twin changes by 0.4 % within a run of ten seconds.
 const CONSTANT: f64 = 0.005;
 
-/// Equations of the motor, at least.
+/// Smallest number of equations of the motor.
 const LEAST: usize = 12;
 
-/// Share of the squares of the driven torque from which its own factor is estimated.
+/// Share of the squares of the driven torque above which its own coefficient is estimated.
 const DRIVEN: f64 = 0.05;
 
-/// Share of the time between two samples from which a lag of the motor's speed counts, and the least that does \[s\].
+/// Share of the sampling interval above which a lag of the motor speed counts, and the smallest lag that does \[s\].
 const LAG: f64 = 0.25;
 const LAG_LEAST_S: f64 = 1e-4;
 
-/// Time by which the speed of the motor lags the position of the load \[s\]: the difference of two samples lags by half their distance,
-/// the filter of a drive by its time constant.
+/// Returns the lag of the motor speed behind the position of the load \[s\]: the difference of two samples lags by half
+/// their distance, the filter of a drive by its time constant.
 ///
 /// τ = −Σ (Ω − ω − T'/K) α/Σ α²
 ///
 /// # Symbols
-/// T' change of the torque through the gear \[Nm/s\], K its stiffness from the tables [Nm/rad]
+/// T' rate of the torque through the gear \[Nm/s\], K its stiffness from the tables [Nm/rad]
 fn lag_s(windows: &Windows, spring: Option<&Spring>) -> f64 {
     let [product, square] = windows.all.iter().fold([0.0; 2], |[product, square], window| {
         let compliance = spring.map_or(0.0, |spring| spring.stiffness_at(spring.angle(window.torque)).recip());
@@ -87,12 +87,13 @@ fn lag_s(windows: &Windows, spring: Option<&Spring>) -> f64 {
 /// I = a T₊ + d T₋ + I_NLS σ + K Ω + c Ω', k_Tout = 1/a, c = J_M (a + d)/2
 ///
 /// # Symbols
-/// T₊ torque while it drives the load, T₋ while the load drives, c factor of the acceleration of the rotor
+/// T₊ torque while it drives the load, T₋ while the load drives, c coefficient of the rotor acceleration
 /// # Source
-/// docs/theory/twin.md, *Identification*: the losses of the teeth count alike both ways, so that (a + d)/2 = 1/(i k_TM)
+/// docs/theory/twin.md, *Identification*: the losses of the teeth are equal in both directions, so that (a + d)/2 =
+/// 1/(i k_TM)
 /// # Valid
-/// J_M from the tables with a standard deviation of [`ROTOR_SPREAD`], or of [`SAMPLED_SPREAD`]: of a flywheel T is proportional to Ω' but for friction, and the run alone does not
-/// separate k_Tout from J_M
+/// J_M from the tables with a standard deviation of [`ROTOR_SPREAD`], or of [`SAMPLED_SPREAD`]: for a flywheel T is
+/// proportional to Ω' except for friction, and the run alone does not separate k_Tout from J_M
 pub(super) fn estimate(windows: &Windows, parameters: &Parameters, found: &mut Identification) {
     let of = [Identified::TorqueConstant, Identified::StartingCurrent, Identified::CurrentConstant];
     let free: Vec<&Window> = windows.all.iter().filter(|window| !window.limited).collect();
@@ -116,7 +117,7 @@ pub(super) fn estimate(windows: &Windows, parameters: &Parameters, found: &mut I
         if is_driven {
             regressors.push(rest);
         } else if let Some(tabulated) = tabulated {
-            // Too little to estimate from: with the losses of the tables.
+            // Insufficient for an estimate: the losses of the tables are used.
             value -= rest * (2.0 / tabulated.motor_nm_a - 1.0 / tabulated.output_nm_a);
         }
         Row { regressors, value, stroke: window.stroke }

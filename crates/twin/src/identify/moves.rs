@@ -1,35 +1,36 @@
-//! Segments of the motion that a run follows, since payload and process torque belong to a segment.
+//! Segments of the motion that a run follows, because payload and process torque belong to a segment.
 
 use super::Observed;
 use crate::setpoint::Course;
 use motion::Motion;
 use quantities::Measure;
 
-/// A motion laid over a run.
+/// A motion aligned with a run.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Followed<'a> {
     course: Course<'a>,
     /// Time of the cycle at the instant 0 of the run \[s\].
     pub(super) shift_s: f64,
-    /// Position of the run over that of the motion.
+    /// Slope of the position of the run over that of the motion \[1\].
     pub(super) slope: f64,
-    /// Coefficient of correlation of both.
+    /// Correlation coefficient of both.
     correlation: f64,
-    /// Another shift fits as well, and gives other segments.
+    /// Another shift fits equally well and yields other segments.
     pub(super) ambiguous: bool,
 }
 
-/// Coefficient of correlation from which a run follows a motion. A choice: following errors of a tenth of the swing pass.
+/// Smallest correlation coefficient of a run that follows a motion. A choice: it admits following errors of a tenth of
+/// the range.
 const FOLLOWS: f64 = 0.99;
 
-/// Samples that are compared and shifts that are tried, where segments differ, and where the course alone counts.
+/// Number of samples compared and of shifts tried, if segments differ and if only the position matters.
 const FINE: (usize, u32) = (600, 500);
 const ROUGH: (usize, u32) = (200, 100);
 
 impl<'a> Followed<'a> {
-    /// Lays a motion over a run: the clock of the run where it fits, else the shift with the largest correlation.
+    /// Aligns a motion with a run: at the clock of the run if it fits, else at the shift with the largest correlation.
     ///
-    /// `same` returns `true` for two segments that add the same to the load; `None`: all of them do.
+    /// `same` returns `true` for two segments with equal additions to the load; `None` if all segments are equal.
     pub(super) fn of(motion: &'a Motion, run: &Observed, same: Option<&impl Fn(usize, usize) -> bool>) -> Option<Self> {
         let count = run.time_s.len();
         let (samples, shifts) = if same.is_some() { FINE } else { ROUGH };
@@ -45,7 +46,7 @@ impl<'a> Followed<'a> {
             let (slope, correlation) = compared(&picked, &course, shift_s);
             Self { course, shift_s, slope, correlation, ambiguous: false }
         };
-        // A run that the twin wrote has the clock of the motion.
+        // A run written by the twin has the clock of the motion.
         let own = at(0.0);
         if (0.0..period).contains(&first) && own.correlation > FOLLOWS {
             return Some(own);
@@ -65,7 +66,7 @@ impl<'a> Followed<'a> {
             pairs.count() * 50 > picked.len()
         };
         let rival = 1.0 - 4.0 * (1.0 - best.correlation).max(5e-4);
-        // Shifts beside the best one fit nearly as well; another maximum is another course.
+        // Shifts close to the best one fit nearly as well; another maximum is a different alignment.
         best.ambiguous = tried.iter().enumerate().any(|(place, other)| {
             let [before, after] = [place + tried.len() - 1, place + 1].map(|near| tried.get(near % tried.len()));
             let is_highest = [before, after].iter().flatten().all(|near| near.correlation <= other.correlation);
@@ -75,18 +76,18 @@ impl<'a> Followed<'a> {
         Some(best)
     }
 
-    /// Returns `true` if the run has the course of the motion, in whatever unit.
+    /// Returns `true` if the run follows the motion, in any unit.
     pub(super) fn follows(&self) -> bool {
         self.correlation > FOLLOWS
     }
 
-    /// Segment of the motion at an instant of the run.
+    /// Returns the segment of the motion at an instant of the run.
     pub(super) fn segment(&self, time_s: f64) -> usize {
         self.course.at((time_s + self.shift_s).max(0.0)).segment
     }
 }
 
-/// Slope and coefficient of correlation of a run over a motion.
+/// Returns slope and correlation coefficient of a run over a motion.
 fn compared(picked: &[(f64, f64)], course: &Course<'_>, shift_s: f64) -> (f64, f64) {
     #[allow(clippy::cast_precision_loss, reason = "counts of samples")]
     let count = picked.len() as f64;

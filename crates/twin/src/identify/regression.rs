@@ -1,8 +1,8 @@
-//! Least squares with correlated residues, noisy regressors and one value that is known beforehand.
+//! Least squares with correlated residuals, noisy regressors and one known linear relation.
 
 use numeric::Symmetric;
 
-/// One equation: regressors, value, and the stroke that it belongs to.
+/// An equation: regressors, value, and its stroke.
 #[derive(Clone, Debug)]
 pub(super) struct Row {
     pub(super) regressors: Vec<f64>,
@@ -10,34 +10,35 @@ pub(super) struct Row {
     pub(super) stroke: usize,
 }
 
-/// A linear relation of the coefficients that is known with a standard deviation: Σ factor · coefficient = 0 ± spread.
+/// A linear relation of the coefficients known with a standard deviation: Σ factor · coefficient = 0 ± spread.
 #[derive(Clone, Debug)]
 pub(super) struct Prior {
     pub(super) factors: Vec<f64>,
     pub(super) spread: f64,
 }
 
-/// Coefficients with what is known of their errors.
+/// Coefficients with their covariances.
 #[derive(Clone, Debug)]
 pub(super) struct Fit {
     pub(super) values: Vec<f64>,
     /// Covariances of the coefficients.
     covariance: Vec<Vec<f64>>,
-    /// Growth of the variance of each coefficient by what it shares with the other columns; 1 for a column on its own.
+    /// Variance inflation factor of each coefficient caused by the other columns; 1 for an independent column.
     inflation: Vec<f64>,
     /// Quantile of Student's distribution for 95 %.
     pub(super) quantile: f64,
 }
 
-/// Above this growth of its variance a coefficient is one of a combination of columns: the run does not separate it.
+/// Largest variance inflation factor of a coefficient; beyond it the run does not separate it from others.
 ///
 /// 10⁴ is a condition number of 100 of the columns scaled to length one. A choice.
 const INFLATION_MOST: f64 = 1e4;
 
-/// Share of the diagonal that keeps the equations of columns that say the same solvable; their inflation shows them.
+/// Share added to the diagonal, which keeps equations with dependent columns solvable; their inflation factor reveals
+/// them.
 const RIDGE: f64 = 1e-11;
 
-/// Correlation of white noise in neighbouring windows: ∫ sin⁴ cos⁴/∫ sin⁸ over half a period = 3/35.
+/// Correlation of white noise in adjacent windows: ∫ sin⁴ cos⁴/∫ sin⁸ over half a period = 3/35.
 const OVERLAP: f64 = 3.0 / 35.0;
 
 impl Fit {
@@ -66,13 +67,14 @@ impl Fit {
 /// c = (XᵀX − n Σ_u + w pᵀp)⁻¹ Xᵀy, cov c = s² g (XᵀX − n Σ_u + w pᵀp)⁻¹, g = (1 + ρ)/(1 − ρ), w = s² g/σ_p²
 ///
 /// # Symbols
-/// X regressors, y values, n count of equations, Σ_u variances of the noise of the regressors, s² variance of the residue, ρ its
-/// correlation from equation to equation within a stroke (at least that of windows that overlap by half), p and σ_p prior relation with its standard deviation
+/// X regressors, y values, n number of equations, Σ_u variances of the noise of the regressors, s² variance of the
+/// residuals, ρ their correlation from equation to equation within a stroke (at least that of windows that overlap by
+/// half), p and σ_p prior relation with its standard deviation
 /// # Source
 /// Fuller, Measurement Error Models (1987), eq. 2.2.11 for Σ_u; Theil and Goldberger, On pure and mixed statistical estimation in
 /// economics, International Economic Review 2 (1961), for the prior; n/g equations count as independent
 /// # Valid
-/// noise of the regressors small beside the regressors
+/// noise of the regressors small compared with the regressors
 pub(super) fn fit(rows: &[Row], noise: &[f64], prior: Option<&Prior>) -> Option<Fit> {
     let width = rows.first()?.regressors.len();
     if rows.len() <= width + 2 {
@@ -93,7 +95,7 @@ pub(super) fn fit(rows: &[Row], noise: &[f64], prior: Option<&Prior>) -> Option<
     for (place, variance) in noise.iter().enumerate() {
         let cell = normal.get_mut(place)?.get_mut(place)?;
         let own = *cell - count * variance;
-        // More noise than signal: the column says nothing.
+        // More noise than signal: the column carries no information.
         if *variance > 0.0 && own < 0.5 * *cell {
             return None;
         }
@@ -101,7 +103,7 @@ pub(super) fn fit(rows: &[Row], noise: &[f64], prior: Option<&Prior>) -> Option<
     }
     let mut weight = 0.0;
     let mut found = None;
-    // The weight of the prior follows from the variance of the residue, which follows from the weight.
+    // The weight of the prior depends on the variance of the residuals and vice versa.
     for _ in 0..if prior.is_some() { 5 } else { 1 } {
         let (values, inverse, inflation) = solved(&normal, &right, prior.map(|prior| (prior, weight)))?;
         let residues: Vec<(usize, f64)> = rows
@@ -126,7 +128,7 @@ pub(super) fn fit(rows: &[Row], noise: &[f64], prior: Option<&Prior>) -> Option<
     found
 }
 
-/// Coefficients, inverse of the normal matrix, inflation of the variances.
+/// Coefficients, inverse of the normal matrix, variance inflation factors.
 type Solved = (Vec<f64>, Vec<Vec<f64>>, Vec<f64>);
 
 fn solved(normal: &[Vec<f64>], right: &[f64], prior: Option<(&Prior, f64)>) -> Option<Solved> {
@@ -137,7 +139,7 @@ fn solved(normal: &[Vec<f64>], right: &[f64], prior: Option<(&Prior, f64)>) -> O
             line.iter_mut().zip(&prior.factors).for_each(|(cell, b)| *cell += weight * a * b);
         }
     }
-    // Columns of like size, so that what is small is not lost.
+    // Columns are scaled to equal size to preserve small ones.
     let scale: Vec<f64> = (0..width)
         .map(|place| Some(normal.get(place)?.get(place)?.sqrt().max(f64::MIN_POSITIVE)))
         .collect::<Option<_>>()?;
@@ -165,10 +167,10 @@ fn solved(normal: &[Vec<f64>], right: &[f64], prior: Option<(&Prior, f64)>) -> O
     Some((values, inverse, inflation))
 }
 
-/// Quantile of the normal distribution for 95 %, both sides.
+/// Two-sided quantile of the normal distribution for 95 %.
 const NORMAL: f64 = 1.959_964;
 
-/// Returns the quantile of Student's distribution for 95 %, both sides.
+/// Returns the two-sided quantile of Student's distribution for 95 %.
 ///
 /// t = z + (z³ + z)/(4ν) + (5z⁵ + 16z³ + 3z)/(96ν²)
 ///

@@ -1,4 +1,4 @@
-//! The equations of motion over short windows, so that no measured signal is differentiated.
+//! Equations of motion over short windows, so that no measured signal is differentiated.
 
 use super::Observed;
 use std::f64::consts::{PI, SQRT_2};
@@ -7,13 +7,13 @@ use std::ops::Range;
 /// Means over one window, weighted by a smooth function that is zero at both ends.
 #[derive(Clone, Debug)]
 pub(super) struct Window {
-    /// Samples.
+    /// Samples of the window.
     pub(super) samples: Range<usize>,
-    /// Stroke that the window belongs to: a stretch of motion in one direction.
+    /// Stroke of the window: a stretch of motion in one direction.
     pub(super) stroke: usize,
     /// Direction of motion, +1 or −1.
     pub(super) sign: f64,
-    /// q \[rad\], ω [rad/s], α [rad/s²] of the load, from the position alone.
+    /// q \[rad\], ω [rad/s], α [rad/s²] of the load, from the position only.
     pub(super) position: f64,
     pub(super) speed: f64,
     pub(super) acceleration: f64,
@@ -23,11 +23,11 @@ pub(super) struct Window {
     /// Torque through the gear \[Nm\], and its part that drives the load.
     pub(super) torque: f64,
     pub(super) driving: f64,
-    /// Its derivative \[Nm/s\].
+    /// Rate of the torque through the gear \[Nm/s\].
     pub(super) torque_rate: f64,
     /// i_q/√2 \[A\].
     pub(super) current: f64,
-    /// Speed of the motor over i [rad/s] and its derivatives [rad/s²], [rad/s³].
+    /// Motor speed over i [rad/s] and its derivatives [rad/s²], [rad/s³].
     pub(super) motor_speed: f64,
     pub(super) motor_acceleration: f64,
     pub(super) motor_jerk: f64,
@@ -35,60 +35,61 @@ pub(super) struct Window {
     pub(super) limited: bool,
 }
 
-/// Windows of a run with what they rest on.
+/// Windows of a run with their common properties.
 #[derive(Clone, Debug)]
 pub(super) struct Windows {
     pub(super) all: Vec<Window>,
     /// Length of a window \[s\].
     pub(super) length_s: f64,
-    /// Usual time between two samples \[s\].
+    /// Median sampling interval \[s\].
     pub(super) step_s: f64,
-    /// Variance of the noise of α and ω of a window that the noise of the position makes.
+    /// Variances of the noise of α and ω of a window caused by the noise of the position.
     pub(super) noise: [f64; 2],
 }
 
-/// Why a run has no windows.
+/// Reason for which a run has no windows.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum NoWindows {
     /// Too few samples in motion.
     TooFew,
-    /// Steps of the position \[rad\] that hide the acceleration, and the largest that would do \[rad\].
+    /// Step of the position that hides the acceleration \[rad\], and the largest that would be acceptable \[rad\].
     TooCoarse { step_rad: f64, most_rad: f64 },
 }
 
-/// Samples of a window, at least: the trapezoidal rule over the weight function is then good to 10⁻⁴.
+/// Smallest number of samples of a window, with which the trapezoidal rule over the weight function is accurate to
+/// 10⁻⁴.
 const SAMPLES_LEAST: usize = 24;
 
-/// Windows, at least.
+/// Smallest number of windows.
 const WINDOWS_LEAST: usize = 16;
 
 /// Windows per stroke without overlap.
 const PER_STROKE: f64 = 5.0;
 
-/// Below this share of the largest speed friction is not that of motion.
+/// Smallest speed in motion relative to the largest speed; below it friction may be that of rest.
 const MOVING: f64 = 0.05;
 
-/// Above this share of its limit a current counts as limited.
+/// Smallest current relative to its limit that counts as limited.
 const LIMITED: f64 = 0.97;
 
-/// Largest share of the noise in the acceleration of a window, as standard deviations.
+/// Largest noise in the acceleration of a window relative to its rms value.
 const NOISE_MOST: f64 = 0.3;
 
-/// Share of the noise up to which windows are not made longer.
+/// Noise relative to the rms acceleration up to which windows are not lengthened.
 const NOISE_WANTED: f64 = 0.03;
 
-/// An interval of time longer than this many usual ones is a gap.
+/// Smallest gap relative to the median sampling interval.
 const GAP: f64 = 1.5;
 
-/// Stretches of motion in one direction without a gap, and the samples of the noise of the position.
+/// Stretches of motion in one direction without a gap, and the noise of the position.
 #[derive(Clone, Debug)]
 pub(super) struct Strokes {
     pub(super) ranges: Vec<(Range<usize>, f64)>,
-    /// Usual time between two samples \[s\].
+    /// Median sampling interval \[s\].
     pub(super) step_s: f64,
     /// Standard deviation of the noise of the position \[rad\].
     pub(super) noise_rad: f64,
-    /// Step of a position that has few digits \[rad\].
+    /// Step of a position with few digits \[rad\].
     pub(super) quantum_rad: Option<f64>,
     /// Mean speed about each sample [rad/s].
     pub(super) speed: Vec<f64>,
@@ -97,7 +98,7 @@ pub(super) struct Strokes {
 impl Strokes {
     /// Returns the strokes of a run.
     ///
-    /// The speed is that between two samples so far apart that the noise of the position is a small part of it.
+    /// Speeds are differences over a distance of samples at which the noise of the position is small.
     pub(super) fn of(run: &Observed) -> Result<Self, NoWindows> {
         let (time, position) = (&run.time_s, &run.position_rad);
         let mut steps: Vec<f64> = differences(time).collect();
@@ -112,7 +113,7 @@ impl Strokes {
         let apart = 4.0 * noise_rad + quantum_rad.unwrap_or(0.0);
         let mut half = 2_usize;
         let mut speed = Vec::new();
-        // The largest speed and the distance that measures it well depend on each other.
+        // The largest speed and the distance of samples needed for it depend on each other.
         for _ in 0..3 {
             speed = block_speeds(time, position, half);
             let largest = largest(&speed);
@@ -128,7 +129,7 @@ impl Strokes {
             half = next;
         }
         if 8 * half > time.len() {
-            // Nowhere is the speed known beside the steps of the position.
+            // The noise of the position hides the speed everywhere.
             let step_rad = quantum_rad.unwrap_or(noise_rad);
             #[allow(clippy::cast_precision_loss, reason = "counts of samples")]
             let share = time.len() as f64 / (8 * half) as f64;
@@ -144,7 +145,7 @@ impl Strokes {
                 continue;
             }
             if let Some((first, sign)) = from {
-                // Neighbours must move too: about a reversal friction is not that of motion.
+                // Neighbours must move too: near a reversal friction may be that of rest.
                 let (first, end): (usize, usize) = (first + half, k.saturating_sub(half));
                 if end > first {
                     ranges.push((first..end, sign));
@@ -161,12 +162,12 @@ impl Strokes {
     }
 }
 
-/// Differences of neighbours.
+/// Iterates over the differences of adjacent values.
 fn differences(column: &[f64]) -> impl Iterator<Item = f64> {
     column.windows(2).filter_map(|pair| if let [a, b] = pair { Some(b - a) } else { None })
 }
 
-/// (q_{k+h} − q_{k−h})/(t_{k+h} − t_{k−h})
+/// Returns (q_{k+h} − q_{k−h})/(t_{k+h} − t_{k−h}) for each sample.
 fn block_speeds(time: &[f64], position: &[f64], half: usize) -> Vec<f64> {
     let last = time.len().saturating_sub(1);
     let speed = |k: usize| {
@@ -182,13 +183,13 @@ fn largest(speeds: &[f64]) -> f64 {
     speeds.iter().fold(0.0, |most, speed| most.max(speed.abs()))
 }
 
-/// Standard deviation of the noise of a position \[rad\].
+/// Returns the standard deviation of the noise of a position \[rad\].
 ///
 /// σ² = mean (Δ⁴q)²/70
 ///
 /// # Valid
-/// a motion without noise has fourth differences that are small beside the noise; the median of their sizes is taken, so that
-/// some impacts do not count
+/// the fourth differences of the motion without noise are small compared with the noise; the median of their magnitudes
+/// excludes single impacts
 fn noise_of(position: &[f64]) -> f64 {
     let mut sizes: Vec<f64> = position
         .windows(5)
@@ -203,7 +204,7 @@ fn noise_of(position: &[f64]) -> f64 {
     *sizes.select_nth_unstable_by(middle, f64::total_cmp).1 / 0.6745 / 70.0_f64.sqrt()
 }
 
-/// Step of a position that has few digits \[rad\]: every difference is a multiple of it.
+/// Returns the step of a position with few digits \[rad\], of which every difference is a multiple.
 fn quantum_of(position: &[f64]) -> Option<f64> {
     let sizes = || differences(position).map(f64::abs).filter(|size| *size > 1e-13);
     let least = sizes().fold(f64::INFINITY, f64::min);
@@ -211,7 +212,7 @@ fn quantum_of(position: &[f64]) -> Option<f64> {
     for difference in sizes() {
         let steps = difference / least;
         most = most.max(steps);
-        // Beyond some thousand steps rounding hides whether a difference is a multiple.
+        // Beyond some thousand steps rounding hides the step.
         if steps > 5e3 || (steps - steps.round()).abs() > 0.1 {
             return None;
         }
@@ -228,9 +229,10 @@ impl Windows {
     /// # Source
     /// Shinbrot, On the analysis of linear and nonlinear dynamical systems, Trans. ASME 79 (1957): modulating functions
     /// # Valid
-    /// windows overlap by half; the weights of neighbours then correlate by 0.086 and the sum over all is nearly constant.
-    /// A straight line through the ends is taken out of q first, which changes no integral and keeps large angles exact.
-    /// The windows are the shortest, up to a fifth of a stroke, in which the noise of the position is small.
+    /// windows overlap by half; the weights of adjacent windows then have a correlation of 0.086 and their sum is
+    /// nearly constant. A straight line through the ends is first subtracted from q, which changes no integral and
+    /// keeps large angles exact. The windows are the shortest, up to a fifth of a stroke, in which the noise of the
+    /// position is small.
     pub(super) fn of(
         run: &Observed,
         strokes: &Strokes,
@@ -258,7 +260,7 @@ impl Windows {
         let mut length = longest.min(short).max(SAMPLES_LEAST);
         let made = |length: usize| Self::of_length(run, strokes, current_limit_a, length, &is_even);
         let mut found = made(length);
-        // The noise falls with the length to the power of 2.5, while the acceleration hardly changes.
+        // The noise decreases with the length to the power of 2.5, while the acceleration hardly changes.
         let grown = (found.noise_share() / NOISE_WANTED).powf(0.4);
         if grown > 1.0 && length < longest && found.all.len() >= WINDOWS_LEAST {
             #[allow(
@@ -312,7 +314,7 @@ impl Windows {
             if count < length {
                 continue;
             }
-            // Windows lie evenly in the stroke, half a length apart or a little less.
+            // Windows are evenly spaced in the stroke, at most half a length apart.
             let gaps = (2 * (count - length)).div_ceil(length);
             for place in 0..=gaps {
                 let first = range.start + (count - length) * place / gaps.max(1);
@@ -323,7 +325,7 @@ impl Windows {
         }
         #[allow(clippy::cast_precision_loss, reason = "counts of samples")]
         let (count, length_s) = (length as f64, length as f64 * strokes.step_s);
-        // ∫ w″² dt = 4 π⁴/L³, ∫ w′² dt = 5 π²/(8 L), ∫ w dt = 3 L/8, a sample each L/n.
+        // ∫ w″² dt = 4 π⁴/L³, ∫ w′² dt = 5 π²/(8 L), ∫ w dt = 3 L/8, one sample per L/n.
         let quantised = strokes.quantum_rad.map_or(0.0, |step| step / 12.0_f64.sqrt());
         let variance = strokes.noise_rad.max(quantised).powi(2);
         let noise = [4.0 * PI.powi(4) / length_s.powi(4), 5.0 * PI.powi(2) / 8.0 / length_s.powi(2)]
@@ -333,7 +335,8 @@ impl Windows {
 }
 
 impl Strokes {
-    /// Acceleration that a tenth of the samples in motion exceed [rad/s²], from differences of the speed over a tenth of a stroke.
+    /// Returns the acceleration exceeded by a tenth of the samples in motion [rad/s²], from differences of the speed
+    /// over a tenth of a stroke.
     fn ramp(&self, run: &Observed) -> f64 {
         let mut all = Vec::new();
         for (range, _) in &self.ranges {
@@ -356,7 +359,7 @@ impl Strokes {
     }
 }
 
-/// Samples over which the sign of a torque is taken: half of them to each side.
+/// Number of samples over which the sign of a torque is determined, half of them on each side.
 const SIGN_HALF: usize = 4;
 
 fn window(

@@ -1,12 +1,12 @@
-//! Terms of Taylor's series of the equations of the plant over one step.
+//! Terms of the Taylor series of the plant's equations over one step.
 
 use super::{Node, Piece};
 use crate::plant::Given;
 
-/// Terms of the series beside the value.
+/// Number of terms of the series after the value.
 const ORDER: usize = 4;
 
-/// The constants of a piece in units of a step: speeds are angles per step.
+/// Constants of a piece in units of a step: speeds are angles per step.
 #[derive(Clone, Copy)]
 pub(super) struct Pace {
     pub(super) h: f64,
@@ -24,14 +24,14 @@ pub(super) struct Pace {
 
 /// Terms of the series over one step.
 pub(super) struct Series {
-    /// Of i_d, i_q, θ, Ω, q, ω.
+    /// Terms of i_d, i_q, θ, Ω, q, ω.
     pub(super) x: [[f64; ORDER]; 6],
-    /// Of φ and T.
+    /// Terms of φ and T.
     pub(super) phi: [f64; ORDER],
     pub(super) gear: [f64; ORDER - 1],
 }
 
-/// c_1 x + c_2 x² + …
+/// Returns c_1 x + c_2 x² + …
 #[inline(always)]
 pub(super) fn sum(terms: &[f64], x: f64) -> f64 {
     terms.iter().rev().fold(0.0, |sum, term| (sum + term) * x)
@@ -57,7 +57,8 @@ impl Pace {
     }
 }
 
-/// Torque of the load at a node \[Nm\], how it grows with the way and its square, and with the speed.
+/// Returns the torque of the load at a node \[Nm\], its linear and quadratic dependence on the position, and its
+/// dependence on the speed.
 #[inline(always)]
 fn load(piece: &Piece, node: &Node, given: &Given<'_>) -> [f64; 4] {
     let [_, _, _, _, q, speed] = node.x;
@@ -76,7 +77,7 @@ fn load(piece: &Piece, node: &Node, given: &Given<'_>) -> [f64; 4] {
 }
 
 impl Series {
-    /// The state after a part of the step.
+    /// Returns the state after a part of the step.
     #[inline(always)]
     pub(super) fn after(&self, start: &[f64; 6], part: f64) -> [f64; 6] {
         let mut x = *start;
@@ -86,7 +87,7 @@ impl Series {
         x
     }
 
-    /// The state after the step.
+    /// Returns the state after the step.
     #[inline(always)]
     pub(super) fn end(&self, start: &[f64; 6]) -> [f64; 6] {
         let mut x = *start;
@@ -96,7 +97,7 @@ impl Series {
         x
     }
 
-    /// Terms of the series of the equations.
+    /// Computes the terms of the series of the equations.
     ///
     /// L i_d' = u_d − R i_d + ω_e L i_q, L i_q' = u_q − R i_q − ω_e (L i_d + ψ), ω_e = p i Ω;
     /// J_M Ω' = k i_q − (1 − e') T − b Ω − σ (T_s + T_Br + (1/η − 1)|T|); J_L ω' = T − T_L;
@@ -110,16 +111,16 @@ impl Series {
         let [slope, bend, third] = node.error;
         let [torque, stiff, square, viscous] = load(piece, node, given);
         let [half, third_part, quarter] = [1.0 / 2.0, 1.0 / 3.0, 1.0 / 4.0];
-        // The unit of time is the step: speeds are angles per step. What a term waits for comes last in it.
+        // The unit of time is the step: speeds are angles per step. The slowest dependency comes last in each term.
         let Pace { h, per, decay, constant, viscous: rub, over_rotor, damping, over_load, .. } = *pace;
         let (k, e, flux, load_rub) = (piece.stiffness, piece.electrical, piece.flux, pace.load_viscous * viscous);
         let (w0, v0, t0) = (h * omega, h * speed, node.gear);
-        // Of what the motor feels of the torque: (1 − e') and the friction of the teeth.
+        // Share of the torque acting on the motor: (1 − e') and the friction of the teeth.
         let p0 = 1.0 - slope;
         let felt = over_rotor * (p0 + piece.mesh);
         let damped = damping * p0;
 
-        // e Ω and the currents meet in products, whose terms are sums of products of terms.
+        // e Ω and the currents form products, whose terms are sums of products of terms.
         let ew0 = e * w0;
         let d1 = pace.voltage[0] - decay * d0 + ew0 * q0;
         let q1 = pace.voltage[1] - decay * q0 - ew0 * d0 - flux * w0;

@@ -1,5 +1,5 @@
-//! A run that a caller commands: a drive outside of the twin gives set-points, switches pulses and brake, and reacts to what is
-//! supervised.
+//! A run commanded by a caller: a drive outside of the twin provides setpoints, switches pulses and brake, and reacts
+//! to the supervision.
 
 use super::Twin;
 use crate::control::Demand;
@@ -8,48 +8,48 @@ use crate::scenario::{EventKind, ScenarioId};
 use crate::setup::{Fault, SUBSTEPS_MOST, Setup};
 use std::f64::consts::SQRT_2;
 
-/// What a caller commands, and what the supervision finds at the moment.
+/// Commands of a caller, and the present findings of the supervision.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Commanded {
-    /// Largest current \[A\], rms; without it that of the actuator.
+    /// Largest current, rms \[A\]; `None` for that of the actuator.
     pub(crate) current_most_a: Option<f64>,
-    /// What is exceeded or missing now.
+    /// Limits exceeded, or signals missing, at present.
     pub(crate) present: Vec<EventKind>,
 }
 
-/// What a drive measures.
+/// Measured values of a drive.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Reading {
-    /// \[s\]
+    /// Time of the reading \[s\].
     pub time_s: f64,
-    /// What the position loop looks at, from that of the start \[rad\], so that it is the position of the load there.
+    /// Position measured for the position loop, with the offset that makes it the load position at the start \[rad\].
     pub position_rad: f64,
-    /// Its speed [rad/s].
+    /// Measured speed [rad/s].
     pub speed_rad_s: f64,
-    /// Current that makes torque \[A\], rms.
+    /// Torque-producing current, rms \[A\].
     pub current_a: f64,
-    /// DC link \[V\].
+    /// DC link voltage \[V\].
     pub link_v: f64,
-    /// Whether the DC link is high enough for pulses.
+    /// The DC link voltage suffices for pulses.
     pub link_ready: bool,
-    /// Temperature that the KTY of the winding shows \[K\]; `None` where no connector leads it out.
+    /// Temperature of the winding's KTY \[K\]; `None` if no connector has contacts for it.
     pub sensor_k: Option<f64>,
-    /// State of the overload supervision; it trips above one.
+    /// State of the overload supervision \[1\]; it trips above one.
     pub overload: f64,
-    /// Whether the brake is closed.
+    /// The brake is closed.
     pub braked: bool,
-    /// Whether the inverter switches.
+    /// The inverter is switching.
     pub pulses: bool,
-    /// Whether current or voltage are at a limit.
+    /// Current or voltage are at a limit.
     pub limited: bool,
 }
 
 impl<'a> Twin<'a> {
-    /// A run without an end that a caller commands: pulses off, brake closed, the load where the motion starts. Where the load or a
-    /// stop are too stiff for the usual step, a shorter one is taken.
+    /// Creates a run without end for commands of a caller: pulses off, brake closed, the load at the start of the
+    /// motion. The step is shortened if the load or a stop are too stiff for the default one.
     ///
     /// # Errors
-    /// As [`Twin::new`].
+    /// See [`Twin::new`].
     pub fn commanded(setup: &Setup<'a>) -> Result<Self, Fault> {
         let mut setup = *setup;
         setup.scenario.id = ScenarioId::Cycle;
@@ -72,7 +72,7 @@ impl<'a> Twin<'a> {
         Ok(twin)
     }
 
-    /// Switches the pulses on and holds the position, where they are off.
+    /// Switches the pulses on if they are off, and holds the position.
     pub fn switch_on(&mut self) {
         if !self.state.pulses {
             self.restart();
@@ -82,33 +82,33 @@ impl<'a> Twin<'a> {
         self.phase = Phase::Commanded(Demand::Position([self.measured_rad(), 0.0, 0.0]));
     }
 
-    /// Commands the brake, where there is one.
+    /// Commands the brake, if there is one.
     pub fn command_brake(&mut self, open: bool) {
         let time = self.time_s();
         self.brake.command(open, time);
     }
 
-    /// What the motor shall do from now on; without pulses nothing.
+    /// Sets the setpoint; ignored without pulses.
     pub fn demand(&mut self, demand: Demand) {
         if let Phase::Commanded(_) = self.phase {
             self.phase = Phase::Commanded(demand);
         }
     }
 
-    /// Largest current from now on \[A\], rms.
+    /// Sets the largest current, rms \[A\].
     pub fn limit_current(&mut self, most_a: f64) {
         if let Some(commanded) = &mut self.commanded {
             commanded.current_most_a = Some(most_a.max(0.0));
         }
     }
 
-    /// What is exceeded or missing now, as the supervision saw it within the last millisecond.
+    /// Returns the limits exceeded, or signals missing, within the last millisecond.
     #[must_use]
     pub fn present(&self) -> &[EventKind] {
         self.commanded.as_ref().map_or(&[], |commanded| &commanded.present)
     }
 
-    /// What happens to the axis from now on, in the place of what happened before. A scenario that is no disturbance ends it.
+    /// Replaces the disturbance of the axis. A scenario that is no disturbance ends the present one.
     pub fn disturb(&mut self, what: ScenarioId) {
         self.stop = None;
         self.supply_share = 1.0;
@@ -131,7 +131,7 @@ impl<'a> Twin<'a> {
         self.notice();
     }
 
-    /// What a drive measures now.
+    /// Returns the present measured values of a drive.
     #[must_use]
     pub fn reading(&self) -> Reading {
         let [_, i_q, _, omega, ..] = self.state.x;
@@ -155,13 +155,13 @@ impl<'a> Twin<'a> {
         self.position_seen(self.angle()) - self.offset_rad
     }
 
-    /// Largest speed of the output [rad/s], largest current \[A\], rms.
+    /// Returns the largest output speed [rad/s] and the largest current, rms \[A\].
     #[must_use]
     pub const fn most(&self) -> [f64; 2] {
         [self.machine.speed_max, self.machine.current_max_a]
     }
 
-    /// Whether the axis has a brake.
+    /// Returns `true` if the axis has a brake.
     #[must_use]
     pub const fn has_brake(&self) -> bool {
         self.brake.exists()

@@ -1,4 +1,4 @@
-//! The drive in motion: brake, scenario, states of the drive.
+//! The drive in motion: brake, scenario, states.
 
 use super::{PERIOD_S, SAG, Twin};
 use crate::control::Control;
@@ -7,7 +7,7 @@ use crate::plant::Stop;
 use crate::scenario::{EventKind, Reaction, ScenarioId};
 
 impl Twin<'_> {
-    /// Scenario, brake and states of the drive, at the rate of the position loop.
+    /// Updates scenario, brake and states of the drive, at the rate of the position loop.
     pub(super) fn manage(&mut self, time: f64) {
         if !self.happened && self.happens_s.is_some_and(|at| time >= at) {
             self.happened = true;
@@ -25,7 +25,7 @@ impl Twin<'_> {
                 let [rest, moved] = &mut self.brake.closings;
                 *(if moving { moved } else { rest }) += 1;
                 self.state.slipped_rad = 0.0;
-                // What is at rest and held sticks.
+                // An axis held at rest sticks.
                 if !moving && self.state.x[3] == 0.0 {
                     self.state.sliding[0] = 0.0;
                 }
@@ -73,12 +73,12 @@ impl Twin<'_> {
         if self.phase == Phase::Off && stands && !is_noted {
             self.note(EventKind::AtRest);
         } else if self.phase == Phase::Off && !rests && is_noted {
-            // It hung still for a moment, or slips again.
+            // The load was at rest for a moment only, or slips again.
             self.events.retain(|event| event.kind != EventKind::AtRest);
         }
     }
 
-    /// The brake within the cycle.
+    /// Operates the brake within the cycle.
     pub(super) fn run(&mut self, time: f64) {
         let [opening, closing] = self.brake.delays();
         if let Some([since, left]) = self.point.braked
@@ -119,7 +119,7 @@ impl Twin<'_> {
         self.events.iter().any(|event| event.kind == kind)
     }
 
-    /// Ends the motion.
+    /// Ends the motion with a reaction.
     pub(super) fn react(&mut self, reaction: Reaction) {
         let time = self.time_s();
         match reaction {
@@ -137,7 +137,7 @@ impl Twin<'_> {
         }
     }
 
-    /// A fault that the drive notices itself.
+    /// Raises a fault detected by the drive.
     pub(super) fn fault(&mut self, kind: EventKind, reaction: Reaction) {
         if !self.has(kind) {
             self.note(kind);
@@ -150,7 +150,7 @@ impl Twin<'_> {
         }
     }
 
-    /// A stop at the position of the load.
+    /// Returns a stop at the position of the load.
     pub(super) fn stop_here(&self, side: f64) -> Stop {
         let stiffness_nm = self.setup.parameters.model.stop_stiffness.value;
         let damping_nms = 0.1 * (stiffness_nm * self.local.inertia_kgm2).sqrt();

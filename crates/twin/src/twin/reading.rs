@@ -1,4 +1,4 @@
-//! What the drive reads of the feedback, also of one that has failed.
+//! Readings of the feedback by the drive, including a failed feedback.
 
 use super::Twin;
 use crate::scenario::{EventKind, Failed, Reaction, ScenarioId};
@@ -7,32 +7,32 @@ use feedback::{Failure, Finding, Interface, Reader};
 use quantities::{Angle, AngularVelocity, Measure};
 use std::f64::consts::TAU;
 
-/// What fails where nothing else is stated.
+/// Failure of the feedback if none is stated.
 const FAILURE_USUAL: Failure = Failure::Cable;
 
-/// The state of the feedback.
+/// State of the feedback.
 #[derive(Clone, Debug)]
 pub(super) struct Encoder {
     pub(super) accuracy_rad: f64,
     pub(super) step_rad: f64,
     pub(super) phases: [f64; 2],
-    /// It has failed.
+    /// Failure of the feedback, if it has failed.
     pub(super) failing: Option<Failing>,
-    /// The angle that it shows too little since it has lost its turns, over i \[rad\].
+    /// Angle missing from the reading after the loss of the turns, over i \[rad\].
     pub(super) lost_rad: f64,
 }
 
-/// A feedback that has failed.
+/// A failed feedback.
 #[derive(Clone, Debug)]
 pub(super) struct Failing {
     failure: Failure,
     since_s: f64,
     reader: Reader,
-    /// What was noticed, after which time \[s\], and the error of the angle then \[rad\].
+    /// Check that detected the failure, the time until then \[s\], and the error of the angle then \[rad\].
     noticed: Option<(Finding, f64, f64)>,
 }
 
-/// Whether the feedback can fail as the scenario says.
+/// Checks that the feedback can have the failure of the scenario.
 pub(super) fn can_fail(setup: &Setup<'_>) -> Result<(), Fault> {
     let encoder = setup.encoder.ok_or(Fault::NoEncoder)?;
     let failure = setup.scenario.failure.unwrap_or(FAILURE_USUAL);
@@ -45,7 +45,7 @@ pub(super) fn can_fail(setup: &Setup<'_>) -> Result<(), Fault> {
 }
 
 impl Twin<'_> {
-    /// The angle that the encoder sees, over i \[rad\].
+    /// Returns the angle measured by the encoder, over i \[rad\].
     fn seen(&self) -> f64 {
         let theta = self.state.x[2];
         if !self.setup.switches.noise {
@@ -53,11 +53,11 @@ impl Twin<'_> {
         }
         let [a, b] = self.encoder.phases;
         let alpha = self.machine.ratio * theta;
-        // Two lines a turn of the motor whose sum stays within the printed accuracy.
+        // Two lines per turn of the motor whose sum stays within the stated accuracy.
         theta + self.encoder.accuracy_rad * (0.6 * (alpha + a).sin() + 0.4 * (2.0 * alpha + b).sin())
     }
 
-    /// The measured angle of the motor, over i \[rad\].
+    /// Returns the measured angle of the motor, over i \[rad\].
     pub(super) fn angle(&self) -> f64 {
         if let Some(failing) = &self.encoder.failing {
             return failing.reader.read_rad() / self.machine.ratio;
@@ -70,19 +70,19 @@ impl Twin<'_> {
         }
     }
 
-    /// Whether the signals of the feedback are known, so that it can fail.
+    /// Returns `true` if the signals of the feedback are known, so that it can fail.
     #[must_use]
     pub fn can_fail(&self) -> bool {
         can_fail(&self.setup).is_ok()
     }
 
-    /// Whether the feedback on the motor is a resolver.
+    /// Returns `true` if the motor feedback is a resolver.
     #[must_use]
     pub fn has_resolver(&self) -> bool {
         self.setup.encoder.is_some_and(|encoder| matches!(encoder.interface, Interface::Resolver(_)))
     }
 
-    /// The feedback fails now.
+    /// Makes the feedback fail.
     pub(super) fn fail(&mut self) {
         let failure = self.setup.scenario.failure.unwrap_or(FAILURE_USUAL);
         let (since_s, ratio) = (self.time_s(), self.machine.ratio);
@@ -92,7 +92,7 @@ impl Twin<'_> {
         self.encoder.failing = reader.map(|reader| Failing { failure, since_s, reader, noticed: None });
     }
 
-    /// Battery and supply of the feedback have failed together: its turns begin at zero.
+    /// Makes battery and supply of the feedback fail together: its turns restart at zero.
     pub(super) fn lose_turns(&mut self) {
         let seen = Angle::from_si(self.machine.ratio * self.seen());
         let absolute = self.setup.encoder.and_then(feedback::Encoder::absolute);
@@ -103,10 +103,10 @@ impl Twin<'_> {
         }
     }
 
-    /// Reads a feedback that has failed, every period of the current loop until it is noticed.
+    /// Reads a failed feedback in each period of the current loop until the failure is detected.
     pub(super) fn read(&mut self, time: f64) {
         let (ratio, seen, theta) = (self.machine.ratio, self.seen(), self.state.x[2]);
-        // What fails in a period is sampled in the next.
+        // A failure within a period is sampled in the next.
         let is_open = |failing: &&mut Failing| failing.noticed.is_none() && time > failing.since_s;
         let Some(failing) = self.encoder.failing.as_mut().filter(is_open) else { return };
         let found = failing.reader.take(Angle::from_si(ratio * seen), time);
@@ -117,7 +117,7 @@ impl Twin<'_> {
         }
     }
 
-    /// The drive has noticed that it has no valid position.
+    /// Reacts to a detected failure of the feedback.
     pub(super) fn no_position(&mut self) {
         if self.encoder.failing.as_ref().is_some_and(|failing| failing.noticed.is_some()) {
             let reaction = if self.brake.exists() { Reaction::Brake } else { Reaction::Coast };
@@ -125,7 +125,7 @@ impl Twin<'_> {
         }
     }
 
-    /// How the feedback failed, and what the drive noticed; `None`: it has not failed.
+    /// Returns the failure of the feedback and its detection; `None` if it has not failed.
     #[must_use]
     pub fn failed(&self) -> Option<Failed> {
         if self.encoder.lost_rad != 0.0 {
@@ -139,27 +139,27 @@ impl Twin<'_> {
         Some(Failed { failure: Some(failing.failure), noticed, error_rad })
     }
 
-    /// The electrical angle by which the field of the drive lies ahead of the rotor's \[rad\]: of a failed feedback alone, since the
-    /// deviation of a sound one is small.
+    /// Returns the electrical angle by which the field of the drive leads the rotor \[rad\], for a failed feedback
+    /// only, because the deviation of an intact one is small.
     fn ahead(&self) -> Option<f64> {
         let failing = self.encoder.failing.as_ref()?;
         Some(self.plant.electrical * (failing.reader.read_rad() / self.machine.ratio - self.state.x[2]))
     }
 
-    /// The currents [i_d, i_q] as the drive sees them, whose d axis follows the angle that it reads.
+    /// Returns the currents [i_d, i_q] in the frame of the drive, whose d axis follows the angle read.
     #[inline]
     pub(super) fn seen_by_the_drive(&self, current: [f64; 2]) -> [f64; 2] {
         self.ahead().map_or(current, |ahead| turned(current, -ahead))
     }
 
-    /// The voltages [u_d, u_q] of the drive at the rotor.
+    /// Returns the voltages [u_d, u_q] of the drive in the frame of the rotor.
     #[inline]
     pub(super) fn given_by_the_drive(&self, voltage: [f64; 2]) -> [f64; 2] {
         self.ahead().map_or(voltage, |ahead| turned(voltage, ahead))
     }
 }
 
-/// A vector turned by an angle.
+/// Returns a vector rotated by an angle.
 fn turned([d, q]: [f64; 2], by: f64) -> [f64; 2] {
     let (sine, cosine) = by.sin_cos();
     [cosine * d - sine * q, sine * d + cosine * q]

@@ -1,4 +1,4 @@
-//! The course of a run: set-point, state and what the drive supervises at one instant.
+//! Samples of a run: setpoint, state and supervised quantities at one instant.
 
 use super::Twin;
 use crate::control::Demand;
@@ -8,11 +8,11 @@ use quantities::Measure;
 /// One instant of a run.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Sample {
-    /// \[s\]
+    /// Time \[s\].
     pub time_s: f64,
-    /// Set-point of the position \[rad\], and its speed [rad/s].
+    /// Position setpoint \[rad\].
     pub wanted_rad: f64,
-    /// Speed of the set-point [rad/s].
+    /// Speed of the setpoint [rad/s].
     pub wanted_rad_s: f64,
     /// Position of the load \[rad\].
     pub position_rad: f64,
@@ -20,11 +20,11 @@ pub struct Sample {
     pub speed_rad_s: f64,
     /// Acceleration of the load [rad/s²].
     pub acceleration_rad_s2: f64,
-    /// Position that the drive reads \[rad\]: as that of the load at the start.
+    /// Position read by the drive \[rad\], equal to that of the load at the start.
     pub measured_rad: f64,
-    /// Angle of the motor over i \[rad\].
+    /// Motor angle over i \[rad\].
     pub motor_rad: f64,
-    /// Speed of the motor over i [rad/s].
+    /// Motor speed over i [rad/s].
     pub motor_rad_s: f64,
     /// Torque through the gear \[Nm\].
     pub torque_nm: f64,
@@ -36,41 +36,41 @@ pub struct Sample {
     pub voltage_q_v: f64,
     /// u_d \[V\].
     pub voltage_d_v: f64,
-    /// DC link at the least voltage of the supply \[V\].
+    /// DC link voltage at the lowest voltage of the supply \[V\].
     pub link_v: f64,
-    /// DC link at the largest voltage of the supply \[V\].
+    /// DC link voltage at the highest voltage of the supply \[V\].
     pub link_high_v: f64,
-    /// Winding \[K\].
+    /// Winding temperature \[K\].
     pub winding_k: f64,
-    /// Housing \[K\].
+    /// Housing temperature \[K\].
     pub housing_k: f64,
-    /// Temperature that the KTY of the winding shows \[K\]; `None` where no connector leads it out.
+    /// Temperature of the winding's KTY \[K\]; `None` if no connector has contacts for it.
     pub sensor_k: Option<f64>,
-    /// State of the overload supervision; it trips above one.
+    /// State of the overload supervision \[1\]; it trips above one.
     pub overload: f64,
     /// Following error at the load \[rad\].
     pub following_rad: f64,
-    /// Whether the brake is closed.
+    /// The brake is closed.
     pub braked: bool,
 }
 
 impl Twin<'_> {
-    /// The set-point of this instant, which may lie between two periods of the position loop.
+    /// Returns the setpoint at this instant, which may be between two periods of the position loop.
     fn wanted(&self) -> [f64; 3] {
         match self.phase {
             Phase::Running | Phase::Resting => self.course.at(self.time_s()).state,
             Phase::Commanded(Demand::Speed(speed)) => [self.state.x[4], speed, 0.0],
-            // What a caller commands, and what stands after a stop, holds until it is changed.
+            // Commands of a caller, and the setpoint after a stop, hold until they are changed.
             Phase::Commanded(Demand::Position(_)) | Phase::Ramp(_) | Phase::Holding(_) | Phase::Off => self.point.state,
         }
     }
 
-    /// Temperature of the winding that a drive can read \[K\].
+    /// Returns the temperature of the winding that a drive can read \[K\].
     pub(super) fn sensor_seen_k(&self) -> Option<f64> {
         (!self.setup.parameters.actuator.without_kty).then_some(self.sensor_k)
     }
 
-    /// The state now.
+    /// Returns the present state.
     #[must_use]
     pub fn sample(&self) -> Sample {
         let [i_d, i_q, theta, omega, position, speed] = self.state.x;

@@ -1,11 +1,11 @@
-//! Where and when a run begins.
+//! Initial conditions of a run, and the instant of its event.
 
 use crate::scenario::ScenarioId;
 use crate::setpoint::Course;
 use crate::setup::{Fault, Setup};
 use quantities::{ElectricPotential, Measure};
 
-/// The air of a scenario \[K\].
+/// Returns the ambient temperature of a scenario \[K\].
 pub(super) fn ambient(setup: &Setup<'_>) -> f64 {
     let range = setup.parameters.actuator.ambient_range.known().map(|known| known.value);
     match (setup.scenario.id, range) {
@@ -15,10 +15,11 @@ pub(super) fn ambient(setup: &Setup<'_>) -> f64 {
     }
 }
 
-/// Voltage of the DC link at which the drive switches off \[V\]: U_DCmax, where a brake resistor can hold the link below it.
+/// Returns the DC link voltage at which the drive switches off \[V\]: U_DCmax if a braking resistor can keep the link
+/// below it.
 ///
-/// Else U_DCmax is passed while braking, which the manual permits for a short time (glossary), and the drive protects itself alone:
-/// at a quarter above its supply, which is ours.
+/// Otherwise U_DCmax is exceeded while braking, which the manual permits for a short time (glossary), and the drive
+/// protects only itself: at a quarter above its supply, chosen by antrieb.
 pub(super) fn link_most(setup: &Setup<'_>) -> f64 {
     let most = ElectricPotential::from_si(setup.supply.most_v);
     let limit = setup.parameters.actuator.dc_link_max.known().map(|known| known.value);
@@ -28,7 +29,7 @@ pub(super) fn link_most(setup: &Setup<'_>) -> f64 {
     }
 }
 
-/// When the scenario takes place.
+/// Returns the instant of the scenario's event \[s\].
 pub(super) fn happens(setup: &Setup<'_>, course: &Course<'_>) -> Result<Option<f64>, Fault> {
     let usual = match setup.scenario.id {
         ScenarioId::Cycle

@@ -1,4 +1,4 @@
-//! Temperatures and what the drive supervises, once a millisecond.
+//! Temperatures and supervision of the drive, once a millisecond.
 
 use super::{PERIOD_S, SAG, SLOW_EVERY, Twin};
 use crate::drive::Phase;
@@ -9,7 +9,7 @@ use provenance::Datum;
 use quantities::{ElectricCurrent, Measure, Ratio, ThermodynamicTemperature, Time};
 
 impl Twin<'_> {
-    /// Temperatures, supervision, and what follows the temperatures, once a millisecond.
+    /// Updates temperatures, temperature-dependent constants and supervision, once a millisecond.
     pub(super) fn supervise(&mut self) {
         #[allow(clippy::cast_precision_loss, reason = "sixteen")]
         let step = SLOW_EVERY as f64 * PERIOD_S;
@@ -31,7 +31,7 @@ impl Twin<'_> {
                     let time_constant: Time = heat.winding_time_constant();
                     overload_slope(Ratio::from_si(state), current, ElectricCurrent::from_si(stall), time_constant)
                 };
-                // Heun's rule, as the temperatures.
+                // Heun's method, as for the temperatures.
                 let first = slope(self.overload);
                 self.overload += 0.5 * step * (first + slope(self.overload + step * first));
             }
@@ -63,7 +63,7 @@ impl Twin<'_> {
         self.notice();
     }
 
-    /// What the drive notices by itself.
+    /// Evaluates the limits that the drive itself supervises.
     pub(super) fn notice(&mut self) {
         let time = self.time_s();
         if let Some(commanded) = &mut self.commanded {
@@ -116,7 +116,7 @@ impl Twin<'_> {
     }
 }
 
-/// The thermal network one step on under constant losses, by Heun's rule.
+/// Returns the temperatures after one step under constant losses, by Heun's method.
 pub(crate) fn warmed(
     from: &Temperatures,
     heat: &actuator::HeatModel,

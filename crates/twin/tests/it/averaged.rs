@@ -6,7 +6,7 @@ use twin::{Averaged, Operation, Parameters, Scenario, Setup, Twin, averaged};
 
 const DAY_S: f64 = 86_400.0;
 
-/// An actuator whose housing and winding are warm within minutes, so that the stepped model comes to an end.
+/// Returns an actuator whose housing and winding are warm within minutes, so that the stepped model comes to an end.
 fn quick() -> Parameters {
     let mut parameters = parameters("CHA-20A-100-H-C1024");
     for (key, value) in [("winding_time_constant", 8.0), ("housing_time_constant", 80.0)] {
@@ -16,8 +16,9 @@ fn quick() -> Parameters {
     parameters
 }
 
-/// From cold through two time constants of the housing: the averaged housing is within 0.03 K of the stepped one at every minute, the winding within its swing in a cycle,
-/// beside a rise of 20 K, and within a thousandth of its losses, a hundredth of its supply.
+/// Over two time constants of the housing from cold, the averaged housing is within 0.03 K of the stepped one at every
+/// minute, the winding within its range in a cycle, compared with a rise of 20 K; the losses agree within a thousandth,
+/// the supply within a hundredth.
 #[test]
 fn the_averaged_model_follows_the_stepped_one() {
     let parameters = quick();

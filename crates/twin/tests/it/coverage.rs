@@ -10,7 +10,7 @@ use twin::{Identified, Observed, Stated, identify};
 
 const RUNS: u64 = 40;
 
-/// Of forty intervals of 95 % fewer than this many hold the planted value in one of 330 campaigns.
+/// Smallest number of forty 95 % intervals that must contain the planted value; one in 330 campaigns has fewer.
 const INSIDE_LEAST: usize = 34;
 
 const NOISE: Instrument = Instrument { torque_nm: 0.3, current_a: 0.05, steps_rad: None };
@@ -21,7 +21,7 @@ const QUANTISED: Instrument = Instrument { steps_rad: Some([1.9e-4, 1.5e-5]), ..
 /// Steps of a tenth of a degree.
 const COARSE: Instrument = Instrument { steps_rad: Some([1.745e-3, 1.5e-5]), ..NOISE };
 
-/// The drive of the tables.
+/// Returns the drive of the tables.
 fn tables() -> Plant {
     let all = parameters(CODE);
     let si = |key: &str| all.list().into_iter().find(|each| each.key == key).and_then(|each| each.value).unwrap().value;

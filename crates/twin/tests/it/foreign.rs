@@ -24,7 +24,7 @@ pub(crate) struct Plant {
     pub(crate) with_speed_as: f64,
 }
 
-/// How the signals are seen.
+/// Properties of the instrument that records the signals.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Instrument {
     /// Standard deviations of the noise of torque and current.
@@ -163,7 +163,7 @@ impl Plant {
         Course { run, motor_rad }
     }
 
-    /// One step of Runge and Kutta's method of fourth order.
+    /// Returns one step of Runge and Kutta's method of fourth order.
     fn stepped(&self, x: &State, time: f64, strokes: &[Stroke]) -> State {
         let h = STEP_S;
         let moved = |slope: &State, by: f64| std::array::from_fn(|k| x[k] + by * slope[k]);

@@ -1,4 +1,4 @@
-//! What is planted is recovered: simulate, add noise, identify.
+//! Identification recovers planted values: simulate, add noise, identify.
 
 use super::parameters;
 use mechanism::{Extra, Friction, Linear, LinearKind, Mechanism, MechanismKind, Rotor, RotorKind};
@@ -41,7 +41,7 @@ fn chained(all: &[(f64, f64)], closing: Closing) -> Motion {
 const EXCITING: [(f64, f64); 8] =
     [(1.6, 0.9), (-1.6, 1.3), (1.0, 0.6), (-1.0, 0.9), (2.2, 1.1), (-2.2, 0.95), (0.8, 0.7), (-0.8, 0.5)];
 
-/// A recorded run of a load, a row each millisecond.
+/// Returns a recorded run of a load, a row each millisecond.
 fn recorded(mechanism: &Mechanism, motion: &Motion, extras: &[Extra], seed: u64) -> Observed {
     let parameters = parameters(CODE);
     let setup = Setup { switches: Switches::default(), seed, ..Setup::of(&parameters, mechanism, motion, extras) };
@@ -61,13 +61,13 @@ fn recorded(mechanism: &Mechanism, motion: &Motion, extras: &[Extra], seed: u64)
     run
 }
 
-/// What a run says of a load that the project states as it is.
+/// Returns the identification of a load that the project states correctly.
 fn said(run: &Observed, mechanism: &Mechanism, motion: &Motion, extras: &[Extra]) -> Identification {
     let parameters = parameters(CODE);
     identify(run, &Stated { parameters: &parameters, mechanism, motion, extras }).unwrap()
 }
 
-/// The run as an instrument shows it: noise of 0.3 Nm on the torque, 0.05 A on the current.
+/// Returns the run as an instrument shows it: noise of 0.3 Nm on the torque, 0.05 A on the current.
 fn measured(run: &Observed, seed: u64) -> Observed {
     let (mut run, mut state) = (run.clone(), seed.wrapping_mul(0xd134_2543_de82_ef95) ^ 0x5eed);
     for torque in &mut run.torque_nm {
@@ -88,7 +88,7 @@ fn none() -> [Extra; 1] {
     [Extra::none()]
 }
 
-/// A flywheel, an arm under gravity and an inclined belt axis, each with friction and a constant torque.
+/// Returns a flywheel, an arm under gravity and an inclined belt axis, each with friction and a constant torque.
 fn loads() -> [Mechanism; 3] {
     let friction = Friction {
         coulomb: Torque::from_si(3.0),
@@ -135,7 +135,8 @@ fn planted(mechanism: &Mechanism) -> Vec<(Identified, f64)> {
     ]
 }
 
-/// How many of forty runs, each with its own phases and noise, have each planted value in its interval.
+/// Returns, for each planted value, the number of forty runs whose interval contains it; each run has phases and noise
+/// of its own.
 fn covered(mechanism: &Mechanism, motion: &Motion) -> Vec<(Identified, usize)> {
     let planted = planted(mechanism);
     let mut inside: Vec<_> = planted.iter().map(|(of, _)| (*of, 0)).collect();
@@ -150,7 +151,7 @@ fn covered(mechanism: &Mechanism, motion: &Motion) -> Vec<(Identified, usize)> {
     inside
 }
 
-/// Of forty runs at least 34 intervals of 95 % contain the planted value: of each parameter, with each load.
+/// At least 34 of forty 95 % intervals contain the planted value, for each parameter and each load.
 #[test]
 fn intervals_contain_the_planted_values() {
     for (place, mechanism) in loads().iter().enumerate() {
@@ -160,7 +161,8 @@ fn intervals_contain_the_planted_values() {
     }
 }
 
-/// Of a run that is partly at the limit of the current, what remains gives the motor's values; of one that always is, none.
+/// A run partly at the current limit yields the motor values from the remaining windows; a run always at the limit
+/// yields none.
 #[test]
 fn windows_at_the_limit_of_the_current_say_nothing_of_the_motor() {
     let motor = [Identified::TorqueConstant, Identified::StartingCurrent, Identified::CurrentConstant];
@@ -263,7 +265,8 @@ fn payloads_that_differ_from_move_to_move_are_taken_into_account() {
     }
 }
 
-/// Of moves alike that carry different payloads in turn, a run whose clock is not that of the cycle does not say which is which.
+/// For equal moves with alternating payloads, a run whose clock is not that of the cycle does not reveal the payload of
+/// each move.
 #[test]
 fn payloads_of_moves_alike_are_not_guessed() {
     let [wheel, ..] = loads();

@@ -18,22 +18,22 @@ use quantities::unit::REVOLUTION_PER_MINUTE;
 use quantities::{AngularVelocity, Measure, MomentOfInertia, Time, Torque};
 use twin::Parameters;
 
-/// The parameters of a code.
+/// Returns the parameters of a code.
 fn parameters(code: &str) -> Parameters {
     Parameters::of(&configurator::parameters(&order_code::parse(code).unwrap().code).unwrap())
 }
 
-/// The signals of its feedback.
+/// Returns the signals of its feedback.
 fn encoder(code: &str) -> feedback::Encoder {
     installation::encoder::encoders(&order_code::parse(code).unwrap().code).unwrap().remove(0).encoder
 }
 
-/// A load at the output.
+/// Returns a load at the output.
 fn load(inertia: f64, friction: f64) -> Mechanism {
     Mechanism::direct(MomentOfInertia::from_si(inertia), Torque::from_si(friction))
 }
 
-/// One move of the manual.
+/// Returns one move of the manual.
 fn one_move(rpm: f64, ramp: f64, run: f64, pause: f64) -> Motion {
     let time = Time::from_si;
     let each = ManualMove {

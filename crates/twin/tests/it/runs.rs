@@ -57,8 +57,8 @@ fn every_scenario_ends_and_its_balance_closes() {
     }
 }
 
-/// What the drive notices of a failed encoder, and when: a word with a wrong check when it has arrived while its tracks still show
-/// the angle; a lost track within a turn of the motor, and the angle that was read by then is wrong.
+/// The drive detects a word with a wrong checksum after its arrival, while the tracks still show the angle, and a lost
+/// track within a turn of the motor, when the angle read is already wrong.
 #[test]
 fn a_failed_encoder_is_noticed_by_what_it_sends() {
     let (mechanism, motion, extras) = (load(0.3, 1.0), one_move(20.0, 0.1, 0.3, 0.2), NOTHING());
@@ -183,7 +183,7 @@ fn the_gains_of_the_rule_are_stable() {
     }
 }
 
-/// What cannot be simulated is refused with its reason.
+/// A simulation that is impossible is rejected with its reason.
 #[test]
 fn what_cannot_be_simulated_is_refused() {
     let with_brake = parameters(CODE);

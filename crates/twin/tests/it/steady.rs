@@ -63,7 +63,7 @@ fn current_and_voltage_of_a_constant_speed_are_those_of_the_sizing() {
     assert!((idle - (starting + 25.0 * constant)).abs() < 5e-4, "{idle} {starting} {constant}");
 }
 
-/// Of a winding whose k_Tout holds the friction the current at T_0 is I_0.
+/// The current at T_0 is I_0 for a winding whose k_Tout includes the friction.
 #[test]
 fn at_the_stall_torque_the_windings_of_48_volt_take_the_stall_current() {
     let parameters = parameters("CHA-14A-100-E-RES");
@@ -157,8 +157,9 @@ fn the_overload_supervision_trips_at_its_time() {
     assert!((tripped - wanted).abs() < 2e-3, "{tripped} {wanted}");
 }
 
-/// Where no connector leads the KTY out, the PTC is what protects the winding: without a lag it responds when the winding passes
-/// T_NAT, with a lag L when W_0 exp(−t/L) + ∫ W(s) exp(−(t − s)/L) ds/L does. Held by a clamped load on a housing that is hot already.
+/// If no connector has contacts for the KTY, the PTC protects the winding: without a lag it responds when the winding
+/// passes T_NAT, with a lag L when W_0 exp(−t/L) + ∫ W(s) exp(−(t − s)/L) ds/L does. A clamped load holds the axis on a
+/// hot housing.
 #[test]
 fn the_ptc_responds_where_no_kty_is_led_out() {
     let (motion, extras) = (
