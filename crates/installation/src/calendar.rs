@@ -1,63 +1,63 @@
-//! Dates and intervals of a plan. A year is a year of the calendar here, and a month one of its months.
+//! Dates and intervals of a maintenance plan, in calendar years and calendar months.
 
 use chrono::{Datelike, Days, Months, NaiveDate};
 
-/// The years that a date may lie in: what is outside is a slip of the pen.
+/// Permitted years of a date; dates outside are assumed to be slips.
 pub const YEARS: (i32, i32) = (1990, 2199);
 
 /// A whole number of months or of days.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Interval {
-    /// Months of the calendar; twelve of them are a year.
+    /// Calendar months; twelve are a year.
     Months(u32),
-    /// Days; seven of them are a week.
+    /// Days; seven are a week.
     Days(u32),
 }
 
-/// What is wrong with a date.
+/// Fault of a date.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum DateFault {
-    /// No date of the calendar, or not written as `2026-03-01`.
+    /// The text is no calendar date, or not written as `2026-03-01`.
     NoDate {
-        /// As written.
+        /// Text of the date.
         written: String,
     },
-    /// Outside [`YEARS`].
+    /// The date is outside [`YEARS`].
     OutOfRange {
-        /// The date.
+        /// Date read.
         date: NaiveDate,
     },
 }
 
-/// What is wrong with an interval.
+/// Fault of an interval.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum IntervalFault {
-    /// It does not begin with a whole number above zero.
+    /// The interval does not begin with a positive whole number.
     NoWholeNumber {
-        /// As written.
+        /// Text of the interval.
         written: String,
     },
-    /// A number without a unit.
+    /// The number has no unit.
     UnitMissing {
-        /// As written.
+        /// Text of the interval.
         written: String,
     },
-    /// A unit that is none of time, or too short for a plan.
+    /// The unit is no unit of time, or too short for a plan.
     UnitUnknown {
-        /// As written.
+        /// Text of the unit.
         unit: String,
     },
-    /// Longer than a plan may be.
+    /// The interval exceeds [`INTERVAL_MOST_YEARS`].
     TooLong {
-        /// As written.
+        /// Text of the interval.
         written: String,
     },
 }
 
-/// The longest interval of a plan, in years.
+/// Longest interval of a plan \[a\].
 pub const INTERVAL_MOST_YEARS: u32 = 20;
 
-/// The units of an interval with what they are, in both languages.
+/// Units of an interval in both languages, with their lengths.
 const UNITS: [(&[&str], Interval); 4] = [
     (&["a", "year", "years", "jahr", "jahre", "jahren"], Interval::Months(12)),
     (&["month", "months", "monat", "monate", "monaten"], Interval::Months(1)),
@@ -66,7 +66,7 @@ const UNITS: [(&[&str], Interval); 4] = [
 ];
 
 impl Interval {
-    /// The date so many intervals after another. A day that its month lacks is the last one of the month.
+    /// Returns the date `times` intervals after another. A day missing in its month becomes the last day of the month.
     #[must_use]
     pub fn after(self, start: NaiveDate, times: u32) -> Option<NaiveDate> {
         match self {
@@ -75,23 +75,23 @@ impl Interval {
         }
     }
 
-    /// The first date of a series from `start`, itself left out, that is not before `from`.
+    /// Returns the first date of a series after `start` that is not before `from`.
     #[must_use]
     pub fn next(self, start: NaiveDate, from: NaiveDate) -> Option<NaiveDate> {
         (1..).map_while(|times| self.after(start, times)).find(|date| *date >= from)
     }
 
-    /// The shorter of two intervals, by their dates.
+    /// Returns the shorter of two intervals, by their dates after `start`.
     #[must_use]
     pub fn shorter(self, other: Self, start: NaiveDate) -> Self {
         if other.after(start, 1) < self.after(start, 1) { other } else { self }
     }
 }
 
-/// Reads a date as `2026-03-01`.
+/// Parses a date such as `2026-03-01`.
 ///
 /// # Errors
-/// [`DateFault`] for what is none, or lies outside [`YEARS`].
+/// [`DateFault`] if the text is no date, or a date outside [`YEARS`].
 pub fn read_date(text: &str) -> Result<NaiveDate, DateFault> {
     let text = text.trim();
     let no_date = || DateFault::NoDate { written: text.to_owned() };
@@ -107,10 +107,10 @@ pub fn read_date(text: &str) -> Result<NaiveDate, DateFault> {
     if (YEARS.0..=YEARS.1).contains(&date.year()) { Ok(date) } else { Err(DateFault::OutOfRange { date }) }
 }
 
-/// Reads an interval such as `6 months`, `1 a`, `26 weeks`, `90 d`.
+/// Parses an interval such as `6 months`, `1 a`, `26 weeks`, `90 d`.
 ///
 /// # Errors
-/// [`IntervalFault`] for what is none.
+/// [`IntervalFault`] if the text is no interval.
 pub fn read_interval(text: &str) -> Result<Interval, IntervalFault> {
     let text = text.trim();
     let written = || text.to_owned();

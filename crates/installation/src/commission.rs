@@ -1,7 +1,8 @@
-//! Values of the motor of an ordering code for the drive, and measured values of the first run.
+//! Motor data of an ordering code for the drive, and measured values of the commissioning.
 //!
-//! One neutral list of [`Parameter`]s, each in SI with its sources; the forms of the drives ([`sinamics`], [`cia402`]) are tables
-//! that name a parameter, a unit and a rounding, and compute nothing else. What the manual leaves open is a [`Gap`].
+//! A neutral list of [`Parameter`]s, each in SI with its sources; the formats of the drives ([`sinamics`], [`cia402`])
+//! are tables that assign a parameter, a unit and a rounding, and compute nothing else. Values that the manual does not
+//! state are [`Gap`]s.
 
 pub mod checklist;
 pub mod cia402;
@@ -25,33 +26,33 @@ use quantities::{Measure, MomentOfInertia, ThermodynamicTemperature, Unit, ident
 
 macro_rules! parameters {
     ($($(#[$doc:meta])* $name:ident => $id:literal, $symbol:literal, $unit:ident, $conversion:ident;)+) => {
-        /// Values to enter in a drive.
+        /// A value to enter in a drive.
         #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
         pub enum ParameterId { $($(#[$doc])* $name,)+ }
 
         impl ParameterId {
-            /// Every one, in the order of the list.
+            /// The parameters in the order of the list.
             pub const ALL: &'static [Self] = &[$(Self::$name),+];
 
-            /// The identifier in data exchange.
+            /// Returns the identifier used in data exchange.
             #[must_use]
             pub const fn id(self) -> &'static str {
                 match self { $(Self::$name => $id,)+ }
             }
 
-            /// The symbol of the tables, or that of the computed value.
+            /// Returns the symbol of the tables or of the computed value.
             #[must_use]
             pub const fn symbol(self) -> &'static str {
                 match self { $(Self::$name => $symbol,)+ }
             }
 
-            /// The unit in which the list shows it.
+            /// Returns the unit used in the list.
             #[must_use]
             pub fn unit(self) -> &'static Unit {
                 match self { $(Self::$name => &$unit,)+ }
             }
 
-            /// How it follows from what is printed.
+            /// Returns the conversion from the value of the manual.
             #[must_use]
             pub const fn conversion(self) -> Conversion {
                 match self { $(Self::$name => Conversion::$conversion,)+ }
@@ -65,31 +66,31 @@ parameters! {
     ReductionRatio => "reduction_ratio", "i", ONE, AsPrinted;
     /// Pole pairs of the motor.
     PolePairs => "pole_pairs", "p", ONE, AsPrinted;
-    /// Largest speed of the motor.
+    /// Largest motor speed.
     SpeedMotorMax => "speed_motor_max", "n_mot_max", REVOLUTION_PER_MINUTE, AsPrinted;
-    /// Rated speed of the motor.
+    /// Rated motor speed.
     SpeedMotorRated => "speed_motor_rated", "n_N", REVOLUTION_PER_MINUTE, AsPrinted;
     /// Frequency of the current at rated speed.
     FrequencyRated => "frequency_rated", "f_N", HERTZ, Frequency;
-    /// Largest speed at the output.
+    /// Largest output speed.
     SpeedOutMax => "speed_out_max", "n_max", REVOLUTION_PER_MINUTE, AsPrinted;
-    /// Largest torque at the output.
+    /// Largest output torque.
     TorqueOutMax => "torque_out_max", "T_max", NEWTON_METRE, AsPrinted;
     /// Stall torque at the output.
     StallTorqueOut => "stall_torque_out", "T_0", NEWTON_METRE, AsPrinted;
-    /// Torque of the motor at stall current.
+    /// Motor torque at stall current.
     StallTorqueMotor => "stall_torque_motor", "T_0M", NEWTON_METRE, TorqueOfCurrent;
     /// Largest current, rms.
     CurrentMax => "current_max", "I_max", AMPERE, AsPrinted;
-    /// The same as amplitude.
+    /// Largest current, amplitude.
     CurrentMaxPeak => "current_max_peak", "I_max_pk", AMPERE, Amplitude;
     /// Stall current, rms.
     StallCurrent => "stall_current", "I_0", AMPERE, AsPrinted;
-    /// The same as amplitude.
+    /// Stall current, amplitude.
     StallCurrentPeak => "stall_current_peak", "I_0_pk", AMPERE, Amplitude;
-    /// Current at which the magnets begin to lose, rms.
+    /// Current at which demagnetisation begins, rms.
     CurrentDemagnetisation => "current_demagnetisation", "I_E", AMPERE, AsPrinted;
-    /// The smaller one of I_max and I_E, rms.
+    /// Smaller of I_max and I_E, rms.
     CurrentLimit => "current_limit", "I_lim", AMPERE, Smaller;
     /// Torque constant of the motor.
     TorqueConstantMotor => "torque_constant_motor", "k_TM", NEWTON_METRE_PER_AMPERE, AsPrinted;
@@ -115,47 +116,47 @@ parameters! {
     DcLinkMax => "dc_link_max", "U_DCmax", VOLT, AsPrinted;
     /// No-load starting current, rms.
     NoLoadStartingCurrent => "no_load_starting_current", "I_NLS", AMPERE, AsPrinted;
-    /// Rise of the no-load current with the output speed at 30 °C.
+    /// No-load current constant at 30 °C, per output speed.
     NoLoadCurrentConstant30 => "no_load_current_constant_30", "K_INL_30", AMPERE_PER_REVOLUTION_PER_MINUTE, AsPrinted;
-    /// The same at 80 °C.
+    /// No-load current constant at 80 °C, per output speed.
     NoLoadCurrentConstant80 => "no_load_current_constant_80", "K_INL_80", AMPERE_PER_REVOLUTION_PER_MINUTE, AsPrinted;
     /// Winding temperature at which the drive warns.
     WindingWarning => "winding_warning", "T_KTY_warning", DEGREE_CELSIUS, AsPrinted;
     /// Winding temperature at which the drive switches off.
     WindingShutdown => "winding_shutdown", "T_KTY_shutdown", DEGREE_CELSIUS, AsPrinted;
-    /// Increments of the feedback in one turn of the motor.
+    /// Increments of the feedback per motor turn.
     EncoderIncrements => "encoder_increments", "inc", ONE, AsPrinted;
-    /// Periods of the incremental tracks in one turn of the motor; of a resolver its pole pairs.
+    /// Periods of the incremental tracks per motor turn; pole pairs of a resolver.
     EncoderLines => "encoder_lines", "z", ONE, AsPrinted;
-    /// Absolute positions in one turn of the motor.
+    /// Absolute positions per motor turn.
     EncoderPositions => "encoder_positions", "N_1", ONE, AsPrinted;
-    /// Turns of the motor that an absolute feedback counts.
+    /// Motor turns counted by an absolute feedback.
     EncoderTurns => "encoder_turns", "N_t", ONE, AsPrinted;
     /// Voltage of the brake.
     BrakeVoltage => "brake_voltage", "U_Br", VOLT, AsPrinted;
-    /// Current that opens the brake.
+    /// Opening current of the brake.
     BrakeOpeningCurrent => "brake_opening_current", "I_OBr", AMPERE, AsPrinted;
-    /// Current that keeps it open.
+    /// Holding current of the brake, which keeps it open.
     BrakeHoldingCurrent => "brake_holding_current", "I_HBr", AMPERE, AsPrinted;
-    /// Time until it is open.
+    /// Opening time of the brake.
     BrakeOpeningTime => "brake_opening_time", "t_o", MILLISECOND, AsPrinted;
-    /// Time until it is closed.
+    /// Closing time of the brake.
     BrakeClosingTime => "brake_closing_time", "t_c", MILLISECOND, AsPrinted;
     /// Holding torque of the brake at the output.
     BrakeHoldingTorque => "brake_holding_torque", "T_Br", NEWTON_METRE, AsPrinted;
 }
 
 identified! {
-    /// How a value follows from what is printed.
+    /// Conversion from the value of the manual.
     #[derive(Clone, Copy, Debug, PartialEq, Eq)]
     pub enum Conversion {
-        /// The printed value, after errata.
+        /// Value of the manual, including errata.
         AsPrinted = "as_printed",
-        /// 1e-4 kgm² in print, kgm² here.
+        /// Unit conversion from 1e-4 kgm² in the manual to kgm².
         FromTenThousandths = "from_1e-4_kgm2",
-        /// Half of the value between two terminals: the winding is a star (cha-manual section 11.1).
+        /// Half of the value between two terminals: star winding (cha-manual section 11.1).
         PhaseOfStar = "half_of_line_to_line",
-        /// √2 times the rms value: the current is a sine.
+        /// √2 times the rms value of a sinusoidal current.
         Amplitude = "rms_times_sqrt_2",
         /// f_N = p n_N/60.
         Frequency = "p*n_N/60",
@@ -163,35 +164,36 @@ identified! {
         EmfOfSpeed = "k_EM*n_N",
         /// T = k_TM I_0.
         TorqueOfCurrent = "k_TM*I_0",
-        /// The smaller one of two.
+        /// Smaller of two values.
         Smaller = "min(I_max, I_E)",
     }
 }
 
-/// One value to enter in a drive.
+/// A value to enter in a drive, with its sources.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Parameter {
-    /// Which.
+    /// Kind of value.
     pub id: ParameterId,
-    /// Its value in SI.
+    /// Value in SI.
     pub si: f64,
-    /// Where what went in stands.
+    /// Sources of the input values.
     pub sources: Vec<Source>,
-    /// How far it can be trusted.
+    /// Grade of trust.
     pub grade: Grade,
-    /// Errata that touch it.
+    /// Errata that concern the value.
     pub errata: Vec<&'static str>,
 }
 
 impl Parameter {
-    /// The value in the unit of the list, without the noise of a change of units.
+    /// Returns the value in the unit of the list, without rounding errors of the conversion.
     #[must_use]
     pub fn value(&self) -> f64 {
         clean(self.id.unit().from_si(self.si))
     }
 }
 
-/// A number with fifteen significant digits: keeps the digits of the print and drops the noise of unit conversion.
+/// Rounds a number to fifteen significant digits, which keeps the digits of the manual and removes rounding errors of
+/// unit conversion.
 ///
 /// The relative error is at most 5e-16.
 #[must_use]
@@ -199,10 +201,10 @@ pub fn clean(value: f64) -> f64 {
     format!("{value:.14e}").parse().unwrap_or(value)
 }
 
-/// A value that a drive may require and no source states.
+/// A value that a drive may require but no source states.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Gap {
-    /// Rated current, torque and power at rated speed: no table has them.
+    /// Rated current, torque and power at rated speed, which no table states.
     RatedPoint,
     /// Rated voltage of the motor.
     RatedVoltage,
@@ -212,20 +214,20 @@ pub enum Gap {
     PolePosition,
     /// Thermal time constant of the winding for I²t.
     ThermalTimeConstant,
-    /// Difference of the inductances along and across the rotor, and saturation.
+    /// Saliency, the difference of the inductances along and across the rotor, and saturation.
     Saliency,
     /// Gains of the loops.
     LoopGains,
-    /// Whether the position rises with the motor clockwise: for the resolver the manual does not say.
+    /// Direction of the position for clockwise rotation of the motor, which the manual does not state for the resolver.
     Counting,
-    /// Resistance, inductance, inertia and pole pairs in CiA 402: the profile has no object for them.
+    /// Resistance, inductance, inertia and pole pairs, for which CiA 402 has no objects.
     OwnObjects,
-    /// A value for which the table has a dash.
+    /// A value with a dash in the table.
     NotPrinted(ParameterId),
 }
 
 impl Gap {
-    /// The identifier in data exchange.
+    /// Returns the identifier used in data exchange.
     #[must_use]
     pub const fn id(self) -> &'static str {
         match self {
@@ -243,48 +245,48 @@ impl Gap {
     }
 }
 
-/// All that is known for the commissioning of one code.
+/// Commissioning data of one code.
 #[derive(Clone, Debug)]
 pub struct Commissioning {
-    /// The code.
+    /// Ordering code of the actuator.
     pub code: OrderCode,
-    /// Every value that is known, in the order of [`ParameterId::ALL`].
+    /// Known values in the order of [`ParameterId::ALL`].
     pub parameters: Vec<Parameter>,
-    /// What is not.
+    /// Values that are not known.
     pub gaps: Vec<Gap>,
-    /// What is printed about its encoders.
+    /// Data of the manual on the encoders.
     pub encoder: Vec<EncoderRow>,
-    /// What is known of the actuator as a whole.
+    /// Parameters of the actuator.
     pub actuator: Parameters,
 }
 
 impl Commissioning {
-    /// The value of a parameter, if it is known.
+    /// Returns a parameter, if its value is known.
     #[must_use]
     pub fn get(&self, id: ParameterId) -> Option<&Parameter> {
         self.parameters.iter().find(|parameter| parameter.id == id)
     }
 
-    /// Returns `true` if the PTC of the winding is led out.
+    /// Returns `true` if a connector has contacts for the PTC of the winding.
     #[must_use]
     pub fn has_ptc(&self) -> bool {
         catalogue::leads_out_ptc(&self.code)
     }
 
-    /// Returns `true` if the KTY of the winding is led out.
+    /// Returns `true` if a connector has contacts for the KTY of the winding.
     #[must_use]
     pub fn has_kty(&self) -> bool {
         catalogue::leads_out_kty(&self.code)
     }
 
-    /// Whether the code has a brake.
+    /// Returns `true` if the code has a brake.
     #[must_use]
     pub fn has_brake(&self) -> bool {
         self.code.brake == Brake::With
     }
 }
 
-/// What is known for the commissioning of a code; `None` where the manual prints no data for it.
+/// Returns the commissioning data of a code; `None` if the manual has no data for it.
 #[must_use]
 pub fn commission(code: &OrderCode) -> Option<Commissioning> {
     let actuator = configurator::parameters(code)?;
@@ -313,14 +315,14 @@ pub fn commission(code: &OrderCode) -> Option<Commissioning> {
     Some(Commissioning { code: *code, parameters, gaps, encoder: encoder::rows(code), actuator })
 }
 
-/// What is found about a parameter.
+/// Result of the search for a parameter.
 enum Found {
     Known(Parameter),
     NotPrinted,
     NotApplicable,
 }
 
-/// A datum as a parameter.
+/// Returns a datum as a parameter.
 fn plain<Q: Measure>(id: ParameterId, datum: &Datum<Q>) -> Found {
     number(id, datum, Q::si)
 }
@@ -339,7 +341,7 @@ fn number<T: Copy>(id: ParameterId, datum: &Datum<T>, si: impl Fn(T) -> f64) -> 
     }
 }
 
-/// One datum of a drive under a factor: half, √2.
+/// Returns a datum multiplied by a factor, such as ½ or √2.
 fn times<Q: Measure>(id: ParameterId, datum: &Datum<Q>, factor: f64) -> Found {
     computed(plain(id, datum), |si| si * factor)
 }
@@ -355,7 +357,7 @@ fn computed(found: Found, change: impl Fn(f64) -> f64) -> Found {
     }
 }
 
-/// Two data joined to a third.
+/// Combines two data into a third.
 fn joined(one: Found, other: Found, join: impl Fn(f64, f64) -> f64) -> Found {
     match (one, other) {
         (Found::Known(one), Found::Known(other)) => Found::Known(Parameter {
@@ -378,7 +380,7 @@ fn find(id: ParameterId, code: &OrderCode, drive: &'static Drive, actuator: &Par
         P::PolePairs => number(id, &actuator.pole_pairs, identity),
         P::SpeedMotorMax => plain(id, &actuator.speed_motor_max),
         P::SpeedMotorRated => plain(id, &actuator.speed_motor_rated),
-        // rad/s over a full turn is Hz.
+        // A speed in rad/s divided by 2π is a frequency in Hz.
         P::FrequencyRated => {
             let (pairs, speed) = (number(id, &actuator.pole_pairs, identity), plain(id, &actuator.speed_motor_rated));
             joined(pairs, speed, |pairs, speed| pairs * speed / std::f64::consts::TAU)
@@ -435,7 +437,8 @@ fn find(id: ParameterId, code: &OrderCode, drive: &'static Drive, actuator: &Par
     }
 }
 
-/// A count of the motor's feedback that one of these symbols heads; a feedback without the row has no such count.
+/// Returns a count of the motor feedback from the row with one of these symbols; a feedback without the row has no such
+/// count.
 fn encoder_count(id: ParameterId, code: &OrderCode, symbols: &[&str]) -> Found {
     let rows = encoder::rows(code);
     let cell = rows
@@ -448,7 +451,7 @@ fn encoder_count(id: ParameterId, code: &OrderCode, symbols: &[&str]) -> Found {
     }
 }
 
-/// I_max, or I_E if that is printed and smaller: a drive must not get a current that demagnetises the magnets.
+/// Returns I_max, or I_E if it is stated and smaller: a drive must not receive a current that demagnetises the magnets.
 fn limit(id: ParameterId, actuator: &Parameters) -> Found {
     let largest = plain(id, &actuator.current_max);
     match plain(id, &actuator.current_demagnetisation) {
@@ -457,9 +460,9 @@ fn limit(id: ParameterId, actuator: &Parameters) -> Found {
     }
 }
 
-/// A threshold of the winding temperature.
+/// Returns a threshold of the winding temperature.
 fn threshold(id: ParameterId, code: &OrderCode, which: &str) -> Found {
-    // A drive can watch only what a connector leads out.
+    // A drive can supervise only sensors with contacts at a connector.
     if !catalogue::leads_out_kty(code) {
         return Found::NotApplicable;
     }

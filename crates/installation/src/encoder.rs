@@ -1,4 +1,4 @@
-//! The encoders of an ordering code as `feedback` simulates them: parameters from the tables, pins from the wiring.
+//! Encoders of an ordering code as simulated by `feedback`: parameters from the tables, pins from the wiring.
 
 use crate::commission::encoder::{EncoderSide, rows};
 use crate::wiring::{Meaning, Pin, Role, Wiring};
@@ -12,53 +12,54 @@ use order_code::OrderCode;
 use provenance::Datum;
 use quantities::{Angle, EffectiveVoltage, ElectricPotential, Frequency, Measure, Unit, identified};
 
-/// Steps within a period of the sine tracks, as the tables count them: 8 bit.
+/// Interpolation steps within a period of the sine tracks, as assumed in the tables: 8 bit.
 ///
 /// # Source
 /// cha-manual tables 57.1, 58.1, 59.1, 68.1, footnote 2
 pub const STEPS_OF_A_PERIOD: u32 = 256;
 
-/// An encoder of an actuator.
+/// An encoder fitted to an actuator.
 #[derive(Clone, Debug)]
 pub struct Fitted {
-    /// Its connector.
+    /// Role of its connector.
     pub role: Role,
-    /// Its signals, without deviation.
+    /// Signals of the encoder, without deviation.
     pub encoder: Encoder,
-    /// What is printed about its accuracy, range and battery.
+    /// Accuracy, range and battery from the manual.
     pub feedback: Feedback,
-    /// The printed cells from which it is made.
+    /// Cells of the manual that determine the encoder.
     pub cells: Vec<&'static Cell>,
 }
 
 identified! {
-    /// What the manual leaves open about an encoder, or the simulation does not hold.
+    /// Assumption about an encoder that the manual leaves open or the simulation does not cover.
     #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
     pub enum Assumed {
-        /// Which of both tracks leads.
+        /// Order of the two tracks.
         OrderOfTracks = "order_of_tracks",
-        /// Where the angle zero lies against the tracks, and the width of the mark.
+        /// Position of the angle zero relative to the tracks, and the width of the mark.
         ZeroOfTracks = "zero_of_tracks",
-        /// Where the commutation signals begin.
+        /// Position of the commutation signals.
         ZeroOfCommutation = "zero_of_commutation",
-        /// The zero of the position against the rotor.
+        /// Zero of the position relative to the rotor.
         ZeroOfPosition = "zero_of_position",
-        /// The zero of the output encoder against that of the motor.
+        /// Zero of the output encoder relative to the motor encoder.
         ZeroOfOutput = "zero_of_output",
-        /// The times of `EnDat`.
+        /// Timing of `EnDat`.
         TimesOfEndat = "times_of_endat",
-        /// The times of SSI.
+        /// Timing of SSI.
         TimesOfSsi = "times_of_ssi",
-        /// The frequency of the excitation, and that the windings do not shift its phase.
+        /// Frequency of the excitation, and windings without phase shift.
         Carrier = "carrier",
-        /// The course of the deviation.
+        /// Deviation curve.
         Deviation = "deviation",
-        /// The count of turns begins at zero after the battery was lost.
+        /// Count of turns restarting at zero after a loss of the battery.
         BatteryLost = "battery_lost",
     }
 }
 
-/// The encoders of a code: the motor feedback and option EC; `None` where a datum is missing that its signals need.
+/// Returns the encoders of a code: the motor feedback and option EC; `None` if a datum required for the signals is
+/// missing.
 #[must_use]
 pub fn encoders(code: &OrderCode) -> Option<Vec<Fitted>> {
     let parameters = configurator::parameters(code)?;
@@ -76,13 +77,13 @@ pub fn encoders(code: &OrderCode) -> Option<Vec<Fitted>> {
 }
 
 impl Fitted {
-    /// The largest deviation to either side.
+    /// Returns the largest deviation in either direction.
     #[must_use]
     pub fn accuracy(&self) -> Option<Angle> {
         self.feedback.accuracy.known().map(|accuracy| accuracy.value)
     }
 
-    /// The same encoder with a deviation that the seed draws; without a printed accuracy it has none.
+    /// Returns the encoder with a deviation determined by a seed; without a stated accuracy it has none.
     #[must_use]
     pub fn deviating(mut self, seed: u64) -> Self {
         let periods = match &self.encoder.interface {
@@ -93,13 +94,13 @@ impl Fitted {
         self
     }
 
-    /// Its shaft while the motor stands or turns, clockwise being positive.
+    /// Returns the encoder shaft for a motor shaft, clockwise positive.
     #[must_use]
     pub fn shaft(&self, motor: Shaft, code: &OrderCode) -> Shaft {
         if self.role == Role::OutputEncoder { motor.behind_gear(u32::from(code.ratio.value())) } else { motor }
     }
 
-    /// The pins of a signal, plus end first.
+    /// Returns the pins of a signal, plus end first.
     #[must_use]
     pub fn pins(&self, signal: Signal, wiring: &Wiring) -> Vec<Pin> {
         let carries = |pin: &&Pin| pin.carries.is_some_and(|carried| of_meaning(carried.meaning) == Some(signal));
@@ -109,18 +110,18 @@ impl Fitted {
         pins
     }
 
-    /// The cell that states a property.
+    /// Returns the cell that states a property.
     #[must_use]
     pub fn cell(&self, symbol: &str, condition: &str) -> Option<&'static Cell> {
         Rows(&self.cells).cell(symbol, condition)
     }
 
-    /// What is assumed about it.
+    /// Returns the assumptions about the encoder.
     #[must_use]
     pub fn assumed(&self, is_battery_lost: bool) -> Vec<Assumed> {
         let mut found = Vec::new();
         let has = |signal: Signal| self.encoder.periods(signal).is_some();
-        // Table 66.6 says which track of M128S is the cosine; of the others only the letters are printed.
+        // Table 66.6 states the cosine track of M128S; for the others the manual has only the letters.
         if has(Signal::A) && self.encoder.absolute().is_none_or(|absolute| absolute.protocol != Protocol::Ssi) {
             found.push(Assumed::OrderOfTracks);
         }
@@ -152,14 +153,14 @@ impl Fitted {
         found
     }
 
-    /// Turns of its shaft after which the absolute position begins again.
+    /// Returns the number of encoder turns after which the absolute position restarts.
     #[must_use]
     pub fn turns(&self) -> Option<u64> {
         self.encoder.absolute().map(|absolute| 1 << absolute.format.turns)
     }
 }
 
-/// The signal that a pin carries; `None` for supply, shield and whatever else does not follow the angle.
+/// Returns the signal on a pin; `None` for supply, shield and others that do not depend on the angle.
 const fn of_meaning(meaning: Meaning) -> Option<Signal> {
     Some(match meaning {
         Meaning::Track('A', _) => Signal::A,
@@ -182,11 +183,11 @@ const fn of_meaning(meaning: Meaning) -> Option<Signal> {
     })
 }
 
-/// The printed rows of one encoder.
+/// Rows of the manual on one encoder.
 struct Rows<'c>(&'c [&'static Cell]);
 
 impl Rows<'_> {
-    /// The cell of a symbol; of a condition that begins so where one is stated.
+    /// Returns the cell of a symbol, with the condition if one is given.
     fn cell(&self, symbol: &str, condition: &str) -> Option<&'static Cell> {
         let found = |cell: &&&'static Cell| {
             cell.place.symbol == symbol && (condition.is_empty() || cell.place.condition == condition)
@@ -204,7 +205,7 @@ impl Rows<'_> {
         (value.fract() == 0.0 && (1.0..=f64::from(u32::MAX)).contains(&value)).then_some(value as u32)
     }
 
-    /// So many bits count from zero to below a printed number.
+    /// Returns the number of bits of a counter with the stated number of values.
     fn bits(&self, symbol: &str) -> Option<u32> {
         let count = self.whole(symbol)?;
         count.is_power_of_two().then_some(count.ilog2())
@@ -251,7 +252,7 @@ impl Rows<'_> {
         })
     }
 
-    /// A level peak to peak: `1`, `0,8 ... 1,2` whose middle is nominal, or `1 +20 % ... -25 %`.
+    /// Parses a peak-to-peak level: `1`, `0,8 ... 1,2` with the nominal value in the middle, or `1 +20 % ... -25 %`.
     fn level(&self, condition: &str) -> Option<Span> {
         let cell = self.cell("u_pp", condition)?;
         let unit = Unit::of_dimension(ElectricPotential::DIMENSION, cell.unit)?;
@@ -308,7 +309,8 @@ mod tests {
         );
     }
 
-    /// Every signal of every code that is wired has its pins, two of a pair, and every pin that follows the angle has a signal.
+    /// The signals of every wired code have their pins, two for a pair, and each pin that depends on the angle has a
+    /// signal.
     #[test]
     fn wiring_and_encoder_agree() {
         let mut seen = 0;

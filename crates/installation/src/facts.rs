@@ -1,4 +1,4 @@
-//! The facts in prose that concern an ordering code, and their order.
+//! Facts of the manual that concern an ordering code, and their order.
 
 use actuator::Parameters;
 use catalogue::{Fact, Step, Topic};
@@ -8,21 +8,21 @@ use provenance::Datum;
 use quantities::unit::KILOGRAM;
 use quantities::{Mass, Measure};
 
-/// The fact that names the mass from which lifting gear is needed.
+/// Fact that states the mass above which lifting gear is needed.
 const HOIST: &str = "hoist_above_20_kg";
 
-/// The order of the facts; equal ones keep the order of the data.
+/// Order of facts; equal ones keep the order of the data.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Order {
-    /// As the data have them.
+    /// Order of the data.
     Data,
-    /// The gravest signal word first, then as a machine lives.
+    /// Severity of the signal word, then phases of the machine's life.
     Gravest,
-    /// As a machine lives, the gravest of a step first; shutting down goes in the order of its steps.
+    /// Phases of the machine's life, then severity of the signal word; shutdown in the order of its steps.
     Life,
 }
 
-/// What is stated on a topic about a code; safety is stated on every topic. Lifting gear is left out where the mass is
+/// Returns the facts on a topic about a code; safety is included in every topic. Lifting gear is omitted if the mass is
 /// known to need none.
 #[must_use]
 pub fn facts_about(topic: Topic, code: &OrderCode, order: Order) -> Vec<&'static Fact> {
@@ -43,14 +43,14 @@ pub fn facts_about(topic: Topic, code: &OrderCode, order: Order) -> Vec<&'static
     facts
 }
 
-/// Whether a mass requires lifting gear; `None` if it is not printed.
+/// Returns `true` if a mass requires lifting gear; `None` if it is not stated.
 pub(crate) fn needs_hoist(mass: &Datum<Mass>) -> Option<bool> {
     let fact = catalogue::fact(HOIST)?;
     let limit = fact.values.first().map(|value| Mass::new_in(value.number, &KILOGRAM))?;
     mass.known().map(|mass| mass.value.si() > limit.si())
 }
 
-/// The mass of a code; that of the standard is none of a design that differs from it.
+/// Returns the mass of a code; unknown for a design that differs from the standard version.
 pub(crate) fn mass_of(actuator: &Parameters, uncovered: &[Uncovered]) -> Datum<Mass> {
     if uncovered.iter().any(|what| what.not_printed().contains(&"m")) {
         Datum::NotPrinted

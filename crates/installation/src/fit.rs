@@ -1,4 +1,4 @@
-//! Fits of the pilots: limit deviations of a pilot and of the bore that goes over it, and the clearance between them.
+//! Fits of the pilots: limit deviations of a pilot and of the bore on it, and the clearance between them.
 
 use catalogue::Cell;
 use order_code::OrderCode;
@@ -7,12 +7,12 @@ use quantities::unit::MILLIMETRE;
 use quantities::{Length, Measure, QuantityError, Unit, identified, parse_as};
 
 identified! {
-    /// The side of the actuator that a joint is on.
+    /// Side of the actuator with a joint.
     #[derive(Clone, Copy, Debug, PartialEq, Eq)]
     pub enum Side {
-        /// The output flange, which carries the load.
+        /// Output flange, which bears the load.
         Load = "load",
-        /// The housing, which the machine carries.
+        /// Housing, which is mounted on the machine.
         Housing = "housing",
     }
 }
@@ -20,99 +20,99 @@ identified! {
 /// Limit deviations from a nominal size.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Deviations {
-    /// ES of a bore, es of a shaft.
+    /// Upper limit deviation: ES of a bore, es of a shaft.
     pub upper: Length,
-    /// EI of a bore, ei of a shaft.
+    /// Lower limit deviation: EI of a bore, ei of a shaft.
     pub lower: Length,
 }
 
-/// The requested bore over a pilot.
+/// The requested bore on a pilot.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Bore {
     /// A tolerance zone of ISO 286: `H7`.
     Zone(&'static str),
-    /// Limit deviations of one's own.
+    /// Limit deviations stated by the user.
     Limits(Deviations),
 }
 
 identified! {
-    /// What a fit is by ISO 286-1.
+    /// Kind of fit in ISO 286-1.
     #[derive(Clone, Copy, Debug, PartialEq, Eq)]
     pub enum FitKind {
-        /// Never interference; no clearance in the extreme case.
+        /// Clearance fit: zero clearance at the limit, never interference.
         Clearance = "clearance",
-        /// Clearance or interference, as the parts turn out.
+        /// Transition fit: clearance or interference, depending on the actual sizes.
         Transition = "transition",
-        /// Never clearance.
+        /// Interference fit: never clearance.
         Interference = "interference",
     }
 }
 
-/// A pilot with the bore over it.
+/// A pilot with the bore on it.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Fit {
-    /// Which pilot.
+    /// Side of the pilot.
     pub side: Side,
-    /// Nominal diameter, as printed.
+    /// Nominal diameter from the manual.
     pub nominal: Sourced<Length>,
-    /// Tolerance zone of the pilot, as printed: `h7`.
+    /// Tolerance zone of the pilot from the manual: `h7`.
     pub pilot_zone: &'static str,
     /// Limit deviations of the pilot.
     pub pilot: Sourced<Deviations>,
     /// Zone that the manual recommends for the bore.
     pub recommended: Sourced<&'static str>,
-    /// The requested or recommended bore.
+    /// Requested or recommended bore.
     pub bore: Bore,
     /// Limit deviations of the bore.
     pub bore_deviations: Deviations,
-    /// Source of the deviations; `None` if they were given by the caller.
+    /// Source of the deviations; `None` if they are given by the caller.
     pub bore_source: Option<Source>,
-    /// Smallest clearance; interference is negative.
+    /// Smallest clearance; negative for interference.
     pub clearance_min: Length,
     /// Largest clearance.
     pub clearance_max: Length,
-    /// What the fit is.
+    /// Kind of fit.
     pub kind: FitKind,
 }
 
 /// Faults of a requested bore.
 #[derive(Clone, Debug, PartialEq)]
 pub enum BoreFault {
-    /// No tolerance zone that the table carries, and no limit deviations.
+    /// The text is neither a tolerance zone of the table nor limit deviations.
     UnknownZone {
-        /// As written.
+        /// Text of the bore.
         written: String,
-        /// The zones that there are.
+        /// Zones of the table.
         known: Vec<&'static str>,
     },
-    /// One of the limit deviations is no length.
+    /// A limit deviation is no length.
     NoLength(QuantityError),
     /// The upper limit deviation is below the lower one.
     UpsideDown {
-        /// As written.
+        /// Upper limit deviation as stated.
         upper: Length,
-        /// As written.
+        /// Lower limit deviation as stated.
         lower: Length,
     },
-    /// A limit deviation too large for any fit: mostly a slip of the unit.
+    /// A limit deviation is too large for a fit, probably because of a wrong unit.
     TooLarge {
-        /// The deviation.
+        /// Deviation as stated.
         deviation: Length,
-        /// The largest that is taken.
+        /// Largest accepted deviation.
         most: Length,
     },
 }
 
-/// Largest limit deviation that is taken for one of a fit: ten times IT8 at 255 mm.
+/// Largest accepted limit deviation \[mm\]: ten times IT8 at 255 mm.
 const DEVIATION_MOST_MM: f64 = 1.0;
 
-/// A length below which clearance is none: conversions of units round far below a nanometre.
+/// Length below which a clearance counts as zero \[m\]: unit conversions round far below a nanometre.
 const NOTHING_M: f64 = 1e-12;
 
-/// Reads a bore: a zone such as `H7`, limit deviations such as `+0.012/-0.003 mm`, or `±0.01 mm`.
+/// Parses a bore: a zone such as `H7`, limit deviations such as `+0.012/-0.003 mm`, or `±0.01 mm`.
 ///
 /// # Errors
-/// [`BoreFault`] for what is neither.
+/// [`BoreFault`] if the text is neither.
 pub fn read_bore(text: &str) -> Result<Bore, BoreFault> {
     let text = text.trim();
     let length = |text: &str| parse_as::<Length>(text).map_err(BoreFault::NoLength);
@@ -121,7 +121,7 @@ pub fn read_bore(text: &str) -> Result<Bore, BoreFault> {
         Deviations { upper: half, lower: -half }
     } else if let Some((upper, lower)) = text.split_once('/') {
         let unit = lower.trim().trim_start_matches(|sign: char| sign.is_ascii_digit() || "+-−. ".contains(sign));
-        // The unit stands once for both, or with each.
+        // The unit is stated once for both, or with each.
         let upper = if upper.contains(|sign: char| sign.is_alphabetic()) {
             upper.to_owned()
         } else {
@@ -152,14 +152,14 @@ fn iso_cells() -> &'static [Cell] {
     catalogue::table_cells("iso286")
 }
 
-/// Zone and range of a cell of the ISO table: `H7, 50 ... 80 mm`.
+/// Returns zone and range of a cell of the ISO table: `H7, 50 ... 80 mm`.
 fn zone_of(cell: &'static Cell) -> Option<(&'static str, f64, f64)> {
     let (zone, range) = cell.place.condition.split_once(", ")?;
     let (over, to) = range.strip_suffix(" mm")?.split_once(" ... ")?;
     Some((zone, over.parse().ok()?, to.parse().ok()?))
 }
 
-/// The tolerance zones of bores that the table carries, in its order.
+/// Returns the tolerance zones of bores in the order of the table.
 #[must_use]
 pub fn bore_zones() -> Vec<&'static str> {
     let mut zones: Vec<&'static str> = Vec::new();
@@ -174,7 +174,7 @@ pub fn bore_zones() -> Vec<&'static str> {
     zones
 }
 
-/// Limit deviations of a tolerance zone at a nominal size; not printed outside the table.
+/// Returns the limit deviations of a tolerance zone at a nominal size; not stated outside the table.
 ///
 /// # Source
 /// ISO 286-2, data/published/iso286.toml
@@ -205,7 +205,7 @@ pub fn deviations(zone: &str, nominal: Length) -> Datum<Deviations> {
     Datum::of(read)
 }
 
-/// The clearance between a bore and the pilot in it.
+/// Returns the smallest and the largest clearance between a bore and the pilot in it.
 ///
 /// s_min = EI − es, s_max = ES − ei
 ///
@@ -214,13 +214,13 @@ pub fn deviations(zone: &str, nominal: Length) -> Datum<Deviations> {
 /// # Source
 /// ISO 286-1
 /// # Valid
-/// parts within their limits, at 20 °C and round; interference is a negative clearance
+/// round parts within their limits at 20 °C; interference is a negative clearance
 #[must_use]
 pub fn clearance(bore: &Deviations, pilot: &Deviations) -> (Length, Length) {
     (bore.lower - pilot.upper, bore.upper - pilot.lower)
 }
 
-/// What a fit is, from its extreme clearances.
+/// Returns the kind of fit from its extreme clearances.
 #[must_use]
 pub fn fit_kind(clearance_min: Length, clearance_max: Length) -> FitKind {
     if clearance_min.si() >= -NOTHING_M {
@@ -232,7 +232,7 @@ pub fn fit_kind(clearance_min: Length, clearance_max: Length) -> FitKind {
     }
 }
 
-/// The pilot of a side with the requested bore, or with the one that the manual recommends.
+/// Returns the pilot of a side with the requested bore, or with that recommended by the manual.
 ///
 /// # Source
 /// cha-manual table 77.1

@@ -1,4 +1,4 @@
-//! The screw joints of load and housing: what they take of torque, tilting moment and force.
+//! Bolted joints of load and housing: utilisation by torque, tilting moment and force.
 
 use crate::fit::Side;
 use actuator::{JointLoad, LoadedJoint, Parameters, ScrewJoint, clamp_force, joint_utilisation, loaded_joint};
@@ -7,7 +7,7 @@ use provenance::{Datum, Grade, Source, Sourced};
 use quantities::{Force, Length, Measure, Ratio, Torque, identified};
 
 identified! {
-    /// What loads a joint.
+    /// Load case of a joint.
     #[derive(Clone, Copy, Debug, PartialEq, Eq)]
     pub enum LoadCase {
         /// Acceleration and braking.
@@ -16,12 +16,12 @@ identified! {
         Collision = "collision",
         /// The brake stops or holds the load.
         Brake = "brake",
-        /// A moment on the axis at rest, without torque.
+        /// A tilting moment at rest, without torque.
         StaticMoment = "static_moment",
     }
 }
 
-/// Loads of a project, in place of the limits of the actuator. What is absent stays the limit.
+/// Loads of a project, which replace the limits of the actuator. The limit applies to absent ones.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct AxisLoads {
     /// Largest torque through the joint of the load.
@@ -34,7 +34,7 @@ pub struct AxisLoads {
     pub flange: Option<FlangeLoads>,
 }
 
-/// What a project puts on the output flange, each at its largest.
+/// Largest loads of a project on the output flange.
 #[derive(Clone, Debug, PartialEq)]
 pub struct FlangeLoads {
     /// Tilting moment about the centre of the output bearing.
@@ -45,39 +45,39 @@ pub struct FlangeLoads {
     pub radial: Sourced<Force>,
 }
 
-/// A joint under one load.
+/// Result of a joint in one load case.
 #[derive(Clone, Debug, PartialEq)]
 pub struct CaseAnswer {
-    /// Which load.
+    /// Load case of the result.
     pub case: LoadCase,
-    /// The torque; not applicable to a case without.
+    /// Torque of the case; not applicable without one.
     pub torque: Datum<Torque>,
-    /// Share of the transmissible torque, torque alone.
+    /// Utilisation by torque alone: share of the transmissible torque \[1\].
     pub alone: Datum<Ratio>,
-    /// The tilting moment that acts with it.
+    /// Tilting moment that acts simultaneously.
     pub moment: Datum<Torque>,
-    /// The joint under torque, moment and forces at once, by the model.
+    /// Joint under simultaneous torque, moment and forces, from the model.
     pub together: Datum<LoadedJoint>,
 }
 
-/// One of the two joints.
+/// A bolted joint with its results.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Joint {
-    /// Which.
+    /// Side of the joint.
     pub side: Side,
-    /// Screws, circle and torques, as printed.
+    /// Screws, bolt circle and torques from the manual.
     pub screws: ScrewJoint,
-    /// Coefficient of friction that the printed torque holds for.
+    /// Coefficient of friction to which the stated torque applies.
     pub friction: Datum<Ratio>,
-    /// Clamp force of a screw that the printed torque implies.
+    /// Clamp force of a screw implied by the stated torque.
     pub clamp_force: Datum<Force>,
-    /// What it takes.
+    /// Results by load case.
     pub cases: Vec<CaseAnswer>,
 }
 
 const MODEL: Source = Source::Model { name: "screw-joint" };
 
-/// A joint and what it takes under every load.
+/// Computes a joint in all load cases.
 #[must_use]
 pub fn joint(code: &OrderCode, side: Side, actuator: &Parameters, axis: &AxisLoads) -> Joint {
     let screws = match side {
@@ -121,7 +121,8 @@ pub fn joint(code: &OrderCode, side: Side, actuator: &Parameters, axis: &AxisLoa
     Joint { side, screws: screws.clone(), friction, clamp_force: clamp, cases }
 }
 
-/// Moment and forces that act with a torque: those of the project, else the moment that the output bearing permits, alone.
+/// Returns moment and forces that act with a torque: those of the project, else only the moment permitted by the output
+/// bearing.
 fn flange_loads(
     code: &OrderCode,
     case: LoadCase,
@@ -143,7 +144,7 @@ fn flange_loads(
     }
 }
 
-/// The coefficient of friction that the manual states below table 79.1, for the torque printed there.
+/// Returns the coefficient of friction stated below table 79.1, for the torque stated there.
 fn friction(screws: &ScrewJoint) -> Datum<Ratio> {
     let fact = catalogue::fact("degrease_joint_faces");
     match (fact.and_then(|fact| fact.values.first()), screws.transmissible_torque.known()) {
@@ -157,7 +158,7 @@ fn friction(screws: &ScrewJoint) -> Datum<Ratio> {
     }
 }
 
-/// Transmissible torque, friction, number of screws and bolt circle, if all are known.
+/// Returns transmissible torque, friction, number of screws and bolt circle, if all are known.
 fn known(screws: &ScrewJoint, friction: &Datum<Ratio>) -> Option<(Torque, Ratio, f64, Length)> {
     Some((
         screws.transmissible_torque.known()?.value,
@@ -185,7 +186,7 @@ fn together(
 ) -> Datum<LoadedJoint> {
     let torque = match torque {
         Datum::Known(torque) => torque.value,
-        // A case without torque is one of the moment alone.
+        // A case without torque has only the moment.
         Datum::NotApplicable => Torque::from_si(0.0),
         Datum::NotPrinted => return Datum::NotPrinted,
     };

@@ -1,7 +1,7 @@
-//! From the ordering code to the running machine: wiring, joints and fits, commissioning values, upkeep.
+//! Installation of an actuator by its ordering code: wiring, joints and fits, commissioning values, maintenance.
 //!
-//! Each module answers one question about one ordering code with plain data that carry their sources. This crate speaks no
-//! language and opens no file; `words` says what its identifiers mean.
+//! Each module answers one question about one ordering code with plain data and their sources. The crate has no
+//! language and opens no file; `words` has the texts of its identifiers.
 
 pub mod calendar;
 pub mod commission;

@@ -9,47 +9,47 @@ use order_code::OrderCode;
 use provenance::Datum;
 use quantities::{Length, Mass};
 
-/// What is asked beside the ordering code.
+/// Options of a mounting request in addition to the ordering code.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct MountAsked {
-    /// The bore in the load; the recommended one without.
+    /// Bore in the load; `None` for the recommended one.
     pub bore_load: Option<Bore>,
-    /// The bore in the machine; the recommended one without.
+    /// Bore in the machine; `None` for the recommended one.
     pub bore_housing: Option<Bore>,
-    /// Loads of a project in place of the limits.
+    /// Loads of a project, which replace the limits.
     pub axis: AxisLoads,
 }
 
-/// Everything for mounting one actuator.
+/// Mounting data of one actuator.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Mount {
-    /// The ordering code.
+    /// Ordering code of the actuator.
     pub code: OrderCode,
-    /// What the tables do not cover of it.
+    /// Properties of the code that the tables do not cover.
     pub uncovered: Vec<Uncovered>,
-    /// The pilots with the bores over them, load first.
+    /// Pilots with the bores on them, load first.
     pub fits: Vec<Fit>,
     /// Tolerances of the output flange, by symbol.
     pub runouts: Vec<(&'static str, Datum<Length>)>,
-    /// Overall length; not printed for designs that differ from the standard.
+    /// Overall length; not stated for designs that differ from the standard version.
     pub length: Datum<Length>,
     /// Bore of the hollow shaft.
     pub hollow_shaft: Datum<Length>,
-    /// Mass to lift.
+    /// Mass of the actuator.
     pub mass: Datum<Mass>,
-    /// Whether the mass requires lifting gear; `None` if it is not printed.
+    /// The mass requires lifting gear; `None` if it is not stated.
     pub hoist: Option<bool>,
-    /// Aluminium plate that the continuous data hold on.
+    /// Aluminium plate to which the continuous-duty data apply.
     pub plate: Option<&'static Cell>,
     /// Degree of protection.
     pub protection: Option<&'static Cell>,
-    /// The screw joints, load first.
+    /// Bolted joints, load first.
     pub joints: Vec<Joint>,
     /// Requirements of the manual, in the order of the steps.
     pub facts: Vec<&'static Fact>,
 }
 
-/// How an actuator is mounted; `None` where the manual prints no data for it.
+/// Returns the mounting data of an actuator; `None` if the manual has no data for it.
 #[must_use]
 pub fn mount(code: &OrderCode, asked: &MountAsked) -> Option<Mount> {
     let actuator = configurator::parameters(code)?;
@@ -60,7 +60,7 @@ pub fn mount(code: &OrderCode, asked: &MountAsked) -> Option<Mount> {
         let cell = catalogue::size_cell(code.size, code.ratio, symbol);
         (symbol, cell.map_or(Datum::NotPrinted, catalogue::datum_of))
     });
-    // A length of the standard is none of a design that differs from it.
+    // The length of the standard version does not apply to a design that differs from it.
     let differs = uncovered.iter().any(|what| what.not_printed().contains(&"L"));
     let length = if differs { Datum::NotPrinted } else { actuator.length.clone() };
     let mass = mass_of(&actuator, &uncovered);

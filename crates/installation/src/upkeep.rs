@@ -1,4 +1,5 @@
-//! Storage, upkeep, shutting down and disposal of an actuator: a plan with dates, and what the manual says about each.
+//! Storage, maintenance, shutdown and disposal of an actuator: a plan with dates, and the facts of the manual on each
+//! phase.
 
 use crate::calendar::Interval;
 use crate::facts::{Order, facts_about};
@@ -10,57 +11,57 @@ use provenance::{Datum, Grade, Source};
 use quantities::unit::{DAY, YEAR};
 use quantities::{Measure, Time, identified};
 
-/// How long an actuator is stored before it goes into service.
+/// Storage of an actuator before its commissioning.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Storage {
-    /// For a time after its delivery.
+    /// For a time after delivery.
     For(Interval),
-    /// Until a day.
+    /// Until a date.
     Until(NaiveDate),
 }
 
-/// What is asked beside the ordering code.
+/// Options of a maintenance request in addition to the ordering code.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct UpkeepAsked {
-    /// Day of delivery.
+    /// Date of delivery.
     pub delivered: NaiveDate,
-    /// Storage before service; none without.
+    /// Storage before commissioning, if any.
     pub storage: Option<Storage>,
-    /// Operation on a day, for the life of a battery.
+    /// Operation per day, for the life of a battery.
     pub hours_per_day: Option<Time>,
-    /// Interval of what the manual wants to be done regularly.
+    /// Interval of regular work for which the manual states none.
     pub inspect: Option<Interval>,
-    /// Day that the plan is looked at from.
+    /// Reference date of the plan.
     pub today: Option<NaiveDate>,
 }
 
 identified! {
-    /// Something that is to be done or ends.
+    /// A task or an event of the plan.
     #[derive(Clone, Copy, Debug, PartialEq, Eq)]
     pub enum Task {
-        /// The permitted storage ends.
+        /// End of the permitted storage.
         StorageEnd = "storage_end",
-        /// The surfaces that give off the heat are cleaned.
+        /// Cleaning of the surfaces that dissipate heat.
         Cleaning = "cleaning",
-        /// Cables and drag chain are inspected.
+        /// Inspection of cables and cable carrier.
         Cables = "cables",
-        /// The protective earth is inspected.
+        /// Inspection of the protective earth.
         ProtectiveEarth = "protective_earth",
-        /// The screws of housing and load are checked.
+        /// Inspection of the screws of housing and load.
         Screws = "screws",
-        /// The radial shaft seals and what stands or lies on them.
+        /// Inspection of the radial shaft seals for liquid and dirt.
         Seals = "seals",
-        /// The exchange of the encoder that is recommended.
+        /// Recommended replacement of the encoder.
         EncoderRecommended = "encoder_recommended",
-        /// The battery of the encoder is used up, by the model.
+        /// End of the life of the encoder battery, from the model.
         BatteryEmpty = "battery_empty",
-        /// The encoder must be exchanged at the latest.
+        /// Latest replacement of the encoder.
         EncoderLatest = "encoder_latest",
     }
 }
 
 impl Task {
-    /// The fact that it rests on.
+    /// Returns the fact that requires the task.
     const fn fact(self) -> &'static str {
         match self {
             Self::StorageEnd => "storage",
@@ -77,18 +78,18 @@ impl Task {
 }
 
 identified! {
-    /// How binding a date is.
+    /// Obligation of a date.
     #[derive(Clone, Copy, Debug, PartialEq, Eq)]
     pub enum Rule {
-        /// Not after this date.
+        /// At the latest on the date.
         AtTheLatest = "at_the_latest",
-        /// On this date, by recommendation.
+        /// Recommended on the date.
         Recommended = "recommended",
-        /// Estimated to happen on this date.
+        /// Estimated for the date.
         Estimated = "estimated",
-        /// At intervals.
+        /// At regular intervals.
         Every = "every",
-        /// At intervals, which must not be longer.
+        /// At regular intervals, which must not be longer.
         EveryAtMost = "every_at_most",
     }
 }
@@ -96,108 +97,108 @@ identified! {
 /// A line of the plan.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Planned {
-    /// What.
+    /// Task of the line.
     pub task: Task,
-    /// How binding.
+    /// Obligation of the date.
     pub rule: Rule,
     /// Interval of a series.
     pub interval: Option<Interval>,
-    /// The day that a series is counted from.
+    /// Start of a series.
     pub counted_from: NaiveDate,
-    /// The date; of a series the first.
+    /// Date, or first date of a series.
     pub first: NaiveDate,
-    /// Of a series the first date that is not before today, if today is stated.
+    /// Next date of a series, not before today if today is stated.
     pub next: NaiveDate,
-    /// Whether it lies before today, if today is stated.
+    /// The date is before today, if today is stated.
     pub passed: bool,
-    /// The fact that it rests on.
+    /// Fact that requires the task.
     pub fact: &'static Fact,
-    /// How far the date can be trusted; `None` where it follows from an interval that the user states.
+    /// Grade of trust in the date; `None` if it follows from an interval stated by the user.
     pub grade: Option<Grade>,
-    /// Model that the date is from, where it is one.
+    /// Model that yields the date, if there is one.
     pub model: Option<Source>,
 }
 
-/// An assumption.
+/// An assumption of the plan.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum PlanNote {
-    /// No storage was stated: service begins on the day of delivery.
+    /// No storage was stated: commissioning on the day of delivery.
     NoStorageStated,
     /// The storage is longer than permitted.
     StorageTooLong,
-    /// The interval of what is done regularly was not stated: a year is assumed.
+    /// No interval of regular work was stated: a year is assumed.
     IntervalAssumed,
-    /// The cleaning stays at its printed interval, which is shorter than the one stated.
+    /// Cleaning keeps the interval of the manual, which is shorter than the stated one.
     CleaningStaysShorter,
-    /// The hours of operation on a day were not stated: the life of the battery is not computed.
+    /// No operation per day was stated: the life of the battery is not computed.
     HoursNotStated,
-    /// Hours of operation were stated for a feedback that has no battery.
+    /// Operation per day was stated for a feedback without a battery.
     NoBattery,
-    /// The ten years end before the battery does.
+    /// The ten years end before the life of the battery.
     BatteryOutlivesEncoder,
-    /// The manual has no interval for the seals.
+    /// The manual states no interval for the seals.
     SealIntervalNotStated,
-    /// The manual has no interval for renewing the grease in service.
+    /// The manual states no interval for renewing the grease.
     GreaseIntervalNotStated,
 }
 
-/// The plan of one actuator, and what the manual says about each phase of its life.
+/// Maintenance plan of one actuator, and the facts of the manual on each phase of its life.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Upkeep {
-    /// The ordering code.
+    /// Ordering code of the actuator.
     pub code: OrderCode,
-    /// Day of delivery.
+    /// Date of delivery.
     pub delivered: NaiveDate,
-    /// Day on which service begins.
+    /// Date of commissioning.
     pub in_service: NaiveDate,
-    /// Day that the plan is looked at from.
+    /// Reference date of the plan.
     pub today: Option<NaiveDate>,
-    /// Whether the storage is within what is permitted.
+    /// The storage is within the permitted limit.
     pub storage_permitted: bool,
-    /// The plan, by date.
+    /// Lines of the plan in order of date.
     pub plan: Vec<Planned>,
-    /// Life of the battery of the encoder; not applicable without one, not printed where the hours are not stated.
+    /// Life of the encoder battery; not applicable without one, not stated if the operation per day is not.
     pub battery: Datum<BatteryLife>,
-    /// The assumptions, with their consequences.
+    /// Assumptions with their consequences.
     pub notes: Vec<PlanNote>,
-    /// Transport and storage.
+    /// Facts on transport and storage.
     pub storage: Vec<&'static Fact>,
-    /// In service.
+    /// Facts on operation.
     pub service: Vec<&'static Fact>,
-    /// Shutting down, in the order of the steps.
+    /// Facts on shutdown, in the order of the steps.
     pub shutdown: Vec<&'static Fact>,
-    /// Disposal.
+    /// Facts on disposal.
     pub disposal: Vec<&'static Fact>,
 }
 
-/// Why there is no plan.
+/// Reason for which a plan is impossible.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum UpkeepFault {
     /// The storage ends before the delivery.
     StorageBeforeDelivery {
         /// End of the storage.
         until: NaiveDate,
-        /// Day of delivery.
+        /// Date of delivery.
         delivered: NaiveDate,
     },
-    /// Outside the model of the battery.
+    /// The input is outside the model of the battery.
     Battery(BatteryFault),
-    /// A date of the plan lies beyond the calendar.
+    /// A date of the plan is beyond the calendar.
     BeyondTheCalendar,
 }
 
-/// Before the step that parts the connections come the five safety rules.
+/// The five safety rules, and the shutdown step that they precede, in which connections are separated.
 const ISOLATE: (&str, &str) = ("isolate_before_work", "shutdown_discharge");
 
 /// Default interval of regular work: that of the cleaning.
 const INSPECT_ASSUMED: Interval = Interval::Months(12);
 
-/// The plan of an actuator.
+/// Returns the maintenance plan of an actuator.
 ///
 /// # Source
 /// cha-manual sections 6.22.4, 9.1, 9.8 and chapter 10; docs/theory/battery.md
 /// # Errors
-/// [`UpkeepFault`] where there is none.
+/// [`UpkeepFault`] if a plan is impossible.
 pub fn upkeep(code: &OrderCode, asked: &UpkeepAsked) -> Result<Upkeep, UpkeepFault> {
     let delivered = asked.delivered;
     let beyond = UpkeepFault::BeyondTheCalendar;
@@ -214,7 +215,7 @@ pub fn upkeep(code: &OrderCode, asked: &UpkeepAsked) -> Result<Upkeep, UpkeepFau
     let mut storage_permitted = true;
     if let Some(end) = years_of("storage", "duration").and_then(|years| years.after(delivered, 1)) {
         storage_permitted = in_service <= end;
-        // It concerns an actuator that is stored, and no longer one in service.
+        // Concerns a stored actuator only, not one in service.
         if asked.storage.is_some() && asked.today.is_none_or(|today| today < in_service) {
             plan.once(Task::StorageEnd, Rule::AtTheLatest, end);
         }
@@ -225,7 +226,7 @@ pub fn upkeep(code: &OrderCode, asked: &UpkeepAsked) -> Result<Upkeep, UpkeepFau
     plan.regularly(asked.inspect)?;
     let battery = plan.battery(code, asked)?;
     plan.notes.push(PlanNote::GreaseIntervalNotStated);
-    // What is on the same day keeps the order of the tasks.
+    // Lines with the same date keep the order of the tasks.
     plan.lines.sort_by_key(|line| line.next);
     let facts = facts_about(Topic::Upkeep, code, Order::Life);
     let of = |steps: &[Step]| -> Vec<&'static Fact> {
@@ -260,7 +261,7 @@ pub fn upkeep(code: &OrderCode, asked: &UpkeepAsked) -> Result<Upkeep, UpkeepFau
     })
 }
 
-/// A time that a fact states in years, as one of the calendar.
+/// Returns a time that a fact states in years, as calendar months.
 fn years_of(fact: &str, value: &str) -> Option<Interval> {
     let fact = catalogue::fact(fact)?;
     let value = fact.values.iter().find(|known| known.id == value)?;
@@ -268,7 +269,7 @@ fn years_of(fact: &str, value: &str) -> Option<Interval> {
     (value.unit == YEAR.ascii).then_some(Interval::Months(12 * years))
 }
 
-/// A plan in the making.
+/// A plan under construction.
 struct Plan {
     today: Option<NaiveDate>,
     in_service: NaiveDate,
@@ -277,7 +278,7 @@ struct Plan {
 }
 
 impl Plan {
-    /// Something that happens once.
+    /// Adds a single task or event.
     fn once(&mut self, task: Task, rule: Rule, date: NaiveDate) {
         self.line(task, rule, None, (date, date), (Some(Grade::Printed), None));
     }
@@ -296,7 +297,7 @@ impl Plan {
         self.lines.push(Planned { task, rule, interval, counted_from, first, next, passed, fact, grade, model });
     }
 
-    /// What is done at intervals from the beginning of service on.
+    /// Adds the tasks at regular intervals, counted from commissioning.
     fn regularly(&mut self, stated: Option<Interval>) -> Result<(), UpkeepFault> {
         let interval = stated.unwrap_or(INSPECT_ASSUMED);
         if stated.is_none() {
@@ -307,7 +308,7 @@ impl Plan {
         if interval.shorter(yearly, self.in_service) != interval {
             self.notes.push(PlanNote::CleaningStaysShorter);
         }
-        // The interval comes from the user or is assumed; the manual states only that of the cleaning.
+        // The interval is stated by the user or assumed; the manual states that of the cleaning only.
         let grade = stated.map_or(Some(Grade::Assumed), |_| None);
         let clean = if cleaning == yearly { (Rule::EveryAtMost, Some(Grade::Printed)) } else { (Rule::Every, grade) };
         let series = [
@@ -328,7 +329,7 @@ impl Plan {
         Ok(())
     }
 
-    /// The encoder whose battery buffers its turns.
+    /// Adds the events of an encoder whose turns are buffered by a battery.
     fn battery(&mut self, code: &OrderCode, asked: &UpkeepAsked) -> Result<Datum<BatteryLife>, UpkeepFault> {
         let has_battery =
             catalogue::fact(Task::EncoderLatest.fact()).is_some_and(|fact| fact.holds_for.feedbacks == [code.feedback]);
@@ -362,15 +363,15 @@ impl Plan {
     }
 }
 
-/// The time from one day to a later one.
+/// Returns the time from one day to a later one.
 fn days_between(from: NaiveDate, to: NaiveDate) -> Time {
     let days = u32::try_from((to - from).num_days()).unwrap_or(0);
     Time::new_in(f64::from(days), &DAY)
 }
 
-/// The day that lies a time after another, whole days counted.
+/// Returns the day a time after another, in whole days.
 fn later(from: NaiveDate, time: Time) -> Option<NaiveDate> {
-    // Far beyond any plan the calendar itself ends.
+    // Limited because the calendar itself ends far beyond any plan.
     let days = time.in_unit(&DAY).floor().clamp(0.0, 1e6) as u64;
     from.checked_add_days(Days::new(days))
 }

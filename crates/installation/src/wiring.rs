@@ -1,4 +1,4 @@
-//! Connectors, pins and cables of an ordering code, as sections 6.24 and 6.25 print them.
+//! Connectors, pins and cables of an ordering code, from sections 6.24 and 6.25 of the manual.
 
 mod cables;
 mod comparison;
@@ -16,21 +16,21 @@ use catalogue::{Cell, SeriesData, Table};
 use order_code::{Brake, OrderCode};
 use quantities::identified;
 
-/// The wiring of one ordering code.
+/// Wiring of one ordering code.
 #[derive(Clone, Debug)]
 pub struct Wiring {
-    /// The code.
+    /// Ordering code of the actuator.
     pub code: OrderCode,
-    /// Its connectors: motor, motor feedback, and the encoder at the output where it has one.
+    /// Connectors: motor, motor feedback, and the encoder at the output if fitted.
     pub connectors: Vec<Connector>,
-    /// The cables that the manual lists for it.
+    /// Cables that the manual lists for the code.
     pub cables: Vec<Cable>,
-    /// What there is not for this code, or not in the manual.
+    /// Items that the code or the manual lacks.
     pub absences: Vec<Absence>,
 }
 
 impl Wiring {
-    /// The connector of a role.
+    /// Returns the connector with a role.
     #[must_use]
     pub fn connector(&self, role: Role) -> Option<&Connector> {
         self.connectors.iter().find(|connector| connector.role == role)
@@ -38,7 +38,7 @@ impl Wiring {
 }
 
 identified! {
-    /// What a connector is for.
+    /// Role of a connector.
     #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
     pub enum Role {
         /// Motor phases, protective earth, brake.
@@ -50,141 +50,141 @@ identified! {
     }
 }
 
-/// One connector of the actuator and what mates with it.
+/// A connector of the actuator and its mating coupling.
 #[derive(Clone, Debug)]
 pub struct Connector {
-    /// What it is for.
+    /// Role of the connector.
     pub role: Role,
-    /// Poles and thread as printed: `17 / M23 x 1`.
+    /// Poles and thread as stated in the manual: `17 / M23 x 1`.
     pub kind: &'static Cell,
-    /// Poles, as printed.
+    /// Number of poles.
     pub poles: u8,
     /// Coupling thread: `M23 x 1`.
     pub thread: &'static str,
-    /// Material number of the mating coupling; `None` where none is printed.
+    /// Material number of the mating coupling; `None` if the manual states none.
     pub mating: Option<&'static Cell>,
     /// Outer diameter of the mating coupling.
     pub outer_diameter: Option<&'static Cell>,
     /// Length of the mating coupling.
     pub length: Option<&'static Cell>,
-    /// Whether it hangs on a cable or sits in the housing; `None` where table 11.3 does not say.
+    /// Mounting at a cable or in the housing; `None` if table 11.3 does not state it.
     pub exit: Option<Exit>,
-    /// The table of the pins.
+    /// Table of the pins.
     pub table: &'static Table,
-    /// Its pins in order; empty where the table holds for other sizes only.
+    /// Pins in order; empty if the table applies to other sizes only.
     pub pins: Vec<Pin>,
-    /// Colours that several of its wires have.
+    /// Colours shared by several wires.
     pub ambiguous: Vec<Ambiguous>,
 }
 
 impl Connector {
-    /// The pin with this name.
+    /// Returns the pin with a name.
     #[must_use]
     pub fn pin(&self, name: &str) -> Option<&Pin> {
         self.pins.iter().find(|pin| pin.name == name)
     }
 }
 
-/// Where a connector is.
+/// Mounting of a connector.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Exit {
-    /// At the end of a cable.
+    /// Connector at the end of a cable.
     Cable,
-    /// In the housing.
+    /// Connector in the housing.
     Housing,
 }
 
-/// One pin.
+/// A pin of a connector.
 #[derive(Clone, Debug)]
 pub struct Pin {
-    /// Its number, or `PE`.
+    /// Number of the pin, or `PE`.
     pub name: String,
-    /// The pin that the table names in brackets: both belong to one wire.
+    /// Pin in brackets in the table, connected to the same wire.
     pub joined: Option<String>,
-    /// What is printed for it; `None`: the field is empty.
+    /// Signal stated in the manual; `None` if the field is empty.
     pub signal: Option<&'static Cell>,
-    /// What it carries; `None`: nothing.
+    /// Signal on the pin; `None` if it is not connected.
     pub carries: Option<Signal>,
-    /// Colour of its wire; `None` where none is printed.
+    /// Colour of the wire; `None` if the manual states none.
     pub colour: Option<&'static Cell>,
 }
 
 impl Pin {
-    /// The signal as printed; a dash where nothing is connected.
+    /// Returns the signal as stated in the manual; a dash if nothing is connected.
     #[must_use]
     pub fn printed(&self) -> &'static str {
         self.signal.map_or("-", |cell| cell.corrected)
     }
 
-    /// Whether it carries a signal of this group.
+    /// Returns `true` if the pin has a signal of a group.
     pub(crate) fn carries(&self, group: Group) -> bool {
         self.carries.is_some_and(|signal| signal.group() == group)
     }
 }
 
-/// A colour that does not tell wires apart.
+/// A colour that does not identify a single wire.
 #[derive(Clone, Debug)]
 pub struct Ambiguous {
-    /// The colour.
+    /// Colour of the wires.
     pub colour: &'static Cell,
-    /// The pins whose wires have it.
+    /// Pins whose wires have the colour.
     pub pins: Vec<String>,
 }
 
-/// What there is not.
+/// An item that the code or the manual lacks.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Absence {
-    /// What is absent.
+    /// Kind of item.
     pub what: Absent,
-    /// The table that shows it.
+    /// Table that shows the absence.
     pub table: &'static str,
 }
 
 identified! {
-    /// What a code, or the manual, does not have.
+    /// Item that a code, or the manual, lacks.
     #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
     pub enum Absent {
-        /// The code has no brake: its pins are free.
+        /// The brake: its pins are free.
         Brake = "brake",
-        /// The pin-out of the motor connector is printed for other sizes only.
+        /// The pin assignment of the motor connector, which is stated for other sizes only.
         MotorPins = "motor_pins",
-        /// No PTC thermistor is led out.
+        /// Contacts for a PTC thermistor.
         Ptc = "ptc",
-        /// No KTY sensor is led out.
+        /// Contacts for a KTY sensor.
         Kty = "kty",
-        /// No sense lines.
+        /// Sense lines.
         Sense = "sense_lines",
-        /// No pin for a shield.
+        /// A pin for a shield.
         ShieldPin = "shield_pin",
-        /// No wire colours are printed.
+        /// Wire colours.
         Colours = "wire_colours",
-        /// The size of the mating coupling is not printed.
+        /// Size of the mating coupling.
         MatingSize = "mating_size",
-        /// No cable for SINAMICS.
+        /// A cable for SINAMICS.
         SinamicsCable = "cable_sinamics",
-        /// No cable set with open end.
+        /// A cable set with open end.
         OpenCable = "cable_open_end",
-        /// No cable set for `YukonDrive`.
+        /// A cable set for `YukonDrive`.
         YukonCable = "cable_yukondrive",
-        /// No cable for SIMODRIVE.
+        /// A cable for SIMODRIVE.
         SimodriveCable = "cable_simodrive",
-        /// Where the contacts sit in the insert: the figures of the manual are not in the text it was recovered from.
+        /// Arrangement of the contacts in the insert: the figures of the manual are not in its recovered text.
         Arrangement = "contact_arrangement",
-        /// Which half of the pair is pin and which is socket.
+        /// Gender of the contacts of each half.
         Gender = "contact_gender",
         /// Cross-sections of the wires.
         CrossSection = "cross_section",
-        /// What the option on the exit of cable and connectors changes on the connectors.
+        /// Effect of the option for cable and connector exit on the connectors.
         ExitOption = "exit_option",
     }
 }
 
-/// The wiring of a code; `None` where section 6.24 has none for its winding and feedback.
+/// Returns the wiring of a code; `None` if section 6.24 has none for its winding and feedback.
 ///
 /// # Source
 /// cha-manual tables 63.1 to 68.4, with their errata; exits from table 11.3
 /// # Valid
-/// For the standard actuator. A special design may be wired otherwise.
+/// Standard actuator; a special design may be wired differently.
 #[must_use]
 pub fn wiring(code: &OrderCode) -> Option<Wiring> {
     let mut tables = SeriesData::of(code.series()).wirings.iter();
@@ -203,7 +203,7 @@ pub fn wiring(code: &OrderCode) -> Option<Wiring> {
     Some(Wiring { code: *code, connectors, cables, absences })
 }
 
-/// Whether a cell holds for the size and feedback of a code.
+/// Returns `true` if a cell applies to the size and feedback of a code.
 pub(crate) fn holds(cell: &Cell, role: Role, code: &OrderCode) -> bool {
     let size = format!("{}-{}", code.series().as_str(), code.size);
     let feedback = if role == Role::OutputEncoder { "EC" } else { code.feedback.as_str() };
@@ -253,7 +253,7 @@ fn exit_of(role: Role, code: &OrderCode) -> Option<Exit> {
     }
 }
 
-/// The pins of a connector: those that the table heads, and of the poles those whose fields are empty.
+/// Returns the pins of a connector: those listed in the table, and the remaining poles with empty fields.
 fn pins_of(role: Role, table: &'static Table, poles: u8, code: &OrderCode) -> Vec<Pin> {
     let mut pins: Vec<Pin> = Vec::new();
     for cell in table.cells().iter().filter(|cell| holds(cell, role, code)) {
@@ -284,7 +284,7 @@ fn pins_of(role: Role, table: &'static Table, poles: u8, code: &OrderCode) -> Ve
             }
         }
     }
-    // Numbers in order, PE behind them.
+    // Numbers in order, followed by PE.
     pins.sort_by_key(|pin| (pin.name.parse().unwrap_or(u8::MAX), pin.name.clone()));
     pins
 }
@@ -340,7 +340,7 @@ fn absences(code: &OrderCode, connectors: &[Connector], cables: &[Cable]) -> Vec
         (Absent::YukonCable, CableFor::YukonDrive),
         (Absent::SimodriveCable, CableFor::Simodrive),
     ] {
-        // Of the encoder at the output there is a cable for each of its own; here it is about motor and feedback.
+        // The encoder at the output has cables of its own; here motor and feedback are concerned.
         if !cables.iter().any(|cable| cable.goal == goal && cable.role != CableRole::OutputEncoder) {
             absent(what, feedback_table);
         }

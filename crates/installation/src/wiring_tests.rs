@@ -23,7 +23,7 @@ fn found(code: &str, list: &str) -> Vec<(Option<usize>, &'static str, Severity)>
     compared(code, list).findings.iter().map(|each| (each.line, each.difference.id(), each.severity())).collect()
 }
 
-/// The list of a connector as it is printed.
+/// Returns the list of a connector as stated in the manual.
 fn printed_list(wiring: &Wiring) -> String {
     let mut list = String::from("connector,pin,signal\n");
     for connector in &wiring.connectors {
@@ -44,7 +44,7 @@ fn every_code_has_its_wiring_or_is_on_request() {
         assert_eq!(roles, if ec { Role::ALL.to_vec() } else { vec![Role::Motor, Role::Feedback] }, "{code}");
         for connector in &wiring.connectors {
             let missing = connector.pins.is_empty();
-            // The resolver on 20A to 58A, whose motor connector table 65.3 does not head.
+            // Resolvers on 20A to 58A are missing in table 65.3 of the motor connector.
             assert_eq!(
                 missing,
                 connector.role == Role::Motor && wiring.absences.iter().any(|a| a.what == Absent::MotorPins)
@@ -75,7 +75,7 @@ fn no_pin_stands_twice_and_every_signal_is_understood() {
             carried.sort_unstable();
             let all = carried.len();
             carried.dedup();
-            // Both ends of the thermistor chain have one name.
+            // Both ends of the thermistor chain have the same name.
             let twice = usize::from(connector.role == Role::Motor && carried.contains(&"Temp PTC"));
             assert_eq!(carried.len() + twice, all, "{code}");
             for pin in &connector.pins {
@@ -252,7 +252,7 @@ fn a_list_that_cannot_be_read_tells_all_its_faults() {
     assert_eq!(&text[faults[3].span()], "motor,3");
 }
 
-// By hand: 2 * 0.017241 * 15 * 0.6 / 0.75 = 0.41378 V; at 70 °C times 1 + 0.00393 * 50 = 1.1965, 0.49509 V.
+// 2 * 0.017241 * 15 * 0.6 / 0.75 = 0.41378 V; at 70 °C times 1 + 0.00393 * 50 = 1.1965, 0.49509 V.
 #[test]
 fn the_loss_of_the_brake_is_that_of_both_wires() {
     let (length, section) = (Length::new_in(15.0, &METRE), Area::new_in(0.75, &SQUARE_MILLIMETRE));
@@ -287,7 +287,7 @@ fn every_circuit_of_every_code_has_its_loss() {
     for (code, _) in all() {
         let expected = 1 + usize::from(code.brake == Brake::With) + usize::from(code.option_1.is_some());
         let found = voltage_drops(code, Length::new_in(10.0, &METRE), None).len();
-        // Codes on request have no drive of the catalogue and so no current of the brake.
+        // Codes on request have no drive in the catalogue and therefore no brake current.
         let data = catalogue::drive(code.size, code.winding, code.feedback).is_some();
         assert_eq!(found, expected - usize::from(!data && code.brake == Brake::With), "{code}");
     }

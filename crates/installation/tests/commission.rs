@@ -15,7 +15,7 @@ use quantities::{
     ThermodynamicTemperature, Time,
 };
 
-/// Every code that can exist and for which the manual prints data.
+/// Returns every code that can exist and for which the manual prints data.
 fn all() -> Vec<Commissioning> {
     configurator::all().iter().filter_map(|(code, _)| commission(code)).collect()
 }
@@ -32,7 +32,7 @@ fn si(about: &Commissioning, id: ParameterId) -> f64 {
     about.get(id).unwrap_or_else(|| panic!("{}: {id:?}", about.code)).si
 }
 
-/// The numbers of the list as a drive would get them, printed and read again.
+/// Returns the numbers of the list as a drive would get them, printed and read again.
 fn read_back(about: &Commissioning, number: u16) -> f64 {
     let lines = sinamics::lines(about);
     let line =
@@ -238,7 +238,7 @@ fn q<Q: Measure>(si: f64) -> Q {
     Q::from_si(si)
 }
 
-/// A record in which everything is as it should be, computed here from the printed values.
+/// Returns a record in which everything is as it should be, computed here from the printed values.
 fn healthy(about: &Commissioning) -> Measured {
     let (warm, i) = (31.0, si(about, ParameterId::ReductionRatio));
     let speed_out = 1000.0 / i;

@@ -1,4 +1,4 @@
-//! What holds for every ordering code.
+//! Properties that hold for every ordering code.
 #![allow(missing_docs, clippy::unwrap_used, clippy::panic, clippy::indexing_slicing, reason = "a test fails loudly")]
 
 use catalogue::Topic;
@@ -37,7 +37,7 @@ fn every_code_with_data_can_be_mounted_and_no_other() {
     assert!(with_data > 900, "{with_data}");
 }
 
-/// What the parameters of an actuator say of the sensors in its winding is what its connectors lead out.
+/// The winding sensors in the parameters of an actuator are those with contacts at its connectors.
 #[test]
 fn the_sensors_of_the_winding_are_those_that_the_connectors_lead_out() {
     let mut found = std::collections::BTreeSet::new();
@@ -56,7 +56,7 @@ fn the_sensors_of_the_winding_are_those_that_the_connectors_lead_out() {
     assert_eq!(found.into_iter().collect::<Vec<_>>(), [(false, false), (false, true), (true, true)]);
 }
 
-/// As wide as both tolerances together, whatever the bore; and the kind is what its clearances are.
+/// The clearances span both tolerances for any bore, and determine the kind of fit.
 #[test]
 fn clearances_span_both_tolerances() {
     let bores = ["H7", "K7", "N7", "+0.012/-0.003 mm"].map(|text| read_bore(text).unwrap());
@@ -204,8 +204,8 @@ fn the_storage_ends_for_what_is_stored_alone() {
     assert!(!has(stored, Some("2026-09-01")) && !has(None, None) && !has(None, Some("2026-03-01")));
 }
 
-/// What a list, a record, an object or a fact says of KTY, PTC, brake or encoder at the output has its pins in the wiring of the
-/// same code, and each signal of the pins is in them.
+/// The connectors of a code have pins for the KTY, PTC, brake or output encoder named by a list, a record, an object or
+/// a fact, and each signal of the pins is named by one of these.
 #[test]
 fn the_commissioning_speaks_of_what_the_wiring_has() {
     use installation::commission::expected::Measurand;

@@ -1,4 +1,4 @@
-//! Check-lists: requirements of the manual for each step, and expected values of this code with room for the measured ones.
+//! Checklists: requirements of the manual for each step, and expected values of the code with space for measured ones.
 
 use super::expected::{Expected, Measurand};
 use super::{Commissioning, Parameter, ParameterId};
@@ -7,60 +7,60 @@ use catalogue::{Fact, Step, Topic};
 use quantities::unit::{MINUTE, REVOLUTION_PER_MINUTE};
 use quantities::{AngularVelocity, Measure, ThermodynamicTemperature, Time};
 
-/// Speed of the motor in a test run (cha-manual section 9.5), in 1/min; the fact `test_run_short` has it.
+/// Fact and value that state the motor speed of a test run (cha-manual section 9.5).
 const TEST_SPEED: (&str, &str) = ("test_run_short", "speed_motor");
 
-/// The steps that have a list.
+/// Steps with a checklist.
 pub const STEPS: [Step; 3] = [Step::BeforePower, Step::FirstMotion, Step::AfterADay];
 
-/// One line of a list.
+/// A line of a checklist.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Item {
-    /// What the prose says.
+    /// A fact of the manual.
     Fact(&'static Fact),
-    /// A value to measure at a condition, with what it should be.
+    /// A value to measure under a condition.
     Measure {
-        /// What it should be.
+        /// Expected value.
         expected: Expected,
-        /// The condition in which that holds.
+        /// Condition to which the expected value applies.
         at: Condition,
     },
-    /// A value of the list to set or to compare.
+    /// A value to set or to compare.
     Value(Parameter),
-    /// A limit of the test run.
+    /// Limits of the test run.
     Limit {
-        /// Speed of the motor.
+        /// Largest motor speed.
         speed_motor: AngularVelocity,
-        /// The same at the flange.
+        /// Largest flange speed.
         speed_out: AngularVelocity,
-        /// How long at the most.
+        /// Longest duration.
         time: Time,
     },
 }
 
-/// The condition of a measurement.
+/// Condition of a measurement.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Condition {
-    /// None.
+    /// Any condition.
     Any,
     /// Temperature of winding or gear.
     Temperature(ThermodynamicTemperature),
-    /// Speed of the motor.
+    /// Motor speed.
     SpeedMotor(AngularVelocity),
-    /// Speed of the flange, and the temperature of the gear.
+    /// Flange speed, and the temperature of the gear.
     SpeedOut(AngularVelocity, ThermodynamicTemperature),
 }
 
-/// The list of one step.
+/// Checklist of one step.
 #[derive(Clone, Debug, PartialEq)]
 pub struct CheckList {
-    /// Which step.
+    /// Step of the commissioning.
     pub step: Step,
-    /// Its lines: the prose first, then the figures.
+    /// Lines: facts first, then values.
     pub items: Vec<Item>,
 }
 
-/// The speed of the motor in a test run and how long it may last, as the prose has them.
+/// Returns the motor speed and the longest duration of a test run, from the facts of the manual.
 #[must_use]
 pub fn test_run() -> Option<(AngularVelocity, Time)> {
     let fact = catalogue::fact(TEST_SPEED.0)?;
@@ -69,7 +69,7 @@ pub fn test_run() -> Option<(AngularVelocity, Time)> {
     Some((speed, Time::new_in(value("time")?, &MINUTE)))
 }
 
-/// The three lists of a code; `ambient` is the temperature at which winding and sensors are measured.
+/// Returns the three checklists of a code; `ambient` is the temperature at which winding and sensors are measured.
 #[must_use]
 pub fn lists(about: &Commissioning, ambient: ThermodynamicTemperature) -> Vec<CheckList> {
     let facts = facts_about(Topic::Commission, &about.code, Order::Data);
@@ -86,7 +86,7 @@ pub fn lists(about: &Commissioning, ambient: ThermodynamicTemperature) -> Vec<Ch
     STEPS.into_iter().map(list).collect()
 }
 
-/// A value to measure, where it is known what it should be.
+/// Returns a value to measure, if the expected value is known.
 fn measure(expected: Option<Expected>, at: Condition) -> Option<Item> {
     Some(Item::Measure { expected: expected?, at })
 }
@@ -108,7 +108,7 @@ fn before_power(about: &Commissioning, ambient: ThermodynamicTemperature) -> Vec
     cold.into_iter().chain(at_any).chain(values).flatten().collect()
 }
 
-/// Speeds of motor and flange in a test run, and how long it lasts at most.
+/// Returns motor speed, flange speed and longest duration of a test run.
 fn test_speeds(about: &Commissioning) -> Option<(AngularVelocity, AngularVelocity, Time)> {
     let (speed_motor, time) = test_run()?;
     let ratio = about.get(ParameterId::ReductionRatio)?.si;

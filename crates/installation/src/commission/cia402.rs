@@ -1,4 +1,4 @@
-//! The objects of the drive profile CiA 402 that follow from a code, as whole numbers with the error of rounding them.
+//! CiA 402 objects that follow from a code, as whole numbers with their rounding error.
 
 use super::recorded::{REVERSED, counting_fact};
 use super::{Commissioning, Parameter, ParameterId, clean};
@@ -7,28 +7,28 @@ use quantities::identified;
 use quantities::unit::{MILLIAMPERE, MILLINEWTON_METRE, ONE, REVOLUTION_PER_MINUTE};
 
 identified! {
-    /// A type of CiA 301.
+    /// Data type of CiA 301.
     #[derive(Clone, Copy, Debug, PartialEq, Eq)]
     pub enum DataType {
-        /// 8 bit with sign.
+        /// Signed, 8 bit.
         Integer8 = "INTEGER8",
-        /// 16 bit with sign.
+        /// Signed, 16 bit.
         Integer16 = "INTEGER16",
-        /// 32 bit with sign.
+        /// Signed, 32 bit.
         Integer32 = "INTEGER32",
-        /// 8 bit without sign.
+        /// Unsigned, 8 bit.
         Unsigned8 = "UNSIGNED8",
-        /// 16 bit without sign.
+        /// Unsigned, 16 bit.
         Unsigned16 = "UNSIGNED16",
-        /// 32 bit without sign.
+        /// Unsigned, 32 bit.
         Unsigned32 = "UNSIGNED32",
-        /// Text.
+        /// Text without fixed length.
         VisibleString = "VISIBLE_STRING",
     }
 }
 
 impl DataType {
-    /// Its number in CiA 301, as an EDS has it.
+    /// Returns the number of the type in CiA 301, as used in an EDS.
     #[must_use]
     pub const fn number(self) -> u16 {
         match self {
@@ -42,7 +42,7 @@ impl DataType {
         }
     }
 
-    /// Bytes of a number; none of a text.
+    /// Returns the size of a number in bytes; zero for a text.
     #[must_use]
     pub const fn bytes(self) -> u8 {
         match self {
@@ -53,7 +53,7 @@ impl DataType {
         }
     }
 
-    /// The least and the largest value; zero of a text.
+    /// Returns the smallest and the largest value; zero for a text.
     #[must_use]
     pub const fn range(self) -> [i64; 2] {
         match self {
@@ -68,82 +68,83 @@ impl DataType {
     }
 }
 
-/// What an object says.
+/// Meaning of an object.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum ObjectId {
-    /// 0x6072
+    /// Max torque, 0x6072.
     MaxTorque,
-    /// 0x6073
+    /// Max current, 0x6073.
     MaxCurrent,
-    /// 0x6075
+    /// Motor rated current, 0x6075.
     MotorRatedCurrent,
-    /// 0x6076
+    /// Motor rated torque, 0x6076.
     MotorRatedTorque,
-    /// 0x607E
+    /// Polarity, 0x607E.
     Polarity,
-    /// 0x6080
+    /// Max motor speed, 0x6080.
     MaxMotorSpeed,
-    /// 0x608F sub 1
+    /// Encoder increments, 0x608F sub 1.
     EncoderIncrements,
-    /// 0x608F sub 2
+    /// Motor revolutions of the encoder increments, 0x608F sub 2.
     EncoderRevolutions,
-    /// 0x6091 sub 1
+    /// Motor revolutions of the gear ratio, 0x6091 sub 1.
     GearMotorRevolutions,
-    /// 0x6091 sub 2
+    /// Shaft revolutions of the gear ratio, 0x6091 sub 2.
     GearShaftRevolutions,
 }
 
 identified! {
-    /// How an exact value becomes a whole one.
+    /// Rounding of an exact value to a whole number.
     #[derive(Clone, Copy, Debug, PartialEq, Eq)]
     pub enum Rounding {
-        /// To the nearest: the error is half a unit at most. For what others are related to.
+        /// Nearest number, for reference values: error at most half a unit.
         Nearest = "nearest",
-        /// Downwards: the error is less than one unit. For limits.
+        /// Downwards, for limits: error less than one unit.
         Down = "down",
     }
 }
 
-/// One object with its value.
+/// An object with its value.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Object {
-    /// What it says.
+    /// Meaning of the object.
     pub id: ObjectId,
-    /// Index.
+    /// Index of the object.
     pub index: u16,
-    /// Sub-index.
+    /// Sub-index of the object.
     pub sub: u8,
-    /// Type.
+    /// Data type of the value.
     pub data_type: DataType,
-    /// The value to write.
+    /// Value to write.
     pub value: u32,
-    /// The value before it was rounded.
+    /// Value before rounding.
     pub exact: f64,
-    /// Unit of both.
+    /// Unit of both values.
     pub unit: &'static str,
-    /// How it was rounded.
+    /// Rounding of the value.
     pub rounding: Rounding,
-    /// The parameters that went in.
+    /// Parameters from which the value follows.
     pub from: Vec<Parameter>,
-    /// What the prose says that went in.
+    /// Facts from which the value follows.
     pub facts: Vec<&'static Fact>,
-    /// Document that names the object, its type and its unit.
+    /// Document that defines the object, its type and its unit.
     pub document: &'static str,
 }
 
-/// Bits 7 (position) and 6 (velocity) of 0x607E: what is demanded is multiplied by −1 (synapticon-circulo).
+/// Bits 7 (position) and 6 (velocity) of 0x607E, which multiply the demand value by −1 (synapticon-circulo).
 const BOTH_REVERSED: u8 = 0b1100_0000;
 
 /// Per mille of the rated value.
 const PER_MILLE: f64 = 1000.0;
 
-/// The objects whose values are known, by index and sub-index.
+/// Returns the objects with known values, by index and sub-index.
 ///
-/// Rated are the stall values of the motor, I_0 and k_TM I_0: a drive takes the torque as proportional to the current, so
-/// 0x6072 and 0x6073 are both 1000 I_lim/I_0. A value that its type cannot hold is left out.
+/// The rated values are the stall values of the motor, I_0 and k_TM I_0: a drive assumes that torque is proportional to
+/// current, so that 0x6072 and 0x6073 are both 1000 I_lim/I_0. A value outside the range of its type is omitted.
 ///
-/// The ratio is negative (cha-manual section 11.1), and 0x6091 has no sign: 0x607E has it, so that what is positive turns the
-/// flange clockwise, seen from the front. It is there where the manual says which way the position rises.
+/// The ratio is negative (cha-manual section 11.1), but 0x6091 has no sign: 0x607E sets it, so that positive values
+/// turn the flange clockwise as seen from the front. It is included if the manual states the direction of increasing
+/// position.
 #[must_use]
 pub fn objects(commissioning: &Commissioning) -> Vec<Object> {
     use DataType::{Unsigned16, Unsigned32};
@@ -193,7 +194,7 @@ pub fn objects(commissioning: &Commissioning) -> Vec<Object> {
     let (increments, ratio) = (get(ParameterId::EncoderIncrements), get(ParameterId::ReductionRatio));
     let document = "beckhoff-ax8xxx";
     one(ObjectId::EncoderIncrements, (0x608F, 1), increments.clone(), &ONE, "inc", document);
-    // Per one turn.
+    // Per single turn.
     let single = |parameter: Option<Parameter>| parameter.map(|parameter| Parameter { si: 1.0, ..parameter });
     one(ObjectId::EncoderRevolutions, (0x608F, 2), single(increments), &ONE, "rev", document);
     one(ObjectId::GearMotorRevolutions, (0x6091, 1), ratio.clone(), &ONE, "rev", document);

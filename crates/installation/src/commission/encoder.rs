@@ -1,29 +1,30 @@
-//! What is printed about the encoders of a code: lines, protocol, supply, turns.
+//! Data of the manual on the encoders of a code: lines, protocol, supply, turns.
 
 use catalogue::{Cell, Footnote, SeriesData, Table};
 use order_code::OrderCode;
 
-/// On which side an encoder sits.
+/// Side of an encoder.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum EncoderSide {
-    /// On the motor shaft: commutation, speed, position.
+    /// Motor shaft: commutation, speed, position.
     Motor,
-    /// On the output flange, option EC.
+    /// Output flange, option EC.
     Output,
 }
 
-/// A printed value of an encoder, with the notes on it.
+/// A value of the manual on an encoder, with its notes.
 #[derive(Clone, Debug, PartialEq)]
 pub struct EncoderRow {
-    /// Which encoder.
+    /// Side of the encoder.
     pub side: EncoderSide,
-    /// The cell.
+    /// Cell of the value.
     pub cell: &'static Cell,
     /// Notes on the cell.
     pub notes: Vec<&'static Footnote>,
 }
 
-/// The cells about the encoders of a code, in the order of the manual: section 6.22 for the motor, table 68.1 for option EC.
+/// Returns the cells on the encoders of a code in the order of the manual: section 6.22 for the motor, table 68.1 for
+/// option EC.
 #[must_use]
 pub fn rows(code: &OrderCode) -> Vec<EncoderRow> {
     let ratio = code.ratio.to_string();
@@ -52,7 +53,7 @@ pub fn rows(code: &OrderCode) -> Vec<EncoderRow> {
     rows
 }
 
-/// The increments of the motor's feedback in one turn, as printed with the interpolation that its table names.
+/// Returns the increments of the motor feedback per turn, with the interpolation stated in its table.
 #[must_use]
 pub fn increments(code: &OrderCode) -> Option<&'static Cell> {
     rows(code).into_iter().map(|row| row.cell).find(|cell| cell.place.symbol == "resolution_motor_inc")

@@ -1,4 +1,4 @@
-//! What a measurement should give, with the band about it and what the band rests on.
+//! Expected values of measurements, with their bands and the sources of these.
 
 use super::{Commissioning, ParameterId, sensors};
 use actuator::{NoLoadFriction, copper_resistance};
@@ -8,7 +8,7 @@ use quantities::unit::{AMPERE, DEGREE_CELSIUS, MILLIHENRY, MILLISECOND, OHM, ONE
 use quantities::{AngularVelocity, ElectricalResistance, Measure, ThermodynamicTemperature, Unit, identified};
 
 identified! {
-    /// What is measured.
+    /// A quantity to measure.
     #[derive(Clone, Copy, Debug, PartialEq, Eq)]
     pub enum Measurand {
         /// Resistance between two terminals at the temperature of the winding.
@@ -23,29 +23,29 @@ identified! {
         Ptc = "ptc",
         /// Voltage at the brake.
         BrakeVoltage = "brake_voltage",
-        /// Current while the brake opens.
+        /// Opening current of the brake.
         BrakeOpeningCurrent = "brake_opening_current",
-        /// Current that keeps it open.
+        /// Holding current of the brake.
         BrakeHoldingCurrent = "brake_holding_current",
-        /// Time until it is open.
+        /// Opening time of the brake.
         BrakeOpeningTime = "brake_opening_time",
-        /// Time until it is closed.
+        /// Closing time of the brake.
         BrakeClosingTime = "brake_closing_time",
-        /// Whether the flange turns against the motor.
+        /// Direction of the flange opposite to the motor.
         DirectionFlange = "direction_flange",
-        /// Whether the position rises while the motor turns clockwise.
+        /// Increasing position while the motor turns clockwise.
         DirectionPosition = "direction_position",
-        /// Speed of the motor over that of the flange.
+        /// Motor speed over flange speed.
         Ratio = "ratio",
         /// Electrical over mechanical frequency of the motor.
         PolePairs = "pole_pairs",
-        /// Current without load at a speed, rms.
+        /// No-load current at a speed, rms.
         NoLoadCurrent = "no_load_current",
     }
 }
 
 impl Measurand {
-    /// The unit in which it is shown.
+    /// Returns the unit of display.
     #[must_use]
     pub fn unit(self) -> &'static Unit {
         match self {
@@ -58,7 +58,7 @@ impl Measurand {
         }
     }
 
-    /// Whether there is no such value without a brake.
+    /// Returns `true` if the quantity requires a brake.
     pub(super) const fn is_of_the_brake(self) -> bool {
         matches!(
             self,
@@ -72,35 +72,36 @@ impl Measurand {
 }
 
 identified! {
-    /// What the band about a value rests on.
+    /// Basis of the band of an expected value.
     #[derive(Clone, Copy, Debug, PartialEq, Eq)]
     pub enum Band {
-        /// A tolerance that the manual prints.
+        /// Tolerance stated in the manual.
         Printed = "printed",
-        /// What another maker lets the data of its servo motors be off: R ±10 %, k_E ±7.5 % (simodrive-611a).
+        /// Tolerances of another manufacturer's servo motors: R ±10 %, k_E ±7.5 % (simodrive-611a).
         ServoMotors = "servo_motors",
-        /// Least and largest resistance of the sensor's data sheet (nxp-kty84): ±3 % at 100 °C, wider away from it.
+        /// Smallest and largest resistance in the sensor's data sheet (nxp-kty84): ±3 % at 100 °C, wider at other
+        /// temperatures.
         KtySheet = "kty_data_sheet",
-        /// The bounds of DIN 44081.
+        /// Bounds of DIN 44081.
         Din44081 = "din_44081",
-        /// What a joint with such a gear was identified to lie off its catalogue (table friction-identified): one share of the
-        /// constant part, another of that which grows with the speed.
+        /// Deviation of the identified friction of a joint with such a gear from its catalogue (table
+        /// friction-identified): one share of the constant part, another of the part that grows with the speed.
         Friction = "friction",
-        /// No source states one: ours.
+        /// Chosen by antrieb, because no source states a tolerance.
         Ours = "ours",
-        /// There is one right answer; 2 % are ours, for reading two values.
+        /// A single correct value, with 2 % chosen by antrieb for reading errors of two values.
         Exact = "exact",
     }
 }
 
 impl Band {
-    /// Whether a value outside is wrong by itself; otherwise it is only advice.
+    /// Returns `true` if a value outside the band is wrong; otherwise it is only advice.
     #[must_use]
     pub const fn is_firm(self) -> bool {
         matches!(self, Self::Printed | Self::ServoMotors | Self::KtySheet | Self::Din44081 | Self::Exact)
     }
 
-    /// How far it can be trusted.
+    /// Returns the grade of trust.
     #[must_use]
     pub const fn grade(self) -> Grade {
         match self {
@@ -112,35 +113,35 @@ impl Band {
     }
 }
 
-/// What a measurement should give. All in SI.
+/// Expected value of a measurement, in SI.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Expected {
-    /// What is measured.
+    /// Quantity to measure.
     pub what: Measurand,
-    /// The value; `None` where there is an upper bound alone.
+    /// Expected value; `None` if there is only an upper bound.
     pub nominal: Option<f64>,
-    /// Lower edge.
+    /// Lower edge of the band.
     pub low: f64,
-    /// Upper edge.
+    /// Upper edge of the band.
     pub high: f64,
-    /// What the band rests on.
+    /// Basis of the band.
     pub band: Band,
-    /// Where the value stands.
+    /// Sources of the value.
     pub sources: Vec<Source>,
-    /// How far value and band can be trusted.
+    /// Grade of trust in value and band.
     pub grade: Grade,
 }
 
-/// Half-widths of the bands, as shares.
+/// Half widths of the bands, relative to the value \[1\].
 const RESISTANCE: f64 = 0.10;
 const VOLTAGE_CONSTANT: f64 = 0.075;
-/// Computed without saturation (cha-manual section 11.1), and no source states the deviation.
+/// Computed without saturation (cha-manual section 11.1); no source states the deviation.
 const INDUCTANCE: f64 = 0.25;
-/// The supply may be 10 % off (printed), the coil as much as a winding.
+/// 10 % tolerance of the supply (manual), and as much for the coil as for a winding.
 const BRAKE_CURRENT: f64 = 0.20;
-/// A time depends on voltage, wear and the circuit of the coil.
+/// The times depend on voltage, wear and the circuit of the coil.
 const BRAKE_TIME: f64 = 0.5;
-/// Reading of two speeds.
+/// Reading error of two speeds.
 const READING: f64 = 0.02;
 
 impl Commissioning {
@@ -157,7 +158,7 @@ impl Commissioning {
         })
     }
 
-    /// R = R_LL (1 + 3.93e-3 (ϑ − 20 °C)), see [`copper_resistance`].
+    /// Returns the winding resistance R = R_LL (1 + 3.93e-3 (ϑ − 20 °C)), see [`copper_resistance`].
     #[must_use]
     pub fn expected_resistance(&self, winding: ThermodynamicTemperature) -> Option<Expected> {
         let at_20 = self.about(Measurand::ResistanceLl, ParameterId::ResistanceLl, (RESISTANCE, Band::ServoMotors))?;
@@ -165,13 +166,13 @@ impl Commissioning {
         Some(scaled(at_20, factor))
     }
 
-    /// L_LL as printed.
+    /// Returns L_LL of the manual.
     #[must_use]
     pub fn expected_inductance(&self) -> Option<Expected> {
         self.about(Measurand::InductanceLl, ParameterId::InductanceLl, (INDUCTANCE, Band::Ours))
     }
 
-    /// U = k_EM n, rms between two terminals.
+    /// Returns the induced voltage U = k_EM n, rms between two terminals.
     #[must_use]
     pub fn expected_emf(&self, speed_motor: AngularVelocity) -> Option<Expected> {
         let per_speed =
@@ -179,7 +180,8 @@ impl Commissioning {
         Some(scaled(per_speed, speed_motor.si().abs()))
     }
 
-    /// R of the KTY, see [`sensors::kty_resistance`], within [`sensors::kty_band`]; `None` where it is not led out.
+    /// Returns the resistance of the KTY, see [`sensors::kty_resistance`], with the band [`sensors::kty_band`]; `None`
+    /// if no connector has contacts for it.
     #[must_use]
     pub fn expected_kty(&self, sensor: ThermodynamicTemperature) -> Option<Expected> {
         let nominal = sensors::kty_resistance(sensor).filter(|_| self.has_kty())?;
@@ -196,7 +198,8 @@ impl Commissioning {
         })
     }
 
-    /// The bound of a cold PTC; `None` without one, and from T_NAT − 20 K on, where the standard says nothing for a while.
+    /// Returns the bound of a cold PTC; `None` without a PTC, and from T_NAT − 20 K on, above which the standard states
+    /// no bound for a range.
     #[must_use]
     pub fn expected_ptc(&self, sensor: ThermodynamicTemperature) -> Option<Expected> {
         let response = configurator::ptc_cell(&self.code).filter(|_| self.has_ptc())?;
@@ -215,7 +218,7 @@ impl Commissioning {
         })
     }
 
-    /// U_Br with its printed tolerance.
+    /// Returns U_Br with the tolerance of the manual.
     #[must_use]
     pub fn expected_brake_voltage(&self) -> Option<Expected> {
         let drive = catalogue::drive(self.code.size, self.code.winding, self.code.feedback)?;
@@ -224,7 +227,7 @@ impl Commissioning {
         self.about(Measurand::BrakeVoltage, ParameterId::BrakeVoltage, (plus_minus_percent / 100.0, Band::Printed))
     }
 
-    /// A current or a time of the brake.
+    /// Returns a current or a time of the brake.
     #[must_use]
     pub fn expected_brake(&self, what: Measurand) -> Option<Expected> {
         let (id, share) = match what {
@@ -237,16 +240,17 @@ impl Commissioning {
         self.about(what, id, (share, Band::Ours))
     }
 
-    /// The temperature of the warm gear, the warmest for which the no-load current is printed.
+    /// Returns the temperature of a warm gear, the highest for which the manual states the no-load current.
     #[must_use]
     pub fn warm_gear(&self) -> Option<ThermodynamicTemperature> {
         NoLoadFriction::of(&self.actuator).ok().map(|law| law.warmest())
     }
 
-    /// I = I_NLS + K_INL(ϑ) |n|, n at the output, see [`NoLoadFriction`].
+    /// Returns the no-load current I = I_NLS + K_INL(ϑ) |n|, n at the output, see [`NoLoadFriction`].
     ///
     /// # Valid
-    /// Uncoupled, steady speed. Below the coldest printed temperature by extrapolation, whose band widens the one here (docs/theory/current.md).
+    /// Uncoupled, at constant speed. Below the lowest temperature of the manual by extrapolation, whose band widens
+    /// this one (docs/theory/current.md).
     #[must_use]
     pub fn expected_no_load(&self, speed_out: AngularVelocity, gear: ThermodynamicTemperature) -> Option<Expected> {
         let law = NoLoadFriction::of(&self.actuator).ok()?;
@@ -270,32 +274,33 @@ impl Commissioning {
         })
     }
 
-    /// i of the gear, by two speeds.
+    /// Returns the reduction ratio i, from two speeds.
     #[must_use]
     pub fn expected_ratio(&self) -> Option<Expected> {
         self.about(Measurand::Ratio, ParameterId::ReductionRatio, (READING, Band::Exact))
     }
 
-    /// p of the motor, by frequency and speed.
+    /// Returns the number of pole pairs p, from frequency and speed.
     #[must_use]
     pub fn expected_pole_pairs(&self) -> Option<Expected> {
         self.about(Measurand::PolePairs, ParameterId::PolePairs, (READING, Band::Exact))
     }
 }
 
-/// Below it a drive takes a temperature sensor for short-circuited (sinamics-g115d).
+/// Resistance below which a drive considers a temperature sensor short-circuited \[Ω\] (sinamics-g115d).
 pub const SHORT_CIRCUIT_OHM: f64 = 20.0;
 
-/// Above it a PTC is open. Ours: the standard has no upper bound of one that has responded, which stays below some 100 kΩ.
+/// Resistance above which a PTC is open \[Ω\]. Chosen by antrieb: the standard has no upper bound after the response,
+/// which stays below some 100 kΩ.
 pub const PTC_OPEN_OHM: f64 = 1e6;
 
-/// Above it a drive takes a KTY for open (sinamics-g115d).
+/// Resistance above which a drive considers a KTY open \[Ω\] (sinamics-g115d).
 pub const KTY_OPEN_OHM: f64 = 2120.0;
 
-/// Below it a drive takes a KTY for short-circuited (sinamics-g115d).
+/// Resistance below which a drive considers a KTY short-circuited \[Ω\] (sinamics-g115d).
 pub const KTY_SHORT_OHM: f64 = 50.0;
 
-/// How far identified friction lay off the catalogue, as a share, with its cell.
+/// Returns the relative deviation of identified friction from the catalogue, with its cell.
 fn deviation(symbol: &str) -> Option<(f64, &'static Cell)> {
     let cell = catalogue::table_cell("friction-identified", symbol)?;
     Some((cell.limit().number()? / 100.0, cell))

@@ -1,4 +1,5 @@
-//! A recorded commissioning: each measured value against what it should be, and the likely cause of what is off.
+//! Evaluation of a recorded commissioning: measured values compared with expected ones, and likely causes of
+//! deviations.
 
 mod causes;
 
@@ -14,7 +15,7 @@ use quantities::{
     ThermodynamicTemperature, Time,
 };
 
-/// A direction of rotation, seen from the front.
+/// Direction of rotation as seen from the front.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Turn {
     /// Clockwise.
@@ -23,38 +24,38 @@ pub enum Turn {
     CounterClockwise,
 }
 
-/// What the counted position does.
+/// Direction of the counted position.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Counting {
-    /// It grows.
+    /// The position increases.
     Rising,
-    /// It falls.
+    /// The position decreases.
     Falling,
 }
 
-/// The no-load current at one speed.
+/// No-load current at one speed.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct NoLoad {
-    /// Speed of the flange.
+    /// Flange speed.
     pub speed_out: AngularVelocity,
-    /// Current, rms.
+    /// No-load current, rms.
     pub current: ElectricCurrent,
-    /// Temperature of the gear, taken as that of the housing.
+    /// Temperature of the gear, assumed equal to that of the housing.
     pub temperature: ThermodynamicTemperature,
 }
 
-/// What was measured.
+/// Measured values of a commissioning.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Measured {
-    /// Temperature of the winding while its resistance was measured.
+    /// Temperature of the winding during the resistance measurement.
     pub winding_temperature: Option<ThermodynamicTemperature>,
-    /// Between two terminals.
+    /// Resistance between two terminals.
     pub resistance_ll: Option<ElectricalResistance>,
-    /// Between two terminals.
+    /// Inductance between two terminals.
     pub inductance_ll: Option<Inductance>,
-    /// Induced voltage between two terminals, rms, and the speed of the motor.
+    /// Induced voltage between two terminals, rms, and the motor speed.
     pub emf: Option<(ElectricPotential, AngularVelocity)>,
-    /// Temperature of the winding while its sensors were measured.
+    /// Temperature of the winding during the measurement of its sensors.
     pub sensor_temperature: Option<ThermodynamicTemperature>,
     /// Resistance of the KTY.
     pub kty: Option<ElectricalResistance>,
@@ -62,74 +63,74 @@ pub struct Measured {
     pub ptc: Option<ElectricalResistance>,
     /// Voltage at the brake.
     pub brake_voltage: Option<ElectricPotential>,
-    /// Current while it opens.
+    /// Opening current of the brake.
     pub brake_opening_current: Option<ElectricCurrent>,
-    /// Current that keeps it open.
+    /// Holding current of the brake.
     pub brake_holding_current: Option<ElectricCurrent>,
-    /// Time until it is open.
+    /// Opening time of the brake.
     pub brake_opening_time: Option<Time>,
-    /// Time until it is closed.
+    /// Closing time of the brake.
     pub brake_closing_time: Option<Time>,
-    /// Direction of the motor, seen from the front.
+    /// Direction of the motor as seen from the front.
     pub direction_motor: Option<Turn>,
-    /// Direction of the flange at the same time.
+    /// Simultaneous direction of the flange.
     pub direction_flange: Option<Turn>,
-    /// The position at the same time.
+    /// Simultaneous direction of the position.
     pub position: Option<Counting>,
-    /// Speed of the motor.
+    /// Motor speed.
     pub speed_motor: Option<AngularVelocity>,
-    /// Speed of the flange at the same time.
+    /// Simultaneous flange speed.
     pub speed_flange: Option<AngularVelocity>,
-    /// Frequency of the current at the same time.
+    /// Simultaneous frequency of the current.
     pub electrical_frequency: Option<Frequency>,
-    /// Currents without load.
+    /// No-load currents.
     pub no_load: Vec<NoLoad>,
 }
 
-/// What comes out for one measurement.
+/// Verdict on a measurement.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Verdict {
-    /// Inside the band.
+    /// The value is inside the band.
     Pass,
-    /// Off.
+    /// The value is outside the band.
     Fail,
-    /// Outside an estimated band: advice.
+    /// The value is outside an estimated band.
     Advice,
-    /// Nothing to compare with, or nothing measured.
+    /// The value is not measured, or there is no value to compare it with.
     NotChecked,
 }
 
-/// Why a measurement is not judged.
+/// Reason for which a measurement is not checked.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Unjudged {
-    /// It is not in the record.
+    /// The record has no value.
     NotMeasured,
-    /// The manual states no value for this code, or none for this condition.
+    /// The manual states no value for the code or the condition.
     NotStated,
-    /// The code does not have the part.
+    /// The code lacks the part.
     NotThere,
 }
 
-/// One measurement with its verdict.
+/// A measurement with its verdict.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Judged {
-    /// What was measured.
+    /// Measured quantity.
     pub what: Measurand,
-    /// Which of several, from one.
+    /// Number of the measurement from one, if there are several.
     pub number: Option<usize>,
-    /// The value in SI; for a direction one where it is as it should be, zero where not.
+    /// Measured value in SI; for a direction one if correct, zero if not.
     pub value: Option<f64>,
-    /// What it should be.
+    /// Expected value.
     pub expected: Option<Expected>,
-    /// What comes out.
+    /// Verdict on the measurement.
     pub verdict: Verdict,
-    /// The likely cause of what is off.
+    /// Likely cause of a deviation.
     pub cause: Option<Cause>,
-    /// Why it is not judged.
+    /// Reason for which the measurement is not checked.
     pub unjudged: Option<Unjudged>,
-    /// Where the value to compare with stands, where there is no band: a fact by its id.
+    /// Fact that states the correct direction, by its id; used if there is no band.
     pub fact: Option<&'static str>,
-    /// How far the judgement can be trusted.
+    /// Grade of trust in the verdict.
     pub grade: Option<Grade>,
 }
 
@@ -169,7 +170,7 @@ impl Judged {
         }
     }
 
-    /// An answer of yes or no that a fact of the manual gives.
+    /// Creates the verdict on a direction that a fact of the manual states.
     fn by_fact(what: Measurand, right: bool, fact: &'static str, cause: Cause) -> Self {
         Self {
             what,
@@ -184,15 +185,15 @@ impl Judged {
         }
     }
 
-    /// Sources of what it is compared with.
+    /// Returns the sources of the expected value.
     #[must_use]
     pub fn sources(&self) -> &[Source] {
         self.expected.as_ref().map_or(&[], |expected| &expected.sources)
     }
 }
 
-/// Judges a record against what is known of a code: one entry for each measurand, and one for each point of the no-load
-/// current. What is not in the record is `not checked`, never passed.
+/// Compares a record with the data of a code: one entry for each quantity, and one for each point of the no-load
+/// current. Values missing in the record are `not checked`, never passed.
 #[must_use]
 pub fn judge(about: &Commissioning, measured: &Measured) -> Vec<Judged> {
     let mut judged = Vec::new();
@@ -243,7 +244,7 @@ fn one(about: &Commissioning, measured: &Measured, what: Measurand) -> Judged {
             let value = turns.zip(frequency).filter(|(turns, _)| *turns > 0.0).map(|(turns, hertz)| hertz / turns);
             (value, about.expected_pole_pairs())
         }
-        // Each of its points is judged by itself.
+        // The points of the no-load current are compared individually.
         Measurand::NoLoadCurrent => return Judged::open(what, None, Unjudged::NotMeasured),
     };
     let is_there = match what {
@@ -265,7 +266,7 @@ fn quotient(one: Option<AngularVelocity>, other: Option<AngularVelocity>) -> Opt
 fn compare(about: &Commissioning, what: Measurand, value: Option<f64>, expected: Option<Expected>) -> Judged {
     match (value, expected) {
         (None, _) => Judged::open(what, None, Unjudged::NotMeasured),
-        // A sensor that is open or short-circuited is so at any temperature.
+        // An open or short-circuited sensor is detected at any temperature.
         (Some(value), None) => match causes::of_a_broken_sensor(what, value) {
             Some(cause) => Judged {
                 verdict: Verdict::Fail,
@@ -281,13 +282,13 @@ fn compare(about: &Commissioning, what: Measurand, value: Option<f64>, expected:
     }
 }
 
-/// The fact that the gear reverses.
+/// Fact that the gear reverses the direction.
 pub(super) const REVERSED: &str = "direction_reversed_by_gear";
 
-/// The fact that says which way the position rises.
+/// Returns the fact that states the direction of increasing position.
 ///
-/// Section 6.22 states it for the absolute encoders and gives the signal sequence of C1024 and D2048 for the same direction; of
-/// the resolver it says nothing.
+/// Section 6.22 states it for the absolute encoders and the signal sequence of C1024 and D2048 for the same direction;
+/// it states nothing for the resolver.
 pub(super) fn counting_fact(code: &OrderCode) -> Option<&'static Fact> {
     let id = match code.feedback.kind()? {
         FeedbackKind::EndatMultiturn | FeedbackKind::SsiMultiturn => "position_rises_absolute",

@@ -1,20 +1,20 @@
-//! Temperature sensors: the resistance of the KTY over its temperature, and the corner points of the PTC.
+//! Temperature sensors: resistance of the KTY as a function of temperature, and corner points of the PTC.
 
 use catalogue::Cell;
 use quantities::unit::DEGREE_CELSIUS;
 use quantities::{ElectricalResistance, Measure, ThermodynamicTemperature};
 
-/// Where the closed form holds; a nanokelvin more at both ends is the rounding of a unit.
+/// Range of the closed form \[°C\]; widened by a nanokelvin for unit conversions.
 const RANGE_CELSIUS: std::ops::RangeInclusive<f64> = -40.000_000_001..=250.000_000_001;
 
-/// Resistance of a KTY 84-130.
+/// Returns the resistance of a KTY 84-130.
 ///
 /// R = 1000 (1 + 6.12e-3 (ϑ − 100) + 1.1e-5 (ϑ − 100)²)
 ///
 /// # Symbols
 /// ϑ temperature \[°C\], R \[Ω\]
 /// # Source
-/// nxp-kty84: 1000 Ω at 100 °C; the constants are held against the table kty84-130, worst 0.7 Ω
+/// nxp-kty84: 1000 Ω at 100 °C; the constants agree with the table kty84-130 within 0.7 Ω
 /// # Valid
 /// −40 °C to 250 °C, `None` outside
 #[must_use]
@@ -25,7 +25,7 @@ pub fn kty_resistance(temperature: ThermodynamicTemperature) -> Option<Electrica
     RANGE_CELSIUS.contains(&celsius).then(|| ElectricalResistance::from_si(ohm))
 }
 
-/// The temperature at which a KTY 84-130 has a resistance; the inverse of [`kty_resistance`].
+/// Returns the temperature of a KTY 84-130 with a resistance: the inverse of [`kty_resistance`].
 ///
 /// # Valid
 /// −40 °C to 250 °C, `None` outside
@@ -38,12 +38,12 @@ pub fn kty_temperature(resistance: ElectricalResistance) -> Option<Thermodynamic
         .then(|| ThermodynamicTemperature::new_in(celsius, &DEGREE_CELSIUS))
 }
 
-/// Least and largest resistance of a KTY 84-130 that its data sheet permits.
+/// Returns the smallest and the largest resistance of a KTY 84-130 in its data sheet.
 ///
-/// R(ϑ) + d(ϑ), d between two printed temperatures by a straight line from their printed value less R
+/// R(ϑ) + d(ϑ), d by linear interpolation between two temperatures of the data sheet
 ///
 /// # Symbols
-/// R see [`kty_resistance`], d distance of the printed bound from it \[Ω\]
+/// R see [`kty_resistance`], d distance of the bound of the data sheet from it \[Ω\]
 /// # Source
 /// nxp-kty84, table kty84-130: 340 to 379 Ω at −40 °C, 577 to 629 Ω at 25 °C, 970 to 1030 Ω at 100 °C, 2046 to 2286 Ω at 250 °C
 /// # Valid
@@ -72,12 +72,12 @@ pub fn kty_band(temperature: ThermodynamicTemperature) -> Option<[ElectricalResi
     Some([bound("least")?, bound("largest")?])
 }
 
-/// The cells of a row of the table kty84-130 in the order of their temperatures.
+/// Iterates over the cells of a row of the table kty84-130 in the order of their temperatures.
 fn kty_cells(which: &str) -> impl Iterator<Item = &'static Cell> {
     catalogue::table_cells("kty84-130").iter().filter(move |cell| cell.place.condition.starts_with(which))
 }
 
-/// The cell of the table kty84-130 that is nearest to a temperature.
+/// Returns the cell of the table kty84-130 nearest to a temperature.
 #[must_use]
 pub fn kty_cell(temperature: ThermodynamicTemperature) -> Option<&'static Cell> {
     let celsius = temperature.in_unit(&DEGREE_CELSIUS);
@@ -85,12 +85,12 @@ pub fn kty_cell(temperature: ThermodynamicTemperature) -> Option<&'static Cell> 
     kty_cells("typical").min_by(|one, other| away(one).total_cmp(&away(other)))
 }
 
-/// The temperature at which a cell of that table holds: `typical, 80 degC`.
+/// Returns the temperature of a cell of the table \[°C\]: `typical, 80 degC`.
 fn cell_celsius(cell: &Cell) -> Option<f64> {
     cell.place.condition.split([' ', ',']).find_map(|part| part.parse().ok())
 }
 
-/// The bounds of a single PTC (DIN 44081), as the table has them: up to T_NAT − 20 K, at −5 K, +5 K, +15 K.
+/// Returns the bounds of a single PTC (DIN 44081) from the table: up to T_NAT − 20 K, at −5 K, +5 K, +15 K.
 #[must_use]
 pub fn ptc_bounds() -> Vec<&'static Cell> {
     let cells = catalogue::table_cells("ptc-din44081").iter();
@@ -105,7 +105,7 @@ mod tests {
         ThermodynamicTemperature::new_in(celsius, &DEGREE_CELSIUS)
     }
 
-    /// nxp-kty84 as kty-c-lib lists it: the two thresholds of the manual, and the corners.
+    /// nxp-kty84 as listed in kty-c-lib: the two thresholds of the manual, and the corners.
     #[test]
     fn the_closed_form_meets_the_data_sheet() {
         let printed = [

@@ -1,7 +1,7 @@
-//! The parameter list of a SINAMICS drive: which parameter takes which value, in which unit.
+//! Parameter list of a SINAMICS drive: value and unit of each parameter.
 //!
-//! Only parameter numbers from public documents are listed; other required values are a [`Gap`](super::Gap) or are
-//! referred to the list manual of the drive.
+//! Only parameter numbers from public documents are listed; other required values are [`Gap`](super::Gap)s or left to
+//! the list manual of the drive.
 
 use super::{Commissioning, ParameterId, clean};
 use order_code::FeedbackKind;
@@ -11,32 +11,32 @@ use quantities::unit::{
     OHM, ONE, REVOLUTION_PER_MINUTE, VOLT_PER_THOUSAND_REVOLUTIONS,
 };
 
-/// What a parameter of the drive is set to.
+/// Setting of a parameter of the drive.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Setting {
-    /// The value of the list, in this unit.
+    /// A value of the list, in a unit.
     Value(ParameterId, &'static Unit),
-    /// A choice of the drive.
+    /// An option of the drive.
     Choice(Choice),
 }
 
-/// A choice by number.
+/// An option by number.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Choice {
-    /// The motor is a rotating synchronous motor with permanent magnets.
+    /// Motor type: rotating synchronous motor with permanent magnets.
     Synchronous,
-    /// The encoder reports its data itself, over EnDat.
+    /// Encoder whose data are identified over EnDat.
     IdentifiedEncoder,
-    /// The data of the encoder are entered.
+    /// Encoder whose data are entered.
     EnteredEncoder,
-    /// The temperature sensor comes in with the motor's encoder.
+    /// Temperature sensor connected through the motor encoder.
     SensorAtEncoder,
-    /// The sensor is a KTY 84.
+    /// Temperature sensor of type KTY 84.
     SensorKty,
 }
 
 impl Choice {
-    /// Its number.
+    /// Returns the number of the option.
     #[must_use]
     pub const fn number(self) -> u16 {
         match self {
@@ -49,14 +49,14 @@ impl Choice {
     }
 }
 
-/// One parameter of the drive.
+/// A parameter of the drive.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct DriveParameter {
     /// Number of the parameter; its index is that of the data set of motor or encoder, 0.
     pub number: u16,
-    /// What it is set to.
+    /// Setting of the parameter.
     pub setting: Setting,
-    /// Document that names it.
+    /// Document that defines the parameter.
     pub document: &'static str,
 }
 
@@ -68,16 +68,16 @@ const fn choice(number: u16, choice: Choice, document: &'static str) -> DrivePar
     DriveParameter { number, setting: Setting::Choice(choice), document }
 }
 
-/// Data list of a permanent-magnet synchronous motor.
+/// Document with the data of a permanent-magnet synchronous motor.
 const MOTOR_DATA: &str = "sinamics-s150";
 
-/// List of all parameters of the servo drives.
+/// Document with all parameters of the servo drives.
 const LIST: &str = "sinamics-s120-list";
 
-/// Parameters of an encoder.
+/// Document with the parameters of an encoder.
 const ENCODER: &str = "sinamics-s200";
 
-/// The parameters in the order of their numbers.
+/// Parameters in the order of their numbers.
 pub static ENTRIES: [DriveParameter; 25] = [
     choice(300, Choice::Synchronous, LIST),
     entry(310, ParameterId::FrequencyRated, &HERTZ, MOTOR_DATA),
@@ -109,13 +109,14 @@ pub static ENTRIES: [DriveParameter; 25] = [
 /// A parameter of the drive with its value.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Line {
-    /// Which.
+    /// Parameter of the drive.
     pub entry: &'static DriveParameter,
-    /// The number to write, in the unit of the entry.
+    /// Number to write, in the unit of the entry.
     pub value: f64,
 }
 
-/// The parameters whose values are known. The numbers are those of the list to fifteen digits: nothing is rounded.
+/// Returns the parameters with known values. The numbers are those of the list to fifteen digits, without further
+/// rounding.
 #[must_use]
 pub fn lines(commissioning: &Commissioning) -> Vec<Line> {
     let is_identified = commissioning.code.feedback.kind() == Some(FeedbackKind::EndatMultiturn);
@@ -133,7 +134,7 @@ pub fn lines(commissioning: &Commissioning) -> Vec<Line> {
 }
 
 impl DriveParameter {
-    /// The parameter as drives and their tools write it: `p0350[0]`.
+    /// Returns the parameter as written by drives and their tools: `p0350[0]`.
     #[must_use]
     pub fn name(&self) -> String {
         format!("p{:04}[0]", self.number)

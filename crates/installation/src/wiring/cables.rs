@@ -1,4 +1,4 @@
-//! The cables that sections 6.24 and 6.25 list.
+//! Cables listed in sections 6.24 and 6.25.
 
 use super::{Role, holds};
 use catalogue::{Cell, SeriesData, Table};
@@ -8,42 +8,42 @@ use quantities::identified;
 /// A cable with its material number.
 #[derive(Clone, Copy, Debug)]
 pub struct Cable {
-    /// What it connects.
+    /// Connector of the cable.
     pub role: CableRole,
-    /// Its material number.
+    /// Material number of the cable.
     pub number: &'static Cell,
-    /// Its length.
+    /// Length of the cable.
     pub length: CableLength,
-    /// What it goes to.
+    /// Device at the other end of the cable.
     pub goal: CableFor,
 }
 
 identified! {
-    /// What a cable connects.
+    /// Connector of a cable.
     #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
     pub enum CableRole {
-        /// The motor connector.
+        /// Motor connector.
         Motor = "motor",
-        /// The connector of the motor feedback.
+        /// Connector of the motor feedback.
         Feedback = "feedback",
-        /// The connector of the encoder at the output.
+        /// Connector of the encoder at the output.
         OutputEncoder = "output_encoder",
-        /// A set under one number; what it holds is not printed.
+        /// A set with one number, whose content the manual does not state.
         Set = "set",
     }
 }
 
-/// How long a cable is.
+/// Length of a cable.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum CableLength {
-    /// As printed \[m\].
+    /// Length stated in the manual \[m\].
     Metres(f64),
-    /// Written in the material number, where these letters stand for it, which the drive's maker explains: `xx`.
+    /// Letters of the material number that stand for the length, explained by the manufacturer of the drive: `xx`.
     InNumber(&'static str),
 }
 
 identified! {
-    /// What a cable goes to.
+    /// Device at the other end of a cable.
     #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
     pub enum CableFor {
         /// SINAMICS S120 with a sensor module SMC.
@@ -54,7 +54,7 @@ identified! {
         Simodrive = "simodrive",
         /// `YukonDrive`.
         YukonDrive = "yukondrive",
-        /// Anything: its end is open.
+        /// Any device: open end.
         OpenEnd = "open_end",
     }
 }
@@ -62,7 +62,7 @@ identified! {
 /// Letters of a material number that stand for a length.
 const LENGTH_CODE: &str = "xx";
 
-/// The cables of a code, in the order of the manual.
+/// Returns the cables of a code in the order of the manual.
 pub(super) fn cables(code: &OrderCode) -> Vec<Cable> {
     let winding = format!("winding={}", code.winding);
     let cells =

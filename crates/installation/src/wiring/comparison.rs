@@ -1,4 +1,4 @@
-//! A user's list of pins against the wiring of a code.
+//! Comparison of a user's pin list with the wiring of a code.
 
 use super::pin_list::{ListedPin, PinList};
 use super::signal::{is_nothing, plain, printed_signals, spellings};
@@ -6,19 +6,19 @@ use super::{Connector, Pin, Role, Wiring};
 use crate::wiring::signal::Group;
 use quantities::identified;
 
-/// What a comparison found.
+/// Result of a comparison.
 #[derive(Clone, Debug)]
 pub struct Comparison {
-    /// Every finding, by line; those about no line at the end.
+    /// Findings in order of line; those without a line at the end.
     pub findings: Vec<Finding>,
-    /// Rows of the list.
+    /// Number of rows of the list.
     pub rows: usize,
-    /// Rows that agree with the print.
+    /// Number of rows that agree with the manual.
     pub agreeing: usize,
 }
 
 impl Comparison {
-    /// Whether the list may be wired: nothing but advice.
+    /// Returns `true` if the list may be wired: no findings other than advice.
     #[must_use]
     pub fn agrees(&self) -> bool {
         self.findings.iter().all(|finding| finding.severity() == Severity::Advice)
@@ -26,119 +26,119 @@ impl Comparison {
 }
 
 identified! {
-    /// How grave a finding is.
+    /// Severity of a finding.
     #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
     pub enum Severity {
-        /// People or parts can be harmed.
+        /// Danger to people or parts.
         Danger = "danger",
-        /// It will not work, or not be recognised.
+        /// Malfunction, or a row that is not recognised.
         Fault = "fault",
-        /// Worth a look.
+        /// Advice without consequences for the function.
         Advice = "advice",
     }
 }
 
-/// One difference between list and print.
+/// A difference between list and manual.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Finding {
-    /// The connector.
+    /// Connector of the finding.
     pub role: Role,
-    /// Line of the list; `None` where it is about what is not in it.
+    /// Line of the list; `None` for a finding about something missing.
     pub line: Option<usize>,
-    /// The pin as the print names it, or as written where there is none; empty where it is about the connector.
+    /// Pin as named in the manual, or as written if there is none; empty for a finding about the connector.
     pub pin: String,
-    /// The printed value; empty if the finding is about the connector.
+    /// Signal of the manual; empty for a finding about the connector.
     pub expected: &'static str,
-    /// What is different.
+    /// Kind of difference.
     pub difference: Difference,
 }
 
-/// What is different.
+/// Kind of difference.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Difference {
-    /// The code has no such connector.
+    /// The code lacks the connector.
     NoSuchConnector,
-    /// The list has no row of this connector.
+    /// The list has no row of the connector.
     ConnectorNotListed,
-    /// The pins of this connector are not printed for the code: nothing to compare with.
+    /// The manual does not state the pins of the connector for the code, so that they cannot be compared.
     PinsNotPrinted,
-    /// The list has the pin-out of the other encoder, whose plug is the same: the supply is reversed.
+    /// The list has the pin assignment of the other encoder, whose connector is equal: the supply is reversed.
     OtherEncoder {
-        /// Whose pin-out it is.
+        /// Connector whose pin assignment is listed.
         of: Role,
     },
-    /// The connector has no such pin.
+    /// The connector lacks the pin.
     NoSuchPin,
-    /// The pin stands twice.
+    /// The pin is listed twice.
     PinTwice {
-        /// Line of the first.
+        /// Line of the first row.
         first: usize,
     },
     /// Both ends of a pair are exchanged.
     Reversed {
-        /// Of which kind.
+        /// Group of the signal.
         group: Group,
-        /// The pin of the other end.
+        /// Pin of the other end.
         with: String,
     },
     /// Two signals are exchanged.
     Swapped {
-        /// Of which kind the gravest is.
+        /// Group of the more dangerous signal.
         group: Group,
-        /// The pin of the other.
+        /// Pin of the other signal.
         with: String,
-        /// As written.
+        /// Text of the signal.
         written: String,
     },
-    /// A signal of this connector on a pin that is not its own.
+    /// A signal of the connector is on a wrong pin.
     WrongPin {
-        /// As written.
+        /// Text of the signal.
         written: String,
-        /// Of which kind the gravest is.
+        /// Group of the more dangerous signal.
         group: Group,
-        /// Where it belongs.
+        /// Correct pins of the signal.
         belongs: Vec<String>,
     },
-    /// A signal that this connector does not have.
+    /// The connector lacks the signal.
     ForeignSignal {
-        /// As written.
+        /// Text of the signal.
         written: String,
     },
-    /// A signal that no connector has.
+    /// No connector has the signal.
     UnknownSignal {
-        /// As written.
+        /// Text of the signal.
         written: String,
-        /// The nearest that this connector has.
+        /// Nearest signal of the connector.
         nearest: Option<&'static str>,
     },
-    /// A signal where nothing is connected.
+    /// A signal on a pin that is not connected.
     NotConnected {
-        /// As written.
+        /// Text of the signal.
         written: String,
     },
-    /// The list says that nothing is connected.
+    /// The list leaves the pin unconnected.
     LeftOpen {
-        /// Of which kind the signal is.
+        /// Group of the signal.
         group: Group,
     },
-    /// The pin is not in the list.
+    /// The list lacks the pin.
     Missing {
-        /// Of which kind its signal is.
+        /// Group of the signal.
         group: Group,
     },
     /// The wire is listed without a shield.
     Unshielded,
-    /// The colour is not the printed one.
+    /// The colour differs from the manual.
     Colour {
-        /// As written.
+        /// Text of the colour.
         written: String,
-        /// As printed.
+        /// Colour in the manual.
         printed: &'static str,
     },
 }
 
 impl Difference {
-    /// The identifier used in data exchange.
+    /// Returns the identifier used in data exchange.
     #[must_use]
     pub const fn id(&self) -> &'static str {
         match self {
@@ -164,13 +164,13 @@ impl Difference {
     }
 }
 
-/// Whether a wrong wire of this kind can harm.
+/// Returns `true` if a wrong wire of this group may cause harm.
 const fn harms(group: Group) -> bool {
     matches!(group, Group::Phase | Group::Earth | Group::Brake | Group::Supply)
 }
 
 impl Finding {
-    /// How grave it is.
+    /// Returns the severity of the finding.
     #[must_use]
     pub const fn severity(&self) -> Severity {
         match &self.difference {
@@ -223,7 +223,7 @@ pub fn compare(wiring: &Wiring, list: &PinList) -> Comparison {
     Comparison { findings, rows: list.pins.len(), agreeing }
 }
 
-/// An exchange of two pins is reported at the first of them.
+/// Removes the second report of an exchange of two pins.
 fn remove_doubles(findings: &mut Vec<Finding>) {
     let mut seen: Vec<(Role, String, String)> = Vec::new();
     findings.retain(|Finding { role, pin, difference, .. }| {
@@ -234,7 +234,7 @@ fn remove_doubles(findings: &mut Vec<Finding>) {
     });
 }
 
-/// The pin of a connector that a text names: `7`, `07`, `Pin 7`, `pe`.
+/// Returns the pin of a connector named by a text: `7`, `07`, `Pin 7`, `pe`.
 fn pin_named<'c>(connector: &'c Connector, text: &str) -> Option<&'c Pin> {
     let plain = plain(text);
     let name = ["PIN", "STIFT", "NO", "NR"].iter().find_map(|word| plain.strip_prefix(word)).unwrap_or(&plain);
@@ -242,7 +242,7 @@ fn pin_named<'c>(connector: &'c Connector, text: &str) -> Option<&'c Pin> {
     connector.pins.iter().find(|pin| plain_eq(&pin.name, name))
 }
 
-/// Whether a row of the list names a signal that this pin has.
+/// Returns `true` if a row of the list names the signal of a pin.
 fn has_signal(connector: &Connector, pin: &Pin, row: &ListedPin) -> bool {
     pins_of_signal(connector, &row.signal).iter().any(|each| each.name == pin.name)
 }
@@ -251,11 +251,11 @@ fn plain_eq(one: &str, other: &str) -> bool {
     plain(one) == plain(other)
 }
 
-/// The pins of a connector whose signal a text can mean.
+/// Returns the pins of a connector whose signal a text may name.
 fn pins_of_signal<'c>(connector: &'c Connector, text: &str) -> Vec<&'c Pin> {
     let wanted = plain(text);
     let carrying = || connector.pins.iter().filter(|pin| pin.carries.is_some());
-    // The print itself goes before what it may be called.
+    // The spelling of the manual takes precedence over other spellings.
     let exact: Vec<&Pin> = carrying().filter(|pin| plain(pin.printed()) == wanted).collect();
     if !exact.is_empty() {
         return exact;
@@ -263,7 +263,8 @@ fn pins_of_signal<'c>(connector: &'c Connector, text: &str) -> Vec<&'c Pin> {
     carrying().filter(|pin| spellings(pin.printed()).iter().any(|each| plain(each) == wanted)).collect()
 }
 
-/// How many pins of a connector a list has as printed, of those that carry something, and how many of these are supply.
+/// Returns the number of connected pins of a connector on which a list agrees with the manual, and the number of supply
+/// pins among them.
 fn matching(connector: &Connector, rows: &[&ListedPin]) -> (usize, usize) {
     let carrying = rows.iter().filter(|row| !is_nothing(&row.signal));
     let agreeing: Vec<&Pin> = carrying
@@ -272,7 +273,7 @@ fn matching(connector: &Connector, rows: &[&ListedPin]) -> (usize, usize) {
     (agreeing.len(), agreeing.iter().filter(|pin| pin.carries(Group::Supply)).count())
 }
 
-/// Whether the list of one encoder's connector is the pin-out of the other's, which has the same plug.
+/// Returns the other encoder's role if the list has its pin assignment, which uses an equal connector.
 fn other_encoder(wiring: &Wiring, connector: &Connector, rows: &[&ListedPin]) -> Option<Role> {
     let of = match connector.role {
         Role::Motor => return None,
@@ -284,7 +285,7 @@ fn other_encoder(wiring: &Wiring, connector: &Connector, rows: &[&ListedPin]) ->
     (foreign > own && own_supply == 0 && foreign_supply == 2).then_some(of)
 }
 
-/// What is different at one connector; gives the number of rows that agree.
+/// Records the differences of one connector; returns the number of rows that agree.
 fn of_connector(wiring: &Wiring, connector: &Connector, rows: &[&ListedPin], findings: &mut Vec<Finding>) -> usize {
     let role = connector.role;
     let mut seen: Vec<(&Pin, &ListedPin)> = Vec::new();
@@ -333,12 +334,12 @@ fn of_connector(wiring: &Wiring, connector: &Connector, rows: &[&ListedPin], fin
     agreeing
 }
 
-/// The graver of two kinds: that whose wrong wire harms.
+/// Returns the more dangerous of two groups.
 const fn graver(one: Group, other: Group) -> Group {
     if !harms(one) && harms(other) { other } else { one }
 }
 
-/// What is wrong with the signal of one row; `None`: it is as printed.
+/// Returns the difference in the signal of one row; `None` if it agrees.
 fn difference(connector: &Connector, pin: &Pin, row: &ListedPin, seen: &[(&Pin, &ListedPin)]) -> Option<Difference> {
     let written = row.signal.clone();
     if is_nothing(&row.signal) {
@@ -348,7 +349,7 @@ fn difference(connector: &Connector, pin: &Pin, row: &ListedPin, seen: &[(&Pin, 
     if meant.iter().any(|each| each.name == pin.name) {
         return None;
     }
-    // Of several pins with the signal, the one that has this pin's.
+    // Among several pins with the signal, the one that has the signal of this pin.
     let row_of = |other: &Pin| seen.iter().find(|(known, _)| known.name == other.name).map(|(_, row)| row);
     let has_own = |other: &&&Pin| row_of(other).is_some_and(|row| has_signal(connector, pin, row));
     if let Some(foreign) = meant.first().and_then(|one| one.carries) {
@@ -372,7 +373,7 @@ fn difference(connector: &Connector, pin: &Pin, row: &ListedPin, seen: &[(&Pin, 
     Some(Difference::UnknownSignal { written, nearest })
 }
 
-/// The printed signal of a connector that is most like a text.
+/// Returns the signal of a connector that is most similar to a text.
 fn nearest(connector: &Connector, wanted: &str) -> Option<&'static str> {
     let scored = connector.pins.iter().filter(|pin| pin.carries.is_some()).flat_map(|pin| {
         let printed = pin.printed();
@@ -382,7 +383,7 @@ fn nearest(connector: &Connector, wanted: &str) -> Option<&'static str> {
     (distance <= 1 + wanted.chars().count() / 3).then_some(printed)
 }
 
-/// Colours by their English word, with the letters of IEC 60757, those of German practice, and spellings without umlauts.
+/// Colours by English word, with the letters of IEC 60757, those used in Germany, and spellings without umlauts.
 const COLOURS: [(&str, &[&str]); 13] = [
     ("red", &["RD", "RT"]),
     ("black", &["BK", "SW"]),
@@ -399,13 +400,13 @@ const COLOURS: [(&str, &[&str]); 13] = [
     ("transparent", &["CLEAR", "TR"]),
 ];
 
-/// The printed word of each colour with the English one.
+/// Iterates over the colours of the manual with their English words.
 fn printed_colours() -> impl Iterator<Item = (&'static str, &'static str)> {
     let cells = catalogue::cells().filter(|cell| cell.place.symbol == "wire_colour");
     cells.map(|cell| (cell.corrected, cell.corrected_en()))
 }
 
-/// The colours that a text names, in order; `None` if it has a word that is none.
+/// Returns the colours named by a text, in order; `None` if it contains another word.
 fn colours(text: &str) -> Option<Vec<&'static str>> {
     let words = text.split(|sign: char| !sign.is_alphabetic()).filter(|word| !word.is_empty());
     let one = |word: &str| {
@@ -419,7 +420,7 @@ fn colours(text: &str) -> Option<Vec<&'static str>> {
     for word in words {
         match one(word) {
             Some(colour) => found.push(colour),
-            // Two codes without a joint: GNYE.
+            // Two codes without a separator: GNYE.
             None => {
                 let (first, second) = word.split_at_checked(2)?;
                 found.extend([one(first)?, one(second)?]);

@@ -1,21 +1,21 @@
-//! Voltage lost on the wires of brake and encoder supply.
+//! Voltage drop on the wires of brake and encoder supply.
 
 use catalogue::{Cell, SeriesData, Value};
 use order_code::{Brake, FeedbackKind, OrderCode};
 use provenance::{CellRef, Datum, Source, Sourced};
 use quantities::{Area, ElectricCurrent, ElectricPotential, ElectricalResistivity, Length, Measure, identified};
 
-/// Temperature of a warm wire, the limit of PVC insulation in continuous operation (IEC 60364-5-52); assumed \[°C\].
+/// Temperature of a warm wire \[°C\]: limit of PVC insulation in continuous operation (IEC 60364-5-52); assumed.
 const HOT_DEGC: f64 = 70.0;
 
-/// Temperature that the resistivity holds for \[°C\].
+/// Reference temperature of the resistivity \[°C\].
 const REFERENCE_DEGC: f64 = 20.0;
 
 identified! {
-    /// A circuit whose wires lose voltage.
+    /// A circuit with a voltage drop.
     #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
     pub enum Circuit {
-        /// The holding brake while it opens.
+        /// Holding brake while it opens.
         Brake = "brake",
         /// Supply of the motor feedback.
         Feedback = "feedback_supply",
@@ -24,49 +24,49 @@ identified! {
     }
 }
 
-/// Whether the voltage that arrives is enough.
+/// Verdict on the voltage at the load.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum DropVerdict {
-    /// It is, on a warm wire too.
+    /// Sufficient even with a warm wire.
     Pass,
-    /// It is not on a warm wire.
+    /// Insufficient with a warm wire.
     Fail,
     /// No cross-section was stated.
     NoCrossSection,
-    /// The manual prints no tolerance.
+    /// The manual states no tolerance.
     NoTolerance,
-    /// The manual prints the holding current of the brake only.
+    /// The manual states only the holding current of the brake.
     NoOpeningCurrent,
-    /// The manual prints a range, not what the drive supplies.
+    /// The manual states a range instead of the nominal supply voltage.
     NoNominal,
 }
 
-/// The loss of one circuit.
+/// Voltage drop of one circuit.
 #[derive(Clone, Debug)]
 pub struct VoltageDrop {
-    /// Which circuit.
+    /// Circuit of the wires.
     pub circuit: Circuit,
-    /// Its current.
+    /// Current of the circuit.
     pub current: Sourced<ElectricCurrent>,
-    /// The cell that the voltages are from.
+    /// Cell that states the voltages.
     pub supply: &'static Cell,
-    /// Voltage that the source has, if one is printed.
+    /// Voltage of the source, if stated.
     pub nominal: Option<ElectricPotential>,
-    /// Least voltage at the load, if one is printed.
+    /// Lowest voltage at the load, if stated.
     pub least: Option<ElectricPotential>,
-    /// Loss forth and back at 20 °C and on a warm wire; `None` without a cross-section.
+    /// Voltage drop on both wires at 20 °C and with a warm wire; `None` without a cross-section.
     pub loss: Option<[ElectricPotential; 2]>,
-    /// Smallest cross-section that a warm wire needs; `None` where no limit is printed.
+    /// Smallest cross-section required with a warm wire; `None` if no limit is stated.
     pub cross_section_min: Option<Area>,
-    /// Whether it is enough.
+    /// Verdict on the voltage at the load.
     pub verdict: DropVerdict,
-    /// Whether the connector has sense lines, by which a drive can make up for the loss.
+    /// The connector has sense lines, with which a drive can compensate for the voltage drop.
     pub sense: bool,
-    /// Where the resistivity is from.
+    /// Resistivity with its source.
     pub resistivity: Sourced<ElectricalResistivity>,
 }
 
-/// Resistivity of copper at a temperature.
+/// Returns the resistivity of copper at a temperature.
 ///
 /// ρ = ρ_20 (1 + α_20 (ϑ − 20 °C))
 ///
@@ -84,7 +84,7 @@ fn resistivity(degrees_celsius: f64) -> Option<Sourced<ElectricalResistivity>> {
     Some(Sourced { value: Measure::from_si(warmer), source, grade: provenance::Grade::Published, errata: &[] })
 }
 
-/// Voltage lost on both wires of a circuit.
+/// Returns the voltage drop on both wires of a circuit.
 ///
 /// ΔU = 2 ρ L I / A
 ///
@@ -94,13 +94,14 @@ fn loss(rho: ElectricalResistivity, length: Length, current: ElectricCurrent, se
     Measure::from_si(2.0 * rho.si() * length.si() * current.si() / section.si())
 }
 
-/// The losses of the circuits of a code on a cable, judged against the printed tolerance of the supply.
+/// Returns the voltage drops of the circuits of a code on a cable, compared with the tolerance of the supply in the
+/// manual.
 ///
 /// # Source
 /// currents and voltages: the brake table of the drive, tables 57.1 to 61.1 and 68.1
 /// # Valid
-/// Direct current in copper wires of one cross-section; the source holds the nominal voltage. The excitation of the
-/// resolver is an alternating voltage: only the ohmic part is returned.
+/// DC in copper wires of equal cross-section; the source holds the nominal voltage. The excitation of the resolver is
+/// an AC voltage: only the ohmic part is returned.
 #[must_use]
 pub fn voltage_drops(code: &OrderCode, length: Length, section: Option<Area>) -> Vec<VoltageDrop> {
     let mut found = Vec::new();
@@ -118,7 +119,8 @@ pub fn voltage_drops(code: &OrderCode, length: Length, section: Option<Area>) ->
     found
 }
 
-/// The brake takes most current while it opens; if only the holding current is printed, the loss is reported, not judged.
+/// Evaluates the brake, whose current is largest while it opens; if the manual states only the holding current, the
+/// voltage drop is reported without a verdict.
 fn brake(code: &OrderCode, length: Length, section: Option<Area>) -> Option<VoltageDrop> {
     let drive = catalogue::drive(code.size, code.winding, code.feedback).filter(|_| code.brake == Brake::With)?;
     let supply = drive.cell("U_Br", "", code.feedback, code.ratio)?;
@@ -140,7 +142,7 @@ fn encoder(circuit: Circuit, table: &str, length: Length, section: Option<Area>,
             Datum::Known(current) => current,
             _ => return None,
         },
-        // A power is printed: its current is greatest at the least voltage.
+        // If a power is stated, the current is largest at the lowest voltage.
         None => {
             let power = cell("P_b")?;
             let Value::Range { low, .. } = supply.value else { return None };

@@ -1,60 +1,60 @@
-//! A user's list of pins, read from CSV.
+//! Parser of a user's pin list in CSV.
 
 use super::Role;
 use super::signal::plain;
 use std::collections::BTreeMap;
 use std::ops::Range;
 
-/// Longest list that is read.
+/// Length limit of a list \[bytes\].
 pub const LISTED_BYTES_MAX: usize = 1 << 20;
 
 /// Largest number of faults reported per list.
 const FAULTS_MAX: usize = 50;
 
-/// Pins as a user lists them.
+/// A user's list of pins.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct PinList {
-    /// The pins, in the order of the file.
+    /// Pins in the order of the file.
     pub pins: Vec<ListedPin>,
 }
 
-/// One row of the list.
+/// A row of the list.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct ListedPin {
     /// Line of the file, from 1.
     pub line: usize,
-    /// The connector.
+    /// Role of the connector.
     pub role: Role,
-    /// The pin as written.
+    /// Text of the pin.
     pub pin: String,
-    /// The signal as written.
+    /// Text of the signal.
     pub signal: String,
-    /// The colour as written; `None` where the list has no such column or the cell is empty.
+    /// Text of the colour; `None` if the list lacks the column or the cell is empty.
     pub colour: Option<String>,
-    /// Whether the wire is shielded, where the list says so.
+    /// Shielding of the wire, if the list states it.
     pub shield: Option<bool>,
 }
 
 /// A column of the list.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Column {
-    /// The connector.
+    /// Connector of the row.
     Connector,
-    /// The pin.
+    /// Pin of the connector.
     Pin,
-    /// The signal.
+    /// Signal on the pin.
     Signal,
-    /// The colour of the wire.
+    /// Colour of the wire.
     Colour,
-    /// Whether the wire is shielded.
+    /// Shielding of the wire.
     Shield,
 }
 
 impl Column {
-    /// Every column, those that must be there first.
+    /// The columns, mandatory ones first.
     pub const ALL: &'static [Self] = &[Self::Connector, Self::Pin, Self::Signal, Self::Colour, Self::Shield];
 
-    /// Heads that are understood, plain; the first is the English one of the documentation.
+    /// Returns the accepted headings in plain spelling; the first one is the English heading of the documentation.
     #[must_use]
     pub const fn heads(self) -> &'static [&'static str] {
         match self {
@@ -71,70 +71,70 @@ impl Column {
     }
 }
 
-/// Why a list cannot be read.
+/// Fault of a list.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum ListFault {
-    /// Nothing but white space and comments.
+    /// The list has only white space and comments.
     Empty,
-    /// A column that must be there is not.
+    /// A mandatory column is missing.
     ColumnMissing {
-        /// Which.
+        /// Missing column.
         column: Column,
-        /// The heads that were found.
+        /// Headings found.
         found: Vec<String>,
     },
-    /// Two heads name the same column.
+    /// Two headings name the same column.
     ColumnTwice {
-        /// Which.
+        /// Repeated column.
         column: Column,
-        /// Place of the second.
+        /// Bytes of the second heading.
         span: Range<usize>,
     },
-    /// A head names no column.
+    /// A heading names no column.
     ColumnUnknown {
-        /// The head as written.
+        /// Text of the heading.
         head: String,
-        /// Its place.
+        /// Bytes of the heading.
         span: Range<usize>,
     },
-    /// A row has another number of cells than the header.
+    /// A row differs from the header in its number of cells.
     Ragged {
-        /// Place of the row.
+        /// Bytes of the row.
         span: Range<usize>,
-        /// Its cells.
+        /// Number of cells of the row.
         found: usize,
-        /// The header's.
+        /// Number of cells of the header.
         expected: usize,
     },
-    /// A cell that must be filled is empty.
+    /// A mandatory cell is empty.
     CellEmpty {
-        /// Of which column.
+        /// Column of the cell.
         column: Column,
-        /// Place of the row.
+        /// Bytes of the row.
         span: Range<usize>,
     },
-    /// A connector that no actuator has.
+    /// No actuator has the connector.
     ConnectorUnknown {
-        /// As written.
+        /// Text of the connector.
         written: String,
-        /// Its place.
+        /// Bytes of the cell.
         span: Range<usize>,
     },
-    /// A shield that is neither said to be there nor not.
+    /// The shielding is neither stated nor denied.
     ShieldUnclear {
-        /// As written.
+        /// Text of the cell.
         written: String,
-        /// Its place.
+        /// Bytes of the cell.
         span: Range<usize>,
     },
-    /// There is a header and no row.
+    /// The list has a header but no row.
     NoRows,
-    /// More faults than are reported.
+    /// Further faults are not reported.
     More,
 }
 
 impl ListFault {
-    /// The identifier used in data exchange.
+    /// Returns the identifier used in data exchange.
     #[must_use]
     pub const fn id(&self) -> &'static str {
         match self {
@@ -150,7 +150,7 @@ impl ListFault {
         }
     }
 
-    /// Its place in the text; the beginning where it is about the whole.
+    /// Returns the byte range of the fault; the beginning of the text for a fault of the whole list.
     #[must_use]
     pub fn span(&self) -> Range<usize> {
         match self {
@@ -165,14 +165,14 @@ impl ListFault {
     }
 }
 
-/// What separates the cells: `;`, else a tab, else `,`, as the first line that says something shows.
+/// Returns the delimiter of the cells: `;`, else a tab, else `,`, from the first line that is not empty or a comment.
 fn delimiter(text: &str) -> u8 {
     let says = |line: &&str| !line.trim().is_empty() && !line.trim_start().starts_with('#');
     let header = text.lines().find(says).unwrap_or_default();
     [b';', b'\t'].into_iter().find(|sign| header.as_bytes().contains(sign)).unwrap_or(b',')
 }
 
-/// The connectors by the names that people give them, plain.
+/// Returns the role of a connector from a common name in plain spelling.
 pub(super) fn role_of(text: &str) -> Option<Role> {
     match plain(text).replace('-', "").as_str() {
         "MOTOR" | "MOTORCONNECTOR" | "MOTORSTECKER" | "POWER" | "LEISTUNG" | "LEISTUNGSSTECKER" => Some(Role::Motor),
@@ -192,10 +192,10 @@ fn shield_of(text: &str) -> Option<bool> {
     }
 }
 
-/// Reads a list of pins. The header names the columns in English or German; lines that begin with `#` are comments.
+/// Parses a list of pins. The header names the columns in English or German; lines that begin with `#` are comments.
 ///
 /// # Errors
-/// All faults of the list.
+/// Returns the faults of the list.
 pub fn read_pin_list(text: &str) -> Result<PinList, Vec<ListFault>> {
     let mut reader = csv::ReaderBuilder::new()
         .delimiter(delimiter(text))
@@ -208,7 +208,7 @@ pub fn read_pin_list(text: &str) -> Result<PinList, Vec<ListFault>> {
     let mut header: Option<Header> = None;
     let mut pins = Vec::new();
     let mut record = csv::StringRecord::new();
-    // The text is UTF-8 and flexible in its cells: reading it cannot fail.
+    // Reading cannot fail: the text is UTF-8 and the number of cells is flexible.
     while reader.read_record(&mut record).unwrap_or(false) {
         if record.iter().all(str::is_empty) {
             continue;
@@ -232,7 +232,7 @@ pub fn read_pin_list(text: &str) -> Result<PinList, Vec<ListFault>> {
     if faults.is_empty() { Ok(PinList { pins }) } else { Err(faults) }
 }
 
-/// A record with the places of its cells in the text.
+/// A record with the byte ranges of its cells.
 struct Row {
     cells: Vec<(String, Range<usize>)>,
     span: Range<usize>,
@@ -242,7 +242,8 @@ struct Row {
 impl Row {
     fn new(text: &str, record: &csv::StringRecord) -> Self {
         let begin = record.position().map_or(0, |at| usize::try_from(at.byte()).unwrap_or(usize::MAX)).min(text.len());
-        // The place of a record begins behind the end of the one before: comments and empty lines may stand between.
+        // The position of a record begins after the end of the previous one: comments and empty lines may be in
+        // between.
         let mut start = begin;
         for line in text.get(begin..).unwrap_or_default().split_inclusive('\n') {
             if !line.trim().is_empty() && !line.trim_start().starts_with('#') {
@@ -265,7 +266,7 @@ impl Row {
     }
 }
 
-/// Where each column stands.
+/// Index of each column.
 struct Header {
     places: BTreeMap<Column, usize>,
     width: usize,

@@ -1,39 +1,39 @@
-//! What stands on a pin, and how people write it.
+//! Signals on pins, and their spellings.
 
 use super::Role;
 use order_code::{Feedback, FeedbackKind};
 use quantities::identified;
 
-/// A signal as printed in a table, distinct from all others of its connector.
+/// A signal of a table, unique on its connector.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Signal {
-    /// What it is.
+    /// Meaning of the signal.
     pub meaning: Meaning,
-    /// Its end of a pair.
+    /// End of a pair, if the signal has two.
     pub polarity: Option<Polarity>,
 }
 
-/// Which end of a pair.
+/// End of a pair.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Polarity {
-    /// The plus end.
+    /// Plus end.
     Plus,
-    /// The minus end.
+    /// Minus end.
     Minus,
 }
 
-/// What a signal is.
+/// Meaning of a signal.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Meaning {
-    /// A motor phase.
+    /// Motor phase, by its letter.
     Phase(char),
     /// Protective earth.
     ProtectiveEarth,
-    /// The supply of the holding brake.
+    /// Supply of the holding brake.
     Brake,
-    /// An end of the PTC thermistors of the winding.
+    /// End of the PTC thermistors of the winding.
     Ptc,
-    /// The KTY sensor of the winding.
+    /// KTY sensor of the winding.
     Kty,
     /// Supply of the encoder.
     Supply,
@@ -43,44 +43,44 @@ pub enum Meaning {
     SupplySense,
     /// Sense line of the ground.
     GroundSense,
-    /// An incremental track: its letter and its form.
+    /// Incremental track, by its letter and its form.
     Track(char, Form),
-    /// The reference mark.
+    /// Reference mark.
     Reference,
-    /// The zero pulse.
+    /// Zero pulse.
     Zero,
-    /// A commutation track of one period per turn.
+    /// Commutation track with one period per turn.
     CommutationTrack(char),
-    /// A commutation signal of a motor phase.
+    /// Commutation signal of a motor phase.
     CommutationPhase(char),
     /// Data of the serial interface.
     Data(Protocol),
     /// Clock of the serial interface.
     Clock(Protocol),
-    /// The sine winding of the resolver.
+    /// Sine winding of the resolver.
     ResolverSine,
-    /// The cosine winding of the resolver.
+    /// Cosine winding of the resolver.
     ResolverCosine,
-    /// The excitation of the resolver.
+    /// Excitation of the resolver.
     Excitation,
-    /// The inner shield of the cable.
+    /// Inner shield of the cable.
     Shield,
 }
 
-/// The form of an incremental track.
+/// Form of an incremental track.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Form {
-    /// Sinusoidal, 1 V peak to peak; which of both is sine is not printed.
+    /// Sinusoidal, 1 V peak to peak; the manual does not state which track is the sine.
     Sinusoidal,
-    /// The sine track.
+    /// Sine track.
     Sine,
-    /// The cosine track.
+    /// Cosine track.
     Cosine,
     /// Square wave, RS422.
     Square,
 }
 
-/// The serial interface of an encoder.
+/// Serial interface of an encoder.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Protocol {
     /// `EnDat`.
@@ -90,7 +90,7 @@ pub enum Protocol {
 }
 
 identified! {
-    /// Signals of one kind.
+    /// A group of signals of one kind.
     #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
     pub enum Group {
         /// Motor phases.
@@ -122,7 +122,7 @@ identified! {
     }
 }
 
-/// Every signal that a table of pins prints, each once.
+/// Returns the signals of all pin tables without duplicates.
 pub(super) fn printed_signals() -> Vec<&'static str> {
     let mut found: Vec<&'static str> = Vec::new();
     let tables = catalogue::series().iter().flat_map(catalogue::SeriesData::pin_tables);
@@ -136,7 +136,7 @@ pub(super) fn printed_signals() -> Vec<&'static str> {
 }
 
 impl Signal {
-    /// The signal that a table prints; `None` where it prints nothing, or a dash.
+    /// Returns the signal stated in a table; `None` if the field is empty or has a dash.
     #[must_use]
     pub fn of_print(printed: &str, role: Role, feedback: Feedback) -> Option<Self> {
         let is_motor_of = |kind| role == Role::Feedback && feedback.kind() == Some(kind);
@@ -186,7 +186,7 @@ impl Signal {
         Some(Self { meaning, polarity: Some(polarity) })
     }
 
-    /// Signals of the same kind.
+    /// Returns the group of the signal.
     #[must_use]
     pub const fn group(self) -> Group {
         match self.meaning {
@@ -206,7 +206,7 @@ impl Signal {
         }
     }
 
-    /// Whether two signals are the two ends of one pair.
+    /// Returns `true` if two signals are the ends of one pair.
     #[must_use]
     pub fn is_other_end_of(self, other: Self) -> bool {
         let supply = |one, other| one == Meaning::Supply && other == Meaning::Ground;
@@ -215,7 +215,7 @@ impl Signal {
     }
 }
 
-/// The spelling that is compared: capitals, one sort of minus, neither blanks nor joints.
+/// Returns the plain spelling used for comparison: capitals, one kind of minus, no white space or separators.
 pub(super) fn plain(text: &str) -> String {
     let mut out = String::with_capacity(text.len());
     for sign in text.chars() {
@@ -228,16 +228,16 @@ pub(super) fn plain(text: &str) -> String {
     out
 }
 
-/// What people write where nothing is connected.
+/// Spellings of an unconnected pin.
 const NOTHING: [&str; 12] =
     ["", "-", "NC", "N/C", "FREE", "UNUSED", "NOTCONNECTED", "FREI", "UNBELEGT", "NICHTBELEGT", "NONE", "LEER"];
 
-/// Whether a text says that nothing is connected.
+/// Returns `true` if a text denotes an unconnected pin.
 pub(super) fn is_nothing(text: &str) -> bool {
     NOTHING.contains(&plain(text).as_str())
 }
 
-/// The spellings of a printed signal, plain: the print itself, each of its words, and what the field writes for it.
+/// Returns the plain spellings of a signal: that of the manual, each of its words, and those common in practice.
 pub(super) fn spellings(printed: &str) -> Vec<String> {
     let mut found = vec![plain(printed)];
     let field: &[&str] = match printed {
@@ -264,7 +264,7 @@ pub(super) fn spellings(printed: &str) -> Vec<String> {
         _ => &[],
     };
     found.extend(field.iter().map(|text| (*text).to_owned()));
-    // "A+ COS+": each name alone is clear on its connector.
+    // "A+ COS+": each name is unique on its connector.
     let names: Vec<&str> = printed.split(' ').collect();
     if let [first, second] = names.as_slice()
         && [first, second].iter().all(|name| name.ends_with(['+', '-']))

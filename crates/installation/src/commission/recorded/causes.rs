@@ -1,4 +1,4 @@
-//! Typical causes of a measured value that is off, by the quotient of measured and expected.
+//! Typical causes of deviations, by the quotient of measured and expected value.
 
 use crate::commission::expected::{Expected, KTY_OPEN_OHM, KTY_SHORT_OHM, Measurand, PTC_OPEN_OHM, SHORT_CIRCUIT_OHM};
 use crate::commission::{Commissioning, ParameterId, sensors};
@@ -7,22 +7,22 @@ use quantities::unit::DEGREE_CELSIUS;
 use quantities::{AngularVelocity, ElectricalResistance, Measure};
 use std::f64::consts::SQRT_2;
 
-/// What most likely stands behind a value that is off.
+/// Most likely cause of a deviation.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Cause {
-    /// Half: the value of one phase.
+    /// Half of the expected value: value of a single phase.
     OnePhase,
-    /// Twice: a phase value taken for one between terminals, doubled once more.
+    /// Twice the expected value: a value between terminals taken for a phase value and doubled.
     Doubled,
-    /// Three quarters of the resistance: two terminals were joined.
+    /// Three quarters of the resistance: two terminals were connected.
     TerminalsJoined,
-    /// The winding is not at the temperature stated but at about this one \[°C\].
+    /// Winding temperature different from the stated one, approximately this one \[°C\].
     WindingTemperature(f64),
-    /// A small resistance that is too large by this \[Ω\]: leads and contacts.
+    /// A small resistance increased by leads and contacts \[Ω\].
     Leads(f64),
-    /// No passage.
+    /// Open circuit.
     Open,
-    /// A short circuit.
+    /// Short circuit.
     Short,
     /// 1/√3: measured against the star point.
     PhaseVoltage,
@@ -34,46 +34,47 @@ pub enum Cause {
     PeakToPeak,
     /// √3: taken for a phase value and converted.
     RootThree,
-    /// Twice or half, so that the speed may be off by two: pole pairs or the reading of the frequency.
+    /// Twice or half the expected value, so that the speed may be wrong by a factor of two: pole pairs or reading of
+    /// the frequency.
     SpeedFactor,
-    /// The speed of the flange instead of that of the motor.
+    /// Flange speed instead of motor speed.
     SpeedOfFlange,
-    /// Somewhat low: the magnets are hot or have lost.
+    /// Slightly low: hot or partly demagnetised magnets.
     Magnets,
-    /// The KTY shows this temperature \[°C\], or its poles are exchanged.
+    /// KTY at this temperature \[°C\], or with reversed polarity.
     KtyPolesOrTemperature(f64),
-    /// The other sensor was measured.
+    /// Measurement of the other sensor.
     OtherSensor,
-    /// The PTC has responded: the winding is hot, or there is no passage.
+    /// PTC after its response: hot winding or open circuit.
     PtcResponded,
-    /// No current: the brake is not connected, or its supply is off.
+    /// No current: brake not connected, or its supply switched off.
     BrakeNotConnected,
     /// Half the voltage.
     HalfVoltage,
-    /// The current that keeps open instead of that which opens.
+    /// Holding current instead of opening current.
     HoldingCurrent,
-    /// The current that opens instead of that which keeps open: nothing lowers it.
+    /// Opening current instead of holding current, because nothing reduces it.
     OpeningCurrent,
-    /// Slow: voltage too low, or a diode across the coil lets its current die slowly.
+    /// Slow brake: voltage too low, or a diode across the coil slows the decay of its current.
     SlowBrake,
-    /// Much more current than friction explains: brake closed or dragging, jammed hollow shaft, commutation offset.
+    /// Much more current than friction explains: closed or dragging brake, jammed hollow shaft, commutation offset.
     Dragging,
     /// 1/√2: converted to rms once too often.
     ConvertedTwice,
-    /// Faster than the flange can turn: the speed is that of the motor.
+    /// Faster than the flange can turn: the motor speed.
     SpeedOfMotor,
-    /// Motor and flange seen from opposite sides: they turn the same way in the record.
+    /// Motor and flange observed from opposite sides: equal directions in the record.
     SameDirection,
-    /// The position counts the other way: signals or phases exchanged, or the drive inverts it.
+    /// Position counting in the opposite direction: signals or phases exchanged, or inverted by the drive.
     CountingReversed,
-    /// The ratio is that of another gear.
+    /// Ratio of another gear.
     OtherRatio(Ratio),
-    /// The pole pairs come out as this number.
+    /// Number of pole pairs found.
     PolePairs(f64),
 }
 
 impl Cause {
-    /// The identifier in data exchange.
+    /// Returns the identifier used in data exchange.
     #[must_use]
     pub const fn id(self) -> &'static str {
         match self {
@@ -110,22 +111,23 @@ impl Cause {
         }
     }
 
-    /// Whether the value cannot be right if this is its cause, however wide the band: the pattern is a slip, no scatter.
+    /// Returns `true` if a value with this cause is wrong for any width of the band: the pattern is a slip, not
+    /// scatter.
     #[must_use]
     pub const fn is_certain(self) -> bool {
         !matches!(self, Self::SlowBrake | Self::Leads(_) | Self::Amplitude | Self::ConvertedTwice)
     }
 }
 
-/// How near a quotient must be to that of a cause, as a share. The inductance has a wide band of its own.
+/// Largest relative distance of a quotient from that of a cause \[1\]. The inductance has a wide band of its own.
 const NEAR: f64 = 0.05;
 const NEAR_INDUCTANCE: f64 = 0.15;
 const NEAR_BRAKE: f64 = 0.15;
 
-/// So many times what is expected is more than friction.
+/// Factor on the expected current above which friction is excluded \[1\].
 const DRAGGING: f64 = 2.0;
 
-/// Leads and contacts of a two-wire measurement have up to so much.
+/// Largest resistance of leads and contacts of a two-wire measurement \[Ω\].
 const LEADS_MOST_OHM: f64 = 0.5;
 
 fn near(quotient: f64, pattern: f64, share: f64) -> bool {
@@ -136,7 +138,7 @@ fn first(quotient: f64, share: f64, patterns: &[(f64, Cause)]) -> Option<Cause> 
     patterns.iter().find(|(pattern, _)| near(quotient, *pattern, share)).map(|(_, cause)| *cause)
 }
 
-/// The likely cause of a value that is not what is expected; `None` where no pattern fits.
+/// Returns the likely cause of a value that differs from the expected one; `None` if no pattern fits.
 pub(super) fn of(about: &Commissioning, value: f64, expected: &Expected) -> Option<Cause> {
     let quotient = value / expected.nominal.unwrap_or(expected.high);
     if let Some(cause) = of_a_broken_sensor(expected.what, value) {
@@ -170,7 +172,7 @@ pub(super) fn of(about: &Commissioning, value: f64, expected: &Expected) -> Opti
     }
 }
 
-/// A speed that the flange cannot have is that of the motor.
+/// Returns the cause of a speed that the flange cannot reach, which is that of the motor.
 pub(super) fn of_speed(about: &Commissioning, speed_out: AngularVelocity) -> Option<Cause> {
     let (most, ratio) = (about.get(ParameterId::SpeedMotorMax)?, about.get(ParameterId::ReductionRatio)?);
     (speed_out.si().abs() > 1.05 * most.si / ratio.si).then_some(Cause::SpeedOfMotor)
@@ -191,7 +193,7 @@ fn resistance(about: &Commissioning, value: f64, quotient: f64, expected: &Expec
     if excess > 0.0 && excess <= LEADS_MOST_OHM && at_20 <= 3.0 * LEADS_MOST_OHM {
         return Some(Cause::Leads(excess));
     }
-    // The law of copper the other way round, at two points of it.
+    // Inverse of the law of copper, from two of its points.
     let degree = |celsius: f64| quantities::ThermodynamicTemperature::new_in(celsius, &DEGREE_CELSIUS);
     let rise = actuator::copper_resistance(ElectricalResistance::from_si(1.0), degree(21.0)).si() - 1.0;
     let celsius = 20.0 + (value / at_20 - 1.0) / rise;
@@ -219,7 +221,7 @@ fn emf(about: &Commissioning, quotient: f64) -> Option<Cause> {
     }
 }
 
-/// A temperature sensor that is open or short-circuited, whatever its temperature; `None` for anything else.
+/// Returns the cause of an open or short-circuited temperature sensor at any temperature; `None` otherwise.
 pub(super) fn of_a_broken_sensor(what: Measurand, value: f64) -> Option<Cause> {
     match (what, value) {
         (Measurand::Kty, ..KTY_SHORT_OHM) | (Measurand::Ptc, ..SHORT_CIRCUIT_OHM) => Some(Cause::Short),
@@ -259,7 +261,7 @@ fn brake_current(about: &Commissioning, expected: &Expected, quotient: f64) -> O
     let holding = about.get(ParameterId::BrakeHoldingCurrent).map(|parameter| parameter.si);
     let share = opening.zip(holding).map(|(opening, holding)| holding / opening).filter(|share| *share < 0.9);
     match (expected.what, share) {
-        // Half the voltage and the holding current may look alike; the holding current is the nearer one then.
+        // Half the voltage and the holding current may be similar; the holding current is then more likely.
         (Measurand::BrakeOpeningCurrent, Some(share)) if near(quotient, share, 0.1) => Some(Cause::HoldingCurrent),
         (Measurand::BrakeHoldingCurrent, Some(share)) if near(quotient, 1.0 / share, 0.1) => {
             Some(Cause::OpeningCurrent)
