@@ -19,7 +19,7 @@ fn rpm(n: f64) -> AngularVelocity {
     AngularVelocity::new_in(n, &REVOLUTION_PER_MINUTE)
 }
 
-/// An actuator with round figures: i = 50, T_max = 56 Nm, 6000 and 3500 1/min at the motor.
+/// Returns an actuator with round figures: i = 50, T_max = 56 Nm, 6000 and 3500 1/min at the motor.
 fn actuator() -> Parameters {
     Parameters::from(Drivetrain {
         ratio: known(50.0),

@@ -190,7 +190,7 @@ mod tests {
         Datum::Known(Sourced { value, source: Source::Cell(&CELL), grade: Grade::Printed, errata: &[] })
     }
 
-    /// The motor of CHA-20A (table 26.1) at i = 50.
+    /// Returns the motor of CHA-20A (table 26.1) at i = 50.
     fn motor(resistance: f64, inductance: f64) -> MotorVoltage {
         MotorVoltage::of(&Parameters::from(Drivetrain {
             ratio: known(50.0),

@@ -73,7 +73,7 @@ impl Move {
         made
     }
 
-    /// Duration \[s\].
+    /// Returns the duration \[s\].
     #[cfg(test)]
     pub(crate) fn duration_s(&self) -> f64 {
         self.parts.iter().map(|part| part.duration_s).sum()
