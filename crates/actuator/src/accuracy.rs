@@ -125,7 +125,6 @@ pub fn deviation_at(angle: Angle, lever_arm: Length) -> Length {
 ///
 /// Gear errors count in full as stated in the tables; the errors of the motor feedback are divided by i; torsion and
 /// tilt are those of the given torque and moment. A loop closed at the output leaves only feedback and tilt.
-/// given torque and moment. A loop closed at the output leaves feedback and tilt only.
 ///
 /// # Source
 /// docs/theory/error-budget.md; eqs. 73.1 to 73.3 for the torsion, eq. 76.4 for the tilt

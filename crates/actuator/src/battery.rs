@@ -72,8 +72,8 @@ impl Battery {
     /// # Symbols
     /// L life \[a\], h operation per day \[h\], s storage before use \[a\], C capacity \[a\], c load of storage,
     /// d self-discharge, L_max latest replacement \[a\]
+    /// # Source
     /// docs/theory/battery.md; calibrated to the 10 a at 10 h/d of the manual
-    /// docs/theory/battery.md; calibrated on the printed 10 a at 10 h/d
     /// # Valid
     /// 0 ≤ h ≤ 24, s up to the longest storage covered, battery at 25 °C, self-discharge 1 % per year
     /// # Errors

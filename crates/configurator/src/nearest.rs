@@ -187,7 +187,7 @@ mod tests {
         }
     }
 
-    /// Words in the wrong order count as one step, whatever stands between.
+    /// Words in the wrong order count as one step, for any words between them.
     #[test]
     fn words_in_another_order_are_near() {
         let found = nearest("CHA-H-20A-C1042-100", 1);

@@ -47,7 +47,7 @@ pub enum Unmet {
     },
     /// The actuator is too heavy.
     Mass {
-        /// Mass of the actuator; the larger one where the manual contradicts itself.
+        /// Mass of the actuator; the larger one if the value of the manual is doubtful.
         has: Mass,
         /// Mass permitted.
         permits: Mass,

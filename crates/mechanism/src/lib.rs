@@ -66,9 +66,9 @@ pub struct Extra {
     pub mass: Mass,
     /// Inertia carried at the output.
     pub inertia: MomentOfInertia,
-    /// Process force along the line of a linear drive, positive against the positive direction.
+    /// Process force along the line of a linear drive; a positive value acts against the positive direction.
     pub force: Force,
-    /// Process torque at the output, positive against the positive direction.
+    /// Process torque at the output; a positive value acts against the positive direction.
     pub torque: Torque,
 }
 

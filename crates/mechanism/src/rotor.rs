@@ -21,6 +21,7 @@ pub enum RotorKind {
 ///
 /// J = J_L + m_p r_p², T_h = g cos(q + q_0) sin β (m r + m_p r_p)
 ///
+/// # Symbols
 /// q_0 angle of the centre of mass above the horizontal at q = 0, β tilt of the axis from the vertical, m r unbalance,
 /// m_p payload of the segment, r_p distance of the payload from the axis
 /// # Source

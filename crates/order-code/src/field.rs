@@ -34,7 +34,7 @@ macro_rules! words {
                 Self::all(series).find(|value| value.as_str() == word)
             }
 
-            /// Returns the word as it stands in the code.
+            /// Returns the word used in the code.
             #[must_use]
             pub fn as_str(self) -> &'static str {
                 self.series.words(Field::$name).get(self.place()).copied().unwrap_or_default()

@@ -168,6 +168,7 @@ impl<'a> Stride<'a> {
 ///
 /// # Source
 /// docs/theory/twin.md; the network of docs/theory/thermal.md
+/// # Valid
 /// cycles short compared with τ_w; within a longer one the winding temperature varies as in the simulation of one cycle
 /// # Errors
 /// [`Fault`] of [`Twin::new`]; `Ok(None)` if cancelled by the caller or if the actuator has no heat model

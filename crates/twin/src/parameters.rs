@@ -275,7 +275,6 @@ impl Parameters {
     ///
     /// E = E_560 U/560 V (C = C_560 560 V/U), R = R_560 U/560 V: a drive of equal current at another voltage;
     /// thresholds of the braking resistor between the highest voltage of the supply and that of the actuator
-    /// between the largest voltage of the supply and that of the actuator
     ///
     /// # Symbols
     /// U nominal voltage of the supply \[V\]; E_560, C_560, R_560 values at 560 V

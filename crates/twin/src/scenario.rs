@@ -42,7 +42,7 @@ identified! {
         LinkSag = "link_sag",
         /// Operation at the highest permitted ambient temperature.
         HotAmbient = "hot_ambient",
-        /// Operation from the lowest permitted ambient temperature.
+        /// Cold start at the lowest permitted ambient temperature.
         ColdGrease = "cold_grease",
         /// The load hits a stop.
         Collision = "collision",
