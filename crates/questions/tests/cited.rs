@@ -13,7 +13,7 @@ fn manual(speed: &str) -> String {
 
 fn checks(project: &Project) -> Vec<Check> {
     let code = order_code::parse("CHA-25A-100-H-C1024").unwrap().code;
-    check(project, &code).unwrap().judgement.checks.iter().cloned().collect()
+    check(project, &code).unwrap().judgement.checks
 }
 
 fn value_key(checks: &[Check], id: CheckId) -> String {

@@ -62,7 +62,7 @@ fn a_datum_is_kept_up_to_rounding() {
         let found = questions::read(&format!("{}{OWN}{more}", project("")));
         let project = found.unwrap_or_else(|faults| panic!("{faults:?}"));
         let own = questions::check_own(&project).unwrap();
-        own.judgement.checks.iter().cloned().collect::<Vec<_>>()
+        own.judgement.checks
     };
     for (id, key, unit) in [
         (CheckId::PeakTorque, "torque_max", "N m"),

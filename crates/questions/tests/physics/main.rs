@@ -17,7 +17,7 @@ fn read(text: &str) -> Project {
 
 fn checks(project: &Project, code: &str) -> Vec<Check> {
     let code = order_code::parse(code).unwrap().code;
-    check(project, &code).unwrap().judgement.checks.iter().cloned().collect()
+    check(project, &code).unwrap().judgement.checks
 }
 
 fn of(project: &Project, code: &str, id: CheckId) -> Check {
