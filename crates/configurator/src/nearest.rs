@@ -82,9 +82,9 @@ fn kept(text: &str) -> Pattern {
         .unwrap_or_default()
 }
 
-/// Returns at most `most` valid codes nearest to a well-spelt code that breaks a rule, by the difference of size and ratio
-/// and by the fields that differ. Only codes with data are returned; among equally near codes, those available without
-/// request come first.
+/// Returns at most `most` valid codes nearest to a well-spelt code that breaks a rule, by the difference of size and
+/// ratio and by the fields that differ. Only codes with data are returned; among equally near codes, those available
+/// without request come first.
 #[must_use]
 pub fn nearest_to(wanted: &OrderCode, most: usize) -> Vec<&'static (OrderCode, Availability)> {
     let of_series = WITH_DATA.iter().filter(|entry| entry.known.0.series() == wanted.series());
@@ -103,9 +103,9 @@ pub fn nearest_to(wanted: &OrderCode, most: usize) -> Vec<&'static (OrderCode, A
     scored.into_iter().take(most).map(|(_, known)| known).collect()
 }
 
-/// Returns the dissimilarity of two actuators \[1\]. The weights are chosen by antrieb and affect only the order of the
-/// proposals: another brake or supply voltage is another machine, a connector is not, and options that were not required
-/// are not proposed; a step in size weighs as much as a factor of 2.7 in the ratio.
+/// Returns the dissimilarity of two actuators \[1\]. The weights are chosen by antrieb and affect only the order of
+/// the proposals: another brake or supply voltage is another machine, a connector is not, and options that were not
+/// required are not proposed; a step in size weighs as much as a factor of 2.7 in the ratio.
 fn distance(a: &OrderCode, b: &OrderCode) -> f64 {
     let one_if = |differs: bool, weight: f64| if differs { weight } else { 0.0 };
     let steps = a.size.place().abs_diff(b.size.place());

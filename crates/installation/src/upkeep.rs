@@ -14,9 +14,9 @@ use quantities::{Measure, Time, identified};
 /// Storage of an actuator before its commissioning.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Storage {
-    /// For a time after delivery.
+    /// Duration after delivery.
     For(Interval),
-    /// Until a date.
+    /// End date of the storage.
     Until(NaiveDate),
 }
 
@@ -81,15 +81,15 @@ identified! {
     /// Obligation of a date.
     #[derive(Clone, Copy, Debug, PartialEq, Eq)]
     pub enum Rule {
-        /// At the latest on the date.
+        /// Latest date.
         AtTheLatest = "at_the_latest",
-        /// Recommended on the date.
+        /// Recommended date.
         Recommended = "recommended",
-        /// Estimated for the date.
+        /// Estimated date.
         Estimated = "estimated",
-        /// At regular intervals.
+        /// Regular interval.
         Every = "every",
-        /// At regular intervals, which must not be longer.
+        /// Longest permitted interval.
         EveryAtMost = "every_at_most",
     }
 }

@@ -12,7 +12,7 @@ pub enum Slot<T> {
     /// Any value, or none if the field is optional.
     #[default]
     Any,
-    /// This value only.
+    /// Exactly this value.
     Exactly(T),
 }
 

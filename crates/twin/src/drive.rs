@@ -11,7 +11,7 @@ pub(crate) enum Phase {
     Running,
     /// Slows down along a ramp, with the present speed setpoint [rad/s].
     Ramp(f64),
-    /// At rest after a ramp, held by the motor until the brake is closed, with the time of its start \[s\].
+    /// Standstill after a ramp, held by the motor until the brake is closed, with the time of its start \[s\].
     Holding(f64),
     /// Pulses off.
     Off,
