@@ -1,5 +1,5 @@
-//! The program without its arguments. Cargo builds a program with the tests of its package only where there is such a test,
-//! and the step `browser` starts the one that the tests have built.
+//! The program without its arguments. Cargo builds a program together with the tests of its package only if such a test
+//! exists, and the step `browser` starts the program built with the tests.
 
 use std::process::Command;
 

@@ -1,10 +1,10 @@
-//! The drafts reach what they are made to reach: a generator that gives refusals alone tries nothing.
+//! The generated projects reach the code they are meant for: a generator of refusals only would test nothing.
 #![allow(missing_docs, clippy::unwrap_used, clippy::print_stdout, reason = "a test fails loudly")]
 
 use arbitrary::Unstructured;
 use fuzz::{TARGETS, draft, project};
 
-/// Bytes that have nothing in common from case to case (splitmix64).
+/// Returns bytes without correlation between cases (splitmix64).
 fn bytes(case: u64) -> Vec<u8> {
     let mut state = case.wrapping_mul(0x9E37_79B9_7F4A_7C15);
     let mut next = || {
@@ -83,7 +83,7 @@ fn most_drafts_are_valid_and_all_kinds_are_among_them() {
 #[test]
 fn every_target_holds_for_some_cases() {
     for target in TARGETS {
-        // Sizing takes its time in a build that is not optimised.
+        // Sizing is slow in a build without optimisation.
         let cases = if target.name == "axis" { 4 } else { 60 };
         (0..cases).for_each(|case| (target.run)(&bytes(case)));
     }
@@ -106,7 +106,7 @@ fn the_examples_keep_the_promises() {
     assert!(count > 8);
 }
 
-/// Drafts with `[twin]` are simulated or refused with a reason; some of them run.
+/// Generated projects with `[twin]` are simulated or refused with a reason; some of them run.
 #[test]
 fn drafts_are_simulated() {
     let code = order_code::parse("CHA-25A-100-H-C1024-B").unwrap().code;

@@ -1,4 +1,4 @@
-//! The corpora and what was once a crash, without the engine.
+//! Replay of the corpora and of former crashes, without the engine.
 #![allow(missing_docs, clippy::unwrap_used, clippy::print_stdout, reason = "a test fails loudly")]
 
 use base64::Engine as _;
@@ -6,10 +6,10 @@ use base64::engine::general_purpose::STANDARD;
 use fuzz::{TARGETS, Target};
 use std::path::Path;
 
-/// All corpora together: what is in the tree is read by everyone who clones it.
+/// Maximum size of all corpora together, which every clone of the repository contains.
 const BYTES_MAX: usize = 2 << 20;
 
-/// The packed cases of a target: one on a line, in base64.
+/// Returns the packed cases of a target: one per line, in base64.
 fn corpus(target: &Target) -> Vec<Vec<u8>> {
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("corpus").join(format!("{}.txt", target.name));
     let text = std::fs::read_to_string(path).unwrap();
@@ -18,8 +18,8 @@ fn corpus(target: &Target) -> Vec<Vec<u8>> {
     cases
 }
 
-/// How many cases a push replays of the targets that size axes: in a build that is not optimised a case takes a second. The
-/// others are replayed whole, and these each night.
+/// Number of cases replayed in a push for the targets that size axes: without optimisation a case takes a second. The
+/// other targets are replayed completely, and these every night.
 fn most(target: &Target) -> usize {
     match target.name {
         "axis" => 16,
@@ -29,7 +29,7 @@ fn most(target: &Target) -> usize {
     }
 }
 
-/// The cases of a corpus, or as many of them, evenly spread.
+/// Returns the cases of a corpus, or a number of them, evenly spread.
 fn replay(name: &str) {
     let target = TARGETS.iter().find(|target| target.name == name).unwrap();
     let cases = corpus(target);
@@ -54,7 +54,7 @@ fn what_was_once_hard_is_no_longer() {
     assert!(count > 40, "{count}");
 }
 
-/// The corpora keep the promises: a test for each target, so that they run beside each other.
+/// The corpora keep the promises: one test per target, so that they run in parallel.
 mod the_corpus_of {
     use super::replay;
 

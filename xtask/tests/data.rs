@@ -1,4 +1,4 @@
-//! The data agree with themselves as they are, so `cargo test` holds them too.
+//! The data are consistent, so `cargo test` checks them too.
 
 #[test]
 fn every_deviation_is_explained_and_every_erratum_explains_one() {

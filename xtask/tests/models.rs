@@ -1,4 +1,4 @@
-//! Every model that a result cites has its page under `docs/theory`.
+//! Every model that a result refers to has its page under `docs/theory`.
 #![allow(clippy::unwrap_used, reason = "a test fails loudly")]
 
 use std::path::{Path, PathBuf};

@@ -1,4 +1,4 @@
-//! The rules of the house hold in the tree as it is, so `cargo test` holds them too.
+//! The tree satisfies the house rules, so `cargo test` checks them too.
 
 #[test]
 fn the_tree_is_tidy() {

@@ -10,7 +10,7 @@ fn fault(dimension: Dimension, text: &str) -> QuantityError {
     }
 }
 
-/// Kind of the fault and the part of the text that it points to.
+/// Returns the kind of the fault and the part of the text that it points to.
 fn kind_and_place(dimension: Dimension, text: &str) -> (&'static str, &str) {
     let fault = fault(dimension, text);
     let kind = match fault {
@@ -102,7 +102,7 @@ fn every_fault_has_its_kind_and_place() {
         assert_eq!(kind_and_place(Dimension::Torque, text), (kind, place), "{text:?}");
     }
     assert_eq!(kind_and_place(Dimension::Ratio, "1 000"), ("number unreadable", "1 000"));
-    // A unit that begins with a digit is no part of the number before it.
+    // A unit that begins with a digit is not part of the number before it.
     assert_eq!(kind_and_place(Dimension::AngularVelocity, "40,5 1/min"), ("comma", "40,5"));
     assert_eq!(kind_and_place(Dimension::MomentOfInertia, "1,12 10^-4 kgm^2"), ("comma", "1,12"));
     assert_eq!(kind_and_place(Dimension::AngularVelocity, "1 000 1/min"), ("number unreadable", "1 000"));
@@ -122,7 +122,7 @@ fn a_misspelt_unit_brings_the_nearest_one() {
         (Dimension::AngularVelocity, "40/min", Some("1/min")),
         (Dimension::Power, "4 KW", Some("kW")),
         (Dimension::Temperature, "40 C", None),
-        // What reads as another unit, or whose first letter may be a prefix, is none of it.
+        // A text that reads as another unit, or whose first letter may be a prefix, gets no proposal.
         (Dimension::Torque, "5 nm", None),
         (Dimension::Torque, "5 Nn", None),
         (Dimension::Torque, "5 MNm", None),

@@ -1,4 +1,4 @@
-//! A proposed unit keeps what was written: no prefix, power or quantity changes.
+//! A proposed unit keeps the meaning of the text: no prefix, power or quantity changes.
 
 use quantities::unit::ALL;
 use quantities::{Dimension, Unit};
@@ -35,7 +35,7 @@ fn is_near(found: f64, expected: f64) -> bool {
     (found - expected).abs() <= 1e-9 * expected.abs()
 }
 
-/// A unit with any prefix: it is proposed with its own value or not at all.
+/// A unit with any prefix is proposed with its own value or not at all.
 #[test]
 fn no_proposal_changes_a_prefix() {
     use Dimension::*;
@@ -77,7 +77,7 @@ fn no_proposal_changes_a_prefix() {
             for text in [format!("{prefix}{base}"), format!("{prefix}{base}").to_uppercase()] {
                 let is_plain = text == format!("{prefix}{base}");
                 if let Some(found) = proposed(dimension, &text) {
-                    // In capitals a letter may be lost, the size of a prefix never.
+                    // In upper case a letter may be lost, the size of a prefix never.
                     let expected = match prefix {
                         _ if is_plain => factor * si,
                         "M" | "m" => 1e6 * si,
@@ -111,7 +111,7 @@ fn no_proposal_changes_the_quantity() {
     }
 }
 
-/// Products of units with their prefixes, made here: text without signs of products to value and quantity.
+/// Returns products of units with their prefixes: text without signs of products, with value and quantity.
 fn products() -> BTreeMap<String, Vec<(f64, String)>> {
     const SYMBOLS: [(&str, f64, &str); 14] = [
         ("N", 1.0, "N"),
@@ -151,7 +151,8 @@ fn products() -> BTreeMap<String, Vec<(f64, String)>> {
     found
 }
 
-/// Every spelling with random edits: what reads as a product of prefixes and units is proposed with that value or not at all.
+/// Every spelling with random edits: a text that reads as a product of prefixes and units is proposed with that value
+/// or not at all.
 #[test]
 fn a_proposal_for_a_corrupted_spelling_keeps_its_value() {
     let products = products();
@@ -188,7 +189,7 @@ fn a_proposal_for_a_corrupted_spelling_keeps_its_value() {
         let text: String = signs.into_iter().collect();
         let Some(found) = proposed(unit.dimension, &text) else { continue };
         made += 1;
-        // With signs of products less can be meant.
+        // With signs of products there are fewer meanings.
         if text.contains([' ', '·', '-']) {
             continue;
         }

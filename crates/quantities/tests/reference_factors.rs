@@ -4,7 +4,7 @@
 use quantities::unit::*;
 use quantities::{Dimension, Unit};
 
-/// Unit and what one of it is in SI.
+/// Unit and its value in SI.
 const FACTORS: &[(&Unit, f64)] = &[
     (&NEWTON_METRE, 1.0),
     (&KILONEWTON_METRE, 1000.0),
@@ -187,7 +187,7 @@ fn temperatures_have_an_offset() {
 #[test]
 fn every_unit_converts_there_and_back() {
     for unit in ALL {
-        // The offset of a temperature costs digits of a small value.
+        // The offset of a temperature reduces the precision of a small value.
         let slack = if unit.dimension == Dimension::Temperature { 1e-10 } else { 0.0 };
         for value in [0.0, 1.0, -1.0, 0.37, 1234.5, 1e-9, 1e12] {
             let back = unit.from_si(unit.to_si(value));

@@ -1,9 +1,9 @@
-//! Which spellings mean which unit.
+//! Spellings and the units they denote.
 
 use quantities::unit::ALL;
 use quantities::{Dimension, Language, Unit, format_significant, parse};
 
-/// What the spelling means where a quantity of the dimension is expected, in the spelling of project files.
+/// Returns the unit of a spelling in the context of a dimension, in the spelling of project files.
 fn meaning(dimension: Dimension, spelling: &str) -> Option<&'static str> {
     Unit::of_dimension(dimension, spelling).map(|unit| unit.ascii)
 }
@@ -102,7 +102,7 @@ fn spellings_as_people_write_them() {
     }
 }
 
-/// Writers of units put the factors in the order of the alphabet, with a sign between them: a metre newton is no millinewton.
+/// Writers of units sort the factors alphabetically, with a sign between them: a metre newton is no millinewton.
 #[test]
 fn a_product_is_a_product_in_every_order() {
     use Dimension::*;
@@ -136,8 +136,8 @@ fn a_product_is_a_product_in_every_order() {
     assert!(parse(Force, "85 m*N").is_err());
 }
 
-/// No sign of a product in a spelling makes a prefix of what stands before it; where the factors are those of the unit the sign says
-/// what the space says. Every unit, every place.
+/// No sign of a product in a spelling turns the preceding text into a prefix; if the factors are those of the unit, the
+/// sign is equivalent to the space. Every unit, every place.
 #[test]
 fn a_sign_of_a_product_never_makes_a_prefix() {
     let mut refused = 0;
@@ -153,7 +153,7 @@ fn a_sign_of_a_product_never_makes_a_prefix() {
                 for sign in ["·", " * ", "×"] {
                     let written = factors.join(sign);
                     let found = Unit::of_dimension(unit.dimension, &written);
-                    // Of a unit that is written with a space in that place the sign is that space.
+                    // In a unit that is written with a space at that place the sign is that space.
                     let spaced = factors.join(" ");
                     let is_product = unit.spellings().any(|own| same(own, &spaced));
                     if !is_product {
@@ -167,7 +167,7 @@ fn a_sign_of_a_product_never_makes_a_prefix() {
     assert!(refused > 300, "{refused}");
 }
 
-/// Whether a spelling has a space wherever another one has.
+/// Returns `true` if a spelling has a space wherever another one has.
 fn same(own: &str, spaced: &str) -> bool {
     let raised =
         [('⁻', "-"), ('¹', "1"), ('²', "2"), ('³', "3"), ('⁴', "4"), ('Ω', "ohm"), ('µ', "u"), ('°', "deg"), ('^', "")];
@@ -221,8 +221,8 @@ fn what_is_ambiguous_or_no_unit_is_refused() {
     assert_eq!(Unit::of(&"N".repeat(100_000)), None);
 }
 
-/// A spelling that says what a value is never stands for another quantity: effective and DC voltage, mass and force, gauge of a
-/// temperature, revolutions and radians.
+/// A spelling that states the kind of a value never denotes another quantity: effective and DC voltage, mass and force,
+/// temperature scales, revolutions and radians.
 #[test]
 fn a_spelling_does_not_change_its_meaning() {
     use Dimension::*;

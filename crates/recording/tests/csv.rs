@@ -1,4 +1,4 @@
-//! What CSV is read, and what is refused with which words.
+//! CSV that is read, and CSV that is refused, with the words of the fault.
 
 #![allow(clippy::unwrap_used, clippy::panic, clippy::indexing_slicing, reason = "a test fails loudly")]
 
@@ -171,7 +171,7 @@ fn every_fault_of_a_unit_is_reported_at_once() {
         panic!("{found:?}")
     };
     assert_eq!((text.as_str(), *unit), ("grad", &DEGREE));
-    // A gon is no radian: nothing that would change the value is proposed.
+    // A gon is no radian: no unit that would change the value is proposed.
     assert_eq!(*nearest, None);
 }
 
@@ -317,7 +317,7 @@ fn equal_faults_are_reported_once_with_their_number() {
     assert!(matches!(first.as_ref(), Fault::ThousandsGrouped { at: FileRow::Line(2), column, text }
         if column == "q [deg]" && text == "1.234,5"));
     assert!(matches!(second.as_ref(), Fault::ValueUnreadable { at: FileRow::Line(2), .. }));
-    // Beyond ten thousand the reading stops.
+    // Reading stops after ten thousand faults.
     let found = faults(&format!("{head}{}", rows(20_000)));
     assert_eq!(found.last(), Some(&Fault::More { count: 0, stopped: true }));
     assert_eq!(found.len(), 3);
@@ -329,7 +329,7 @@ fn many_different_faults_are_capped() {
     let head: String = (0..columns).map(|column| format!(",c{column}")).collect();
     let found = read_csv(format!("t [s],q [deg]{head}\n0\n").as_bytes(), &Layout::default()).unwrap_err();
     assert!(matches!(found.as_slice(), [Fault::Ragged { .. }]), "{found:?}");
-    // Times that run back are of one kind, whatever the column.
+    // Times that run backwards are one kind of fault for any column.
     let text: String = (0..100).map(|line| format!("{},1\n", 100 - line)).collect();
     let found = faults(&format!("t [s],q [deg]\n{text}"));
     assert!(matches!(found.as_slice(), [Fault::Repeated { more: 98, .. }]), "{found:?}");
@@ -368,7 +368,7 @@ fn a_line_is_of_bounded_length() {
     }
 }
 
-/// Gives one byte at a time, is interrupted in between, and breaks off.
+/// Source that delivers one byte at a time, is interrupted in between, and breaks off.
 struct Broken<'a>(&'a [u8], bool);
 
 impl Read for Broken<'_> {
@@ -390,7 +390,7 @@ fn a_source_that_breaks_off_is_reported() {
     assert_eq!(found, [Fault::ReadFailed { line: 3, kind: ErrorKind::ConnectionReset }]);
 }
 
-/// Samples at 1 kHz without end in sight, made as they are read.
+/// Source of endless samples at 1 kHz, generated while they are read.
 struct Logger {
     sample: u64,
     samples: u64,
@@ -442,7 +442,7 @@ fn files_of_python_are_read() {
     }
 }
 
-/// Headings as loggers, oscilloscopes and spreadsheets write them.
+/// Headings of loggers, oscilloscopes and spreadsheets.
 #[test]
 fn headings_are_recognised_as_they_come() {
     for (text, named) in [
@@ -472,7 +472,7 @@ fn headings_are_recognised_as_they_come() {
     }
 }
 
-/// Two joints: which one is meant is not guessed.
+/// Two joints: the intended one is not guessed.
 #[test]
 fn several_columns_of_one_sureness_are_ambiguous() {
     let found = faults("t [s],q1 [deg],q2 [deg]\n0,0,0\n1,1,1\n2,2,2\n");
@@ -500,7 +500,7 @@ fn a_near_miss_is_proposed() {
     assert!(time[0].column == "Channel 1 [ms]" && time[0].has_unit && course[0].has_unit, "{found:?}");
 }
 
-/// What is no table of numbers may be a note or a key: none of it is repeated.
+/// Text of a file that is no table of numbers may be a note or a key and is not quoted.
 #[test]
 fn the_content_of_what_is_no_table_is_not_repeated() {
     for text in [

@@ -1,4 +1,4 @@
-//! Files that claim more than they have: each is refused at once, by its claim alone.
+//! Files that claim more than they contain: each is refused immediately because of its claim.
 
 #![allow(clippy::unwrap_used, clippy::panic, clippy::indexing_slicing, reason = "a test fails loudly")]
 
@@ -15,7 +15,8 @@ const PLAIN: i64 = 0;
 const DELTAS: i64 = 5;
 const ZSTD: i64 = 6;
 
-/// Far longer than a refusal takes without optimisation on a busy machine, far shorter than the work that was claimed.
+/// Time limit: far longer than a refusal takes without optimisation on a busy machine, far shorter than the claimed
+/// work.
 const AT_ONCE: Duration = Duration::from_millis(600);
 
 fn read(bytes: Vec<u8>) -> Result<Recording, Vec<Fault>> {
@@ -69,7 +70,7 @@ fn children_and_elements_that_are_not_there_are_refused() {
     let root = || Structure::default().text(4, "s").integer(5, 0);
     let groups = Structure::default().list(2, 1, [root()]).integer(3, 0).list(4, u64::from(u32::MAX), []);
     assert_eq!(only(read(ended(b"PAR1".to_vec(), groups.end()))), Fault::ParquetUnreadable { reason: Damage::Footer });
-    // A negative number of children, and one group that has more than follow.
+    // A negative number of children, and a group with more children than follow.
     for children in [-1, 2] {
         let root = Structure::default().text(4, "s").integer(5, children);
         let column = Structure::default().integer(1, DOUBLE).text(4, "t");
@@ -93,7 +94,7 @@ fn many_columns_and_long_paths_are_refused() {
     };
     assert!(matches!(only(read(schema(10_001, "c"))), Fault::Beyond { limit: Limit::Columns, found: 10_001, .. }));
     assert!(matches!(only(read(schema(2, &name.repeat(2)))), Fault::Beyond { limit: Limit::PathBytes, .. }));
-    // Ten thousand columns that all could be the position: a fault that fits on a screen.
+    // Ten thousand columns that could all be the position: the fault fits on a screen.
     let found = read(schema(9_000, "q [deg]")).unwrap_err();
     assert!(matches!(&found[0], Fault::Ambiguous { columns, .. } if columns.len() < 30), "{}", found.len());
 }
@@ -113,7 +114,7 @@ fn a_page_is_not_unpacked_to_what_it_claims() {
         only(read(file(values, &[time, position])))
     };
     let packed = vec![0x28; 3_000];
-    // Values that cannot need so much, and so many values that they could.
+    // Values that cannot need as many bytes, and enough values to need them.
     assert_eq!(claim(1_000, two_gib, &packed), Fault::ParquetUnreadable { reason: Damage::Page });
     assert!(matches!(claim(1 << 24, 1 << 28, &packed), Fault::Beyond { limit: Limit::PageRatio, found: 89_478, .. }));
     assert!(matches!(
@@ -121,7 +122,7 @@ fn a_page_is_not_unpacked_to_what_it_claims() {
         Fault::Beyond { limit: Limit::PageRatio, .. } | Fault::TooManySamples { .. }
     ));
     assert!(matches!(claim(1 << 30, two_gib, &packed), Fault::Beyond { limit: Limit::Rows, .. }));
-    // Beyond the memory that is given, whatever the ratio.
+    // Beyond the given memory, at any ratio.
     let packed = vec![0x28; 100_000];
     assert!(matches!(claim(1 << 23, 90 << 20, &packed), Fault::ParquetUnreadable { reason: Damage::Packed }));
     let column = |name| Column {
@@ -139,7 +140,7 @@ fn a_page_is_not_unpacked_to_what_it_claims() {
 
 #[test]
 fn zeros_that_are_packed_tightly_are_not_unpacked() {
-    // 24 MiB that are there indeed, in a few kilobytes.
+    // 24 MiB of real data, in a few kilobytes.
     let zeros = vec![0; 24 << 20];
     let packed = zstd::bulk::compress(&zeros, 1).unwrap();
     assert!(packed.len() < 20_000);
@@ -168,12 +169,12 @@ fn samples_that_take_no_bytes_are_refused() {
 
 #[test]
 fn values_that_are_not_there_are_refused() {
-    // The columns differ, a chunk has fewer values than it says, a page more.
+    // The columns differ in length, a chunk has fewer values than stated, a page more.
     let cut = |values: i64| Column { values, ..plain("q [deg]", (0..4).map(f64::from)) };
     for column in [cut(3), cut(5), Column { values: 4, ..plain("q [deg]", (0..5).map(f64::from)) }] {
         assert_eq!(only(read(file(4, &[times(4), column]))), Fault::ParquetUnreadable { reason: Damage::Lengths });
     }
-    // No delta where the levels say that there is a value.
+    // No delta where the levels state a value.
     let none = ramp_of_deltas(0, 128);
     let pages = page(DELTAS, 4, &none, none.len() as i64);
     let column = Column { name: "q [deg]", physical: INT64, codec: 0, values: 4, pages };
@@ -181,7 +182,7 @@ fn values_that_are_not_there_are_refused() {
         only(read(file(4, &[times(4), column]))),
         Fault::ParquetUnreadable { reason: Damage::Values { .. } }
     ));
-    // Pages behind the end of the file: what the footer points at is cut out.
+    // Pages beyond the end of the file: the range referenced by the footer is cut out.
     let mut bytes = file(4, &[times(4), times(4)]);
     drop(bytes.drain(4..60));
     assert!(read(bytes).is_err());
@@ -230,7 +231,7 @@ fn lines_may_end_with_a_carriage_return_alone() {
     assert!(matches!(found.as_slice(), [Fault::ValueUnreadable { at: FileRow::Line(2), .. }]), "{found:?}");
 }
 
-/// Every row has a value beyond any measurement, as where a clock in nanoseconds is taken for the position.
+/// Every row has a value larger than any measurement, for example if a clock in nanoseconds is taken for the position.
 #[test]
 fn a_column_of_faults_is_read_in_the_time_of_one_of_numbers() {
     let row = |k: usize| format!("{},1{k:013}\n", k as f64 / 1000.0);

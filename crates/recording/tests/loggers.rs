@@ -1,4 +1,4 @@
-//! Files as loggers, controllers and spreadsheets write them: read right, or refused with the true reason.
+//! Files of loggers, controllers and spreadsheets: read correctly, or refused with the true reason.
 
 #![allow(clippy::unwrap_used, clippy::panic, clippy::indexing_slicing, reason = "a test fails loudly")]
 
@@ -29,13 +29,13 @@ fn degrees(recording: &Recording) -> Vec<f64> {
     recording.course.position.as_ref().unwrap().values.iter().map(|q| q.to_degrees()).collect()
 }
 
-/// One motion, written in many ways.
+/// One motion in many notations.
 #[test]
 fn every_way_of_writing_gives_the_same_samples() {
     let times = [0.0, 0.005, 0.01, 0.015];
     let positions = [0.0, 0.25, 1.5, 2.0];
     for text in [
-        // Clock times, with the date or without, also beside a date of its own and past midnight.
+        // Clock times with and without a date, also with the date in a column of its own, and past midnight.
         "timestamp,q [deg]\n2025-04-17T17:00:08.000,0\n2025-04-17T17:00:08.005,0.25\n2025-04-17T17:00:08.010,1.5\n2025-04-17T17:00:08.015,2\n",
         "timestamp [s],q [deg]\n2025-04-17T17:00:08.000Z,0\n2025-04-17T17:00:08.005Z,0.25\n2025-04-17T17:00:08.010Z,1.5\n2025-04-17T17:00:08.015Z,2\n",
         "Date,Time,q [deg]\n2026-01-01,10:30:20.000,0\n2026-01-01,10:30:20.005,0.25\n2026-01-01,10:30:20.010,1.5\n2026-01-01,10:30:20.015,2\n",
@@ -46,7 +46,7 @@ fn every_way_of_writing_gives_the_same_samples() {
         "t [ns],q [deg]\n1700000000600000000,0\n1700000000605000000,0.25\n1700000000610000000,1.5\n1700000000615000000,2\n",
         "/js/stamp/sec,/js/stamp/nanosec,/js/position [deg]\n1700000000,990000000,0\n1700000000,995000000,0.25\n1700000001,0,1.5\n1700000001,5000000,2\n",
         "secs,nsecs,q [deg]\n5,990000000,0\n5,995000000,0.25\n6,0,1.5\n6,5000000,2\n",
-        // Lines about the file before the heading, of as many cells as the table or not, and a row of units.
+        // Lines about the file before the heading, with and without as many cells as the table, and a row of units.
         "Recorder;bench\nSamples;4\n\nTime [s];Position [deg]\n0,000;0\n0,005;0,25\n0,010;1,5\n0,015;2\n",
         "Recorder;bench 4.2\nAxis;Rotary 1\nStart;12.03.2025 08:15:02\n\nTime [s];Position [deg];Status\n0.000;0;ok\n0.005;0.25;ok\n0.010;1.5;ok\n0.015;2;ok\n",
         "Recorder;workbench 4.2\nAxis;Rotary 1\nStart;12.03.2025 08:15:02\nSamples;4\n\nTime [s];Position [deg];Velocity [deg/s]\n0.000;0;0\n0.005;0.25;1\n0.010;1.5;1\n0.015;2;0\n",
@@ -56,14 +56,14 @@ fn every_way_of_writing_gives_the_same_samples() {
         "sep=;\nt [s];q [deg]\n0,000;0\n0,005;0,25\n0,010;1,5\n0,015;2\n",
         "\"sep=,\"\nt [s],q [deg]\n0.000,0\n0.005,0.25\n0.010,1.5\n0.015,2\n",
         "SEP=\t\nt [s]\tq [deg]\n0.000\t0\n0.005\t0.25\n0.010\t1.5\n0.015\t2\n",
-        // Decimal commas in quotes between commas.
+        // Quoted decimal commas in a comma-separated file.
         "t [s],q [deg]\n\"0,000\",\"0,0\"\n\"0,005\",\"0,25\"\n\"0,010\",\"1,5\"\n\"0,015\",\"2,0\"\n",
         // An index in brackets, the unit in others.
         "Time [ms];Axis[1].ActPos [deg];Axis[1].State\n0;0;1\n5;0.25;1\n10;1.5;1\n15;2;1\n",
         "t [ms];q[2] [deg]\n0;0\n5;0.25\n10;1.5\n15;2\n",
         "Time [ms];r0482[0]: Position [deg]\n0;0\n5;0.25\n10;1.5\n15;2\n",
         "t (s) [actual],q (measured) {deg}\n0,0\n0.005,0.25\n0.010,1.5\n0.015,2\n",
-        // One column of time beside each channel.
+        // One column of time next to each channel.
         "t [s],q [deg],t [s],M [Nm]\n0,0,0,1\n0.005,0.25,0.005,1\n0.010,1.5,0.010,1\n0.015,2,0.015,1\n",
         "t [msec],q [Deg]\n0,0\n5,0.25\n10,1.5\n15,2\n",
     ] {
@@ -81,7 +81,7 @@ fn the_source_of_a_unit_is_named() {
     assert_eq!((recording.columns[0].unit, recording.columns[0].name.as_str()), (&SECOND, "a/sec + a/nanosec"));
 }
 
-/// The motion files of IDTA 02021, turning and along a line: what is not used is named.
+/// Motion files of IDTA 02021, rotary and linear: unused columns are named.
 #[test]
 fn what_is_not_used_is_named() {
     let rotative = "Time [s];AngularPosition [rad];AngularVelocity [rad/s];AngularAcceleration [rad/s²];AngularJerk [rad/s³];FrictionTorque [Nm];LoadTorque [Nm]\n0;0;0;0;0;2;1\n1;1;1;0;0;2;1\n2;2;1;0;0;2;1\n";
@@ -93,7 +93,8 @@ fn what_is_not_used_is_named() {
     let recording = read(linear);
     assert_eq!(recording.columns.len(), 4);
     assert_eq!(recording.unused, ["LinearAcceleration [m/s²]", "FrictionForce [N]"]);
-    // TwinCAT's speed is one; a set-point beside the measured position and a unit in a row are not used, a counter holds nothing.
+    // TwinCAT's speed is recognised; a setpoint next to the measured position and a column with its unit in the row of
+    // units are unused; the counter is no quantity.
     let text = "Time;ActPos;SetPos;ActVelo;Temp;Counter\nms;°;°;°/s;°C;\n0;0;0;0;20;1\n1;1;1;1;20;2\n2;2;2;1;20;3\n";
     let recording = read(text);
     assert!(recording.course.speed.is_some());
@@ -115,7 +116,7 @@ fn columns_are_named_by_their_numbers() {
     assert!(near(&degrees(&read_csv(text.as_bytes(), &layout).unwrap()), &[5.0, 6.0, 7.0]));
     let beyond = Layout { position: named("#4"), ..Layout::default() };
     assert!(matches!(read_csv(text.as_bytes(), &beyond).unwrap_err()[0], Fault::ColumnUnknown { .. }));
-    // A column that is called so is meant itself.
+    // A column with exactly this name is used.
     let odd = Layout { position: named("#1"), ..Layout::default() };
     assert!(near(&degrees(&read_csv(&b"t [s],#1 [deg]\n0,0\n1,1\n2,2\n"[..], &odd).unwrap()), &[0.0, 1.0, 2.0]));
 }
@@ -194,10 +195,10 @@ fn a_preview_begins_at_the_heading() {
     assert_eq!(found.rows[1], ["0,0", "1,5", "auto", "2"]);
 }
 
-/// Faulty rows end the reading after some thousands, and a caller who no longer waits ends it at once.
+/// Faulty rows end the reading after some thousands, and cancellation ends it at once.
 #[test]
 fn reading_ends_where_nothing_new_is_to_be_found() {
-    /// A heading and equal rows without end; counts the bytes that it gave.
+    /// Source with a heading and endless equal rows; counts the bytes delivered.
     struct Endless<'c>(&'c std::cell::Cell<usize>);
     impl std::io::Read for Endless<'_> {
         fn read(&mut self, room: &mut [u8]) -> std::io::Result<usize> {

@@ -1,4 +1,4 @@
-//! Parquet files that other tools wrote; `data/make.py` made them.
+//! Parquet files written by other tools; `data/make.py` created them.
 
 #![allow(clippy::unwrap_used, clippy::panic, clippy::indexing_slicing, reason = "a test fails loudly")]
 
@@ -101,7 +101,7 @@ fn a_list_is_no_column_of_numbers() {
     assert!(matches!(found.as_slice(), [Fault::ColumnType { .. }]), "{found:?}");
 }
 
-/// Numbers as they are written, whatever their type and in whatever row groups; a column that is not there is none.
+/// Numbers as written, of any type and in any row groups; a missing column is `None`.
 #[test]
 fn columns_are_read_by_their_names() {
     let columns =

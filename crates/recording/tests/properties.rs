@@ -1,4 +1,4 @@
-//! Whatever the bytes are, there is an answer; and what was written is read.
+//! Any bytes get an answer, and a written recording is read back.
 
 #![allow(clippy::unwrap_used, clippy::panic, clippy::indexing_slicing, reason = "a test fails loudly")]
 
@@ -139,7 +139,7 @@ fn a_damaged_parquet_file_has_an_answer() {
         let mut bytes = u.choose(&files)?.to_vec();
         for _ in 0..u.int_in_range(1..=8)? {
             let at = u.choose_index(bytes.len())?;
-            // Half of the damage is done to the footer, where the lengths and offsets are.
+            // Half of the changes affect the footer with its lengths and offsets.
             let at = if u.arbitrary()? { at } else { bytes.len() - 1 - at % 2000.min(bytes.len()) };
             bytes[at] = u.arbitrary()?;
         }
@@ -149,7 +149,8 @@ fn a_damaged_parquet_file_has_an_answer() {
     .budget_ms(2_000);
 }
 
-/// A cell in quotes that no role needs leaves a row to the reader of single rows: both readers find the same numbers and faults.
+/// A quoted cell without a role leaves a row to the reader of single rows: both readers find the same numbers and
+/// faults.
 #[test]
 fn rows_read_many_at_a_time_are_those_read_one_by_one() {
     arbtest(|u| {
@@ -159,7 +160,7 @@ fn rows_read_many_at_a_time_are_those_read_one_by_one() {
         let epoch = if u.ratio(1, 8)? { 1_700_000_000 } else { 0 };
         let mut lines = vec![["t [s]", "note", "q [rad]"].map(str::to_owned)];
         let rows = u.int_in_range(0..=60)?;
-        // Now and then so many that two threads share them.
+        // In some cases enough rows for two threads.
         let copies = if u.ratio(1, 16)? { 400 } else { 1 };
         for row in 0..rows * copies {
             let mut time = format!("{}{sign}{:02}", epoch + row / 100, row % 100);

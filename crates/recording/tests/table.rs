@@ -1,4 +1,4 @@
-//! Tables of any columns: what is read, and what no file can make the reader do.
+//! Tables with any columns: values read, and limits that no file can exceed.
 
 #![allow(clippy::unwrap_used, clippy::panic, clippy::indexing_slicing, reason = "a test fails loudly")]
 
@@ -101,7 +101,7 @@ fn every_kind_of_column_is_read_in_parts() {
     }
 }
 
-/// The same columns as a recording: times of 96 bits, times of a day and decimals are numbers with their units.
+/// Read as a recording, 96-bit times, times of a day and decimals are numbers with their units.
 #[test]
 fn decimals_and_times_are_read_as_a_recording() {
     let bytes = Bytes::from(made(Compression::SNAPPY));
@@ -122,7 +122,7 @@ fn decimals_and_times_are_read_as_a_recording() {
     }
 }
 
-/// Files that claim what they do not hold: refused at once, whatever they claim.
+/// Files that claim more than they contain are refused immediately.
 #[test]
 fn no_claim_costs_more_than_its_bytes() {
     let begin = Instant::now();
@@ -143,7 +143,7 @@ fn no_claim_costs_more_than_its_bytes() {
         let found = open(footer(vec![root(1), column()], 2, rows));
         assert!(matches!(found, Err(Fault::Beyond { limit: Limit::Rows, .. })), "{rows}");
     }
-    // Every cut and every changed byte of a sound file is read or refused.
+    // Every truncation and every changed byte of a valid file is read or refused.
     let sound = made(Compression::SNAPPY);
     for place in 0..sound.len() {
         let mut changed = sound.clone();
@@ -158,7 +158,7 @@ fn no_claim_costs_more_than_its_bytes() {
     assert!(begin.elapsed() < Duration::from_secs(60), "{:?}", begin.elapsed());
 }
 
-/// A long text of a dictionary that stands in every row is counted before it is copied.
+/// A long dictionary text that occurs in every row is counted before it is copied.
 #[test]
 fn a_text_in_every_row_takes_no_more_than_is_given() {
     let schema = Arc::new(parse_message_type("message s { required binary n (UTF8); }").unwrap());

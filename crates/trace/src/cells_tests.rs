@@ -1,5 +1,5 @@
-//! A recording too long for its nodes to be kept, with so much noise that bounds over time tell nothing: what the cells find
-//! against a plain loop over every interval.
+//! Tests of cells on a recording too long for its nodes to be stored, with so much noise that bounds over time are
+//! useless: results of the cells against a plain loop over every interval.
 
 use super::cubes::cubes_of_panel;
 use super::tests::{arm, direct, lossless};
@@ -9,7 +9,7 @@ use motion::{Closing, Recorded, Samples, SegmentSpec, Treatment};
 use quantities::{Measure, ViscousFriction};
 use std::f64::consts::PI;
 
-/// Swings with a pause between them, 20 000 intervals, noise in speed and torque.
+/// Returns swings with a pause between them: 20 000 intervals, noise in speed and torque.
 pub(crate) fn noisy(with_torque: bool) -> Motion {
     let count = 20_001_u32;
     let mut state = 7_u64;
@@ -123,7 +123,8 @@ fn the_largest_values_are_those_of_a_plain_loop() {
     }
 }
 
-/// Straight intervals side by side against finely cut sums: torque with and without a zero, speed from rest and to it.
+/// Several straight intervals at a time against finely cut sums: torque with and without a zero, speed from rest and to
+/// rest.
 #[test]
 fn cubes_of_ramps_by_brute_force() {
     let ramps = Ramps {
@@ -159,7 +160,7 @@ fn the_cubes_are_those_of_a_plain_loop() {
     }
 }
 
-/// The views of one survey, as the search for reserves makes them, against surveys of their own.
+/// The views of one survey, as created by the search for reserves, agree with surveys of their own.
 #[test]
 fn another_load_and_another_pace_are_seen_as_if_surveyed_anew() {
     let (positions, torques) = (noisy(false), noisy(true));
@@ -180,7 +181,7 @@ fn another_load_and_another_pace_are_seen_as_if_surveyed_anew() {
     }
 }
 
-/// A rotor in balance and one that is not know nothing of each other.
+/// The survey of a balanced rotor does not serve an unbalanced one, nor the reverse.
 #[test]
 fn a_weight_that_was_not_there_is_surveyed() {
     let motion = noisy(true);
@@ -245,7 +246,7 @@ fn seen_as_anew(changed: &Trace, anew: &Trace) {
     assert!((a.value / b.value - 1.0).abs() < 1e-9, "{} {}", a.value, b.value);
 }
 
-/// Two lags, one short and one long against the blocks, by the exact step of a parabola over every interval.
+/// Two lags, one short and one long against the blocks, agree with the exact step of a parabola over every interval.
 #[test]
 fn lags_are_those_of_a_plain_loop() {
     for (what, mechanism, motion) in cases() {
@@ -255,7 +256,7 @@ fn lags_are_those_of_a_plain_loop() {
             let lags = [0, 1].map(|k| Lag { tau_s: taus[k], form: forms[k] });
             let found = trace.peak_of_lags(&lags).value;
             let mut largest = 0.0_f64;
-            // The first pass finds where the cycle begins, the second the largest value.
+            // The first pass finds the initial state of the cycle, the second the largest value.
             let mut starts = [0.0; 2];
             for pass in 0..2 {
                 let mut states = starts;
@@ -286,7 +287,7 @@ fn lags_are_those_of_a_plain_loop() {
     }
 }
 
-/// The moments for the cube are those of the rule with five nodes, for either form of the intervals.
+/// The moments for the cube agree with the rule with five nodes, for both forms of the intervals.
 #[test]
 fn moments_of_straight_intervals_by_two_ways() {
     let motion = noisy(false);
@@ -316,7 +317,7 @@ fn moments_of_straight_intervals_by_two_ways() {
     }
 }
 
-/// Ten slow swings, each from rest to rest at a sample, 16 000 intervals.
+/// Returns ten slow swings, each from rest to rest at a sample: 16 000 intervals.
 fn from_rest() -> Motion {
     let time_s: Vec<f64> = (0..16_001).map(|k| 1e-3 * f64::from(k)).collect();
     let speeds: Vec<f64> =
@@ -332,7 +333,7 @@ fn from_rest() -> Motion {
     Motion::new(&[SegmentSpec::Recorded(Arc::new(recorded))], None, Closing::SingleMove).unwrap()
 }
 
-/// Several intervals side by side have the integrals of their panels, block by block, and most of them go side by side.
+/// Several intervals at a time have the integrals of their panels, block by block, and most intervals are processed so.
 #[test]
 fn a_sweep_has_the_integrals_of_the_panels() {
     let rest = [("from rest", direct()), ("arm from rest", lossless()), ("arm with losses", arm())]

@@ -1,4 +1,4 @@
-//! Lags of forms against sums written apart, and what must not change them.
+//! Tests of lags of forms against independent sums, and of their invariances.
 
 use super::tests::{arm, direct, jerk, law, manual, motion, swing};
 use super::*;
@@ -6,14 +6,14 @@ use mechanism::{Friction, Output};
 use motion::{Hold, Law, SegmentSpec};
 use quantities::{Angle, Measure, Time, Torque, ViscousFriction};
 
-/// The loss of a motor with friction, and another form beside it.
+/// Returns the loss of a motor with friction, and a second form.
 fn losses() -> [Form; 2] {
     let copper = Form::square([0.3, 0.9, 1.1, 0.4]);
     let friction = Form::product([0.0, 0.0, 2.0, 0.7], [0.0, 0.0, 0.0, 1.0]);
     [copper.plus(&friction.scale(0.4)), copper.scale(0.2).plus(&friction)]
 }
 
-/// x at an instant of a piece, straight from motion and mechanism.
+/// Returns x at an instant of a piece, directly from motion and mechanism.
 fn signals(
     mechanism: &Mechanism,
     motion: &Motion,
@@ -40,8 +40,8 @@ fn signals(
     [state.acceleration_rad_s2, load, direction, state.speed_rad_s]
 }
 
-/// Steps of equal length between the cuts at which something jumps, each with u at its ends and its middle: the lags by
-/// Simpson's rule for u e^(t/τ) in each step, over so many cycles that nothing is left of the start.
+/// Integrates the lags by Simpson's rule for u e^(t/τ) in steps of equal length between the cuts at which a signal
+/// jumps, each with u at its ends and its middle, over so many cycles that the initial state has decayed.
 fn brute(mechanism: &Mechanism, motion: &Motion, lags: &[Lag], steps: u32) -> f64 {
     let mut course: Vec<(f64, [Vec<f64>; 3])> = Vec::new();
     for piece in motion.pieces() {
@@ -104,7 +104,7 @@ fn brute(mechanism: &Mechanism, motion: &Motion, lags: &[Lag], steps: u32) -> f6
     course.iter().map(|each| step(&mut states, each)).fold(f64::NEG_INFINITY, f64::max)
 }
 
-/// The trace of a motion that a brake holds where the segment says so: it closes in 70 ms and opens in 110 ms.
+/// Returns the trace of a motion with a brake in the segments that state one: it closes in 70 ms and opens in 110 ms.
 pub(super) fn under(mechanism: &Mechanism, motion: &Motion) -> Trace {
     let carried = |hold: Hold| match hold {
         Hold::Motor => Carried::Throughout,
@@ -187,7 +187,7 @@ fn neither_rotation_nor_repetition_nor_mirror_nor_units_change_a_lag() {
                 let base = peak(segments, taus);
                 let mut rotated = segments.clone();
                 rotated.rotate_left(1);
-                // Where the axis stands plays no part here.
+                // The position of the axis has no effect here.
                 same(peak(&rotated, taus), base, &format!("{what}, rotated"));
                 same(peak(&[segments.clone(), segments.clone(), segments.clone()].concat(), taus), base, &what);
                 let trace = under(mechanism, &motion(segments));
@@ -217,7 +217,7 @@ fn neither_rotation_nor_repetition_nor_mirror_nor_units_change_a_lag() {
     same(under(&other, &motion(&mirrored(segments))).peak_of_lags(&lags).value, base, "mirror");
 }
 
-/// Straight speed and torque between the samples: u is a parabola in each part of one direction.
+/// Straight speed and torque between the samples: u is a parabola in each part with one direction.
 #[test]
 fn lags_of_a_recording_agree_with_sums_over_its_intervals() {
     for (samples, steps) in [(50, 1_000), (3_000, 40), (12_000, 10)] {
@@ -227,7 +227,7 @@ fn lags_of_a_recording_agree_with_sums_over_its_intervals() {
         for taus in [[60.0, 2400.0], [0.05, 3.0]] {
             let lags = two(taus);
             let nodes = trace.nodes();
-            // Three nodes to a part.
+            // Three nodes per part.
             let mut states = [0.0; 2];
             let round = |states: &mut [f64; 2]| {
                 let mut best = f64::NEG_INFINITY;
@@ -258,8 +258,8 @@ fn lags_of_a_recording_agree_with_sums_over_its_intervals() {
     }
 }
 
-/// An arm that turns for long: one revolution stands for all. Sixty of them sampled one by one must say the same, as must a
-/// chain of shorter runs.
+/// One revolution represents a long rotation of an arm: sixty revolutions sampled one by one, and a chain of shorter
+/// runs, give the same result.
 #[test]
 fn revolutions_at_constant_speed_stand_for_each_other() {
     let run = |revolutions: f64, speed: f64| {
@@ -270,7 +270,7 @@ fn revolutions_at_constant_speed_stand_for_each_other() {
         };
         SegmentSpec::Move(Law::Constant, given)
     };
-    // Runs of one revolution and a half are not taken together.
+    // Runs of one and a half revolutions are not merged.
     let apart: Vec<SegmentSpec> = (0..40).map(|_| run(1.5, 9.0)).collect();
     let of = |segments: &[SegmentSpec]| under(&arm(), &motion(segments));
     let (once, each) = (of(&[run(60.0, 9.0)]), of(&apart));

@@ -6,7 +6,7 @@ use motion::Law;
 const LAWS: [Law; 5] =
     [Law::ModifiedSine, Law::InclinedSine, Law::Polynomial5, Law::ModifiedTrapezoid, Law::SimpleSine];
 
-/// Smooth moves there and back under several loads.
+/// Returns smooth moves back and forth under several loads.
 fn traces() -> Vec<(String, Trace)> {
     let mut traces = Vec::new();
     for (name, load) in [("direct", direct()), ("arm", arm()), ("without losses", lossless())] {
@@ -19,7 +19,7 @@ fn traces() -> Vec<(String, Trace)> {
     traces
 }
 
-/// The largest value at many instants of the polynomials through the nodes, by the values at these themselves.
+/// Returns the largest value at many instants of the polynomials through the nodes, from the signals at the nodes.
 fn dense(trace: &Trace, value: impl Fn(&Node) -> f64) -> f64 {
     let mut most = f64::NEG_INFINITY;
     for block in trace.blocks() {

@@ -56,13 +56,13 @@ pub(super) fn arm() -> Mechanism {
     Mechanism { kind: MechanismKind::Rotor(rotor), efficiency_driving: 0.9, efficiency_driven: 0.8, ..direct() }
 }
 
-/// The same without losses: a sum of five parts.
+/// Returns the mechanism without losses: a sum of five parts.
 pub(super) fn lossless() -> Mechanism {
     Mechanism { efficiency_driving: 1.0, efficiency_driven: 1.0, ..arm() }
 }
 
-/// The same integrals by composite Simpson sums, 4000 steps over each span between reversals and sign changes of the
-/// torque; the fourth-order error is far below the tolerance.
+/// Computes the integrals by composite Simpson sums, 4000 steps over each span between reversals and sign changes of
+/// the torque; the fourth-order error is far below the tolerance.
 fn brute(mechanism: &Mechanism, motion: &Motion, own: f64) -> [f64; 5] {
     let mut sums = [0.0; 5];
     let none = Extra::none();
@@ -153,8 +153,8 @@ fn the_moments_agree_with_brute_force_for_every_law_and_load() {
     }
 }
 
-/// The mechanisms whose inertia depends on the position, near their singular positions too: a lift at 11°, a linkage whose
-/// coupler and rocker are nearly in line, a slider-crank with l/r = 1.05.
+/// Returns mechanisms whose inertia depends on the position, also near their singular positions: a lift at 11°, a
+/// linkage whose coupler and rocker are nearly in line, a slider-crank with l/r = 1.05.
 #[test]
 fn the_moments_agree_with_brute_force_where_the_inertia_depends_on_the_position() {
     let (m, kg, kgm2) = (Length::from_si, Mass::from_si, MomentOfInertia::from_si);
@@ -252,7 +252,7 @@ fn the_brake_carries_what_the_motor_does_not() {
     assert_eq!(motor.holding, brake.holding);
 }
 
-/// Leaving blocks out changes nothing: the largest value over thousands of instants against a plain loop.
+/// Skipping blocks does not change the result: the largest value over thousands of instants agrees with a plain loop.
 #[test]
 fn the_envelope_finds_what_a_plain_loop_finds() {
     let mut segments = Vec::new();
@@ -309,7 +309,7 @@ fn law_constant(law: Law) -> f64 {
     law.characteristics().1
 }
 
-/// A swing of three harmonics with a torque of its own, sampled irregularly.
+/// Returns a swing of three harmonics with a recorded torque, sampled irregularly.
 pub(super) fn swing(samples: u32) -> Motion {
     let step = |k: u32| f64::from(k) + 0.15 * f64::from(k % 5) - 0.3;
     let end = step(samples - 1) - step(0);
@@ -319,7 +319,7 @@ pub(super) fn swing(samples: u32) -> Motion {
     let torque = time_s.iter().map(|t| 12.0 * phase(*t, 2.0).cos() + 3.0 * phase(*t, 11.0).sin());
     let mut speed: Vec<f64> = speed.collect();
     let torque: Vec<f64> = torque.collect();
-    // It stands for a while.
+    // A pause.
     speed.iter_mut().skip(samples as usize / 3).take(samples as usize / 10).for_each(|speed| *speed = 0.0);
     (speed[0], speed[samples as usize - 1]) = (0.0, 0.0);
     let samples = Samples {
@@ -332,7 +332,7 @@ pub(super) fn swing(samples: u32) -> Motion {
     Motion::new(&[SegmentSpec::Recorded(std::sync::Arc::new(recorded))], None, Closing::SingleMove).unwrap()
 }
 
-/// Straight speed and torque between samples, every interval by itself: the squares of straight lines and their
+/// Straight speed and torque between samples, each interval separately: the squares of straight lines and their
 /// products have closed integrals.
 fn by_intervals(placed: &Placed, plain: &Mechanism, own: f64) -> [f64; 3] {
     let mut sums = [0.0; 3];
@@ -385,7 +385,7 @@ fn the_moments_of_a_recording_are_exact_for_straight_lines_between_samples() {
     }
 }
 
-/// A law sampled finely: what the samples miss falls with the square of the step.
+/// A finely sampled law: the error of the samples decreases with the square of the step.
 #[test]
 fn a_sampled_law_comes_near_the_law() {
     let segments = [law(Law::Polynomial5, 1.4, 0.6), law(Law::Polynomial5, -1.4, 0.9)];
@@ -435,7 +435,7 @@ fn the_envelope_of_a_recording_finds_what_a_plain_loop_finds_and_threads_change_
     }
 }
 
-/// The same blocks, one after the other.
+/// Returns the sums of the blocks of a recording, after checking that a sequential pass gives the same.
 fn swing_blocks(motion: &Motion) -> Vec<Gram> {
     let strip = Strip::new(motion.recordings()[0].clone(), direct(), Extra::none(), &[]);
     let count = motion.recordings()[0].intervals();
