@@ -10,39 +10,39 @@ use sizing::CheckId;
 pub struct Head {
     /// Ordering code, or name of the project's own actuator.
     pub code: String,
-    /// Whether nothing speaks against it.
+    /// Verdict on the actuator.
     pub verdict: Fit,
     /// Utilisation of the governing check; 1 is the limit.
     pub utilisation: Number,
-    /// Id of the check that it belongs to.
+    /// Id of the governing check.
     pub tightest: Option<Id<CheckId>>,
-    /// How many questions could not be answered for want of a datum.
+    /// Number of questions that could not be answered because a datum is missing.
     pub open_questions: usize,
-    /// Requirements not met and rules broken, in words.
+    /// Requirements not met and rules violated, as text.
     pub objections: Vec<String>,
 }
 
-/// A figure of each actuator.
+/// A figure for each actuator.
 #[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct DatumRow {
-    /// Its symbol.
+    /// Symbol of the figure.
     pub symbol: &'static str,
-    /// Its unit.
+    /// Unit of the values.
     pub unit: &'static str,
-    /// One value for each actuator, `null` where there is none.
+    /// One value per actuator, `null` if it has none.
     pub values: Vec<Option<Number>>,
 }
 
-/// A check of each actuator.
+/// A check for each actuator.
 #[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct CheckRow {
-    /// Which check.
+    /// Id of the check.
     pub id: Id<CheckId>,
-    /// Its name in words.
+    /// Name of the check.
     pub title: String,
-    /// Index of the actuator that does better, from 0; `null` where none does.
+    /// Index of the better actuator, from 0; `null` if none is better.
     pub better: Option<usize>,
-    /// The answers, `null` where an actuator has no such check.
+    /// Results per actuator, `null` if an actuator has no such check.
     pub answers: Vec<Option<Check>>,
 }
 
@@ -53,78 +53,78 @@ pub struct Comparison {
     pub axis: String,
     /// The actuators, in the requested order.
     pub candidates: Vec<Head>,
-    /// Index of the actuator that ranks best, from 0.
+    /// Index of the actuator with the best rank, from 0.
     pub better: Option<usize>,
-    /// The demand on each.
+    /// Demand on each actuator.
     pub demand: Vec<DatumRow>,
-    /// What each is.
+    /// Data of each actuator.
     pub data: Vec<DatumRow>,
-    /// Check by check.
+    /// Comparison check by check.
     pub checks: Vec<CheckRow>,
 }
 
 /// A value that differs between two project files.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, JsonSchema)]
 pub struct InputChange {
-    /// Its key.
+    /// Key of the value.
     pub path: String,
-    /// As written in the first file; `null` where it is not there.
+    /// Value as written in the first file; `null` if it is missing there.
     pub old: Option<String>,
-    /// As written in the second file; `null` where it is not there.
+    /// Value as written in the second file; `null` if it is missing there.
     pub new: Option<String>,
 }
 
 /// A figure before and after.
 #[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct DatumChange {
-    /// Its symbol.
+    /// Symbol of the figure.
     pub symbol: &'static str,
-    /// Its unit.
+    /// Unit of the values.
     pub unit: &'static str,
-    /// In the first project.
+    /// Value in the first project.
     pub before: Option<Number>,
-    /// In the second project.
+    /// Value in the second project.
     pub after: Option<Number>,
 }
 
 /// A check before and after.
 #[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct CheckChange {
-    /// Which check.
+    /// Id of the check.
     pub id: Id<CheckId>,
-    /// Its name in words.
+    /// Name of the check.
     pub title: String,
-    /// Whether anything about it is another.
+    /// `true` if any part of the result differs.
     pub changed: bool,
     /// Difference of the utilisations.
     pub change: Option<Number>,
-    /// In the first project.
+    /// Result in the first project.
     pub before: Option<Check>,
-    /// In the second project.
+    /// Result in the second project.
     pub after: Option<Check>,
 }
 
-/// `diff`: what another revision of a project does to an actuator.
+/// `diff`: effect of another revision of a project on an actuator.
 #[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct Difference {
     /// Name of the axis.
     pub axis: String,
-    /// The actuator.
+    /// Ordering code, or name of the project's own actuator.
     pub code: String,
-    /// Whether it fits in the second project.
+    /// Verdict in the second project.
     pub verdict: Fit,
-    /// In the first project.
+    /// Result in the first project.
     pub before: Head,
-    /// In the second project.
+    /// Result in the second project.
     pub after: Head,
-    /// The best ordering code for the first project.
+    /// Best ordering code for the first project.
     pub best_before: Option<String>,
-    /// The best ordering code for the second project.
+    /// Best ordering code for the second project.
     pub best_after: Option<String>,
-    /// The demand before and after.
+    /// Demand before and after.
     pub demand: Vec<DatumChange>,
-    /// Check by check.
+    /// Comparison check by check.
     pub checks: Vec<CheckChange>,
-    /// The values of the project files that differ.
+    /// Values of the project files that differ.
     pub inputs: Vec<InputChange>,
 }

@@ -19,22 +19,22 @@ pub struct Curves {
 /// One curve of the torque-speed plane.
 #[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct Curve {
-    /// Which duty.
+    /// Duty of the curve.
     pub kind: CurveKind,
-    /// Duty factor of S3 in %; `null` of the others.
+    /// Duty factor of S3 in %; `null` for other duties.
     #[serde(rename = "ED")]
     pub duty: Option<Number>,
-    /// Its name in words.
+    /// Name of the curve.
     pub title: String,
-    /// DC link voltage that it holds for; `null` where it holds for all.
+    /// DC link voltage of the curve; `null` if it holds for all voltages.
     pub voltage: Option<Number>,
     /// Speed and torque, by rising speed.
     pub points: Vec<[Number; 2]>,
-    /// Upper edge of an estimate's band; `null` where there is none.
+    /// Upper edge of an estimate's band; `null` if there is none.
     pub upper: Option<Vec<[Number; 2]>>,
-    /// How far it can be trusted.
+    /// Grade of the curve.
     pub grade: Id<Grade>,
-    /// Where it is from.
+    /// Source of the curve.
     pub source: String,
 }
 
@@ -51,92 +51,93 @@ pub enum CurveKind {
     ShortTime,
 }
 
-/// `torsion`: the angle by which a gear yields under a torque.
+/// `torsion`: twist angle of a gear under a torque.
 #[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct Torsion {
     /// Ordering code.
     pub code: String,
-    /// The torque.
+    /// Torque.
     pub torque: Number,
-    /// The angle in rad.
+    /// Twist angle in rad.
     pub angle_rad: Number,
-    /// The same angle in arcmin.
+    /// Twist angle in arcmin.
     pub angle_arcmin: Number,
-    /// Which of the three straight pieces of the curve it lies on, from 1.
+    /// Number of the linear section of the curve in which the angle lies, from 1 to 3.
     pub region: u8,
-    /// End of the first piece.
+    /// End of the first section.
     #[serde(rename = "T_1")]
     pub torque_1: Number,
-    /// End of the second piece.
+    /// End of the second section.
     #[serde(rename = "T_2")]
     pub torque_2: Number,
-    /// Stiffness of the three pieces.
+    /// Stiffness of the three sections.
     #[serde(rename = "K")]
     pub stiffness: [Number; 3],
-    /// Most that is lost by hysteresis after full torque to both sides; `null` where none is printed.
+    /// Maximum hysteresis loss after full torque in both directions; `null` if the manual states none.
     pub hysteresis_loss: Option<Number>,
-    /// Most that is lost under a few per cent of the rated torque to both sides; `null` where none is printed.
+    /// Maximum lost motion under a few per cent of the rated torque in both directions; `null` if the manual states
+    /// none.
     pub lost_motion: Option<Number>,
-    /// Units of torque, stiffness and lost angles.
+    /// Units of torque, stiffness and angles.
     pub units: Units,
-    /// Where the curve is from.
+    /// Source of the curve.
     pub source: &'static str,
 }
 
-/// `bearing`: the output bearing of each size under the loads of the project.
+/// `bearing`: output bearing of each size under the loads of the project.
 #[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct Bearings {
-    /// Every size.
+    /// Results for every size.
     pub sizes: Vec<BearingOfSize>,
 }
 
-/// The output bearing of one size.
+/// Output bearing of one size.
 #[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct BearingOfSize {
-    /// The size.
+    /// Size of the actuator.
     pub size: String,
-    /// Whether none of its checks fails.
+    /// `true` if none of the checks fails.
     pub fits: bool,
-    /// The checks of the bearing.
+    /// Checks of the bearing.
     pub checks: Vec<Check>,
 }
 
-/// `battery`: the life of the encoder's battery.
+/// `battery`: life of the encoder's battery.
 #[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct Battery {
     /// Life in `unit`.
     pub life: Number,
-    /// When it should be exchanged.
+    /// Recommended time of the replacement.
     pub exchange_recommended: Number,
-    /// When it must be exchanged.
+    /// Latest time of the replacement.
     pub exchange_latest: Number,
-    /// Whether the life is that of the cell, not of its charge.
+    /// `true` if the life is limited by the cell instead of its charge.
     pub capped: bool,
-    /// Unit of the three.
+    /// Unit of the three times.
     pub unit: &'static str,
-    /// How far the life can be trusted.
+    /// Grade of the life.
     pub grade: Id<Grade>,
-    /// Where it is from.
+    /// Source of the life.
     pub source: String,
 }
 
 /// `inertia`: solid bodies about the axis.
 #[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct Inertia {
-    /// Body by body.
+    /// The bodies.
     pub bodies: Vec<Body>,
-    /// Moment of inertia of all about the axis.
+    /// Moment of inertia of all bodies about the axis.
     #[serde(rename = "J")]
     pub inertia: Number,
-    /// Mass of all.
+    /// Mass of all bodies.
     #[serde(rename = "m")]
     pub mass: Number,
-    /// Centre of gravity of all.
+    /// Centre of gravity of all bodies.
     pub centre: Centre,
-    /// Largest torque of gravity if the axis lies horizontally.
+    /// Largest torque of gravity with a horizontal axis.
     #[serde(rename = "T_gravity_max")]
     pub gravity_torque: Number,
-    /// The units of the figures.
+    /// Units of the figures.
     pub units: Units,
 }
 
@@ -146,32 +147,32 @@ pub struct Centre {
     /// Distance from the axis.
     #[serde(rename = "r")]
     pub radius: Number,
-    /// Direction.
+    /// Direction of the centre of gravity.
     pub angle: Number,
 }
 
-/// One body, or several alike at equal angles.
+/// One body, or several equal ones at equal angles.
 #[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct Body {
-    /// Id of its shape.
+    /// Id of the shape.
     pub shape: &'static str,
-    /// How many.
+    /// Number of equal bodies.
     pub count: u32,
-    /// Mass of one of them.
+    /// Mass of one body.
     #[serde(rename = "m")]
     pub mass: Number,
-    /// Distance of the centre from the axis.
+    /// Distance of the body's centre from the axis.
     #[serde(rename = "r")]
     pub distance: Number,
-    /// Direction of the first.
+    /// Direction of the first body.
     pub angle: Number,
-    /// Inertia of one of them about the own centre.
+    /// Moment of inertia of one body about its own centre.
     #[serde(rename = "J_own")]
     pub own: Number,
-    /// What the distance adds to that.
+    /// Parallel-axis (Steiner) share of the moment of inertia.
     #[serde(rename = "J_steiner")]
     pub steiner: Number,
-    /// Both together, of all of them.
+    /// Moment of inertia of all equal bodies about the axis.
     #[serde(rename = "J")]
     pub total: Number,
 }

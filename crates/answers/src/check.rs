@@ -6,94 +6,95 @@ use schemars::JsonSchema;
 use serde::Serialize;
 use sizing::{CheckId, Direction, Part, Verdict};
 
-/// The answer of one check.
+/// Result of one check.
 #[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct Check {
-    /// Which check.
+    /// Id of the check.
     pub id: Id<CheckId>,
-    /// Its name in words.
+    /// Name of the check.
     pub title: String,
-    /// What came out. `advice` also means: inside the band of an estimate.
+    /// Verdict of the check. `advice` also means: within the band of an estimate.
     pub verdict: Id<Verdict>,
-    /// What the axis asks; with `not_checked` it may still be there, when only the limit is missing.
+    /// Value demanded by the axis; may be present with `not_checked`, if only the limit is missing.
     pub value: Option<Number>,
-    /// What the actuator gives or the project asks.
+    /// Limit of the actuator, or limit required by the project.
     pub limit: Option<Number>,
-    /// Unit of both: `Nm` `1/min` `A` `V` `W` `kgm^2` `N` `mm` `h` `a` `deg` `arcmin` `arcsec` `rev` `Hz` `degC` `1`.
+    /// Unit of value and limit: `Nm` `1/min` `A` `V` `W` `kgm^2` `N` `mm` `h` `a` `deg` `arcmin` `arcsec` `rev` `Hz`
+    /// `degC` `1`.
     pub unit: Option<&'static str>,
-    /// How the value must lie to the limit.
+    /// Required relation of the value to the limit.
     pub direction: Id<Direction>,
-    /// The part of the actuator that it is about.
+    /// Part of the actuator concerned.
     pub part: Id<Part>,
-    /// value/limit for `at_most`, limit/value for `at_least`; `null` where it makes no sense.
+    /// value/limit for `at_most`, limit/value for `at_least`; `null` if it has no meaning.
     pub utilisation: Option<Number>,
-    /// Whether the ranking looks at that utilisation: not of a recommendation nor of a class that is met or not.
+    /// `true` if the ranking uses this utilisation; `false` for a recommendation, and for a class that is met or not.
     pub margin: bool,
     /// Instant of the worst case within the cycle, in s.
     pub at: Option<Number>,
-    /// How far the figures can be trusted: the worst of all that went in.
+    /// Grade of the figures: the worst of all inputs.
     pub grade: Option<Id<Grade>>,
     /// Source of the limit, then of the value, joined by `; `.
     pub source: Option<String>,
-    /// The same sources, each by itself.
+    /// The sources as a list.
     pub sources: Vec<String>,
-    /// Symbol of the datum that is missing, or the key of the project that would give the limit.
+    /// Symbol of the missing datum, or the project key that would set the limit.
     pub missing: Option<String>,
-    /// Remarks, in words.
+    /// Remarks, as text.
     pub notes: Vec<String>,
-    /// Only where a value or limit rests on one: the ids of the errata, whose evidence stands in `notes`.
+    /// Ids of the errata that value or limit depend on; their evidence is in `notes`. Omitted if there are none.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     #[schemars(default)]
     pub errata: Vec<&'static str>,
 }
 
-/// An erratum that a figure rests on.
+/// An erratum that a figure depends on.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, JsonSchema)]
 pub struct CitedErratum {
-    /// Its id.
+    /// Id of the erratum.
     pub id: String,
-    /// What stands in print, what is used, and why.
+    /// Text of the manual, value used, and reason.
     pub evidence: String,
 }
 
-/// A figure and how it came about.
+/// A figure and its derivation.
 #[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct Node {
-    /// Its symbol.
+    /// Symbol of the figure.
     pub symbol: String,
-    /// What the symbol means; left out where there is no term for it.
+    /// Meaning of the symbol; omitted if there is no term for it.
     #[serde(skip_serializing_if = "String::is_empty")]
     #[schemars(default)]
     pub term: String,
-    /// The formula, in symbols; left out for what was read and not computed.
+    /// Formula in symbols; omitted for a value that was read instead of computed.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub formula: Option<String>,
-    /// The formula with its figures put in.
+    /// Formula with the values inserted.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub figures: Option<String>,
-    /// The result.
+    /// Result of the formula.
     pub value: Number,
-    /// Its unit.
+    /// Unit of the result.
     pub unit: &'static str,
-    /// How far it can be trusted; `null` for the steps of a computation, which are as good as what went in.
+    /// Grade of the figure; `null` for the steps of a computation, which have the grade of their inputs.
     pub grade: Option<Id<Grade>>,
-    /// Where it stands: cell, equation, model or key.
+    /// Source of the figure: cell, equation, model or key.
     pub source: String,
-    /// The page of the manual, for those who show it beside the source.
+    /// Page of the manual, for faces that show it next to the source.
     #[serde(skip)]
     pub page: Option<u16>,
-    /// The page of `docs/theory` that explains it, for the same.
+    /// Page of `docs/theory` that explains the figure, for faces that show it.
     #[serde(skip)]
     pub model: Option<&'static str>,
-    /// The errata that it rests on; left out where there is none.
+    /// Errata that the figure depends on; omitted if there are none.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     #[schemars(default)]
     pub errata: Vec<CitedErratum>,
-    /// Whether it is derived above already; left out where not.
+    /// `true` if the figure is derived above already; omitted otherwise.
     #[serde(skip_serializing_if = "is_false")]
     #[schemars(default)]
     pub repeated: bool,
-    /// What went in; left out where nothing did.
+    /// Inputs of the figure; omitted if there are none.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     #[schemars(default)]
     pub operands: Vec<Node>,
@@ -104,22 +105,22 @@ const fn is_false(value: &bool) -> bool {
     !*value
 }
 
-/// Where both sides of a check come from.
+/// Derivations of both sides of a check.
 #[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct Derivation {
-    /// Of what the axis asks.
+    /// Derivation of the demanded value.
     pub value: Option<Node>,
-    /// Of what is permitted.
+    /// Derivation of the limit.
     pub limit: Option<Node>,
 }
 
 /// A check with the derivation of its value and its limit.
 #[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct Explained {
-    /// The check.
+    /// Result of the check.
     #[serde(flatten)]
     pub check: Check,
-    /// How its figures came about.
+    /// Derivation of its figures.
     pub derivation: Derivation,
 }
 
@@ -132,6 +133,6 @@ pub struct Explanations {
     pub code: String,
     /// The requested checks.
     pub checks: Vec<Explained>,
-    /// What was assumed, in words.
+    /// Assumptions, as text.
     pub assumptions: Vec<String>,
 }

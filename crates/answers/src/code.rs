@@ -8,107 +8,107 @@ use serde::Serialize;
 /// `code parse`: a code with every field explained.
 #[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct CodeReading {
-    /// Always `true`.
+    /// `true` in every such answer.
     pub valid: bool,
     /// The canonical spelling.
     pub code: String,
-    /// Whether the text was written so.
+    /// `true` if the text was already in canonical spelling.
     pub canonical: bool,
-    /// Whether it can be had without asking.
+    /// Availability of the code.
     pub availability: Availability,
     /// Names of the fields that are on request only.
     pub on_request: Vec<String>,
-    /// All nine fields, in their order.
+    /// The nine fields, in their order.
     pub fields: Vec<CodeField>,
-    /// What the manual's tables do not cover of it.
+    /// Remarks on data that the tables of the manual do not cover.
     pub notes: Vec<String>,
 }
 
 /// A field of a code.
 #[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct CodeField {
-    /// Which field.
+    /// Id of the field.
     pub field: Id<Field>,
-    /// Its name.
+    /// Name of the field.
     pub name: String,
-    /// What stands there; empty where it is left out.
+    /// Word of the field; empty if it is left out.
     pub token: String,
-    /// What that means.
+    /// Meaning of the word.
     pub meaning: String,
-    /// Its place in the text given, in bytes: begin, and end without it; `null` where it is left out.
+    /// Place in the given text, in bytes: start and exclusive end; `null` if the field is left out.
     pub span: Option<[usize; 2]>,
 }
 
-/// A code, or a partial code, that cannot be: written instead of the answer.
+/// An invalid code or partial code: written instead of the answer.
 #[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct CodeFaults {
-    /// Always `false`.
+    /// `false` in every such answer.
     pub valid: bool,
-    /// The text given.
+    /// Text as given.
     pub text: String,
-    /// Every fault, in the order of the text.
+    /// Faults in the order of the text.
     pub errors: Vec<CodeFault>,
-    /// The nearest valid codes that the manual prints data for.
+    /// Nearest valid codes with data in the manual.
     pub nearest: Vec<String>,
-    /// The same with their availability.
+    /// Nearest valid codes with their availability.
     pub nearest_codes: Vec<ListedCode>,
 }
 
 /// A fault of a code.
 #[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct CodeFault {
-    /// Stable id of its kind: `code_rule` for a rule of a table, `code_spelling` for anything else.
+    /// Stable id of the kind of fault: `code_rule` for a rule of a table, `code_spelling` for anything else.
     pub id: &'static str,
-    /// Its place in characters, from 1.
+    /// Place in characters, from 1.
     pub position: usize,
-    /// Its place in bytes: begin, and end without it.
+    /// Place in bytes: start and exclusive end.
     pub span: [usize; 2],
-    /// What stands there.
+    /// Text at this place.
     pub text: Option<String>,
-    /// What is wrong, one sentence.
+    /// Description of the fault, one sentence.
     pub message: String,
-    /// What would be valid here; `null` where nothing is near.
+    /// Valid text at this place; `null` if nothing is similar.
     pub hint: Option<String>,
-    /// The ordering table whose rule is broken; `null` for a fault of the spelling.
+    /// Ordering table with the violated rule; `null` for a fault of the spelling.
     pub table: Option<&'static str>,
 }
 
 /// `code list`: a valid code.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, JsonSchema)]
 pub struct ListedCode {
-    /// The code.
+    /// Ordering code.
     pub code: String,
-    /// Whether it can be had without asking.
+    /// Availability of the code.
     pub availability: Availability,
     /// Names of the fields that are on request only.
     pub on_request: Vec<String>,
 }
 
-/// `code complete`: what a partial code leaves open.
+/// `code complete`: open fields of a partial code.
 #[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct Completion {
-    /// Each field but series and special design.
+    /// The fields except series and special design.
     pub fields: Vec<OpenField>,
-    /// The codes that result.
+    /// Resulting codes.
     pub codes: Vec<ListedCode>,
 }
 
 /// A field of a partial code.
 #[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct OpenField {
-    /// Which field.
+    /// Id of the field.
     pub field: Id<Field>,
-    /// Its name.
+    /// Name of the field.
     pub name: String,
-    /// What may stand there.
+    /// Permitted words.
     pub choices: Vec<Choice>,
 }
 
-/// What may stand at a field.
+/// A permitted word of a field.
 #[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct Choice {
-    /// The word; empty where the field may be left out.
+    /// Word; empty if the field may be left out.
     pub token: &'static str,
-    /// Whether at least one code with it has this field without asking.
+    /// Availability of the field in at least one code with this word.
     pub availability: Availability,
 }

@@ -7,13 +7,13 @@ use schemars::JsonSchema;
 use serde::Serialize;
 use sizing::Verdict;
 
-/// `commission`: with `--for cia402` the list of objects, else the whole sheet.
+/// `commission`: the list of objects with `--for cia402`, else the whole sheet.
 #[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 #[serde(untagged)]
 pub enum CommissionAnswer {
-    /// The objects of CiA 402.
+    /// Objects of CiA 402.
     Objects(Vec<DriveObject>),
-    /// All that is known.
+    /// The whole sheet.
     Sheet(Box<Commissioning>),
 }
 
@@ -27,81 +27,81 @@ pub struct DriveObject {
     /// Type of CiA 301: `UNSIGNED8`, `UNSIGNED16` or `UNSIGNED32`.
     #[serde(rename = "type")]
     pub data_type: &'static str,
-    /// The value to write.
+    /// Value to write.
     pub value: u32,
     /// Unit of the value.
     pub unit: &'static str,
     /// Name of the object in the profile.
     pub name: &'static str,
-    /// The value before it was rounded.
+    /// Value before rounding.
     pub exact: Number,
-    /// How it was rounded: `nearest` or `down`.
+    /// Direction of rounding: `nearest` or `down`.
     pub rounding: &'static str,
-    /// How far it can be trusted.
+    /// Grade of the value.
     pub grade: Id<Grade>,
-    /// Where the figures stand, then the document that names the object.
+    /// Source of the figures, then the document that defines the object.
     pub source: String,
 }
 
-/// All that is known for the commissioning of a code.
+/// Known values for the commissioning of a code.
 #[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct Commissioning {
-    /// The code.
+    /// Ordering code.
     pub code: String,
-    /// Format of the values for the drive: `sinamics`, `plain`.
+    /// Format of the values for the servo drive: `sinamics`, `plain`.
     #[serde(rename = "for")]
     pub form: &'static str,
-    /// Hazards and conditions, gravest first.
+    /// Hazards and conditions, the gravest first.
     pub hazards: Vec<Fact>,
-    /// Every value that is known.
+    /// Known values.
     pub parameters: Vec<CommissionParameter>,
-    /// Values that a drive requires and no source states, with advice.
+    /// Values that a servo drive requires and no source states, with advice.
     pub gaps: Vec<CommissionGap>,
-    /// The parameters of a SINAMICS drive; empty for another form.
+    /// Parameters of a SINAMICS drive; empty for another format.
     pub sinamics: Vec<DriveParameter>,
-    /// What is printed about the encoders.
+    /// Values stated for the encoders.
     pub encoder: Vec<EncoderValue>,
-    /// How the angle between encoder and rotor is found, step by step.
+    /// Determination of the angle between encoder and rotor, step by step.
     pub commutation: Vec<String>,
     /// Thresholds of the temperature sensors in degrees and ohms.
     pub thresholds: Vec<SensorThreshold>,
-    /// What the supervision of overload is set to.
+    /// Settings of the overload supervision.
     pub overload: OverloadSupervision,
-    /// The check-lists: before power, first motion, after a day.
+    /// Checklists: before power, first motion, after a day.
     pub lists: Vec<CommissionList>,
 }
 
-/// A value to enter in a drive.
+/// A value to enter in a servo drive.
 #[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct CommissionParameter {
     /// Identifier.
     pub id: &'static str,
     /// Symbol in ASCII.
     pub symbol: &'static str,
-    /// What it is.
+    /// Name of the value.
     pub name: String,
-    /// Its value, not rounded.
+    /// Value without rounding.
     pub value: Number,
-    /// Its unit.
+    /// Unit of the value.
     pub unit: &'static str,
-    /// How it follows from what is printed.
+    /// Id of the conversion from the manual's value.
     pub conversion: &'static str,
-    /// The same in words.
+    /// Conversion as text.
     pub conversion_text: String,
-    /// How far it can be trusted.
+    /// Grade of the value.
     pub grade: Id<Grade>,
-    /// Where it stands.
+    /// Source of the value.
     pub source: String,
-    /// Ids of the errata that touch it.
+    /// Ids of the errata that concern the value.
     pub errata: Vec<&'static str>,
 }
 
-/// A value that a drive requires and no source states.
+/// A value that a servo drive requires and no source states.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, JsonSchema)]
 pub struct CommissionGap {
     /// Identifier.
     pub id: &'static str,
-    /// What is missing, and what to do.
+    /// Missing value, and advice.
     pub text: String,
 }
 
@@ -110,40 +110,40 @@ pub struct CommissionGap {
 pub struct DriveParameter {
     /// Number with the index of the motor data set: `p350[0]`.
     pub number: String,
-    /// Its value.
+    /// Value of the parameter.
     pub value: Number,
-    /// Its unit; `1` for a pure number.
+    /// Unit of the value; `1` for a pure number.
     pub unit: &'static str,
-    /// What it is.
+    /// Name of the parameter.
     pub name: String,
-    /// How it follows from what is printed.
+    /// Conversion from the manual's value, as text.
     pub conversion_text: String,
-    /// How far it can be trusted.
+    /// Grade of the value.
     pub grade: Id<Grade>,
-    /// Where the figure stands, then the document that names the parameter.
+    /// Source of the figure, then the document that defines the parameter.
     pub source: String,
 }
 
-/// A printed value of an encoder.
+/// A value stated for an encoder.
 #[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct EncoderValue {
     /// `motor` or `output`.
     pub side: &'static str,
     /// Symbol in ASCII.
     pub symbol: &'static str,
-    /// What it is.
+    /// Name of the value.
     pub name: String,
     /// Further distinction of the row.
     pub condition: String,
     /// The value after errata: a number or a text.
     pub value: TableCell,
-    /// The same as it is shown.
+    /// Value as displayed.
     pub text: String,
-    /// Its unit; empty for pure numbers and texts.
+    /// Unit of the value; empty for pure numbers and texts.
     pub unit: &'static str,
     /// Number of the table.
     pub table: &'static str,
-    /// Notes on it.
+    /// Notes on the value.
     pub notes: Vec<String>,
 }
 
@@ -152,111 +152,111 @@ pub struct EncoderValue {
 pub struct SensorThreshold {
     /// `kty` or `ptc`.
     pub sensor: &'static str,
-    /// What it is.
+    /// Name of the threshold.
     pub name: String,
-    /// Temperature in degC, of the PTC that of the corner.
+    /// Temperature in degC; for the PTC that of the corner point.
     pub temperature: Number,
     /// Resistance in ohm.
     pub resistance: Number,
     /// `typical`, `at_most` or `at_least`.
     pub bound: &'static str,
-    /// How far it can be trusted: that of the resistance.
+    /// Grade of the resistance.
     pub grade: Id<Grade>,
-    /// Where both stand.
+    /// Source of temperature and resistance.
     pub source: String,
 }
 
-/// What the supervision of overload is set to.
+/// Settings of the overload supervision.
 #[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct OverloadSupervision {
     /// Stall current in A rms, to which the overload factor refers.
     pub stall_current: Option<Number>,
-    /// Time constant of the winding in s, by the model of the house; the manual states none.
+    /// Time constant of the winding in s, from the project's model; the manual states none.
     pub time_constant: Option<Number>,
-    /// How far the time constant can be trusted.
+    /// Grade of the time constant.
     pub grade: Id<Grade>,
-    /// When a first-order supervision responds, from the cold.
+    /// Response times of a first-order supervision from the cold state.
     pub trips: Vec<OverloadTrip>,
-    /// What this rests on, in words.
+    /// Basis of the values, as text.
     pub text: String,
 }
 
-/// When the supervision of overload responds.
+/// Response of the overload supervision.
 #[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct OverloadTrip {
     /// Overload factor I/I_0.
     pub factor: Number,
-    /// Time in s.
+    /// Response time in s.
     pub time: Number,
 }
 
-/// A check-list.
+/// A checklist.
 #[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct CommissionList {
     /// `before_power`, `first_motion` or `after_a_day`.
     pub step: Id<Step>,
-    /// Its title.
+    /// Title of the checklist.
     pub title: String,
-    /// Its lines.
+    /// Entries of the checklist.
     pub entries: Vec<CommissionEntry>,
 }
 
-/// A line of a check-list.
+/// An entry of a checklist.
 #[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct CommissionEntry {
     /// Identifier: of a fact, a value or a measurand.
     pub id: &'static str,
-    /// Signal word; `null` where there is none.
+    /// Signal word; `null` if there is none.
     pub signal: Option<Id<Signal>>,
-    /// What is to be done, set or measured.
+    /// Action, setting or measurement.
     pub text: String,
-    /// What should come out; `null` for a line to tick.
+    /// Expected value; `null` for an entry to tick.
     pub expected: Option<Number>,
     /// Lower edge of the band.
     pub low: Option<Number>,
     /// Upper edge of the band.
     pub high: Option<Number>,
-    /// The same as it is shown; empty for a line to tick.
+    /// Expected value as displayed; empty for an entry to tick.
     pub shown: String,
-    /// Unit of the figures; `null` for a line to tick.
+    /// Unit of the figures; `null` for an entry to tick.
     pub unit: Option<&'static str>,
-    /// Whether a measured value is to be written down.
+    /// `true` if a measured value is to be recorded.
     pub field: bool,
-    /// How far it can be trusted.
+    /// Grade of the expected value.
     pub grade: Id<Grade>,
-    /// Where it stands.
+    /// Source of the entry.
     pub source: String,
 }
 
-/// `commission --record`: what was measured, judged.
+/// `commission --record`: measured values with their verdicts.
 #[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct Recorded {
-    /// The code.
+    /// Ordering code.
     pub code: String,
-    /// Whether nothing is off; what was not measured does not count as passed.
+    /// Verdict on all measurements; a value not measured does not count as passed.
     pub verdict: Fit,
-    /// How many measurements are off.
+    /// Number of measurements out of their band.
     pub off: usize,
-    /// How many are not judged.
+    /// Number of measurements that are not judged.
     pub not_checked: usize,
-    /// Each measurement.
+    /// The measurements.
     pub measurements: Vec<RecordedValue>,
 }
 
 /// One measurement with its verdict.
 #[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct RecordedValue {
-    /// What was measured.
+    /// Id of the measurand.
     pub id: &'static str,
-    /// The same in words.
+    /// Name of the measurand.
     pub name: String,
-    /// Which of several, from 1.
+    /// Number of the measurement among several, from 1.
     pub number: Option<usize>,
-    /// What comes out; `advice` is outside an estimated band.
+    /// Verdict of the measurement; `advice` is outside an estimated band.
     pub verdict: Id<Verdict>,
-    /// The measured value.
+    /// Measured value.
     pub value: Option<Number>,
-    /// What it should be.
+    /// Expected value.
     pub expected: Option<Number>,
     /// Lower edge of the band.
     pub low: Option<Number>,
@@ -264,27 +264,27 @@ pub struct RecordedValue {
     pub high: Option<Number>,
     /// Unit of the figures.
     pub unit: &'static str,
-    /// What the band rests on: `printed`, `servo_motors`, `kty_data_sheet`, `din_44081`, `friction`, `ours`, `exact`.
+    /// Basis of the band: `printed`, `servo_motors`, `kty_data_sheet`, `din_44081`, `friction`, `ours`, `exact`.
     pub band: Option<&'static str>,
-    /// The same in words, or why it is not judged.
+    /// Basis of the band as text, or the reason why it is not judged.
     pub remark: String,
-    /// Identifier of the likely cause of what is off.
+    /// Identifier of the likely cause of the deviation.
     pub cause: Option<&'static str>,
-    /// The likely cause in words.
+    /// Likely cause as text.
     pub cause_text: Option<String>,
-    /// How far the judgement can be trusted.
+    /// Grade of the judgement.
     pub grade: Option<Id<Grade>>,
-    /// Where what it is compared with stands.
+    /// Source of the expected value.
     pub source: String,
 }
 
-/// `commission --out`, `--checklist` or `--blank`: a file that was written.
+/// `commission --out`, `--checklist` or `--blank`: a file written.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, JsonSchema)]
 pub struct CommissionWritten {
-    /// Its path.
+    /// Path of the file.
     pub file: String,
-    /// The code.
+    /// Ordering code.
     pub code: String,
-    /// How many bytes it has.
+    /// Size of the file in bytes.
     pub bytes: usize,
 }

@@ -4,13 +4,13 @@ use crate::{Number, Units};
 use schemars::JsonSchema;
 use serde::Serialize;
 
-/// How the figures of a demand were found.
+/// Method by which the figures of a demand are computed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum DemandMode {
-    /// By the manual's equations 69.1 to 69.4.
+    /// The manual's equations 69.1 to 69.4.
     Manual,
-    /// By exact integration.
+    /// Exact integration.
     Integral,
 }
 
@@ -34,52 +34,52 @@ pub struct DemandFigures {
     pub duty_factor: Number,
 }
 
-/// The three torques of a move of the manual's form, in its direction, in Nm.
+/// Torques in the three phases of a move of the manual's form, in its direction, in Nm.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct MoveTorques {
-    /// While accelerating.
+    /// Torque during acceleration.
     #[serde(rename = "T_1")]
     pub accelerate: Number,
-    /// While running.
+    /// Torque at constant speed.
     #[serde(rename = "T_2")]
     pub run: Number,
-    /// While braking.
+    /// Torque during deceleration.
     #[serde(rename = "T_3")]
     pub brake: Number,
 }
 
-/// The demand; where the manual's equations describe the axis, their figures with the exact integrals beside them.
+/// The demand; if the manual's equations describe the axis, their figures together with the exact integrals.
 #[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct Demand {
-    /// `integral` where the manual's equations do not describe the axis: then the figures are those of the integrals, and
-    /// the three torques, `moves` and `integral` are left out.
+    /// `integral` if the manual's equations do not describe the axis: then the figures are those of the integrals, and
+    /// the three torques, `moves` and `integral` are omitted.
     pub mode: DemandMode,
-    /// The figures.
+    /// Figures of the demand.
     #[serde(flatten)]
     pub figures: DemandFigures,
-    /// The torques of the governing move.
+    /// Torques of the governing move.
     #[serde(flatten, skip_serializing_if = "Option::is_none")]
     pub torques: Option<MoveTorques>,
-    /// The units of the figures.
+    /// Units of the figures.
     pub units: Units,
-    /// With several moves only: the torques of each.
+    /// Torques of each move; only with several moves.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     #[schemars(default)]
     pub moves: Vec<MoveTorques>,
-    /// With several moves only: number of the move with the largest torque, from 1.
+    /// Number of the move with the largest torque, from 1; only with several moves.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub governing_move: Option<usize>,
-    /// The same figures by exact integration; checks use these.
+    /// Figures by exact integration, which the checks use.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub integral: Option<IntegralDemand>,
 }
 
-/// The figures by exact integration.
+/// Figures of the demand by exact integration.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct IntegralDemand {
-    /// The figures.
+    /// Figures of the demand.
     #[serde(flatten)]
     pub figures: DemandFigures,
-    /// Always `integral`.
+    /// `integral` in every case.
     pub mode: DemandMode,
 }

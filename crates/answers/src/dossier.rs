@@ -5,135 +5,135 @@ use schemars::JsonSchema;
 use serde::Serialize;
 use sizing::CheckId;
 
-/// An axis with everything there is to tell of it and of the actuator chosen.
+/// Data of an axis and of the chosen actuator for a report.
 #[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct Dossier {
-    /// The actuator; its checks stand in the order of their importance.
+    /// The actuator; its checks are in the order of their importance.
     pub judgement: Judgement,
-    /// The counts of its checks.
+    /// Numbers of checks by verdict.
     pub counts: CheckCounts,
-    /// Whether the motion is a single move, which ends elsewhere than it begins.
+    /// `true` for a single move, which ends at another position than it begins.
     pub single_move: bool,
-    /// The catalogue ranked, with every candidate.
+    /// Ranking of the catalogue with every candidate.
     pub sizing: Sizing,
-    /// Why the others are rejected, the most frequent reason first.
+    /// Reasons for rejections, the most frequent first.
     pub rejections: Vec<RejectionGroup>,
-    /// The project as it was written, table by table.
+    /// Project as written, table by table.
     pub inputs: Vec<InputTable>,
-    /// What hangs on the flange.
+    /// Load on the flange.
     pub mechanism: Mechanism,
-    /// The checks with their derivations.
+    /// Checks with their derivations.
     pub explained: Vec<Explained>,
-    /// What the checks lack that could not be made or have no limit.
+    /// Missing data of checks that could not be made or have no limit.
     pub missing: Vec<Missing>,
-    /// What is ordered; empty where the actuator does not fit.
+    /// Parts to order; empty if the actuator does not fit.
     pub bill_of_material: Vec<Item>,
-    /// How it is screwed on.
+    /// Bolted joints of the actuator.
     pub screws: Vec<ScrewJoint>,
-    /// The documents that the sources cite.
+    /// Documents that the sources refer to.
     pub documents: Vec<Document>,
-    /// The errata that the figures of the actuator rest on.
+    /// Errata that the figures of the actuator depend on.
     pub errata: Vec<ErratumUsed>,
-    /// What was put in and which data were used.
+    /// Versions and hashes of the inputs and the data used.
     pub fingerprints: Fingerprints,
 }
 
-/// How many checks came to which verdict.
+/// Number of checks by verdict.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, JsonSchema)]
 pub struct CheckCounts {
-    /// Passed.
+    /// Checks passed.
     pub passed: usize,
-    /// Advised.
+    /// Checks with advice.
     pub advised: usize,
-    /// Failed.
+    /// Checks failed.
     pub failed: usize,
-    /// Not checked for want of a datum.
+    /// Checks not made because a datum is missing.
     pub not_checked: usize,
-    /// Shown without a limit of the project.
+    /// Checks shown without a limit of the project.
     pub without_limit: usize,
-    /// Requirements for which a datum is missing.
+    /// Requirements with a missing datum.
     pub requirements_open: usize,
 }
 
-/// A reason for which actuators are rejected, and whom it rejects: the governing check; where none fails a requirement that is not
-/// met, or a rule of the ordering code.
+/// A reason for rejections with the actuators rejected: the governing check; if no check fails, a requirement that is
+/// not met or a rule of the ordering code.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, JsonSchema)]
 pub struct RejectionGroup {
-    /// The reason in words: the requirement, or the title of the check.
+    /// Reason as text: the requirement, or the title of the check.
     pub reason: String,
-    /// Whether a check fails; else a requirement or a rule of the ordering code is in the way.
+    /// `true` if a check fails; `false` for a requirement or a rule of the ordering code.
     pub is_check: bool,
-    /// The ordering codes in alphabetical order.
+    /// Ordering codes in alphabetical order.
     pub codes: Vec<String>,
 }
 
 /// A table of the project file.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, JsonSchema)]
 pub struct InputTable {
-    /// Its key, as if the axis stood alone: `load`, `motion[2]`; empty for what stands before all tables.
+    /// Key of the table as for a single axis: `load`, `motion[2]`; empty for values before the first table.
     pub key: String,
-    /// What it is about, in words.
+    /// Subject of the table, as text.
     pub title: String,
-    /// Whether it describes the mechanism.
+    /// `true` if the table describes the mechanism.
     pub of_mechanism: bool,
-    /// Its values in the order of the file.
+    /// Values in the order of the file.
     pub values: Vec<Input>,
 }
 
 /// A value of the project file.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, JsonSchema)]
 pub struct Input {
-    /// Its name within the table: `inertia`, `bodies[1]`.
+    /// Name of the key within the table: `inertia`, `bodies[1]`.
     pub name: String,
-    /// The name in words; empty where there are none.
+    /// Name as text; empty if there is none.
     pub label: String,
-    /// What is written there, in the words and with the signs of the language.
+    /// Value as written, in the words and number format of the language.
     pub text: String,
-    /// How far it may lie to either side, with its unit; `null` where it is exact.
+    /// Tolerance to either side with its unit; `null` for an exact value.
     pub tolerance: Option<String>,
 }
 
-/// What hangs on the flange.
+/// Load on the flange.
 #[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct Mechanism {
-    /// Its key in the project file: `load`, `screw`.
+    /// Key in the project file: `load`, `screw`.
     pub kind: String,
-    /// What it is called.
+    /// Name of the mechanism.
     pub title: String,
-    /// Its principle drawing, which calls out the keys that are stated.
+    /// Principle drawing with symbols for the keys stated.
     pub sketch: Sketch,
-    /// The way along its line that one turn of the actuator makes, in mm; `null` without a line.
+    /// Travel along the line per revolution of the actuator in mm; `null` for a rotary mechanism.
     pub travel_mm_per_rev: Option<Number>,
-    /// The bodies with their masses and inertias; only of a turntable.
+    /// Bodies with their masses and moments of inertia; for a turntable only.
     pub bodies: Option<Inertia>,
 }
 
 /// A principle drawing.
 #[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct Sketch {
-    /// SVG, its text in the family Inter.
+    /// Drawing as SVG with text in the font family Inter.
     pub svg: String,
-    /// Whether it is higher than wide.
+    /// `true` if the drawing is higher than wide.
     pub is_upright: bool,
-    /// The symbols that it calls out, by the name of the key.
+    /// Symbols in the drawing, by name of the key.
     pub symbols: Vec<SketchSymbol>,
 }
 
 /// A symbol of a drawing.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, JsonSchema)]
 pub struct SketchSymbol {
-    /// The name of the key.
+    /// Name of the key.
     pub key: String,
-    /// The symbol; what follows `_` is its index.
+    /// Symbol; the part after `_` is its index.
     pub symbol: String,
 }
 
-/// What a check lacks.
+/// Missing data of a check.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, JsonSchema)]
 pub struct Missing {
-    /// Which check.
+    /// Id of the check.
     pub check: Id<CheckId>,
-    /// What it lacks, in words.
+    /// Missing data, as text.
     pub text: String,
 }
 
@@ -142,59 +142,59 @@ pub struct Missing {
 pub struct Item {
     /// Number of the line.
     pub item: String,
-    /// How many.
+    /// Number of pieces.
     pub quantity: String,
-    /// What to order it by.
+    /// Ordering code of the part.
     pub code: String,
-    /// What it is.
+    /// Description of the part.
     pub text: String,
-    /// Where that stands.
+    /// Source of the entry.
     pub source: Option<String>,
 }
 
-/// A joint of the actuator.
+/// A bolted joint of the actuator.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, JsonSchema)]
 pub struct ScrewJoint {
-    /// Which joint.
+    /// Name of the joint.
     pub joint: String,
-    /// Number, size and class of the screws.
+    /// Number, size and property class of the screws.
     pub screws: String,
     /// Diameter of the bolt circle.
     pub circle: String,
     /// Tightening torque.
     pub torque: String,
-    /// What the joint transmits.
+    /// Torque transmitted by the joint.
     pub text: String,
-    /// Where that stands.
+    /// Source of the values.
     pub source: Option<String>,
 }
 
-/// A document that sources cite.
+/// A document that sources refer to.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, JsonSchema)]
 pub struct Document {
-    /// How sources call it.
+    /// Id used by the sources.
     pub id: String,
-    /// Its title.
+    /// Title of the document.
     pub title: String,
-    /// Its number, edition and date; empty where they are not known.
+    /// Number, edition and date; empty if unknown.
     pub edition: String,
-    /// Who published it.
+    /// Publisher.
     pub publisher: String,
-    /// What else is to be known of it.
+    /// Further remark.
     pub note: String,
 }
 
-/// An erratum with the check that cites it.
+/// An erratum with the check that refers to it.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, JsonSchema)]
 pub struct ErratumUsed {
     /// The erratum.
     #[serde(flatten)]
     pub erratum: CitedErratum,
-    /// Title of the first check that rests on it.
+    /// Title of the first check that depends on it.
     pub check: String,
 }
 
-/// What makes a result repeatable.
+/// Versions and hashes that make a result repeatable.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, JsonSchema)]
 pub struct Fingerprints {
     /// Version of the program.

@@ -8,50 +8,51 @@ use schemars::JsonSchema;
 use serde::Serialize;
 use std::collections::BTreeMap;
 
-/// `encoder`: what the encoders of a code send at an angle.
+/// `encoder`: output of the encoders of a code at an angle.
 #[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct Encoder {
-    /// The code.
+    /// Ordering code.
     pub code: String,
-    /// The motor feedback.
+    /// Motor encoder.
     pub feedback: &'static str,
-    /// Seed of the deviation; `null` where encoders see the true angle.
+    /// Seed of the deviation; `null` if encoders measure the true angle.
     pub seed: Option<u64>,
-    /// What the motor feedback sends.
+    /// Output of the motor encoder.
     #[serde(flatten)]
     pub motor: EncoderState,
-    /// What the encoder at the output sends, option EC; `null` without it.
+    /// Output of the output encoder, option EC; `null` without it.
     pub output_encoder: Option<EncoderState>,
-    /// What `decode` reads; `null` where no word was given.
+    /// Result of `decode`; `null` if no word was given.
     pub decoded: Option<DecodedWord>,
-    /// What the manual leaves open and the simulation takes.
+    /// Assumptions of the simulation on points that the manual leaves open.
     pub assumptions: Vec<EncoderAssumption>,
-    /// What is to be known about the position.
+    /// Remarks on the position.
     pub notes: Vec<String>,
-    /// Rules of the manual on its direction and its battery.
+    /// Rules of the manual on direction and battery.
     pub rules: Vec<Fact>,
     /// Errata that concern the data.
     pub errata: Vec<&'static str>,
-    /// The file of the trace, where one was written.
+    /// File of the trace; `null` if none was written.
     pub trace: Option<String>,
 }
 
-/// What one encoder sends.
+/// Output of one encoder.
 #[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct EncoderState {
-    /// Its connector.
+    /// Connector of the encoder.
     pub connector: Id<Role>,
-    /// Its maker's name for it, as printed.
+    /// Manufacturer's name of the encoder, as in the manual.
     pub type_printed: Option<&'static str>,
-    /// Its shaft.
+    /// Shaft of the encoder.
     pub shaft: EncoderShaft,
-    /// The words that it sends; none where it has no serial interface.
+    /// Words sent; empty without a serial interface.
     pub words: Vec<EncoderWord>,
-    /// Its signals by name.
+    /// Signals by name.
     pub signals: BTreeMap<&'static str, EncoderSignal>,
-    /// Two periods of the excitation with the windings, while the shaft turns at its speed; `null` unless it is a resolver.
+    /// Two periods of the excitation with the windings, while the shaft turns at its speed; `null` unless it is a
+    /// resolver.
     pub carrier: Option<EncoderCarrier>,
-    /// The table of its pins.
+    /// Table of the pins.
     pub table_of_pins: Option<&'static str>,
 }
 
@@ -79,86 +80,87 @@ pub struct EncoderShaft {
     pub angle_deg: Number,
     /// Speed \[1/min\].
     pub speed_per_min: Number,
-    /// Angle that the encoder sees \[deg\].
+    /// Angle measured by the encoder \[deg\].
     pub seen_deg: Number,
-    /// Largest deviation to either side \[arcsec\]; `null` where none is printed.
+    /// Largest deviation to either side \[arcsec\]; `null` if the manual states none.
     pub accuracy_arcsec: Option<Number>,
-    /// Turns after which the absolute position begins again; `null` without one.
+    /// Number of turns after which the absolute position repeats; `null` without one.
     pub absolute_turns: Option<u64>,
-    /// Whether the count of turns can be trusted; `null` where none is sent.
+    /// `true` if the count of turns is reliable; `null` if none is sent.
     pub turns_valid: Option<bool>,
-    /// Whole steps since the zero: interpolated to 8 bit, or every edge; `null` for a resolver.
+    /// Whole steps since zero: interpolated to 8 bit, or every edge; `null` for a resolver.
     pub increments: Option<i64>,
 }
 
-/// A word.
+/// A word of a serial interface.
 #[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct EncoderWord {
-    /// What it is: `endat_2_2_position`, `endat_2_1_position`, `ssi_position`.
+    /// Kind of word: `endat_2_2_position`, `endat_2_1_position`, `ssi_position`.
     pub name: &'static str,
-    /// The same in words.
+    /// Kind of word as text.
     pub title: String,
-    /// Its protocol.
+    /// Protocol of the word.
     pub protocol: Id<Protocol>,
-    /// Its bits in the order sent.
+    /// Bits in the order sent.
     pub bits: String,
-    /// Its check; `null` where it has none.
+    /// Checksum; `null` if it has none.
     pub crc: Option<String>,
-    /// Its mode command in the order sent; `null` where none is sent.
+    /// Mode command in the order sent; `null` if none is sent.
     pub command: Option<String>,
-    /// Its fields in the order sent.
+    /// Fields in the order sent.
     pub fields: Vec<WordField>,
-    /// Clock periods of a transmission before its first bit, in a trace.
+    /// Number of clock periods of a transmission before its first bit, in a trace.
     pub clocks_before: u32,
     /// Clock frequency of a trace \[kHz\].
     pub clock_khz: Number,
-    /// Time until data is at rest again behind the word, shortest and longest \[us\].
+    /// Shortest and longest time until the data line is at rest again after the word \[us\].
     pub recovery_us: [Number; 2],
-    /// Longest time until the position is ready \[us\]; `null` where none is known.
+    /// Longest time until the position is ready \[us\]; `null` if unknown.
     pub calculation_us: Option<Number>,
 }
 
 /// A field of a word.
 #[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct WordField {
-    /// What it is: `start`, `error_1`, `error_2`, `position`, `turns`, `step`, `head`, `value`, `crc`, or a mode command.
+    /// Kind of field: `start`, `error_1`, `error_2`, `position`, `turns`, `step`, `head`, `value`, `crc`, or a mode
+    /// command.
     pub name: &'static str,
-    /// The same in words.
+    /// Kind of field as text.
     pub title: &'static str,
-    /// Place of its first bit, from zero.
+    /// Index of the first bit, from zero.
     pub first: u32,
-    /// Its bits in the order sent.
+    /// Bits in the order sent.
     pub bits: String,
-    /// Its value.
+    /// Value of the field.
     pub value: u64,
 }
 
-/// A signal.
+/// A signal of an encoder.
 #[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct EncoderSignal {
-    /// What it is.
+    /// Meaning of the signal.
     pub meaning: String,
-    /// Its pins, plus end first.
+    /// Pins, plus end first.
     pub pins: Vec<EncoderPin>,
-    /// How its value is meant.
+    /// Representation of the value.
     pub form: SignalForm,
-    /// Its value; `null` where it does not follow the angle.
+    /// Value; `null` if it does not depend on the angle.
     pub value: Option<Number>,
-    /// Unit of the value: `V`, or `1` for a level and a part of an amplitude.
+    /// Unit of the value: `V`, or `1` for a level and a fraction of an amplitude.
     pub unit: &'static str,
-    /// Nominal level peak to peak \[V\]; `null` where none is printed.
+    /// Nominal level peak to peak \[V\]; `null` if the manual states none.
     pub level_v: Option<Number>,
-    /// Lowest and highest level peak to peak \[V\]; `null` where no tolerance is printed.
+    /// Lowest and highest level peak to peak \[V\]; `null` if the manual states no tolerance.
     pub level_bounds_v: Option<[Number; 2]>,
-    /// Periods in a turn; `null` where it does not follow the angle.
+    /// Periods per turn; `null` if it does not depend on the angle.
     pub periods_per_turn: Option<u32>,
-    /// Where it stands: the table of its level or its lines.
+    /// Source: the table of its level or its lines.
     pub source: String,
-    /// Its course over the angle; `null` where it does not follow the angle.
+    /// Values over the angle; `null` if it does not depend on the angle.
     pub curve: Option<EncoderCurve>,
 }
 
-/// How the value of a signal is meant.
+/// Representation of the value of a signal.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum SignalForm {
@@ -166,75 +168,75 @@ pub enum SignalForm {
     Voltage,
     /// A voltage at the peak of the excitation.
     PeakVoltage,
-    /// One is high, zero low.
+    /// Logic level: one is high, zero low.
     Level,
-    /// A part of the amplitude, which is not printed.
+    /// Fraction of the amplitude, which the manual does not state.
     Share,
-    /// Clocked or alternating: it does not follow the angle.
+    /// Clocked or alternating signal, independent of the angle.
     Other,
 }
 
-/// A pin.
+/// A pin of a signal.
 #[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct EncoderPin {
-    /// Its number.
+    /// Number of the pin.
     pub pin: String,
-    /// The signal as printed.
+    /// Signal as in the manual.
     pub signal: &'static str,
 }
 
 /// A signal over the angle of its shaft.
 #[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct EncoderCurve {
-    /// Angles from where the shaft stands \[deg\].
+    /// Angles relative to the position of the shaft \[deg\].
     pub offset_deg: Vec<Number>,
-    /// The values there.
+    /// Values at these angles.
     pub value: Vec<Number>,
 }
 
-/// What is taken where the manual says nothing.
+/// An assumption on a point that the manual leaves open.
 #[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct EncoderAssumption {
-    /// What.
+    /// Id of the assumption.
     pub id: Id<Assumed>,
-    /// The same in words, with what it rests on.
+    /// Assumption as text, with its basis.
     pub text: String,
-    /// How far it can be trusted.
+    /// Grade of the assumption.
     pub grade: Id<Grade>,
 }
 
-/// A word that was read.
+/// A decoded word.
 #[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct DecodedWord {
-    /// What it is by its length; `null` where no word of the encoder has it.
+    /// Kind of word by its length; `null` if no word of the encoder has it.
     pub name: Option<&'static str>,
-    /// The same in words.
+    /// Kind of word as text.
     pub title: Option<String>,
-    /// The connector of the encoder that sends such words.
+    /// Connector of the encoder that sends such words.
     pub connector: Option<Id<Role>>,
-    /// Its bits.
+    /// Bits of the word.
     pub bits: String,
-    /// Whether nothing is wrong with it.
+    /// `true` if the word has no fault.
     pub valid: bool,
-    /// Its fields; none where its length is wrong.
+    /// Fields; empty if the length is wrong.
     pub fields: Vec<WordField>,
-    /// Turns; `null` where the word is wrong or no position.
+    /// Turns; `null` if the word is wrong or no position.
     pub turns: Option<u64>,
-    /// Angle within the turn \[deg\]; `null` likewise.
+    /// Angle within the turn \[deg\]; `null` if the word is wrong or no position.
     pub angle_deg: Option<Number>,
-    /// Whether the encoder reports an error; `null` where the word is wrong or has no error bit.
+    /// `true` if the encoder reports an error; `null` if the word is wrong or has no error bit.
     pub encoder_error: Option<bool>,
-    /// What is wrong with it.
+    /// Faults of the word.
     pub faults: Vec<WordFault>,
 }
 
-/// What is wrong with a word.
+/// A fault of a word.
 #[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct WordFault {
-    /// What: `length`, `start`, `error_bits_alike`, `crc`, `command`, `encoder_error`.
+    /// Kind of fault: `length`, `start`, `error_bits_alike`, `crc`, `command`, `encoder_error`.
     pub id: &'static str,
-    /// The same in words.
+    /// Description of the fault.
     pub message: String,
-    /// What to look at.
+    /// Point to check.
     pub hint: Option<String>,
 }

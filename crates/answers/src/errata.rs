@@ -6,79 +6,79 @@ use serde::Serialize;
 /// `errata`: the requested errata.
 #[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct Errata {
-    /// What was asked about: a code, a table, an id; `null`: all.
+    /// Subject of the query: a code, a table, an id; `null` for all errata.
     pub about: Option<String>,
-    /// The errata, in the order of the data.
+    /// Errata in the order of the data.
     pub errata: Vec<Erratum>,
 }
 
 /// One erratum.
 #[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct Erratum {
-    /// Its id.
+    /// Id of the erratum.
     pub id: &'static str,
-    /// The table concerned; `null` for one of the text.
+    /// Table concerned; `null` for an erratum of the text.
     pub table: Option<&'static str>,
-    /// The cell that it names; `null` where it is about the table or the text.
+    /// Cell concerned; `null` if it concerns the table or the text.
     pub cell: Option<ErratumCell>,
-    /// The place in words.
+    /// Place as text.
     #[serde(rename = "where")]
     pub place: String,
-    /// What is wrong, and with what.
+    /// Kind of the error.
     pub kind: ErratumKind,
-    /// Whether the right value is proven.
+    /// Status of the correction.
     pub status: ErratumStatus,
-    /// What the damaged text has, for kind `recovery`; else `null`.
+    /// Text in the damaged file, for kind `recovery`; else `null`.
     pub recovered: Option<&'static str>,
-    /// What stands printed.
+    /// Value in the manual.
     pub printed: &'static str,
-    /// What is right; equal to `printed` where the matter is open.
+    /// Correct value; equal to `printed` if the matter is open.
     pub corrected: &'static str,
-    /// What checks use where the safe side is not `corrected`; else `null`.
+    /// Value used by checks if the safe side is not `corrected`; else `null`.
     pub checks_use: Option<&'static str>,
-    /// Unit of the three; empty for texts.
+    /// Unit of the three values; empty for texts.
     pub unit: &'static str,
-    /// Why, with the figures.
+    /// Evidence with figures.
     pub evidence: &'static str,
 }
 
-/// The cell that an erratum names.
+/// The cell concerned by an erratum.
 #[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct ErratumCell {
     /// Symbol in ASCII.
     pub symbol: &'static str,
-    /// The drive as the manual heads it; empty: all.
+    /// Drive as headed in the manual; empty for all drives.
     pub drive: &'static str,
-    /// Feedback system; empty: all.
+    /// Feedback system; empty for all systems.
     pub feedback: &'static str,
-    /// Reduction ratio; empty: all.
+    /// Reduction ratio; empty for all ratios.
     pub ratio: &'static str,
-    /// Further distinction of the row.
+    /// Further condition of the row.
     pub condition: &'static str,
 }
 
-/// What is wrong, and with what.
+/// Kind of an erratum.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum ErratumKind {
-    /// The recovered text differs from the print.
+    /// The recovered text differs from the manual.
     Recovery,
-    /// The print itself is wrong and its neighbours prove it.
+    /// The manual is wrong, as proven by neighbouring values.
     PrintError,
-    /// Two printed facts exclude each other and nothing decides.
+    /// Two statements of the manual exclude each other, and nothing decides between them.
     Contradiction,
     /// Rounded to the unsafe side or with false digits.
     Rounding,
-    /// Another edition prints otherwise.
+    /// Another edition states a different value.
     Edition,
 }
 
-/// Whether an erratum is settled.
+/// Status of an erratum.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum ErratumStatus {
-    /// The right value is proven and used.
+    /// The correct value is proven and used.
     Corrected,
-    /// The print stays and is flagged.
+    /// The value of the manual stays and is flagged.
     Flagged,
 }

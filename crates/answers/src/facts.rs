@@ -6,34 +6,34 @@ use provenance::Grade;
 use schemars::JsonSchema;
 use serde::Serialize;
 
-/// A hazard, a rule or a limit, in our words.
+/// A hazard, a rule or a limit, in the project's own words.
 #[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct Fact {
-    /// Its id.
+    /// Id of the fact.
     pub id: &'static str,
     /// Signal word of ISO 3864-2 and ANSI Z535.6; `null` for a plain statement.
     pub signal: Option<Id<Signal>>,
-    /// When it matters; `null`: always.
+    /// Step of the work to which it applies; `null` if it always applies.
     pub step: Option<Id<Step>>,
-    /// What it says.
+    /// Text of the fact.
     pub text: &'static str,
-    /// The figures in it.
+    /// Figures in the text.
     pub values: Vec<FactValue>,
-    /// Where it stands.
+    /// Source of the fact.
     pub source: String,
-    /// How far it can be trusted.
+    /// Grade of the fact.
     pub grade: Id<Grade>,
 }
 
 /// A figure of a fact.
 #[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct FactValue {
-    /// Which of several; `null` for the only one.
+    /// Id among several figures; `null` for the only one.
     pub id: Option<&'static str>,
-    /// The figure.
+    /// Value of the figure.
     pub number: Number,
-    /// Its unit in ASCII; empty for pure numbers.
+    /// Unit in ASCII; empty for pure numbers.
     pub unit: &'static str,
-    /// What it bounds.
+    /// Kind of bound.
     pub bound: Id<Bound>,
 }

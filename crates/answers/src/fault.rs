@@ -4,41 +4,41 @@ use crate::ListedCode;
 use schemars::JsonSchema;
 use serde::Serialize;
 
-/// Every fault that was found; a command that cannot answer writes this instead of its answer, and exits with 2.
+/// Faults of a request; a command that cannot answer writes this record instead of its answer, and exits with 2.
 #[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, JsonSchema)]
 pub struct Faults {
-    /// The faults, in the order of the file.
+    /// Faults in the order of the file.
     pub errors: Vec<Fault>,
-    /// The nearest valid codes, where a wrong ordering code is among the faults.
+    /// Nearest valid codes, if one of the faults is a wrong ordering code.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     #[schemars(default)]
     pub nearest_codes: Vec<ListedCode>,
 }
 
-/// One fault; id, option, file and place are left out where there is none.
+/// One fault; id, option, file and place are omitted if there is none.
 #[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, JsonSchema)]
 pub struct Fault {
-    /// Stable id of its kind.
+    /// Stable id of the kind of fault.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub id: Option<&'static str>,
-    /// The option of the command line that it is about.
+    /// Option of the command line concerned.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub option: Option<String>,
-    /// The file that it is about.
+    /// File concerned.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub file: Option<String>,
-    /// Its place in the file.
+    /// Place in the file.
     #[serde(flatten)]
     pub place: Option<Place>,
-    /// The heading of the column of a table that it is about.
+    /// Heading of the table column concerned.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub heading: Option<String>,
-    /// The row of the table, from 0.
+    /// Row of the table, from 0.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub row: Option<u64>,
-    /// What is wrong, one sentence.
+    /// Description of the fault, one sentence.
     pub message: String,
-    /// What was expected, or the nearest valid choice; `null` where nothing is near.
+    /// Expected text, or the nearest valid choice; `null` if nothing is similar.
     pub hint: Option<String>,
 }
 
@@ -49,7 +49,7 @@ pub struct Place {
     pub line: usize,
     /// Column in characters, from 1.
     pub column: usize,
-    /// The offending part in bytes: begin, and end without it.
+    /// Offending part in bytes: start and exclusive end.
     pub span: [usize; 2],
 }
 

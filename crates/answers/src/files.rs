@@ -4,84 +4,84 @@ use crate::{Fit, Number, Units};
 use schemars::JsonSchema;
 use serde::{Serialize, Serializer};
 
-/// `report`: the file that was written.
+/// `report`: the file written.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, JsonSchema)]
 pub struct ReportWritten {
-    /// Its path as given.
+    /// Path as given.
     pub file: String,
-    /// Ordering code, or name of the project's own actuator; left out where the report is about several axes.
+    /// Ordering code, or name of the project's own actuator; omitted for several axes.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub code: Option<String>,
-    /// Whether nothing speaks against it, or against any of several.
+    /// Verdict on the actuator, or the worst verdict of several.
     pub verdict: Fit,
-    /// With several axes only: each with its actuator.
+    /// Axes with their actuators; only with several axes.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     #[schemars(default)]
     pub axes: Vec<AxisWritten>,
-    /// Size of the file.
+    /// Size of the file in bytes.
     pub bytes: usize,
 }
 
-/// An axis in a file.
+/// An axis in a report.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, JsonSchema)]
 pub struct AxisWritten {
-    /// Its name.
+    /// Name of the axis.
     pub axis: String,
     /// Ordering code, or name of the project's own actuator.
     pub code: String,
-    /// Whether nothing speaks against it.
+    /// Verdict on the actuator.
     pub verdict: Fit,
 }
 
-/// `export --out`: the file that was written.
+/// `export --out`: the file written.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, JsonSchema)]
 pub struct ExportWritten {
-    /// Its path as given.
+    /// Path as given.
     pub file: String,
     /// Ordering code, or name of the project's own actuator.
     pub code: String,
-    /// Whether nothing speaks against it.
+    /// Verdict on the actuator.
     pub verdict: Fit,
-    /// The tables in it.
+    /// Tables in the file.
     pub tables: Vec<TableWritten>,
-    /// Tables that it does not have, because they are too long for a sheet of a workbook.
+    /// Tables left out because they are too long for a sheet of a workbook.
     pub left_out: Vec<TableWritten>,
 }
 
 /// A table in a file.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, JsonSchema)]
 pub struct TableWritten {
-    /// Its name.
+    /// Name of the table.
     pub name: String,
-    /// How many rows it has.
+    /// Number of rows.
     pub rows: usize,
 }
 
-/// `new --out`: the files that were written.
+/// `new --out`: the files written.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, JsonSchema)]
 pub struct FilesWritten {
-    /// Their paths.
+    /// Paths of the files.
     pub files: Vec<String>,
 }
 
-/// `plot`: the picture that was written.
+/// `plot`: the picture written.
 #[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct PlotWritten {
     /// Id of the figure.
     pub figure: &'static str,
-    /// The first of the files; `null` where it went to standard output.
+    /// Path of the first file; `null` for standard output.
     pub file: Option<String>,
-    /// All files.
+    /// Paths of the files.
     pub files: Vec<String>,
     /// Width of the picture.
     pub width: Number,
     /// Height of the picture.
     pub height: Number,
-    /// Units of both.
+    /// Units of width and height.
     pub units: Units,
-    /// Its title.
+    /// Title of the picture.
     pub title: String,
-    /// The line below it.
+    /// Caption below the picture.
     pub caption: String,
     /// Description of the picture, for screen readers.
     pub description: String,
@@ -91,15 +91,15 @@ pub struct PlotWritten {
 #[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 #[schemars(rename = "Table", bound = "")]
 pub struct Table<Rows = Vec<TableRow<'static>>> {
-    /// Its name.
+    /// Name of the table.
     pub table: &'static str,
-    /// Its title.
+    /// Title of the table.
     pub title: String,
-    /// What it holds.
+    /// Content of the table.
     pub about: String,
-    /// What each column means.
+    /// Descriptions of the columns.
     pub columns: Vec<TableColumn>,
-    /// A record for each row, by the names of the columns.
+    /// One record per row, by the names of the columns.
     #[schemars(with = "Vec<TableRow<'static>>")]
     pub rows: Rows,
 }
@@ -107,19 +107,19 @@ pub struct Table<Rows = Vec<TableRow<'static>>> {
 /// A column of a table.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, JsonSchema)]
 pub struct TableColumn {
-    /// Its name in the rows.
+    /// Name of the column in the rows.
     pub name: String,
-    /// Its heading.
+    /// Heading of the column.
     pub title: String,
-    /// What it holds.
+    /// Type of the values.
     pub kind: ColumnKind,
-    /// Unit of its numbers; `null` for words, and where another column names the unit of each row.
+    /// Unit of the numbers; `null` for text, and if another column has the unit of each row.
     pub unit: Option<&'static str>,
-    /// What it means and where it comes from.
+    /// Meaning and source of the values.
     pub about: String,
 }
 
-/// What a column holds.
+/// Type of the values of a column.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum ColumnKind {
@@ -133,7 +133,7 @@ pub enum ColumnKind {
     Word,
 }
 
-/// A row: a value for each column.
+/// A row with a value for each column.
 #[derive(Clone, Debug, PartialEq, JsonSchema)]
 #[schemars(with = "std::collections::BTreeMap<String, TableCell>")]
 pub struct TableRow<'a>(pub Vec<(&'a str, TableCell)>);
@@ -148,10 +148,10 @@ impl Serialize for TableRow<'_> {
 #[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 #[serde(untagged)]
 pub enum TableCell {
-    /// There is none.
+    /// No value.
     Empty,
     /// A number.
     Number(Number),
-    /// Words.
+    /// Text.
     Text(String),
 }

@@ -6,11 +6,12 @@ use serde::Serialize;
 /// Words and symbols, all or the requested ones.
 #[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, JsonSchema)]
 pub struct Glossary {
-    /// Words of the product: one for one thing.
+    /// Terms of the product, one per thing.
     pub words: Vec<GlossaryWord>,
     /// Symbols of the tables.
     pub terms: Vec<GlossaryTerm>,
-    /// Symbols of the derivations and of the values for a drive. One that means several things stands several times.
+    /// Symbols of the derivations and of the values for a servo drive. A symbol with several meanings has several
+    /// entries.
     pub symbols: Vec<GlossarySymbol>,
 }
 
@@ -42,7 +43,7 @@ pub struct GlossaryTerm {
     pub symbol: String,
     /// Long name, as in project files.
     pub identifier: String,
-    /// Unit of the print; empty for a bare number or a text.
+    /// Unit in the manual; empty for a pure number or a text.
     pub unit: String,
     /// English term.
     pub en: String,
@@ -52,12 +53,12 @@ pub struct GlossaryTerm {
     pub remark: String,
 }
 
-/// A symbol of the derivations that `explain` gives, or of the values that `commission` gives.
+/// A symbol of the derivations of `explain`, or of the values of `commission`.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, JsonSchema)]
 pub struct GlossarySymbol {
     /// Symbol in ASCII.
     pub symbol: String,
-    /// Symbol as formulas show it.
+    /// Symbol as displayed in formulas.
     pub shown: String,
     /// English meaning.
     pub en: String,

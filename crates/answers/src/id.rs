@@ -97,13 +97,13 @@ identified! {
     installation::upkeep::Rule as "Rule": &installation::upkeep::Rule::ALL;
 }
 
-/// Verdict on an actuator, or on the best of several; the best first.
+/// Verdict on an actuator, or on the best of several; best first.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum Fit {
-    /// Nothing speaks against it.
+    /// No check fails, and no requirement or rule is violated.
     Fits,
-    /// No check fails, but one is beyond its limit within the band of an estimate, with the verdict `advice`.
+    /// No check fails, but one exceeds its limit within the band of an estimate, with the verdict `advice`.
     FitsIfEstimate,
     /// A check fails, or a requirement is not met.
     DoesNotFit,
@@ -139,13 +139,13 @@ impl From<sizing::Fit> for Fit {
     }
 }
 
-/// Whether a code can be ordered as it is.
+/// Availability of an ordering code.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum Availability {
-    /// Yes.
+    /// Available without a request.
     Available,
-    /// On request only.
+    /// Available on request only.
     OnRequest,
 }
 

@@ -8,30 +8,31 @@ use sizing::CheckId;
 /// One judged actuator.
 #[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct Candidate {
-    /// Ordering code, of an actuator of the catalogue.
+    /// Ordering code of an actuator of the catalogue.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub code: Option<String>,
-    /// Name, of the project's own actuator.
+    /// Name of the project's own actuator.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub name: Option<String>,
-    /// The verdict on it.
+    /// Verdict on the actuator.
     pub verdict: Fit,
-    /// Utilisation of the governing check; 1 is the limit. `null` where it fails at a limit of zero or outside a range.
+    /// Utilisation of the governing check; 1 is the limit. `null` if it fails at a limit of zero or outside a range.
     pub utilisation: Number,
-    /// Id of the governing check: the failing one that is exceeded most; where none fails, the one with the highest utilisation.
+    /// Id of the governing check: the failing one with the largest excess, else the one with the highest utilisation.
     /// `null` if no check has a limit.
     pub tightest: Option<Id<CheckId>>,
-    /// Mass in kg, the larger one where the print is in doubt.
+    /// Mass in kg, the larger one if the manual is in doubt.
     pub mass_kg: Option<Number>,
     /// Names of the fields of the code that are on request only.
     pub on_request: Vec<String>,
     /// Demand on the actuator; `null` without J_out.
     pub demand: Option<Demand>,
-    /// Every check, in a fixed order.
+    /// The checks, in a fixed order.
     pub checks: Vec<Check>,
-    /// Requirements not met and rules broken, in words.
+    /// Requirements not met and rules violated, as text.
     pub objections: Vec<String>,
-    /// How many questions could not be answered for want of a datum: checks without a value, and requirements left open.
+    /// Number of questions that could not be answered because a datum is missing: checks without a value, and open
+    /// requirements.
     pub open_questions: usize,
 }
 
@@ -51,258 +52,259 @@ pub struct Judgement {
     pub candidate: Candidate,
     /// Name of the axis.
     pub axis: String,
-    /// The motion as it came out.
+    /// Motion resulting from the project.
     pub motion: Motion,
-    /// How far one thing may be changed.
+    /// Reserves of the actuator.
     pub reserve: Reserve,
-    /// What the tolerances of the project mean; only where it has some.
+    /// Effect of the tolerances of the project; only if it has some.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub tolerance: Option<Tolerance>,
-    /// What was assumed, in words.
+    /// Assumptions, as text.
     pub assumptions: Vec<String>,
 }
 
-/// How far one thing may be changed, all others as they are, with the actuator still fitting (or with which it would fit);
-/// `null` where nothing within reach fits or everything does. Each value has four digits and is judged as it stands: with it no
-/// check fails, one step of the last digit further one does. The search walks in steps of 10 %, temperatures in steps of 5 K; a
-/// gap between two regions that fit is passed over where it is narrower.
+/// Largest change of one quantity, all others unchanged, at which the actuator still fits (or would fit); `null` if
+/// nothing within reach fits or everything does. Each value has four digits and is judged as stated: with it no check
+/// fails, one step of the last digit further one does. The search proceeds in steps of 10 %, temperatures in steps of 5
+/// K; a narrower gap between two regions that fit is not detected.
 #[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct Reserve {
-    /// Only limits of the project keep the actuator out, and these values of their keys, rounded to four digits on the side
-    /// that suffices, all together would let it in.
+    /// Values of limits of the project, rounded to four digits on the sufficient side, with which the actuator would
+    /// fit, all together; only if nothing but these limits rejects it.
     pub limits: Option<Vec<NeededLimit>>,
-    /// On all masses and inertias.
+    /// Factor on all masses and moments of inertia.
     pub load_factor: Option<Number>,
-    /// On the payloads of the segments.
+    /// Factor on the payloads of the segments.
     pub payload_factor: Option<Number>,
-    /// The whole motion run through faster or slower.
+    /// Duration of the whole motion, run faster or slower.
     pub cycle_time: Option<Number>,
-    /// The ambient temperature.
+    /// Ambient temperature.
     pub ambient: Option<Number>,
-    /// Units of the latter two.
+    /// Units of cycle time and ambient temperature.
     pub units: Units,
-    /// The fields above with whose value it fits only if an estimate holds, `fits_if_estimate`.
+    /// Names of the fields above whose value fits only if an estimate holds, `fits_if_estimate`.
     pub if_estimate: Vec<&'static str>,
-    /// What was not sought because of what it costs; `null` where everything was.
+    /// Quantities not searched because of the cost; `null` if all were.
     pub not_sought: Option<NotSought>,
 }
 
-/// Changes that were not sought: each step of the search would find the load of a long recording anew.
+/// Quantities not searched: each step of the search would compute the load of a long recording again.
 #[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct NotSought {
-    /// The fields beside this one that are `null` for it.
+    /// Names of the neighbouring fields that are `null` for this reason.
     pub quantities: Vec<&'static str>,
-    /// Work of each search step: recorded samples whose load is found anew, with a quarter of the instants of motion laws and of the
-    /// loads on the flange.
+    /// Work of each search step: recorded samples whose load is computed again, plus a quarter of the instants of
+    /// motion laws and of the loads on the flange.
     pub samples: usize,
-    /// Largest such work without `--deadline`.
+    /// Largest work permitted without `--deadline`.
     pub most: usize,
-    /// The same in words.
+    /// Reason as text.
     pub text: String,
 }
 
-/// A limit of the project that would have to be another.
+/// A limit of the project that would have to be changed.
 #[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct NeededLimit {
-    /// Its key.
+    /// Key of the limit.
     pub key: String,
-    /// The value that suffices.
+    /// Sufficient value.
     pub value: Number,
-    /// Its unit.
+    /// Unit of the value.
     pub unit: &'static str,
 }
 
-/// `size`: the catalogue judged for an axis.
+/// `size`: judgement of the catalogue for an axis.
 #[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct Sizing {
     /// Name of the axis.
     pub axis: String,
-    /// The verdict on the best, the project's own included.
+    /// Verdict on the best actuator, the project's own included.
     pub verdict: Fit,
-    /// The best ordering code; `null` if none fits.
+    /// Best ordering code; `null` if none fits.
     pub answer: Option<String>,
-    /// How many actuators of the catalogue were judged.
+    /// Number of actuators of the catalogue judged.
     pub judged: usize,
-    /// How many of them fit within every limit, verdict `fits`.
+    /// Number of actuators that fit within every limit, verdict `fits`.
     pub fit: usize,
-    /// How many others fit if an estimate holds, verdict `fits_if_estimate`.
+    /// Number of further actuators that fit if an estimate holds, verdict `fits_if_estimate`.
     pub fit_if_estimate: usize,
-    /// The sum of both.
+    /// Sum of `fit` and `fit_if_estimate`.
     pub fitting: usize,
-    /// What the ranking goes by, in words.
+    /// Criterion of the ranking, as text.
     pub rule: String,
-    /// The best that fit, in the requested number.
+    /// Best fitting actuators, in the requested number.
     pub ranking: Vec<Ranked>,
-    /// Those that do not fit, by what they miss by.
+    /// Actuators that do not fit, by smallest excess.
     pub rejected: Vec<Rejection>,
-    /// Of those that do not fit the one that misses by least, among those that meet every requirement and are of the right class of
-    /// voltage and place; `null` where there is none.
+    /// Ordering code with the smallest excess among those that do not fit but meet every requirement and are of the
+    /// right class of voltage and place; `null` if there is none.
     pub nearest_miss: Option<String>,
-    /// The project's own actuator.
+    /// Project's own actuator.
     pub own: Option<Assessed>,
-    /// Where nothing fits: values of the gearing with which an actuator would, one change at a time.
+    /// Values of the gearing with which an actuator would fit, one change at a time; only if nothing fits.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub would_fit_with: Vec<WouldFit>,
-    /// What was assumed, in words.
+    /// Assumptions, as text.
     pub assumptions: Vec<String>,
-    /// The stage between actuator and mechanism; only where the project has one.
+    /// Stage between actuator and mechanism; only if the project has one.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub stage: Option<Stage>,
-    /// The motion as it came out.
+    /// Motion resulting from the project.
     pub motion: Motion,
 }
 
 /// A value with which an actuator would fit.
 #[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct WouldFit {
-    /// The key of the project.
+    /// Key of the project.
     pub key: String,
-    /// Whether the project states it; else it would be added.
+    /// `true` if the project states the key; `false` if it would be added.
     pub stated: bool,
-    /// The value of three digits nearest to the stated one with which an actuator fits.
+    /// Value of three digits nearest to the stated one with which an actuator fits.
     pub value: Number,
-    /// Its unit; `1` for a ratio.
+    /// Unit of the value; `1` for a ratio.
     pub unit: &'static str,
-    /// The best ordering code with it.
+    /// Best ordering code with this value.
     pub code: String,
-    /// The verdict on it.
+    /// Verdict on this code.
     pub verdict: Fit,
 }
 
-/// An actuator that fits, with its place.
+/// An actuator that fits, with its rank.
 #[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct Ranked {
-    /// The actuator.
+    /// Result for the actuator.
     #[serde(flatten)]
     pub of: Assessed,
-    /// Its place, from 1.
+    /// Rank, from 1.
     pub rank: usize,
 }
 
-/// An actuator with what the tolerances of the project mean for it.
+/// An actuator with the effect of the project's tolerances.
 #[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct Assessed {
-    /// The actuator.
+    /// Result for the actuator.
     #[serde(flatten)]
     pub candidate: Candidate,
-    /// What the tolerances mean; only where the project has some.
+    /// Effect of the tolerances; only if the project has some.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub tolerance: Option<Tolerance>,
 }
 
-/// Why a candidate is rejected, in short.
+/// Summary of the reasons for a rejection.
 #[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct Rejection {
-    /// Its ordering code.
+    /// Ordering code of the rejected actuator.
     pub code: String,
-    /// Id of the governing check: the failing one that is exceeded most; `null` where only objections speak against it.
+    /// Id of the governing check: the failing one with the largest excess; `null` if only objections reject the
+    /// actuator.
     pub check: Option<Id<CheckId>>,
     /// Value of that check.
     pub value: Option<Number>,
-    /// Its limit.
+    /// Limit of that check.
     pub limit: Option<Number>,
-    /// Unit of both.
+    /// Unit of value and limit.
     pub unit: Option<&'static str>,
-    /// Its utilisation; `null` where the limit is zero or a range.
+    /// Utilisation of that check; `null` if the limit is zero or a range.
     pub utilisation: Option<Number>,
-    /// Ids of all failing checks, in the order of the checks.
+    /// Ids of the failing checks, in the order of the checks.
     pub failing: Vec<Id<CheckId>>,
-    /// Requirements not met and rules broken, in words.
+    /// Requirements not met and rules violated, as text.
     pub objections: Vec<String>,
 }
 
 /// The stage between actuator and mechanism.
 #[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct Stage {
-    /// Its ratio.
+    /// Ratio in use.
     pub ratio: Number,
-    /// What each ratio of the project would give.
+    /// Results for each ratio of the project.
     pub ratios: Vec<StageRatio>,
 }
 
-/// What a ratio of the stage would give.
+/// Result for a ratio of the stage.
 #[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct StageRatio {
-    /// The ratio.
+    /// Ratio of the stage.
     pub ratio: Number,
-    /// The best ordering code with it; `null` if none fits.
+    /// Best ordering code with this ratio; `null` if none fits.
     pub answer: Option<String>,
-    /// Utilisation of the governing check of the best, or of the nearest miss.
+    /// Utilisation of the governing check of the best actuator, or of the one with the smallest excess.
     pub utilisation: Number,
-    /// How many fit, if only by an estimate.
+    /// Number of actuators that fit, including those that depend on an estimate.
     pub fitting: usize,
 }
 
-/// What the tolerances of the project mean for an actuator.
+/// Effect of the project's tolerances on an actuator.
 #[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct Tolerance {
-    /// How many samples were drawn.
+    /// Number of samples drawn.
     pub samples: usize,
-    /// With which seed.
+    /// Seed of the random numbers.
     pub seed: u64,
-    /// Always `uniform`.
+    /// `uniform` in every case.
     pub distribution: &'static str,
-    /// Samples with which nothing speaks against the actuator.
+    /// Number of samples with which the actuator fits.
     pub passes: usize,
-    /// Samples with which there is no axis; none of them passes.
+    /// Number of samples without a valid axis; none of them passes.
     pub impossible: usize,
     /// Share of the samples that pass.
     pub share: Number,
-    /// Its 95 % interval, low and high.
+    /// 95 % interval of the share, lower and upper end.
     pub interval: [Number; 2],
-    /// The highest utilisation over the samples.
+    /// Distribution of the highest utilisation over the samples.
     pub utilisation: Quantiles,
-    /// The worst that was found.
+    /// Worst point found.
     pub worst_corner: WorstCorner,
-    /// What the utilisation hangs on, the largest share first; empty where it does not vary.
+    /// Influence of each quantity on the utilisation, the largest share first; empty if it does not vary.
     pub influence: Vec<Influence>,
 }
 
-/// Quantiles of the highest utilisation; `null` where it is infinite.
+/// Quantiles of the highest utilisation; `null` for an infinite one.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct Quantiles {
-    /// 5 %.
+    /// 5 % quantile.
     pub p05: Number,
-    /// 50 %.
+    /// 50 % quantile.
     pub p50: Number,
-    /// 95 %.
+    /// 95 % quantile.
     pub p95: Number,
-    /// The largest.
+    /// Largest value.
     pub max: Number,
 }
 
 /// The worst point within the tolerances.
 #[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct WorstCorner {
-    /// Whether the actuator fits there.
+    /// Verdict at this point.
     pub verdict: Fit,
-    /// Its highest utilisation there.
+    /// Highest utilisation at this point.
     pub utilisation: Number,
-    /// The failing check that is exceeded most, else the tightest.
+    /// Id of the governing check: the failing one with the largest excess, else the one with the highest utilisation.
     pub check: Option<Id<CheckId>>,
-    /// The value of each quantity there.
+    /// Value of each quantity at this point.
     pub values: Vec<ToleratedValue>,
     /// `false`: a sample inside the bands is worse than every corner, and this is the sample.
     pub is_corner: bool,
-    /// `true`: every corner was looked at; `false`: more than ten quantities, the corner was searched.
+    /// `true`: every corner was evaluated; `false`: more than ten quantities, the corner was searched.
     pub exhaustive: bool,
 }
 
 /// A quantity with a tolerance at some point.
 #[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct ToleratedValue {
-    /// Its key.
+    /// Key of the quantity.
     pub quantity: String,
-    /// Its value.
+    /// Value of the quantity.
     pub value: Number,
-    /// The unit, as written.
+    /// Unit as written.
     pub unit: &'static str,
 }
 
-/// How much a quantity moves the utilisation.
+/// Influence of a quantity on the utilisation.
 #[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct Influence {
-    /// Its key.
+    /// Key of the quantity.
     pub quantity: String,
     /// Share of the explained variance.
     pub share: Number,

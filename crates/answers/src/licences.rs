@@ -3,18 +3,18 @@
 use schemars::JsonSchema;
 use serde::Serialize;
 
-/// The licence of the program and those of the work of others in it.
+/// Licence of the program and of the third-party work in it.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, JsonSchema)]
 pub struct Licences {
-    /// The program's own first.
+    /// Licence texts, the program's own first.
     pub texts: Vec<LicenceText>,
 }
 
-/// A text as it stands in the repository.
+/// A licence text as in the repository.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, JsonSchema)]
 pub struct LicenceText {
-    /// Its file in the repository.
+    /// File in the repository.
     pub name: String,
-    /// The whole of it, in Markdown where the name ends so.
+    /// Complete text, in Markdown if the name ends in `.md`.
     pub text: String,
 }

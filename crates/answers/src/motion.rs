@@ -4,12 +4,12 @@ use crate::{Number, Units};
 use schemars::JsonSchema;
 use serde::Serialize;
 
-/// The motion: every segment with what was given and what followed from it.
+/// The motion: every segment with its given and its resulting values.
 #[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct Motion {
     /// Units of time, distance, speed and acceleration; those of a linear axis are linear.
     pub units: Units,
-    /// The segments in their order.
+    /// Segments in their order.
     pub segments: Vec<Segment>,
 }
 
@@ -18,75 +18,75 @@ pub struct Motion {
 pub struct Segment {
     /// Id of the law of motion.
     pub law: &'static str,
-    /// The law in words.
+    /// Name of the law.
     pub name: &'static str,
-    /// When it begins.
+    /// Start of the segment.
     pub start: Number,
-    /// How long it takes.
+    /// Duration of the segment.
     pub duration: Number,
-    /// The way travelled, with its sign; left out for a dwell.
+    /// Distance travelled, with its sign; omitted for a dwell.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub distance: Option<Number>,
-    /// The largest speed.
+    /// Largest speed.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub speed: Option<Number>,
-    /// The largest acceleration.
+    /// Largest acceleration.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub acceleration: Option<Number>,
-    /// What was read from the file; only of a recorded segment.
+    /// Data read from the file; only for a recorded segment.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub recording: Option<Recording>,
 }
 
-/// What was read from the file of a recorded segment.
+/// Data read from the file of a recorded segment.
 #[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct Recording {
-    /// Its name as the project has it.
+    /// Name of the file as in the project.
     pub file: String,
-    /// How its text was read; `null` of a format that is no text.
+    /// Encoding of the text; `null` for a format that is no text.
     pub encoding: Option<TextEncoding>,
-    /// How many samples are used.
+    /// Number of samples used.
     pub samples: usize,
-    /// The time that the first of them had in the file, in s.
+    /// Time of the first sample in the file, in s.
     pub first_time: Number,
-    /// How many samples before the cut were left out.
+    /// Number of samples left out before the window.
     pub left_out_before: u64,
-    /// How many samples after the cut were left out.
+    /// Number of samples left out after the window.
     pub left_out_after: u64,
-    /// The columns that were read.
+    /// Columns read.
     pub columns: Vec<RecordedColumn>,
-    /// Names of columns that hold a quantity by name or unit, and are not used.
+    /// Names of columns that hold a quantity by name or unit but are not used.
     pub unused: Vec<String>,
 }
 
-/// How the text of a recording was read.
+/// Encoding of the text of a recording.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum TextEncoding {
-    /// UTF-8, which every byte of the header agrees to.
+    /// UTF-8; every byte of the header is valid.
     Utf8,
-    /// UTF-16, as the mark at the beginning says.
+    /// UTF-16, stated by the byte order mark.
     Utf16,
     /// UTF-16, guessed from the zeros between the letters.
     Utf16Guessed,
-    /// Windows-1252, of which Latin-1 is a part: guessed, since the header is no UTF-8.
+    /// Windows-1252, which includes Latin-1: guessed, since the header is no UTF-8.
     Windows1252Guessed,
 }
 
 /// A column of a recording.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, JsonSchema)]
 pub struct RecordedColumn {
-    /// What it is.
+    /// Role of the column.
     pub role: ColumnRole,
-    /// What it is called in the file.
+    /// Name in the file.
     pub name: String,
-    /// Its unit.
+    /// Unit of the values.
     pub unit: &'static str,
     /// Source of the unit.
     pub unit_by: UnitBy,
 }
 
-/// What a column of a recording is.
+/// Role of a column in a recording.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 #[allow(missing_docs, reason = "the names say it")]
@@ -105,7 +105,7 @@ pub enum UnitBy {
     Header,
     /// A row of units below the names.
     UnitRow,
-    /// The file's own metadata.
+    /// The metadata of the file.
     Metadata,
     /// The values of the column: clock times.
     Values,

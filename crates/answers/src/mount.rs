@@ -8,39 +8,39 @@ use schemars::JsonSchema;
 use serde::Serialize;
 use sizing::Verdict;
 
-/// `mount`: fits, tolerances, dimensions and screw joints of an actuator.
+/// `mount`: fits, tolerances, dimensions and bolted joints of an actuator.
 #[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct Mount {
     /// Ordering code.
     pub code: String,
-    /// Whether no joint slips under torque alone.
+    /// Verdict on slipping of the joints under torque alone.
     pub verdict: Fit,
     /// Units of the figures, by field.
     pub units: Units,
-    /// What the tables do not cover of the code, and what the figures rest on, in words.
+    /// Remarks on data not covered by the tables, and on the basis of the figures, as text.
     pub notes: Vec<String>,
-    /// The pilots with the bores over them, load first.
+    /// Pilots with their bores, load side first.
     pub pilots: Vec<Pilot>,
     /// Tolerances of the output flange.
     pub tolerances: Vec<MountValue>,
     /// Dimensions, mass, mounting plate, degree of protection.
     pub dimensions: Vec<MountValue>,
-    /// Whether the mass requires lifting gear; `null` if no mass is printed for the code.
+    /// `true` if the mass requires lifting gear; `null` if the manual states no mass for the code.
     pub lifting_gear: Option<bool>,
-    /// The screw joints, load first.
+    /// Bolted joints, load side first.
     pub joints: Vec<Joint>,
     /// Requirements of the manual, in the order of a machine's life.
     pub facts: Vec<Fact>,
-    /// Errata of what stands above.
+    /// Errata of the values above.
     pub errata: Vec<CitedErratum>,
 }
 
-/// A pilot with the bore over it.
+/// A pilot with its bore.
 #[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct Pilot {
-    /// Which side.
+    /// Side of the actuator.
     pub side: Id<Side>,
-    /// The side in words.
+    /// Name of the side.
     pub title: String,
     /// Nominal diameter.
     pub nominal: Number,
@@ -50,9 +50,9 @@ pub struct Pilot {
     pub upper: Number,
     /// Lower limit deviation of the pilot.
     pub lower: Number,
-    /// Zone that the manual recommends for the bore.
+    /// Tolerance zone recommended by the manual for the bore.
     pub recommended: &'static str,
-    /// Tolerance zone of the bore; `null` for limit deviations of one's own.
+    /// Tolerance zone of the bore; `null` for user-defined limit deviations.
     pub bore: Option<&'static str>,
     /// Upper limit deviation of the bore.
     pub bore_upper: Number,
@@ -62,41 +62,41 @@ pub struct Pilot {
     pub clearance_min: Number,
     /// Largest clearance.
     pub clearance_max: Number,
-    /// By how much the part may sit off centre: half of the largest clearance, none with interference.
+    /// Largest offset of the part from the centre: half of the largest clearance, zero with interference.
     pub off_centre_max: Number,
-    /// What the fit is.
+    /// Kind of fit.
     pub fit: Id<FitKind>,
-    /// The same in words.
+    /// Kind of fit as text.
     pub fit_text: String,
-    /// How far the clearances can be trusted.
+    /// Grade of the clearances.
     pub grade: Id<Grade>,
-    /// Where the figures are from.
+    /// Sources of the figures.
     pub sources: Vec<String>,
 }
 
-/// A printed value.
+/// A value stated in the manual.
 #[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct MountValue {
     /// Symbol in ASCII.
     pub symbol: &'static str,
-    /// The field's word for it.
+    /// Technical term.
     pub name: String,
-    /// The value; `null` where none is printed for the code.
+    /// Value; `null` if the manual states none for the code.
     pub value: TableCell,
-    /// Its unit in ASCII; empty for texts.
+    /// Unit in ASCII; empty for texts.
     pub unit: &'static str,
-    /// How far it can be trusted; `null` without a value.
+    /// Grade of the value; `null` without a value.
     pub grade: Option<Id<Grade>>,
-    /// Where it is from; `null` without a value.
+    /// Source of the value; `null` without a value.
     pub source: Option<String>,
 }
 
-/// A screw joint.
+/// A bolted joint.
 #[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct Joint {
-    /// Which side.
+    /// Side of the actuator.
     pub side: Id<Side>,
-    /// The side in words.
+    /// Name of the side.
     pub title: String,
     /// Number of screws.
     pub count: Option<Number>,
@@ -108,45 +108,45 @@ pub struct Joint {
     pub bolt_circle: Option<Number>,
     /// Tightening torque of a screw.
     pub tightening_torque: Option<Number>,
-    /// Torque that the joint transmits, faces degreased.
+    /// Torque transmitted by the joint with degreased faces.
     pub transmissible_torque: Option<Number>,
-    /// Coefficient of friction that it holds for.
+    /// Friction coefficient assumed for this torque.
     pub friction: Option<Number>,
-    /// Clamp force of a screw that it implies: estimated.
+    /// Clamp force per screw that follows from it: estimated.
     pub clamp_force: Option<Number>,
-    /// Where the printed values are from.
+    /// Source of the stated values.
     pub source: Option<String>,
-    /// The joint under each load.
+    /// Results for each load.
     pub cases: Vec<JointCase>,
 }
 
 /// A joint under a load.
 #[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct JointCase {
-    /// Which load.
+    /// Load case.
     pub case: Id<LoadCase>,
-    /// The load in words.
+    /// Name of the load case.
     pub title: String,
-    /// The torque; `null` without one, or where none is known.
+    /// Torque; `null` without one, or if unknown.
     pub torque: Option<Number>,
-    /// Where the torque is from.
+    /// Source of the torque.
     pub torque_source: Option<String>,
     /// Share of the transmissible torque, torque alone.
     pub utilisation: Option<Number>,
     /// Verdict on torque alone.
     pub verdict: Id<Verdict>,
-    /// How far the share can be trusted.
+    /// Grade of the utilisation.
     pub grade: Option<Id<Grade>>,
-    /// Tilting moment that acts with it.
+    /// Tilting moment acting at the same time.
     pub moment: Option<Number>,
-    /// Where the moment is from.
+    /// Source of the moment.
     pub moment_source: Option<String>,
-    /// Share of the clamp force that the screw relieved most loses: estimated.
+    /// Share of its clamp force lost by the screw relieved most: estimated.
     pub relieved: Option<Number>,
-    /// Share of the friction left that torque and forces take: estimated; `null` where the joint opens.
+    /// Share of the remaining friction used by torque and forces: estimated; `null` if the joint opens.
     pub utilisation_together: Option<Number>,
-    /// Verdict on everything at once; `advice` where the estimate does not suffice.
+    /// Verdict on all loads together; `advice` if the estimate is not sufficient.
     pub verdict_together: Id<Verdict>,
-    /// What is missing for a verdict, in words.
+    /// Missing data for a verdict, as text.
     pub missing: Option<String>,
 }

@@ -8,24 +8,24 @@ use serde_json::{Map, Value, json};
 /// Version of the records. It increases when a field is removed or changes its meaning, not when one is added.
 pub const VERSION: u32 = 1;
 
-/// The answers of several axes.
+/// Answers for several axes.
 #[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 #[schemars(rename = "Axes_of_{T}")]
 pub struct Axes<T> {
-    /// The worst verdict of the axes.
+    /// Worst verdict of the axes.
     pub verdict: Fit,
-    /// The answer of each axis.
+    /// Answer for each axis.
     pub axes: Vec<T>,
 }
 
-/// The answer of the only axis, or those of several.
+/// Answer for one axis or for several.
 #[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 #[serde(untagged)]
 #[schemars(rename = "Answered_for_{T}")]
 pub enum Answered<T> {
-    /// Of one axis.
+    /// Answer for the only axis.
     One(T),
-    /// Of several.
+    /// Answers for several axes.
     Several(Axes<T>),
 }
 

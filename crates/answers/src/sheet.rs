@@ -5,56 +5,57 @@ use provenance::Grade;
 use schemars::JsonSchema;
 use serde::Serialize;
 
-/// `data`: every printed value of an actuator.
+/// `data`: the values that the manual states for an actuator.
 #[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct Sheet {
-    /// The code.
+    /// Ordering code.
     pub code: String,
-    /// What the tables do not cover of it, in words.
+    /// Remarks on data not covered by the tables, as text.
     pub notes: Vec<String>,
-    /// One section for each printed table, in the order of the manual.
+    /// One section per table, in the order of the manual.
     pub sections: Vec<SheetSection>,
 }
 
-/// The values of one printed table.
+/// Values of one table of the manual.
 #[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct SheetSection {
     /// Number of the table.
     pub table: &'static str,
-    /// Its title.
+    /// Title of the table.
     pub title: &'static str,
-    /// Its values for this code.
+    /// Values for this code.
     pub values: Vec<SheetValue>,
     /// Notices on the table as a whole.
     pub notices: Vec<SheetNote>,
-    /// Ids of the errata of the table that name no single cell.
+    /// Ids of the errata that concern the table instead of a single cell.
     pub errata: Vec<&'static str>,
 }
 
-/// A printed value.
+/// A value stated in the manual.
 #[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct SheetValue {
     /// Symbol in ASCII.
     pub symbol: &'static str,
-    /// The field's word for it.
+    /// Technical term.
     pub name: String,
-    /// Further distinction of the row.
+    /// Further condition of the row.
     pub condition: &'static str,
-    /// The text of the cell as printed.
+    /// Text of the cell in the manual.
     pub printed: &'static str,
-    /// The value after errata in the printed unit: a number or a text; `null` where none is printed, for this code.
+    /// Value after errata in the unit of the manual: a number or a text; `null` if the manual states none for this
+    /// code.
     pub value: TableCell,
-    /// The printed unit in ASCII; empty for pure numbers and texts.
+    /// Unit of the manual in ASCII; empty for pure numbers and texts.
     pub unit: &'static str,
     /// Number of the table.
     pub table: &'static str,
-    /// How far it can be trusted.
+    /// Grade of the value.
     pub grade: Id<Grade>,
-    /// Ids of the errata that touch it.
+    /// Ids of the errata that concern the value.
     pub errata: &'static [&'static str],
-    /// The value that checks take where it is not `value`.
+    /// Value used by checks if it is not `value`.
     pub checks_use: Option<Number>,
-    /// The value of a text in the language of the answer; `null` for a number.
+    /// Text of the value in the language of the answer; `null` for a number.
     pub text: Option<&'static str>,
     /// Notes on the row.
     pub notes: Vec<SheetNote>,
@@ -63,45 +64,45 @@ pub struct SheetValue {
 /// A note on a value or a table.
 #[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct SheetNote {
-    /// The mark as printed; `null` where it has none.
+    /// Mark in the manual; `null` if it has none.
     pub mark: Option<&'static str>,
-    /// Who says so.
+    /// Author of the note.
     pub by: NoteBy,
-    /// What it says, in our words.
+    /// Text of the note in the project's own words.
     pub text: String,
 }
 
-/// Who says what a note says.
+/// Author of a note.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum NoteBy {
     /// The manual.
     Manual,
-    /// Our own conclusion from the print.
+    /// A conclusion of the project from the manual.
     Antrieb,
 }
 
-/// `catalogue export`: a printed cell in long form.
+/// `catalogue export`: a cell in long form.
 #[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct CatalogueCell {
-    /// The drive as the manual heads it; empty where the cell holds for all.
+    /// Drive as headed in the manual; empty if the cell holds for all drives.
     pub drive: &'static str,
-    /// Feedback system, several joined by ` / `; empty: every one of the drive.
+    /// Feedback system, several joined by ` / `; empty for every one of the drive.
     pub feedback: &'static str,
-    /// Reduction ratio, or `> 50`; empty: printed once for all ratios.
+    /// Reduction ratio, or `> 50`; empty if stated once for all ratios.
     pub ratio: &'static str,
     /// Symbol in ASCII.
     pub symbol: &'static str,
-    /// Further distinction of the row.
+    /// Further condition of the row.
     pub condition: &'static str,
-    /// The text of the cell as printed.
+    /// Text of the cell in the manual.
     pub printed: &'static str,
-    /// The value after errata in the printed unit: a number or a text; `null` where none is printed.
+    /// Value after errata in the unit of the manual: a number or a text; `null` if the manual states none.
     pub value: TableCell,
-    /// The printed unit in ASCII; empty for pure numbers and texts.
+    /// Unit of the manual in ASCII; empty for pure numbers and texts.
     pub unit: &'static str,
     /// Number of the table, or its name in another document.
     pub table: &'static str,
-    /// Ids of the errata that touch it, joined by `;`.
+    /// Ids of the errata that concern the value, joined by `;`.
     pub erratum: String,
 }

@@ -8,58 +8,58 @@ use sizing::Verdict;
 use std::borrow::Cow;
 use twin::{EventKind, Loop, Reaction, ScenarioId};
 
-/// `simulate`: what the digital twin of an axis does.
+/// `simulate`: behaviour of the digital twin of an axis.
 #[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct Simulation {
     /// Name of the axis.
     pub axis: String,
     /// Ordering code, or the name of the project's own actuator.
     pub code: String,
-    /// What happens.
+    /// Id of the scenario.
     pub scenario: Id<ScenarioId>,
-    /// The scenario in words.
+    /// Name of the scenario.
     pub title: String,
-    /// When it happens \[s\]; `null`: the whole run is the scenario.
+    /// Instant of the event \[s\]; `null` if the whole run is the scenario.
     pub at: Option<Number>,
-    /// How the drive reacts to a stop and to its own faults.
+    /// Reaction of the servo drive to a stop and to its own faults.
     pub reaction: Id<Reaction>,
-    /// Cycles that are run.
+    /// Number of cycles.
     pub cycles: u32,
     /// Seed of phases and noise.
     pub seed: u64,
     /// Simulated time \[s\].
     pub time: Number,
-    /// Steps of the solver.
+    /// Number of steps of the solver.
     pub steps: u64,
-    /// One of them \[µs\].
+    /// Duration of one step \[µs\].
     pub step: Number,
-    /// Temperature of the air \[°C\].
+    /// Ambient temperature \[°C\].
     pub ambient: Number,
     /// Temperatures of winding and housing at the start \[°C\].
     pub start: [Number; 2],
-    /// The run in figures.
+    /// Figures of the run.
     pub summary: Figures,
-    /// Operation over days by the mean losses of the cycle, in figures; `null` where no days are requested.
+    /// Figures of an operation over days with the mean losses of the cycle; `null` if no days are requested.
     pub averaged: Option<Figures>,
     /// Figures with a limit.
     pub verdicts: Vec<SimulatedVerdict>,
-    /// What happened, by time.
+    /// Events in chronological order.
     pub events: Vec<SimulatedEvent>,
-    /// How the encoder failed; `null`: it did not.
+    /// Failure of the encoder; `null` if there is none.
     pub encoder_failure: Option<EncoderFailure>,
-    /// What the sizing said, what the twin shows, and why they differ; of the cycle alone.
+    /// Results of sizing and twin with the reason for the difference; for the cycle only.
     pub comparison: Vec<Compared>,
-    /// The loops of the control, the innermost first.
+    /// Control loops, the innermost first.
     pub loops: Vec<ControlLoop>,
-    /// The gains in use.
+    /// Gains in use.
     pub gains: Figures,
-    /// Whether they follow from the rule; else the project states some.
+    /// `true` if the gains follow from the rule; `false` if the project states some.
     pub gains_by_rule: bool,
-    /// Every parameter of the model.
+    /// Parameters of the model.
     pub parameters: Vec<ModelParameter>,
-    /// What was assumed or left out, in words.
+    /// Assumptions and omissions, as text.
     pub notes: Vec<String>,
-    /// The file that the course was written to; `null`: none.
+    /// File of the recorded signals; `null` if none was written.
     pub trace: Option<String>,
 }
 
@@ -73,11 +73,11 @@ pub struct Figure {
     /// Identifier.
     #[serde(skip)]
     pub id: &'static str,
-    /// In words.
+    /// Name of the figure.
     pub title: String,
-    /// The value; `null` where there is none.
+    /// Value; `null` if there is none.
     pub value: Option<Number>,
-    /// Its unit.
+    /// Unit of the value.
     pub unit: &'static str,
 }
 
@@ -103,71 +103,71 @@ impl JsonSchema for Figures {
 pub struct SimulatedVerdict {
     /// Identifier.
     pub id: &'static str,
-    /// In words.
+    /// Name of the figure.
     pub title: String,
-    /// Whether the limit is kept.
+    /// Verdict on the limit.
     pub verdict: Id<Verdict>,
-    /// The value.
+    /// Value of the figure.
     pub value: Option<Number>,
-    /// The largest permitted.
+    /// Largest permitted value.
     pub limit: Option<Number>,
-    /// Unit of both.
+    /// Unit of value and limit.
     pub unit: &'static str,
-    /// How far the limit can be trusted.
+    /// Grade of the limit.
     pub grade: Option<Id<Grade>>,
-    /// Where the limit is from.
+    /// Source of the limit.
     pub source: Option<String>,
 }
 
-/// Something that happened.
+/// An event of the run.
 #[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct SimulatedEvent {
-    /// When \[s\].
+    /// Instant \[s\].
     pub time: Number,
-    /// What.
+    /// Kind of event.
     pub event: Id<EventKind>,
-    /// In words.
+    /// Name of the event.
     pub title: String,
 }
 
-/// An encoder that fails, and what the drive notices of it.
+/// A failing encoder, and its detection by the servo drive.
 #[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct EncoderFailure {
-    /// What fails: a failure of the scenario, or `battery`.
+    /// Kind of failure: a failure of the scenario, or `battery`.
     pub failure: &'static str,
-    /// How the drive notices it; `null`: it does not.
+    /// Kind of detection by the servo drive; `null` if it is not detected.
     pub finding: Option<&'static str>,
-    /// After which time \[ms\].
+    /// Time until detection \[ms\].
     pub after: Option<Number>,
-    /// The angle that is read less the true one, at the output, when it is noticed, else at the end \[°\].
+    /// Measured minus true angle at the output, at detection, else at the end \[°\].
     pub error: Number,
-    /// The whole in words.
+    /// Failure and detection as text.
     pub title: String,
 }
 
-/// A figure of the sizing beside that of the twin.
+/// A figure of the sizing next to that of the twin.
 #[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct Compared {
-    /// The check of the sizing.
+    /// Id of the check of the sizing.
     pub id: Id<sizing::CheckId>,
-    /// In words.
+    /// Name of the check.
     pub title: String,
-    /// What the sizing said.
+    /// Result of the sizing.
     pub sizing: Number,
-    /// What the twin shows.
+    /// Result of the twin.
     pub twin: Number,
-    /// Unit of both.
+    /// Unit of both results.
     pub unit: &'static str,
-    /// Why they differ, in words.
+    /// Reason for the difference, as text.
     pub why: String,
 }
 
-/// A loop with its margins.
+/// A control loop with its margins.
 #[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct ControlLoop {
-    /// Which.
+    /// Id of the loop.
     pub id: Id<Loop>,
-    /// In words.
+    /// Name of the loop.
     pub title: String,
     /// Frequency at which the open loop has magnitude one \[Hz\].
     pub crossover: Option<Number>,
@@ -175,23 +175,23 @@ pub struct ControlLoop {
     pub phase_margin: Option<Number>,
     /// Gain margin \[dB\].
     pub gain_margin: Option<Number>,
-    /// Frequency up to which it follows within 3 dB \[Hz\].
+    /// Frequency up to which the loop follows within 3 dB \[Hz\].
     pub bandwidth: Option<Number>,
-    /// Whether it is stable.
+    /// `true` if the loop is stable.
     pub stable: bool,
 }
 
 /// A parameter of the model.
 #[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct ModelParameter {
-    /// Its key.
+    /// Key of the parameter.
     pub key: &'static str,
-    /// Its value; `null` where nothing is known.
+    /// Value; `null` if it is unknown.
     pub value: Option<Number>,
-    /// Its unit.
+    /// Unit of the value.
     pub unit: &'static str,
-    /// How far it can be trusted.
+    /// Grade of the value.
     pub grade: Option<Id<Grade>>,
-    /// Where it is from.
+    /// Source of the value.
     pub source: Option<String>,
 }

@@ -6,64 +6,64 @@ use provenance::Grade;
 use schemars::JsonSchema;
 use serde::Serialize;
 
-/// `upkeep`: what is to be done, and by when.
+/// `upkeep`: maintenance tasks and their dates.
 #[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct Upkeep {
     /// Ordering code.
     pub code: String,
-    /// Whether the storage is within what is permitted.
+    /// Verdict on the storage against the permitted limits.
     pub verdict: Fit,
-    /// Day of delivery, as `2026-03-01`.
+    /// Day of delivery, such as `2026-03-01`.
     pub delivered: String,
-    /// Day on which service begins.
+    /// First day of service.
     pub in_service: String,
-    /// Day that the plan is looked at from; `null`: not stated.
+    /// Reference day of the plan; `null` if not stated.
     pub today: Option<String>,
-    /// The plan, by date.
+    /// Plan by date.
     pub plan: Vec<Planned>,
-    /// Life of the encoder's battery; `null` without one, or where the hours of operation are not stated.
+    /// Life of the encoder's battery; `null` without one, or if the hours of operation are not stated.
     pub battery: Option<Battery>,
-    /// What was assumed, and what the manual does not state, in words.
+    /// Assumptions, and points that the manual does not state, as text.
     pub notes: Vec<String>,
-    /// Transport and storage.
+    /// Facts on transport and storage.
     pub storage: Vec<Fact>,
-    /// In service.
+    /// Facts on service.
     pub service: Vec<Fact>,
-    /// Shutting down, in the order of the steps.
+    /// Facts on shutdown, in the order of the steps.
     pub shutdown: Vec<Fact>,
-    /// Disposal.
+    /// Facts on disposal.
     pub disposal: Vec<Fact>,
-    /// Errata of the text that the plan rests on.
+    /// Errata of the text that the plan depends on.
     pub errata: Vec<CitedErratum>,
-    /// The iCalendar file that the plan was written to; `null`: none.
+    /// iCalendar file of the plan; `null` if none was written.
     pub calendar: Option<String>,
 }
 
-/// A line of the plan.
+/// A task of the plan.
 #[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct Planned {
-    /// What.
+    /// Id of the task.
     pub task: Id<Task>,
-    /// The task in words.
+    /// Name of the task.
     pub title: String,
-    /// How binding.
+    /// Binding force of the task.
     pub rule: Id<Rule>,
-    /// The rule in words, with its interval.
+    /// Rule as text, with its interval.
     pub rule_text: String,
-    /// Interval of a series, as ISO 8601 writes it: `P6M`, `P90D`.
+    /// Interval of a series in ISO 8601: `P6M`, `P90D`.
     pub interval: Option<String>,
-    /// The date; of a series the first.
+    /// Date; the first one of a series.
     pub first: String,
-    /// Of a series the first date that is not before today, if today is stated.
+    /// First date of a series that is not before today, if today is stated.
     pub next: String,
-    /// Whether it lies before today, if today is stated.
+    /// `true` if the date lies before today, if today is stated.
     pub passed: bool,
-    /// Id of the fact that it rests on.
+    /// Id of the fact that requires the task.
     pub fact: &'static str,
-    /// What the fact says.
+    /// Text of the fact.
     pub text: &'static str,
-    /// Where the date is from.
+    /// Source of the date.
     pub source: String,
-    /// How far it can be trusted; `null` where it follows from an interval that the user states.
+    /// Grade of the date; `null` if it follows from an interval stated by the user.
     pub grade: Option<Id<Grade>>,
 }

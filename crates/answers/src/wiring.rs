@@ -7,227 +7,227 @@ use schemars::JsonSchema;
 use serde::Serialize;
 use sizing::Verdict;
 
-/// `wiring`: what is connected where.
+/// `wiring`: connections of an actuator.
 #[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct Wiring {
-    /// The code.
+    /// Ordering code.
     pub code: String,
-    /// Its connectors.
+    /// Connectors of the actuator.
     pub connectors: Vec<Connector>,
-    /// The cables that the manual lists for it.
+    /// Cables listed in the manual.
     pub cables: Vec<Cable>,
-    /// What there is not for this code, or not in the manual.
+    /// Parts that do not exist for this code, or not in the manual.
     pub not_available: Vec<NotAvailable>,
-    /// What the tables and their notes say besides.
+    /// Further statements of the tables and their notes.
     pub notes: Vec<WiringNote>,
-    /// Rules and hazards, gravest first.
+    /// Rules and hazards, the gravest first.
     pub rules: Vec<Fact>,
-    /// Voltage lost on the wires; `null` unless a length was given.
+    /// Voltage drop on the wires; `null` unless a length was given.
     pub voltage_drop: Option<VoltageDrops>,
-    /// Ids of the errata that touch what is shown.
+    /// Ids of the errata that concern the data shown.
     pub errata: Vec<&'static str>,
 }
 
 /// A connector of the actuator.
 #[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct Connector {
-    /// What it is for.
+    /// Purpose of the connector.
     pub role: Id<Role>,
-    /// Poles and thread as printed.
+    /// Poles and thread as in the manual.
     #[serde(rename = "type")]
     pub kind: &'static str,
-    /// Its poles.
+    /// Number of poles.
     pub poles: u8,
-    /// Its thread.
+    /// Thread.
     pub thread: &'static str,
-    /// Where it is: at the end of a cable, in the housing; `null` where that is not stated.
+    /// Location: at the end of a cable, in the housing; `null` if not stated.
     pub exit: Option<ConnectorExit>,
-    /// Material number of the mating coupling; `null` where none is printed.
+    /// Material number of the mating connector; `null` if the manual states none.
     pub material_number: Option<&'static str>,
-    /// Outer diameter of the mating coupling as printed; `null` where none is.
+    /// Outer diameter of the mating connector as in the manual; `null` if it states none.
     pub outer_diameter: Option<&'static str>,
-    /// Length of the mating coupling as printed; `null` where none is.
+    /// Length of the mating connector as in the manual; `null` if it states none.
     pub length: Option<&'static str>,
-    /// Unit of the two.
+    /// Unit of diameter and length.
     pub unit: &'static str,
-    /// Its pins; empty where they are not printed for this code.
+    /// Pins; empty if the manual states none for this code.
     pub pins: Vec<ConnectorPin>,
-    /// Colours that several of its wires have: wire by pin.
+    /// Colours shared by several wires: identify the wire by its pin.
     pub ambiguous: Vec<AmbiguousColour>,
-    /// Table of the connector, and of its pins.
+    /// Tables of the connector and of its pins.
     pub tables: [&'static str; 2],
 }
 
-/// Where a connector is.
+/// Location of a connector.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum ConnectorExit {
-    /// At the end of a cable.
+    /// Connector at the end of a cable.
     Cable,
-    /// In the housing.
+    /// Connector in the housing.
     Housing,
 }
 
 /// A pin of a connector.
 #[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct ConnectorPin {
-    /// Its number, or `PE`.
+    /// Number of the pin, or `PE`.
     pub pin: String,
-    /// The pin that the print names in brackets: both belong to one wire.
+    /// Pin named in brackets in the manual: both belong to one wire.
     pub joined_with: Option<String>,
-    /// The signal as printed; `-` where nothing is connected.
+    /// Signal as in the manual; `-` if nothing is connected.
     pub signal: &'static str,
-    /// Whether something is connected.
+    /// `true` if a wire is connected.
     pub connected: bool,
-    /// Of which kind the signal is; `null` where nothing is connected.
+    /// Kind of the signal; `null` if nothing is connected.
     pub group: Option<Id<Group>>,
-    /// Colour of the wire, in the requested language; `null` if none is printed.
+    /// Colour of the wire, in the requested language; `null` if the manual states none.
     pub colour: Option<&'static str>,
-    /// What the signal is.
+    /// Meaning of the signal.
     pub meaning: String,
-    /// The cell that prints it; of an empty field its table.
+    /// Cell that states the signal; for an empty field its table.
     pub source: String,
-    /// How far it can be trusted.
+    /// Grade of the statement.
     pub grade: Id<Grade>,
-    /// Ids of the errata that touch it.
+    /// Ids of the errata that concern the pin.
     pub errata: Vec<&'static str>,
 }
 
-/// A colour that does not tell wires apart.
+/// A colour shared by several wires.
 #[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct AmbiguousColour {
-    /// The colour.
+    /// Name of the colour.
     pub colour: &'static str,
-    /// The pins whose wires have it.
+    /// Pins whose wires have the colour.
     pub pins: Vec<String>,
 }
 
 /// A cable.
 #[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct Cable {
-    /// What it connects.
+    /// Parts connected by the cable.
     pub role: Id<CableRole>,
-    /// Its material number.
+    /// Material number.
     pub material_number: &'static str,
-    /// Its length; `null` where the material number has it in letters of another maker.
+    /// Length; `null` if another manufacturer encodes it in letters of the material number.
     pub length_m: Option<Number>,
-    /// The letters of the material number that stand for the length; else `null`.
+    /// Letters of the material number that encode the length; else `null`.
     pub length_code: Option<&'static str>,
-    /// What it goes to.
+    /// Device at the other end.
     #[serde(rename = "for")]
     pub goal: String,
-    /// The same as an id.
+    /// Id of that device.
     pub drive: Id<CableFor>,
-    /// The table that prints it.
+    /// Table that lists the cable.
     pub table: &'static str,
-    /// The cell that prints it.
+    /// Cell that lists the cable.
     pub source: String,
 }
 
-/// What there is not.
+/// A part that does not exist.
 #[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct NotAvailable {
-    /// Its id.
+    /// Id of the part.
     pub id: &'static str,
-    /// What there is not, and why.
+    /// Name of the part and reason.
     pub text: &'static str,
-    /// The table that shows it.
+    /// Table that shows it.
     pub table: &'static str,
 }
 
-/// What a table's notes say.
+/// A statement of the notes of a table.
 #[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct WiringNote {
-    /// What it says.
+    /// Text of the note.
     pub text: String,
-    /// Who says so.
+    /// Author of the note.
     pub by: NoteBy,
-    /// The table that it is about; `null`: several.
+    /// Table concerned; `null` for several.
     pub table: Option<&'static str>,
 }
 
-/// Voltage lost on the wires of a cable.
+/// Voltage drop on the wires of a cable.
 #[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct VoltageDrops {
     /// Length of the cable.
     pub length_m: Number,
-    /// Cross-section of a wire; `null` where none was given.
+    /// Cross-section of a wire; `null` if none was given.
     pub cross_section_mm2: Option<Number>,
     /// The circuits.
     pub circuits: Vec<VoltageDrop>,
-    /// What was assumed.
+    /// Assumptions, as text.
     pub assumptions: &'static str,
-    /// Where the resistivity of copper is from.
+    /// Source of the resistivity of copper.
     pub resistivity_source: String,
 }
 
-/// Voltage lost in one circuit, forth and back.
+/// Voltage drop in one circuit, outward and return wire.
 #[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct VoltageDrop {
-    /// Which circuit.
+    /// Id of the circuit.
     pub circuit: Id<Circuit>,
-    /// Its name.
+    /// Name of the circuit.
     pub name: &'static str,
-    /// Its current.
+    /// Current.
     pub current_a: Number,
-    /// Where the current is from.
+    /// Source of the current.
     pub current_source: String,
-    /// Voltage that the source has; `null` where none is printed.
+    /// Voltage of the supply; `null` if the manual states none.
     pub nominal_v: Option<Number>,
-    /// Least voltage at the load; `null` where none is printed.
+    /// Minimum voltage at the load; `null` if the manual states none.
     pub least_v: Option<Number>,
-    /// Where the voltages are from.
+    /// Source of the voltages.
     pub voltage_source: String,
-    /// Loss at 20 °C; `null` without a cross-section.
+    /// Voltage drop at 20 °C; `null` without a cross-section.
     pub loss_20_degc_v: Option<Number>,
-    /// Loss at 70 °C; `null` without a cross-section.
+    /// Voltage drop at 70 °C; `null` without a cross-section.
     pub loss_70_degc_v: Option<Number>,
-    /// Source voltage required for the least voltage at the load on a warm wire; `null` if not known.
+    /// Supply voltage required for the minimum voltage at the load on a warm wire; `null` if unknown.
     pub needed_v: Option<Number>,
-    /// Smallest cross-section at 70 °C; `null` where no limit is printed.
+    /// Smallest cross-section at 70 °C; `null` if the manual states no limit.
     pub cross_section_min_mm2: Option<Number>,
-    /// Whether it is enough.
+    /// Verdict on the minimum voltage.
     pub verdict: Id<Verdict>,
-    /// Why it is not, or not checked; empty where it is enough.
+    /// Reason why it fails or is not checked; empty if it passes.
     pub reason: &'static str,
-    /// Whether the connector has sense lines.
+    /// `true` if the connector has sense lines.
     pub sense_lines: bool,
-    /// How far the loss can be trusted.
+    /// Grade of the voltage drop.
     pub grade: Id<Grade>,
 }
 
-/// `wiring --check`: a list of pins compared with the print.
+/// `wiring --check`: comparison of a pin list with the manual.
 #[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct WiringCheck {
-    /// The code.
+    /// Ordering code.
     pub code: String,
-    /// Whether nothing but advice was found.
+    /// `true` if the findings are advice only.
     pub agrees: bool,
-    /// Rows of the list.
+    /// Number of rows in the list.
     pub rows: usize,
-    /// Rows that agree with the print.
+    /// Number of rows that agree with the manual.
     pub agreeing: usize,
-    /// What is different, by line.
+    /// Differences by line.
     pub findings: Vec<WiringFinding>,
 }
 
-/// A difference between list and print.
+/// A difference between list and manual.
 #[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct WiringFinding {
-    /// Its id.
+    /// Id of the finding.
     pub id: &'static str,
-    /// How grave it is.
+    /// Severity of the finding.
     pub severity: Id<Severity>,
-    /// The connector.
+    /// Connector concerned.
     pub connector: Id<Role>,
-    /// Line of the list; `null` where it is about what is not in it.
+    /// Line of the list; `null` if the finding concerns a missing entry.
     pub line: Option<usize>,
-    /// The pin; `null` where it is about the connector.
+    /// Pin; `null` if the finding concerns the connector.
     pub pin: Option<String>,
-    /// The printed value; `null` if the finding is about the connector or a pin that does not exist.
+    /// Value in the manual; `null` if the finding concerns the connector or a pin that does not exist.
     pub expected: Option<&'static str>,
-    /// What is different.
+    /// Description of the difference.
     pub message: String,
-    /// What to do.
+    /// Action to take.
     pub action: &'static str,
 }
