@@ -1,7 +1,7 @@
-//! The questions over HTTP: each answers with the bytes that its command writes with `--json`.
+//! The questions over HTTP: each returns the bytes that its command writes with `--json`.
 //!
-//! The list is that of `questions`. It gives the routes, what a request may say, and what `/api/v1/openapi.json` describes;
-//! here stand the transport, and the answers that are drawn, typeset or written as tables.
+//! The list of `questions` gives the routes, the arguments of a request and the content of `/api/v1/openapi.json`. This
+//! module holds the transport, and the answers that are drawn, typeset or written as tables.
 
 pub(crate) mod asked;
 #[cfg(feature = "interface")]
@@ -17,10 +17,10 @@ use questions::list::{Argument, Asked, Entry, FILE, Gives, LIST, Reads, Unanswer
 use questions::{Patience, answer};
 use words::requests;
 
-/// What all paths begin with.
+/// Prefix of all paths of the interface.
 const ROOT: &str = "/api/v1/";
 
-/// What the questions are called that only this face has: the description of them all.
+/// The question that only HTTP has: the OpenAPI description of all questions.
 const OPENAPI: Entry = Entry {
     command: "",
     path: "openapi.json",
@@ -33,17 +33,17 @@ const OPENAPI: Entry = Entry {
     answer: None,
 };
 
-/// Every question with a path.
+/// Returns every question that has a path.
 fn entries() -> impl Iterator<Item = &'static Entry> {
     LIST.iter().copied().chain([&OPENAPI])
 }
 
-/// The method of a question: what reads a text has a body.
+/// Returns the method of a question: POST if it reads a text, else GET.
 pub(crate) fn method(entry: &Entry) -> Method {
     if entry.reads == Reads::Nothing { Method::Get } else { Method::Post }
 }
 
-/// What the query of a request may say: what the question takes, and what its body is called.
+/// Returns the query parameters of a question: its arguments, and the name of its body.
 fn parameters(entry: &Entry) -> Vec<Argument> {
     let mut found = entry.arguments.to_vec();
     if matches!(entry.reads, Reads::Project | Reads::Pins | Reads::Measured) {
@@ -54,24 +54,24 @@ fn parameters(entry: &Entry) -> Vec<Argument> {
     found
 }
 
-/// The reply with a record.
+/// Returns the reply with a record.
 fn record(status: u16, record: &impl serde::Serialize) -> Reply {
     Reply::of(status, media::JSON, written(record))
 }
 
-/// What stands where a question could not even be put, with a hint.
+/// Returns the reply to a request that is no question, with a hint.
 #[must_use]
 pub fn misdirected(status: u16, message: &str, hint: Option<String>) -> Reply {
     let fault = Fault { id: Some("request"), message: message.to_owned(), hint, ..Fault::default() };
     record(status, &Faults::from(vec![fault]))
 }
 
-/// Whether a path is one of the interface's.
+/// Returns `true` if a path belongs to the interface.
 pub(crate) fn is_path(path: &str) -> bool {
     path == "/api" || path.starts_with("/api/")
 }
 
-/// The methods that a path of the interface answers to; none where there is no such path.
+/// Returns the methods of a path of the interface; empty if there is no such path.
 pub fn methods(path: &str) -> Vec<Method> {
     let here = path.strip_prefix(ROOT).unwrap_or_default();
     entries().filter(|entry| entry.path == here).map(method).collect()
@@ -96,10 +96,10 @@ pub(crate) fn respond(call: &Call<'_>, shell: &dyn Shell, patience: &Patience) -
     answered.unwrap_or_else(|unanswered| refused(&unanswered, shell, language))
 }
 
-/// The answer to a question: its record, or what is drawn, typeset or written as tables for it.
+/// Answers a question: with its record, or with the picture, document or table that is made of it.
 ///
 /// # Errors
-/// Why there is none.
+/// Faults of the question, or the reason why it has no answer.
 #[cfg(feature = "interface")]
 pub fn reply(entry: &Entry, asked: &Asked<'_>, shell: &dyn Shell) -> Result<Reply, Unanswered> {
     let Some(answer) = entry.answer else { return made::reply(entry.command, asked, shell) };
@@ -111,7 +111,7 @@ pub fn reply(entry: &Entry, asked: &Asked<'_>, shell: &dyn Shell) -> Result<Repl
     })
 }
 
-/// The faults, with the status that they have.
+/// Returns the faults with their HTTP status.
 fn refused(unanswered: &Unanswered, shell: &dyn Shell, language: Language) -> Reply {
     if unanswered.is_stopped() {
         let waited = shell.time_limit().unwrap_or_default().as_secs();
@@ -121,14 +121,14 @@ fn refused(unanswered: &Unanswered, shell: &dyn Shell, language: Language) -> Re
     Reply::of(status, media::JSON, unanswered.record(None, language))
 }
 
-/// The reply where there is nothing at a path.
+/// Returns the reply for an unknown path.
 fn no_such_path(call: &Call<'_>) -> Reply {
     let language = call.query_language();
     let message = requests::no_such_path(&quantities::seen(call.path), language);
     misdirected(404, &message, Some(requests::paths_are_listed(language).to_owned()))
 }
 
-/// The reply where a path does not answer to a method.
+/// Returns the reply to a method that a path does not have.
 #[must_use]
 pub fn wrong_method(path: &str, method: &str, valid: &[Method], language: Language) -> Reply {
     let names: Vec<&str> = valid.iter().flat_map(|method| method.names()).copied().collect();

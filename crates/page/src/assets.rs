@@ -6,12 +6,12 @@ macro_rules! files {
     ($($name:literal)*) => { [$(($name, include_str!(concat!("../assets/", $name)))),*] };
 }
 
-/// All files of the page by their names below `/assets/`.
+/// Files of the page by their names below `/assets/`.
 pub const ASSETS: [(&str, &str); 10] = files![
     "page.css" "enter.js" "page.js" "panes.js" "plots.js" "sketch.js" "waiting.js" "folder.js" "tools.js" "htmx.min.js"
 ];
 
-/// A file of the page.
+/// Returns a file of the page.
 pub(crate) fn asset(name: &str) -> Reply {
     let Some((_, text)) = ASSETS.iter().find(|(of, _)| *of == name) else { return Reply::text(404, "") };
     let media = if name.ends_with(".css") { "text/css; charset=utf-8" } else { "text/javascript; charset=utf-8" };
@@ -22,7 +22,7 @@ pub(crate) fn asset(name: &str) -> Reply {
 mod tests {
     use super::*;
 
-    /// The script of others is the one that was published as htmx 4.0.1 (`dist/htmx.min.js`), to the byte.
+    /// Compares the third-party script with the published htmx 4.0.1 (`dist/htmx.min.js`), byte by byte.
     #[test]
     fn the_script_of_others_is_as_it_was_published() {
         let sum = blake3::hash(&asset("htmx.min.js").body).to_hex();
@@ -34,7 +34,7 @@ mod tests {
         assert!(ASSETS.iter().all(|(name, _)| asset(name).status == 200));
     }
 
-    /// Scripts as they come over a line, packed; the promise to a slow one.
+    /// Limits the compressed size of the scripts, for slow connections.
     #[test]
     fn the_page_stays_light() {
         let packed = |file: &str| {

@@ -1,4 +1,4 @@
-//! All axes of a project together: what is chosen for each, whether it fits, and what they add up to.
+//! Summary of the axes of a project: the actuator of each, its verdict, and the totals.
 
 use crate::checks::verdict_class;
 use crate::form::vals;
@@ -13,7 +13,7 @@ use questions::texts::{demand_figures, percent, reason, standing_text};
 use questions::{Candidate, Fit, Patience, Refusal, Rejected, Verdict, power_over_cycle, sum_of_known};
 use words::{capitalised, check_title, page, terms};
 
-/// The summary of an axis.
+/// Row of an axis in the summary.
 struct Row {
     class: &'static str,
     code: String,
@@ -26,10 +26,10 @@ struct Row {
     returned_w: Option<f64>,
 }
 
-/// The summary.
+/// Returns the summary of all axes.
 ///
 /// # Errors
-/// Where the work ended before it was done.
+/// When the work was cancelled or ran out of time.
 pub(crate) fn together(state: &State, held: &Held, patience: &Patience) -> Result<Markup, Refusal> {
     let l = state.language;
     let mut rows: Vec<(&Project, Option<Row>)> = Vec::new();

@@ -10,17 +10,17 @@ use std::borrow::Cow;
 use std::io;
 use std::time::Duration;
 
-/// How a request asks.
+/// Method of a request.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Method {
-    /// For something that is there.
+    /// Reads a resource.
     Get,
-    /// With a body.
+    /// Sends a body.
     Post,
 }
 
 impl Method {
-    /// Its name.
+    /// Returns the name of the method in HTTP.
     #[must_use]
     pub const fn id(self) -> &'static str {
         match self {
@@ -29,7 +29,7 @@ impl Method {
         }
     }
 
-    /// The methods answered in this way: GET includes HEAD.
+    /// Returns the HTTP methods that are answered in this way; GET includes HEAD.
     #[must_use]
     pub const fn names(self) -> &'static [&'static str] {
         match self {
@@ -39,10 +39,10 @@ impl Method {
     }
 }
 
-/// A request as a shell hands it in, with nothing of the transport in it.
+/// A request without the details of its transport.
 #[derive(Clone, Copy, Debug)]
 pub struct Call<'c> {
-    /// How it asks.
+    /// Method.
     pub method: Method,
     /// The path, decoded, without the query.
     pub path: &'c str,
@@ -57,7 +57,7 @@ pub struct Call<'c> {
 }
 
 impl<'c> Call<'c> {
-    /// The values of the query and, of a form, those of the body behind them, decoded, in their order.
+    /// Returns the decoded values of the query and then, for a form, those of the body, in their order.
     pub fn fields(&self) -> impl Iterator<Item = (Cow<'c, str>, Cow<'c, str>)> + use<'c> {
         let form = self
             .media
@@ -66,35 +66,35 @@ impl<'c> Call<'c> {
         form_urlencoded::parse(self.query.as_bytes()).chain(form_urlencoded::parse(body))
     }
 
-    /// The values of a name, in their order.
+    /// Returns the values of a name in their order.
     pub(crate) fn all(&self, name: &str) -> impl Iterator<Item = Cow<'c, str>> {
         self.fields().filter(move |(key, _)| key == name).map(|(_, value)| value)
     }
 
-    /// The last value of a name.
+    /// Returns the last value of a name.
     #[must_use]
     pub fn field(&self, name: &str) -> Option<Cow<'c, str>> {
         self.all(name).last()
     }
 
-    /// The requested colours of the page.
+    /// Returns the requested colours of the page.
     pub(crate) fn theme(&self) -> Theme {
         if self.field("theme").is_some_and(|theme| theme == "dark") { Theme::Dark } else { Theme::Light }
     }
 
-    /// The values of the query alone, decoded, in their order.
+    /// Returns the decoded values of the query alone, in their order.
     pub fn query_fields(&self) -> impl Iterator<Item = (Cow<'c, str>, Cow<'c, str>)> + use<'c> {
         form_urlencoded::parse(self.query.as_bytes())
     }
 
-    /// The language in the query.
+    /// Returns the language that the query states, else the default language.
     #[must_use]
     pub fn query_language(&self) -> Language {
         let asked = self.query_fields().filter(|(key, _)| key == "lang").last();
         asked.and_then(|(_, wanted)| Language::of_id(&wanted)).unwrap_or(self.language)
     }
 
-    /// The requested language.
+    /// Returns the language that query or form states, else the default language.
     #[must_use]
     pub fn language(&self) -> Language {
         self.field("lang").and_then(|wanted| Language::of_id(&wanted)).unwrap_or(self.language)
@@ -103,15 +103,15 @@ impl<'c> Call<'c> {
 
 const FORM: &str = "application/x-www-form-urlencoded";
 
-/// Values as the query of an address.
+/// Writes values as the query of an address.
 pub(crate) fn query<N: AsRef<str>, V: AsRef<str>>(values: impl IntoIterator<Item = (N, V)>) -> String {
     form_urlencoded::Serializer::new(String::new()).extend_pairs(values).finish()
 }
 
-/// What a shell sends back.
+/// A reply.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Reply {
-    /// The status as HTTP has it.
+    /// Status code of HTTP.
     pub status: u16,
     /// The media type of the body.
     pub media: &'static str,
@@ -122,29 +122,29 @@ pub struct Reply {
 }
 
 impl Reply {
-    /// Plain text.
+    /// Creates a reply of plain text.
     #[must_use]
     pub fn text(status: u16, body: &str) -> Self {
         Self::of(status, "text/plain; charset=utf-8", body)
     }
 
-    /// A body of a media type.
+    /// Creates a reply with a body of a media type.
     #[must_use]
     pub fn of(status: u16, media: &'static str, body: impl Into<Vec<u8>>) -> Self {
         Self { status, media, headers: Vec::new(), body: body.into() }
     }
 
-    /// The same with a further header.
+    /// Adds a header.
     #[must_use]
     pub fn with(mut self, name: &'static str, value: impl Into<String>) -> Self {
         self.headers.push((name, value.into()));
         self
     }
 
-    /// The same, kept by the browser as a file of this name.
+    /// Adds the header that makes a browser save the body as a file of this name.
     #[must_use]
     pub fn saved_as(self, name: &str) -> Self {
-        // A quoted string of ASCII; a name of ours has nothing else.
+        // The header takes a quoted string of ASCII; file names of the page need no other characters.
         let name: String =
             name.chars().filter(|sign| sign.is_ascii_alphanumeric() || matches!(sign, '.' | '-' | '_')).collect();
         self.with("content-disposition", format!("attachment; filename=\"{name}\""))
@@ -153,142 +153,142 @@ impl Reply {
 
 /// The resources that a shell provides.
 pub trait Shell {
-    /// The files that a project may name.
+    /// Returns the files that a project may name.
     fn files(&self) -> &dyn Files;
 
-    /// How long an answer may take, where that is limited.
+    /// Returns the time limit of an answer, if there is one.
     fn time_limit(&self) -> Option<Duration> {
         None
     }
 
-    /// How far a work under way is, by the name that the page has given it: steps done, and how many there are to be where
-    /// that is known. None where a shell cannot tell while it works.
+    /// Returns the progress of a running work by the name that the page has given it: steps done and, if known, their
+    /// number. `None` if the shell has no access to a running work.
     fn progress(&self, _work: &str) -> Option<(usize, Option<usize>)> {
         None
     }
 
-    /// Cancels a running work; returns whether there was one.
+    /// Cancels a running work; returns `true` if there was one.
     fn cancel(&self, _work: &str) -> bool {
         false
     }
 
-    /// The days since the first of 1970 by the clock, where there is one.
+    /// Returns the days since 1 January 1970 by the clock, if there is one.
     fn days_since_1970(&self) -> Option<u64> {
         None
     }
 
-    /// The folder that is worked in; none where the page has no disk.
+    /// Returns the working folder; `None` if the page has no disk.
     fn folder(&self) -> Option<&dyn Folder> {
         None
     }
 
-    /// Writes the report of the axes as PDF; none where there is no typesetting engine.
+    /// Returns the writer of reports as PDF; `None` without a typesetting engine.
     fn report(&self) -> Option<WritesReport> {
         None
     }
 
-    /// Writes the check-lists of a commissioning as PDF; none where there is no typesetting engine.
+    /// Returns the writer of commissioning checklists as PDF; `None` without a typesetting engine.
     fn checklist(&self) -> Option<WritesChecklist> {
         None
     }
 
-    /// The identifier of a version of a file.
+    /// Returns the identifier of a version of a file.
     fn version(&self, bytes: &[u8]) -> String;
 }
 
-/// The requested report.
+/// A requested report.
 #[derive(Clone, Copy, Debug)]
 pub struct ReportAsked<'a> {
     /// The text of the project.
     pub text: &'a str,
-    /// Its axes, each with its place in it.
+    /// Axes of the report, each with its index in the project.
     pub axes: &'a [(usize, Project)],
-    /// The actuator; none for the project's own, else the best.
+    /// The actuator; `None` for that of the project, else the best one.
     pub code: Option<OrderCode>,
-    /// With the derivations.
+    /// Includes the derivations.
     pub full: bool,
-    /// With wiring, mounting and commissioning.
+    /// Includes wiring, mounting and commissioning.
     pub installation: bool,
-    /// The day that stands on it.
+    /// Date on the report.
     pub date: Option<&'a str>,
-    /// Its language.
+    /// Language of the report.
     pub language: Language,
-    /// The watch of the caller.
+    /// Progress and cancellation of the caller.
     pub patience: &'a Patience,
 }
 
-/// Writes a report as PDF, or says in one sentence why there is none.
+/// Writes a report as PDF, or returns the reason in one sentence.
 pub type WritesReport = fn(&ReportAsked<'_>) -> Result<Vec<u8>, String>;
 
-/// Writes the check-lists of a commissioning as PDF, or says in one sentence why there is none.
+/// Writes the checklists of a commissioning as PDF, or returns the reason in one sentence.
 pub type WritesChecklist = fn(&Commissioning, Language) -> Result<Vec<u8>, String>;
 
-/// What a typesetting engine writes.
+/// Writers of a typesetting engine.
 #[derive(Clone, Copy, Debug)]
 pub struct Press {
     /// Reports.
     pub report: WritesReport,
-    /// Check-lists of a commissioning.
+    /// Checklists of a commissioning.
     pub checklist: WritesChecklist,
 }
 
 /// A project file in the folder.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct FileEntry {
-    /// Its name within the folder.
+    /// Name within the folder.
     pub name: String,
-    /// When it was last written, in seconds since 1970.
+    /// Time of the last change \[s\] since 1 January 1970.
     pub modified_s: u64,
 }
 
-/// Why a file was not saved.
+/// Reason why a file was not saved.
 #[derive(Debug)]
 pub enum SaveFault {
-    /// Another version stands there than the one that was opened.
+    /// The file differs from the version that was opened.
     Changed,
-    /// The name leads out of the folder, or is no name of a project file.
+    /// The name leads out of the folder, or is not the name of a project file.
     Name,
-    /// What the disk says.
+    /// Error of the disk.
     Disk(io::Error),
 }
 
-/// Where a folder is.
+/// Storage behind a folder.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Storage {
-    /// On a disk, where other programs see it.
+    /// A disk, shared with other programs.
     Disk,
-    /// In the browser, which keeps it for this page alone.
+    /// The storage of the browser, private to this page.
     Browser,
 }
 
-/// The working folder: project files by their names, nothing outside of it.
+/// The working folder: project files by name, and no access outside of it.
 pub trait Folder {
-    /// Where it is.
+    /// Returns the storage behind the folder.
     fn place(&self) -> Storage {
         Storage::Disk
     }
 
-    /// The project files in it, the last written first.
+    /// Returns the project files, the last written one first.
     ///
     /// # Errors
-    /// What the disk says.
+    /// Error of the disk.
     fn list(&self) -> io::Result<Vec<FileEntry>>;
 
-    /// The text of a project file.
+    /// Reads a project file.
     ///
     /// # Errors
-    /// What the disk says; a name that leads out of the folder is not found.
+    /// Error of the disk; a name that leads out of the folder is reported as not found.
     fn read(&self, name: &str) -> io::Result<Vec<u8>>;
 
-    /// Saves a text atomically. `known` is the version (its hash, as the page has it) that was opened, `None` for a file that is not there yet:
-    /// a file that changed since is left as it is.
+    /// Saves a text atomically. `known` is the version that was opened (its hash, as the page holds it), `None` for a
+    /// new file; a file that has changed since is left unchanged.
     ///
     /// # Errors
     /// [`SaveFault`].
     fn save(&self, name: &str, text: &[u8], known: Option<&str>) -> Result<(), SaveFault>;
 
-    /// Keeps a recording beside the projects, under its own name or, where that is taken by another, one like it; gives the
-    /// name that it has.
+    /// Keeps a recording next to the projects and returns its name there: its own or, if another recording has that
+    /// name, a similar one.
     ///
     /// # Errors
     /// [`SaveFault`].

@@ -1,10 +1,10 @@
-//! Answers that are laid out already.
+//! Chapters as HTML.
 
 use answers::{Block, Chapter, Grid, Hazard};
 use maud::{Markup, PreEscaped, html};
 use words::symbol_shown;
 
-/// A symbol with its index below the line.
+/// Returns a symbol with its subscript as HTML.
 pub(crate) fn symbol(symbol: &str) -> Markup {
     let shown = symbol_shown(symbol);
     html! { @match shown.split_once('_') {
@@ -13,7 +13,7 @@ pub(crate) fn symbol(symbol: &str) -> Markup {
     } }
 }
 
-/// A chapter as HTML.
+/// Returns a chapter as HTML.
 pub(crate) fn laid_out(chapter: &Chapter) -> Markup {
     html! {
         h3 { (chapter.title) }

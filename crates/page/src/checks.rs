@@ -1,4 +1,4 @@
-//! All checks of one actuator, by the part that they are about, with bars, limits, grades and sources.
+//! Checks of one actuator by the part that they are about, with bars, limits, grades and sources.
 
 use crate::form::{id, label, vals};
 use crate::{overlay, value};
@@ -21,12 +21,12 @@ pub(crate) fn verdict_class(verdict: Verdict) -> &'static str {
     }
 }
 
-/// The class of a check: one that has a value and no limit is shown and not judged.
+/// Returns the style class of a check; a check with a value and no limit is shown and not judged.
 fn class(check: &Check) -> &'static str {
     if check.is_without_limit() { "no-limit" } else { verdict_class(check.verdict) }
 }
 
-/// The checks: by part in the order of a report, within each by importance; those without a limit behind a fold.
+/// Returns the checks as HTML: by part in the order of a report, then by importance; those without a limit in a fold.
 pub(crate) fn of(candidate: &Candidate<'_>, prefix: &str, language: Language) -> Markup {
     let l = language;
     let worst = overlay::worst(candidate);
@@ -64,8 +64,8 @@ pub(crate) fn of(candidate: &Candidate<'_>, prefix: &str, language: Language) ->
     }
 }
 
-/// A utilisation as a bar, with a line at one. A hundredth of a percent is a tenth of a pixel at most; the last digits of a sum
-/// differ from one machine to another.
+/// Returns a utilisation as a bar with a line at one. A hundredth of a percent is at most a tenth of a pixel; further
+/// digits of a sum differ between machines.
 pub(crate) fn bar(share: f64) -> Markup {
     let width = format!("{:.2}", (share * 100.0).clamp(0.0, 150.0));
     html! {
@@ -101,7 +101,7 @@ fn row(check: &Check, worst: &[overlay::Worst<'_>], prefix: &str, language: Lang
     }
 }
 
-/// What is missing with a field to state it, remarks, and where the limit comes from.
+/// Returns the missing value with a field to state it, the remarks, and the source of the limit.
 fn about(check: &Check, prefix: &str, language: Language) -> Markup {
     let l = language;
     let key =
@@ -109,13 +109,13 @@ fn about(check: &Check, prefix: &str, language: Language) -> Markup {
     html! {
         @if let Some(missing) = check.missing.filter(|_| key.is_none() || !check.is_without_limit()) { span { (page::to_be_checked_state(l)) " " (check_missing(missing, l)) } }
         @if let Some((path, key)) = key { (field(path, key, prefix, check, l)) }
-        // What passes says more in its explanation.
+        // A passed check has its remarks in its explanation.
         @if check.verdict != Verdict::Pass { @for note in check.notes.iter() { span { (capitalised(&note_text(note, l))) "." } " " } }
         @if let (Some(source), Some(grade)) = (&check.limit_source, check.grade) { span.source { (grade_word(grade, l)) ", " (source_text(source, l)) } }
     }
 }
 
-/// A field for a key that the project does not state.
+/// Returns a field for a key that the project does not state.
 fn field(path: &str, key: &Key, prefix: &str, check: &Check, language: Language) -> Markup {
     let l = language;
     let path = format!("{prefix}{path}");
@@ -130,13 +130,13 @@ fn field(path: &str, key: &Key, prefix: &str, check: &Check, language: Language)
     }
 }
 
-/// The heads of a table of checks beside a calculator.
+/// Returns the headings of a table of checks next to a calculator.
 pub(crate) fn check_heads(language: Language) -> [&'static str; 6] {
     let l = language;
     [terms::check(l), terms::verdict(l), terms::value(l), terms::limit(l), terms::unit(l), terms::utilisation_short(l)]
 }
 
-/// What the terminal calls the two sides of a check.
+/// Returns the names of the two sides of a check, the same as on the terminal.
 pub(crate) fn sides(language: Language) -> [&'static str; 2] {
     [terminal::asked(language), terminal::permitted(language)]
 }

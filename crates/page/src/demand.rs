@@ -1,4 +1,4 @@
-//! The middle pane: what the axis demands of the actuator that is looked at, one view of it at a time.
+//! The middle pane: the demand of the axis on the selected actuator, one view at a time.
 
 use crate::call::Shell;
 use crate::form::vals;
@@ -15,7 +15,7 @@ use questions::texts::{demand_figures, reserve_lines};
 use questions::{Candidate, CandidateId, Patience, power_over_cycle};
 use words::{capitalised, page};
 
-/// The pane, of a candidate judged with every check.
+/// Returns the pane of a candidate judged with every check.
 pub(crate) fn column(
     state: &State,
     project: &Project,
@@ -38,7 +38,7 @@ pub(crate) fn column(
     }
 }
 
-/// The pane without a result.
+/// Returns the pane without a result.
 pub(crate) fn nothing(language: Language) -> Markup {
     html! {
         section.pane id="demands" aria-labelledby="demands-title" {
@@ -48,12 +48,12 @@ pub(crate) fn nothing(language: Language) -> Markup {
     }
 }
 
-/// Where it says that the last work ended before it was done; else nothing stands there.
+/// Returns the place of the message that the last work was stopped; empty if it was not.
 pub(crate) fn stopped(what: &Markup) -> Markup {
     html! { p.advice id="stopped" role="status" { (what) } }
 }
 
-/// The tabs of the pane.
+/// Returns the tabs of the pane.
 fn views(state: &State, project: &Project, candidate: Option<&Candidate<'_>>) -> Markup {
     let l = state.language;
     let title = |view: View| match view {
@@ -95,7 +95,7 @@ fn sums(candidate: &Candidate<'_>, language: Language) -> Markup {
     }
 }
 
-/// Up to what the actuator fits, where that is found quickly: the page answers while the user types.
+/// Returns the reserve of the actuator if it is found quickly, so that the page responds while the user types.
 pub(crate) fn reserve(project: &Project, candidate: &Candidate<'_>, patience: &Patience, language: Language) -> Markup {
     let reserve = if candidate.fits() {
         reserve_unasked(project, candidate, patience).unwrap_or_default()
@@ -111,7 +111,7 @@ pub(crate) fn reserve(project: &Project, candidate: &Candidate<'_>, patience: &P
     }
 }
 
-/// A figure; where a check has it, how it came about.
+/// Returns a value; if a check has it, with a link to its derivation.
 fn explained(candidate: &Candidate<'_>, si: f64, figure: &str, language: Language) -> Markup {
     let of = candidate.judgement.checks.iter().find(|check| check.value.is_some_and(|value| value.si == si));
     html! { @match of {
@@ -121,14 +121,14 @@ fn explained(candidate: &Candidate<'_>, si: f64, figure: &str, language: Languag
     } }
 }
 
-/// A recording with more samples is drawn after its numbers are there.
+/// Number of samples above which the picture of a recording is drawn after the numbers.
 const LONG_SAMPLES: usize = 20_000;
 
 fn is_long(project: &Project) -> bool {
     project.axis.samples()[0] > LONG_SAMPLES
 }
 
-/// In place of the picture: the one that is there stays until the new one, requested at once, has come.
+/// Returns the placeholder of a picture: the old picture stays until the new one, requested at once, has arrived.
 fn later(state: &State, candidate: &Candidate<'_>, shell: &dyn Shell) -> Markup {
     let about = format!(
         "{}\n{}\n{}\n{}\n{:?}\n{:?}",
@@ -139,7 +139,7 @@ fn later(state: &State, candidate: &Candidate<'_>, shell: &dyn Shell) -> Markup 
         state.window,
         state.room
     );
-    // It need not be sought again.
+    // The request names the actuator, so that it is not searched again.
     let code = if let CandidateId::Code(code) = &candidate.id { code.to_string() } else { String::new() };
     html! {
         div id="view" data-same="" {}
@@ -148,7 +148,7 @@ fn later(state: &State, candidate: &Candidate<'_>, shell: &dyn Shell) -> Markup 
     }
 }
 
-/// What is shown below the tabs.
+/// Returns the content below the tabs.
 pub(crate) fn view(
     state: &State,
     project: &Project,
@@ -185,10 +185,10 @@ pub(crate) fn view(
     }
 }
 
-/// The figure of the view.
+/// Draws the figure of the view.
 ///
 /// # Errors
-/// [`NoFigure`] where there is nothing to draw.
+/// [`NoFigure`] if there is nothing to draw.
 pub(crate) fn drawing(
     state: &State,
     project: &Project,
@@ -211,7 +211,7 @@ pub(crate) fn drawing(
     }
 }
 
-/// The largest powers of the cycle.
+/// Returns the largest powers of the cycle.
 fn power(project: &Project, candidate: &Candidate<'_>, language: Language) -> Markup {
     let number = |watts: f64| format!("{} {}", format_number(watts, 0, language), WATT.symbol);
     html! { @if let Some(power) = power_over_cycle(project, candidate) {
@@ -222,8 +222,7 @@ fn power(project: &Project, candidate: &Candidate<'_>, language: Language) -> Ma
     } }
 }
 
-/// A picture as large as the pane leaves room, with what stands above it and what lies over it; where there is nothing to
-/// draw, why not.
+/// Returns a picture that fills the pane, with the content above and over it; or the reason why there is no picture.
 pub(crate) fn picture(
     state: &State,
     name: &str,

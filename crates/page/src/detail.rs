@@ -1,4 +1,4 @@
-//! How a number came about, and actuators side by side: what opens beside the columns.
+//! Derivation of a number, and comparison of actuators: the panels that open next to the columns.
 
 use crate::checks::{sides, verdict_class};
 use crate::formula;
@@ -11,7 +11,7 @@ use questions::texts::{figure_text, node_amount, percent, trust, verdict_text};
 use questions::{Candidate, Check, Verdict, answer};
 use words::{capitalised, check_missing, check_title, figure_term, note_text, page, symbol_shown, terminal, terms};
 
-/// A heading with a way to close what stands below it.
+/// Returns a heading with a button that closes the content below it.
 pub(crate) fn frame(title: &str, inside: &Markup, language: Language) -> Markup {
     html! {
         section aria-labelledby="detail-title" {
@@ -25,7 +25,7 @@ pub(crate) fn frame(title: &str, inside: &Markup, language: Language) -> Markup 
     }
 }
 
-/// The derivation of a check: both sides, as trees.
+/// Returns the derivation of a check: both sides, as trees.
 pub(crate) fn explained(candidate: &Candidate<'_>, check: &Check, language: Language) -> Markup {
     let found = derivation(check, language);
     let title = format!("{}: {}", candidate.id, check_title(check.id, language));
@@ -40,7 +40,7 @@ pub(crate) fn explained(candidate: &Candidate<'_>, check: &Check, language: Lang
     frame(&title, &inside, language)
 }
 
-/// Beyond so many signs a formula can be wider than its place: it can be scrolled, by keys too.
+/// Number of characters above which a formula can be wider than its place and gets a scroll area, usable by keyboard.
 const LONG: usize = 48;
 
 fn formula_line(text: &str) -> Markup {
@@ -68,7 +68,7 @@ fn node(node: &Node, language: Language) -> Markup {
     }
 }
 
-/// Several actuators side by side.
+/// Returns a comparison of several actuators.
 pub(crate) fn compared(found: &Comparison<'_>, language: Language) -> Markup {
     let l = language;
     let inside = html! {

@@ -1,4 +1,4 @@
-//! Projects that come and go: begun, opened, saved, downloaded.
+//! Beginning, opening, saving and downloading of projects.
 
 use crate::call::{Call, FileEntry, Reply, SaveFault, Shell, Storage, query};
 use crate::frame;
@@ -14,24 +14,24 @@ use questions::list::upkeep::day_of_clock;
 use std::io::ErrorKind;
 use words::{file_trouble, page, upkeep};
 
-/// The requested way to begin.
+/// Returns the index of the requested way to begin.
 pub(crate) fn place(call: &Call<'_>) -> usize {
     call.field("kind").or_else(|| call.field("begin")).and_then(|kind| kind.parse().ok()).unwrap_or(usize::MAX)
 }
 
-/// The page with a project that was begun with a few figures.
+/// Returns the page with a project that was begun with a few values.
 pub(crate) fn begun(call: &Call<'_>, shell: &dyn Shell, patience: &Patience) -> Reply {
     let Some(begin) = BEGINS.get(place(call)) else { return Reply::text(404, page::no_such_page(call.language())) };
     with_text(call, &crate::start::typed(begin, call), "", "", shell, patience)
 }
 
-/// The page with a project of the folder.
+/// Returns the page with a project of the folder.
 pub(crate) fn opened(call: &Call<'_>, shell: &dyn Shell, patience: &Patience) -> Reply {
     let name = call.field("open").unwrap_or_default();
     let read = shell.folder().map(|folder| folder.read(&name));
     match read {
         Some(Ok(bytes)) => {
-            // A text that is changed by being shown would be lost by being saved.
+            // A lossy conversion would be written back when the project is saved.
             let Ok(text) = std::str::from_utf8(&bytes) else {
                 return Reply::text(422, &page::not_a_text(&name, call.language()));
             };
@@ -45,40 +45,41 @@ pub(crate) fn opened(call: &Call<'_>, shell: &dyn Shell, patience: &Patience) ->
     }
 }
 
-/// The version of a file and its name, as the page carries them.
+/// Joins the version of a file and its name as the page holds them.
 fn known(version: &str, name: &str) -> String {
     format!("{version} {name}")
 }
 
-/// The whole page about a text.
+/// Returns the whole page about a text.
 fn with_text(call: &Call<'_>, text: &str, file: &str, known: &str, shell: &dyn Shell, patience: &Patience) -> Reply {
     let fields = [("text", text), ("file", file), ("known", known), ("lang", call.language().id())];
     whole(call, &fields, shell, patience)
 }
 
-/// The whole page with these fields in place of those of the call.
+/// Returns the whole page with these fields in place of those of the call.
 fn whole(call: &Call<'_>, fields: &[(&str, &str)], shell: &dyn Shell, patience: &Patience) -> Reply {
     let query = query(fields.iter().copied());
     let inner = Call { path: "/", query: &query, media: None, body: &[], ..*call };
     Reply::of(200, crate::HTML, frame::whole(&inner, shell, patience).into_string())
 }
 
-/// The page with a record of measured values: it is no project, and has its tool.
+/// Returns the page with a record of measured values: it is not a project and opens in its tool.
 fn with_record(call: &Call<'_>, name: &str, shell: &dyn Shell, patience: &Patience) -> Reply {
     let l = call.language();
-    // A record is for a code that its name may begin with.
+    // The name of a record may begin with the code that it belongs to.
     let about = name.split("-measured").next().unwrap_or_default();
     let fields = [("tool", "record"), ("asked", "record"), ("about", about), ("t_open", name), ("lang", l.id())];
     whole(call, &fields, shell, patience)
 }
 
-/// Saves the text in the folder; a file that changed since it was opened is left as it is, one that is gone is written anew.
+/// Saves the text in the folder. A file that has changed since it was opened is left unchanged; a deleted one is
+/// written again.
 pub(crate) fn saved(call: &Call<'_>, shell: &dyn Shell) -> Reply {
     let state = State::of(call);
     let l = state.language;
     let Some(folder) = shell.folder() else { return Reply::text(404, page::no_such_page(l)) };
     let name = project_name(&state.file);
-    // Of a file with another name no version is known.
+    // The version is known only for the file that was opened.
     let opened = state.known.split_once(' ').filter(|(_, known)| *known == name).map(|(version, _)| version);
     let is_gone = || folder.read(&name).is_err_and(|error| error.kind() == ErrorKind::NotFound);
     let opened = opened.filter(|_| !is_gone());
@@ -103,7 +104,7 @@ pub(crate) fn saved(call: &Call<'_>, shell: &dyn Shell) -> Reply {
     }
 }
 
-/// The page with an example, whose recording is kept beside the projects.
+/// Returns the page with an example and keeps the recording of the example next to the projects.
 pub(crate) fn example(call: &Call<'_>, shell: &dyn Shell, patience: &Patience) -> Reply {
     let l = call.language();
     let kind = call.field("kind").unwrap_or_default();
@@ -111,7 +112,7 @@ pub(crate) fn example(call: &Call<'_>, shell: &dyn Shell, patience: &Patience) -
     let mut text = found.text;
     if let (Some((name, bytes)), Some(folder)) = (found.recording, shell.folder()) {
         match folder.keep(&name, bytes.as_bytes()) {
-            // Another recording may have its name already.
+            // Another recording may have the name; the text then names the new one.
             Ok(kept) => text = text.replace(&name, &kept),
             Err(fault) => return not_kept(&fault, &name, l),
         }
@@ -119,7 +120,7 @@ pub(crate) fn example(call: &Call<'_>, shell: &dyn Shell, patience: &Patience) -
     with_text(call, &text, USUAL_NAME, "", shell, patience)
 }
 
-/// The project files of the folder, and the way to one from elsewhere.
+/// Returns the project files of the folder, and the control that opens a file from elsewhere.
 pub(crate) fn listed(call: &Call<'_>, shell: &dyn Shell) -> Markup {
     let l = call.language();
     let inside = html! {
@@ -129,7 +130,7 @@ pub(crate) fn listed(call: &Call<'_>, shell: &dyn Shell) -> Markup {
     crate::detail::frame(page::open(l), &inside, l)
 }
 
-/// The project files of the folder with the day on which each was last written, the last first.
+/// Returns the project files of the folder with the day of their last change, the latest first.
 pub(crate) fn in_folder(shell: &dyn Shell, language: Language) -> Markup {
     const DAY_S: u64 = 86_400;
     let found = shell.folder().and_then(|folder| folder.list().ok()).unwrap_or_default();
@@ -145,7 +146,7 @@ pub(crate) fn in_folder(shell: &dyn Shell, language: Language) -> Markup {
     } }
 }
 
-/// Whether the file that was opened is still the one that stands in the folder; where not, what can be done.
+/// Compares the opened file with the one in the folder and, if they differ, returns the choices of the user.
 pub(crate) fn watched(call: &Call<'_>, shell: &dyn Shell) -> Reply {
     let l = call.language();
     let known = call.field("known").unwrap_or_default();
@@ -166,7 +167,7 @@ pub(crate) fn watched(call: &Call<'_>, shell: &dyn Shell) -> Reply {
     Reply::of(200, crate::HTML, notice.into_string()).with("x-version", now)
 }
 
-/// The text of a project file of the folder.
+/// Returns the text of a project file of the folder.
 pub(crate) fn text(call: &Call<'_>, shell: &dyn Shell) -> Reply {
     let l = call.language();
     let name = call.field("file").unwrap_or_default();
@@ -181,7 +182,7 @@ pub(crate) fn text(call: &Call<'_>, shell: &dyn Shell) -> Reply {
     }
 }
 
-/// Keeps a recording beside the projects; answers with the name that it has there.
+/// Keeps a recording next to the projects and returns its name there.
 pub(crate) fn recorded(call: &Call<'_>, shell: &dyn Shell) -> Reply {
     let l = call.language();
     let name = call.field("name").unwrap_or_default();
@@ -192,7 +193,7 @@ pub(crate) fn recorded(call: &Call<'_>, shell: &dyn Shell) -> Reply {
     }
 }
 
-/// Why a recording is not kept.
+/// Returns the reply for a recording that could not be kept.
 fn not_kept(fault: &SaveFault, name: &str, language: Language) -> Reply {
     match fault {
         SaveFault::Disk(error) => Reply::text(409, &file_trouble(error, language)),

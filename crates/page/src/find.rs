@@ -1,5 +1,5 @@
-//! What the palette finds: keys of the project file, checks, ordering codes, terms of the glossary; and the keys of the
-//! keyboard.
+//! The palette: search for keys of the project file, checks, ordering codes and terms of the glossary; and the keyboard
+//! shortcuts.
 
 use crate::call::Call;
 use crate::form::id;
@@ -11,10 +11,10 @@ use questions::list::code_list::list_codes;
 use questions::list::glossary::glossary;
 use words::{about_text, capitalised, check_title, own_and_foreign, page, part_title, short_label, terms};
 
-/// So many of a kind are shown.
+/// Largest number of hits of one kind.
 const SHOWN: usize = 8;
 
-/// Something found.
+/// A hit.
 struct Found {
     kind: &'static str,
     value: String,
@@ -22,7 +22,7 @@ struct Found {
     about: String,
 }
 
-/// What is found for the words that were typed.
+/// Returns the hits for the typed words.
 pub(crate) fn found(call: &Call<'_>) -> Markup {
     let l = call.language();
     let typed = call.field("q").unwrap_or_default().trim().to_lowercase();
@@ -38,13 +38,13 @@ pub(crate) fn found(call: &Call<'_>) -> Markup {
     }
 }
 
-/// Whether every word that was typed occurs in one of the texts.
+/// Returns `true` if every typed word occurs in one of the texts.
 fn holds(typed: &str, texts: &[&str]) -> bool {
     let texts: Vec<String> = texts.iter().map(|text| text.to_lowercase()).collect();
     typed.split_whitespace().all(|word| texts.iter().any(|text| text.contains(word)))
 }
 
-/// The keys of the project file whose path or name holds the words.
+/// Returns the keys of the project file whose path or name contains the words.
 fn keys(typed: &str, language: Language) -> Vec<Found> {
     let mut found = Vec::new();
     walk(KEYS, "", &mut |path, key| {
@@ -57,11 +57,11 @@ fn keys(typed: &str, language: Language) -> Vec<Found> {
     found
 }
 
-/// Every value below these keys with its path; of a list the first entry stands for all.
+/// Visits every value below these keys with its path; the first entry of a list stands for all of its entries.
 pub(crate) fn walk(keys: &'static [Key], above: &str, each: &mut impl FnMut(&str, &'static Key)) {
     for key in keys {
         let path = if above.is_empty() { key.name.to_owned() } else { format!("{above}.{}", key.name) };
-        // A single axis: several hold the tables that stand at the root too.
+        // The form of a single axis: with several axes the tables of the root stand in each of them.
         match (key.kind.keys(false), key.kind) {
             ([], _) => each(&path, key),
             (inside, Kind::Variants(_)) => walk(inside, &format!("{path}[1]"), each),
@@ -107,7 +107,7 @@ fn glossary_terms(typed: &str, language: Language) -> Vec<Found> {
     words.chain(terms).take(SHOWN).map(of).collect()
 }
 
-/// The keys that the page listens to.
+/// Returns the keyboard shortcuts of the page.
 pub(crate) fn keyboard(call: &Call<'_>) -> Markup {
     let l = call.language();
     let rows = [

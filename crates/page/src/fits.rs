@@ -1,4 +1,5 @@
-//! The right pane: what fits, best first, with all checks of the one that is looked at; what keeps the others out; the map.
+//! The right pane: the ranking with all checks of the selected actuator, the rejected actuators with their reasons, and
+//! the map of candidates.
 
 use crate::checks;
 use crate::form::vals;
@@ -14,16 +15,16 @@ use questions::{Candidate, CandidateId, Fit, Sizing, Verdict};
 use std::collections::BTreeSet;
 use words::{capitalised, check_title, page, ranking_rule, terminal, terms};
 
-/// So many of what fits stand before a fold.
+/// Number of fitting actuators above the fold.
 const BEST_SHOWN: usize = 12;
 
-/// The fold of the others: what is inside is sent once it is opened.
+/// Identifier of the fold with the other fitting actuators; its content is sent when it is opened.
 const REST: &str = "ranking-rest";
 
 /// Number of rejected actuators listed by name; the others are counted.
 const REJECTED_SHOWN: usize = 40;
 
-/// The pane.
+/// Returns the pane.
 pub(crate) fn column(state: &State, found: &Outcome<'_, '_>, is_old: bool) -> Markup {
     let l = state.language;
     html! {
@@ -41,7 +42,7 @@ pub(crate) fn column(state: &State, found: &Outcome<'_, '_>, is_old: bool) -> Ma
     }
 }
 
-/// The tabs of the pane.
+/// Returns the tabs of the pane.
 fn lists(state: &State, sizing: &Sizing<'_>) -> Markup {
     let l = state.language;
     let fitting = sizing.fitting().len();
@@ -101,7 +102,7 @@ fn filters(state: &State, sizing: &Sizing<'_>) -> Markup {
     }
 }
 
-/// Words that are shown as they are.
+/// Returns words with themselves as labels.
 fn by_name(words: &BTreeSet<String>) -> Vec<(&str, &str)> {
     words.iter().map(|word| (word.as_str(), word.as_str())).collect()
 }
@@ -112,7 +113,7 @@ impl Filter {
         [size, feedback, brake, bore_mm, length_mm, mass_kg, voltage_v].iter().any(|typed| !typed.is_empty())
     }
 
-    /// Whether a candidate passes the filters; an unknown datum passes.
+    /// Returns `true` if a candidate passes the filters; an unknown value passes.
     fn holds(&self, candidate: &Candidate<'_>) -> bool {
         let CandidateId::Code(code) = &candidate.id else { return true };
         let named = |typed: &str, of: String| typed.is_empty() || typed == of;
@@ -133,7 +134,7 @@ impl Filter {
     }
 }
 
-/// Mass in kg, length and bore in mm.
+/// Returns mass \[kg\], length \[mm\] and bore \[mm\].
 fn sizes_of(candidate: &Candidate<'_>) -> [Option<f64>; 3] {
     let known = &candidate.parameters;
     [
@@ -143,17 +144,17 @@ fn sizes_of(candidate: &Candidate<'_>) -> [Option<f64>; 3] {
     ]
 }
 
-/// The order in which the ranking is shown.
+/// Sorts the ranking by the selected column.
 fn sorted<'s, 'p>(state: &State, mut found: Vec<(usize, &'s Candidate<'p>)>) -> Vec<(usize, &'s Candidate<'p>)> {
     let by: fn(&Candidate<'_>) -> Option<f64> = match state.sort {
         Sort::Rank => return found,
         Sort::Utilisation => |each| Some(each.standing.utilisation),
         Sort::Mass => |each| each.parameters.mass.known().map(|mass| mass.value.si()),
         Sort::Length => |each| each.parameters.length.known().map(|length| length.value.si()),
-        // The largest first.
+        // The largest bore comes first.
         Sort::Bore => |each| each.parameters.hollow_shaft.known().map(|bore| -bore.value.si()),
     };
-    // What is not known stands last.
+    // Unknown values come last.
     found.sort_by(|(_, a), (_, b)| by(a).unwrap_or(f64::INFINITY).total_cmp(&by(b).unwrap_or(f64::INFINITY)));
     found
 }
@@ -163,7 +164,7 @@ fn ranking(state: &State, sizing: &Sizing<'_>, looked_at: Option<&Candidate<'_>>
     let fitting = sizing.fitting();
     let shown = fitting.iter().enumerate().filter(|(_, each)| state.filter.holds(each));
     let all = sorted(state, shown.collect());
-    // The one that is looked at is always among them.
+    // The selected actuator is always above the fold.
     let is_it = |each: &Candidate<'_>| looked_at.is_some_and(|candidate| candidate.id == each.id);
     let (first, rest) = all.split_at(all.len().min(BEST_SHOWN));
     let below: Vec<_> = rest.iter().filter(|(_, each)| is_it(each)).copied().collect();
@@ -194,7 +195,7 @@ fn ranking(state: &State, sizing: &Sizing<'_>, looked_at: Option<&Candidate<'_>>
             span id="answer" { @if fitting.is_empty() { strong.fail { (capitalised(terminal::no_actuator_fits(l))) } ". " } (capitalised(&fitting_text(sizing, l))) } ". "
             @if !fitting.is_empty() { (page::shown_of(&all.len(), &fitting.len(), l)) ". " (capitalised(&ranking_rule(l))) "." }
         }
-        // What it would take is said of the nearest of the others.
+        // Of the rejected ones, only the actuator with the smallest excess says what would let it fit.
         @if fitting.is_empty() && own.is_none() { button type="button" id="go-rejected" hx-post="/work" hx-vals=(vals(&[("list", List::Rejected.id())])) { (page::why_not(l)) } }
         @if state.marked.len() >= 2 {
             button type="button" id="compare" hx-post="/compare" hx-target="#detail" hx-swap="innerHTML" { (page::side_by_side(l)) }
@@ -206,7 +207,7 @@ fn look_at(name: &str, language: Language) -> Markup {
     html! { button.plain type="button" title=(page::look_at(&name, language)) hx-post="/work" hx-vals=(vals(&[("code", name)])) { (name) } }
 }
 
-/// The sign that shows and hides the checks of an actuator.
+/// Returns the button that shows and hides the checks of an actuator.
 fn fold(name: &str, unfolded: bool, language: Language) -> Markup {
     html! {
         button.fold type="button" aria-expanded=(unfolded) aria-label=(page::checks_of(&name, language)) hx-post="/work"
@@ -283,7 +284,8 @@ fn row(state: &State, rank: Option<usize>, candidate: &Candidate<'_>, looked_at:
     }
 }
 
-/// The rejected actuators by rising excess, each with the failed check; the checks of the one that is looked at below it.
+/// Returns the rejected actuators by rising excess, each with its failed check; the checks of the selected one below
+/// it.
 fn rejected(state: &State, sizing: &Sizing<'_>, looked_at: Option<&Candidate<'_>>) -> Markup {
     let l = state.language;
     let all = sizing.rejected();

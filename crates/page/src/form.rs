@@ -1,4 +1,5 @@
-//! The left column: what moves. Every row is a key of the project file, taken from the description that its reader uses.
+//! The left column: the motion and the load. Every row is a key of the project file, from the description that the
+//! reader uses.
 
 use crate::call::Shell;
 use crate::parts::part;
@@ -13,37 +14,37 @@ use words::{
     about_text, assumption_text, capitalised, hyphenated, key_word, page, short_label, table_of_project, terms,
 };
 
-/// What is needed to draw a row.
+/// Data for drawing a row.
 pub(crate) struct Form<'f> {
     held: &'f Held,
     pub(crate) language: Language,
-    /// `axis[2].` where there are several, else nothing.
+    /// `axis[2].` if the project has several axes, else empty.
     prefix: &'f str,
-    /// What followed for each segment.
+    /// Computed values of each segment.
     solved: Vec<Followed>,
     pub(crate) files: &'f dyn Files,
-    /// The axis as it was read last, for the way of its motion.
+    /// The axis as it was last read; source of the distance of its motion.
     project: Option<&'f Project>,
-    /// The keys that checks wait for, and how many do.
+    /// Keys that checks lack, each with the number of these checks.
     needed: Vec<(&'static str, usize)>,
-    /// The folds that are open although nothing is stated in them.
+    /// Open folds in which nothing is stated.
     folds: &'f [String],
-    /// The path of the field that is typed in, and whether it stands behind a fold.
+    /// Path of the field that has the focus, and whether it is in a fold.
     typed_at: Option<(&'f str, bool)>,
 }
 
-/// What followed for a segment of the motion.
+/// Computed values of a segment of the motion.
 #[derive(Default)]
 pub(crate) struct Followed {
     /// Distance, speed, acceleration and time, by key.
     values: Vec<(&'static str, String)>,
-    /// What was read of its recording.
+    /// Summary of its recording.
     pub(crate) recording: Option<String>,
-    /// What its columns were read as, with their names and units.
+    /// Roles of its columns, with their headings and units.
     pub(crate) columns: Vec<(ColumnRole, String, &'static str)>,
 }
 
-/// The column.
+/// Returns the column.
 pub(crate) fn column(state: &State, held: &Held, candidate: Option<&Candidate<'_>>, shell: &dyn Shell) -> Markup {
     let (language, prefix, solved) = (state.language, state.prefix.as_str(), solved(state, held));
     let form = Form {
@@ -79,7 +80,7 @@ pub(crate) fn column(state: &State, held: &Held, candidate: Option<&Candidate<'_
     }
 }
 
-/// The text of the project file.
+/// Returns the editor of the text of the project file.
 fn text(state: &State) -> Markup {
     let l = state.language;
     html! {
@@ -88,13 +89,13 @@ fn text(state: &State) -> Markup {
     }
 }
 
-/// A text as the content of a field: its first end of line is one that HTML does not leave out.
+/// Escapes a text as the content of a field; HTML drops a first line feed, so that one is added.
 pub(crate) fn escaped(text: &str) -> String {
     let first = if text.starts_with('\n') { "\n" } else { "" };
     format!("{first}{}", formula::escaped(text))
 }
 
-/// What was assumed for what the project does not state.
+/// Returns the assumptions about values that the project does not state.
 fn assumptions(state: &State, held: &Held) -> Markup {
     let l = state.language;
     let found = held.projects.get(state.axis).map(|project| project.assumptions.as_slice()).unwrap_or_default();
@@ -108,7 +109,7 @@ fn assumptions(state: &State, held: &Held) -> Markup {
     }
 }
 
-/// A label that may begin with the symbol of its quantity, which has its index below the line: `T_L, friction torque`.
+/// Returns a label that may begin with a symbol, set with its subscript: `T_L, friction torque`.
 pub(crate) fn label(text: &str) -> Markup {
     let symbol = text.split_once(", ").filter(|(head, _)| head.contains('_') && !head.contains(' '));
     html! { @match symbol {
@@ -117,7 +118,7 @@ pub(crate) fn label(text: &str) -> Markup {
     } }
 }
 
-/// What a key of a mechanism says something about.
+/// Subject of a key of a mechanism.
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum Group {
     Geometry,
@@ -126,7 +127,8 @@ enum Group {
 }
 
 impl Group {
-    /// By what the key measures; what is no quantity stands with forces and losses, as an efficiency does.
+    /// Returns the group of a key by its dimension; a key without one, e.g. an efficiency, belongs to forces and
+    /// losses.
     fn of(key: &Key) -> Self {
         match value::dimensions(key).first() {
             Some(Dimension::Length | Dimension::Lead | Dimension::Angle) => Self::Geometry,
@@ -137,13 +139,13 @@ impl Group {
     }
 }
 
-/// The identifier of the row of a path.
+/// Returns the identifier of the row of a path.
 pub(crate) fn id(path: &str) -> String {
     let sign = |sign: char| if sign.is_ascii_alphanumeric() || sign == '_' { sign } else { '-' };
     format!("f-{}", path.chars().map(sign).collect::<String>())
 }
 
-/// What followed for each segment of the motion.
+/// Returns the computed values of each segment of the motion.
 fn solved(state: &State, held: &Held) -> Vec<Followed> {
     let Some(project) = held.projects.get(state.axis) else { return Vec::new() };
     if held.is_old {
@@ -167,7 +169,7 @@ fn solved(state: &State, held: &Held) -> Vec<Followed> {
     found.moves.iter().map(of_move).collect()
 }
 
-/// When a field is sent: behind each key, as soon as no other follows at once.
+/// Trigger of a field: sent after each key press, unless another follows at once.
 pub(crate) const AT_ONCE: &str = "input changed delay:15ms, change";
 
 impl Form<'_> {
@@ -175,7 +177,7 @@ impl Form<'_> {
         self.held.written.iter().find(|key| key.path == path)?.value.as_deref()
     }
 
-    /// Whether anything is stated at a path or below it.
+    /// Returns `true` if a value is stated at a path or below it.
     fn is_there(&self, path: &str) -> bool {
         let below = |known: &str| {
             known
@@ -185,8 +187,8 @@ impl Form<'_> {
         self.held.written.iter().any(|key| below(&key.path))
     }
 
-    /// Whether the row of a path stands among the first: something is stated there or below it. A field that is typed in stays
-    /// where it is, though it be emptied to be filled anew, or get its first value behind a fold.
+    /// Returns `true` if the row of a path is above the fold: a value is stated at it or below it. The field with the
+    /// focus stays at its place, when it is emptied as well as when it gets its first value in a fold.
     fn is_first(&self, path: &str) -> bool {
         let within =
             |typed: &str| typed.strip_prefix(path).is_some_and(|rest| rest.is_empty() || rest.starts_with('.'));
@@ -197,7 +199,7 @@ impl Form<'_> {
         }
     }
 
-    /// How many entries a list has.
+    /// Returns the number of entries of a list.
     fn count(&self, path: &str) -> usize {
         (1..).take_while(|place| self.is_there(&format!("{path}[{place}]"))).count()
     }
@@ -208,7 +210,7 @@ impl Form<'_> {
         html! { div.rows { @for key in one { (self.row(key, &format!("{path}.{}", key.name), None)) } } }
     }
 
-    /// The mechanism: which it is, its drawing, its rows.
+    /// Returns the mechanism: its kind, its drawing, its rows.
     fn mechanism(&self) -> Markup {
         let l = self.language;
         let keys = |name: &str| match key_at(name).map(|key| key.kind) {
@@ -254,7 +256,7 @@ impl Form<'_> {
         }
     }
 
-    /// A table or list at the root.
+    /// Returns a table or list of the root.
     fn root(&self, name: &str) -> Markup {
         let Some(key) = key_at(name) else { return html! {} };
         part(self.table(key, &format!("{}{name}", self.prefix)))
@@ -275,7 +277,7 @@ impl Form<'_> {
         }
     }
 
-    /// What may be folded away: what is inside is sent once the fold is opened, for most of a form is never looked at.
+    /// Returns a fold; its content is sent when it is opened, because most of a form is never viewed.
     fn fold(&self, id: &str, title: &str, is_open: bool, class: &str, inside: impl Fn() -> Markup) -> Markup {
         let is_shown = is_open || self.folds.iter().any(|open| open == id);
         html! {
@@ -286,7 +288,7 @@ impl Form<'_> {
         }
     }
 
-    /// Rows of a table: what must be there and what is stated first, the rest behind a fold.
+    /// Returns the rows of a table: required and stated keys first, the others in a fold.
     fn rows(&self, keys: &[Key], path: &str) -> Markup {
         let first = |key: &&Key| key.required || self.is_first(&format!("{path}.{}", key.name));
         let (shown, folded): (Vec<&Key>, Vec<&Key>) = keys.iter().partition(first);
@@ -300,7 +302,7 @@ impl Form<'_> {
         }
     }
 
-    /// Rows, of a mechanism under what a person knows of it: geometry, masses, forces and losses.
+    /// Returns rows; those of a mechanism under the headings geometry, masses, forces and losses.
     fn grouped(&self, keys: Vec<&Key>, path: &str) -> Markup {
         let l = self.language;
         let of_load =
@@ -328,7 +330,7 @@ impl Form<'_> {
         }
     }
 
-    /// Entries of a list, each of one of several kinds.
+    /// Returns the entries of a list, each of one of several kinds.
     fn list(&self, key: &Key, variants: &Variants, path: &str, title: &str) -> Markup {
         let l = self.language;
         let count = self.count(path);
@@ -368,7 +370,7 @@ impl Form<'_> {
         let own = [variants.by].into_iter().chain(needed.iter().copied()).chain(may.iter().copied());
         let shared: Vec<&Key> = variants.shared.iter().filter_map(|name| key(name)).collect();
         let stated = |key: &&Key| self.is_first(&format!("{path}.{}", key.name));
-        // What stands there and does not belong stays in sight, with its fault.
+        // Keys that do not belong to the kind stay visible, with their fault.
         let stray: Vec<&Key> = variants
             .keys
             .iter()
@@ -418,8 +420,8 @@ impl Form<'_> {
         }
     }
 
-    /// The change that turns the way of a segment round: its distance, or its speed where it states no distance, with the
-    /// other sign.
+    /// Returns the change that reverses a segment: the opposite sign of its distance or, if it states no distance, of
+    /// its speed.
     fn reversed(&self, path: &str) -> Option<String> {
         let key = ["distance", "speed"].into_iter().find(|key| self.value(&format!("{path}.{key}")).is_some())?;
         let value = self.value(&format!("{path}.{key}"))?.trim();
@@ -427,7 +429,7 @@ impl Form<'_> {
         Some(format!("value {path}.{key}={}", back.trim()))
     }
 
-    /// The faults of the load as a whole, and those of another one beside it.
+    /// Returns the faults of the load as a whole, and those of a second load.
     fn load_faults(&self, mechanism: &str, load: &str, chosen: Option<&str>) -> Markup {
         let others = |path: &str| path.rsplit_once('.').is_some_and(|(above, _)| above == mechanism);
         let is_ours = |path: &str| path == mechanism || path == load || others(path) || Some(path) == chosen;
@@ -436,14 +438,14 @@ impl Form<'_> {
         } }
     }
 
-    /// The fault of a table as a whole.
+    /// Returns the fault of a table as a whole.
     pub(crate) fn fault_at(&self, path: &str) -> Markup {
         html! { @for (_, fault) in self.held.faults.iter().filter(|(at, _)| at.as_deref() == Some(path)) {
             p.fault { (crate::verdict::worded(&fault.message, fault.hint.as_deref())) }
         } }
     }
 
-    /// One key: its name, its field, its fault.
+    /// Returns the row of one key: its name, its field, its fault.
     pub(crate) fn row(&self, key: &Key, path: &str, placeholder: Option<&str>) -> Markup {
         let l = self.language;
         let about = about_text(key.about, l);
@@ -491,7 +493,7 @@ impl Form<'_> {
         })
     }
 
-    /// Within what a value lies: a field behind a sign, open where a tolerance is stated.
+    /// Returns the tolerance of a value: a field behind a button, open if a tolerance is stated.
     fn band(&self, id: &str, path: &str, label: &str, value: &str) -> Markup {
         let l = self.language;
         let (_, stated) = tolerance_of(value);
@@ -533,7 +535,7 @@ impl Form<'_> {
         }
     }
 
-    /// Words of which several may be chosen: each with the list that it would leave.
+    /// Returns words of which several can be selected, each with the list that its selection would give.
     fn marks(&self, id: &str, key: &Key, path: &str, value: &str, words: &[&str]) -> Markup {
         let chosen: Vec<&str> = value.split(',').map(str::trim).filter(|word| !word.is_empty()).collect();
         let without = |word: &str| -> String {
@@ -557,20 +559,20 @@ impl Form<'_> {
     }
 }
 
-/// A quantity as it is typed, taken apart: the value, and the tolerance behind its sign.
+/// Splits a typed quantity into the value and its tolerance.
 pub(crate) fn tolerance_of(typed: &str) -> (&str, &str) {
     let parts = ["±", "+/-", "+-"].iter().find_map(|sign| typed.split_once(sign));
     parts.map_or((typed.trim(), ""), |(value, band)| (value.trim(), band.trim()))
 }
 
-/// Values that a request carries, as JSON.
+/// Writes the values of a request as JSON.
 pub(crate) fn vals(values: &[(&str, &str)]) -> String {
     let map: serde_json::Map<String, serde_json::Value> =
         values.iter().map(|(key, value)| ((*key).to_owned(), (*value).into())).collect();
     serde_json::Value::Object(map).to_string()
 }
 
-/// Several changes in one request.
+/// Joins several changes into one request.
 fn do_all(changes: &[&str]) -> String {
     vals(&[("do", &changes.join("\n"))])
 }

@@ -1,38 +1,38 @@
-//! Formulas as mathematics: the notation of the derivations, read and written as MathML.
+//! Formulas in the notation of the derivations, parsed and written as MathML.
 //!
-//! `T_rms` has an index, `²` and `^` are powers, `√(…)` is a root and `|…|` an amount, `a/b` and `a / b` are fractions: without
-//! spaces of the two factors beside the stroke, with spaces of all that is multiplied on either side. Words stay words. What
-//! cannot be read stands there as text.
+//! `T_rms` has a subscript, `²` and `^` are powers, `√(…)` is a root and `|…|` an absolute value. `a/b` and `a / b` are
+//! fractions: without spaces, of the two adjacent factors; with spaces, of the whole products on both sides. Words stay
+//! words. A text that is no formula is shown as text.
 
 use maud::{Markup, PreEscaped, html};
 use quantities::Unit;
 
-/// A formula, with its plain text for those who cannot see it.
+/// Returns a formula as MathML, with its plain text for screen readers.
 pub(crate) fn math(text: &str) -> Markup {
     let inside = read(text).unwrap_or_else(|| tag("mtext", text));
     html! { math displaystyle="true" alttext=(text) { mrow { (PreEscaped(inside)) } } }
 }
 
-/// A symbol: what follows its `_` is an index.
+/// Returns a symbol as MathML; the part behind its `_` is the subscript.
 pub(crate) fn symbol(text: &str) -> Markup {
     let inside = read(text).unwrap_or_else(|| tag("mtext", text));
     html! { math alttext=(text) { mrow { (PreEscaped(inside)) } } }
 }
 
-/// The formula as MathML; `None` where it does not read.
+/// Parses a formula to MathML; `None` if it is no formula.
 fn read(text: &str) -> Option<String> {
     let mut reader = Reader { rest: text, depth: 0, in_amount: false };
     let found = reader.sequence()?;
     reader.rest.is_empty().then_some(found)
 }
 
-/// Deepest nesting.
+/// Deepest nesting of a formula.
 const DEPTH_MAX: usize = 32;
 
 /// Names of functions, set upright.
 const FUNCTIONS: [&str; 7] = ["min", "max", "exp", "ln", "sin", "cos", "sqrt"];
 
-/// A text as the content of an element.
+/// Escapes a text as the content of an element.
 pub(crate) fn escaped(text: &str) -> String {
     text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;")
 }
@@ -45,7 +45,7 @@ fn operator(text: &str) -> String {
     tag("mo", text)
 }
 
-/// What was read as one factor, and what it is without the parentheses around it.
+/// A parsed factor, and its content without the enclosing parentheses.
 struct Factor {
     shown: String,
     bare: Option<String>,
@@ -56,7 +56,7 @@ impl Factor {
         Self { shown, bare: None }
     }
 
-    /// As a side of a fraction or below a root, which hold it together by themselves.
+    /// Returns the factor as a side of a fraction or below a root, where parentheses are superfluous.
     fn held(self) -> String {
         let inside = self.bare.unwrap_or(self.shown);
         format!("<mrow>{inside}</mrow>")
@@ -66,11 +66,11 @@ impl Factor {
 struct Reader<'t> {
     rest: &'t str,
     depth: usize,
-    /// Whether `|` ends something.
+    /// Inside `|…|`: the next `|` ends it.
     in_amount: bool,
 }
 
-/// The sign that is raised in another one.
+/// Returns the character that a superscript character stands for.
 fn superscript(sign: char) -> Option<char> {
     let place = "⁻⁰¹²³⁴⁵⁶⁷⁸⁹".chars().position(|raised| raised == sign)?;
     "−0123456789".chars().nth(place)
@@ -93,12 +93,12 @@ impl<'t> Reader<'t> {
         found.is_some()
     }
 
-    /// How many bytes signs of a kind take.
+    /// Returns the length in bytes of the leading characters of a class.
     fn length(&self, is_of: impl Fn(char) -> bool) -> usize {
         self.rest.find(|sign| !is_of(sign)).unwrap_or(self.rest.len())
     }
 
-    /// Sums, relations, words and what separates them, up to an end.
+    /// Parses sums, relations, words and their separators, up to an end.
     fn sequence(&mut self) -> Option<String> {
         self.depth += 1;
         if self.depth > DEPTH_MAX {
@@ -148,7 +148,7 @@ impl<'t> Reader<'t> {
         Some(found)
     }
 
-    /// A word of a sentence: letters only, and no symbol and no function.
+    /// Parses a word of a sentence: letters only, and neither a symbol nor a function.
     fn word(&mut self) -> Option<&'t str> {
         let length = self.length(|sign| sign.is_alphabetic() || sign == '-' || sign == '’');
         let (word, after) = self.rest.split_at_checked(length)?;
@@ -160,7 +160,7 @@ impl<'t> Reader<'t> {
             || FUNCTIONS.contains(&word)
             || matches!(word, "dt");
         let letters = word.chars().filter(|sign| sign.is_alphabetic()).count();
-        // The English article stands before another word.
+        // The English article is followed by another word.
         let is_article = word == "a"
             && after
                 .strip_prefix(' ')
@@ -168,7 +168,7 @@ impl<'t> Reader<'t> {
         (is_article || (letters > 1 && !word.starts_with('-') && !is_symbol)).then(|| self.skip(length))
     }
 
-    /// Factors with a point between them.
+    /// Parses factors with a multiplication sign between them.
     fn product(&mut self) -> Option<String> {
         let mut found = self.fraction()?.shown;
         while self.take(" · ") {
@@ -178,7 +178,7 @@ impl<'t> Reader<'t> {
         Some(found)
     }
 
-    /// What stands side by side, and a fraction with spaces around its stroke.
+    /// Parses adjacent factors, and a fraction with spaces around its stroke.
     fn fraction(&mut self) -> Option<Factor> {
         let mut found = self.side_by_side()?;
         while self.take(" / ") {
@@ -199,7 +199,7 @@ impl<'t> Reader<'t> {
                     || matches!(sign, '(' | '√' | '∫' | 'Σ' | '∑')
                     || (sign == '|' && !self.in_amount)
             });
-            // Without a space only after a sign of an operation, as in ∫α.
+            // Factors may follow without a space only after an operator, as in ∫α.
             if !goes_on || (spaces == 0 && !found.shown.ends_with("</mo>")) {
                 return Some(found);
             }
@@ -215,7 +215,7 @@ impl<'t> Reader<'t> {
         }
     }
 
-    /// A power, divided without spaces.
+    /// Parses a power, divided without spaces.
     fn tight(&mut self) -> Option<Factor> {
         let mut found = self.power()?;
         while self.rest.starts_with('/') {
@@ -284,7 +284,7 @@ impl<'t> Reader<'t> {
         }
     }
 
-    /// What stands up to an end, which is taken.
+    /// Parses the content up to a closing character, and consumes it.
     fn enclosed(&mut self, end: char) -> Option<String> {
         let outer = self.in_amount;
         self.in_amount = end == '|';
@@ -294,7 +294,7 @@ impl<'t> Reader<'t> {
         Some(inside)
     }
 
-    /// A number, with its power of ten and its unit.
+    /// Parses a number with its power of ten and its unit.
     fn number(&mut self) -> String {
         let mut length = 0;
         let mut signs = self.rest.char_indices().peekable();
@@ -322,7 +322,7 @@ impl<'t> Reader<'t> {
         format!("<mrow>{found}</mrow>")
     }
 
-    /// The unit after a number: the longest one that is known.
+    /// Parses the unit after a number: the longest known one.
     fn unit(&mut self) -> Option<&'t str> {
         let spaces = self.length(|sign| sign == ' ');
         if spaces > 1 {
@@ -337,7 +337,7 @@ impl<'t> Reader<'t> {
             after.is_none_or(|sign| !sign.is_alphanumeric() && sign != '_' && superscript(sign).is_none())
         };
         let known = |end: &usize| rest.get(..*end).is_some_and(|unit| Unit::of(unit).is_some()) && is_whole(*end);
-        // A space is needed before all but the degree; a stroke with a number behind it is a fraction.
+        // A space is required before all units but the degree; a stroke followed by a number is a fraction.
         let end = ends.filter(known).max()?;
         let unit = rest.get(..end)?;
         if (spaces == 0) != (unit == "°") {
@@ -347,7 +347,7 @@ impl<'t> Reader<'t> {
         Some(unit)
     }
 
-    /// A symbol with its index, or a function with its terms.
+    /// Parses a symbol with its subscript, or a function with its arguments.
     fn name(&mut self) -> Option<Factor> {
         let head =
             self.skip(self.length(|sign| (sign.is_alphanumeric() && superscript(sign).is_none()) || sign == '\''));
@@ -451,7 +451,7 @@ mod tests {
         }
     }
 
-    /// Every formula of every check of every example, and every text of what was found, in both languages.
+    /// Parses every formula of every check of every example, and every text of a finding, in both languages.
     #[test]
     fn every_formula_of_the_program_reads() {
         let mut count = 0;

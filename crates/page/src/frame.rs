@@ -1,4 +1,4 @@
-//! The whole page: head, verdict, three panes, and where one begins.
+//! The whole page: head, verdict, three panes, and the start page.
 
 use crate::call::{Call, Reply, Shell};
 use crate::head::{self, USUAL_NAME};
@@ -18,10 +18,10 @@ use questions::{
 };
 use words::{check_title, page};
 
-/// The sign of the page in a browser.
+/// Icon of the page.
 const ICON: &str = "data:image/svg+xml,%3Csvg xmlns='http://www.w3.org/2000/svg' viewBox='0 0 16 16'%3E%3Ccircle cx='8' cy='8' r='6' fill='none' stroke='%231d5fa8' stroke-width='3'/%3E%3C/svg%3E";
 
-/// The head of any page: what holds for all that follows it, its title, its sign, the address of its style, and its scripts.
+/// Returns the head of a page: settings that apply to all following elements, title, icon, style sheet and scripts.
 #[must_use]
 pub fn head(first: &Markup, title: &str, style: &str, scripts: &Markup) -> Markup {
     html! {
@@ -37,18 +37,18 @@ pub fn head(first: &Markup, title: &str, style: &str, scripts: &Markup) -> Marku
     }
 }
 
-/// The scripts of the workbench and what they are set to.
+/// Returns the scripts of the workbench with their settings.
 fn scripts() -> Markup {
     html! {
         meta name="htmx-config" content=r#"{"includeIndicatorCSS":false,"history":false,"noSwap":[204,304,"4xx","5xx"]}"#;
-        // Before the others: it gives their requests the token.
+        // First: it adds the token to the requests of the others.
         script src="/assets/enter.js" {}
         script src="/assets/htmx.min.js" defer {}
         @for name in ["page.js", "panes.js", "folder.js", "tools.js", "sketch.js"] { script type="module" src={ "/assets/" (name) } {} }
     }
 }
 
-/// The page with a project, or where one begins.
+/// Returns the page with a project, or the start page.
 pub(crate) fn whole(call: &Call<'_>, shell: &dyn Shell, patience: &Patience) -> Markup {
     let mut state = State::of(call);
     if let Some(kind) = call.field("new").filter(|_| state.text.is_empty())
@@ -78,8 +78,8 @@ pub(crate) fn whole(call: &Call<'_>, shell: &dyn Shell, patience: &Patience) -> 
     }
 }
 
-/// The answer to a change: all of the page that it may touch. Where the work ended before it was done, the result that is
-/// there stays in its place, and it is said beside it.
+/// Answers a change with all parts of the page that it may affect. If the work was stopped, the last result stays on
+/// the page with a message.
 pub(crate) fn worked(call: &Call<'_>, shell: &dyn Shell, patience: &Patience) -> Reply {
     let mut state = State::of(call);
     let l = state.language;
@@ -95,10 +95,10 @@ pub(crate) fn worked(call: &Call<'_>, shell: &dyn Shell, patience: &Patience) ->
     Reply::of(200, crate::HTML, parts.into_string()).with("hx-reswap", "none")
 }
 
-/// All of the page that a change of the project may touch.
+/// Returns all parts of the page that a change of the project may affect.
 ///
 /// # Errors
-/// What could be read of the project, where the work ended before it was done or was not begun, and why.
+/// The part of the project that could be read, and the reason, if the work was stopped or not begun.
 fn work(state: &mut State, shell: &dyn Shell, patience: &Patience) -> Result<Markup, (Box<Held>, Refusal)> {
     if state.text.is_empty() && state.good.is_empty() {
         return Ok(start(state, shell));
@@ -114,8 +114,8 @@ fn work(state: &mut State, shell: &dyn Shell, patience: &Patience) -> Result<Mar
         };
     }
     let project = held.projects.get(state.axis);
-    // The best is judged by every check with the catalogue: it is looked at most often. The reasons of the others are found where
-    // they are shown.
+    // The best actuator is judged with every check together with the catalogue, because it is viewed most often. The
+    // reasons of the others are computed when they are shown.
     let rejected = if state.list == List::Ranking { Rejected::Nearest } else { Rejected::All };
     let sizing = match project.map(|project| sized(project, 1, rejected, patience)).transpose() {
         Ok(sizing) => sizing,
@@ -136,7 +136,7 @@ fn work(state: &mut State, shell: &dyn Shell, patience: &Patience) -> Result<Mar
     Ok(page_of(state, &held, shell, &bar, &panes))
 }
 
-/// The three panes with the borders between them.
+/// Returns the three panes with the dividers between them.
 fn panes(moves: &Markup, demands: &Markup, fits: &Markup, language: Language) -> Markup {
     let l = language;
     let border = |id: &str, of: &str, label: &str| {
@@ -170,7 +170,7 @@ fn page_of(state: &State, held: &Held, shell: &dyn Shell, bar: &Markup, main: &M
     }
 }
 
-/// The page about a project whose first result could not be waited for.
+/// Returns the page about a project whose first result took too long.
 fn unfinished(state: &State, held: &Held, shell: &dyn Shell, why: &Markup, patience: &Patience) -> Markup {
     let none = Outcome { project: None, sizing: None, candidate: None };
     let moves = form::column(state, held, None, shell);
@@ -179,8 +179,8 @@ fn unfinished(state: &State, held: &Held, shell: &dyn Shell, why: &Markup, patie
     page_of(state, held, shell, &html! { (bar) (demand::stopped(why)) }, &panes)
 }
 
-/// The selected actuator: the requested one, else the project's own, else the best, with every check. `best` was judged so
-/// already where it fits.
+/// Returns the selected actuator with every check: the requested one, else that of the project, else the best. `best`
+/// has been judged with every check if it fits.
 pub(crate) fn looked_at<'p>(
     state: &State,
     project: &'p Project,
@@ -199,14 +199,15 @@ pub(crate) fn looked_at<'p>(
     chosen(project, best)
 }
 
-/// The selected actuator where nothing else is shown: the catalogue is judged only if the choice depends on it.
+/// Returns the selected actuator for a page that shows nothing else: the catalogue is judged only if the selection
+/// depends on it.
 pub(crate) fn looked_at_alone<'p>(state: &State, project: &'p Project, patience: &Patience) -> Option<Candidate<'p>> {
     let is_sought = state.code.is_none() && project.actuator.is_none();
     let sizing = if is_sought { sized(project, 1, Rejected::Nearest, patience).ok() } else { None };
     looked_at(state, project, sizing.as_ref().and_then(Sizing::named))
 }
 
-/// The default actuator of a project: its own, else the best.
+/// Returns the default actuator of a project: its own, else the best.
 pub(crate) fn chosen<'p>(project: &'p Project, best: Option<&Candidate<'_>>) -> Option<Candidate<'p>> {
     if let Ok(own) = check_own(project) {
         return Some(own);
@@ -217,7 +218,7 @@ pub(crate) fn chosen<'p>(project: &'p Project, best: Option<&Candidate<'_>>) -> 
     }
 }
 
-/// What every request carries.
+/// Returns the form with the state that every request carries.
 fn state_of(state: &State) -> Markup {
     let code = state.code.map(|code| code.to_string()).unwrap_or_default();
     html! {
@@ -240,7 +241,7 @@ fn state_of(state: &State) -> Markup {
     }
 }
 
-/// Where one begins: what is to be moved, an example, a file.
+/// Returns the start page: what is to be moved, an example, a file.
 fn start(state: &State, shell: &dyn Shell) -> Markup {
     let l = state.language;
     html! {
@@ -272,7 +273,7 @@ fn start(state: &State, shell: &dyn Shell) -> Markup {
     }
 }
 
-/// The examples, each once: several names may lead to the same.
+/// Returns the examples without repetition: several names may lead to one example.
 fn examples(language: Language) -> Vec<(&'static str, Template)> {
     let mut found: Vec<(&'static str, Template)> = Vec::new();
     for kind in template_kinds() {
@@ -284,7 +285,8 @@ fn examples(language: Language) -> Vec<(&'static str, Template)> {
     found
 }
 
-/// An example; one with a recording puts it into the folder, which a link may not.
+/// Returns the card of an example; an example with a recording writes it into the folder, for which a link is not
+/// allowed.
 fn example(kind: &str, found: &Template, language: Language) -> Markup {
     let about = crate::start::about(&found.text, kind);
     let l = language.id();
@@ -296,7 +298,7 @@ fn example(kind: &str, found: &Template, language: Language) -> Markup {
     }
 }
 
-/// The picture of a long recording, after its numbers, and up to what the actuator fits.
+/// Returns the picture of a long recording, requested after its numbers, and the reserve of the actuator.
 pub(crate) fn picture(call: &Call<'_>, shell: &dyn Shell, patience: &Patience) -> Reply {
     let mut state = State::of(call);
     let held = state.hold(shell.files(), patience);
@@ -309,12 +311,12 @@ pub(crate) fn picture(call: &Call<'_>, shell: &dyn Shell, patience: &Patience) -
     Reply::of(200, crate::HTML, parts.into_string())
 }
 
-/// A part of an answer that goes to a place of its own.
+/// Returns a part of an answer with its target in the page.
 fn partial(target: &str, inside: Markup) -> Markup {
     html! { template hx type="partial" hx-target=(target) hx-swap="outerMorph" { (inside) } }
 }
 
-/// The curves of the picture that is shown, as a table.
+/// Returns the curves of the picture as a table.
 pub(crate) fn curves(call: &Call<'_>, shell: &dyn Shell, patience: &Patience) -> Reply {
     let mut state = State::of(call);
     let held = state.hold(shell.files(), patience);
@@ -330,7 +332,7 @@ pub(crate) fn curves(call: &Call<'_>, shell: &dyn Shell, patience: &Patience) ->
     }
 }
 
-/// How a check came about, for the actuator that is looked at.
+/// Returns the derivation of a check for the selected actuator.
 pub(crate) fn explained(call: &Call<'_>, shell: &dyn Shell, patience: &Patience) -> Markup {
     let mut state = State::of(call);
     let wanted = call.field("check").unwrap_or_default();
@@ -355,7 +357,7 @@ pub(crate) fn explained(call: &Call<'_>, shell: &dyn Shell, patience: &Patience)
     detail::explained(&candidate, one, state.language)
 }
 
-/// The marked actuators side by side.
+/// Returns the comparison of the marked actuators.
 pub(crate) fn compared(call: &Call<'_>, shell: &dyn Shell, patience: &Patience) -> Markup {
     let mut state = State::of(call);
     let held = state.hold(shell.files(), patience);

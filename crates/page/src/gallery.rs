@@ -1,4 +1,4 @@
-//! Every component of the page side by side, so that a change of style is seen where it acts.
+//! The gallery: every component of the page, so that the effect of a style change is visible.
 
 use crate::call::Call;
 use crate::form::AT_ONCE;
@@ -12,7 +12,7 @@ use words::{capitalised, page, terms, verdict_count, verdict_word};
 
 const VERDICTS: [Verdict; 4] = [Verdict::Pass, Verdict::Fail, Verdict::Advice, Verdict::NotChecked];
 
-/// The components in a language and a theme.
+/// Returns the components in a language and a theme.
 pub(crate) fn shown(call: &Call<'_>) -> Markup {
     let l = call.language();
     html! {
@@ -72,7 +72,7 @@ fn buttons(language: Language) -> Markup {
     }
 }
 
-/// A field as it is stated, empty, wrong, and with a tolerance.
+/// Returns a field with a value, empty, faulty, and with a tolerance.
 fn fields(language: Language) -> Markup {
     let l = language;
     let path = "load.inertia";

@@ -1,4 +1,4 @@
-//! The one row at the top: the axes, the file, and the menus.
+//! The row at the top: the axes, the file, and the menus.
 
 use crate::call::Shell;
 use crate::form::vals;
@@ -9,10 +9,10 @@ use quantities::Language;
 use questions::list::{export, report, size};
 use words::{capitalised, page, terms};
 
-/// What a project is called before it has a name.
+/// Default name of a project file.
 pub(crate) const USUAL_NAME: &str = "axis.toml";
 
-/// The row above a project.
+/// Returns the row of a project.
 pub(crate) fn of_project(state: &State, held: &Held, shell: &dyn Shell) -> Markup {
     let l = state.language;
     let file = if state.file.is_empty() { USUAL_NAME } else { &state.file };
@@ -39,7 +39,7 @@ pub(crate) fn of_project(state: &State, held: &Held, shell: &dyn Shell) -> Marku
     }
 }
 
-/// The row where a project begins.
+/// Returns the row of the start page.
 pub(crate) fn of_start(state: &State) -> Markup {
     html! {
         header id="head" {
@@ -56,7 +56,7 @@ pub(crate) fn of_start(state: &State) -> Markup {
     }
 }
 
-/// Where messages stand: of what was done, and of the file in the folder.
+/// Returns the places of messages: about the last action, and about the file in the folder.
 pub(crate) fn messages(language: Language) -> Markup {
     html! {
         p id="status" role="status" hx-morph-skip="" data-no-answer=(page::no_answer(language)) data-answers=(page::answers_again(language)) {}
@@ -120,7 +120,7 @@ fn export_items(shell: &dyn Shell, language: Language) -> Markup {
     }
 }
 
-/// The axes of a project with several.
+/// Returns the tabs of the axes of a project with several.
 fn axes(state: &State, held: &Held) -> Markup {
     let l = state.language;
     html! {

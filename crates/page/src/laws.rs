@@ -1,4 +1,4 @@
-//! Laws of motion chosen by their picture: position, speed and acceleration of each, drawn once for the page.
+//! Selection of motion laws by their pictures: position, speed and acceleration of each, drawn once for the page.
 
 use maud::{Markup, html};
 use project::{Kind, SegmentLaw, key_at};
@@ -6,17 +6,17 @@ use quantities::Language;
 use questions::law_shape;
 use words::{law_text, page};
 
-/// Width, and height of one of the three curves, in the units of the drawing.
+/// Width of the drawing, and height of each of the three curves, in units of the drawing.
 const WIDTH: f64 = 48.0;
 const HEIGHT: f64 = 16.0;
 const GAP: f64 = 3.0;
 
-/// The laws as the project file names them; `parabola` is another name of the triangle.
+/// Returns the laws by their names in the project file; `parabola` is another name of the triangle.
 fn laws(words: &[&'static str]) -> impl Iterator<Item = (&'static str, SegmentLaw)> {
     words.iter().filter_map(|word| Some((*word, SegmentLaw::of_id(word).filter(|law| law.id() == *word)?)))
 }
 
-/// The names of the laws in the project file.
+/// Returns the names of the laws in the project file.
 pub(crate) fn words() -> &'static [&'static str] {
     match key_at("motion[1].law").map(|key| key.kind) {
         Some(Kind::OneOf(words)) => words,
@@ -24,12 +24,12 @@ pub(crate) fn words() -> &'static [&'static str] {
     }
 }
 
-/// What a law is called where all of them stand side by side.
+/// Returns the name of a law in the menu of all laws.
 pub(crate) fn name(law: SegmentLaw, language: Language) -> &'static str {
     if law == SegmentLaw::Manual { page::trapezoid_with_pause(language) } else { law_text(law, language) }
 }
 
-/// The drawings of all laws, for [`menu`] to refer to.
+/// Returns the drawings of all laws, referenced by [`menu`].
 pub(crate) fn symbols(words: &[&'static str]) -> Markup {
     let height = 3.0 * HEIGHT + 2.0 * GAP;
     html! {
@@ -47,10 +47,10 @@ pub(crate) fn symbols(words: &[&'static str]) -> Markup {
     }
 }
 
-/// Where zero is, and one of the curves: 1 position, 2 speed, 3 acceleration.
+/// Returns the height of the zero line, and one of the curves: 1 position, 2 speed, 3 acceleration.
 fn curve(law: SegmentLaw, place: u8) -> (f64, String) {
     let top = f64::from(place - 1) * (HEIGHT + GAP);
-    // Position and speed stand above zero, acceleration on both sides.
+    // Position and speed are above zero, acceleration on both sides.
     let (zero, unit) = if place == 3 { (top + HEIGHT / 2.0, HEIGHT / 2.0) } else { (top + HEIGHT, HEIGHT) };
     let shape = law_shape(law);
     if shape.is_empty() {
@@ -65,7 +65,7 @@ fn curve(law: SegmentLaw, place: u8) -> (f64, String) {
     (zero, path)
 }
 
-/// What stands for a recording, which has no shape of its own: measured points.
+/// Returns the drawing of a recording, which has no shape of its own: measured points.
 fn recorded(place: u8, zero: f64, unit: f64) -> String {
     const VALUES: [[f64; 7]; 3] = [
         [0.0, 0.1, 0.45, 0.6, 0.9, 0.8, 1.0],
@@ -77,7 +77,8 @@ fn recorded(place: u8, zero: f64, unit: f64) -> String {
     (0_u8..).map(f64::from).zip(values).map(point).collect()
 }
 
-/// The laws as a group of pictures of which one is chosen; `id` is that of the plain choice, which takes what is chosen here.
+/// Returns the laws as a group of pictures of which one is selected; `id` is that of the plain selection list, which
+/// takes the value selected here.
 pub(crate) fn menu(id: &str, words: &[&'static str], chosen: &str, language: Language) -> Markup {
     html! {
         details.laws id={ (id) "-laws" } data-law=(id) {

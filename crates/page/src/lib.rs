@@ -1,10 +1,10 @@
 //! The web workbench as a pure function: a request in, HTML or JSON out.
 //!
-//! It knows no socket and no file. A shell provides the resources ([`Shell`]): the server that `antrieb serve`
-//! starts, or the browser itself, where the engine runs as WebAssembly. Both give the same bytes. Nothing is computed here,
-//! and no sentence written: the numbers are of `questions`, the texts of `words`.
+//! It uses no socket and no file. A shell provides the resources ([`Shell`]): the server that `antrieb serve` starts,
+//! or the browser itself, where the engine runs as WebAssembly. Both give the same bytes. The numbers are computed in
+//! `questions`, the texts stand in `words`.
 
-// Without the interface only what the page itself asks of it is used.
+// Without the interface, only the part that the page itself uses is compiled.
 #[cfg_attr(not(feature = "interface"), allow(dead_code, unused_imports))]
 mod api;
 mod assets;
@@ -106,17 +106,17 @@ pub fn respond(call: &Call<'_>, shell: &dyn Shell, patience: &Patience) -> Reply
     }
 }
 
-/// Whether all is here: the engine that a browser fetches first goes without the tools and the simulation, without what is below
-/// `/api/`, and without the files that lie beside it; what requests one of them is put to the larger one (`larger` in `site.js`).
+/// The complete page. The engine that a browser fetches first has neither the tools nor the simulation, nor the paths
+/// below `/api/`, nor the additional files; requests for them go to the larger engine (`larger` in `site.js`).
 const WHOLE: bool = cfg!(feature = "interface");
 
-/// Where a recording is brought; its body may be larger than that of others.
+/// Path that receives a recording; its body may be larger than others.
 pub const RECORDING: &str = "/recording";
 
-/// How far a work is; a shell answers it beside the work itself.
+/// Path of the progress of a work; a shell answers it while the work runs.
 pub const PROGRESS: &str = "/progress";
 
-/// Cancels a work; a shell answers it beside the work itself.
+/// Path that cancels a work; a shell answers it while the work runs.
 pub const CANCEL: &str = "/cancel";
 
 const HTML: &str = "text/html; charset=utf-8";

@@ -1,14 +1,15 @@
-//! The page for a browser that brings no token: a sentence, and the script that sends the token which the browser has kept.
+//! The page for a browser without a token: a sentence, and the script that sends the token stored in the browser.
 
 use crate::call::Reply;
 use maud::{DOCTYPE, html};
 use quantities::Language;
 use words::page;
 
-/// Where files lie that are the same for everyone and hold nothing of a project: a shell may give them to a client without a token.
+/// Folders of the files that are the same for all clients and contain nothing of a project: a shell may send them to a
+/// client without a token.
 const OPEN_TO_ALL: [&str; 2] = ["/assets/", "/theory/"];
 
-/// Returns `true` if a path leads to such a file.
+/// Returns `true` if a path leads to a file that is open to all clients.
 #[must_use]
 pub fn is_open_to_all(path: &str) -> bool {
     OPEN_TO_ALL.iter().any(|folder| path.starts_with(folder))

@@ -1,27 +1,28 @@
-//! Names of files in a working folder, the same wherever it lies.
+//! Names of files in a working folder, independent of its storage.
 
 use project::RECORDINGS;
 use quantities::is_unseen;
 
-/// Bytes of a name, as most file systems have it.
+/// Largest number of bytes of a name; the limit of most file systems.
 const NAME_MOST: usize = 255;
 
-/// So many recordings may have one name and a number behind it.
+/// Largest number of recordings that differ only in the number behind their name.
 const LIKE_MOST: usize = 100;
 
-/// Whether a name is that of a project file in the folder itself.
+/// Returns `true` if a name is that of a project file directly in the folder.
 #[must_use]
 pub fn is_project_name(name: &str) -> bool {
     name.len() <= NAME_MOST && name.strip_suffix(".toml").is_some_and(is_plain)
 }
 
-/// The name of a project file as it was typed: without spaces around it, each one inside as a hyphen, and with its ending.
+/// Returns the name of a project file from a typed one: trimmed, with hyphens for spaces, and with its extension.
 pub(crate) fn project_name(typed: &str) -> String {
     let name = typed.split_whitespace().collect::<Vec<_>>().join("-");
     if name.is_empty() || name.ends_with(".toml") { name } else { format!("{name}.toml") }
 }
 
-/// The names that a recording may have in the folder, its own first; none where it is no name of a recording.
+/// Returns the names that a recording may have in the folder, its own first; `None` if the name is not that of a
+/// recording.
 #[must_use]
 pub fn recording_names(name: &str) -> Option<impl Iterator<Item = String> + use<'_>> {
     let (stem, ending) = name.rsplit_once('.')?;
@@ -32,7 +33,7 @@ pub fn recording_names(name: &str) -> Option<impl Iterator<Item = String> + use<
     Some((1..=LIKE_MOST).map(like))
 }
 
-/// Whether a name stays in the folder.
+/// Returns `true` if a name stays in the folder.
 fn is_plain(name: &str) -> bool {
     !name.is_empty() && !name.starts_with('.') && !name.contains(['/', '\\', ':']) && !name.chars().any(is_unseen)
 }

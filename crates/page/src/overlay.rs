@@ -1,5 +1,5 @@
-//! What lies over the pictures: the instant, marks of the worst instants, ends of segments to pull at. A script puts each
-//! where its numbers belong; it has them from here.
+//! Overlays of the pictures: the instant, marks of the governing instants, ends of segments to drag. A script places
+//! each by the numbers that it gets from here.
 
 use crate::checks::verdict_class;
 use crate::state::State;
@@ -10,7 +10,7 @@ use questions::texts::by_importance;
 use questions::{Candidate, Check, moves};
 use words::{capitalised, check_title, law_text, page};
 
-/// One range that moves the instant of all pictures, and what narrows the time that they show.
+/// Returns the slider of the instant of all pictures, and the controls of their time window.
 pub(crate) fn controls(until_s: f64, is_narrowed: bool, language: Language) -> Markup {
     let l = language;
     html! {
@@ -35,13 +35,13 @@ pub(crate) fn controls(until_s: f64, is_narrowed: bool, language: Language) -> M
     }
 }
 
-/// An instant at which checks are worst.
+/// An instant at which checks have their highest utilisation.
 pub(crate) struct Worst<'c> {
     at_s: f64,
     checks: Vec<&'c Check>,
 }
 
-/// The worst instants of a candidate in the order of time; checks that share one stand together.
+/// Returns the governing instants of a candidate in order of time; checks at the same instant are grouped.
 pub(crate) fn worst<'c>(candidate: &'c Candidate<'_>) -> Vec<Worst<'c>> {
     let mut found: Vec<Worst<'c>> = Vec::new();
     for check in by_importance(&candidate.judgement.checks) {
@@ -55,13 +55,13 @@ pub(crate) fn worst<'c>(candidate: &'c Candidate<'_>) -> Vec<Worst<'c>> {
     found
 }
 
-/// The number of the mark of a check.
+/// Returns the number of the mark of a check.
 pub(crate) fn number(worst: &[Worst<'_>], check: &Check) -> Option<usize> {
     let place = worst.iter().position(|each| each.checks.iter().any(|other| other.id == check.id))?;
     Some(place + 1)
 }
 
-/// The marks over a picture.
+/// Returns the marks over a picture.
 pub(crate) fn marks(worst: &[Worst<'_>], language: Language) -> Markup {
     let l = language;
     html! {
@@ -80,7 +80,7 @@ pub(crate) fn marks(worst: &[Worst<'_>], language: Language) -> Markup {
     }
 }
 
-/// The ends of the segments, to be pulled in the picture of the position: by pointer, or with the arrow keys.
+/// Returns the ends of the segments in the picture of the position, moved by pointer or arrow keys.
 pub(crate) fn grips(state: &State, project: &Project) -> Markup {
     let l = state.language;
     let found = questions::grips(project);

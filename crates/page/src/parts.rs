@@ -1,21 +1,21 @@
-//! Parts of the page that a browser has already: they are sent by their names alone.
+//! Parts of the page that the browser already has: only their names are sent.
 //!
-//! A shell keeps nothing of a page. Each part carries the digest of its text, a request carries the digests of the parts
-//! that the browser shows, and where a part has not changed an empty element with its identifier stands in its place. The
-//! script leaves such an element as it is (`htmx_before_morph_node` in `page.js`). Parts may lie within parts.
+//! A shell stores nothing of a page. Each part carries the digest of its text, a request carries the digests of the
+//! parts that the browser shows, and an unchanged part is replaced by an empty element with its identifier. The script
+//! leaves such an element unchanged (`htmx_before_morph_node` in `page.js`). Parts may be nested.
 
 use crate::call::Call;
 use maud::{Markup, PreEscaped};
 use std::collections::BTreeMap;
 use std::hash::{DefaultHasher, Hash, Hasher};
 
-/// So many parts are read of a request at most; a page has some hundred.
+/// Largest number of parts read from a request; a page has some hundred.
 const MOST: usize = 2_000;
 
-/// Before the digest of a part. In texts and values of attributes the quotation mark is escaped.
+/// Text before the digest of a part. In texts and attribute values the quotation mark is escaped.
 const MARK: &str = " data-part=\"";
 
-/// The same element with the digest of its text, where it has an identifier.
+/// Adds the digest of its text to an element that has an identifier.
 pub(crate) fn part(element: Markup) -> Markup {
     let text = element.0;
     let Some((tag, _)) = head(&text) else { return PreEscaped(text) };
@@ -25,7 +25,7 @@ pub(crate) fn part(element: Markup) -> Markup {
     PreEscaped(format!("{begin}{MARK}{:x}\"{rest}", hasher.finish()))
 }
 
-/// The name of the first element and its identifier.
+/// Returns the tag of the first element and its identifier.
 fn head(text: &str) -> Option<(&str, &str)> {
     let inside = text.strip_prefix('<')?.split_once('>')?.0;
     let (tag, attributes) = inside.split_once(' ')?;
@@ -33,11 +33,11 @@ fn head(text: &str) -> Option<(&str, &str)> {
     Some((tag, id.split_once('"')?.0))
 }
 
-/// The digests of the parts that a browser shows, by their identifiers.
+/// Digests of the parts that a browser shows, by identifier.
 pub(crate) struct Parts(BTreeMap<String, String>);
 
 impl Parts {
-    /// As a request carries them: `id=digest` separated by blanks.
+    /// Reads the digests of a request: `id=digest` separated by blanks.
     pub(crate) fn of(call: &Call<'_>) -> Self {
         Self::read(&call.field("parts").unwrap_or_default())
     }
@@ -47,7 +47,7 @@ impl Parts {
         Self(text.split_whitespace().take(MOST).filter_map(one).collect())
     }
 
-    /// A page without what the browser shows.
+    /// Returns a page without the parts that the browser shows.
     pub(crate) fn left_out(&self, page: &str) -> String {
         let mut out = String::with_capacity(page.len());
         let mut rest = page;
@@ -77,7 +77,7 @@ impl Parts {
     }
 }
 
-/// Where the first element of a text ends.
+/// Returns the end of the first element of a text.
 fn end(text: &str, tag: &str) -> Option<usize> {
     let (open, close) = (format!("<{tag}"), format!("</{tag}>"));
     let opens = |part: &str| {
@@ -106,7 +106,7 @@ mod tests {
         )
     }
 
-    /// The digests as the script collects them.
+    /// Collects the digests as the script does.
     fn shown(page: &Markup) -> Parts {
         let of = |rest: &str| {
             let digest = rest.split('"').next().unwrap_or_default();
@@ -122,7 +122,7 @@ mod tests {
         let parts = shown(&page("7"));
         assert_eq!(parts.0.len(), 2);
         assert_eq!(parts.left_out(&page("7").0), "<p>before</p><div id=\"f-1\" data-same></div><p>behind</p>");
-        // Of what has changed only the parts inside that have not are left out.
+        // Of a changed part, only the unchanged parts within it are left out.
         let other = parts.left_out(&page("8").0);
         assert!(other.contains(">8<") && other.contains("<div id=\"f-2\" data-same></div></div><p>behind"), "{other}");
         assert_eq!(Parts::read("").left_out(&page("8").0), page("8").0);

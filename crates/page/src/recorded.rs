@@ -1,4 +1,4 @@
-//! A recording within the form: which column is what and in which unit, and what the file begins with.
+//! A recording in the form: role and unit of each column, and the first rows of the file.
 
 use crate::call::{Call, Shell};
 use crate::form::{Followed, Form, id, vals};
@@ -13,7 +13,7 @@ pub(crate) const KEYS: [&str; 2] = ["columns", "units"];
 /// The word of the project file for a role that no column has.
 const NO_COLUMN: &str = "none";
 
-/// What a recording begins with, and whether it takes the place of the motion or is added to it.
+/// Returns the first rows of a new recording, and the choice to replace the motion or to add to it.
 pub(crate) fn brought(call: &Call<'_>, shell: &dyn Shell) -> Markup {
     let l = call.language();
     let field = |name: &str| call.field(name).map(std::borrow::Cow::into_owned).unwrap_or_default();
@@ -40,10 +40,10 @@ pub(crate) fn brought(call: &Call<'_>, shell: &dyn Shell) -> Markup {
     crate::detail::frame(&file, &inside, l)
 }
 
-/// So many segments are replaced at most.
+/// Largest number of segments that are replaced.
 const SEGMENTS_MOST: usize = 10_000;
 
-/// The first rows of a recording as a table.
+/// Returns the first rows of a recording as a table.
 fn rows(preview: &Preview, language: Language) -> Markup {
     html! {
         div.wide tabindex="0" role="region" aria-label=(page::first_rows(language)) {
@@ -55,7 +55,7 @@ fn rows(preview: &Preview, language: Language) -> Markup {
     }
 }
 
-/// What was recognised, with what it may be instead; the first rows of the file under it.
+/// Returns the recognised columns with their alternatives, and the first rows of the file below them.
 pub(crate) fn columns(form: &Form<'_>, path: &str, solved: Option<&Followed>) -> Markup {
     let file = form.value(&format!("{path}.file")).unwrap_or_default();
     let preview = recording_preview(file, form.files);
@@ -85,7 +85,7 @@ fn role_row(
     let stated = form.value(&column).unwrap_or_default();
     let stated_unit = form.value(&unit).unwrap_or_default();
     let what = capitalised(&role_text(role, l));
-    // What is recognised without a word stands in the first choice.
+    // A column recognised without an entry is named in the first option.
     let found = read.filter(|_| stated.is_empty()).map(|(_, name, _)| name.as_str());
     let found_unit = read.filter(|_| stated_unit.is_empty()).map(|(.., unit)| *unit);
     let is_wrong = |path: &str| (!form.fault_at(path).0.is_empty()).then_some("true");

@@ -1,4 +1,4 @@
-//! The simulation of the actuator that is looked at: a scenario, its course, what it shows beside the sizing.
+//! The simulation of the selected actuator: a scenario, its course, and its figures next to those of the sizing.
 
 use crate::chapters::laid_out;
 use crate::demand::picture;
@@ -11,10 +11,10 @@ use questions::list::simulate::{ScenarioId, of_scenario};
 use questions::{Candidate, CandidateId, Patience, Simulated, Verdict, answer, chapter};
 use words::{about_text, capitalised, page, short_label, simulation, verdict_word};
 
-/// The run of the scenario that is chosen, else of the one that the project states.
+/// Runs the selected scenario, else that of the project.
 ///
 /// # Errors
-/// Why it is not run, in a sentence.
+/// The reason in one sentence, if it is not run.
 pub(crate) fn run<'p>(
     state: &State,
     project: &'p Project,
@@ -32,7 +32,7 @@ fn chosen(state: &State, project: &Project) -> ScenarioId {
     state.scenario.unwrap_or(project.twin.scenario.id)
 }
 
-/// What is shown.
+/// Returns the simulation as HTML.
 pub(crate) fn view(state: &State, project: &Project, candidate: &Candidate<'_>, patience: &Patience) -> Markup {
     let l = state.language;
     let none = html! {};
@@ -58,7 +58,7 @@ pub(crate) fn view(state: &State, project: &Project, candidate: &Candidate<'_>, 
     }
 }
 
-/// What goes over its limit in the run, above the picture of it; all figures and events stand below it.
+/// Returns the exceeded limits of the run, above its picture; all figures and events are below it.
 fn exceeded(record: &answers::Simulation, language: Language) -> Markup {
     let number = |value: Option<answers::Number>| {
         value.map_or_else(|| String::from("–"), |value| format_significant(value.0, 4, language))
@@ -72,7 +72,7 @@ fn exceeded(record: &answers::Simulation, language: Language) -> Markup {
     } }
 }
 
-/// The gains in use, each leading to its field: another one runs anew, and the instant stays where it is.
+/// Returns the gains in use, each with a link to its field: another gain starts a new run, and the instant stays.
 fn gains(state: &State, record: &answers::Simulation, language: Language) -> Markup {
     let l = language;
     let stated = record.gains.0.iter().filter_map(|gain| {

@@ -1,4 +1,4 @@
-//! The drawing of a mechanism: its symbols lead to the rows of the form, and the rows to them; what moves in it follows the
+//! Drawing of a mechanism: its symbols lead to the rows of the form and the rows to them; its moving parts follow the
 //! instant of the pictures over time.
 
 use crate::form::id;
@@ -8,17 +8,17 @@ use quantities::{Language, Measure};
 use questions::{Drawing, Figures, MechanismId, moves};
 use words::page;
 
-/// What is drawn.
+/// Content of a drawing.
 pub(crate) struct Shown<'s> {
-    /// The key of the mechanism; without one a load at the output.
+    /// Key of the mechanism; `None` for a load at the output.
     pub(crate) mechanism: Option<&'s str>,
-    /// What is stated of it.
+    /// Stated values of the mechanism.
     pub(crate) figures: Figures,
-    /// The path of its table.
+    /// Path of its table.
     pub(crate) of: &'s str,
-    /// What it is called.
+    /// Title.
     pub(crate) title: &'s str,
-    /// The project as it was read last, for the way of its motion.
+    /// The project as it was last read; source of the distance of its motion.
     pub(crate) project: Option<&'s Project>,
 }
 
@@ -26,17 +26,17 @@ fn id_of(mechanism: Option<&str>) -> MechanismId {
     mechanism.and_then(MechanismId::of).unwrap_or(MechanismId::Load)
 }
 
-/// The drawing alone, for a picture of a choice.
+/// Returns the drawing alone, as the picture of an option.
 pub(crate) fn still(mechanism: Option<&str>) -> Markup {
     let drawing = id_of(mechanism).drawing(&Figures::none());
     html! { svg viewBox=(drawing.view_box()) { (PreEscaped(drawing.svg())) } }
 }
 
-/// The drawing of a mechanism to the scale of what is stated, with its symbols.
+/// Returns the drawing of a mechanism to the scale of the stated values, with its symbols.
 pub(crate) fn shown(it: &Shown<'_>, language: Language) -> Markup {
     let l = language;
     let mechanism = id_of(it.mechanism);
-    // The motion of an older text may be that of another mechanism.
+    // The motion of an older text may belong to another mechanism.
     let project = it.project.filter(|project| project.axis.mechanism.id() == mechanism);
     let ratio = project.map_or(1.0, |project| project.axis.mechanism.stage_ratio());
     let figures = project.map_or_else(
@@ -48,7 +48,7 @@ pub(crate) fn shown(it: &Shown<'_>, language: Language) -> Markup {
     );
     let drawing = mechanism.drawing(&figures);
     let bearing = it.of.find("].").and_then(|end| it.of.get(..end + 2)).unwrap_or_default();
-    // Position along the line, where the pictures show that, per angle of the output.
+    // Position along the line per angle of the output, if the pictures show a linear position.
     let per_output = project.map(moves).filter(|moves| !moves.turns).map(|moves| moves.per_output);
     html! {
         svg.drawn viewBox=(drawing.view_box()) role="group" aria-label=(page::drawing_of(&it.title, l)) data-per-output=[per_output] {
@@ -70,7 +70,7 @@ pub(crate) fn shown(it: &Shown<'_>, language: Language) -> Markup {
     }
 }
 
-/// The parts, each group that moves with its table.
+/// Returns the parts; each moving group has the table of its motion.
 fn movable(drawing: &Drawing, ratio: f64) -> String {
     let mut drawn = drawing.movable_svg();
     for (group, moving) in drawing.moving.iter().enumerate() {
@@ -84,7 +84,7 @@ mod tests {
     use super::*;
     use project::{KEYS, Key, Kind};
 
-    /// The drawing with an inclination, as text.
+    /// Returns the drawing with an inclination, as text.
     fn drawn_of(mechanism: Option<&str>, inclination: Option<f64>, of: &str, language: Language) -> String {
         let figures = inclination.map_or_else(Figures::none, |angle| Figures::none().with("inclination", angle));
         shown(&Shown { mechanism, figures, of, title: "t", project: None }, language).into_string()
@@ -117,7 +117,7 @@ mod tests {
         }
     }
 
-    /// A group that moves has its table, and where a symbol points at in it is stated for the script.
+    /// Requires that a moving group has its table, and that the anchors of its symbols are stated for the script.
     #[test]
     fn what_moves_has_its_table() {
         let texts = KEYS.iter().find(|key| key.name == "mechanism").map(|key| key.kind);
@@ -130,7 +130,7 @@ mod tests {
         }
     }
 
-    /// An overhang that is stated is shown, and leads to its row in the table of the bearing, in its axis.
+    /// Requires that a stated overhang is shown and leads to its row in the table of the bearing of its axis.
     #[test]
     fn an_overhang_is_shown_where_it_is_stated() {
         for (table, row) in
@@ -145,7 +145,8 @@ mod tests {
         }
     }
 
-    /// The motion of a project gives the way: the drawing knows how far its slide goes, and what a millimetre of it is.
+    /// Requires that the motion of a project gives the stroke: the drawing contains the travel of its slide and its
+    /// scale in millimetres.
     #[test]
     fn a_project_gives_the_way_of_its_motion() {
         let id = MechanismId::Screw;
@@ -160,7 +161,7 @@ mod tests {
         };
         let drawn = shown(&it("screw"), Language::En).into_string();
         assert!(project.is_some() && drawn.contains("data-per-output=\"0.00"), "{drawn}");
-        // Of another mechanism the motion says nothing.
+        // The motion does not apply to another mechanism.
         assert!(!shown(&it("belt"), Language::En).into_string().contains("data-per-output"));
     }
 }

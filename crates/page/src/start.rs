@@ -1,4 +1,4 @@
-//! Where one begins: a mechanism, at most six figures, a first answer.
+//! The start page: a mechanism, at most six values, a first answer.
 
 use crate::call::{Call, Shell};
 use crate::sketch;
@@ -11,19 +11,19 @@ use questions::{MechanismId, Patience, Rejected, read_all_watched};
 use std::sync::LazyLock;
 use words::{about_text, capitalised, page, short_label, terminal};
 
-/// A way to begin: what the example of a mechanism states, and the keys of it to fill in.
+/// A way to begin: the values of the example of a mechanism, and the keys to fill in.
 pub(crate) struct Begin {
     pub(crate) mechanism: Option<&'static str>,
-    /// The example without what belongs to its own machine.
+    /// The example without the requirements of its own machine.
     text: String,
-    /// Path and value of each.
+    /// Path and value of each key to fill in.
     pub(crate) asked: Vec<(String, String)>,
 }
 
-/// As many figures are asked at most.
+/// Largest number of values to fill in.
 const ASKED_MOST: usize = 6;
 
-/// One for each mechanism that needs neither a recording nor rows of points.
+/// The ways to begin: each mechanism that needs neither a recording nor rows of points.
 pub(crate) static BEGINS: LazyLock<Vec<Begin>> = LazyLock::new(|| {
     let few = |id: &&MechanismId| !matches!(id, MechanismId::Joint | MechanismId::Table);
     MechanismId::ALL.iter().filter(few).filter_map(|id| Begin::of(*id).ok()).collect()
@@ -37,7 +37,7 @@ impl Begin {
                 text.push('\n');
                 text
             });
-        // What loads the flange, the drive and the other requirements are those of another machine.
+        // Loads on the flange, drive and the other requirements belong to another machine.
         let own = |path: &str| {
             path.starts_with("bearing")
                 || path.starts_with("drive")
@@ -49,7 +49,7 @@ impl Begin {
             text = edit(&text, &gone.path, Edit::Gone)?;
         }
         let stated = written(&text).ok_or(EditFault::Syntax)?;
-        // A cycle that does not come back runs once.
+        // A cycle that does not return to its start runs once.
         if !stated.iter().any(|key| key.value.as_ref().is_some_and(|value| value.starts_with('-'))) {
             text = edit(&text, "axis.single_move", Edit::Value("true"))?;
         }
@@ -73,8 +73,8 @@ impl Begin {
         Ok(Self { mechanism, text, asked })
     }
 
-    /// The project file that begins so. Another way or time of the first segment is that of all segments in proportion,
-    /// so that the cycle still comes back.
+    /// Returns the project file with the typed values. Another distance or time of the first segment scales all
+    /// segments, so that the cycle still returns to its start.
     pub(crate) fn text(&self, typed: impl Fn(&str) -> Option<String>) -> String {
         let mut text = self.text.clone();
         for (path, usual) in &self.asked {
@@ -92,7 +92,7 @@ impl Begin {
     }
 }
 
-/// What a quantity is of another one.
+/// Returns the ratio of two quantities.
 fn share(value: &str, of: &str) -> Option<f64> {
     fn both<Q: Measure>(value: &str, of: &str) -> Option<f64> {
         Some(parse_as::<Q>(value).ok()?.si() / parse_as::<Q>(of).ok()?.si())
@@ -100,7 +100,7 @@ fn share(value: &str, of: &str) -> Option<f64> {
     both::<Length>(value, of).or_else(|| both::<Angle>(value, of)).or_else(|| both::<quantities::Time>(value, of))
 }
 
-/// Every segment but the rests in proportion.
+/// Scales time and distance of every segment but the dwells.
 fn stretched(text: &str, time: f64, way: f64) -> Option<String> {
     let laws =
         written(text)?.into_iter().filter_map(|key| Some((key.path.strip_suffix(".law")?.to_owned(), key.value?)));
@@ -108,13 +108,13 @@ fn stretched(text: &str, time: f64, way: f64) -> Option<String> {
     moves.try_fold(text.to_owned(), |text, (segment, _)| stretch(&text, &segment, time, way)).ok()
 }
 
-/// What a mechanism is called.
+/// Returns the title of a mechanism.
 fn title(mechanism: Option<&str>, language: Language) -> String {
     let Some(name) = mechanism else { return page::load_at_the_output(language).to_owned() };
     key_at(&format!("mechanism.{name}")).map(|key| capitalised(about_text(key.about, language))).unwrap_or_default()
 }
 
-/// The ways to begin, as drawings.
+/// Returns the ways to begin, as drawings.
 pub(crate) fn tiles(language: Language) -> Markup {
     html! {
         ul.tiles { @for (place, begin) in BEGINS.iter().enumerate() {
@@ -127,7 +127,7 @@ pub(crate) fn tiles(language: Language) -> Markup {
     }
 }
 
-/// The few figures of a way to begin, beside a drawing that follows them.
+/// Returns the few values of a way to begin, next to a drawing that follows them.
 pub(crate) fn asked(place: usize, language: Language) -> Markup {
     let Some(begin) = BEGINS.get(place) else { return html! {} };
     html! {
@@ -150,18 +150,18 @@ pub(crate) fn asked(place: usize, language: Language) -> Markup {
     }
 }
 
-/// The text of a way to begin with what is typed in its form.
+/// Returns the text of a way to begin with the typed values.
 pub(crate) fn typed(begin: &Begin, call: &Call<'_>) -> String {
     begin.text(|path| call.field(path).map(|typed| crate::value::with_point(&typed, call.language())))
 }
 
-/// The drawing of a way to begin with what is typed in its form.
+/// Returns the drawing of a way to begin with the typed values.
 pub(crate) fn drawing_of(call: &Call<'_>) -> Markup {
     let begin = BEGINS.get(crate::files::place(call));
     html! { @if let Some(begin) = begin { (drawing(begin, &typed(begin, call), call.language())) } }
 }
 
-/// The drawing to the scale of a text; what is no value is left out of it.
+/// Returns the drawing to the scale of a text; invalid values are left out.
 fn drawing(begin: &Begin, text: &str, language: Language) -> Markup {
     let of = begin.mechanism.map_or_else(|| "load".to_owned(), |name| format!("mechanism.{name}"));
     let stated = written(text).unwrap_or_default();
@@ -177,7 +177,7 @@ fn drawing(begin: &Begin, text: &str, language: Language) -> Markup {
     sketch::shown(&it, language)
 }
 
-/// What comes out of an example, for its card.
+/// Returns the result of an example, for its card.
 pub(crate) fn example_verdict(call: &Call<'_>, shell: &dyn Shell, patience: &Patience) -> Markup {
     let l = call.language();
     let kind = call.field("kind").unwrap_or_default();
@@ -200,14 +200,14 @@ pub(crate) fn example_verdict(call: &Call<'_>, shell: &dyn Shell, patience: &Pat
     }
 }
 
-/// The mechanism of a project's text.
+/// Returns the mechanism of a project's text.
 pub(crate) fn mechanism_of(text: &str) -> Option<String> {
     project::written(text)?
         .iter()
         .find_map(|key| key.path.strip_prefix("mechanism.")?.split('.').next().map(str::to_owned))
 }
 
-/// The first line of an example: what it is.
+/// Returns the first line of an example: its description.
 pub(crate) fn about<'t>(text: &'t str, kind: &'t str) -> &'t str {
     text.lines().find_map(|line| line.strip_prefix("# ")).unwrap_or(kind)
 }

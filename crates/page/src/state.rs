@@ -1,6 +1,6 @@
-//! What the page is about at an instant: a project's text, and what of it is looked at.
+//! The state of the page: a project's text, and the selected views of it.
 //!
-//! A shell keeps none of it. Every request carries it, and every answer gives it back.
+//! A shell stores none of it. Every request carries it, and every answer returns it.
 
 use crate::call::Call;
 use crate::form::tolerance_of;
@@ -14,57 +14,57 @@ use questions::{CandidateId, Draw, Patience, Refusal, SAMPLES_MOST, Sizing, Unre
 use std::borrow::Cow;
 use words::{Worded, worded};
 
-/// The state as a request carries it, with what was changed by it.
+/// State as a request carries it, with the changes of that request.
 pub(crate) struct State {
-    /// The project's text.
+    /// Text of the project.
     pub(crate) text: String,
-    /// The last text without faults; empty before there was one.
+    /// Last text without faults; empty before the first one.
     pub(crate) good: String,
-    /// Which axis is shown, from zero.
+    /// Index of the shown axis, from zero.
     pub(crate) axis: usize,
-    /// Whether all axes are shown together.
+    /// Shows the summary of all axes.
     pub(crate) all_axes: bool,
-    /// From when to when the pictures over time show the cycle, in seconds; the whole without it.
+    /// Time window of the pictures over time \[s\]; `None` for the whole cycle.
     pub(crate) window: Option<(f64, f64)>,
-    /// A place in the map of candidates: the actuator that is nearest to it is to be looked at.
+    /// Point in the map of candidates; the nearest actuator is to be selected.
     near: Option<MapPoint>,
-    /// What stands before the paths of the axis: `axis[2].` where there are several, else nothing.
+    /// Prefix of the paths of the axis: `axis[2].` if the project has several axes, else empty.
     pub(crate) prefix: String,
-    /// The actuator that is looked at; without one the best.
+    /// The selected actuator; `None` for the best one.
     pub(crate) code: Option<OrderCode>,
-    /// The actuators marked to be compared.
+    /// Actuators marked for the comparison.
     pub(crate) marked: Vec<OrderCode>,
     pub(crate) language: Language,
     pub(crate) theme: Theme,
-    /// The project file in the folder.
+    /// Name of the project file in the folder.
     pub(crate) file: String,
-    /// The version that was opened, and the name of its file.
+    /// Version that was opened, and the name of its file.
     pub(crate) known: String,
-    /// What the ranking is narrowed to.
+    /// Filter of the ranking.
     pub(crate) filter: Filter,
-    /// How many samples of the tolerances are judged; as many as some seconds allow without it.
+    /// Number of judged samples of the tolerances; `None` for as many as fit into a few seconds.
     pub(crate) samples: Option<usize>,
-    /// Whether pictures that take long may come after the numbers.
+    /// Allows pictures that take long to follow after the numbers.
     pub(crate) is_brief: bool,
-    /// What the middle pane shows.
+    /// View in the middle pane.
     pub(crate) view: View,
-    /// What happens in the simulation; what the project states without it.
+    /// Scenario of the simulation; `None` for that of the project.
     pub(crate) scenario: Option<ScenarioId>,
-    /// What the right pane shows.
+    /// List in the right pane.
     pub(crate) list: List,
-    /// The column by which the ranking is sorted, where it is not the order of the ranking itself.
+    /// Column by which the ranking is sorted; by default its own order.
     pub(crate) sort: Sort,
-    /// Whether the actuator that is looked at shows its checks.
+    /// Shows the checks of the selected actuator.
     pub(crate) unfolded: bool,
-    /// The folds of the form that are open although nothing is stated in them, by their ids.
+    /// Identifiers of the open folds in which nothing is stated.
     pub(crate) folds: Vec<String>,
-    /// The path of the field that is typed in, and whether it stands behind a fold: it stays where it is.
+    /// Path of the field that has the focus, and whether it is in a fold; it stays at its place.
     pub(crate) typed_at: Option<(String, bool)>,
-    /// Width and height that the pictures of the middle pane may take \[px\].
+    /// Largest width and height of the pictures in the middle pane \[px\].
     pub(crate) room: (f64, f64),
 }
 
-/// The tabs of the middle pane.
+/// Tabs of the middle pane.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub(crate) enum View {
     #[default]
@@ -94,7 +94,7 @@ impl View {
     }
 }
 
-/// The tabs of the right pane.
+/// Tabs of the right pane.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub(crate) enum List {
     #[default]
@@ -115,7 +115,7 @@ impl List {
     }
 }
 
-/// The columns by which the ranking can be sorted.
+/// Columns by which the ranking can be sorted.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub(crate) enum Sort {
     #[default]
@@ -140,21 +140,21 @@ impl Sort {
     }
 }
 
-/// What an identifier stands for; the usual one where it stands for none.
+/// Returns the value of an identifier; the default for an unknown one.
 fn chosen<T: Copy + Default>(all: impl IntoIterator<Item = T>, id: fn(T) -> &'static str, wanted: &str) -> T {
     all.into_iter().find(|each| id(*each) == wanted).unwrap_or_default()
 }
 
-/// So many folds of the form are open at most.
+/// Largest number of open folds.
 const FOLDS_MOST: usize = 200;
 
-/// The size of the pictures before the page has said how large its middle pane is \[px\].
+/// Size of the pictures before the page has reported that of its middle pane \[px\].
 const ROOM: (f64, f64) = (560.0, 470.0);
 
-/// The sides that a picture may have \[px\].
+/// Permissible width and height of a picture \[px\].
 const SIDES: [std::ops::RangeInclusive<f64>; 2] = [280.0..=3000.0, 260.0..=2400.0];
 
-/// The size that the page requests, within what a picture can be.
+/// Returns the size that the page requests, limited to that of a picture.
 fn room(width: &str, height: &str) -> (f64, f64) {
     let [wide, high] = SIDES;
     let side = |typed: &str, sides: std::ops::RangeInclusive<f64>, usual: f64| {
@@ -167,7 +167,7 @@ fn room(width: &str, height: &str) -> (f64, f64) {
     (side(width, wide, ROOM.0), side(height, high, ROOM.1))
 }
 
-/// What the ranking is narrowed to; figures as they were typed.
+/// Filter of the ranking; figures as typed.
 #[derive(Default)]
 pub(crate) struct Filter {
     pub(crate) size: String,
@@ -179,24 +179,24 @@ pub(crate) struct Filter {
     pub(crate) voltage_v: String,
 }
 
-/// The project as it could be read.
+/// The project as far as it could be read.
 pub(crate) struct Held {
-    /// Its axes; those of the last good text where the text has faults.
+    /// Axes; those of the last good text if the text has faults.
     pub(crate) projects: Vec<Project>,
-    /// Every fault of the text, with the path that it is shown at.
+    /// Faults of the text, each with the path at which it is shown.
     pub(crate) faults: Vec<(Option<String>, Worded)>,
-    /// Whether the projects are those of an older text.
+    /// The axes are those of an older text.
     pub(crate) is_old: bool,
-    /// Every key of the text; of the last good one where it is no TOML.
+    /// Keys of the text; of the last good one if the text is no TOML.
     pub(crate) written: Vec<Written>,
-    /// Whether the text is TOML, so that something in it has a place.
+    /// The text is TOML, so that its values have positions.
     pub(crate) has_places: bool,
-    /// Why the work ended before it was done, or was not begun.
+    /// Reason why the work was stopped or not begun.
     pub(crate) refused: Option<Refusal>,
 }
 
 impl State {
-    /// The state that a request carries.
+    /// Reads the state of a request.
     pub(crate) fn of(call: &Call<'_>) -> Self {
         let field = |name: &str| call.field(name).map(Cow::into_owned).unwrap_or_default();
         let code = |text: &str| read_code(text, call.language()).ok().map(|reading| reading.parsed.code);
@@ -238,12 +238,12 @@ impl State {
         state
     }
 
-    /// How tolerances are sampled.
+    /// Returns the sampling of the tolerances.
     pub(crate) fn draw(&self) -> Draw {
         Draw { samples: self.samples, ..Draw::default() }
     }
 
-    /// The actuator that was pointed at in the map, where one was.
+    /// Selects the actuator nearest to the point in the map, if one was pointed at.
     pub(crate) fn choose_nearest(&mut self, sizing: &Sizing<'_>) {
         let found = self.near.and_then(|place| nearest(sizing, By::Mass, place));
         if let Some(CandidateId::Code(code)) = found {
@@ -251,7 +251,7 @@ impl State {
         }
     }
 
-    /// Carries out what the request changes, in its order; what has no place in the text changes nothing.
+    /// Carries out the changes of the request in their order; a change without a place in the text is ignored.
     fn change(&mut self, call: &Call<'_>) {
         let language = self.language;
         let text = &mut self.text;
@@ -284,7 +284,7 @@ impl State {
                 }
                 None => value.into_owned(),
             };
-            // The tolerance has a field of its own.
+            // The tolerance has its own field.
             let kept = call
                 .field("kept")
                 .filter(|kept| !kept.is_empty() && !value.is_empty() && tolerance_of(&value).1.is_empty());
@@ -310,7 +310,7 @@ impl State {
         }
     }
 
-    /// Reads the project; what cannot be read leaves the last good one.
+    /// Reads the project; a text with faults leaves the last good one.
     pub(crate) fn hold(&mut self, files: &dyn Files, patience: &Patience) -> Held {
         let held = self.read(files, patience);
         self.axis = self.axis.min(held.projects.len().saturating_sub(1));
@@ -352,8 +352,8 @@ impl State {
     }
 }
 
-/// The text with a segment that takes another time and goes another way: `pulled` has time and way as they are to be, then as
-/// they are in the picture. Where the way is to stay, both are the same.
+/// Returns the text with another time and distance of a segment: `pulled` has the new time and distance, then those of
+/// the picture. If the distance stays, its two values are equal.
 fn stretched(text: &str, path: &str, pulled: &str) -> Option<String> {
     let mut numbers = pulled.split(' ').map(|number| number.parse::<f64>().ok());
     let mut next = || numbers.next().flatten();
@@ -362,20 +362,20 @@ fn stretched(text: &str, path: &str, pulled: &str) -> Option<String> {
     stretch(text, path, share(time, time_was), share(way, way_was)).ok()
 }
 
-/// What stands for all axes in place of one.
+/// Value of `axis` that selects the summary of all axes.
 pub(crate) const ALL_AXES: &str = "all";
 
-/// A window of time, where both of its ends are one.
+/// Returns a time window if both of its ends are numbers.
 fn window(from: &str, until: &str) -> Option<(f64, f64)> {
     let (from, until): (f64, f64) = (from.parse().ok()?, until.parse().ok()?);
     (from.is_finite() && until.is_finite() && from >= 0.0 && from < until).then_some((from, until))
 }
 
-/// The most actuators that stand side by side.
+/// Largest number of compared actuators.
 pub(crate) const MARKED_MOST: usize = 5;
 
-/// Every fault with the path that it belongs to: the one that it names, else that of the smallest value around it, else that
-/// of the key that it stands at. What the file does not have belongs to the table around it.
+/// Returns every fault with its path: the one that it names, else that of the smallest enclosing value, else that of
+/// the key at its position. A path that the file does not have belongs to the enclosing table.
 pub(crate) fn placed(
     faults: &[Diagnostic],
     (text, written): (&str, &[Written]),
@@ -399,7 +399,7 @@ pub(crate) fn placed(
         if !matches!(fault.fault, Fault::NoMechanism) {
             return found;
         }
-        // Nothing stands there yet: it belongs where it would stand, in its axis.
+        // The value is not in the text: the fault belongs to its future place, in its axis.
         let axis = found.filter(|path| path.starts_with("axis["));
         let axis = axis.and_then(|path| Some(path.split_once(']')?.0.to_owned()));
         Some(axis.map_or_else(|| String::from("mechanism"), |axis| format!("{axis}].mechanism")))
@@ -407,7 +407,7 @@ pub(crate) fn placed(
     worded(faults, language).into_iter().zip(faults).map(|(worded, fault)| (path(fault), worded)).collect()
 }
 
-/// The path, or that of the nearest table around it that a file has.
+/// Returns the path, or that of the nearest enclosing table that a file has.
 fn known(path: &str, key_at: fn(&str) -> Option<&'static Key>) -> String {
     let mut path = path;
     while key_at(path).is_none()

@@ -1,7 +1,7 @@
-//! The theory behind the models: the chapters of `docs/theory`, to which the derivation of a number leads.
+//! Theory behind the models: the chapters of `docs/theory`, to which the derivation of a number leads.
 //!
-//! They are English. The server answers them, and what writes the static folder writes them as files: the engine in the
-//! browser goes without them.
+//! They are in English. The server sends them, and the writer of the static folder writes them as files; the engine in
+//! the browser does not contain them.
 
 use crate::call::Reply;
 use maud::{DOCTYPE, PreEscaped, html};
@@ -21,13 +21,13 @@ const CHAPTERS: [(&str, &str); 24] = files![
 ];
 const PICTURES: [(&str, &str); 2] = files!["pictures/": "continuous-20A.svg" "heat-shares.svg"];
 
-/// The names of all files below `/theory/`.
+/// Returns the names of all files below `/theory/`.
 pub fn theory_files() -> impl Iterator<Item = String> {
     let chapters = CHAPTERS.iter().map(|(name, _)| name.replace(".md", ".html"));
     chapters.chain(PICTURES.iter().map(|(name, _)| format!("pictures/{name}")))
 }
 
-/// A file of the theory.
+/// Returns a file of the theory.
 pub(crate) fn file(name: &str, language: Language) -> Reply {
     if let Some((_, svg)) = name.strip_prefix("pictures/").and_then(|name| PICTURES.iter().find(|(of, _)| *of == name))
     {
@@ -42,7 +42,7 @@ pub(crate) fn file(name: &str, language: Language) -> Reply {
     }
 }
 
-/// A chapter as a page.
+/// Returns a chapter as a page.
 fn shown(text: &str) -> String {
     let (title, body) = set(text);
     let none = html! {};
@@ -50,8 +50,8 @@ fn shown(text: &str) -> String {
     html! { (DOCTYPE) html lang="en" { (head) body.theory { main { (PreEscaped(body)) } } } }.into_string()
 }
 
-/// Title and text of a chapter as HTML: headings can be led to, links within the theory lead to its pages, those that lead
-/// out of it are plain words, and what is written as HTML is shown as it is written.
+/// Returns title and text of a chapter as HTML: headings have anchors, links within the theory lead to its pages, other
+/// links become plain words, and HTML in the text is shown literally.
 fn set(text: &str) -> (String, String) {
     let mut events: Vec<Event<'_>> = Parser::new_ext(text, Options::ENABLE_TABLES).collect();
     let mut title = String::new();
@@ -101,7 +101,7 @@ fn set(text: &str) -> (String, String) {
     (title, out)
 }
 
-/// The address of a link within the theory, of its pages; none of a link that leads out of it.
+/// Returns the address of a link within the theory, in terms of its pages; `None` for a link that leads out of it.
 fn within(address: &str) -> Option<String> {
     let (file, anchor) = address.split_once('#').map_or((address, None), |(file, anchor)| (file, Some(anchor)));
     if !file.is_empty() && !CHAPTERS.iter().any(|(name, _)| *name == file) {
@@ -111,7 +111,7 @@ fn within(address: &str) -> Option<String> {
     Some(anchor.map_or_else(|| file.clone(), |anchor| format!("{file}#{anchor}")))
 }
 
-/// The identifier of a heading, as the links of the documents write it.
+/// Returns the identifier of a heading, as the links of the documents write it.
 fn anchor(words: &str) -> String {
     let kept = words.chars().filter(|sign| sign.is_alphanumeric() || matches!(sign, ' ' | '-' | '_'));
     kept.flat_map(char::to_lowercase).map(|sign| if sign == ' ' { '-' } else { sign }).collect()
@@ -141,7 +141,7 @@ mod tests {
         assert_eq!(file("../gear.html", Language::default()).status, 404);
     }
 
-    /// Every anchor that a chapter links to within the theory is a heading of its page.
+    /// Requires that every anchor that a chapter links to is a heading of its page.
     #[test]
     fn links_within_the_theory_lead_somewhere() {
         let pages: Vec<(String, String)> =

@@ -1,4 +1,4 @@
-//! Terms that explain themselves: a button whose explanation shows while it is pointed at or has the focus.
+//! Explanations of terms: a button whose explanation is shown while it is pointed at or has the focus.
 
 use crate::chapters::symbol;
 use maud::{Markup, html};
@@ -6,12 +6,12 @@ use quantities::Language;
 use questions::list::glossary::{meaning_of_symbol, meaning_of_word};
 use words::capitalised;
 
-/// A symbol with its meaning.
+/// Returns a symbol with its meaning.
 pub(crate) fn of_symbol(name: &str, language: Language) -> Markup {
     with(&symbol(name), meaning_of_symbol(name, language).as_deref())
 }
 
-/// A word, its first letter large, with its meaning where the glossary has it.
+/// Returns a word with an upper-case first letter, with its meaning if the glossary has it.
 pub(crate) fn of_word(word: &str, language: Language) -> Markup {
     with(&html! { (capitalised(word)) }, meaning_of_word(word, language))
 }

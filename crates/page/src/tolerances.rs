@@ -1,5 +1,4 @@
-//! The effect of the tolerances on the selected actuator: at once if that is quick, else on
-//! request.
+//! The effect of the tolerances on the selected actuator: at once if it is computed quickly, else on request.
 
 use crate::call::{Call, Shell};
 use crate::form::vals;
@@ -15,8 +14,8 @@ use questions::texts::{sampling_text, tolerance_heads, tolerance_lines, toleranc
 use questions::{Assessment, Candidate, Patience, Refusal};
 use words::{capitalised, page};
 
-/// The place where they are shown; nothing if the project has none. It identifies text, axis and actuator, so that a
-/// script need not ask twice.
+/// Returns the place of the tolerances; empty if the project has none. It identifies text, axis and actuator, so that a
+/// script requests each result once.
 pub(crate) fn place(state: &State, project: &Project, candidate: &Candidate<'_>, shell: &dyn Shell) -> Markup {
     if project.tolerances.is_empty() {
         return html! {};
@@ -39,7 +38,7 @@ pub(crate) fn place(state: &State, project: &Project, candidate: &Candidate<'_>,
     }
 }
 
-/// The tolerances judged.
+/// Returns the judged tolerances.
 pub(crate) fn judged(call: &Call<'_>, shell: &dyn Shell, patience: &Patience) -> Markup {
     let mut state = State::of(call);
     let l = state.language;

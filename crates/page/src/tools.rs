@@ -1,5 +1,5 @@
-//! The tools beside the project: what is known about a code, calculators, commissioning, glossary. Each is a question of the
-//! list, its fields are what that question takes, and its faults stand at them.
+//! The tools next to the project: data of a code, calculators, commissioning, glossary. Each is a question of the list
+//! with the question's arguments as fields; faults are shown at the fields.
 
 mod calculators;
 mod code;
@@ -20,33 +20,33 @@ use questions::{Patience, list, read_all_watched, read_code};
 use std::borrow::Cow;
 use words::{Word, page};
 
-/// A tool: its name in requests, what it is called, how it answers.
+/// A tool: its name in requests, its title, and its answer.
 struct Tool {
     id: &'static str,
     title: Word,
     ask: Ask,
 }
 
-/// How a tool answers.
+/// Kind of answer of a tool.
 enum Ask {
-    /// What is said about a code.
+    /// Data of a code.
     Code(fn(&str, Language) -> Markup),
-    /// What is said about a text.
+    /// Explanation of a text.
     About(fn(&str, Language) -> Markup),
-    /// A question of the list: what stands in its fields at first, and how its answer is shown.
+    /// A question of the list: the initial values of its fields, and the layout of its answer.
     Of(&'static Entry, &'static [(&'static str, &'static str)], Show),
-    /// The mounting, under the limits of the manual or under the loads of the project that is open.
+    /// Mounting, under the limits of the manual or under the loads of the open project.
     Mount,
-    /// The loads on the output bearing.
+    /// Loads on the output bearing.
     Loads,
-    /// Measured values, judged.
+    /// Judgement of measured values.
     Record,
 }
 
-/// How an answer is shown.
+/// Layout of an answer.
 type Show = fn(&Asked<'_>, &Scene<'_>) -> Result<Markup, Unanswered>;
 
-/// The tools, in the order of their use.
+/// Tools in the order of their use.
 const TOOLS: [Tool; 15] = [
     Tool { id: "code", title: page::tool_code, ask: Ask::Code(code::explained) },
     Tool { id: "data", title: page::tool_data, ask: Ask::Code(code::data) },
@@ -92,7 +92,7 @@ const TOOLS: [Tool; 15] = [
     Tool { id: "glossary", title: page::tool_glossary, ask: Ask::About(code::words) },
 ];
 
-/// The pane of the tools: the requested tool and its subject.
+/// Returns the pane of the tools: the requested tool and its subject.
 pub(crate) fn pane(call: &Call<'_>, shell: &dyn Shell, patience: &Patience) -> Markup {
     let l = call.language();
     let asked = call.field("tool").unwrap_or_default();
@@ -133,7 +133,7 @@ pub(crate) fn pane(call: &Call<'_>, shell: &dyn Shell, patience: &Patience) -> M
 }
 
 impl Tool {
-    /// Whether it is about a code.
+    /// Returns `true` if the tool is about a code.
     fn needs_code(&self) -> bool {
         match &self.ask {
             Ask::Of(entry, ..) => takes_a_code(entry),
@@ -143,7 +143,7 @@ impl Tool {
     }
 }
 
-/// What stands before the names of a tool's fields: those of the project have names of their own.
+/// Prefix of the fields of a tool, which keeps them apart from those of the project.
 const MARK: &str = "t_";
 
 /// A requested tool.
@@ -153,11 +153,11 @@ struct Scene<'c> {
     patience: &'c Patience,
     language: Language,
     theme: Theme,
-    /// Its name in requests.
+    /// Name in requests.
     tool: &'static str,
-    /// The code, or what stands in its place.
+    /// The code, or the text in its place.
     about: String,
-    /// Whether its fields have been filled in, by whomever.
+    /// The fields are filled in, by the user or by a link.
     is_filled: bool,
 }
 
@@ -176,7 +176,7 @@ impl<'c> Scene<'c> {
         }
     }
 
-    /// What was typed into a field of the tool; several texts a line each.
+    /// Returns the entry of a field of the tool; several texts have a line each.
     fn typed(&self, name: &str) -> Option<String> {
         if !self.is_filled {
             return None;
@@ -184,7 +184,7 @@ impl<'c> Scene<'c> {
         Some(self.call.all(&format!("{MARK}{name}")).collect::<Vec<_>>().join("\n"))
     }
 
-    /// The axis of the project that is shown, where there are several.
+    /// Returns the axis of the shown project if it has several.
     fn axis(&self) -> Option<String> {
         let place: usize = self.call.field("axis")?.parse().ok()?;
         let text = self.call.field("text")?;
@@ -192,7 +192,7 @@ impl<'c> Scene<'c> {
         axes.get(place).map(|axis| axis.name.clone())
     }
 
-    /// An address that opens the tool with these fields.
+    /// Returns an address that opens the tool with these fields.
     fn address(&self, fields: &[(&str, &str)]) -> String {
         let plain = |(name, value): (&str, _)| (name.to_owned(), value);
         let own = [("tool", self.tool), ("asked", self.tool), ("about", self.about.as_str())].map(plain);
@@ -205,7 +205,7 @@ impl<'c> Scene<'c> {
     }
 }
 
-/// Whether a question is about an ordering code.
+/// Returns `true` if a question is about an ordering code.
 fn takes_a_code(entry: &Entry) -> bool {
     entry.arguments.iter().any(|argument| argument.name == "code")
 }
@@ -215,15 +215,15 @@ struct Question<'q> {
     entry: &'static Entry,
     first: &'q [(&'q str, &'q str)],
     show: Show,
-    /// A field of the page's own, which the interface does not know.
+    /// Field of the page that the interface does not have.
     own: Option<Field>,
     body: &'q [u8],
 }
 
-/// The field that says whether the loads of the project are taken.
+/// Field that selects the loads of the project.
 const UNDER_PROJECT: &str = "project";
 
-/// The mounting: without a project, or without its loads, the limits of the manual stand in their place.
+/// Returns the mounting; without a project, or without its loads, under the limits of the manual.
 fn mounted(scene: &Scene<'_>) -> Markup {
     let text = scene.call.field("text").unwrap_or_default();
     let own = || Field::new(UNDER_PROJECT, page::under_project(scene.language), field::FieldEntry::Mark);
@@ -238,7 +238,7 @@ fn mounted(scene: &Scene<'_>) -> Markup {
     of(scene, &Question { entry, first: &[], show, own, body })
 }
 
-/// A question as fields, with its answer below them.
+/// Returns a question as fields, with its answer below them.
 fn of(scene: &Scene<'_>, question: &Question<'_>) -> Markup {
     let l = scene.language;
     let Question { entry, first, show, own, body } = question;
@@ -286,14 +286,14 @@ fn of(scene: &Scene<'_>, question: &Question<'_>) -> Markup {
     }
 }
 
-/// The last question that had an answer.
+/// Last question that had an answer.
 const GOOD: &str = "good";
 
 fn fields_of(fields: &[Field], language: Language) -> Markup {
     html! { div.rows { @for field in fields { (field.shown(language)) } } }
 }
 
-/// What is asked, as a client of the interface would.
+/// Returns the question as the query that a client of the interface sends.
 fn query_of(said: &[(&str, Option<&str>)], fields: &[Field], language: Language) -> String {
     let said = said.iter().filter_map(|(name, value)| Some((*name, (*value)?)));
     let asked = fields.iter().filter(|field| field.name != UNDER_PROJECT);

@@ -1,7 +1,7 @@
-//! The field of a quantity: a number in the language of the page, and its unit as a choice beside it.
+//! Field of a quantity: a number in the language of the page, with the choice of its unit.
 //!
-//! The project file keeps what was written: a number without a unit takes the unit that stands beside it; a number with a
-//! unit is taken as it is; another unit chosen beside it states the same value in that unit.
+//! The project file keeps the entry as written: a number without a unit takes the selected unit; a number with a unit
+//! is kept unchanged; the choice of another unit converts the value to that unit.
 
 use crate::form::{tolerance_of, vals};
 use maud::{Markup, html};
@@ -11,12 +11,12 @@ use words::page;
 
 /// A quantity as the field shows it.
 struct Shown {
-    /// The number, or the whole text where it is not one number with one unit.
+    /// The number, or the whole text if it is not one number with one unit.
     number: String,
     unit: &'static Unit,
 }
 
-/// The dimensions that a key may have; none for what is no quantity.
+/// Returns the dimensions that a key may have; empty if it is no quantity.
 pub(crate) fn dimensions(key: &Key) -> Vec<Dimension> {
     match key.kind {
         Kind::Quantity(dimension, _) => vec![dimension],
@@ -36,18 +36,18 @@ pub(crate) fn dimensions(key: &Key) -> Vec<Dimension> {
     }
 }
 
-/// The units that may be chosen: of a ratio none.
+/// Returns the selectable units; empty for a ratio.
 fn units(dimensions: &[Dimension]) -> Vec<&'static Unit> {
     dimensions.iter().flat_map(|dimension| dimension.units()).collect()
 }
 
-/// The name of the list of units of these dimensions.
+/// Returns the name of the list of units of these dimensions.
 fn list_id(dimensions: &[Dimension]) -> String {
     let names: Vec<String> = dimensions.iter().map(|dimension| format!("{dimension:?}")).collect();
     format!("units-{}", names.join("-"))
 }
 
-/// The lists of units, once for all fields of the page.
+/// Returns the lists of units, once for all fields of the page.
 pub(crate) fn lists() -> Markup {
     let mut all: Vec<Vec<Dimension>> = Vec::new();
     crate::find::walk(KEYS, "", &mut |_, key| {
@@ -61,11 +61,11 @@ pub(crate) fn lists() -> Markup {
     } }
 }
 
-/// A text as number and unit, where it is that.
+/// Splits a text into number and unit, if it consists of these.
 fn taken_apart(text: &str, dimensions: &[Dimension]) -> Option<(String, &'static Unit)> {
     let reading = dimensions.iter().find_map(|dimension| parse(*dimension, text).ok())?;
     let number: String = text.trim().chars().take_while(|sign| is_of_number(*sign)).collect();
-    // A letter of a unit may look like an exponent: the number is what is read as one.
+    // A letter of a unit may look like an exponent: the longest beginning that is a number is the number.
     let number =
         (1..=number.len()).rev().filter_map(|end| number.get(..end)).find(|part| part.trim().parse::<f64>().is_ok())?;
     Some((number.trim().to_owned(), reading.unit))
@@ -75,23 +75,24 @@ fn is_of_number(sign: char) -> bool {
     sign.is_ascii_digit() || matches!(sign, '+' | '-' | '.' | 'e' | 'E')
 }
 
-/// The value that the example of a key has.
+/// Returns the value in the example of a key.
 pub(crate) fn sample(key: &Key) -> Option<String> {
     Some(example(key)?.split_once("= ")?.1.trim_matches('"').to_owned())
 }
 
-/// A number as a language writes it.
+/// Writes a number in a language.
 fn written(number: &str, language: Language) -> String {
     number.replace('.', &language.decimal_mark().to_string())
 }
 
-/// The value of a key as its field shows it: a plain number as the language writes it.
+/// Returns the value of a key as its field shows it: a plain number with the decimal mark of the language.
 pub(crate) fn number(key: &Key, value: &str, language: Language) -> String {
     let is_number = matches!(key.kind, Kind::Number(..)) && value.parse::<f64>().is_ok();
     if is_number { written(value, language) } else { value.to_owned() }
 }
 
-/// What was typed with the decimal point of the project file, where the language has a comma and the number has one.
+/// Returns an entry with the decimal point of the project file, if the language has a comma and the number contains
+/// one.
 pub(crate) fn with_point(typed: &str, language: Language) -> String {
     let head: String = typed.trim_start().chars().take_while(|sign| is_of_number(*sign) || *sign == ',').collect();
     let is_number =
@@ -99,20 +100,21 @@ pub(crate) fn with_point(typed: &str, language: Language) -> String {
     if language.decimal_mark() == ',' && is_number { typed.replacen(',', ".", 1) } else { typed.to_owned() }
 }
 
-/// A value of a project file with the decimal mark of a language, for a field that takes number and unit together.
+/// Returns a value of a project file with the decimal mark of a language, for a field that takes number and unit
+/// together.
 pub(crate) fn with_mark(value: &str, language: Language) -> String {
     let end = value.trim().chars().take_while(|sign| is_of_number(*sign)).count();
     let is_number = end > 0 && value.matches('.').count() == 1 && value.find('.').is_some_and(|place| place < end);
     if is_number { written(value, language) } else { value.to_owned() }
 }
 
-/// What is stated by what was typed beside a unit: with a unit of its own as it is, a number alone with the unit beside it.
+/// Returns the value of an entry with a selected unit: unchanged if it has its own unit, else with the selected one.
 pub(crate) fn stated(typed: &str, unit: &str, language: Language) -> String {
     let typed = with_point(typed, language);
     if typed.trim().parse::<f64>().is_ok() && !unit.is_empty() { format!("{} {unit}", typed.trim()) } else { typed }
 }
 
-/// The same value in another unit, with its tolerance; as it was where it cannot be stated so.
+/// Converts a value with its tolerance to another unit; returns it unchanged if that is impossible.
 pub(crate) fn in_unit(text: &str, unit: &str) -> String {
     let (nominal, band) = tolerance_of(text);
     let Some(unit) = Unit::of(unit) else { return text.to_owned() };
@@ -120,7 +122,7 @@ pub(crate) fn in_unit(text: &str, unit: &str) -> String {
         let reading = parse(unit.dimension, text).ok()?;
         let zero = if is_difference { [reading.unit.to_si(0.0), unit.to_si(0.0)] } else { [0.0; 2] };
         let value = unit.from_si(reading.si - zero[0] + zero[1]);
-        // Rounding of the conversion is no figure of the user.
+        // Rounding of the conversion adds no digits.
         let short = format!("{value:.12e}").parse::<f64>().unwrap_or(value);
         Some(format!("{short} {}", unit.ascii))
     };
@@ -132,14 +134,14 @@ pub(crate) fn in_unit(text: &str, unit: &str) -> String {
     band.map_or_else(|| text.to_owned(), |band| format!("{nominal} ± {band}"))
 }
 
-/// What a field holds, or what it would.
+/// Returns the content of a field, or of its placeholder.
 fn shown(text: &str, dimensions: &[Dimension], language: Language) -> Option<Shown> {
     let (nominal, _) = tolerance_of(text);
     let (number, unit) = taken_apart(nominal, dimensions)?;
     Some(Shown { number: written(&number, language), unit })
 }
 
-/// The field of a quantity; `follows` is what it would be without an entry.
+/// Returns the field of a quantity; `follows` is the value without an entry.
 pub(crate) fn field(
     key: &Key,
     (id, path, label): (&str, &str, &str),
@@ -171,7 +173,7 @@ pub(crate) fn field(
                 aria-invalid=[wrong.then_some("true")] aria-describedby=[wrong.then_some(described)]
                 hx-post="/work" hx-trigger=(trigger) hx-vals=(vals(&[("path", path), ("unit", unit), ("kept", band)]));
             @if units.len() > 1 {
-                // The others stand once in the page.
+                // The other units stand once in the page.
                 select id={ (id) "-u" } name="in_unit" data-chosen=(unit) data-units=(list_id(&dimensions)) aria-label=(page::unit_of(&label, l)) title=(page::unit_of(&label, l))
                     hx-post="/work" hx-trigger="change" hx-vals=(vals(&[("path", path), ("was", value)])) {
                     option value=(unit) selected { (Unit::of(unit).map_or(unit, |unit| unit.symbol)) }

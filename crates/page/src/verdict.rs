@@ -1,5 +1,4 @@
-//! The bar under the head that is always in sight: whether it fits, by what it is bounded, what is open, and the faults of the
-//! text.
+//! The bar under the head, always visible: verdict, governing checks, open checks, and the faults of the text.
 
 use crate::call::{Call, Shell};
 use crate::form::{self, vals};
@@ -16,14 +15,14 @@ use words::{about_text, capitalised, check_title, page, short_label, terminal, t
 /// Number of faults shown at once.
 const FAULTS_SHOWN: usize = 20;
 
-/// What came out of the work of a request.
+/// Result of the work of a request.
 pub(crate) struct Outcome<'o, 'p> {
     pub(crate) project: Option<&'o Project>,
     pub(crate) sizing: Option<&'o Sizing<'p>>,
     pub(crate) candidate: Option<&'o Candidate<'p>>,
 }
 
-/// The class of a candidate as a whole.
+/// Returns the style class of a candidate.
 pub(crate) fn class(candidate: &Candidate<'_>) -> &'static str {
     match (candidate.fit(), candidate.open_questions()) {
         (Fit::DoesNotFit, _) => "fail",
@@ -34,7 +33,7 @@ pub(crate) fn class(candidate: &Candidate<'_>) -> &'static str {
     }
 }
 
-/// The bar.
+/// Returns the bar.
 pub(crate) fn bar(
     state: &State,
     held: &Held,
@@ -86,7 +85,8 @@ fn line(candidate: &Candidate<'_>, language: Language) -> Markup {
     }
 }
 
-/// What speaks against it, what would let it fit, and what is to be stated to have the rest checked.
+/// Returns the failed checks, the changes that would let it fit, and the values to state so that the other checks can
+/// be made.
 fn below(
     found: &Outcome<'_, '_>,
     candidate: &Candidate<'_>,
@@ -117,7 +117,8 @@ fn below(
     }
 }
 
-/// Other gearings with which an actuator fits; sought after the page is there, for it takes several judgements of the catalogue.
+/// Returns other gearings with which an actuator fits; requested after the page is shown, because it needs several
+/// judgements of the catalogue.
 pub(crate) fn would_fit(call: &Call<'_>, shell: &dyn Shell, patience: &Patience) -> Markup {
     let mut state = State::of(call);
     let l = state.language;
@@ -129,7 +130,7 @@ pub(crate) fn would_fit(call: &Call<'_>, shell: &dyn Shell, patience: &Patience)
     } }
 }
 
-/// A fault with what may mend it; what stands between grave accents is of the file.
+/// Returns a fault with its hint; text between grave accents is a quotation of the file.
 pub(crate) fn worded(message: &str, hint: Option<&str>) -> Markup {
     let set = |text: &str| {
         html! { @for (place, piece) in text.split('`').enumerate() {
@@ -139,13 +140,13 @@ pub(crate) fn worded(message: &str, hint: Option<&str>) -> Markup {
     html! { (set(message)) @if let Some(hint) = hint { " – " (set(hint)) } }
 }
 
-/// All faults of the text, each leading to its field, to the axis that has it, or to its line in the text.
+/// Returns the faults of the text, each with a link to its field, to its axis, or to its line in the text.
 fn faults(state: &State, held: &Held, fields: &str, language: Language) -> Markup {
     let prefix = state.prefix.as_str();
     let has = |id: &str| fields.contains(&format!("id=\"{id}\""));
-    // The field; of what has none the table around it.
+    // The field; for a value without a field, the enclosing table.
     let place = |path: &str| {
-        // What stands outside of the axis that is shown has no field.
+        // A value outside the shown axis has no field.
         let inside = path.strip_prefix(prefix)?;
         let is_load = |path: &str| matches!(path.strip_prefix(prefix), Some("load" | "mechanism"));
         let of = |path: &str| {
@@ -174,7 +175,7 @@ fn faults(state: &State, held: &Held, fields: &str, language: Language) -> Marku
     html! {
         div id="faults" role="status" {
             @if let Some(first) = held.faults.first() {
-                // One line, so that the field that is being typed in stays where it is; the others open over the panes.
+                // A single line, so that the field with the focus keeps its place; the others open over the panes.
                 strong.fault { (page::faults(held.faults.len(), language)) } " "
                 ul.first { li { (line(first)) } }
                 @if more > 0 {

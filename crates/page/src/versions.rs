@@ -1,4 +1,4 @@
-//! The versions of a session: what changed from one to the next, in the words of the form.
+//! Versions of a session: the changes from one to the next, in the words of the form.
 
 use crate::call::Call;
 use maud::{Markup, html};
@@ -6,7 +6,7 @@ use project::{input_changes, key_at, written};
 use quantities::Language;
 use words::{about_text, capitalised, page, short_label};
 
-/// The versions of the call, the last first, each with what it changed.
+/// Returns the versions of the call, the latest first, each with its changes.
 pub(crate) fn listed(call: &Call<'_>) -> Markup {
     let l = call.language();
     let texts: Vec<String> = call.all("version").map(|text| text.replace("\r\n", "\n")).collect();
@@ -29,7 +29,7 @@ fn back(text: &str, language: Language) -> Markup {
     html! { div { textarea hidden readonly { (maud::PreEscaped(crate::form::escaped(text))) } button.small type="button" data-version="" { (page::back_to_version(language)) } } }
 }
 
-/// What a version says differently, of all axes, a line each.
+/// Returns the changes of a version in all axes, a line each.
 fn changes(before: &str, after: &str, language: Language) -> Vec<String> {
     let axes = |text: &str| {
         let keys = written(text).unwrap_or_default();

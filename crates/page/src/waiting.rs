@@ -8,7 +8,7 @@ use questions::answer::refusal_text;
 use questions::{Patience, Refusal};
 use words::{capitalised, page, requests, terminal};
 
-/// Where a page shows that a work takes longer, with a way to cancel it.
+/// Returns the place that shows the progress of a long work, with a button to cancel it.
 pub(crate) fn place(language: Language) -> Markup {
     html! {
         div id="busy" hidden {
@@ -18,7 +18,7 @@ pub(crate) fn place(language: Language) -> Markup {
     }
 }
 
-/// How far a work is, in words.
+/// Returns the progress of a work as text.
 pub(crate) fn progress(call: &Call<'_>, shell: &dyn Shell) -> Reply {
     let l = call.language();
     let work = call.field("work").unwrap_or_default();
@@ -40,8 +40,8 @@ pub(crate) fn cancelled(call: &Call<'_>, shell: &dyn Shell) -> Reply {
     Reply::text(status, "")
 }
 
-/// Why there is no result of the last change, and how to request it again if that may help; `before` says that an older
-/// one is shown.
+/// Returns the reason why the last change has no result, and a way to repeat the request if that may help; `before`
+/// means that an older result is shown.
 pub(crate) fn stopped(
     refusal: &Refusal,
     before: bool,

@@ -9,13 +9,13 @@ use serde::Deserialize;
 use std::borrow::Cow;
 use words::requests;
 
-/// What the body is called in faults, unless the query says otherwise: as the command line calls what it reads from there.
+/// Default name of the body in faults: the name of standard input on the command line.
 const USUAL_NAME: &str = "stdin";
 
-/// The question of a request.
+/// Reads the question of a request.
 ///
 /// # Errors
-/// Every fault of the query at once; a body that has not two texts where two are read.
+/// All faults of the query; a body without the two texts that the question reads.
 pub(crate) fn put<'a>(
     entry: &Entry,
     call: &Call<'a>,
@@ -42,7 +42,7 @@ pub(crate) fn put<'a>(
     Ok(Asked { given, sources, days_since_1970, patience, refuses_long: false, language })
 }
 
-/// The two texts of a body in JSON.
+/// The two texts of a JSON body.
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
 struct Two {
@@ -55,7 +55,7 @@ fn two_texts(body: &[u8], language: Language) -> Result<Two, Unanswered> {
         .map_err(|error| Unanswered::message(requests::no_two_projects(&error.line(), &error.column(), language)))
 }
 
-/// Media types in which a text may come: its own, none, and what clients send when it is not stated.
+/// Media types of a text: its own, none, and the defaults of clients.
 const TEXTS: [&str; 6] = [
     "application/toml",
     "text/plain",
@@ -65,7 +65,7 @@ const TEXTS: [&str; 6] = [
     "application/x-www-form-urlencoded",
 ];
 
-/// The reply to a body of a type that the question does not read.
+/// Returns the reply to a body of a media type that the question does not read.
 pub(super) fn wrong_media(reads: Reads, call: &Call<'_>, language: Language) -> Option<Reply> {
     let sent = call.media.filter(|sent| !sent.trim().is_empty())?;
     let plain = sent.split(';').next().unwrap_or_default().trim().to_ascii_lowercase();

@@ -1,4 +1,4 @@
-//! The answers that are drawn, typeset or written as tables.
+//! Answers that are drawn, typeset or written as tables.
 
 use crate::{Reply, ReportAsked, Shell};
 use figures::{By, Drawing, Figure, NoFigure, Size, Theme};
@@ -13,10 +13,10 @@ use std::convert::Infallible;
 use tables::{Format, Front, Subject};
 use words::{requests, simulation, terminal};
 
-/// How an answer is made.
+/// Makes an answer.
 type Makes = fn(&Asked<'_>, &dyn Shell) -> Result<Reply, Unanswered>;
 
-/// The questions whose answers are made here, by their commands.
+/// The questions answered here, by command.
 const MADE: [(&str, Makes); 7] = [
     (super::OPENAPI.command, openapi),
     (plot::ENTRY.command, drawn),
@@ -27,13 +27,13 @@ const MADE: [(&str, Makes); 7] = [
     (upkeep_calendar::ENTRY.command, calendar),
 ];
 
-/// The reply to a question whose answer is made here.
+/// Returns the reply to a question answered here.
 pub(super) fn reply(command: &str, asked: &Asked<'_>, shell: &dyn Shell) -> Result<Reply, Unanswered> {
     let made = MADE.iter().find(|(made, _)| *made == command);
     made.map_or(Err(Refusal::NoData.into()), |(_, make)| make(asked, shell))
 }
 
-/// Whether the answer to a question is made here.
+/// Returns `true` if the answer to a question is made here.
 #[cfg(test)]
 pub(super) fn is_made(command: &str) -> bool {
     MADE.iter().any(|(made, _)| *made == command)
@@ -57,7 +57,7 @@ fn drawn(asked: &Asked<'_>, _: &dyn Shell) -> Result<Reply, Unanswered> {
     picture(&drawing, args.theme, [args.width, args.height], asked.language)
 }
 
-/// A picture with the stated colours, width and height.
+/// Returns a picture with the stated colours, width and height.
 fn picture(
     drawing: &Drawing,
     is_dark: Option<bool>,
@@ -107,7 +107,7 @@ fn calendar(asked: &Asked<'_>, _: &dyn Shell) -> Result<Reply, Unanswered> {
     Ok(Reply::of(200, media::CALENDAR, text).saved_as(&format!("{}.ics", found.code)))
 }
 
-/// The record of a run, its course as a table, or a picture of it.
+/// Returns the record of a run, its course as a table, or a picture of it.
 fn simulated(asked: &Asked<'_>, _: &dyn Shell) -> Result<Reply, Unanswered> {
     let language = asked.language;
     let args = simulate::Args::read(&asked.given)?;

@@ -1,4 +1,4 @@
-//! The list of endpoints as OpenAPI 3.1, whose schemas are those of the answers.
+//! The list of endpoints as OpenAPI 3.1, with the schemas of the answers.
 
 use super::{ROOT, entries, method, parameters};
 use quantities::Language;
@@ -8,10 +8,10 @@ use serde_json::{Map, Value, json};
 use std::collections::BTreeMap;
 use words::requests;
 
-/// Where the records stand that the answers share.
+/// Path of the records that answers share.
 const PLACE: &str = "#/components/schemas/";
 
-/// The whole interface, described in a language.
+/// Returns the description of the whole interface in a language.
 pub(super) fn document(language: Language) -> Value {
     let answers = moved(answers::schema(&records()));
     let mut paths: Map<String, Value> = Map::new();
@@ -33,7 +33,7 @@ pub(super) fn document(language: Language) -> Value {
     })
 }
 
-/// A schema whose shared records stand where OpenAPI has them.
+/// Returns a schema with its shared records moved to their place in OpenAPI.
 fn moved(schema: Value) -> Value {
     match schema {
         Value::String(text) => Value::String(match text.strip_prefix("#/$defs/") {
@@ -58,7 +58,7 @@ fn operation(entry: &Entry, answers: &Value, language: Language) -> Value {
     let statuses: &[&str] = if entry.reads == Reads::Nothing { &["422", "503"] } else { &["413", "415", "422", "503"] };
     for status in statuses {
         let schema = match property(answers, "faults of a code") {
-            // What is wrong with a code may be reported as a record of its own.
+            // Faults of a code may be a record of their own.
             Some(codes) if of_code && *status == "422" => json!({ "anyOf": [faults, codes] }),
             _ => faults.clone(),
         };
@@ -79,7 +79,7 @@ fn operation(entry: &Entry, answers: &Value, language: Language) -> Value {
     operation
 }
 
-/// A schema under the media type that it is about.
+/// Returns a schema under its media type.
 fn content(media: &str, schema: &Value) -> Value {
     json!({ media: { "schema": schema } })
 }
@@ -108,7 +108,7 @@ fn named(parameter: &Argument, language: Language) -> Value {
     let schema = match parameter.kind {
         ArgumentKind::Text | ArgumentKind::Code | ArgumentKind::File => json!({ "type": "string" }),
         ArgumentKind::Date => json!({ "type": "string", "format": "date" }),
-        // As a boolean, as a number, as the text of either; a name without a value is true.
+        // A boolean, a number, or the text of either; a name without a value is true.
         ArgumentKind::Flag => json!({ "enum": [true, false, 1, 0, "true", "false", "1", "0", ""] }),
         ArgumentKind::Whole(least, most) => json!({ "type": "integer", "minimum": least, "maximum": most }),
         ArgumentKind::Word(words) => json!({ "type": "string", "enum": words() }),

@@ -1,4 +1,4 @@
-//! How the answers of the tools are shown: lines, tables and the picture where one is drawn.
+//! Layouts of the answers of the tools: lines, tables and pictures.
 
 use super::Scene;
 use crate::call::query;
@@ -16,7 +16,7 @@ use words::{
     terminal, terms,
 };
 
-/// Width of a picture, in pixels.
+/// Width of a picture \[px\].
 const WIDTH: f64 = 640.0;
 
 pub(super) fn picture(drawing: &Drawing, name: &str, theme: Theme, language: Language) -> Markup {
@@ -40,7 +40,7 @@ pub(super) fn encoder(asked: &Asked<'_>, scene: &Scene<'_>) -> Result<Markup, Un
     let title = capitalised(words::encoder::turn_the_shaft(l));
     let angle = found.motor.shaft.angle_deg.0;
     Ok(html! {
-        // The script writes the angle into its field, which asks again.
+        // The script writes the angle into its field, which sends the request again.
         label.turn { (title) " " input type="range" id="turn" min="0" max="359.9" step="0.1" value=(angle) data-turns="t-angle" hx-morph-skip=""; }
         @for (place, state) in [Some(&found.motor), found.output_encoder.as_ref()].into_iter().flatten().enumerate() {
             @for (part, drawing) in figures::encoder_tracks(&found.code, state, l).iter().enumerate() {
@@ -121,7 +121,7 @@ pub(super) fn inertia(asked: &Asked<'_>, _: &Scene<'_>) -> Result<Markup, Unansw
     })
 }
 
-/// The shapes that a body may have, with their keys.
+/// Returns the shapes that a body may have, with their keys.
 fn shapes(language: Language) -> Markup {
     let l = language;
     html! {
@@ -154,7 +154,7 @@ pub(super) fn mount(asked: &Asked<'_>, _: &Scene<'_>) -> Result<Markup, Unanswer
     Ok(laid_out(&chapter::mount(&list::mount::found(asked)?, asked.language)))
 }
 
-/// The same under the loads of the project.
+/// Returns the mounting under the loads of the project.
 pub(super) fn mount_in_project(asked: &Asked<'_>, _: &Scene<'_>) -> Result<Markup, Unanswered> {
     Ok(laid_out(&chapter::mount(&list::mount_project::found(asked)?, asked.language)))
 }

@@ -1,4 +1,4 @@
-//! What is said about an ordering code alone, and about the words.
+//! Explanations of an ordering code, and of the terms.
 
 use crate::chapters::symbol;
 use maud::{Markup, html};
@@ -17,10 +17,10 @@ use words::{
     symbol_term, table_title, terminal, terms,
 };
 
-/// So many codes are proposed for a beginning of one.
+/// Number of proposed codes for the beginning of one.
 const PROPOSED: usize = 12;
 
-/// A code field by field, or what it could become.
+/// Explains a code field by field, or proposes its completions.
 pub(super) fn explained(typed: &str, language: Language) -> Markup {
     let l = language;
     let code = match read_code(typed, l) {
@@ -37,7 +37,7 @@ pub(super) fn explained(typed: &str, language: Language) -> Markup {
     }
 }
 
-/// Why a text is no code, what it could become, and the nearest that are.
+/// Explains why a text is no valid code, with its completions and the nearest codes.
 pub(super) fn incomplete(typed: &str, fault: &CodeRefusal, language: Language) -> Markup {
     let l = language;
     let pattern = read_pattern(typed, l).ok();
@@ -60,7 +60,7 @@ pub(super) fn incomplete(typed: &str, fault: &CodeRefusal, language: Language) -
     }
 }
 
-/// The data sheet, table by table, with the notes and errata of each.
+/// Returns the data sheet, table by table, with the notes and errata of each.
 pub(super) fn data(typed: &str, language: Language) -> Markup {
     let l = language;
     let code = match read_code(typed, l) {
@@ -121,7 +121,7 @@ fn section(section: &SheetSection, errata: &mut Vec<&'static str>, language: Lan
     }
 }
 
-/// What is wrong in the print about a code, a table or in all.
+/// Returns the errata of a code or a table, or all of them.
 pub(super) fn errata(typed: &str, language: Language) -> Markup {
     let l = language;
     let found = match errata_about(Some(typed), l) {
@@ -142,7 +142,7 @@ pub(super) fn errata(typed: &str, language: Language) -> Markup {
     }
 }
 
-/// Words and symbols with their meaning.
+/// Returns terms and symbols with their meaning.
 pub(super) fn words(typed: &str, language: Language) -> Markup {
     let wanted = (!typed.starts_with("CHA")).then_some(typed);
     match glossary(wanted, language) {

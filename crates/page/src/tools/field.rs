@@ -1,4 +1,4 @@
-//! The fields of a tool: what the question takes, what was typed, what is wrong with it.
+//! Fields of a tool: arguments of the question, entries of the user, faults.
 
 use super::MARK;
 use answers::Fault;
@@ -12,19 +12,19 @@ use words::{key_word, page};
 /// A field.
 #[derive(Clone)]
 pub(super) struct Field {
-    /// As the interface calls it.
+    /// Name in the interface.
     pub(super) name: String,
     pub(super) label: String,
-    /// What else is to be known of it.
+    /// Additional explanation.
     pub(super) remark: Option<String>,
-    /// What stands in grey where nothing is typed.
+    /// Placeholder, shown in grey without an entry.
     pub(super) ghost: Option<String>,
     entry: FieldEntry,
     pub(super) value: String,
     pub(super) troubles: Vec<Trouble>,
 }
 
-/// How it is filled in.
+/// Kind of entry.
 #[derive(Clone)]
 pub(super) enum FieldEntry {
     Line,
@@ -37,10 +37,10 @@ pub(super) enum FieldEntry {
     Choice(Vec<(String, String)>),
 }
 
-/// What is wrong.
+/// A fault of an entry.
 #[derive(Clone)]
 pub(super) struct Trouble {
-    /// The field that it is about.
+    /// Field of the fault.
     pub(super) field: Option<String>,
     pub(super) message: String,
     pub(super) hint: Option<String>,
@@ -52,10 +52,10 @@ impl Trouble {
     }
 }
 
-/// What the page itself says in a question.
+/// Arguments that the page itself adds to a question.
 const SAID_OTHERWISE: [&str; 6] = ["code", "axis", "file", "width", "height", "theme"];
 
-/// The words of a choice, each as it is said.
+/// Returns the words of a choice with their labels.
 fn choice(name: &str, words: &[&str], language: Language) -> FieldEntry {
     let said = |word: &&str| {
         let text = key_word(name, word, language).map_or_else(|| (*word).to_owned(), Cow::into_owned);
@@ -65,7 +65,7 @@ fn choice(name: &str, words: &[&str], language: Language) -> FieldEntry {
 }
 
 impl Field {
-    /// The field of a key of a file, with its words or an example of its value in grey.
+    /// Creates the field of a key of a file, with its words, or with an example of its value in grey.
     pub(super) fn of_key(path: &str, label: &str, key: &Key, language: Language) -> Self {
         let entry = match key.kind {
             project::Kind::OneOf(words) => choice(key.name, words, language),
@@ -75,7 +75,7 @@ impl Field {
         Self { ghost, ..Self::new(path, label, entry) }
     }
 
-    /// The field of an argument; none for one that the page gives itself.
+    /// Creates the field of an argument; `None` for one that the page itself states.
     pub(super) fn of_argument(argument: &Argument, language: Language) -> Option<Self> {
         if SAID_OTHERWISE.contains(&argument.name) {
             return None;
@@ -93,7 +93,7 @@ impl Field {
         Some(Self::new(argument.name, &about, entry))
     }
 
-    /// A field; the text behind its first full stop stands below it.
+    /// Creates a field; the text behind its first full stop is shown below it.
     pub(super) fn new(name: &str, about: &str, entry: FieldEntry) -> Self {
         let stop = [about.find("; "), about.find(": ")].into_iter().flatten().min();
         let (label, remark) = match stop.and_then(|stop| about.split_at_checked(stop)) {
@@ -111,7 +111,7 @@ impl Field {
         }
     }
 
-    /// What is asked with it: nothing where nothing is typed.
+    /// Returns the values of the question; none for an empty entry.
     pub(super) fn values(&self) -> impl Iterator<Item = &str> {
         let whole = !matches!(self.entry, FieldEntry::Lines);
         let lines = self.value.lines().map(str::trim).filter(move |_| !whole);
@@ -119,7 +119,7 @@ impl Field {
         one.into_iter().chain(lines).filter(|value| !value.is_empty())
     }
 
-    /// The row of the field.
+    /// Returns the row of the field.
     pub(super) fn shown(&self, language: Language) -> Markup {
         let (id, name) = (format!("t-{}", self.name), format!("{MARK}{}", self.name));
         let wrong = !self.troubles.is_empty();
@@ -149,12 +149,12 @@ impl Field {
     }
 }
 
-/// What is wrong with a question.
+/// Returns the faults of a question.
 pub(super) fn troubles(unanswered: &Unanswered, language: Language) -> Vec<Trouble> {
     let of_code = matches!(unanswered, Unanswered::Code { .. });
     let trouble = |fault: Fault| Trouble {
         field: fault.option.or(fault.file).filter(|_| !of_code),
-        // Of several texts in a field the line says which.
+        // For several texts in a field, the line identifies the text.
         message: match fault.place.filter(|_| !of_code) {
             Some(place) => format!("{}: {}", page::at_line(&place.line, &place.column, language), fault.message),
             None => fault.message,
@@ -164,7 +164,7 @@ pub(super) fn troubles(unanswered: &Unanswered, language: Language) -> Vec<Troub
     unanswered.faults(None, language).errors.into_iter().map(trouble).collect()
 }
 
-/// Puts each fault to its field; gives back those that have none. Before anything is typed, an empty field is no fault.
+/// Adds each fault to its field and returns those without one. Before the first entry, an empty field is no fault.
 pub(super) fn at_their_fields(fields: &mut [Field], troubles: Vec<Trouble>, is_filled: bool) -> Vec<Trouble> {
     let mut loose = Vec::new();
     for trouble in troubles {

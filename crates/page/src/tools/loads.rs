@@ -1,4 +1,4 @@
-//! The output bearing under loads that are typed here: a small project, judged as any other.
+//! The output bearing under typed loads: a small project, judged like any other.
 
 use super::field::{Field, Trouble, at_their_fields};
 use super::{GOOD, MARK, Scene, fields_of};
@@ -13,7 +13,7 @@ use questions::texts::{figure_text, margin_text, percent, unit_text, verdict_tex
 use questions::{Candidate, Unread, Verdict, read_all_watched, read_code};
 use words::{about_text, capitalised, check_title, grade_word, page, short_label, source_text, terminal, terms};
 
-/// The keys of the form, with their initial values.
+/// Keys of the form, with their initial values.
 const KEYS: [(&str, &str); 8] = [
     ("bearing.radial_force", "1200 N"),
     ("bearing.radial_distance", "80 mm"),
@@ -25,7 +25,7 @@ const KEYS: [(&str, &str); 8] = [
     ("requirements.bearing_life_min", ""),
 ];
 
-/// The rest of a project whose output turns at a steady speed. Its inertia weighs nothing on the bearing.
+/// Rest of the project: an output that turns at constant speed. Its inertia has no effect on the bearing.
 const AROUND: &str = "format = 1\n[axis]\nsingle_move = true\n[load]\ninertia = \"1 kg m^2\"\n[[motion]]\nlaw = \"constant\"\ntime = \"1 s\"\n";
 
 pub(super) fn shown(scene: &Scene<'_>) -> Markup {

@@ -1,4 +1,4 @@
-//! Measured values of a commissioning, typed in and judged at once: the record that the command line reads.
+//! Measured values of a commissioning, typed and judged at once: the record that the command line reads.
 
 use super::code::incomplete;
 use super::field::{Field, Trouble};
@@ -17,7 +17,7 @@ use words::{
     verdict_word,
 };
 
-/// Fields that belong to the record and not to its keys.
+/// Field of the text of the record, which is not one of its keys.
 const TEXT: &str = "text";
 const WAS: &str = "was";
 const DO: &str = "do";
@@ -25,7 +25,7 @@ const FILE: &str = "file";
 const KNOWN: &str = "known";
 const OPEN: &str = "open";
 
-/// Tables of which several may stand in a record.
+/// Table that may occur several times in a record.
 const SEVERAL: &str = "no_load";
 
 pub(super) fn shown(scene: &Scene<'_>) -> Markup {
@@ -83,12 +83,12 @@ pub(super) fn shown(scene: &Scene<'_>) -> Markup {
     }
 }
 
-/// What was typed stays while there is no code to judge it for.
+/// Returns the entries, kept while there is no code for them.
 fn kept(scene: &Scene<'_>) -> Markup {
     html! { @for name in [TEXT, WAS, FILE, KNOWN, GOOD] { input type="hidden" name={ (MARK) (name) } value=(scene.typed(name).unwrap_or_default()); } }
 }
 
-/// The text with what was changed, the name of its file and the version that was opened.
+/// Returns the text with the changes, the name of its file and the version that was opened.
 fn state(scene: &Scene<'_>, about: &Commissioning) -> (String, String, String) {
     let typed = |name: &str| scene.typed(name).unwrap_or_default().replace("\r\n", "\n");
     let (mut text, was, file, known) = (typed(TEXT), typed(WAS), typed(FILE), typed(KNOWN));
@@ -104,7 +104,7 @@ fn state(scene: &Scene<'_>, about: &Commissioning) -> (String, String, String) {
         let title = capitalised(&commissioning::title(&about.code, scene.language));
         text = format!("# {title}\nformat = 1\n");
     } else if text == was {
-        // Nothing was changed in the text itself: what the fields say otherwise is put into it.
+        // If the text itself is unchanged, the values of the fields are written into it.
         text = with_fields(text, scene);
     }
     let file = if file.trim().is_empty() { format!("{}-measured.toml", about.code) } else { file };
@@ -133,10 +133,10 @@ fn with_fields(mut text: String, scene: &Scene<'_>) -> String {
     }
 }
 
-/// So many files of the folder are looked into.
+/// Largest number of files of the folder that are read.
 const LOOKED_INTO: usize = 40;
 
-/// The records in the folder, the last written first.
+/// Returns the records in the folder, the latest first.
 fn records(scene: &Scene<'_>) -> Markup {
     let l = scene.language;
     let Some(folder) = scene.shell.folder() else { return html! {} };
@@ -154,10 +154,10 @@ fn records(scene: &Scene<'_>) -> Markup {
     } }
 }
 
-/// What is needed to draw the fields of a record.
+/// Data for drawing the fields of a record.
 struct Form<'f> {
     about: &'f Commissioning,
-    /// Its check-lists, at the usual temperature.
+    /// Checklists of the code at the default temperature.
     sheet: &'f answers::Commissioning,
     written: &'f [Written],
     faults: &'f [(Option<String>, Worded)],
@@ -165,7 +165,7 @@ struct Form<'f> {
 }
 
 impl Form<'_> {
-    /// The paths of a table: several where several stand there.
+    /// Returns the paths of a table: several if the record has several.
     fn paths(&self, key: &Key) -> Vec<String> {
         if key.name != SEVERAL {
             return vec![key.name.to_owned()];
@@ -185,7 +185,7 @@ impl Form<'_> {
         })
     }
 
-    /// Whether the code has what a table is about, or the record says so.
+    /// Returns `true` if the code has the subject of a table, or the record states it.
     fn is_shown(&self, key: &Key) -> bool {
         key.name != "brake" || self.about.has_brake() || self.written.iter().any(|there| there.path == key.name)
     }
@@ -238,7 +238,7 @@ impl Form<'_> {
         field.shown(l)
     }
 
-    /// What a field is for, and what the check-list expects there.
+    /// Returns the purpose of a field, and the expected value of the checklist.
     fn remark(&self, purpose: MeasuredKey) -> String {
         let l = self.language;
         let about = measured_key_text(purpose, l);
