@@ -1,4 +1,4 @@
-//! From a request to its answer: let in, read, computed beside the others, sent back.
+//! The way of a request: admitted, read, computed concurrently with others, answered.
 
 use crate::body::{Bodies, Held, NoBody, read};
 use crate::folder::Workplace;
@@ -25,10 +25,10 @@ use std::time::Duration;
 use tokio::sync::Semaphore;
 use words::requests;
 
-/// What answers a call.
+/// Answers a call.
 pub(crate) type Respond = fn(&Call<'_>, &dyn Shell, &Patience) -> Reply;
 
-/// What all connections share.
+/// State shared by all connections.
 pub(crate) struct Desk {
     pub(crate) address: SocketAddr,
     pub(crate) token: Option<Token>,
@@ -37,9 +37,9 @@ pub(crate) struct Desk {
     pub(crate) respond: Respond,
     workplace: Arc<Workplace>,
     bodies: Bodies,
-    /// The turns of short and of long answers.
+    /// Turns of short and of long answers.
     pub(crate) lanes: Lanes,
-    /// Questions that may wait for a turn.
+    /// Places of questions that wait for a turn.
     places: Arc<Semaphore>,
 }
 
@@ -58,13 +58,14 @@ const HEADERS: [(&str, &str); 7] = [
     ("permissions-policy", "camera=(), geolocation=(), microphone=()"),
 ];
 
-/// What is answered at once, however many questions wait: that the server is up, how far a work is, that it ends.
+/// Paths that are answered at once, independent of the number of waiting questions: the state of the server, progress
+/// and cancellation of a work.
 const AT_ONCE: [&str; 3] = ["/health", page::PROGRESS, page::CANCEL];
 
-/// The header with the name of a page's work, by which its progress is requested and it is cancelled.
+/// Header with the name of a page's work; progress and cancellation refer to it.
 const WORK: &str = "x-work";
 
-/// So long a page may still take, when the time is over, to say what is there.
+/// Time that a page has after the time limit to return its partial result.
 const LAST_WORDS: Duration = Duration::from_secs(2);
 
 /// Cancels the work on a timeout or when the client has disconnected.
@@ -83,18 +84,18 @@ impl Drop for Waits {
     }
 }
 
-/// What a request asks, without what let it in.
+/// An admitted request without its credentials.
 struct Admitted {
     path: String,
     query: String,
     language: Language,
 }
 
-/// A request whose head and body are here.
+/// A request with its complete head and body.
 struct Question {
     parts: Parts,
     path: String,
-    /// Without the token.
+    /// Query without the token.
     query: String,
     body: Held,
     language: Language,
@@ -122,7 +123,7 @@ impl Desk {
         }
     }
 
-    /// Answers a request, whatever it is.
+    /// Answers a request of any kind.
     pub(crate) async fn answer(&self, request: Request<Incoming>, place: &IdleSlot) -> Response<Full<Bytes>> {
         let (parts, body) = request.into_parts();
         let (asked, headers) = (parts.uri.path().to_owned(), parts.headers.clone());
@@ -142,10 +143,10 @@ impl Desk {
         sent(reply, &asked, &headers, &HEADERS)
     }
 
-    /// What a request asks that may ask.
+    /// Admits a request, or returns the reply that rejects it.
     fn let_in(&self, parts: &Parts) -> Result<Admitted, Reply> {
         let path = percent_decode_str(parts.uri.path()).decode_utf8_lossy().into_owned();
-        // For scripts the same call gives the same bytes, whatever the language of the machine.
+        // For scripts the same call gives the same bytes, independent of the language of the machine.
         let preferred = if path.starts_with("/api/") { None } else { preferred(&parts.headers) };
         let language = preferred.unwrap_or(self.language);
         let barred = |status, what: &str| Err(page::misdirected(status, what, None));
@@ -157,7 +158,8 @@ impl Desk {
         let mut query = parts.uri.query().unwrap_or_default().to_owned();
         if let Some(token) = &self.token {
             let without = token.taken_from(&query);
-            // The files that are the same for everyone come before there is a token, and by a link that has none.
+            // Files that are the same for all clients need no token: the page loads them before it has one, and links
+            // to them have none.
             if without.is_none() && !token.is_in(&parts.headers) && !is_open_to_all(parts) {
                 return Err(locked(parts, language));
             }
@@ -181,16 +183,17 @@ impl Desk {
             NoBody::NoRoom => (503, requests::busy(language).to_owned()),
             NoBody::Broken => (400, requests::body_broken(language).to_owned()),
         };
-        // What may still come of it is not read.
+        // The rest of the body is not read.
         page::misdirected(status, &message, None).with("connection", "close")
     }
 
-    /// Computes the answer on a thread of its own when its turn has come, and gives up when its time is over.
+    /// Computes the answer on a thread of its own when its turn has come, and gives up at the time limit.
     async fn respond(&self, question: Question) -> Reply {
         let language = question.language;
         let (respond, workplace) = (self.respond, Arc::clone(&self.workplace));
         let patience = Arc::new(Patience::limited());
-        // A file that is the same for everyone must not wait, and a stranger who reads it must not keep others waiting.
+        // A file that is the same for all clients must not wait, and a client without a token that reads it must not
+        // keep others waiting.
         if AT_ONCE.contains(&question.path.as_str()) || is_open_to_all(&question.parts) {
             return question.put(respond, &workplace, &patience);
         }
@@ -224,7 +227,7 @@ impl Desk {
 }
 
 impl Question {
-    /// Puts the question.
+    /// Passes the question on as a call.
     fn put(&self, respond: Respond, shell: &Workplace, patience: &Patience) -> Reply {
         let call = Call {
             method: if self.parts.method == Method::POST { page::Method::Post } else { page::Method::Get },
@@ -238,12 +241,13 @@ impl Question {
     }
 }
 
-/// Too many wait already.
+/// Returns the reply when too many questions wait.
 fn busy(language: Language) -> Reply {
     page::misdirected(503, requests::busy(language), None).with("retry-after", "1")
 }
 
-/// The answer to a request without the token: for a browser that opens a page the page that sends the token if it has been kept.
+/// Returns the reply to a request without the token; for a browser that opens a page, the page that sends the stored
+/// token.
 fn locked(parts: &Parts, language: Language) -> Reply {
     let accepts = parts.headers.get(ACCEPT).and_then(|value| value.to_str().ok()).unwrap_or_default();
     let is_page = !parts.uri.path().starts_with("/api/") && accepts.contains("text/html");
@@ -252,7 +256,7 @@ fn locked(parts: &Parts, language: Language) -> Reply {
     reply.with("www-authenticate", "Bearer")
 }
 
-/// Returns `true` if a request only reads a file that is the same for everyone.
+/// Returns `true` if a request only reads a file that is the same for all clients.
 fn is_open_to_all(parts: &Parts) -> bool {
     matches!(parts.method, Method::GET | Method::HEAD) && page::is_open_to_all(parts.uri.path())
 }

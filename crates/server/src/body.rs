@@ -1,4 +1,4 @@
-//! The body of a request, read within bounds of size and time, and within what all bodies together may take.
+//! Body of a request, read within limits of size and time, and within the memory for all bodies.
 
 use crate::limits::Limits;
 use bytes::Bytes;
@@ -7,11 +7,11 @@ use hyper::body::{Body, Incoming};
 use std::sync::Arc;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
-/// Bytes of all bodies that are held at the moment.
+/// Bytes of all bodies that are held at present.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Bodies(Arc<AtomicUsize>);
 
-/// A body, counted as long as it lives.
+/// A body, counted until it is dropped.
 #[derive(Debug)]
 pub(crate) struct Held {
     bytes: Vec<u8>,
@@ -23,7 +23,7 @@ impl Held {
         &self.bytes
     }
 
-    /// Takes a piece, if there is room for it among all bodies.
+    /// Adds a piece and returns `true` if all bodies stay within `most` bytes.
     fn take(&mut self, piece: &Bytes, most: usize) -> bool {
         let before = self.all.0.fetch_add(piece.len(), Ordering::Relaxed);
         self.bytes.extend_from_slice(piece);
@@ -37,20 +37,20 @@ impl Drop for Held {
     }
 }
 
-/// Why there is no body.
+/// Reason why a body was not read.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum NoBody {
-    /// It is larger than one may be.
+    /// The body exceeds its size limit.
     TooLarge,
-    /// It comes too slowly.
+    /// The body exceeds its time limit.
     TooSlow,
-    /// There is no room for it beside the others.
+    /// The memory for all bodies is used up.
     NoRoom,
-    /// Its sender has broken off, or sent what is no body.
+    /// The sender disconnected, or sent no valid body.
     Broken,
 }
 
-/// Reads a body of at most so many bytes to its end.
+/// Reads a body of at most `most` bytes to its end.
 pub(crate) async fn read(body: Incoming, most: usize, all: &Bodies, limits: &Limits) -> Result<Held, NoBody> {
     if body.size_hint().lower() > most as u64 {
         return Err(NoBody::TooLarge);

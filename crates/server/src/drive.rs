@@ -1,4 +1,4 @@
-//! The virtual drive over TCP: connections on the loopback in front of one drive, and the time.
+//! The virtual drive over TCP: connections on the loopback to one drive, and its clock.
 
 use crate::serve::{Unserved, end_requested, listening};
 use questions::drive::line::{self, Answer, LINE_MOST};
@@ -13,21 +13,21 @@ use std::time::{Duration, Instant};
 use tokio::net::TcpStream;
 use tokio::sync::{mpsc, oneshot};
 
-/// How a client talks to the drive.
+/// Protocol between a client and the drive.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum DriveProtocol {
     /// Lines of text.
     #[default]
     Line,
-    /// Frames of CAN, as socketcand carries them.
+    /// CAN frames in the protocol of socketcand.
     SocketCand,
 }
 
 impl DriveProtocol {
-    /// Both.
+    /// Both protocols.
     pub const ALL: [Self; 2] = [Self::Line, Self::SocketCand];
 
-    /// Its identifier.
+    /// Returns the identifier.
     #[must_use]
     pub const fn id(self) -> &'static str {
         match self {
@@ -36,13 +36,13 @@ impl DriveProtocol {
         }
     }
 
-    /// That of an identifier.
+    /// Returns the protocol of an identifier.
     #[must_use]
     pub fn of(id: &str) -> Option<Self> {
         Self::ALL.into_iter().find(|protocol| protocol.id() == id)
     }
 
-    /// The longest request.
+    /// Returns the largest number of bytes of a request.
     const fn request_most(self) -> usize {
         match self {
             Self::Line => LINE_MOST,
@@ -51,34 +51,34 @@ impl DriveProtocol {
     }
 }
 
-/// Clients at the same time; for a further one the longest idle one is let go, or it is turned away.
+/// Largest number of clients; a further one replaces the longest idle client or is rejected.
 pub const CLIENTS_MOST: usize = 8;
 
-/// A client without a request for so long may be let go for another.
+/// Time without a request after which a client may be replaced.
 const IDLE_TIME: Duration = Duration::from_secs(10);
 
-/// Time until the first request of a client.
+/// Time limit of the first request of a client.
 const FIRST_TIME: Duration = Duration::from_secs(60);
 
-/// Time for an answer to be taken.
+/// Time limit for sending an answer.
 const WRITE_TIME: Duration = Duration::from_secs(10);
 
-/// Answers and frames that wait for a client; one that reads slower is closed.
+/// Largest number of answers and frames that wait for a client; a slower client is disconnected.
 const WAITING_MOST: usize = 2048;
 
-/// What connections report before the drive looks at it.
+/// Capacity of the queue from the connections to the drive.
 const REPORTS_MOST: usize = 64;
 
-/// Steps of the drive between two looks at the end of the program and at its clients: 25 ms of the axis.
+/// Steps of the drive between two polls of the signals and the clients: 25 ms of the axis.
 const SLICE: u64 = 50;
 
-/// The clock is looked at so often.
+/// Polling interval of the clock.
 const TICK: Duration = Duration::from_millis(1);
 
-/// Steps of the drive at once: a simulation that is slower than the clock lets time pass.
+/// Largest number of steps at once: a simulation slower than the clock skips time.
 const CATCH_UP_MOST: u64 = 40;
 
-/// A drive that is listened for.
+/// A drive that accepts connections.
 pub struct DriveServer {
     listener: TcpListener,
     address: SocketAddr,
@@ -86,10 +86,10 @@ pub struct DriveServer {
     time: Time,
 }
 
-/// What a connection reports.
+/// Report of a connection.
 enum Event {
     Opened(u64, mpsc::Sender<Vec<u8>>),
-    /// A request, and what is dropped once it is answered: only then a client brings its next one.
+    /// A request, and the sender that is dropped with its answer; the client sends its next request after that.
     Request(u64, Vec<u8>, oneshot::Sender<()>),
     Closed(u64),
 }
@@ -98,14 +98,14 @@ enum Event {
 struct Job {
     client: u64,
     request: Vec<u8>,
-    /// Steps of the drive until it is answered; `None`: it has not begun.
+    /// Steps of the drive until the answer; `None` before the request is begun.
     left: Option<u64>,
     /// Dropped with the request.
     _answered: oneshot::Sender<()>,
 }
 
 impl DriveServer {
-    /// Listens on the loopback, and nowhere else.
+    /// Listens on the loopback only.
     ///
     /// # Errors
     /// [`Unserved`].
@@ -114,7 +114,7 @@ impl DriveServer {
         Ok(Self { listener, address, protocol, time })
     }
 
-    /// Where it listens.
+    /// Returns the address that it listens on.
     #[must_use]
     pub const fn address(&self) -> SocketAddr {
         self.address
@@ -123,7 +123,7 @@ impl DriveServer {
     /// Serves a drive until the program is terminated.
     ///
     /// # Errors
-    /// Where the system gives no means to wait for connections.
+    /// When the system provides no means to wait for connections.
     pub fn run(self, drive: Drive<'_>, node: u8) -> Result<(), Unserved> {
         let runtime = tokio::runtime::Builder::new_current_thread()
             .enable_io()
@@ -150,13 +150,13 @@ enum Device<'a> {
 /// A client.
 struct Client {
     out: mpsc::Sender<Vec<u8>>,
-    /// Whether its first request was one of the protocol: a command, raw mode.
+    /// The first request was one of the protocol: a command, raw mode.
     is_known: bool,
-    /// Its last request.
+    /// Time of its last request.
     heard: Instant,
 }
 
-/// A client leaves, or is let go.
+/// Disconnection of a client, by itself or by the drive.
 struct Leaves;
 
 /// The drive with its clients and its clock.
@@ -164,7 +164,7 @@ struct Bench<'a> {
     device: Device<'a>,
     time: Time,
     clients: BTreeMap<u64, Client>,
-    /// Requests in the order in which they came, at most one of each client.
+    /// Requests in the order of their arrival, at most one of each client.
     jobs: VecDeque<Job>,
     begun: Instant,
     steps: u64,
@@ -172,7 +172,7 @@ struct Bench<'a> {
 
 impl<'a> Bench<'a> {
     fn new(mut drive: Drive<'a>, node: u8, protocol: DriveProtocol, time: Time) -> Self {
-        // The state machine has begun when the first client comes.
+        // The state machine has started before the first client connects.
         drive.advance(2);
         let device = match protocol {
             DriveProtocol::Line => Device::Line(Box::new(drive)),
@@ -188,7 +188,7 @@ impl<'a> Bench<'a> {
         }
     }
 
-    /// Goes on to the time of the clock.
+    /// Advances the drive to the time of the clock.
     fn follow_clock(&mut self) {
         if self.time == Time::Stepped {
             return;
@@ -196,7 +196,7 @@ impl<'a> Bench<'a> {
         #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a time that has passed")]
         let due = (self.begun.elapsed().as_secs_f64() / HALF_MS_S) as u64;
         let steps = due.saturating_sub(self.steps).min(CATCH_UP_MOST);
-        // Steps beyond are skipped.
+        // Steps beyond the limit are skipped.
         self.steps = due;
         match &mut self.device {
             Device::Line(drive) => drive.advance(steps),
@@ -226,7 +226,7 @@ impl<'a> Bench<'a> {
         }
     }
 
-    /// Lets the longest idle client go where there is no place for another; whether there is one now.
+    /// Returns `true` if there is a place for a new client; disconnects the longest idle one if necessary.
     fn has_place(&mut self) -> bool {
         if self.clients.len() < CLIENTS_MOST {
             return true;
@@ -237,8 +237,8 @@ impl<'a> Bench<'a> {
         true
     }
 
-    /// Works for one slice at the request whose turn it is. One that lets steps pass comes again behind those of the other clients:
-    /// on a bus, where the time belongs to all, they wait for it.
+    /// Works for one slice on the request at the head of the queue. A request that needs further steps is queued again
+    /// behind those of the other clients: on a bus, all of them share the time.
     fn work(&mut self) {
         let Some(mut job) = self.jobs.pop_front() else { return };
         self.follow_clock();
@@ -277,7 +277,7 @@ impl<'a> Bench<'a> {
         self.send_frames();
     }
 
-    /// Begins a request: answers it, or returns the steps that pass before its answer.
+    /// Begins a request: answers it, or returns the number of steps before its answer.
     fn begin(&mut self, id: u64, request: &[u8]) -> Result<u64, Leaves> {
         let client = self.clients.get_mut(&id).ok_or(Leaves)?;
         let sent = |client: &Client, text: Vec<u8>| client.out.try_send(text).map_err(|_| Leaves);
@@ -291,7 +291,7 @@ impl<'a> Bench<'a> {
                 let answer = match line::answer(drive, self.time, text) {
                     Answer::Line(answer) => answer,
                     Answer::Bye => return Err(Leaves),
-                    // A browser that was led here begins with something else.
+                    // A browser sends something else first.
                     Answer::NoCommand | Answer::Wrong if !client.is_known => return Err(Leaves),
                     Answer::NoCommand => line::NO_COMMAND.to_owned(),
                     Answer::Wrong => line::WRONG.to_owned(),
@@ -313,7 +313,7 @@ impl<'a> Bench<'a> {
                     socketcand::Message::Send(frame) => {
                         let time_s = node.drive().time_s();
                         let steps = node.accept(&frame);
-                        // The others on the bus hear it too.
+                        // The other nodes on the bus receive the frame too.
                         self.broadcast(&[frame], time_s, Some(id));
                         self.send_frames();
                         return Ok(steps);
@@ -324,12 +324,12 @@ impl<'a> Bench<'a> {
         Ok(0)
     }
 
-    /// Answers a request behind its steps; whether the client stays.
+    /// Answers a request after its steps; returns `true` if the client stays connected.
     fn finish(&self, id: u64) -> bool {
         let Some(client) = self.clients.get(&id) else { return true };
         match &self.device {
             Device::Line(drive) => client.out.try_send(format!("{}\n", line::stepped(drive)).into_bytes()).is_ok(),
-            // A frame has no answer of its own.
+            // A frame has no answer.
             Device::Node(_) => true,
         }
     }
@@ -364,7 +364,7 @@ async fn serve(listener: tokio::net::TcpListener, mut bench: Bench<'_>, end: imp
         tokio::select! {
             biased;
             () = &mut end => break,
-            // Signals and sockets are looked at between two slices of work.
+            // Signals and sockets are polled between two slices of work.
             () = tokio::task::yield_now() => {}
         }
         bench.work();
@@ -387,7 +387,7 @@ async fn serve(listener: tokio::net::TcpListener, mut bench: Bench<'_>, end: imp
     }
 }
 
-/// One connection: requests to the drive one by one, answers back.
+/// Serves one connection: passes its requests to the drive one by one, and the answers back.
 async fn connection(
     stream: TcpStream,
     id: u64,
@@ -417,7 +417,7 @@ async fn connection(
             }
         }
         tokio::select! {
-            // The drive has let the client go once what it answered is written.
+            // The drive has disconnected the client; the last answer is still written.
             answer = answers.recv() => match answer {
                 Some(answer) => match tokio::time::timeout(WRITE_TIME, written(&stream, &answer)).await {
                     Ok(true) => {}
@@ -444,7 +444,8 @@ async fn is_answered(pending: &mut Option<oneshot::Receiver<()>>) {
     }
 }
 
-/// The length of the first request of what was received; `None` where it is not complete, an error where it cannot be one.
+/// Returns the length of the first request in the received bytes; `None` if it is incomplete, an error if it is
+/// invalid.
 fn first_request(protocol: DriveProtocol, received: &[u8]) -> Option<Result<usize, ()>> {
     match protocol {
         DriveProtocol::Line => match received.iter().position(|byte| *byte == b'\n') {
@@ -460,7 +461,7 @@ fn first_request(protocol: DriveProtocol, received: &[u8]) -> Option<Result<usiz
     }
 }
 
-/// Takes what has come; whether the connection is open.
+/// Reads the received bytes; returns `true` while the connection is open.
 fn taken(stream: &TcpStream, received: &mut Vec<u8>) -> bool {
     let mut some = [0; 1024];
     match stream.try_read(&mut some) {
@@ -473,7 +474,7 @@ fn taken(stream: &TcpStream, received: &mut Vec<u8>) -> bool {
     }
 }
 
-/// Writes all of it; whether the connection is open.
+/// Writes the whole text; returns `true` while the connection is open.
 async fn written(stream: &TcpStream, mut text: &[u8]) -> bool {
     while !text.is_empty() {
         if stream.writable().await.is_err() {

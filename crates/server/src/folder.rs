@@ -1,4 +1,4 @@
-//! The working folder: project files by their names, and the recordings that they name; nothing outside of it.
+//! The working folder: project files by name, and the recordings that they name; no access outside of it.
 
 use disk::{Beside, Links, Unwritten, read_within};
 use page::{
@@ -14,31 +14,33 @@ use std::sync::{Arc, Mutex, PoisonError};
 use std::time::{Duration, SystemTime, UNIX_EPOCH};
 use words::SaveTrouble;
 
-/// So many project files are listed.
+/// Largest number of listed project files.
 const LISTED_MOST: usize = 1000;
 
-/// So many entries of a folder are looked at.
+/// Largest number of entries of a folder that are read.
 const LOOKED_AT_MOST: usize = 20_000;
 
 /// Seconds of a day.
 const DAY_S: u64 = 86_400;
 
-/// The resources of this machine for the page.
+/// Resources of this machine for the page.
 pub(crate) struct Workplace {
     files: Beside,
     time: Duration,
     press: Option<Press>,
-    /// One save at a time: between the look at the old version and the new one nothing of ours comes in.
+    /// Lock for one save at a time: between the comparison with the old version and the new file, no other save of this
+    /// server intervenes.
     saving: Mutex<()>,
-    /// The works under way that have a name; as many at most as requests are let in.
+    /// Running works with a name, at most as many as admitted requests.
     works: Mutex<BTreeMap<String, Arc<Patience>>>,
 }
 
-/// Bytes of the name of a work.
+/// Largest number of bytes of the name of a work.
 const WORK_NAME_MOST: usize = 64;
 
 impl Workplace {
-    /// Of a folder, with so much memory for the recordings of a project and so much time for an answer.
+    /// Creates the resources of a folder, with limits of memory for the recordings of a project and of time for an
+    /// answer.
     pub(crate) fn new(folder: PathBuf, memory: u64, time: Duration, press: Option<Press>) -> Self {
         let grant = Grant { memory, reach: Reach::Beside };
         Self {
@@ -50,7 +52,8 @@ impl Workplace {
         }
     }
 
-    /// A work begins under a name; not where the name is none, or is that of another one under way.
+    /// Registers a running work under a name; returns `false` if the name is invalid or belongs to another running
+    /// work.
     pub(crate) fn begun(&self, name: &str, patience: &Arc<Patience>) -> bool {
         let is_name = (1..=WORK_NAME_MOST).contains(&name.len())
             && name.bytes().all(|byte| byte.is_ascii_alphanumeric() || byte == b'-');
@@ -62,7 +65,7 @@ impl Workplace {
         is_free
     }
 
-    /// It has ended.
+    /// Removes a work that has ended.
     pub(crate) fn ended(&self, name: &str) {
         let _ = self.works.lock().unwrap_or_else(PoisonError::into_inner).remove(name);
     }
@@ -157,7 +160,7 @@ impl Folder for Workplace {
             }
         }
         let path = self.files.folder.join(name);
-        // What is not known yet may not be there either.
+        // A file without a known version must be a new one.
         disk::save(&[(&path, text)], &[], known.is_some()).map_err(why)
     }
 
@@ -168,7 +171,7 @@ impl Folder for Workplace {
             let path = self.files.folder.join(&name);
             match disk::save(&[(&path, bytes)], &[], false).map_err(why) {
                 Ok(()) => return Ok(name),
-                // The same recording once more is the one that is there.
+                // An identical recording is not written again.
                 Err(SaveFault::Changed) => {
                     let there = File::open(self.files.regular(&name).map_err(SaveFault::Disk)?);
                     let there = there.and_then(|file| read_within(file, bytes.len())).map_err(SaveFault::Disk)?;
@@ -234,7 +237,7 @@ mod tests {
         assert_eq!(names, ["axis.toml"]);
     }
 
-    /// Two users have opened the same version: one saves, the other gets a message.
+    /// Two users have opened the same version: one saves, the other receives a message.
     #[test]
     fn of_two_who_save_one_gets_the_conflict() {
         let folder = tempfile::tempdir().unwrap();
@@ -309,15 +312,16 @@ mod tests {
         assert_eq!(std::fs::read(away.path().join("far.toml")).unwrap(), b"secret");
     }
 
-    /// Says to this program that it is to save until it is killed, and how large the text is.
+    /// Environment variable that makes this program save until it is killed; it holds the size of the text.
     const SAVER: &str = "ANTRIEB_TEST_SAVES_IN";
 
-    /// Long enough that a write is no single moment.
+    /// Returns a text long enough that writing it takes a measurable time.
     fn text(sign: u8) -> Vec<u8> {
         vec![sign; 200_000]
     }
 
-    /// The other process of the test below, which saves from the version that it finds; alone it has nothing to do.
+    /// The second process of the test below, which saves from the version that it finds; without its variable it does
+    /// nothing.
     #[test]
     fn saves_until_it_is_killed() {
         let Some(folder) = std::env::var_os(SAVER) else { return };
@@ -330,7 +334,7 @@ mod tests {
         }
     }
 
-    /// A thousand power failures during a save: two at a time, each with its own folder.
+    /// Simulates a thousand power failures during a save: two at a time, each with its own folder.
     #[cfg(unix)]
     #[test]
     fn a_thousand_kills_in_the_midst_of_saves_leave_whole_files() {
@@ -343,7 +347,7 @@ mod tests {
         });
     }
 
-    /// The file is another one with every save.
+    /// Returns the number of the file; every save creates a new one.
     #[cfg(unix)]
     fn number(folder: &std::path::Path) -> u64 {
         use std::os::unix::fs::MetadataExt;
@@ -364,7 +368,7 @@ mod tests {
                 .stderr(std::process::Stdio::null())
                 .spawn()
                 .unwrap();
-            // It saves now, one after the other: each is killed at another moment of that.
+            // The process now saves repeatedly: each is killed at a different moment of that.
             while number(folder.path()) == before && child.try_wait().unwrap().is_none() {
                 std::thread::sleep(Duration::from_millis(1));
             }
@@ -376,7 +380,7 @@ mod tests {
             let sign = found[0];
             assert!(found == text(sign), "a file of {} bytes", found.len());
         }
-        // What the killed ones left unfinished is cleared by the next save.
+        // The next save removes the unfinished files of the killed processes.
         let last = place.read("axis.toml").unwrap();
         place.save("axis.toml", b"end", Some(&version(&last))).unwrap();
         assert_eq!(place.read("axis.toml").unwrap(), b"end");

@@ -1,4 +1,4 @@
-//! Who may ask: the host that is asked, the site that asks, the token that it brings.
+//! Access of requests: the addressed host, the sending site, the preferred language.
 
 use hyper::header::{ACCEPT_LANGUAGE, HOST, ORIGIN};
 use hyper::http::request::Parts;
@@ -6,16 +6,16 @@ use hyper::{HeaderMap, Method};
 use quantities::Language;
 use std::net::{IpAddr, SocketAddr};
 
-/// Why a request does not get in.
+/// Reason why a request is rejected.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Barred {
-    /// It asks another host.
+    /// The request is addressed to another host.
     Host,
-    /// Another site sends it.
+    /// The request comes from another site.
     Site,
 }
 
-/// Whether a request asks this server, and from itself.
+/// Admits a request that is addressed to this server and comes from its own pages.
 pub(crate) fn admit(parts: &Parts, address: SocketAddr) -> Result<(), Barred> {
     let headers = &parts.headers;
     let hosts: Vec<&[u8]> = headers.get_all(HOST).into_iter().map(|value| value.as_bytes()).collect();
@@ -24,18 +24,18 @@ pub(crate) fn admit(parts: &Parts, address: SocketAddr) -> Result<(), Barred> {
     if !std::str::from_utf8(host).is_ok_and(is_ours) {
         return Err(Barred::Host);
     }
-    // A request may name the host in its line as well.
+    // The request line may name the host too.
     if parts.uri.authority().is_some_and(|authority| !is_ours(authority.as_str())) {
         return Err(Barred::Host);
     }
     if is_from_elsewhere(&parts.method, headers, address) { Err(Barred::Site) } else { Ok(()) }
 }
 
-/// Whether a text is a host that this server answers for: its own address or a name of the loopback, with its port. What a
-/// name server may say of a name counts for nothing.
+/// Returns `true` if a text is a host of this server: its own address or a name of the loopback, with its port. Other
+/// names are rejected, independent of their resolution.
 fn is_host(text: &str, address: SocketAddr) -> bool {
     let (name, port) = match text.rsplit_once(':') {
-        // The colons of an address without a port stand within brackets.
+        // In an address without a port, the colons stand within brackets.
         Some((name, port)) if !port.ends_with(']') => (name, port.parse::<u16>().ok()),
         _ => (text, Some(80)),
     };
@@ -48,14 +48,14 @@ fn is_host(text: &str, address: SocketAddr) -> bool {
     let plain = name.strip_prefix('[').and_then(|name| name.strip_suffix(']')).unwrap_or(name);
     let Ok(named) = plain.parse::<IpAddr>() else { return false };
     if address.ip().is_unspecified() {
-        // Of all addresses of the machine it is one: who gave it as a number has not been led here by a name.
+        // Listening on all addresses: a numeric address is accepted, because it cannot come from a forged name.
         return true;
     }
     named == address.ip() || (named.is_loopback() && address.ip().is_loopback())
 }
 
-/// Whether a browser says that another site has sent a request. One that changes something may not say so of any other; one that
-/// only gets something may come by a link.
+/// Returns `true` if the headers of a browser show that another site has sent the request. A request that changes
+/// something must come from this server; one that only reads may come from a link on any site.
 fn is_from_elsewhere(method: &Method, headers: &HeaderMap, address: SocketAddr) -> bool {
     let text = |name: &str| headers.get(name).map(|value| value.to_str().unwrap_or("?"));
     let changes = !matches!(*method, Method::GET | Method::HEAD);
@@ -73,7 +73,7 @@ fn is_from_elsewhere(method: &Method, headers: &HeaderMap, address: SocketAddr) 
     changes && !origins.iter().all(ours)
 }
 
-/// The language that a browser prefers among ours.
+/// Returns the supported language that a browser prefers.
 pub(crate) fn preferred(headers: &HeaderMap) -> Option<Language> {
     let accepted = headers.get(ACCEPT_LANGUAGE)?.to_str().ok()?;
     let mut best: Option<(f32, Language)> = None;
@@ -170,7 +170,7 @@ mod tests {
         let link = [("host", HERE), ("sec-fetch-site", "cross-site"), ("sec-fetch-mode", "navigate")];
         assert_eq!(asked("GET", "/", &link), Ok(()));
         assert_eq!(asked("POST", "/", &link), Err(Barred::Site));
-        // A script or a program says nothing of the kind.
+        // A script or a program sends no such header.
         assert_eq!(asked("POST", "/", &[("host", HERE)]), Ok(()));
     }
 

@@ -1,8 +1,9 @@
-//! Two lanes for the answers: a long one does not keep the short ones waiting.
+//! Two lanes for answers, so that a long one does not keep short ones waiting.
 //!
-//! How long an answer takes is known for certain only when it is there, so every work begins as a short one. What has not ended after
-//! [`Limits::short_time`] is a long one: it leaves its turn to the next short one and goes on in the second lane. If that is full it is
-//! ended and begun again there when its turn has come, so that what waits for it is never a short one; what it had done by then is lost.
+//! The duration of a work is unknown in advance, so every work begins as a short one. A work that has not ended after
+//! [`Limits::short_time`] is a long one: it leaves its turn to the next short one and continues in the second lane. If
+//! that lane is full, the work is cancelled and begun again there when its turn has come, so that it never delays a
+//! short one; its partial result is lost.
 
 use crate::limits::Limits;
 use page::Reply;
@@ -21,13 +22,13 @@ pub(crate) struct Lanes {
     short: Arc<Semaphore>,
     long: Arc<Semaphore>,
     short_time: Duration,
-    /// Threads of works that have ended, for the next ones.
+    /// Thread pools of finished works, for reuse.
     pools: Arc<Mutex<Vec<ThreadPool>>>,
-    /// The works under way.
+    /// Running works.
     under_way: Mutex<Vec<Weak<Patience>>>,
 }
 
-/// The turn of a work: it is held as long as the work runs, also when its client has disconnected.
+/// Turn of a work, held until the work ends, after a disconnection of its client too.
 type Turn = Arc<Mutex<Option<OwnedSemaphorePermit>>>;
 
 impl Lanes {
@@ -41,12 +42,12 @@ impl Lanes {
         }
     }
 
-    /// Threads on which works run at most.
+    /// Returns the largest number of threads that run works.
     pub(crate) fn threads(limits: &Limits) -> usize {
         limits.computed.max(1) + limits.long()
     }
 
-    /// Returns the answer of a work when its turn has come, which is reported by `begins`; `None` if it failed.
+    /// Returns the answer of a work after its turn has come, which `begins` reports; `None` if it failed.
     pub(crate) async fn computed(
         &self,
         work: Arc<Work>,
@@ -61,7 +62,7 @@ impl Lanes {
             return done.ok();
         }
         if let Ok(turn) = Arc::clone(&self.long).try_acquire_owned() {
-            // The turn among the short ones is free with this.
+            // This frees the turn among the short ones.
             *held.lock().unwrap_or_else(PoisonError::into_inner) = Some(turn);
             return running.await.ok();
         }
@@ -70,15 +71,15 @@ impl Lanes {
         if !patience.resume() {
             return done;
         }
-        // Its turn among the short ones is free before it waits for another.
+        // The turn among the short ones is freed before the work waits for another.
         drop(held);
         let turn = Arc::clone(&self.long).acquire_owned().await.ok()?;
         let (_held, running) = self.begun(&work, &patience, turn);
         running.await.ok()
     }
 
-    /// Begins a work on a thread of its own, with threads for its parts that no other work uses: a long one would otherwise keep the parts
-    /// of a short one waiting.
+    /// Begins a work on its own thread, with a separate thread pool for its parts: in a shared pool, a long work would
+    /// keep the parts of a short one waiting.
     fn begun(
         &self,
         work: &Arc<Work>,
@@ -91,7 +92,7 @@ impl Lanes {
         let running = tokio::task::spawn_blocking(move || {
             let _turn = turn;
             let kept = pools.lock().unwrap_or_else(PoisonError::into_inner).pop();
-            // Without threads of its own it has those of all.
+            // Without a pool of its own it uses the global one.
             let Some(pool) = kept.or_else(|| ThreadPoolBuilder::new().build().ok()) else { return work(&patience) };
             let reply = pool.install(|| work(&patience));
             pools.lock().unwrap_or_else(PoisonError::into_inner).push(pool);
@@ -106,7 +107,7 @@ impl Lanes {
         under_way.push(Arc::downgrade(patience));
     }
 
-    /// Cancels every work under way.
+    /// Cancels every running work.
     pub(crate) fn cancel_all(&self) {
         let under_way = self.under_way.lock().unwrap_or_else(PoisonError::into_inner);
         under_way.iter().filter_map(Weak::upgrade).for_each(|patience| patience.cancel());

@@ -1,9 +1,9 @@
 //! The web workbench over HTTP, on this machine.
 //!
-//! `page` answers; this crate is the transport. It listens on the loopback by default and requires a token; it
-//! limits requests in size, time and number, rejects requests from other sites, opens and writes files in
-//! one folder only, and shuts down gracefully. It sends no requests itself and logs none. [`DriveServer`] is the transport of the
-//! virtual drive, on the loopback only.
+//! `page` answers; this crate is the transport. It listens on the loopback by default and requires a token; it limits
+//! requests in size, time and number, rejects requests from other sites, opens and writes files in one folder only, and
+//! shuts down gracefully. It sends no requests itself and logs none. [`DriveServer`] is the transport of the virtual
+//! drive, on the loopback only.
 
 mod answer;
 mod body;

@@ -1,44 +1,45 @@
-//! How much of everything one who asks may take.
+//! Limits of the resources that a client can use.
 
 use std::time::Duration;
 
-/// The bounds that requests are held to.
+/// Limits of requests.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Limits {
-    /// Connections at the same time; further ones wait until one ends.
+    /// Number of simultaneous connections; further ones wait until one ends.
     pub connections: usize,
-    /// Bytes of the line and the headers of a request.
+    /// Bytes of the request line and the headers.
     pub head_bytes: usize,
     /// Number of headers.
     pub headers: usize,
-    /// Time for the headers, and until the next request comes.
+    /// Time limit of the headers, and of the wait for the next request.
     pub head_time: Duration,
     /// Bytes of a body.
     pub body_bytes: usize,
-    /// Bytes of a recording that is brought.
+    /// Bytes of an uploaded recording.
     pub recording_bytes: usize,
-    /// Bytes of all bodies together that are read or answered.
+    /// Bytes of all bodies that are being read or answered.
     pub bodies_bytes: usize,
-    /// Time for a body.
+    /// Time limit of a body.
     pub body_time: Duration,
-    /// Time for an answer, the wait for its turn included.
+    /// Time limit of an answer, including the wait for its turn.
     pub answer_time: Duration,
-    /// Short answers that are computed at the same time; beside them one fewer of the long ones, but at least one.
+    /// Number of short answers that are computed simultaneously; additionally one fewer of the long ones, but at least
+    /// one.
     pub computed: usize,
-    /// A work that takes longer is a long one: it leaves its turn to the short ones.
+    /// Duration above which a work is a long one and leaves its turn to the short ones.
     pub short_time: Duration,
-    /// Questions that wait for their turn.
+    /// Number of questions that wait for their turn.
     pub waiting: usize,
-    /// Time for what has begun, once the server is to end, and once more until cancelled works have ended.
+    /// Time limit of running requests when the server is to end, and again until cancelled works have ended.
     pub end_time: Duration,
 }
 
-/// Largest number of short answers and of long ones that are computed at the same time, independent of the number of cores: each may need
-/// the memory that is allowed for recordings.
+/// Largest number of short answers and of long ones that are computed simultaneously, independent of the number of
+/// cores: each may need the memory that is allowed for recordings.
 const COMPUTED_MOST: usize = 8;
 
 impl Limits {
-    /// Long answers that are computed at the same time.
+    /// Returns the number of long answers that are computed simultaneously.
     pub(crate) const fn long(&self) -> usize {
         if self.computed > 2 { self.computed - 1 } else { 1 }
     }

@@ -1,4 +1,4 @@
-//! How a reply goes out: packed where the client reads that, and once where it is kept by its hash.
+//! Encoding of a reply: compressed if the client accepts it; an entity tag for files that the browser caches.
 
 use bytes::Bytes;
 use flate2::Compression;
@@ -12,13 +12,13 @@ use hyper::{Response, StatusCode};
 use page::Reply;
 use std::io::Write;
 
-/// Below so many bytes packing saves nothing.
+/// Smallest number of bytes that is compressed.
 const LEAST: usize = 1400;
 
-/// Files of the page: kept by the browser, which asks whether they are the same.
+/// Prefix of the files of the page: cached by the browser and revalidated by their hash.
 const ASSETS: &str = "/assets/";
 
-/// A reply to a request for a path with these headers, with headers of its own and those that every reply has.
+/// Returns a reply to a request for a path with these headers, with its own headers and those of every reply.
 pub(crate) fn sent(
     reply: Reply,
     path: &str,
@@ -53,7 +53,7 @@ pub(crate) fn sent(
         headers.insert(ETAG, tag);
     }
     for (name, value) in reply.headers {
-        // What is no header is left out: nothing of it can end the headers.
+        // An invalid header is left out, so that its text cannot end the headers.
         if let (Ok(name), Ok(value)) = (HeaderName::try_from(name), HeaderValue::try_from(value)) {
             headers.insert(name, value);
         }
@@ -61,13 +61,13 @@ pub(crate) fn sent(
     response
 }
 
-/// Whether a header lists a value.
+/// Returns `true` if a header lists a value.
 fn has(headers: &HeaderMap, name: &HeaderName, wanted: &str) -> bool {
     let values = headers.get_all(name).iter().filter_map(|value| value.to_str().ok());
     values.flat_map(|value| value.split(',')).any(|value| value.trim().trim_start_matches("W/") == wanted)
 }
 
-/// Whether the client reads gzip: named, and not with a weight of zero.
+/// Returns `true` if the client accepts gzip: listed, with a weight other than zero.
 fn reads_gzip(headers: &HeaderMap) -> bool {
     let values = headers.get_all(ACCEPT_ENCODING).iter().filter_map(|value| value.to_str().ok());
     values.flat_map(|value| value.split(',')).any(|value| {
@@ -79,7 +79,7 @@ fn reads_gzip(headers: &HeaderMap) -> bool {
     })
 }
 
-/// Packed, quickly rather than well: the way is short.
+/// Compresses a body, quickly rather than strongly: the distance is short.
 fn packed(body: &[u8]) -> Option<Vec<u8>> {
     let mut packer = GzEncoder::new(Vec::with_capacity(body.len() / 3), Compression::fast());
     packer.write_all(body).ok()?;
@@ -134,7 +134,7 @@ mod tests {
         assert!(body(again).await.is_empty());
         let other = sent(Reply::text(200, "body { margin: 1px }"), "/assets/page.css", &headers, &[]);
         assert_eq!(other.status(), 200);
-        // Nothing else is kept.
+        // Only files of the page are cached.
         let page = sent(reply(), "/work", &headers, &[]);
         assert_eq!(page.headers().get(CACHE_CONTROL).map(HeaderValue::as_bytes), Some(&b"no-store"[..]));
     }

@@ -1,4 +1,4 @@
-//! The server itself: a place to listen, connections, and an end in good order.
+//! The server: its address, connections, and an orderly shutdown.
 
 use crate::answer::{Desk, Respond};
 use crate::folder::Workplace;
@@ -25,55 +25,55 @@ use words::{file_trouble, serving};
 /// Longest duration of a connection, so that slow clients do not keep a slot.
 const CONNECTION_TIME: Duration = Duration::from_secs(600);
 
-/// After a connection could not be taken, such as for want of handles: long enough for another to end.
+/// Pause after a connection could not be accepted, e.g. for lack of file handles; in it another one may end.
 const PAUSE: Duration = Duration::from_millis(50);
 
-/// Who is answered.
+/// Clients that are served.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Access {
-    /// A client that sends the token, which is new at each start.
+    /// Clients that send the token, which is new at each start.
     #[default]
     WithToken,
     /// Every client that reaches the address: on the loopback all users and programs of the machine.
     Anyone,
 }
 
-/// Where and for whom is served.
+/// Options of the server.
 #[derive(Clone, Debug)]
 pub struct Options {
-    /// The folder that is worked in.
+    /// Working folder.
     pub folder: PathBuf,
-    /// The address to listen on; none for the loopback.
+    /// Address to listen on; `None` for the loopback.
     pub listen: Option<IpAddr>,
-    /// Who is answered.
+    /// Clients that are served.
     pub access: Access,
-    /// The port; 0 takes a free one.
+    /// Port; 0 selects a free one.
     pub port: u16,
     /// Bytes of memory for the recordings of one project.
     pub memory: u64,
-    /// The default language.
+    /// Default language.
     pub language: Language,
-    /// What requests are held to.
+    /// Limits of requests.
     pub limits: Limits,
-    /// What writes reports and forms; none without a typesetting engine.
+    /// Writers of reports and forms; `None` without a typesetting engine.
     pub press: Option<page::Press>,
 }
 
-/// Why nothing is served.
+/// Reason why the server cannot run.
 #[derive(Debug)]
 pub enum Unserved {
-    /// The folder cannot be worked in.
+    /// The working folder is not accessible.
     Folder(PathBuf, io::Error),
-    /// The address cannot be listened on.
+    /// The address cannot be used for listening.
     Address(SocketAddr, io::Error),
-    /// The system gives no randomness for a token.
+    /// The system provides no randomness for a token.
     Token(io::Error),
-    /// The system gives no means to wait for connections.
+    /// The system provides no means to wait for connections.
     System(io::Error),
 }
 
 impl Unserved {
-    /// Why, in one sentence.
+    /// Returns the reason in one sentence.
     #[must_use]
     pub fn message(&self, language: Language) -> String {
         match self {
@@ -90,7 +90,7 @@ impl Unserved {
     }
 }
 
-/// A place to listen, and its address.
+/// Opens a listener and returns it with its address.
 pub(crate) fn listening(asked: SocketAddr) -> Result<(TcpListener, SocketAddr), Unserved> {
     let bound = || {
         let listener = TcpListener::bind(asked)?;
@@ -101,14 +101,14 @@ pub(crate) fn listening(asked: SocketAddr) -> Result<(TcpListener, SocketAddr), 
     bound().map_err(|error| Unserved::Address(asked, error))
 }
 
-/// A server that listens already, so that its address is known before it serves.
+/// A server that already listens, so that its address is known before it serves.
 pub struct Server {
     listener: TcpListener,
     desk: Desk,
 }
 
 impl Server {
-    /// Listens.
+    /// Opens the listener.
     ///
     /// # Errors
     /// [`Unserved`].
@@ -131,18 +131,18 @@ impl Server {
         Ok(Self { listener, desk: Desk::new(address, token, options.language, options.limits, workplace, respond) })
     }
 
-    /// Where it listens.
+    /// Returns the address that it listens on.
     #[must_use]
     pub const fn address(&self) -> SocketAddr {
         self.desk.address
     }
 
-    /// The address for a browser, with the token where one is needed.
+    /// Returns the address for a browser, with the token if one is required.
     #[must_use]
     pub fn url(&self) -> String {
         let mut address = self.desk.address;
         if address.ip().is_unspecified() {
-            // Of all addresses of the machine the one that it has for itself.
+            // For all addresses of the machine: the loopback.
             address.set_ip(IpAddr::V4(Ipv4Addr::LOCALHOST));
         }
         match &self.desk.token {
@@ -151,13 +151,13 @@ impl Server {
         }
     }
 
-    /// Whether other machines reach it.
+    /// Returns `true` if other machines reach it.
     #[must_use]
     pub const fn is_reachable_from_elsewhere(&self) -> bool {
         !self.desk.address.ip().is_loopback()
     }
 
-    /// Who is answered.
+    /// Returns the clients that are served.
     #[must_use]
     pub const fn access(&self) -> Access {
         if self.desk.token.is_some() { Access::WithToken } else { Access::Anyone }
@@ -166,15 +166,15 @@ impl Server {
     /// Serves until the program is terminated.
     ///
     /// # Errors
-    /// Where the system gives no means to wait for connections.
+    /// When the system provides no means to wait for connections.
     pub fn run(self) -> Result<(), Unserved> {
         self.run_until(end_requested())
     }
 
-    /// Serves until `end` comes; what has begun is finished within its time.
+    /// Serves until `end` completes; running requests are finished within their time limit.
     ///
     /// # Errors
-    /// Where the system gives no means to wait for connections.
+    /// When the system provides no means to wait for connections.
     pub fn run_until(self, end: impl Future<Output = ()>) -> Result<(), Unserved> {
         let Self { listener, desk } = self;
         let runtime = tokio::runtime::Builder::new_current_thread()
@@ -195,9 +195,9 @@ impl Server {
     }
 }
 
-/// The connections on which no request is being answered: idle ones, and those whose request is not complete. When every place
-/// is taken a new connection takes the place of the one that has waited longest, so that half-sent requests do not hold others. Those
-/// that never brought the token go first.
+/// Connections without a running request: idle ones, and those with an incomplete request. When every place is taken, a
+/// new connection replaces the one that has waited longest, so that half-sent requests do not exclude others.
+/// Connections that never sent the token are replaced first.
 #[derive(Debug, Default)]
 pub(crate) struct Idle(Mutex<Waiting>);
 
@@ -208,7 +208,7 @@ struct Waiting {
     all: BTreeMap<IdleKey, Arc<Notify>>,
 }
 
-/// Whether a connection has brought the token, and its number since it is idle.
+/// `true` if the connection has sent the token, and its number in the order of becoming idle.
 type IdleKey = (bool, u64);
 
 impl Idle {
@@ -225,7 +225,7 @@ impl Idle {
 pub(crate) struct IdleSlot {
     all: Arc<Idle>,
     close: Arc<Notify>,
-    /// Its place while it is idle, and whether it has brought the token.
+    /// Key while it is idle, and `true` if it has sent the token.
     state: Mutex<(Option<IdleKey>, bool)>,
 }
 
@@ -236,8 +236,8 @@ impl IdleSlot {
         place
     }
 
-    /// No request is being answered any more. A request that was turned away never was busy: the connection keeps its place among those
-    /// that wait, so that a client that only asks is not younger than one that is silent.
+    /// Marks the connection as idle. A rejected request never was busy: the connection keeps its place among the
+    /// waiting ones, so that a client with rejected requests is not treated as younger than a silent one.
     fn idle(&self) {
         let (place, is_known) = &mut *self.state.lock().unwrap_or_else(PoisonError::into_inner);
         if place.is_some() {
@@ -250,7 +250,7 @@ impl IdleSlot {
         *place = Some(key);
     }
 
-    /// A request with the token is complete: its answer is not interrupted.
+    /// Marks the connection as busy: a request with the token is complete, and its answer is not interrupted.
     pub(crate) fn busy(&self) {
         let (place, is_known) = &mut *self.state.lock().unwrap_or_else(PoisonError::into_inner);
         *is_known = true;
@@ -259,7 +259,7 @@ impl IdleSlot {
         }
     }
 
-    /// Completes when a new connection takes the place of this one.
+    /// Completes when a new connection replaces this one.
     async fn closed(&self) {
         loop {
             self.close.notified().await;
@@ -277,7 +277,7 @@ impl Drop for IdleSlot {
     }
 }
 
-/// Takes connections until the end comes.
+/// Accepts connections until the end is requested.
 async fn serve(listener: tokio::net::TcpListener, desk: Arc<Desk>, end: impl Future<Output = ()>) {
     let (tell, ended) = watch::channel(());
     let most = desk.limits.connections.max(1);
@@ -291,7 +291,7 @@ async fn serve(listener: tokio::net::TcpListener, desk: Arc<Desk>, end: impl Fut
                 if connections.available_permits() == 0 {
                     idle.closes_longest();
                 }
-                // What was to be closed may have become busy: then another one is.
+                // The connection to be closed may have become busy: then another one is closed.
                 let place = Arc::clone(&connections).acquire_owned();
                 if let Ok(place) = tokio::time::timeout(PAUSE, place).await {
                     break (place, taken);
@@ -315,14 +315,14 @@ async fn serve(listener: tokio::net::TcpListener, desk: Arc<Desk>, end: impl Fut
     desk.lanes.cancel_all();
 }
 
-/// Serves one connection: request by request until it ends, or the server does.
+/// Serves one connection: request by request until it or the server ends.
 async fn connection(
     stream: TcpStream,
     desk: Arc<Desk>,
     mut ended: watch::Receiver<()>,
     (_permit, place): (OwnedSemaphorePermit, IdleSlot),
 ) {
-    // Responses are small and latency matters; without this option it is slower.
+    // Responses are small and latency matters; Nagle's algorithm would delay them.
     let _ = stream.set_nodelay(true);
     let limits = desk.limits;
     let place = Arc::new(place);
@@ -360,7 +360,7 @@ pub(crate) async fn end_requested() {
     let ended = |kind| async move {
         match signal(kind) {
             Ok(mut signals) => drop(signals.recv().await),
-            // Without a watch the signal ends the program as ever.
+            // Without a handler the signal ends the program as usual.
             Err(_) => std::future::pending().await,
         }
     };

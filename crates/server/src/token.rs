@@ -1,30 +1,30 @@
-//! The token that every request needs: the loopback is open to all users of the machine.
+//! The token that every request needs, since the loopback is open to all users of the machine.
 //!
-//! A request brings it as a bearer token or in its query, never as a cookie: a browser sends the cookies of a host to all of its ports,
-//! so also to a server of another user.
+//! A request carries it as a bearer token or in its query, never as a cookie: a browser sends the cookies of a host to
+//! all of its ports, and so also to a server of another user.
 
 use hyper::HeaderMap;
 use hyper::header::AUTHORIZATION;
 
-/// Its name in the address that is printed.
+/// Name of the token in the query of the printed address.
 pub(crate) const IN_QUERY: &str = "token";
 
-/// Bytes of chance in a token.
+/// Random bytes of a token.
 const BYTES: usize = 32;
 
-/// A token, made by the system's randomness.
+/// A token from the randomness of the system.
 #[derive(Clone)]
 pub(crate) struct Token {
     text: String,
-    /// Two hashes are compared in a time that does not tell where they differ.
+    /// Hash for a comparison whose duration does not depend on the position of a difference.
     hash: blake3::Hash,
 }
 
 impl Token {
-    /// Makes a new one.
+    /// Creates a token.
     ///
     /// # Errors
-    /// Where the system has no randomness to give.
+    /// When the system provides no randomness.
     pub(crate) fn new() -> std::io::Result<Self> {
         let mut bytes = [0; BYTES];
         getrandom::fill(&mut bytes).map_err(|error| std::io::Error::other(error.to_string()))?;
@@ -33,17 +33,17 @@ impl Token {
         Ok(Self { text, hash })
     }
 
-    /// As it stands in the address.
+    /// Returns the text of the token in the address.
     pub(crate) fn text(&self) -> &str {
         &self.text
     }
 
-    /// Whether a text is the token.
+    /// Returns `true` if a text is the token.
     pub(crate) fn is(&self, text: &str) -> bool {
         blake3::hash(text.as_bytes()) == self.hash
     }
 
-    /// Returns `true` if a request has it as a bearer token.
+    /// Returns `true` if a request has the token as a bearer token.
     pub(crate) fn is_in(&self, headers: &HeaderMap) -> bool {
         let mut texts = headers.get_all(AUTHORIZATION).into_iter().filter_map(|value| value.to_str().ok());
         texts.any(|value| {
@@ -52,7 +52,7 @@ impl Token {
         })
     }
 
-    /// Returns a query without the token; `None` where it does not bring it.
+    /// Returns a query without the token; `None` if it does not contain the token.
     pub(crate) fn taken_from(&self, query: &str) -> Option<String> {
         let is_token = |pair: &&str| {
             let given = pair.strip_prefix(IN_QUERY).and_then(|rest| rest.strip_prefix('='));

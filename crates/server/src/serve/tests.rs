@@ -59,7 +59,7 @@ impl Up {
         stream
     }
 
-    /// What comes back for a request with further headers.
+    /// Returns the reply to a request with further headers.
     fn ask(&self, line: &str, headers: &str) -> String {
         let mut stream = self.connect();
         let host = if self.address.ip().is_unspecified() {
@@ -208,7 +208,7 @@ fn needs_a_token(listen: IpAddr) {
     assert!(up.ask("POST /assets/page.css", "").starts_with("HTTP/1.1 401 "));
 }
 
-/// Says what it was asked.
+/// Replies with path and query of the call.
 fn repeats(call: &Call<'_>, _: &dyn Shell, _: &Patience) -> Reply {
     Reply::text(200, &format!("{} {}", call.path, call.query))
 }
