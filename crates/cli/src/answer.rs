@@ -1,4 +1,4 @@
-//! What a command answers: data for stdout, talk for stderr, an exit code.
+//! Answer of a command: data for stdout, messages for stderr, an exit code.
 
 use quantities::{Language, is_unseen, seen};
 pub(crate) use questions::answer::written;
@@ -7,19 +7,19 @@ use std::borrow::Cow;
 use std::io::Write;
 use words::file_trouble;
 
-/// The answer of a command.
+/// Answer of a command.
 #[derive(Debug, Default)]
 pub(crate) struct Answer {
-    /// For stdout.
+    /// Text for stdout.
     pub(crate) data: String,
-    /// For stderr.
+    /// Messages for stderr.
     pub(crate) talk: String,
     /// Exit code: 0 fits or answered, 1 does not fit, 2 not answered.
     pub(crate) code: u8,
 }
 
-/// A text for a terminal: no sign in it that is not seen, but ends of lines, tabs and our own colours. What a user wrote
-/// is made visible where it enters a message; this is the last place that it could leave by.
+/// Returns a text for a terminal: without invisible characters except ends of lines, tabs and the colours of antrieb.
+/// User input is made visible where it enters a message; this is the last barrier.
 fn safe(text: &str) -> Cow<'_, str> {
     if !text.chars().any(|sign| is_unseen(sign) && !matches!(sign, '\n' | '\t')) {
         return Cow::Borrowed(text);
@@ -31,7 +31,7 @@ fn safe(text: &str) -> Cow<'_, str> {
             let code = code.split_once('m')?.0;
             code.bytes().all(|byte| byte.is_ascii_digit() || byte == b';').then_some(code.len() + 3)
         });
-        // The lines of a CSV end with both.
+        // CSV lines end with CR LF.
         let end = rest.starts_with("\r\n").then_some(2);
         let ours = colour.or(end);
         let (part, behind) = rest.split_at_checked(ours.unwrap_or(sign.len_utf8())).unwrap_or((rest, ""));
@@ -44,7 +44,7 @@ fn safe(text: &str) -> Cow<'_, str> {
     Cow::Owned(out)
 }
 
-/// A text in pieces of whole lines, so that a long one need not be held twice.
+/// Splits a text into pieces of whole lines, so that a long one is not copied as a whole.
 fn pieces(mut rest: &str) -> impl Iterator<Item = &str> {
     const LONG: usize = 1 << 16;
     std::iter::from_fn(move || {
@@ -65,30 +65,30 @@ impl Answer {
         Self { data, ..Self::default() }
     }
 
-    /// Lines for stdout.
+    /// Creates an answer of lines for stdout.
     pub(crate) fn lines(lines: &[String]) -> Self {
         Self::data(lines.iter().flat_map(|line| [line.as_str(), "\n"]).collect())
     }
 
-    /// A record for stdout.
+    /// Creates an answer with a record for stdout.
     pub(crate) fn record(record: &impl Serialize) -> Self {
         Self::data(written(record))
     }
 
-    /// The answers about all axes as one: texts under each other; one that does not fit decides.
+    /// Joins the answers about all axes: texts one below the other; the code is 1 if one axis does not fit.
     pub(crate) fn of_axes(found: Vec<(String, bool)>) -> Self {
         let fits = found.iter().all(|(_, fits)| *fits);
         let texts: Vec<String> = found.into_iter().map(|(text, _)| text).collect();
         Self::data(texts.join("\n")).fits(fits)
     }
 
-    /// The same answer with a verdict.
+    /// Sets the exit code of a verdict.
     pub(crate) fn fits(self, fits: bool) -> Self {
         Self { code: u8::from(!fits), ..self }
     }
 
-    /// Writes data and talk; colours are dropped where the stream is no terminal. A pipe that the reader closed is
-    /// no fault; anything else that stdout refuses is.
+    /// Writes data and messages; colours are removed if the stream is no terminal. A pipe closed by its reader is no
+    /// fault; any other error of stdout is.
     pub(crate) fn write(self, language: Language) -> u8 {
         let _ = anstream::stderr().write_all(safe(&self.talk).as_bytes());
         let mut out = anstream::stdout();

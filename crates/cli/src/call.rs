@@ -29,22 +29,23 @@ pub(crate) struct Call<'m> {
     files: Vec<File>,
 }
 
-/// The days since the first of 1970 by the clock of this machine.
+/// Returns the days since 1 January 1970 by the clock of this machine.
 #[must_use]
 pub fn days_since_1970() -> Option<u64> {
     SystemTime::now().duration_since(UNIX_EPOCH).ok().map(|time| time.as_secs() / DAY_S)
 }
 
-/// A file that is named in a call: what is named from where the caller stands is not looked for beside the project.
+/// Returns the path of a file named in a call: relative to the working folder of the caller, not to that of the
+/// project.
 #[must_use]
 pub fn named_file(value: &str) -> String {
     std::path::absolute(value).map_or_else(|_| value.to_owned(), |path| path.to_string_lossy().into_owned())
 }
 
-/// How the terminal shows the answer to a question.
+/// Layout of the answer to a question on the terminal.
 pub(crate) type Show = fn(&Call<'_>, &Asked<'_>) -> Result<Answer, Unanswered>;
 
-/// The answer to a question of the list: its record, or as the terminal shows it.
+/// Answers a question of the list: as a record, or in the layout of the terminal.
 pub(crate) fn answer(matches: &ArgMatches, as_json: bool, language: Language) -> Result<Answer, Unanswered> {
     let Some((command, mut found)) = matches.subcommand() else { return Ok(Answer::none()) };
     let mut command = command.to_owned();
@@ -57,7 +58,7 @@ pub(crate) fn answer(matches: &ArgMatches, as_json: bool, language: Language) ->
     let Some(first) = entries.next() else { return Ok(Answer::none()) };
     let other = entries.find(|entry| entry.reads != Reads::Nothing && entry.option().is_some_and(is_given));
     let entry = other.unwrap_or(first);
-    // What cannot be written is refused before anything is read.
+    // A file that cannot be written is reported before anything is read.
     let path = |option| found.try_get_one::<PathBuf>(option).ok().flatten();
     let mut pdfs = entry.files().filter(|file| file.is_pdf()).filter_map(|file| path(file.option));
     if let Some(path) = pdfs.find(|path| path.as_os_str() == "-") {
@@ -74,7 +75,7 @@ pub(crate) fn answer(matches: &ArgMatches, as_json: bool, language: Language) ->
     Ok(Answer { talk: call.understood(&asked) + &shown.talk, ..shown })
 }
 
-/// An answer of the list.
+/// Returns an answer of the list.
 fn record(answer: &questions::list::Answer) -> Answer {
     Answer { talk: answer.remarks.clone(), ..Answer::data(answer.text.clone()) }.fits(answer.fits)
 }
@@ -96,11 +97,11 @@ fn read(entry: &Entry, matches: &ArgMatches, language: Language) -> Result<Vec<F
 }
 
 impl Call<'_> {
-    /// The call as a question of its command.
+    /// Converts the call to the question of its command.
     pub(crate) fn put(&self, entry: &Entry) -> Result<Asked<'_>, Unanswered> {
         let mut pairs: Vec<(Cow<'_, str>, Cow<'_, str>)> = Vec::new();
         for argument in entry.arguments {
-            // Of what is written in JSON the format is said.
+            // With JSON output, the format is implied.
             let is_said = self.as_json && argument.name == "format";
             if !self.is_given(argument.name) || is_said {
                 continue;
@@ -134,48 +135,48 @@ impl Call<'_> {
             && self.matches.value_source(name) == Some(ValueSource::CommandLine)
     }
 
-    /// The file of an option.
+    /// Returns the file of an option.
     pub(crate) fn path(&self, name: &str) -> Option<&Path> {
         self.matches.try_get_one::<PathBuf>(name).ok().flatten().map(PathBuf::as_path)
     }
 
-    /// The file of an option, unless that is standard output.
+    /// Returns the file of an option, unless it is standard output.
     pub(crate) fn file(&self, name: &str) -> Option<&Path> {
         self.path(name).filter(|path| path.as_os_str() != "-")
     }
 
-    /// Writes the files of the call; none of those that it reads.
+    /// Returns the writer of the files of the call, which protects those that it reads.
     pub(crate) fn desk<'c>(&self, inputs: &'c [PathBuf]) -> Desk<'c> {
         Desk { inputs, force: self.flag("force"), language: self.language }
     }
 
-    /// The record of the answer.
+    /// Returns the answer as a record.
     pub(crate) fn record(&self, asked: &Asked<'_>) -> Result<Answer, Unanswered> {
         let answer = self.entry.answer.map(|answer| answer(asked)).transpose()?;
         Ok(answer.as_ref().map_or_else(Answer::none, record))
     }
 
-    /// The text of an option.
+    /// Returns the text of an option.
     pub(crate) fn text(&self, name: &str) -> Option<&str> {
         self.matches.try_get_one::<String>(name).ok().flatten().map(String::as_str)
     }
 
-    /// The text of an option, of a bounded length and without invisible signs.
+    /// Returns the text of an option, of limited length and without invisible characters.
     pub(crate) fn label(&self, name: &'static str) -> Result<Option<String>, Unanswered> {
         self.text(name).map(|text| bounded(name, text, self.language)).transpose()
     }
 
-    /// Whether an option is set.
+    /// Returns `true` if an option is set.
     pub(crate) fn flag(&self, name: &str) -> bool {
         self.matches.try_get_one::<bool>(name).ok().flatten().copied().unwrap_or(false)
     }
 
-    /// Whether files are written.
+    /// Returns `true` if files are written.
     fn writes(&self) -> bool {
         self.entry.files().any(|file| self.path(file.option).is_some())
     }
 
-    /// The files that are read: the project and its recordings. None of them is written.
+    /// Returns the files that are read: the project and its recordings. None of them is written.
     pub(crate) fn inputs<'p>(&self, projects: impl IntoIterator<Item = &'p Project>) -> Vec<PathBuf> {
         let Some(file) = self.files.first() else { return Vec::new() };
         let recordings = projects.into_iter().flat_map(|project| &project.recordings);
@@ -183,17 +184,17 @@ impl Call<'_> {
         [file.path().to_owned()].into_iter().chain(recordings).collect()
     }
 
-    /// The files beside the project.
+    /// Returns the folder of the project.
     pub(crate) fn beside(&self) -> Option<disk::Beside> {
         self.files.first().map(|file| file.beside().clone())
     }
 
-    /// Bytes of memory that the project is allowed.
+    /// Returns the memory that the project may use, in bytes.
     pub(crate) fn memory(&self) -> u64 {
         self.files.first().map_or(questions::MEMORY_USUAL, |file| file.beside().grant.memory)
     }
 
-    /// A remark on each code that was not written canonically.
+    /// Returns a remark on each code that was not written canonically.
     fn understood(&self, asked: &Asked<'_>) -> String {
         let codes = self.entry.arguments.iter().filter(|argument| matches!(argument.kind, ArgumentKind::Code));
         let read = codes.flat_map(|argument| asked.given.all(argument.name)).filter_map(|text| {

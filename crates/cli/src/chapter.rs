@@ -1,4 +1,4 @@
-//! `curve`, `bearing`, `battery`, `new`: chapters that are answered alone.
+//! `curve`, `bearing`, `battery`, `new`: commands whose answer is one chapter.
 
 use crate::answer::Answer;
 use crate::call::Call;

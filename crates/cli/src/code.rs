@@ -49,7 +49,7 @@ pub(crate) fn list(call: &Call<'_>, asked: &Asked<'_>) -> Result<Answer, Unanswe
     Ok(Answer { talk, ..Answer::data(listed(&codes, language)) }.fits(!codes.is_empty()))
 }
 
-/// Codes, a line each; what is on request only is marked.
+/// Lists codes, a line each; those available on request only are marked.
 fn listed(codes: &[&(OrderCode, Availability)], language: Language) -> String {
     let line = |(code, found): &&(OrderCode, Availability)| {
         if found.is_available() { format!("{code}\n") } else { format!("{code}\t{}\n", terms::on_request(language)) }

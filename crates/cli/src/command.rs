@@ -17,8 +17,8 @@ pub(crate) mod own;
 mod question;
 pub(crate) mod usage;
 
-/// The requested language: `--lang`, else the variable `ANTRIEB_LANG`, else English. The locale of the machine is
-/// left out on purpose: the same call gives the same bytes everywhere.
+/// Returns the requested language: `--lang`, else the variable `ANTRIEB_LANG`, else English. The locale of the machine
+/// is not used: the same call gives the same bytes everywhere.
 pub(crate) fn language_of(arguments: impl Iterator<Item = OsString>) -> Language {
     let mut wanted = std::env::var(LANG_VARIABLE).ok();
     let mut arguments = arguments.map(|argument| argument.to_string_lossy().into_owned());
@@ -34,14 +34,14 @@ pub(crate) fn language_of(arguments: impl Iterator<Item = OsString>) -> Language
     wanted.and_then(|wanted| Language::of_id(&wanted)).unwrap_or_default()
 }
 
-/// Whether JSON is requested, even if the rest of the call is faulty.
+/// Returns `true` if JSON is requested, even if the rest of the call is faulty.
 pub(crate) fn json_of(arguments: &[OsString]) -> bool {
     let is_json =
         |argument: &OsString| argument.to_str().is_some_and(|text| text == "--json" || text.starts_with("--json="));
     arguments.iter().skip(1).take_while(|argument| *argument != "--").any(is_json)
 }
 
-/// The arguments with `--json=1` as the flag that it means, and without `--json=0`.
+/// Returns the arguments with `--json=1` replaced by the flag, and without `--json=0`.
 fn with_plain_flag(arguments: impl Iterator<Item = OsString>) -> Vec<OsString> {
     let mut options = true;
     let plain = |argument: OsString| {
@@ -59,12 +59,12 @@ fn deadline(language: Language) -> Arg {
     own::text("deadline", values::time(language), help::deadline(language))
 }
 
-/// The whole command line.
+/// Builds the whole command line.
 pub(crate) fn build(language: Language) -> Command {
     built(language, &|_| true)
 }
 
-/// The command line as one call needs it: commands whose name is none of its words are listed without their arguments, which
+/// Builds the command line for one call: commands that the call does not name are listed without their arguments, which
 /// saves a quarter of a millisecond at each start.
 pub(crate) fn build_for(arguments: &[OsString], language: Language) -> Command {
     built(language, &|entry| arguments.iter().any(|word| word == last(entry)))
@@ -74,7 +74,7 @@ fn built(language: Language, is_whole: &dyn Fn(&Entry) -> bool) -> Command {
     library::usage(headed(commands(language, is_whole), &examples(), language), language)
 }
 
-/// Gives a command and all its subcommands the headings of the language and a help flag in it.
+/// Adds headings and a help flag in the language to a command and all its subcommands.
 fn headed(command: Command, examples: &[(&str, String)], language: Language) -> Command {
     let reads_a_project =
         command.get_arguments().any(|argument| ["project", "old"].contains(&argument.get_id().as_str()));
@@ -115,7 +115,7 @@ fn headed(command: Command, examples: &[(&str, String)], language: Language) -> 
     command.mut_subcommands(|subcommand| headed(subcommand, examples, language))
 }
 
-/// A call of a command that is this face's own.
+/// Example calls of the commands that only the command line has.
 const EXAMPLES: [(&str, &str); 9] = [
     (NAME, "antrieb new screw --out axis.toml && antrieb size axis.toml"),
     ("code", "antrieb code parse CHA-20A-100-H-C1024-B"),
@@ -128,7 +128,7 @@ const EXAMPLES: [(&str, &str); 9] = [
     ("schema", "antrieb schema"),
 ];
 
-/// One call of each command; every one of them runs.
+/// Returns one call of each command; all of them are tested.
 pub(crate) fn examples() -> Vec<(&'static str, String)> {
     let own = EXAMPLES.iter().map(|(name, call)| (*name, (*call).to_owned()));
     let call = |entry: &Entry| format!("{NAME} {} {}", entry.command, entry.example).trim_end().to_owned();
@@ -136,12 +136,12 @@ pub(crate) fn examples() -> Vec<(&'static str, String)> {
     own.chain(of_list).collect()
 }
 
-/// The last word of a command.
+/// Returns the last word of a command.
 fn last(entry: &Entry) -> &'static str {
     entry.command().rsplit(' ').next().unwrap_or_default()
 }
 
-/// The arguments with `help COMMAND` as `COMMAND --help`, wherever options for all commands stand.
+/// Returns the arguments with `help COMMAND` replaced by `COMMAND --help`, also behind options that all commands have.
 pub(crate) fn with_help_asked(arguments: impl Iterator<Item = OsString>) -> Vec<OsString> {
     let mut arguments = with_plain_flag(arguments);
     let mut index = 1;
@@ -151,7 +151,7 @@ pub(crate) fn with_help_asked(arguments: impl Iterator<Item = OsString>) -> Vec<
             "--json" => index += 1,
             "help" => {
                 let _ = arguments.remove(index);
-                // The flag before what follows: what is asked about need not be whole.
+                // The flag stands before the rest, because the call that needs help may be incomplete.
                 let words = arguments.iter().skip(index).take_while(|word| !word.to_string_lossy().starts_with('-'));
                 let end = index + words.count();
                 arguments.insert(end, "--help".into());
@@ -164,7 +164,7 @@ pub(crate) fn with_help_asked(arguments: impl Iterator<Item = OsString>) -> Vec<
     arguments
 }
 
-/// Commands of which each has others below it.
+/// Commands with subcommands.
 const ABOVE: [(&str, Word); 2] = [("code", help::code), ("catalogue", help::catalogue)];
 
 fn commands(language: Language, is_whole: &dyn Fn(&Entry) -> bool) -> Command {
@@ -201,7 +201,7 @@ fn commands(language: Language, is_whole: &dyn Fn(&Entry) -> bool) -> Command {
     of_this_face(root, language)
 }
 
-/// The commands of this face alone.
+/// Adds the commands that only the command line has.
 fn of_this_face(root: Command, language: Language) -> Command {
     let shells = ["bash", "elvish", "fish", "powershell", "zsh"];
     let command = || Arg::new("command").value_name(values::command(language));
@@ -224,7 +224,7 @@ fn of_this_face(root: Command, language: Language) -> Command {
         .subcommand(Command::new("man").about(help::man(language)).arg(command().help(help::man_command(language))))
 }
 
-/// The completion script of a shell.
+/// Returns the completion script of a shell.
 pub(crate) fn completions(matches: &ArgMatches, language: Language) -> Answer {
     let mut out = Vec::new();
     let mut command = build(language);
@@ -235,7 +235,7 @@ pub(crate) fn completions(matches: &ArgMatches, language: Language) -> Answer {
     Answer::data(String::from_utf8_lossy(&out).into_owned())
 }
 
-/// A manual page.
+/// Returns a manual page.
 pub(crate) fn man(matches: &ArgMatches, language: Language) -> Result<Answer, Unanswered> {
     let mut whole = build(language);
     whole.build();
@@ -257,7 +257,7 @@ pub(crate) fn man(matches: &ArgMatches, language: Language) -> Result<Answer, Un
 mod tests {
     use super::*;
 
-    /// What the library answers to calls that it does not let through.
+    /// Compares the messages of the library for rejected calls.
     #[test]
     fn a_command_line_for_one_call_answers_as_the_whole_one() {
         let commands = || LIST.iter().filter(|entry| entry.option().is_none()).map(|entry| entry.command().to_owned());

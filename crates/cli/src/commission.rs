@@ -1,4 +1,4 @@
-//! `commission`: values of the motor of a code for the drive, check-lists, and the judgement of measured values.
+//! `commission`: motor data of a code for the drive, checklists, and the judgement of measured values.
 
 mod recorded;
 
@@ -58,7 +58,7 @@ pub(crate) fn commission(call: &Call<'_>, asked: &Asked<'_>) -> Result<Answer, U
     Ok(Answer::data(laid_out::shown(&chapter, language)))
 }
 
-/// Writes the files that are requested, all or none.
+/// Writes the requested files, all or none.
 fn write(files: &[(&Path, Vec<u8>)], code: &OrderCode, call: &Call<'_>) -> Result<Answer, Unanswered> {
     let to_write: Vec<(&Path, &[u8])> = files.iter().map(|(path, bytes)| (*path, bytes.as_slice())).collect();
     call.desk(&[]).save(&to_write)?;

@@ -1,4 +1,4 @@
-//! `compare`: several actuators side by side.
+//! `compare`: comparison of several actuators.
 
 use crate::answer::Answer;
 use crate::call::Call;
@@ -12,7 +12,7 @@ use questions::{Candidate, Check, Verdict, answer};
 use std::fmt::Write as _;
 use words::{check_title, figure_term, symbol_shown, terminal, terms, verdict_word, without_limit};
 
-/// So many stand in one table; further ones in the next.
+/// Number of actuators in one table; further ones follow in the next.
 const BESIDE: usize = 3;
 
 /// `antrieb compare PROJECT --code A --code B`
@@ -121,7 +121,7 @@ fn figures(found: &Comparison<'_>, language: Language) -> String {
     table.render()
 }
 
-/// Symbol with its word, and unit.
+/// Returns symbol with name, and unit.
 pub(crate) fn names(row: &DatumRow, language: Language) -> [String; 2] {
     let name = format!("{} {}", symbol_shown(row.symbol), figure_term(row.symbol, language));
     [name, if row.unit.symbol == "1" { "–".to_owned() } else { row.unit.symbol.to_owned() }]

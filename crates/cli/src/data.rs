@@ -37,7 +37,7 @@ fn sheet_text(sheet: &Sheet, language: Language) -> String {
     out
 }
 
-/// One table with its notes below it; the errata of its cells are gathered for the end of the sheet.
+/// Appends one table with its notes below it; the errata of its cells are collected for the end of the sheet.
 fn section_text(out: &mut String, section: &SheetSection, errata: &mut Vec<&'static str>, language: Language) {
     let title = table_title(section.table, language);
     let _ = writeln!(out, "\n{title} ({} {})", terminal::table(language), section.table.id);
@@ -77,7 +77,7 @@ fn section_text(out: &mut String, section: &SheetSection, errata: &mut Vec<&'sta
     }
 }
 
-/// Who says a note, where it is not the manual.
+/// Returns the author of a note that is not from the manual.
 fn by(note: &SheetNote) -> String {
     if note.is_ours() { "antrieb: ".to_owned() } else { String::new() }
 }

@@ -1,4 +1,4 @@
-//! `diff`: what another revision of a project does to an actuator.
+//! `diff`: effect of another revision of a project on an actuator.
 
 use crate::answer::Answer;
 use crate::call::Call;
@@ -116,7 +116,7 @@ fn checks(changes: &[CheckChange], language: Language) -> String {
     out
 }
 
-/// The cells of a check that is not the same.
+/// Returns the cells of a changed check.
 fn changed(change: &CheckChange, language: Language) -> [String; 8] {
     let none = || "–".to_owned();
     let word = |check: &Option<Check>| check.as_ref().map_or_else(none, |check| verdict_text(check, language));

@@ -16,7 +16,7 @@ use std::io::Write;
 use std::path::PathBuf;
 use words::{file_trouble, serving};
 
-/// The usual port of each protocol: that of socketcand, and the one below.
+/// Returns the default port of a protocol: that of socketcand, and the one below it.
 const fn usual_port(protocol: DriveProtocol) -> u16 {
     match protocol {
         DriveProtocol::Line => 29_535,
@@ -74,7 +74,7 @@ fn serve(
     served.map(|()| Answer::none()).map_err(Unanswered::message)
 }
 
-/// On the requested port, else on the usual one or, where that is taken, on a free one.
+/// Listens on the requested port, else on the default one or, if that is taken, on a free one.
 fn bound(port: Option<u16>, protocol: DriveProtocol, time: Time) -> Result<DriveServer, Unserved> {
     let first = DriveServer::bind(port.unwrap_or(usual_port(protocol)), protocol, time);
     match (first, port) {
@@ -83,7 +83,7 @@ fn bound(port: Option<u16>, protocol: DriveProtocol, time: Time) -> Result<Drive
     }
 }
 
-/// The axis of a project.
+/// Returns the axis of a project.
 fn of_file(file: &SourceFile, axis: Option<&str>, language: Language) -> Result<Project, Unanswered> {
     let asked = Asked {
         given: Given::of(&[AXIS], [], language)?,

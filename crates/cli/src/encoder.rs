@@ -14,7 +14,7 @@ pub(crate) fn encoder(call: &Call<'_>, asked: &Asked<'_>) -> Result<Answer, Unan
     let trace = || call.put(&encoder_trace::ENTRY).and_then(|asked| encoder_trace::found(&asked));
     let (mut record, trace) = match (encoder::found(asked), file.map(|_| trace()).transpose()) {
         (Ok(record), Ok(trace)) => (record, trace),
-        // What both of them take is wrong in both: it is reported once.
+        // A fault of a shared argument occurs in both calls and is reported once.
         (Err(why), _) | (_, Err(why)) => return Err(why),
     };
     if let (Some(file), Some((code, trace))) = (file, trace) {

@@ -1,4 +1,4 @@
-//! `errata`: what is wrong or in doubt in the print, and what is used.
+//! `errata`: errors and doubts in the manual, and the values that are used.
 
 use crate::answer::Answer;
 use crate::call::Call;
@@ -32,7 +32,7 @@ pub(crate) fn errata(call: &Call<'_>, asked: &Asked<'_>) -> Result<Answer, Unans
     Ok(Answer { talk, ..Answer::data(data) })
 }
 
-/// Where it stands, what is printed, what is used, and why.
+/// Appends place, stated value, used value and evidence of an erratum.
 fn describe(out: &mut String, erratum: &Erratum, language: Language) {
     let unit = Unit::of(erratum.unit).map_or(erratum.unit, |unit| unit.symbol);
     let shown = |text: &str| {

@@ -1,4 +1,4 @@
-//! `explain`: how value and limit of a check came about.
+//! `explain`: derivation of value and limit of a check.
 
 use crate::answer::Answer;
 use crate::call::Call;

@@ -21,7 +21,7 @@ pub(crate) fn export(call: &Call<'_>, asked: &Asked<'_>) -> Result<Answer, Unans
     let args = export::Args::read(&asked.given)?;
     let file = call.file("out");
     let format = format(call, file)?;
-    // One table; without a name the whole workbook.
+    // With a name one table, else the whole workbook.
     let table = args.table.as_deref();
     if table.is_none() && format != Format::Workbook {
         return Err(Unanswered::message(terminal::name_one_table(&NAMES.join(", "), language)));
@@ -67,7 +67,7 @@ pub(crate) fn export(call: &Call<'_>, asked: &Asked<'_>) -> Result<Answer, Unans
     Ok(Answer::data(data).fits(chosen.fits()))
 }
 
-/// The format of a file; without one that of standard output.
+/// Returns the format of a file; that of standard output without a file.
 fn format(call: &Call<'_>, file: Option<&Path>) -> Result<Format, Unanswered> {
     match file {
         None if call.as_json => Ok(Format::Json),
@@ -88,7 +88,7 @@ fn bytes(format: Format, tables: &[Table], front: &Front<'_>) -> Result<Vec<u8>,
     })
 }
 
-/// The tables in a file, and those that are too long for it.
+/// Tables in a file, and those that are too long for it.
 type InFile<'t> = (&'t [&'t Table], &'t [&'t Table]);
 
 fn sentence(file: &Path, (there, left_out): InFile<'_>, chosen: &Candidate<'_>, language: Language) -> String {

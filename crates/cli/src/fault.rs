@@ -1,4 +1,4 @@
-//! Faults of the input, shown with file, line, column and the offending text underlined.
+//! Faults of the input with file, line, column and the faulty text underlined.
 
 pub(crate) mod memory;
 
@@ -16,7 +16,8 @@ use questions::list::code_list::Availability;
 use std::path::Path;
 use words::{Worded, terminal, terms};
 
-/// At most one byte more than a project file may have: a large file or an endless stream is not read to its end.
+/// Reads at most one byte more than a project file may have, so that a large file or an endless stream is not read to
+/// its end.
 pub(crate) fn read_bytes(path: &Path) -> std::io::Result<Vec<u8>> {
     if path.as_os_str() == "-" {
         disk::read_within(std::io::stdin().lock(), PROJECT_MAX_BYTES)
@@ -25,7 +26,7 @@ pub(crate) fn read_bytes(path: &Path) -> std::io::Result<Vec<u8>> {
     }
 }
 
-/// The answer where there is none: the faults, underlined in their texts, and as a record where JSON is requested.
+/// Returns the answer to a faulty call: the faults, underlined in their texts, and as a record if JSON is requested.
 pub(crate) fn unanswered(why: &Unanswered, as_json: bool, language: Language) -> Answer {
     let mut said: Vec<String> = Vec::new();
     talk(why, &mut said, language);
@@ -36,7 +37,7 @@ pub(crate) fn unanswered(why: &Unanswered, as_json: bool, language: Language) ->
     Answer { data, talk: said.concat(), code: 2 }
 }
 
-/// Whether faults of a text are among the reasons.
+/// Returns `true` if faults of a text are among the reasons.
 fn is_about_text(why: &Unanswered) -> bool {
     match why {
         Unanswered::Text { .. } => true,
@@ -51,11 +52,11 @@ fn is_about_text(why: &Unanswered) -> bool {
     }
 }
 
-/// What the terminal says of each reason, each once.
+/// Adds the message of each reason, without repetition.
 fn talk(why: &Unanswered, said: &mut Vec<String>, language: Language) {
     let error = terminal::error(language);
     let text = match why {
-        // In data a body is called the same in both languages.
+        // In records, a body has one name in both languages.
         Unanswered::Text { name, text, faults } if name == "body" => {
             report(terms::body(language), text, faults, language)
         }
@@ -90,12 +91,12 @@ fn talk(why: &Unanswered, said: &mut Vec<String>, language: Language) {
     }
 }
 
-/// A hint in a line of its own.
+/// Returns a hint on its own line.
 fn hinted(hint: Option<&str>) -> String {
     hint.map_or_else(String::new, |hint| format!("  {}\n", seen(hint)))
 }
 
-/// A fault of a table with its file, heading and row.
+/// Returns a fault of a table with its file, heading and row.
 fn in_table(fault: &answers::Fault, language: Language) -> String {
     let row = fault.row.map(|row| words::sweeps::row(&row, language));
     let place: Vec<String> = fault.file.iter().chain(&fault.heading).cloned().chain(row).collect();
@@ -104,7 +105,7 @@ fn in_table(fault: &answers::Fault, language: Language) -> String {
     format!("{error}: {}{}\n{}", seen(&place), seen(&fault.message), hinted(fault.hint.as_deref()))
 }
 
-/// The codes that are near one that is none.
+/// Returns the codes nearest to an invalid one.
 fn nearest(refusal: &CodeRefusal, language: Language) -> String {
     if refusal.nearest.is_empty() {
         return String::new();
@@ -118,7 +119,7 @@ fn nearest(refusal: &CodeRefusal, language: Language) -> String {
     format!("{}: {}\n", terminal::nearest_valid_codes(language), names.join(", "))
 }
 
-/// Every fault of a text, underlined.
+/// Returns every fault of a text, underlined.
 fn report(file: &str, text: &str, faults: &[Worded], language: Language) -> String {
     let mut talk = String::new();
     let (error, help) = (terminal::error(language), terminal::help(language));
@@ -138,7 +139,7 @@ fn report(file: &str, text: &str, faults: &[Worded], language: Language) -> Stri
     talk
 }
 
-/// How many faults there are, and that they ended the work.
+/// Returns the last line of the messages: the number of faults, and that nothing was calculated.
 fn closing(faults: usize, language: Language) -> String {
     let counted = match faults {
         51.. => terminal::more_than_fifty_errors(language).to_owned(),

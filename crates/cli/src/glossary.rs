@@ -1,4 +1,4 @@
-//! `glossary` and `units`: words and symbols with their meaning, units with their spellings.
+//! `glossary` and `units`: terms and symbols with their meaning, units with their spellings.
 
 use crate::answer::Answer;
 use crate::call::Call;
@@ -57,7 +57,7 @@ pub(crate) fn glossary(call: &Call<'_>, asked: &Asked<'_>) -> Result<Answer, Una
 /// `antrieb units [QUANTITY]`
 pub(crate) fn units(call: &Call<'_>, asked: &Asked<'_>) -> Result<Answer, Unanswered> {
     let language = call.language;
-    // A value in SI has no rounding but that of its unit: as many digits as its exact definition needs.
+    // A conversion factor is exact: as many digits as its definition needs.
     let shown = |number: Number| unpadded(number.written().unwrap_or_default(), 12, language);
     let mut parts = Vec::new();
     for measured in units::found(asked)?.quantities {

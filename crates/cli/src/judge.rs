@@ -1,4 +1,4 @@
-//! `size` and `check`: the axis against the catalogue, and against one actuator.
+//! `size` and `check`: the axis judged with the catalogue, and with one actuator.
 
 use crate::answer::Answer;
 use crate::call::Call;
@@ -37,7 +37,7 @@ fn paint(text: &str, verdict: Verdict) -> String {
 /// `antrieb size PROJECT`
 pub(crate) fn size(call: &Call<'_>, asked: &Asked<'_>) -> Result<Answer, Unanswered> {
     let language = call.language;
-    // The file first: a report that cannot be written leaves nothing half said.
+    // First the file: if the report cannot be written, no partial answer is shown.
     let talk = match call.path("report") {
         Some(out) => report::write(call, asked, out, false)?.data,
         None => String::new(),
@@ -49,7 +49,7 @@ pub(crate) fn size(call: &Call<'_>, asked: &Asked<'_>) -> Result<Answer, Unanswe
     let axes = asked.axes(args.axis.as_deref(), args.cost())?;
     let found = asked.each(&axes, |project| {
         let found = args.ranking(project, patience())?;
-        // What would have to change for the nearest miss, which the long list does not tell.
+        // The changes with which the actuator with the smallest excess would fit; the long list does not show them.
         let nearest = found.sizing.nearest_miss().filter(|_| !args.all);
         let reserve =
             nearest.map(|near| questions::list::check::reserve_within(project, near, patience())).transpose()?;
@@ -196,7 +196,8 @@ fn rejected_text(sizing: &Sizing<'_>, of_nearest: Option<&Reserve>, all: bool, l
     if let Some(nearest) = nearest {
         out.push_str(&noted(terminal::nearest_miss(language), nearest));
     }
-    // What would have to change: for the nearest, or for one that nothing but limits of the project keep out.
+    // The necessary changes: for the actuator with the smallest excess, or for one that only limits of the project
+    // exclude.
     let by_limits = rejected.iter().find(|candidate| questions::limits_needed(candidate).is_some());
     if let Some(limited) = by_limits.filter(|limited| nearest.is_none_or(|nearest| nearest.id != limited.id)) {
         let head = terminal::kept_out_by_limits(language);
@@ -213,14 +214,14 @@ fn missing(check: &Check, language: Language) -> String {
     check.missing.map(|symbol| check_missing(symbol, language)).unwrap_or_default()
 }
 
-/// The demand in one line, in several on a narrow terminal.
+/// Returns the demand in one line, in several on a narrow terminal.
 fn demand_line(name: &str, demand: &Demand, language: Language) -> String {
-    // A symbol stays with its value.
+    // A symbol stays on the line of its value.
     let part = |(symbol, value, unit)| format!("{symbol} {value} {unit}").replace(' ', "\u{a0}");
     paragraph(&format!("  {name:<10} "), &demand_figures(demand, language).map(part).join(" · "))
 }
 
-/// The demand in both modes; the exact integral is shown where it says something else.
+/// Returns the demand in both modes; the exact integral is shown if it differs.
 fn demand_text(candidate: &Candidate<'_>, language: Language) -> String {
     let mut out = String::new();
     if candidate.judgement.demand.is_none() {
@@ -253,12 +254,12 @@ fn demand_text(candidate: &Candidate<'_>, language: Language) -> String {
     out
 }
 
-/// Remarks on the checks, each line behind an indent.
+/// Returns the remarks on the checks, each line indented.
 fn remarks(candidate: &Candidate<'_>, indent: &str, language: Language) -> String {
     let mut out = String::new();
     let mut seen: Vec<String> = Vec::new();
     for check in &candidate.judgement.checks {
-        // The erratum of a distant limit is in --json; here it would obscure the rest.
+        // The erratum of a limit that is far away is in --json; here it would obscure the rest.
         let far = check.verdict == Verdict::Pass && check.utilisation.is_some_and(|share| share < 0.5);
         for note in check.notes.iter() {
             if far && note.is_erratum() {
@@ -274,7 +275,7 @@ fn remarks(candidate: &Candidate<'_>, indent: &str, language: Language) -> Strin
     out
 }
 
-/// Every check of one actuator.
+/// Returns every check of one actuator.
 fn candidate_text(candidate: &Candidate<'_>, language: Language) -> String {
     let mut out = String::new();
     let colour = match (candidate.fit(), candidate.open_questions()) {

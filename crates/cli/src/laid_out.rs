@@ -1,11 +1,11 @@
-//! A chapter on the terminal.
+//! Layout of a chapter on the terminal.
 
 use crate::table::{Align, Table, paragraph};
 use answers::{Block, Chapter, Grid, Hazard, Task};
 use quantities::Language;
 use words::commission;
 
-/// The chapter as text, no line wider than the terminal; pictures are written only on request.
+/// Returns the chapter as text, no line wider than the terminal; pictures are written only on request.
 pub(crate) fn shown(chapter: &Chapter, language: Language) -> String {
     let mut out = paragraph("", &chapter.title);
     let mut before = None;
@@ -19,13 +19,13 @@ pub(crate) fn shown(chapter: &Chapter, language: Language) -> String {
     out
 }
 
-/// The chapter as text, and the file that was written with it.
+/// Returns the chapter as text, with the name of the file written for it.
 pub(crate) fn with_file(chapter: &Chapter, file: Option<&str>, language: Language) -> String {
     let text = shown(chapter, language);
     file.map_or_else(|| text.clone(), |file| format!("{text}\n{file}\n"))
 }
 
-/// Whether a line stays empty between two blocks: below a table, which has no end of its own.
+/// Returns `true` if an empty line separates two blocks: below a table, which has no visible end.
 const fn needs_room(before: Option<&Block>, block: &Block) -> bool {
     matches!((before, block), (Some(Block::Grid(_)), Block::Text { .. } | Block::Grid(_)))
 }
@@ -53,7 +53,7 @@ fn grid_text(grid: &Grid) -> String {
     table.render()
 }
 
-/// Hazards and rules below each other, what they say beside their signal words.
+/// Returns hazards and rules one below the other, with their texts next to their signal words.
 fn hazards(items: &[Hazard]) -> String {
     let widest = items.iter().map(|item| item.word.chars().count()).max().unwrap_or(0);
     let line =

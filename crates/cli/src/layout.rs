@@ -1,4 +1,4 @@
-//! What the command line adds to the questions of the list: a line for each that the terminal shows otherwise than as its record.
+//! Layouts of the questions on the terminal: an entry for each question that is not shown as its record.
 
 use crate::call::Show;
 use crate::command::own;
@@ -10,7 +10,8 @@ use clap::Command;
 use quantities::Language;
 use questions::list::{self, Entry};
 
-/// How the terminal shows the answer to a question, and the options of its command beside the arguments of the question.
+/// Layout of the answer to a question on the terminal, and the options of its command in addition to the arguments of
+/// the question.
 pub(crate) struct Layout {
     entry: &'static Entry,
     pub(crate) show: Show,
@@ -64,7 +65,7 @@ impl Layout {
         Self { own, ..self }
     }
 
-    /// The layout of a question.
+    /// Returns the layout of a question.
     pub(crate) fn of(entry: &Entry) -> Option<&'static Self> {
         LAYOUTS.iter().find(|layout| layout.entry.command == entry.command)
     }

@@ -1,7 +1,7 @@
-//! The command line of antrieb: stdout is data, stderr is talk.
+//! The command line of antrieb: data on stdout, messages on stderr.
 //!
-//! Exit code 0: fits, or answered; 1: does not fit; 2: the question could not be answered. A library, so that a program other
-//! than `antrieb` itself can be it: the package for Python carries it too.
+//! Exit code 0: fits, or answered; 1: does not fit; 2: the question could not be answered. A library, so that programs
+//! other than `antrieb` can contain it: the package for Python does.
 #![allow(clippy::print_stdout, clippy::print_stderr, reason = "this face speaks to the terminal")]
 
 mod answer;
@@ -55,7 +55,7 @@ pub use source::SourceFile;
 use std::ffi::OsString;
 use std::time::Duration;
 
-/// Answers a call of the command line, the name of the program first; gives the exit code.
+/// Answers a call of the command line, whose first word is the name of the program; returns the exit code.
 #[must_use]
 pub fn run(call: Vec<OsString>) -> u8 {
     disk::refuse_large_files();
@@ -76,7 +76,7 @@ pub fn run(call: Vec<OsString>) -> u8 {
     if let Some(outcome) = report::by_cargo(&matches, language) {
         return outcome;
     }
-    // Nothing has been written to standard output yet: an answer is written when it is there.
+    // Nothing has been written to standard output: an answer is written when it is complete.
     let late = move || {
         let why = Unanswered::Refused(questions::Refusal::Stopped, None);
         disk::end(i32::from(fault::unanswered(&why, json, language).write(language)));
@@ -89,21 +89,21 @@ pub fn run(call: Vec<OsString>) -> u8 {
     answer.write(language)
 }
 
-/// How long the answer may take, where a command has the option.
+/// Returns the time limit of the command (`--deadline`), if it has one.
 fn deadline(matches: &ArgMatches, language: Language) -> Result<Option<Duration>, Unanswered> {
     let Some((_, found)) = matches.subcommand() else { return Ok(None) };
     let text = found.try_get_one::<String>("deadline").ok().flatten();
     text.map(|text| deadline_of(text, language)).transpose()
 }
 
-/// A deadline as it is written, `10 s`.
+/// Parses a time limit such as `10 s`.
 ///
 /// # Errors
-/// What is no time.
+/// A text that is no time.
 pub fn deadline_of(text: &str, language: Language) -> Result<Duration, Unanswered> {
     let time = questions::read_quantity::<Time>(text, language);
     let time = time.map_err(|fault| Unanswered::option("deadline", fault))?;
-    // A day is as good as for ever.
+    // A day stands for all longer limits.
     Ok(Duration::from_secs_f64(time.si().clamp(0.0, 86_400.0)))
 }
 

@@ -1,4 +1,4 @@
-//! `licences`: whose work the program is, and under which terms.
+//! `licences`: authors and terms of the works in the program.
 
 use crate::answer::Answer;
 use crate::call::Call;

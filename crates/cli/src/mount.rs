@@ -1,4 +1,4 @@
-//! `mount`: how an actuator is mounted.
+//! `mount`: mounting of an actuator.
 
 use crate::answer::Answer;
 use crate::call::Call;

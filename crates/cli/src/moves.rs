@@ -1,4 +1,4 @@
-//! The motion as it came out, as text.
+//! The resulting motion as text.
 
 use crate::answer::Answer;
 use crate::call::Call;
@@ -10,7 +10,7 @@ use questions::list::{Asked, Cost, Unanswered, moves};
 use questions::texts::recording_text;
 use words::{law_text, terminal, terms};
 
-/// So many segments are shown; --json has them all.
+/// Number of segments shown; --json has all of them.
 const SEGMENTS_MOST: usize = 12;
 
 /// `antrieb moves PROJECT`
@@ -21,7 +21,7 @@ pub(crate) fn moves(call: &Call<'_>, asked: &Asked<'_>) -> Result<Answer, Unansw
     Ok(Answer::data(text(&questions::moves(&project), language)))
 }
 
-/// Every segment with what was given and what followed from it.
+/// Returns every segment with its stated and its computed values.
 pub(crate) fn text(moves: &Moves<'_>, language: Language) -> String {
     let [distance, speed, acceleration] = moves.units.map(|unit| unit.symbol);
     let speed_word = if moves.turns { terms::rotary_speed(language) } else { terms::linear_speed(language) };

@@ -1,5 +1,5 @@
-//! `report` in a program that was built without the typesetting engine: it says so, and how to get it. Where cargo has started
-//! the program, cargo builds the one with the engine, and that one answers.
+//! `report` in a program built without the typesetting engine: it says so, and names the way to get it. If cargo has
+//! started the program, cargo builds the one with the engine, and that one answers.
 
 use crate::answer::Answer;
 use crate::call::Call;
@@ -11,12 +11,13 @@ use std::path::Path;
 use std::process::Command;
 use words::terminal;
 
-/// What writes reports and forms over HTTP; none in this program.
+/// Writers of reports and forms over HTTP; none in this program.
 pub const PRESS: Option<page::Press> = None;
 
-/// Lets cargo build and run the program with the engine, where this one was started by `cargo run` and the command needs it.
+/// Makes cargo build and run the program with the engine, if this one was started by `cargo run` and the command needs
+/// it.
 ///
-/// Returns the exit code of that program, or nothing where the command is for this one.
+/// Returns the exit code of that program; `None` if the command is answered here.
 pub(crate) fn by_cargo(matches: &ArgMatches, language: Language) -> Option<u8> {
     let (command, found) = matches.subcommand()?;
     let entry = LIST.iter().find(|entry| entry.command() == command)?;
@@ -29,7 +30,7 @@ pub(crate) fn by_cargo(matches: &ArgMatches, language: Language) -> Option<u8> {
     if !cfg!(debug_assertions) {
         command.arg("--release");
     }
-    // If cargo cannot be started, the refusal says how to get the report.
+    // If cargo cannot be started, the refusal names the way to get the report.
     let status = command.arg("--").args(std::env::args_os().skip(1)).status().ok()?;
     Some(status.code().and_then(|code| u8::try_from(code).ok()).unwrap_or(2))
 }

@@ -34,12 +34,12 @@ pub(crate) fn plot(call: &Call<'_>, asked: &Asked<'_>) -> Result<Answer, Unanswe
     Ok(put(&drawing, call, &inputs)?.fits(candidate.fits()))
 }
 
-/// Whether a picture is requested.
+/// Returns `true` if a picture is requested.
 pub(crate) fn is_asked(call: &Call<'_>) -> bool {
     call.path("svg").is_some() || call.path("png").is_some()
 }
 
-/// Whether the picture could be written to its file, before the work for it begins.
+/// Checks that the picture can be written to its file before it is computed.
 pub(crate) fn destination(call: &Call<'_>, inputs: &[PathBuf]) -> Result<(), Unanswered> {
     if call.path("png").is_some_and(|path| path.as_os_str() == "-") {
         return Err(Unanswered::message(terminal::png_needs_a_file(call.language)));
@@ -48,7 +48,7 @@ pub(crate) fn destination(call: &Call<'_>, inputs: &[PathBuf]) -> Result<(), Una
     call.desk(inputs).ready(&files)
 }
 
-/// Draws and writes where [`destination`] has found room: to files, or to standard output.
+/// Draws the picture and writes it to the files that [`destination`] has checked, or to standard output.
 pub(crate) fn put(drawing: &Drawing, call: &Call<'_>, inputs: &[PathBuf]) -> Result<Answer, Unanswered> {
     let language = call.language;
     let picture = drawing.render(&style(drawing, call)?);

@@ -1,11 +1,11 @@
-//! The reference page of the commands, in Markdown, from the definitions that read the command line. Only its test uses it.
+//! Reference page of the commands in Markdown, from the definitions that parse the command line. Only its test uses it.
 
 use crate::command::build;
 use clap::{Arg, Command};
 use quantities::Language;
 use words::pages;
 
-/// The page in a language.
+/// Returns the page in a language.
 fn page(language: Language) -> String {
     let mut root = build(language);
     root.build();
@@ -21,7 +21,7 @@ fn page(language: Language) -> String {
     page
 }
 
-/// A command, then those below it.
+/// Writes a command, then its subcommands.
 fn write_command(page: &mut String, before: &str, command: &Command, language: Language) {
     let name = format!("{before} {}", command.get_name());
     page.push_str(&format!("\n## `{name}`\n"));
@@ -40,7 +40,7 @@ fn write_command(page: &mut String, before: &str, command: &Command, language: L
     }
 }
 
-/// Options of every command are listed once.
+/// Returns `true` for options of every command, which are listed once.
 fn is_listed_once(argument: &Arg) -> bool {
     argument.is_global_set() || ["help", "version"].contains(&argument.get_id().as_str())
 }
@@ -65,7 +65,7 @@ fn row(argument: &Arg, language: Language) -> String {
     let help = argument.get_help().map(ToString::to_string).unwrap_or_default();
     let words = argument.get_possible_values();
     let listed = words.iter().map(|word| word.get_name()).collect::<Vec<_>>().join(", ");
-    // The page lists the words as code, once.
+    // The page lists the words once, as code.
     let help = help.strip_suffix(&listed).and_then(|help| help.strip_suffix(": ")).unwrap_or(&help);
     let mut parts = vec![help.to_owned()];
     if takes && !words.is_empty() {
@@ -131,7 +131,8 @@ mod tests {
         }
     }
 
-    /// What the README lists is what there is: each command, and each check of drive, gear, energy, brake, feedback and screws.
+    /// Compares the README with the program: each command, and each check of drive, gear, energy, brake, feedback and
+    /// screws.
     #[test]
     fn the_readme_lists_every_command_and_check() {
         use questions::{CheckId, Part};
@@ -149,7 +150,8 @@ mod tests {
         assert!(missing.is_empty(), "checks: {missing:?}");
     }
 
-    /// Every question of the list is a command with all its arguments, is described on the page, and is shown.
+    /// Requires that every question of the list is a command with all its arguments, is described on the page, and has
+    /// a layout.
     #[test]
     fn every_question_of_the_list_is_a_command() {
         use questions::list::{LIST, Reads};
@@ -161,7 +163,7 @@ mod tests {
             assert!(command.get_about().is_some(), "{}", entry.command);
             let has = |name: &str| command.get_arguments().any(|argument| argument.get_id() == name);
             for argument in entry.arguments {
-                // The format of a table is said by the ending of its file.
+                // The format of a table follows from the extension of its file.
                 assert!(has(argument.name) || argument.name == "format", "{} {}", entry.command, argument.name);
             }
             assert!(entry.option().is_none_or(has), "{}", entry.command);

@@ -1,4 +1,4 @@
-//! `report`: the results as the PDF that an engineer signs.
+//! `report`: the results as PDF for the signature of an engineer.
 
 use crate::answer::{Answer, written};
 use crate::call::Call;
@@ -21,7 +21,7 @@ use std::borrow::Cow;
 use std::path::Path;
 use words::terminal;
 
-/// The figures of the report beside the map of the candidates, each with its place there.
+/// Figures of the report in addition to the map of candidates, each with its place.
 const FIGURES: [(DiagramPlace, &str, Figure); 4] = [
     (DiagramPlace::Motion, "motion", Figure::Cycle),
     (DiagramPlace::TorqueSpeed, "torque_speed", Figure::TorqueSpeed),
@@ -34,7 +34,7 @@ pub(crate) fn report(call: &Call<'_>, asked: &Asked<'_>) -> Result<Answer, Unans
     write(call, asked, call.path("out").unwrap_or(Path::new("")), call.as_json)
 }
 
-/// Writes the report of the axes and the actuator that are requested.
+/// Writes the report of the requested axes and actuator.
 pub(crate) fn write(call: &Call<'_>, asked: &Asked<'_>, out: &Path, as_json: bool) -> Result<Answer, Unanswered> {
     let language = call.language;
     if !out.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("pdf")) {
@@ -98,7 +98,7 @@ pub(crate) fn write(call: &Call<'_>, asked: &Asked<'_>, out: &Path, as_json: boo
     Ok(Answer::data(data).fits(verdict.fits()))
 }
 
-/// What writes reports and forms over HTTP.
+/// Writers of reports and forms over HTTP.
 pub const PRESS: Option<Press> = Some(Press {
     report: served,
     checklist: |sheet, language| report::checklist_pdf(sheet, language).map_err(|fault| fault.message(language)),
@@ -121,7 +121,7 @@ fn served(asked: &ReportAsked<'_>) -> Result<Vec<u8>, String> {
     report::pdf(&Content { language: l, axes }, &settings).map_err(|fault| fault.message(l))
 }
 
-/// The check-lists of a commissioning as PDF.
+/// Returns the checklists of a commissioning as PDF.
 pub(crate) fn checklist(sheet: &Commissioning, language: Language) -> Result<Vec<u8>, Unanswered> {
     report::checklist_pdf(sheet, language).map_err(|fault| Unanswered::message(fault.message(language)))
 }
@@ -140,8 +140,8 @@ fn settings(call: &Call<'_>) -> Result<Settings, Unanswered> {
     })
 }
 
-/// The actuator of an axis, its results as a record and as figures, side by side. A thread that could not finish leaves its
-/// part to this one.
+/// Returns the actuator of an axis, with its results as a record and as figures, computed in parallel. A thread that
+/// could not finish leaves its part to this one.
 fn content<'p>(
     (place, project): (usize, &'p Project),
     code: Option<&OrderCode>,
@@ -173,7 +173,8 @@ fn content<'p>(
     Ok((content, candidate))
 }
 
-/// Adds the chapters of the installation, and the documents that they cite, to the report of an actuator of the catalogue.
+/// Adds the chapters of the installation, and the documents that they cite, to the report of an actuator of the
+/// catalogue.
 fn install(
     content: &mut AxisContent,
     (project, candidate): (&Project, &Candidate<'_>),
@@ -187,7 +188,8 @@ fn install(
     Ok(())
 }
 
-/// What follows from the code for those who build and run the machine, the joints under the loads of the project.
+/// Returns the chapters on mounting, wiring and commissioning of the code, with the joints under the loads of the
+/// project.
 fn installation(
     code: &OrderCode,
     project: &Project,
@@ -224,7 +226,7 @@ fn installation(
     Ok(chapters)
 }
 
-/// The simulation that a project states, with its pictures; where it is not run, why.
+/// Returns the simulation that a project states, with its pictures; the reason if it is not run.
 fn simulated(project: &Project, candidate: &Candidate<'_>, patience: &Patience, language: Language) -> Option<Chapter> {
     let code = if let CandidateId::Code(code) = &candidate.id { Some(code) } else { None };
     let run = questions::list::simulate::of_the_project(project, code, patience, language)?;
@@ -267,7 +269,7 @@ fn drawn((place, id): (DiagramPlace, &str), drawing: &Drawing, language: Languag
     report::Diagram { place, svg, caption: drawing.caption.clone(), alternative_text }
 }
 
-/// A drawing on paper, and what it shows.
+/// Returns a drawing on paper, and its description.
 fn as_svg(id: &str, drawing: &Drawing, language: Language) -> (String, String) {
     let style = Style::new(drawing.size()).theme(Theme::Light).language(language).id(id);
     (drawing.render(&style).into_svg(), drawing.description.clone())
@@ -278,7 +280,7 @@ fn as_svg(id: &str, drawing: &Drawing, language: Language) -> (String, String) {
 mod tests {
     use super::*;
 
-    /// By the command line and over HTTP alike.
+    /// Applies to the command line and to HTTP.
     #[test]
     fn a_report_with_the_installation_lists_the_documents_of_its_chapters() {
         let text = include_str!("../../../examples/turntable.toml");

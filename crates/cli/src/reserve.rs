@@ -1,4 +1,4 @@
-//! What a candidate leaves in reserve or lacks, and what was assumed, as text.
+//! Reserve or deficit of a candidate, and the assumptions, as text.
 
 use crate::table::labelled;
 use quantities::Language;
@@ -6,14 +6,14 @@ use questions::texts::reserve_lines;
 use questions::{Candidate, Reserve};
 use words::{assumption_text, terms};
 
-/// The assumptions.
+/// Returns the assumptions.
 pub(crate) fn assumptions_text(assumptions: &[project::Assumption], language: Language) -> String {
     let head = terms::assumed(language);
     assumptions.iter().map(|assumption| labelled(head, &assumption_text(*assumption, language))).collect()
 }
 
-/// How far one thing may be changed, all others as they are; for what does not fit also the limits of the project that
-/// would have to be others.
+/// Returns the permissible change of each quantity with all others unchanged; for an actuator that does not fit, also
+/// the limits of the project that would have to change.
 pub(crate) fn reserve_text(reserve: &Reserve, candidate: &Candidate<'_>, language: Language) -> String {
     let lines = reserve_lines(reserve, candidate, language);
     lines.iter().map(|(head, parts)| labelled(head, &parts.join("; "))).collect()

@@ -1,4 +1,4 @@
-//! Files that commands write, with what is in their way.
+//! Files that commands write, and the errors in writing them.
 
 use crate::fault::path_text;
 use quantities::Language;
@@ -6,28 +6,28 @@ use questions::list::Unanswered;
 use std::path::{Path, PathBuf};
 use words::{SaveTrouble, save_trouble};
 
-/// A file that could not be written.
+/// Returns the message about a file that could not be written.
 fn unwritten(unwritten: &disk::Unwritten, language: Language) -> Unanswered {
     let message = save_trouble(&unwritten.trouble, language);
     Unanswered::File { name: path_text(&unwritten.path), message, is_too_large: false }
 }
 
-/// A file whose format does not go to standard output.
+/// Returns the message about a file whose format cannot go to standard output.
 pub(crate) fn not_to_stdout(path: &Path, language: Language) -> Unanswered {
     unwritten(&disk::Unwritten { path: path.to_owned(), trouble: SaveTrouble::NotToStdout }, language)
 }
 
-/// What a call writes, and where not.
+/// Writer of the files of a call.
 pub(crate) struct Desk<'c> {
-    /// The files that are read: none of them is written.
+    /// Files that are read and must not be written.
     pub(crate) inputs: &'c [PathBuf],
-    /// Whether a file that exists is replaced.
+    /// Replaces an existing file.
     pub(crate) force: bool,
     pub(crate) language: Language,
 }
 
 impl Desk<'_> {
-    /// Writes files, all or none; a signal takes what is unfinished with it.
+    /// Writes files, all or none; a signal removes unfinished ones.
     pub(crate) fn save(&self, files: &[(&Path, &[u8])]) -> Result<(), Unanswered> {
         disk::end_on_signals();
         disk::save(files, self.inputs, self.force).map_err(|why| unwritten(&why, self.language))
@@ -46,7 +46,7 @@ impl Desk<'_> {
         })
     }
 
-    /// Whether files could be written there, before the work for them begins.
+    /// Checks that files can be written, before they are computed.
     pub(crate) fn ready(&self, files: &[&Path]) -> Result<(), Unanswered> {
         disk::ready(files, self.inputs, self.force).map_err(|why| unwritten(&why, self.language))
     }

@@ -11,10 +11,10 @@ use std::net::IpAddr;
 use std::path::PathBuf;
 use words::{file_trouble, serving};
 
-/// The default port: always the same, so that bookmarks stay valid.
+/// Default port: always the same, so that bookmarks stay valid.
 const USUAL_PORT: u16 = 8377;
 
-/// What an address to listen on looks like: one of a network, and all.
+/// Examples of an address to listen on: one of a network, and all.
 pub(crate) const EXAMPLES: [&str; 2] = ["192.168.1.5", "0.0.0.0"];
 
 /// `antrieb serve [DIR]`
@@ -45,7 +45,7 @@ pub(crate) fn serve(matches: &ArgMatches, language: Language) -> Result<Answer, 
     Ok(Answer::none())
 }
 
-/// A server that listens: on the requested port, else on the usual one or, where that is taken, on a free one.
+/// Returns a listening server: on the requested port, else on the default one or, if that is taken, on a free one.
 fn bound(matches: &ArgMatches, language: Language) -> Result<Server, Unanswered> {
     let port = matches.get_one::<u16>("port").copied();
     let options = Options {

@@ -23,7 +23,7 @@ pub(crate) fn simulate(call: &Call<'_>, asked: &Asked<'_>) -> Result<Answer, Una
     let axes = args.axes(asked)?;
     let inputs = call.inputs(axes.iter().map(|(_, project)| project));
     let desk = call.desk(&inputs);
-    // As of `plot`: without a file the picture goes to standard output.
+    // As with `plot`: without a file the picture goes to standard output.
     let draws = plot::is_asked(call) || args.figure.is_some();
     if draws {
         plot::destination(call, &inputs)?;

@@ -19,10 +19,10 @@ pub struct SourceFile {
 }
 
 impl SourceFile {
-    /// The file at a path, `-` for standard input; its recordings may take so many bytes of memory.
+    /// Reads the file at a path, `-` for standard input; `memory` limits the bytes of its recordings.
     ///
     /// # Errors
-    /// What the system says.
+    /// Error of the system.
     pub fn read(path: &Path, memory: u64, language: Language) -> Result<Self, Unanswered> {
         let piped = path.as_os_str() == "-";
         let name = if piped { "stdin".to_owned() } else { path_text(path) };
@@ -36,28 +36,28 @@ impl SourceFile {
         Ok(Self { path: path.to_owned(), ..Self::of_text(name, bytes, folder, memory) })
     }
 
-    /// A text with a name for its faults, as if it lay in a folder.
+    /// Creates a file from a text, with a name for its faults, as if it lay in a folder.
     #[must_use]
     pub fn of_text(name: String, bytes: Vec<u8>, folder: &Path, memory: u64) -> Self {
-        // As in a shell, any path is taken that the caller may read.
+        // As in a shell, any path is accepted that the caller may read.
         let grant = Grant { memory, reach: Reach::Anywhere };
         let beside = Beside { folder: folder.to_owned(), links: Links::Followed, grant };
         Self { path: PathBuf::new(), name, bytes, beside }
     }
 
-    /// Where it lies; empty for a text.
+    /// Returns its path; empty for a text.
     #[must_use]
     pub fn path(&self) -> &Path {
         &self.path
     }
 
-    /// The files that it may name.
+    /// Returns the files that it may name.
     #[must_use]
     pub const fn beside(&self) -> &Beside {
         &self.beside
     }
 
-    /// It as a question takes it.
+    /// Returns it in the form of a question.
     #[must_use]
     pub fn source(&self) -> Source<'_> {
         Source { name: self.name.clone(), bytes: Cow::Borrowed(&self.bytes), files: &self.beside }

@@ -1,5 +1,5 @@
-//! `sweep`: a table of axes, judged part by part. Finished parts are kept beside the answers until these are whole, so that an
-//! interrupted call continues.
+//! `sweep`: a table of axes, judged part by part. Finished parts are kept next to the output until that is complete, so
+//! that an interrupted call continues.
 
 mod parts;
 mod run;
@@ -58,7 +58,7 @@ pub(crate) fn sweep(call: &Call<'_>, asked: &Asked<'_>) -> Result<Answer, Unansw
     };
     let request = format!("{args:?} {} {answers:?} {}", language.id(), call.memory());
     let run = Run { table: &table, project: text, recordings: sweep.recordings(), files: &beside, request };
-    // Nothing that the table names is written either.
+    // Files that the table names are protected too.
     let inputs: Vec<PathBuf> =
         inputs.into_iter().chain(run.recordings.iter().map(|name| beside.folder.join(name))).collect();
     let desk = call.desk(&inputs);
@@ -81,7 +81,7 @@ pub(crate) fn sweep(call: &Call<'_>, asked: &Asked<'_>) -> Result<Answer, Unansw
 }
 
 impl Table<'_> {
-    /// A sentence about the table.
+    /// Returns a message about the table.
     fn refused(&self, why: &str) -> Unanswered {
         Unanswered::message(sweeps::unreadable(&path_text(self.path), &why, self.language))
     }
@@ -90,13 +90,13 @@ impl Table<'_> {
         File::open(self.path).map_err(|error| self.refused(&file_trouble(&error, self.language)))
     }
 
-    /// The table from a row on.
+    /// Opens the table at a row.
     fn open(&self, skipped: u64) -> Result<Batches, Unanswered> {
         let opened = Batches::open(self.file()?, self.format, skipped, PART, self.language);
         opened.map_err(|why| self.refused(&why.text(self.language)))
     }
 
-    /// The sweep over the table and its rows, all of whose cells can be read.
+    /// Returns the sweep over the table and the number of its rows, after all cells have been read without faults.
     fn checked(&self, mut batches: Batches, mut head: Head, beside: disk::Beside) -> Result<(Sweep, u64), Unanswered> {
         let mut rows = 0;
         let unread = loop {
@@ -123,7 +123,7 @@ impl Table<'_> {
     }
 }
 
-/// The summary on the terminal.
+/// Returns the summary for the terminal.
 fn shown(summary: &SweepSummary, language: Language) -> String {
     #[allow(clippy::cast_precision_loss, reason = "counts of rows")]
     let share = |rows: u64| format_number(100.0 * rows as f64 / summary.rows.max(1) as f64, 1, language);

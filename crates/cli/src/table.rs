@@ -1,26 +1,26 @@
-//! Tables and paragraphs for people: aligned columns, units in the head, no line wider than the terminal.
+//! Tables and paragraphs for readers: aligned columns, units in the heading, no line wider than the terminal.
 
 use std::io::IsTerminal;
 use std::sync::OnceLock;
 use words::{is_vowel, stands_before_a_number};
 
-/// The width where there is no terminal to ask.
+/// Width without a terminal.
 const USUAL: usize = 100;
 
-/// Widths that a terminal may have.
+/// Permissible widths of a terminal.
 const NARROWEST_TERMINAL: usize = 60;
 const WIDEST_TERMINAL: usize = 200;
 
-/// A column is not wrapped to less than this.
+/// Smallest width to which a column is wrapped.
 const NARROWEST: usize = 14;
 
-/// The last of several columns is a text: if narrower than this it is placed below its row.
+/// Smallest width of the last of several columns if it is text; a narrower one is placed below its row.
 const NARROWEST_WORDS: usize = 30;
 
-/// A blank that a line is not broken at; it is printed as a blank.
+/// A blank at which a line is not broken; printed as a blank.
 const NO_BREAK: char = '\u{a0}';
 
-/// Widest line: the variable `COLUMNS`, else the terminal, within bounds; 100 where the answer goes elsewhere.
+/// Returns the largest line width: the variable `COLUMNS`, else the terminal, within limits; 100 without a terminal.
 pub(crate) fn width() -> usize {
     static WIDTH: OnceLock<usize> = OnceLock::new();
     *WIDTH.get_or_init(|| {
@@ -34,7 +34,7 @@ pub(crate) fn width() -> usize {
     })
 }
 
-/// How a column is aligned.
+/// Alignment of a column.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Align {
     Left,
@@ -57,13 +57,13 @@ impl Table {
         self.rows.push(cells.into());
     }
 
-    /// The table as text, no line wider than the terminal.
+    /// Returns the table as text, no line wider than the terminal.
     pub(crate) fn render(&self) -> String {
         self.render_to(width())
     }
 
-    /// The table in a width. Columns on the left are wrapped, the widest first; where that does not do, the last columns
-    /// stand below their row, each with its head.
+    /// Returns the table in a width. Columns on the left are wrapped, the widest first; if that is not enough, the last
+    /// columns are placed below their row, each with its heading.
     fn render_to(&self, most: usize) -> String {
         let widest = |index: usize| {
             let head = self.columns.get(index).map_or(0, |(head, _)| head.chars().count());
@@ -84,7 +84,7 @@ impl Table {
         let heads: Vec<String> = self.columns.iter().take(widths.len()).map(|(head, _)| head.clone()).collect();
         let mut out = String::new();
         self.line(&mut out, &heads, &widths);
-        // A single column below its rows has its head below theirs; of several each has its own.
+        // A single column below its rows has its heading below theirs; of several, each has its own.
         let single = self.columns.len() == widths.len() + 1;
         if let Some((head, _)) = self.columns.last().filter(|_| single) {
             out.push_str(&paragraph_to("    ", head, most));
@@ -104,7 +104,7 @@ impl Table {
         out
     }
 
-    /// The width below which a column is not wrapped; numbers are not.
+    /// Returns the width below which a column is not wrapped; numbers are not wrapped.
     fn floor(&self, index: usize) -> usize {
         let words = index > 3 && index + 1 == self.columns.len();
         match self.columns.get(index) {
@@ -144,7 +144,7 @@ impl Table {
     }
 }
 
-/// Makes columns narrower, the widest first and none below its floor, until all of them have room.
+/// Narrows columns, the widest first and none below its minimum, until all of them fit.
 fn shrink(widths: &mut [usize], floors: &[usize], room: usize) {
     while widths.iter().sum::<usize>() > room {
         let wide = widths.iter_mut().zip(floors).filter(|(width, floor)| **width > **floor);
@@ -155,8 +155,8 @@ fn shrink(widths: &mut [usize], floors: &[usize], room: usize) {
     }
 }
 
-/// Breaks a text at blanks so that no line is wider than `width`. A number and its unit stay together; a word longer than
-/// a line is broken behind a joint, else with a hyphen.
+/// Breaks a text at blanks so that no line is wider than `width`. A number and its unit stay together; a word longer
+/// than a line is broken at a joint, else with a hyphen.
 pub(crate) fn wrap(text: &str, width: usize) -> Vec<String> {
     let mut lines = vec![String::new()];
     let text = kept_together(text);
@@ -177,14 +177,14 @@ pub(crate) fn wrap(text: &str, width: usize) -> Vec<String> {
     lines.iter().map(|line| line.trim_end().replace(NO_BREAK, " ")).collect()
 }
 
-/// Units as they stand behind a number.
+/// Units that follow a number.
 const UNITS: [&str; 36] = [
     "%", "°", "°C", "K", "Nm", "N", "kN", "min⁻¹", "1/min", "rad/s", "rad/s²", "m/s", "m/s²", "m", "mm", "kg", "kgm²",
     "s", "ms", "min", "h", "a", "V", "A", "W", "kW", "J", "kJ", "Hz", "kHz", "mF", "Ω", "arcmin", "arcsec", "Nm/A",
     "′",
 ];
 
-/// The text with a blank that is not broken at between a number and its unit, and between "table" and its number.
+/// Returns the text with no-break blanks between a number and its unit, and between "table" and its number.
 fn kept_together(text: &str) -> String {
     let bare = |word: &str| word.trim_matches(['(', ')', '[', ']', ',', ';', '.', ':']).to_owned();
     let mut out = String::with_capacity(text.len());
@@ -205,14 +205,14 @@ fn kept_together(text: &str) -> String {
     out
 }
 
-/// A word in pieces of at most `width` characters; each with whether it belongs to the piece before it.
+/// Splits a word into pieces of at most `width` characters; each with `true` if it is joined to the piece before it.
 fn pieces(word: &str, width: usize) -> Vec<(String, bool)> {
     let mut found: Vec<(String, bool)> = Vec::new();
     let mut rest = word;
     while rest.chars().count() > width.max(2) {
         let end = |count: usize| rest.char_indices().nth(count).map_or(rest.len(), |(at, _)| at);
         let head = rest.get(..end(width.max(2))).unwrap_or(rest);
-        // A number is let go from its unit before it is cut.
+        // A number is separated from its unit before it is split.
         let joint = head.rfind(NO_BREAK).map(|at| (at, at + NO_BREAK.len_utf8(), false));
         let joint = joint.or_else(|| head.rfind(['.', '/', '_', '-']).map(|at| (at + 1, at + 1, true)));
         if let Some((cut, next, glued_on)) = joint.filter(|(cut, ..)| *cut > 0) {
@@ -234,7 +234,8 @@ fn pieces(word: &str, width: usize) -> Vec<(String, bool)> {
     found
 }
 
-/// How many letters of a word too long for its line stay before a hyphen: up to a consonant that a vowel follows.
+/// Returns the number of letters of a word too long for its line that stay before a hyphen: up to a consonant followed
+/// by a vowel.
 fn syllable(word: &str, width: usize) -> usize {
     let letters: Vec<char> = word.chars().take(width + 1).collect();
     let most = width.saturating_sub(1).max(1);
@@ -247,22 +248,22 @@ fn syllable(word: &str, width: usize) -> usize {
     (3..=most).rev().find(fits).unwrap_or(most)
 }
 
-/// A paragraph behind a word that says what it is about.
+/// Returns a paragraph behind a label.
 pub(crate) fn labelled(label: &str, text: &str) -> String {
     paragraph(&format!("{label}: "), text)
 }
 
-/// A paragraph with a hanging indent, no line wider than the terminal.
+/// Returns a paragraph with a hanging indent, no line wider than the terminal.
 pub(crate) fn paragraph(head: &str, text: &str) -> String {
     paragraph_to(head, text, width())
 }
 
-/// A paragraph behind an indent whose further lines stand further in.
+/// Returns an indented paragraph whose further lines are indented more.
 pub(crate) fn hanging(indent: &str, text: &str) -> String {
     hung(indent, &format!("{indent}    "), text, width())
 }
 
-/// A text whose first line stands behind one text, its further lines behind another.
+/// Returns a paragraph with one prefix for its first line and another for the further ones.
 fn hung(first: &str, further: &str, text: &str, most: usize) -> String {
     let mut out = String::new();
     for (index, line) in wrap(text, most.saturating_sub(further.chars().count())).iter().enumerate() {
@@ -273,13 +274,13 @@ fn hung(first: &str, further: &str, text: &str, most: usize) -> String {
     out
 }
 
-/// A head longer than this is no column to hang a text from.
+/// Largest length of a heading that sets the indent of its text.
 const INDENT_MOST: usize = 30;
 
 fn paragraph_to(head: &str, text: &str, most: usize) -> String {
     let long = head.chars().count() > INDENT_MOST;
     let blank = head.chars().take_while(|c| *c == ' ').count();
-    // A long head begins the text; what follows hangs two blanks in.
+    // A longer heading begins the text; further lines are indented by two blanks.
     if long {
         let text = format!("{}{text}", head.trim_start_matches(' '));
         return hung(&" ".repeat(blank), &" ".repeat(blank + 2), &text, most);

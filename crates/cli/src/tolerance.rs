@@ -10,7 +10,7 @@ use questions::texts::{
 };
 use words::{terminal, terms};
 
-/// The table behind a ranking; empty without tolerances.
+/// Returns the table behind a ranking; empty without tolerances.
 pub(crate) fn table(ranking: &Ranking<'_>, language: Language) -> String {
     let (project, assessed) = (ranking.project, &ranking.assessed);
     let Some((_, first)) = assessed.first() else { return String::new() };
@@ -38,7 +38,7 @@ pub(crate) fn table(ranking: &Ranking<'_>, language: Language) -> String {
     format!("{}\n{}\n", sampling_text(first.sampling, language), table.render())
 }
 
-/// Everything about the tolerances of one actuator.
+/// Returns the effect of the tolerances on one actuator.
 pub(crate) fn detail(project: &Project, assessment: &Assessment, language: Language) -> String {
     let mut out = format!("\n{}\n", sampling_text(assessment.sampling, language));
     for line in tolerance_lines(project, assessment, language) {

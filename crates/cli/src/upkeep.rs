@@ -1,4 +1,4 @@
-//! `upkeep`: what is to be done with an actuator, and by when.
+//! `upkeep`: maintenance of an actuator with its dates.
 
 use crate::answer::{Answer, written};
 use crate::call::Call;

@@ -1,4 +1,4 @@
-//! Deadline of an answer, and progress on the terminal when it takes longer than a second.
+//! Time limit of an answer, and progress on the terminal when it takes longer than a second.
 
 use indicatif::{ProgressBar, ProgressStyle};
 use quantities::{Language, format_number};
@@ -10,13 +10,14 @@ use std::thread::JoinHandle;
 use std::time::Duration;
 use words::terminal;
 
-/// Shown after this time.
+/// Time after which the progress is shown.
 const QUIET: Duration = Duration::from_secs(1);
 
-/// What does not poll for so long after the deadline is ended from outside: a library that reads, or a pass over a long recording.
+/// Time after the deadline at which work that does not poll is ended from outside: a library that reads, or a pass over
+/// a long recording.
 const GRACE: Duration = Duration::from_millis(500);
 
-/// Redrawn so often.
+/// Refresh interval of the progress.
 const TICK: Duration = Duration::from_millis(100);
 
 static PATIENCE: OnceLock<(Patience, Option<Duration>)> = OnceLock::new();
@@ -25,23 +26,24 @@ fn caller() -> &'static (Patience, Option<Duration>) {
     PATIENCE.get_or_init(|| (Patience::endless(), None))
 }
 
-/// That of the caller of this process.
+/// Returns progress and cancellation of the caller of this process.
 pub(crate) fn patience() -> &'static Patience {
     &caller().0
 }
 
-/// The deadline of the caller in seconds.
+/// Returns the deadline of the caller \[s\].
 pub(crate) fn waited_s() -> Option<f64> {
     caller().1.map(|most| most.as_secs_f64())
 }
 
-/// As long as it lives the work goes on; a terminal shows so after a second, anything else shows nothing.
+/// Guard of a running work; while it lives, a terminal shows the progress after a second.
 pub(crate) struct Waiting {
     done: Vec<(Sender<()>, JoinHandle<()>)>,
 }
 
 impl Waiting {
-    /// From now on, for so long at most; `None` without end. A work that does not end by itself then is ended by `late`.
+    /// Starts the clock with a time limit of `most`; `None` for no limit. Work that does not end by itself is ended by
+    /// `late`.
     pub(crate) fn begin(language: Language, most: Option<Duration>, late: impl FnOnce() + Send + 'static) -> Self {
         let (patience, most) = PATIENCE.get_or_init(|| {
             let patience = if most.is_some() { Patience::limited() } else { Patience::endless() };
@@ -70,7 +72,7 @@ impl Waiting {
     }
 }
 
-/// A sign of life, until the work is done.
+/// Shows the progress until the work is done.
 fn show(is_done: &Receiver<()>, patience: &Patience, language: Language) {
     if is_done.recv_timeout(QUIET) != Err(RecvTimeoutError::Timeout) {
         return;
@@ -86,7 +88,7 @@ fn show(is_done: &Receiver<()>, patience: &Patience, language: Language) {
     bar.finish_and_clear();
 }
 
-/// What is being done, with the share that is done where it is known.
+/// Returns the text of the progress, with the completed share if it is known.
 fn message(patience: &Patience, language: Language) -> String {
     match patience.progress() {
         (done, Some(all)) if done <= all => {
@@ -102,7 +104,7 @@ impl Drop for Waiting {
     fn drop(&mut self) {
         for (done, thread) in self.done.drain(..) {
             drop(done);
-            // What the thread drew is gone before the answer is written.
+            // The progress line is removed before the answer is written.
             let _ = thread.join();
         }
     }

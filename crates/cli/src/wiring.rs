@@ -1,4 +1,4 @@
-//! `wiring`: connectors, pins and cables, and a list of pins compared with them.
+//! `wiring`: connectors, pins and cables, and their comparison with a list of pins.
 
 use crate::answer::Answer;
 use crate::call::Call;

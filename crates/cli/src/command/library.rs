@@ -1,10 +1,10 @@
-//! Texts of the command-line library, which are English only, in the requested language.
+//! Texts of the command-line library, which has English only, in the requested language.
 
 use clap::Command;
 use quantities::Language;
 use words::help::library;
 
-/// The usage lines of a command in the language; the library writes its own words there.
+/// Returns the usage lines of a command in the language; the library has its own words in them.
 pub(super) fn usage(mut command: Command, language: Language) -> Command {
     if language == library::LANGUAGE {
         return command;
@@ -22,7 +22,7 @@ fn in_language(mut command: Command, language: Language) -> Command {
     command.mut_subcommands(|command| in_language(command, language))
 }
 
-/// The page with the headings of the language; the library writes English ones.
+/// Returns the page with the headings of the language; the library writes English ones.
 pub(super) fn headings(page: &str, language: Language) -> String {
     let line = |line: &str| {
         let named = line.strip_prefix(".SH ").map(str::trim_end);
@@ -49,7 +49,7 @@ mod tests {
         }
     }
 
-    /// Every command with its path, and every argument of it.
+    /// Collects every command with its path, and all its arguments.
     fn collect_commands(command: &Command, path: &str, found: &mut Vec<(String, String)>) {
         let text = |help: Option<&clap::builder::StyledStr>| help.map(ToString::to_string).unwrap_or_default();
         found.push((path.to_owned(), text(command.get_about())));
@@ -72,7 +72,7 @@ mod tests {
         });
         assert!(en.len() > 100 && en.len() == de.len(), "{} {}", en.len(), de.len());
         for ((path, en), (_, de)) in en.iter().zip(&de) {
-            // A list of words that are typed as they stand is the same in both.
+            // A list of words that are typed literally is the same in both.
             let words = en.split(", ").all(|word| word.bytes().all(|byte| byte == b'_' || byte.is_ascii_lowercase()));
             assert!(!en.is_empty() && !de.is_empty() && (en != de || words), "{path}: {en:?} {de:?}");
         }

@@ -1,4 +1,4 @@
-//! Options and help that only the command line has, beside the arguments of a question and the files that it writes.
+//! Options and help that only the command line has, in addition to the arguments and output files of a question.
 
 use super::question;
 use clap::builder::{IntoResettable, PossibleValuesParser, StyledStr, ValueParser};
@@ -9,23 +9,23 @@ use questions::list::{plot, report, wiring};
 use words::help;
 use words::help::values;
 
-/// Nothing.
+/// Adds no options.
 pub(crate) fn nothing(command: Command, _: Language) -> Command {
     command
 }
 
-/// The title page of the report of the best.
+/// Adds the fields of the title page of the report of the best actuator.
 pub(crate) fn size(command: Command, language: Language) -> Command {
     title_page(command.arg(question::of(&report::DATE, language)), language)
 }
 
-/// The title page, and the day of delivery from which the upkeep follows.
+/// Adds the fields of the title page, and the date of delivery from which the maintenance follows.
 pub(crate) fn report(command: Command, language: Language) -> Command {
     let delivered = text("delivered", values::date(language), help::report_delivered(language));
     title_page(command.arg(delivered.requires("installation")), language)
 }
 
-/// The fields of the title page beside its day.
+/// Adds the fields of the title page except its date.
 fn title_page(command: Command, language: Language) -> Command {
     let l = language;
     let fields = [
@@ -38,22 +38,22 @@ fn title_page(command: Command, language: Language) -> Command {
     command.args(fields.map(|(name, help)| text(name, values::text(l), help))).arg(flag("archive", help::archive(l)))
 }
 
-/// Any name of a table: the list itself says which are right.
+/// Accepts any name of a table: the list itself reports the valid ones.
 pub(crate) fn export(command: Command, _: Language) -> Command {
     command.mut_arg("table", |table| table.value_parser(ValueParser::string()))
 }
 
-/// A table as CSV where no format is requested.
+/// Sets CSV as the default format.
 pub(crate) fn catalogue(command: Command, _: Language) -> Command {
     command.mut_arg("format", |format| format.default_value("csv"))
 }
 
-/// Where a picture without a file goes.
+/// Adds help on a picture without a file.
 pub(crate) fn plot(command: Command, language: Language) -> Command {
     command.after_help(help::plot_without_files(language))
 }
 
-/// How a picture looks; signals are those of the file of the course, and are listed below the options.
+/// Adds the options of a picture, and a list of the signals of the output file below the options.
 pub(crate) fn simulate(command: Command, language: Language) -> Command {
     let mut listed = format!("{}:", help::signals(language));
     for names in SIGNALS.chunks(5) {
@@ -64,25 +64,25 @@ pub(crate) fn simulate(command: Command, language: Language) -> Command {
     picture(command.mut_arg("signals", |signals| signals.requires("out")).after_help(listed), language)
 }
 
-/// How a picture looks.
+/// Adds the options of a picture.
 pub(crate) fn picture(command: Command, language: Language) -> Command {
     command.args([plot::THEME, plot::WIDTH, plot::HEIGHT].map(|argument| question::of(&argument, language)))
 }
 
-/// Which connector is drawn, and how the picture looks.
+/// Adds the choice of the drawn connector, and the options of a picture.
 pub(crate) fn wiring(command: Command, language: Language) -> Command {
     let roles = PossibleValuesParser::new(wiring::Role::ALL.iter().map(|role| role.id()));
     let connector = text("connector", values::connector(language), help::wiring_connector(language));
     picture(command.arg(connector.value_parser(roles)), language)
 }
 
-/// One of the four that a call is about.
+/// Requires one of the four options that a call is about.
 pub(crate) fn commission(command: Command, language: Language) -> Command {
     let wanted = ArgGroup::new("wanted").args(["for", "checklist", "record", "blank"]);
     command.group(wanted.multiple(true).required(true)).after_help(help::commission_exit(language))
 }
 
-/// The shapes that a body may have, below the options.
+/// Adds the shapes that a body may have, below the options.
 pub(crate) fn shapes(command: Command, language: Language) -> Command {
     let mut shapes = String::new();
     for shape in &project::BODY_SHAPES {
@@ -94,12 +94,12 @@ pub(crate) fn shapes(command: Command, language: Language) -> Command {
     command.after_help(format!("{}\n{shapes}{}", help::shapes(language), help::shapes_all(language)))
 }
 
-/// An option with a value.
+/// Creates an option with a value.
 pub(super) fn text(name: &'static str, value: &'static str, help: impl IntoResettable<StyledStr>) -> Arg {
     Arg::new(name).long(name).value_name(value).help(help)
 }
 
-/// An option without a value.
+/// Creates an option without a value.
 pub(super) fn flag(name: &'static str, help: &'static str) -> Arg {
     Arg::new(name).long(name).action(ArgAction::SetTrue).help(help)
 }
@@ -127,7 +127,7 @@ pub(super) fn drive(language: Language) -> Command {
         .about(help::drive(l))
         .arg(Arg::new("code").value_name(values::code(l)).required(true).num_args(1..).help(help::ordering_code(l)))
         .arg(
-            // Its own identifier: a server has no deadline, which every command with a project takes.
+            // Its own identifier: a server has no deadline, which every command with a project accepts.
             text("project-file", values::file(l), help::drive_project(l))
                 .long("project")
                 .value_parser(value_parser!(std::path::PathBuf))
@@ -156,7 +156,7 @@ pub(super) fn drive(language: Language) -> Command {
         .arg(memory(l))
 }
 
-/// How much memory the recordings of a project may take.
+/// Creates the option that limits the memory of the recordings of a project.
 pub(super) fn memory(language: Language) -> Arg {
     text("memory", values::size(language), help::memory(language))
 }

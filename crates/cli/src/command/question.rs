@@ -1,4 +1,4 @@
-//! The command of a question: its arguments and files from the list, and what its layout adds.
+//! Command of a question: arguments and files from the list, and the options of its layout.
 
 use super::own;
 use crate::layout::Layout;
@@ -9,16 +9,16 @@ use questions::list::{Argument, ArgumentKind, Entry, Form, Gives, OutputFile, Re
 use std::ffi::OsStr;
 use words::help::{self, values};
 
-/// The command of a question without its arguments: as the others are listed.
+/// Returns the command of a question without its arguments, for the list of commands.
 pub(super) fn listed(entry: &Entry, language: Language) -> Command {
     let is_pdf = matches!(entry.gives, Gives::Media(media) if media.contains(&media::PDF));
     Command::new(super::last(entry)).about(with_report(is_pdf, (entry.about)(language), language))
 }
 
-/// The command of a question.
+/// Returns the command of a question.
 pub(super) fn command(entry: &'static Entry, language: Language) -> Command {
     let questions: Vec<&Entry> = std::iter::once(entry).chain(entry.others()).collect();
-    // Where the ending of a file decides its format, no argument does.
+    // The extension of a file decides its format, so that no argument is needed.
     let by_ending = entry.files().any(|file| file.media.len() > 1);
     let mut arguments: Vec<&Argument> = Vec::new();
     for argument in questions.iter().flat_map(|question| question.arguments) {
@@ -29,7 +29,7 @@ pub(super) fn command(entry: &'static Entry, language: Language) -> Command {
         }
     }
     let mut command = listed(entry, language);
-    // A file without a name stands before the project that it is about.
+    // A file without an option stands before the project that it is about.
     let is_first = |argument: &&Argument| matches!((argument.kind, argument.form), (ArgumentKind::File, Form::Bare));
     command = command
         .args(arguments.iter().copied().filter(|argument| is_first(argument)).map(|argument| of(argument, language)));
@@ -53,7 +53,7 @@ pub(super) fn command(entry: &'static Entry, language: Language) -> Command {
     command
 }
 
-/// A help text; of a PDF with a remark where the program was built without the typesetting engine.
+/// Returns a help text; for a PDF with a remark if the program was built without the typesetting engine.
 fn with_report(is_pdf: bool, help: &str, language: Language) -> String {
     if is_pdf && cfg!(not(feature = "report")) {
         format!("{help} ({})", help::not_in_this_build(language))
@@ -66,7 +66,7 @@ fn file(name: &'static str, value: &'static str, help: &str) -> Arg {
     Arg::new(name).value_name(value).value_parser(value_parser!(std::path::PathBuf)).help(help.to_owned())
 }
 
-/// A file that is written.
+/// Creates the option of an output file.
 fn output(written: &OutputFile, language: Language) -> Arg {
     let help = with_report(written.is_pdf(), (written.about)(language), language);
     let mut option =
@@ -80,7 +80,7 @@ fn output(written: &OutputFile, language: Language) -> Arg {
     }
 }
 
-/// The files that a question is about: those of an option, else the words behind the command.
+/// Returns the arguments for the files that a question is about: those of an option, else the words behind the command.
 fn sources(entry: &Entry, language: Language) -> Vec<Arg> {
     let l = language;
     if let Some(option) = entry.option() {
@@ -88,7 +88,7 @@ fn sources(entry: &Entry, language: Language) -> Vec<Arg> {
             Reads::Project => help::mount_project(l),
             Reads::Pins => help::wiring_check(l),
             Reads::Measured => help::commission_record(l),
-            // The option names a file that is written.
+            // The option names an output file.
             Reads::Nothing | Reads::TwoProjects => return Vec::new(),
         };
         return vec![file(option, values::file(l), help).long(option)];
@@ -104,7 +104,7 @@ fn sources(entry: &Entry, language: Language) -> Vec<Arg> {
     words.into_iter().map(|word| word.required(true)).collect()
 }
 
-/// Words of which a value lists some: they are shown as the possible ones, and the question itself reports every wrong one.
+/// Words that the help lists as the possible values; the question itself reports invalid ones.
 #[derive(Clone)]
 struct AnyOf(Vec<&'static str>);
 
@@ -120,11 +120,11 @@ impl TypedValueParser for AnyOf {
     }
 }
 
-/// An argument as the library of the command line has it.
+/// Converts an argument for the command-line library.
 pub(super) fn of(argument: &Argument, language: Language) -> Arg {
     let words = argument.words();
     let about = if argument.required && !words.is_empty() {
-        // A call without a right word fails, so the help lists them.
+        // A call without a valid word fails, so the help lists them.
         format!("{}: {}", (argument.about)(language), words.join(", "))
     } else {
         (argument.about)(language).to_owned()

@@ -1,4 +1,4 @@
-//! Calls that the library of the command line refuses, as faults like all others.
+//! Calls that the command-line library rejects, as faults like all others.
 
 use crate::answer::{Answer, written};
 use answers::{Fault, Faults};
@@ -9,7 +9,7 @@ use std::error::Error as _;
 use words::help::library;
 use words::{Usage, UsageHint, usage_hint, usage_text};
 
-/// The answer to a call that cannot be understood.
+/// Returns the answer to a call that cannot be parsed.
 pub(crate) fn refused(error: &clap::Error, as_json: bool, language: Language) -> Answer {
     let (usage, hint) = (usage_of(error), hint_of(error));
     let (message, hint) = (usage_text(&usage, language), hint.map(|hint| usage_hint(&hint, language)));
@@ -66,7 +66,7 @@ fn hint_of(error: &clap::Error) -> Option<UsageHint> {
         return Some(UsageHint::Words(Hint::ValidAre(valid.clone())));
     }
     match error.kind() {
-        // The reason of the library holds the bounds; what is no number at all has none.
+        // The reason of the library holds the bounds; a text that is no number has none.
         ErrorKind::ValueValidation => {
             let reason = error.source().map(ToString::to_string).unwrap_or_default();
             let bounds = reason.split_once(" is not in ").and_then(|(_, range)| range.split_once(".."));

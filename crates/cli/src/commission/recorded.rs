@@ -1,4 +1,4 @@
-//! A recorded commissioning, judged.
+//! `commission --record`: judgement of a recorded commissioning.
 
 use crate::answer::Answer;
 use crate::call::Call;

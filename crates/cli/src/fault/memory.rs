@@ -1,4 +1,4 @@
-//! How much memory the recordings of a project may take.
+//! Limit of the memory of the recordings of a project.
 
 use clap::ArgMatches;
 use quantities::Language;
@@ -6,25 +6,25 @@ use questions::MEMORY_USUAL;
 use questions::list::Unanswered;
 use words::{Usage, UsageHint, usage_hint, usage_text};
 
-/// Says it for every call, where no option does.
+/// Environment variable with the limit for calls without the option.
 const VARIABLE: &str = "ANTRIEB_MEMORY";
 
-/// What may be allowed: 1 MiB to 64 GiB.
+/// Permissible limits: 1 MiB to 64 GiB.
 const BYTES: std::ops::RangeInclusive<u64> = 1 << 20..=64 << 30;
 
-/// Units, and how many bytes each has.
+/// Units with their number of bytes.
 const UNITS: [(&str, u64); 6] =
     [("KiB", 1 << 10), ("MiB", 1 << 20), ("GiB", 1 << 30), ("kB", 1_000), ("MB", 1_000_000), ("GB", 1_000_000_000)];
 
-/// The memory that `--memory` allows, else the variable, else the usual one.
+/// Returns the limit of `--memory`, else of the variable, else the default.
 pub(crate) fn allowed(matches: &ArgMatches, language: Language) -> Result<u64, Unanswered> {
     allowed_by(matches.try_get_one::<String>("memory").ok().flatten().cloned(), language)
 }
 
-/// The memory that a call states, else the variable `ANTRIEB_MEMORY`, else the usual one, in bytes.
+/// Returns the limit that a call states, else that of the variable `ANTRIEB_MEMORY`, else the default, in bytes.
 ///
 /// # Errors
-/// What is no size, or one out of bounds.
+/// A text that is no size, or a size out of bounds.
 pub fn allowed_by(said: Option<String>, language: Language) -> Result<u64, Unanswered> {
     let Some(written) = said.or_else(|| std::env::var(VARIABLE).ok()) else { return Ok(MEMORY_USUAL) };
     bytes(&written).ok_or_else(|| {
@@ -34,7 +34,7 @@ pub fn allowed_by(said: Option<String>, language: Language) -> Result<u64, Unans
     })
 }
 
-/// A whole number with its unit.
+/// Parses a whole number with its unit.
 fn bytes(written: &str) -> Option<u64> {
     let written = written.trim();
     let (number, size) = UNITS.iter().find_map(|(unit, size)| Some((written.strip_suffix(unit)?, size)))?;

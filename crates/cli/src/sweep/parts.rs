@@ -1,4 +1,4 @@
-//! Finished parts of the answers, kept beside them until these are whole, so that an interrupted call continues.
+//! Finished parts of the output, kept next to it until it is complete, so that an interrupted call continues.
 
 use super::Table;
 use super::run::Run;
@@ -17,17 +17,17 @@ use words::{SaveTrouble, file_trouble, save_trouble, sweeps};
 /// Rows of a part.
 pub(super) const PART: usize = 1 << 14;
 
-/// The parts of the answers of one run.
+/// Parts of the output of one run.
 pub(super) struct Parts {
     folder: PathBuf,
     parts: disk::Parts,
-    /// Number of parts that were there.
+    /// Number of parts of an earlier call.
     kept: u64,
     begun_anew: bool,
     language: Language,
 }
 
-/// A trouble with the folder in words.
+/// Returns the message about an error of the folder.
 fn refused(folder: &Path, trouble: PartsTrouble, language: Language) -> Unanswered {
     let shown = path_text(folder);
     Unanswered::message(match trouble {
@@ -41,7 +41,7 @@ fn refused(folder: &Path, trouble: PartsTrouble, language: Language) -> Unanswer
 }
 
 impl Parts {
-    /// Opens the parts beside the answers. Those of the same run are kept, those of another one removed.
+    /// Opens the parts next to the output. Those of the same run are kept, those of another run removed.
     pub(super) fn of(run: &Run<'_>, out: &Path, mark: &str) -> Result<Self, Unanswered> {
         let mut name = out.file_name().map(OsString::from).unwrap_or_default();
         name.push(".parts");
@@ -61,7 +61,7 @@ impl Parts {
         Ok(found)
     }
 
-    /// What became of parts that were there; `rows` are those of the table.
+    /// Returns a remark on the use of earlier parts; `rows` is the number of rows of the table.
     pub(super) fn remark(&self, rows: u64) -> String {
         if self.begun_anew {
             return format!("{}\n", sweeps::begun_anew(self.language));
@@ -79,7 +79,7 @@ impl Parts {
         Unanswered::message(format!("{}: {why}", path_text(&self.folder)))
     }
 
-    /// Judges what is not judged yet, a part at a time.
+    /// Judges the missing rows, one part at a time.
     pub(super) fn judged(
         &self,
         table: &Table<'_>,
@@ -106,7 +106,7 @@ impl Parts {
         Ok(())
     }
 
-    /// The end of a run without answers: finished parts stay, and the reason names them; without any the folder goes.
+    /// Ends a run without an output: finished parts stay, and the reason names them; an empty folder is removed.
     pub(super) fn ended(self, why: Unanswered) -> Unanswered {
         if !self.parts.has(0).unwrap_or(true) {
             self.parts.remove();
@@ -116,14 +116,14 @@ impl Parts {
         Unanswered::together(vec![why, kept])
     }
 
-    /// The end of a run that read something else at its end than at its beginning: no part is kept.
+    /// Ends a run whose inputs changed while it ran: no part is kept.
     fn changed(self) -> Unanswered {
         let why = Unanswered::message(sweeps::parts_changed(self.language));
         self.parts.remove();
         why
     }
 
-    /// Makes sure that what was read is still what it was, and that the parts are those of this run.
+    /// Checks that the inputs are unchanged, and that the parts belong to this run.
     pub(super) fn verified(self, run: &Run<'_>) -> Result<Self, Unanswered> {
         let verified = run.mark().and_then(|mark| {
             let is_marked = self.parts.is_marked().map_err(|trouble| self.failed(trouble))?;
@@ -136,7 +136,7 @@ impl Parts {
         }
     }
 
-    /// All parts as one file, counted.
+    /// Joins all parts to one file and counts the answers.
     pub(super) fn together(
         &self,
         format: Format,
@@ -161,7 +161,7 @@ impl Parts {
         out.flush().map_err(|error| failed(file_trouble(&error, self.language)))
     }
 
-    /// Removes the parts once the answers are whole; what cannot be removed is found by the next call.
+    /// Removes the parts when the output is complete; the next call finds any that could not be removed.
     pub(super) fn remove(self) {
         self.parts.remove();
     }

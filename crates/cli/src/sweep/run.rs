@@ -1,4 +1,4 @@
-//! Everything that the answers of a run depend on, as one number: a run that continues is the same run.
+//! Identity of a run: one hash of everything that the output depends on. A call continues a run with the same hash.
 
 use super::Table;
 use project::Files;
@@ -8,25 +8,25 @@ use std::collections::BTreeSet;
 use std::io::Read;
 use words::file_trouble;
 
-/// More recordings than these are not hashed: a table that names them begins anew each time.
+/// Largest number of hashed recordings: a table that names more begins anew each time.
 const RECORDINGS_MOST: usize = 1 << 16;
 
-/// What a run reads.
+/// Inputs of a run.
 pub(super) struct Run<'r> {
-    /// The table.
+    /// Table.
     pub(super) table: &'r Table<'r>,
-    /// The text of the project.
+    /// Text of the project.
     pub(super) project: &'r str,
-    /// The recordings that project and table name.
+    /// Recordings that project and table name.
     pub(super) recordings: &'r BTreeSet<String>,
-    /// Opens them.
+    /// Access to the recordings.
     pub(super) files: &'r dyn Files,
-    /// Options, language and format of the answers.
+    /// Options, language and format of the output.
     pub(super) request: String,
 }
 
 impl Run<'_> {
-    /// Hashes what the answers depend on: program, catalogue, project, request, the bytes of the table and of every recording.
+    /// Computes the hash of program, catalogue, project, request, and the bytes of the table and of every recording.
     pub(super) fn mark(&self) -> Result<String, Unanswered> {
         let mut hasher = blake3::Hasher::new();
         for text in [env!("CARGO_PKG_VERSION"), &program(), &export_csv(), self.project, &self.request] {
@@ -36,7 +36,7 @@ impl Run<'_> {
             .map_err(|error| self.table.refused(&file_trouble(&error, self.table.language)))?;
         for name in self.recordings.iter().take(RECORDINGS_MOST) {
             hasher.update(&(name.len() as u64).to_le_bytes()).update(name.as_bytes());
-            // A row whose recording is not there is answered with that.
+            // A row with a missing recording has that fault as its answer.
             match self.files.open(name).and_then(|file| hash(&mut hasher, file)) {
                 Ok(()) => {}
                 Err(error) => drop(hasher.update(format!("{:?}", error.kind()).as_bytes())),
@@ -50,7 +50,7 @@ impl Run<'_> {
     }
 }
 
-/// The build that runs: two of one version may differ.
+/// Returns the identity of the running build: two of one version may differ.
 fn program() -> String {
     let about = std::env::current_exe().and_then(std::fs::metadata);
     about.map_or_else(|_| String::new(), |about| format!("{} {:?}", about.len(), about.modified().ok()))
