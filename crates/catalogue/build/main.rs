@@ -1,6 +1,6 @@
-//! Reads `data/`, holds it to the rules of `data/README.md`, and embeds it as static tables.
+//! Reads `data/`, checks it against the rules of `data/README.md`, and embeds it as static tables.
 //!
-//! A file that breaks a rule stops the build, with all faults listed at once.
+//! A file that violates a rule stops the build, with all faults listed at once.
 #![allow(clippy::print_stdout, reason = "a build script speaks to cargo over stdout")]
 
 mod series;
@@ -24,7 +24,7 @@ fn main() -> ExitCode {
     series_files::write_out("data.rs", &text, &faults)
 }
 
-/// Texts, each once, by their numbers.
+/// Distinct texts with their numbers.
 #[derive(Default)]
 struct Numbered {
     kept: Vec<String>,
@@ -157,12 +157,12 @@ fn records(out: &mut String, data: &Data, Cells { cells, ranges }: &Cells<'_>) {
     let _ = writeln!(out, "];");
 }
 
-/// Words of a field of the codes that an erratum concerns; empty where the field is open.
+/// Returns the words of a field in the codes that an erratum concerns; empty if the field is open.
 fn concerned<'e>(erratum: &'e Erratum, field: &str) -> &'e [String] {
     erratum.concerns.get(field).map_or(&[], Vec::as_slice)
 }
 
-/// The place of an erratum in words, from the keys of its cell.
+/// Returns the place of an erratum in words, from the keys of its cell.
 fn place_of(erratum: &Erratum) -> String {
     KEYS.iter().filter_map(|key| erratum.cell.get(*key)).cloned().collect::<Vec<_>>().join(", ")
 }

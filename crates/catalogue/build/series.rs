@@ -1,4 +1,4 @@
-//! What each series states of its tables and its words, as Rust source.
+//! Tables and words of each series, as Rust source.
 
 use series_files::{Code, Mark, Winding, variant_of};
 use std::fmt::Write as _;

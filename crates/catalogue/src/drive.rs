@@ -1,4 +1,4 @@
-//! The drives that tables are headed by, and typed access to what is printed about them.
+//! Drives that head tables of the manual, and typed access to their values.
 
 use crate::record::{Cell, Table};
 use crate::series::{Head, SeriesData, winding_data};
@@ -8,9 +8,10 @@ use quantities::{Measure, Unit};
 use std::collections::BTreeMap;
 use std::sync::{LazyLock, OnceLock};
 
-/// One drive of the catalogue: a motor with its windings and feedback systems in all its ratios, as its tables are headed.
+/// One drive of the catalogue: a motor with its windings and feedback systems in all its ratios, as it heads its
+/// tables.
 pub struct Drive {
-    /// Head of its section: `CHA-14A-H/N`, `CHA-20A-C1024`.
+    /// Heading of its section: `CHA-14A-H/N`, `CHA-20A-C1024`.
     pub name: &'static str,
     /// Frame size.
     pub size: Size,
@@ -21,7 +22,7 @@ pub struct Drive {
     printed: OnceLock<Printed>,
 }
 
-/// What is printed about a drive.
+/// Tables of a drive.
 struct Printed {
     ratios: Vec<Ratio>,
     cells: Vec<&'static Cell>,
@@ -40,7 +41,7 @@ static DRIVES: LazyLock<Vec<Drive>> = LazyLock::new(|| {
     heads.map(drive).collect()
 });
 
-/// The cells that name a drive, by its name.
+/// Cells that name a drive, by its name.
 static BY_DRIVE: LazyLock<BTreeMap<&'static str, Vec<&'static Cell>>> = LazyLock::new(|| {
     let mut by_drive: BTreeMap<&'static str, Vec<&'static Cell>> = BTreeMap::new();
     for cell in crate::cells() {
@@ -64,14 +65,14 @@ impl Printed {
     }
 }
 
-/// All drives, in the order of the manual.
+/// Returns all drives in the order of the manual.
 #[must_use]
 pub fn drives() -> &'static [Drive] {
     &DRIVES
 }
 
-/// The drive whose tables hold for this size, winding and feedback; `None` where the manual prints no data
-/// (for example the resolver on 20A to 58A, which is available on request only).
+/// Returns the drive whose tables hold for this size, winding and feedback; `None` if the manual states no data (for
+/// example the resolver on 20A to 58A, which is available on request only).
 #[must_use]
 pub fn drive(size: Size, winding: Winding, feedback: Feedback) -> Option<&'static Drive> {
     DRIVES
@@ -79,12 +80,12 @@ pub fn drive(size: Size, winding: Winding, feedback: Feedback) -> Option<&'stati
         .find(|drive| drive.size == size && drive.windings.contains(&winding) && drive.feedbacks.contains(&feedback))
 }
 
-/// Whether a feedback entry of a table (`RES / M128S`, or empty for all) covers this feedback.
+/// Returns `true` if a feedback entry of a table (`RES / M128S`, or empty for all) covers this feedback.
 pub(crate) fn covers(entry: &str, feedback: Feedback) -> bool {
     entry.is_empty() || entry.split(" / ").any(|name| name == feedback.as_str())
 }
 
-/// Whether a ratio entry of a table (`30`, `> 50`, or empty for all) covers this ratio.
+/// Returns `true` if a ratio entry of a table (`30`, `> 50`, or empty for all) covers this ratio.
 pub(crate) fn covers_ratio(entry: &str, ratio: Ratio) -> bool {
     let value = ratio.value();
     match entry.strip_prefix('>') {
@@ -98,41 +99,42 @@ impl Drive {
         self.printed.get_or_init(|| Printed::of(self))
     }
 
-    /// Reduction ratios, ascending.
+    /// Returns the reduction ratios, ascending.
     #[must_use]
     pub fn ratios(&self) -> &[Ratio] {
         &self.printed().ratios
     }
 
-    /// Every cell of this drive's own tables (technical data, inertias, brake, lengths).
+    /// Returns every cell of this drive's own tables (technical data, inertias, brake, lengths).
     #[must_use]
     pub fn cells(&self) -> &[&'static Cell] {
         &self.printed().cells
     }
 
-    /// The cell of a symbol for this feedback and ratio. `condition` must match exactly.
+    /// Returns the cell of a symbol for this feedback and ratio. `condition` must match exactly.
     #[must_use]
     pub fn cell(&self, symbol: &str, condition: &str, feedback: Feedback, ratio: Ratio) -> Option<&'static Cell> {
         self.cells_of(symbol, feedback, ratio).find(|cell| cell.place.condition == condition)
     }
 
-    /// The cells of a symbol for this feedback and ratio, whatever their condition.
+    /// Returns the cells of a symbol for this feedback and ratio, with any condition.
     pub fn cells_of(&self, symbol: &str, feedback: Feedback, ratio: Ratio) -> impl Iterator<Item = &'static Cell> {
         let cells = self.printed().by_symbol.get(symbol).map(Vec::as_slice).unwrap_or_default().iter().copied();
         cells.filter(move |cell| covers(cell.feedback, feedback) && covers_ratio(cell.place.ratio, ratio))
     }
 
-    /// The value that checks use, in SI, with its source, grade and errata.
+    /// Returns the value that checks use, in SI, with its source, grade and errata.
     ///
-    /// Where an open contradiction names a safe value, that value is returned with grade `computed`;
-    /// a printed dash, and a row that does not exist, are [`Datum::NotPrinted`].
+    /// If an open contradiction names a safe value, that value is returned with grade `computed`; a dash in the manual,
+    /// and a row that does not exist, are [`Datum::NotPrinted`].
     #[must_use]
     pub fn datum<Q: Measure>(&self, symbol: &str, condition: &str, feedback: Feedback, ratio: Ratio) -> Datum<Q> {
         self.cell(symbol, condition, feedback, ratio).map_or(Datum::NotPrinted, datum_of)
     }
 }
 
-/// The cell of a symbol in the tables that are headed by size only (accuracy, stiffness, output bearing, fits, screws).
+/// Returns the cell of a symbol in the tables that are headed by size only (accuracy, stiffness, output bearing, fits,
+/// screws).
 #[must_use]
 pub fn size_cell(size: Size, ratio: Ratio, symbol: &str) -> Option<&'static Cell> {
     let names = [size.series().as_str(), size.as_str()];
@@ -140,12 +142,12 @@ pub fn size_cell(size: Size, ratio: Ratio, symbol: &str) -> Option<&'static Cell
     SIZE_CELLS.get(symbol)?.iter().copied().find(|cell| is_headed(cell) && covers_ratio(cell.place.ratio, ratio))
 }
 
-/// Whether a table heads a size of a series like this: `CHA-20A`.
+/// Returns `true` if the heading of a table is that of a size of a series: `CHA-20A`.
 fn is_head_of(head: &str, [series, size]: [&str; 2]) -> bool {
     head.strip_prefix(series).and_then(|rest| rest.strip_prefix('-')) == Some(size)
 }
 
-/// The cells of the tables that are headed by the size, by symbol.
+/// Cells of the tables that are headed by size, by symbol.
 static SIZE_CELLS: LazyLock<BTreeMap<&'static str, Vec<&'static Cell>>> = LazyLock::new(|| {
     let mut by_symbol: BTreeMap<&'static str, Vec<&'static Cell>> = BTreeMap::new();
     for series in crate::series() {
@@ -158,7 +160,7 @@ static SIZE_CELLS: LazyLock<BTreeMap<&'static str, Vec<&'static Cell>>> = LazyLo
     by_symbol
 });
 
-/// The value of a cell in SI, as checks use it.
+/// Returns the value of a cell in SI, as checks use it.
 #[must_use]
 pub fn datum_of<Q: Measure>(cell: &'static Cell) -> Datum<Q> {
     let unit = Unit::of_dimension(Q::DIMENSION, cell.unit);
@@ -168,9 +170,9 @@ pub fn datum_of<Q: Measure>(cell: &'static Cell) -> Datum<Q> {
     }
 }
 
-/// Every printed value of one actuator, in the order of the manual: the general data of its winding, its drive's
-/// tables, the tables by size, the tables of its feedback, and what is printed once for all. Ordering tables, pin-outs and
-/// the tables of the selection procedure are left out.
+/// Returns every stated value of one actuator, in the order of the manual: the general data of its winding, its drive's
+/// tables, the tables by size, the tables of its feedback, and the tables for all actuators. Ordering tables, pin-outs
+/// and the tables of the selection procedure are left out.
 #[must_use]
 pub fn cells_about(size: Size, winding: Winding, feedback: Feedback, ratio: Ratio) -> Vec<&'static Cell> {
     let Some(drive) = drive(size, winding, feedback) else { return Vec::new() };
@@ -195,7 +197,8 @@ pub fn cells_about(size: Size, winding: Winding, feedback: Feedback, ratio: Rati
         .collect()
 }
 
-/// Sections of ordering are named in full, those of wiring by their beginning: a chapter's number begins others.
+/// Sections of ordering are named in full, those of wiring by their beginning: the number of a chapter is a prefix of
+/// others.
 fn is_ordering_or_wiring(table: &Table, series: &SeriesData) -> bool {
     series.ordering.iter().any(|section| match section.contains('.') {
         true => table.section.starts_with(section),

@@ -4,7 +4,7 @@ use order_code::{Brake, Feedback, OrderCode, Series, Size, Winding};
 use provenance::Grade;
 use quantities::identified;
 
-/// One statement of a source in our own words, with the figures in it.
+/// One statement of a source in our own words, with its figures.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Fact {
     /// Identifier.
@@ -13,17 +13,17 @@ pub struct Fact {
     pub section: &'static str,
     /// Identifier of the document in `data/sources.toml`.
     pub document: &'static str,
-    /// How far it can be trusted.
+    /// Grade of trust.
     pub grade: Grade,
-    /// The answers that show it.
+    /// Answers that show it.
     pub topics: &'static [Topic],
     /// Signal word; `None` for a plain statement.
     pub signal: Option<Signal>,
-    /// Its place in a check-list.
+    /// Step of the checklist that contains it.
     pub step: Option<Step>,
-    /// The codes that it holds for.
+    /// Codes for which it holds.
     pub holds_for: HoldsFor,
-    /// The figures in it, in machine form.
+    /// Figures of the statement, in machine form.
     pub values: &'static [FactValue],
     /// English text.
     pub en: &'static str,
@@ -32,14 +32,14 @@ pub struct Fact {
 }
 
 impl Fact {
-    /// Whether an answer on this topic shows it for this code; safety is shown by every answer.
+    /// Returns `true` if an answer on this topic shows it for this code; safety facts are in every answer.
     #[must_use]
     pub fn is_shown(&self, topic: Topic, code: &OrderCode) -> bool {
         (self.topics.contains(&topic) || self.topics.contains(&Topic::Safety)) && self.holds_for.covers(code)
     }
 }
 
-/// The codes that a fact holds for. An empty list and `None` leave the field open.
+/// Codes for which a fact holds. An empty list and `None` leave the field open.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct HoldsFor {
     /// Series.
@@ -50,16 +50,16 @@ pub struct HoldsFor {
     pub windings: &'static [Winding],
     /// Feedback systems.
     pub feedbacks: &'static [Feedback],
-    /// Only with a brake, or only without.
+    /// `true`: only with a brake; `false`: only without.
     pub brake: Option<bool>,
-    /// Only with the encoder at the output (option EC), or only without.
+    /// `true`: only with the encoder at the output (option EC); `false`: only without.
     pub output_encoder: Option<bool>,
-    /// Only where the KTY of the winding is led out, or only where it is not.
+    /// `true`: only if the KTY of the winding is led out; `false`: only if it is not.
     pub kty: Option<bool>,
 }
 
 impl HoldsFor {
-    /// Whether a code is among them.
+    /// Returns `true` if a code is among them.
     #[must_use]
     pub fn covers(&self, code: &OrderCode) -> bool {
         self.series == code.series()
@@ -77,16 +77,16 @@ impl HoldsFor {
 pub struct FactValue {
     /// Identifier among the figures of the fact; empty if it is the only one.
     pub id: &'static str,
-    /// The figure, in its unit.
+    /// Value in its unit.
     pub number: f64,
     /// Unit in ASCII; empty for pure numbers.
     pub unit: &'static str,
-    /// What the figure bounds.
+    /// Kind of bound that the figure states.
     pub bound: Bound,
 }
 
 identified! {
-    /// The answer that shows a fact.
+    /// Answer that shows a fact.
     #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
     pub enum Topic {
         /// Connectors, pins and cables.
@@ -97,30 +97,30 @@ identified! {
         Commission = "commission",
         /// Service, storage, disposal.
         Upkeep = "upkeep",
-        /// Every one of them.
+        /// Every answer.
         Safety = "safety",
     }
 }
 
 identified! {
-    /// Signal words of ISO 3864-2 and ANSI Z535.6, gravest first.
+    /// Signal words of ISO 3864-2 and ANSI Z535.6, most severe first.
     #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
     pub enum Signal {
-        /// Death or grave injury follows.
+        /// Death or serious injury will occur.
         Danger = "danger",
-        /// Death or grave injury may follow.
+        /// Death or serious injury may occur.
         Warning = "warning",
-        /// Light injury may follow.
+        /// Minor or moderate injury may occur.
         Caution = "caution",
-        /// Damage to things may follow.
+        /// Damage to property may occur.
         Notice = "notice",
-        /// Worth knowing.
+        /// Useful information.
         Info = "info",
     }
 }
 
 identified! {
-    /// When a fact matters, in the order of a machine's life.
+    /// Step in the life of a machine at which a fact matters, in order.
     #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
     pub enum Step {
         /// Transport and storage.
@@ -131,13 +131,13 @@ identified! {
         Wiring = "wiring",
         /// Before the power is switched on.
         BeforePower = "before_power",
-        /// The first motion.
+        /// First motion.
         FirstMotion = "first_motion",
         /// After the first day of operation.
         AfterADay = "after_a_day",
-        /// In service.
+        /// During service.
         InService = "in_service",
-        /// Shutting down and work on a machine that stands.
+        /// Shutdown, and work on a stationary machine.
         Shutdown = "shutdown",
         /// Taking out of service.
         Disposal = "disposal",
@@ -145,20 +145,20 @@ identified! {
 }
 
 identified! {
-    /// What a figure says about the thing it is the figure of.
+    /// Relation of a value to the figure.
     #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
     pub enum Bound {
-        /// More than the figure.
+        /// Greater than the figure.
         Above = "above",
         /// Less than the figure.
         Below = "below",
-        /// The figure or more.
+        /// The figure or greater.
         AtLeast = "at_least",
         /// The figure or less.
         AtMost = "at_most",
-        /// Around the figure.
+        /// Approximately the figure.
         About = "about",
-        /// The figure.
+        /// Equal to the figure.
         Exactly = "exactly",
     }
 }

@@ -1,8 +1,8 @@
-//! The products as they are printed: every cell of the tables, the errata, the glossary and the sources,
-//! embedded in the program, and typed access to them in SI.
+//! Products as their manuals state them: every cell of the tables, the errata, the glossary and the sources, embedded
+//! in the program, with typed access in SI.
 //!
-//! This crate knows what is printed and where; it knows no physics. Physics takes parameter structs that
-//! other crates fill from here.
+//! This crate holds the statements of the manuals with their places and no physics. Other crates fill the parameter
+//! structs of the physics from it.
 
 use record::Packed;
 use std::collections::BTreeMap;
@@ -29,30 +29,30 @@ mod embedded {
     include!(concat!(env!("OUT_DIR"), "/data.rs"));
 }
 
-/// The cells of the embedded tables, unpacked when one of them is first read.
+/// Cells of the embedded tables, unpacked when one of them is first read.
 static CELLS: [OnceLock<Vec<Cell>>; embedded::TABLES.len()] = [const { OnceLock::new() }; embedded::TABLES.len()];
 
-/// The embedded data joined with those of further series.
+/// Embedded data joined with those of further series.
 static EXTENDED: OnceLock<Further> = OnceLock::new();
 
-/// Series that are not embedded: their cells, tables, documents and what they state of them.
+/// Series that are not embedded: their cells, tables, documents and records.
 #[derive(Clone, Debug, Default)]
 pub struct Further {
     /// Cells of the tables.
     pub cells: Vec<Cell>,
     /// Tables, whose `number` counts them and whose `first` and `end` count these cells.
     pub tables: Vec<Table>,
-    /// Documents that the tables come from.
+    /// Documents that contain the tables.
     pub documents: Vec<Document>,
     /// A record for each series, in the order of their grammars.
     pub series: Vec<SeriesData>,
 }
 
-/// Adds series to the embedded ones, for the whole program; once, before any data are read, and after
+/// Adds series to the embedded ones, for the whole program; called once, before any data are read, and after
 /// [`order_code::extend`] with their grammars.
 ///
 /// # Errors
-/// The series, if some were added before.
+/// The series, if others were added before.
 pub fn extend(further: Further) -> Result<(), Box<Further>> {
     let moved = |table: &Table| Table { number: table.number + CELLS.len(), ..*table };
     let joined = Further {
@@ -64,18 +64,18 @@ pub fn extend(further: Further) -> Result<(), Box<Further>> {
     EXTENDED.set(joined).map_err(|_| Box::new(further))
 }
 
-/// What each series states of its tables, in the order of [`order_code::Series::all`].
+/// Returns the record of each series, in the order of [`order_code::Series::all`].
 #[must_use]
 pub fn series() -> &'static [SeriesData] {
     EXTENDED.get().map_or(embedded::SERIES, |all| &all.series)
 }
 
-/// Every printed cell of every table, in the order of the tables, rows and columns.
+/// Returns every cell of every table, in the order of the tables, rows and columns.
 pub fn cells() -> impl Iterator<Item = &'static Cell> {
     tables().iter().flat_map(Table::cells)
 }
 
-/// The cells of one table.
+/// Returns the cells of one table.
 fn cells_of(table: &Table) -> &'static [Cell] {
     let within = table.first..table.end;
     match CELLS.get(table.number) {
@@ -87,16 +87,16 @@ fn cells_of(table: &Table) -> &'static [Cell] {
     }
 }
 
-/// Every table, the manual's first, in the order of their numbers.
+/// Returns every table, the manual's first, in the order of their numbers.
 #[must_use]
 pub fn tables() -> &'static [Table] {
     EXTENDED.get().map_or(embedded::TABLES, |all| &all.tables)
 }
 
-/// The table with this number, e.g. `26.1`.
+/// Returns the table with this number, e.g. `26.1`.
 #[must_use]
 pub fn table(id: &str) -> Option<&'static Table> {
-    // Looked up some thousand times when the actuators are put together.
+    // Looked up some thousand times when the parameters of the actuators are read.
     static BY_ID: LazyLock<BTreeMap<&str, &Table>> =
         LazyLock::new(|| embedded::TABLES.iter().rev().map(|table| (table.id, table)).collect());
     match EXTENDED.get() {
@@ -105,67 +105,67 @@ pub fn table(id: &str) -> Option<&'static Table> {
     }
 }
 
-/// Every known departure from the recovered text and every known error of the print.
+/// Returns every known difference between the recovered text and the manual, and every known error of the manual.
 #[must_use]
 pub fn errata() -> &'static [Erratum] {
     embedded::ERRATA
 }
 
-/// The cells of a table; none where there is no such table.
+/// Returns the cells of a table; empty if there is no such table.
 #[must_use]
 pub fn table_cells(id: &str) -> &'static [Cell] {
     table(id).map(Table::cells).unwrap_or_default()
 }
 
-/// The first cell of a table with this symbol.
+/// Returns the first cell of a table with this symbol.
 #[must_use]
 pub fn table_cell(id: &str, symbol: &str) -> Option<&'static Cell> {
     table_cells(id).iter().find(|cell| cell.place.symbol == symbol)
 }
 
-/// The erratum with this identifier.
+/// Returns the erratum with this identifier.
 #[must_use]
 pub fn erratum(id: &str) -> Option<&'static Erratum> {
     embedded::ERRATA.iter().find(|erratum| erratum.id == id)
 }
 
-/// The terms of the field: symbol, identifier, unit, English and German name.
+/// Returns the terms of the field: symbol, identifier, unit, English and German name.
 #[must_use]
 pub fn glossary() -> &'static [Term] {
     embedded::GLOSSARY
 }
 
-/// The term with this symbol.
+/// Returns the term with this symbol.
 #[must_use]
 pub fn term(symbol: &str) -> Option<&'static Term> {
     embedded::GLOSSARY.iter().find(|term| term.symbol == symbol)
 }
 
-/// The words of the product: one for one thing, in both languages.
+/// Returns the words of the product: one term per thing, in both languages.
 #[must_use]
 pub fn words() -> &'static [Word] {
     embedded::WORDS
 }
 
-/// Every document that a number comes from.
+/// Returns every document that a number comes from.
 #[must_use]
 pub fn documents() -> &'static [Document] {
     EXTENDED.get().map_or(embedded::SOURCES, |all| &all.documents)
 }
 
-/// The document with this identifier.
+/// Returns the document with this identifier.
 #[must_use]
 pub fn document(id: &str) -> Option<&'static Document> {
     documents().iter().find(|document| document.id == id)
 }
 
-/// Every fact that a source states in prose, file by file.
+/// Returns every fact that a source states in prose, file by file.
 #[must_use]
 pub fn facts() -> &'static [Fact] {
     embedded::FACTS
 }
 
-/// The fact with this identifier.
+/// Returns the fact with this identifier.
 #[must_use]
 pub fn fact(id: &str) -> Option<&'static Fact> {
     embedded::FACTS.iter().find(|fact| fact.id == id)

@@ -1,49 +1,50 @@
-//! The records of the embedded data.
+//! Records of the embedded data.
 
 use order_code::OrderCode;
 use provenance::{CellRef, Grade, Source, Sourced, Value};
 use quantities::identified;
 
-/// One printed cell.
+/// One cell of a table of the manual.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Cell {
-    /// Where it stands: table, drive, ratio, symbol, condition. The drive is as headed in 6.2-6.17, or the size where a
-    /// table heads only that.
+    /// Place: table, drive, ratio, symbol, condition. The drive is the heading in 6.2-6.17, or the size for a table
+    /// headed by size only.
     pub place: CellRef,
     /// Row of the table file, from zero.
     pub row: u16,
-    /// First column on which the cell stands, from zero.
+    /// First column of the cell, from zero.
     pub column: u16,
     /// Motor feedback; empty: holds for every feedback of the drive.
     pub feedback: &'static str,
-    /// Unit as printed, in ASCII; empty for pure numbers and texts.
+    /// Unit as the manual states it, in ASCII; empty for pure numbers and texts.
     pub unit: &'static str,
-    /// Text of the cell as the manual prints it.
+    /// Text of the cell in the manual.
     pub printed: &'static str,
-    /// The same after errata; equal to `printed` where nothing is corrected.
+    /// Text of the cell after errata; equal to `printed` without a correction.
     pub corrected: &'static str,
     /// Meaning of `corrected`.
     pub value: Value,
-    /// The value that checks must use for an open contradiction, on the safe side.
+    /// Value that checks must use for an open contradiction, on the safe side.
     pub checks_use: Option<Value>,
     /// Identifiers of the errata that concern this cell.
     pub errata: &'static [&'static str],
 }
 
 impl Cell {
-    /// The value that checks use: the safe one of a contradiction, otherwise the value after errata.
+    /// Returns the value that checks use: the safe one of a contradiction, otherwise the value after errata.
     #[must_use]
     pub fn limit(&self) -> Value {
         self.checks_use.unwrap_or(self.value)
     }
 
-    /// A value as this cell has it; computed where checks use another one than the printed.
+    /// Returns a value with the source of this cell; its grade is computed if checks use another value than the stated
+    /// one.
     pub const fn sourced<T>(&'static self, value: T) -> Sourced<T> {
         let grade = if self.checks_use.is_some() { Grade::Computed } else { Grade::Printed };
         Sourced { value, source: Source::Cell(&self.place), grade, errata: self.errata }
     }
 
-    /// The text of the cell in English; German is what stands printed.
+    /// Returns the text of the cell in English; the German text is that of the manual.
     #[must_use]
     pub fn corrected_en(&self) -> &'static str {
         crate::embedded::TEXTS
@@ -52,7 +53,7 @@ impl Cell {
             .map_or(self.corrected, |(_, en)| en)
     }
 
-    /// The value in machine form, in the printed unit: `1.12`, `220...430`, a text; empty where not printed.
+    /// Returns the value in machine form, in the stated unit: `1.12`, `220...430`, a text; empty if not stated.
     #[must_use]
     pub fn value_text(&self) -> String {
         match self.value {
@@ -68,8 +69,8 @@ impl Cell {
     }
 }
 
-/// A cell as it is embedded, with the numbers of its texts. The linker lays the addresses of texts into pages that each start of
-/// the program has to write; these hold none.
+/// A cell as it is embedded, with the numbers of its texts. The linker places the addresses of texts in pages that each
+/// start of the program has to relocate; packed cells contain none.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Packed {
     pub(crate) document: u16,
@@ -117,11 +118,11 @@ impl Packed {
 /// A note on a table, in our own words.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Footnote {
-    /// The mark as printed, without the parenthesis; empty: a notice without a mark.
+    /// Mark in the manual, without the parenthesis; empty: a notice without a mark.
     pub mark: &'static str,
-    /// The symbol whose rows a notice without a mark is about; empty: the whole table.
+    /// Symbol whose rows a notice without a mark is about; empty: the whole table.
     pub symbol: &'static str,
-    /// Whether it is our own conclusion from what is printed; otherwise the source says so.
+    /// `true` for our own conclusion from the manual; `false` for a statement of the source.
     pub ours: bool,
     /// English text.
     pub en: &'static str,
@@ -129,7 +130,7 @@ pub struct Footnote {
     pub de: &'static str,
 }
 
-/// One printed table.
+/// One table of the manual.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Table {
     /// Number after errata, or the file's name for tables of other sources.
@@ -142,28 +143,28 @@ pub struct Table {
     pub title_en: &'static str,
     /// German title.
     pub title_de: &'static str,
-    /// Identifier of the document that prints it.
+    /// Identifier of the document that contains it.
     pub source: &'static str,
     /// Footnotes and notices.
     pub footnotes: &'static [Footnote],
     /// Rows that carry footnote marks, several joined by `, `.
     pub row_notes: &'static [(u16, &'static str)],
-    /// Its place among the tables, from zero.
+    /// Position among the tables, from zero.
     pub number: usize,
-    /// First of its cells among those that are embedded together, or that are added together.
+    /// Index of its first cell among those that are embedded together, or that are added together.
     pub first: usize,
-    /// The cell behind its last.
+    /// Index behind its last cell.
     pub end: usize,
 }
 
 impl Table {
-    /// The cells of this table.
+    /// Returns the cells of this table.
     #[must_use]
     pub fn cells(&self) -> &'static [Cell] {
         crate::cells_of(self)
     }
 
-    /// The notes on one of its rows, in the order of the table's notes.
+    /// Returns the notes on one of its rows, in the order of the table's notes.
     pub fn notes_on<'a>(&'a self, cell: &'a Cell) -> impl Iterator<Item = &'static Footnote> + 'a {
         let marks = self.row_notes.iter().find(|(row, _)| *row == cell.row).map_or("", |(_, marks)| *marks);
         self.footnotes.iter().filter(move |note| {
@@ -172,12 +173,12 @@ impl Table {
         })
     }
 
-    /// The notices on the table as a whole.
+    /// Returns the notices on the table as a whole.
     pub fn notices(&self) -> impl Iterator<Item = &'static Footnote> {
         self.footnotes.iter().filter(|note| note.mark.is_empty() && note.symbol.is_empty())
     }
 
-    /// Whether the manual of a series prints this table.
+    /// Returns `true` if the manual of a series contains this table.
     #[must_use]
     pub fn is_of_the_manual(&self) -> bool {
         crate::series().iter().any(|series| series.manual == self.source)
@@ -185,18 +186,18 @@ impl Table {
 }
 
 identified! {
-    /// What is wrong, and with what.
+    /// Kind of an erratum.
     #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
     pub enum ErratumKind {
-        /// The recovered text differs from the print.
+        /// The recovered text differs from the manual.
         Recovery = "recovery",
-        /// The print itself is wrong and its neighbours prove it.
+        /// The manual is wrong, as its neighbouring values prove.
         PrintError = "print_error",
-        /// Two printed facts exclude each other and nothing decides.
+        /// Two statements of the manual exclude each other and nothing decides.
         Contradiction = "contradiction",
-        /// Rounded to the unsafe side or with false digits.
+        /// A value is rounded to the unsafe side or has unfounded digits.
         Rounding = "rounding",
-        /// Another edition prints otherwise.
+        /// Another edition states another value.
         Edition = "edition",
     }
 }
@@ -214,38 +215,38 @@ pub struct Erratum {
     pub windings: &'static [&'static str],
     /// Sizes that an erratum of a table concerns; empty if all.
     pub sizes: &'static [&'static str],
-    /// The place in words.
+    /// Place in words.
     pub place: &'static str,
-    /// The same in German.
+    /// Place in words, in German.
     pub place_de: &'static str,
-    /// What the recovered text has, for kind recovery.
+    /// Recovered text, for kind recovery.
     pub recovered: Option<&'static str>,
-    /// The same in German.
+    /// Recovered text in German.
     pub recovered_de: Option<&'static str>,
-    /// What is printed.
+    /// Text of the manual.
     pub printed: &'static str,
-    /// The same in German.
+    /// Text of the manual in German.
     pub printed_de: &'static str,
-    /// What is right; equal to `printed` where the matter is open.
+    /// Correct text; equal to `printed` if the matter is open.
     pub corrected: &'static str,
-    /// The same in German.
+    /// Correct text in German.
     pub corrected_de: &'static str,
-    /// The value used by checks if the other one is safer.
+    /// Value used by checks if it is safer than the corrected one.
     pub checks_use: Option<&'static str>,
     /// Kind.
     pub kind: ErratumKind,
-    /// Whether the value is corrected (otherwise it stays as printed and is flagged).
+    /// `true` if the value is corrected here; otherwise it stays as stated and is flagged.
     pub corrected_here: bool,
-    /// Why, with the figures, in English.
+    /// Evidence with its figures, in English.
     pub evidence: &'static str,
-    /// The same in German.
+    /// Evidence in German.
     pub evidence_de: &'static str,
 }
 
 impl Erratum {
-    /// Returns true if an erratum of a table concerns a code.
+    /// Returns `true` if an erratum of a table concerns a code.
     ///
-    /// An erratum of a cell concerns the codes that the cell holds for; the caller knows these.
+    /// An erratum of a cell concerns the codes for which the cell holds; the caller knows these.
     #[must_use]
     pub fn concerns(&self, code: &OrderCode) -> bool {
         let open_or_has = |words: &[&str], word: &str| words.is_empty() || words.contains(&word);
@@ -254,7 +255,7 @@ impl Erratum {
             && open_or_has(self.sizes, code.size.as_str())
     }
 
-    /// The one cell that it names; `None` for an erratum of a table or a text.
+    /// Returns the one cell that it names; `None` for an erratum of a table or a text.
     #[must_use]
     pub fn cell(&self) -> Option<&'static Cell> {
         crate::cells().find(|cell| cell.errata.contains(&self.id))
@@ -276,7 +277,7 @@ pub struct Document {
     pub publisher: &'static str,
     /// Kind: manual, catalogue, data sheet, standard, library.
     pub kind: &'static str,
-    /// Where it can be read; empty if nowhere public.
+    /// Public address; empty if there is none.
     pub place: &'static str,
     /// Remark.
     pub note: &'static str,
@@ -287,7 +288,7 @@ pub struct Document {
 pub struct Term {
     /// Symbol in ASCII, as in the tables: `T_max`.
     pub symbol: &'static str,
-    /// Long name as used in code and project files: `torque_max`.
+    /// Long name in code and project files: `torque_max`.
     pub identifier: &'static str,
     /// Unit in ASCII; empty for pure numbers.
     pub unit: &'static str,
@@ -301,7 +302,7 @@ pub struct Term {
     pub note_de: &'static str,
 }
 
-/// A word of the product: one for one thing.
+/// A word of the product.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Word {
     /// Identifier.
@@ -310,9 +311,9 @@ pub struct Word {
     pub en: &'static str,
     /// German word.
     pub de: &'static str,
-    /// What it means, in English.
+    /// Meaning in English.
     pub about_en: &'static str,
-    /// What it means, in German.
+    /// Meaning in German.
     pub about_de: &'static str,
     /// English words that are not used for it.
     pub not_en: &'static [&'static str],

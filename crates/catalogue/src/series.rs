@@ -1,16 +1,16 @@
-//! What a series states of its tables and of the words of its code.
+//! Tables of a series, and the words of its code.
 
 use order_code::{Feedback, OrderCode, Series, Size, Winding};
 use std::sync::LazyLock;
 
-/// Tables of a series by their purpose, the marks of its matrix, and what its windings and feedback systems have.
+/// Tables of a series by their purpose, the marks of its matrix, and the data of its windings and feedback systems.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct SeriesData {
     /// Identifier of its manual.
     pub manual: &'static str,
     /// Table with the calibrations of the models.
     pub family: &'static str,
-    /// Table of what exists at each size.
+    /// Table of the words that exist at each size.
     pub matrix: &'static str,
     /// Table of the pairs of winding and feedback.
     pub pairs: &'static str,
@@ -24,83 +24,83 @@ pub struct SeriesData {
     pub output_wiring: &'static [&'static str],
     /// Tables of cables.
     pub cables: &'static [&'static str],
-    /// Beginnings of the sections whose tables are headed by the size.
+    /// Prefixes of the sections whose tables are headed by the size.
     pub by_size: &'static [&'static str],
-    /// Beginnings of the sections whose tables are about a feedback.
+    /// Prefixes of the sections whose tables are about a feedback.
     pub feedback: &'static [&'static str],
     /// Sections of ordering and wiring.
     pub ordering: &'static [&'static str],
-    /// Beginnings of the sections whose cells hold for every actuator.
+    /// Prefixes of the sections whose cells hold for every actuator.
     pub of_all: &'static [&'static str],
     /// Tables of published curves.
     pub curves: &'static [&'static str],
     /// Table with the life of the gear; empty: none.
     pub gear_life: &'static str,
-    /// Series of gears whose rows of that table hold.
+    /// Series of gears whose rows of that table apply.
     pub gear_series: &'static str,
-    /// What the cells of the matrix say.
+    /// Marks in the cells of the matrix.
     pub marks: &'static [Mark],
-    /// What the tables of each winding have of their own, in the order of its words.
+    /// Tables of each winding, in the order of its words.
     pub windings: &'static [WindingData],
     /// Table of each feedback, in the order of its words; empty: none.
     pub feedback_tables: &'static [&'static str],
-    /// Heads of the drives.
+    /// Headings of the drives.
     pub drives: &'static [Head],
     /// Tables of connectors.
     pub wirings: &'static [WiringTables],
 }
 
-/// What a cell of the matrix says: the first mark that it begins with counts.
+/// Meaning of a cell of the matrix: the first mark that it begins with applies.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Mark {
-    /// How the text begins.
+    /// Beginning of the text.
     pub begins: &'static str,
-    /// What it says.
+    /// Meaning.
     pub entry: MarkEntry,
-    /// Only together with this feedback.
+    /// Feedback with which alone the mark applies.
     pub feedback: Option<Feedback>,
-    /// Mark of the footnote that says that the actuator becomes longer; empty: it does not.
+    /// Mark of the footnote that makes the actuator longer; empty: none.
     pub longer: &'static str,
 }
 
-/// Whether a word exists at a size.
+/// Availability of a word at a size.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum MarkEntry {
-    /// It does.
+    /// Available.
     Available,
-    /// On request.
+    /// Available on request.
     OnRequest,
-    /// It does not.
+    /// Not available.
     NotAvailable,
 }
 
-/// What the tables of a winding have of their own.
+/// Tables of a winding.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct WindingData {
     /// Table of general data.
     pub general: &'static str,
-    /// Head of its columns.
+    /// Heading of its columns.
     pub general_head: &'static str,
-    /// Condition of the row of I_NLS that holds within the range of temperatures in operation.
+    /// Condition of the row of I_NLS that holds within the range of operating temperatures.
     pub starting_current: &'static str,
-    /// Whether I_0 = T_0/k_Tout + I_NLS, or T_0/k_Tout.
+    /// `true`: I_0 = T_0/k_Tout + I_NLS; `false`: I_0 = T_0/k_Tout.
     pub stall_current_includes_friction: bool,
-    /// Whether a PTC is led out of the winding.
+    /// A PTC is led out of the winding.
     pub ptc: bool,
-    /// Feedbacks whose connector does not carry the KTY, as their words.
+    /// Words of the feedback systems whose connector does not carry the KTY.
     pub without_kty: &'static [&'static str],
 }
 
-/// A drive that tables are headed by.
+/// A drive that heads tables.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Head {
-    /// The head.
+    /// Heading.
     pub name: &'static str,
     /// Frame size.
     pub size: Size,
-    /// Windings that its tables hold for.
+    /// Windings for which its tables hold.
     pub windings: &'static [Winding],
-    /// Feedback systems that its tables hold for.
+    /// Feedback systems for which its tables hold.
     pub feedbacks: &'static [Feedback],
 }
 
@@ -116,14 +116,14 @@ pub struct WiringTables {
 }
 
 impl SeriesData {
-    /// That of a series.
+    /// Returns the data of a series.
     #[must_use]
     pub fn of(series: Series) -> &'static Self {
         static NONE: LazyLock<SeriesData> = LazyLock::new(SeriesData::default);
         crate::series().get(series.place()).unwrap_or_else(|| &NONE)
     }
 
-    /// Every table of pins, each once.
+    /// Returns every table of pins, without repetition.
     #[must_use]
     pub fn pin_tables(&self) -> Vec<&'static str> {
         let wired = self.wirings.iter().flat_map(|each| [each.tables[1], each.tables[3]]);
@@ -136,7 +136,7 @@ impl SeriesData {
         found
     }
 
-    /// Whether a section begins like one of those.
+    /// Returns `true` if a section begins with one of the prefixes.
     #[must_use]
     pub fn begins(sections: &[&str], section: &str) -> bool {
         sections.iter().any(|begin| section.starts_with(begin))
@@ -161,7 +161,7 @@ pub fn leads_out_ptc(code: &OrderCode) -> bool {
     winding_data(code.winding).is_some_and(|data| data.ptc)
 }
 
-/// What the tables of a winding have of their own.
+/// Returns the tables of a winding.
 #[must_use]
 pub fn winding_data(winding: Winding) -> Option<&'static WindingData> {
     SeriesData::of(winding.series()).windings.get(winding.place())
