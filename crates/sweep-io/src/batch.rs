@@ -1,4 +1,4 @@
-//! Record batches judged.
+//! Judgement of record batches.
 
 use crate::columns::cells;
 use arrow_array::{ArrayRef, BooleanArray, Float64Array, RecordBatch, StringArray, UInt32Array, UInt64Array};
@@ -31,56 +31,56 @@ impl Head {
         Self { head: sweep::Head::of(project, files, &headings(table), options), schema }
     }
 
-    /// Reads the headings of a table for a project, by its text and its axes or why they cannot be read.
+    /// Reads the headings of a table for a project, by its text and its axes or the reason why they cannot be read.
     #[must_use]
     pub fn read(text: &str, projects: Result<Vec<Project>, Unanswered>, table: &Schema, options: Options) -> Self {
         let schema = answered(&options.wanted);
         Self { head: sweep::Head::read(text, projects, &headings(table), options), schema }
     }
 
-    /// Looks for faults of the cells of a batch, whose first row has this number.
+    /// Checks the cells of a batch, whose first row has this number.
     pub fn check(&mut self, batch: &RecordBatch, first_row: u64) {
         self.head.check(&cells(batch), first_row);
     }
 
-    /// Adds that the row of this number is no row of the table.
+    /// Adds the fault of a row that is not a row of the table, by its number.
     pub fn refuse_line(&mut self, fault: TabularFault, row: u64) {
         self.head.refuse_line(fault, row);
     }
 
-    /// Adds that there is no row, where there is none.
+    /// Adds the fault of a table without rows, if it has none.
     pub fn refuse_empty(&mut self, rows: u64) {
         self.head.refuse_empty(rows);
     }
 
-    /// The sweep over tables with these headings.
+    /// Returns the sweep over tables with these headings.
     ///
     /// # Errors
-    /// Every fault of the project, of the headings and of the cells that were checked; `table` is what the table is called.
+    /// Every fault of the project, of the headings and of the checked cells; `table` is the name of the table.
     pub fn ready(self, table: &str, files: Box<dyn Files + Send + Sync>) -> Result<Sweep, Unanswered> {
         Ok(Sweep { sweep: self.head.ready(table, files)?, schema: self.schema })
     }
 }
 
 impl Sweep {
-    /// The columns of the answer.
+    /// Returns the columns of the answer.
     #[must_use]
     pub fn schema(&self) -> SchemaRef {
         Arc::clone(&self.schema)
     }
 
-    /// The keys of the headings in their order, entries of lists counted from one.
+    /// Returns the keys of the headings in their order, entries of lists counted from one.
     pub fn keys(&self) -> impl Iterator<Item = &str> {
         self.sweep.keys()
     }
 
-    /// The text of the project.
+    /// Returns the text of the project.
     #[must_use]
     pub fn text(&self) -> &str {
         self.sweep.text()
     }
 
-    /// The recordings that the project and the checked cells name, in order.
+    /// Returns the recordings that the project and the checked cells name, in order.
     #[must_use]
     pub const fn recordings(&self) -> &BTreeSet<String> {
         self.sweep.recordings()
@@ -91,10 +91,11 @@ impl Sweep {
         self.sweep.check(&cells(batch), first_row, faults);
     }
 
-    /// The answers of a batch, whose first row has this number; a row that cannot be judged is answered with the reason.
+    /// Returns the answers of a batch, whose first row has this number; a row that cannot be judged has the reason as
+    /// its answer.
     ///
     /// # Errors
-    /// [`Refusal::Stopped`] where it was stopped.
+    /// [`Refusal::Stopped`] after a cancellation.
     pub fn batch(&self, batch: &RecordBatch, first_row: u64, patience: &Patience) -> Result<RecordBatch, Unanswered> {
         let answers = self.sweep.judge(&cells(batch), patience).map_err(Refusal::from)?;
         let columns = match &self.sweep.options().wanted {
@@ -110,7 +111,7 @@ fn headings(table: &Schema) -> Vec<&str> {
     table.fields().iter().map(|field| field.name().as_str()).collect()
 }
 
-/// The columns of the answers.
+/// Returns the columns of the answers.
 fn answered(wanted: &Wanted) -> SchemaRef {
     let field = |name: &str, of: DataType| Field::new(name, of, true);
     let row = Field::new("row", DataType::UInt64, false);
@@ -162,7 +163,7 @@ fn best(answers: &[Answer], first_row: u64) -> Vec<ArrayRef> {
     ]
 }
 
-/// Each answer of each row, or the reason of a row without one.
+/// Answers of the rows by row number, or the reason of a row without one.
 type Lines<'a, T> = Vec<(u64, Result<&'a T, &'a String>)>;
 
 fn lines<'a, T>(answers: &'a [Answer], first_row: u64, of: impl Fn(&'a Judged) -> &'a [T]) -> Lines<'a, T> {

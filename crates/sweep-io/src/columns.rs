@@ -8,12 +8,12 @@ use arrow_schema::DataType;
 use questions::sweep::Cells;
 use std::borrow::Cow;
 
-/// The cells of a batch, column by column.
+/// Returns the cells of a batch, column by column.
 pub(crate) fn cells(batch: &RecordBatch) -> Vec<Cells<'static>> {
     batch.columns().iter().map(of_column).collect()
 }
 
-/// The cells of a column: every type of numbers as numbers, texts and truths as texts.
+/// Returns the cells of a column: every numeric type as numbers, texts and booleans as texts.
 fn of_column(column: &ArrayRef) -> Cells<'static> {
     let found = column.data_type();
     let other = || Cells::Other(found.to_string(), column.len());

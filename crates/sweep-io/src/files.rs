@@ -1,4 +1,4 @@
-//! Tables as files: read a batch at a time, answers written as parts and put together.
+//! Tables as files: read a batch at a time, answers written as parts and joined.
 
 use arrow_array::{
     ArrayRef, BooleanArray, Float64Array, Int64Array, RecordBatch, StringArray, UInt32Array, UInt64Array,
@@ -20,7 +20,7 @@ use std::path::Path;
 use std::sync::Arc;
 use words::table_text;
 
-/// The format of a table.
+/// Format of a table.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Format {
     /// Text, a line for each row.
@@ -30,7 +30,7 @@ pub enum Format {
 }
 
 impl Format {
-    /// By the ending of a name.
+    /// Returns the format of the extension of a file name.
     #[must_use]
     pub fn of(path: &Path) -> Option<Self> {
         let ending = path.extension()?.to_string_lossy().to_ascii_lowercase();
@@ -49,13 +49,13 @@ pub struct Batches {
 }
 
 enum From {
-    /// Text, and how many rows a batch has.
+    /// Text, and the number of rows of a batch.
     Csv(Box<Lines<File>>, usize),
-    /// Pages, and how many rows a batch has.
+    /// Pages, and the number of rows of a batch.
     Parquet(Box<Table>, usize),
 }
 
-/// A file that is read where the pages lie.
+/// A file that is read at the positions of the pages.
 struct Pages {
     file: File,
     size: u64,
@@ -78,12 +78,12 @@ impl Ranges for Pages {
     }
 }
 
-/// Why there is no batch.
+/// Reason why there is no batch.
 #[derive(Debug)]
 pub enum Unread {
-    /// The line of a row is wrong; the next batch is behind it.
+    /// The line of a row is faulty; the next batch follows it.
     Line(TabularFault),
-    /// The table is not read further, why in a sentence.
+    /// The rest of the table cannot be read; the reason in a sentence.
     Table(String),
 }
 
@@ -95,7 +95,7 @@ impl Unread {
         }
     }
 
-    /// In one sentence.
+    /// Returns the reason in one sentence.
     #[must_use]
     pub fn text(self, language: Language) -> String {
         match self {
@@ -105,16 +105,16 @@ impl Unread {
     }
 }
 
-/// What a library says of a table.
+/// Converts an error message of a library.
 fn trouble(error: impl std::fmt::Display) -> Unread {
     Unread::Table(error.to_string())
 }
 
 impl Batches {
-    /// A table from a row on, so many rows at a time.
+    /// Opens a table at a row, `rows` at a time.
     ///
     /// # Errors
-    /// Why it cannot be read.
+    /// The reason why it cannot be read.
     pub fn open(file: File, format: Format, skipped: u64, rows: usize, language: Language) -> Result<Self, Unread> {
         match format {
             Format::Parquet => {
@@ -136,13 +136,13 @@ impl Batches {
         }
     }
 
-    /// Its headings with the types of their cells.
+    /// Returns the headings with the types of their cells.
     #[must_use]
     pub fn schema(&self) -> SchemaRef {
         Arc::clone(&self.schema)
     }
 
-    /// Whether its numbers may have decimal commas.
+    /// Returns `true` if its numbers may have decimal commas.
     #[must_use]
     pub const fn has_decimal_commas(&self) -> bool {
         match &self.from {
@@ -151,10 +151,10 @@ impl Batches {
         }
     }
 
-    /// The next rows; `None` behind the last.
+    /// Returns the next rows; `None` behind the last.
     ///
     /// # Errors
-    /// Why they cannot be read.
+    /// The reason why they cannot be read.
     pub fn next(&mut self, language: Language) -> Result<Option<RecordBatch>, Unread> {
         match &mut self.from {
             From::Parquet(table, rows) => {
@@ -176,7 +176,7 @@ impl Batches {
     }
 }
 
-/// The heading of a column, with the type of its cells.
+/// Returns the heading of a column, with the type of its cells.
 fn field(column: &TableColumn) -> Field {
     let of = match &column.kind {
         ValueKind::Float => DataType::Float64,
@@ -185,7 +185,7 @@ fn field(column: &TableColumn) -> Field {
         ValueKind::Unsigned { is_long: true } => DataType::UInt64,
         ValueKind::Text => DataType::Utf8,
         ValueKind::Truth => DataType::Boolean,
-        // No key takes these; the type is said where they count.
+        // No key accepts these; the type is reported where they are used.
         ValueKind::Other(name) if name.contains("TIME") || name.contains("INT96") => {
             DataType::Timestamp(TimeUnit::Nanosecond, None)
         }
@@ -195,7 +195,7 @@ fn field(column: &TableColumn) -> Field {
     Field::new(&column.name, of, column.nullable || matches!(column.kind, ValueKind::Other(_)))
 }
 
-/// The cells of a column.
+/// Returns the cells of a column.
 fn array(field: &Field, values: TableValues) -> ArrayRef {
     match values {
         TableValues::Floats(values) => Arc::new(Float64Array::from(values)),
@@ -211,22 +211,22 @@ fn array(field: &Field, values: TableValues) -> ArrayRef {
     }
 }
 
-/// Answers written one batch after the other.
+/// Answers written batch by batch.
 pub enum Answers<W: Write + Send> {
-    /// As text.
+    /// CSV writer.
     Csv(W),
-    /// In pages.
+    /// Parquet writer.
     Parquet(Box<ArrowWriter<W>>),
 }
 
-/// Rows that one group of a file holds.
+/// Number of rows in one row group of a file.
 const GROUP: usize = 1 << 20;
 
 impl<W: Write + Send> Answers<W> {
-    /// A file of answers with these columns; the same answers give the same bytes.
+    /// Begins a file of answers with these columns; equal answers give equal bytes.
     ///
     /// # Errors
-    /// Why it cannot be written.
+    /// The reason why it cannot be written.
     pub fn begin(mut to: W, format: Format, schema: SchemaRef) -> Result<Self, String> {
         match format {
             Format::Parquet => {
@@ -249,7 +249,7 @@ impl<W: Write + Send> Answers<W> {
     /// Adds the answers of a batch.
     ///
     /// # Errors
-    /// Why they cannot be written.
+    /// The reason why they cannot be written.
     pub fn add(&mut self, batch: &RecordBatch) -> Result<(), String> {
         match self {
             Self::Parquet(writer) => writer.write(batch).map_err(|error| error.to_string()),
@@ -260,7 +260,7 @@ impl<W: Write + Send> Answers<W> {
     /// Ends the file.
     ///
     /// # Errors
-    /// Why it cannot be written.
+    /// The reason why it cannot be written.
     pub fn end(self) -> Result<W, String> {
         match self {
             Self::Parquet(writer) => writer.into_inner().map_err(|error| error.to_string()),
@@ -281,10 +281,10 @@ fn lines(to: &mut impl Write, batch: &RecordBatch) -> Result<(), String> {
     Ok(())
 }
 
-/// The answers of one part as bytes.
+/// Writes the answers of one part as bytes.
 ///
 /// # Errors
-/// Why they cannot be written.
+/// The reason why they cannot be written.
 pub fn part(batch: &RecordBatch) -> Result<Vec<u8>, String> {
     let mut answers = Answers::begin(Vec::new(), Format::Parquet, batch.schema())?;
     answers.add(batch)?;

@@ -1,4 +1,4 @@
-//! Answers counted.
+//! Counts of answers.
 
 use arrow_array::cast::AsArray;
 use arrow_array::types::UInt32Type;
@@ -6,7 +6,7 @@ use arrow_array::{Array, RecordBatch, UInt32Array};
 use questions::Fit;
 use questions::sweep::Tally;
 
-/// Adds the answers of a batch to a tally; of several lines of a row each counts.
+/// Adds the answers of a batch to a tally; each of several lines of a row counts.
 pub fn count(batch: &RecordBatch, tally: &mut Tally) {
     let text = |name: &str| batch.column_by_name(name).and_then(|column| column.as_string_opt::<i32>().cloned());
     let (tightest, error) = (text("tightest"), text("error"));
