@@ -1,7 +1,8 @@
-//! The rows of `benches/baseline/sweep_python.py` judged without Python: what its way through Python and Arrow is compared with.
+//! Judges the rows of `benches/baseline/sweep_python.py` without Python: the reference for the cost of the way through
+//! Python and Arrow.
 //!
-//! `RAYON_NUM_THREADS=1 cargo run --release -p python --no-default-features --example kernel -- PROJECT ROWS` prints the seconds of
-//! one pass on one core. The project has a load and a move of which the time is stated.
+//! `RAYON_NUM_THREADS=1 cargo run --release -p python --no-default-features --example kernel -- PROJECT ROWS` prints
+//! the seconds of one pass on one core. The project has a load and a move with a stated time.
 #![allow(clippy::print_stdout, reason = "it prints what it measures")]
 
 use _antrieb::{SweepCall, Text, swept};

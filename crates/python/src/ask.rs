@@ -10,18 +10,18 @@ use std::borrow::Cow;
 use std::path::{Path, PathBuf};
 use std::time::Duration;
 
-/// A text that a question is about, or where it lies.
+/// A text that a question is about, or its file.
 #[derive(Clone, Debug)]
 pub enum Text {
     /// A file.
     At(PathBuf),
-    /// The text itself, what it is called in faults, and the folder of the recordings that it may name.
+    /// The text itself, its name in faults, and the folder of the recordings that it may name.
     Is {
         /// The text.
         text: String,
-        /// What it is called.
+        /// Name in faults.
         name: String,
-        /// The folder.
+        /// Folder of the recordings.
         folder: PathBuf,
     },
 }
@@ -29,21 +29,21 @@ pub enum Text {
 /// A call.
 #[derive(Clone, Debug)]
 pub struct Call {
-    /// The command of the question.
+    /// Command of the question.
     pub command: String,
-    /// The texts that it is about.
+    /// Texts that it is about.
     pub texts: Vec<Text>,
     /// Names and values of its arguments.
     pub pairs: Vec<(String, String)>,
-    /// How long it may take.
+    /// Time limit.
     pub deadline: Option<Duration>,
-    /// How much memory recordings may take, as it is written.
+    /// Limit of the memory for recordings, as written.
     pub memory: Option<String>,
-    /// The language of the texts.
+    /// Language of the texts.
     pub language: Language,
 }
 
-/// What a call is answered with.
+/// Answer to a call.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Outcome {
     /// The answer.
@@ -53,13 +53,13 @@ pub enum Outcome {
 }
 
 impl Call {
-    /// What ends the work: a deadline that the caller measures, or only the caller.
+    /// Returns the cancellation of the call, with a time limit if the call has one.
     #[must_use]
     pub fn patience(&self) -> Patience {
         if self.deadline.is_some() { Patience::limited() } else { Patience::endless() }
     }
 
-    /// The answer.
+    /// Answers the call.
     #[must_use]
     pub fn answer(&self, patience: &Patience) -> Outcome {
         self.answered(patience).map_or_else(|why| self.refused(&why), Outcome::Answered)
@@ -97,17 +97,17 @@ impl Call {
     }
 }
 
-/// The question of a command.
+/// Returns the question of a command.
 fn entry(command: &str) -> Result<&'static Entry, Unanswered> {
     let found = LIST.iter().copied().find(|entry| entry.command == command);
     found.ok_or(Unanswered::Refused(questions::Refusal::NoData, None))
 }
 
 impl Text {
-    /// Reads it.
+    /// Reads the text.
     ///
     /// # Errors
-    /// What the system says of the file.
+    /// Error of the system about the file.
     pub fn read(&self, memory: u64, language: Language) -> Result<SourceFile, Unanswered> {
         match self {
             Self::At(path) => SourceFile::read(path, memory, language),
@@ -118,7 +118,7 @@ impl Text {
     }
 }
 
-/// What this machine provides for an answer.
+/// Resources of this machine for an answer.
 struct Here<'f> {
     files: Option<&'f SourceFile>,
 }
@@ -141,7 +141,7 @@ impl Shell for Here<'_> {
     }
 
     fn version(&self, _: &[u8]) -> String {
-        // No page is open that could hold an older one.
+        // There is no open page that could hold an older version.
         String::new()
     }
 }

@@ -1,8 +1,8 @@
 //! antrieb for Python: the questions of the list as functions, sweeps over Arrow tables, and the command line in one wheel.
 //!
 //! [`Call`] is a call without any Python in it; the module that Python loads is behind the feature `extension`, which
-//! `cargo xtask ci python` and `maturin` set. The functions, their types and their documentation in `python/antrieb` are
-//! written from the list and from the schema of the answers by `tests/generated.rs`.
+//! `cargo xtask ci python` and `maturin` set. The functions, their types and their documentation in `python/antrieb`
+//! are generated from the list and from the schema of the answers by `tests/generated.rs`.
 
 mod ask;
 #[cfg(feature = "extension")]

@@ -14,10 +14,11 @@ use std::path::PathBuf;
 use std::sync::mpsc::{RecvTimeoutError, channel};
 use std::time::{Duration, Instant};
 
-/// So often a call looks whether it is interrupted.
+/// Interval at which a call checks for an interrupt.
 const TICK: Duration = Duration::from_millis(20);
 
-/// Runs a piece of work beside the interpreter, which goes on meanwhile; an interrupt or a deadline ends it before its next step.
+/// Runs work on a thread of its own while the interpreter continues; an interrupt or a deadline ends it before its next
+/// step.
 pub(crate) fn beside<T: Send>(
     py: Python<'_>,
     patience: &Patience,
@@ -53,7 +54,7 @@ pub(crate) fn beside<T: Send>(
     })
 }
 
-/// The exception of a process that was forked while a call was at work.
+/// Returns the exception of a process that was forked while a call was running.
 fn forked_at_work() -> PyErr {
     PyRuntimeError::new_err(
         "this process was forked while another thread was in a call of antrieb; what that thread held can never be had here. Fork \
@@ -61,7 +62,7 @@ fn forked_at_work() -> PyErr {
     )
 }
 
-/// A text or a file, as the functions of the package hand it over: text, name, folder; a file without a text.
+/// A text or a file, as the functions of the package pass it: text, name, folder; a file without a text.
 type Handed = (Option<String>, String, PathBuf);
 
 fn text((text, name, folder): Handed) -> Text {
@@ -71,7 +72,7 @@ fn text((text, name, folder): Handed) -> Text {
     }
 }
 
-/// The exception with the faults of a record.
+/// Returns the exception with the faults of a record.
 fn refused(py: Python<'_>, record: &str) -> PyErr {
     let made = || {
         let record = py.import(intern!(py, "json"))?.call_method1("loads", (record,))?;
@@ -80,7 +81,7 @@ fn refused(py: Python<'_>, record: &str) -> PyErr {
     made().map_or_else(|error| error, PyErr::from_value)
 }
 
-/// The native part of antrieb: what the functions of the package call.
+/// Native part of antrieb, called by the functions of the package.
 #[pymodule(gil_used = false)]
 mod _antrieb {
     use super::*;

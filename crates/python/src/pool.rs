@@ -1,37 +1,37 @@
-//! The threads of a process in which Python runs, which may be the child of a fork.
+//! Threads of a process in which Python runs, and which may be the child of a fork.
 //!
-//! A fork takes the calling thread along and no other one: a pool of threads made before it has none in the child, and work given to
-//! it waits for ever. So each process makes a pool of its own. What another thread of the parent held at the moment of a fork stays
-//! held in the child; there a call is refused at once.
+//! A fork copies the calling thread only: the threads of a pool do not exist in the child, and work given to them would
+//! wait forever. So each process creates its own pool. A lock that another thread of the parent holds at the moment of
+//! a fork stays locked in the child; calls are then refused at once.
 
 use rayon::{ThreadPool, ThreadPoolBuilder};
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 use std::sync::{Arc, Mutex, PoisonError};
 
-/// The pool of this process.
+/// Pool of this process.
 static POOL: Mutex<Option<Arc<ThreadPool>>> = Mutex::new(None);
 
-/// Calls that are at work.
+/// Number of running calls.
 static AT_WORK: AtomicUsize = AtomicUsize::new(0);
 
-/// Whether this process was forked while a call was at work.
+/// Set if this process was forked while a call was running.
 static IS_BROKEN: AtomicBool = AtomicBool::new(false);
 
-/// This process was forked while a call was at work in another thread.
+/// Error of a process that was forked while another thread was running a call.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct ForkedAtWork;
 
-/// Notes that this process is the child of a fork, before anything else runs in it.
+/// Records that this process is the child of a fork, before anything else runs in it.
 pub fn forked() {
     if AT_WORK.swap(0, Ordering::SeqCst) > 0 {
         IS_BROKEN.store(true, Ordering::SeqCst);
     } else if let Some(pool) = lock().take() {
-        // Its threads do not exist here; to wait for their end would be for ever.
+        // Its threads do not exist here; waiting for their end would never return.
         std::mem::forget(pool);
     }
 }
 
-/// Returns the result of a piece of work in the pool of this process.
+/// Runs work in the pool of this process and returns its result.
 ///
 /// # Errors
 /// [`ForkedAtWork`].
@@ -50,7 +50,7 @@ pub fn within<T: Send>(work: impl FnOnce() -> T + Send) -> Result<T, ForkedAtWor
             }
         }
     };
-    // Without threads of its own the work is done in those that rayon has.
+    // Without a pool of its own the work runs in that of rayon.
     Ok(match pool {
         Some(pool) => pool.install(work),
         None => work(),
@@ -61,7 +61,7 @@ fn lock() -> std::sync::MutexGuard<'static, Option<Arc<ThreadPool>>> {
     POOL.lock().unwrap_or_else(PoisonError::into_inner)
 }
 
-/// A call as long as it is at work.
+/// Guard of a running call.
 struct AtWork;
 
 impl AtWork {
@@ -73,7 +73,7 @@ impl AtWork {
 
 impl Drop for AtWork {
     fn drop(&mut self) {
-        // A child counts anew.
+        // A child counts from zero.
         let less = |count: usize| Some(count.saturating_sub(1));
         let _ = AT_WORK.fetch_update(Ordering::SeqCst, Ordering::SeqCst, less);
     }

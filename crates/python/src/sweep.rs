@@ -1,4 +1,4 @@
-//! Sweeps as calls from Python put them.
+//! Sweeps as calls from Python.
 
 use crate::Text;
 use arrow_array::RecordBatch;
@@ -10,24 +10,25 @@ use questions::list::{Argument, Given, Unanswered};
 use std::borrow::Cow;
 use sweep_io::{Head, Sweep, TableFaults};
 
-/// The argument that is handed over as it is, not named.
+/// Argument that is passed as a value and not by name.
 const TABLE: &str = "table";
 
-/// A sweep that is put: what is read once for all rows.
+/// A sweep, with the parts that are read once for all rows.
 #[derive(Clone, Debug)]
 pub struct SweepCall {
-    /// The project.
+    /// Project.
     pub text: Text,
-    /// Names and values of the options: those of the question `sweep` but its table.
+    /// Names and values of the options: those of the question `sweep` except its table.
     pub pairs: Vec<(String, String)>,
-    /// How much memory recordings may take, as it is written.
+    /// Limit of the memory for recordings, as written.
     pub memory: Option<String>,
-    /// The language of the texts.
+    /// Language of the texts.
     pub language: Language,
 }
 
 impl SweepCall {
-    /// The sweep over tables of these columns; what stands in the cells of `batches`, all or none of one, is checked too.
+    /// Returns the sweep over tables of these columns. The cells of `batches` are checked too; it holds all batches of
+    /// a table, or none.
     ///
     /// # Errors
     /// Every fault of the options; else every fault of the project, of the headings and of the cells.
@@ -47,7 +48,7 @@ impl SweepCall {
     }
 }
 
-/// Each batch with the number of its first row.
+/// Returns the batches, each with the number of its first row.
 fn numbered(batches: &[RecordBatch]) -> impl Iterator<Item = (&RecordBatch, u64)> {
     batches.iter().scan(0, |next, batch| {
         let first = *next;
@@ -56,20 +57,20 @@ fn numbered(batches: &[RecordBatch]) -> impl Iterator<Item = (&RecordBatch, u64)
     })
 }
 
-/// The faults of the cells of a table whose sweep is prepared already.
+/// Checks the cells of a table for a prepared sweep.
 ///
 /// # Errors
-/// All of them.
+/// Every fault of the cells.
 pub fn checked(sweep: &Sweep, batches: &[RecordBatch]) -> Result<(), Unanswered> {
     let mut faults = TableFaults::default();
     numbered(batches).for_each(|(batch, first_row)| sweep.check(batch, first_row, &mut faults));
     if faults.is_empty() { Ok(()) } else { Err(Unanswered::Table { name: TABLE.into(), faults }) }
 }
 
-/// The answers to all batches of a table whose cells are checked.
+/// Returns the answers to all batches of a table whose cells are checked.
 ///
 /// # Errors
-/// A cancelled `patience`.
+/// A cancellation by `patience`.
 pub fn swept(sweep: &Sweep, batches: &[RecordBatch], patience: &Patience) -> Result<Vec<RecordBatch>, Unanswered> {
     numbered(batches).map(|(batch, first_row)| sweep.batch(batch, first_row, patience)).collect()
 }

@@ -1,7 +1,8 @@
 //! Tables as capsules of Arrow's PyCapsule interface, in and out: pointers to structures of its C interface.
 //!
-//! The only file of the crate that follows a pointer. What it relies on: a capsule of the right name holds the structure of that
-//! name, filled as the C interface says, and its producer keeps it until the structure is moved out or the capsule is gone.
+//! The only file of the crate that dereferences pointers. Its assumptions: a capsule of the right name holds the
+//! structure of that name, filled as the C interface specifies, and its producer keeps it until the structure is moved
+//! out or the capsule is destroyed.
 #![allow(unsafe_code, reason = "the structures of Arrow's C interface: docs/decisions/0028-python-on-arrow.md")]
 
 use arrow_array::ffi::{FFI_ArrowArray, FFI_ArrowSchema, from_ffi};
@@ -21,7 +22,7 @@ fn trouble(error: ArrowError) -> PyErr {
     PyValueError::new_err(error.to_string())
 }
 
-/// The columns and the batches of anything that hands over a stream or an array of Arrow.
+/// Returns the columns and the batches of any object that provides a stream or an array of Arrow.
 pub(crate) fn table(from: &Bound<'_, PyAny>) -> PyResult<(SchemaRef, Vec<RecordBatch>)> {
     if from.hasattr("__arrow_c_stream__")? {
         let capsule = from.call_method0("__arrow_c_stream__")?.cast_into::<PyCapsule>()?;
@@ -29,7 +30,7 @@ pub(crate) fn table(from: &Bound<'_, PyAny>) -> PyResult<(SchemaRef, Vec<RecordB
         // SAFETY: the capsule is alive and of this name, so it points to a stream; it is moved out, and an empty one left.
         let reader = unsafe { ArrowArrayStreamReader::from_raw(pointer.as_ptr()) }.map_err(trouble)?;
         let schema = reader.schema();
-        // Reading may call back into the producer, which takes the interpreter where it needs it.
+        // Reading may call back into the producer, which acquires the interpreter lock when it needs it.
         let batches = reader.collect::<Result<Vec<_>, _>>().map_err(trouble)?;
         return Ok((schema, batches));
     }
@@ -54,7 +55,7 @@ pub(crate) fn table(from: &Bound<'_, PyAny>) -> PyResult<(SchemaRef, Vec<RecordB
     )))
 }
 
-/// The columns of a schema, or of anything that has one.
+/// Returns the columns of a schema, or of any object that has one.
 pub(crate) fn schema(from: &Bound<'_, PyAny>) -> PyResult<SchemaRef> {
     if !from.hasattr("__arrow_c_schema__")? {
         return table(from).map(|(schema, _)| schema);
@@ -65,7 +66,7 @@ pub(crate) fn schema(from: &Bound<'_, PyAny>) -> PyResult<SchemaRef> {
     Schema::try_from(unsafe { pointer.as_ref() }).map(Into::into).map_err(trouble)
 }
 
-/// Batches as a stream.
+/// Returns batches as a stream.
 pub(crate) fn stream<'py>(
     py: Python<'py>,
     schema: SchemaRef,
@@ -75,7 +76,7 @@ pub(crate) fn stream<'py>(
     PyCapsule::new_with_value(py, FFI_ArrowArrayStream::new(Box::new(reader)), STREAM)
 }
 
-/// Columns as a schema.
+/// Returns columns as a schema.
 pub(crate) fn schema_capsule<'py>(py: Python<'py>, schema: &Schema) -> PyResult<Bound<'py, PyCapsule>> {
     PyCapsule::new_with_value(py, FFI_ArrowSchema::try_from(schema).map_err(trouble)?, SCHEMA)
 }

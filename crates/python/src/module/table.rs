@@ -1,4 +1,4 @@
-//! Tables and sweeps as objects of Python.
+//! Tables and sweeps as Python objects.
 
 use super::{Handed, beside, refused, text};
 use crate::SweepCall;
@@ -81,7 +81,7 @@ impl Table {
         Ok(Self { schema, batches: reader.collect::<Result<_, _>>().map_err(broken)? })
     }
 
-    /// What `pickle` needs: a stream of Arrow as bytes.
+    /// Returns the state for `pickle`: a stream of Arrow as bytes.
     fn __reduce__<'py>(&self, py: Python<'py>) -> PyResult<(Bound<'py, PyAny>, (Bound<'py, PyBytes>,))> {
         let mut bytes = Vec::new();
         let mut writer = StreamWriter::try_new(&mut bytes, &self.schema).map_err(broken)?;
@@ -125,7 +125,7 @@ fn broken(error: arrow_schema::ArrowError) -> PyErr {
     PyValueError::new_err(error.to_string())
 }
 
-/// What a list of Python holds, as a column.
+/// Converts a Python list to a column.
 fn column(values: &Bound<'_, PyList>) -> PyResult<ArrayRef> {
     let first = values.iter().find(|value| !value.is_none());
     let is = |of: fn(&Bound<'_, PyAny>) -> bool| values.iter().all(|value| value.is_none() || of(&value));
@@ -144,7 +144,7 @@ where
     values.iter().map(|value| value.extract::<Option<T>>()).collect()
 }
 
-/// The values of a column behind those of a list.
+/// Appends the values of a column to a list.
 fn append(values: &Bound<'_, PyList>, array: &ArrayRef) -> PyResult<()> {
     let py = values.py();
     for row in 0..array.len() {
@@ -173,7 +173,7 @@ pub(crate) struct Sweep {
     made_of: MadeOf,
 }
 
-/// What a sweep was made of, but for the text of its project.
+/// Arguments of a sweep, without the text of its project.
 struct MadeOf {
     name: String,
     folder: PathBuf,
@@ -278,7 +278,7 @@ impl Sweep {
     ) -> PyResult<Self> {
         let language = Language::of_id(lang).unwrap_or_default();
         let (of_text, name, folder) = &handed;
-        // A file lies in its folder, wherever another process stands.
+        // The folder of a file stays valid in a process with another working folder.
         let folder = if of_text.is_some() {
             folder.clone()
         } else {
@@ -298,7 +298,7 @@ impl Sweep {
         Ok(Self { sweep, language, made_of })
     }
 
-    /// The answers; faults of the cells first where they are not checked yet.
+    /// Returns the answers; checks the cells first if required.
     fn judged(&self, py: Python<'_>, batches: &[RecordBatch], deadline: Option<&str>, checks: bool) -> PyResult<Table> {
         let deadline = deadline.map(|text| antrieb::deadline_of(text, self.language)).transpose();
         let deadline = deadline.map_err(|why| refused(py, &why.record(None, self.language)))?;
@@ -314,7 +314,7 @@ impl Sweep {
         Ok(Table { schema: self.sweep.schema(), batches })
     }
 
-    /// Whether a table has the columns that the sweep was prepared for.
+    /// Checks that a table has the columns for which the sweep was prepared.
     fn is_of(&self, py: Python<'_>, schema: &Schema) -> PyResult<()> {
         if self.sweep.keys().count() == schema.fields().len() {
             return Ok(());
