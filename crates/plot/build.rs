@@ -5,7 +5,7 @@
 use std::path::PathBuf;
 use std::{env, fs, io};
 
-/// The tables that tell how wide a character is.
+/// Font tables with the widths of characters.
 const TABLES: [&[u8; 4]; 5] = [b"cmap", b"head", b"hhea", b"hmtx", b"maxp"];
 
 fn main() -> io::Result<()> {
@@ -19,7 +19,7 @@ fn main() -> io::Result<()> {
     Ok(())
 }
 
-/// The file with these tables alone: its head, an entry of 16 bytes for each table, the tables.
+/// Returns the font file with these tables alone: its header, an entry of 16 bytes for each table, the tables.
 fn widths(whole: &[u8]) -> Option<Vec<u8>> {
     let number = |at: usize| Some(u32::from_be_bytes(whole.get(at..at + 4)?.try_into().ok()?) as usize);
     let count = usize::from(u16::from_be_bytes(whole.get(4..6)?.try_into().ok()?));

@@ -22,18 +22,18 @@ pub struct BarChart {
     legend: Vec<(Verdict, Label)>,
 }
 
-/// What was found, which decides colour, pattern and sign of a bar.
+/// Result of a check, which decides colour, pattern and sign of a bar.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Verdict {
     /// Within the limit: filled, a tick.
     Pass,
-    /// Within the limit but worth a thought: rising lines, a triangle.
+    /// Within the limit with advice: rising lines, a triangle.
     Advice,
     /// Beyond the limit: crossed lines, a cross.
     Fail,
-    /// Not known: no bar, an empty circle.
+    /// Unknown: no bar, an empty circle.
     NotChecked,
-    /// Known and not judged, for want of a limit: no bar, a dash.
+    /// Known and not judged, since there is no limit: no bar, a dash.
     NoLimit,
 }
 
@@ -49,7 +49,7 @@ pub struct Bar {
 tagged!(Bar);
 
 impl Bar {
-    /// A row without a bar yet.
+    /// Creates a row without a bar.
     #[must_use]
     pub fn new(label: impl Into<Label>, verdict: Verdict) -> Self {
         Self { label: label.into(), verdict, percent: None, text: Label::default(), tags: Tags::default() }
@@ -71,7 +71,7 @@ impl Bar {
 }
 
 impl BarChart {
-    /// A chart without rows; the axis is that of the utilisation in percent.
+    /// Creates a chart without rows; the axis is that of the utilisation in percent.
     #[must_use]
     pub fn new(axis: Axis) -> Self {
         Self { axis, title: Label::default(), description: String::new(), rows: Vec::new(), legend: Vec::new() }
@@ -112,7 +112,7 @@ impl BarChart {
         let area = Rect { left, right, top: head, bottom: row.mul_add(units, extra + head) };
         let ticks = Ticks::new(0.0, self.end(), 6, false);
         title(&mut canvas, &self.title);
-        // Where texts stand above their bars, no line may run through them.
+        // Grid lines must not run through texts that stand above their bars.
         let lined = Rect { top: if columns.beside { area.top } else { area.bottom - 3.0 }, ..area };
         self.grid(&mut canvas, &lined, &ticks);
         let limit = x_at(&area, 100.0, ticks.hi);
@@ -129,13 +129,13 @@ impl BarChart {
         canvas.finish("bars", &self.title.plain(), &self.description)
     }
 
-    /// The end of the axis: a little beyond the longest bar, within bounds.
+    /// Returns the end of the axis: a little beyond the longest bar, within limits.
     fn end(&self) -> f64 {
         let longest = self.rows.iter().filter_map(Bar::length).fold(0.0, f64::max);
         (longest * 1.05).clamp(110.0, LONGEST)
     }
 
-    /// Where labels, bars and texts stand: beside each other, or above the bars where a picture is too narrow.
+    /// Returns the places of labels, bars and texts: in columns, or one above the other in a narrow picture.
     fn columns(&self, style: &Style) -> Columns {
         let width = style.size.width;
         if width < BESIDE_MIN {
@@ -159,7 +159,7 @@ impl BarChart {
             canvas.line((x, area.bottom), (x, area.bottom + TICK), &Stroke::solid(Colour::Ink, RULE));
             let label = Label::from(ticks.label(*value, canvas.style.language));
             let half = label.width(TEXT, false) / 2.0;
-            // On a narrow chart the limit keeps its number, others give way.
+            // On a narrow chart the number of the limit is kept and others are left out.
             let kept = ticks.values.len() < 3 || x - half > until + GAP / 2.0;
             if kept {
                 until = x + half;
@@ -171,7 +171,7 @@ impl BarChart {
         canvas.close();
     }
 
-    /// The explained verdicts in rows, each with its place from the left and its text in lines.
+    /// Returns the explained verdicts in rows, each with its place from the left and its text in lines.
     fn legend_rows(&self, width: f64) -> Vec<Vec<(f64, Verdict, Vec<Label>)>> {
         let mut rows: Vec<Vec<(f64, Verdict, Vec<Label>)>> = Vec::new();
         let mut x = f64::INFINITY;
@@ -191,21 +191,21 @@ impl BarChart {
     }
 }
 
-/// Where labels, bars and texts stand.
+/// Places of labels, bars and texts.
 struct Columns {
-    /// Beside each other; else the bar stands below its texts.
+    /// Columns for labels, bars and texts; otherwise the bar is below its texts.
     beside: bool,
-    /// The bars.
+    /// Left and right end of the bars.
     left: f64,
     right: f64,
-    /// Room of labels and of texts.
+    /// Widths of labels and of texts.
     labels: f64,
     texts: f64,
-    /// Of the picture.
+    /// Width of the picture.
     width: f64,
 }
 
-/// Label and text of a row in lines, and what they take beyond one line.
+/// Label and text of a row in lines, and their height beyond one line.
 struct Laid {
     label: Vec<Label>,
     text: Vec<Label>,
@@ -229,7 +229,7 @@ impl Laid {
     }
 }
 
-/// Whether label and text stand in one line above their bar.
+/// Returns `true` if label and text fit into one line above their bar.
 fn one_line(label: &[Label], text: &[Label], columns: &Columns, bold: bool) -> bool {
     match (label, text) {
         ([_], []) => true,
@@ -238,19 +238,19 @@ fn one_line(label: &[Label], text: &[Label], columns: &Columns, bold: bool) -> b
     }
 }
 
-/// Where bars are broken, in percent.
+/// Utilisation in percent at which bars are broken.
 const LONGEST: f64 = 150.0;
-/// Room of a sign before a label.
+/// Width of the sign before a label.
 const SIGN: f64 = 17.0;
 const GAP: f64 = 10.0;
 const ROW_MIN: f64 = 16.0;
 const ROW_MAX: f64 = 23.0;
 const LEGEND_ROW: f64 = 16.0;
-/// Distance of two lines of one text.
+/// Line spacing of a text.
 const LINE: f64 = 13.5;
-/// A picture narrower than this has its labels above the bars.
+/// Width below which a picture has its labels above the bars.
 const BESIDE_MIN: f64 = 400.0;
-/// A width added up in another order differs in the last digit.
+/// Tolerance for widths added in another order, which differ in the last digit.
 const ROUNDING: f64 = 1e-6;
 
 impl Bar {
@@ -323,10 +323,10 @@ fn draw_bar(canvas: &mut Canvas<'_>, bar: &Bar, laid: &Laid, columns: &Columns, 
             let fill = canvas.hatch(Colour::Unchecked, Hatch::Dots);
             canvas.rect(&lane, 0.0, &fill, None);
         }
-        // Decided, but by no ratio: sign and text tell it.
+        // Judged without a ratio: sign and text show the verdict.
         (_, None) => {}
         (verdict, Some(percent)) => {
-            // A pixel at least: a bar of nothing is still a bar.
+            // At least a pixel, so that a bar of zero is visible.
             let end = x_at(&lane, percent.min(hi), hi).max(lane.left + 1.0);
             let drawn = Rect { right: end, ..lane };
             let colour = verdict.colour();
@@ -354,7 +354,7 @@ fn draw_bar(canvas: &mut Canvas<'_>, bar: &Bar, laid: &Laid, columns: &Columns, 
     canvas.close();
 }
 
-/// Writes lines one below the other; gives the base line of the next.
+/// Writes lines one below the other; returns the base line of the next.
 fn write_lines(canvas: &mut Canvas<'_>, lines: &[Label], (x, mut base): Point, setting: Setting) -> f64 {
     for line in lines {
         canvas.text((x, base), line, setting);
@@ -363,7 +363,7 @@ fn write_lines(canvas: &mut Canvas<'_>, lines: &[Label], (x, mut base): Point, s
     base
 }
 
-/// The sign of a verdict around a point.
+/// Draws the sign of a verdict around a point.
 fn draw_sign(canvas: &mut Canvas<'_>, verdict: Verdict, (x, y): Point) {
     let line = |corners: &[(f64, f64)]| {
         let mut d = String::new();
@@ -395,7 +395,7 @@ fn draw_sign(canvas: &mut Canvas<'_>, verdict: Verdict, (x, y): Point) {
     }
 }
 
-/// Two slanted strokes through a bar that goes on beyond its drawn end.
+/// Draws two slanted strokes through a bar that continues beyond its drawn end.
 fn draw_break(canvas: &mut Canvas<'_>, bar: &Rect) {
     let (top, bottom) = (bar.top - 2.0, bar.bottom + 2.0);
     let x = bar.right - 16.0;
@@ -416,7 +416,7 @@ fn draw_break(canvas: &mut Canvas<'_>, bar: &Rect) {
     }
 }
 
-/// What the rows of the legend take.
+/// Returns the height of the rows of the legend.
 fn rows_height(rows: &[Vec<(f64, Verdict, Vec<Label>)>]) -> f64 {
     rows.iter().map(|row| row_height(row)).sum()
 }

@@ -1,4 +1,4 @@
-//! The SVG text: elements, paint, patterns, escaping. Nothing else writes a character of it.
+//! The SVG text: elements, paint, patterns, escaping. No other module writes SVG.
 
 use std::collections::BTreeMap;
 use std::fmt::Write as _;
@@ -25,14 +25,14 @@ pub(crate) enum Anchor {
     End,
 }
 
-/// How a text is set.
+/// Layout of a text.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Setting {
     pub(crate) size: f64,
     pub(crate) bold: bool,
     pub(crate) colour: Colour,
     pub(crate) anchor: Anchor,
-    /// A rim of paper around the letters, for text on top of lines.
+    /// Outline in the colour of the paper around the letters, for text on top of lines.
     pub(crate) halo: bool,
 }
 
@@ -50,7 +50,7 @@ impl Setting {
     }
 }
 
-/// How a line is drawn.
+/// Style of a line.
 #[derive(Clone, Debug)]
 pub(crate) struct Stroke {
     pub(crate) colour: Colour,
@@ -64,7 +64,7 @@ impl Stroke {
     }
 }
 
-/// How an area is filled.
+/// Filling of an area.
 #[derive(Clone, Debug)]
 pub(crate) enum Fill {
     None,
@@ -79,7 +79,7 @@ pub enum Hatch {
     Rising,
     /// Falling lines.
     Falling,
-    /// Both.
+    /// Rising and falling lines.
     Crossed,
     /// Dots.
     Dots,
@@ -99,7 +99,7 @@ impl<'a> Canvas<'a> {
         Self { style, out: String::new(), patterns: BTreeMap::new(), texts: Vec::new(), hidden: Vec::new(), dropped: 0 }
     }
 
-    /// Keeps a label that found no free place.
+    /// Records a label that found no free place.
     pub(crate) fn hide(&mut self, label: &Label) {
         self.hidden.push(label.plain());
     }
@@ -138,7 +138,7 @@ impl<'a> Canvas<'a> {
         (x, y): ((f64, f64), (f64, f64)),
         (symbol, unit): (&str, &str),
     ) {
-        // A zero without a sign: which of both zeros is the smaller one is left to the machine.
+        // Adding zero removes the sign of a negative zero, on which machines differ.
         let [x_min, x_max, y_min, y_max] = [x.0, x.1, y.0, y.1].map(|bound| bound + 0.0);
         let _ = writeln!(
             self.out,
@@ -209,7 +209,7 @@ impl<'a> Canvas<'a> {
         }
     }
 
-    /// A fill of lines, defined once however often it is used.
+    /// Returns a fill of lines, defined once for all of its uses.
     pub(crate) fn hatch(&mut self, colour: Colour, hatch: Hatch) -> Fill {
         let paint = self.style.theme.colour(colour);
         let name = match hatch {
@@ -221,7 +221,7 @@ impl<'a> Canvas<'a> {
         let tint: String = Theme::Light.colour(colour).trim_start_matches('#').to_owned();
         let id = format!("{}-{name}-{tint}", self.style.id);
         let lines = |d: &str| format!("<path d=\"{d}\" fill=\"none\" stroke=\"{paint}\" stroke-width=\"0.8\"/>");
-        // Steeper than 45°, which is the slope of many a limit: lines beside lines of the same slope are no pattern.
+        // Steeper than 45°, a common slope of limits: a pattern parallel to them would be hard to see.
         let (shape, turn) = match hatch {
             Hatch::Rising => (lines("M2.5 0V5"), 28),
             Hatch::Falling => (lines("M2.5 0V5"), -28),
@@ -236,10 +236,10 @@ impl<'a> Canvas<'a> {
         Fill::Pattern(id)
     }
 
-    /// Writes a text with its anchor on the base line and keeps the box that it takes.
+    /// Writes a text with its anchor on the base line and records its box.
     ///
-    /// Layout provides the room. If the picture is too small for that, the
-    /// first text stays and the other is hidden: half a number is worse than none.
+    /// Layout provides the room. If the picture is too small for that, the first text stays and the other is hidden:
+    /// half a number is worse than none.
     pub(crate) fn text(&mut self, at: (f64, f64), label: &Label, setting: Setting) {
         if label.is_empty() {
             return;
@@ -253,7 +253,7 @@ impl<'a> Canvas<'a> {
         }
         self.texts.push(TextBox { area, text: label.plain() });
         let label = &label.clone().merged();
-        // Several runs stand each at its own place, so that a face of other widths moves none into its neighbour.
+        // Each of several runs has its own position, so that a font of other widths moves none of them into the next.
         let whole = match label.runs.as_slice() {
             [only] if only.kind == RunKind::Plain => Some(only),
             _ => None,
@@ -306,7 +306,7 @@ impl<'a> Canvas<'a> {
         }
     }
 
-    /// The whole picture, with the description for screen readers.
+    /// Returns the whole picture, with the description for screen readers.
     pub(crate) fn finish(self, kind: &str, title: &str, description: &str) -> Picture {
         let size = self.style.size;
         let (written_width, written_height) = size.written();
@@ -359,10 +359,11 @@ impl<'a> Canvas<'a> {
     }
 }
 
-/// Characters up to which the width of a text is left to its face: another one differs by a pixel or two.
+/// Number of characters up to which the width of a text is left to the font: another one differs by a pixel or two.
 const SHORT: usize = 3;
 
-/// The attribute that keeps a run as wide as it was laid out, whatever face draws it: the picture does not carry the font.
+/// Returns the attribute that fixes the width of a run at that of the layout for any font: the picture does not contain
+/// the font.
 fn length(run: &Run, setting: Setting) -> String {
     if run.text.chars().count() <= SHORT {
         return String::new();
@@ -371,7 +372,7 @@ fn length(run: &Run, setting: Setting) -> String {
     format!(" textLength=\"{width}\" lengthAdjust=\"spacingAndGlyphs\"")
 }
 
-/// The box of a text with its anchor on the base line.
+/// Returns the box of a text with its anchor on the base line.
 pub(crate) fn text_area(at: (f64, f64), label: &Label, setting: Setting) -> Rect {
     let width = label.width(setting.size, setting.bold);
     let left = match setting.anchor {
@@ -382,7 +383,8 @@ pub(crate) fn text_area(at: (f64, f64), label: &Label, setting: Setting) -> Rect
     Rect { left, right: left + width, top: at.1 - setting.size * ASCENT, bottom: at.1 + setting.size * DESCENT }
 }
 
-/// A coordinate with at most two decimals. What is no number never gets this far; if it did, it would not be written.
+/// Writes a coordinate with at most two decimals. Non-finite values are removed earlier; here they are written as
+/// empty.
 pub(crate) fn number(value: f64) -> String {
     if !value.is_finite() {
         return String::from("0");
@@ -392,7 +394,7 @@ pub(crate) fn number(value: f64) -> String {
     if text == "-0" { String::from("0") } else { text }
 }
 
-/// Text for XML, in an element or an attribute.
+/// Escapes a text for XML, in an element or an attribute.
 pub(crate) fn escaped(text: &str) -> String {
     let mut out = String::with_capacity(text.len());
     for c in text.chars() {

@@ -1,4 +1,4 @@
-//! Items of a plane, drawn.
+//! Drawing of the items of a plane.
 
 use crate::canvas::{Anchor, Canvas, Fill, HAIR, Setting, Stroke, TEXT};
 use crate::font::{ASCENT, DESCENT};
@@ -12,15 +12,16 @@ use crate::reduce::{line_path, outline_path, reduced, without_repeats};
 use crate::stacked::lines_of;
 use crate::style::Colour;
 
-/// Points above which markers are thinned to one per half pixel and carry no data of their own.
+/// Number of points above which markers are thinned to one per half pixel and have no data attributes.
 const MARKERS_MAX: usize = 2000;
-/// A name that would overlap something is left to the tooltip; a note is always drawn.
+/// Placement of a name, which is left to the tooltip if it would overlap something; a note is always drawn.
 const NAME: Near = Near { gap: MARKER + 1.5, reach: 60.0, worst: 60.0 };
 const NOTE: Near = Near { gap: 6.5, reach: 110.0, worst: f64::INFINITY };
-/// Between a reference line and its label: more than a cell of the field, or the line would stand in its own way.
+/// Distance between a reference line and its label: more than a cell of the field, or the line would block its own
+/// label.
 const CLEAR: f64 = 4.6;
 
-/// Areas, which lie below axes.
+/// Draws the areas, which lie below the axes.
 pub(crate) fn areas(canvas: &mut Canvas<'_>, plane: &Plane, items: &[Item]) {
     for item in items {
         if let Item::Area(area) = item {
@@ -29,7 +30,7 @@ pub(crate) fn areas(canvas: &mut Canvas<'_>, plane: &Plane, items: &[Item]) {
     }
 }
 
-/// References and lines, which lie above axes, and markers on top.
+/// Draws references and lines, which lie above the axes, and markers on top.
 pub(crate) fn lines(canvas: &mut Canvas<'_>, plane: &Plane, items: &[Item]) {
     for reference in references(items) {
         draw_reference(canvas, plane, reference);
@@ -44,7 +45,7 @@ pub(crate) fn lines(canvas: &mut Canvas<'_>, plane: &Plane, items: &[Item]) {
     }
 }
 
-/// Notes and names of points, each where there is room.
+/// Writes notes and names of points where there is room.
 pub(crate) fn texts(canvas: &mut Canvas<'_>, plane: &Plane, items: &[Item], field: &mut Field) {
     for item in items {
         if let Item::Note(note) = item {
@@ -62,7 +63,7 @@ pub(crate) fn texts(canvas: &mut Canvas<'_>, plane: &Plane, items: &[Item], fiel
     }
 }
 
-/// What is drawn, for the field.
+/// Marks the drawn items in the field.
 pub(crate) fn stamp(field: &mut Field, plane: &Plane, items: &[Item]) {
     for item in items {
         match item {
@@ -93,7 +94,7 @@ pub(crate) fn stamp(field: &mut Field, plane: &Plane, items: &[Item]) {
 
 fn line_pieces(plane: &Plane, line: &Line) -> (Vec<Vec<Point>>, usize) {
     let (mut parts, dropped) = pieces(&line.points);
-    // A closed line with a gap is not closed.
+    // A closed line with a gap is drawn open.
     if line.closed
         && let [only] = parts.as_mut_slice()
     {
@@ -112,7 +113,7 @@ fn draw_line(canvas: &mut Canvas<'_>, plane: &Plane, line: &Line) {
     let mut d = String::new();
     for piece in &pieces {
         match piece.as_slice() {
-            // A single point has no length, and would not be seen.
+            // A single point has no length and would be invisible as a line.
             [only] if plane.area.cut(*only, *only).is_some() => {
                 draw_marker(canvas, crate::item::Shape::Circle, *only, stroke.colour, false);
             }
@@ -190,7 +191,7 @@ fn draw_reference(canvas: &mut Canvas<'_>, plane: &Plane, reference: &Reference)
     canvas.close();
 }
 
-/// Where the label of each reference goes, taken from the field; `None` has no label or no room.
+/// Returns the place of the label of each reference, taken from the field; `None` without a label or without room.
 pub(crate) fn reference_places(plane: &Plane, items: &[Item], field: &mut Field) -> Vec<Option<(Rect, Label)>> {
     references(items).map(|reference| reference_place(plane, reference, field)).collect()
 }
@@ -231,7 +232,7 @@ fn reference_place(plane: &Plane, reference: &Reference, field: &mut Field) -> O
     Some((area, label))
 }
 
-/// Writes the labels of references where [`reference_places`] found room.
+/// Writes the labels of references at the places of [`reference_places`].
 pub(crate) fn reference_labels(canvas: &mut Canvas<'_>, items: &[Item], places: &[Option<(Rect, Label)>]) {
     for (reference, place) in references(items).zip(places) {
         match place {
@@ -250,7 +251,7 @@ fn draw_note(canvas: &mut Canvas<'_>, plane: &Plane, note: &Note, field: &mut Fi
     canvas.close();
 }
 
-/// A text near a point, with a leader if it had to go away.
+/// Writes a text near a point, with a leader if it is at a distance.
 fn near(
     canvas: &mut Canvas<'_>,
     plane: &Plane,
@@ -273,7 +274,7 @@ fn near(
     };
     if let Some(end) = place.leader {
         let length = (end.0 - at.0).hypot(end.1 - at.1).max(1e-9);
-        // The leader starts outside its marker and ends short of the text.
+        // The leader starts outside its marker and ends before the text.
         let along = |px: f64| ((end.0 - at.0).mul_add(px / length, at.0), (end.1 - at.1).mul_add(px / length, at.1));
         canvas.line(along(near.gap - 1.0), along((length - 1.0).max(near.gap)), &Stroke::solid(Colour::Soft, HAIR));
     }

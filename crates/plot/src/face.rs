@@ -1,4 +1,4 @@
-//! The mating face of a connector: pins with their numbers in a round insert, and beside it what each carries.
+//! Mating face of a connector: pins with their numbers in a round insert, and a list of their signals.
 
 use crate::canvas::{Anchor, Canvas, Fill, RULE, Setting, Stroke, TEXT, number};
 use crate::font::CAP_HEIGHT;
@@ -32,20 +32,20 @@ pub struct FacePin {
 tagged!(FacePin);
 
 impl FacePin {
-    /// A pin at a place of the unit circle, x to the right and y downwards, with nothing connected.
+    /// Creates a pin at a point of the unit circle, x to the right and y downwards, with no connection.
     #[must_use]
     pub fn new(number: impl Into<Label>, at: (f64, f64)) -> Self {
         Self { number: number.into(), text: Label::default(), at, tone: None, tags: Tags::default() }
     }
 
-    /// Sets what it carries, in the list beside the face.
+    /// Sets the signal of the pin in the list.
     #[must_use]
     pub fn text(mut self, text: impl Into<Label>) -> Self {
         self.text = text.into();
         self
     }
 
-    /// Fills it: something is connected.
+    /// Fills the pin as connected.
     #[must_use]
     pub const fn tone(mut self, tone: Tone) -> Self {
         self.tone = Some(tone);
@@ -57,17 +57,17 @@ impl FacePin {
 const ROW: f64 = 15.0;
 /// Height of a line of the note.
 const NOTE_ROW: f64 = 14.0;
-/// Radius of the insert, of which the shell leaves the rest.
+/// Radius of the insert as a share of that of the shell.
 const INSERT: f64 = 0.9;
-/// Share of the radius that a pin takes with seventeen of them.
+/// Radius of a pin as a share of that of the face, for seventeen pins.
 const PIN: f64 = 0.125;
-/// The face takes this share of the width at most.
+/// Largest share of the width for the face.
 const FACE_SHARE: f64 = 0.5;
 
 impl FaceChart {
     titled!();
 
-    /// Sets what stands below.
+    /// Sets the text below the face.
     #[must_use]
     pub fn note(mut self, text: impl Into<Label>) -> Self {
         self.note = text.into();
@@ -141,7 +141,7 @@ impl FacePin {
     }
 }
 
-/// A circle as a path.
+/// Returns a circle as a path.
 fn circle(centre: Point, radius: f64) -> String {
     let (left, right) = (number(centre.0 - radius), number(centre.0 + radius));
     let (y, r) = (number(centre.1), number(radius));

@@ -4,14 +4,14 @@ use std::sync::OnceLock;
 
 use ttf_parser::Face;
 
-/// The font family of every chart; [`font_files`] are its faces.
+/// Font family of every chart; [`font_files`] are its faces.
 pub const FONT_FAMILY: &str = "Inter";
 
 const REGULAR: &[u8] = include_bytes!("../fonts/Inter-Regular.ttf");
 const ITALIC: &[u8] = include_bytes!("../fonts/Inter-Italic.ttf");
 const SEMIBOLD: &[u8] = include_bytes!("../fonts/Inter-SemiBold.ttf");
 
-/// The faces of [`FONT_FAMILY`] as TrueType files: regular, italic, semi-bold.
+/// Returns the faces of [`FONT_FAMILY`] as TrueType files: regular, italic, semi-bold.
 ///
 /// A renderer (PDF, web page) must use these fonts, so that text has the width of the layout.
 #[must_use]
@@ -27,17 +27,17 @@ pub(crate) enum Cut {
     SemiBold,
 }
 
-/// Share of the font size that a line of text reaches above its base line.
+/// Ascent of a line of text above its base line, as a share of the font size.
 pub(crate) const ASCENT: f64 = 0.76;
-/// Share of the font size that a line of text reaches below its base line.
+/// Descent of a line of text below its base line, as a share of the font size.
 pub(crate) const DESCENT: f64 = 0.22;
 /// Height of a capital letter or digit as a share of the font size.
 pub(crate) const CAP_HEIGHT: f64 = 0.727;
 
-/// Share of the font size that a character outside the font takes: another font draws it, likely a wide one.
+/// Advance of a character outside the font, as a share of the font size: another font draws it, probably a wider one.
 const FOREIGN_ADVANCE: f64 = 1.0;
 
-/// Width of a text at a font size; kerning is left out.
+/// Returns the width of a text at a font size, without kerning.
 pub(crate) fn width(text: &str, cut: Cut, size: f64) -> f64 {
     size * text.chars().map(|c| advance(c, cut)).sum::<f64>()
 }
@@ -48,7 +48,7 @@ fn advance(c: char, cut: Cut) -> f64 {
     advance.map_or(FOREIGN_ADVANCE, |units| f64::from(units) / f64::from(face.units_per_em()))
 }
 
-/// The faces with nothing but their widths, which the build script takes out of them.
+/// Widths of the regular face, extracted by the build script.
 const WIDTHS_REGULAR: &[u8] = include_bytes!(concat!(env!("OUT_DIR"), "/Inter-Regular.ttf"));
 const WIDTHS_ITALIC: &[u8] = include_bytes!(concat!(env!("OUT_DIR"), "/Inter-Italic.ttf"));
 const WIDTHS_SEMIBOLD: &[u8] = include_bytes!(concat!(env!("OUT_DIR"), "/Inter-SemiBold.ttf"));
@@ -68,7 +68,7 @@ fn face(cut: Cut) -> Option<&'static Face<'static>> {
 mod tests {
     use super::*;
 
-    /// What units, symbols and labels of the field are written with.
+    /// Characters in the units, symbols and labels of the field.
     const NEEDED: &str = "⁺⁻⁰¹²³⁴⁵⁶⁷⁸⁹₀₁₂₃₄₅₆₇₈₉·−±×÷≤≥≈≠√∞∑∂∆∫…–—„“”‚‘’′″→←↑↓⇒‰%€§°ÄÖÜäöüßØµΩ\u{a0}\u{2009}\u{202f}\
         ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789()[]{}<>/|+-*=.,;:!?'\"#&@_~^\
         αβγδεζηθικλμνξοπρστυφχψωϑϕΓΔΘΛΞΠΣΦΨ✓▲■●◆□○◇△";

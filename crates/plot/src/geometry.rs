@@ -1,4 +1,4 @@
-//! Rectangles, and lines cut to them.
+//! Rectangles, and clipping of lines to them.
 
 /// A rectangle in px, y downwards.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -16,25 +16,25 @@ pub struct Rect {
 pub(crate) type Point = (f64, f64);
 
 impl Rect {
-    /// Width.
+    /// Returns the width.
     #[must_use]
     pub const fn width(&self) -> f64 {
         self.right - self.left
     }
 
-    /// Height.
+    /// Returns the height.
     #[must_use]
     pub const fn height(&self) -> f64 {
         self.bottom - self.top
     }
 
-    /// Whether two rectangles share more than an edge.
+    /// Returns `true` if two rectangles share more than an edge.
     #[must_use]
     pub const fn overlaps(&self, other: &Self) -> bool {
         self.left < other.right && other.left < self.right && self.top < other.bottom && other.top < self.bottom
     }
 
-    /// Whether another rectangle lies within this one.
+    /// Returns `true` if another rectangle lies within this one.
     #[must_use]
     pub const fn holds(&self, other: &Self) -> bool {
         self.left <= other.left && other.right <= self.right && self.top <= other.top && other.bottom <= self.bottom
@@ -48,12 +48,12 @@ impl Rect {
         (f64::midpoint(self.left, self.right), f64::midpoint(self.top, self.bottom))
     }
 
-    /// The point of the rectangle nearest to another point.
+    /// Returns the point of the rectangle nearest to another point.
     pub(crate) fn nearest(&self, to: Point) -> Point {
         (to.0.clamp(self.left, self.right.max(self.left)), to.1.clamp(self.top, self.bottom.max(self.top)))
     }
 
-    /// The part of a line from `a` to `b` inside (Liang and Barsky).
+    /// Clips a line from `a` to `b` to the rectangle (Liang and Barsky).
     pub(crate) fn cut(&self, a: Point, b: Point) -> Option<(Point, Point)> {
         let (dx, dy) = (b.0 - a.0, b.1 - a.1);
         let (mut from, mut to) = (0.0_f64, 1.0_f64);
@@ -72,7 +72,7 @@ impl Rect {
         (from <= to).then(|| (if from > 0.0 { at(from) } else { a }, if to < 1.0 { at(to) } else { b }))
     }
 
-    /// The part of a closed outline inside (Sutherland and Hodgman).
+    /// Clips a closed outline to the rectangle (Sutherland and Hodgman).
     pub(crate) fn cut_outline(&self, outline: &[Point]) -> Vec<Point> {
         let cross_x = |a: Point, b: Point, x: f64| (x, (b.1 - a.1).mul_add((x - a.0) / (b.0 - a.0), a.1));
         let cross_y = |a: Point, b: Point, y: f64| ((b.0 - a.0).mul_add((y - a.1) / (b.1 - a.1), a.0), y);

@@ -1,4 +1,4 @@
-//! What can be drawn into a plane.
+//! Items of a plane.
 
 use crate::canvas::Hatch;
 use crate::label::Label;
@@ -23,7 +23,7 @@ impl Tags {
                 _ => None,
             })
             .collect();
-        // An attribute stands once in an element: a key said again replaces what was said.
+        // XML allows an attribute once per element: a repeated key replaces its value.
         self.data.retain(|(known, _)| *known != key);
         if !key.is_empty() && key != "label" && key != "dropped" {
             self.data.push((key, value.to_owned()));
@@ -31,7 +31,7 @@ impl Tags {
     }
 }
 
-/// The builder methods for what a page may address.
+/// Builder methods for the tags of an item.
 macro_rules! tagged {
     ($item:ident) => {
         impl $item {
@@ -60,7 +60,7 @@ macro_rules! tagged {
 }
 pub(crate) use tagged;
 
-/// Beside them those of items in a plane.
+/// Builder methods for items in a plane: the tags, label and tone.
 macro_rules! labelled {
     ($item:ident) => {
         tagged!($item);
@@ -73,7 +73,7 @@ macro_rules! labelled {
                 self
             }
 
-            /// Sets what the item stands for.
+            /// Sets the meaning of the item, which decides its colour.
             #[must_use]
             pub const fn tone(mut self, tone: Tone) -> Self {
                 self.tone = tone;
@@ -83,7 +83,7 @@ macro_rules! labelled {
     };
 }
 
-/// Something in a plane. Made from each of the types below.
+/// An item in a plane, created from each of the types below.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Item {
     /// A line.
@@ -109,10 +109,10 @@ macro_rules! item {
 }
 item!(Line, Area, Markers, Reference, Note);
 
-/// How a line is broken.
+/// Line pattern.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Dash {
-    /// Not at all.
+    /// Solid line.
     Solid,
     /// Dashes.
     Dashed,
@@ -133,14 +133,14 @@ impl Dash {
     }
 }
 
-/// How strong a line is.
+/// Line width.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Width {
-    /// For what is beside the point.
+    /// Secondary lines.
     Thin,
-    /// The usual one.
+    /// Default.
     Normal,
-    /// For what matters most.
+    /// Most important lines.
     Strong,
 }
 
@@ -154,7 +154,7 @@ impl Width {
     }
 }
 
-/// A line through points. A point that is no finite number leaves a gap.
+/// A line through points. A point with a non-finite coordinate leaves a gap.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Line {
     pub(crate) points: Vec<(f64, f64)>,
@@ -168,19 +168,19 @@ pub struct Line {
 labelled!(Line);
 
 impl Line {
-    /// Its points (x, y).
+    /// Returns its points (x, y).
     #[must_use]
     pub fn points(&self) -> &[(f64, f64)] {
         &self.points
     }
 
-    /// What stands at the line, without its layout.
+    /// Returns the label at the line as plain text.
     #[must_use]
     pub fn label_text(&self) -> String {
         self.label.plain()
     }
 
-    /// A line through points (x, y).
+    /// Creates a line through points (x, y).
     #[must_use]
     pub fn new(points: impl IntoIterator<Item = (f64, f64)>) -> Self {
         Self {
@@ -201,7 +201,7 @@ impl Line {
         self
     }
 
-    /// Sets how strong the line is.
+    /// Sets the line width.
     #[must_use]
     pub const fn width(mut self, width: Width) -> Self {
         self.width = width;
@@ -245,7 +245,7 @@ pub struct Area {
 labelled!(Area);
 
 impl Area {
-    /// The area within a closed outline.
+    /// Creates the area within a closed outline.
     #[must_use]
     pub fn new(outline: impl IntoIterator<Item = (f64, f64)>) -> Self {
         Self {
@@ -257,7 +257,7 @@ impl Area {
         }
     }
 
-    /// The band between two curves that run in the same direction.
+    /// Creates the band between two curves that run in the same direction.
     #[must_use]
     pub fn between(one: impl IntoIterator<Item = (f64, f64)>, other: impl IntoIterator<Item = (f64, f64)>) -> Self {
         let back: Vec<(f64, f64)> = other.into_iter().collect();
@@ -285,7 +285,7 @@ pub enum Shape {
     Square,
     /// △
     Triangle,
-    /// A wide ring, never filled: it marks another marker and lets it be seen.
+    /// A wide ring, never filled, that marks another marker without covering it.
     Ring,
 }
 
@@ -303,7 +303,7 @@ pub struct Markers {
 labelled!(Markers);
 
 impl Markers {
-    /// Filled circles at points (x, y).
+    /// Creates filled circles at points (x, y).
     #[must_use]
     pub fn new(points: impl IntoIterator<Item = (f64, f64)>) -> Self {
         Self {
@@ -331,8 +331,8 @@ impl Markers {
         self
     }
 
-    /// Names the points in their order. A name is drawn where it finds room and is the tooltip of its point in any case;
-    /// those that come first find room first.
+    /// Names the points in their order. A name is drawn if there is room, and is the tooltip of its point in any case;
+    /// earlier names are placed first.
     #[must_use]
     pub fn names<L: Into<Label>>(mut self, names: impl IntoIterator<Item = L>) -> Self {
         self.names = names.into_iter().map(Into::into).collect();
@@ -358,13 +358,13 @@ pub(crate) enum At {
 }
 
 impl Reference {
-    /// A horizontal line at a value of y.
+    /// Creates a horizontal line at a value of y.
     #[must_use]
     pub fn horizontal(y: f64) -> Self {
         Self::new(At::Y(y))
     }
 
-    /// A vertical line at a value of x.
+    /// Creates a vertical line at a value of x.
     #[must_use]
     pub fn vertical(x: f64) -> Self {
         Self::new(At::X(x))
@@ -382,7 +382,7 @@ impl Reference {
     }
 }
 
-/// A text at a point, placed where nothing else is and led to its point by a line.
+/// A text at a point, placed in a free area and joined to its point by a leader.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Note {
     pub(crate) at: (f64, f64),
@@ -393,7 +393,7 @@ pub struct Note {
 labelled!(Note);
 
 impl Note {
-    /// A text for the point (x, y).
+    /// Creates a text for the point (x, y).
     #[must_use]
     pub fn new(x: f64, y: f64, label: impl Into<Label>) -> Self {
         Self { at: (x, y), label: label.into(), tone: Tone::Trace, tags: Tags::default() }
@@ -401,7 +401,7 @@ impl Note {
 }
 
 impl Item {
-    /// Points that the axes have to hold, none of them checked.
+    /// Returns the coordinates x and y that the axes have to include, unchecked.
     pub(crate) fn reach(&self) -> (Vec<f64>, Vec<f64>) {
         let split = |points: &[(f64, f64)]| points.iter().filter(|p| is_data(**p)).copied().unzip();
         match self {
@@ -417,12 +417,12 @@ impl Item {
     }
 }
 
-/// Whether a point can be drawn.
+/// Returns `true` if a point can be drawn.
 pub(crate) fn is_data((x, y): (f64, f64)) -> bool {
     x.abs() <= crate::ticks::LARGEST && y.abs() <= crate::ticks::LARGEST
 }
 
-/// The pieces of a series between points that are no numbers, and how many of these there are.
+/// Splits a series at its non-finite points; returns the pieces and the number of these points.
 pub(crate) fn pieces(points: &[(f64, f64)]) -> (Vec<Vec<(f64, f64)>>, usize) {
     let dropped = points.iter().filter(|point| !is_data(**point)).count();
     let pieces = points.split(|point| !is_data(*point)).filter(|piece| !piece.is_empty());

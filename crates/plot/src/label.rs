@@ -1,4 +1,4 @@
-//! Text with symbols: runs of plain, italic and lowered characters, measured, shortened and broken into lines.
+//! Text with symbols: runs of plain, italic and subscript characters, measured, shortened and broken into lines.
 
 use crate::font::{self, Cut};
 
@@ -8,7 +8,7 @@ const SUBSCRIPT_SCALE: f64 = 0.78;
 
 /// A text of a chart: plain words and symbols of quantities.
 ///
-/// A symbol is set in italics, its index lowered and upright.
+/// A symbol is set in italics, its index as an upright subscript.
 ///
 /// ```
 /// use plot::Label;
@@ -35,19 +35,19 @@ pub(crate) enum RunKind {
 }
 
 impl Label {
-    /// The symbol of a quantity, its index after an underscore: `"T_max"`.
+    /// Creates the symbol of a quantity, its index after an underscore: `"T_max"`.
     #[must_use]
     pub fn symbol(symbol: &str) -> Self {
         Self::default().and_symbol(symbol)
     }
 
-    /// Continues with plain text.
+    /// Appends plain text.
     #[must_use]
     pub fn text(self, text: &str) -> Self {
         self.with(text, RunKind::Plain)
     }
 
-    /// Continues with the symbol of a quantity.
+    /// Appends the symbol of a quantity.
     #[must_use]
     pub fn and_symbol(self, symbol: &str) -> Self {
         match symbol.split_once('_') {
@@ -56,7 +56,7 @@ impl Label {
         }
     }
 
-    /// The text without any setting, an index after an underscore.
+    /// Returns the text without formatting, an index after an underscore.
     #[must_use]
     pub fn plain(&self) -> String {
         let mut plain = String::new();
@@ -69,14 +69,14 @@ impl Label {
         plain
     }
 
-    /// Nothing to be seen.
+    /// Returns `true` if the text contains blanks only.
     #[must_use]
     pub fn is_empty(&self) -> bool {
         self.runs.iter().all(|run| run.text.trim().is_empty())
     }
 
     fn with(mut self, text: &str, kind: RunKind) -> Self {
-        // A line break or a control character has no place in a line of text, the latter not even in XML.
+        // A line of text cannot contain line breaks or control characters; XML does not allow the latter.
         let text: String = text.chars().map(|c| if is_drawable(c) { c } else { ' ' }).collect();
         if !text.is_empty() {
             self.runs.push(Run { text, kind });
@@ -88,7 +88,7 @@ impl Label {
         self.runs.iter().map(|run| run.width(size, bold)).sum()
     }
 
-    /// The text up to its first blank.
+    /// Returns the text up to its first blank.
     pub(crate) fn first_word(&self) -> Self {
         let mut word = Self::default();
         for run in &self.runs {
@@ -101,7 +101,7 @@ impl Label {
         word
     }
 
-    /// The text cut so that it fits, with an ellipsis; empty if not even that fits.
+    /// Shortens the text to a width, with an ellipsis; empty if not even that fits.
     pub(crate) fn elided(&self, limit: f64, size: f64, bold: bool) -> Self {
         if self.width(size, bold) <= limit {
             return self.clone();
@@ -138,8 +138,8 @@ impl Label {
         kept.with("…", RunKind::Plain)
     }
 
-    /// The text in lines of at most `limit`, broken at blanks, and within a word where it is longer than a line. Nothing of it
-    /// is left out.
+    /// Breaks the text into lines of at most `limit`, at blanks, and within a word that is longer than a line. The
+    /// whole text is kept.
     pub(crate) fn wrapped(&self, limit: f64, size: f64, bold: bool) -> Vec<Self> {
         let mut done: Vec<Self> = Vec::new();
         let mut line = Self::default();
@@ -166,7 +166,7 @@ impl Label {
         done
     }
 
-    /// The label in parts of at most `limit`, cut after a hyphen, comma or stroke where there is one, else anywhere.
+    /// Splits the label into parts of at most `limit`, after a hyphen, comma or slash if there is one, else anywhere.
     fn pieces(self, limit: f64, size: f64, bold: bool) -> Vec<Self> {
         if self.width(size, bold) <= limit {
             return vec![self];
@@ -195,7 +195,7 @@ impl Label {
         letters.map(|(c, kind)| Self::default().with(c.encode_utf8(&mut [0; 4]), kind)).collect()
     }
 
-    /// Neighbours of one kind as one run.
+    /// Merges adjacent runs of one kind.
     pub(crate) fn merged(self) -> Self {
         let mut merged = Self::default();
         for run in self.runs {
@@ -207,7 +207,7 @@ impl Label {
         merged
     }
 
-    /// Pieces that stay together; each but the first begins with its blank.
+    /// Splits the text into unbreakable pieces; each but the first begins with its blank.
     fn words(&self) -> Vec<Self> {
         let mut words = vec![Self::default()];
         for run in &self.runs {
@@ -266,7 +266,7 @@ const fn cut(kind: RunKind, bold: bool) -> Cut {
     }
 }
 
-/// What XML and a single line can hold.
+/// Returns `true` for a character that XML and a single line can contain.
 pub(crate) fn is_drawable(c: char) -> bool {
     !quantities::is_unseen(c)
 }

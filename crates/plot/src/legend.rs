@@ -22,13 +22,13 @@ pub(crate) enum Sample {
 const SAMPLE: f64 = 24.0;
 const SAMPLE_GAP: f64 = 6.0;
 pub(crate) const COLUMN_GAP: f64 = 18.0;
-/// Distance of two lines of a legend.
+/// Line spacing of a legend.
 pub(crate) const ROW: f64 = 16.0;
 const PAD: f64 = 6.0;
-/// A width added up in another order differs in the last digit.
+/// Tolerance for widths added in another order, which differ in the last digit.
 const ROUNDING: f64 = 1e-6;
 
-/// The entries of items that have a label and do not carry it themselves.
+/// Returns the entries of items whose label is not drawn at the item.
 pub(crate) fn entries(canvas: &mut Canvas<'_>, items: &[Item]) -> Vec<LegendEntry> {
     let mut entries: Vec<LegendEntry> = Vec::new();
     for item in items {
@@ -43,7 +43,7 @@ pub(crate) fn entries(canvas: &mut Canvas<'_>, items: &[Item]) -> Vec<LegendEntr
             }
             Item::Reference(_) | Item::Note(_) => continue,
         };
-        // Pieces of one thing carry the same label; it is explained once.
+        // Pieces of one curve have the same label, which is explained once.
         if !label.is_empty() && !entries.iter().any(|entry| entry.label == *label) {
             entries.push(LegendEntry { label: label.clone(), sample });
         }
@@ -62,7 +62,7 @@ pub(crate) fn fill(canvas: &mut Canvas<'_>, area: &Area) -> Fill {
     }
 }
 
-/// The size of the entries one below the other.
+/// Returns the size of the entries one below the other.
 pub(crate) fn column_size(entries: &[LegendEntry]) -> (f64, f64) {
     let widest = entries.iter().map(|entry| entry.label.width(TEXT, false)).fold(0.0, f64::max);
     (2.0_f64.mul_add(PAD, SAMPLE + SAMPLE_GAP + widest), entries.iter().map(|_| ROW).sum::<f64>() + 2.0 * PAD - 3.0)
@@ -80,7 +80,7 @@ pub(crate) fn column(canvas: &mut Canvas<'_>, entries: &[LegendEntry], area: &Re
     canvas.close();
 }
 
-/// A line of a legend: entries side by side, or one whose label takes several lines.
+/// A row of a legend: several entries, or one whose label takes several lines.
 pub(crate) struct Row<'a> {
     entries: Vec<(&'a LegendEntry, f64, Vec<Label>)>,
 }
@@ -95,7 +95,7 @@ impl Row<'_> {
     }
 }
 
-/// The entries in rows of a width; a label too long for one line is broken, never cut.
+/// Arranges the entries in rows of a width; a label too long for one line is broken, never shortened.
 pub(crate) fn rows(entries: &[LegendEntry], width: f64) -> Vec<Row<'_>> {
     let mut rows: Vec<Row<'_>> = Vec::new();
     let mut taken = f64::INFINITY;
@@ -117,7 +117,7 @@ pub(crate) fn rows(entries: &[LegendEntry], width: f64) -> Vec<Row<'_>> {
     rows
 }
 
-/// What rows take from top to bottom.
+/// Returns the height of the rows.
 pub(crate) fn rows_height(rows: &[Row<'_>]) -> f64 {
     rows.iter().map(Row::height).sum()
 }

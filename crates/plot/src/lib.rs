@@ -1,4 +1,4 @@
-//! Charts as SVG in one house style, for paper, a page and a screen. Knows nothing of what is drawn.
+//! Charts as SVG in one house style, for paper, web page and screen, independent of their subject.
 
 mod bars;
 mod canvas;

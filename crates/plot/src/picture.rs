@@ -1,4 +1,4 @@
-//! What a chart becomes.
+//! The result of drawing a chart.
 
 use crate::geometry::Rect;
 
@@ -13,47 +13,47 @@ pub struct Picture {
     pub(crate) texts: Vec<TextBox>,
 }
 
-/// A text of a picture and the box that it takes, in px.
+/// A text of a picture with its box \[px\].
 #[derive(Clone, Debug, PartialEq)]
 pub struct TextBox {
-    /// The box.
+    /// Box.
     pub area: Rect,
-    /// The text without setting.
+    /// Text without formatting.
     pub text: String,
 }
 
 impl Picture {
-    /// The picture as an SVG document, which is also an element to put into a page.
+    /// Returns the picture as an SVG document, which can be embedded in a page as an element.
     #[must_use]
     pub fn svg(&self) -> &str {
         &self.svg
     }
 
-    /// The picture as an SVG document.
+    /// Converts the picture to an SVG document.
     #[must_use]
     pub fn into_svg(self) -> String {
         self.svg
     }
 
-    /// Width and height in CSS pixels.
+    /// Returns width and height in CSS pixels.
     #[must_use]
     pub const fn pixels(&self) -> (f64, f64) {
         (self.width, self.height)
     }
 
-    /// Points that were no finite numbers and are not in the picture. Lines have a gap there.
+    /// Returns the number of non-finite points, which are not in the picture. Lines have a gap there.
     #[must_use]
     pub const fn dropped(&self) -> usize {
         self.dropped
     }
 
-    /// Labels that found no place free of other text and are not in the picture, in their order.
+    /// Returns the labels that found no free place and are not in the picture, in their order.
     #[must_use]
     pub fn hidden_labels(&self) -> &[String] {
         &self.hidden
     }
 
-    /// Every text with its box, in the order drawn.
+    /// Returns every text with its box, in the order drawn.
     #[must_use]
     pub fn texts(&self) -> &[TextBox] {
         &self.texts

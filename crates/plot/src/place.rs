@@ -1,15 +1,15 @@
-//! Where text may go: what is drawn is stamped onto a grid, and a text takes the free place nearest to its point.
+//! Placement of text: drawn items are marked on a grid, and a text is put at the free place nearest to its point.
 
 use std::collections::BTreeMap;
 
 use crate::geometry::{Point, Rect};
 
-/// Side of a cell of the grid in px.
+/// Side of a cell of the grid \[px\].
 const CELL: f64 = 3.0;
-/// Cells a side at most, so that a large picture has coarser cells.
+/// Largest number of cells along a side, so that a large picture has coarser cells.
 const CELLS_MAX: f64 = 600.0;
 
-/// A plane with what is drawn in it.
+/// A plane with the occupied areas in it.
 pub(crate) struct Field {
     area: Rect,
     cell: f64,
@@ -17,7 +17,7 @@ pub(crate) struct Field {
     rows: usize,
     taken: Vec<bool>,
     texts: Vec<Rect>,
-    /// Middles of markers by squares of [`SQUARE`].
+    /// Centres of markers by squares of [`SQUARE`].
     markers: BTreeMap<(usize, usize), Vec<Point>>,
 }
 
@@ -25,18 +25,18 @@ pub(crate) struct Field {
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct TextPlace {
     pub(crate) area: Rect,
-    /// Where the leader meets the text, if it is so far away that it needs one.
+    /// End of the leader at the text; `None` if the text is close to its point.
     pub(crate) leader: Option<Point>,
 }
 
-/// How near a text has to be to its point.
+/// Placement of a text relative to its point.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Near {
-    /// Between point and text at least.
+    /// Smallest distance between point and text.
     pub(crate) gap: f64,
-    /// Between point and text at most.
+    /// Largest distance between point and text.
     pub(crate) reach: f64,
-    /// How bad a place may be: what it covers, how far it is away, what its leader crosses.
+    /// Largest cost of a place: covered items, distance, crossings of its leader.
     pub(crate) worst: f64,
 }
 
@@ -99,13 +99,13 @@ impl Field {
         (top..=bottom).flat_map(move |row| (left..=right).map(move |column| row * columns + column))
     }
 
-    /// Cells taken below a box; `None` if the box leaves the plane or meets a text.
+    /// Returns the number of occupied cells below a box; `None` if the box leaves the plane or overlaps a text.
     pub(crate) fn cost(&self, area: &Rect) -> Option<f64> {
         let free = self.area.holds(area) && !self.texts.iter().any(|text| text.overlaps(area));
         free.then(|| real(self.cells(area).filter(|index| self.taken.get(*index) == Some(&true)).count()))
     }
 
-    /// The best of several boxes: the least covering, of equals the first.
+    /// Returns the box that covers least; of equal ones the first.
     pub(crate) fn best(&self, boxes: impl IntoIterator<Item = Rect>) -> Option<(Rect, f64)> {
         let mut best: Option<(Rect, f64)> = None;
         for area in boxes {
@@ -118,7 +118,7 @@ impl Field {
         best
     }
 
-    /// A place for a box of a size near a point, taken when found.
+    /// Finds a place for a box of a size near a point and occupies it.
     pub(crate) fn near(&mut self, at: Point, (width, height): (f64, f64), near: Near) -> Option<TextPlace> {
         let Near { gap, reach, worst } = near;
         let mut best: Option<(TextPlace, f64)> = None;
@@ -139,7 +139,7 @@ impl Field {
                 let leader = (ring > 0).then(|| area.nearest(at));
                 let crossing = leader.map_or(0.0, |end| self.crossing(at, end))
                     + if self.covers_marker(&area) { 300.0 } else { 0.0 };
-                // A text led away should not stand beside another point, whose name it would seem to be.
+                // A text at a distance should not be next to another point, whose name it would appear to be.
                 let beside = if ring > 0 { self.cost(&area.grown(4.0)).unwrap_or(0.0) - covered } else { 0.0 };
                 let score = covered.mul_add(8.0, distance * 0.5) + 2.0 * beside + real(order) * 0.15 + crossing;
                 if best.as_ref().is_none_or(|(_, least)| score < *least) {
@@ -148,7 +148,7 @@ impl Field {
             }
         }
         let (place, _) = best.filter(|(_, score)| *score <= worst)?;
-        // Two texts side by side are two only with a blank between them.
+        // Adjacent texts need a blank between them.
         self.texts.push(place.area.grown(1.8));
         if let Some(end) = place.leader {
             self.line(&[at, end]);
@@ -156,7 +156,7 @@ impl Field {
         Some(place)
     }
 
-    /// Whether a box lies upon a marker.
+    /// Returns `true` if a box covers a marker.
     fn covers_marker(&self, area: &Rect) -> bool {
         let around = area.grown(SOLID);
         let (from, to) = (square((around.left, around.top)), square((around.right, around.bottom)));
@@ -166,7 +166,7 @@ impl Field {
         })
     }
 
-    /// What it costs a leader to cross texts and what is drawn, other than at its own point.
+    /// Returns the cost of a leader that crosses texts and drawn items away from its own point.
     fn crossing(&self, from: Point, to: Point) -> f64 {
         if self.texts.iter().any(|text| text.cut(from, to).is_some()) {
             return 400.0;
@@ -187,19 +187,19 @@ impl Field {
     }
 }
 
-/// Side of a square of markers in px.
+/// Side of a square of markers \[px\].
 const SQUARE: f64 = 16.0;
-/// Around the middle of a marker no text may lie.
+/// Half side of the area around the centre of a marker that no text may cover \[px\].
 const SOLID: f64 = 3.0;
 
 fn square(at: Point) -> (usize, usize) {
     (whole(at.0 / SQUARE), whole(at.1 / SQUARE))
 }
 
-/// Around a point lies what it belongs to, which its leader may cross.
+/// Distance from its point within which a leader may cross items \[px\].
 const OWN: f64 = 7.0;
 
-/// Sides of a point in the order of preference: right above first.
+/// Directions from a point in the order of preference: upper right first.
 const DIRECTIONS: [Point; 16] = [
     (1.0, -0.75),
     (-1.0, -0.75),

@@ -1,4 +1,4 @@
-//! Axes: which values they hold, where their ticks and labels go.
+//! Axes: range, ticks and labels.
 
 use crate::canvas::{AXIS, Anchor, Canvas, Fill, HAIR, RULE, Setting, Stroke, TEXT, number};
 use crate::font::CAP_HEIGHT;
@@ -9,7 +9,7 @@ use crate::ticks::{LARGEST, Ticks};
 
 /// One axis of a chart: name, symbol and unit of its quantity, and the range to show.
 ///
-/// Written as DIN 461 has it: name, symbol in italics, a stroke, the unit: "torque *T* / Nm".
+/// Written according to DIN 461: name, symbol in italics, a slash, the unit: "torque *T* / Nm".
 #[derive(Clone, Debug, PartialEq)]
 pub struct Axis {
     name: Label,
@@ -22,7 +22,7 @@ pub struct Axis {
 }
 
 impl Axis {
-    /// An axis of a quantity by its symbol (index after an underscore) and unit, either of which may be empty.
+    /// Creates an axis of a quantity by its symbol (index after an underscore) and unit, either of which may be empty.
     #[must_use]
     pub fn new(symbol: &str, unit: &str) -> Self {
         Self {
@@ -36,7 +36,7 @@ impl Axis {
         }
     }
 
-    /// Symbol and unit.
+    /// Returns symbol and unit.
     #[must_use]
     pub fn sign(&self) -> (&str, &str) {
         (&self.symbol, &self.unit)
@@ -51,21 +51,21 @@ impl Axis {
         self
     }
 
-    /// Does not insist on showing zero. Lengths can then no longer be compared by eye.
+    /// Allows a range without zero. Lengths can then no longer be compared by eye.
     #[must_use]
     pub const fn without_zero(mut self) -> Self {
         self.zero = false;
         self
     }
 
-    /// Ends the axis where the data end instead of at the next tick.
+    /// Ends the axis at the data instead of at the next tick.
     #[must_use]
     pub const fn tight(mut self) -> Self {
         self.tight = true;
         self
     }
 
-    /// Shows exactly this range; what lies outside is cut off. A range without extent is none.
+    /// Shows exactly this range and clips the rest. An empty range is ignored.
     #[must_use]
     pub fn range(mut self, from: f64, to: f64) -> Self {
         if from.is_finite() && to.is_finite() && from != to {
@@ -81,13 +81,13 @@ impl Axis {
         self
     }
 
-    /// Name and symbol of the quantity, without its unit.
+    /// Returns name and symbol of the quantity, without its unit.
     #[must_use]
     pub fn quantity(&self) -> Label {
         self.name.clone()
     }
 
-    /// What stands beside the axis, with the power of ten taken out of its numbers.
+    /// Returns the title of the axis, with the power of ten that is taken out of its numbers.
     pub(crate) fn title(&self, exponent: i32) -> Label {
         let power = match exponent {
             0 => String::new(),
@@ -107,7 +107,8 @@ impl Axis {
         }
     }
 
-    /// The title at a room, with its font size: whole, smaller, or without the name of the quantity. Symbol and unit stay.
+    /// Returns the title within a width, with its font size: whole, smaller, or without the name of the quantity.
+    /// Symbol and unit stay.
     pub(crate) fn title_within(&self, exponent: i32, room: f64) -> (Label, f64) {
         let whole = self.title(exponent);
         let least = SIZE_MIN;
@@ -126,7 +127,7 @@ impl Axis {
         (short, size)
     }
 
-    /// The range to show for data, and whether it may be widened to the next tick.
+    /// Returns the range for data, and `true` if it may be extended to the next tick.
     pub(crate) fn span(&self, data: &[f64], both_signs: bool) -> (f64, f64, bool) {
         if let Some((lo, hi)) = self.fixed {
             return (lo, hi, false);
@@ -140,7 +141,7 @@ impl Axis {
         if self.tight && !both_signs {
             return (lo, hi, lo >= hi);
         }
-        // Room beyond the last point, so that it is not drawn on the frame; none for what only rounding leaves beside zero.
+        // Margin beyond the last point, so that it is not drawn on the frame; none for a rounding error next to zero.
         let room = (hi - lo) * 0.03;
         let noise = (hi - lo) * 1e-9;
         if hi > noise || !self.zero {
@@ -181,20 +182,20 @@ pub(crate) struct Plane {
 
 /// Length of a tick.
 pub(crate) const TICK: f64 = 4.0;
-/// Edge of the picture that stays free.
+/// Free margin of the picture.
 pub(crate) const EDGE: f64 = 8.0;
-/// Between ticks and their labels.
+/// Distance between ticks and their labels.
 const GAP: f64 = 4.0;
-/// From the lower end of a plane to the base line of its x labels, to that of its x title.
+/// Distance from the lower end of a plane to the base line of its x labels.
 pub(crate) const X_LABELS: f64 = TICK + GAP + TEXT * CAP_HEIGHT;
 pub(crate) const X_TITLE: f64 = X_LABELS + 7.0 + AXIS * 0.8;
-/// What an x axis with title takes below the plane.
+/// Height of an x axis with title below the plane.
 pub(crate) const X_BELOW: f64 = X_TITLE + 4.0;
-/// What the title of a y axis takes above the plane.
+/// Height of the title of a y axis above the plane.
 pub(crate) const Y_ABOVE: f64 = AXIS + 8.0;
 
 impl Plane {
-    /// What of both axes is shown.
+    /// Returns the ranges of both axes.
     pub(crate) fn range(&self) -> ((f64, f64), (f64, f64)) {
         ((self.x.lo, self.x.hi), (self.y.lo, self.y.hi))
     }
@@ -213,7 +214,7 @@ impl Plane {
         share.clamp(-1e6, 1e6).mul_add(-self.area.height(), self.area.bottom)
     }
 
-    /// Grid and, behind everything, a line where a quantity is zero.
+    /// Draws the grid and, behind all else, the zero lines.
     pub(crate) fn grid(&self, canvas: &mut Canvas<'_>) {
         canvas.open("grid");
         let mut d = String::new();
@@ -230,7 +231,7 @@ impl Plane {
         canvas.close();
     }
 
-    /// The y axis: line, ticks, numbers.
+    /// Draws the y axis: line, ticks, numbers.
     pub(crate) fn y_axis(&self, canvas: &mut Canvas<'_>, axis: &Axis) {
         canvas.open("axis y");
         let left = self.area.left;
@@ -262,7 +263,7 @@ impl Plane {
         canvas.close();
     }
 
-    /// The x axis: line, ticks, numbers.
+    /// Draws the x axis: line, ticks, numbers.
     pub(crate) fn x_axis(&self, canvas: &mut Canvas<'_>, axis: &Axis) {
         canvas.open("axis x");
         let bottom = self.area.bottom;
@@ -281,7 +282,7 @@ impl Plane {
             canvas.line((x, bottom), (x, bottom + TICK), &rule);
             let label = Label::from(self.x.label(*value, language));
             let half = label.width(TEXT, false) / 2.0;
-            // Only a plane too narrow for two numbers leaves one out.
+            // A number is left out only if the plane is too narrow for two of them.
             if x - half >= until && x + half <= canvas.style.size.width {
                 until = x + half + GAP;
                 canvas.text((x, bottom + X_LABELS), &label, Setting::new(TEXT, Colour::Ink, Anchor::Middle));
@@ -290,13 +291,13 @@ impl Plane {
         canvas.close();
     }
 
-    /// The title of the y axis, level above its numbers, on a base line.
+    /// Writes the title of the y axis, horizontal above its numbers, on a base line.
     pub(crate) fn y_title(&self, canvas: &mut Canvas<'_>, axis: &Axis, room: f64, at: f64) {
         let (title, size) = axis.title_within(self.y.exponent, room);
         canvas.text((EDGE, at), &title, Setting::new(size, Colour::Ink, Anchor::Start));
     }
 
-    /// The title of the x axis, below its end.
+    /// Writes the title of the x axis below its end.
     pub(crate) fn x_title(&self, canvas: &mut Canvas<'_>, axis: &Axis) {
         let (title, size) = axis.title_within(self.x.exponent, self.area.right - EDGE);
         canvas.text(
@@ -307,12 +308,12 @@ impl Plane {
     }
 }
 
-/// As many ticks as a height has room for.
+/// Returns the ticks that fit into a height.
 pub(crate) fn y_ticks((lo, hi, widen): (f64, f64, bool), height: f64) -> Ticks {
-    // Widening adds up to two steps, so that the count is known only afterwards.
+    // Extending the range adds up to two steps, so that their number is known only afterwards.
     let distance = (height / 9.0).clamp(20.0, 38.0);
     let room = whole((height / distance).clamp(1.0, 12.0));
-    // A range that stays as it is loses what lies beyond its last ticks: finer ones leave more than a single number.
+    // A fixed range has no ticks beyond its last ones: finer steps leave more than a single number.
     let most = if widen { room } else { room + 2 };
     (1..=most)
         .rev()
@@ -321,13 +322,13 @@ pub(crate) fn y_ticks((lo, hi, widen): (f64, f64, bool), height: f64) -> Ticks {
         .unwrap_or_else(|| Ticks::new(lo, hi, 1, widen))
 }
 
-/// What y labels take left of the plane.
+/// Returns the width of the y labels to the left of the plane.
 pub(crate) fn y_margin(canvas: &Canvas<'_>, ticks: &Ticks) -> f64 {
     let widest = ticks.values.iter().map(|value| width_of(canvas, ticks, *value)).fold(0.0, f64::max);
     EDGE + widest + TICK + GAP
 }
 
-/// Ticks whose labels do not touch, and the right end of the plane so that the last of them is not cut off.
+/// Returns ticks whose labels do not touch, and the right end of the plane at which the last label is not cut off.
 pub(crate) fn x_ticks(canvas: &Canvas<'_>, (lo, hi, widen): (f64, f64, bool), left: f64, right: f64) -> (Ticks, f64) {
     let edge = canvas.style.size.width - 2.0;
     let mut end = right;
@@ -385,7 +386,7 @@ mod tests {
     #[test]
     fn zero_is_shown_unless_it_is_waived() {
         assert_eq!(Axis::new("T", "Nm").span(&[5.0, 10.0], false).0, 0.0);
-        // A way back that ends a rounding below where it began needs no negative half.
+        // A return move that ends a rounding error below its start needs no negative half.
         assert!(Axis::new("φ", "°").span(&[-3e-13, 763.9], false).0 > -1e-6);
         assert!(Axis::new("φ", "°").span(&[-763.9, 3e-13], false).1 < 1e-6);
         assert!(Axis::new("T", "Nm").without_zero().span(&[5.0, 10.0], false).0 > 4.0);

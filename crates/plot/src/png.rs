@@ -1,4 +1,4 @@
-//! Pixels from the SVG text.
+//! Pictures as pixels, from the SVG text.
 
 use std::sync::Arc;
 
@@ -10,13 +10,13 @@ use crate::font::{FONT_FAMILY, font_files};
 use crate::picture::Picture;
 
 impl Picture {
-    /// Largest number of pixels of a picture: four bytes each, and as many again while the file is written.
+    /// Largest number of pixels of a picture: four bytes each, and the same again while the file is written.
     pub const PIXELS_MAX: u64 = 48_000_000;
 
-    /// The picture as a PNG file, `scale` pixels to the CSS pixel (2 is about 190 dpi).
+    /// Returns the picture as a PNG file with `scale` pixels per CSS pixel (2 is about 190 dpi).
     ///
-    /// Draws with the fonts of the crate and no others. `None` if the pixels are more than [`Self::PIXELS_MAX`] or the scale is not
-    /// positive. CSS variables are not resolved: take a light or dark theme.
+    /// Draws with the fonts of the crate only. `None` if the picture has more than [`Self::PIXELS_MAX`] pixels or the
+    /// scale is not positive. CSS variables are not resolved: use a light or dark theme.
     #[must_use]
     pub fn png(&self, scale: f64) -> Option<Vec<u8>> {
         let mut fonts = Database::new();
@@ -30,7 +30,7 @@ impl Picture {
             return None;
         }
         let mut pixels = Pixmap::new(width, height)?;
-        // To the last pixel: a fraction of one at an edge would show as a line.
+        // Scaled to whole pixels: a partial one at an edge would be visible as a line.
         #[expect(clippy::cast_precision_loss, reason = "a side has few digits")]
         let (x, y) = (width as f32 / tree.size().width(), height as f32 / tree.size().height());
         resvg::render(&tree, Transform::from_scale(x, y), &mut pixels.as_mut());

@@ -1,16 +1,16 @@
-//! Long series made short without losing a peak.
+//! Reduction of long series without loss of a peak.
 
 use std::collections::BTreeSet;
 
 use crate::canvas::number;
 use crate::geometry::{Point, Rect};
 
-/// Width of a column in px: half a pixel of a plain screen.
+/// Width of a column \[px\]: half a pixel of a standard screen.
 const COLUMN: f64 = 0.5;
 
-/// Of each run of points within one column the first, the lowest, the highest and the last, in their order.
+/// Reduces each run of points within one column to the first, the lowest, the highest and the last, in their order.
 ///
-/// The drawn line covers the same rows of every column as the full one does, so no extreme is lost.
+/// The drawn line covers the same rows of every column as the full one, so that no extreme is lost.
 pub(crate) fn reduced(points: &[Point]) -> Vec<Point> {
     let mut kept = Vec::new();
     let mut run: Option<Run> = None;
@@ -71,12 +71,12 @@ impl Run {
     }
 }
 
-/// Points above which a line that runs over itself again and again is drawn once only.
+/// Number of points above which repeated parts of a line are drawn once.
 const REPEATS_MIN: usize = 20_000;
 
-/// The pieces of a line without those that lie, to half a pixel, where it has already been.
+/// Returns the pieces of a line without those that lie, to half a pixel, on an earlier part of it.
 ///
-/// A cycle run through a thousand times looks like one; a line of fewer points stays as it is.
+/// A repeated cycle looks like a single one; a line of fewer points is left unchanged.
 pub(crate) fn without_repeats(points: Vec<Point>) -> Vec<Vec<Point>> {
     if points.len() < REPEATS_MIN {
         return vec![points];
@@ -104,9 +104,10 @@ pub(crate) fn without_repeats(points: Vec<Point>) -> Vec<Vec<Point>> {
 /// Largest distance of the line from an omitted point, in px: coordinates are written in hundredths.
 const BESIDE: f64 = 0.02;
 
-/// A line without the points that lie on its straight stretches, to [`BESIDE`].
+/// Returns a line without the points on its straight parts, within [`BESIDE`].
 ///
-/// From each point that is kept the line goes on as long as one direction passes all that follow, and none turns back.
+/// A segment from a kept point continues while one direction passes all following points within the tolerance, and none
+/// turns back.
 fn straightened(points: &[Point]) -> Vec<Point> {
     let Some((&first, rest)) = points.split_first() else { return Vec::new() };
     let mut kept = vec![first];
@@ -125,12 +126,12 @@ fn straightened(points: &[Point]) -> Vec<Point> {
     kept
 }
 
-/// The directions from a point in which everything since lies, to [`BESIDE`].
+/// Directions from a point that pass all following points within [`BESIDE`].
 struct Sight {
     from: Point,
     last: Point,
     far: f64,
-    /// Right and left border, once something lies away from the point.
+    /// Right and left border; `None` until a point lies at a distance.
     borders: Option<[Point; 2]>,
 }
 
@@ -139,7 +140,7 @@ impl Sight {
         Self { from, last: from, far: 0.0, borders: None }
     }
 
-    /// Whether the next point can be reached straight, past all before; then it is the last.
+    /// Returns `true` if a straight line to the next point passes all points before it; the point is then the last one.
     fn passes(&mut self, point: Point) -> bool {
         let cross = |a: Point, b: Point| a.0 * b.1 - a.1 * b.0;
         let (x, y) = (point.0 - self.from.0, point.1 - self.from.1);
@@ -171,7 +172,7 @@ impl Sight {
     }
 }
 
-/// The path of a line, cut to an area; the pen lifts where it leaves.
+/// Returns the path of a line, clipped to an area, with gaps outside of it.
 pub(crate) fn line_path(points: &[Point], area: &Rect) -> String {
     let points = straightened(points);
     let mut d = String::new();
@@ -187,7 +188,7 @@ pub(crate) fn line_path(points: &[Point], area: &Rect) -> String {
     d
 }
 
-/// The path of a closed outline, cut to an area.
+/// Returns the path of a closed outline, clipped to an area.
 pub(crate) fn outline_path(points: &[Point], area: &Rect) -> String {
     let mut d = String::new();
     for (index, point) in area.cut_outline(points).iter().enumerate() {
@@ -203,7 +204,7 @@ pub(crate) fn outline_path(points: &[Point], area: &Rect) -> String {
 mod tests {
     use super::*;
 
-    /// Distance of a point from a stretch.
+    /// Returns the distance of a point from a line segment.
     fn beside((x, y): Point, (a, b): (Point, Point)) -> f64 {
         let (dx, dy) = (b.0 - a.0, b.1 - a.1);
         let square = dx * dx + dy * dy;

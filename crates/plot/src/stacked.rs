@@ -1,4 +1,4 @@
-//! Panels one above the other over one axis, usually of time.
+//! Panels one above the other with a shared axis, usually of time.
 
 use crate::canvas::{AXIS, Anchor, Canvas, HAIR, RULE, Setting, Stroke, TEXT};
 use crate::draw;
@@ -14,7 +14,7 @@ use crate::ticks::Ticks;
 use crate::titled::titled;
 use crate::xy::{title, title_height};
 
-/// Panels over one shared axis, with the borders of segments drawn through all of them.
+/// Panels with one shared axis, and the borders of segments drawn through all of them.
 #[derive(Clone, Debug, PartialEq)]
 pub struct StackedChart {
     x: Axis,
@@ -25,7 +25,7 @@ pub struct StackedChart {
 }
 
 impl StackedChart {
-    /// The axis that all panels share, and every line with the axis of its panel, from top to bottom.
+    /// Returns the shared axis of all panels, and every line with the axis of its panel, from top to bottom.
     #[must_use]
     pub fn lines(&self) -> (&Axis, Vec<(&Axis, &crate::Line)>) {
         let lines = self.panels.iter().flat_map(|panel| lines_of(&panel.items).map(|line| (&panel.y, line)));
@@ -33,7 +33,7 @@ impl StackedChart {
     }
 }
 
-/// The lines among what is drawn.
+/// Returns the lines among the items.
 pub(crate) fn lines_of(items: &[Item]) -> impl Iterator<Item = &crate::Line> {
     items.iter().filter_map(|item| match item {
         Item::Line(line) => Some(line),
@@ -41,7 +41,7 @@ pub(crate) fn lines_of(items: &[Item]) -> impl Iterator<Item = &crate::Line> {
     })
 }
 
-/// One panel: a y axis and what is drawn over it. A limit is a [`Reference`](crate::Reference).
+/// One panel: a y axis and its items. A limit is a [`Reference`](crate::Reference).
 #[derive(Clone, Debug, PartialEq)]
 pub struct Panel {
     y: Axis,
@@ -50,20 +50,20 @@ pub struct Panel {
 }
 
 impl Panel {
-    /// An empty panel.
+    /// Creates an empty panel.
     #[must_use]
     pub const fn new(y: Axis) -> Self {
         Self { y, items: Vec::new(), weight: 1.0 }
     }
 
-    /// Makes the panel so many times as high as one without a word.
+    /// Sets the height of the panel as a multiple of the default.
     #[must_use]
     pub const fn weight(mut self, weight: f64) -> Self {
         self.weight = weight.max(1.0);
         self
     }
 
-    /// Adds an item. Items with a label are explained beside the title of the panel.
+    /// Adds an item. Items with a label are explained next to the title of the panel.
     #[must_use]
     pub fn with(mut self, item: impl Into<Item>) -> Self {
         self.items.push(item.into());
@@ -71,9 +71,9 @@ impl Panel {
     }
 }
 
-/// Room for the names of segments.
+/// Height of the names of segments.
 const SEGMENTS: f64 = 18.0;
-/// A line of title and legend above a panel.
+/// Height of a line of title and legend above a panel.
 const HEADER: f64 = 26.0;
 const PANEL_MIN: f64 = 28.0;
 
@@ -83,7 +83,7 @@ struct Laid<'a> {
     head: Head,
 }
 
-/// Title and legend of a panel: side by side, or one below the other where the picture is too narrow for that.
+/// Title and legend of a panel: in one row, or one below the other in a narrow picture.
 struct Head {
     entries: Vec<LegendEntry>,
     beside: bool,
@@ -92,7 +92,7 @@ struct Head {
 impl Head {
     fn of(canvas: &mut Canvas<'_>, panel: &Panel) -> Self {
         let entries = legend::entries(canvas, &panel.items);
-        // Whether numbers take out a power of ten is known only later: room for one.
+        // Ticks may take a power of ten out of the numbers, which is known only later: room for one.
         let title = panel.y.title(-3).width(AXIS, false);
         let room = canvas.style.size.width - 2.0 * EDGE - title - legend::COLUMN_GAP;
         let whole = legend::rows(&entries, f64::MAX);
@@ -117,7 +117,7 @@ impl Head {
 }
 
 impl StackedChart {
-    /// A chart without panels. The shared axis ends where data and segments end.
+    /// Creates a chart without panels. The shared axis ends with data and segments.
     #[must_use]
     pub fn new(x: Axis) -> Self {
         Self {
@@ -195,7 +195,7 @@ impl StackedChart {
         canvas.finish("stacked", &self.title.plain(), &self.description)
     }
 
-    /// The style with the height that the panels need.
+    /// Returns the style with the height that the panels need.
     fn grown(&self, style: &Style) -> Style {
         let mut style = style.clone();
         let scratch = style.clone();
@@ -240,7 +240,7 @@ impl StackedChart {
         laid
     }
 
-    /// Where segments meet, each place once.
+    /// Returns the borders of the segments, without repetition.
     fn borders(&self) -> Vec<f64> {
         let mut borders: Vec<f64> = self.segments.iter().flat_map(|(from, to, _)| [*from, *to]).collect();
         borders.sort_by(f64::total_cmp);
@@ -248,13 +248,13 @@ impl StackedChart {
         borders
     }
 
-    /// Borders within a plane, in px.
+    /// Returns the borders within a plane \[px\].
     fn borders_in(&self, plane: &Plane) -> Vec<f64> {
         let inside = self.borders().into_iter().filter(|x| *x > plane.x.lo && *x < plane.x.hi);
         inside.map(|x| plane.x_at(x)).collect()
     }
 
-    /// Borders of segments, broken where a label stands.
+    /// Draws the borders of segments, interrupted at labels.
     fn draw_borders(&self, canvas: &mut Canvas<'_>, plane: &Plane, labels: &[Rect]) {
         let pen = Stroke { colour: Colour::Soft, width: HAIR, dash: "3 2" };
         for x in self.borders_in(plane) {
@@ -273,7 +273,7 @@ impl StackedChart {
         }
     }
 
-    /// Names of the segments above the first panel, with brackets that show how far they reach.
+    /// Writes the names of the segments above the first panel, with brackets over their extent.
     fn draw_segments(&self, canvas: &mut Canvas<'_>, laid: &[Laid<'_>]) {
         let Some(first) = laid.first() else { return };
         let plane = &first.plane;
@@ -292,7 +292,7 @@ impl StackedChart {
             // A name without room is shortened to its first word, which still distinguishes segments.
             let fits = name.width(TEXT, false) <= room;
             let short = if fits { name.clone() } else { name.first_word().elided(room, TEXT, false) };
-            // Segments that lie upon each other name only what is free.
+            // Of overlapping segments, only the free part is named.
             if short.is_empty() || from < until {
                 canvas.hide(name);
             } else {

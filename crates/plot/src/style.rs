@@ -2,7 +2,7 @@
 
 use quantities::Language;
 
-/// How a chart is drawn: its size, theme and language.
+/// Style of a chart: size, theme and language.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Style {
     pub(crate) size: Size,
@@ -12,7 +12,7 @@ pub struct Style {
 }
 
 impl Style {
-    /// A light chart in English.
+    /// Creates the style of a light chart in English.
     #[must_use]
     pub fn new(size: Size) -> Self {
         Self { size, theme: Theme::Light, language: Language::default(), id: String::from("plot") }
@@ -32,7 +32,7 @@ impl Style {
         self
     }
 
-    /// Sets the beginning of every identifier in the SVG; two charts on one page need two.
+    /// Sets the prefix of every identifier in the SVG; two charts on one page need different ones.
     #[must_use]
     pub fn id(mut self, id: &str) -> Self {
         self.id = id.chars().filter(|c| c.is_ascii_alphanumeric() || *c == '-').collect();
@@ -43,7 +43,7 @@ impl Style {
     }
 }
 
-/// The nominal size of a chart. Text has a fixed size, so a larger chart shows more, not larger.
+/// Nominal size of a chart. Text has a fixed size, so a larger chart shows more, not larger.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Size {
     pub(crate) width: f64,
@@ -58,13 +58,13 @@ const HEIGHT_MIN: f64 = 120.0;
 const SIDE_MAX: f64 = 20_000.0;
 
 impl Size {
-    /// A size on paper. Too small a size is widened to what axes and text need.
+    /// Creates a size on paper. A size too small for axes and text is increased.
     #[must_use]
     pub fn millimetres(width: f64, height: f64) -> Self {
         Self::of(width * PX_PER_MM, height * PX_PER_MM, true)
     }
 
-    /// A size on a screen, in CSS pixels. Too small a size is widened to what axes and text need.
+    /// Creates a size on a screen, in CSS pixels. A size too small for axes and text is increased.
     #[must_use]
     pub fn pixels(width: f64, height: f64) -> Self {
         Self::of(width, height, false)
@@ -75,7 +75,7 @@ impl Size {
         Self { width: side(width, WIDTH_MIN), height: side(height, HEIGHT_MIN), millimetres }
     }
 
-    /// The attributes `width` and `height` of the picture.
+    /// Returns the attributes `width` and `height` of the picture.
     pub(crate) fn written(self) -> (String, String) {
         let write = |px: f64| {
             if self.millimetres {
@@ -101,7 +101,7 @@ pub enum Theme {
 }
 
 impl Theme {
-    /// The CSS declarations that give a page the colours of this theme, for charts drawn with [`Theme::Css`].
+    /// Returns the CSS declarations that give a page the colours of this theme, for charts drawn with [`Theme::Css`].
     #[must_use]
     pub fn variables(self) -> String {
         COLOURS
@@ -123,22 +123,22 @@ impl Theme {
     }
 }
 
-/// What an item stands for, which decides its colour and, unless said otherwise, its dashes and markers.
+/// Meaning of an item, which decides its colour and, by default, its dashes and markers.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Tone {
-    /// A limit of continuous duty: red, solid.
+    /// Limit of continuous duty: red, solid.
     Continuous,
-    /// A limit of short-time duty: blue, long dashes.
+    /// Limit of short-time duty: blue, long dashes.
     ShortTime,
-    /// What happens, such as a cycle: black, solid.
+    /// Course of a quantity, such as a cycle: black, solid.
     Trace,
-    /// Something beside the point: grey, dotted.
+    /// Secondary information: grey, dotted.
     Muted,
     /// One of several series of equal rank, from 0; repeats after six.
     Series(u8),
 }
 
-/// A colour of the house by its place in [`COLOURS`].
+/// A colour of the house style by its index in [`COLOURS`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Colour {
     Paper,
@@ -173,8 +173,8 @@ impl Colour {
 
 pub(crate) const SERIES: u8 = 6;
 
-/// Name, colour on light, colour on dark. The series follow Okabe and Ito, whose colours differ for every kind of colour
-/// vision; without their yellow, which is no line on white.
+/// Name, colour on light, colour on dark. The series follow Okabe and Ito, whose colours differ for every kind of
+/// colour vision; without their yellow, which is too faint for a line on white.
 const COLOURS: [(&str, &str, &str); 17] = [
     ("paper", "#ffffff", "#15181d"),
     ("ink", "#1d2127", "#e6e8eb"),
@@ -213,7 +213,7 @@ mod tests {
         assert_eq!(Theme::Css.colour(Colour::Unchecked), "var(--plot-unchecked,#8a929d)");
     }
 
-    /// Contrast of two colours, 1 to 21, as WCAG 2 defines it.
+    /// Returns the contrast of two colours, 1 to 21, as WCAG 2 defines it.
     fn contrast(a: &str, b: &str) -> f64 {
         let luminance = |colour: &str| {
             let channel = |at: usize| {
@@ -226,7 +226,8 @@ mod tests {
         (a.max(b) + 0.05) / (a.min(b) + 0.05)
     }
 
-    /// Text 4.5 to 1 against the paper, lines and marks 3 to 1; the grid may stay behind.
+    /// Requires a contrast with the paper of 4.5 to 1 for text, and of 3 to 1 for lines and marks; the grid may be
+    /// fainter.
     #[test]
     fn every_colour_stands_out_from_its_paper() {
         let (_, light_paper, dark_paper) = COLOURS[0];

@@ -2,14 +2,14 @@
 
 use quantities::{Language, format_number};
 
-/// Values beyond this are no data of any axis, and their differences would overflow.
+/// Largest magnitude of data on an axis; differences of larger values would overflow.
 pub(crate) const LARGEST: f64 = 1e290;
-/// A span below this is none.
+/// Smallest range; a smaller one is empty.
 const SMALLEST: f64 = 1e-280;
-/// Below this share of the values their digits no longer show the span.
+/// Ratio of range to values below which the digits no longer show the range.
 const RESOLUTION: f64 = 1e-9;
 
-/// The ticks of one axis.
+/// Ticks of one axis.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Ticks {
     pub(crate) lo: f64,
@@ -22,7 +22,8 @@ pub(crate) struct Ticks {
 }
 
 impl Ticks {
-    /// Ticks of a range, with at most `most` steps. `widen` moves the ends of the range out to the next tick.
+    /// Creates the ticks of a range, with at most `most` steps. `widen` moves the ends of the range out to the next
+    /// tick.
     pub(crate) fn new(lo: f64, hi: f64, most: usize, widen: bool) -> Self {
         let (lo, hi) = spread(lo, hi);
         let most = most.clamp(1, 100);
@@ -62,7 +63,7 @@ impl Ticks {
     }
 }
 
-/// A range that has a span: equal ends are moved apart, zero included.
+/// Returns a range that is not empty: equal ends are moved apart, with zero included.
 fn spread(lo: f64, hi: f64) -> (f64, f64) {
     let (lo, hi) = (lo.clamp(-LARGEST, LARGEST), hi.clamp(-LARGEST, LARGEST));
     let (lo, hi) = if lo <= hi { (lo, hi) } else { (hi, lo) };
@@ -76,7 +77,7 @@ fn spread(lo: f64, hi: f64) -> (f64, f64) {
     (0.1_f64.mul_add(-largest, lo), 0.1_f64.mul_add(largest, hi))
 }
 
-/// 1, 2 or 5 and a power of ten, at least as large as asked.
+/// Returns 1, 2 or 5 and a power of ten, whose product is at least `least`.
 fn step(least: f64) -> (f64, i32) {
     let power = exponent_of(least);
     let relative = multiple(least, -power);
@@ -84,13 +85,13 @@ fn step(least: f64) -> (f64, i32) {
     [1.0, 2.0, 5.0].into_iter().find(|m| *m >= limit).map_or((1.0, power + 1), |m| (m, power))
 }
 
-/// The exponent in scientific notation.
+/// Returns the exponent in scientific notation.
 fn exponent_of(value: f64) -> i32 {
     let text = format!("{:e}", value.abs());
     text.split_once('e').and_then(|(_, exponent)| exponent.parse().ok()).unwrap_or(0)
 }
 
-/// `value`·10^`power`; divides for negative powers, because 10⁻¹ is not exact and 10 is.
+/// Returns `value`·10^`power`; divides for negative powers, because 10⁻¹ is not exact and 10 is.
 fn multiple(value: f64, power: i32) -> f64 {
     if power < -300 {
         value / 10_f64.powi(300) / 10_f64.powi(-(power + 300))
@@ -105,7 +106,7 @@ fn place(value: f64, mantissa: f64, power: i32) -> f64 {
     multiple(value, -power) / mantissa
 }
 
-/// The power of ten that an axis writes beside its unit, a multiple of three; none between 0.01 and 100 000.
+/// Returns the power of ten that an axis writes next to its unit, a multiple of three; zero between 0.01 and 100 000.
 fn taken_out(largest: f64) -> i32 {
     if largest == 0.0 || (0.01..1e5).contains(&largest) { 0 } else { exponent_of(largest).div_euclid(3) * 3 }
 }

@@ -1,6 +1,6 @@
-//! What a chart of any kind is called.
+//! Title and description of a chart.
 
-/// The title of a chart and its description, as methods that set them.
+/// Title of a chart and its description, with the methods that set them.
 macro_rules! titled {
     () => {
         /// Sets the title above the chart, which also names it to a screen reader.

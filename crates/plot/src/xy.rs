@@ -32,18 +32,18 @@ pub struct XyChart {
     pub(crate) four_quadrant: bool,
     pub(crate) items: Vec<Item>,
     pub(crate) nothing: Label,
-    /// The class of the picture.
+    /// Class of the picture.
     kind: &'static str,
 }
 
 impl XyChart {
-    /// Both axes, and every line with the axis of its values.
+    /// Returns both axes, and every line with the axis of its values.
     #[must_use]
     pub fn lines(&self) -> (&Axis, Vec<(&Axis, &crate::Line)>) {
         (&self.x, crate::stacked::lines_of(&self.items).map(|line| (&self.y, line)).collect())
     }
 
-    /// An empty chart.
+    /// Creates an empty chart.
     #[must_use]
     pub fn new(x: Axis, y: Axis) -> Self {
         Self {
@@ -58,10 +58,10 @@ impl XyChart {
         }
     }
 
-    /// An empty map of candidates: named points in classes that differ by marker and colour.
+    /// Creates an empty map of candidates: named points in classes that differ by marker and colour.
     ///
-    /// A name is drawn where it finds room, classes and points that come first before those that follow; all names are
-    /// tooltips, and [`Picture::hidden_labels`] has those that were not drawn.
+    /// A name is drawn if there is room, earlier classes and points first; all names are tooltips, and
+    /// [`Picture::hidden_labels`] has those that are not drawn.
     #[must_use]
     pub fn map(x: Axis, y: Axis) -> Self {
         Self { kind: "map", ..Self::new(x, y) }
@@ -76,7 +76,7 @@ impl XyChart {
         self
     }
 
-    /// Sets what stands in place of the plane if there is no point to be shown in it.
+    /// Sets the text in place of the plane if there is no point to show in it.
     #[must_use]
     pub fn nothing(mut self, text: impl Into<Label>) -> Self {
         self.nothing = text.into();
@@ -97,7 +97,7 @@ impl XyChart {
         self
     }
 
-    /// Adds a class of points (x, y, name), with the marker that follows those of the points before it.
+    /// Adds a class of points (x, y, name), with the next marker after those of the earlier classes.
     #[must_use]
     pub fn class<L: Into<Label>>(
         self,
@@ -123,7 +123,7 @@ impl XyChart {
         self.with(if hollow { markers.hollow() } else { markers })
     }
 
-    /// Draws the chart, higher than its style says if title and legend leave no room for the plane.
+    /// Draws the chart, higher than its style states if title and legend leave no room for the plane.
     #[must_use]
     pub fn render(&self, style: &Style) -> Picture {
         if !self.nothing.is_empty() && !self.items.iter().any(has_points) {
@@ -172,7 +172,7 @@ impl XyChart {
         canvas.finish(self.kind, &self.title.plain(), &self.description)
     }
 
-    /// The sentence in place of a plane without a point.
+    /// Draws the sentence in place of a plane without a point.
     fn say_nothing(&self, style: &Style) -> Picture {
         let mut style = style.clone();
         let lines = self.nothing.wrapped(style.size.width - 2.0 * EDGE, AXIS, false);
@@ -189,7 +189,7 @@ impl XyChart {
         canvas.finish(self.kind, &self.title.plain(), &self.description)
     }
 
-    /// The style with the height that a plane with title and legend needs.
+    /// Returns the style with the height that a plane with title and legend needs.
     fn grown(&self, style: &Style) -> Style {
         let mut grown = style.clone();
         let mut canvas = Canvas::new(style);
@@ -203,7 +203,7 @@ impl XyChart {
         EDGE + title_height(canvas, &self.title) + Y_ABOVE
     }
 
-    /// Where the plane stands with these entries of the legend below it.
+    /// Returns the plane above the legend of these entries.
     fn layout(&self, canvas: &Canvas<'_>, entries: &[LegendEntry]) -> Plane {
         let size = canvas.style.size;
         let top = self.above(canvas);
@@ -216,7 +216,7 @@ impl XyChart {
         Plane { area: Rect { left, right, top, bottom }, x, y }
     }
 
-    /// What is drawn, so that text can keep clear of it.
+    /// Returns the field with the drawn items, so that text can avoid them.
     fn field(&self, plane: &Plane) -> Field {
         let mut field = Field::new(plane.area);
         draw::stamp(&mut field, plane, &self.items);
@@ -229,22 +229,22 @@ impl XyChart {
     }
 }
 
-/// Whether an item has a point of its own; a line across the plane and a note have none.
+/// Returns `true` if an item has a point of its own; a line across the plane and a note have none.
 fn has_points(item: &Item) -> bool {
     !matches!(item, Item::Reference(_) | Item::Note(_)) && !item.reach().0.is_empty()
 }
 
-/// What axis and legend take below a plane.
+/// Returns the height of axis and legend below a plane.
 fn below(canvas: &Canvas<'_>, entries: &[LegendEntry]) -> f64 {
     let rows = legend::rows(entries, canvas.style.size.width - 2.0 * EDGE);
     let legend = legend::rows_height(&rows);
     X_BELOW + EDGE / 2.0 + if legend > 0.0 { legend + 4.0 } else { 0.0 }
 }
 
-/// Height of a plane at least.
+/// Smallest height of a plane.
 const PLANE_MIN: f64 = 60.0;
 
-/// A corner, or else the middle of the upper or lower edge, that a legend fits into without covering anything.
+/// Returns a corner, or else the middle of the upper or lower edge, into which a legend fits without covering anything.
 fn legend_corner(field: &Field, area: &Rect, entries: &[LegendEntry]) -> Option<Rect> {
     let (width, height) = legend::column_size(entries);
     if width > area.width() * 0.6 || height > area.height() * 0.6 {
@@ -265,13 +265,13 @@ fn title_lines(canvas: &Canvas<'_>, title: &Label) -> Vec<Label> {
     title.wrapped(canvas.style.size.width - 2.0 * EDGE, TITLE, true)
 }
 
-/// What a title takes above the chart.
+/// Returns the height of a title above the chart.
 pub(crate) fn title_height(canvas: &Canvas<'_>, title: &Label) -> f64 {
     let lines: f64 = title_lines(canvas, title).iter().map(|_| TITLE_ROW).sum();
     if lines > 0.0 { lines + 6.0 } else { 0.0 }
 }
 
-/// Draws the title; gives its lower end.
+/// Draws the title; returns its lower end.
 pub(crate) fn title(canvas: &mut Canvas<'_>, title: &Label) -> f64 {
     let mut y = EDGE;
     for line in title_lines(canvas, title) {

@@ -1,4 +1,4 @@
-//! One picture of each kind, theme and language into a folder: `cargo run -p plot --example gallery -- FOLDER`.
+//! Writes one picture of each kind, theme and language into a folder: `cargo run -p plot --example gallery -- FOLDER`.
 //! With the feature `png` as pixels too.
 
 #![allow(clippy::print_stdout, reason = "an example tells what it wrote")]

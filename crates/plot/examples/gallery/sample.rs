@@ -1,4 +1,4 @@
-//! Sample data of the kind that the charts are for; none of it is of a product.
+//! Sample data typical of the charts; none of it belongs to a product.
 
 use std::f64::consts::PI;
 
@@ -243,7 +243,7 @@ fn bars(language: Language, style: &Style) -> Picture {
 }
 
 fn map(language: Language, style: &Style) -> Picture {
-    // A few steps of a linear congruence scatter the points the same way every time.
+    // A linear congruential generator scatters the points the same way every time.
     let mut state = 7_u32;
     let mut next = move || {
         state = state.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);
