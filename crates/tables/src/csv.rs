@@ -4,11 +4,11 @@ use crate::table::{Cell, Table};
 use questions::sweep::csv::quoted;
 use std::fmt::Write as _;
 
-/// A table as CSV (RFC 4180): UTF-8, a header `name [unit]`, commas, decimal points, lines ended by CR LF. A text that a
-/// spreadsheet would evaluate is preceded by an apostrophe, which marks it as text; numbers stay as they are.
+/// Writes a table as CSV (RFC 4180): UTF-8, a header `name [unit]`, commas, decimal points, lines ended by CR LF. A
+/// text that a spreadsheet would evaluate is preceded by an apostrophe, which marks it as text; numbers are unchanged.
 #[must_use]
 pub fn csv(table: &Table) -> String {
-    // As much as a series of numbers needs; words take what they take.
+    // Estimated for a series of numbers; texts extend it.
     let mut out = String::with_capacity(table.rows.iter().len() * table.columns.len() * NUMBER_BYTES);
     for (place, column) in table.columns.iter().enumerate() {
         begin(&mut out, place);
@@ -21,7 +21,7 @@ pub fn csv(table: &Table) -> String {
             begin(&mut out, place);
             field(&mut out, cell);
         }
-        // A line with nothing in it would be no record.
+        // An empty line would be no record.
         if out.len() == begun {
             out.push_str("\"\"");
         }
@@ -30,7 +30,7 @@ pub fn csv(table: &Table) -> String {
     out
 }
 
-/// A number with its comma, as most of a series are.
+/// Typical bytes of a number with its comma in a series.
 const NUMBER_BYTES: usize = 13;
 
 fn begin(out: &mut String, place: usize) {
@@ -42,7 +42,7 @@ fn begin(out: &mut String, place: usize) {
 fn field(out: &mut String, cell: &Cell) {
     match cell {
         Cell::Empty => {}
-        // Writing to a text does not fail.
+        // Writing to a string cannot fail.
         Cell::Number(number) => drop(write!(out, "{number}")),
         Cell::Text(text) if is_formula(text) => out.push_str(&quoted(&format!("'{text}"))),
         Cell::Text(text) => out.push_str(&quoted(text)),
@@ -50,7 +50,8 @@ fn field(out: &mut String, cell: &Cell) {
     }
 }
 
-/// Whether a spreadsheet would take a text for a formula: by its first sign, unless it is a number with its unit.
+/// Returns `true` if a spreadsheet would evaluate a text as a formula, by its first character, unless it is a number
+/// with its unit.
 fn is_formula(text: &str) -> bool {
     let begins = text.starts_with(['=', '+', '-', '@', '\t', '\r', '\n']);
     let is_quantity = || {

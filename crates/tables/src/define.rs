@@ -1,4 +1,4 @@
-//! The tables: what each shows, and where it takes it from.
+//! Definitions of the tables: content and origin of each.
 
 use crate::format::Format;
 use crate::results;
@@ -12,29 +12,29 @@ use quantities::{Language, Measure, Unit};
 use questions::{Candidate, Sample, Sizing, course, moves};
 use words::{Word, assumption_text, capitalised, law_text, tables, terms};
 
-/// The names of the tables, in the order of a workbook.
+/// Names of the tables, in the order of a workbook.
 pub const NAMES: [&str; 7] = questions::list::export::TABLES;
 
-/// What the tables are made from: one axis of a project with its results.
+/// Subject of the tables: one axis of a project with its results.
 #[derive(Clone, Copy, Debug)]
 pub struct Subject<'a> {
     /// Text of the project file.
     pub text: &'a str,
-    /// Place of the axis among several of the file.
+    /// Index of the axis in the file.
     pub axis: usize,
-    /// The axis.
+    /// Axis.
     pub project: &'a Project,
-    /// The catalogue ranked for it.
+    /// Ranking of the catalogue for the axis.
     pub sizing: &'a Sizing<'a>,
-    /// The actuator that the tables are about.
+    /// Actuator of the tables.
     pub chosen: &'a Candidate<'a>,
-    /// How many of the ranking are shown, from the best on; the chosen one and the project's own always are.
+    /// Number of actuators shown from the top of the ranking, in addition to the chosen one and that of the project.
     pub top: usize,
     /// Language of the words.
     pub language: Language,
 }
 
-/// A column of a definition.
+/// Creates a column of a definition.
 pub(crate) fn column(
     name: &str,
     title: Word,
@@ -46,7 +46,7 @@ pub(crate) fn column(
     titled(name, title(language).to_owned(), kind, unit, about, language)
 }
 
-/// A column whose title is made from what it holds.
+/// Creates a column whose title is composed from its content.
 pub(crate) fn titled(
     name: &str,
     title: String,
@@ -59,8 +59,8 @@ pub(crate) fn titled(
 }
 
 impl Subject<'_> {
-    /// A table by its name, as a format takes it; `None` for a name that is none of [`NAMES`]. Of a course that is too long for
-    /// the sheet of a workbook the rows are counted alone.
+    /// Returns a table by its name, for a format; `None` for a name that is not in [`NAMES`]. The rows of a course that
+    /// exceeds the sheet of a workbook are only counted.
     #[must_use]
     pub fn table(&self, name: &str, format: Format) -> Option<Table> {
         Some(match name {
@@ -75,13 +75,13 @@ impl Subject<'_> {
         })
     }
 
-    /// Every table of a workbook, in the order of [`NAMES`].
+    /// Returns every table of a workbook, in the order of [`NAMES`].
     #[must_use]
     pub fn tables(&self) -> Vec<Table> {
         NAMES.iter().filter_map(|name| self.table(name, Format::Workbook)).collect()
     }
 
-    /// The candidates that are shown, best first, each judged in full, with its place in the ranking if it fits.
+    /// Returns the shown candidates, best first, each judged with every check, with its rank if it fits.
     pub(crate) fn shown(&self) -> Vec<(Option<usize>, Candidate<'_>)> {
         let ranked = self.sizing.candidates.iter().enumerate();
         let mut shown: Vec<(Option<usize>, Candidate<'_>)> = ranked

@@ -1,29 +1,29 @@
-//! What keeps a table from being written.
+//! Errors in writing a table.
 
 use quantities::Language;
 use words::terminal;
 
-/// What keeps a table from being written: a limit of the format, never a value.
+/// Error in writing a table: a limit of the format, never a value.
 #[derive(Debug, thiserror::Error)]
 pub enum WriteError {
-    /// The workbook does not take it.
+    /// The workbook library refuses the table.
     #[error(transparent)]
     Workbook {
-        /// What it says.
+        /// Error of the library.
         #[from]
         source: rust_xlsxwriter::XlsxError,
     },
-    /// The Parquet file does not take it.
+    /// The Parquet library refuses the table.
     #[error(transparent)]
     Parquet {
-        /// What it says.
+        /// Error of the library.
         #[from]
         source: ::parquet::errors::ParquetError,
     },
 }
 
 impl WriteError {
-    /// The trouble in a sentence.
+    /// Returns the error in a sentence.
     #[must_use]
     pub fn message(&self, language: Language) -> String {
         match self {

@@ -1,4 +1,4 @@
-//! The formats, and what a long course may take in each.
+//! Formats of tables, and the memory of a long course in each.
 
 use crate::table::Table;
 use crate::xlsx::SHEET_ROWS_MOST;
@@ -6,10 +6,10 @@ use project::Project;
 use questions::{Refusal, course_rows};
 use std::path::Path;
 
-/// How tables are written.
+/// Format of tables.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Format {
-    /// All tables on the sheets of a workbook.
+    /// A workbook with each table on a sheet.
     Workbook,
     /// One table as CSV.
     Csv,
@@ -23,7 +23,7 @@ impl Format {
     /// Every format.
     pub const ALL: [Self; 4] = [Self::Json, Self::Csv, Self::Parquet, Self::Workbook];
 
-    /// What its files end with, without the dot.
+    /// Returns the file extension, without the dot.
     #[must_use]
     pub const fn ending(self) -> &'static str {
         match self {
@@ -34,20 +34,20 @@ impl Format {
         }
     }
 
-    /// The format of files that end so.
+    /// Returns the format of a file extension.
     #[must_use]
     pub fn of_ending(ending: &str) -> Option<Self> {
         Self::ALL.into_iter().find(|format| format.ending() == ending)
     }
 
-    /// The format of a file, by the ending of its name.
+    /// Returns the format of a file, by its extension.
     #[must_use]
     pub fn of(file: &Path) -> Option<Self> {
         Self::of_ending(&file.extension()?.to_string_lossy().to_ascii_lowercase())
     }
 
-    /// Bytes that the program takes for each row of a course, with the recording it comes from and the text it becomes:
-    /// measured with four million rows, and more than that.
+    /// Returns an upper bound of the memory for each row of a course, including its recording and its text, from a
+    /// measurement with four million rows.
     const fn row_bytes(self) -> u64 {
         match self {
             Self::Csv | Self::Parquet | Self::Workbook => 256,
@@ -55,7 +55,7 @@ impl Format {
         }
     }
 
-    /// Whether the requested tables, all or one, fit in this many bytes of memory. Only the time course
+    /// Checks that the requested tables, all or one, fit into this number of bytes of memory. Only the time course
     /// grows with a recording; a workbook contains it up to a limited length.
     ///
     /// # Errors
@@ -69,14 +69,14 @@ impl Format {
         if needed > memory { Err(Refusal::TooManyRows { rows, needed, most: memory }) } else { Ok(()) }
     }
 
-    /// Whether a file of this format has a table: a workbook has none that is too long for a sheet.
+    /// Returns `true` if a file of this format contains a table: a workbook contains none that is too long for a sheet.
     #[must_use]
     pub fn holds(self, table: &Table) -> bool {
         self != Self::Workbook || table.rows.len() <= SHEET_ROWS_MOST
     }
 
-    /// How many instants a course has that is not made, because for certain a sheet does not take it: of two neighbours at
-    /// most one says the same as the other.
+    /// Returns the number of instants of a course that is not computed, because it certainly exceeds a sheet: of two
+    /// adjacent rows at most one can be a repetition.
     pub(crate) fn course_left_out(self, project: &Project) -> Option<usize> {
         let rows = course_rows(project);
         (self == Self::Workbook && rows / 2 > SHEET_ROWS_MOST).then_some(rows)

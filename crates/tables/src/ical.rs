@@ -1,4 +1,4 @@
-//! A plan of upkeep as an iCalendar file (RFC 5545).
+//! Maintenance plan as an iCalendar file (RFC 5545).
 
 use answers::Id;
 use chrono::{Datelike, NaiveTime};
@@ -7,11 +7,11 @@ use quantities::Language;
 use questions::list::upkeep::{Interval, Planned, Upkeep};
 use words::upkeep;
 
-/// The plan as the text of an iCalendar file: an event of a whole day for each line, a series for what is done at intervals.
+/// Writes the plan as the text of an iCalendar file: an all-day event for each line, a series for a task at intervals.
 ///
-/// The same plan gives the same bytes: the stamp of an event is the day that the plan is looked at from, else the day of
-/// delivery, and its identifier follows from code, delivery, name and task, so that a calendar which has read an earlier plan
-/// takes the new one in its place.
+/// Equal plans give equal bytes: the stamp of an event is the reference date of the plan, else the date of delivery,
+/// and its identifier follows from code, delivery, name and task, so that a calendar which has read an earlier plan
+/// replaces it with the new one.
 #[must_use]
 pub fn calendar(plan: &Upkeep, record: &answers::Upkeep, name: Option<&str>, language: Language) -> String {
     let subject = name.map_or_else(|| record.code.clone(), |name| format!("{name} ({})", record.code));
@@ -39,15 +39,15 @@ pub fn calendar(plan: &Upkeep, record: &answers::Upkeep, name: Option<&str>, lan
     calendar.to_string()
 }
 
-/// The permanent identifier of an event.
+/// Returns the permanent identifier of an event.
 fn identifier(identity: &str, task: Id<impl answers::Identified>) -> String {
     let hash = blake3::hash(identity.as_bytes()).to_hex();
     let hash: String = hash.chars().take(32).collect();
     format!("{hash}-{}@antrieb", task.0.id())
 }
 
-/// The rule of a series. A day that a month lacks is its last one, as in the plan; without a word a calendar would leave
-/// such a month out.
+/// Returns the recurrence rule of a series. A day that a month lacks becomes its last one, as in the plan; by default a
+/// calendar would skip such a month.
 fn series(line: &Planned) -> Option<String> {
     Some(match line.interval? {
         Interval::Days(days) => format!("FREQ=DAILY;INTERVAL={days}"),

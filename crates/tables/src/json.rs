@@ -4,7 +4,7 @@ use crate::table::{Cell, Column, ColumnContent, Table};
 use answers::{ColumnKind, Number, TableCell, TableColumn, TableRow};
 use serde::{Serialize, Serializer};
 
-/// A table as one record: what each column means, and a record for each row.
+/// Returns the table as one record: the meaning of each column, and a record for each row.
 #[must_use]
 pub fn record(table: &Table) -> answers::Table<Records<'_>> {
     answers::Table {
@@ -16,7 +16,7 @@ pub fn record(table: &Table) -> answers::Table<Records<'_>> {
     }
 }
 
-/// A record for each row of a table, made when it is written.
+/// Records of the rows of a table, created while they are written.
 #[derive(Clone, Copy, Debug)]
 pub struct Records<'t>(&'t Table);
 

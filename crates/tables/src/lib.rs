@@ -1,14 +1,13 @@
-//! A result as tables, and how they are written.
+//! Results as tables, and their file formats.
 //!
-//! A [`Table`] is plain data: columns with a name, a unit and a meaning, and rows of cells. Every table is defined
-//! once ([`Subject::table`]), and four writers take it from there: [`xlsx`] a whole workbook, [`csv`], [`record`] and
-//! [`parquet`] one table each. They give bytes; nothing here touches a file or the clock, and the same tables give
-//! the same bytes.
+//! A [`Table`] is plain data: columns with a name, a unit and a meaning, and rows of cells. Every table is defined once
+//! ([`Subject::table`]) and has four writers: [`xlsx`] writes a whole workbook, [`csv`], [`record`] and [`parquet`] one
+//! table each. They return bytes; this crate uses neither files nor the clock, and equal tables give equal bytes.
 //!
-//! [`calendar`] writes the dates of a plan of upkeep for a calendar program.
+//! [`calendar`] writes the dates of a maintenance plan for a calendar program.
 //!
-//! Names of tables and columns and their units are the contract with scripts and are the same in both languages;
-//! titles, remarks and sources are words.
+//! Names of tables and columns and their units are the contract with scripts and are equal in both languages; titles,
+//! remarks and sources are translated.
 
 mod csv;
 mod define;

@@ -10,11 +10,11 @@ use parquet::file::writer::{SerializedColumnWriter, SerializedFileWriter};
 use parquet::schema::types::Type;
 use std::sync::Arc;
 
-/// Rows that one group holds.
+/// Number of rows in one row group.
 const GROUP: usize = 1 << 20;
 
-/// A table as Parquet: numbers as DOUBLE, words as UTF-8, all optional; the unit of a column stands in the metadata of
-/// the file under `<column>.unit`, its meaning under `<column>.about`.
+/// Writes a table as Parquet: numbers as DOUBLE, texts as UTF-8, all optional; the metadata of the file holds the unit
+/// of a column under `<column>.unit`, its meaning under `<column>.about`.
 ///
 /// # Errors
 /// [`WriteError::Parquet`] if the library refuses.

@@ -1,4 +1,4 @@
-//! The tables of the results: demand, candidates, checks.
+//! Tables of the results: demand, candidates, checks.
 
 use crate::define::{Subject, column, titled};
 use crate::table::{Cell, Column, ColumnContent, Derived, Table};
@@ -10,7 +10,7 @@ use words::{
     Word, check_missing, check_title, describe_field, figure_term, grade_word, note_text, source_text, tables, terms,
 };
 
-/// Identifier and word of the verdict on a whole candidate.
+/// Returns identifier and word of the verdict on a whole candidate.
 pub(crate) fn fits(candidate: &Candidate<'_>, language: Language) -> Cell {
     Cell::Word(candidate.fit().id(), fit_text(candidate.fit(), language).to_owned())
 }
@@ -20,7 +20,7 @@ fn code(language: Language) -> Column {
     column("code", terms::ordering_code, ColumnContent::Text, None, about, language)
 }
 
-/// A column of a figure that has a symbol.
+/// Creates a column of a quantity that has a symbol.
 fn figure(name: &str, symbol: &str, unit: &'static Unit, about: Word, language: Language) -> Column {
     titled(name, figure_term(symbol, language), ColumnContent::Number, Some(unit), about, language)
 }
@@ -172,7 +172,7 @@ pub(crate) fn checks(subject: &Subject<'_>) -> Table {
     ];
     let chosen = &subject.chosen.id;
     let mut shown = subject.shown();
-    // The chosen one stands first: its checks are what most readers look for.
+    // The chosen candidate comes first: its checks matter most to readers.
     shown.sort_by_key(|(_, candidate)| candidate.id != *chosen);
     let of_each = |(_, candidate): &(Option<usize>, Candidate<'_>)| {
         let name = candidate.id.to_string();

@@ -1,24 +1,24 @@
-//! The rows of a table, held so that a long series of numbers takes no more memory than its numbers.
+//! Rows of a table, stored so that a long series of numbers takes no more memory than its numbers.
 
 use crate::table::{Cell, rounded};
 use std::borrow::Cow;
 
-/// The rows of a table, each with a cell for every column.
+/// Rows of a table, each with a cell for every column.
 #[derive(Clone, Debug)]
 pub struct Rows(Held);
 
 #[derive(Clone, Debug)]
 enum Held {
-    /// Each as it is.
+    /// Rows of any cells.
     Listed(Vec<Vec<Cell>>),
-    /// Numbers alone, row after row; what is no number is no value.
+    /// Rows of numbers, row after row; NaN is an empty cell.
     Series { columns: usize, values: Vec<f64> },
-    /// So many, which are not made.
+    /// Number of rows that are not computed.
     LeftOut(usize),
 }
 
 impl Rows {
-    /// Rows of numbers alone, as [`Cell::number`] has them. Of neighbours that say the same there is one.
+    /// Creates rows of numbers, rounded like [`Cell::number`]. Of equal adjacent rows, one is kept.
     #[must_use]
     pub fn series<const COLUMNS: usize>(rows: impl ExactSizeIterator<Item = [Option<f64>; COLUMNS]>) -> Self {
         let mut values: Vec<f64> = Vec::with_capacity(rows.len() * COLUMNS);
@@ -34,19 +34,19 @@ impl Rows {
         Self(Held::Series { columns: COLUMNS, values })
     }
 
-    /// Number of omitted rows, because they would exceed the sheet.
+    /// Creates the count of rows that are left out because they would exceed the sheet.
     #[must_use]
     pub const fn left_out(count: usize) -> Self {
         Self(Held::LeftOut(count))
     }
 
-    /// Rows of so many numbers, each row as it is.
+    /// Creates rows of `columns` numbers, without rounding or merging.
     #[must_use]
     pub fn numbered(columns: usize, values: impl Iterator<Item = f64>) -> Self {
         Self(Held::Series { columns, values: values.map(|value| rounded(value).unwrap_or(f64::NAN)).collect() })
     }
 
-    /// How many there are, made or not.
+    /// Returns the number of rows, including those that are not computed.
     #[must_use]
     pub const fn len(&self) -> usize {
         match &self.0 {
@@ -57,19 +57,19 @@ impl Rows {
         }
     }
 
-    /// Whether there is none.
+    /// Returns `true` if there are no rows.
     #[must_use]
     pub const fn is_empty(&self) -> bool {
         self.len() == 0
     }
 
-    /// One after the other; none of those that are not made.
+    /// Iterates over the rows; without those that are not computed.
     pub fn iter(&self) -> impl ExactSizeIterator<Item = Cow<'_, [Cell]>> {
         let made = if matches!(self.0, Held::LeftOut(_)) { 0 } else { self.len() };
         (0..made).map(|row| self.get(row).unwrap_or_default())
     }
 
-    /// The row at a place.
+    /// Returns the row at an index.
     #[must_use]
     pub fn get(&self, row: usize) -> Option<Cow<'_, [Cell]>> {
         match &self.0 {
@@ -82,7 +82,7 @@ impl Rows {
         }
     }
 
-    /// The numbers of a column.
+    /// Returns the numbers of a column.
     pub fn numbers(&self, column: usize) -> impl ExactSizeIterator<Item = Option<f64>> {
         let made = if matches!(self.0, Held::LeftOut(_)) { 0 } else { self.len() };
         (0..made).map(move |row| match &self.0 {
@@ -96,7 +96,7 @@ impl Rows {
     }
 }
 
-/// A value of a series.
+/// Returns a value of a series as a cell.
 fn held(value: f64) -> Cell {
     if value.is_nan() { Cell::Empty } else { Cell::Number(value) }
 }

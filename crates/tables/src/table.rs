@@ -4,10 +4,10 @@ use crate::rows::Rows;
 use quantities::Unit;
 use quantities::unit::ONE;
 
-/// What a column holds.
+/// Content of a column.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum ColumnContent {
-    /// Words.
+    /// Text.
     Text,
     /// A number in the unit of the column.
     Number,
@@ -22,59 +22,59 @@ pub enum ColumnContent {
 /// A column.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Column {
-    /// Its name in data exchange.
+    /// Name in data exchange.
     pub name: String,
-    /// Its heading for people.
+    /// Heading for readers.
     pub title: String,
-    /// The unit of its numbers; `None` for words, and where another column names the unit of each row.
+    /// Unit of its numbers; `None` for texts, and if another column names the unit of each row.
     pub unit: Option<&'static Unit>,
-    /// What it means and where it comes from.
+    /// Meaning and origin.
     pub about: String,
-    /// What it holds.
+    /// Content.
     pub kind: ColumnContent,
 }
 
 /// One value.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Cell {
-    /// There is none.
+    /// Empty cell.
     Empty,
-    /// Words.
+    /// Text.
     Text(String),
     /// A finite number.
     Number(f64),
-    /// A word of a fixed set: as data exchange has it, and as people read it.
+    /// A word of a fixed set: its identifier in data exchange, and its text for readers.
     Word(&'static str, String),
 }
 
 impl Cell {
-    /// A number as it is printed, with twelve significant digits: without those that only a change of unit has made.
-    /// What is not finite is no value.
+    /// Creates a number with twelve significant digits, which removes the digits of a unit conversion. A non-finite
+    /// value gives an empty cell.
     #[must_use]
     pub fn number(value: f64) -> Self {
         rounded(value).map_or(Self::Empty, Self::Number)
     }
 
-    /// An SI value in a unit.
+    /// Converts an SI value to a unit.
     #[must_use]
     pub fn in_unit(si: Option<f64>, unit: &Unit) -> Self {
         si.map_or(Self::Empty, |si| Self::number(unit.from_si(si)))
     }
 
-    /// A unit: as data exchange writes it, and as people do.
+    /// Creates the cell of a unit: its name in data exchange, and its symbol for readers.
     #[must_use]
     pub fn unit(unit: &Unit) -> Self {
         Self::Word(unit.json, if *unit == ONE { String::new() } else { unit.symbol.to_owned() })
     }
 
-    /// Words; none is no value.
+    /// Creates a text; an empty text gives an empty cell.
     #[must_use]
     pub fn text(text: impl Into<String>) -> Self {
         let text = text.into();
         if text.is_empty() { Self::Empty } else { Self::Text(text) }
     }
 
-    /// The number, if it is one.
+    /// Returns the number, if it is one.
     #[must_use]
     pub const fn as_number(&self) -> Option<f64> {
         match self {
@@ -83,7 +83,7 @@ impl Cell {
         }
     }
 
-    /// The words of data exchange, if it is words.
+    /// Returns the text in data exchange, if it is a text.
     #[must_use]
     pub fn as_text(&self) -> Option<&str> {
         match self {
@@ -94,21 +94,22 @@ impl Cell {
     }
 }
 
-/// A finite number with twelve significant digits, the closest one that there is to them.
+/// Rounds a finite number to the double closest to its twelve significant digits.
 pub(crate) fn rounded(value: f64) -> Option<f64> {
     if !value.is_finite() {
         return None;
     }
-    // No negative zero either.
+    // Negative zero becomes zero.
     if value == 0.0 {
         return Some(0.0);
     }
     Some(rounded_by_a_power_of_ten(value).unwrap_or_else(|| format!("{value:.11e}").parse().unwrap_or(value)))
 }
 
-/// The same where it is certain without the digits: the number with its twelve digits before the point, rounded, over the power
-/// of ten that brought them there. Both are whole numbers that a double holds exactly, so that their quotient is the closest
-/// double to the digits. The product before is off by less than 2⁻¹³: it says which way to round unless it lies about the middle.
+/// Rounds without formatting if the result is certain: the number scaled to twelve digits before the point, rounded,
+/// divided by the power of ten. Both are integers that a double holds exactly, so that their quotient is the double
+/// closest to the digits. The error of the scaled number is below 2⁻¹³: it decides the rounding unless it is close to
+/// one half.
 fn rounded_by_a_power_of_ten(value: f64) -> Option<f64> {
     /// Largest power of ten that a double holds exactly.
     const EXACT: i32 = 22;
@@ -127,25 +128,25 @@ fn rounded_by_a_power_of_ten(value: f64) -> Option<f64> {
     Some(((whole + if behind > 0.5 { 1.0 } else { 0.0 }) / power).copysign(value))
 }
 
-/// How a column follows from others, where that is simple.
+/// Simple formula by which a column follows from others.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Derived {
     /// |value| / |limit|, or the other way round where the value must not be less.
     Utilisation {
-        /// The column of the ratio.
+        /// Column of the ratio.
         column: usize,
-        /// The column of the values.
+        /// Column of the values.
         value: usize,
-        /// The column of the limits.
+        /// Column of the limits.
         limit: usize,
-        /// The column of the directions: `at_most` or `at_least`.
+        /// Column of the directions: `at_most` or `at_least`.
         direction: usize,
     },
-    /// One less the utilisation.
+    /// One minus the utilisation.
     Margin {
-        /// The column of the margin.
+        /// Column of the margin.
         column: usize,
-        /// The column of the utilisation.
+        /// Column of the utilisation.
         utilisation: usize,
     },
 }
@@ -153,41 +154,41 @@ pub enum Derived {
 /// A table.
 #[derive(Clone, Debug)]
 pub struct Table {
-    /// Its name in data exchange.
+    /// Name in data exchange.
     pub name: &'static str,
-    /// Its title for people; short enough for a sheet.
+    /// Title for readers; short enough for a sheet.
     pub title: String,
-    /// What it shows.
+    /// Content of the table.
     pub about: String,
-    /// The columns.
+    /// Columns.
     pub columns: Vec<Column>,
-    /// The rows, each with a cell for every column.
+    /// Rows, each with a cell for every column.
     pub rows: Rows,
-    /// What follows from other columns.
+    /// Columns that follow from others.
     pub derived: Vec<Derived>,
 }
 
 impl Table {
-    /// The place of a column.
+    /// Returns the index of a column.
     #[must_use]
     pub fn column(&self, name: &str) -> Option<usize> {
         self.columns.iter().position(|column| column.name == name)
     }
 
-    /// The numbers of a column, in the order of the rows.
+    /// Returns the numbers of a column, in the order of the rows.
     pub fn numbers(&self, column: usize) -> impl Iterator<Item = Option<f64>> {
         self.rows.numbers(column)
     }
 }
 
 impl Column {
-    /// The unit in data exchange, where there is one.
+    /// Returns the unit in data exchange, if there is one.
     #[must_use]
     pub fn unit_json(&self) -> Option<&'static str> {
         self.unit.map(|unit| unit.json)
     }
 
-    /// The name with its unit as a header has it: `time [s]`.
+    /// Returns the name with its unit as in a header: `time [s]`.
     #[must_use]
     pub fn header(&self) -> String {
         match self.unit {
@@ -196,7 +197,7 @@ impl Column {
         }
     }
 
-    /// Whether it holds numbers.
+    /// Returns `true` if it contains numbers.
     #[must_use]
     pub const fn is_numeric(&self) -> bool {
         matches!(self.kind, ColumnContent::Number | ColumnContent::Count | ColumnContent::Share)
@@ -236,7 +237,7 @@ mod tests {
             assert_eq!(rounded(value), Some(written), "{value:e}");
         };
         for _ in 0..200_000 {
-            // Every exponent, the usual ones, decimals at the border between two roundings, and powers of ten.
+            // Every exponent, common ones, decimals at the border between two roundings, and powers of ten.
             let any = f64::from_bits(next());
             if any.is_finite() && any != 0.0 {
                 look(any);

@@ -1,4 +1,4 @@
-//! The course of a simulation as a table.
+//! Course of a simulation as a table.
 
 use crate::csv::csv;
 use crate::define::column;
@@ -8,13 +8,13 @@ use quantities::Language;
 use questions::{SIGNALS, Signal, TIME, TwinSample};
 use words::{capitalised, simulation};
 
-/// The course of a simulation: the time, then these signals, or all of them where none is named.
+/// Returns the course of a simulation: the time, then these signals; every signal if none is named.
 #[must_use]
 pub fn trace(samples: &[TwinSample], signals: &[&Signal], language: Language) -> Table {
     let all: Vec<&Signal> = SIGNALS.iter().collect();
     let named = if signals.is_empty() { all.as_slice() } else { signals };
     let shown: Vec<&Signal> = std::iter::once(&TIME).chain(named.iter().copied()).collect();
-    // The name has the unit already.
+    // The name already contains the unit.
     let heading = |each: &&Signal| column(each.column, each.title, ColumnContent::Number, None, each.about, language);
     let values = samples.iter().flat_map(|sample| shown.iter().map(|each| each.unit.from_si((each.of)(sample))));
     Table {
@@ -27,13 +27,13 @@ pub fn trace(samples: &[TwinSample], signals: &[&Signal], language: Language) ->
     }
 }
 
-/// Rows of a piece of [`trace_csv`].
+/// Number of rows of a piece of [`trace_csv`].
 const PIECE: usize = 4096;
 
-/// Writes the course of a run as CSV, piece by piece: the text of all of it takes more memory than the run.
+/// Writes the course of a run as CSV, piece by piece: its whole text takes more memory than the run.
 ///
 /// # Errors
-/// Why a piece is not taken.
+/// Error of the receiver of the pieces.
 pub fn trace_csv<E>(
     samples: &[TwinSample],
     signals: &[&Signal],
@@ -42,7 +42,7 @@ pub fn trace_csv<E>(
 ) -> Result<(), E> {
     for (place, piece) in samples.chunks(PIECE).enumerate() {
         let text = csv(&trace(piece, signals, language));
-        // The heading stands once.
+        // Only the first piece has the heading.
         let rows = if place == 0 { text.as_str() } else { text.split_once("\r\n").map_or("", |(_, rows)| rows) };
         take(rows)?;
     }

@@ -17,30 +17,30 @@ use sheet::Links;
 use style::Styles;
 use words::{Word, capitalised, tables, terms};
 
-/// Most rows of a table on a sheet; a longer one is named on the first sheet and left to the other formats. A choice
-/// of this crate that keeps a workbook light; a sheet itself could hold 2²⁰.
+/// Largest number of rows of a table on a sheet; a longer one is named on the first sheet and left to the other
+/// formats. A choice of this crate that keeps a workbook small; a sheet could hold 2²⁰.
 pub const SHEET_ROWS_MOST: usize = 200_000;
 
-/// What stands on the first sheet beside the tables.
+/// Content of the first sheet in addition to the tables.
 #[derive(Clone, Copy, Debug)]
 pub struct Front<'a> {
     /// Name of the project file.
     pub file: &'a str,
-    /// Its revision, if one is stated.
+    /// Revision of the project, if stated.
     pub revision: Option<&'a str>,
-    /// The date, if one is stated; the clock is never asked.
+    /// Date, if stated; the clock is not used.
     pub date: Option<&'a str>,
-    /// The axis.
+    /// Axis.
     pub project: &'a Project,
-    /// The actuator that the tables are about.
+    /// Actuator of the tables.
     pub chosen: &'a Candidate<'a>,
     /// Language of the words.
     pub language: Language,
 }
 
-/// A workbook with a first sheet, a sheet for each table and one with the meaning of every column.
+/// Writes a workbook with a first sheet, a sheet for each table and one with the meaning of every column.
 ///
-/// Utilisations, margins and the effective torque of the course are live formulas. The same tables give the same bytes.
+/// Utilisations, margins and the effective torque of the course are live formulas. Equal tables give equal bytes.
 ///
 /// # Errors
 /// [`WriteError::Workbook`] if the library refuses.
@@ -62,7 +62,7 @@ pub fn xlsx(tables: &[Table], front: &Front<'_>) -> Result<Vec<u8>, WriteError> 
     Ok(workbook.save_to_buffer()?)
 }
 
-/// The clock is not asked: the file is as old as its format.
+/// Returns the document properties, with a fixed date of creation instead of the clock.
 fn properties(front: &Front<'_>) -> Result<DocProperties, WriteError> {
     let title = if front.project.name.is_empty() { front.file } else { &front.project.name };
     let created = ExcelDateTime::from_ymd(2000, 1, 1)?.and_hms(0, 0, 0)?;
@@ -73,7 +73,7 @@ fn properties(front: &Front<'_>) -> Result<DocProperties, WriteError> {
         .set_creation_datetime(&created))
 }
 
-/// What every column means, with its name in data exchange.
+/// Writes the sheet with the meaning of every column and its name in data exchange.
 fn meanings(tables: &[Table], styles: &Styles, language: Language) -> Result<Worksheet, WriteError> {
     let mut sheet = Worksheet::new();
     sheet.set_name(capitalised(terms::columns(language)))?;
@@ -100,8 +100,8 @@ fn meanings(tables: &[Table], styles: &Styles, language: Language) -> Result<Wor
     Ok(sheet)
 }
 
-/// How many lines a text takes in a column of so many characters, a little more rather than less: a line too many is empty,
-/// one too few is cut off.
+/// Estimates the number of lines of a text in a column width, rather high than low: a surplus line is empty, a missing
+/// one is cut off.
 fn lines(text: &str, characters: f64) -> u32 {
     let mut lines = 0;
     for paragraph in text.split('\n') {
@@ -128,23 +128,23 @@ fn lines(text: &str, characters: f64) -> u32 {
     lines
 }
 
-/// The height of a row of so many lines, in points; a sheet knows none above 409.
+/// Returns the height of a row of `lines` lines in points; the limit of a sheet is 409.
 fn height(lines: u32) -> f64 {
     (f64::from(lines) * 15.0).min(409.0)
 }
 
-/// The paper on which a sheet is printed, one page wide, the head on every page.
+/// Paper size of a printed sheet, one page wide, with the heading on every page.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Paper {
-    /// A4 across.
+    /// A4 landscape.
     A4,
-    /// A3 across, for what would be illegible on A4.
+    /// A3 landscape, for sheets illegible on A4.
     A3,
 }
 
 impl Paper {
-    /// The smallest paper on which columns of so many characters in all stay legible: that is a scale of sixty per cent, on
-    /// which A4 across holds 240.
+    /// Returns the smallest paper on which columns of this total width in characters stay legible: a scale of sixty per
+    /// cent, at which A4 landscape holds 240.
     fn for_width(characters: f64) -> Self {
         if characters <= 240.0 { Self::A4 } else { Self::A3 }
     }

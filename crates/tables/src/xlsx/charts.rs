@@ -1,4 +1,4 @@
-//! What of the tables is seen better than read: the course of the cycle and the utilisation of the checks.
+//! Charts of the tables: the course of the cycle and the utilisation of the checks.
 
 use super::Paper;
 use super::sheet::FIRST;
@@ -8,13 +8,13 @@ use quantities::Language;
 use rust_xlsxwriter::{Chart, ChartLine, ChartType, Worksheet};
 use words::tables;
 
-/// Most rows of a course that are drawn; a choice of this crate that keeps a workbook quick to open.
+/// Largest number of drawn rows of a course; a choice of this crate that keeps a workbook quick to open.
 const DRAWN_MOST: usize = 20_000;
 
 const BLUE: &str = "1F4E9C";
 const RED: &str = "A2222B";
 
-/// A sheet with the charts; none where there is nothing to draw.
+/// Writes a sheet with the charts; `None` if there is nothing to draw.
 pub(super) fn sheet(tables: &[Table], chosen: &str, language: Language) -> Result<Option<Worksheet>, WriteError> {
     let table = |name: &str| tables.iter().find(|table| table.name == name);
     let charts = [
@@ -37,7 +37,7 @@ pub(super) fn sheet(tables: &[Table], chosen: &str, language: Language) -> Resul
     Ok(Some(sheet))
 }
 
-/// The rows of a column as a range for a chart.
+/// Rows of a column as a range for a chart.
 type Range<'t> = (&'t str, u32, u16, u32, u16);
 
 fn range(table: &Table, column: usize, (first, last): (u32, u32)) -> Option<Range<'_>> {
@@ -45,7 +45,7 @@ fn range(table: &Table, column: usize, (first, last): (u32, u32)) -> Option<Rang
     Some((table.title.as_str(), first, column, last, column))
 }
 
-/// Torque and speed over the time.
+/// Draws torque and speed over time.
 fn course(table: &Table, language: Language) -> Option<Chart> {
     if table.rows.is_empty() || table.rows.len() > DRAWN_MOST {
         return None;
@@ -71,10 +71,10 @@ fn course(table: &Table, language: Language) -> Option<Chart> {
     Some(chart)
 }
 
-/// The utilisation of every check of the chosen actuator.
+/// Draws the utilisation of every check of the chosen actuator.
 fn utilisations(table: &Table, chosen: &str, language: Language) -> Option<Chart> {
     let (code, title, share) = (table.column("code")?, table.column("title")?, table.column("utilisation")?);
-    // The chosen one stands first.
+    // The chosen actuator comes first.
     let own = table.rows.iter().take_while(|row| row.get(code).and_then(Cell::as_text) == Some(chosen)).count();
     let any = table.numbers(share).take(own).any(|number| number.is_some());
     if !any {

@@ -1,4 +1,4 @@
-//! The first sheet: what was asked, what came out, and how to read the rest.
+//! The first sheet: the task, the result, and an explanation of the other sheets.
 
 use super::sheet::FIRST;
 use super::style::{Styles, decimals};
@@ -16,10 +16,10 @@ use rust_xlsxwriter::utility::row_col_to_cell;
 use rust_xlsxwriter::{ExcelDateTime, Format, Formula, Url, Worksheet};
 use words::{Word, capitalised, grade_about, grade_word, tables, terms};
 
-/// Widths of the three columns, in characters.
+/// Widths of the three columns in characters.
 const WIDTHS: [f64; 3] = [30.0, 34.0, 80.0];
 
-/// A sheet that is written from the top down.
+/// A sheet written from the top down.
 struct Page<'s> {
     sheet: Worksheet,
     row: u32,
@@ -28,7 +28,7 @@ struct Page<'s> {
 }
 
 impl Page<'_> {
-    /// Makes the current row as high as its texts need, and goes on to the next.
+    /// Fits the height of the current row to its texts, and advances to the next.
     fn next(&mut self, texts: [&str; 3]) -> Result<(), WriteError> {
         let most = texts.into_iter().zip(WIDTHS).map(|(text, wide)| lines(text, wide)).max();
         self.sheet.set_row_height(self.row, height(most.unwrap_or(1)))?;
@@ -52,7 +52,7 @@ impl Page<'_> {
         self.next(["", value, ""])
     }
 
-    /// The date as one, where it is one of the calendar; else as it is written.
+    /// Writes a calendar date as a date; any other text as written.
     fn date(&mut self, text: &str) -> Result<(), WriteError> {
         let label = terms::date;
         let mut parts = text.splitn(3, '-').map(str::parse::<u16>);
@@ -68,7 +68,7 @@ impl Page<'_> {
         self.next([""; 3])
     }
 
-    /// A formula with its value, a unit and a remark.
+    /// Writes a formula with its value, a unit and a remark.
     fn formula(&mut self, label: &str, formula: Formula, format: &Format, about: &str) -> Result<(), WriteError> {
         self.sheet.write_string_with_format(self.row, 0, label, &self.styles.label)?;
         self.sheet.write_formula_with_format(self.row, 1, formula, format)?;
@@ -131,7 +131,7 @@ fn answer(page: &mut Page<'_>, front: &Front<'_>) -> Result<(), WriteError> {
     page.pair(tables::antrieb_version, env!("CARGO_PKG_VERSION"))
 }
 
-/// T_rms once more from the course, beside the exact integral.
+/// Writes T_rms computed from the course, next to the exact integral.
 fn effective_torque(page: &mut Page<'_>, tables: &[Table], front: &Front<'_>) -> Result<(), WriteError> {
     let l = front.language;
     let course = tables.iter().find(|table| table.name == "course" && format::Format::Workbook.holds(table));
@@ -172,7 +172,7 @@ fn effective_torque(page: &mut Page<'_>, tables: &[Table], front: &Front<'_>) ->
     )
 }
 
-/// What the formula gives, for programs that show a workbook without computing it.
+/// Returns the value of the formula, for programs that show a workbook without computing it.
 fn trapezoid_rms(course: &Table, time: usize, torque: usize) -> Option<f64> {
     let samples: Vec<(f64, f64)> =
         course.numbers(time).zip(course.numbers(torque)).map(|(t, m)| Some((t?, m?))).collect::<Option<_>>()?;

@@ -11,22 +11,23 @@ use rust_xlsxwriter::{ConditionalFormatFormula, Format, Formula, Url, Worksheet}
 use std::collections::BTreeMap;
 use words::{terms, verdict_word, without_limit};
 
-/// The row of the first record: heading and unit stand above it.
+/// Row of the first record, below heading and unit.
 pub(super) const FIRST: u32 = 2;
 
-/// Narrowest and widest column in characters; a longer text takes more lines, so that a page across stays legible.
+/// Smallest and largest width of a column in characters; a longer text takes more lines, so that a page in landscape
+/// stays legible.
 const WIDTHS: (usize, usize) = (9, 34);
 
-/// Rows after which the width of a column is no longer looked for.
+/// Number of rows that decide the width of a column.
 const LOOK: usize = 2000;
 
-/// The digits of a column, and of a single number among numbers of other units.
+/// Digits of a column, and of a single number among numbers of other units.
 const DIGITS: (i32, i32) = (5, 4);
 
-/// Where the sheets of candidates and checks have a code first.
+/// Links between the sheets of candidates and checks, which have the code in the first column.
 #[derive(Debug, Default)]
 pub(super) struct Links {
-    /// From the name of a table to the name and the rows of the other one.
+    /// Name and rows by code of the linked sheet, by the name of a table.
     to: BTreeMap<&'static str, (String, BTreeMap<String, u32>)>,
 }
 
@@ -83,7 +84,7 @@ pub(super) fn sheet(
     sheet.set_row_height(0, height(title.unwrap_or(1)))?;
     for (row, cells) in (FIRST..).zip(table.rows.iter()) {
         let most = cells.iter().zip(&widths).map(|(cell, wide)| cell.as_text().map_or(1, |text| lines(text, *wide)));
-        // What stands on one line has the height that a program gives a row by itself.
+        // A row of one line keeps the default height of the program.
         if let Some(most) = most.max().filter(|most| *most > 1) {
             sheet.set_row_height(row, height(most))?;
         }
@@ -105,7 +106,7 @@ impl Derived {
     }
 }
 
-/// What stands under the heading.
+/// Returns the unit below the heading.
 fn unit(column: &Column) -> &'static str {
     match (column.kind, column.unit) {
         (ColumnContent::Share, _) => "%",
@@ -132,7 +133,7 @@ fn width(table: &Table, index: usize, column: &Column) -> f64 {
     width * 1.1 + 2.0
 }
 
-/// The format of the numbers of a column; `None` where each has its own.
+/// Returns the format of the numbers of a column; `None` if each has its own.
 fn column_format(
     table: &Table,
     index: usize,
@@ -202,7 +203,7 @@ fn write(
     Ok(())
 }
 
-/// The formula that gives a derived number, if one does.
+/// Returns the formula of a derived number, if it has one.
 fn formula(place: &RowCells<'_>, number: f64, derived: Derived) -> Option<String> {
     let cell = |index: usize| Some(row_col_to_cell(place.row, u16::try_from(index).ok()?));
     let figure = |index: usize| place.cells.get(index).and_then(Cell::as_number);
@@ -215,13 +216,13 @@ fn formula(place: &RowCells<'_>, number: f64, derived: Derived) -> Option<String
             let at_least = place.cells.get(direction) == Some(&Cell::text(Direction::AtLeast.id()));
             let (upper, lower) = if at_least { (limit, value) } else { (value, limit) };
             let ratio = (figure(upper)? / figure(lower)?).abs();
-            // That of a temperature is the share of its rise above the air.
+            // The utilisation of a temperature is the share of its rise above the ambient temperature.
             gives(ratio).then_some(format!("=ABS({}/{})", cell(upper)?, cell(lower)?))
         }
     }
 }
 
-/// Colours by rule: they follow a value that is changed.
+/// Adds colours by rule, which follow a changed value.
 fn colour(
     sheet: &mut Worksheet,
     column: &Column,

@@ -1,13 +1,13 @@
-//! The styles of a workbook, distinct without colour too.
+//! Styles of a workbook, distinct without colour too.
 
 use rust_xlsxwriter::{Color, Format, FormatAlign, FormatBorder};
 
-/// From this share of a limit on a value is near it.
+/// Utilisation from which a value is near its limit.
 pub(super) const NEAR: f64 = 0.8;
 
-/// Shares: `●` marks what is near its limit, `▲` what is above it.
+/// Shares: `●` marks a value near its limit, `▲` one above it.
 pub(super) const SHARE: &str = "[>1]\"▲ \"0.0%;[>0.8]\"● \"0.0%;0.0%";
-/// Margins: `▲` marks what there is none of.
+/// Margins: `▲` marks a negative one.
 pub(super) const MARGIN: &str = "0.0%;\"▲ \"-0.0%";
 
 const INK: u32 = 0x1F_2A_36;
@@ -59,19 +59,19 @@ impl Styles {
         }
     }
 
-    /// A number in a format.
+    /// Returns the style of a number in a format.
     pub(super) fn number(&self, format: &str) -> Format {
         self.text.clone().set_num_format(format)
     }
 }
 
-/// A format for a single number: as it is where it is short, else with so many digits.
+/// Returns the format of a single number: unchanged if it is short, else with `digits` digits.
 pub(super) fn single(number: f64, digits: i32) -> String {
     const SHORT: usize = 8;
     if number.to_string().len() <= SHORT { "General".to_owned() } else { decimals(number, digits) }
 }
 
-/// A format with as many decimals as a magnitude needs for so many digits.
+/// Returns a format with the decimals that a magnitude needs for `digits` digits.
 pub(super) fn decimals(magnitude: f64, digits: i32) -> String {
     let magnitude = magnitude.abs();
     if magnitude == 0.0 {
