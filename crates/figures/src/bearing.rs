@@ -1,4 +1,4 @@
-//! The loads on the output bearing over the cycle.
+//! Loads on the output bearing over the cycle.
 
 use crate::cycle::{inside, segments, time_axis};
 use crate::drawing::{Chart, Drawing, Figure};
@@ -14,7 +14,8 @@ use words::{capitalised, pictures};
 
 type Load = fn(&FlangeSample) -> Option<f64>;
 
-/// Radial force, axial force and tilting moment on the output bearing over the cycle, or between two instants \[s\] of it.
+/// Draws radial force, axial force and tilting moment on the output bearing over the cycle, or between two instants
+/// \[s\] of it.
 ///
 /// # Errors
 /// [`NoFigure::NoFlangeLoads`]
@@ -97,7 +98,7 @@ struct Found<'a> {
     values: Vec<(f64, f64)>,
     least: f64,
     largest: f64,
-    /// The limit of the gear at rest.
+    /// Limit of the gear at rest.
     at_rest: Option<Amount>,
 }
 
@@ -110,7 +111,7 @@ impl Found<'_> {
         self.check.limit.map(|limit| amount(limit.si, limit.unit, language))
     }
 
-    /// The largest load of the turning gear, to which the limit belongs.
+    /// Returns the largest load while the gear turns, to which the limit applies.
     fn turning(&self) -> f64 {
         self.check.value.map_or(self.largest, |value| value.si)
     }
@@ -135,7 +136,7 @@ impl Found<'_> {
         }
     }
 
-    /// The load against its limit, where it does not change.
+    /// Returns the load against its limit as a bar, for a load that is constant.
     fn bar(&self, language: Language) -> Bar {
         let name = self.axis.quantity();
         let (value, limit) = (amount(self.turning(), self.unit, language), self.limit(language));

@@ -17,19 +17,20 @@ const WIDTH_MM: f64 = 165.0;
 /// Height of title, segments and time axis.
 const FRAME_MM: f64 = 26.0;
 const PANEL_MM: f64 = 25.5;
-/// So many times as high is the position where its points can be pulled at.
+/// Relative height of the position panel if its points can be dragged.
 const POSITION_HIGH: f64 = 2.5;
 
-/// A limit is drawn where the course comes this near to it; one far above would press the course flat.
+/// Distance of the course from a limit, as a share of the limit, within which the limit is drawn; a distant one would
+/// flatten the course.
 const LIMIT_NEAR: f64 = 0.2;
 
-/// Beyond the last thing in a panel.
+/// Extent of a panel relative to its largest value.
 const ROOM: f64 = 1.12;
 
-/// Which quantities of a cycle are drawn.
+/// Selection of the quantities of a cycle.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum CyclePanels {
-    /// All of them, one below the other.
+    /// Every quantity, one below the other.
     All,
     /// Position, speed, acceleration and torque.
     Motion,
@@ -39,10 +40,11 @@ pub enum CyclePanels {
     Energy,
 }
 
-/// Some quantities of the cycle, or of what lies between two instants \[s\] of it, drawn anew with what can be seen there.
+/// Draws some quantities of the cycle, or of the time between two instants \[s\] of it with the resolution of that
+/// window.
 ///
-/// Position, speed and acceleration are those along the line, where the axis has one. Of the motion alone the position is high
-/// enough to be pulled at.
+/// Position, speed and acceleration are linear ones if the axis has a linear mechanism. In the selection `Motion` the
+/// position is high enough for dragging.
 #[must_use]
 pub fn cycle(
     project: &Project,
@@ -167,13 +169,13 @@ pub fn cycle(
     Drawing::new(Figure::Cycle, &of, (WIDTH_MM, height), texts, Chart::Stacked(chart), language)
 }
 
-/// A window of time as far as it lies within the cycle.
+/// Returns the part of a time window within the cycle.
 pub(crate) fn inside((from, until): (f64, f64), project: &Project) -> Option<(f64, f64)> {
     let until = until.min(project.axis.motion.duration().si());
     (from.max(0.0) < until).then_some((from.max(0.0), until))
 }
 
-/// The axis of time, of a window or of the whole cycle.
+/// Returns the time axis of a window or of the whole cycle.
 pub(crate) fn time_axis(window: Option<(f64, f64)>, language: Language) -> Axis {
     let axis = Axis::new("t", SECOND.symbol).name(&capitalised(terms::time(language))).minor_ticks();
     match window {
@@ -182,7 +184,7 @@ pub(crate) fn time_axis(window: Option<(f64, f64)>, language: Language) -> Axis 
     }
 }
 
-/// The samples within a window, with the one before and the one behind it, from where the lines come and where they go.
+/// Returns the samples within a window, with the one before and the one behind it, so that lines reach its edges.
 fn cut(course: Course, (from, until): (f64, f64)) -> Course {
     let first = course.samples.partition_point(|sample| sample.time_s < from).saturating_sub(1);
     let last = course.samples.partition_point(|sample| sample.time_s <= until);
@@ -199,7 +201,7 @@ struct Signal {
     low: f64,
     high: f64,
     limits: Vec<Reference>,
-    /// Where the axis ends, if that is not left to the renderer.
+    /// Ends of the axis; `None` to leave them to the renderer.
     range: Option<(f64, f64)>,
 }
 
@@ -225,7 +227,7 @@ fn extremes(course: &Course, of: impl Fn(&Sample) -> Option<f64>) -> Option<(f64
     for value in course.samples.iter().filter_map(of) {
         found = Some(found.map_or((value, value), |(low, high)| (low.min(value), high.max(value))));
     }
-    // What rounding leaves beside zero is zero.
+    // A rounding error next to zero is zero.
     let noise = found.map_or(0.0, |(low, high)| 1e-12 * f64::max(low.abs(), high.abs()));
     let clean = |value: f64| if value.abs() <= noise { 0.0 } else { value };
     found.map(|(low, high)| (clean(low), clean(high)))
@@ -235,7 +237,7 @@ fn limit_of(candidate: &Candidate<'_>, id: CheckId) -> Option<questions::Amount>
     candidate.judgement.checks.iter().find(|check| check.id == id)?.limit
 }
 
-/// The limit on each side that the signal comes near to.
+/// Returns the limit on each side that the signal comes near to.
 fn limited(
     signal: Option<Signal>,
     limit: Option<questions::Amount>,
@@ -289,7 +291,7 @@ fn temperatures(course: &Course, candidate: &Candidate<'_>, language: Language) 
     Some(panel)
 }
 
-/// Beginning, end and name of each segment.
+/// Returns beginning, end and name of each segment.
 pub(crate) fn segments(project: &Project, language: Language) -> Vec<(f64, f64, String)> {
     let named = |(index, segment): (usize, &Move<'_>)| {
         let what = law_text(segment.law, language);

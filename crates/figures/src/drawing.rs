@@ -1,11 +1,11 @@
-//! The figures there are, and one that is laid out.
+//! List of the figures, and a figure ready for drawing.
 
 use plot::{BarChart, FaceChart, Picture, Size, StackedChart, Style, Theme, XyChart};
 use quantities::unit::MILLIMETRE;
 use quantities::{Language, Length, Measure};
 use words::{capitalised, encoder, pictures, simulation, terminal, terms, wiring};
 
-/// The figures there are.
+/// The figures.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Figure {
     /// Limits in four quadrants with the cycle.
@@ -18,24 +18,24 @@ pub enum Figure {
     Torsion,
     /// Loads on the output bearing over time.
     BearingLoad,
-    /// All candidates, margin over mass or length.
+    /// Candidates by margin over mass or length.
     CandidateMap,
-    /// Mating face of a connector; of a code and not of a project.
+    /// Mating face of a connector; belongs to a code, not to a project.
     MatingFace,
     /// A run of the twin over time.
     Simulation,
     /// Frequency responses of its control.
     ControlLoops,
-    /// Tracks of an encoder; of a code and not of a project.
+    /// Tracks of an encoder; belongs to a code, not to a project.
     EncoderTracks,
 }
 
 impl Figure {
-    /// Every figure of a project.
+    /// Figures of a project.
     pub const ALL: [Self; 6] =
         [Self::TorqueSpeed, Self::Cycle, Self::Utilisation, Self::Torsion, Self::BearingLoad, Self::CandidateMap];
 
-    /// The identifier, part of the contract with scripts.
+    /// Returns the identifier, part of the contract with scripts.
     #[must_use]
     pub const fn id(self) -> &'static str {
         match self {
@@ -52,13 +52,13 @@ impl Figure {
         }
     }
 
-    /// The figure of an identifier.
+    /// Returns the figure of an identifier.
     #[must_use]
     pub fn of_id(id: &str) -> Option<Self> {
         Self::ALL.into_iter().find(|figure| figure.id() == id)
     }
 
-    /// What the figure is called.
+    /// Returns the title of the figure.
     #[must_use]
     pub fn title(self, language: Language) -> String {
         let title = match self {
@@ -77,13 +77,13 @@ impl Figure {
     }
 }
 
-/// Permitted sides of a picture \[mm\].
+/// Permissible width and height of a picture \[mm\].
 const SIDE_MM: std::ops::RangeInclusive<f64> = 40.0..=2000.0;
 
-/// A side of a picture in millimetres.
+/// Returns a width or height in millimetres.
 ///
 /// # Errors
-/// What it may be, where it is not.
+/// The permissible range, if it is exceeded.
 pub fn side_mm(asked: Length, language: Language) -> Result<f64, String> {
     let asked = asked.in_unit(&MILLIMETRE);
     if SIDE_MM.contains(&asked) {
@@ -92,18 +92,18 @@ pub fn side_mm(asked: Length, language: Language) -> Result<f64, String> {
     Err(terminal::sides_of_a_picture(SIDE_MM.start(), SIDE_MM.end(), language))
 }
 
-/// A figure, laid out and not yet drawn.
+/// A figure with its layout, not yet drawn.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Drawing {
-    /// Which figure it is.
+    /// Kind of figure.
     pub figure: Figure,
-    /// Title, as it stands above the picture.
+    /// Title above the picture.
     pub title: String,
-    /// How to read the picture, for a line below it.
+    /// Explanation of the picture, for a line below it.
     pub caption: String,
     /// Description of the picture in sentences with numbers; part of the picture, for screen readers.
     pub description: String,
-    /// Width and height in millimetres that suit it.
+    /// Suitable width and height \[mm\].
     pub size_mm: (f64, f64),
     pub(crate) chart: Chart,
 }
@@ -136,20 +136,21 @@ impl Drawing {
         Self { figure, title, caption, description, size_mm, chart }
     }
 
-    /// The size that suits the figure.
+    /// Returns the suitable size of the figure.
     #[must_use]
     pub fn size(&self) -> Size {
         Size::millimetres(self.size_mm.0, self.size_mm.1)
     }
 
-    /// How the figure looks at a size; the ids within the picture are those of the figure.
+    /// Returns the style of the figure at a size; identifiers within the picture begin with that of the figure.
     #[must_use]
     pub fn style(&self, size: Size, theme: Theme, language: Language) -> Style {
         Style::new(size).theme(theme).language(language).id(&self.figure.id().replace('_', "-"))
     }
 
-    /// The curves of the figure as a table with tabulators, in the numbers of a language: one below the other, each with
-    /// the heads of its two columns; side by side where they share their first column. Empty where the figure has none.
+    /// Returns the curves of the figure as a tab-separated table, with the numbers in a language: one below the other,
+    /// each with the headings of its two columns; next to each other if they share their first column. Empty without
+    /// curves.
     #[must_use]
     pub fn curves(&self, language: Language) -> String {
         let (x, lines) = match &self.chart {
@@ -162,7 +163,7 @@ impl Drawing {
             let name = if label.is_empty() { symbol.to_owned() } else { format!("{symbol} {label}") };
             if unit.is_empty() { name } else { format!("{name} [{unit}]") }
         };
-        // Every digit of a number, with the mark of the language.
+        // Every digit of a number, with the decimal mark of the language.
         let number = |value: f64| value.to_string().replace('.', &language.decimal_mark().to_string());
         let Some((_, first)) = lines.first() else { return String::new() };
         let places = |line: &plot::Line| line.points().iter().map(|point| point.0.to_bits()).collect::<Vec<_>>();
@@ -186,7 +187,7 @@ impl Drawing {
         out
     }
 
-    /// Draws the figure; its language is that of the style's numbers too.
+    /// Draws the figure; the language of the style applies to its numbers.
     #[must_use]
     pub fn render(&self, style: &Style) -> Picture {
         match &self.chart {

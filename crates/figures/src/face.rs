@@ -1,4 +1,4 @@
-//! The mating face of a connector with its pins.
+//! Mating face of a connector with its pins.
 
 use crate::drawing::{Chart, Drawing, Figure};
 use order_code::OrderCode;
@@ -8,7 +8,8 @@ use questions::list::wiring::{Connector, SignalGroup};
 use std::f64::consts::TAU;
 use words::{cell_text, wiring};
 
-/// How many pins stand on each ring, from the outside: a schematic arrangement, since the manual's figures are lost.
+/// Returns the number of pins on each ring, from the outside: a schematic arrangement, since the figures of the manual
+/// are lost.
 const fn rings(poles: usize) -> &'static [usize] {
     match poles {
         12 => &[9, 3],
@@ -20,7 +21,7 @@ const fn rings(poles: usize) -> &'static [usize] {
 /// Radii of the rings.
 const RADII: [f64; 3] = [1.0, 0.52, 0.0];
 
-/// The place of the pin with this index: clockwise from the top, ring by ring.
+/// Returns the place of the pin with this index: clockwise from the top, ring by ring.
 fn place(index: usize, poles: usize) -> (f64, f64) {
     let all = [poles];
     let known = rings(poles);
@@ -38,7 +39,7 @@ fn place(index: usize, poles: usize) -> (f64, f64) {
     (0.0, 0.0)
 }
 
-/// Colours of the kinds of signals; the numbers tell the pins apart.
+/// Returns the colour of a kind of signal; the numbers distinguish the pins.
 const fn tone(group: SignalGroup) -> Tone {
     match group {
         SignalGroup::Phase | SignalGroup::Resolver => Tone::Series(0),
@@ -51,16 +52,17 @@ const fn tone(group: SignalGroup) -> Tone {
     }
 }
 
-/// What stands in the list of pins beside a face.
+/// Texts in the list of pins next to a face.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum PinTexts {
-    /// Signal, the wire it shares, colour.
+    /// Signal, wire shared with another pin, colour.
     Full,
-    /// The signal alone: half as wide and without title, to stand below a table of the pins that has the colours.
+    /// Signal only: half the width and no title, for use below a table of the pins that has the colours.
     Signals,
 }
 
-/// The mating face of a connector: numbers and signals of its pins. Their places are schematic, and it says so.
+/// Draws the mating face of a connector: numbers and signals of its pins. Their places are schematic, as the caption
+/// states.
 #[must_use]
 pub fn mating_face(code: &OrderCode, connector: &Connector, texts: PinTexts, language: Language) -> Drawing {
     let mut chart = FaceChart::default();
@@ -98,7 +100,7 @@ pub fn mating_face(code: &OrderCode, connector: &Connector, texts: PinTexts, lan
     if texts == PinTexts::Full {
         return drawing;
     }
-    // The line below it says what it is.
+    // The caption already contains the title.
     let chart = chart.description(&drawing.description);
     Drawing { chart: Chart::Face(chart), ..drawing }
 }

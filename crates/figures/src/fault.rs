@@ -1,27 +1,27 @@
-//! Why a figure cannot be drawn.
+//! Reasons why a figure cannot be drawn.
 
 use quantities::Language;
 use questions::Refusal;
 use questions::answer::refusal_text;
 use words::{pictures, simulation, terms, wiring};
 
-/// Why a figure cannot be drawn.
+/// Reason why a figure cannot be drawn.
 #[derive(Clone, Debug, PartialEq)]
 pub enum NoFigure {
-    /// The project names no loads on the flange.
+    /// The project states no loads on the flange.
     NoFlangeLoads,
-    /// The stiffness of the gear is not known.
+    /// The stiffness of the gear is unknown.
     NoStiffness,
-    /// The figure is one of an ordering code, not of a project.
+    /// The figure belongs to an ordering code, not to a project.
     OfACode,
-    /// The figure is one of a simulated run.
+    /// The figure belongs to a simulated run.
     OfARun,
-    /// What it shows was not found.
+    /// The result to be drawn was refused.
     Refused(Refusal),
 }
 
 impl NoFigure {
-    /// The reason in a sentence; `waited_s` is the deadline of the caller.
+    /// Returns the reason in a sentence; `waited_s` is the deadline of the caller.
     #[must_use]
     pub fn message(&self, waited_s: Option<f64>, language: Language) -> String {
         match self {

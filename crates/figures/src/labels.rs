@@ -4,7 +4,7 @@ use quantities::{Language, Unit, format_number, format_significant};
 use questions::Candidate;
 use words::pictures;
 
-/// A value with its unit and four digits.
+/// Writes a value with four digits and its unit.
 pub(crate) fn amount(si: f64, unit: &Unit, language: Language) -> String {
     let number = format_significant(unit.from_si(si), 4, language);
     match unit.symbol {
@@ -14,17 +14,17 @@ pub(crate) fn amount(si: f64, unit: &Unit, language: Language) -> String {
     }
 }
 
-/// A share in percent.
+/// Writes a share in percent.
 pub(crate) fn percent(share: f64, language: Language) -> String {
     format!("{} %", format_number(share * 100.0, 1, language))
 }
 
-/// What a figure is of: the candidate, and the axis if it has a name.
+/// Returns the subject of a figure: the candidate, and the axis if it has a name.
 pub(crate) fn subject(candidate: &Candidate<'_>, axis: &str) -> String {
     if axis.is_empty() { candidate.id.to_string() } else { format!("{axis}, {}", candidate.id) }
 }
 
-/// Parts of a sentence: the last one joined by a word.
+/// Joins parts of a sentence, the last one by a word.
 pub(crate) fn listed(parts: &[String], language: Language) -> String {
     match parts {
         [] => String::new(),

@@ -1,6 +1,6 @@
-//! Pictures of results: which there are, what belongs into each, and what it says in words.
+//! Pictures of results: list of figures, their content, and their descriptions in words.
 //!
-//! Lays out what `questions` found; computes nothing and touches no file.
+//! Lays out the results of `questions`; computes nothing and uses no file.
 
 mod bearing;
 mod cycle;
@@ -33,7 +33,7 @@ use project::Project;
 use quantities::Language;
 use questions::{Candidate, Patience, Rejected};
 
-/// One figure of a candidate; the map is that of all candidates, this one marked.
+/// Draws one figure of a candidate; the map shows all candidates with this one marked.
 ///
 /// # Errors
 /// [`NoFigure`] if the project or the actuator gives nothing to draw, or the map was cancelled.
@@ -52,7 +52,7 @@ pub fn draw(
         Figure::Torsion => torsion(project, candidate, language),
         Figure::BearingLoad => bearing_load(project, candidate, None, language),
         Figure::MatingFace | Figure::EncoderTracks => Err(NoFigure::OfACode),
-        // A run is drawn by those who have it.
+        // A run is drawn from its results.
         Figure::Simulation | Figure::ControlLoops => Err(NoFigure::OfARun),
         Figure::CandidateMap => {
             let sizing =

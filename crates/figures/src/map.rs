@@ -1,4 +1,4 @@
-//! All candidates in one picture: margin over mass or length.
+//! Map of all candidates: margin over mass or length.
 
 use crate::drawing::{Chart, Drawing, Figure};
 use crate::labels::{amount, percent};
@@ -8,7 +8,7 @@ use quantities::{Language, Measure, Unit};
 use questions::{Candidate, CandidateId, Fit, Sizing};
 use words::{capitalised, pictures, terms};
 
-/// What the candidates are laid out by.
+/// Quantity on the horizontal axis.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum By {
     /// Mass.
@@ -20,7 +20,7 @@ pub enum By {
 /// Candidates with less margin than this are omitted, since they would compress the scale for the others.
 const MARGIN_MIN: f64 = -0.5;
 
-/// How many of the best are named besides the one marked.
+/// Number of named best candidates in addition to the marked one.
 const NAMED: usize = 4;
 
 impl By {
@@ -39,7 +39,7 @@ impl By {
     }
 }
 
-/// A place in the map, in the units of its axes, and how far they reach.
+/// A point in the map in the units of its axes, and the extent of the axes.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct MapPoint {
     at: (f64, f64),
@@ -47,7 +47,7 @@ pub struct MapPoint {
 }
 
 impl MapPoint {
-    /// From four numbers: both coordinates, then how far both axes reach.
+    /// Parses four numbers: both coordinates, then the extent of both axes.
     #[must_use]
     pub fn read(text: &str) -> Option<Self> {
         let mut numbers = text.split(' ').map(|part| part.parse::<f64>().ok().filter(|number| number.is_finite()));
@@ -57,10 +57,10 @@ impl MapPoint {
     }
 }
 
-/// So far from a point, as a share of the map, it is still meant.
+/// Largest distance at which a point is selected, as a share of the map.
 const MEANT: f64 = 0.04;
 
-/// The candidate whose point in the map is nearest to a place, where one is near.
+/// Returns the candidate whose point in the map is nearest to a point, if one is near.
 #[must_use]
 pub fn nearest<'s>(sizing: &'s Sizing<'_>, by: By, place: MapPoint) -> Option<&'s CandidateId> {
     let distance = |candidate: &Candidate<'_>| {
@@ -72,13 +72,13 @@ pub fn nearest<'s>(sizing: &'s Sizing<'_>, by: By, place: MapPoint) -> Option<&'
     all.min_by(|(_, a), (_, b)| a.total_cmp(b)).map(|(id, _)| id)
 }
 
-/// Where a candidate stands in the map; none where it misses by so much that it is left out.
+/// Returns the point of a candidate in the map; `None` if its excess is so large that it is left out.
 fn point(by: By, candidate: &Candidate<'_>) -> Option<(f64, f64)> {
     let margin = 1.0 - candidate.standing.utilisation;
     (margin >= MARGIN_MIN).then_some((by.unit().from_si(by.of(candidate)?), margin * 100.0))
 }
 
-/// Every candidate by mass or length and by the margin to its tightest limit; one of them may be marked.
+/// Draws every candidate by mass or length and by the margin of its governing check; one of them may be marked.
 #[must_use]
 pub fn candidate_map(sizing: &Sizing<'_>, by: By, marked: Option<&CandidateId>, language: Language) -> Drawing {
     let all: Vec<&Candidate<'_>> = sizing.candidates.iter().chain(sizing.own.as_ref()).collect();
@@ -104,7 +104,7 @@ pub fn candidate_map(sizing: &Sizing<'_>, by: By, marked: Option<&CandidateId>, 
     let mut chart = XyChart::map(axis, Axis::new("", "%").name(pictures::margin_to_the_tightest_limit(language)))
         .with(Reference::horizontal(0.0).tone(Tone::Continuous).dash(Dash::Solid))
         .nothing(pictures::no_candidate_can_be_shown(&all.len(), &percent(MARGIN_MIN, language), language));
-    // What fits is drawn last, upon the others.
+    // Fitting candidates are drawn last, on top of the others.
     for (name, tone, points) in [
         (pictures::limit_exceeded(language), Tone::Series(1), points(&|candidate| !candidate.judgement_fits())),
         (
@@ -119,14 +119,14 @@ pub fn candidate_map(sizing: &Sizing<'_>, by: By, marked: Option<&CandidateId>, 
             points(&|candidate| candidate.fit() == Fit::FitsIfEstimate),
         ),
     ] {
-        // A class without a point keeps its marker and has no place in the legend.
+        // A class without a point keeps its marker and is not in the legend.
         chart = chart.class(if points.is_empty() { "" } else { name }, tone, points);
     }
     let marked = marked.and_then(|id| all.iter().find(|candidate| candidate.id == *id));
     if let Some(candidate) = marked
         && let Some((x, y)) = place(candidate)
     {
-        // Around the marker of its class, which stays to be seen.
+        // Around the marker of its class, which stays visible.
         let markers = Markers::new([(x, y)]).shape(Shape::Ring).label(candidate.id.to_string());
         chart = chart.with(markers.class("marked")).with(Note::new(x, y, candidate.id.to_string()));
     }
@@ -138,7 +138,7 @@ pub fn candidate_map(sizing: &Sizing<'_>, by: By, marked: Option<&CandidateId>, 
     Drawing::new(Figure::CandidateMap, of, (165.0, 115.0), (caption, description), Chart::Xy(chart), language)
 }
 
-/// A code without the name of the series, which all share.
+/// Returns a code without the name of the series, which all share.
 fn short(id: &CandidateId) -> String {
     let text = id.to_string();
     text.strip_prefix("CHA-").unwrap_or(&text).to_owned()

@@ -12,10 +12,10 @@ use words::{minutes, pictures, terms};
 
 const SIZE_MM: (f64, f64) = (165.0, 125.0);
 
-/// Speed in 1/min and torque in Nm.
+/// Speed \[1/min\] and torque \[Nm\].
 type Point = (f64, f64);
 
-/// Limits at the voltage of the project's supply, the cycle in them, its mean point and its peaks.
+/// Draws the limits at the voltage of the project's supply, the cycle within them, its mean point and its peaks.
 #[must_use]
 pub fn torque_speed(project: &Project, candidate: &Candidate<'_>, language: Language) -> Drawing {
     let plane = questions::plane(project, candidate).ok();
@@ -68,7 +68,7 @@ pub fn torque_speed(project: &Project, candidate: &Candidate<'_>, language: Lang
     Drawing::new(Figure::TorqueSpeed, &of, SIZE_MM, texts, Chart::Xy(chart), language)
 }
 
-/// The limits of a code alone.
+/// Draws the limits of a code alone.
 #[must_use]
 pub fn curves(code: &OrderCode, plane: &Plane, language: Language) -> Drawing {
     let chart = with_limits(empty(language), plane, language);
@@ -115,18 +115,18 @@ fn value_of(label: Label, symbol: &str, value: &str) -> Label {
     label.and_symbol(symbol).text(&format!(" = {value}"))
 }
 
-/// The points of a limit up to where nothing is left of it.
+/// Returns the points of a limit up to the speed at which it reaches zero.
 fn points_of(points: &[CurvePoint]) -> Vec<Point> {
     let end = points.iter().position(|point| point.torque.si() <= 0.0).map_or(points.len(), |index| index + 1);
     points.iter().take(end).map(|point| at(point.speed.si(), point.torque.si())).collect()
 }
 
-/// A limit that holds by magnitude, around all four quadrants.
+/// Returns a limit by magnitude, mirrored into all four quadrants.
 fn mirrored(limit: &[Point]) -> Vec<Point> {
     around(limit, limit)
 }
 
-/// A limit around all four quadrants: the first where the actuator drives, the other where it brakes.
+/// Returns a limit around all four quadrants: `driving` for motor operation, `braking` for generator operation.
 fn around(driving: &[Point], braking: &[Point]) -> Vec<Point> {
     let drive = driving.iter().copied();
     let brake = braking.iter().rev().map(|(n, t)| (*n, -t));
@@ -135,7 +135,7 @@ fn around(driving: &[Point], braking: &[Point]) -> Vec<Point> {
     drive.chain(brake).chain(back).chain(brake_back).collect()
 }
 
-/// The same in the two quadrants where the actuator drives.
+/// Returns a limit in the two quadrants of motor operation.
 fn driving(limit: &[Point]) -> [Vec<Point>; 2] {
     [limit.to_vec(), limit.iter().map(|(n, t)| (-n, -t)).collect()]
 }
@@ -199,7 +199,7 @@ fn with_limits(mut chart: XyChart, plane: &Plane, language: Language) -> XyChart
     chart
 }
 
-/// The voltage of a limit, written where its power is largest.
+/// Returns the voltage of a limit, written at its largest power.
 fn voltage(curve: &PerformanceCurve, points: &[Point], language: Language) -> Option<Note> {
     let volts = curve.voltage?;
     let corner = points.iter().copied().max_by(|a, b| (a.0 * a.1).total_cmp(&(b.0 * b.1)))?;
@@ -207,7 +207,7 @@ fn voltage(curve: &PerformanceCurve, points: &[Point], language: Language) -> Op
     Some(Note::new(corner.0, corner.1, text).tone(Tone::ShortTime).class("voltage"))
 }
 
-/// The largest torque and the largest speed, each at its instant with its symbol; one point if they coincide.
+/// Returns the largest torque and the largest speed, each at its instant with its symbol; one point if they coincide.
 fn peaks(demand: &questions::Demand, course: &Course) -> Vec<(Point, Label)> {
     let mut found: Vec<(Point, Label)> = Vec::new();
     let torque = |sample: &Sample| sample.torque_nm.abs();
@@ -230,7 +230,7 @@ fn near(a: Point, b: Point) -> bool {
     close(a.0, b.0) && close(a.1, b.1)
 }
 
-/// The sample at an instant; of several, the one where something is largest.
+/// Returns the sample at an instant; of several, the one with the largest value of `of`.
 fn sample_at(course: &Course, time_s: f64, of: impl Fn(&Sample) -> f64) -> Option<&Sample> {
     let distance = |sample: &Sample| (sample.time_s - time_s).abs();
     let least = course.samples.iter().map(distance).fold(f64::INFINITY, f64::min);
@@ -276,7 +276,7 @@ fn has_short_time(plane: &Plane) -> bool {
     plane.curves.iter().any(|curve| curve.kind == CurveKind::ShortTime)
 }
 
-/// Largest torque and largest speed of an actuator whose curves cannot be drawn, each where it is known.
+/// Returns the known ones of largest torque and largest speed, for an actuator whose curves cannot be drawn.
 fn known(candidate: &Candidate<'_>) -> [Option<(f64, &'static str, String)>; 2] {
     let of = |id: CheckId, unit: &'static Unit, symbol: &'static str| {
         let check = candidate.judgement.checks.iter().find(|check| check.id == id)?;
@@ -286,7 +286,7 @@ fn known(candidate: &Candidate<'_>) -> [Option<(f64, &'static str, String)>; 2] 
     [of(CheckId::PeakTorque, &NEWTON_METRE, "T_max"), of(CheckId::PeakSpeed, &REVOLUTION_PER_MINUTE, "n_max")]
 }
 
-/// The limits that are known one by one: a frame where both are, else lines across the plane.
+/// Adds the known limits: a frame if both are known, else a line across the plane.
 fn with_known(mut chart: XyChart, candidate: &Candidate<'_>, language: Language) -> XyChart {
     let [torque, speed] = known(candidate);
     let number = |value: f64, unit: &str| format!(" = {} {unit}", format_significant(value, 4, language));

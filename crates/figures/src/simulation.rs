@@ -17,7 +17,7 @@ const PANEL_MM: f64 = 27.0;
 /// A line of a panel: tone, dash, label, value in SI.
 type Curve<'l> = (Tone, Option<Dash>, &'l str, fn(&TwinSample) -> f64);
 
-/// The picture of a run with an identifier of [`questions::list::simulate::FIGURES`]; without one the course.
+/// Draws a run; `id` is one of [`questions::list::simulate::FIGURES`], `None` selects the course.
 #[must_use]
 pub fn of_a_run(id: Option<&str>, run: &Simulated<'_>, language: Language) -> Drawing {
     match id {
@@ -26,14 +26,15 @@ pub fn of_a_run(id: Option<&str>, run: &Simulated<'_>, language: Language) -> Dr
     }
 }
 
-/// Position, speed, torque, current, following error, DC link and temperatures over the run, or between two instants \[s\] of it.
+/// Draws position, speed, torque, current, following error, DC link and temperatures over the run, or between two
+/// instants \[s\] of it.
 #[must_use]
 pub fn simulation(run: &Simulated<'_>, window: Option<(f64, f64)>, language: Language) -> Drawing {
     let l = language;
     let (from, until) = window.unwrap_or((f64::NEG_INFINITY, f64::INFINITY));
     let first = run.course.partition_point(|sample| sample.time_s < from);
     let last = run.course.partition_point(|sample| sample.time_s <= until);
-    // A window beyond the run, or between two samples of it, shows the whole.
+    // A window outside the run, or between two of its samples, shows the whole run.
     let course = run.course.get(first..last).filter(|course| course.len() > 1).unwrap_or(&run.course);
     let of = |axis: Axis, unit: &'static Unit, curves: &[Curve<'_>]| {
         curves.iter().fold(Panel::new(axis), |panel, (tone, dash, label, value)| {
@@ -94,7 +95,7 @@ pub fn simulation(run: &Simulated<'_>, window: Option<(f64, f64)>, language: Lan
     let mut chart = StackedChart::new(time);
     let mut height = FRAME_MM;
     for panel in panels {
-        // What happened stands in every panel.
+        // Events are marked in every panel.
         let marks = run
             .events
             .iter()
@@ -117,7 +118,7 @@ pub fn simulation(run: &Simulated<'_>, window: Option<(f64, f64)>, language: Lan
     Drawing::new(Figure::Simulation, &of, (WIDTH_MM, height), texts, Chart::Stacked(chart), l)
 }
 
-/// Magnitude and phase of the open loops over the logarithm of the frequency, with the limits that decide on stability.
+/// Draws magnitude and phase of the open loops over the logarithm of the frequency, with the limits of stability.
 #[must_use]
 pub fn control_loops(run: &Simulated<'_>, language: Language) -> Drawing {
     let l = language;

@@ -1,11 +1,11 @@
-//! Long courses made short without losing an extreme.
+//! Reduction of long courses without loss of an extreme.
 
 use questions::{Course, Sample};
 
-/// Samples above which a course is thinned.
+/// Number of samples above which a course is reduced.
 const SAMPLES_MAX: usize = 200_000;
 
-/// Columns of time that a course is thinned to; finer than the pixels of a picture.
+/// Number of time columns of a reduced course; finer than the pixels of a picture.
 const COLUMNS: f64 = 8000.0;
 
 type Quantity = fn(&Sample) -> Option<f64>;
@@ -22,7 +22,7 @@ const QUANTITIES: [Quantity; 9] = [
     |sample| sample.overload,
 ];
 
-/// Of each column of time the first and the last sample, and those where a quantity is least or largest.
+/// Reduces each time column to the first and the last sample, and those with the least or largest value of a quantity.
 pub(crate) fn thinned(course: Course) -> Course {
     if course.samples.len() <= SAMPLES_MAX || course.duration_s <= 0.0 {
         return course;
@@ -32,7 +32,7 @@ pub(crate) fn thinned(course: Course) -> Course {
     Course { samples, ..course }
 }
 
-/// The samples of a column that a picture needs, in their order.
+/// Returns the samples of a column that a picture needs, in their order.
 fn extremes(samples: &[Sample]) -> Vec<Sample> {
     let mut kept = vec![0, samples.len().saturating_sub(1)];
     for of in QUANTITIES {

@@ -1,4 +1,4 @@
-//! The torsion curve of the gear with its working point.
+//! Torsion curve of the gear with its working point.
 
 use crate::drawing::{Chart, Drawing, Figure};
 use crate::fault::NoFigure;
@@ -10,10 +10,10 @@ use quantities::{Language, Measure, Torque};
 use questions::{Candidate, TorsionCurve};
 use words::pictures;
 
-/// The curve reaches this far beyond the last thing to be seen.
+/// Extent of the curve relative to its outermost point.
 const ROOM: f64 = 1.15;
 
-/// The torsion curve of a candidate's gear, both directions, with the largest torque of the project.
+/// Draws the torsion curve of a candidate's gear, both directions, with the largest torque of the project.
 ///
 /// # Errors
 /// [`NoFigure::NoStiffness`]
@@ -22,18 +22,18 @@ pub fn torsion(project: &Project, candidate: &Candidate<'_>, language: Language)
     Ok(drawn(&subject(candidate, &project.name), &found, Point::OfTheLoad, language))
 }
 
-/// The torsion curve of a gear, both directions, with a point on it; `name` is what it is of.
+/// Draws the torsion curve of a gear, both directions, with a point on it; `name` is its subject.
 #[must_use]
 pub fn torsion_curve(name: &str, found: &TorsionCurve, language: Language) -> Drawing {
     drawn(name, found, Point::Asked, language)
 }
 
-/// What the point on the curve is.
+/// Kind of the point on the curve.
 #[derive(Clone, Copy)]
 enum Point {
-    /// The largest torque of a load.
+    /// Largest torque of a load.
     OfTheLoad,
-    /// A requested one.
+    /// Requested torque.
     Asked,
 }
 

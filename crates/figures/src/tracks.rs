@@ -1,4 +1,4 @@
-//! The tracks of an encoder around the angle at which its shaft stands.
+//! Tracks of an encoder around the angle of its shaft.
 
 use crate::drawing::{Chart, Drawing, Figure};
 use answers::{EncoderSignal, EncoderState, SignalForm};
@@ -12,7 +12,7 @@ const WIDTH_MM: f64 = 165.0;
 const FRAME_MM: f64 = 26.0;
 const PANEL_MM: f64 = 20.0;
 
-/// The tracks that follow the angle, those of equal range in one picture; of a resolver the voltages over time too.
+/// Draws the tracks over the angle, those of equal range in one picture; for a resolver, the voltages over time too.
 #[must_use]
 pub fn encoder_tracks(code: &str, state: &EncoderState, language: Language) -> Vec<Drawing> {
     let mut ranges: Vec<(f64, Vec<(&str, &EncoderSignal)>)> = Vec::new();
@@ -30,7 +30,7 @@ pub fn encoder_tracks(code: &str, state: &EncoderState, language: Language) -> V
     over_angle.chain(carrier(code, state, language)).collect()
 }
 
-/// Tracks over the same range of the angle, one below the other.
+/// Draws tracks over the same range of the angle, one below the other.
 fn tracks(
     code: &str,
     state: &EncoderState,
@@ -49,7 +49,7 @@ fn tracks(
         let is_level = signal.form == SignalForm::Level;
         let mut points: Vec<(f64, f64)> = Vec::new();
         for (offset, value) in curve.offset_deg.iter().zip(&curve.value) {
-            // A level changes at once.
+            // A digital level changes instantly.
             if let Some((_, before)) = points.last().filter(|_| is_level).copied() {
                 points.push((offset.0, before));
             }
@@ -67,7 +67,7 @@ fn tracks(
     Drawing::new(Figure::EncoderTracks, code, (WIDTH_MM, height), texts, Chart::Stacked(chart), l)
 }
 
-/// The voltages of a resolver over two periods of its excitation.
+/// Draws the voltages of a resolver over two periods of its excitation.
 fn carrier(code: &str, state: &EncoderState, language: Language) -> Option<Drawing> {
     let l = language;
     let found = state.carrier.as_ref()?;
@@ -92,7 +92,7 @@ mod tests {
     use questions::Patience;
     use questions::list::{Asked, Given, encoder};
 
-    /// What is drawn is what the answer says, for every encoder.
+    /// Compares the drawn tracks with the answer, for every encoder.
     #[test]
     fn every_track_that_follows_the_angle_is_drawn() {
         for (code, pictures, lines) in [

@@ -1,4 +1,4 @@
-//! Every check as a bar against its limit.
+//! Bars of the utilisation of every check.
 
 use crate::drawing::{Chart, Drawing, Figure};
 use crate::labels::{amount, listed, percent};
@@ -8,7 +8,7 @@ use questions::texts::{by_importance, counts_text, verdict_text};
 use questions::{Candidate, Check, Direction, Objection, Unmet, Verdict};
 use words::{capitalised, check_missing, check_title, pictures, terms, unmet_text, verdict_word, without_limit};
 
-/// Every check of a candidate, in the order in which every answer lists them.
+/// Draws every check of a candidate, in the order of all answers.
 #[must_use]
 pub fn utilisation(candidate: &Candidate<'_>, language: Language) -> Drawing {
     let checks = by_importance(&candidate.judgement.checks);
@@ -35,7 +35,7 @@ pub fn utilisation(candidate: &Candidate<'_>, language: Language) -> Drawing {
     Drawing::new(Figure::Utilisation, &of, (165.0, height), texts, Chart::Bars(chart), language)
 }
 
-/// The verdicts in the order in which they are explained and counted.
+/// Verdicts in the order of their explanation and count.
 const VERDICTS: [Verdict; 4] = [Verdict::Pass, Verdict::Advice, Verdict::Fail, Verdict::NotChecked];
 
 pub(crate) const fn sign(verdict: Verdict) -> plot::Verdict {
@@ -64,7 +64,7 @@ fn bar(check: &Check, language: Language) -> Bar {
     }
     if check.verdict == Verdict::NotChecked {
         let missing = check.missing.unwrap_or_default();
-        // The datum by its bare name: the tooltip says what it belongs to.
+        // The short name of the value: the tooltip contains its path.
         let short = missing.rsplit('.').next().unwrap_or(missing);
         let reason = check_missing(missing, language);
         return bar.text(format!("{}: {short}", terms::missing(language))).tooltip(&format!("{reason} {numbers}"));
