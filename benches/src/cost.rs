@@ -1,9 +1,10 @@
-//! The cost generator: what can be multiplied is multiplied (points of a table, moves, samples, tolerances, ratios, axes), and every key of
-//! every mechanism is drawn at the extremes of its range ([`benches::drawn`]). Each product is put to commands as a process. An answer keeps what `docs/reference/limits.md` promises, some five seconds of
-//! one core and half a gigabyte, or the work is refused before it begins. What an answer is predicted to take stands beside what it
-//! took. A promise or a prediction that is exceeded by more than a factor of two fails.
+//! The cost generator: it multiplies points of a table, moves, samples, tolerances, ratios and axes, and draws every
+//! key of every mechanism at the extremes of its range ([`benches::drawn`]). Each product is given to commands that run
+//! as a process. An answer keeps the promise of `docs/reference/limits.md`, some five seconds of one core and half a
+//! gigabyte, or the work is refused before it begins. The prediction is printed next to the measurement. A promise or a
+//! prediction that is exceeded by more than a factor of two fails.
 //!
-//! Baseline: numbers sorted, by which the seconds of another machine are ours.
+//! Baseline: sorting of numbers, which scales the seconds of another machine to ours.
 #![allow(
     clippy::expect_used,
     clippy::indexing_slicing,
@@ -23,19 +24,20 @@ use std::path::{Path, PathBuf};
 use std::process::{Command, ExitCode, Stdio};
 use std::time::{Duration, Instant};
 
-/// Seconds of one core, and bytes, that an answer takes at most; what is no ranking and no check takes twice as long.
+/// Promised limit of an answer: seconds of one core, and bytes; an answer other than a ranking or a check may take
+/// twice as long.
 const PROMISED: (f64, f64) = (5.0, 500e6);
 
-/// Starting a process and reading its project take so long in any case.
+/// Time to start a process and read its project \[s\].
 const START_SECONDS: f64 = 0.5;
 
-/// By so much a promise may be missed: processes beside this one share caches and memory.
+/// Permissible factor above a promise: processes that run in parallel share caches and memory.
 const SLACK: f64 = 2.0;
 
-/// So many numbers are sorted, which took this time where the promise was measured.
+/// Number of sorted numbers, and the time \[s\] for it on the machine of the promise.
 const SORTED: (usize, f64) = (4_000_000, 0.16);
 
-/// A project with the recording that it names, and the commands that it is put to.
+/// A project with the recording that it names, and the commands that are run on it.
 struct Case {
     name: String,
     project: String,
@@ -43,7 +45,7 @@ struct Case {
     commands: Vec<&'static str>,
 }
 
-/// What a command is predicted to cost.
+/// Returns the kind of cost that is predicted for a command.
 fn cost(command: &str) -> Cost {
     let draw = Draw::default();
     match command {
@@ -55,7 +57,7 @@ fn cost(command: &str) -> Cost {
     }
 }
 
-/// The arguments of a command about a project.
+/// Returns the arguments of a command about a project.
 fn arguments<'a>(command: &'a str, path: &'a str, out: &'a str) -> Vec<&'a str> {
     match command {
         "check" => vec![command, path, "--code", CODE],
@@ -67,7 +69,7 @@ fn arguments<'a>(command: &'a str, path: &'a str, out: &'a str) -> Vec<&'a str> 
 }
 
 impl Case {
-    /// Prediction for each of its commands, seconds and bytes; `None` where it is refused as it is read.
+    /// Returns the prediction for each of its commands \[s\], bytes; `None` if the project is refused on reading.
     fn predicted(&self) -> Option<Vec<(f64, f64)>> {
         let project = questions::read_all(&self.project, &Recorded(self.recording.map(recording))).ok()?;
         let project = project.first()?;
@@ -75,7 +77,7 @@ impl Case {
     }
 }
 
-/// The recording of a case.
+/// Recording of a case.
 struct Recorded(Option<String>);
 
 impl Files for Recorded {
@@ -85,7 +87,7 @@ impl Files for Recorded {
     }
 }
 
-/// What a process took, and what it was predicted to take.
+/// Measured and predicted time and memory of a process.
 struct Taken {
     seconds: f64,
     bytes: f64,
@@ -94,7 +96,7 @@ struct Taken {
 }
 
 impl Taken {
-    /// How much of its prediction an answer took; what is refused takes nothing.
+    /// Returns the measured share of the prediction; zero for refused work.
     fn of_predicted(&self, slower: f64) -> f64 {
         let (seconds, bytes) = self.predicted;
         let time = self.seconds / slower / (seconds + START_SECONDS);
@@ -105,7 +107,7 @@ impl Taken {
 const CODE: &str = "CHA-40A-50-H-C1024";
 const SUPPLY: &str = "[requirements]\nsupply = \"560 V\"\n";
 
-/// A load whose inertia and torque are straight between so many points of a revolution.
+/// Returns a load whose inertia and torque are piecewise linear between `points` points of a revolution.
 fn table(points: usize) -> String {
     let mut text = String::from("[mechanism.table]\nstart_angle = \"170 deg\"\npoints = [");
     for k in 0..=points {
@@ -128,7 +130,7 @@ fn load(kind: &str, points: usize, tolerance: &str) -> String {
     }
 }
 
-/// Moves to and fro, each of another duration so that none repeats.
+/// Returns moves back and forth, each of another duration so that none repeats.
 fn moves(count: usize) -> String {
     let one = |k: usize| {
         let distance = if k.is_multiple_of(2) { 150 } else { -150 };
@@ -172,13 +174,14 @@ fn cases() -> Vec<Case> {
     all
 }
 
-/// Projects of each mechanism.
+/// Number of projects of each mechanism.
 const SEEDS: u64 = 3;
 
-/// Commands of which one drawn project is put to one.
+/// Commands of which one is run on each drawn project.
 const OTHERS: [&str; 6] = ["report", "export", "diff", "simulate", "explain", "bearing"];
 
-/// Every key of every mechanism at the extremes, alone, with many moves, with a tolerance and with the ratios of a stage.
+/// Returns every key of every mechanism at the extremes: alone, with many moves, with a tolerance and with the ratios
+/// of a stage.
 fn at_the_extremes(seeds: u64) -> Vec<Case> {
     const RATIOS: &str =
         "\n[stage]\nkind = \"belt\"\nratios = [0.5, 0.6, 0.7, 0.8, 0.9, 1, 1.2, 1.4, 1.6, 1.8, 2, 2.5, 3, 4, 5, 6]\n";
@@ -206,7 +209,7 @@ fn at_the_extremes(seeds: u64) -> Vec<Case> {
     all
 }
 
-/// Swings of 150° with the noise of an encoder.
+/// Returns swings of 150° with the noise of an encoder.
 fn recording(samples: usize) -> String {
     let mut text = String::from("t [s],q [deg]\n");
     let mut state = 0x9e37_79b9_7f4a_7c15_u64;
@@ -222,7 +225,7 @@ fn recording(samples: usize) -> String {
     text
 }
 
-/// Runs a process: its time on all cores together and the most memory that it held, as the system shows them while it runs.
+/// Runs a process and measures its time on all cores and its peak memory, as the system reports them while it runs.
 fn taken(binary: &Path, arguments: &[&str], predicted: (f64, f64)) -> Option<Taken> {
     let began = Instant::now();
     let mut child = Command::new(binary).args(arguments).stdout(Stdio::null()).stderr(Stdio::null()).spawn().ok()?;
@@ -241,7 +244,7 @@ fn taken(binary: &Path, arguments: &[&str], predicted: (f64, f64)) -> Option<Tak
             text.rsplit_once(')').map(|(_, rest)| rest.split_whitespace().collect::<Vec<_>>()).unwrap_or_default();
         let of = |place: usize| fields.get(place).and_then(|field| field.parse::<f64>().ok()).unwrap_or(0.0);
         ticks = ticks.max(of(11) + of(12));
-        // A broken promise is not waited out.
+        // A process that far exceeds its promise is ended.
         if began.elapsed() > Duration::from_secs(120) {
             let _ = child.kill();
             let _ = child.wait();
@@ -253,7 +256,8 @@ fn taken(binary: &Path, arguments: &[&str], predicted: (f64, f64)) -> Option<Tak
 }
 
 fn main() -> ExitCode {
-    // With a number the drawn projects alone, of so many seeds; with a program behind it that one in place of the release binary.
+    // With a number: the drawn projects alone, of that many seeds; with a program behind it: that one instead of the
+    // release binary.
     let mut words = std::env::args().skip(1).filter(|word| !word.starts_with('-'));
     let seeds = words.next().and_then(|word| word.parse().ok());
     let binary = words.next().map(PathBuf::from).or_else(binary).expect("the release binary is built");
@@ -272,7 +276,7 @@ fn main() -> ExitCode {
             written = Some(samples);
         }
         let path = path.to_str().expect("a folder with a name");
-        // What cannot be read is refused.
+        // A project that cannot be read is refused.
         let predicted = case.predicted().unwrap_or_else(|| vec![(0.0, 0.0); case.commands.len()]);
         let out = folder.join("out");
         for (command, predicted) in case.commands.iter().zip(predicted) {

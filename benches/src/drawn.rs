@@ -1,5 +1,5 @@
-//! Projects at the extremes of their keys: every key of every section, from the schema that the reader of the project file is made of, with
-//! values far from those of the examples. A key or a mechanism that is new is drawn without a line here.
+//! Projects at the extremes of their keys: every key of every section, from the schema that the reader of the project
+//! file uses, with values far from those of the examples. New keys and mechanisms are included without a change here.
 
 use mechanism::MechanismId;
 use project::{Edit, Files, edit, schema};
@@ -8,25 +8,25 @@ use std::collections::BTreeSet;
 
 /// A project that is read without a fault.
 pub struct Drawn {
-    /// The mechanism, and what is multiplied.
+    /// Mechanism, and the multiplied element.
     pub name: String,
-    /// The text of the file.
+    /// Text of the file.
     pub text: String,
-    /// Keys that it states beyond its example.
+    /// Keys that it states in addition to its example.
     pub keys: Vec<String>,
 }
 
-/// Numbers that are the same on every run.
+/// Pseudo-random numbers, the same on every run.
 pub struct Chance(u64);
 
 impl Chance {
-    /// From a seed.
+    /// Creates the generator of a seed.
     #[must_use]
     pub const fn new(seed: u64) -> Self {
         Self(seed ^ 0x9e37_79b9_7f4a_7c15)
     }
 
-    /// Returns one of so many numbers from zero on.
+    /// Returns a number from zero to below `count`.
     pub const fn below(&mut self, count: usize) -> usize {
         self.0 = self.0.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
         if count == 0 { 0 } else { (self.0 >> 33) as usize % count }
@@ -40,7 +40,7 @@ impl Chance {
 /// A key with its description in the schema.
 pub type Key = (String, Value);
 
-/// Every key of a section that holds a single value, by its path.
+/// Returns every key of a section that holds a single value, by its path.
 #[must_use]
 pub fn keys(schema: &Value, path: &str) -> Vec<Key> {
     let mut found = Vec::new();
@@ -56,10 +56,10 @@ pub fn keys(schema: &Value, path: &str) -> Vec<Key> {
     found
 }
 
-/// Powers of ten by which a quantity departs from its example.
+/// Powers of ten by which a quantity deviates from its example.
 const POWERS: [i32; 8] = [-4, -3, -2, -1, 1, 2, 3, 4];
 
-/// A value for a key: an extreme of its range, or its example times a power of ten.
+/// Returns a value for a key: an extreme of its range, or its example times a power of ten.
 fn value(about: &Value, stated: Option<&str>, chance: &mut Chance) -> Option<String> {
     if let Some(words) = about.get("enum").and_then(Value::as_array) {
         return chance.of(words)?.as_str().map(str::to_owned);
@@ -79,7 +79,7 @@ fn value(about: &Value, stated: Option<&str>, chance: &mut Chance) -> Option<Str
     Some(format!("{} {unit}", number.parse::<f64>().ok()? * 10_f64.powi(power)))
 }
 
-/// What the text states for a path: the line of its key in its section.
+/// Returns the value that the text states for a path, from the line of its key in its section.
 fn stated<'t>(text: &'t str, path: &str) -> Option<&'t str> {
     let (section, key) = path.rsplit_once('.')?;
     let behind = text.split_once(&format!("\n[{section}]"))?.1;
@@ -88,10 +88,10 @@ fn stated<'t>(text: &'t str, path: &str) -> Option<&'t str> {
     line.split('"').nth(1)
 }
 
-/// The recording that the example of a joint names.
+/// Recording that the example of a joint names.
 pub const RECORDING: (&str, &str) = ("robot-joint.csv", include_str!("../../examples/robot-joint.csv"));
 
-/// The files of a drawn project.
+/// Files of a drawn project.
 struct Example;
 
 impl Files for Example {
@@ -107,7 +107,7 @@ fn reads(text: &str) -> bool {
 /// Sections that any project may have.
 const SHARED: [&str; 6] = ["axis", "stage", "bearing", "requirements", "drive", "twin"];
 
-/// The keys that projects of a mechanism may state.
+/// Returns the keys that projects of a mechanism may state.
 #[must_use]
 pub fn keys_of(id: MechanismId) -> Vec<Key> {
     let root = schema(&|_| String::new());
@@ -119,14 +119,14 @@ pub fn keys_of(id: MechanismId) -> Vec<Key> {
     sections.flat_map(|path| keys(section(path), path)).collect()
 }
 
-/// A project of a mechanism with values at the extremes; each is kept if the project can be read with it.
+/// Draws a project of a mechanism with values at the extremes; a value is kept if the project can be read with it.
 #[must_use]
 pub fn drawn(id: MechanismId, seed: u64) -> Drawn {
     let mut chance = Chance::new(seed);
     let mut text = id.example().to_owned();
     let mut kept = Vec::new();
     for (path, about) in keys_of(id) {
-        // About every second key, the others as in the example.
+        // About every second key; the others stay as in the example.
         if chance.below(2) == 0 {
             continue;
         }
@@ -140,7 +140,8 @@ pub fn drawn(id: MechanismId, seed: u64) -> Drawn {
     Drawn { name: format!("{} at the extremes, seed {seed}", id.key()), text, keys: kept }
 }
 
-/// The text with its moves so many times, each time a little slower, so that none repeats; `None` where it cannot be read.
+/// Returns the text with its moves repeated, each time a little slower, so that none is equal to another; `None` if it
+/// cannot be read.
 #[must_use]
 pub fn repeated(text: &str, times: usize) -> Option<String> {
     let mut parts: Vec<String> = Vec::new();
@@ -172,7 +173,7 @@ pub fn repeated(text: &str, times: usize) -> Option<String> {
     reads(&found).then_some(found)
 }
 
-/// The text with a tolerance of the first quantity that can have one; `None` where none can.
+/// Returns the text with a tolerance of the first quantity that can have one; `None` if none can.
 #[must_use]
 pub fn toleranced(text: &str) -> Option<String> {
     let sections: BTreeSet<&str> = text.lines().filter_map(|line| line.strip_prefix('[')?.strip_suffix(']')).collect();
@@ -191,7 +192,7 @@ pub fn toleranced(text: &str) -> Option<String> {
 mod tests {
     use super::*;
 
-    /// Each key of the schema is drawn in some project, and each project states some.
+    /// Requires that each key of the schema is drawn in some project, and that each project states some.
     #[test]
     fn every_key_is_drawn_and_some_are_kept() {
         for id in MechanismId::ALL.iter().copied() {

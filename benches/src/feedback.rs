@@ -1,6 +1,6 @@
-//! Signals and words of encoders, beside what they cannot do without: a sine and cosine each.
+//! Signals and words of encoders, compared with their minimum work: a sine and a cosine each.
 //!
-//! Ten million a second of each are promised; what is judged is the ratio.
+//! The promise is ten million per second; the ratio is judged.
 #![allow(clippy::print_stdout, reason = "a bench prints what it measured")]
 
 use benches::{Gates, least_processor_s};

@@ -1,6 +1,6 @@
-//! Judging the whole catalogue for one axis, inside the process.
+//! Judging the whole catalogue for one axis, within the process.
 //!
-//! Baseline: sorting ten thousand numbers; and a NumPy script of an engineer where there is one.
+//! Baselines: sorting ten thousand numbers; and the NumPy script of an engineer, if NumPy is installed.
 #![allow(clippy::print_stdout, clippy::expect_used, reason = "a bench prints what it measured")]
 
 use benches::{Gates, against, numpy, size, sort};
@@ -10,7 +10,7 @@ use std::process::ExitCode;
 
 const PROJECT: &str = include_str!("../../examples/indexing-table.toml");
 
-/// The same axis with many moves, each otherwise: none stands for another.
+/// Returns the axis with many moves, all different, so that no result is reused.
 fn with_moves(count: usize) -> String {
     let (head, tail) = PROJECT.split_once("[[motion]]").expect("the example has a move");
     let (one, rest) = tail.split_once("[bearing]").expect("the example has bearing loads");
@@ -20,7 +20,7 @@ fn with_moves(count: usize) -> String {
     format!("{head}{moves}[bearing]{rest}")
 }
 
-/// There and back by a law that bends all the way, each time a little farther.
+/// Returns moves back and forth by a law with curvature throughout, each time a little farther.
 fn with_smooth_moves(count: usize) -> String {
     let moves: String = (0..count)
         .map(|k| {
@@ -34,7 +34,7 @@ fn with_smooth_moves(count: usize) -> String {
     )
 }
 
-/// The same station by a law that bends all the way, with the rest of the cycle as a dwell.
+/// Returns the station with a law with curvature throughout, with the rest of the cycle as a dwell.
 fn with_a_smooth_move() -> String {
     let (head, tail) = PROJECT.split_once("[[motion]]").expect("the example has a move");
     let (_, rest) = tail.split_once("[bearing]").expect("the example has bearing loads");
@@ -42,7 +42,7 @@ fn with_a_smooth_move() -> String {
     format!("{head}[[motion]]\n{smooth}[[motion]]\nlaw = \"dwell\"\ntime = \"1 s\"\n[bearing]{rest}")
 }
 
-/// An arm that swings a thousand times under its weight, each time otherwise: nothing stands for anything else.
+/// Returns an arm that swings a thousand times under its weight, all different, so that no result is reused.
 fn swings() -> String {
     let moves: String = (0..1000)
         .map(|k| {
@@ -69,10 +69,10 @@ fn main() -> ExitCode {
     );
     let baseline = "sorting ten thousand numbers";
     gates.at_most(&format!("judge the catalogue ({judged} actuators)"), &whole, (baseline, 12.0));
-    // The baseline knows limits only, no band of an estimate and no gear to warm up.
+    // The baseline uses limits only, without bands of estimates and without the warm-up of a gear.
     let passes = |candidate: &&questions::Candidate| candidate.fits() && candidate.standing.utilisation <= 1.0;
     let fitting = size(&project).candidates.iter().filter(passes).count();
-    // As an engineer writes it: the cycle sampled every millisecond, vectors over time, one actuator after the other.
+    // The usual way: the cycle sampled every millisecond, vectors over time, one actuator after the other.
     match numpy(&["--sampled", "1e-3"]) {
         Some((time, fit)) => {
             assert_eq!(fit, fitting, "the baseline finds other actuators");

@@ -1,5 +1,5 @@
-//! What the benches share: calls timed in turn with a baseline, and gates on their ratio. Times are reported, never judged: a
-//! machine may be slow or shared.
+//! Tools of the benches: calls timed in turn with a baseline, and gates on their ratio. Times are reported, never
+//! judged: a machine may be slow or shared.
 #![allow(clippy::print_stdout, reason = "a bench prints what it measured")]
 
 pub mod drawn;
@@ -11,20 +11,20 @@ use std::path::{Path, PathBuf};
 use std::process::{Command, ExitCode, Stdio};
 use std::time::{Duration, Instant};
 
-/// The top of the tree.
+/// Returns the root folder of the repository.
 #[must_use]
 pub fn root() -> PathBuf {
     PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("..")
 }
 
-/// The catalogue as the command ranks it: the ten best judged by every check.
+/// Judges the catalogue as the command does: the ten best with every check.
 #[must_use]
 pub fn size(project: &Project) -> Sizing<'_> {
     sized(project, 10, Rejected::Nearest, &Patience::endless())
         .unwrap_or_else(|refusal| unreachable!("nothing cancels it: {refusal:?}"))
 }
 
-/// The release binary, built by the same cargo into the target folder that this bench runs from.
+/// Returns the release binary, built by the running cargo into the target folder of this bench.
 #[must_use]
 pub fn binary() -> Option<PathBuf> {
     let bench = std::env::current_exe().ok()?;
@@ -39,8 +39,8 @@ pub fn binary() -> Option<PathBuf> {
     (built.is_ok_and(|status| status.success()) && binary.is_file()).then_some(binary)
 }
 
-/// What the NumPy baseline says for some options: seconds of one judgement of the catalogue, and how many fit.
-/// `None` where there is no Python with NumPy.
+/// Runs the NumPy baseline with options; returns the time of one judgement of the catalogue, and the number of fitting
+/// actuators. `None` without Python and NumPy.
 #[must_use]
 pub fn numpy(options: &[&str]) -> Option<(Duration, usize)> {
     let catalogue = Command::new(binary()?).args(["catalogue", "export", "--format", "json"]).output().ok()?;
@@ -64,7 +64,7 @@ pub fn numpy(options: &[&str]) -> Option<(Duration, usize)> {
     Some((Duration::from_secs_f64(figure("seconds")?), figure("fit")? as usize))
 }
 
-/// How long `numpy.loadtxt` takes; `None` where there is no Python with NumPy.
+/// Returns the time of `numpy.loadtxt`; `None` without Python and NumPy.
 #[must_use]
 pub fn loadtxt(file: &str) -> Option<Duration> {
     let script = "import sys, time, numpy\nt = time.perf_counter()\nnumpy.loadtxt(sys.argv[1], delimiter=',', skiprows=1)\nprint(time.perf_counter() - t)";
@@ -73,12 +73,12 @@ pub fn loadtxt(file: &str) -> Option<Duration> {
     Some(Duration::from_secs_f64(seconds))
 }
 
-/// How long one call takes.
+/// Times of one call.
 #[derive(Clone, Copy, Debug)]
 pub struct Times {
     /// Shortest call.
     pub least: Duration,
-    /// Half of the calls take longer.
+    /// Median.
     pub median: Duration,
     /// Longest call.
     pub most: Duration,
@@ -99,15 +99,15 @@ pub fn timed(call: impl FnOnce()) -> Duration {
     start.elapsed()
 }
 
-/// Seconds of processor time that this thread has used; `None` where the system does not say.
+/// Returns the processor time of this thread \[s\]; `None` if the system does not report it.
 #[must_use]
 pub fn processor_s() -> Option<f64> {
     let text = std::fs::read_to_string("/proc/thread-self/schedstat").ok()?;
     text.split(' ').next()?.parse::<f64>().ok().map(|nanoseconds| nanoseconds * 1e-9)
 }
 
-/// Processor time of one call, on a system that says it, else the time: of `together` calls in a row, since the system counts in
-/// steps of some milliseconds, the least of some rounds.
+/// Returns the processor time of one call \[s\], else its elapsed time: the least of `rounds` measurements, each of
+/// `together` calls in a row, since the system counts in steps of some milliseconds.
 pub fn least_processor_s(rounds: usize, together: u32, mut call: impl FnMut()) -> f64 {
     let least = (0..rounds.max(1)).fold(f64::INFINITY, |least, _| {
         let before = processor_s();
@@ -117,7 +117,7 @@ pub fn least_processor_s(rounds: usize, together: u32, mut call: impl FnMut()) -
     least / f64::from(together.max(1))
 }
 
-/// Seconds that a Python script of `benches/baseline` reports; `None` where there is no Python with what it needs.
+/// Returns the seconds that a Python script of `benches/baseline` reports; `None` without Python and its packages.
 #[must_use]
 pub fn baseline_s(script: &str) -> Option<f64> {
     let script = root().join("benches/baseline").join(script);
@@ -127,7 +127,7 @@ pub fn baseline_s(script: &str) -> Option<f64> {
     rest.split([',', '}']).next()?.trim().parse().ok()
 }
 
-/// A call and its baseline, timed in turn, so that whatever slows the machine slows both.
+/// A call and its baseline, timed in turn, so that a disturbance of the machine slows both.
 #[derive(Clone, Copy, Debug)]
 pub struct Against {
     /// The call.
@@ -139,7 +139,7 @@ pub struct Against {
 }
 
 impl Against {
-    /// Of pairs of times: the call, the baseline.
+    /// Computes the statistics of pairs of times: the call, the baseline.
     #[must_use]
     pub fn of(pairs: &[(Duration, Duration)]) -> Self {
         let mut ratios: Vec<f64> =
@@ -164,7 +164,7 @@ pub fn against(rounds: usize, mut baseline: impl FnMut(), mut call: impl FnMut()
     Against::of(&pairs)
 }
 
-/// Work that any machine takes about as long for as for ours, compared with another machine: so many numbers sorted.
+/// Sorts `count` numbers: work whose time scales with the speed of a machine, for comparison between machines.
 pub fn sort(count: usize) {
     let mut state = 0x9e37_79b9_7f4a_7c15_u64;
     let mut numbers: Vec<u64> = (0..count)
@@ -179,10 +179,10 @@ pub fn sort(count: usize) {
     std::hint::black_box(&numbers);
 }
 
-/// Runs the binary once with its output thrown away.
+/// Runs the binary once and discards its output.
 ///
 /// # Panics
-/// When it cannot be run or fails: then nothing was measured.
+/// If it cannot be run or fails, since nothing is measured then.
 pub fn run(binary: &Path, arguments: &[&str]) {
     let status = Command::new(binary)
         .args(arguments)
@@ -194,13 +194,13 @@ pub fn run(binary: &Path, arguments: &[&str]) {
     assert!(status.is_ok_and(|status| status.success()), "{arguments:?} failed");
 }
 
-/// Milliseconds of a duration.
+/// Converts a duration to milliseconds.
 #[must_use]
 pub const fn milliseconds(time: Duration) -> f64 {
     time.as_secs_f64() * 1e3
 }
 
-/// The gates of a bench: a ratio that was measured, and what is promised of it.
+/// Gates of a bench: measured ratios and their promises.
 #[derive(Debug, Default)]
 pub struct Gates {
     missed: Vec<String>,
@@ -224,7 +224,7 @@ impl Gates {
         }
     }
 
-    /// Prints a ratio that no neighbour disturbs, such as one of memory, against a promise.
+    /// Prints a ratio independent of other processes, e.g. one of memory, against a promise.
     pub fn share_at_most(&mut self, what: &str, ratio: f64, (baseline, promise): (&str, f64)) {
         let verdict = if ratio <= promise { "kept" } else { "MISSED" };
         println!("{what}: {ratio:.2} × {baseline}, promised at most {promise}: {verdict}");
@@ -233,12 +233,12 @@ impl Gates {
         }
     }
 
-    /// Prints how many times longer a baseline takes that was timed in the same run, against a promise.
+    /// Prints by what factor a baseline timed in the same run is slower, against a promise.
     pub fn times_faster(&mut self, what: &str, measured: Times, baseline: Duration, promise: f64) {
         self.times_faster_s(what, measured.median.as_secs_f64(), baseline.as_secs_f64(), promise);
     }
 
-    /// The same of seconds.
+    /// Prints by what factor a baseline is slower, from seconds, against a promise.
     pub fn times_faster_s(&mut self, what: &str, measured_s: f64, baseline_s: f64, promise: f64) {
         let ratio = baseline_s / measured_s.max(1e-12);
         let verdict = if ratio >= promise { "kept" } else { "MISSED" };
@@ -248,7 +248,7 @@ impl Gates {
         }
     }
 
-    /// Success if every promise was kept.
+    /// Returns success if every promise was kept.
     #[must_use]
     pub fn close(self) -> ExitCode {
         if self.missed.is_empty() {

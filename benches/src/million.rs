@@ -1,7 +1,7 @@
-//! The hard case of a recording: a million positions on a millisecond grid, rounded to 9 digits as a controller writes them,
-//! of a load so light and slow that four fifths of the catalogue survive. The catalogue judged on it, and the reserves of
-//! the best of it searched. And the hardest that is known: a joint whose recorded torque is white noise, so that it turns its
-//! sign within every other interval and no sum of many intervals holds.
+//! The hard case of a recording: a million positions on a millisecond grid, rounded to 9 digits as a controller writes
+//! them, of a load so light and slow that four fifths of the catalogue remain. The catalogue is judged on it, and the
+//! reserves of the best actuator are searched. And the hardest known case: a joint whose recorded torque is white
+//! noise, so that it changes its sign in every other interval and no bound over many intervals is tight.
 //!
 //! Baselines: reading the same file; for the whole process `numpy.loadtxt` of it.
 #![allow(
@@ -39,7 +39,7 @@ units = { time = "s", position = "rad" }
 supply = "560 V"
 "#;
 
-/// Ten swings of 1.5 rad in 1000 s.
+/// Returns ten swings of 1.5 rad in 1000 s.
 fn recording() -> String {
     let last = (SAMPLES - 1) as f64;
     let mut text = String::from("time,position\n");
@@ -62,7 +62,7 @@ file = "noise.csv"
 units = { time = "s", position = "rad", torque = "Nm" }
 "#;
 
-/// A slow swing under a torque that is noise, the sum of twelve numbers that are equally likely between −2 and 2 Nm.
+/// Returns a slow swing under a torque of noise: the sum of twelve uniformly distributed numbers between −2 and 2 Nm.
 fn noise() -> String {
     let mut text = String::from("time,position,torque\n");
     let mut state = 1_u64;
@@ -87,7 +87,7 @@ impl Files for Given {
     }
 }
 
-/// The recording without a copy of it.
+/// The recording, shared without a copy.
 struct Text(Arc<String>, usize);
 
 impl std::io::Read for Text {
@@ -104,7 +104,7 @@ fn main() -> ExitCode {
     let text = Arc::new(recording());
     let files = Given(Arc::clone(&text));
     let read = || questions::read_all(PROJECT, &files).expect("the project is valid");
-    // Each time anew, since what is known of a recording serves every later question.
+    // A new recording each time, since results of a recording are reused by later questions.
     let mut reserves = Vec::new();
     let sized: Vec<_> = (0..ROUNDS)
         .map(|_| {
@@ -142,7 +142,7 @@ fn main() -> ExitCode {
 
 const ROUNDS: usize = 5;
 
-/// The catalogue on white noise.
+/// Measures the catalogue on white noise.
 fn noisy(gates: &mut Gates) {
     let files = Given(Arc::new(noise()));
     let mut found = Vec::new();
@@ -158,7 +158,7 @@ fn noisy(gates: &mut Gates) {
     gates.at_most("size on a million samples of white noise", &Against::of(&found), ("reading them", 30.0));
 }
 
-/// The process from its start against `numpy.loadtxt` of the same file, and the most memory that it held.
+/// Measures the whole process against `numpy.loadtxt` of the same file, and its peak memory.
 fn whole_process(text: &str, gates: &mut Gates) {
     let binary = binary().expect("the release binary is built");
     let folder = std::env::temp_dir().join(format!("antrieb-bench-{}", std::process::id()));
@@ -189,7 +189,7 @@ fn whole_process(text: &str, gates: &mut Gates) {
     let _ = std::fs::remove_dir_all(&folder);
 }
 
-/// Peak memory of a process, if the system reports it while the process runs.
+/// Returns the peak memory of a process, if the system reports it while the process runs.
 fn memory(binary: &Path, arguments: &[&str]) -> Option<usize> {
     let mut child = Command::new(binary).args(arguments).stdout(Stdio::null()).spawn().ok()?;
     let status = format!("/proc/{}/status", child.id());

@@ -1,6 +1,6 @@
-//! The reader of CSV alone: a million rows of time and position, 20 MB.
+//! The CSV reader alone: a million rows of time and position, 20 MB.
 //!
-//! Baseline: `numpy.loadtxt` of the same file where there is a Python with NumPy, else every byte looked at once.
+//! Baseline: `numpy.loadtxt` of the same file if NumPy is installed, else one pass over every byte.
 #![allow(clippy::expect_used, clippy::print_stdout, reason = "a bench fails loudly and prints what it measured")]
 
 use benches::{Against, Gates, loadtxt, timed};
@@ -23,7 +23,7 @@ fn text() -> String {
     text
 }
 
-/// The bytes that begin a line or a cell: no reader looks at less.
+/// Counts the bytes that begin a line or a cell: the minimum work of a reader.
 fn scanned(text: &[u8]) -> usize {
     let mut ends = 0;
     for byte in text {

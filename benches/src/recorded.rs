@@ -1,6 +1,6 @@
 //! A recorded motion of a million samples: the pass that makes sums and bounds, and the catalogue judged on it.
 //!
-//! Baseline: one pass over the same arrays that does nothing but sum them.
+//! Baseline: one pass over the same arrays that only sums them.
 #![allow(clippy::print_stdout, clippy::expect_used, reason = "a bench prints what it measured")]
 
 use benches::{Gates, against};
@@ -13,7 +13,8 @@ use std::sync::Arc;
 
 const SAMPLES: usize = 1_000_000;
 
-/// A robot joint at 1 kHz: a slow swing, quicker moves on it, gravity and inertia in the torque.
+/// Returns the samples of a robot joint at 1 kHz: a slow swing with quicker moves on it, gravity and inertia in the
+/// torque.
 fn samples() -> Samples {
     let time_s: Vec<f64> = (0..SAMPLES).map(|k| k as f64 * 1e-3).collect();
     let speed = |t: f64| 0.8 * (0.9 * t).sin() + 0.5 * (3.1 * t).sin() + 0.2 * (12.0 * t).sin();

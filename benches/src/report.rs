@@ -1,6 +1,6 @@
 //! The report as PDF, by the release binary: process start, judging, pictures, typesetting, file.
 //!
-//! Baseline: sorting two million numbers, since no other part of antrieb does what the typesetting engine does.
+//! Baseline: sorting two million numbers, since no other part of antrieb does similar work to the typesetting engine.
 #![allow(clippy::print_stdout, clippy::expect_used, reason = "a bench prints what it measured")]
 
 use benches::{Gates, against, binary, run, sort};

@@ -1,6 +1,7 @@
-//! A project sized over the loopback, and the page after a keystroke, on a connection that stays.
+//! A project sized over the loopback, and the page after a keystroke, on a persistent connection.
 //!
-//! Baseline: the same question put to the page without a server; for the page the answer as data. At the end many clients at once.
+//! Baseline: the same question to the page without a server; for the page, the answer as a record. At the end many
+//! clients at once.
 #![allow(clippy::expect_used, clippy::print_stdout, reason = "a bench fails loudly and tells what it found")]
 
 use benches::{Gates, against, milliseconds, timed};
@@ -36,7 +37,7 @@ impl Shell for Alone {
     }
 }
 
-/// An empty folder that takes nothing: that there is one is seen in the page.
+/// An empty folder that stores nothing: the page shows the controls of a folder.
 impl Folder for Alone {
     fn list(&self) -> std::io::Result<Vec<FileEntry>> {
         Ok(Vec::new())
@@ -55,7 +56,7 @@ impl Folder for Alone {
     }
 }
 
-/// A question: its path, the type of its body, its body.
+/// A question: its path, the media type of its body, its body.
 struct Question {
     path: &'static str,
     media: &'static str,
@@ -63,19 +64,19 @@ struct Question {
 }
 
 impl Question {
-    /// The catalogue for the project, as data.
+    /// Returns the question for the catalogue, with a record as the answer.
     fn size() -> Self {
         Self { path: "/api/v1/size", media: "application/toml", body: PROJECT.to_owned() }
     }
 
-    /// The page after a change of the load.
+    /// Returns the question for the page after a change of the load.
     fn keystroke() -> Self {
         let text: String = PROJECT.bytes().map(|byte| format!("%{byte:02x}")).collect();
         let body = format!("text={text}&good={text}&path=load.inertia&value=1.31+kg+m%5E2");
         Self { path: "/work", media: FORM, body }
     }
 
-    /// The answer without a server.
+    /// Returns the length of the answer without a server.
     fn asked_directly(&self) -> usize {
         let call = Call {
             method: Method::Post,
@@ -90,14 +91,14 @@ impl Question {
         reply.body.len()
     }
 
-    /// The answer over a connection that stays.
+    /// Returns the length of the answer over a persistent connection.
     fn asked_over(&self, connection: &mut BufReader<TcpStream>, address: SocketAddr) -> usize {
         let (status, length) = self.answered_over(connection, address);
         assert_eq!(status, 200, "no answer: nothing was measured");
         length
     }
 
-    /// Status and length of the answer.
+    /// Returns status and length of the answer.
     fn answered_over(&self, connection: &mut BufReader<TcpStream>, address: SocketAddr) -> (u16, usize) {
         let Self { path, media, body } = self;
         let length = body.len();
@@ -120,14 +121,15 @@ impl Question {
     }
 }
 
-/// So many ask at the same time, for so long.
+/// Number of simultaneous clients.
 const CLIENTS: usize = 200;
 const CROWD: Duration = Duration::from_secs(30);
 
-/// What the process may take besides under them: a tenth of a megabyte for each, and the answers under way.
+/// Permissible memory of the process above that of one client \[MB\]: a tenth of a megabyte for each, and the answers
+/// being computed.
 const CROWD_MEMORY_MB: f64 = 150.0;
 
-/// Many clients, each with a connection that stays and a question as soon as the one before is answered: no error, and bounded
+/// Runs many clients, each with a persistent connection and a new question after each answer: no error, and bounded
 /// memory. Clients and server share the process, so the memory is that of both.
 fn crowd(question: &Question, address: SocketAddr) -> bool {
     let before = peak_memory_mb();
@@ -160,14 +162,14 @@ fn crowd(question: &Question, address: SocketAddr) -> bool {
     failed == 0 && answered > CLIENTS && grown.is_none_or(|grown| grown <= CROWD_MEMORY_MB)
 }
 
-/// The most memory that the process has had, in MB.
+/// Returns the peak memory of the process \[MB\].
 fn peak_memory_mb() -> Option<f64> {
     let status = std::fs::read_to_string("/proc/self/status").ok()?;
     let line = status.lines().find_map(|line| line.strip_prefix("VmHWM:"))?;
     Some(line.split_whitespace().next()?.parse::<f64>().ok()? / 1000.0)
 }
 
-/// Of several rounds the time within which half and nearly all of them are answered.
+/// Prints the times within which half and 99 of 100 of several rounds are answered.
 fn tell(mut ask: impl FnMut() -> usize) {
     let mut times: Vec<_> = (0..ROUNDS).map(|_| timed(|| _ = black_box(ask()))).collect();
     times.sort();
@@ -188,7 +190,7 @@ fn main() -> ExitCode {
     };
     let server = Server::bind(options).expect("a free port");
     let address = server.address();
-    // It ends with the program.
+    // The server ends with the program.
     drop(std::thread::spawn(move || server.run_until(std::future::pending())));
     let stream = TcpStream::connect(address).expect("the server listens");
     stream.set_nodelay(true).expect("small pieces at once");

@@ -1,6 +1,6 @@
-//! From start to answer: the release binary as a user runs it.
+//! Time from start to answer of the release binary, as a user runs it.
 //!
-//! Baseline: the same binary with `--version`, which starts and does nothing.
+//! Baseline: the same binary with `--version`, which only starts.
 #![allow(clippy::expect_used, reason = "a bench fails loudly")]
 
 use benches::{Gates, against, binary, run};

@@ -1,7 +1,7 @@
-//! Many axes against the whole catalogue: rows of one move each with inertia, friction, time and distance of their own.
+//! Many axes with the whole catalogue: rows of one move each with different inertia, friction, time and distance.
 //!
-//! Baselines: the NumPy script with vectors over the catalogue, which makes no checks of instants, heat and energy; for two threads
-//! what they gain over one with independent work in the same run.
+//! Baselines: the NumPy script with vectors over the catalogue, which makes no checks of instants, heat and energy; for
+//! two threads, their gain over one with independent work in the same run.
 #![allow(
     clippy::print_stdout,
     clippy::expect_used,
@@ -23,16 +23,16 @@ const MOVE: &str = "format = 1\n[load]\ninertia = \"1 kg m^2\"\nfriction_torque 
 const HEADINGS: [&str; 4] =
     ["load.inertia [kg m^2]", "load.friction_torque [N m]", "motion[1].time [s]", "motion[1].distance [deg]"];
 
-/// From and to of each column; the inertia in equal ratios.
+/// Lower and upper end of each column; the inertia in equal ratios.
 type Ranges = [(f64, f64); 4];
 
 /// Some two thirds of the catalogue fit on average.
 const MIXED: Ranges = [(0.05, 5.0), (0.0, 20.0), (0.3, 2.0), (20.0, 180.0)];
 
-/// Nothing is rejected: every check of every actuator counts.
+/// No actuator is rejected, so that every check of every actuator is computed.
 const HARD: Ranges = [(1e-3, 1e-2), (0.0, 0.3), (2.0, 5.0), (10.0, 90.0)];
 
-/// Rows of a measurement, or as many as the variable says.
+/// Returns the number of rows of a measurement, from the environment variable if it is set.
 fn rows() -> usize {
     std::env::var("ROWS").ok().and_then(|rows| rows.parse().ok()).unwrap_or(2_000)
 }
@@ -54,22 +54,22 @@ fn table(ranges: &Ranges, rows: usize) -> Vec<Cells<'static>> {
     columns.into_iter().map(Cells::Numbers).collect()
 }
 
-/// So many times the baseline takes longer at least.
+/// Smallest factor by which the baseline is slower.
 const NUMPY: f64 = 5.0;
 
-/// The share of what two threads gain with independent work that they gain with rows at least: 1.8 of 2.
+/// Smallest gain of two threads with rows, as a share of their gain with independent work: 1.8 of 2.
 const TOGETHER: f64 = 0.9;
 
-/// With independent work two free cores gain at least this much.
+/// Smallest gain of two threads with independent work if both cores are free.
 const TWO_FREE: f64 = 1.6;
 
-/// So much more processor time a row takes with two threads than with one, beside independent work, at most.
+/// Largest ratio of the processor time of a row with two threads to that with one, in proportion to independent work.
 const HINDRANCE: f64 = 1.25;
 
-/// Numbers that a thread sorts to show what another one costs it: for about as long as two thousand rows take.
+/// Number of sorted numbers that measures the mutual cost of two threads: about the time of two thousand rows.
 const SORTED: usize = 500_000;
 
-/// What two threads are to one: how much quicker, and by how much more processor time the same work takes.
+/// Two threads compared with one: gain of time, and ratio of the processor times of the same work.
 #[derive(Clone, Copy)]
 struct Two {
     gain: f64,
@@ -81,7 +81,8 @@ fn median(mut values: Vec<f64>) -> f64 {
     values.get(values.len() / 2).copied().unwrap_or(f64::NAN)
 }
 
-/// Time and processor time of the threads of a pool; the latter is not a number where the system does not say it.
+/// Returns the elapsed time and the processor time of the threads of a pool; the latter is NaN if the system does not
+/// report it.
 fn spent(pool: &ThreadPool, work: &(dyn Fn() + Sync)) -> [f64; 2] {
     let used = || pool.broadcast(|_| processor_s().unwrap_or(f64::NAN)).into_iter().sum::<f64>();
     let before = used();
@@ -89,7 +90,7 @@ fn spent(pool: &ThreadPool, work: &(dyn Fn() + Sync)) -> [f64; 2] {
     [time.as_secs_f64(), used() - before]
 }
 
-/// With rows and with independent work, in turn, so that whatever else the machine does meets both.
+/// Measures rows and independent work in turn, so that a disturbance of the machine affects both.
 fn two_to_one(one: &ThreadPool, two: &ThreadPool, judge: &(dyn Fn() + Sync)) -> [Two; 2] {
     let of = |[alone, alone_cpu]: [f64; 2], [both, both_cpu]: [f64; 2]| Two {
         gain: alone / both,

@@ -1,6 +1,6 @@
 //! Tolerances judged for the ten best codes, inside the process.
 //!
-//! Baseline: a tenth as many judgements of the nominal axis, without building it anew, on one thread.
+//! Baseline: a tenth as many judgements of the nominal axis, without building it again, on one thread.
 #![allow(clippy::print_stdout, clippy::expect_used, reason = "a bench prints what it measured")]
 
 use benches::{Gates, against};
@@ -9,7 +9,7 @@ use questions::{Candidate, CandidateId, SAMPLES_USUAL, Sampling, assess, check, 
 use std::hint::black_box;
 use std::process::ExitCode;
 
-/// The worked example with three toleranced quantities.
+/// Returns the worked example with three toleranced quantities.
 fn project() -> Project {
     let mut text = include_str!("../../examples/manual-example.toml").to_owned();
     for (exact, half) in [("1.3 kg m^2", "10 %"), ("5 N m", "20 %"), ("40 1/min", "1 1/min")] {

@@ -1,7 +1,8 @@
-//! The digital twin: the full actuator with its load, a year of it, and the linear drive beside SciPy and motulator.
+//! The digital twin: the full actuator with its load, a year of operation, and the linear drive compared with SciPy and
+//! motulator.
 //!
-//! Baselines: sorting a million numbers; the speed step of `validation/twin` by LSODA of SciPy and by motulator, where there is a
-//! Python with them. Ratios of speed are of processor time, which a busy machine changes little.
+//! Baselines: sorting a million numbers; the speed step of `validation/twin` by LSODA of SciPy and by motulator, if
+//! they are installed. Ratios are of processor time, on which a busy machine has little effect.
 #![allow(clippy::print_stdout, clippy::expect_used, reason = "a bench prints what it measured")]
 
 use benches::{Gates, baseline_s, least_processor_s, sort};
@@ -73,6 +74,6 @@ fn main() -> ExitCode {
     gates.close()
 }
 
-/// So many times as long as the baseline five simulated seconds may take, and a year.
+/// Largest ratio of the time of five simulated seconds to that of the baseline.
 const FULL_AT_MOST: f64 = 4.0;
 const YEAR_AT_MOST: f64 = 20.0;
