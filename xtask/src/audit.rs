@@ -28,7 +28,7 @@ use view::View;
 type Check = fn(&View, &mut Tally);
 
 /// The checks by name, in the order of the manual.
-const CHECKS: [(&str, Check); 30] = [
+const CHECKS: [(&str, Check); 31] = [
     ("tables exist", ordering::tables),
     ("ratios of the key", ordering::ratios),
     ("combinations", ordering::combinations),
@@ -57,6 +57,7 @@ const CHECKS: [(&str, Check); 30] = [
     ("KTY 84-130", published::temperature_sensor),
     ("PTC", published::thermistor),
     ("gear ratings", published::gear_ratings),
+    ("T_N = T_N,stronger/1.3", published::stronger_gear),
     ("curves of CHA-20A", published::curves),
     ("records", records),
 ];

@@ -6,6 +6,7 @@ mod agreement;
 mod battery;
 mod brake;
 mod curve;
+mod environment;
 mod feedback;
 mod friction;
 mod gear;
@@ -28,6 +29,7 @@ pub use agreement::{PublishedDuty, published_duty};
 pub use battery::{Battery, BatteryFault, BatteryLife};
 pub use brake::{Brake, EmergencyStop, StopOutcome, coil_power, emergency_stop, sag_angle};
 pub use curve::{Curve, CurveFault, CurvePoint};
+pub use environment::{Environment, Protection};
 pub use feedback::{Feedback, FeedbackSide};
 pub use friction::{FrictionAt, NoLoadFriction};
 pub use gear::{

@@ -3,6 +3,7 @@
 use crate::accuracy::Accuracy;
 use crate::brake::Brake;
 use crate::curve::Curve;
+use crate::environment::Environment;
 use crate::feedback::{Feedback, FeedbackSide};
 use crate::gear::Gear;
 use crate::heat::Heat;
@@ -102,6 +103,8 @@ pub struct Drivetrain {
     pub terminal_voltage_min: Datum<ElectricPotential>,
     /// Permitted ambient temperature in operation, lowest and highest.
     pub ambient_range: Datum<(ThermodynamicTemperature, ThermodynamicTemperature)>,
+    /// Permissible conditions at the place of installation.
+    pub environment: Environment,
     /// Continuous-duty curve of the torque-speed plane, if published or measured.
     pub continuous_curve: Datum<Curve>,
     /// Curves of intermittent duty S3 with 50 % and 25 % of operation, if published.
@@ -194,6 +197,7 @@ impl Drivetrain {
             dc_link_max: Datum::NotPrinted,
             terminal_voltage_min: Datum::NotPrinted,
             ambient_range: Datum::NotPrinted,
+            environment: Environment::default(),
             continuous_curve: Datum::NotPrinted,
             s3_curves: [Datum::NotPrinted, Datum::NotPrinted],
             short_time_curve: Datum::NotPrinted,

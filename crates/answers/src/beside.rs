@@ -1,6 +1,6 @@
 //! Comparison of actuators side by side, and of an actuator before and after a change.
 
-use crate::{Check, Fit, Id, Number};
+use crate::{Check, CitedErratum, Fit, Id, Number};
 use schemars::JsonSchema;
 use serde::Serialize;
 use sizing::CheckId;
@@ -31,6 +31,8 @@ pub struct DatumRow {
     pub unit: &'static str,
     /// One value per actuator, `null` if it has none.
     pub values: Vec<Option<Number>>,
+    /// Ids of the errata that touch the value of each actuator.
+    pub errata: Vec<Vec<&'static str>>,
 }
 
 /// A check for each actuator.
@@ -59,6 +61,8 @@ pub struct Comparison {
     pub demand: Vec<DatumRow>,
     /// Data of each actuator.
     pub data: Vec<DatumRow>,
+    /// Errata that touch the data.
+    pub errata: Vec<CitedErratum>,
     /// Comparison check by check.
     pub checks: Vec<CheckRow>,
 }

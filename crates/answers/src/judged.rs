@@ -23,6 +23,8 @@ pub struct Candidate {
     pub tightest: Option<Id<CheckId>>,
     /// Mass in kg, the larger one if the manual is in doubt.
     pub mass_kg: Option<Number>,
+    /// Ids of the errata that touch the mass.
+    pub mass_errata: Vec<&'static str>,
     /// Names of the fields of the code that are on request only.
     pub on_request: Vec<String>,
     /// Demand on the actuator; `null` without J_out.

@@ -89,6 +89,8 @@ pub struct MountValue {
     pub grade: Option<Id<Grade>>,
     /// Source of the value; `null` without a value.
     pub source: Option<String>,
+    /// Ids of the errata that touch it.
+    pub errata: Vec<&'static str>,
 }
 
 /// A bolted joint.
@@ -116,6 +118,10 @@ pub struct Joint {
     pub clamp_force: Option<Number>,
     /// Source of the stated values.
     pub source: Option<String>,
+    /// Ids of the errata that touch the tightening torque.
+    pub tightening_errata: Vec<&'static str>,
+    /// Ids of the errata that touch the torque that the joint transmits.
+    pub transmissible_errata: Vec<&'static str>,
     /// Results for each load.
     pub cases: Vec<JointCase>,
 }
@@ -131,6 +137,8 @@ pub struct JointCase {
     pub torque: Option<Number>,
     /// Source of the torque.
     pub torque_source: Option<String>,
+    /// Ids of the errata that touch the torque.
+    pub torque_errata: Vec<&'static str>,
     /// Share of the transmissible torque, torque alone.
     pub utilisation: Option<Number>,
     /// Verdict on torque alone.
@@ -141,6 +149,8 @@ pub struct JointCase {
     pub moment: Option<Number>,
     /// Source of the moment.
     pub moment_source: Option<String>,
+    /// Ids of the errata that touch the moment.
+    pub moment_errata: Vec<&'static str>,
     /// Share of its clamp force lost by the screw relieved most: estimated.
     pub relieved: Option<Number>,
     /// Share of the remaining friction used by torque and forces: estimated; `null` if the joint opens.

@@ -5,12 +5,15 @@ use crate::call::Call;
 use crate::table::{Align, Table, paragraph};
 use project::Project;
 use quantities::{Language, format_significant};
-use questions::list::compare::{Comparison, DatumRow};
+use questions::list::compare::{Comparison, DatumRow, errata_of};
 use questions::list::{Asked, Unanswered, compare};
 use questions::texts::{figure_text, fit_text, governing_text, percent, unit_text};
 use questions::{Candidate, Check, Verdict, answer};
 use std::fmt::Write as _;
-use words::{check_title, figure_term, symbol_shown, terminal, terms, verdict_word, without_limit};
+use words::{
+    ERRATUM_MARK, check_title, evidence_text, figure_term, marked, symbol_shown, terminal, terms, verdict_word,
+    without_limit,
+};
 
 /// Number of actuators in one table; further ones follow in the next.
 const BESIDE: usize = 3;
@@ -115,10 +118,15 @@ fn figures(found: &Comparison<'_>, language: Language) -> String {
     let mut table = Table::new(heads);
     for row in found.demand.iter().chain(&found.data) {
         let mut cells = names(row, language).to_vec();
-        cells.extend(row.values.iter().map(|value| shown(*value, language)));
+        let marked = |(place, value): (usize, &Option<f64>)| marked(shown(*value, language), row.errata_of(place));
+        cells.extend(row.values.iter().enumerate().map(marked));
         table.row(cells);
     }
-    table.render()
+    let mut out = table.render();
+    for id in errata_of(&found.data) {
+        out.push_str(&paragraph(&format!("{ERRATUM_MARK} {id}: "), evidence_text(id, language)));
+    }
+    out
 }
 
 /// Returns symbol with name, and unit.

@@ -17,10 +17,11 @@ use questions::texts::{
     percent, reason, rejections, shown, standing_text, unit_text, verdict_text,
 };
 use questions::{Candidate, Check, Demand, Fit, Objection, Reserve, Sizing, Verdict};
+use std::collections::BTreeSet;
 use std::fmt::Write as _;
 use words::{
-    check_missing, check_title, grade_word, note_text, ranking_rule, ratios_text, source_text, terminal, terms,
-    verdict_word,
+    ERRATUM_MARK, check_missing, check_title, evidence_text, grade_word, marked, note_text, ranking_rule, ratios_text,
+    source_text, terminal, terms, verdict_word,
 };
 
 fn paint(text: &str, verdict: Verdict) -> String {
@@ -95,6 +96,12 @@ fn sizing_text(found: &Ranking<'_>, of_nearest: Option<&Reserve>, all: bool, lan
     if fitting > 0 {
         out.push_str(&ranking_table(sizing, top, language).render());
         out.push_str(&paragraph("", &ranking_rule(language)));
+        let shown = sizing.fitting().iter().take(top);
+        let masses = shown.filter_map(|candidate| candidate.parameters.mass.known());
+        let errata: BTreeSet<&str> = masses.flat_map(|mass| mass.errata).copied().collect();
+        for id in errata {
+            out.push_str(&paragraph(&format!("{ERRATUM_MARK} {id}: "), evidence_text(id, language)));
+        }
         if fitting > top {
             let more = fitting - top;
             let line = terminal::more_fit(&more, language);
@@ -160,7 +167,8 @@ fn ranking_table(sizing: &Sizing<'_>, top: usize, language: Language) -> Table {
             percent(Some(candidate.standing.utilisation), language),
             judgement.governing().map(|check| check_title(check.id, language)).unwrap_or_default(),
             judgement.demand.map(|d| shown(d.torque_rms.si(), &NEWTON_METRE, language)).unwrap_or_default(),
-            mass.map(|m| format_number(KILOGRAM.from_si(m.value.si()), 1, language)).unwrap_or_default(),
+            mass.map(|m| marked(format_number(KILOGRAM.from_si(m.value.si()), 1, language), m.errata))
+                .unwrap_or_default(),
             remarks.join(", "),
         ]);
     }

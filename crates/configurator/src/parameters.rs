@@ -2,12 +2,12 @@
 
 use crate::family;
 use crate::parts;
-use actuator::{BearingType, Curve, CurvePoint, Drivetrain, Gear, Heat, OutputBearing, Parameters};
+use actuator::{BearingType, Curve, CurvePoint, Drivetrain, Environment, Gear, Heat, OutputBearing, Parameters};
 use catalogue::{Cell, Drive, SeriesData, Table, winding_data};
 use order_code::{Brake, OrderCode, Winding};
 use provenance::{CellRef, Datum, Grade, Source, Sourced};
-use quantities::unit::{DEGREE_CELSIUS, NEWTON_METRE, REVOLUTION_PER_MINUTE};
-use quantities::{AngularVelocity, ElectricCurrent, Measure, ThermodynamicTemperature, Torque};
+use quantities::unit::{DEGREE_CELSIUS, NEWTON_METRE, PERCENT, REVOLUTION_PER_MINUTE};
+use quantities::{AngularVelocity, ElectricCurrent, Measure, Ratio, ThermodynamicTemperature, Torque};
 use std::sync::{Arc, LazyLock};
 
 /// Location of the reduction ratios of each series.
@@ -93,6 +93,7 @@ fn drivetrain(drive: &Drive, code: &OrderCode) -> Drivetrain {
         dc_link_max: drive.datum("U_DCmax", "", feedback, ratio),
         terminal_voltage_min: terminal_voltage_min(drive, code),
         ambient_range: ambient_range(code.winding),
+        environment: environment(code.winding),
         continuous_curve: curve("continuous"),
         gear: gear(code),
         output_bearing: output_bearing(code),
@@ -190,6 +191,26 @@ fn ambient_range(winding: Winding) -> Datum<(ThermodynamicTemperature, Thermodyn
     }
 }
 
+/// What the table of general data of the winding prints about the place of installation.
+fn environment(winding: Winding) -> Environment {
+    let cell = |symbol| winding_data(winding).and_then(|data| catalogue::table_cell(data.general, symbol));
+    let humidity = cell("relative_humidity").and_then(|cell| match cell.value {
+        catalogue::Value::Range { low, high } => {
+            Some(cell.sourced((Ratio::new_in(low, &PERCENT), Ratio::new_in(high, &PERCENT))))
+        }
+        _ => None,
+    });
+    let protection =
+        cell("protection_class").and_then(|cell| Some(cell.sourced(actuator::Protection::read(cell.corrected)?)));
+    Environment {
+        altitude_max: parts::quantity_of(cell("altitude")),
+        protection: Datum::of(protection),
+        humidity: Datum::of(humidity),
+        vibration_max: parts::quantity_of(cell("vibration_resistance")),
+        shock_max: parts::quantity_of(cell("shock_resistance")),
+    }
+}
+
 /// Returns a value from the tables that list data by size.
 pub(crate) fn by_size<Q: Measure>(code: &OrderCode, symbol: &str) -> Datum<Q> {
     parts::quantity_of(catalogue::size_cell(code.size, code.ratio, symbol))
@@ -206,7 +227,10 @@ fn gear(code: &OrderCode) -> Gear {
         torque_1: by_size(code, "T_1"),
         torque_2: by_size(code, "T_2"),
         stiffness: [by_size(code, "K_1"), by_size(code, "K_2"), by_size(code, "K_3")],
-        rated_torque: rating("T_N"),
+        rated_torque: match rating("T_N") {
+            Datum::NotPrinted => rated_by_the_stronger(code),
+            stated => stated,
+        },
         average_torque_max: rating("T_A"),
         collision_torque_max: rating("T_M"),
         collision_cycles: of_the_life(code, "collision_cycles", None, parts::number_of),
@@ -217,6 +241,29 @@ fn gear(code: &OrderCode) -> Gear {
         buckling_torque: published("ratcheting-torque", "T_buckle", code, ""),
         input_speed_max: input_speed("n_in_max"),
         input_speed_mean_max: input_speed("n_in_av"),
+    }
+}
+
+/// Rated torque of the gear, estimated from the stronger series of the same maker.
+///
+/// T_N = T_N,stronger / 1.3
+///
+/// # Symbols
+/// T_N rated torque \[Nm\]; T_N,stronger that of the stronger series of the same size and ratio \[Nm\]
+/// # Source
+/// docs/theory/gear.md; table gear-ratings-stronger and the calibration `stronger_gear_factor`
+/// # Valid
+/// Sizes and ratios of that table; where both series are published the quotient is 1.28 to 1.32.
+fn rated_by_the_stronger(code: &OrderCode) -> Datum<Torque> {
+    let stronger: Datum<Torque> = published("gear-ratings-stronger", "T_N", code, code.ratio.as_str());
+    match (stronger, family::number(code.series(), "", "stronger_gear_factor")) {
+        (Datum::Known(stronger), Datum::Known(factor)) => Datum::Known(Sourced {
+            value: Torque::from_si(stronger.value.si() / factor.value),
+            source: Source::Model { name: "gear" },
+            grade: stronger.grade.worst(factor.grade),
+            errata: stronger.errata,
+        }),
+        _ => Datum::NotPrinted,
     }
 }
 

@@ -151,6 +151,34 @@ fn gear_ratings_exist_where_they_are_published() {
     assert_eq!(known.grade, Grade::Published);
     assert!(matches!(known.source, Source::Published(provenance::CellRef { document: "zd-shf-2uh", .. })));
     assert_eq!(of("CHA-40A-80-H-C1024").gear.collision_torque_max, Datum::NotPrinted);
+    let rated = |code: &str| {
+        let known = of(code).gear.rated_torque.known().map(|known| (known.value.si(), known.grade));
+        known.map(|(value, grade)| (value.round(), grade))
+    };
+    assert_eq!(rated("CHA-32A-120-H-C1024"), Some((137.0, Grade::Published)));
+    // T_N/1.3 of the stronger series, typed by hand in whole newton metres.
+    for (code, torque) in [
+        ("CHA-17A-120-H-RES", 24.0),
+        ("CHA-20A-160-H-C1024", 40.0),
+        ("CHA-25A-160-H-C1024", 67.0),
+        ("CHA-32A-160-H-C1024", 137.0),
+        ("CHA-40A-50-H-C1024", 137.0),
+        ("CHA-40A-80-H-C1024", 206.0),
+        ("CHA-40A-100-H-C1024", 265.0),
+        ("CHA-40A-120-H-C1024", 294.0),
+        ("CHA-40A-160-H-C1024", 294.0),
+        ("CHA-50A-80-H-C1024", 372.0),
+        ("CHA-50A-100-H-C1024", 470.0),
+        ("CHA-50A-120-H-C1024", 529.0),
+        ("CHA-50A-160-H-C1024", 529.0),
+        ("CHA-58A-80-H-C1024", 549.0),
+        ("CHA-58A-100-H-C1024", 696.0),
+        ("CHA-58A-120-H-C1024", 745.0),
+        ("CHA-58A-160-H-C1024", 745.0),
+    ] {
+        assert_eq!(rated(code), Some((torque, Grade::Estimated)), "{code}");
+    }
+    assert_eq!(rated("CHA-50A-50-H-C1024"), None);
     assert_eq!(of("CHA-40A-80-H-C1024").gear.input_speed_max, Datum::NotPrinted);
 }
 

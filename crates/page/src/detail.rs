@@ -5,11 +5,14 @@ use crate::formula;
 use answers::Node;
 use maud::{Markup, html};
 use quantities::{Language, format_significant};
-use questions::list::compare::{CheckRow, Comparison, DatumRow};
+use questions::list::compare::{CheckRow, Comparison, DatumRow, errata_of};
 use questions::list::explain::derivation;
 use questions::texts::{figure_text, node_amount, percent, trust, verdict_text};
 use questions::{Candidate, Check, Verdict, answer};
-use words::{capitalised, check_missing, check_title, figure_term, note_text, page, symbol_shown, terminal, terms};
+use words::{
+    ERRATUM_MARK, capitalised, check_missing, check_title, evidence_text, figure_term, marked, note_text, page,
+    symbol_shown, terminal, terms,
+};
 
 /// Returns a heading with a button that closes the content below it.
 pub(crate) fn frame(title: &str, inside: &Markup, language: Language) -> Markup {
@@ -92,6 +95,7 @@ pub(crate) fn compared(found: &Comparison<'_>, language: Language) -> Markup {
                     @for row in found.demand.iter().chain(&found.data) { (datum_row(row, l)) }
                 }
             }
+            @for id in errata_of(&found.data) { p.small { (ERRATUM_MARK) " " (id) ": " (evidence_text(id, l)) } }
         }
     };
     frame(page::side_by_side(l), &inside, l)
@@ -122,7 +126,11 @@ fn datum_row(row: &DatumRow, language: Language) -> Markup {
         tr class=[row.is_same().then_some("same")] {
             th scope="row" { (crate::tip::of_symbol(row.symbol, language)) " " span.small { (figure_term(row.symbol, language)) } }
             td { (row.unit.symbol) }
-            @for value in &row.values { td.number { (value.map_or_else(|| "–".to_owned(), |value| format_significant(value, 4, language))) } }
+            @for (place, value) in row.values.iter().enumerate() {
+                td.number {
+                    (marked(value.map_or_else(|| "–".to_owned(), |value| format_significant(value, 4, language)), row.errata_of(place)))
+                }
+            }
         }
     }
 }

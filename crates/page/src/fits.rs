@@ -13,7 +13,7 @@ use quantities::{Language, Measure, format_number};
 use questions::texts::{fitting_text, percent, reason, standing_text};
 use questions::{Candidate, CandidateId, Fit, Sizing, Verdict};
 use std::collections::BTreeSet;
-use words::{capitalised, check_title, page, ranking_rule, terminal, terms};
+use words::{capitalised, check_title, evidence_text, marked, page, ranking_rule, terminal, terms};
 
 /// Number of fitting actuators above the fold.
 const BEST_SHOWN: usize = 12;
@@ -249,6 +249,8 @@ fn row(state: &State, rank: Option<usize>, candidate: &Candidate<'_>, looked_at:
         value.map_or_else(|| "–".to_owned(), |value| format_number(value, digits, l))
     };
     let [mass, length, bore] = sizes_of(candidate);
+    let errata = candidate.parameters.mass.known().map_or(&[][..], |mass| mass.errata);
+    let doubted = errata.iter().map(|id| evidence_text(id, l)).collect::<Vec<_>>().join("; ");
     let tightest = candidate.governing().map(|check| capitalised(&check_title(check.id, l))).unwrap_or_default();
     let advice = candidate.judgement.checks.iter().filter(|check| check.verdict == Verdict::Advice).count();
     let open = candidate.open_questions();
@@ -275,7 +277,7 @@ fn row(state: &State, rank: Option<usize>, candidate: &Candidate<'_>, looked_at:
                     (percent(Some(share), l))
                     (checks::bar(share))
                 }
-                td.number { (number(mass, 1)) } td.number.length { (number(length, 0)) } td.number.bore { (number(bore, 0)) }
+                td.number title=[(!doubted.is_empty()).then_some(&doubted)] { (marked(number(mass, 1), errata)) } td.number.length { (number(length, 0)) } td.number.bore { (number(bore, 0)) }
                 td.number.advice { @if advice > 0 { (advice) } }
                 td.number.unchecked { @if open > 0 { (open) } }
             }

@@ -265,6 +265,8 @@ pub enum Fault {
     UnlikeFirstPoint,
     /// Both the DC link and the mains are stated.
     SupplyAndMains,
+    /// The lowest humidity is above the highest.
+    HumidityOrder,
     /// The speed of a master beside points over the time.
     MasterOfTimes,
     /// A motion over too many revolutions under a load that depends on the position.
@@ -421,6 +423,7 @@ impl Fault {
             },
             Self::UnlikeFirstPoint => "unlike_first_point",
             Self::SupplyAndMains => "supply_and_mains",
+            Self::HumidityOrder => "humidity_order",
             Self::MasterOfTimes => "master_of_times",
             Self::Instants(_) => "too_many_instants",
             Self::UnknownUnit { .. } => "unknown_unit",

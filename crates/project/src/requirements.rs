@@ -6,14 +6,14 @@ use crate::section::section;
 use crate::stated::Field;
 use crate::value::{Choice, Choices, choice, choices};
 use crate::{Assumption, Fault};
-use actuator::BatteryFault;
+use actuator::{BatteryFault, Protection};
 use configurator::Requirements;
 use order_code::{Feedback, Option1, Option2, Series};
 use quantities::{
-    Angle, EffectiveVoltage, ElectricCurrent, ElectricPotential, Frequency, Length, Mass, Power,
+    Acceleration, Angle, EffectiveVoltage, ElectricCurrent, ElectricPotential, Frequency, Length, Mass, Power,
     ThermodynamicTemperature, Time, Torque,
 };
-use sizing::{Asked, Axis, MainsPhases, SpecialApplication, Supply, SupplyFrom};
+use sizing::{Asked, Axis, MainsPhases, MountingPosition, SpecialApplication, Supply, SupplyFrom};
 
 /// By this share of their nominal voltage mains vary unless the user says otherwise (IEC 60038: ± 10 %).
 const MAINS_DEVIATION: f64 = 0.1;
@@ -35,6 +35,14 @@ section! {
         mains_deviation: f64 = MAINS_DEVIATION => within(0.0, 0.5), example("0.1");
         modulation_reserve: f64 = MODULATION_RESERVE => within(0.5, 1.0), example("0.9"), noted(Assumption::ModulationReserve);
         ambient: ThermodynamicTemperature => noted(Assumption::AmbientWithinRange);
+        altitude: Length => example("800 m");
+        altitude_derating: f64 => within(0.1, 1.0), example("0.9");
+        protection: Protection;
+        humidity_min: f64 => within(0.0, 1.0), example("0.3");
+        humidity_max: f64 => within(0.0, 1.0), example("0.75");
+        vibration: Acceleration => not_negative, example("2 g");
+        shock: Acceleration => not_negative, example("15 g");
+        mounting: MountingPosition;
         bearing_life_min: Time => positive, example("20000 h");
         gear_life_min: Time => positive, example("20000 h");
         torsion_max: Angle => positive, example("2 arcmin");
@@ -96,6 +104,19 @@ macro_rules! words_of_the_code {
 }
 
 words_of_the_code!(Feedback of FEEDBACKS, Option1 of OPTIONS_1, Option2 of OPTIONS_2);
+/// Degrees of protection of rotating machines by EN 60034-5, and those of immersion and of jets at high pressure by EN 60529.
+impl Choice for Protection {
+    const WORDS: &'static [&'static str] = &[
+        "IP00", "IP10", "IP12", "IP13", "IP20", "IP21", "IP22", "IP23", "IP43", "IP44", "IP54", "IP55", "IP56", "IP64",
+        "IP65", "IP66", "IP67", "IP68", "IP69",
+    ];
+
+    fn of_word(word: &str) -> Option<Self> {
+        Self::WORDS.contains(&word).then(|| Self::read(word)).flatten()
+    }
+}
+
+choice!(Protection);
 choice!(Option1);
 choice!(Option2);
 
@@ -109,6 +130,12 @@ pub(crate) enum PositionLoop {
 choices! {
     MainsPhases { Single = "single", Three = "three" }
     PositionLoop { Motor = "motor", Output = "output" }
+    MountingPosition {
+        Horizontal = "horizontal",
+        FlangeUp = "flange_up",
+        FlangeDown = "flange_down",
+        Changing = "changing",
+    }
     SpecialApplication {
         Aerospace = "aerospace",
         ExplosiveAtmosphere = "explosive_atmosphere",
@@ -166,6 +193,11 @@ impl RequirementsSection {
         if self.supply.is_given() && self.mains.is_given() {
             reader.fault(self.mains.span(), Fault::SupplyAndMains, None);
         }
+        if let (Some(least), Some(most)) = (self.humidity_min.value(), self.humidity_max.value())
+            && least > most
+        {
+            reader.fault(self.humidity_min.span(), Fault::HumidityOrder, None);
+        }
     }
 
     /// What the checks are judged by.
@@ -194,6 +226,14 @@ impl RequirementsSection {
             collisions: self.collisions.value().map(f64::from),
             loop_at_output: self.position_loop.value() == Some(PositionLoop::Output),
             dc_link_rise: self.dc_link_rise.value(),
+            altitude: self.altitude.value(),
+            altitude_derating: self.altitude_derating.value(),
+            protection: self.protection.value(),
+            humidity_min: self.humidity_min.value(),
+            humidity_max: self.humidity_max.value(),
+            vibration: self.vibration.value(),
+            shock: self.shock.value(),
+            mounting: self.mounting.value(),
             special_application: self.special_application.value(),
             ..Asked::default()
         };

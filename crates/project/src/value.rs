@@ -101,7 +101,7 @@ macro_rules! quantities {
 }
 
 quantities! {
-    Angle AngularVelocity EffectiveVoltage ElectricCurrent ElectricPotential ElectricalResistance Energy Force Frequency Inductance Lead Length Mass
+    Acceleration Angle AngularVelocity EffectiveVoltage ElectricCurrent ElectricPotential ElectricalResistance Energy Force Frequency Inductance Lead Length Mass
     MassDensity MomentOfInertia NoLoadCurrentConstant Power ThermodynamicTemperature Time Torque TorqueConstant
     TorsionalStiffness ViscousFriction VoltageConstant
 }

@@ -2,9 +2,10 @@
 
 use crate::list::size::sized;
 use crate::patience::Patience;
-use crate::sizing_use::{Candidate, CandidateId, Refusal, Rejected, Sizing, check, check_own, known_si};
+use crate::sizing_use::{Candidate, CandidateId, Refusal, Rejected, Sizing, check, check_own};
 use order_code::OrderCode;
 use project::Project;
+use provenance::Datum;
 use quantities::unit::{
     AMPERE, KILOGRAM, KILOGRAM_SQUARE_METRE, MILLIMETRE, NEWTON_METRE, NEWTON_METRE_PER_AMPERE, ONE, PERCENT,
     REVOLUTION_PER_MINUTE,
@@ -32,6 +33,8 @@ pub struct DatumRow {
     pub unit: &'static Unit,
     /// Its values in that unit, one for each actuator; `None` where it is not known.
     pub values: Vec<Option<f64>>,
+    /// Errata of the cells that the values are from, in the same order: a value with one may not be the printed one.
+    pub errata: Vec<&'static [&'static str]>,
 }
 
 impl DatumRow {
@@ -40,6 +43,24 @@ impl DatumRow {
     pub fn is_same(&self) -> bool {
         self.values.iter().zip(self.values.iter().skip(1)).all(|(a, b)| same(*a, *b))
     }
+
+    /// The errata of an actuator's value.
+    #[must_use]
+    pub fn errata_of(&self, place: usize) -> &'static [&'static str] {
+        self.errata.get(place).copied().unwrap_or_default()
+    }
+}
+
+/// The errata of some rows, each once.
+#[must_use]
+pub fn errata_of(rows: &[DatumRow]) -> Vec<&'static str> {
+    let mut found: Vec<&'static str> = Vec::new();
+    for id in rows.iter().flat_map(|row| &row.errata).copied().flatten() {
+        if !found.contains(id) {
+            found.push(id);
+        }
+    }
+    found
 }
 
 /// One check of several actuators.
@@ -117,6 +138,7 @@ fn demand_rows(candidates: &[&Candidate<'_>]) -> Vec<DatumRow> {
             .iter()
             .map(|each| each.judgement.demand.as_ref().map(|demand| unit.from_si(of(demand))))
             .collect(),
+        errata: vec![&[]; candidates.len()],
     };
     vec![
         row("T_rms", &NEWTON_METRE, |demand| demand.torque_rms.si()),
@@ -128,24 +150,34 @@ fn demand_rows(candidates: &[&Candidate<'_>]) -> Vec<DatumRow> {
 }
 
 fn data_rows(candidates: &[&Candidate<'_>]) -> Vec<DatumRow> {
-    let row = |symbol, unit: &'static Unit, of: fn(&actuator::Parameters) -> Option<f64>| DatumRow {
-        symbol,
-        unit,
-        values: candidates.iter().map(|each| of(each.parameters).map(|si| unit.from_si(si))).collect(),
+    fn found<Q: Measure>(datum: &Datum<Q>) -> Found {
+        datum.known().map(|known| (known.value.si(), known.errata))
+    }
+    let row = |symbol, unit: &'static Unit, of: fn(&actuator::Parameters) -> Found| {
+        let found: Vec<Found> = candidates.iter().map(|each| of(each.parameters)).collect();
+        DatumRow {
+            symbol,
+            unit,
+            values: found.iter().map(|found| found.map(|(si, _)| unit.from_si(si))).collect(),
+            errata: found.iter().map(|found| found.map_or(&[][..], |(_, errata)| errata)).collect(),
+        }
     };
     vec![
-        row("i", &ONE, |data| data.ratio.known().map(|ratio| ratio.value)),
-        row("T_max", &NEWTON_METRE, |data| known_si(&data.torque_max)),
-        row("T_0", &NEWTON_METRE, |data| known_si(&data.stall_torque)),
-        row("I_max", &AMPERE, |data| known_si(&data.current_max)),
-        row("I_0", &AMPERE, |data| known_si(&data.stall_current)),
-        row("k_Tout", &NEWTON_METRE_PER_AMPERE, |data| known_si(&data.torque_constant_out)),
-        row("J_out", &KILOGRAM_SQUARE_METRE, |data| known_si(&data.inertia_out)),
-        row("d_H", &MILLIMETRE, |data| known_si(&data.hollow_shaft)),
-        row("L", &MILLIMETRE, |data| known_si(&data.length)),
-        row("m", &KILOGRAM, |data| known_si(&data.mass)),
+        row("i", &ONE, |data| data.ratio.known().map(|ratio| (ratio.value, ratio.errata))),
+        row("T_max", &NEWTON_METRE, |data| found(&data.torque_max)),
+        row("T_0", &NEWTON_METRE, |data| found(&data.stall_torque)),
+        row("I_max", &AMPERE, |data| found(&data.current_max)),
+        row("I_0", &AMPERE, |data| found(&data.stall_current)),
+        row("k_Tout", &NEWTON_METRE_PER_AMPERE, |data| found(&data.torque_constant_out)),
+        row("J_out", &KILOGRAM_SQUARE_METRE, |data| found(&data.inertia_out)),
+        row("d_H", &MILLIMETRE, |data| found(&data.hollow_shaft)),
+        row("L", &MILLIMETRE, |data| found(&data.length)),
+        row("m", &KILOGRAM, |data| found(&data.mass)),
     ]
 }
+
+/// A value in SI with the errata of its cell.
+type Found = Option<(f64, &'static [&'static str])>;
 
 /// What became of one check.
 #[derive(Clone, Debug)]

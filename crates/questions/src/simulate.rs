@@ -403,6 +403,8 @@ impl Simulated<'_> {
             let verdict = match limit {
                 // A thousandth: the control reaches a limit and does not stop at its last digit.
                 Some((limit, ..)) if value <= limit * 1.001 => Verdict::Pass,
+                // A rating of another gear rejects nothing.
+                Some((_, _, Source::Published(_))) => Verdict::Advice,
                 Some(_) => Verdict::Fail,
                 None => Verdict::NotChecked,
             };

@@ -78,6 +78,7 @@ identified! {
         Brake = "brake",
         Feedback = "feedback",
         Screws = "screws",
+        Environment = "environment",
     }
 }
 
@@ -102,7 +103,8 @@ identified! {
     pub enum Fit {
         /// Nothing speaks against it.
         Fits = "fits",
-        /// No check fails, but one is beyond its limit within the band of an estimate: it fits if the estimate holds.
+        /// No check fails, but one is beyond its limit within the band of an estimate, or beyond a rating of another gear: it
+        /// fits if the estimate holds.
         FitsIfEstimate = "fits_if_estimate",
         /// A check fails, or a requirement is not met.
         DoesNotFit = "does_not_fit",
@@ -175,7 +177,8 @@ impl Check {
         }
     }
 
-    /// Returns `true` if the check is beyond its limit without failing, within the band of an estimate.
+    /// Returns `true` if the check is beyond its limit without failing: within the band of an estimate, or beyond a rating of
+    /// another gear.
     #[must_use]
     pub fn is_inside_band(&self) -> bool {
         self.verdict == Verdict::Advice && self.id.has_margin() && self.utilisation.is_some_and(|share| share > 1.0)
@@ -203,9 +206,14 @@ impl Check {
     }
 
     /// Value over the edge above which the check fails: its utilisation, of an estimate that by the upper edge of its band.
-    /// `None` where it has none.
+    /// `None` where it has none, and where the limit is a rating of another gear, which rejects nothing.
     #[must_use]
     pub fn share_of_failure(&self) -> Option<f64> {
+        let is_advice_only = self.notes.contains(&Note::RatingOfInterchangeableGear)
+            && !matches!(self.limit_source, Some(Source::Project { .. }));
+        if is_advice_only {
+            return None;
+        }
         let (share, limit) = (self.utilisation?, self.limit?.si);
         let noted = |of: fn(&Note) -> Option<f64>| self.notes.iter().find_map(of);
         let upper = noted(|note| if let Note::EstimatedUpTo(upper) = note { Some(upper.si) } else { None });

@@ -58,6 +58,11 @@ pub(crate) struct Edges {
 }
 
 impl Edges {
+    /// Both edges times a factor.
+    pub(crate) const fn scaled(self, factor: f64) -> Self {
+        Self { limit: factor * self.limit, upper: factor * self.upper, unit: self.unit }
+    }
+
     /// The remark on the upper edge, if there is a band.
     pub(crate) fn remark(&self) -> Option<Note> {
         let is_band = !at_most(self.upper, self.limit);

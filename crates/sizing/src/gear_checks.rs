@@ -22,6 +22,24 @@ use quantities::{Angle, AngularVelocity, Measure, Ratio, Torque};
 /// The model of torsion, natural frequency, mean torque, collisions and life.
 const MODEL: Source = Source::Model { name: "gear" };
 
+/// The verdict beyond a rating of the gear. Only ratings of the actuator itself reject: those of the gear of another series or
+/// of another maker are advice.
+pub(crate) const fn beyond(rating: &Source) -> Verdict {
+    match rating {
+        Source::Cell(_) | Source::Equation { .. } | Source::Project { .. } => Verdict::Fail,
+        Source::Published(_) | Source::Model { .. } => Verdict::Advice,
+    }
+}
+
+/// Says of which gear a rating is, if not of that of the actuator.
+const fn of_another_gear(rating: &Source) -> Notes {
+    match rating {
+        Source::Cell(_) | Source::Equation { .. } | Source::Project { .. } => Notes::NONE,
+        Source::Published(_) => Notes::fixed(&[Note::RatingOfInterchangeableGear]),
+        Source::Model { .. } => Notes::fixed(&[Note::RatingByStrongerGear]),
+    }
+}
+
 /// i n_av ≤ n_in,av; only where a limit of the gear is published.
 pub(crate) fn mean_input_speed(case: &Case<'_>, work: &mut Workings) -> Outcome {
     let Case { axis, actuator, .. } = *case;
@@ -34,10 +52,10 @@ pub(crate) fn mean_input_speed(case: &Case<'_>, work: &mut Workings) -> Outcome 
     work.given("n_in_av", &REVOLUTION_PER_MINUTE, limit);
     work.limit("n_in_av");
     Ok(Comparison {
-        notes: Notes::fixed(&[Note::RatingOfInterchangeableGear]),
+        notes: of_another_gear(&limit.source),
         ..Comparison::with(id, &REVOLUTION_PER_MINUTE, speed, equation("69.3"), limit)
     }
-    .answer(Verdict::Fail))
+    .answer(beyond(&limit.source)))
 }
 
 /// The workings of the mean input speed, `n_in`.
@@ -76,7 +94,8 @@ pub(crate) fn collision(case: &Case<'_>, work: &mut Workings) -> Outcome {
             return Ok(check);
         }
     };
-    let mut check = Comparison::with(id, &NEWTON_METRE, torque.si(), project(key), limit).answer(Verdict::Fail);
+    let otherwise = beyond(&limit.source);
+    let mut check = Comparison::with(id, &NEWTON_METRE, torque.si(), project(key), limit).answer(otherwise);
     // At the peak speed a collision lasts for the most turns of the wave generator.
     let stands = axis.asked.collision_time.zip(actuator.ratio.known()).zip(gear.collision_cycles.known());
     let permitted = stands.map(|((time, ratio), cycles)| {
@@ -85,7 +104,7 @@ pub(crate) fn collision(case: &Case<'_>, work: &mut Workings) -> Outcome {
     let mut by_number = false;
     if let (Some(count), Some(permitted)) = (axis.asked.collisions, permitted) {
         let most = Sourced { value: Ratio::from_si(permitted), source: MODEL, grade: limit.grade, errata: &[] };
-        let number = Comparison::with(id, &ONE, count, project("requirements.collisions"), &most).answer(Verdict::Fail);
+        let number = Comparison::with(id, &ONE, count, project("requirements.collisions"), &most).answer(otherwise);
         // The tighter one of torque and number is reported.
         if number.utilisation > check.utilisation {
             check = number;
@@ -99,7 +118,7 @@ pub(crate) fn collision(case: &Case<'_>, work: &mut Workings) -> Outcome {
         work.given("T_M", &NEWTON_METRE, limit);
         work.limit("T_M");
     }
-    check.notes.push(Note::RatingOfInterchangeableGear);
+    check.notes.extend(of_another_gear(&limit.source).iter().cloned());
     check.notes.extend(permitted.map(Note::CollisionsPermitted));
     check.notes.extend(note);
     Ok(check)
@@ -290,10 +309,10 @@ pub(crate) fn mean_torque(axis: &Axis, actuator: &Drivetrain, work: &mut Working
     work.given("T_A", &NEWTON_METRE, limit);
     work.limit("T_A");
     Ok(Comparison {
-        notes: Notes::fixed(&[Note::RatingOfInterchangeableGear]),
+        notes: of_another_gear(&limit.source),
         ..Comparison::with(id, &NEWTON_METRE, mean.si(), MODEL, limit)
     }
-    .answer(Verdict::Fail))
+    .answer(beyond(&limit.source)))
 }
 
 /// The workings of the cubic mean torque, `T_av`.
@@ -328,7 +347,7 @@ pub(crate) fn life(axis: &Axis, actuator: &Drivetrain, work: &mut Workings) -> O
     work.asked("L_10_min", &HOUR, asked, id);
     let mut check = against_asked(id, &HOUR, life.si(), asked, MODEL);
     check.grade = Some(rated.grade.worst(Grade::Computed));
-    check.notes.push(Note::RatingOfInterchangeableGear);
+    check.notes.extend(of_another_gear(&rated.source).iter().cloned());
     Ok(check)
 }
 

@@ -23,6 +23,18 @@ const THERMAL: Source = Source::Model { name: "thermal" };
 
 /// T_rms ≤ continuous torque at n_av (cha-manual 7.1: the point (n_av, T_rms) inside the continuous zone).
 pub(crate) fn continuous_torque(case: &Case<'_>, work: &mut Workings) -> Outcome {
+    let (compared, edges) = continuous_torques(case, work)?;
+    work.limit("T_cont");
+    work.value("T_rms");
+    let mut notes = compared.notes;
+    if notes.is_empty() {
+        notes = case.electrics.estimated.clone();
+    }
+    Ok(Comparison { notes, ..compared }.between(edges))
+}
+
+/// Effective torque and continuous torque with its band, before they are compared.
+pub(crate) fn continuous_torques<'c>(case: &Case<'c>, work: &mut Workings) -> Result<(Comparison<'c>, Edges), Missing> {
     let Case { axis, actuator, electrics, demand, manual, .. } = *case;
     let id = CheckId::ContinuousTorque;
     let demand = demand.ok_or(Missing { symbol: "J_out" })?;
@@ -32,9 +44,7 @@ pub(crate) fn continuous_torque(case: &Case<'_>, work: &mut Workings) -> Outcome
         let _ = actuator::continuous_torque_with(actuator, electrics.heat.as_ref().ok(), demand.speed_mean, work);
     }
     let limit = electrics.continuous.as_ref().map_err(|missing| *missing)?;
-    work.limit("T_cont");
     workings::effective_torque(axis, actuator, demand, manual, work);
-    work.value("T_rms");
     let mut notes = crate::checks::braking_note(manual);
     cite(&mut notes, crate::checks::inertia_errata(actuator));
     if limit.limit.grade == Grade::Estimated {
@@ -48,13 +58,10 @@ pub(crate) fn continuous_torque(case: &Case<'_>, work: &mut Workings) -> Outcome
     {
         notes.push(Note::CycleNotShort { cycle: axis.moments.duration, time_constant: tau.value });
     }
-    if notes.is_empty() {
-        notes = electrics.estimated.clone();
-    }
     let edges = crate::electrics::edges(limit);
     let source = crate::checks::demand_source(manual, "69.2");
-    Ok(Comparison { notes, ..Comparison::with(id, &NEWTON_METRE, demand.torque_rms.si(), source, &limit.limit) }
-        .between(edges))
+    let compared = Comparison::with(id, &NEWTON_METRE, demand.torque_rms.si(), source, &limit.limit);
+    Ok((Comparison { notes, ..compared }, edges))
 }
 
 /// What the published curves permit at the duty of the cycle.

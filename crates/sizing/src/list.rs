@@ -11,16 +11,17 @@ use crate::demand::{Demand, ManualDemand};
 use crate::electric_checks;
 use crate::electrics::Electrics;
 use crate::energy;
+use crate::environment_checks as environment;
 use crate::feedback_checks;
 use crate::gear_checks;
 use crate::heat_checks;
 use crate::joint_checks;
 use crate::resonance;
 use crate::rope_checks;
-use actuator::{Drivetrain, Parameters};
+use actuator::{Drivetrain, Parameters, Protection};
 use derivation::Workings;
 use provenance::Missing;
-use quantities::{Angle, ElectricCurrent, ElectricPotential, Frequency, Length, Power, Time, Torque};
+use quantities::{Acceleration, Angle, ElectricCurrent, ElectricPotential, Frequency, Length, Power, Time, Torque};
 
 /// What the project requires of the actuator beyond carrying the load; without a limit a value is shown and not judged.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -67,6 +68,22 @@ pub struct Asked {
     pub loop_at_output: bool,
     /// Rise of the DC link voltage that a capacitor bank may take.
     pub dc_link_rise: Option<ElectricPotential>,
+    /// Altitude of the place of installation above sea level.
+    pub altitude: Option<Length>,
+    /// Share of the continuous torque that is left at that altitude, as its user states it.
+    pub altitude_derating: Option<f64>,
+    /// Degree of protection required.
+    pub protection: Option<Protection>,
+    /// Least relative humidity of the place.
+    pub humidity_min: Option<f64>,
+    /// Largest relative humidity of the place.
+    pub humidity_max: Option<f64>,
+    /// Vibration at the place.
+    pub vibration: Option<Acceleration>,
+    /// Largest shock at the place.
+    pub shock: Option<Acceleration>,
+    /// Mounting position.
+    pub mounting: Option<MountingPosition>,
     /// A field of application that needs the maker's approval.
     pub special_application: Option<SpecialApplication>,
     /// Current that the drive gives without end, rms of a phase.
@@ -93,6 +110,19 @@ pub enum SpecialApplication {
     HumanContact,
     LiftingOfPersons,
     Amusement,
+}
+
+/// Position in which an actuator is mounted.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum MountingPosition {
+    /// The axis of rotation is horizontal.
+    Horizontal,
+    /// The axis of rotation is vertical, the output flange on top.
+    FlangeUp,
+    /// The axis of rotation is vertical, the output flange at the bottom.
+    FlangeDown,
+    /// The position changes in operation, as in a robot.
+    Changing,
 }
 
 /// One actuator on one axis, with what several checks look at.
@@ -263,7 +293,7 @@ macro_rules! checks {
 }
 
 use Answer::{Actuator, Bearing, Concerned, Drivetrain as OfDrivetrain};
-use Part::{Brake, Drive, Energy, Feedback, Gear, OutputBearing, Screws, Thermal};
+use Part::{Brake, Drive, Energy, Environment, Feedback, Gear, OutputBearing, Screws, Thermal};
 use Stage::{First, Further, Heat, Pass};
 
 checks! {
@@ -332,6 +362,31 @@ checks! {
     Ambient: ListedCheck::new("ambient", Thermal, First, OfDrivetrain(checks::ambient))
         .margin(Margin::Range).mended_by(Mended::Neither)
         .only_with("requirements.ambient", |axis| axis.ambient.is_some());
+    /// Altitude of the place against the printed one, or the effective torque against the derated continuous torque.
+    Altitude: ListedCheck::new("altitude", Environment, First, Actuator(environment::altitude))
+        .margin(Margin::Class).only_with("requirements.altitude", |axis| axis.asked.altitude.is_some());
+    /// Degree of protection required against the printed one.
+    Protection: ListedCheck::new("protection", Environment, First, OfDrivetrain(environment::protection))
+        .margin(Margin::Class).mended_by(Mended::Neither)
+        .only_with("requirements.protection", |axis| axis.asked.protection.is_some());
+    /// Relative humidity of the place against the permissible range.
+    Humidity: ListedCheck::new("humidity", Environment, First, OfDrivetrain(environment::humidity))
+        .margin(Margin::Range).mended_by(Mended::Neither)
+        .only_with("requirements.humidity_max", |Axis { asked, .. }| {
+            asked.humidity_max.is_some() || asked.humidity_min.is_some()
+        });
+    /// Vibration at the place against the resistance of the actuator.
+    Vibration: ListedCheck::new("vibration", Environment, First, OfDrivetrain(environment::vibration))
+        .margin(Margin::Class).mended_by(Mended::Neither)
+        .only_with("requirements.vibration", |axis| axis.asked.vibration.is_some());
+    /// Shock at the place against the resistance of the actuator.
+    Shock: ListedCheck::new("shock", Environment, First, OfDrivetrain(environment::shock))
+        .margin(Margin::Class).mended_by(Mended::Neither)
+        .only_with("requirements.shock", |axis| axis.asked.shock.is_some());
+    /// Mounting position against the permissible ones.
+    Mounting: ListedCheck::new("mounting", Environment, First, OfDrivetrain(environment::mounting))
+        .margin(Margin::Class).mended_by(Mended::Neither)
+        .only_with("requirements.mounting", |axis| axis.asked.mounting.is_some());
     /// Every instant of the cycle against the short-time torque at its speed.
     TorqueSpeedTrace: ListedCheck::new("torque_speed_trace", Drive, Heat, Actuator(electric_checks::torque_speed_trace));
     /// Temperature of the winding in the steady cycle against its warning threshold.

@@ -1,6 +1,7 @@
 //! What there is to remark about the answer of a check.
 
 use crate::check::Amount;
+use actuator::Protection;
 use mechanism::Rope;
 use quantities::{
     Angle, AngularVelocity, ElectricCurrent, ElectricPotential, Energy, Frequency, Length, Power,
@@ -70,8 +71,10 @@ pub enum Note {
         /// Least swing without fretting.
         least: Angle,
     },
-    /// The gear's rating is that of an interchangeable gear of another maker with the same T_R.
+    /// The gear's rating is that of an interchangeable gear of another maker with the same T_R: as a limit it rejects nothing.
     RatingOfInterchangeableGear,
+    /// The gear's rating is estimated from the stronger series of the same maker.
+    RatingByStrongerGear,
     /// The permissible loads hold one at a time; together the life and the static safety decide.
     LoadsOneAtATime,
     /// The winding's temperature is an estimate; from cold it reaches its warning threshold after this time.
@@ -142,6 +145,13 @@ pub enum Note {
     },
     /// How many collisions of the stated duration the gear bears at the peak speed.
     CollisionsPermitted(f64),
+    /// The degrees of protection that are compared numeral by numeral.
+    Protection {
+        /// Stated by the project.
+        required: Protection,
+        /// That of the actuator.
+        printed: Protection,
+    },
     /// What a capacitor bank must have to take back what one cycle returns at a stretch.
     Capacitor {
         /// Energy at a stretch.

@@ -384,7 +384,8 @@ impl Row<'_> {
         let (axis, actuator) = (self.axis, &group.representative);
         let made;
         let electrics = if ids.iter().copied().any(is_electric) {
-            let is_limited = ids.iter().any(|id| matches!(id, CheckId::ContinuousTorque | CheckId::OverloadI2t));
+            let is_limited =
+                ids.iter().any(|id| matches!(id, CheckId::ContinuousTorque | CheckId::OverloadI2t | CheckId::Altitude));
             made = match self.conditions.drive(group.drive) {
                 Some((drive, place)) => place.electrics(axis, drive, is_limited),
                 None => Electrics::of(axis, actuator),

@@ -107,6 +107,7 @@ pub(crate) fn candidates(subject: &Subject<'_>) -> Table {
         figure("hollow_shaft", "d_H", &MILLIMETRE, data, l),
         figure("ratio", "i", &ONE, data, l),
         figure("T_max", "T_max", &NEWTON_METRE, data, l),
+        column("errata", tables::errata_of_data, ColumnContent::Text, None, tables::errata_of_data_about, l),
         column("open_questions", tables::open_questions, ColumnContent::Count, None, tables::open_questions_about, l),
         column("on_request", terms::on_request, ColumnContent::Text, None, tables::on_request_about, l),
         column("objections", tables::objections, ColumnContent::Text, None, tables::objections_about, l),
@@ -133,6 +134,7 @@ pub(crate) fn candidates(subject: &Subject<'_>) -> Table {
             Cell::in_unit(data.hollow_shaft.known().map(|known| known.value.si()), &MILLIMETRE),
             Cell::in_unit(data.ratio.known().map(|known| known.value), &ONE),
             Cell::in_unit(data.torque_max.known().map(|known| known.value.si()), &NEWTON_METRE),
+            Cell::text(errata_of(candidate).join(", ")),
             count(candidate.open_questions()),
             Cell::text(request.join(", ")),
             Cell::text(questions::answer::objections(candidate, l).join("; ")),
@@ -149,6 +151,16 @@ pub(crate) fn candidates(subject: &Subject<'_>) -> Table {
         table.derived.push(Derived::Margin { column, utilisation });
     }
     table
+}
+
+/// The errata of the data that a row of candidates shows.
+fn errata_of(candidate: &Candidate<'_>) -> Vec<&'static str> {
+    fn of<T>(datum: &provenance::Datum<T>) -> &'static [&'static str] {
+        datum.known().map_or(&[], |known| known.errata)
+    }
+    let data = candidate.parameters;
+    let shown = [of(&data.mass), of(&data.length), of(&data.hollow_shaft), of(&data.ratio), of(&data.torque_max)];
+    shown.concat()
 }
 
 pub(crate) fn checks(subject: &Subject<'_>) -> Table {

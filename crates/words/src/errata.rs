@@ -6,6 +6,15 @@ use crate::texts::said;
 use catalogue::{Erratum, ErratumKind};
 use quantities::Language;
 
+/// Marks a value whose cell has an erratum: it may not be the printed one.
+pub const ERRATUM_MARK: char = '†';
+
+/// A value with the mark of its errata, if it has any.
+#[must_use]
+pub fn marked(value: String, errata: &[&str]) -> String {
+    if errata.is_empty() { value } else { format!("{value} {ERRATUM_MARK}") }
+}
+
 /// What is wrong, in one or two words.
 #[must_use]
 pub fn erratum_kind(kind: ErratumKind, language: Language) -> &'static str {

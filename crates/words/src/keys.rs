@@ -409,6 +409,38 @@ pub const fn about_text(about: About, language: Language) -> &'static str {
             "Anteil von U_DC/√2, den der Servoregler als Grundwelle bereitstellen kann",
         ),
         About::Requirements(RequirementsName::ambient) => ("ambient temperature in operation; default: the range of the manufacturer's data", "Umgebungstemperatur im Betrieb; ohne Angabe der Bereich der Herstellerangaben"),
+        About::Requirements(RequirementsName::altitude) => (
+            "altitude of the place of installation above sea level",
+            "Aufstellhöhe über Normalnull",
+        ),
+        About::Requirements(RequirementsName::altitude_derating) => (
+            "share of the continuous torque that is available at this altitude, as confirmed by the manufacturer; the manual states none",
+            "bei dieser Aufstellhöhe verfügbarer Anteil des Dauerdrehmoments nach Angabe des Herstellers; die Anleitung nennt keinen",
+        ),
+        About::Requirements(RequirementsName::protection) => (
+            "required degree of protection (EN 60034-5)",
+            "geforderte Schutzart (EN 60034-5)",
+        ),
+        About::Requirements(RequirementsName::humidity_min) => (
+            "lowest relative humidity at the place of installation, without condensation",
+            "niedrigste relative Luftfeuchte am Aufstellort, ohne Betauung",
+        ),
+        About::Requirements(RequirementsName::humidity_max) => (
+            "highest relative humidity at the place of installation, without condensation",
+            "höchste relative Luftfeuchte am Aufstellort, ohne Betauung",
+        ),
+        About::Requirements(RequirementsName::vibration) => (
+            "vibration at the place of installation, peak value of the acceleration",
+            "Vibration am Aufstellort, Scheitelwert der Beschleunigung",
+        ),
+        About::Requirements(RequirementsName::shock) => (
+            "largest shock at the place of installation, peak value of the acceleration",
+            "größter Schock am Aufstellort, Scheitelwert der Beschleunigung",
+        ),
+        About::Requirements(RequirementsName::mounting) => (
+            "mounting position of the actuator; the manual states no permissible positions",
+            "Einbaulage des Antriebs; die Anleitung nennt keine zulässigen Einbaulagen",
+        ),
         About::Requirements(RequirementsName::bearing_life_min) => (
             "required life of the output bearing",
             "geforderte Lebensdauer des Abtriebslagers",

@@ -62,7 +62,7 @@ pub use commissioned::{
     unjudged_text,
 };
 pub use derivation::{found_text, step_term, step_terms, symbol_shown};
-pub use errata::{erratum_kind, erratum_place, erratum_status};
+pub use errata::{ERRATUM_MARK, erratum_kind, erratum_place, erratum_status, marked};
 pub use examples::{EXAMPLE_TEXTS, example_text, how_to_run};
 pub use facts::{fact_source, fact_text, signal_word, step_title};
 pub use faults::{Worded, battery_fault, fault_text, file_trouble, hint_text, own_hint, worded};

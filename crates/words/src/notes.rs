@@ -46,8 +46,16 @@ pub fn note_text(note: &Note, language: Language) -> String {
             small_swings(*count, [*largest, *least], *share, language)
         }
         Note::RatingOfInterchangeableGear => said!(language =>
-            "gear rating taken from an interchangeable gear of another manufacturer with the same T_R; the manual states none"
-            | "Getriebewerte eines austauschbaren Getriebes eines anderen Herstellers mit gleichem T_R; die Anleitung nennt keine"
+            "gear rating taken from an interchangeable gear of another manufacturer with the same T_R; the manual states none; as a limit it is advice and rejects no actuator"
+            | "Getriebewerte eines austauschbaren Getriebes eines anderen Herstellers mit gleichem T_R; die Anleitung nennt keine; als Grenze sind sie nur ein Hinweis und schließen keinen Antrieb aus"
+        ),
+        Note::RatingByStrongerGear => said!(language =>
+            "gear rating estimated: rated torque of the manufacturer's stronger gear series divided by 1.3; the manual states none"
+            | "Getriebewert geschätzt: Nenndrehmoment der stärkeren Getriebebaureihe des Herstellers geteilt durch 1,3; die Anleitung nennt keinen"
+        ),
+        Note::Protection { required, printed } => said!(language =>
+            "required {required}, stated {printed}, compared numeral by numeral; {printed} is achieved only with suitable mating connectors plugged in and undamaged shaft seals"
+            | "gefordert {required}, angegeben {printed}, jede Kennziffer für sich verglichen; {printed} wird nur mit geeigneten, gesteckten Gegensteckern und unbeschädigten Wellendichtungen erreicht"
         ),
         Note::LoadsOneAtATime => said!(language =>
             "the permissible loads apply to each load acting alone; for combined loads, bearing life and static safety govern"

@@ -48,6 +48,8 @@ pub fn key_word(key: &str, word: &str, language: Language) -> Option<Cow<'static
         }
         // Parts of an ordering code.
         "feedback" | "option_1" | "option_2" => return Some(word.to_owned().into()),
+        // Degrees of protection are written so in both languages.
+        "protection" => return Some(word.to_owned().into()),
         _ => {}
     }
     let (_, _, en, de) = KEY_WORDS.iter().find(|(of, known, ..)| (of.is_empty() || *of == key) && *known == word)?;
@@ -114,6 +116,10 @@ const KEY_WORDS: &[(&str, &str, &str, &str)] = &[
     ("position", "falling", "falling", "fallend"),
     ("mains_phases", "single", "single-phase", "einphasig"),
     ("mains_phases", "three", "three-phase", "dreiphasig"),
+    ("mounting", "horizontal", "axis of rotation horizontal", "Drehachse waagerecht"),
+    ("mounting", "flange_up", "axis of rotation vertical, flange up", "Drehachse senkrecht, Flansch oben"),
+    ("mounting", "flange_down", "axis of rotation vertical, flange down", "Drehachse senkrecht, Flansch unten"),
+    ("mounting", "changing", "changing in operation", "im Betrieb wechselnd"),
     ("position_loop", "motor", "motor encoder", "Motorgeber"),
     ("position_loop", "output", "output encoder", "Abtriebsgeber"),
     ("special_application", "aerospace", "aerospace", "Luft- und Raumfahrt"),

@@ -22,6 +22,7 @@ pub const fn part_title(part: Part, language: Language) -> &'static str {
         Part::Brake => ("Brake", "Bremse"),
         Part::Feedback => ("Feedback", "Geber"),
         Part::Screws => ("Bolted joints", "Schraubenverbindungen"),
+        Part::Environment => ("Place of installation", "Aufstellort"),
     };
     pick(language, en, de)
 }
@@ -52,6 +53,12 @@ pub fn check_title(id: CheckId, language: Language) -> String {
         CheckId::BearingStatic => ("bearing, static safety", "Lager, statische Sicherheit"),
         CheckId::TiltAngle => ("tilt angle", "Kippwinkel"),
         CheckId::Ambient => ("ambient temperature", "Umgebungstemperatur"),
+        CheckId::Altitude => ("installation altitude", "Aufstellhöhe"),
+        CheckId::Protection => ("degree of protection IP", "Schutzart IP"),
+        CheckId::Humidity => ("relative humidity", "relative Luftfeuchte"),
+        CheckId::Vibration => ("vibration", "Vibration"),
+        CheckId::Shock => ("shock", "Schock"),
+        CheckId::Mounting => ("mounting position", "Einbaulage"),
         CheckId::TorqueSpeedTrace => ("torque-speed trace", "Drehmoment-Drehzahl-Verlauf"),
         CheckId::Thermal => ("winding temperature", "Wicklungstemperatur"),
         CheckId::OverloadI2t => ("overload I²t", "Überlast I²t"),

@@ -92,6 +92,10 @@ texts! {
         "number of checks not made because of missing data"
         | "Anzahl der Nachweise, für die eine Angabe fehlt";
     on_request_about = "fields of the ordering code available on request only" | "nur auf Anfrage lieferbare Felder der Bestellbezeichnung";
+    errata_of_data = "errata" | "Druckfehler";
+    errata_of_data_about =
+        "errata of the printed data in this row: the value shown may not be the printed one"
+        | "Druckfehler bei den Daten dieser Zeile: der angezeigte Wert kann vom gedruckten abweichen";
     objections = "requirements not met" | "nicht erfüllt";
     objections_about = "requirements not met and rules violated" | "nicht erfüllte Anforderungen und verletzte Regeln";
     candidates_about =

@@ -101,6 +101,32 @@ pub(super) fn gear_ratings(view: &View, tally: &mut Tally) {
     }
 }
 
+/// T_N of the gear of the CHA is that of the stronger series over 1.3, the calibration `stronger_gear_factor`
+///
+/// Source: shg-shf-2uh-lw-catalogue and zd-shf-2uh.
+/// Tolerance: the rounding of both values. Blamed: both.
+pub(super) fn stronger_gear(view: &View, tally: &mut Tally) {
+    let factor = view.row("family", "stronger_gear_factor").find_map(AuditedCell::number);
+    let mut seen = 0;
+    for cell in view.row("gear-ratings", "T_N").filter(|entry| !entry.text.is_empty()) {
+        let place = |entry: &AuditedCell| (entry.cell.place.drive, entry.cell.place.ratio);
+        let stronger = view.row("gear-ratings-stronger", "T_N").find(|entry| place(entry) == place(cell));
+        let (Some(printed), Some(stronger), Some(factor)) = (cell.span(), stronger.and_then(AuditedCell::span), factor)
+        else {
+            tally.absent(cell.place());
+            continue;
+        };
+        seen += 1;
+        let expected = stronger * factor.recip();
+        tally.compare(printed.meets(expected), &[cell], || {
+            format!("{} is {}, the stronger series gives {expected}", cell.place(), cell.text)
+        });
+    }
+    if seen == 0 {
+        tally.absent("T_N of gear-ratings");
+    }
+}
+
 /// Curves of CHA-20A: continuous torque at standstill = T_0, maximum torque = T_max, speed up to n_max
 ///
 /// Source: cha-page-39, read from a chart's data.
@@ -176,6 +202,15 @@ mod tests {
         };
         assert_eq!(findings_of(gear_ratings, &altered("T_N", "7,4")).len(), 1);
         assert_eq!(findings_of(gear_ratings, &altered("T_R", "19")).len(), 2);
+    }
+
+    #[test]
+    fn a_changed_rating_of_the_stronger_gear_is_found() {
+        let altered =
+            View::with("gear-ratings-stronger", "90", |c| c.place.drive == "CHA-25A" && c.place.ratio == "100");
+        assert_eq!(findings_of(stronger_gear, &altered).len(), 1);
+        let altered = View::with("family", "1,2", |c| c.place.symbol == "stronger_gear_factor");
+        assert!(findings_of(stronger_gear, &altered).len() > 10);
     }
 
     #[test]

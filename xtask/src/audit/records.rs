@@ -5,7 +5,7 @@ use super::view::View;
 use std::collections::BTreeSet;
 
 /// Sources that no table names, each with the reason for keeping it. A source that comes into use leaves this list.
-const SOURCES_WITHOUT_TABLE: [(&str, &str); 36] = [
+const SOURCES_WITHOUT_TABLE: [(&str, &str); 35] = [
     ("cha-manual-en-v03", "evidence of errata"),
     ("cha-manual-en-v01", "evidence of errata"),
     ("cha-page-57", "evidence of errata of table 57.1"),
@@ -15,7 +15,6 @@ const SOURCES_WITHOUT_TABLE: [(&str, &str); 36] = [
     ("fha-c-catalogue", "curves of a sister series, for comparison"),
     ("sha-cg-manual", "definition of the duty ranges"),
     ("bha-assembly-instructions", "8-pin motor connector with PTC; shielding"),
-    ("shg-shf-2uh-lw-catalogue", "ratings of the hollow-shaft gear, for comparison"),
     ("hfus-2sh-manual", "running without a heat sink"),
     ("hma-manual", "40 K as the guide of the permissible rise, see the heat model"),
     ("kty-c-lib", "typical values of the sensor, the same as the data sheet's"),
@@ -48,7 +47,8 @@ const SOURCES_WITHOUT_TABLE: [(&str, &str); 36] = [
 ];
 
 /// Terms that no table uses, each with its use.
-const TERMS_WITHOUT_TABLE: [(&str, &str); 15] = [
+const TERMS_WITHOUT_TABLE: [(&str, &str); 16] = [
+    ("mounting_position", "datum that the check of the mounting position lacks"),
     ("i", "the ratio in formulas; tables have it as their column head"),
     ("T_rms", "result of the sizing, chapter 7.3"),
     ("n_av", "result of the sizing, chapter 7.3"),

@@ -1,8 +1,9 @@
 //! Comparisons and differences as records.
 
 use super::check::check;
+use super::errata::cited;
 use super::judged::{fit, objections};
-use crate::compare::{CheckChange, Comparison, DatumRow, Difference};
+use crate::compare::{CheckChange, Comparison, DatumRow, Difference, errata_of};
 use crate::sizing_use::Candidate;
 use answers::{CheckRow, DatumChange, Head, Id, Number};
 use project::InputChange;
@@ -25,6 +26,7 @@ fn rows(rows: &[DatumRow]) -> Vec<answers::DatumRow> {
         symbol: row.symbol,
         unit: row.unit.json,
         values: row.values.iter().map(|value| value.map(Number)).collect(),
+        errata: row.errata.iter().map(|errata| errata.to_vec()).collect(),
     };
     rows.iter().map(row).collect()
 }
@@ -44,6 +46,7 @@ pub fn comparison(found: &Comparison<'_>, axis: &str, language: Language) -> ans
         better: found.better,
         demand: rows(&found.demand),
         data: rows(&found.data),
+        errata: errata_of(&found.data).into_iter().map(|id| cited(id, language)).collect(),
         checks: checks.collect(),
     }
 }

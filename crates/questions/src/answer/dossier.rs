@@ -17,7 +17,10 @@ use provenance::{Datum, MANUAL, Source};
 use quantities::unit::{MILLIMETRE, NEWTON_METRE};
 use quantities::{Language, Measure, Unit, format_number};
 use sizing::{Check, Reserve};
-use words::{Counts, check_missing, check_title, describe_token, document_note, records, source_text, terms, unpadded};
+use words::{
+    Counts, capitalised, check_missing, check_title, describe_token, document_note, records, source_text, terms,
+    unpadded,
+};
 
 /// An axis with everything there is to tell of it and of the actuator chosen.
 ///
@@ -58,7 +61,7 @@ pub fn dossier(
         bill_of_material: if chosen.fits() { bill_of_material(chosen, language) } else { Vec::new() },
         screws: screws(chosen, language),
         documents: documents(checks, language),
-        errata: errata(checks, language),
+        errata: errata(chosen, checks, language),
         fingerprints: Fingerprints {
             program: program.to_owned(),
             project: project_fingerprint(text, &project.recordings),
@@ -111,9 +114,12 @@ pub(crate) fn document(found: &catalogue::Document, language: Language) -> Docum
     }
 }
 
-/// Every erratum that a figure of the checks rests on, once, with the first check that does.
-fn errata(checks: &[Check], language: Language) -> Vec<ErratumUsed> {
-    let mut found: Vec<ErratumUsed> = Vec::new();
+/// Every erratum that a figure of the checks or the mass rests on, once, with the first check that does.
+fn errata(chosen: &Candidate<'_>, checks: &[Check], language: Language) -> Vec<ErratumUsed> {
+    let of_mass = chosen.parameters.mass.known().into_iter().flat_map(|mass| mass.errata);
+    let used =
+        |id: &&'static str| ErratumUsed { erratum: cited(id, language), check: capitalised(terms::mass(language)) };
+    let mut found: Vec<ErratumUsed> = of_mass.map(|id| used(&id)).collect();
     for check in checks {
         let noted = check.notes.iter().filter_map(|note| match note {
             sizing::Note::Erratum(id) => Some(*id),

@@ -6,7 +6,7 @@ use catalogue::Cell;
 use installation::fit::{Bore, FitKind};
 use installation::joint::{CaseAnswer, LoadCase};
 use installation::mount::{Mount, MountAsked};
-use provenance::{Datum, Grade, Sourced};
+use provenance::{Datum, Grade, Source, Sourced};
 use quantities::unit::{KILOGRAM, MICROMETRE, MILLIMETRE, NEWTON, NEWTON_METRE, ONE};
 use quantities::{Language, Measure, Unit};
 use sizing::{Direction, Verdict};
@@ -35,6 +35,8 @@ pub fn mount(mount: &Mount, asked: &MountAsked, axis: Option<&str>, language: La
         mount.plate.map(|cell| text(cell, language)),
         mount.protection.map(|cell| text(cell, language)),
     ];
+    let dimensions: Vec<MountValue> = dimensions.into_iter().flatten().collect();
+    let tolerances: Vec<MountValue> = mount.runouts.iter().map(|(symbol, datum)| millimetres(symbol, datum)).collect();
     answers::Mount {
         code: mount.code.to_string(),
         verdict: Fit::of(!slips),
@@ -59,12 +61,12 @@ pub fn mount(mount: &Mount, asked: &MountAsked, axis: Option<&str>, language: La
         ]),
         notes: notes(mount, asked, axis, language),
         pilots: mount.fits.iter().map(|fit| pilot(fit, language)).collect(),
-        tolerances: mount.runouts.iter().map(|(symbol, datum)| millimetres(symbol, datum)).collect(),
-        dimensions: dimensions.into_iter().flatten().collect(),
+        errata: errata(&[tolerances.clone(), dimensions.clone()].concat(), &joints, language),
+        tolerances,
+        dimensions,
         lifting_gear: mount.hoist,
         joints,
         facts: facts(&mount.facts, language),
-        errata: errata(mount, language),
     }
 }
 
@@ -93,18 +95,15 @@ fn notes(mount: &Mount, asked: &MountAsked, axis: Option<&str>, language: Langua
     notes
 }
 
-/// What is in doubt, and what touches the figures.
-fn errata(mount: &Mount, language: Language) -> Vec<CitedErratum> {
+/// What is in doubt, and what touches the figures that are shown.
+fn errata(values: &[MountValue], joints: &[Joint], language: Language) -> Vec<CitedErratum> {
     let mut ids: Vec<&'static str> = ERRATA.to_vec();
-    let of_joints = mount.joints.iter().flat_map(|joint| {
-        let screws = &joint.screws;
-        let torques = [&screws.tightening_torque, &screws.transmissible_torque].into_iter().filter_map(Datum::known);
-        let moments = joint.cases.iter().filter_map(|case| case.moment.known());
-        torques.chain(moments).flat_map(|value| value.errata).copied().collect::<Vec<_>>()
+    let of_joints = joints.iter().flat_map(|joint| {
+        let of_cases = joint.cases.iter().flat_map(|case| case.torque_errata.iter().chain(&case.moment_errata));
+        joint.tightening_errata.iter().chain(&joint.transmissible_errata).chain(of_cases)
     });
-    let of_mass = mount.mass.known().into_iter().flat_map(|mass| mass.errata).copied();
-    for id in of_joints.chain(of_mass) {
-        if !ids.contains(&id) {
+    for id in values.iter().flat_map(|value| &value.errata).chain(of_joints) {
+        if !ids.contains(id) {
             ids.push(id);
         }
     }
@@ -150,7 +149,13 @@ fn value<Q: Measure>(symbol: &'static str, datum: &Datum<Q>, unit: &Unit, langua
         unit: unit.json,
         grade: known.map(|known| Id(known.grade)),
         source: known.map(|known| source_text(&known.source, language)),
+        errata: errata_of(datum),
     }
+}
+
+/// The errata of a datum.
+fn errata_of<T>(datum: &Datum<T>) -> Vec<&'static str> {
+    datum.known().map_or_else(Vec::new, |known| known.errata.to_vec())
 }
 
 fn text(cell: &'static Cell, language: Language) -> MountValue {
@@ -160,7 +165,8 @@ fn text(cell: &'static Cell, language: Language) -> MountValue {
         value: TableCell::Text(cell_text(cell, language).to_owned()),
         unit: cell.unit,
         grade: Some(Id(Grade::Printed)),
-        source: Some(source_text(&provenance::Source::Cell(&cell.place), language)),
+        source: Some(source_text(&Source::Cell(&cell.place), language)),
+        errata: cell.errata.to_vec(),
     }
 }
 
@@ -188,6 +194,8 @@ fn joint(joint: &installation::joint::Joint, language: Language) -> Joint {
         friction: number(&joint.friction, &ONE),
         clamp_force: number(&joint.clamp_force, &NEWTON),
         source: source(&screws.transmissible_torque, language),
+        tightening_errata: errata_of(&screws.tightening_torque),
+        transmissible_errata: errata_of(&screws.transmissible_torque),
         cases: joint.cases.iter().map(|each| case(each, language)).collect(),
     }
 }
@@ -196,8 +204,12 @@ fn joint(joint: &installation::joint::Joint, language: Language) -> Joint {
 fn case(found: &CaseAnswer, language: Language) -> JointCase {
     let alone = found.alone.known();
     let together = found.together.known().map(|known| &known.value);
-    let verdict = alone.map_or(Verdict::NotChecked, |share| {
-        if Direction::AtMost.keeps(share.value.si(), 1.0) { Verdict::Pass } else { Verdict::Fail }
+    // The collision torque of another gear rejects nothing.
+    let is_of_another_gear = found.torque.known().is_some_and(|torque| matches!(torque.source, Source::Published(_)));
+    let verdict = alone.map_or(Verdict::NotChecked, |share| match Direction::AtMost.keeps(share.value.si(), 1.0) {
+        true => Verdict::Pass,
+        false if is_of_another_gear => Verdict::Advice,
+        false => Verdict::Fail,
     });
     let holds = |slip: Option<quantities::Ratio>| slip.is_some_and(|slip| Direction::AtMost.keeps(slip.si(), 1.0));
     let verdict_together =
@@ -213,11 +225,13 @@ fn case(found: &CaseAnswer, language: Language) -> JointCase {
         title: load_case_title(found.case, language),
         torque: number(&found.torque, &NEWTON_METRE),
         torque_source: source(&found.torque, language),
+        torque_errata: errata_of(&found.torque),
         utilisation: number(&found.alone, &ONE),
         verdict: Id(verdict),
         grade: alone.map(|share| Id(share.grade)),
         moment: number(&found.moment, &NEWTON_METRE),
         moment_source: source(&found.moment, language),
+        moment_errata: errata_of(&found.moment),
         relieved: together.map(|joint| Number(joint.relieved.si())),
         utilisation_together: together.and_then(|joint| joint.slip).map(|slip| Number(slip.si())),
         verdict_together: Id(verdict_together),

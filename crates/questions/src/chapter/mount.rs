@@ -1,10 +1,10 @@
 //! How an actuator is mounted.
 
-use super::{NOTHING, grid, hazards, plain, remarks, significant, unit_shown};
-use answers::{Chapter, Column, Joint, JointCase, Mount, MountValue, Number, Pilot, TableCell};
+use super::{NOTHING, grid, hazards, plain, significant, unit_shown};
+use answers::{Chapter, CitedErratum, Column, Joint, JointCase, Mount, MountValue, Number, Pilot, TableCell};
 use provenance::Grade;
 use quantities::{Language, format_number};
-use words::{capitalised, grade_word, mounting, step_title, terminal, terms, verdict_word};
+use words::{ERRATUM_MARK, capitalised, grade_word, marked, mounting, step_title, terminal, terms, verdict_word};
 
 /// The mounting of a code.
 #[must_use]
@@ -23,7 +23,11 @@ pub fn mount(record: &Mount, language: Language) -> Chapter {
         joined(&mut chapter, joint, language);
     }
     chapter.section(capitalised(terms::remarks(language)));
-    chapter.points(remarks(&record.notes, &record.errata));
+    let erratum = |erratum: &CitedErratum| {
+        let mark = if marks(record).any(|id| *id == erratum.id) { format!("{ERRATUM_MARK} ") } else { String::new() };
+        format!("{mark}{}: {}", erratum.id, erratum.evidence)
+    };
+    chapter.points(record.notes.iter().cloned().chain(record.errata.iter().map(erratum)).collect());
     for facts in record.facts.chunk_by(|one, other| one.step == other.step) {
         let step = facts.first().and_then(|fact| fact.step);
         let title = step.map_or_else(|| mounting::always(language), |step| step_title(*step, language));
@@ -31,6 +35,16 @@ pub fn mount(record: &Mount, language: Language) -> Chapter {
         chapter.hazards(hazards(facts, language));
     }
     chapter
+}
+
+/// The errata of the values that are shown.
+fn marks(record: &Mount) -> impl Iterator<Item = &&'static str> {
+    let values = record.tolerances.iter().chain(&record.dimensions).flat_map(|value| &value.errata);
+    let joints = record.joints.iter().flat_map(|joint| {
+        let of_cases = joint.cases.iter().flat_map(|case| case.torque_errata.iter().chain(&case.moment_errata));
+        joint.tightening_errata.iter().chain(&joint.transmissible_errata).chain(of_cases)
+    });
+    values.chain(joints)
 }
 
 /// A figure of a fit in µm: whole, or with a half.
@@ -74,8 +88,8 @@ fn fits(chapter: &mut Chapter, pilots: &[Pilot], language: Language) {
 
 fn values<'v>(chapter: &mut Chapter, values: impl Iterator<Item = &'v MountValue>, language: Language) {
     let shown = |each: &MountValue| match &each.value {
-        TableCell::Number(number) => plain(Some(*number), language),
-        TableCell::Text(text) => text.clone(),
+        TableCell::Number(number) => marked(plain(Some(*number), language), &each.errata),
+        TableCell::Text(text) => marked(text.clone(), &each.errata),
         _ => mounting::not_printed(language).to_owned(),
     };
     grid(
@@ -100,8 +114,8 @@ fn joined(chapter: &mut Chapter, joint: &Joint, language: Language) {
         &printed(&joint.size),
         &printed(&joint.class),
         &exact(joint.bolt_circle),
-        &exact(joint.tightening_torque),
-        &exact(joint.transmissible_torque),
+        &marked(exact(joint.tightening_torque), &joint.tightening_errata),
+        &marked(exact(joint.transmissible_torque), &joint.transmissible_errata),
         &exact(joint.friction),
         language,
     );
@@ -133,10 +147,14 @@ fn joined(chapter: &mut Chapter, joint: &Joint, language: Language) {
         &joint.cases,
         &[
             (Column::text(mounting::load_head(language)), &|case| case.title.clone()),
-            (Column::numbers(mounting::torque_nm(language)), &|case| significant(case.torque, 4, language)),
+            (Column::numbers(mounting::torque_nm(language)), &|case| {
+                marked(significant(case.torque, 4, language), &case.torque_errata)
+            }),
             (Column::numbers(terms::utilisation_short(language)), &|case| percent(case.utilisation)),
             (Column::text(terms::verdict(language)), &|case| verdict_word(*verdict(case), language)),
-            (Column::numbers(mounting::tilting_nm(language)), &|case| significant(case.moment, 4, language)),
+            (Column::numbers(mounting::tilting_nm(language)), &|case| {
+                marked(significant(case.moment, 4, language), &case.moment_errata)
+            }),
             (Column::numbers(mounting::relieved_percent(language)), &|case| percent(case.relieved)),
             (Column::numbers(mounting::with_moment_percent(language)), &together),
             (Column::wide(terms::source(language)), &source),

@@ -3,7 +3,7 @@
 use super::given::{arguments, codes, text};
 use super::{AXIS, Asked, Axis, Cost, Entry, Gives, Reads, Record, Unanswered, argument};
 use crate::answer;
-pub use crate::compare::{CheckRow, Comparison, DatumRow, compare};
+pub use crate::compare::{CheckRow, Comparison, DatumRow, compare, errata_of};
 use crate::sizing_use::Refusal;
 use answers::Fit;
 use order_code::OrderCode;

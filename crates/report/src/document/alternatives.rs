@@ -4,7 +4,7 @@ use super::checks::Titles;
 use super::shown::{Shown, tied};
 use answers::{Dossier, Fit, Rejection};
 use serde::Serialize;
-use words::capitalised;
+use words::{capitalised, marked};
 
 /// How many fitting actuators and nearest misses are shown.
 const FEW: usize = 5;
@@ -75,7 +75,10 @@ impl Alternatives {
                 verdict: if candidate.verdict == Fit::FitsIfEstimate { "advice" } else { "pass" },
                 percent: shown.share(candidate.utilisation),
                 tightest: candidate.tightest.map(|id| capitalised(&titles.of(*id))).unwrap_or_default(),
-                mass: candidate.mass_kg.map(|mass| shown.number(mass)).unwrap_or_default(),
+                mass: candidate
+                    .mass_kg
+                    .map(|mass| marked(shown.number(mass), &candidate.mass_errata))
+                    .unwrap_or_default(),
                 open: candidate.open_questions,
                 on_request: candidate.on_request.clone(),
                 chosen: candidate.code.as_deref() == chosen,

@@ -11,7 +11,7 @@ use super::shown::{Shown, tied};
 use crate::{AxisContent, Diagram, DiagramPlace};
 use answers::{Check, Dossier, Fit, Item, Number, ScrewJoint, Tolerance, Verdict};
 use serde::Serialize;
-use words::capitalised;
+use words::{capitalised, marked};
 
 /// Everything about one axis that the template places.
 #[derive(Serialize)]
@@ -254,7 +254,10 @@ fn cover(content: &AxisContent, checks: &Checks, titles: &Titles, shown: &Shown)
             check.utilisation.map_or_else(|| "–".to_owned(), |share| shown.share(share))
         }),
         tightest: candidate.tightest.map(|id| capitalised(&titles.of(*id))).unwrap_or_default(),
-        mass: candidate.mass_kg.map(|mass| shown.figure(mass, "kg")).unwrap_or_default(),
+        mass: candidate
+            .mass_kg
+            .map(|mass| marked(shown.figure(mass, "kg"), &candidate.mass_errata))
+            .unwrap_or_default(),
         cycle: shown.figure(Number(cycle), "s"),
         on_request: candidate.on_request.clone(),
         objections: candidate.objections.iter().map(|text| tied(text)).collect(),

@@ -204,15 +204,20 @@ impl Bounds {
 
     /// A check whose utilisation is known.
     fn known(&mut self, at: usize, share: f64x4) {
-        self.below(at, share);
-        self.above(share);
+        self.known_beside(at, [share; 2]);
+    }
+
+    /// A check whose utilisation is known, and its value over the limit beyond which it fails: zero where it only advises.
+    fn known_beside(&mut self, at: usize, [share, fails]: [f64x4; 2]) {
+        self.below_beside(at, share, fails);
+        self.above_beside(share, fails);
     }
 
     fn look_above(&mut self, figures: &Figures, four: &Four, of_drives: [&OfDrive; 4]) {
         self.known(1, all(figures.speed_peak) * four.per_speed_max);
         self.known(2, all(figures.speed_mean) * four.per_speed_rated);
-        self.known(7, all(figures.load_mean) * four.per_average_torque_max);
-        self.known(13, all(figures.speed_mean) * four.per_input_speed_mean_max);
+        self.known_beside(7, four.per_average_torque_max.map(|per| all(figures.load_mean) * per));
+        self.known_beside(13, four.per_input_speed_mean_max.map(|per| all(figures.speed_mean) * per));
         let of_drive = |figure: fn(&OfDrive) -> f64| f64x4::from(of_drives.map(figure));
         let peak = figures.torque_peak_high(four.inertia);
         self.below(0, peak * four.per_torque_max);

@@ -2,7 +2,7 @@
 
 use super::figures::all;
 use crate::axis::Axis;
-use crate::check::CheckId;
+use crate::check::{CheckId, Verdict};
 use crate::electrics::{CurrentLaw, Electrics};
 use actuator::{Drivetrain, FrictionAt, HeatModel, MotorVoltage, NoLoadFriction, OutputBearing, Parameters, ShortTime};
 use derivation::Workings;
@@ -80,9 +80,9 @@ pub(super) struct Drive {
     /// I_0 \[A\]
     pub(super) stall_current: f64,
     /// T_A \[Nm\]
-    pub(super) average_torque_max: Option<f64>,
+    pub(super) average_torque_max: Option<Rating>,
     /// n_in,av [rad/s]
-    pub(super) input_speed_mean_max: Option<f64>,
+    pub(super) input_speed_mean_max: Option<Rating>,
     /// What the screws transmit \[Nm\].
     pub(super) transmissible_load: Option<f64>,
     pub(super) transmissible_housing: Option<f64>,
@@ -90,6 +90,21 @@ pub(super) struct Drive {
     pub(super) ambient_range: Option<(f64, f64)>,
     pub(super) dc_link_max: Option<f64>,
     pub(super) continuous: Continuous,
+}
+
+/// A rating of the gear.
+#[derive(Clone, Copy)]
+pub(super) struct Rating {
+    pub(super) si: f64,
+    /// Beyond it the actuator is rejected, not only advised against.
+    pub(super) rejects: bool,
+}
+
+impl Rating {
+    fn of<Q: Measure>(datum: &Datum<Q>) -> Option<Self> {
+        let known = datum.known()?;
+        Some(Self { si: known.value.si(), rejects: crate::gear_checks::beyond(&known.source) == Verdict::Fail })
+    }
 }
 
 /// Least and largest rise of the winding that the model finds on published curves, as shares of the permitted rise.
@@ -274,8 +289,8 @@ impl Drive {
             has_curves: half || quarter || continuous_curve,
             published: Published::of(drivetrain, &heat),
             stall_current: si(&drivetrain.stall_current)?,
-            average_torque_max: si(&drivetrain.gear.average_torque_max),
-            input_speed_mean_max: si(&drivetrain.gear.input_speed_mean_max),
+            average_torque_max: Rating::of(&drivetrain.gear.average_torque_max),
+            input_speed_mean_max: Rating::of(&drivetrain.gear.input_speed_mean_max),
             transmissible_load: si(&drivetrain.screw_joint_load.transmissible_torque),
             transmissible_housing: si(&drivetrain.screw_joint_housing.transmissible_torque),
             ambient_range: drivetrain.ambient_range.known().map(|range| (range.value.0.si(), range.value.1.si())),
@@ -395,9 +410,10 @@ pub(super) struct Four {
     pub(super) per_torque_max: f64x4,
     pub(super) per_speed_max: f64x4,
     pub(super) per_speed_rated: f64x4,
-    pub(super) per_average_torque_max: f64x4,
-    /// i over the limit.
-    pub(super) per_input_speed_mean_max: f64x4,
+    /// Of the limit, and of the limit where it rejects.
+    pub(super) per_average_torque_max: [f64x4; 2],
+    /// i over these.
+    pub(super) per_input_speed_mean_max: [f64x4; 2],
     pub(super) per_transmissible_load: f64x4,
     pub(super) per_transmissible_housing: f64x4,
     pub(super) per_current_max: f64x4,
@@ -455,8 +471,16 @@ impl Four {
             per_torque_max: per(|drive| Some(drive.torque_max)),
             per_speed_max: per(|drive| Some(drive.speed_max)),
             per_speed_rated: per(|drive| Some(drive.speed_rated)),
-            per_average_torque_max: per(|drive| drive.average_torque_max),
-            per_input_speed_mean_max: per(|drive| drive.input_speed_mean_max.map(|limit| limit / drive.ratio)),
+            per_average_torque_max: [
+                per(|drive| drive.average_torque_max.map(|limit| limit.si)),
+                per(|drive| drive.average_torque_max.filter(|limit| limit.rejects).map(|limit| limit.si)),
+            ],
+            per_input_speed_mean_max: [
+                per(|drive| drive.input_speed_mean_max.map(|limit| limit.si / drive.ratio)),
+                per(|drive| {
+                    drive.input_speed_mean_max.filter(|limit| limit.rejects).map(|limit| limit.si / drive.ratio)
+                }),
+            ],
             per_transmissible_load: per(|drive| drive.transmissible_load),
             per_transmissible_housing: per(|drive| drive.transmissible_housing),
             per_current_max: per(|drive| drive.current_max),

@@ -1,0 +1,145 @@
+//! The checks of the place of installation: altitude, degree of protection, humidity, vibration, shock, mounting position.
+
+use crate::axis::Axis;
+use crate::check::{Amount, Check, CheckId, Verdict};
+use crate::comparison::{Asking, Comparison, project, unjudged};
+use crate::heat_checks;
+use crate::list::{Case, Outcome};
+use crate::notes::Note;
+use actuator::Drivetrain;
+use derivation::Workings;
+use numeric::{at_least, at_most};
+use provenance::{Datum, Missing};
+use quantities::unit::{METRE, NEWTON_METRE, ONE, PERCENT, STANDARD_GRAVITY};
+use quantities::{Acceleration, Measure};
+
+/// Below the printed altitude the data hold. Above it, and where none is printed, the derating that the project states decides: the
+/// effective torque against the derated continuous torque.
+///
+/// H < H_max, or T_rms ≤ k_H T_cont
+///
+/// # Symbols
+/// H altitude \[m\], H_max printed altitude \[m\], T_rms effective torque \[Nm\], T_cont continuous torque \[Nm\], k_H stated derating
+/// # Source
+/// cha-manual table 13.2 for the windings H and N; table 13.1 prints none for E. The manual prints no derating.
+/// # Errors
+/// Without a stated derating above H_max, or where H_max is not printed.
+pub(crate) fn altitude(case: &Case<'_>, work: &mut Workings) -> Outcome {
+    let Case { axis, actuator, .. } = *case;
+    let (id, key, derating) = (CheckId::Altitude, "requirements.altitude", "requirements.altitude_derating");
+    let stated = axis.asked.altitude.ok_or(Missing { symbol: key })?;
+    let printed = actuator.environment.altitude_max.known();
+    if let Some(limit) = printed.filter(|limit| !at_least(stated.si(), limit.value.si())) {
+        work.stated("H", &METRE, stated.si(), key);
+        work.value("H");
+        work.given("H_max", &METRE, limit);
+        work.limit("H_max");
+        return Ok(Comparison::with(id, &METRE, stated.si(), project(key), limit).answer(Verdict::Fail));
+    }
+    let symbol = if printed.is_some() { derating } else { "altitude" };
+    let factor = axis.asked.altitude_derating.ok_or(Missing { symbol })?;
+    let (compared, edges) = heat_checks::continuous_torques(case, work)?;
+    work.stated("k_H", &ONE, factor, derating);
+    work.formula("T_der", &NEWTON_METRE, factor * edges.limit, "k_H*T_cont", &project(derating));
+    work.value("T_rms");
+    work.limit("T_der");
+    let source = project(derating);
+    let edges = edges.scaled(factor);
+    Ok(Comparison { id, limit_source: &source, ..compared }.between(edges))
+}
+
+/// The required degree of protection against the printed one, numeral by numeral.
+pub(crate) fn protection(axis: &Axis, actuator: &Drivetrain, work: &mut Workings) -> Outcome {
+    let (id, key) = (CheckId::Protection, "requirements.protection");
+    let required = axis.asked.protection.ok_or(Missing { symbol: key })?;
+    let printed = actuator.environment.protection.require("protection_class")?;
+    let meets = printed.value.meets_solids(required) && printed.value.meets_water(required);
+    let both = |of: actuator::Protection| f64::from(10 * of.solids + of.water);
+    // A larger second numeral does not make up for the first: then the numeral that is not met is compared.
+    let (value, limit) = if meets || both(required) > both(printed.value) {
+        (both(required), both(printed.value))
+    } else {
+        (f64::from(required.water), f64::from(printed.value.water))
+    };
+    work.stated("IP", &ONE, value, key);
+    work.value("IP");
+    work.figure("IP_max", &ONE, limit, &printed.source, printed.grade);
+    work.limit("IP_max");
+    Ok(Check {
+        verdict: if meets { Verdict::Pass } else { Verdict::Fail },
+        value: Some(Amount { si: value, unit: &ONE }),
+        limit: Some(Amount { si: limit, unit: &ONE }),
+        grade: Some(printed.grade),
+        value_source: Some(project(key)),
+        limit_source: Some(printed.source.clone()),
+        notes: Note::Protection { required, printed: printed.value }.into(),
+        ..unjudged(id)
+    })
+}
+
+/// The stated relative humidity against the range that the actuator's data hold for: of its two ends that which is outside, else
+/// the highest.
+pub(crate) fn humidity(axis: &Axis, actuator: &Drivetrain, work: &mut Workings) -> Outcome {
+    let (least, most) = ("requirements.humidity_min", "requirements.humidity_max");
+    let ends = [(axis.asked.humidity_max, most), (axis.asked.humidity_min, least)];
+    let mut ends = ends.into_iter().filter_map(|(end, key)| Some((end?, key)));
+    let range = actuator.environment.humidity.require("relative_humidity")?;
+    let (low, high) = (range.value.0.si(), range.value.1.si());
+    let is_inside = |value: f64| at_least(value, low) && at_most(value, high);
+    let first = ends.clone().next().ok_or(Missing { symbol: most })?;
+    let outside = ends.find(|(value, _)| !is_inside(*value));
+    let (stated, key) = outside.unwrap_or(first);
+    let nearest = if at_least(stated, low) { high } else { low };
+    work.stated("rH", &PERCENT, stated, key);
+    work.value("rH");
+    work.figure("rH_limit", &PERCENT, nearest, &range.source, range.grade);
+    work.limit("rH_limit");
+    Ok(Check {
+        verdict: if outside.is_some() { Verdict::Fail } else { Verdict::Pass },
+        value: Some(Amount { si: stated, unit: &PERCENT }),
+        limit: Some(Amount { si: nearest, unit: &PERCENT }),
+        grade: Some(range.grade),
+        value_source: Some(project(key)),
+        limit_source: Some(range.source.clone()),
+        ..unjudged(CheckId::Humidity)
+    })
+}
+
+/// The stated vibration against the resistance of the actuator.
+pub(crate) fn vibration(axis: &Axis, actuator: &Drivetrain, work: &mut Workings) -> Outcome {
+    let stated = (axis.asked.vibration, "requirements.vibration");
+    let limit = (&actuator.environment.vibration_max, "vibration_resistance");
+    resisted(CheckId::Vibration, stated, limit, ["a_vib", "a_vib_max"], work)
+}
+
+/// The stated shock against the resistance of the actuator.
+pub(crate) fn shock(axis: &Axis, actuator: &Drivetrain, work: &mut Workings) -> Outcome {
+    let stated = (axis.asked.shock, "requirements.shock");
+    let limit = (&actuator.environment.shock_max, "shock_resistance");
+    resisted(CheckId::Shock, stated, limit, ["a_shock", "a_shock_max"], work)
+}
+
+fn resisted(
+    id: CheckId,
+    (stated, key): (Option<Acceleration>, &'static str),
+    (limit, symbol): (&Datum<Acceleration>, &'static str),
+    [value_symbol, limit_symbol]: [&'static str; 2],
+    work: &mut Workings,
+) -> Outcome {
+    let stated = stated.ok_or(Missing { symbol: key })?;
+    let limit = limit.require(symbol)?;
+    work.stated(value_symbol, &STANDARD_GRAVITY, stated.si(), key);
+    work.value(value_symbol);
+    work.given(limit_symbol, &STANDARD_GRAVITY, limit);
+    work.limit(limit_symbol);
+    Ok(Comparison::with(id, &STANDARD_GRAVITY, stated.si(), project(key), limit).answer(Verdict::Fail))
+}
+
+/// The mounting position: the manual neither restricts it nor says that any is permitted, so it is not checked.
+pub(crate) const fn mounting(_: &Axis, _: &Drivetrain, _: &mut Workings) -> Outcome {
+    Err(Missing { symbol: "mounting_position" })
+}
+
+#[cfg(test)]
+#[path = "environment_tests.rs"]
+mod tests;
