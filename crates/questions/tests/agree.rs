@@ -195,8 +195,8 @@ fn no_rejection_rests_on_another_makers_page() {
             let Ok(alone) = check(&project, &code(each)) else { continue };
             for check in &alone.judgement.checks {
                 let is_named = check.notes.contains(&Note::RatingOfInterchangeableGear);
-                let rests = check.limit_source.as_ref().is_some_and(is_of_another)
-                    || is_named && check.id != CheckId::GearLife;
+                let rests =
+                    check.limit_source.as_ref().is_some_and(is_of_another) || is_named && check.id != CheckId::GearLife;
                 if rests && check.utilisation.is_some_and(|share| share > 1.0) {
                     assert_eq!(check.verdict, Verdict::Advice, "{:?} of {}\n{stated}", check.id, each.id);
                     beyond += 1;

@@ -48,7 +48,9 @@ fn the_example_of_an_older_edition() {
         "[load]\ninertia = \"1.3 kg m^2\"\nfriction_torque = \"5 N m\"\n[[motion]]\nlaw = \"manual\"\nspeed = \"40 1/min\"\n\
          accelerate = \"0.1 s\"\nrun = \"0.1 s\"\nbrake = \"0.1 s\"\npause = \"1 s\"\n",
     );
-    for (found, printed, exact) in [(accelerate, 95.0, 95.48), (-brake, 85.0, 85.48), (rms, 35.0, 35.57), (mean, 6.0, 6.154)] {
+    for (found, printed, exact) in
+        [(accelerate, 95.0, 95.48), (-brake, 85.0, 85.48), (rms, 35.0, 35.57), (mean, 6.0, 6.154)]
+    {
         near(found.trunc(), printed, 0.0);
         near(found, exact, 0.005);
     }

@@ -1,5 +1,5 @@
 use super::*;
-use crate::judge::{Depth, judge};
+use crate::judge::{Scope, judge};
 use actuator::{Drivetrain, Environment, Parameters, Protection};
 use mechanism::Mechanism;
 use motion::{Closing, Given, Law, Motion, SegmentSpec};
@@ -38,7 +38,7 @@ fn axis(state: impl Fn(&mut crate::Asked)) -> Axis {
 }
 
 fn found(id: CheckId, actuator: &Parameters, state: impl Fn(&mut crate::Asked)) -> Option<Check> {
-    judge(&axis(state), actuator, Depth::Full).checks.iter().find(|check| check.id == id).cloned()
+    judge(&axis(state), actuator, Scope::All).checks.iter().find(|check| check.id == id).cloned()
 }
 
 const ALL: [CheckId; 6] =
