@@ -95,7 +95,7 @@ texts! {
     errata_of_data = "errata" | "Druckfehler";
     errata_of_data_about =
         "errata of the printed data in this row: the value shown may not be the printed one"
-        | "Druckfehler bei den Daten dieser Zeile: der angezeigte Wert kann vom gedruckten abweichen";
+        | "Druckfehler bei den Daten dieser Zeile: der angezeigte Wert kann von der Angabe der Anleitung abweichen";
     objections = "requirements not met" | "nicht erfüllt";
     objections_about = "requirements not met and rules violated" | "nicht erfüllte Anforderungen und verletzte Regeln";
     candidates_about =
