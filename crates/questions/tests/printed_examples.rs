@@ -73,13 +73,14 @@ fn the_swing_of_honpine() {
 }
 
 /// Yaskawa E-V-MD, p. 30: a ball screw of 10 mm behind a gear 1/2, 250 kg at 15 m/min, µ 0.2, η 0.9 of the whole; printed 0.43 Nm at
-/// the motor at constant speed.
+/// the motor at constant speed; here it is so slow that the inertia adds 0.25 N to 490 N.
 #[test]
 fn the_ball_screw_of_yaskawa() {
     let found = load_peak(
         "[mechanism.screw]\nlead = \"10 mm\"\nmass = \"250 kg\"\nfriction_coefficient = 0.2\nefficiency = 0.9\n\
          [stage]\nkind = \"gear\"\nratio = 2\nefficiency = 1\n\
-         [[motion]]\nlaw = \"constant\"\nspeed = \"250 mm/s\"\ntime = \"1 s\"\n",
+         [[motion]]\nlaw = \"trapezoid\"\ndistance = \"20 mm\"\nspeed = \"1 mm/s\"\nacceleration = \"1 mm/s^2\"\n\
+         [[motion]]\nlaw = \"trapezoid\"\ndistance = \"-20 mm\"\nspeed = \"1 mm/s\"\nacceleration = \"1 mm/s^2\"\n",
     );
     near(found, 0.43, 0.005);
 }
