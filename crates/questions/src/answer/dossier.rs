@@ -119,7 +119,7 @@ fn errata(chosen: &Candidate<'_>, checks: &[Check], language: Language) -> Vec<E
     let of_mass = chosen.parameters.mass.known().into_iter().flat_map(|mass| mass.errata);
     let used =
         |id: &&'static str| ErratumUsed { erratum: cited(id, language), check: capitalised(terms::mass(language)) };
-    let mut found: Vec<ErratumUsed> = of_mass.map(|id| used(&id)).collect();
+    let mut found: Vec<ErratumUsed> = of_mass.map(used).collect();
     for check in checks {
         let noted = check.notes.iter().filter_map(|note| match note {
             sizing::Note::Erratum(id) => Some(*id),
