@@ -11,10 +11,13 @@ pub mod axis;
 pub mod code;
 pub mod draft;
 pub mod encoder;
+pub mod packed;
 pub mod project;
 pub mod quantity;
 pub mod recorded;
 pub mod request;
+pub mod run;
+pub mod table;
 pub mod text;
 
 /// Number of cases that passed the first gate of their target: the footer for Parquet; the others have none.
@@ -32,13 +35,16 @@ pub struct Target {
 }
 
 /// The targets; `xtask/src/fuzz.rs` has their limits.
-pub const TARGETS: [Target; 8] = [
+pub const TARGETS: [Target; 11] = [
     Target { name: "code", run: code::run, shown: code::shown },
     Target { name: "encoder", run: encoder::run, shown: encoder::shown },
     Target { name: "quantity", run: quantity::run, shown: quantity::shown },
     Target { name: "project", run: project::run, shown: project::shown },
     Target { name: "csv", run: recorded::csv, shown: recorded::shown_csv },
     Target { name: "parquet", run: recorded::parquet, shown: recorded::shown_parquet },
+    Target { name: "packed", run: packed::run, shown: packed::shown },
+    Target { name: "run", run: run::run, shown: run::shown },
+    Target { name: "table", run: table::run, shown: table::shown },
     Target { name: "axis", run: axis::run, shown: axis::shown },
     Target { name: "request", run: request::run, shown: request::shown },
 ];

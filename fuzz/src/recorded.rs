@@ -7,7 +7,9 @@ use crate::PAST_THE_GATE;
 use crate::project::read;
 use crate::text::{any_edits, mutate, one_in, rest};
 use arbitrary::{Result, Unstructured};
-use columns::{Columns, edit_bytes};
+pub(crate) use columns::{Column, Columns, edit_bytes};
+pub(crate) use table::encoded;
+
 use project::{Diagnostic, Fault, Files, Project};
 use questions::{answer, check, course, moves};
 use recording::{Bytes, Damage, Fault as RecordingFault, Memory, Table, TableValues};
@@ -60,7 +62,7 @@ pub fn parquet(data: &[u8]) {
 }
 
 /// Tests a table of many axes: rows or a refusal, and each part has the same number of rows in all columns.
-fn as_table(bytes: Vec<u8>) {
+pub(crate) fn as_table(bytes: Vec<u8>) {
     const ROWS: usize = 1000;
     const PARTS_MOST: usize = 20;
     let Ok(mut table) = Table::open(Box::new(Bytes::from(bytes)), Memory::default()) else { return };
@@ -116,6 +118,19 @@ pub fn shown_parquet(data: &[u8]) -> String {
     made_parquet(&mut Unstructured::new(data))
         .map(|(project, bytes)| format!("{project}---\n{}", bytes.escape_ascii()))
         .unwrap_or_default()
+}
+
+/// A recording with a project that names it, in a file of its own or to be packed.
+pub(crate) fn made(u: &mut Unstructured<'_>, name: &str) -> Result<(String, Vec<u8>)> {
+    let project = project(u, name)?;
+    let columns = Columns::any(u)?;
+    let bytes = if u.ratio(1, 4)? { columns.parquet(u)? } else { columns.csv(u)?.into_bytes() };
+    Ok((project, bytes))
+}
+
+/// A recording in any packing: what is read is judged.
+pub(crate) fn hold_recording(project: &str, bytes: &[u8]) {
+    hold(project, bytes, |_| false);
 }
 
 fn made_csv(u: &mut Unstructured<'_>) -> Result<(String, Vec<u8>)> {

@@ -89,6 +89,21 @@ mod the_corpus_of {
     }
 
     #[test]
+    fn packed() {
+        replay("packed");
+    }
+
+    #[test]
+    fn run() {
+        replay("run");
+    }
+
+    #[test]
+    fn table() {
+        replay("table");
+    }
+
+    #[test]
     fn axis() {
         replay("axis");
     }

@@ -99,6 +99,16 @@ fn has_target(root: &Path) -> bool {
 mod tests {
     use super::*;
 
+    /// What is drawn while building is drawn from a seed, or two builds of the engine differ.
+    #[test]
+    fn numbers_drawn_while_building_have_a_seed() {
+        let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("..");
+        let draws = fs::read_to_string(root.join("Cargo.lock")).unwrap().contains("name = \"const-random-macro\"");
+        let settings: toml::Table = fs::read_to_string(root.join(".cargo/config.toml")).unwrap().parse().unwrap();
+        let seed = settings.get("env").and_then(|env| env.get("CONST_RANDOM_SEED")).and_then(toml::Value::as_str);
+        assert_eq!(seed.is_some(), draws, "the seed goes with the crate that draws");
+    }
+
     #[test]
     fn what_repeats_is_packed() {
         assert!(packed(&[7; 100_000]) < 100);

@@ -36,10 +36,26 @@ fn files(folder: &Path) {
         tasks
     });
     std::fs::write(folder.join("tasks.csv"), tasks).unwrap();
+    let head = String::from("time_s,position_rad,motor_speed_rad_s,torque_nm,current_q_a\n");
+    let run = (0..400_000_u32).fold(head, |mut run, k| {
+        let t = f64::from(k) * 1e-3;
+        let (sine, cosine) = (t * std::f64::consts::TAU / 4.0).sin_cos();
+        writeln!(
+            run,
+            "{t:.3},{:.6},{:.6},{:.5},{:.5}",
+            0.7 * (1.0 - cosine),
+            1.1 * sine,
+            4.0 * cosine + sine.signum(),
+            cosine
+        )
+        .unwrap();
+        run
+    });
+    std::fs::write(folder.join("trace.csv"), run).unwrap();
 }
 
 /// One call of each command with long work.
-const CALLS: [&[&str]; 13] = [
+const CALLS: [&[&str]; 14] = [
     &["size", "axis.toml"],
     &["check", "axis.toml", "--code", CODE],
     &["explain", "axis.toml", "--code", CODE],
@@ -52,6 +68,7 @@ const CALLS: [&[&str]; 13] = [
     &["export", "axis.toml", "--table", "course", "--out", "out.csv", "--memory", "4 GiB"],
     &["report", "axis.toml", "--out", "out.pdf"],
     &["simulate", "plain.toml", "--code", CODE, "--cycles", "2000", "--every", "4 ms", "--out", "out.csv"],
+    &["identify", "trace.csv", "plain.toml", "--code", CODE],
     &["sweep", "plain.toml", "--table", "tasks.csv", "--out", "out.csv"],
 ];
 

@@ -472,3 +472,69 @@ fn an_axis_that_cannot_be_answered_has_no_verdict_beside_it() {
     let errors = faults(folder.path(), &["check", "two-axes.toml"]);
     assert_eq!(errors.as_array().unwrap().len(), 1, "the same fault of both axes is reply once: {errors}");
 }
+
+/// Whatever reads a file of columns refuses the same claims in as little memory and time: recordings, tables of a sweep, recorded runs.
+#[test]
+fn no_entry_takes_a_file_at_its_word() {
+    let values = 1_i64 << 24;
+    let packed = [0x28; 3_000];
+    let column =
+        |name, codec, unpacked| Column { name, physical: 5, codec, values, pages: page(0, values, &packed, unpacked) };
+    let (of_run, of_table) = (["time_s", "position_rad"], ["load.inertia [kg m^2]", "load.friction_torque [N m]"]);
+    let of_two =
+        |names: [&'static str; 2], codec, unpacked| file(values, &names.map(|name| column(name, codec, unpacked)));
+    let mut cases: Vec<(&str, Vec<u8>)> = vec![
+        ("groups.parquet", nested_groups(10_000)),
+        ("children.parquet", claimed_children()),
+        ("nothing.parquet", b"PAR1".to_vec()),
+        ("commas.csv", vec![b','; 20 << 20]),
+        ("quotes.csv", [b"time_s,position_rad\n".to_vec(), vec![b'"'; 20 << 20]].concat()),
+        ("lines.csv", [b"time_s,position_rad\n".to_vec(), b"x\n".repeat(1 << 16)].concat()),
+    ];
+    for names in [of_run, of_table] {
+        cases.push(("zstd.parquet", of_two(names, 6, i64::from(i32::MAX))));
+        cases.push(("gzip.parquet", of_two(names, 2, 1 << 28)));
+    }
+    let folder = tempfile::tempdir().unwrap();
+    let axis = "format = 1\n[load]\ninertia = \"1 kg m^2\"\nfriction_torque = \"1 N m\"\n[[motion]]\nlaw = \"polynomial_5\"\n\
+                distance = \"90 deg\"\ntime = \"1 s\"\n";
+    fs::write(folder.path().join("axis.toml"), axis).unwrap();
+    for (name, bytes) in cases {
+        fs::write(folder.path().join(name), bytes).unwrap();
+        fs::write(folder.path().join("recorded.toml"), project(&[name])).unwrap();
+        let calls: [&[&str]; 3] = [
+            &["size", "recorded.toml"],
+            &["sweep", "axis.toml", "--table", name, "--out", "out.csv"],
+            &["identify", name, "axis.toml", "--code", "CHA-25A-100-H-C1024"],
+        ];
+        for call in calls {
+            let errors = faults(folder.path(), call);
+            let length: usize = errors.as_array().unwrap().iter().map(|error| error.to_string().len()).sum();
+            assert!(length < 20_000, "{call:?}: {length} characters");
+        }
+        assert!(!folder.path().join("out.csv").exists());
+    }
+}
+
+/// A run that unpacks to more than the project may hold, or that never ends, is refused while it is read.
+#[test]
+fn a_packed_run_is_held_to_the_memory() {
+    let folder = tempfile::tempdir().unwrap();
+    let axis = "format = 1\n[load]\ninertia = \"1 kg m^2\"\n[[motion]]\nlaw = \"polynomial_5\"\ndistance = \"90 deg\"\ntime = \"1 s\"\n";
+    fs::write(folder.path().join("axis.toml"), axis).unwrap();
+    let head = b"time_s;position_rad;motor_speed_rad_s;torque_nm;current_q_a\n".to_vec();
+    let packed = |row: &[u8]| {
+        let mut packer = flate2::write::GzEncoder::new(Vec::new(), flate2::Compression::fast());
+        std::io::Write::write_all(&mut packer, &[head.clone(), row.repeat(100_000)].concat()).unwrap();
+        packer.finish().unwrap()
+    };
+    let id = |name: &str, bytes: Vec<u8>| {
+        fs::write(folder.path().join(name), bytes).unwrap();
+        let call = ["identify", name, "axis.toml", "--code", "CHA-25A-100-H-C1024", "--memory", "4 MiB"];
+        faults(folder.path(), &call)[0]["message"].as_str().unwrap().to_owned()
+    };
+    let message = id("run.csv.gz", packed(b"0;0;0;0;0\n"));
+    assert!(message.contains("MiB") || message.contains("bytes of memory"), "{message}");
+    assert!(id("notes.csv.gz", packed(b"# x\n")).contains("few samples"));
+    assert!(id("run.xlsx", b"PK\x03\x04".repeat(100)).contains("zip"), "a workbook is named");
+}

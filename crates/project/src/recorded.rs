@@ -13,7 +13,6 @@ use ::motion::{Recorded, RecordedFault, Samples, Treatment};
 use quantities::{Measure, Unit};
 use recording::{
     Along, Bytes, ColumnSpec, Content, FILE_BYTES_MAX, Layout, Limit, MEMORY_USUAL, Memory, Recording, Role, Series,
-    sniffed,
 };
 use sizing::Axis;
 use std::io::Read;
@@ -246,14 +245,7 @@ impl<'f> Recordings<'f> {
             self.memory.give_back(whole);
         }
         // The content says what it is, whatever the name: data frames are saved as `run.parquet.gzip`.
-        let (content, source) = self.files.open(name).and_then(sniffed).map_err(unopened)?;
-        let (content, source) = match content {
-            Content::Packed(packing) => {
-                let inner = recording::unpacked(Box::new(source), packing).map_err(unopened)?;
-                sniffed(inner).map_err(unopened)?
-            }
-            content => (content, source),
-        };
+        let (content, source) = self.files.open(name).and_then(recording::opened).map_err(unopened)?;
         match content {
             Content::Parquet => {}
             Content::Foreign(format) => return Err(refused(recording::Fault::Foreign { format })),

@@ -267,3 +267,16 @@ fn lines_for_the_project_hold_only_what_the_run_knows() {
     assert!(found.doubts.len() == 1 && found.doubts[0].id == "rms" && found.overrides.is_empty(), "{found:?}");
     assert!(found.doubts[0].text.contains("current_q_a") && found.doubts[0].text.contains('√'), "{found:?}");
 }
+
+/// A run says the same with other separators, decimal commas, encodings and columns beside those that are read.
+#[test]
+fn a_run_is_read_alike_in_every_dialect() {
+    let text = arm("2.4 kg m^2", "5 kg", "");
+    let trace = course(&text);
+    let expected = identified(&text, trace.clone());
+    let german = trace.replace(',', ";").replace('.', ",").replace('\n', "\r\n");
+    let quoted: String = trace.lines().map(|line| format!("\"{}\",\"ä\"\n", line.replace(',', "\",\""))).collect();
+    for other in [german.clone(), format!("sep=;\n# of the bench\n\n{german}"), trace.replace(',', "\t"), quoted] {
+        assert_eq!(identified(&text, other), expected);
+    }
+}

@@ -42,7 +42,7 @@ pub use limits::{
     DELTA_BLOCK_MAX, FILE_BYTES_MAX, LINE_BYTES_MAX, Limit, MAGNITUDE_MAX, MEMORY_USUAL, Memory, NESTING_MAX,
     SAMPLES_MAX, STEP_MIN_S, TABLE_COLUMNS_MAX,
 };
-pub use packed::{Content, Foreign, Packing, Sniffed, sniffed, unpacked};
+pub use packed::{Content, Foreign, Packing, Sniffed, opened};
 pub use parquet::{
     Ranges, Table, TableColumn, TableValues, ValueKind, read_columns, read_parquet, read_parquet_within,
 };

@@ -143,7 +143,10 @@ impl Memory {
     }
 
     /// Returns an error if the caller cancelled.
-    pub(crate) fn go_on(&self) -> Result<(), Fault> {
+    ///
+    /// # Errors
+    /// [`Fault::Stopped`].
+    pub fn go_on(&self) -> Result<(), Fault> {
         let is_over = self.cancelled.as_ref().is_some_and(|flag| flag.load(Ordering::Relaxed));
         if is_over { Err(Fault::Stopped) } else { Ok(()) }
     }

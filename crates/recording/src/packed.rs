@@ -93,11 +93,20 @@ const HEAD: u64 = 16;
 /// A source after examination of its first bytes; reads from its beginning.
 pub type Sniffed = Chain<Cursor<Vec<u8>>, Box<dyn Read>>;
 
-/// Determines the content of a source from its first bytes; the source returned reads from its beginning.
+/// Determines the content of a file from its first bytes, behind gzip or Zstandard; the source returned reads from the beginning and
+/// unpacks while it reads, so that its reader bounds the size. A file packed twice remains [`Content::Packed`].
 ///
 /// # Errors
-/// Errors of the source.
-pub fn sniffed(mut source: Box<dyn Read>) -> Result<(Content, Sniffed)> {
+/// Errors of the source at its beginning.
+pub fn opened(source: Box<dyn Read>) -> Result<(Content, Sniffed)> {
+    match sniffed(source)? {
+        (Content::Packed(packing), source) => sniffed(unpacked(Box::new(source), packing)),
+        found => Ok(found),
+    }
+}
+
+/// Determines the content of a source from its first bytes; the source returned reads from its beginning.
+fn sniffed(mut source: Box<dyn Read>) -> Result<(Content, Sniffed)> {
     let mut head = Vec::new();
     let _ = source.by_ref().take(HEAD).read_to_end(&mut head)?;
     let found = MARKS.iter().find(|(mark, _)| head.starts_with(mark));
@@ -106,13 +115,10 @@ pub fn sniffed(mut source: Box<dyn Read>) -> Result<(Content, Sniffed)> {
 }
 
 /// Unpacks a packed file while it is read; the reader bounds the size.
-///
-/// # Errors
-/// Errors of the source at its beginning.
-pub fn unpacked(source: Box<dyn Read>, packing: Packing) -> Result<Box<dyn Read>> {
+fn unpacked(source: Box<dyn Read>, packing: Packing) -> Box<dyn Read> {
     match packing {
-        Packing::Gzip => Ok(Box::new(flate2::read::MultiGzDecoder::new(source))),
-        Packing::Zstd => Ok(Box::new(Frames::of(source))),
+        Packing::Gzip => Box::new(flate2::read::MultiGzDecoder::new(source)),
+        Packing::Zstd => Box::new(Frames::of(source)),
     }
 }
 
@@ -216,10 +222,14 @@ mod tests {
             let source: Box<dyn Read> = Box::new(Cursor::new(packed.clone()));
             let (content, source) = sniffed(source).unwrap();
             assert_eq!(content, Content::Packed(packing));
-            unpacked(Box::new(source), packing).unwrap().read_to_string(&mut found).unwrap();
+            unpacked(Box::new(source), packing).read_to_string(&mut found).unwrap();
             assert_eq!(found, text);
+            let (content, mut source) = opened(Box::new(Cursor::new(packed.clone()))).unwrap();
+            found.clear();
+            source.read_to_string(&mut found).unwrap();
+            assert_eq!((content, &found), (Content::Text, &text));
             let half = Box::new(Cursor::new(packed[..packed.len() / 2].to_vec()));
-            assert!(unpacked(half, packing).unwrap().read_to_end(&mut Vec::new()).is_err(), "a damaged file");
+            assert!(unpacked(half, packing).read_to_end(&mut Vec::new()).is_err(), "a damaged file");
         }
     }
 

@@ -6,6 +6,7 @@ use crate::encoding;
 use crate::faults::Fault;
 use crate::limits::{COLUMNS_MAX, Limit};
 use crate::lines::Lines;
+use crate::number::{Decimals, finite};
 use crate::series::Encoding;
 use std::io::Read;
 
@@ -17,6 +18,7 @@ pub struct Records<R> {
     lines: Lines<R>,
     cells: Cells,
     headings: Vec<String>,
+    decimals: Decimals,
     is_utf8: bool,
 }
 
@@ -26,8 +28,13 @@ impl<R: Read> Records<R> {
     /// # Errors
     /// Faults of the line of the headings.
     pub fn open(source: R) -> Result<Self, Fault> {
-        let mut records =
-            Self { lines: Lines::new(source), cells: Cells::new(b','), headings: Vec::new(), is_utf8: true };
+        let mut records = Self {
+            lines: Lines::new(source),
+            cells: Cells::new(b','),
+            headings: Vec::new(),
+            decimals: Decimals::PointAlways,
+            is_utf8: true,
+        };
         if !records.lines.advance()? {
             return Ok(records);
         }
@@ -43,6 +50,9 @@ impl<R: Read> Records<R> {
         records.read(|heading| headings.push(heading.trim().to_owned()))?;
         Limit::Columns.hold(headings.len() as u64, COLUMNS_MAX as u64)?;
         records.headings = headings;
+        if records.may_have_decimal_commas() {
+            records.decimals = Decimals::Undecided;
+        }
         Ok(records)
     }
 
@@ -59,6 +69,11 @@ impl<R: Read> Records<R> {
     /// Returns the encoding of the text read so far.
     pub const fn encoding(&self) -> Encoding {
         if self.is_utf8 { self.lines.encoding() } else { Encoding::Windows1252Guessed }
+    }
+
+    /// Returns the number of the line of the row, counted from 1.
+    pub const fn line(&self) -> u64 {
+        self.lines.number()
     }
 
     /// Advances to the next row; returns `false` after the last. After a faulty line, reading continues with the next
@@ -85,6 +100,21 @@ impl<R: Read> Records<R> {
             put(column, cell);
             column += 1;
         })
+    }
+
+    /// Passes each number of the row to `put`, `None` for a cell that is no finite number; as many as there are headings.
+    /// Where commas do not separate the cells the numbers may have decimal commas, all or none.
+    ///
+    /// # Errors
+    /// As [`Records::row`].
+    pub fn numbers(&mut self, mut put: impl FnMut(usize, Option<f64>)) -> Result<(), Fault> {
+        let (line, mut decimals) = (self.lines.number(), self.decimals);
+        self.row(|column, cell| {
+            let number = decimals.plain(cell.as_bytes(), line).and_then(|text| finite(&text));
+            put(column, number.ok());
+        })?;
+        self.decimals = decimals;
+        Ok(())
     }
 
     fn read(&mut self, mut put: impl FnMut(&str)) -> Result<(), Fault> {
@@ -195,5 +225,27 @@ mod tests {
         assert_eq!(rows, expected);
         assert!(Records::open(&b""[..]).unwrap().headings().is_empty());
         assert!(Records::open(&b"sep=;\n"[..]).unwrap().headings().is_empty());
+    }
+
+    /// Numbers of one table have one decimal sign, and what is no finite number is none.
+    #[test]
+    fn numbers_are_read_with_either_decimal_sign() {
+        type Numbers = Vec<(u64, Vec<Option<f64>>)>;
+        let numbers = |text: &str| -> Numbers {
+            let mut records = Records::open(text.as_bytes()).unwrap();
+            let mut rows = Vec::new();
+            while records.advance().unwrap() {
+                let mut row = Vec::new();
+                records.numbers(|_, number| row.push(number)).unwrap();
+                rows.push((records.line(), row));
+            }
+            rows
+        };
+        let expected = vec![(3, vec![Some(0.5), Some(-1250.0)]), (4, vec![None, Some(3.0)])];
+        assert_eq!(numbers("# run\na,b\n0.5, -1.25e3\nx,3\n"), expected);
+        assert_eq!(numbers("# run\na;b\n0,5;-1,25e3\n;3\n"), expected);
+        assert_eq!(numbers("# run\na\tb\n0.5\t-1.25e3\nNaN\t3\n"), expected);
+        // A point behind commas may separate thousands.
+        assert_eq!(numbers("a;b\n0,5;1.234\n1e999;\n"), [(2, vec![Some(0.5), None]), (3, vec![None, None])]);
     }
 }

@@ -3,20 +3,20 @@
 use arbitrary::{Result, Unstructured};
 
 /// Samples of a motion that begins and ends at rest: (1 − cos) back and forth, with a torque.
-pub(super) struct Columns {
+pub(crate) struct Columns {
     /// Columns with their values, time first.
-    pub(super) columns: Vec<Column>,
+    pub(crate) columns: Vec<Column>,
 }
 
-pub(super) struct Column {
-    pub(super) name: &'static str,
-    pub(super) unit: &'static str,
-    pub(super) values: Vec<f64>,
+pub(crate) struct Column {
+    pub(crate) name: &'static str,
+    pub(crate) unit: &'static str,
+    pub(crate) values: Vec<f64>,
 }
 
 impl Columns {
     /// Generates any selection of columns with any number of samples.
-    pub(super) fn any(u: &mut Unstructured<'_>) -> Result<Self> {
+    pub(crate) fn any(u: &mut Unstructured<'_>) -> Result<Self> {
         let count = u.int_in_range(2..=120_u16)?;
         let duration = *u.choose(&[1.0, 0.1, 4.0, 60.0])?;
         let reach = *u.choose(&[1.0, 0.05, 6.0, 0.0])?;
@@ -47,18 +47,25 @@ impl Columns {
         if u.ratio(1, 4)? {
             columns.push(Column { name: "note", unit: "", values: times });
         }
-        // One irregular sample: missing, doubled, out of range, out of order.
-        if u.ratio(1, 4)? {
+        let mut found = Self { columns };
+        found.spoil(u)?;
+        Ok(found)
+    }
+
+    /// Makes one sample irregular in a quarter of the cases: missing, doubled, out of range, out of order.
+    pub(crate) fn spoil(&mut self, u: &mut Unstructured<'_>) -> Result<()> {
+        let count = self.columns.first().map_or(0, |column| column.values.len());
+        if count > 0 && u.ratio(1, 4)? {
             let odd = *u.choose(&[f64::NAN, f64::INFINITY, 1e300, -1e9, 0.0, 1e-300])?;
-            let (column, row) = (u.choose_index(columns.len())?, u.choose_index(usize::from(count))?);
-            let slot = columns.get_mut(column).and_then(|column| column.values.get_mut(row));
+            let (column, row) = (u.choose_index(self.columns.len())?, u.choose_index(count)?);
+            let slot = self.columns.get_mut(column).and_then(|column| column.values.get_mut(row));
             slot.into_iter().for_each(|slot| *slot = odd);
         }
-        Ok(Self { columns })
+        Ok(())
     }
 
     /// Writes CSV with any separator, decimal sign, place of the units, quotes and line ending.
-    pub(super) fn csv(&self, u: &mut Unstructured<'_>) -> Result<String> {
+    pub(crate) fn csv(&self, u: &mut Unstructured<'_>) -> Result<String> {
         let (separator, decimal) = *u.choose(&[(",", '.'), (";", ','), ("\t", '.'), ("\t", ','), (";", '.')])?;
         let end = *u.choose(&["\n", "\r\n"])?;
         let quoted = u.ratio(1, 8)?;
@@ -94,7 +101,7 @@ impl Columns {
 /// Changes bytes between the magic bytes at both ends: each edit is a place and an operation.
 ///
 /// A place is counted from the end, where the footer is, in half of the edits.
-pub(super) fn edit_bytes(mut bytes: Vec<u8>, edits: &[(u16, u8)]) -> Vec<u8> {
+pub(crate) fn edit_bytes(mut bytes: Vec<u8>, edits: &[(u16, u8)]) -> Vec<u8> {
     for (place, choice) in edits {
         let room = bytes.len().saturating_sub(8).max(1);
         let place = usize::from(*place);

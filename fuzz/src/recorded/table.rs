@@ -69,7 +69,7 @@ struct Stored<'c> {
 
 impl Columns {
     /// Writes Parquet; returns an empty file if the writer refuses the columns.
-    pub(super) fn parquet(&self, u: &mut Unstructured<'_>) -> Result<Vec<u8>> {
+    pub(crate) fn parquet(&self, u: &mut Unstructured<'_>) -> Result<Vec<u8>> {
         let mut stored = Vec::new();
         let in_names = u.ratio(2, 3)?;
         for column in &self.columns {
@@ -127,7 +127,11 @@ fn properties(
     for of in stored {
         let own = of.store.encodings();
         if u.ratio(1, 3)? {
-            builder = builder.set_column_encoding(of.path(), *u.choose(own)?);
+            let encoding = *u.choose(own)?;
+            // Columns of one name have one encoding, and the writer has not each for each type.
+            if stored.iter().filter(|other| other.path() == of.path()).count() == 1 {
+                builder = builder.set_column_encoding(of.path(), encoding);
+            }
         }
     }
     Ok(builder.build())
@@ -226,7 +230,7 @@ fn fill(
 }
 
 /// Creates a file with these bytes as footer, their correct length, and some data before it to refer to.
-pub(super) fn with_footer(footer: &[u8]) -> Vec<u8> {
+pub(crate) fn with_footer(footer: &[u8]) -> Vec<u8> {
     let mut bytes = b"PAR1".to_vec();
     bytes.extend((0..64).map(|byte| byte * 3));
     bytes.extend_from_slice(footer);
@@ -236,7 +240,7 @@ pub(super) fn with_footer(footer: &[u8]) -> Vec<u8> {
 }
 
 /// Encodes a text differently from UTF-8, as in old loggers.
-pub(super) fn encoded(text: &str, u: &mut Unstructured<'_>) -> Result<Vec<u8>> {
+pub(crate) fn encoded(text: &str, u: &mut Unstructured<'_>) -> Result<Vec<u8>> {
     let text = text.replace("deg", "°");
     Ok(match u.int_in_range(0..=3)? {
         0 => text.encode_utf16().flat_map(u16::to_le_bytes).collect(),

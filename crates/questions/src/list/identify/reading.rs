@@ -1,9 +1,11 @@
 //! The columns of a recorded run, read and checked row by row.
 
 use super::super::{Asked, Unanswered};
+use crate::Refusal;
+use crate::patience::Stopped;
 use quantities::{Language, format_significant, seen};
-use recording::{Bytes, Memory};
-use std::io::Read as _;
+use recording::{Bytes, Content, Fault, Memory, Records};
+use std::io::Read;
 use twin::{IdentifyFault, Observed};
 use words::{identification, recording_text, simulation};
 
@@ -47,22 +49,33 @@ struct Columns {
     faults: Vec<String>,
 }
 
-/// Reads the run of a file.
+/// Reads the run of a file: the same packings and dialects as recordings have, within the memory of the project.
 ///
 /// # Errors
 /// Every fault, each with its line and column.
 pub(super) fn run(asked: &Asked<'_>, name: &str) -> Result<Run, Unanswered> {
     let language = asked.language;
-    let mut bytes = Vec::new();
+    let unread = |_| Unanswered::message(simulation::no_such_trace(&seen(name), language));
     let source = asked.source()?;
-    let read = source.files.open(name).and_then(|file| file.take(TRACE_MOST + 1).read_to_end(&mut bytes));
-    read.map_err(|_| Unanswered::message(simulation::no_such_trace(&seen(name), language)))?;
-    if bytes.len() as u64 > TRACE_MOST {
+    let mut memory = Memory::new(source.files.grant().memory).until(Some(asked.patience.flag()));
+    let (content, file) = source.files.open(name).and_then(recording::opened).map_err(unread)?;
+    // One byte more than is read shows that there is more.
+    let mut file = file.take(TRACE_MOST + 1);
+    let columns = match content {
+        Content::Parquet => {
+            let mut bytes = Vec::new();
+            let _ = file.read_to_end(&mut bytes).map_err(unread)?;
+            if file.limit() > 0 { of_parquet(bytes, &mut memory, language) } else { Columns::default() }
+        }
+        Content::Foreign(format) => Columns::unread(&[Fault::Foreign { format }], language),
+        Content::Text | Content::Packed(_) => of_csv(&mut file, &mut memory, language),
+    };
+    if file.limit() == 0 {
         return Err(Unanswered::message(simulation::trace_too_large(&seen(name), &(TRACE_MOST >> 20), language)));
     }
-    let memory = source.files.grant().memory;
-    let columns =
-        if bytes.starts_with(b"PAR1") { of_parquet(bytes, memory, language) } else { of_csv(&bytes, language) };
+    if asked.patience.is_over() {
+        return Err(Unanswered::Refused(Refusal::from(Stopped), None));
+    }
     columns.run(language).map_err(|faults| Unanswered::together(faults.into_iter().map(Unanswered::message).collect()))
 }
 
@@ -88,10 +101,15 @@ impl Run {
 }
 
 impl Columns {
-    fn fault(&mut self, fault: impl FnOnce() -> String) {
-        if self.faults.len() < FAULTS_MOST {
-            self.faults.push(fault());
-        }
+    /// Why the file is not read. What is missing besides is not known.
+    fn unread(why: &[Fault], language: Language) -> Self {
+        let mut found = Self { values: COLUMNS.map(|_| Some(Vec::new())), ..Self::default() };
+        found.add(why, language);
+        found
+    }
+
+    fn add(&mut self, why: &[Fault], language: Language) {
+        self.faults.extend(why.iter().map(|fault| recording_text(fault, language)));
     }
 
     fn run(mut self, language: Language) -> Result<Run, Vec<String>> {
@@ -120,51 +138,87 @@ fn out_of_range(line: usize, column: &Column, value: f64, language: Language) ->
     identification::out_of_range(&line, &column.heading, &number(value), &number(column.most), language)
 }
 
-fn of_parquet(bytes: Vec<u8>, memory: u64, language: Language) -> Columns {
-    let mut found = Columns::default();
+fn of_parquet(bytes: Vec<u8>, memory: &mut Memory, language: Language) -> Columns {
     let headings = COLUMNS.map(|column| column.heading);
-    match recording::read_columns(&Bytes::from(bytes), &headings, &mut Memory::new(memory)) {
-        Ok(values) => {
-            for ((place, values), column) in found.values.iter_mut().zip(values).zip(&COLUMNS) {
-                *place = values;
-                let cells = place.iter().flatten().zip(1_usize..).filter(|(value, _)| value.abs() > column.most);
-                let left = FAULTS_MOST.saturating_sub(found.faults.len());
-                found.faults.extend(cells.take(left).map(|(value, row)| out_of_range(row, column, *value, language)));
-            }
-        }
-        // What is missing besides is not known of a file that cannot be read.
-        Err(faults) => {
-            found.faults = faults.iter().map(|fault| recording_text(fault, language)).collect();
-            found.values = COLUMNS.map(|_| Some(Vec::new()));
-        }
+    let held = bytes.len() as u64;
+    let read = memory
+        .take(held)
+        .map_err(|fault| vec![fault])
+        .and_then(|()| recording::read_columns(&Bytes::from(bytes), &headings, memory));
+    let values = match read {
+        Ok(values) => values,
+        Err(faults) => return Columns::unread(&faults, language),
+    };
+    let mut found = Columns::default();
+    for ((place, values), column) in found.values.iter_mut().zip(values).zip(&COLUMNS) {
+        *place = values;
+        let cells = place.iter().flatten().zip(1_usize..).filter(|(value, _)| value.abs() > column.most);
+        let left = FAULTS_MOST.saturating_sub(found.faults.len());
+        found.faults.extend(cells.take(left).map(|(value, row)| out_of_range(row, column, *value, language)));
     }
     found
 }
 
-fn of_csv(bytes: &[u8], language: Language) -> Columns {
-    let text = String::from_utf8_lossy(bytes);
-    let mut lines = (1_usize..).zip(text.lines()).filter(|(_, line)| !line.starts_with('#'));
-    let heads: Vec<&str> =
-        lines.next().map_or("", |(_, line)| line).trim_start_matches('\u{feff}').split(',').collect();
-    let places = COLUMNS.map(|column| heads.iter().position(|head| head.trim() == column.heading));
-    let mut found = Columns { values: places.map(|place| place.map(|_| Vec::new())), ..Columns::default() };
-    for (line, text) in lines.filter(|(_, text)| !text.trim().is_empty()) {
-        let cells: Vec<&str> = text.split(',').collect();
-        found.lines.push(line);
-        for ((index, place), column) in places.iter().enumerate().zip(&COLUMNS) {
-            let Some(place) = place else { continue };
-            let value = cells.get(*place).and_then(|cell| cell.trim().parse::<f64>().ok());
-            match value.filter(|value| value.is_finite()) {
-                Some(value) if value.abs() > column.most => {
-                    found.fault(|| out_of_range(line, column, value, language));
-                }
-                Some(value) => {
-                    if let Some(Some(values)) = found.values.get_mut(index) {
-                        values.push(value);
-                    }
-                }
-                None => found.fault(|| simulation::trace_not_a_number(&line, &column.heading, language)),
+/// Bytes that a row takes: its numbers and its line.
+const ROW_BYTES: u64 = 8 * (COLUMNS.len() as u64 + 1);
+
+/// So many rows are counted together.
+const ROWS_COUNTED: usize = 4096;
+
+fn of_csv(file: impl Read, memory: &mut Memory, language: Language) -> Columns {
+    let mut records = match Records::open(file) {
+        Ok(records) => records,
+        Err(fault) => return Columns::unread(&[fault], language),
+    };
+    // Of a heading that is there twice the first counts.
+    let heads = records.headings().iter().enumerate();
+    let is_first =
+        |index: usize, head: &String| records.headings().iter().position(|other| other == head) == Some(index);
+    let places: Vec<Option<usize>> = heads
+        .map(|(index, head)| COLUMNS.iter().position(|column| column.heading == head && is_first(index, head)))
+        .collect();
+    let mut found = Columns::default();
+    for place in places.iter().flatten() {
+        if let Some(values) = found.values.get_mut(*place) {
+            *values = Some(Vec::new());
+        }
+    }
+    while found.faults.len() < FAULTS_MOST {
+        if found.lines.len().is_multiple_of(ROWS_COUNTED) {
+            let granted = memory.go_on().and_then(|()| memory.take(ROW_BYTES * ROWS_COUNTED as u64));
+            if let Err(fault) = granted {
+                return Columns::unread(&[fault], language);
             }
+        }
+        match records.advance() {
+            Ok(true) => {}
+            Ok(false) => break,
+            // The next line is behind it.
+            Err(fault @ Fault::LineTooLong { .. }) => {
+                found.add(&[fault], language);
+                continue;
+            }
+            Err(fault) => return Columns::unread(&[fault], language),
+        }
+        let line = usize::try_from(records.line()).unwrap_or(usize::MAX);
+        found.lines.push(line);
+        let Columns { values, faults, .. } = &mut found;
+        let row = records.numbers(|index, number| {
+            let Some(place) = places.get(index).copied().flatten() else { return };
+            let (Some(column), Some(Some(values))) = (COLUMNS.get(place), values.get_mut(place)) else { return };
+            // A fault keeps its place: rows and numbers stay beside each other.
+            values.push(number.unwrap_or_default());
+            let fault = match number {
+                Some(value) if value.abs() > column.most => out_of_range(line, column, value, language),
+                Some(_) => return,
+                None => simulation::trace_not_a_number(&line, &column.heading, language),
+            };
+            if faults.len() < FAULTS_MOST {
+                faults.push(fault);
+            }
+        });
+        if let Err(fault) = row {
+            found.add(&[fault], language);
         }
     }
     found
