@@ -6,7 +6,7 @@ use crate::{run, table};
 use arbitrary::{Result, Unstructured};
 use std::io::Write as _;
 
-/// First bytes of files that are no recording, and of packings that nobody reads.
+/// First bytes of files that are no recording, and of packings that are not read.
 const FOREIGN: [&[u8]; 8] = [
     b"PK\x03\x04",
     b"\x1f\x8b",
