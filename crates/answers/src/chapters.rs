@@ -81,7 +81,7 @@ pub struct Torsion {
     /// Units of torque, stiffness and angles.
     pub units: Units,
     /// Source of the curve.
-    pub source: &'static str,
+    pub source: String,
 }
 
 /// `bearing`: output bearing of each size under the loads of the project.

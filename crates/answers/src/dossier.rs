@@ -172,8 +172,10 @@ pub struct ScrewJoint {
 /// A document that sources refer to.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, JsonSchema)]
 pub struct Document {
-    /// Id used by the sources.
+    /// Id in the data.
     pub id: String,
+    /// Short name used by the sources.
+    pub short: String,
     /// Title of the document.
     pub title: String,
     /// Number, edition and date; empty if unknown.

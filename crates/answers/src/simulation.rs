@@ -184,8 +184,10 @@ pub struct ControlLoop {
 /// A parameter of the model.
 #[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct ModelParameter {
-    /// Key of the parameter.
+    /// Key of the parameter in the table `[twin.measured]`.
     pub key: &'static str,
+    /// Name of the parameter.
+    pub title: String,
     /// Value; `null` if it is unknown.
     pub value: Option<Number>,
     /// Unit of the value.

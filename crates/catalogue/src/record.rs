@@ -267,8 +267,14 @@ impl Erratum {
 pub struct Document {
     /// Identifier.
     pub id: &'static str,
+    /// Short name under which texts cite it, in English; unique, and never part of another one.
+    pub short: &'static str,
+    /// The same in German; empty if it is that in English.
+    pub short_de: &'static str,
     /// Title.
     pub title: &'static str,
+    /// Title in German of a document that has one in both languages; else empty.
+    pub title_de: &'static str,
     /// Edition; empty if unknown.
     pub edition: &'static str,
     /// Language; empty if unknown.

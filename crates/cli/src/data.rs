@@ -8,7 +8,7 @@ use questions::answer::sheet_note_text;
 use questions::list::data::{Sheet, SheetMarks, SheetNote, SheetSection};
 use questions::list::{Asked, Unanswered, data, torsion};
 use std::fmt::Write as _;
-use words::{condition_text, describe_uncovered, evidence_text, symbol_term, table_title, terminal, terms};
+use words::{condition_text, describe_uncovered, evidence_text, row_sign, symbol_term, table_title, terminal, terms};
 
 /// `antrieb data CODE`
 pub(crate) fn sheet(call: &Call<'_>, asked: &Asked<'_>) -> Result<Answer, Unanswered> {
@@ -59,7 +59,7 @@ fn section_text(out: &mut String, section: &SheetSection, errata: &mut Vec<&'sta
             errata.extend(cell.errata.iter().filter(|id| !errata.contains(id)).copied().collect::<Vec<_>>());
         }
         let unit = Unit::of(cell.unit).map_or(cell.unit, |unit| unit.symbol);
-        table.row([cell.place.symbol.to_owned(), value, unit.to_owned(), name]);
+        table.row([row_sign(cell.place.symbol).unwrap_or_default(), value, unit.to_owned(), name]);
     }
     out.push_str(&table.render());
     for (mark, note) in notes.sorted() {

@@ -265,8 +265,16 @@ fn drawn_figures(
 }
 
 fn drawn((place, id): (DiagramPlace, &str), drawing: &Drawing, language: Language) -> report::Diagram {
-    let (svg, alternative_text) = as_svg(id, drawing, language);
-    report::Diagram { place, svg, caption: drawing.caption.clone(), alternative_text }
+    let svgs = place.sizes_mm(drawing.size_mm.1).into_iter().map(|(width, height)| {
+        let style = Style::new(figures::Size::millimetres(width, height));
+        drawing.render(&style.theme(Theme::Light).language(language).id(id)).into_svg()
+    });
+    report::Diagram {
+        place,
+        svgs: svgs.collect(),
+        caption: drawing.caption.clone(),
+        alternative_text: drawing.description.clone(),
+    }
 }
 
 /// Returns a drawing on paper, and its description.

@@ -6,7 +6,10 @@ use plot::{Axis, Bar, BarChart};
 use quantities::Language;
 use questions::texts::{by_importance, counts_text, verdict_text};
 use questions::{Candidate, Check, Direction, Objection, Unmet, Verdict};
-use words::{capitalised, check_missing, check_title, pictures, terms, unmet_text, verdict_word, without_limit};
+use words::{
+    capitalised, check_missing, check_title, pictures, row_name, terms, unmet_text, verdict_word, without_keys,
+    without_limit,
+};
 
 /// Draws every check of a candidate, in the order of all answers.
 #[must_use]
@@ -64,9 +67,11 @@ fn bar(check: &Check, language: Language) -> Bar {
     }
     if check.verdict == Verdict::NotChecked {
         let missing = check.missing.unwrap_or_default();
-        // The short name of the value: the tooltip contains its path.
-        let short = missing.rsplit('.').next().unwrap_or(missing);
+        // The datum in a few words; the tooltip says more.
+        let named = row_name(missing, language);
+        let short = without_keys(&named, language);
         let reason = check_missing(missing, language);
+        let reason = without_keys(&reason, language);
         return bar.text(format!("{}: {short}", terms::missing(language))).tooltip(&format!("{reason} {numbers}"));
     }
     let Some(share) = check.utilisation else { return bar.text(numbers) };

@@ -70,15 +70,15 @@ pub fn state_each_once(chapters: &mut [Chapter]) {
 #[must_use]
 pub fn documents(chapters: &[Chapter], language: Language) -> Vec<Document> {
     let texts: Vec<&str> = chapters.iter().flat_map(Chapter::texts).collect();
-    let cited = |found: &&catalogue::Document| texts.iter().any(|text| names(text, found.id));
+    let cited = |found: &&catalogue::Document| texts.iter().any(|text| names(text, words::short(found, language)));
     catalogue::documents().iter().filter(cited).map(|found| document(found, language)).collect()
 }
 
-/// Whether a text has an identifier as a word of its own: `cha-manual` is not in `cha-manual-en-v03`.
-fn names(text: &str, id: &str) -> bool {
+/// Returns `true` if a text has a short name as a word of its own: `DIN 4408` is not in `DIN 44081`.
+fn names(text: &str, short: &str) -> bool {
     let part = |sign: Option<char>| sign.is_some_and(|sign| sign.is_ascii_alphanumeric() || sign == '-');
-    text.match_indices(id).any(|(at, _)| {
-        let (before, after) = (text.get(..at).unwrap_or_default(), text.get(at + id.len()..).unwrap_or_default());
+    text.match_indices(short).any(|(at, _)| {
+        let (before, after) = (text.get(..at).unwrap_or_default(), text.get(at + short.len()..).unwrap_or_default());
         !part(before.chars().next_back()) && !part(after.chars().next())
     })
 }
@@ -126,8 +126,21 @@ mod tests {
 
     #[test]
     fn a_document_is_cited_by_its_whole_name_only() {
-        assert!(names("see cha-manual section 9.3", "cha-manual") && names("(kty-c-lib)", "kty-c-lib"));
-        assert!(!names("cha-manual-en-v03 section 9.3", "cha-manual") && !names("a-kty-c-lib", "kty-c-lib"));
+        assert!(names("see CHA manual section 9.3", "CHA manual") && names("(NXP KTY84)", "NXP KTY84"));
+        assert!(!names("DIN 44081 and more", "DIN 4408") && !names("SINAMICS S120-x", "SINAMICS S120"));
+    }
+
+    /// Else a document would be listed for another one that a text cites.
+    #[test]
+    fn no_short_name_of_a_document_is_within_another_one() {
+        for language in Language::ALL {
+            for found in catalogue::documents() {
+                let short = words::short(found, language);
+                let within = |other: &&catalogue::Document| names(words::short(other, language), short);
+                let ids: Vec<&str> = catalogue::documents().iter().filter(within).map(|other| other.id).collect();
+                assert_eq!(ids, [found.id], "{short}");
+            }
+        }
     }
 
     #[test]

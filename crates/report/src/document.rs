@@ -58,9 +58,9 @@ struct Date {
     day: u8,
 }
 
-/// The name under which the template finds a figure of an axis.
-pub(crate) fn figure_file(axis: usize, index: usize) -> String {
-    format!("figure-{axis}-{index}.svg")
+/// The name under which the template finds a figure of an axis, drawn in one of its sizes.
+pub(crate) fn figure_file(axis: usize, index: usize, size: usize) -> String {
+    format!("figure-{axis}-{index}-{size}.svg")
 }
 
 impl Document {

@@ -10,10 +10,14 @@ mod form;
 #[cfg(feature = "pdf")]
 mod glyphs;
 #[cfg(feature = "pdf")]
+mod letters;
+#[cfg(feature = "pdf")]
 mod press;
 #[cfg(feature = "pdf")]
 mod template;
 
+#[cfg(feature = "pdf")]
+pub use letters::{Letter, letters};
 #[cfg(feature = "png")]
 pub use press::pages_png;
 #[cfg(feature = "pdf")]
@@ -31,7 +35,30 @@ use words::terminal;
 #[cfg(feature = "document")]
 pub fn document(content: &Content, settings: &Settings) -> Result<serde_json::Value, Fault> {
     let document = document::Document::build(content, settings)?;
-    serde_json::to_value(&document).map_err(|fault| Fault::Typesetting { message: fault.to_string() })
+    let value = serde_json::to_value(&document).map_err(|fault| Fault::Typesetting { message: fault.to_string() })?;
+    Ok(in_words(value, content.language))
+}
+
+/// Members of the document that the template finds things by, or that are in the words of the user.
+#[cfg(feature = "document")]
+const AS_THEY_ARE: [&str; 8] = ["head", "name", "key", "file", "files", "id", "place", "svg"];
+
+/// The document without keys of the project file, which mean nothing to those who read only the report.
+#[cfg(feature = "document")]
+fn in_words(value: serde_json::Value, language: Language) -> serde_json::Value {
+    use serde_json::Value;
+    match value {
+        Value::String(text) => Value::String(words::without_keys(&text, language).into_owned()),
+        Value::Array(items) => items.into_iter().map(|item| in_words(item, language)).collect(),
+        Value::Object(members) => {
+            let spelled = |(key, value): (String, Value)| {
+                let value = if AS_THEY_ARE.contains(&key.as_str()) { value } else { in_words(value, language) };
+                (key, value)
+            };
+            members.into_iter().map(spelled).collect()
+        }
+        other => other,
+    }
 }
 
 /// Everything that stands in the report, as data.
@@ -72,13 +99,36 @@ pub enum DiagramPlace {
     Alternatives,
 }
 
+/// Width of the text on a page \[mm\]. A diagram of this width is placed without scaling, so that its letters keep their size.
+const TEXT_WIDTH_MM: f64 = 168.0;
+
+impl DiagramPlace {
+    /// Sizes at which the diagram is drawn \[mm\], the highest first; `height` is the height that suits its content.
+    ///
+    /// A page that has little room left takes a lower drawing, never a scaled one.
+    #[must_use]
+    pub fn sizes_mm(self, height: f64) -> Vec<(f64, f64)> {
+        let heights: &[f64] = match self {
+            Self::Motion => &[188.0, 172.0, 158.0, 146.0, 128.0, 110.0],
+            Self::TorqueSpeed => &[116.0, 104.0, 91.0],
+            Self::OutputBearing => &[75.0, 68.0, 61.0],
+            Self::Gear => &[67.0, 57.0],
+            Self::Tolerances => &[88.0, 74.0, 61.0],
+            Self::Alternatives => &[78.0, 70.0, 61.0],
+        };
+        let own = heights.first().is_none_or(|highest| height < *highest).then_some(height);
+        let lower = heights.iter().copied().filter(|lower| *lower < height);
+        own.into_iter().chain(lower).map(|height| (TEXT_WIDTH_MM, height)).collect()
+    }
+}
+
 /// A drawn diagram.
 #[derive(Clone, Debug)]
 pub struct Diagram {
     /// Where it stands.
     pub place: DiagramPlace,
-    /// SVG, its text in the family Inter.
-    pub svg: String,
+    /// The diagram as SVG at each of [`DiagramPlace::sizes_mm`], its text in the family Inter.
+    pub svgs: Vec<String>,
     /// The line below it.
     pub caption: String,
     /// Description of the picture, for screen readers.

@@ -212,18 +212,20 @@ fn collect_runs(frame: &Frame, (left, top): (f64, f64), runs: &mut Vec<Run>) {
 }
 
 /// The engine caches earlier layouts; the memory of a server must not grow with them.
-fn forget() {
+pub(crate) fn forget() {
     typst::comemo::evict(2);
 }
 
-fn typeset(content: &Content, settings: &Settings) -> Result<PagedDocument, Fault> {
+pub(crate) fn typeset(content: &Content, settings: &Settings) -> Result<PagedDocument, Fault> {
     let fonts = fonts();
     let document = fonts.glyphs.printable(crate::document(content, settings)?);
     let mut files: BTreeMap<String, Vec<u8>> = BTreeMap::new();
     files.insert("data.json".to_owned(), document.to_string().into_bytes());
     for (axis, of_axis) in content.axes.iter().enumerate() {
         for (index, figure) in of_axis.figures.iter().enumerate() {
-            files.insert(figure_file(axis, index), figure.svg.clone().into_bytes());
+            for (size, svg) in figure.svgs.iter().enumerate() {
+                files.insert(figure_file(axis, index, size), svg.clone().into_bytes());
+            }
         }
         for (index, picture) in laid_out::pictures(&of_axis.chapters).enumerate() {
             files.insert(laid_out::picture_file(axis, index), picture.svg.clone().into_bytes());

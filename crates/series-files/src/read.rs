@@ -94,7 +94,12 @@ pub struct Erratum {
 #[serde(deny_unknown_fields)]
 pub struct Document {
     pub id: String,
+    pub short: String,
+    #[serde(default)]
+    pub short_de: String,
     pub title: String,
+    #[serde(default)]
+    pub title_de: String,
     #[serde(default)]
     pub edition: String,
     #[serde(default)]

@@ -10,7 +10,7 @@ use quantities::unit::{
 };
 use quantities::{Language, Measure, Unit};
 use questions::{Candidate, Sample, Sizing, course, moves};
-use words::{Word, assumption_text, capitalised, law_text, tables, terms};
+use words::{Word, assumption_text, capitalised, law_text, tables, terms, without_keys};
 
 /// Names of the tables, in the order of a workbook.
 pub const NAMES: [&str; 7] = questions::list::export::TABLES;
@@ -142,9 +142,9 @@ impl Subject<'_> {
             column("number", terms::number, ColumnContent::Count, None, tables::number_about, l),
             column("assumption", tables::assumption, ColumnContent::Text, None, tables::assumption_about, l),
         ];
-        let rows = (1_u16..)
-            .zip(&self.project.assumptions)
-            .map(|(number, each)| vec![Cell::number(f64::from(number)), Cell::text(assumption_text(*each, l))]);
+        let rows = (1_u16..).zip(&self.project.assumptions).map(|(number, each)| {
+            vec![Cell::number(f64::from(number)), Cell::text(without_keys(&assumption_text(*each, l), l).into_owned())]
+        });
         self.made("assumptions", terms::assumptions, tables::assumptions_about, columns, rows.collect())
     }
 

@@ -32,7 +32,7 @@ fn column(column: &Column) -> TableColumn {
         name: column.name.clone(),
         title: column.title.clone(),
         kind: match column.kind {
-            ColumnContent::Text => ColumnKind::Text,
+            ColumnContent::Text | ColumnContent::Id => ColumnKind::Text,
             ColumnContent::Number | ColumnContent::Share => ColumnKind::Number,
             ColumnContent::Count => ColumnKind::Count,
             ColumnContent::Verdict => ColumnKind::Word,

@@ -5,9 +5,10 @@ use crate::table::{Cell, Column, ColumnContent, Derived, Table};
 use quantities::unit::{KILOGRAM, MILLIMETRE, NEWTON_METRE, ONE, PERCENT, REVOLUTION_PER_MINUTE, SECOND};
 use quantities::{Language, Measure, Unit};
 use questions::texts::{by_importance, fit_text, verdict_text};
-use questions::{Candidate, Check, CheckId, Demand};
+use questions::{Candidate, Check, CheckId, Demand, Direction};
 use words::{
     Word, check_missing, check_title, describe_field, figure_term, grade_word, note_text, source_text, tables, terms,
+    without_keys,
 };
 
 /// Returns identifier and word of the verdict on a whole candidate.
@@ -48,10 +49,10 @@ pub(crate) fn demand(subject: &Subject<'_>) -> Table {
     let mut rows = Vec::new();
     for (_, candidate) in subject.shown() {
         let judgement = &candidate.judgement;
-        let mut row = |mode: &str, demand: &Demand, moves: [Cell; 4]| {
+        let mut row = |(id, mode): (&'static str, Word), demand: &Demand, moves: [Cell; 4]| {
             let mut cells = vec![
                 Cell::text(candidate.id.to_string()),
-                Cell::text(mode),
+                Cell::Word(id, mode(l).to_owned()),
                 Cell::in_unit(Some(demand.torque_rms.si()), &NEWTON_METRE),
                 Cell::in_unit(Some(demand.torque_peak.si()), &NEWTON_METRE),
                 Cell::in_unit(Some(demand.torque_peak_at.si()), &SECOND),
@@ -70,10 +71,10 @@ pub(crate) fn demand(subject: &Subject<'_>) -> Table {
                 let torque = |torque: f64| Cell::in_unit(Some(torque), &NEWTON_METRE);
                 [torque(each.accelerate.si()), torque(each.run.si()), torque(each.brake.si()), number]
             });
-            row("manual", &manual.demand, governing);
+            row(("manual", tables::mode_manual), &manual.demand, governing);
         }
         if let Some(demand) = &judgement.demand {
-            row("integral", demand, none);
+            row(("integral", tables::mode_integral), demand, none);
         }
     }
     subject.made("demand", terms::demand, tables::demand_about, columns, rows.into_iter().collect())
@@ -167,7 +168,7 @@ pub(crate) fn checks(subject: &Subject<'_>) -> Table {
     let l = subject.language;
     let columns = vec![
         code(l),
-        column("check", tables::check_id, ColumnContent::Text, None, tables::check_id_about, l),
+        column("check", tables::check_id, ColumnContent::Id, None, tables::check_id_about, l),
         column("title", terms::check, ColumnContent::Text, None, tables::check_title_about, l),
         column("verdict", terms::verdict, ColumnContent::Verdict, None, tables::check_verdict_about, l),
         column("value", terms::value, ColumnContent::Number, None, tables::value_of_check_about, l),
@@ -205,12 +206,25 @@ pub(crate) fn checks(subject: &Subject<'_>) -> Table {
     table
 }
 
+fn direction(direction: Direction, l: Language) -> Cell {
+    let text = match direction {
+        Direction::AtMost => tables::at_most,
+        Direction::AtLeast => tables::at_least,
+    };
+    Cell::Word(direction.id(), text(l).to_owned())
+}
+
 fn check_row(code: &str, check: &Check, l: Language) -> Vec<Cell> {
     let figure = |figure: Option<questions::Amount>| figure.map_or(Cell::Empty, |figure| Cell::number(figure.value()));
     let unit = check.value.or(check.limit).map_or(Cell::Empty, |figure| Cell::unit(figure.unit));
-    let sources: Vec<String> =
-        [&check.limit_source, &check.value_source].into_iter().flatten().map(|source| source_text(source, l)).collect();
-    let notes: Vec<String> = check.notes.iter().map(|note| note_text(note, l)).collect();
+    let said = |text: String| without_keys(&text, l).into_owned();
+    let mut sources: Vec<String> = [&check.limit_source, &check.value_source]
+        .into_iter()
+        .flatten()
+        .map(|source| said(source_text(source, l)))
+        .collect();
+    sources.dedup();
+    let notes: Vec<String> = check.notes.iter().map(|note| said(note_text(note, l))).collect();
     let utilisation = check.utilisation.map_or(Cell::Empty, Cell::number);
     let margin = utilisation.as_number().map_or(Cell::Empty, |share| Cell::number(1.0 - share));
     vec![
@@ -221,13 +235,13 @@ fn check_row(code: &str, check: &Check, l: Language) -> Vec<Cell> {
         figure(check.value),
         figure(check.limit),
         unit,
-        Cell::text(check.direction().id()),
+        direction(check.direction(), l),
         utilisation,
         margin,
         Cell::in_unit(check.at.map(|at| at.si()), &SECOND),
         check.grade.map_or(Cell::Empty, |grade| Cell::Word(grade.id(), grade_word(grade, l).to_owned())),
         Cell::text(sources.join("; ")),
-        check.missing.map_or(Cell::Empty, |missing| Cell::Word(missing, check_missing(missing, l))),
+        check.missing.map_or(Cell::Empty, |missing| Cell::Word(missing, said(check_missing(missing, l)))),
         Cell::text(notes.join("; ")),
     ]
 }

@@ -9,6 +9,8 @@ use quantities::unit::ONE;
 pub enum ColumnContent {
     /// Text.
     Text,
+    /// An identifier for data exchange; hidden in a workbook, whose readers have the words beside it.
+    Id,
     /// A number in the unit of the column.
     Number,
     /// A whole number.

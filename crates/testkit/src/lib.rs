@@ -1,8 +1,9 @@
-//! Test support: tolerances for printed values, generated projects, invalid files, and checks of HTML pages.
+//! Test support: tolerances for printed values, generated projects, invalid files, checks of HTML pages, and of words that no reader should meet.
 
 pub mod html;
 pub mod parquet;
 pub mod projects;
+pub mod readers;
 pub mod series;
 
 /// Returns `true` if a computed value agrees with a printed one within half of the last printed digit.

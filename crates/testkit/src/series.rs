@@ -33,7 +33,10 @@ pub fn add(folder: &Path) {
     assert!(added.is_ok(), "a series was added before");
     let document = |source: &'static series_files::Document| catalogue::Document {
         id: &source.id,
+        short: &source.short,
+        short_de: &source.short_de,
         title: &source.title,
+        title_de: &source.title_de,
         edition: &source.edition,
         language: &source.language,
         publisher: &source.publisher,

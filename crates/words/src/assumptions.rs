@@ -46,8 +46,8 @@ pub fn assumption_text(assumption: Assumption, language: Language) -> String {
             "der Servoregler stellt an den Motorklemmen 90 % von U_DC/√2 bereit (requirements.modulation_reserve)",
         ),
         Assumption::NoSupply => (
-            "no voltage given (requirements.supply for the DC link, or requirements.mains): the terminal voltage is not checked",
-            "keine Spannung angegeben (requirements.supply für den Zwischenkreis oder requirements.mains): die Klemmenspannung wird nicht geprüft",
+            "no voltage given, neither that of the DC link (requirements.supply) nor that of the mains (requirements.mains): the terminal voltage is not checked",
+            "keine Spannung angegeben, weder die des Zwischenkreises (requirements.supply) noch die des Netzes (requirements.mains): die Klemmenspannung wird nicht geprüft",
         ),
         Assumption::Rectifier => (
             "the DC link is fed by an uncontrolled three-phase rectifier: 1.35 times the lowest mains voltage under load, √2 times the highest at no load",
@@ -82,8 +82,8 @@ pub fn assumption_text(assumption: Assumption, language: Language) -> String {
             "kein Wirkungsgrad der Mechanik angegeben: 1 angenommen",
         ),
         Assumption::LossesDoNotHelp => (
-            "no efficiency_back given: while the load drives, the losses are not counted as braking torque",
-            "kein efficiency_back angegeben: bei treibender Last wird keine bremsende Wirkung der Verluste angesetzt",
+            "no efficiency for a driving load given (efficiency_back): while the load drives, the losses are not counted as braking torque",
+            "kein Wirkungsgrad für die treibende Last angegeben (efficiency_back): bei treibender Last wird keine bremsende Wirkung der Verluste angesetzt",
         ),
         Assumption::TrapezoidThirds => (
             "a trapezoid given by two quantities is split into thirds: acceleration, constant speed and deceleration",
@@ -125,31 +125,32 @@ pub fn assumption_text(assumption: Assumption, language: Language) -> String {
             "angegebene Flanschlasten werden im ungünstigsten Fall zu denen der Mechanik addiert: alle gleichgerichtet",
         ),
         Assumption::FlangeLoadsIgnored => (
-            "weight, motion and process forces of the mechanism do not count on the flange, as bearing.mechanism = \"ignore\" states",
-            "Gewicht, Bewegung und Prozesskräfte der Mechanik zählen am Flansch nicht, wie bearing.mechanism = \"ignore\" angibt",
+            "weight, motion and process forces of the mechanism do not count on the flange, as the project states (bearing.mechanism = \"ignore\")",
+            "Gewicht, Bewegung und Prozesskräfte der Mechanik zählen am Flansch nicht, wie im Projekt angegeben (bearing.mechanism = \"ignore\")",
         ),
         Assumption::FlangeLoadsReplaced => (
-            "in a segment with [motion.bearing] the stated loads take the place of those of the mechanism, as bearing.mechanism = \"replace\" states",
-            "in einem Abschnitt mit [motion.bearing] treten die angegebenen Lasten an die Stelle derer aus der Mechanik, wie bearing.mechanism = \"replace\" angibt",
+            "in a segment that states loads on the flange, these take the place of those of the mechanism (bearing.mechanism = \"replace\")",
+            "in einem Abschnitt mit eigenen Lasten am Flansch treten diese an die Stelle derer aus der Mechanik (bearing.mechanism = \"replace\")",
         ),
         Assumption::FlangeBearsAll => (
-            "no bearing.flange_share given: the flange carries the full loads of the mechanism",
-            "kein bearing.flange_share angegeben: der Flansch nimmt die Lasten der Mechanik vollständig auf",
+            "no share of the flange in the loads given (bearing.flange_share): the flange carries the full loads of the mechanism",
+            "kein Lastanteil des Flansches angegeben (bearing.flange_share): der Flansch nimmt die Lasten der Mechanik vollständig auf",
         ),
         Assumption::FlangeBodiesFlat => (
             "the masses on the flange have no products of inertia (dynamically balanced)",
             "die Massen am Flansch haben keine Deviationsmomente (dynamisch ausgewuchtet)",
         ),
-        Assumption::FlangeUpwards => {
-            ("no axis_tilt given: the flange faces upwards", "kein axis_tilt angegeben: der Flansch zeigt nach oben")
-        }
+        Assumption::FlangeUpwards => (
+            "no tilt of the axis given (axis_tilt): the flange faces upwards",
+            "keine Neigung der Achse angegeben (axis_tilt): der Flansch zeigt nach oben",
+        ),
         Assumption::PayloadInertiaWeightless => (
-            "payload_inertia adds no weight to the flange loads",
-            "payload_inertia geht nicht als Gewicht in die Flanschlasten ein",
+            "the additional moment of inertia of a segment (payload_inertia) adds no weight to the flange loads",
+            "das zusätzliche Massenträgheitsmoment eines Abschnitts (payload_inertia) geht nicht als Gewicht in die Flanschlasten ein",
         ),
         Assumption::WheelWeightless => (
-            "no bearing.wheel_mass given: parts rotating with the flange are assumed to have no mass",
-            "kein bearing.wheel_mass angegeben: die mit dem Flansch umlaufenden Teile werden masselos angesetzt",
+            "no mass of pulley, pinion or crank given (bearing.wheel_mass): parts rotating with the flange are assumed to have no mass",
+            "keine Masse von Scheibe, Ritzel oder Kurbel angegeben (bearing.wheel_mass): die mit dem Flansch umlaufenden Teile werden masselos angesetzt",
         ),
         Assumption::SpurTeeth => ("no helix_angle given: spur teeth", "kein helix_angle angegeben: Geradverzahnung"),
         Assumption::StageNoLosses => (
@@ -157,8 +158,8 @@ pub fn assumption_text(assumption: Assumption, language: Language) -> String {
             "kein Wirkungsgrad der Zwischenstufe angegeben: 1 angenommen",
         ),
         Assumption::StageLossesDoNotHelp => (
-            "no stage.efficiency_back given: while the mechanism drives, the losses of the stage are not counted as braking torque",
-            "kein stage.efficiency_back angegeben: bei treibender Mechanik wird keine bremsende Wirkung der Stufenverluste angesetzt",
+            "no efficiency of the stage for a driving mechanism given (stage.efficiency_back): while the mechanism drives, the losses of the stage are not counted as braking torque",
+            "kein Wirkungsgrad der Stufe für die treibende Mechanik angegeben (stage.efficiency_back): bei treibender Mechanik wird keine bremsende Wirkung der Stufenverluste angesetzt",
         ),
         Assumption::StageWithoutInertia => (
             "no inertia of the stage given: 0 kgm² assumed",

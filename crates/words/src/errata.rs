@@ -1,8 +1,8 @@
 //! Words about errata.
 
 use super::condition_text;
-use crate::pick;
 use crate::texts::said;
+use crate::{pick, row_name};
 use catalogue::{Erratum, ErratumKind};
 use quantities::Language;
 
@@ -48,7 +48,7 @@ pub fn erratum_place(erratum: &'static Erratum, language: Language) -> String {
     }
     match erratum.cell() {
         Some(cell) => {
-            parts.push(cell.place.symbol.to_owned());
+            parts.push(row_name(cell.place.symbol, language));
             parts.extend([cell.place.drive, cell.feedback].map(str::to_owned));
             if !cell.place.ratio.is_empty() {
                 parts.push(format!("i = {}", cell.place.ratio));

@@ -1,7 +1,7 @@
 //! Words about facts that a source states in prose.
 
-use crate::pick;
 use crate::texts::said;
+use crate::{document_short, pick};
 use catalogue::{Fact, Signal, Step};
 use quantities::Language;
 
@@ -11,10 +11,10 @@ pub const fn fact_text(fact: &Fact, language: Language) -> &'static str {
     pick(language, fact.en, fact.de)
 }
 
-/// Where a fact stands: `cha-manual section 9.4`.
+/// Where a fact stands: `CHA manual section 9.4`.
 #[must_use]
 pub fn fact_source(fact: &Fact, language: Language) -> String {
-    let (document, section) = (fact.document, fact.section);
+    let (document, section) = (document_short(fact.document, language), fact.section);
     said!(language => "{document} section {section}" | "{document} Abschnitt {section}")
 }
 

@@ -30,6 +30,7 @@ mod notes;
 pub mod page;
 pub mod pages;
 pub mod pictures;
+mod plain;
 mod print;
 mod project_file;
 mod project_page;
@@ -73,18 +74,19 @@ pub use letters::{is_vowel, stands_before_a_number};
 pub use measured_keys::{measured_key_text, measured_label};
 pub use motion::law_text;
 pub use notes::note_text;
+pub use plain::without_keys;
 pub use print::{
-    cell_text, decimal, document_note, erratum_readings, own_and_foreign, table_note, table_title, term_remark,
-    word_meaning,
+    cell_text, decimal, document_note, document_short, document_title, erratum_readings, own_and_foreign, short,
+    table_note, table_title, term_remark, word_meaning,
 };
 pub use project_file::{body_key, key_word, short_label, table_of_project};
 pub use project_page::project_page;
 pub use quantity::{quantity_fault, quantity_hint, unpadded};
 pub use recording::{encoding_guess, recording_text, role_text, table_text};
 pub use results::{
-    Counts, check_missing, check_title, condition_text, counts_text, curve_title, evidence_text, figure_term,
-    grade_about, grade_word, minutes, part_title, ranking_rule, source_text, standing_text, symbol_term, unmet_text,
-    verdict_count, verdict_word, without_limit,
+    Counts, MODELS, check_missing, check_title, condition_text, counts_text, curve_title, equation_text, evidence_text,
+    figure_term, grade_about, grade_word, minutes, model_name, part_title, ranking_rule, row_name, row_sign,
+    source_text, standing_text, symbol_term, unmet_text, verdict_count, verdict_word, without_limit,
 };
 pub use saving::{SaveTrouble, save_trouble};
 pub use schema::schema_text;

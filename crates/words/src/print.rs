@@ -32,6 +32,28 @@ pub const fn erratum_readings(erratum: &Erratum, language: Language) -> (Option<
     )
 }
 
+/// The short name under which texts cite a document; the identifier of one that the catalogue lacks.
+#[must_use]
+pub fn document_short(id: &'static str, language: Language) -> &'static str {
+    catalogue::document(id).map_or(id, |found| short(found, language))
+}
+
+/// The short name of a document.
+#[must_use]
+pub const fn short(document: &Document, language: Language) -> &'static str {
+    in_german(document.short, document.short_de, language)
+}
+
+/// The title of a document: in the language of the document, in both if it is of antrieb itself.
+#[must_use]
+pub const fn document_title(document: &Document, language: Language) -> &'static str {
+    in_german(document.title, document.title_de, language)
+}
+
+const fn in_german(text: &'static str, german: &'static str, language: Language) -> &'static str {
+    pick(language, text, if german.is_empty() { text } else { german })
+}
+
 /// The remark on a document, which there is in English only; empty in another language.
 #[must_use]
 pub const fn document_note(document: &Document, language: Language) -> &'static str {

@@ -1,7 +1,8 @@
 //! Words about results: checks, requirements, sources.
 
-use crate::pick;
+use crate::derivation::symbol_shown;
 use crate::texts::said;
+use crate::{document_short, pick};
 use actuator::CurveKind;
 use configurator::Unmet;
 use order_code::Brake;
@@ -233,7 +234,8 @@ pub fn symbol_term(symbol: &str, language: Language) -> String {
 }
 
 /// Words of table conditions in German, longer phrases before their parts.
-const CONDITIONS: [(&str, &str); 23] = [
+const CONDITIONS: [(&str, &str); 24] = [
+    ("limit", "Grenze"),
     ("no condensation", "ohne Kondensation"),
     ("above sea level", "über NN"),
     ("aluminium, ambient", "Aluminium, Umgebung"),
@@ -262,7 +264,10 @@ const CONDITIONS: [(&str, &str); 23] = [
 /// The condition of a table row for people.
 #[must_use]
 pub fn condition_text(condition: &str, language: Language) -> String {
+    let (crossed, four) =
+        pick(language, ("crossed roller", "four-point contact"), ("Kreuzrollenlager", "Vierpunktlager"));
     let mut text = condition.replace("degC", "°C");
+    text = text.replace("bearing_type=C", crossed).replace("bearing_type=F", four);
     if language == Language::De {
         for (en, de) in CONDITIONS {
             text = text.replace(en, de);
@@ -379,51 +384,90 @@ pub fn unmet_text(unmet: &Unmet, language: Language) -> String {
 pub fn source_text(source: &Source, language: Language) -> String {
     match source {
         Source::Cell(cell) => cell_text(cell, language),
-        Source::Published(cell) => format!("{} ({})", cell.document, cell_text(cell, language)),
-        Source::Equation { number } => said!(language => "{MANUAL} eq. {number}" | "{MANUAL} Gl. {number}"),
-        Source::Model { name } => {
-            let german = MODELS.iter().find(|(model, _)| model == name).map_or(*name, |(_, german)| german);
-            said!(language => "model {name}" | "Modell {german}")
+        Source::Published(cell) => {
+            let mut text = document_short(cell.document, language).to_owned();
+            text.push_str(": ");
+            row_text(cell, &mut text, language);
+            text
         }
-        Source::Project { key } => said!(language => "project {key}" | "Projekt {key}"),
+        Source::Equation { number } => equation_text(number, language),
+        Source::Model { name } => {
+            let name = model_name(name, language);
+            said!(language => "model {name}" | "Modell {name}")
+        }
+        Source::Project { key } => said!(language => "project: {key}" | "Projekt: {key}"),
     }
 }
 
-/// Models by their names in German; the English ones are those of the pages in docs/theory.
-const MODELS: [(&str, &str); 19] = [
-    ("battery", "Batterie"),
-    ("brake", "Bremse"),
-    ("continuous-torque", "Dauerdrehmoment"),
-    ("current", "Motorstrom"),
-    ("demand", "Belastung"),
-    ("energy", "Energie"),
-    ("error-budget", "Fehlersumme"),
-    ("feedback", "Geber"),
-    ("flange-loads", "Flanschlasten"),
-    ("gear", "Getriebe"),
-    ("mechanisms", "Mechanik"),
-    ("moments", "Zeitintegrale"),
-    ("output-bearing", "Abtriebslager"),
-    ("overload", "Überlast"),
-    ("screw-joint", "Schraubenverbindung"),
-    ("short-time-torque", "Kurzzeitdrehmoment"),
-    ("stage", "Stufe"),
-    ("thermal", "Erwärmung"),
-    ("voltage", "Klemmenspannung"),
+/// An equation of the manual, or several: `75.2`, `73.1 – 73.4`.
+#[must_use]
+pub fn equation_text(number: &str, language: Language) -> String {
+    let manual = document_short(MANUAL, language);
+    said!(language => "{manual} eq. {number}" | "{manual} Gl. {number}")
+}
+
+/// The name of a model for people; the identifier is that of its page in docs/theory.
+#[must_use]
+pub fn model_name(id: &'static str, language: Language) -> &'static str {
+    MODELS.iter().find(|(model, ..)| *model == id).map_or(id, |(_, en, de)| pick(language, en, de))
+}
+
+/// Models by the pages in docs/theory, with their names in English and German.
+pub const MODELS: [(&str, &str, &str); 20] = [
+    ("battery", "battery", "Batterie"),
+    ("brake", "brake", "Bremse"),
+    ("continuous-torque", "continuous torque", "Dauerdrehmoment"),
+    ("current", "motor current", "Motorstrom"),
+    ("demand", "demand", "Belastung"),
+    ("energy", "energy", "Energie"),
+    ("error-budget", "error budget", "Fehlersumme"),
+    ("feedback", "encoder", "Geber"),
+    ("flange-loads", "flange loads", "Flanschlasten"),
+    ("gear", "gear", "Getriebe"),
+    ("mechanisms", "mechanism", "Mechanik"),
+    ("moments", "time integrals", "Zeitintegrale"),
+    ("output-bearing", "output bearing", "Abtriebslager"),
+    ("overload", "overload", "Überlast"),
+    ("screw-joint", "bolted joint", "Schraubenverbindung"),
+    ("short-time-torque", "short-time torque", "Kurzzeitdrehmoment"),
+    ("stage", "stage", "Stufe"),
+    ("thermal", "heating", "Erwärmung"),
+    ("twin", "digital twin", "digitaler Zwilling"),
+    ("voltage", "terminal voltage", "Klemmenspannung"),
 ];
 
 fn cell_text(cell: &CellRef, language: Language) -> String {
     let mut text = said!(language => "table " | "Tabelle ");
     text.push_str(cell.table);
     text.push_str(", ");
-    text.push_str(cell.symbol);
+    row_text(cell, &mut text, language);
+    text
+}
+
+fn row_text(cell: &CellRef, text: &mut String, language: Language) {
+    text.push_str(&row_name(cell.symbol, language));
     if !cell.condition.is_empty() {
         text.push_str(&format!(" ({})", condition_text(cell.condition, language)));
     }
     if !cell.ratio.is_empty() {
         text.push_str(&format!(", i = {}", cell.ratio));
     }
-    text
+}
+
+/// The sign of a row as people write it, `τ_e` for `tau_e`; none for a row that the tables name in words, such as `bearing_type`.
+#[must_use]
+pub fn row_sign(symbol: &str) -> Option<String> {
+    let shown = symbol_shown(symbol);
+    let base = shown.split(['_', '(']).next().unwrap_or_default();
+    let letters = base.chars().filter(|sign| sign.is_alphabetic()).count();
+    let is_sign = letters <= 2 || letters == 3 && base.chars().all(char::is_uppercase);
+    is_sign.then_some(shown)
+}
+
+/// Name of a table row for people: its sign, else its term.
+#[must_use]
+pub fn row_name(symbol: &str, language: Language) -> String {
+    row_sign(symbol).unwrap_or_else(|| symbol_term(symbol, language))
 }
 
 /// The stated rule of the ranking.

@@ -108,6 +108,10 @@ texts! {
     value_of_check_about = "value required by the axis" | "von der Achse geforderter Wert";
     limit_about = "limit of the actuator, or required limit" | "Grenze des Antriebs oder geforderte Grenze";
     unit_of_check_about = "unit of value and limit" | "Einheit von Wert und Grenze";
+    mode_manual = "equations of the manual" | "Gleichungen der Anleitung";
+    mode_integral = "exact integral" | "exaktes Integral";
+    at_most = "at most" | "höchstens";
+    at_least = "at least" | "mindestens";
     direction = "direction" | "Richtung";
     direction_about =
         "at_most or at_least: required relation of the value to the limit"
@@ -156,7 +160,7 @@ texts! {
     legend_near = "above 80 % of a limit, or advice" | "über 80 % einer Grenze oder Hinweis";
     legend_over = "above a limit, or failed" | "über einer Grenze oder nicht erfüllt";
     legend_open =
-        "not checked: data are missing; counts as neither passed nor failed"
-        | "nicht geprüft: eine Angabe fehlt; gilt weder als erfüllt noch als nicht erfüllt";
+        "no utilisation: data are missing (not checked), or no limit is stated"
+        | "keine Auslastung: eine Angabe fehlt (nicht geprüft), oder es ist keine Grenze angegeben";
     rows(count) = "1 row" | "1 Zeile", "{count} rows" | "{count} Zeilen";
 }

@@ -109,6 +109,15 @@ fn rules_requirements_and_codes() {
 }
 
 #[test]
+fn every_named_model_has_its_page() {
+    let pages = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("../../docs/theory");
+    for (id, ..) in words::MODELS {
+        assert!(pages.join(format!("{id}.md")).is_file(), "{id}");
+        differ(id, |language| words::model_name(id, language).to_owned());
+    }
+}
+
+#[test]
 fn notes() {
     let figure = Amount { si: 1.0, unit: &NEWTON_METRE };
     let speeds = [(q(1.0), q(2.0)); 3];

@@ -11,7 +11,7 @@ const STYLE: &str = "<style>.l-line,.l-thin,.l-hidden,.l-axis,.l-arrow,.l-dimens
     .l-thin,.l-hidden,.l-axis,.l-dimension,.l-leader{stroke:#56636f;stroke-width:.9}.l-hidden{stroke-dasharray:3 2.4}\
     .l-axis{stroke-dasharray:9 3 2 3}.l-leader{stroke-width:.6}.l-arrow{stroke:#0c5160;stroke-width:1.8}\
     .l-tip{fill:#0c5160;stroke:none}.l-end{fill:#56636f;stroke:none}.l-mark{fill:#18222c;stroke:none}\
-    text{fill:#0c5160;font-family:Inter;font-weight:600;font-size:13px;text-anchor:middle}</style>";
+    text{fill:#0c5160;font-family:Inter;font-weight:600;font-size:14px;text-anchor:middle}</style>";
 
 impl Look {
     /// Returns the class of the elements.
@@ -210,7 +210,7 @@ impl Drawing {
             let (symbol, index) = call_out.symbol.split_once('_').unwrap_or((call_out.symbol, ""));
             let _ = write!(text, "{}<text x='{x}' y='{y}'>{symbol}", call_out.leader());
             if !index.is_empty() {
-                let _ = write!(text, "<tspan dy='3' font-size='9'>{index}</tspan>");
+                let _ = write!(text, "<tspan dy='3' font-size='13.7'>{index}</tspan>");
             }
             text.push_str("</text>");
         }

@@ -78,7 +78,7 @@ pub(super) fn torsion(asked: &Asked<'_>, scene: &Scene<'_>) -> Result<Markup, Un
         @for (place, line) in torsion_lines(&code, &found, l).iter().enumerate() {
             p { @if place == 0 { strong { (line) } } @else { (capitalised(line)) } }
         }
-        p.small { (answer::torsion(&code, &found).source) }
+        p.small { (answer::torsion(&code, &found, asked.language).source) }
         (picture(&drawing, "tool-torsion", scene.theme, l))
     })
 }

@@ -13,7 +13,7 @@ use questions::list::glossary::glossary;
 use questions::texts::{sheet_value_text, uncovered_mark};
 use questions::{CodeRefusal, answer, read_code};
 use words::{
-    Word, capitalised, condition_text, describe_field, describe_uncovered, evidence_text, grade_word, page,
+    Word, capitalised, condition_text, describe_field, describe_uncovered, evidence_text, grade_word, page, row_sign,
     symbol_term, table_title, terminal, terms,
 };
 
@@ -95,7 +95,7 @@ fn section(section: &SheetSection, errata: &mut Vec<&'static str>, language: Lan
         mention(cell.errata);
         let notes: Vec<String> = row.notes.iter().map(|note| marks.of(*note)).collect();
         html! { tr {
-            th scope="row" { (symbol(cell.place.symbol)) " " span.small { (symbol_term(cell.place.symbol, l)) @if !cell.place.condition.is_empty() { " (" (condition_text(cell.place.condition, l)) ")" } } }
+            th scope="row" { @if let Some(sign) = row_sign(cell.place.symbol) { (symbol(&sign)) " " } span.small { (symbol_term(cell.place.symbol, l)) @if !cell.place.condition.is_empty() { " (" (condition_text(cell.place.condition, l)) ")" } } }
             td.number {
                 (sheet_value_text(row, l))
                 @for mark in &notes { " [" (mark) "]" }

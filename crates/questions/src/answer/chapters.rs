@@ -15,7 +15,7 @@ use quantities::unit::{
     RADIAN, REVOLUTION_PER_MINUTE, VOLT, YEAR,
 };
 use quantities::{Angle, Language, Measure};
-use words::{curve_title, source_text};
+use words::{curve_title, equation_text, source_text};
 
 fn points(points: &[CurvePoint]) -> Vec<[Number; 2]> {
     let point = |point: &CurvePoint| {
@@ -50,7 +50,7 @@ pub fn curves(code: &OrderCode, curves: &[PerformanceCurve], language: Language)
 
 /// The torsion of a gear under a torque.
 #[must_use]
-pub fn torsion(code: &OrderCode, answer: &TorsionAnswer) -> Torsion {
+pub fn torsion(code: &OrderCode, answer: &TorsionAnswer, language: Language) -> Torsion {
     let minutes = |angle: &Datum<Angle>| angle.known().map(|known| Number::in_unit(known.value.si(), &ARCMINUTE));
     Torsion {
         code: code.to_string(),
@@ -69,7 +69,7 @@ pub fn torsion(code: &OrderCode, answer: &TorsionAnswer) -> Torsion {
             ("hysteresis_loss", &ARCMINUTE),
             ("lost_motion", &ARCMINUTE),
         ]),
-        source: "cha-manual eq. 73.1 to 73.4",
+        source: equation_text("73.1 – 73.4", language),
     }
 }
 

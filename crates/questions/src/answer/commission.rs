@@ -20,8 +20,8 @@ use provenance::{Grade, Source};
 use quantities::unit::{DEGREE_CELSIUS, MINUTE, REVOLUTION_PER_MINUTE, SECOND};
 use quantities::{Language, Measure, ThermodynamicTemperature, Unit, format_significant};
 use words::{
-    cell_text, choice_text, commission, condition_text, conversion_text, fact_source, fact_text, gap_text,
-    measurand_name, object_name, parameter_name, source_text, symbol_term, table_note,
+    cell_text, choice_text, commission, condition_text, conversion_text, document_short, fact_source, fact_text,
+    gap_text, measurand_name, object_name, parameter_name, source_text, symbol_term, table_note,
 };
 
 /// The sheet of a code.
@@ -80,7 +80,7 @@ fn parameter(parameter: &Parameter, language: Language) -> CommissionParameter {
 fn drive_parameters(about: &Commissioning, language: Language) -> Vec<DriveParameter> {
     let record = |line: &sinamics::Line| {
         let number = line.entry.name();
-        let document = Some(line.entry.document);
+        let document = Some(document_short(line.entry.document, language));
         match line.entry.setting {
             Setting::Choice(choice) => DriveParameter {
                 number,
@@ -113,7 +113,11 @@ fn object_source(sources: &[Source], object: &Object, language: Language) -> Str
     let prose = object.facts.iter().map(|fact| fact_source(fact, language));
     let mut sentences = prose.collect::<Vec<_>>();
     sentences.dedup();
-    let document = sentences.into_iter().chain([object.document.to_owned()]).collect::<Vec<_>>().join("; ");
+    let document = sentences
+        .into_iter()
+        .chain([document_short(object.document, language).to_owned()])
+        .collect::<Vec<_>>()
+        .join("; ");
     joined(sources, Some(&document), language)
 }
 

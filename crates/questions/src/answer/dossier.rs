@@ -18,8 +18,8 @@ use quantities::unit::{MILLIMETRE, NEWTON_METRE};
 use quantities::{Language, Measure, Unit, format_number};
 use sizing::{Check, Reserve};
 use words::{
-    Counts, capitalised, check_missing, check_title, describe_token, document_note, records, source_text, terms,
-    unpadded,
+    Counts, capitalised, check_missing, check_title, describe_token, document_note, document_title, records, short,
+    source_text, terms, unpadded,
 };
 
 /// An axis with everything there is to tell of it and of the actuator chosen.
@@ -107,7 +107,8 @@ fn documents(checks: &[Check], language: Language) -> Vec<Document> {
 pub(crate) fn document(found: &catalogue::Document, language: Language) -> Document {
     Document {
         id: found.id.to_owned(),
-        title: found.title.to_owned(),
+        short: short(found, language).to_owned(),
+        title: document_title(found, language).to_owned(),
         edition: found.edition.to_owned(),
         publisher: found.publisher.to_owned(),
         note: document_note(found, language).to_owned(),

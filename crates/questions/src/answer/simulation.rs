@@ -13,7 +13,7 @@ use quantities::unit::{
 use quantities::{Language, Measure, Unit, format_significant};
 use sizing::CheckId;
 use twin::{Averaged, Failed, Gains, LoopResponse, Operation, Parameter, ScenarioId};
-use words::{Word, check_title, simulation, source_text};
+use words::{Word, check_title, schema_text, short_label, simulation, source_text};
 
 /// A run.
 #[must_use]
@@ -223,11 +223,17 @@ fn parameter(each: Parameter, language: Language) -> ModelParameter {
     let unit = unit.or(each.dimension.units().first()).unwrap_or(&ONE);
     ModelParameter {
         key: each.key,
+        title: parameter_title(each.key, language),
         value: each.value.as_ref().map(|value| Number::in_unit(value.value, unit)),
         unit: unit.json,
         grade: each.value.as_ref().map(|value| Id(value.grade)),
         source: each.value.as_ref().map(|value| source_text(&value.source, language)),
     }
+}
+
+fn parameter_title(key: &str, language: Language) -> String {
+    let label = project::input_label(&format!("twin.measured.{key}")).map(|label| schema_text(label, language));
+    label.map_or_else(|| key.to_owned(), |label| short_label(&label))
 }
 
 fn notes(run: &Simulated<'_>, language: Language) -> Vec<String> {

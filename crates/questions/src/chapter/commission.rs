@@ -6,7 +6,7 @@ use answers::{
     OverloadSupervision, SensorThreshold, Task,
 };
 use quantities::{Language, format_significant};
-use words::{capitalised, commission, decimal, grade_word, terms};
+use words::{capitalised, commission, decimal, grade_word, row_sign, terms};
 
 /// The commissioning of a code; with the objects of CiA 402 if requested.
 #[must_use]
@@ -62,7 +62,9 @@ fn parameters(chapter: &mut Chapter, parameters: &[CommissionParameter], languag
         chapter,
         parameters,
         &[
-            (Column::wide(commission::parameter(language)), &|each| format!("{} {}", each.symbol, each.name)),
+            (Column::wide(commission::parameter(language)), &|each| {
+                row_sign(each.symbol).map_or_else(|| each.name.clone(), |sign| format!("{sign} {}", each.name))
+            }),
             (Column::numbers(terms::value(language)), &|each| shown(each.value.0, language)),
             (Column::text(terms::unit(language)), &|each| unit_shown(each.unit)),
             (Column::wide(commission::conversion(language)), &|each| each.conversion_text.clone()),

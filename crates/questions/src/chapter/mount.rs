@@ -4,7 +4,9 @@ use super::{NOTHING, grid, hazards, plain, significant, unit_shown};
 use answers::{Chapter, CitedErratum, Column, Joint, JointCase, Mount, MountValue, Number, Pilot, TableCell};
 use provenance::Grade;
 use quantities::{Language, format_number};
-use words::{ERRATUM_MARK, capitalised, grade_word, marked, mounting, step_title, terminal, terms, verdict_word};
+use words::{
+    ERRATUM_MARK, capitalised, grade_word, marked, mounting, row_sign, step_title, terminal, terms, verdict_word,
+};
 
 /// The mounting of a code.
 #[must_use]
@@ -96,7 +98,9 @@ fn values<'v>(chapter: &mut Chapter, values: impl Iterator<Item = &'v MountValue
         chapter,
         values,
         &[
-            (Column::text(terminal::symbol(language)), &|each| each.symbol.to_owned()),
+            (Column::text(terminal::symbol(language)), &|each| {
+                row_sign(each.symbol).unwrap_or_else(|| NOTHING.to_owned())
+            }),
             (Column::text(terms::value(language)), &shown),
             (Column::text(terms::unit(language)), &|each| unit_shown(each.unit)),
             (Column::wide(terminal::name(language)), &|each| each.name.clone()),

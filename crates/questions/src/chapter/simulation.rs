@@ -113,7 +113,9 @@ pub fn simulation(record: &Simulation, language: Language) -> Chapter {
         &mut chapter,
         record.parameters.iter().filter(of_the_model),
         &[
-            (Column::text(capitalised(simulation::parameter(language))), &|each| each.key.to_owned()),
+            (Column::wide(capitalised(simulation::parameter(language))), &|each| {
+                format!("{} (twin.measured.{})", each.title, each.key)
+            }),
             (Column::numbers(&value), &|each| number(each.value)),
             (Column::text(unit), &|each| unit_shown(each.unit)),
             (Column::wide(capitalised(simulation::source_head(language))), &|each| {

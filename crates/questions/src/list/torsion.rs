@@ -33,7 +33,7 @@ pub static ENTRY: Entry = Entry {
     example: "CHA-20A-100-H-C1024 --torque \"60 N m\"",
     answer: Some(|asked| {
         let (code, found) = found(asked)?;
-        Ok(Answer::record(&answer::torsion(&code, &found)))
+        Ok(Answer::record(&answer::torsion(&code, &found, asked.language)))
     }),
 };
 

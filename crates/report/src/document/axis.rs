@@ -134,7 +134,8 @@ struct Erratum {
 #[derive(Serialize)]
 struct Placed {
     place: DiagramPlace,
-    file: String,
+    /// The same in several sizes, the highest first.
+    files: Vec<String>,
     caption: String,
     alternative: String,
 }
@@ -181,7 +182,7 @@ fn tied_joint(joint: &ScrewJoint) -> ScrewJoint {
 fn placed(axis: usize, index: usize, figure: &Diagram) -> Placed {
     Placed {
         place: figure.place,
-        file: figure_file(axis, index),
+        files: (0..figure.svgs.len()).map(|size| figure_file(axis, index, size)).collect(),
         caption: tied(&figure.caption),
         // An archive file must have one.
         alternative: [&figure.alternative_text, &figure.caption]

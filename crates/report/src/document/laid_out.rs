@@ -15,7 +15,22 @@ pub(super) struct LaidOut {
 #[serde(untagged)]
 enum Placed {
     Block(Block),
-    Picture { kind: &'static str, file: String, caption: String, alternative: String },
+    Picture {
+        kind: &'static str,
+        file: String,
+        /// It takes the width of the text; else that of a column, so that its letters keep their size.
+        is_wide: bool,
+        caption: String,
+        alternative: String,
+    },
+}
+
+/// Width of a picture that stands beside another one \[mm\].
+const COLUMN_MM: f64 = 81.0;
+
+/// The width that a picture states \[mm\].
+fn width_mm(svg: &str) -> Option<f64> {
+    svg.split_once("width=\"")?.1.split_once("mm\"")?.0.parse().ok()
 }
 
 /// The name under which the template finds a picture of the chapters of an axis.
@@ -42,6 +57,7 @@ pub(super) fn laid_out(axis: usize, chapters: &[Chapter]) -> Vec<LaidOut> {
             Placed::Picture {
                 kind: "picture",
                 file,
+                is_wide: width_mm(&picture.svg).is_some_and(|width| width > COLUMN_MM),
                 caption: tied(&picture.caption),
                 alternative: picture.alternative_text.clone(),
             }

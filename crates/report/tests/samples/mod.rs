@@ -4,6 +4,8 @@
 #![allow(dead_code, missing_docs, unreachable_pub, reason = "two users, each with a part of it")]
 #![allow(clippy::unwrap_used, clippy::indexing_slicing, reason = "a sample that cannot be made shall fail")]
 
+pub mod read;
+
 use figures::{By, Style, Theme};
 use project::Project;
 use quantities::Language;
@@ -52,8 +54,9 @@ struct Recordings;
 
 impl project::Files for Recordings {
     fn open(&self, name: &str) -> std::io::Result<Box<dyn Read>> {
-        assert_eq!(name, "robot-joint.csv");
-        Ok(Box::new(&include_bytes!("../../../../examples/robot-joint.csv")[..]))
+        Ok(Box::new(std::fs::File::open(
+            concat!(env!("CARGO_MANIFEST_DIR"), "/../../examples").to_owned() + "/" + name,
+        )?))
     }
 }
 
@@ -96,10 +99,14 @@ fn figures_of(project: &Project, ranked: &Sizing<'_>, chosen: &Candidate<'_>, la
         .chain([(DiagramPlace::Alternatives, map)])
         .enumerate()
         .map(|(index, (place, drawing))| {
-            let style = Style::new(drawing.size()).theme(Theme::Light).language(language).id(&format!("f{index}"));
+            let drawn = |(width, height)| {
+                let size = figures::Size::millimetres(width, height);
+                let style = Style::new(size).theme(Theme::Light).language(language).id(&format!("f{index}"));
+                drawing.render(&style).into_svg()
+            };
             Diagram {
                 place,
-                svg: drawing.render(&style).into_svg(),
+                svgs: place.sizes_mm(drawing.size_mm.1).into_iter().map(drawn).collect(),
                 caption: drawing.caption.clone(),
                 alternative_text: drawing.description.clone(),
             }

@@ -70,7 +70,11 @@ pub(super) fn sheet(
         sheet.write_string_with_format(1, at, unit(column), &styles.unit)?;
         let wide = width(table, index, column);
         sheet.set_column_width(at, wide)?;
-        widths.push(wide);
+        if column.kind == ColumnContent::Id {
+            sheet.set_column_hidden(at)?;
+        } else {
+            widths.push(wide);
+        }
         let derived = table.derived.iter().find(|derived| derived.column() == index);
         let format = column_format(table, index, column, derived, styles);
         for (row, cells) in (FIRST..).zip(table.rows.iter()) {
@@ -213,7 +217,7 @@ fn formula(place: &RowCells<'_>, number: f64, derived: Derived) -> Option<String
             gives(1.0 - figure(utilisation)?).then_some(format!("=1-{}", cell(utilisation)?))
         }
         Derived::Utilisation { value, limit, direction, .. } => {
-            let at_least = place.cells.get(direction) == Some(&Cell::text(Direction::AtLeast.id()));
+            let at_least = place.cells.get(direction).and_then(Cell::as_text) == Some(Direction::AtLeast.id());
             let (upper, lower) = if at_least { (limit, value) } else { (value, limit) };
             let ratio = (figure(upper)? / figure(lower)?).abs();
             // The utilisation of a temperature is the share of its rise above the ambient temperature.

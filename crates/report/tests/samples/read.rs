@@ -1,0 +1,43 @@
+//! Letters and words of a report as its readers see them.
+
+use quantities::Language;
+use report::{Content, Settings};
+use testkit::readers::{english, identifiers, text_of};
+
+/// Smallest letter \[pt\].
+const LEAST: f64 = 7.0;
+/// Smallest letter of a formula, whose indices have indices \[pt\].
+const LEAST_OF_A_FORMULA: f64 = 4.9;
+
+/// Asserts that letters of text and diagrams can be read, that no internal identifier stands in them and, in German, no English.
+pub fn is_readable(name: &str, content: &Content, settings: &Settings) {
+    let language = content.language;
+    let letters = report::letters(content, settings).unwrap();
+    let of_a_diagram = |text: &str| text.contains("fill=");
+    assert!(letters.len() > 1000 && letters.iter().any(|letter| of_a_diagram(&letter.text)), "{name}");
+    let mut faults = Vec::new();
+    for letter in &letters {
+        let least = if letter.is_formula { LEAST_OF_A_FORMULA } else { LEAST };
+        if letter.size_pt < least - 0.01 {
+            faults.push(format!("page {}: {:.2} pt: {}", letter.page, letter.size_pt, letter.text));
+        }
+    }
+    let text = letters.iter().map(|letter| letter.text.as_str()).filter(|text| !of_a_diagram(text));
+    let mut texts = vec![text.collect::<Vec<_>>().join(" ")];
+    for figure in content.axes.iter().flat_map(|axis| &axis.figures) {
+        texts.push(text_of(figure.svgs.first().map_or("", String::as_str)));
+    }
+    for text in &texts {
+        faults.extend(identifiers(text));
+        if language == Language::De {
+            // A document keeps its title, which a line may break; the words of titles are left out.
+            let documents = content.axes.iter().flat_map(|axis| &axis.dossier.documents);
+            let titles: String = documents.map(|found| format!(" {} ", found.title)).collect();
+            let of_a_title = |found: &String| found.split_once(':').is_some_and(|(word, _)| titles.contains(word));
+            faults.extend(english(text).into_iter().filter(|found| !of_a_title(found)));
+        }
+    }
+    faults.sort();
+    faults.dedup();
+    assert!(faults.is_empty(), "{name}: {} faults\n{}", faults.len(), faults.join("\n"));
+}

@@ -1,0 +1,133 @@
+//! Texts for readers who never see the project file: a report that is signed, a workbook that is passed on.
+
+use crate::pick;
+use crate::project_file::short_label;
+use crate::schema::schema_text;
+use project::input_label;
+use quantities::Language;
+use std::borrow::Cow;
+
+/// Returns the text with what a key of the project file is for in place of the key; a key in parentheses behind its words is left out.
+///
+/// `no limit stated: requirements.torsion_max` becomes `no limit stated: maximum torsion …`. A word that is no key stays as it is.
+#[must_use]
+pub fn without_keys(text: &str, language: Language) -> Cow<'_, str> {
+    if !text.contains(['.', '_']) {
+        return Cow::Borrowed(text);
+    }
+    let mut out = String::with_capacity(text.len());
+    let mut rest = text;
+    let mut changed = false;
+    while let Some(found) = next_key(rest, language) {
+        let (before, behind) = (rest.get(..found.from).unwrap_or_default(), rest.get(found.to..).unwrap_or_default());
+        match (before.strip_suffix(" ("), end_of_aside(behind)) {
+            (Some(before), Some(behind)) => {
+                out.push_str(before);
+                rest = behind;
+            }
+            // A key without its table may be a word of anything else.
+            _ => {
+                out.push_str(before);
+                let key = rest.get(found.from..found.to).unwrap_or_default();
+                out.push_str(if key.contains('.') { &found.label } else { key });
+                rest = behind;
+            }
+        }
+        changed = true;
+    }
+    if !changed {
+        return Cow::Borrowed(text);
+    }
+    out.push_str(rest);
+    Cow::Owned(out)
+}
+
+/// A key in a text.
+struct Found {
+    from: usize,
+    to: usize,
+    label: String,
+}
+
+fn next_key(text: &str, language: Language) -> Option<Found> {
+    let is_part =
+        |sign: char| sign.is_ascii_lowercase() || sign.is_ascii_digit() || matches!(sign, '_' | '.' | '[' | ']');
+    let mut from = 0;
+    while let Some(start) = text.get(from..)?.find(|sign: char| sign.is_ascii_lowercase()).map(|at| from + at) {
+        let length = text.get(start..)?.find(|sign| !is_part(sign)).unwrap_or(text.len() - start);
+        let word = text.get(start..start + length)?.trim_end_matches('.');
+        let is_within = text
+            .get(..start)?
+            .ends_with(|sign: char| sign.is_alphanumeric() || matches!(sign, '_' | '-' | '/' | '.' | '"'));
+        if !is_within
+            && word.contains(['.', '_'])
+            && let Some(label) = label(word, language)
+        {
+            return Some(Found { from: start, to: start + word.len(), label });
+        }
+        // The rest of a word is no word of its own.
+        from = start + length.max(1);
+        from += text.get(from..)?.find(|sign: char| !sign.is_alphanumeric()).unwrap_or(0);
+    }
+    None
+}
+
+/// Returns the rest behind the parenthesis that a key fills, alone or with its value: `)`, ` = "ignore")`.
+fn end_of_aside(behind: &str) -> Option<&str> {
+    let behind = match behind.strip_prefix(" = \"") {
+        Some(value) => value.split_once('"')?.1,
+        None => behind,
+    };
+    behind.strip_prefix(')')
+}
+
+/// Tables whose keys a text names without their table.
+const BARE: [&str; 6] = ["motion", "bearing", "requirements", "mechanism.arm", "mechanism.screw", "stage"];
+
+fn label(key: &str, language: Language) -> Option<String> {
+    let known = input_label(key).or_else(|| {
+        let bare = (!key.contains('.')).then_some(BARE)?;
+        bare.iter().find_map(|table| input_label(&format!("{table}.{key}")))
+    })?;
+    let label = short_label(&schema_text(known, language));
+    let label = label.split(", ").next().unwrap_or(&label).to_owned();
+    let number = key.strip_prefix("motion[").and_then(|rest| rest.split_once(']')).map(|(number, _)| number);
+    Some(match number {
+        Some(number) => format!("{label} ({} {number})", pick(language, "segment", "Abschnitt")),
+        None => label,
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_key_gives_way_to_its_words_and_an_aside_goes() {
+        let de = |text| without_keys(text, Language::De).into_owned();
+        assert_eq!(
+            de("keine Grenze angegeben: requirements.mass_max"),
+            "keine Grenze angegeben: maximale Masse des Antriebs"
+        );
+        assert_eq!(de("90 % von U_DC/√2 (requirements.modulation_reserve)"), "90 % von U_DC/√2");
+        assert_eq!(de("wie angegeben (bearing.mechanism = \"ignore\"), ja"), "wie angegeben, ja");
+        assert_eq!(de("Neigung (axis_tilt): oben"), "Neigung: oben");
+        let time = de("Projekt motion[3].time");
+        assert!(time.ends_with("(Abschnitt 3)") && !time.contains("motion"), "{time}");
+    }
+
+    #[test]
+    fn what_is_no_key_stays() {
+        for text in [
+            "T_rms 4.2 Nm",
+            "robot-joint.csv",
+            "z. B. n_mot_max",
+            "a.b.c",
+            "Load of load.weight_of_the_moon",
+            "\"load.inertia\"",
+            "xload.inertia",
+        ] {
+            assert_eq!(without_keys(text, Language::En), text);
+        }
+    }
+}
