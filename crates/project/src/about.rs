@@ -1,4 +1,4 @@
-//! What the keys of the project file are for; `words` has the texts.
+//! Purposes of the keys of the project file; `words` has the texts.
 
 use crate::bodies::BodyName;
 use crate::curves::CurveName;
@@ -16,22 +16,22 @@ use crate::root::{AxisName, OneOfSeveralName, PartsName, RootName};
 use crate::stage::StageName;
 use crate::twin::{ReplacedName, TwinName};
 
-/// A key by its section, for what it is for.
+/// A key by its section, as the identifier of its explanation.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum About {
-    /// At the root.
+    /// Key at the root.
     Root(RootName),
-    /// Of `[axis]`.
+    /// Key of `[axis]`.
     Axis(AxisName),
-    /// Of one of several `[[axis]]`.
+    /// Key of one of several `[[axis]]`.
     OneOfSeveral(OneOfSeveralName),
     /// A table of an axis.
     Parts(PartsName),
-    /// Of `[load]`.
+    /// Key of `[load]`.
     Load(LoadName),
     /// A table of `[mechanism]`.
     Mechanisms(MechanismsName),
-    /// Of one mechanism.
+    /// Key of one mechanism.
     Mechanism(MechanismName),
     /// Friction at the output.
     Friction(FrictionName),
@@ -45,34 +45,34 @@ pub enum About {
     Guide(GuideName),
     /// A force along a line.
     ProcessForce(ProcessForceName),
-    /// Where the motion begins.
+    /// Position at which the motion begins.
     StartAngle(StartAngleName),
-    /// Of a solid body.
+    /// Key of a solid body.
     Body(BodyName),
-    /// Of `[stage]`.
+    /// Key of `[stage]`.
     Stage(StageName),
-    /// Of a segment of `[[motion]]`.
+    /// Key of a segment of `[[motion]]`.
     Segment(SegmentName),
-    /// Of the columns of a recording.
+    /// Key of the columns of a recording.
     Columns(ColumnsName),
-    /// Of the units of a recording.
+    /// Key of the units of a recording.
     Units(UnitsName),
     /// A load on the flange.
     FlangeLoads(FlangeLoadsName),
-    /// Of `[bearing]`.
+    /// Key of `[bearing]`.
     Bearing(BearingName),
-    /// Of `[requirements]`.
+    /// Key of `[requirements]`.
     Requirements(RequirementsName),
-    /// Of `[drive]`.
+    /// Key of `[drive]`.
     Drive(DriveName),
-    /// Of `[actuator]`.
+    /// Key of `[actuator]`.
     Actuator(ActuatorName),
-    /// Of `[twin]`.
+    /// Key of `[twin]`.
     Twin(TwinName),
-    /// Of `[twin.measured]`.
+    /// Key of `[twin.measured]`.
     Replaced(ReplacedName),
-    /// Of `[[curve]]`.
+    /// Key of `[[curve]]`.
     Curve(CurveName),
-    /// Of a record of measured values.
+    /// Key of a record of measured values.
     Measured(MeasuredKey),
 }

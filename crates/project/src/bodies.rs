@@ -1,5 +1,5 @@
-//! The inertia of solid bodies: tables of a project file, or text, one body a line: `cylinder diameter=200mm length=20mm
-//! mass=5kg`. The keys of both are described once.
+//! Inertia of solid bodies: tables of a project file, or text, one body a line: `cylinder diameter=200mm length=20mm
+//! mass=5kg`. Both share one description of the keys.
 
 mod faults;
 mod line;
@@ -69,17 +69,17 @@ impl OfKinds for BodySection {
     };
 }
 
-/// What a shape needs and what it may have besides.
+/// Returns the required and the optional keys of a shape.
 const fn of_shape(shape: BodyShape) -> (&'static str, &'static [&'static str], &'static [&'static str]) {
     (shape.name, shape.dimensions, if shape.may_lie { names!(BodySection: axis) } else { &[] })
 }
 
-/// What a body looks like.
+/// Kind of a body.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum BodyKind {
     /// A solid cylinder.
     Cylinder,
-    /// A solid cylinder that is rather flat.
+    /// A flat solid cylinder.
     Disc,
     /// A hollow cylinder.
     Tube,
@@ -95,20 +95,20 @@ pub enum BodyKind {
     Rod,
 }
 
-/// A shape as it is written: its name and the keys that it must have.
+/// A shape of the text: its name and its required keys.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct BodyShape {
-    /// What it is.
+    /// Kind.
     pub kind: BodyKind,
     /// Name in the text: `cylinder`.
     pub name: &'static str,
-    /// The dimensions that it must have.
+    /// Required dimensions.
     pub dimensions: &'static [&'static str],
-    /// Whether `axis` may say how it lies.
+    /// Allows the key `axis` for the orientation.
     pub may_lie: bool,
 }
 
-/// Every shape.
+/// Shapes.
 pub static BODY_SHAPES: [BodyShape; 8] = [CYLINDER, DISC, TUBE, BOX, CONE, SPHERE, POINT, ROD];
 
 const CYLINDER: BodyShape = shape(BodyKind::Cylinder, "cylinder", names!(BodySection: diameter length), true);
@@ -128,7 +128,7 @@ const fn shape(kind: BodyKind, name: &'static str, dimensions: &'static [&'stati
 }
 
 impl BodyShape {
-    /// Every key that it may have.
+    /// Returns every key that the shape may have.
     fn keys(&self) -> Vec<&'static str> {
         let mut keys = self.dimensions.to_vec();
         keys.extend(self.may_lie.then_some("axis"));
@@ -137,30 +137,30 @@ impl BodyShape {
     }
 }
 
-/// One body as it was read, and its inertia.
+/// One body as read, and its inertia.
 #[derive(Clone, Copy, Debug)]
 pub struct BodyAnswer {
-    /// Its shape.
+    /// Shape.
     pub shape: &'static BodyShape,
     /// The body.
     pub body: Body,
-    /// Its inertia in parts.
+    /// Parts of its inertia.
     pub parts: BodyInertia,
 }
 
 /// The inertia of several bodies.
 #[derive(Clone, Debug)]
 pub struct InertiaAnswer {
-    /// Each body.
+    /// Bodies in the order of the text.
     pub bodies: Vec<BodyAnswer>,
-    /// All together.
+    /// Sum of the inertias.
     pub total: Inertia,
 }
 
-/// Reads solid bodies, one a line, and adds up their inertia.
+/// Reads solid bodies, one a line, and adds their inertias.
 ///
-/// A body is its shape and then `key=value`, with the unit in the value: `tube outer=80mm inner=60mm length=50mm
-/// density=2.7g/cm^3 distance=120mm count=3`. What is left out: `distance` 0, `angle` 0, `count` 1, `axis` parallel.
+/// A body is its shape, then `key=value`, with the unit in the value: `tube outer=80mm inner=60mm length=50mm
+/// density=2.7g/cm^3 distance=120mm count=3`. Defaults: `distance` 0, `angle` 0, `count` 1, `axis` parallel.
 ///
 /// # Source
 /// docs/guide/inertia.md; [`mechanism::inertia()`]
@@ -174,7 +174,7 @@ pub fn inertia(text: &str) -> Result<InertiaAnswer, Vec<Diagnostic>> {
 /// A tolerance of a body: its line from zero, its key, the value, the half-width with its place in the line.
 pub(crate) type BodyTolerance = (usize, &'static str, Reading, HalfWidth);
 
-/// The same of bodies whose quantities may carry tolerances.
+/// Reads bodies whose quantities may have tolerances; returns their sections and tolerances.
 pub(crate) fn toleranced(text: &str) -> Result<(Vec<BodySection>, Vec<BodyTolerance>), Vec<Diagnostic>> {
     let mut faults = Faults::with_tolerances(text);
     let (sections, _) = sections(text, &mut faults)?;
@@ -205,7 +205,7 @@ fn sections(text: &str, faults: &mut Faults<'_>) -> Result<(Vec<BodySection>, In
     }
 }
 
-/// The lines of a text with their offsets; an empty text has one line.
+/// Iterates over the lines of a text with their offsets; an empty text has one line.
 pub(crate) fn lines(text: &str) -> impl Iterator<Item = (usize, &str)> {
     let mut start = 0;
     text.split('\n').map(move |line| {
@@ -216,19 +216,19 @@ pub(crate) fn lines(text: &str) -> impl Iterator<Item = (usize, &str)> {
 }
 
 impl BodySection {
-    /// Its shape as it is written.
+    /// Returns the shape of the text.
     fn shape(&self) -> Option<&'static BodyShape> {
         BODY_SHAPES.iter().find(|shape| Some(shape.kind) == self.shape.value())
     }
 
-    /// The body that a table describes; `None` where a key that it needs was refused or is missing.
+    /// Returns the body that a table describes; `None` if a required key was refused or is missing.
     pub(crate) fn body(&self) -> Option<Body> {
         let shape = self.shape()?;
         let has = |name: &&str| self.field(name).is_some_and(Field::is_given);
         (self.is_whole() && shape.dimensions.iter().all(has)).then(|| self.body_of(shape.kind))
     }
 
-    /// The same with zero for what it does not state.
+    /// Returns the body, with defaults for keys that are not stated.
     fn body_of(&self, kind: BodyKind) -> Body {
         Body {
             shape: self.shape_of(kind),
@@ -257,7 +257,7 @@ impl BodySection {
     }
 }
 
-/// Solid bodies with their inertia.
+/// Returns solid bodies with their inertia.
 pub(crate) fn together(sections: &[BodySection]) -> Option<InertiaAnswer> {
     let bodies: Vec<Body> = sections.iter().filter_map(BodySection::body).collect();
     let total = mechanism::inertia(&bodies).ok()?;
@@ -269,7 +269,7 @@ fn parts(section: &BodySection) -> Option<BodyAnswer> {
     body.inertia().ok().map(|parts| BodyAnswer { shape, body, parts })
 }
 
-/// Reads one body; what is wrong with it goes to the faults.
+/// Reads one body and reports its faults.
 fn read(line: &Line<'_>, faults: &mut Faults<'_>) -> Option<BodySection> {
     let known = faults.shape(line);
     if let Some(stray) = &line.stray {
@@ -305,14 +305,14 @@ fn read(line: &Line<'_>, faults: &mut Faults<'_>) -> Option<BodySection> {
     }
     let shape = known?;
     section.shape.give(shape.kind, line.shape_span.clone());
-    // What a misspelt key was meant to be is not missing too.
+    // The key that a misspelt one stands for is not reported as missing.
     let written = |name: &str| line.has(name) || meant.contains(&name);
     for dimension in shape.dimensions.iter().filter(|name| !written(name)) {
         faults.missing(line, dimension);
     }
     let body = section.body_of(shape.kind);
     for error in body.faults() {
-        // What could not be read has been reported already.
+        // A value that could not be read has been reported already.
         let fields = faults::fields(&error, &section);
         let unread = |field: &&dyn Field| shape.dimensions.contains(&field.name()) && !field.is_given();
         let damaged = |field: &dyn Field| written(field.name()) && !field.is_given();

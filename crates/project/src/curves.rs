@@ -13,7 +13,7 @@ use order_code::{OrderCode, Pattern};
 use provenance::{Datum, Grade, Source, Sourced};
 use std::sync::{Arc, OnceLock};
 
-/// A curve as it may be written.
+/// Example of a curve.
 pub(crate) const CURVE: &str = "[[\"0 1/min\", \"32 N m\"], [\"40 1/min\", \"25 N m\"]]";
 
 section! {
@@ -31,13 +31,13 @@ impl OfKinds for CurveSection {
         &Variants { keys: Self::KEYS, by: "kind", kinds: &[of(0), of(1), of(2), of(3)], shared: &[] };
 }
 
-/// What a curve of each kind needs.
+/// Returns the required and the optional keys of a curve.
 #[allow(clippy::indexing_slicing, reason = "read while compiling: an index out of bounds does not compile")]
 const fn of(kind: usize) -> (&'static str, &'static [&'static str], &'static [&'static str]) {
     (Limit::WORDS[kind], names!(CurveSection: code points source), &[])
 }
 
-/// What a curve limits.
+/// Limit that a curve states.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Limit {
     Continuous,
@@ -50,8 +50,8 @@ choices! {
     Limit { Continuous = "continuous", Half = "s3_50", Quarter = "s3_25", ShortTime = "short_time" }
 }
 
-/// The catalogue with the user's curves in the place of its own, made when it is first needed: reading a project,
-/// drawing its cycle and comparing its texts need none.
+/// The catalogue with the user's curves instead of its own, created on first use: reading a project, drawing its cycle
+/// and comparing its texts do not need it.
 #[derive(Clone, Debug)]
 pub struct OwnCatalogue {
     curves: Vec<UserCurve>,
@@ -60,7 +60,7 @@ pub struct OwnCatalogue {
 }
 
 impl OwnCatalogue {
-    /// Its actuators, with or without the encoder at the output.
+    /// Returns its actuators, with or without the encoder at the output.
     #[must_use]
     pub fn actuators(&self, output_encoder: bool) -> &[(OrderCode, Parameters)] {
         let made = if output_encoder { &self.output_encoder } else { &self.plain };
@@ -76,10 +76,10 @@ impl OwnCatalogue {
     }
 }
 
-/// A curve with the codes that it holds for.
+/// A curve with the codes for which it holds.
 #[derive(Clone, Debug)]
 struct UserCurve {
-    /// Its number in the file, from one.
+    /// Number in the file, from one.
     index: usize,
     pattern: Pattern,
     kind: Limit,
@@ -88,7 +88,7 @@ struct UserCurve {
 }
 
 impl UserCurve {
-    /// Puts the curve in the place of the catalogue's.
+    /// Replaces the curve of the catalogue.
     fn apply(&self, parameters: &mut Parameters) {
         let known = Datum::Known(Sourced {
             value: self.curve.clone(),
@@ -108,7 +108,7 @@ impl UserCurve {
     }
 }
 
-/// The catalogue with the curves of a project file; faults are reported.
+/// Reads the catalogue with the curves of a project file; faults are reported.
 pub(crate) fn read(sections: &[CurveSection], reader: &mut Reader<'_>) -> Option<Arc<OwnCatalogue>> {
     let mut found = Vec::new();
     for (index, section) in sections.iter().enumerate().filter(|(_, section)| section.is_whole()) {
@@ -135,7 +135,7 @@ pub(crate) fn read(sections: &[CurveSection], reader: &mut Reader<'_>) -> Option
         .then(|| Arc::new(OwnCatalogue { curves: found, plain: OnceLock::new(), output_encoder: OnceLock::new() }))
 }
 
-/// A curve by its corner points.
+/// Builds a curve from its corner points.
 pub(crate) fn curve(points: &Stated<Rows<CurvePoint>>, reader: &mut Reader<'_>) -> Option<Curve> {
     match Curve::new(points.get()?.values()) {
         Ok(curve) => Some(curve),

@@ -1,4 +1,4 @@
-//! A fault of the input, with its place and what would have been right.
+//! A fault of the input, with its place and a hint.
 
 use crate::{Fault, Hint};
 use std::ops::Range;
@@ -6,19 +6,19 @@ use std::ops::Range;
 /// One fault of a text that the user wrote.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Diagnostic {
-    /// Offending part of the text, in bytes.
+    /// Faulty part of the text, in bytes.
     pub span: Range<usize>,
     /// Line, from one.
     pub line: usize,
     /// Column in characters, from one.
     pub column: usize,
-    /// What is wrong.
+    /// Fault.
     pub fault: Fault,
-    /// What was expected, or the nearest valid choice, where the fault itself does not say it.
+    /// Expected text, or the nearest valid choice, unless the fault itself contains it.
     pub hint: Option<Hint>,
 }
 
-/// Line and column of a byte offset, both from one; the column counts characters.
+/// Returns line and column of a byte offset, both from one; the column counts characters.
 #[must_use]
 pub fn place(text: &str, offset: usize) -> (usize, usize) {
     let before = text.get(..text.floor_char_boundary(offset)).unwrap_or_default();
@@ -27,7 +27,7 @@ pub fn place(text: &str, offset: usize) -> (usize, usize) {
 }
 
 impl Diagnostic {
-    /// A fault at a place of a text.
+    /// Creates a fault at a place of a text.
     #[must_use]
     pub fn at(text: &str, span: Range<usize>, fault: Fault, hint: Option<Hint>) -> Self {
         let (line, column) = place(text, span.start);

@@ -1,12 +1,12 @@
-//! What the drawing of a mechanism takes from a project file: its figures, as far as they can be read.
+//! Values for the drawing of a mechanism, as far as they can be read from a project file.
 
 use mechanism::drawing::Figures;
 use quantities::{Unit, without_tolerance};
 
-/// The figures of a mechanism among the values of a file, by path and text: those of the mechanism's own table, and the
-/// overhang of `[bearing]` in the same axis.
+/// Returns the values of a mechanism among those of a file, by path and text: those of the mechanism's own table, and
+/// the overhang of `[bearing]` in the same axis.
 ///
-/// What cannot be read, a value that is being typed, is not known.
+/// A value that cannot be read, e.g. while it is being typed, is unknown.
 #[must_use]
 pub fn drawn_figures<'t>(values: impl IntoIterator<Item = (&'t str, &'t str)>, table: &str) -> Figures {
     let axis = table.find("].").map_or("", |end| table.get(..end + 2).unwrap_or_default());
@@ -23,7 +23,7 @@ pub fn drawn_figures<'t>(values: impl IntoIterator<Item = (&'t str, &'t str)>, t
     })
 }
 
-/// A number with its unit in SI; the words of a drawing as the numbers that stand for them.
+/// Returns a number with its unit in SI; for the words of a drawing, their numeric values.
 fn amount(text: &str) -> Option<f64> {
     match text.trim() {
         "true" | "up" => return Some(1.0),
@@ -32,7 +32,7 @@ fn amount(text: &str) -> Option<f64> {
     }
     let text = without_tolerance(text).trim();
     let end = text.find(|sign: char| !matches!(sign, '0'..='9' | '.' | '-' | '+' | 'e' | 'E')).unwrap_or(text.len());
-    // The `e` of a unit is none of a number.
+    // The `e` of a unit does not belong to the number.
     let number = text.get(..end)?.trim_end_matches(['e', 'E']);
     let unit = text.get(number.len()..)?.trim();
     let value: f64 = number.parse().ok()?;

@@ -1,4 +1,4 @@
-//! A project file changed at one place: order, comments and spelling of everything else stay as they are.
+//! Edits of a project file at one place: order, comments and spelling of the rest are kept.
 
 use crate::key::{Key, Kind};
 use crate::read::joined;
@@ -7,29 +7,29 @@ use std::fmt;
 use std::ops::Range as Span;
 use toml_edit::{Array, ArrayOfTables, Document, DocumentMut, InlineTable, Item, Table, TableLike, Value};
 
-/// What is changed at a path: `load.inertia`, `motion[2].speed`, `axis[1].requirements.supply`; lists count from one.
+/// An edit at a path: `load.inertia`, `motion[2].speed`, `axis[1].requirements.supply`; lists count from one.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Edit<'e> {
-    /// What a value is, as it is typed into a field; nothing takes the key away.
+    /// Sets a value as typed into a field; an empty one removes the key.
     Value(&'e str),
-    /// An empty table is put there; of a list, before the one that has this place.
+    /// Inserts an empty table; in a list, before the entry at this index.
     Table,
-    /// Table, entry of a list or key is taken away.
+    /// Removes a table, an entry of a list or a key.
     Gone,
-    /// The only table left beside its siblings, as of `mechanism.belt`.
+    /// Keeps this table as the only one among its siblings, as for `mechanism.belt`.
     Instead,
-    /// An entry of a list changes its place with the next one.
+    /// Swaps an entry of a list with the next one.
     Down,
-    /// An entry of a list once more, behind itself.
+    /// Duplicates an entry of a list behind itself.
     Twice,
 }
 
-/// Why a text was not changed.
+/// Reason why a text was not changed.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum EditFault {
-    /// The text is no TOML: nothing in it has a place.
+    /// The text is no TOML, so that paths have no places in it.
     Syntax,
-    /// The path is that of no key, or leads through what is no table.
+    /// The path does not belong to a key, or leads through a value that is no table.
     Path,
 }
 
@@ -44,10 +44,10 @@ impl fmt::Display for EditFault {
 
 impl std::error::Error for EditFault {}
 
-/// One part of a path: a key, and a place of its list from zero.
+/// One part of a path: a key, and an index in its list from zero.
 type Step<'p> = (&'p str, Option<usize>);
 
-/// The most entries that a list made by hand may have.
+/// Largest number of entries of a list in an edit.
 const ENTRIES_MOST: usize = 10_000;
 
 fn steps(path: &str) -> Option<Vec<Step<'_>>> {
@@ -60,24 +60,24 @@ fn steps(path: &str) -> Option<Vec<Step<'_>>> {
     path.split('.').map(step).collect()
 }
 
-/// The description of the key at a path; `None` where the project file has no such key.
+/// Returns the description of the key at a path; `None` if the project file has no such key.
 #[must_use]
 pub fn key_at(path: &str) -> Option<&'static Key> {
     key_of(KEYS, path)
 }
 
-/// The same of a record of measured values.
+/// Returns the description of the key at a path of a record of measured values.
 #[must_use]
 pub fn measured_key_at(path: &str) -> Option<&'static Key> {
     key_of(crate::measured::MEASURED_KEYS, path)
 }
 
-/// The same of a file with these keys at its root.
+/// Returns the description of the key at a path of a file with these keys at its root.
 fn key_of(root: &'static [Key], path: &str) -> Option<&'static Key> {
     key_along(root, steps(path)?.into_iter().map(|(name, place)| (name, place.is_some())))
 }
 
-/// The key to which names lead from the root, each with whether it is that of an entry of a list.
+/// Returns the key to which names lead from the root, each with `true` for an entry of a list.
 pub(crate) fn key_along<'p>(
     root: &'static [Key],
     names: impl IntoIterator<Item = (&'p str, bool)>,
@@ -91,7 +91,7 @@ pub(crate) fn key_along<'p>(
     found
 }
 
-/// The text with one change.
+/// Returns the text with one edit.
 ///
 /// # Errors
 /// [`EditFault`].
@@ -99,7 +99,7 @@ pub fn edit(text: &str, path: &str, change: Edit<'_>) -> Result<String, EditFaul
     edit_as(KEYS, text, path, change)
 }
 
-/// The text of a record of measured values with one change.
+/// Returns the text of a record of measured values with one edit.
 ///
 /// # Errors
 /// [`EditFault`].
@@ -116,7 +116,7 @@ fn edit_as(root: &'static [Key], text: &str, path: &str, change: Edit<'_>) -> Re
     let mut reported = false;
     let Some(parent) = down(document.as_table_mut(), above, wants_table || change == Edit::Instead, &mut reported)
     else {
-        // What is not there need not be taken away.
+        // A missing value need not be removed.
         return if matches!(change, Edit::Down | Edit::Twice) { Err(EditFault::Path) } else { Ok(text.to_owned()) };
     };
     let reordered = match change {
@@ -150,7 +150,7 @@ fn edit_as(root: &'static [Key], text: &str, path: &str, change: Edit<'_>) -> Re
     Ok(document.to_string())
 }
 
-/// The table that a path leads to; with `make` what is missing on the way is made, and `made` says so.
+/// Returns the table at a path; with `make` missing tables on the way are created, and `made` is set.
 fn down<'t>(
     root: &'t mut dyn TableLike,
     path: &[Step<'_>],
@@ -164,7 +164,7 @@ fn down<'t>(
         }
         *made = true;
         let mut table = Table::new();
-        // A table that holds only tables needs no line of its own.
+        // A table that contains only tables needs no heading.
         table.set_implicit(!rest.is_empty() && place.is_none());
         let item = match place {
             Some(_) => Item::ArrayOfTables(ArrayOfTables::from_iter([table])),
@@ -181,8 +181,8 @@ fn down<'t>(
     down(next, rest, make, made)
 }
 
-/// Puts what was typed behind a key, as the type that the key has; what does not read as one stays a text, and the reader
-/// of the project says what it should be.
+/// Sets the typed value of a key, in the type of the key; a value of another type stays a text, and the reader of the
+/// project reports the expected type.
 fn put(table: &mut dyn TableLike, (name, place): &Step<'_>, key: &Key, typed: &str) {
     if place.is_some() {
         return;
@@ -194,7 +194,7 @@ fn put(table: &mut dyn TableLike, (name, place): &Step<'_>, key: &Key, typed: &s
     let mut value = typed_as(key.kind, typed);
     match table.get_mut(name).and_then(Item::as_value_mut) {
         Some(old) => {
-            // The remark behind it stays.
+            // The comment behind the value is kept.
             *value.decor_mut() = old.decor().clone();
             if old.as_str().is_none_or(|old| Some(old) != value.as_str()) {
                 *old = value;
@@ -232,7 +232,7 @@ fn typed_as(kind: Kind, typed: &str) -> Value {
     }
 }
 
-/// A list with a line for each entry.
+/// Returns a list with a line for each entry.
 fn spread(entries: Vec<Value>) -> Value {
     let mut array: Array = entries.into_iter().collect();
     for entry in array.iter_mut() {
@@ -243,7 +243,8 @@ fn spread(entries: Vec<Value>) -> Value {
     array.into()
 }
 
-/// Puts an empty table, or an empty entry of a list before the one at its place; returns whether the order changed.
+/// Inserts an empty table, or an empty entry of a list before the one at its index; returns `true` if the order
+/// changed.
 fn insert(parent: &mut dyn TableLike, (name, place): &Step<'_>) -> Option<bool> {
     let Some(place) = *place else {
         if parent.contains_key(name) {
@@ -265,7 +266,7 @@ fn insert(parent: &mut dyn TableLike, (name, place): &Step<'_>) -> Option<bool> 
     Some(true)
 }
 
-/// A table with an empty line above it.
+/// Returns a table with an empty line above it.
 fn spaced() -> Table {
     let mut table = Table::new();
     table.decor_mut().set_prefix("\n");
@@ -299,7 +300,7 @@ fn reorder(tables: &mut ArrayOfTables, change: impl FnOnce(&mut Vec<Table>)) {
     *tables = all.into_iter().collect();
 }
 
-/// Changes an entry of a list with the next one, where there is one.
+/// Swaps an entry of a list with the next one, if there is one.
 fn swap(parent: &mut dyn TableLike, (name, place): &Step<'_>) -> Option<bool> {
     let place = (*place)?;
     match parent.get_mut(name)? {
@@ -319,14 +320,14 @@ fn swap(parent: &mut dyn TableLike, (name, place): &Step<'_>) -> Option<bool> {
     Some(true)
 }
 
-/// Puts an entry of a list once more behind itself.
+/// Duplicates an entry of a list behind itself.
 fn double(parent: &mut dyn TableLike, (name, place): &Step<'_>) -> Option<bool> {
     let place = (*place)?;
     match parent.get_mut(name)? {
         Item::ArrayOfTables(tables) => {
             reorder(tables, |all| {
                 if let Some(mut again) = all.get(place).cloned() {
-                    // What stands above the entry, such as a remark, belongs to it alone.
+                    // The text above the entry, e.g. a comment, belongs to the original alone.
                     again.decor_mut().set_prefix("\n");
                     all.insert(place + 1, again);
                 }
@@ -342,9 +343,9 @@ fn double(parent: &mut dyn TableLike, (name, place): &Step<'_>) -> Option<bool> 
     Some(true)
 }
 
-/// Gives the tables their places anew: those that stood in the text stay in their order, and each stands before its own.
+/// Assigns new positions to the tables: the existing ones keep their order, and each precedes its own subtables.
 fn renumber(root: &[Key], table: &mut Table, place: &mut isize) {
-    /// Where the first table below an item stood; what is new comes last.
+    /// Returns the position of the first table below an item; new ones come last.
     fn stood(item: &Item) -> isize {
         let of = |table: &Table| {
             let own = if table.is_implicit() { None } else { table.position() };
@@ -363,7 +364,7 @@ fn renumber(root: &[Key], table: &mut Table, place: &mut isize) {
     let places: Vec<(isize, String)> = table.iter().map(|(name, item)| (stood(item), name.to_owned())).collect();
     let described = |name: &str| root.iter().position(|key| key.name == name);
     let is_root = *place <= 1;
-    // At the root a new table stands before those that the description has behind it.
+    // At the root a new table precedes those that follow it in the description.
     let wanted = |stood: isize, name: &str| {
         if stood < isize::MAX || !is_root {
             return (stood, true);
@@ -382,18 +383,18 @@ fn renumber(root: &[Key], table: &mut Table, place: &mut isize) {
     }
 }
 
-/// A key of a text with what stands behind it, whether the reader of the project would accept it or not.
+/// A key of a text with its value, independent of its validity.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Written {
-    /// Its path, as [`crate::Input`] has it.
+    /// Path, as in [`crate::Input`].
     pub path: String,
-    /// Its value as it is typed into a field; `None` for a table.
+    /// Value as typed into a field; `None` for a table.
     pub value: Option<String>,
-    /// The place of its value in the text, in bytes; of a table, that of its heading.
+    /// Place of its value in the text, in bytes; for a table, that of its heading.
     pub span: Span<usize>,
 }
 
-/// Every key and table of a text in the order of the tables; `None` where the text is no TOML.
+/// Returns every key and table of a text in the order of the tables; `None` if the text is no TOML.
 #[must_use]
 pub fn written(text: &str) -> Option<Vec<Written>> {
     let document = Document::parse(text).ok()?;
@@ -431,7 +432,7 @@ fn of_table(table: &dyn TableLike, path: &str, found: &mut Vec<Written>) {
     }
 }
 
-/// A value as it is typed into a field.
+/// Returns a value as typed into a field.
 fn typed(value: &Value) -> String {
     let plain = |value: &Value| match value {
         Value::String(text) => text.value().clone(),

@@ -1,4 +1,4 @@
-//! What can be wrong with what the user wrote, and what would help: identifiers with their arguments, in no language.
+//! Faults of the input, and hints: identifiers with their arguments, independent of language.
 
 use crate::{Column, TabularFault, ids};
 use actuator::{BatteryFault, CurveFault};
@@ -11,97 +11,97 @@ use sizing::TooManyInstants;
 /// One fault of a project file, of a file that it refers to, or of bodies written as text.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Fault {
-    /// The file is larger than is read.
+    /// The file exceeds the size limit.
     FileTooLarge {
-        /// Its size.
+        /// Size of the file.
         bytes: usize,
-        /// The largest size that is read.
+        /// Largest size that is read.
         most: usize,
     },
     /// The text is no TOML.
     Syntax {
-        /// What the parser says, in English.
+        /// Message of the parser, in English.
         message: String,
     },
-    /// A key that must be there is not.
+    /// A required key is missing.
     MissingKey {
-        /// Its path.
+        /// Path of the key.
         path: String,
-        /// Whether it is an array of tables.
+        /// The key is an array of tables.
         list: bool,
     },
     /// A key that the description of the file does not have.
     UnknownKey {
-        /// Its path, shortened.
+        /// Path of the key, shortened.
         path: String,
     },
-    /// A key that has no meaning for the kind of its table.
+    /// A key that does not belong to the kind of its table.
     KeyOfAnotherKind {
-        /// Its path.
+        /// Path of the key.
         path: String,
-        /// The key that names the kind.
+        /// Key that names the kind.
         by: &'static str,
-        /// The kind.
+        /// Kind.
         kind: String,
     },
-    /// A key that stands beside several axes instead of in one.
+    /// A key next to several axes instead of in one of them.
     OutsideTheAxes {
-        /// The key.
+        /// Key.
         key: &'static str,
     },
     /// One axis is required, the file has several.
     OneAxisOnly,
     /// Further faults that are counted only.
     More {
-        /// How many.
+        /// Number of further faults.
         count: usize,
     },
     /// A number without a unit where a quantity belongs.
     BareNumber {
         /// Path of the key.
         path: String,
-        /// What it measures.
+        /// Dimension of the key.
         dimension: Dimension,
     },
     /// A text that is no quantity of the required dimension.
     Quantity {
         /// Path of the key.
         path: String,
-        /// Why.
+        /// Reason.
         error: QuantityError,
-        /// Further dimensions that may stand there.
+        /// Other permissible dimensions.
         also: Vec<Dimension>,
     },
     /// A plain number outside its bounds.
     NumberOutOfRange {
         /// Path of the key.
         path: String,
-        /// The least.
+        /// Lower bound.
         low: f64,
-        /// The most.
+        /// Upper bound.
         high: f64,
     },
     /// A quantity that must be positive, or not negative.
     QuantityOutOfRange {
         /// Path of the key.
         path: String,
-        /// As written.
+        /// Value as written.
         written: String,
-        /// Whether zero is excluded too.
+        /// Zero is excluded.
         positive: bool,
     },
     /// A temperature below absolute zero.
     BelowAbsoluteZero {
         /// Path of the key.
         path: String,
-        /// As written.
+        /// Value as written.
         written: String,
     },
     /// A magnitude that no machine has.
     Implausible {
         /// Path of the key.
         path: String,
-        /// As written.
+        /// Value as written.
         written: String,
         /// Least magnitude that is read, in SI.
         low: f64,
@@ -112,7 +112,7 @@ pub enum Fault {
     TextTooLong {
         /// Path of the key.
         path: String,
-        /// Most characters.
+        /// Largest number of characters.
         most: usize,
     },
     /// A text with a control character.
@@ -124,142 +124,142 @@ pub enum Fault {
     WrongType {
         /// Path of the key.
         path: String,
-        /// What may stand there.
+        /// Permissible values.
         expected: Expected,
-        /// What stands there: the name of TOML's type.
+        /// Name of the TOML type found.
         found: &'static str,
     },
     /// A word that is not among those to choose from.
     NotAChoice {
         /// Path of the key.
         path: String,
-        /// As written, shortened.
+        /// Word as written, shortened.
         written: String,
     },
-    /// More entries than are read.
+    /// More entries than the limit.
     TooManyEntries {
         /// Path of the key.
         path: String,
-        /// How many are read.
+        /// Largest number of entries.
         most: usize,
     },
     /// A row that is not one quantity for each column.
     NotARow {
         /// Path of the key.
         path: String,
-        /// What the columns measure.
+        /// Dimensions of the columns.
         columns: &'static [Column],
     },
     /// A list of ratios that is empty or too long.
     RatioCount {
-        /// How many are read.
+        /// Largest number of ratios.
         most: usize,
     },
-    /// One ratio and several to choose from.
+    /// Both one ratio and a choice of several.
     RatioAndRatios,
     /// A coupling with a ratio or a wheel.
     NoRatioInACoupling {
-        /// The key.
+        /// Key.
         key: &'static str,
     },
-    /// A tolerance at whose end no valid value stands.
+    /// A tolerance with an invalid value at one end.
     ToleranceEnd {
         /// Path of the key.
         path: String,
-        /// The value at that end, in SI.
+        /// Value at that end, in SI.
         end: f64,
-        /// Its unit as written.
+        /// Unit as written.
         unit: &'static Unit,
-        /// What is demanded of the value.
+        /// Permissible range of the value.
         range: Range,
     },
-    /// More quantities with a tolerance than are read.
+    /// More quantities with a tolerance than the limit.
     TooManyTolerances {
-        /// How many are read.
+        /// Largest number of quantities.
         most: usize,
     },
-    /// A tolerance where the value is used only while reading.
+    /// A tolerance of a value that is used only while reading.
     NoTolerance,
-    /// Values within the tolerances at which there is no such axis.
+    /// Values within the tolerances for which the axis is impossible.
     ImpossibleWithin {
         /// Path, value in SI and unit of each quantity.
         values: Vec<(String, f64, &'static Unit)>,
-        /// What is wrong there, where that is known.
+        /// Fault for these values, if it is known.
         why: Option<Box<Fault>>,
     },
     /// A pattern of codes that cannot be read.
     Code(CodeError),
     /// A pattern of codes that no actuator of the catalogue has.
     NoSuchCode {
-        /// The pattern.
+        /// Pattern.
         written: String,
     },
-    /// Corner points that make no limit curve.
+    /// Corner points that do not form a limit curve.
     Curve(CurveFault),
-    /// Points that make no table over the position.
+    /// Points that do not form a table over the position.
     Table(TableFault),
     /// Hours a day, or years of storage, that the battery model does not cover.
     Battery(BatteryFault),
     /// A key without effect on this load.
     WithoutEffect {
-        /// The key.
+        /// Key.
         key: &'static str,
     },
     /// No load.
     NoMechanism,
     /// More than one load.
     TooManyMechanisms,
-    /// Of a table whose columns are keys.
+    /// Fault of a table whose columns are keys.
     Tabular(TabularFault),
-    /// A value along a line where the load has no fixed travel per revolution.
+    /// A linear value for a load without a fixed travel per revolution.
     NoLine {
-        /// What is along a line: a key or a file.
+        /// Path of the linear value: a key or a file.
         path: String,
     },
     /// A rod that is not longer than the crank.
     RodTooShort,
-    /// Lengths and angles that make no mechanism.
+    /// Lengths and angles that do not form a mechanism.
     Geometry(Geometry),
-    /// A motion that goes farther than the geometry of the mechanism.
+    /// A motion beyond the range of the mechanism.
     BeyondRange {
-        /// The farthest position that it reaches \[rad\].
+        /// Outermost position of the motion \[rad\].
         position_rad: f64,
-        /// Lowest and highest that there are \[rad\].
+        /// Lowest and highest possible position \[rad\].
         range_rad: (f64, f64),
     },
     /// No loads on the flange follow from this load.
     NoFlangeLoads,
-    /// Loads on the flange are stated, and the mechanism has its own: which of them count is not said.
+    /// Loads on the flange are stated, and the mechanism has its own, without a statement of which apply.
     FlangeLoadsUndecided {
         /// Key of the first stated load.
         key: &'static str,
-        /// Path of the section in which it is to be said.
+        /// Path of the section for that statement.
         section: String,
     },
-    /// A load that would take the place of those of the mechanism in every segment.
+    /// A load that would replace those of the mechanism in every segment.
     ReplacesEverything {
-        /// The key.
+        /// Key.
         key: &'static str,
     },
     /// A belt and teeth on one wheel.
     BeltOrTeeth,
-    /// An angle of teeth that no teeth have.
+    /// A tooth angle out of range.
     ToothAngle {
-        /// The key.
+        /// Key.
         key: &'static str,
-        /// The most, in degrees.
+        /// Largest angle \[deg\].
         most_deg: f64,
     },
     /// A joint with a segment that is not recorded with its torque.
     JointWithoutTorque,
-    /// A motion that cannot be.
+    /// An impossible motion.
     Move {
-        /// Why.
+        /// Reason.
         fault: MoveFault,
-        /// Travel per angle [m/rad] where the segment is stated along a line.
+        /// Travel per angle \[m/rad\] for a segment stated along a line.
         travel_m_per_rad: Option<f64>,
     },
-    /// Points of a cam table that make no motion.
+    /// Points of a cam table that do not form a motion.
     Points(PointsFault),
     /// A point of a cam table in other quantities than the first one.
     UnlikeFirstPoint,
@@ -267,92 +267,92 @@ pub enum Fault {
     SupplyAndMains,
     /// The lowest humidity is above the highest.
     HumidityOrder,
-    /// The speed of a master beside points over the time.
+    /// The speed of a master with points over time.
     MasterOfTimes,
     /// A motion over too many revolutions under a load that depends on the position.
     Instants(TooManyInstants),
-    /// A unit that is not known.
+    /// An unknown unit.
     UnknownUnit {
-        /// As written, shortened.
+        /// Unit as written, shortened.
         written: String,
     },
     /// A file that cannot be opened or read.
     File {
-        /// Its name.
+        /// Name of the file.
         name: String,
-        /// What stands in the way.
+        /// Error of the system.
         trouble: FileTrouble,
     },
-    /// A file that lies outside of what the project may read.
+    /// A file outside of the folders that the project may read.
     FileOutOfReach {
-        /// Its name.
+        /// Name of the file.
         name: String,
     },
     /// A file that is no recording.
     Recording {
-        /// Its name.
+        /// Name of the file.
         name: String,
-        /// Why.
+        /// Fault of the file.
         fault: recording::Fault,
     },
-    /// A recording that is no motion.
+    /// A recording that does not form a motion.
     Recorded {
         /// Name of its file.
         name: String,
-        /// Why.
+        /// Reason.
         fault: RecordedFault,
     },
     /// A fault within one of several bodies that are written as texts.
     InBody {
         /// Path of the bodies.
         path: String,
-        /// What is wrong there.
+        /// Fault of the body.
         fault: Box<Fault>,
     },
     /// A line without a body.
     BodyMissing,
     /// A body without a shape.
     ShapeMissing,
-    /// A word that is no shape.
+    /// A word that is not a shape.
     NoShape {
-        /// As written, shortened.
+        /// Word as written, shortened.
         written: String,
     },
-    /// A word of a body that belongs to no key.
+    /// A word of a body that does not belong to a key.
     NoKey {
-        /// As written, shortened.
+        /// Word as written, shortened.
         written: String,
     },
     /// A key that the shape of a body does not have.
     KeyOfAnotherShape {
-        /// As written, shortened.
+        /// Key as written, shortened.
         key: String,
-        /// The shape.
+        /// Shape.
         shape: &'static str,
     },
-    /// A key of a body that stands there twice.
+    /// A key of a body that is stated twice.
     Twice {
-        /// The key.
+        /// Key.
         key: String,
     },
     /// A number of pieces that is no whole number.
     Count {
-        /// As written, shortened.
+        /// Value as written, shortened.
         written: String,
     },
-    /// A word that says nothing about how a body lies.
+    /// A word that is not an orientation of a body.
     BodyAxis {
-        /// As written, shortened.
+        /// Word as written, shortened.
         written: String,
     },
-    /// A body that cannot be.
+    /// An impossible body.
     Body(BodyError),
     /// Bodies as texts and as tables.
     BodiesTwice,
 }
 
 impl Fault {
-    /// Its identifier in data exchange; it stays what it is when the words change.
+    /// Returns the identifier in data exchange, independent of the words.
     #[must_use]
     pub fn id(&self) -> &'static str {
         match self {
@@ -446,36 +446,36 @@ impl Fault {
     }
 }
 
-/// What would have been right, where that can be said beyond the fault itself.
+/// Hint that adds to the fault.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Hint {
-    /// A line that would be valid.
+    /// A valid line.
     Example(String),
     /// The name that was probably meant.
     DidYouMean(String),
-    /// Every name that is valid.
+    /// List of the valid names.
     ValidAre(Vec<String>),
     /// A bare number with a unit behind it.
     WithUnit {
         /// The number as written.
         written: String,
-        /// What it measures.
+        /// Dimension of the key.
         dimension: Dimension,
     },
     /// The mechanisms from which loads on the flange follow.
     MechanismsWithLoads,
-    /// How a recorded cycle is made to close.
+    /// Ways to make a recorded cycle close.
     CloseTheRecording,
 }
 
 impl Hint {
-    /// Every name that is valid.
+    /// Creates the list of the valid names.
     pub(crate) fn valid(names: &[&str]) -> Self {
         Self::ValidAre(names.iter().map(|name| (*name).to_owned()).collect())
     }
 }
 
-/// Which numbers a quantity may take.
+/// Permissible range of a quantity.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Range {
     /// Any finite number.
@@ -487,7 +487,7 @@ pub enum Range {
 }
 
 impl Range {
-    /// Whether a value may stand there; a temperature is bounded below by absolute zero too.
+    /// Returns `true` if a value is in the range; a temperature is bounded by absolute zero too.
     pub(crate) fn holds(self, dimension: Dimension, si: f64) -> bool {
         match self {
             Self::Any => dimension != Dimension::Temperature || si >= 0.0,
@@ -497,12 +497,12 @@ impl Range {
     }
 }
 
-/// What may stand behind a key.
+/// Permissible values of a key.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Expected {
     /// A quantity with its unit.
     Quantity(Dimension),
-    /// A quantity of the rotation or of the line.
+    /// A rotational or a linear quantity.
     Along(Dimension, Dimension),
     /// A plain number.
     Number,
@@ -528,13 +528,13 @@ pub enum Expected {
     Tables,
 }
 
-/// Why a file is not opened though the system would: the inner error of what [`Files::open`](crate::Files::open) returns, since the
-/// system has no kind for it.
+/// Reason why a file is not opened although the system would open it: the inner error of
+/// [`Files::open`](crate::Files::open), since the system has no kind for it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Unopened {
-    /// It is no regular file: a pipe, a device, a socket.
+    /// It is not a regular file: a pipe, a device, a socket.
     NoRegularFile,
-    /// Its name is not that of a recording ([`is_recording_name`](crate::is_recording_name)).
+    /// The name is not that of a recording ([`is_recording_name`](crate::is_recording_name)).
     NoRecordingName,
 }
 
@@ -549,16 +549,16 @@ impl std::fmt::Display for Unopened {
 
 impl std::error::Error for Unopened {}
 
-/// Why a file cannot be opened or read.
+/// Reason why a file cannot be opened or read.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct FileTrouble {
-    /// The kind of trouble.
+    /// Kind of the error.
     pub kind: std::io::ErrorKind,
-    /// Why it is not opened though the system would.
+    /// Reason why it is not opened although the system would open it.
     pub unopened: Option<Unopened>,
-    /// The number of the system's error.
+    /// Error number of the system.
     pub code: Option<i32>,
-    /// What the system says.
+    /// Error message of the system.
     pub system: String,
 }
 

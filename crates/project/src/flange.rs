@@ -1,4 +1,4 @@
-//! The loads on the output flange: those that the file states, and those that follow from the mechanism.
+//! Loads on the output flange: stated ones, and those that follow from the mechanism.
 
 use crate::about::About;
 use crate::mechanism::OnFlange;
@@ -25,7 +25,7 @@ section! {
 }
 
 section! {
-    /// Loads on the output flange, and how the mechanism loads it.
+    /// Loads on the output flange, and the way in which the mechanism loads it.
     Bearing, BearingName of About::Bearing {
         ..loads: FlangeLoads;
         load_factor: f64 => within(1.0, 3.0), example("1.2");
@@ -42,17 +42,17 @@ section! {
     }
 }
 
-/// Teeth with a larger pressure or helix angle are none.
+/// Largest pressure or helix angle of teeth.
 const TOOTH_ANGLE_MAX_DEG: f64 = 60.0;
 
-/// What the loads of the mechanism do beside those that are stated.
+/// Use of the loads of the mechanism in addition to the stated ones.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Derived {
-    /// They act besides.
+    /// They are added.
     Add,
-    /// Those of a segment replace them there.
+    /// The loads of a segment replace them there.
     Replace,
-    /// They do not count.
+    /// They are ignored.
     Ignore,
 }
 
@@ -62,7 +62,7 @@ choices! {
 }
 
 impl FlangeLoads {
-    /// The first load that is stated.
+    /// Returns the first stated load.
     fn first(&self) -> Option<&dyn Field> {
         let forces: [&dyn Field; 2] = [&self.radial_force, &self.axial_force];
         forces.into_iter().find(|field| field.is_given())
@@ -82,7 +82,7 @@ impl FlangeLoads {
         }
     }
 
-    /// Reports a force without the distance at which it acts, and the reverse.
+    /// Reports a force without its distance, and the reverse.
     fn pairs(&self, reader: &mut Reader<'_>) {
         let pairs: [[&dyn Field; 2]; 2] =
             [[&self.radial_force, &self.radial_distance], [&self.axial_force, &self.axial_distance]];
@@ -101,7 +101,7 @@ pub(crate) fn needs(given: &dyn Field, needed: &dyn Field, reader: &mut Reader<'
 }
 
 impl Bearing {
-    /// The keys of the geometry from which loads follow.
+    /// Returns the keys of the geometry from which loads follow.
     fn geometry(&self) -> [&dyn Field; 8] {
         [
             &self.overhang,
@@ -115,7 +115,7 @@ impl Bearing {
         ]
     }
 
-    /// The keys that have an effect on the loads of a stage.
+    /// Returns the keys that have an effect on the loads of a stage.
     fn of_stage(&self, kind: StageKind) -> Vec<&dyn Field> {
         let mut fields: Vec<&dyn Field> = vec![&self.overhang, &self.flange_share];
         match kind {
@@ -128,9 +128,9 @@ impl Bearing {
     }
 }
 
-/// What the loads of the mechanism do, as the file says or by default: where it states no load, those of the mechanism act, if it
-/// describes the masses and forces from which they follow. Beside stated loads the file must say what they do, see [`undecided`].
-/// `None` where those of the mechanism do not count.
+/// Returns the use of the loads of the mechanism, as stated or by default: if the file states no load, those of the
+/// mechanism act, provided that it describes the masses and forces from which they follow. With stated loads the file
+/// must state their use, see [`undecided`]. `None` if those of the mechanism are ignored.
 fn how(axis: &AxisSection) -> Option<Derived> {
     let stated = axis.parts.bearing.get().and_then(|section| section.mechanism.value());
     let by_default = || (loads_flange(axis) && states_loads(axis).is_none()).then_some(Derived::Add);
@@ -142,15 +142,15 @@ fn loads_flange(axis: &AxisSection) -> bool {
     axis.parts.stage.is_given() || axis.driven().is_some_and(|driven| driven.on_flange().is_some())
 }
 
-/// The first stated load on the flange.
+/// Returns the first stated load on the flange.
 fn states_loads(axis: &AxisSection) -> Option<&dyn Field> {
     let common = axis.parts.bearing.get().map(|section| &section.loads);
     let of_segments = axis.segments().iter().filter_map(|segment| segment.bearing.get());
     common.into_iter().chain(of_segments).find_map(FlangeLoads::first)
 }
 
-/// Reports loads that are stated beside a mechanism with loads of its own, without a word on whether those count: to add them and
-/// to leave them out are both a guess. Returns `true` if it did.
+/// Reports loads that are stated next to a mechanism with loads of its own, without a statement of their use: both
+/// adding and ignoring them would be a guess. Returns `true` if it did.
 fn undecided(axis: &AxisSection, reader: &mut Reader<'_>) -> bool {
     let decided = axis.parts.bearing.get().is_some_and(|section| section.mechanism.is_written());
     let Some(field) = states_loads(axis).filter(|_| !decided && loads_flange(axis)) else { return false };
@@ -159,7 +159,7 @@ fn undecided(axis: &AxisSection, reader: &mut Reader<'_>) -> bool {
     true
 }
 
-/// The loads on the flange and what is required of the bearing.
+/// Returns the loads on the flange and the requirements on the bearing.
 pub(crate) fn duty(axis: &AxisSection, mechanism: &Mechanism, reader: &mut Reader<'_>) -> BearingDuty {
     let absent = Bearing::absent(axis.head());
     let section = axis.parts.bearing.get().unwrap_or(&absent);
@@ -189,7 +189,7 @@ pub(crate) fn duty(axis: &AxisSection, mechanism: &Mechanism, reader: &mut Reade
     }
 }
 
-/// Faults of the stated loads, which need no mechanism: a force needs the distance at which it acts.
+/// Reports faults of the stated loads that need no mechanism: a force needs its distance.
 pub(crate) fn stated(axis: &AxisSection, reader: &mut Reader<'_>) {
     if let Some(section) = axis.parts.bearing.get() {
         section.loads.pairs(reader);
@@ -199,7 +199,8 @@ pub(crate) fn stated(axis: &AxisSection, reader: &mut Reader<'_>) {
     }
 }
 
-/// How the load sits on the flange; what is not stated stays open, and the checks that need it say so.
+/// Returns the position of the load on the flange; values that are not stated stay open, and the checks that need them
+/// report so.
 fn mounting(
     axis: &AxisSection,
     section: &Bearing,
@@ -260,7 +261,7 @@ fn mounting(
     })
 }
 
-/// Defaults about the loads on the flange that the file leaves open.
+/// Adds the defaults about the loads on the flange that the file leaves open.
 pub(crate) fn assumptions(axis: &AxisSection, found: &mut Vec<Assumption>) {
     let absent = Bearing::absent(axis.head());
     let section = axis.parts.bearing.get().unwrap_or(&absent);

@@ -1,4 +1,4 @@
-//! Headings of a table whose columns are keys of a project: each is the key with the unit of its numbers.
+//! Headings of a table whose columns are keys of a project: a key with the unit of its numbers.
 #![allow(clippy::result_large_err, reason = "a fault is found once for a table, not for each of its rows")]
 
 use crate::edit::key_at;
@@ -15,26 +15,27 @@ const HEADING_SHOWN: usize = 80;
 /// A column whose cells are values of a key: `load.inertia [kg m^2]`, `motion[1].law`.
 #[derive(Clone, Debug)]
 pub struct Heading {
-    /// The path of the key within the axis, entries of lists counted from one: `motion[1].time`.
+    /// Path of the key within the axis, entries of lists counted from one: `motion[1].time`.
     pub path: String,
     /// The description of the key.
     pub key: &'static Key,
-    /// The unit of the numbers in its cells; `None` for what is measured in none.
+    /// Unit of the numbers in its cells; `None` for a key without a unit.
     pub unit: Option<&'static Unit>,
 }
 
-/// How the headings of a table count the entries of a list. Entries count from one, as in project files and faults: what a heading
-/// means does not depend on the other columns.
+/// Counting of list entries in the headings of a table. Entries count from one, as in project files and faults: the
+/// meaning of a heading does not depend on the other columns.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Counted {
-    /// One of the headings has an entry with the number zero: none that counts entries is read, since each may mean the next one.
+    /// One of the headings has an entry with the number zero: headings that count entries are refused, since each may
+    /// mean the next one.
     FromZero,
     /// `motion[1]` is the first segment.
     FromOne,
 }
 
 impl Counted {
-    /// From zero where one of the headings has an entry with the number zero, else from one.
+    /// Returns `FromZero` if one of the headings has an entry with the number zero, else `FromOne`.
     pub fn of<'h>(headings: impl IntoIterator<Item = &'h str>) -> Self {
         let is_zero = |part: &str| part.split_once(']').is_some_and(|(index, _)| index.trim().parse() == Ok(0));
         let has_zero = headings.into_iter().any(|heading| parts(heading).0.split('[').skip(1).any(is_zero));
@@ -42,15 +43,15 @@ impl Counted {
     }
 }
 
-/// What is wrong with a heading or a cell, and what would help.
+/// Fault of a heading or a cell, with a hint.
 pub type Objection = (Fault, Option<Hint>);
 
 impl Heading {
-    /// Reads a heading; `axis` is the place of the axis among several.
+    /// Reads a heading; `axis` is the index of the axis among several.
     ///
     /// # Errors
-    /// Where the project file has no such key, its values cannot stand in cells, the unit is missing or wrong, or entries are counted
-    /// from zero; then the hint is the heading that counts from one.
+    /// If the project file has no such key, its values cannot be in cells, the unit is missing or wrong, or entries are
+    /// counted from zero; then the hint is the heading that counts from one.
     pub fn read(written: &str, counted: Counted, axis: Option<usize>) -> Result<Self, Objection> {
         let (name, unit) = parts(written);
         let unknown = || (Fault::UnknownKey { path: shortened(name, HEADING_SHOWN) }, nearest_key(name));
@@ -86,13 +87,13 @@ impl Heading {
         Ok(Self { path, key, unit })
     }
 
-    /// Whether its cells are numbers of which each row has its own.
+    /// Returns `true` if its cells are numbers.
     #[must_use]
     pub const fn is_number(&self) -> bool {
         matches!(self.key.kind, Kind::Quantity(..) | Kind::Along(..) | Kind::Number(..))
     }
 
-    /// The unit of a quantity, and which numbers it may take.
+    /// Returns the unit of a quantity, and its permissible range.
     const fn measured(&self) -> Option<(&'static Unit, Range)> {
         match (self.unit, self.key.kind) {
             (Some(unit), Kind::Quantity(_, range) | Kind::Along(_, _, range)) => Some((unit, range)),
@@ -100,7 +101,7 @@ impl Heading {
         }
     }
 
-    /// The number of a cell as the project has it, in SI; `None` where a project file would be refused with it.
+    /// Returns the number of a cell as in the project, in SI; `None` if a project file with it would be refused.
     #[must_use]
     pub fn si(&self, cell: f64) -> Option<f64> {
         if let Some((unit, range)) = self.measured() {
@@ -114,7 +115,7 @@ impl Heading {
         }
     }
 
-    /// Why a project file would be refused with the number of a cell.
+    /// Returns the reason why a project file with the number of a cell would be refused.
     #[must_use]
     pub fn refusal(&self, cell: f64) -> Option<Fault> {
         if self.si(cell).is_some() {
@@ -137,13 +138,13 @@ impl Heading {
         }
     }
 
-    /// The number of a cell as it is written behind the key of a project file.
+    /// Returns the number of a cell as written behind the key of a project file.
     #[must_use]
     pub fn written(&self, cell: f64) -> String {
         self.unit.map_or_else(|| cell.to_string(), |unit| format!("{cell} {}", unit.ascii))
     }
 
-    /// What is wrong with a word in one of its cells.
+    /// Returns the fault of a word in one of its cells.
     #[must_use]
     pub fn objection(&self, cell: &str) -> Option<Objection> {
         let not_a_choice = |word: &str, words: &[&str]| {
@@ -162,7 +163,8 @@ impl Heading {
     }
 }
 
-/// The key and the unit of a heading: the unit stands in the last brackets, behind a space or what is no entry of a list.
+/// Splits a heading into key and unit: the unit is in the last brackets, behind a space or a text that is no entry of a
+/// list.
 fn parts(written: &str) -> (&str, Option<&str>) {
     let written = written.trim();
     let split = written.strip_suffix(']').and_then(|rest| rest.rsplit_once('['));
@@ -174,7 +176,7 @@ fn parts(written: &str) -> (&str, Option<&str>) {
     }
 }
 
-/// The path with the entries of its lists counted from one; `None` where it is none.
+/// Returns the path with the entries of its lists counted from one; `None` if it is invalid.
 fn from_one(path: &str, counted: Counted) -> Option<String> {
     let mut parts = path.split('[');
     let mut found = parts.next()?.to_owned();
@@ -190,7 +192,7 @@ fn from_one(path: &str, counted: Counted) -> Option<String> {
     Some(found)
 }
 
-/// Whether each list on the way of a path has the number of its entry.
+/// Returns `true` if each list in a path has the number of its entry.
 fn names_its_entries(path: &str) -> bool {
     path.match_indices('.').all(|(at, _)| {
         let above = path.get(..at).unwrap_or_default();
@@ -199,7 +201,7 @@ fn names_its_entries(path: &str) -> bool {
     })
 }
 
-/// The unit of a heading, held to what the key measures.
+/// Returns the unit of a heading, checked against the dimensions of the key.
 fn unit_of(dimensions: &[Dimension], unit: Option<&str>) -> Result<&'static Unit, (QuantityError, Vec<Dimension>)> {
     let sample = format!("1 {}", unit.unwrap_or_default());
     let found = dimensions.iter().map(|dimension| quantities::parse(*dimension, &sample));
@@ -210,7 +212,7 @@ fn unit_of(dimensions: &[Dimension], unit: Option<&str>) -> Result<&'static Unit
             Err(error) => errors.push((error, dimension)),
         }
     }
-    // The one whose unit is spelt nearly so, else the first.
+    // The error of a similarly spelt unit, else the first.
     let is_near = |error: &QuantityError| matches!(error, QuantityError::UnitUnknown { nearest: Some(_), .. });
     let place = errors.iter().position(|(error, _)| is_near(error)).unwrap_or(0);
     let (error, of) = errors.swap_remove(place);
@@ -221,7 +223,7 @@ fn quantity(name: &str, (error, also): (QuantityError, Vec<Dimension>)) -> Objec
     (Fault::Quantity { path: shortened(name, HEADING_SHOWN), error, also }, None)
 }
 
-/// The key that was probably meant: the nearest of all, with its table where only its own name is written.
+/// Returns the key that was probably meant: the nearest of all, with its table if only its own name is written.
 fn nearest_key(written: &str) -> Option<Hint> {
     let written: String = shortened(written, HEADING_SHOWN).to_lowercase();
     let mut all = Vec::new();
@@ -229,7 +231,7 @@ fn nearest_key(written: &str) -> Option<Hint> {
     let distance = |path: &String| {
         let last = path.rsplit('.').next().unwrap_or(path);
         let whole = strsim::damerau_levenshtein(&written, path);
-        // Written with underscores for points, or without its table.
+        // Spelt with underscores for points, or without its table.
         let plain = strsim::damerau_levenshtein(&written.replace('_', "."), &path.replace('_', "."));
         let own = strsim::damerau_levenshtein(written.rsplit('.').next().unwrap_or(&written), last)
             + usize::from(written.contains('.'));
@@ -240,7 +242,7 @@ fn nearest_key(written: &str) -> Option<Hint> {
     (near * 2 <= path.len()).then(|| Hint::DidYouMean(path.clone()))
 }
 
-/// The paths of the keys that can be columns.
+/// Collects the paths of the keys that can be columns.
 fn columns(keys: &'static [Key], above: &str, first: &str, found: &mut Vec<String>) {
     for key in keys {
         let path = joined(above, key.name);
@@ -289,8 +291,8 @@ mod tests {
         assert!(matches!(read("mechanism.arm.efficiency").unwrap().key.kind, Kind::Number(..)));
     }
 
-    /// Whatever other columns there are a heading means the same entry; where one counts from zero no heading with an entry is read,
-    /// and each is answered with the one that counts from one.
+    /// A heading means the same entry, independent of the other columns; if one counts from zero, headings with an
+    /// entry are refused, each with a hint that counts from one.
     #[test]
     fn entries_are_counted_from_one_whatever_else_there_is() {
         let (mut read_alike, mut refused) = (0, 0);

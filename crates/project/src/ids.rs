@@ -1,11 +1,11 @@
-//! The identifiers of the faults that lower rooms find: with these the rooms themselves need none.
+//! Identifiers of the faults of lower crates, which need none themselves.
 
 use mechanism::BodyError;
 use motion::{MoveFault, RecordedFault};
 use order_code::CodeError;
 use quantities::QuantityError;
 
-/// Of a text that is no quantity.
+/// Returns the identifier of a text that is no quantity.
 pub(crate) const fn quantity(error: &QuantityError) -> &'static str {
     match error {
         QuantityError::Empty { .. } => "quantity_empty",
@@ -22,7 +22,7 @@ pub(crate) const fn quantity(error: &QuantityError) -> &'static str {
     }
 }
 
-/// Of a code that cannot be read.
+/// Returns the identifier of a code that cannot be read.
 pub(crate) const fn code(error: &CodeError) -> &'static str {
     match error {
         CodeError::Empty => "code_empty",
@@ -36,7 +36,7 @@ pub(crate) const fn code(error: &CodeError) -> &'static str {
     }
 }
 
-/// Of a motion that cannot be.
+/// Returns the identifier of an impossible motion.
 pub(crate) const fn motion(fault: &MoveFault) -> &'static str {
     match fault {
         MoveFault::NoSegment => "motion_empty",
@@ -58,7 +58,7 @@ pub(crate) const fn motion(fault: &MoveFault) -> &'static str {
     }
 }
 
-/// Of samples that are no motion.
+/// Returns the identifier of samples that do not form a motion.
 pub(crate) const fn recorded(fault: &RecordedFault) -> &'static str {
     match fault {
         RecordedFault::TooFew { .. } => "samples_too_few",
@@ -72,7 +72,7 @@ pub(crate) const fn recorded(fault: &RecordedFault) -> &'static str {
     }
 }
 
-/// Of a file that is no recording.
+/// Returns the identifier of a file that is no recording.
 pub(crate) fn recording(fault: &recording::Fault) -> &'static str {
     use recording::{Fault, Limit};
     match fault {
@@ -128,7 +128,7 @@ pub(crate) fn recording(fault: &recording::Fault) -> &'static str {
     }
 }
 
-/// Of a body that cannot be.
+/// Returns the identifier of an impossible body.
 pub(crate) const fn body(error: &BodyError) -> &'static str {
     match error {
         BodyError::DimensionOutOfRange { .. } => "body_dimension_out_of_range",

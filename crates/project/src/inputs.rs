@@ -1,4 +1,4 @@
-//! Every key of a project file with what is written there.
+//! Every key of a project file with its value.
 
 use crate::read::Reader;
 use crate::root::Root;
@@ -9,20 +9,20 @@ use std::ops::Range as Span;
 /// One value of a project file.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Input {
-    /// Its key: `load.inertia`, `motion[2].speed`, `mechanism.table.points[1][3]`, `axis[1].requirements.supply`.
+    /// Key: `load.inertia`, `motion[2].speed`, `mechanism.table.points[1][3]`, `axis[1].requirements.supply`.
     pub path: String,
-    /// What is written there, without the quotes.
+    /// Value as written, without quotes.
     pub written: String,
-    /// The number in its unit as written; `None` for what is no number.
+    /// Number in its unit as written; `None` for other values.
     pub amount: Option<(f64, &'static Unit)>,
     /// Half-width of its tolerance, in the same unit.
     pub half_width: Option<f64>,
-    /// Its place in the file, in bytes.
+    /// Place in the file, in bytes.
     pub span: Span<usize>,
 }
 
 impl Input {
-    /// Whether another value says the same: `"0.1 s"` and `"100 ms"` do.
+    /// Returns `true` if another value is equal, as `"0.1 s"` and `"100 ms"` are.
     fn says_the_same(&self, other: &Self) -> bool {
         let si = |input: &Self| {
             let (value, unit) = input.amount?;
@@ -32,7 +32,7 @@ impl Input {
         match (si(self), si(other)) {
             (Some((a, half_a, of_a)), Some((b, half_b, of_b))) => {
                 let near = |a: f64, b: f64| (a - b).abs() <= 1e-12 * a.abs().max(b.abs());
-                // A half-width is a difference: it is as exact as the values that it is taken from.
+                // A half-width is a difference: it is as exact as the values from which it is computed.
                 let half = (half_a - half_b).abs() <= 1e-12 * a.abs().max(half_a.abs()).max(half_b.abs());
                 of_a == of_b && near(a, b) && half
             }
@@ -41,9 +41,9 @@ impl Input {
     }
 }
 
-/// Every value of a project file in the order of the file; what the reader refuses is left out.
+/// Returns every value of a project file in the order of the file, without those that the reader refuses.
 ///
-/// Files that the project refers to stand there by their names.
+/// Files that the project refers to are included by their names.
 #[must_use]
 pub fn inputs(text: &str) -> Vec<Input> {
     let mut reader = Reader::new(text);
@@ -59,21 +59,21 @@ pub fn inputs(text: &str) -> Vec<Input> {
     found
 }
 
-/// A value that is not the same in two project files.
+/// A value that differs between two project files.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct InputChange {
-    /// Its key.
+    /// Key.
     pub path: String,
-    /// As written in the first file; `None` where it is not there.
+    /// Value in the first file as written; `None` if it is missing there.
     pub old: Option<String>,
-    /// As written in the second file; `None` where it is not there.
+    /// Value in the second file as written; `None` if it is missing there.
     pub new: Option<String>,
 }
 
-/// The values that differ between two project files, in the order of the second; what is gone comes last.
+/// Returns the values that differ between two project files, in the order of the second; removed ones come last.
 ///
-/// Keys are compared by what they say: another spelling of the same quantity is no change. Of several axes one of
-/// each file is looked at, with its keys as if it stood alone.
+/// Values are compared by meaning: another spelling of an equal quantity is no change. Of several axes one of each file
+/// is compared, with its keys as if it were the only one.
 #[must_use]
 pub fn input_changes(old: (&str, usize), new: (&str, usize)) -> Vec<InputChange> {
     let of_axis = |(text, axis): (&str, usize)| -> Vec<Input> {

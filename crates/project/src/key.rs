@@ -1,23 +1,23 @@
-//! What is known of a key of the project file: one description from which the reader, its messages, the JSON Schema, the
-//! reference page and the form of the page come.
+//! Description of a key of the project file, used by the reader, its messages, the JSON Schema, the reference page and
+//! the form of the page.
 
 use crate::about::About;
 use crate::{Assumption, Expected, Range};
 use quantities::Dimension;
 
-/// A column of rows: what it may measure, the usual first.
+/// Permissible dimensions of a column of rows, the default first.
 pub type Column = &'static [Dimension];
 
-/// What may stand behind a key.
+/// Permissible values of a key.
 #[derive(Clone, Copy, Debug)]
 pub enum Kind {
     /// A number with its unit, written as text.
     Quantity(Dimension, Range),
-    /// A number with a unit of one of two dimensions: of the rotation, or of the line of a linear mechanism.
+    /// A number with a unit of one of two dimensions: rotational, or linear for a linear mechanism.
     Along(Dimension, Dimension, Range),
     /// A plain number within bounds.
     Number(f64, f64),
-    /// A list of plain numbers within bounds, and how many at most.
+    /// A list of plain numbers within bounds, and the largest number of them.
     Numbers(f64, f64, usize),
     /// A whole number within bounds.
     Integer(i64, i64),
@@ -33,7 +33,7 @@ pub enum Kind {
     Rows(&'static [Column]),
     /// A table.
     Table(&'static [Key]),
-    /// A table, or an array of tables with more in them.
+    /// A table, or an array of tables with additional keys.
     OneOrMany(&'static [Key], &'static [Key]),
     /// Solid bodies, one text each.
     Bodies,
@@ -42,7 +42,7 @@ pub enum Kind {
 }
 
 impl Kind {
-    /// What may stand there, for a fault.
+    /// Returns the permissible values for a fault.
     pub(crate) const fn expected(&self) -> Expected {
         match *self {
             Self::Quantity(dimension, _) => Expected::Quantity(dimension),
@@ -61,7 +61,7 @@ impl Kind {
         }
     }
 
-    /// The keys of a table behind this key, or of an entry of a list of them; empty for a value.
+    /// Returns the keys of a table behind this key, or of an entry of a list of them; empty for a value.
     #[must_use]
     pub const fn keys(&self, entry: bool) -> &'static [Key] {
         match *self {
@@ -89,14 +89,14 @@ impl Kind {
     }
 }
 
-/// Tables of several kinds that share a description: one key says which kind it is, and so which others belong.
+/// Tables of several kinds with one description: one key names the kind, which decides the other keys.
 #[derive(Debug)]
 pub struct Variants {
     /// The keys of all kinds.
     pub keys: &'static [Key],
-    /// The key that names the kind.
+    /// Key that names the kind.
     pub by: &'static str,
-    /// Name, keys that must be there, keys that may be there besides those of every kind.
+    /// Name, required keys, optional keys in addition to those of every kind.
     pub kinds: &'static [(&'static str, &'static [&'static str], &'static [&'static str])],
     /// Keys that every kind may have.
     pub shared: &'static [&'static str],
@@ -105,21 +105,21 @@ pub struct Variants {
 /// One key of the project file.
 #[derive(Clone, Copy, Debug)]
 pub struct Key {
-    /// Its name in the file.
+    /// Name in the file.
     pub name: &'static str,
-    /// What may stand behind it.
+    /// Permissible values.
     pub kind: Kind,
-    /// Whether its table must have it.
+    /// Required in its table.
     pub required: bool,
-    /// What it is for.
+    /// Purpose.
     pub about: About,
-    /// A value that may stand there, as it is written; empty where the kind has one of its own.
+    /// Example of a value as written; empty if the kind has one of its own.
     pub(crate) example: &'static str,
-    /// What holds where it is not stated, as it is written; `None` where its absence means something else.
+    /// Default as written; `None` if the absence of the key has a meaning of its own.
     pub default: Option<fn() -> String>,
-    /// What is listed as assumed where it is not stated.
+    /// Assumption that is listed if the key is not stated.
     pub note: Option<Assumption>,
-    /// Of a segment that takes k times as long and goes m times as far the value is multiplied by k^a m^b: a and b.
+    /// Exponents a and b by which the value of a segment with time factor k and distance factor m is scaled: k^a m^b.
     pub(crate) stretches: Option<(i32, i32)>,
 }
 
@@ -128,17 +128,17 @@ impl Key {
         Self { name, kind, required: false, about, example: "", default: None, note: None, stretches: None }
     }
 
-    /// Its table must have it.
+    /// Makes the key required in its table.
     pub(crate) const fn needed(self) -> Self {
         Self { required: true, ..self }
     }
 
-    /// More than zero.
+    /// Requires values greater than zero.
     pub(crate) const fn positive(self) -> Self {
         self.in_range(Range::Positive)
     }
 
-    /// Zero or more.
+    /// Requires values of zero or more.
     pub(crate) const fn not_negative(self) -> Self {
         self.in_range(Range::NotNegative)
     }
@@ -152,7 +152,7 @@ impl Key {
         Self { kind, ..self }
     }
 
-    /// A plain number between these bounds, or a list of them.
+    /// Requires plain numbers between these bounds.
     pub(crate) const fn within(self, low: f64, high: f64) -> Self {
         let kind = match self.kind {
             Kind::Numbers(_, _, most) => Kind::Numbers(low, high, most),
@@ -161,7 +161,7 @@ impl Key {
         Self { kind, ..self }
     }
 
-    /// At most so many numbers.
+    /// Limits the number of entries.
     pub(crate) const fn at_most(self, most: usize) -> Self {
         let kind = match self.kind {
             Kind::Numbers(low, high, _) => Kind::Numbers(low, high, most),
@@ -170,33 +170,33 @@ impl Key {
         Self { kind, ..self }
     }
 
-    /// A whole number between these bounds.
+    /// Requires whole numbers between these bounds.
     pub(crate) const fn whole(self, low: i64, high: i64) -> Self {
         Self { kind: Kind::Integer(low, high), ..self }
     }
 
-    /// A value as it is written, without the quotes of a text.
+    /// Sets an example as written, without the quotes of a text.
     pub(crate) const fn example(self, example: &'static str) -> Self {
         Self { example, ..self }
     }
 
-    /// Where it is not stated this holds.
+    /// Sets the default.
     pub(crate) const fn or(self, default: fn() -> String) -> Self {
         Self { default: Some(default), ..self }
     }
 
-    /// Where it is not stated this is listed as assumed.
+    /// Sets the assumption that is listed if the key is not stated.
     pub(crate) const fn noted(self, note: Assumption) -> Self {
         Self { note: Some(note), ..self }
     }
 
-    /// How the value grows with the time and the way of its segment.
+    /// Sets the exponents by which the value scales with time and distance of its segment.
     pub(crate) const fn stretches(self, time: i32, way: i32) -> Self {
         Self { stretches: Some((time, way)), ..self }
     }
 }
 
-/// A line that would be valid for a key, `None` for one of no words.
+/// Returns a valid line for a key; `None` for an empty set of words.
 #[must_use]
 pub fn example(key: &Key) -> Option<String> {
     let name = key.name;
@@ -219,7 +219,7 @@ pub fn example(key: &Key) -> Option<String> {
     })
 }
 
-/// How many keys these are together.
+/// Returns the number of these keys.
 pub(crate) const fn count(parts: &[&[Key]]) -> usize {
     let (mut total, mut rest) = (0, parts);
     while let [first, others @ ..] = rest {
@@ -229,7 +229,7 @@ pub(crate) const fn count(parts: &[&[Key]]) -> usize {
     total
 }
 
-/// These keys, one after the other.
+/// Concatenates these keys.
 #[allow(clippy::indexing_slicing, reason = "read while compiling: an index out of bounds does not compile")]
 pub(crate) const fn concat<const N: usize>(parts: &[&[Key]], filler: Key) -> [Key; N] {
     let mut all = [filler; N];
@@ -253,7 +253,7 @@ mod tests {
     use crate::root::{KEYS, Root};
     use crate::{Fault, MEASURED_KEYS, measured};
 
-    /// For every key below a table a text that states its example.
+    /// Collects, for every key below a table, a text that states its example.
     fn all(keys: &'static [Key], heads: &str, path: &str, found: &mut Vec<String>) {
         for key in keys {
             let path = if path.is_empty() { key.name.to_owned() } else { format!("{path}.{}", key.name) };
@@ -267,7 +267,7 @@ mod tests {
         }
     }
 
-    /// What is wrong with the value of a key alone, not with what stands beside it.
+    /// Returns `true` if a fault concerns the value of a key alone, not its neighbours.
     fn is_of_the_value(fault: &Fault) -> bool {
         !matches!(fault, Fault::MissingKey { .. })
     }

@@ -1,11 +1,11 @@
-//! The keys of a project file in words.
+//! Texts for the keys of a project file.
 
 use crate::edit::key_along;
 use crate::root::KEYS;
 use crate::schema::SchemaText;
 
-/// What a key of the project file is for: `load.inertia`, `motion[2].speed`, `mechanism.turntable.bodies[1].mass`; `None`
-/// where the project file has no such key.
+/// Returns the identifier of the text about a key of the project file: `load.inertia`, `motion[2].speed`,
+/// `mechanism.turntable.bodies[1].mass`; `None` if the project file has no such key.
 #[must_use]
 pub fn input_label(path: &str) -> Option<SchemaText> {
     let names = path.split('.').map(|part| (part.split('[').next().unwrap_or(part), true));

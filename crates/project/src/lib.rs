@@ -1,8 +1,8 @@
 //! The project file as typed data: read against one description, every fault with its place.
 //!
-//! It states what the user wrote and speaks no language: a [`Fault`] is an identifier with its arguments, and so is a
-//! [`Hint`]. Files that a project refers to are handed in ([`Files`]), and so is the choice among several ratios of a stage
-//! ([`Choose`]), since it takes a judgement of the catalogue.
+//! It holds the statements of the user, independent of language: a [`Fault`] is an identifier with its arguments, and
+//! so is a [`Hint`]. The caller provides the files that a project refers to ([`Files`]), and the choice among several
+//! ratios of a stage ([`Choose`]), since that needs a judgement of the catalogue.
 
 mod about;
 mod bodies;
@@ -38,7 +38,7 @@ mod tolerance;
 mod twin;
 mod value;
 
-/// The names of the keys of each section, by which their texts are found.
+/// Names of the keys of each section, by which their texts are found.
 pub mod names {
     pub use crate::bodies::BodyName;
     pub use crate::curves::CurveName;
@@ -103,7 +103,7 @@ pub const PROJECT_MAX_BYTES: usize = 1 << 20;
 pub enum Assumption {
     /// No friction torque is given: zero is assumed.
     NoFriction,
-    /// No ambient temperature is given: the printed figures hold up to 40 °C.
+    /// No ambient temperature is given: the values of the manual hold up to 40 °C.
     AmbientWithinRange,
     /// The plate of table 13.3 cools the actuator.
     CoolingPlate,
@@ -113,11 +113,11 @@ pub enum Assumption {
     NoSupply,
     /// The DC link is that of a three-phase rectifier without control.
     Rectifier,
-    /// The same, and the mains vary by 10 %.
+    /// The DC link is that of an uncontrolled three-phase rectifier, and the mains voltage varies by 10 %.
     RectifierAndDeviation,
     /// The DC link is that of a single-phase rectifier without control.
     SinglePhaseRectifier,
-    /// The same, and the mains vary by 10 %.
+    /// The DC link is that of an uncontrolled single-phase rectifier, and the mains voltage varies by 10 %.
     SinglePhaseRectifierAndDeviation,
     /// I_0 of the user's actuator is taken to include the no-load starting current.
     OwnStallCurrentIncludesFriction,
@@ -131,13 +131,13 @@ pub enum Assumption {
     FlangeLoadsOfMechanism,
     /// Stated loads add to them at their worst.
     FlangeLoadsAddUp,
-    /// The loads of the mechanism on the flange do not count, as the file says.
+    /// The loads of the mechanism on the flange are ignored, as stated in the file.
     FlangeLoadsIgnored,
-    /// In a segment that states loads for the flange they take the place of those of the mechanism, as the file says.
+    /// Loads on the flange of a segment replace those of the mechanism there, as stated in the file.
     FlangeLoadsReplaced,
     /// No share is given: the flange bears the loads of the mechanism alone.
     FlangeBearsAll,
-    /// What turns on the flange has no products of inertia.
+    /// The bodies on the flange have no products of inertia.
     FlangeBodiesFlat,
     /// No tilt of the axis is given: the flange looks upwards.
     FlangeUpwards,
@@ -159,7 +159,7 @@ pub enum Assumption {
     StageRigid,
     /// No backlash of the stage is given.
     StageNoBacklash,
-    /// Of several ratios the best was chosen.
+    /// The best of several ratios was chosen.
     StageRatioChosen,
     /// No efficiency of the mechanism is given: one is assumed.
     NoLosses,
@@ -173,17 +173,18 @@ pub enum Assumption {
     OrdinaryApplication,
     /// A quantity with a tolerance is uniform within its band and independent of the others.
     UniformTolerances,
-    /// In a dwell without `hold` the motor carries the load.
+    /// The motor carries the load in a dwell without `hold`.
     MotorHolds,
     /// The recorded torque is a process torque, added to the torque of the mechanism.
     RecordedTorqueAdds,
     /// Speed and acceleration are differences of a recorded position, not smoothed.
     RecordedPositionDifferentiated,
-    /// Noise of a recorded speed at rest is taken for zero.
+    /// Noise of a recorded speed at rest is treated as zero.
     RecordedRest(RestNoise),
-    /// The resolution of a recording makes up an acceleration, with the torque that it takes of the load \[Nm\].
+    /// The resolution of a recording causes an apparent acceleration, with the torque that the load would need for it
+    /// \[Nm\].
     RecordedSteps(MadeUp, f64),
-    /// Between the points of a cam table the motion is a spline, so many times continuous.
+    /// The motion between the points of a cam table is a spline with continuous derivatives.
     SplineThroughPoints(Spline),
 }
 
@@ -198,7 +199,7 @@ const STEPS: MadeUp = MadeUp {
 };
 
 impl Assumption {
-    /// Every one, in their order; those with figures with some.
+    /// Assumptions in their order, with example arguments.
     pub const ALL: [Self; 45] = [
         Self::NoFriction,
         Self::AmbientWithinRange,
@@ -255,7 +256,7 @@ pub struct Project {
     pub name: String,
     /// Load and motion.
     pub axis: Axis,
-    /// What the actuator must have.
+    /// Requirements on the actuator.
     pub requirements: Requirements,
     /// Required sensor option.
     pub option_1: Option<Option1>,
@@ -265,32 +266,32 @@ pub struct Project {
     pub actuator: Option<OwnActuator>,
     /// The catalogue with the user's curves, where there are any.
     pub own_catalogue: Option<Arc<OwnCatalogue>>,
-    /// What each of several ratios of the stage gives; empty for one ratio or no stage.
+    /// Result of each of several ratios of the stage; empty for one ratio or no stage.
     pub ratios: Vec<RatioAnswer>,
-    /// What the simulation is to do.
+    /// Settings of the simulation.
     pub twin: TwinInput,
     /// Recordings that the motion consists of.
     pub recordings: Vec<RecordingRead>,
-    /// Defaults that were taken.
+    /// Defaults that were used.
     pub assumptions: Vec<Assumption>,
-    /// The quantities that carry a tolerance, in the order of the reader.
+    /// Quantities with a tolerance, in the order of the reader.
     pub tolerances: Vec<Tolerance>,
-    /// The axis as it was read: it says where a value is stated, and with tolerances it is built anew at other values.
+    /// The axis as read: it contains the places of the values, and with tolerances it is built again with other values.
     root: AxisSection,
 }
 
-/// Chooses among the ratios that a stage may have, in the order of the file: gives the project with the one to go on with.
-/// The second argument makes the project with a ratio.
+/// Chooses among the possible ratios of a stage, in the order of the file; returns the project with the chosen one. The
+/// second argument builds the project with a ratio.
 pub type Choose<'c> = &'c dyn Fn(&[f64], &dyn Fn(f64) -> Option<Project>) -> Option<Project>;
 
 impl Project {
-    /// Whether it is one of several axes of its file.
+    /// Returns `true` if it is one of several axes of its file.
     #[must_use]
     pub fn is_of_several(&self) -> bool {
         !self.root.head().path.is_empty()
     }
 
-    /// The solid bodies that the axis turns, with their inertia; `None` where it turns something else.
+    /// Returns the solid bodies that the axis turns, with their inertia; `None` for other loads.
     #[must_use]
     pub fn bodies(&self) -> Option<InertiaAnswer> {
         together(self.root.driven()?.bodies()?)
@@ -341,7 +342,7 @@ impl Project {
         }
     }
 
-    /// One axis from its section, `index` among several; `None` where a fault stands in the way.
+    /// Builds one axis from its section, `index` among several; `None` after a fault.
     fn build(
         mut root: AxisSection,
         index: Option<usize>,
@@ -386,7 +387,7 @@ impl Project {
         Some(choose(ratios, &with_ratio).unwrap_or_else(|| project.clone()))
     }
 
-    /// The project with one ratio in the place of several; `None` where there is no such axis.
+    /// Returns the project with one ratio instead of several; `None` if that axis is impossible.
     fn with_ratio(&self, root: &AxisSection, ratio: f64) -> Option<Self> {
         let mut root = root.clone();
         root.set_ratio(ratio);
@@ -426,7 +427,7 @@ fn requirements(root: &AxisSection) -> Requirements {
     root.parts.requirements.get().map_or_else(Requirements::default, |required| required.build())
 }
 
-/// What an axis is made of, checked and not yet laid over each other.
+/// Checked parts of an axis before they are combined.
 struct Draft {
     mechanism: Mechanism,
     motion: Motion,
@@ -434,7 +435,7 @@ struct Draft {
     bearing: BearingDuty,
 }
 
-/// Everything that may be wrong with an axis is reported here; [`finish`] only computes.
+/// Prepares an axis and reports all of its faults; [`finish`] only computes.
 fn prepare(root: &AxisSection, reader: &mut Reader<'_>) -> Option<Draft> {
     if !root.parts.motion.is_written() && !reader.is_damaged() {
         let hint = Hint::Example("[[motion]]".to_owned());
@@ -444,7 +445,7 @@ fn prepare(root: &AxisSection, reader: &mut Reader<'_>) -> Option<Draft> {
     flange::stated(root, reader);
     let stage = root.parts.stage.get().and_then(|stage| stage.build(reader));
     let load = mechanism::load(&root.parts, reader)?;
-    // The file states the motion of the mechanism; from here on everything is that of the actuator's output.
+    // The file states the motion of the mechanism; the following values are those of the actuator's output.
     let mechanism = Mechanism { stage, ..load.mechanism.clone() };
     let bearing = flange::duty(root, &mechanism, reader);
     let (motion, extras) = motion::motion(root, &load, reader)?;
@@ -456,7 +457,7 @@ fn prepare(root: &AxisSection, reader: &mut Reader<'_>) -> Option<Draft> {
     Some(Draft { mechanism, motion, extras, bearing })
 }
 
-/// Load and motion laid over each other, with what is required.
+/// Combines load, motion and requirements.
 fn finish(root: &AxisSection, draft: Draft) -> Axis {
     let mut axis = match configurator::brake_times() {
         Some((closing, opening)) => {

@@ -1,4 +1,4 @@
-//! The record of a commissioning: measured values with their units, read with the same faults as a project file.
+//! Record of a commissioning: measured values with their units, read with the same faults as a project file.
 
 use crate::about::About;
 use crate::key::{Key, Kind, example};
@@ -13,7 +13,7 @@ use quantities::{
     ThermodynamicTemperature, Time,
 };
 
-/// The format of the record that this version reads.
+/// Format version of the record.
 pub const MEASURED_FORMAT: i64 = 1;
 
 section! {
@@ -99,32 +99,32 @@ choices! {
     Counting { Rising = "rising", Falling = "falling" }
 }
 
-/// The root of the record, and under its tables every other key.
+/// Keys of the root of the record; its tables contain the others.
 pub const MEASURED_KEYS: &[Key] = MeasuredRoot::KEYS;
 
 /// A key of a record of measured values, by its table.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum MeasuredKey {
-    /// At the root.
+    /// Key of the root.
     Root(MeasuredRootName),
-    /// Of `[winding]`.
+    /// Key of `[winding]`.
     Winding(WindingName),
-    /// Of `[emf]`.
+    /// Key of `[emf]`.
     Emf(EmfName),
-    /// Of `[sensor]`.
+    /// Key of `[sensor]`.
     Sensor(SensorName),
-    /// Of `[brake]`.
+    /// Key of `[brake]`.
     Brake(BrakeName),
-    /// Of `[direction]`.
+    /// Key of `[direction]`.
     Direction(DirectionName),
-    /// Of `[speed]`.
+    /// Key of `[speed]`.
     Speed(SpeedName),
-    /// Of `[[no_load]]`.
+    /// Key of `[[no_load]]`.
     NoLoad(NoLoadName),
 }
 
 impl MeasuredKey {
-    /// What is measured with it; none of what only says under which conditions.
+    /// Returns the measured quantity; `None` for a condition of the measurement.
     #[must_use]
     pub const fn measurand(self) -> Option<Measurand> {
         Some(match self {
@@ -159,7 +159,7 @@ pub fn measured(text: &str) -> Result<Measured, Vec<Diagnostic>> {
     let root: MeasuredRoot = reader.read();
     let stated: Vec<_> = reader.tolerances.iter().map(|tolerance| tolerance.span.clone()).collect();
     for span in stated {
-        // What was measured is one value.
+        // A measured value is a single value.
         reader.fault(span, Fault::NoTolerance, None);
     }
     let found = build(&root);
@@ -215,20 +215,20 @@ fn build(root: &MeasuredRoot) -> Measured {
     found
 }
 
-/// A line of an empty record: the head of a table, or a key with a value as one would write it.
+/// A line of an empty record: the heading of a table, or a key with an example of its value.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct MeasuredLine {
     /// `[winding]`, `resistance_ll = "5.9 ohm"`.
     pub text: String,
-    /// What it is for.
+    /// Purpose.
     pub key: MeasuredKey,
-    /// Whether it is the head of a table.
+    /// The line is the heading of a table.
     pub is_table: bool,
-    /// Whether the key must be there if its table is.
+    /// The key is required if its table is present.
     pub required: bool,
 }
 
-/// Every line that a record may have, table by table.
+/// Returns every line that a record may have, table by table.
 #[must_use]
 pub fn measured_lines() -> Vec<MeasuredLine> {
     let mut lines = Vec::new();

@@ -1,4 +1,4 @@
-//! The mechanisms of the project file: each is a module with its section and what it is built into.
+//! Mechanisms of the project file: a module for each, with its section and the mechanism that is built from it.
 
 mod parts;
 
@@ -14,7 +14,7 @@ use mechanism::{Geometry, Mechanism, MechanismKind, Rotor};
 use parts::{Friction, Guide, Losses, ProcessForce, StartAngle};
 use quantities::{Angle, Force, Measure, MomentOfInertia};
 
-/// Makes the table of the mechanisms and the names of their keys from the list of them.
+/// Defines the table of the mechanisms and the names of their keys from a list.
 macro_rules! mechanisms {
     ($($name:ident: $Section:ident, $Name:ident;)+) => {
         $(
@@ -22,7 +22,7 @@ macro_rules! mechanisms {
             use $name::$Section;
         )+
 
-        /// The names of their keys.
+        /// Names of their keys.
         pub(crate) mod names {
             $(pub use super::$name::$Name;)+
             pub use super::parts::{
@@ -32,7 +32,7 @@ macro_rules! mechanisms {
         }
 
         section! {
-            /// What lies between output and load.
+            /// Mechanism between output and load.
             Mechanisms, MechanismsName of About::Mechanisms {
                 $($name: $Section;)+
             }
@@ -48,7 +48,7 @@ macro_rules! mechanisms {
         }
 
         impl Mechanisms {
-            /// Those that are stated.
+            /// Returns the stated mechanisms.
             fn given(&self) -> impl Iterator<Item = &dyn Driven> {
                 [$(self.$name.get().map(|section| section as &dyn Driven)),+].into_iter().flatten()
             }
@@ -71,9 +71,9 @@ mechanisms! {
     four_bar: FourBar, FourBarName;
 }
 
-/// What loads the flange.
+/// Part that loads the flange.
 pub(crate) enum OnFlange<'s> {
-    /// Bodies that turn with it; the tilt of its axis.
+    /// Bodies that turn with the flange; the tilt of its axis.
     Bodies(&'s Stated<Angle>),
     /// A pulley, pinion or crank.
     Wheel,
@@ -83,60 +83,60 @@ pub(crate) enum OnFlange<'s> {
 
 /// A load, or a mechanism with its load, as the file states it.
 pub(crate) trait Driven: Fields {
-    /// What it is built into; `None` where a fault stands in the way or a value is missing.
+    /// Builds the mechanism; `None` after a fault or if a value is missing.
     fn kind(&self, reader: &mut Reader<'_>) -> Option<MechanismKind>;
 
-    /// The keys from which its inertia follows.
+    /// Returns the keys from which its inertia follows.
     fn inertia(&self) -> Vec<&dyn Field> {
         self.field("inertia").into_iter().collect()
     }
 
-    /// Friction at the output.
+    /// Returns the friction at the output.
     fn friction(&self) -> Option<&Friction> {
         group(self)
     }
 
-    /// Efficiencies.
+    /// Returns the efficiencies.
     fn losses(&self) -> Option<&Losses> {
         group(self)
     }
 
-    /// Efficiency of what lies in series with the stated one, while the actuator drives.
+    /// Returns the efficiency of the parts in series with the stated one, in motor operation.
     fn series_efficiency(&self) -> f64 {
         1.0
     }
 
-    /// Where the motion begins.
+    /// Returns the position at which the motion begins.
     fn start_angle(&self) -> Option<&Stated<Angle>> {
         group(self).map(|it: &StartAngle| &it.start_angle)
     }
 
-    /// The key from which the way of the line per turn follows, where it is the same everywhere.
+    /// Returns the key from which the linear travel per turn follows, if that is constant.
     fn travel(&self) -> Option<&dyn Field> {
         None
     }
 
-    /// The key from which follows how far the load moves with a turn, if a single one does.
+    /// Returns the key from which the travel of the load per turn follows, if it is a single one.
     fn gearing(&self) -> Option<&dyn Field> {
         self.travel()
     }
 
-    /// Its solid bodies; `None` where it turns something else.
+    /// Returns its solid bodies; `None` for other loads.
     fn bodies(&self) -> Option<&[BodySection]> {
         None
     }
 
-    /// Whether its torque is recorded with the motion, so that friction and losses are in it.
+    /// Returns `true` if its torque is recorded with the motion, including friction and losses.
     fn torque_is_recorded(&self) -> bool {
         false
     }
 
-    /// What loads the flange; `None` where no loads follow.
+    /// Returns the part that loads the flange; `None` if no loads follow.
     fn on_flange(&self) -> Option<OnFlange<'_>> {
         None
     }
 
-    /// The keys of `[bearing]` from which its loads on the flange follow.
+    /// Returns the keys of `[bearing]` from which its loads on the flange follow.
     fn flange_keys<'b>(&self, bearing: &'b Bearing) -> Vec<&'b dyn Field> {
         match self.on_flange() {
             Some(OnFlange::Bodies(_)) => vec![&bearing.overhang, &bearing.payload_overhang, &bearing.flange_share],
@@ -149,7 +149,7 @@ pub(crate) trait Driven: Fields {
 }
 
 section! {
-    /// What is moved, referred to the output.
+    /// Load inertia referred to the output.
     DirectLoad, LoadName of About::Load {
         inertia: MomentOfInertia => not_negative, needed;
         ..friction: Friction;
@@ -162,7 +162,7 @@ impl Driven for DirectLoad {
     }
 }
 
-/// Reports what is wrong with the lengths and angles of a mechanism, all of it.
+/// Reports every fault of the lengths and angles of a mechanism.
 fn sound(section: &impl Fields, faults: Vec<Geometry>, reader: &mut Reader<'_>) -> Option<()> {
     let is_sound = faults.is_empty();
     for fault in faults {
@@ -172,7 +172,7 @@ fn sound(section: &impl Fields, faults: Vec<Geometry>, reader: &mut Reader<'_>) 
     is_sound.then_some(())
 }
 
-/// What is moved, and where it stands when the motion begins.
+/// The load, and its position at the start of the motion.
 pub(crate) struct Load {
     pub(crate) mechanism: Mechanism,
     pub(crate) start: Option<Angle>,
@@ -181,7 +181,7 @@ pub(crate) struct Load {
 }
 
 impl Parts {
-    /// Every load that is stated: `[load]` and the tables of `[mechanism]`, in the order of the file.
+    /// Returns every stated load: `[load]` and the tables of `[mechanism]`, in the order of the file.
     fn loads(&self) -> Vec<&dyn Driven> {
         let direct = self.load.get().map(|load| load as &dyn Driven);
         let mut through: Vec<&dyn Driven> = self.mechanism.get().into_iter().flat_map(Mechanisms::given).collect();
@@ -189,7 +189,7 @@ impl Parts {
         direct.into_iter().chain(through).collect()
     }
 
-    /// The load: `[load]`, or the table of the mechanism.
+    /// Returns the load: `[load]`, or the table of the mechanism.
     pub(crate) fn driven(&self) -> Option<&dyn Driven> {
         self.loads().into_iter().next()
     }
@@ -200,7 +200,7 @@ pub(crate) fn load(parts: &Parts, reader: &mut Reader<'_>) -> Option<Load> {
     match parts.loads().as_slice() {
         [driven] => build(*driven, reader),
         [] => {
-            // A load that is there but faulty is reported already, and one that could not be read may be there.
+            // A faulty load has been reported already, and a load that could not be read may be present.
             let misread = |all: &Mechanisms| all.head().has_strays || all.fields().iter().any(|each| each.is_written());
             let there = parts.load.is_written() || parts.mechanism.get().is_some_and(misread);
             if !there && !reader.is_damaged() {
@@ -230,7 +230,7 @@ fn build(driven: &dyn Driven, reader: &mut Reader<'_>) -> Option<Load> {
     Some(Load { mechanism, start, force })
 }
 
-/// Defaults about the load that the file leaves open.
+/// Adds the defaults about the load that the file leaves open.
 pub(crate) fn assumptions(driven: &dyn Driven, found: &mut Vec<Assumption>) {
     if let Some(friction) = driven.friction() {
         let mut fields: Vec<&dyn Field> = vec![&friction.friction_torque, &friction.viscous_friction];

@@ -1,4 +1,4 @@
-//! The segments of the motion: their keys, the laws with those that belong to each, and the motion at the output.
+//! Segments of the motion: their keys, the laws with their keys, and the motion at the output.
 
 use crate::about::About;
 use crate::flange::{FlangeLoads, needs};
@@ -62,10 +62,10 @@ section! {
     }
 }
 
-/// Word, law, keys that it needs, keys that it may have besides those of every segment.
+/// Word, law, required keys, optional keys in addition to those of every segment.
 type LawLine = (&'static str, SegmentLaw, &'static [&'static str], &'static [&'static str]);
 
-/// Any two of these determine a move from rest to rest.
+/// Keys of which any two determine a move from rest to rest.
 const MOVE: &[&str] = names!(Segment: distance time speed acceleration);
 const MOVE_ON: &[&str] = names!(Segment: distance time speed acceleration end_speed);
 
@@ -81,7 +81,7 @@ const LAWS: [LawLine; 14] = [
     ("modified_trapezoid", SegmentLaw::Law(Law::ModifiedTrapezoid), &[], MOVE),
     ("simple_sine", SegmentLaw::Law(Law::SimpleSine), &[], MOVE),
     ("inclined_sine", SegmentLaw::Law(Law::InclinedSine), &[], MOVE),
-    // VDI 2143 calls the triangle so.
+    // VDI 2143 uses this name for the triangle.
     ("parabola", SegmentLaw::Law(Law::Triangle), &[], MOVE),
     ("constant", SegmentLaw::Law(Law::Constant), names!(Segment: speed), names!(Segment: time distance)),
     ("dwell", SegmentLaw::Dwell, names!(Segment: time), names!(Segment: hold)),
@@ -107,7 +107,7 @@ impl OfKinds for Segment {
     };
 }
 
-/// What a segment follows.
+/// Law of a segment.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum SegmentLaw {
     /// A law of motion.
@@ -123,18 +123,18 @@ pub enum SegmentLaw {
 }
 
 impl SegmentLaw {
-    /// The identifier used in project files and data exchange.
+    /// Returns the identifier used in project files and data exchange.
     #[must_use]
     pub fn id(self) -> &'static str {
         LAWS.iter().find(|(_, law, ..)| *law == self).map_or("", |(word, ..)| word)
     }
 
-    /// Every law, in the order of the project file.
+    /// Iterates over every law, in the order of the project file.
     pub fn all() -> impl Iterator<Item = Self> {
         LAWS.iter().filter(|(word, law, ..)| law.id() == *word).map(|(_, law, ..)| *law)
     }
 
-    /// Whether a move by it can be made longer in time and way by its keys.
+    /// Returns `true` if a move by this law can be stretched in time and distance by its keys.
     #[must_use]
     pub fn stretches(self) -> bool {
         let needed = LAWS.iter().find(|(_, law, ..)| *law == self).map_or(&[][..], |(_, _, needed, _)| needed);
@@ -142,8 +142,8 @@ impl SegmentLaw {
         needed.iter().all(grows)
     }
 
-    /// A move by it over one radian in one second, from rest to rest where it has an end, for its picture; none of a
-    /// recording. Limited jerk is shown in thirds, the manual's move with a pause of the length of its run and ramps.
+    /// Returns a move of one radian in one second, from rest to rest if the law allows it, for its picture; `None` for
+    /// a recording. Limited jerk is shown in thirds, the manual's move with a pause of the length of its run and ramps.
     #[must_use]
     pub fn sample(self) -> Option<SegmentSpec> {
         let second = Time::from_si;
@@ -180,7 +180,7 @@ impl SegmentLaw {
         }
     }
 
-    /// What a word of the project file names; the quadratic parabola of VDI 2143 is the triangle.
+    /// Returns the law of a word of the project file; the quadratic parabola of VDI 2143 is the triangle.
     #[must_use]
     pub fn of_id(id: &str) -> Option<Self> {
         LAWS.iter().find(|(word, ..)| *word == id).map(|(_, law, ..)| *law)
@@ -188,7 +188,7 @@ impl SegmentLaw {
 }
 
 impl Project {
-    /// The law of a segment, counted from zero.
+    /// Returns the law of a segment, counted from zero.
     #[must_use]
     pub fn law(&self, segment: usize) -> Option<SegmentLaw> {
         self.root.segments().get(segment)?.law.value()
@@ -214,13 +214,13 @@ impl Choice for SegmentLaw {
 
 choice! { SegmentLaw }
 
-/// What is permitted of gaps between the samples of a recording.
+/// Permission of gaps between the samples of a recording.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Gaps {
     Allow,
 }
 
-/// What holds at both ends of a cam table.
+/// Conditions at both ends of a cam table.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum CamEnds {
     Rest,
@@ -229,7 +229,7 @@ pub(crate) enum CamEnds {
     Stated,
 }
 
-/// A point of a cam table: an instant or an angle of the master, and the position there.
+/// A point of a cam table: a time or an angle of the master, and the position there.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct CamPoint([Cell; 2]);
 
@@ -250,7 +250,7 @@ impl Row for CamPoint {
 }
 
 impl CamPoint {
-    /// What its columns measure.
+    /// Returns the dimensions of its columns.
     fn measures(&self) -> [Dimension; 2] {
         self.0.map(|(dimension, _)| dimension)
     }
@@ -265,24 +265,25 @@ choices! {
 }
 
 impl Segment {
-    /// Whether it is a trapezoid that two quantities determine.
+    /// Returns `true` if it is a trapezoid that two quantities determine.
     fn has_thirds(&self) -> bool {
         let stated: [&dyn Field; 4] = [&self.distance, &self.time, &self.speed, &self.acceleration];
         let is_trapezoid = self.law.value() == Some(SegmentLaw::Law(Law::Trapezoid));
         is_trapezoid && stated.iter().filter(|field| field.is_given()).count() == 2
     }
 
-    /// Whether its torque is recorded.
+    /// Returns `true` if its torque is recorded.
     fn has_torque(&self) -> bool {
         self.recording().is_some_and(|read| read.recording.torque.is_some())
     }
 
-    /// Whether it states its motion along the line of the mechanism.
+    /// Returns `true` if it states its motion along the line of the mechanism.
     fn is_along_a_line(&self) -> bool {
         self.fields().iter().any(|field| field.is_of_a_line())
     }
 
-    /// The fields that the largest speed of a move by a law follows from, which reaches its stated speed or not.
+    /// Returns the fields that decide the largest speed of a move by a law, depending on whether it reaches its stated
+    /// speed.
     pub(crate) fn speed_follows_from(&self, reaches_its_speed: bool) -> Vec<&dyn Field> {
         let all: Vec<&dyn Field> = match self.law.value() {
             Some(SegmentLaw::Recorded) => vec![&self.file],
@@ -296,7 +297,7 @@ impl Segment {
         all.into_iter().filter(|field| field.is_given()).collect()
     }
 
-    /// The place of the value that a fault is about.
+    /// Returns the place of the value that a fault is about.
     fn place(&self, fault: &MoveFault) -> Span<usize> {
         match fault {
             MoveFault::NoTimeToChangeSpeed { braking: true } => self.brake.span(),
@@ -328,7 +329,7 @@ impl Segment {
         }
     }
 
-    /// What it is at the output; `travel`: way along the line per angle [m/rad], where the mechanism has one.
+    /// Returns the segment at the output; `travel`: linear travel per angle \[m/rad\] of a linear mechanism.
     fn spec(&self, travel: Option<f64>, reader: &mut Reader<'_>) -> Option<SegmentSpec> {
         let before = reader.fault_count();
         let given = Given {
@@ -353,12 +354,13 @@ impl Segment {
             SegmentLaw::Points => self.through_points(given.end_speed, travel, reader).map(SegmentSpec::Points),
             SegmentLaw::Recorded => crate::recorded::motion(self, travel, reader).map(SegmentSpec::Recorded),
             SegmentLaw::Dwell => Some(SegmentSpec::Dwell(given.time?, self.hold())),
-            // A value that was refused is reported; without it the move would only seem undetermined.
+            // A refused value has been reported; without it the move would only appear undetermined.
             SegmentLaw::Law(law) => self.is_whole().then_some(SegmentSpec::Move(law, given)),
         }
     }
 
-    /// The spline through its points; all that is wrong with them is reported, with the ends that the spline needs.
+    /// Builds the spline through its points; reports all of their faults, with the end conditions that the spline
+    /// needs.
     fn through_points(
         &self,
         end_speed: Option<AngularVelocity>,
@@ -402,7 +404,7 @@ impl Segment {
         if rows.iter().any(|(point, _)| Some(point.measures()) != measures) {
             return None;
         }
-        // Without them the points are judged in their own units.
+        // Without them the points are checked in their own units.
         let per_second = self.master_speed.value().filter(|_| over_master).map_or(1.0, Measure::si);
         let per_turn = travel.filter(|_| along_a_line).unwrap_or(1.0);
         let points: Vec<(Time, Angle)> = rows
@@ -411,7 +413,7 @@ impl Segment {
                 (Time::from_si(over / per_second), Angle::from_si(position / per_turn))
             })
             .collect();
-        // What the spline needs of the points is reported without its keys too.
+        // Requirements of the spline on the points are reported without its keys too.
         match Points::new(&points, spline.unwrap_or(Spline::Cubic), ends.unwrap_or(Ends::Rest)) {
             Ok(found) if spline.is_some() && ends.is_some() && reader.fault_count() == before => Some(found.into()),
             Ok(_) => None,
@@ -429,7 +431,7 @@ impl Segment {
         }
     }
 
-    /// Reports speeds and accelerations at the ends that are missing, or that spline and ends do not have.
+    /// Reports speeds and accelerations at the ends that are missing or that spline and ends do not use.
     fn end_keys(&self, spline: Option<Spline>, ends: Option<CamEnds>, reader: &mut Reader<'_>) {
         let Some(ends) = ends else { return };
         let fields: [(&dyn Field, bool); 4] = [
@@ -456,7 +458,7 @@ impl Segment {
     }
 }
 
-/// A quantity at the output.
+/// Converts a quantity to the output.
 pub(crate) fn turned<Q: Turning>(stated: &Stated<Along<Q>>, travel: Option<f64>, reader: &mut Reader<'_>) -> Option<Q> {
     let along = stated.value()?;
     match (along.is_of_a_line, travel) {
@@ -469,7 +471,7 @@ pub(crate) fn turned<Q: Turning>(stated: &Stated<Along<Q>>, travel: Option<f64>,
     }
 }
 
-/// Motion and what each segment adds to the load.
+/// Builds the motion, and the loads that each segment adds.
 pub(crate) fn motion(axis: &AxisSection, load: &Load, reader: &mut Reader<'_>) -> Option<(Motion, Vec<Extra>)> {
     let segments = axis.parts.motion.get()?.0.as_slice();
     let travel = load.mechanism.travel_m_per_rad();
@@ -516,11 +518,11 @@ pub(crate) fn motion(axis: &AxisSection, load: &Load, reader: &mut Reader<'_>) -
     }
 }
 
-/// The segments in which the motion leaves the range of the mechanism.
+/// Returns the segments in which the motion leaves the range of the mechanism.
 fn beyond_range(mechanism: &Mechanism, motion: &Motion) -> Vec<(usize, Fault)> {
     let Some((low, high)) = mechanism.range_rad() else { return Vec::new() };
     let ratio = mechanism.stage_ratio();
-    // Where a segment begins is where the one before it ends.
+    // A segment begins at the end of the one before it.
     let first = motion.pieces().first().map(|piece| (piece.segment, piece.at(0.0).position_rad));
     let of_pieces = motion.pieces().iter().filter(|piece| !piece.is_rest()).flat_map(|piece| {
         let turns = piece.reversals().into_iter().chain([piece.duration_s]);
@@ -531,7 +533,7 @@ fn beyond_range(mechanism: &Mechanism, motion: &Motion) -> Vec<(usize, Fault)> {
         .iter()
         .flat_map(|placed| placed.recorded.position_rad().iter().map(|q| (placed.segment, q + placed.offset_rad)));
     let mut found: Vec<(usize, f64)> = Vec::new();
-    // The last turn may end where the range does, up to rounding.
+    // The last turn may end at the end of the range, up to rounding.
     let slack = 1e-9 * (1.0 + low.abs().min(high.abs()));
     for (segment, q) in first.into_iter().chain(of_pieces).chain(of_recordings) {
         let excess = |q: f64| (low - q).max(q - high);
@@ -551,7 +553,7 @@ fn beyond_range(mechanism: &Mechanism, motion: &Motion) -> Vec<(usize, Fault)> {
     found.into_iter().map(fault).collect()
 }
 
-/// A payload that nothing carries and a force along no line would be left out in silence: they are refused.
+/// Reports a payload that no part carries and a force without a line, which would otherwise be ignored silently.
 fn without_effect(segment: &Segment, load: &Load, reader: &mut Reader<'_>) {
     let Effects { payload: carries, payload_inertia: turns, process_force: has_line } = load.mechanism.effects();
     let of_payload = if turns { "payload_inertia, or payload_distance" } else { "process_torque" };
@@ -566,7 +568,7 @@ fn without_effect(segment: &Segment, load: &Load, reader: &mut Reader<'_>) {
     }
 }
 
-/// Defaults about the motion that the file leaves open.
+/// Adds the defaults about the motion that the file leaves open.
 pub(crate) fn assumptions(axis: &AxisSection, driven: Option<&dyn Driven>, found: &mut Vec<Assumption>) {
     let segments = axis.segments();
     if segments.iter().any(Segment::has_thirds) {

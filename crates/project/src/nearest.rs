@@ -1,10 +1,10 @@
-//! What was probably meant by a name that is not valid.
+//! Nearest valid names of an invalid one.
 
 use crate::Hint;
 use crate::key::{Key, Kind};
 use crate::read::{WORD_SHOWN, shortened};
 
-/// What others call what is a key here: other programs, and engineers who write German.
+/// Other names of keys: those of other programs, and German ones.
 const OTHER_NAMES: [(&str, &str); 16] = [
     ("angle", "distance"),
     ("stroke", "distance"),
@@ -24,7 +24,7 @@ const OTHER_NAMES: [(&str, &str); 16] = [
     ("voltage", "supply"),
 ];
 
-/// The key that an unknown one stands for: by another name, or as the word of a key such as `dwell` of `law`.
+/// Returns the key that an unknown one stands for: by another name, or as the value of a key such as `dwell` of `law`.
 pub(crate) fn meant(written: &str, keys: &'static [Key]) -> Option<Hint> {
     let written = written.to_lowercase();
     let other = OTHER_NAMES.iter().find(|(name, _)| *name == written);
@@ -35,10 +35,10 @@ pub(crate) fn meant(written: &str, keys: &'static [Key]) -> Option<Hint> {
     keys.iter().find(has).map(|key| Hint::DidYouMean(format!("{} = \"{written}\"", key.name)))
 }
 
-/// "did you mean …", or the whole list where nothing is near.
+/// Returns "did you mean …", or the whole list if no name is near.
 pub(crate) fn nearest(written: &str, valid: &[&str]) -> Hint {
     let written = shortened(written, WORD_SHOWN);
-    // A word that was cut short or spun out is nearer than its count of letters says.
+    // An abbreviated or extended word is nearer than its number of letters suggests.
     let akin = valid
         .iter()
         .find(|name| written.len() >= 3 && (name.starts_with(written.as_str()) || written.starts_with(**name)));
@@ -60,7 +60,7 @@ pub(crate) fn nearest(written: &str, valid: &[&str]) -> Hint {
 mod tests {
     use crate::{Hint, Project};
 
-    /// What others call a key, and the word of a law in the place of `law`, lead to what is meant.
+    /// Requires that other names of a key, and the word of a law in the place of `law`, lead to the intended key.
     #[test]
     fn an_unknown_key_leads_to_what_is_meant() {
         let hints = |line: &str| {
@@ -75,7 +75,7 @@ mod tests {
         assert!(of_dwell.contains(&meant("law = \"dwell\"")), "{of_dwell:?}");
         let is_list = |hint: &Hint| matches!(hint, Hint::ValidAre(words) if words.iter().any(|word| word == "dwell"));
         assert!(of_dwell.iter().any(is_list), "{of_dwell:?}");
-        // A name that means nothing in this table is still one of the list.
+        // A name without a meaning in this table is still in the list.
         assert!(hints("voltage = \"560 V\"").iter().all(|hint| !matches!(hint, Hint::DidYouMean(_))));
     }
 }

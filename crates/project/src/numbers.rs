@@ -8,7 +8,7 @@ use toml::Spanned;
 use toml::de::DeValue;
 
 impl Reader<'_> {
-    /// What stands at a place as a plain number within bounds.
+    /// Returns the value at a place as a plain number within bounds.
     pub(crate) fn bounded(
         &mut self,
         value: &DeValue<'_>,
@@ -28,7 +28,7 @@ impl Reader<'_> {
         number
     }
 
-    /// Plain numbers within bounds.
+    /// Returns plain numbers within bounds.
     pub(crate) fn numbers(&mut self, found: &Found<'_, '_>) -> Option<Vec<f64>> {
         let (Kind::Numbers(low, high, most), DeValue::Array(items)) = (found.key.kind, found.value) else {
             return self.wrong_type(found);

@@ -1,4 +1,4 @@
-//! An actuator that the catalogue lacks.
+//! An actuator that is not in the catalogue.
 
 use crate::about::About;
 use crate::curves::{CURVE, curve};
@@ -16,14 +16,14 @@ use quantities::{
 /// An actuator that the user describes.
 #[derive(Clone, Debug)]
 pub struct OwnActuator {
-    /// Its name.
+    /// Name.
     pub name: String,
-    /// What is known of it.
+    /// Known parameters.
     pub parameters: Parameters,
 }
 
 section! {
-    /// An actuator that the catalogue lacks.
+    /// An actuator that is not in the catalogue.
     ActuatorSection, ActuatorName of About::Actuator {
         name: String => needed;
         ratio: f64 => within(1.0, 10_000.0), example("50");
@@ -56,7 +56,7 @@ section! {
     }
 }
 
-/// The temperatures in the names of the keys `no_load_current_constant_30` and `no_load_current_constant_80`.
+/// Temperatures in the names of the keys `no_load_current_constant_30` and `no_load_current_constant_80`.
 const NAMED_CELSIUS: [f64; 2] = [30.0, 80.0];
 
 fn celsius(temperature: f64) -> ThermodynamicTemperature {
@@ -111,7 +111,7 @@ impl ActuatorSection {
     }
 }
 
-/// A value that the user wrote: graded as published, since it stands in some document of the user's.
+/// Returns a value of the user with its source: graded as published, since it is taken from a document of the user.
 pub(crate) fn sourced<T>(field: &dyn Field, value: T) -> Sourced<T> {
     Sourced { value, source: Source::Project { key: field.path().into() }, grade: Grade::Published, errata: &[] }
 }

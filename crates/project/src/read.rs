@@ -1,4 +1,4 @@
-//! Reads a project file against its description and reports every fault at once.
+//! Reader of a project file by its description; reports every fault at once.
 
 use crate::bodies::BodySection;
 use crate::inputs::Input;
@@ -20,31 +20,31 @@ pub(crate) const WORD_SHOWN: usize = 60;
 /// Longest free text.
 const TEXT_MAX: usize = 200;
 
-/// Magnitudes that a machine can have, in SI: from here products and powers of them stay finite.
+/// Magnitudes that a machine can have, in SI; their products and powers stay finite.
 pub(crate) const MAGNITUDES: std::ops::RangeInclusive<f64> = 1e-12..=1e12;
 
-/// Most moves in one cycle, and most points of a curve.
+/// Largest number of moves in one cycle, and of points of a curve.
 const LIST_MAX: usize = 10_000;
 
 /// A value of the file with its key.
 pub(crate) struct Found<'v, 'd> {
     pub(crate) value: &'v DeValue<'d>,
-    /// Its place in the file, in bytes.
+    /// Place in the file, in bytes.
     pub(crate) span: Span<usize>,
     pub(crate) key: &'static Key,
-    /// Its path: `motion[2].speed`.
+    /// Path: `motion[2].speed`.
     pub(crate) path: &'v str,
 }
 
 pub(crate) struct Reader<'t> {
     pub(crate) text: &'t str,
     pub(crate) faults: Vec<Diagnostic>,
-    /// The tolerances in the order in which they were read, each under its path in the file.
+    /// Tolerances in the order in which they were read, each under its path in the file.
     pub(crate) tolerances: Vec<Tolerance>,
-    /// Every accepted value, if requested.
+    /// Accepted values, if requested.
     pub(crate) inputs: Option<Vec<Input>>,
     damaged: bool,
-    /// How many faults there are beyond those that are kept.
+    /// Number of faults beyond those that are kept.
     more: usize,
 }
 
@@ -56,7 +56,7 @@ impl<'t> Reader<'t> {
         Self { text, faults: Vec::new(), tolerances: Vec::new(), inputs: None, damaged: false, more: 0 }
     }
 
-    /// A reader of a file that is not too large.
+    /// Creates a reader of a file that is not too large.
     pub(crate) fn of_file(text: &'t str) -> Result<Self, Vec<Diagnostic>> {
         if text.len() > PROJECT_MAX_BYTES {
             let fault = Fault::FileTooLarge { bytes: text.len(), most: PROJECT_MAX_BYTES };
@@ -76,17 +76,17 @@ impl<'t> Reader<'t> {
         self.section(root.get_ref(), 0..0, "")
     }
 
-    /// Whether the syntax had errors, so that what seems missing may be there.
+    /// Returns `true` if the syntax had errors, so that keys that seem missing may be present.
     pub(crate) const fn is_damaged(&self) -> bool {
         self.damaged
     }
 
-    /// Number of faults reported so far.
+    /// Returns the number of faults reported so far.
     pub(crate) const fn fault_count(&self) -> usize {
         self.faults.len() + self.more
     }
 
-    /// The faults, with a last one that counts those not listed.
+    /// Returns the faults, with a last one that counts those not listed.
     pub(crate) fn into_faults(mut self) -> Vec<Diagnostic> {
         self.faults.sort_by_key(|fault| (fault.span.start, fault.span.end));
         self.faults.dedup();
@@ -120,7 +120,7 @@ impl<'t> Reader<'t> {
         for (name, value) in table {
             let Some(key) = keys.iter().find(|key| key.name == name.get_ref().as_ref()) else {
                 section.head_mut().has_strays = true;
-                // In a damaged file the key may stand under a head that could not be read.
+                // In a damaged file the key may belong to a heading that could not be read.
                 if !self.damaged {
                     self.unknown_key(name, keys, path);
                 }
@@ -133,9 +133,9 @@ impl<'t> Reader<'t> {
         }
     }
 
-    /// Reports the keys that a table must have and has not.
+    /// Reports the missing required keys of a table.
     fn missing(&mut self, table: &DeTable<'_>, span: &Span<usize>, keys: &'static [Key], path: &str) {
-        // In a damaged file a missing key may stand in the part that could not be read.
+        // In a damaged file a missing key may be in the part that could not be read.
         if self.damaged {
             return;
         }
@@ -167,7 +167,7 @@ impl<'t> Reader<'t> {
         (self.faults.len() < FAULTS_MOST).then(|| nearest(written, valid))
     }
 
-    /// What stands there is of another type than its key.
+    /// Reports a value of another type than its key has.
     pub(crate) fn wrong_type<T>(&mut self, found: &Found<'_, '_>) -> Option<T> {
         let (expected, written) = (found.key.kind.expected(), found.value.type_str());
         let fault = Fault::WrongType { path: found.path.to_owned(), expected, found: written };
@@ -180,7 +180,7 @@ impl<'t> Reader<'t> {
         None
     }
 
-    /// A quantity in SI, of the rotation or of the line where its key has both.
+    /// Returns a quantity in SI, rotational or linear if its key allows both.
     pub(crate) fn quantity_of(&mut self, found: &Found<'_, '_>) -> Option<Cell> {
         let (dimensions, range): (&[Dimension], Range) = match found.key.kind {
             Kind::Quantity(dimension, range) => (&[dimension], range),
@@ -201,7 +201,7 @@ impl<'t> Reader<'t> {
         }
     }
 
-    /// A plain number within bounds.
+    /// Returns a plain number within bounds.
     pub(crate) fn number(&mut self, found: &Found<'_, '_>) -> Option<f64> {
         let (Kind::Number(low, high), DeValue::Integer(_) | DeValue::Float(_)) = (found.key.kind, found.value) else {
             return self.wrong_type(found);
@@ -209,7 +209,7 @@ impl<'t> Reader<'t> {
         self.bounded(found.value, found.span.clone(), found.path, (low, high))
     }
 
-    /// A whole number within bounds.
+    /// Returns a whole number within bounds.
     pub(crate) fn integer(&mut self, found: &Found<'_, '_>) -> Option<u32> {
         let (Kind::Integer(low, high), DeValue::Integer(number)) = (found.key.kind, found.value) else {
             return self.wrong_type(found);
@@ -224,7 +224,7 @@ impl<'t> Reader<'t> {
         number
     }
 
-    /// Free text of bounded length.
+    /// Returns free text of bounded length.
     pub(crate) fn free_text(&mut self, found: &Found<'_, '_>) -> Option<String> {
         let DeValue::String(text) = found.value else { return self.wrong_type(found) };
         if text.chars().count() > TEXT_MAX {
@@ -237,7 +237,7 @@ impl<'t> Reader<'t> {
         Some(text.to_string())
     }
 
-    /// One of a fixed set of words.
+    /// Returns one of a fixed set of words.
     pub(crate) fn choice<W: Choice>(&mut self, found: &Found<'_, '_>) -> Option<W> {
         let DeValue::String(text) = found.value else { return self.wrong_type(found) };
         self.word(text, found.span.clone(), found.path)
@@ -253,7 +253,7 @@ impl<'t> Reader<'t> {
         choice
     }
 
-    /// Several words of a fixed set; what is none of them is reported and left out.
+    /// Returns several words of a fixed set; other words are reported and left out.
     pub(crate) fn choices<W: Choice>(&mut self, found: &Found<'_, '_>) -> Option<Vec<W>> {
         let DeValue::Array(items) = found.value else { return self.wrong_type(found) };
         let mut list = Vec::new();
@@ -266,12 +266,12 @@ impl<'t> Reader<'t> {
         Some(list)
     }
 
-    /// An entry of a list is of another type than the list.
+    /// Reports an entry of another type than the list has.
     fn of_another_type(&mut self, path: &str, span: Span<usize>, expected: Expected, found: &DeValue<'_>) {
         self.fault(span, Fault::WrongType { path: path.to_owned(), expected, found: found.type_str() }, None);
     }
 
-    /// A table.
+    /// Reads a table.
     pub(crate) fn table<S: Section>(&mut self, found: &Found<'_, '_>) -> Option<S> {
         match found.value {
             DeValue::Table(table) => Some(self.section(table, found.span.clone(), found.path)),
@@ -279,8 +279,8 @@ impl<'t> Reader<'t> {
         }
     }
 
-    /// A quantity of one of several dimensions, in SI; a unit of none is reported against the one that is nearest. `path` is
-    /// that of the key, `place` that of the value.
+    /// Returns a quantity of one of several dimensions, in SI; another unit is reported for the dimension with the
+    /// nearest one. `path` is that of the key, `place` that of the value.
     pub(crate) fn quantity(
         &mut self,
         (text, span): (&str, Span<usize>),
@@ -315,7 +315,7 @@ impl<'t> Reader<'t> {
         }
     }
 
-    /// Notes a tolerance whose both ends are values that may stand here; `None` where they may not.
+    /// Records a tolerance if both of its ends are permissible values; `None` if they are not.
     fn tolerance(
         &mut self,
         reading: &Reading,
@@ -325,7 +325,7 @@ impl<'t> Reader<'t> {
         path: &str,
         (dimension, range): (Dimension, Range),
     ) -> Option<()> {
-        // Nothing is toleranced by nothing.
+        // A tolerance of zero is ignored.
         let Some(half) = half.filter(|half| half.si > 0.0) else { return Some(()) };
         let span = self.inside(whole, text, half.span);
         for end in [reading.si - half.si, reading.si + half.si] {
@@ -350,7 +350,7 @@ impl<'t> Reader<'t> {
         self.tolerances.push(tolerance);
     }
 
-    /// Refuses magnitudes that no machine has.
+    /// Reports magnitudes that no machine has.
     fn is_plausible(&mut self, si: f64, span: &Span<usize>, text: &str, path: &str) -> bool {
         let plausible = si == 0.0 || MAGNITUDES.contains(&si.abs());
         if !plausible {
@@ -361,7 +361,7 @@ impl<'t> Reader<'t> {
         plausible
     }
 
-    /// The place of a part of a string value in the file, where the string is written without escapes.
+    /// Returns the place of a part of a string value in the file, if the string is written without escapes.
     fn inside(&self, span: &Span<usize>, text: &str, part: Span<usize>) -> Span<usize> {
         let raw = self.text.get(span.clone()).unwrap_or_default();
         match raw.find(text) {
@@ -374,7 +374,7 @@ impl<'t> Reader<'t> {
         }
     }
 
-    /// An array of tables; with `variants` each is of one of several kinds.
+    /// Reads an array of tables; with `variants` each is of one of several kinds.
     pub(crate) fn tables<S: Section>(
         &mut self,
         found: &Found<'_, '_>,
@@ -397,7 +397,7 @@ impl<'t> Reader<'t> {
         Some(sections)
     }
 
-    /// The entries of a list, if there are not too many.
+    /// Returns the entries of a list, if there are not too many.
     fn items<'v, 'd>(&mut self, found: &Found<'v, 'd>) -> Option<&'v DeArray<'d>> {
         let DeValue::Array(items) = found.value else { return self.wrong_type(found) };
         if items.len() > LIST_MAX {
@@ -407,7 +407,7 @@ impl<'t> Reader<'t> {
         Some(items)
     }
 
-    /// Solid bodies, one text each; a fault is reported at the text that has it.
+    /// Reads solid bodies, one text each; a fault is reported at its text.
     pub(crate) fn bodies(&mut self, found: &Found<'_, '_>) -> Option<Vec<BodySection>> {
         let (items, path, span) = (self.items(found)?, found.path, &found.span);
         let mut lines: Vec<(&str, Span<usize>)> = Vec::new();
@@ -447,7 +447,7 @@ impl<'t> Reader<'t> {
         }
     }
 
-    /// The keys of a table must be those of its kind.
+    /// Checks that the keys of a table are those of its kind.
     fn variant(&mut self, table: &DeTable<'_>, span: Span<usize>, variants: &Variants, path: &str) {
         let find = |name: &str| table.iter().find(|(key, _)| key.get_ref().as_ref() == name);
         let Some(kind) = find(variants.by).and_then(|(_, value)| value.get_ref().as_str()) else { return };
@@ -480,7 +480,7 @@ impl<'t> Reader<'t> {
         }
     }
 
-    /// Rows of quantities.
+    /// Reads rows of quantities.
     pub(crate) fn rows<P: Row>(&mut self, found: &Found<'_, '_>) -> Option<Vec<(P, Span<usize>)>> {
         let (items, path, columns) = (self.items(found)?, found.path, P::COLUMNS);
         let mut rows = Vec::new();
@@ -509,8 +509,8 @@ impl<'t> Reader<'t> {
     }
 }
 
-/// Which of several quantities a text states: where it states none of them, the one with a unit that is spelt nearly so, else
-/// the first.
+/// Returns the dimension that a text states; if it states none of them, the one with a similarly spelt unit, else the
+/// first.
 fn one_of(dimensions: &[Dimension], text: &str) -> Option<Dimension> {
     if let [only] = dimensions {
         return Some(*only);
@@ -524,12 +524,12 @@ fn one_of(dimensions: &[Dimension], text: &str) -> Option<Dimension> {
     dimensions.iter().copied().min_by_key(distance)
 }
 
-/// A key within a table.
+/// Joins a path and a key.
 pub(crate) fn joined(path: &str, key: &str) -> String {
     if path.is_empty() { key.to_owned() } else { format!("{path}.{key}") }
 }
 
-/// The beginning of a text of the user.
+/// Returns the beginning of a text of the user.
 pub(crate) fn shortened(text: &str, most: usize) -> String {
     text.chars().take(most).collect()
 }

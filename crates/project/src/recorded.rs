@@ -1,4 +1,4 @@
-//! Recordings that a project file refers to: found, read and turned into motion at the output.
+//! Recordings that a project file refers to: located, read and converted to motion at the output.
 
 use crate::about::About;
 use crate::key::Kind;
@@ -22,10 +22,11 @@ use std::sync::atomic::AtomicBool;
 /// Longest excerpt of a unit in a fault, in characters.
 const UNIT_SHOWN: usize = 40;
 
-/// The word in `columns` for a role that no column has.
+/// Word in `columns` for a role that no column has.
 const NO_COLUMN: &str = "none";
 
-/// Bytes that a sample of a segment takes beside those of its recording: time, position, speed and torque at the output.
+/// Bytes of a sample of a segment in addition to those of its recording: time, position, speed and torque at the
+/// output.
 const SEGMENT_BYTES: u64 = 4 * 8;
 
 section! {
@@ -48,7 +49,7 @@ section! {
     }
 }
 
-/// The file of a recording, and what was read of it.
+/// File of a recording, and the recording.
 #[derive(Clone, Debug)]
 pub(crate) struct File {
     name: String,
@@ -68,64 +69,67 @@ impl Value for File {
 }
 
 impl Segment {
-    /// What was read of its recording.
+    /// Returns the recording that was read.
     pub(crate) fn recording(&self) -> Option<&RecordingRead> {
         self.file.get()?.read.as_ref()
     }
 }
 
-/// The files that a project refers to, handed in by the face.
+/// Access to the files that a project refers to, provided by the caller.
 pub trait Files {
-    /// Opens a file by the name that the project gives it. What is no regular file is refused, never waited for.
+    /// Opens a file by the name that the project gives it. A file that is not a regular one is refused, never waited
+    /// for.
     ///
     /// # Errors
-    /// What stands in the way.
+    /// The error of the system, or [`Unopened`](crate::fault::Unopened).
     fn open(&self, name: &str) -> std::io::Result<Box<dyn Read>>;
 
-    /// Its size in bytes, where that is known without reading it: what is too large is then not begun.
+    /// Returns its size in bytes, if that is known without reading it; a file that is too large is then not read at
+    /// all.
     fn size(&self, _name: &str) -> Option<u64> {
         None
     }
 
-    /// A flag that the caller sets once it no longer waits: reading ends then.
+    /// Returns a flag that the caller sets to cancel the reading.
     fn cancelled(&self) -> Option<Arc<AtomicBool>> {
         None
     }
 
-    /// What a project is allowed.
+    /// Returns the permissions of a project.
     fn grant(&self) -> Grant {
         Grant::default()
     }
 }
 
-/// What a project is allowed when it refers to files.
+/// Permissions of a project for files that it refers to.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Grant {
     /// Bytes of memory for all recordings of the project.
     pub memory: u64,
-    /// Where the files may lie.
+    /// Permissible folders.
     pub reach: Reach,
 }
 
 impl Default for Grant {
-    /// The default memory, and only files next to the project: a caller for another user decides on more.
+    /// Returns the default memory, and access to files next to the project only: a caller that serves another user
+    /// decides on more.
     fn default() -> Self {
         Self { memory: MEMORY_USUAL, reach: Reach::Beside }
     }
 }
 
-/// Where the files of a project may lie. It is decided by the name alone; links are resolved by whatever
-/// opens the file.
+/// Permissible folders of the files of a project. The name alone decides; links are resolved when the file is opened.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Reach {
-    /// In the folder of the project and below it.
+    /// The folder of the project and those below it.
     Beside,
-    /// Anywhere.
+    /// Any folder.
     Anywhere,
 }
 
 impl Reach {
-    /// Whether a name stays within. What is a root, a drive or the way up on any system counts as such on all.
+    /// Returns `true` if a name stays within. A root, a drive or a parent folder of any system is refused on all of
+    /// them.
     #[must_use]
     pub fn admits(self, name: &str) -> bool {
         let is_plain = |part: &str| part != ".." && !part.contains([':', '\0']);
@@ -133,11 +137,12 @@ impl Reach {
     }
 }
 
-/// The endings of recordings, and those of packed ones behind them.
+/// Extensions of recordings; those of compressed ones follow them.
 pub const RECORDINGS: [&str; 5] = ["csv", "txt", "tsv", "parquet", "pq"];
 const PACKED: [&str; 5] = ["gz", "gzip", "zst", "zstd", "snappy"];
 
-/// Whether a path is that of a recording: with one of their endings, `run.csv`, `run.csv.gz`, and no hidden part.
+/// Returns `true` if a path is that of a recording: with one of the extensions, `run.csv`, `run.csv.gz`, and no hidden
+/// part.
 #[must_use]
 pub fn is_recording_name(name: &str) -> bool {
     let lower = name.to_ascii_lowercase();
@@ -148,7 +153,7 @@ pub fn is_recording_name(name: &str) -> bool {
         && !name.split(['/', '\\']).any(|part| part.starts_with('.'))
 }
 
-/// No files at all: a project that refers to one is refused.
+/// No access to files: a project that refers to one is refused.
 #[derive(Clone, Copy, Debug)]
 pub struct NoFiles;
 
@@ -161,18 +166,18 @@ impl Files for NoFiles {
 /// A recording with the name of its file.
 #[derive(Clone, Debug)]
 pub struct RecordingRead {
-    /// The name that the project gives.
+    /// Name in the project.
     pub file: String,
-    /// What was read.
+    /// Recording.
     pub recording: Arc<Recording>,
 }
 
-/// The recordings of a project: each is read once, however many segments and axes name it.
+/// Recordings of a project: each is read once, independent of the number of segments and axes that name it.
 pub(crate) struct Recordings<'f> {
     files: &'f dyn Files,
     reach: Reach,
     memory: Memory,
-    /// What was read, `None` where it was refused.
+    /// Recordings by file and layout; `None` for a refused one.
     read: Vec<(String, Layout, Option<Arc<Recording>>)>,
 }
 
@@ -203,7 +208,7 @@ impl<'f> Recordings<'f> {
             };
             let known = self.read.iter().find(|(file, by, _)| *file == name && *by == layout);
             let found = match known {
-                // A rejected file is reported where it was named first.
+                // A rejected file is reported at its first use.
                 Some((.., found)) => found.clone(),
                 None => {
                     let found =
@@ -239,25 +244,25 @@ impl<'f> Recordings<'f> {
         }
         let is_parquet = [".parquet", ".pq"].iter().any(|ending| name.to_ascii_lowercase().ends_with(ending));
         if is_parquet {
-            // Held as a whole it would need more than there is: then it is not begun.
+            // A file that would need more memory than is available as a whole is not begun.
             let whole = size.unwrap_or(0);
             self.memory.take(whole).map_err(refused)?;
             self.memory.give_back(whole);
         }
-        // The content says what it is, whatever the name: data frames are saved as `run.parquet.gzip`.
+        // The content decides the format, independent of the name: data frames are saved as `run.parquet.gzip`.
         let (content, source) = self.files.open(name).and_then(recording::opened).map_err(unopened)?;
         match content {
             Content::Parquet => {}
             Content::Foreign(format) => return Err(refused(recording::Fault::Foreign { format })),
             Content::Text | Content::Packed(_) => {
-                // A damaged file is known by its name.
+                // A damaged file is recognised by its name.
                 if !is_parquet {
                     let read = recording::read_csv_within(source, layout, &mut self.memory);
                     return read.map_err(|faults| unreadable(name, faults));
                 }
             }
         }
-        // The bytes of the file are held while it is read, and no more than there is memory for.
+        // The bytes of the file are in memory while it is read, within the limit.
         let held = size.unwrap_or(0);
         self.memory.take(held).map_err(refused)?;
         let most = self.memory.left().saturating_add(held).min(FILE_BYTES_MAX);
@@ -276,7 +281,7 @@ impl<'f> Recordings<'f> {
     }
 }
 
-/// The faults of a file that is no recording.
+/// Returns the faults of a file that is no recording.
 fn unreadable(name: &str, faults: Vec<recording::Fault>) -> Vec<Fault> {
     faults.into_iter().map(|fault| Fault::Recording { name: name.to_owned(), fault }).collect()
 }
@@ -310,14 +315,14 @@ fn layout(segment: &Segment, reader: &mut Reader<'_>) -> Layout {
     Layout { time, position, speed, torque, from, to, allow_gaps: segment.gaps.value() == Some(Gaps::Allow) }
 }
 
-/// The samples of the recording of a segment, if it is one.
+/// Returns the number of samples of the recording of a segment.
 pub(crate) fn samples(segment: &Segment) -> usize {
     segment.recording().map_or(0, |read| read.recording.time_s.len())
 }
 
-/// The recorded motion of a segment at the output; `None` where a fault stands in the way.
+/// Returns the recorded motion of a segment at the output; `None` after a fault.
 ///
-/// `travel`: way along the line per angle [m/rad], where the mechanism has one.
+/// `travel`: linear travel per angle \[m/rad\] of a linear mechanism.
 pub(crate) fn motion(segment: &Segment, travel: Option<f64>, reader: &mut Reader<'_>) -> Option<Arc<Recorded>> {
     let RecordingRead { file, recording } = segment.recording()?;
     let before = reader.fault_count();
@@ -366,7 +371,7 @@ pub(crate) fn motion(segment: &Segment, travel: Option<f64>, reader: &mut Reader
     }
 }
 
-/// What was taken for noise in the recordings of an axis, and what their resolution makes up.
+/// Adds the noise at rest in the recordings of an axis, and the apparent accelerations due to their resolution.
 pub(crate) fn assumptions(axis: &Axis, found: &mut Vec<Assumption>) {
     let nothing = Extra::none();
     let mut put = |each: Assumption| {
@@ -381,7 +386,7 @@ pub(crate) fn assumptions(axis: &Axis, found: &mut Vec<Assumption>) {
         if let Some(made_up) = placed.recorded.made_up() {
             let extra = axis.extras.get(placed.segment).unwrap_or(&nothing);
             let (first, _) = placed.recorded.ends_rad();
-            // The samples are those of the mechanism, the inertia is that at the output in front of a stage.
+            // The samples are those of the mechanism; the inertia is that at the output, before a stage.
             let at_output = made_up.acceleration_rad_s2 * axis.mechanism.stage_ratio().abs();
             let torque_nm = axis.mechanism.inertia(first + placed.offset_rad, extra).si() * at_output;
             put(Assumption::RecordedSteps(made_up, torque_nm));
@@ -397,7 +402,7 @@ mod tests {
 
     const TEXT: &str = "t [s],q [deg],M [Nm]\n0,0,1\n1,0,1\n2,0,1\n";
 
-    /// Files that all hold the same, counted as they are opened.
+    /// Files with equal content, counted as they are opened.
     struct Shelf {
         content: Vec<u8>,
         size: Option<u64>,
@@ -451,7 +456,7 @@ mod tests {
         let rows: String = (0..1000).map(|row| format!("{row},0\n")).collect();
         let text = format!("t [s],q [deg]\n{rows}");
         let with = |memory| Shelf::of(&text, Grant { memory, ..Grant::default() });
-        // 16 bytes a sample for the recording, 32 for each segment; 4096 samples are made room for at first.
+        // 16 bytes a sample for the recording, 32 for each segment; memory for 4096 samples is reserved at first.
         assert_eq!(faults(&["a.csv"; 2], &with(80_000)), []);
         let found = faults(&["a.csv"; 3], &with(80_000));
         assert!(
@@ -477,7 +482,7 @@ mod tests {
             );
             assert_eq!(*shelf.opened.borrow(), [""; 0]);
         }
-        // A Parquet file is held as a whole: one beyond the memory is not read either.
+        // A Parquet file is held in memory as a whole: one beyond the limit is not read.
         let grant = Grant { memory: 100, ..Grant::default() };
         let shelf = Shelf { size: Some(1000), ..Shelf::of(TEXT, grant) };
         let found = faults(&["a.parquet"], &shelf);

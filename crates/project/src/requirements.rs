@@ -1,4 +1,4 @@
-//! What the actuator must have.
+//! Requirements on the actuator.
 
 use crate::about::About;
 use crate::read::Reader;
@@ -15,14 +15,14 @@ use quantities::{
 };
 use sizing::{Asked, Axis, MainsPhases, MountingPosition, SpecialApplication, Supply, SupplyFrom};
 
-/// By this share of their nominal voltage mains vary unless the user says otherwise (IEC 60038: ± 10 %).
+/// Default deviation of the mains voltage as a share of the nominal one (IEC 60038: ± 10 %).
 const MAINS_DEVIATION: f64 = 0.1;
 
-/// Share of U_DC/√2 that a drive can use unless the user says otherwise: room for dead times and current control.
+/// Default share of U_DC/√2 that a drive can use, with room for dead times and current control.
 const MODULATION_RESERVE: f64 = 0.9;
 
 section! {
-    /// What the actuator must have.
+    /// Requirements on the actuator.
     RequirementsSection, RequirementsName of About::Requirements {
         feedback: Choices<Feedback>;
         brake: bool;
@@ -82,7 +82,7 @@ section! {
 }
 
 impl DriveSection {
-    /// What the check of the drive is judged by.
+    /// Sets the data of the drive for its check.
     pub(crate) fn apply(&self, axis: &mut Axis) {
         axis.asked.drive_current_continuous = self.current_continuous.value();
         axis.asked.drive_current_peak = self.current_peak.value();
@@ -90,7 +90,7 @@ impl DriveSection {
     }
 }
 
-/// The words of a field of the ordering code, each of the first series that has it.
+/// Words of a field of the ordering code, each of the first series that has it.
 macro_rules! words_of_the_code {
     ($($Choice:ident of $WORDS:ident),+) => {$(
         impl Choice for $Choice {
@@ -150,7 +150,7 @@ choices! {
 }
 
 impl RequirementsSection {
-    /// What the choice of an actuator must meet.
+    /// Returns the requirements on the choice of an actuator.
     pub(crate) fn build(&self) -> Requirements {
         Requirements {
             feedback: self.feedback.get().map(|all| all.0.clone()).unwrap_or_default(),
@@ -162,7 +162,7 @@ impl RequirementsSection {
         }
     }
 
-    /// The DC link.
+    /// Returns the DC link.
     fn link(&self) -> Option<Supply> {
         let (phases, deviation) = (self.phases(), self.mains_deviation());
         let of_mains = |nominal| SupplyFrom::Mains { phases, nominal, deviation };
@@ -174,7 +174,7 @@ impl RequirementsSection {
         self.mains_phases.value().unwrap_or(MainsPhases::Three)
     }
 
-    /// What holds of the DC link without a statement.
+    /// Returns the assumptions about the DC link.
     pub(crate) fn link_notes(&self) -> Vec<Assumption> {
         if !self.mains.is_given() {
             return self.supply.note().or_else(|| self.modulation_reserve.note()).into_iter().collect();
@@ -188,7 +188,7 @@ impl RequirementsSection {
         std::iter::once(rectifier).chain(self.modulation_reserve.note()).collect()
     }
 
-    /// Reports what contradicts.
+    /// Reports contradictions.
     pub(crate) fn check(&self, reader: &mut Reader<'_>) {
         if self.supply.is_given() && self.mains.is_given() {
             reader.fault(self.mains.span(), Fault::SupplyAndMains, None);
@@ -200,7 +200,7 @@ impl RequirementsSection {
         }
     }
 
-    /// What the checks are judged by.
+    /// Sets the limits of the checks.
     pub(crate) fn apply(&self, axis: &mut Axis) {
         axis.ambient = self.ambient.value();
         axis.supply = self.link();
@@ -239,7 +239,7 @@ impl RequirementsSection {
         };
     }
 
-    /// Reports an operation for which the life of the battery is not known.
+    /// Reports an operation for which the life of the battery is unknown.
     pub(crate) fn battery(&self, reader: &mut Reader<'_>) {
         let Some(operation) = self.operation_per_day.value() else { return };
         let battery = configurator::battery();

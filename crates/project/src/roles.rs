@@ -1,7 +1,7 @@
-//! Where in the file a value of an axis is stated.
+//! Places in the file at which the values of an axis are stated.
 //!
-//! The engine knows no key of a file: it names what it was given by a role, such as `load.inertia` or `motion.speed`. Here a
-//! role becomes the keys as they are written: `axis[2].mechanism.turntable.body`, `motion[1].distance, motion[1].time`.
+//! The engine does not use keys of a file: it names its inputs by roles, such as `load.inertia` or `motion.speed`. This
+//! module maps a role to the keys as written: `axis[2].mechanism.turntable.body`, `motion[1].distance, motion[1].time`.
 
 use crate::Project;
 use crate::mechanism::Driven;
@@ -11,20 +11,20 @@ use crate::stated::Field;
 use ::motion::{Hold, Solved};
 use quantities::{Measure, Time};
 
-/// What a value belongs to, where several segments have the like.
+/// Segment of a value, for roles that several segments have.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Within {
-    /// The segment that is under way at an instant of the cycle.
+    /// Segment at an instant of the cycle.
     At(Time),
     /// A segment, counted from zero.
     Segment(usize),
 }
 
 impl Project {
-    /// The keys of the file that state a value, separated by commas; what is not written there has the key where it would be.
-    /// `None` where the role is the key itself.
+    /// Returns the keys of the file that state a value, separated by commas; a value that is not stated has the key of
+    /// its place. `None` if the role is the key itself.
     ///
-    /// `role`: the engine's name for it. `si`: the value, which distinguishes the loads of several segments.
+    /// `role`: name in the engine. `si`: the value, which distinguishes the loads of several segments.
     #[must_use]
     pub fn stated_at(&self, role: &str, si: Option<f64>, within: Within) -> Option<String> {
         let root = &self.root;
@@ -69,7 +69,7 @@ impl Project {
                     let start = stretch.start.si();
                     (start - near..=start + stretch.duration.si() + near).contains(&at.si())
                 });
-                // Where one ends and the next begins, the faster one counts; a recording has its speed there itself.
+                // At the border of two segments the faster one applies; a recording has its speed there itself.
                 let speed = |index: usize| self.solved(index).map_or(0.0, |solved| solved.speed.si());
                 under_way.map(|(index, _)| index).max_by(|a, b| speed(*a).total_cmp(&speed(*b)).then(b.cmp(a)))
             }
@@ -80,7 +80,7 @@ impl Project {
         self.axis.motion.stretches().get(index)?.solved
     }
 
-    /// What the largest speed of a segment follows from.
+    /// Returns the keys that decide the largest speed of a segment.
     fn speed_keys(&self, within: Within) -> String {
         let found = self.index(within).and_then(|index| Some((index, self.root.segments().get(index)?)));
         let Some((index, segment)) = found else { return self.root.parts.motion.path() };
@@ -91,7 +91,7 @@ impl Project {
         listed(given.iter().map(|field| field.path()).chain(self.gearing(&given)))
     }
 
-    /// Whether a segment gets as fast as its `speed` says: a limit that is not reached decides nothing.
+    /// Returns `true` if a segment reaches its stated `speed`: a limit that is not reached has no effect.
     fn reaches_its_speed(&self, index: usize, segment: &Segment) -> bool {
         let travel = self.axis.mechanism.travel_m_per_rad();
         let stated = segment.speed.value().map(|speed| match travel.filter(|_| speed.is_of_a_line) {
@@ -104,7 +104,8 @@ impl Project {
         })
     }
 
-    /// What makes a motion that is stated at the load one at the output: travel per turn, and the ratio of a stage.
+    /// Returns the keys that convert a motion stated at the load to the output: travel per turn, and the ratio of a
+    /// stage.
     fn gearing(&self, stated: &[&dyn Field]) -> Vec<String> {
         let along = stated.iter().any(|field| field.is_of_a_line());
         let travel = self.root.driven().filter(|_| along).and_then(Driven::travel).map(|field| field.path());
@@ -114,13 +115,14 @@ impl Project {
         travel.into_iter().chain(ratio).collect()
     }
 
-    /// What the moment of inertia of the load follows from; with a payload the engine cites its model of mechanisms.
+    /// Returns the keys that decide the moment of inertia of the load; with a payload the engine cites its model of
+    /// mechanisms.
     fn inertia_keys(&self) -> String {
         let Some(driven) = self.root.driven() else { return self.root.path("load.inertia") };
         listed(driven.inertia().into_iter().filter(|field| field.is_given()).map(|field| field.path()))
     }
 
-    /// Where a load on the flange is stated: under `[bearing]`, or by the segments that have it so.
+    /// Returns the keys of a load on the flange: under `[bearing]`, or in the segments with this load.
     fn bearing_keys(&self, name: &str, si: Option<f64>) -> String {
         let segments = self.root.segments();
         let common = self.root.parts.bearing.get();
@@ -144,7 +146,7 @@ impl Project {
     }
 }
 
-/// More keys than these are not named.
+/// Largest number of listed keys.
 const LISTED_MOST: usize = 8;
 
 fn listed(keys: impl Iterator<Item = String>) -> String {

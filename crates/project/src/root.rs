@@ -14,7 +14,7 @@ use crate::stated::{Field, Head};
 use crate::twin::TwinSection;
 use crate::value::{OneOrMany, Tables};
 
-/// The format of the project file that this version reads.
+/// Format version of the project file.
 const FORMAT: i64 = 1;
 
 section! {
@@ -28,7 +28,7 @@ section! {
 }
 
 section! {
-    /// What is said of a single axis.
+    /// Settings of a single axis.
     AxisTable, AxisName of About::Axis {
         name: String;
         single_move: bool;
@@ -36,7 +36,7 @@ section! {
 }
 
 section! {
-    /// One of several axes: what stands at the root for a single one.
+    /// One of several axes, with the keys that a single one has at the root.
     OneOfSeveral, OneOfSeveralName of About::OneOfSeveral {
         name: String => needed;
         single_move: bool;
@@ -45,7 +45,7 @@ section! {
 }
 
 section! {
-    /// Load, motion and all else of an axis.
+    /// Load, motion and all other tables of an axis.
     Parts, PartsName of About::Parts {
         load: DirectLoad;
         mechanism: Mechanisms;
@@ -62,7 +62,7 @@ section! {
 /// The keys of the root of the project file.
 pub const KEYS: &[crate::Key] = Root::KEYS;
 
-/// One axis, whether it stands alone or among several.
+/// One axis, alone or among several.
 #[derive(Clone, Debug)]
 pub(crate) struct AxisSection {
     pub(crate) name: Option<String>,
@@ -71,7 +71,7 @@ pub(crate) struct AxisSection {
 }
 
 impl AxisSection {
-    /// A single axis.
+    /// Creates a single axis.
     pub(crate) fn single(root: Root) -> Self {
         let (name, single_move) = match root.axis.get() {
             Some(OneOrMany::One(axis)) => (axis.name.get().cloned(), axis.single_move.value()),
@@ -80,7 +80,7 @@ impl AxisSection {
         Self { name, single_move: single_move.unwrap_or(false), parts: root.parts }
     }
 
-    /// One of several.
+    /// Creates one of several axes.
     pub(crate) fn of_several(axis: OneOfSeveral) -> Self {
         let single_move = axis.single_move.value().unwrap_or(false);
         Self { name: axis.name.get().cloned(), single_move, parts: axis.parts }
@@ -90,7 +90,7 @@ impl AxisSection {
         self.parts.head()
     }
 
-    /// A path within the axis as it is in the file.
+    /// Returns a path within the axis as it is in the file.
     pub(crate) fn path(&self, path: &str) -> String {
         joined(&self.head().path, path)
     }
@@ -99,7 +99,7 @@ impl AxisSection {
         self.parts.motion.get().map_or(&[], |all| all.0.as_slice())
     }
 
-    /// Whether a segment has loads on the flange of its own.
+    /// Returns `true` if a segment has its own loads on the flange.
     pub(crate) fn has_loads_of_segments(&self) -> bool {
         self.segments().iter().any(|segment| segment.bearing.is_given())
     }
@@ -108,12 +108,12 @@ impl AxisSection {
         self.parts.driven()
     }
 
-    /// Puts another value, in SI, in the place of a quantity; its path is the one within the axis.
+    /// Replaces the value of a quantity, in SI; its path is the one within the axis.
     pub(crate) fn set(&mut self, path: &str, si: f64) -> Option<()> {
         set(&mut self.parts, path, si)
     }
 
-    /// One ratio in the place of several.
+    /// Replaces several ratios by one.
     pub(crate) fn set_ratio(&mut self, ratio: f64) {
         if let Some(stage) = self.parts.stage.get_mut() {
             let span = stage.ratios.span();

@@ -8,16 +8,16 @@ use serde_json::{Map, Value, json};
 /// A text of the schema.
 #[derive(Clone, Copy, Debug)]
 pub enum SchemaText {
-    /// What a key is for.
+    /// Purpose of a key.
     Key(Key),
-    /// How a quantity is written.
+    /// Notation of a quantity.
     Quantity(Dimension),
 }
 
-/// Who words the schema.
+/// Texts of the schema.
 type Words<'w> = &'w dyn Fn(SchemaText) -> String;
 
-/// The JSON Schema of the project file (draft 2020-12), worded by `text`.
+/// Returns the JSON Schema of the project file (draft 2020-12), with the texts of `text`.
 #[must_use]
 pub fn schema(text: &dyn Fn(SchemaText) -> String) -> Value {
     let mut root = table(KEYS, text);
@@ -34,7 +34,7 @@ pub fn schema(text: &dyn Fn(SchemaText) -> String) -> Value {
             })
             .collect::<Map<String, Value>>();
         map.insert("$defs".into(), Value::Object(quantities));
-        // A single axis stands at the root with its load and motion, several stand in [[axis]].
+        // A single axis is at the root with its load and motion, several are in [[axis]].
         let single = json!({ "required": ["motion"], "properties": { "axis": { "type": "object" } } });
         let several = json!({ "required": ["axis"], "properties": { "axis": { "type": "array" } } });
         map.insert("oneOf".into(), json!([one_load(single), several]));
@@ -43,7 +43,7 @@ pub fn schema(text: &dyn Fn(SchemaText) -> String) -> Value {
     root
 }
 
-/// A table whose keys that stand at the root too are described there.
+/// Returns a table that refers to the root for the keys described there.
 fn as_at_the_root(keys: &[Key], text: Words<'_>) -> Value {
     let mut whole = table(keys, text);
     if let Some(Value::Object(properties)) = whole.get_mut("properties") {
@@ -54,7 +54,7 @@ fn as_at_the_root(keys: &[Key], text: Words<'_>) -> Value {
     whole
 }
 
-/// One load: given at the output, or through one mechanism.
+/// Requires one load: at the output, or through one mechanism.
 fn one_load(mut schema: Value) -> Value {
     if let Value::Object(map) = &mut schema {
         map.insert("oneOf".into(), json!([{ "required": ["load"] }, { "required": ["mechanism"] }]));
@@ -75,7 +75,7 @@ fn one_mechanism(map: &mut Map<String, Value>) {
     }
 }
 
-/// Of these keys exactly one stands in a table that may have both.
+/// Pairs of keys of which a table may have both but must have exactly one.
 const ONE_OF_TWO: [[&str; 2]; 2] = [["body", "bodies"], ["mass", "density"]];
 
 fn table(keys: &[Key], text: Words<'_>) -> Value {
@@ -158,7 +158,7 @@ fn kind(key: &Key, text: Words<'_>) -> Value {
     }
 }
 
-/// "If it is of this kind, it needs these keys and has no others."
+/// Returns the condition "if it is of this kind, it needs these keys and has no others".
 fn condition(variants: &Variants, (name, needed, allowed): (&str, &[&str], &[&str])) -> Value {
     let foreign: Vec<Value> = variants
         .keys
@@ -178,13 +178,13 @@ fn condition(variants: &Variants, (name, needed, allowed): (&str, &[&str], &[&st
     })
 }
 
-/// The description of a quantity.
+/// Returns a reference to the description of a quantity.
 fn reference(dimension: Dimension) -> Value {
     json!({ "$ref": format!("#/$defs/{dimension:?}") })
 }
 
-/// Number and unit in the spellings that the reader knows, and a tolerance; the reader also forgives spaces inside a
-/// unit.
+/// Returns the pattern of number and unit in the accepted spellings, and a tolerance; the reader also accepts spaces
+/// inside a unit.
 fn pattern(dimension: Dimension) -> String {
     const NUMBER: &str = r"([0-9]+\.?[0-9]*|\.[0-9]+)([eE][+-]?[0-9]+)?";
     // A tolerance of a temperature is a difference of temperatures.
@@ -193,7 +193,7 @@ fn pattern(dimension: Dimension) -> String {
     format!(r"^\s*[+-]?{NUMBER}\s*({})\s*(({signs})\s*{NUMBER}\s*(%|{})\s*)?$", spellings(dimension), spellings(half))
 }
 
-/// The units of a quantity as alternatives of a regular expression.
+/// Returns the units of a quantity as alternatives of a regular expression.
 fn spellings(dimension: Dimension) -> String {
     let mut units: Vec<String> = Vec::new();
     for spelling in dimension.units().iter().flat_map(quantities::Unit::spellings).map(escape) {
@@ -204,7 +204,7 @@ fn spellings(dimension: Dimension) -> String {
     units.join("|")
 }
 
-/// A text as a regular expression for itself.
+/// Escapes a text for a regular expression.
 fn escape(text: &str) -> String {
     text.chars().flat_map(|c| if r"^.*+?()[]{}|\$".contains(c) { vec!['\\', c] } else { vec![c] }).collect()
 }

@@ -1,27 +1,27 @@
-//! The sections of the project file as plain structs: one declaration of a key makes its field, its reader and its
+//! Sections of the project file as plain structs: one declaration of a key defines its field, its reader and its
 //! description.
 
 use crate::key::{Key, Variants};
 use crate::stated::{Field, Head};
 use std::any::Any;
 
-/// The fields of a section.
+/// Fields of a section.
 pub(crate) trait Fields {
     fn head(&self) -> &Head;
     fn head_mut(&mut self) -> &mut Head;
-    /// All of them, in their order.
+    /// Returns the fields in their order.
     fn fields(&self) -> Vec<&dyn Field>;
     fn field_mut(&mut self, name: &str) -> Option<&mut dyn Field>;
-    /// The sections whose keys stand in it too.
+    /// Returns the sections whose keys it includes.
     fn groups(&self) -> Vec<&dyn Any>;
 
-    /// The field of a key.
+    /// Returns the field of a key.
     fn field(&self, name: &str) -> Option<&dyn Field> {
         self.fields().into_iter().find(|field| field.name() == name)
     }
 }
 
-/// The section of a type whose keys stand in this one too.
+/// Returns the included section of a type.
 pub(crate) fn group<T: Any>(of: &(impl Fields + ?Sized)) -> Option<&T> {
     of.groups().into_iter().find_map(<dyn Any>::downcast_ref)
 }
@@ -30,22 +30,22 @@ pub(crate) fn group<T: Any>(of: &(impl Fields + ?Sized)) -> Option<&T> {
 pub(crate) trait Section: Fields + Sized {
     const KEYS: &'static [Key];
 
-    /// With nothing in it.
+    /// Creates an empty section.
     fn absent(head: &Head) -> Self;
 
-    /// Whether no value was refused.
+    /// Returns `true` if no value was refused.
     fn is_whole(&self) -> bool {
         self.fields().iter().all(|field| field.is_given() || !field.is_written())
     }
 }
 
-/// A section of which there are several kinds.
+/// A section that has several kinds.
 pub(crate) trait OfKinds: Section {
     const VARIANTS: &'static Variants;
 }
 
-/// Puts another value, in SI, in the place of a quantity: `load.inertia`, `motion[2].speed`, `points[1][3]` (row and
-/// column), `bodies[1].mass`. `None` where no quantity stands there.
+/// Replaces the value of a quantity, in SI: `load.inertia`, `motion[2].speed`, `points[1][3]` (row and column),
+/// `bodies[1].mass`. `None` if there is no quantity at the path.
 pub(crate) fn set(section: &mut dyn Fields, path: &str, si: f64) -> Option<()> {
     let (head, rest) = path.split_once('.').unwrap_or((path, ""));
     let mut parts = head.split('[').map(|part| part.trim_end_matches(']'));
@@ -66,9 +66,9 @@ pub(crate) fn set(section: &mut dyn Fields, path: &str, si: f64) -> Option<()> {
 /// }
 /// ```
 ///
-/// A key is a line: its name in the file, the type of its value ([`Value`](crate::value::Value)), behind `=` the value that
-/// holds where none is stated, and what [`Key`] has methods for. A key with such a value has a method of its name, which
-/// returns the one or the other. The keys of another section that stand in this one too are a line that begins with `..`.
+/// A key is a line: its name in the file, the type of its value ([`Value`](crate::value::Value)), after `=` its
+/// default, and the settings by the methods of [`Key`]. A key with a default has a method of its name, which returns
+/// the stated value or the default. A line that begins with `..` includes the keys of another section.
 macro_rules! section {
     (
         $(#[$doc:meta])*
@@ -196,7 +196,7 @@ macro_rules! section {
     };
 }
 
-/// The description of one key of a section.
+/// Describes one key of a section.
 macro_rules! key {
     (
         $Name:ident::$variant:ident: $field:ident: $Type:ty
@@ -208,7 +208,7 @@ macro_rules! key {
     };
 }
 
-/// Names of keys of a section, each a field that is there.
+/// Lists names of keys of a section, checked against its fields.
 macro_rules! names {
     ($Section:ty: $($field:ident)*) => {{
         const _: fn(&$Section) = |_section| { $(let _ = &_section.$field;)* };
@@ -216,7 +216,7 @@ macro_rules! names {
     }};
 }
 
-/// A value in one enum, or in two.
+/// Wraps a value in one enum, or in two.
 macro_rules! nested {
     ($value:expr, $outer:path) => {
         $outer($value)

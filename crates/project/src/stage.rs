@@ -1,4 +1,4 @@
-//! The stage between actuator and mechanism, and the best of several ratios.
+//! Stage between actuator and mechanism, and the best of several ratios.
 
 use crate::about::About;
 use crate::read::Reader;
@@ -9,11 +9,11 @@ use crate::{Assumption, Fault, Hint};
 use mechanism::{Stage, StageKind};
 use quantities::{Angle, Length, MomentOfInertia, TorsionalStiffness};
 
-/// Most ratios among which the best is sought; the catalogue is judged for each.
+/// Largest number of ratios to choose from; the catalogue is judged for each.
 const RATIOS_MOST: usize = 16;
 
 section! {
-    /// What lies between actuator and mechanism.
+    /// Stage between actuator and mechanism.
     StageSection, StageName of About::Stage {
         kind: StageKind => needed;
         ratio: f64 => within(0.01, 1000.0), example("2.5");
@@ -32,23 +32,23 @@ choices! {
     StageKind { Belt = "belt", Gear = "gear", Coupling = "coupling" }
 }
 
-/// What one of several ratios gives.
+/// Result of one of several ratios.
 #[derive(Clone, Debug, PartialEq)]
 pub struct RatioAnswer {
     /// i_s: turns of the actuator's output per turn of the mechanism.
     pub ratio: f64,
     /// The best actuator of the catalogue, if one fits.
     pub answer: Option<String>,
-    /// Utilisation of the candidate that comes first with this ratio, whether it fits or not.
+    /// Utilisation of the first candidate with this ratio, fitting or not.
     pub utilisation: f64,
-    /// How many fit.
+    /// Number of fitting actuators.
     pub fitting: usize,
-    /// Whether the project goes on with it.
+    /// The project uses this ratio.
     pub chosen: bool,
 }
 
 impl StageSection {
-    /// Several ratios among which the best is sought.
+    /// Returns the ratios to choose from.
     pub(crate) fn ratios(&self) -> &[f64] {
         self.ratios.get().map_or(&[], |ratios| ratios.0.as_slice())
     }
@@ -83,7 +83,7 @@ impl StageSection {
         })
     }
 
-    /// Defaults about the stage that the file leaves open.
+    /// Adds the defaults about the stage that the file leaves open.
     pub(crate) fn assumptions(&self, found: &mut Vec<Assumption>) {
         found.extend(self.efficiency.note().or_else(|| self.efficiency_back.note()));
         found.extend(self.inertia_driven.note().filter(|_| !self.inertia_driving.is_given()));

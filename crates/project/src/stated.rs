@@ -1,4 +1,4 @@
-//! A value with the place and the path under which it is stated.
+//! A value with its place and path in the file.
 
 use crate::Assumption;
 use crate::key::Key;
@@ -8,12 +8,12 @@ use quantities::Measure;
 use std::ops::Range as Span;
 use std::sync::Arc;
 
-/// Where a section of the file begins, and its path: `motion[2]`, `axis[1].load`; empty for the root.
+/// Start of a section of the file, and its path: `motion[2]`, `axis[1].load`; empty for the root.
 #[derive(Clone, Debug)]
 pub(crate) struct Head {
     pub(crate) path: Arc<str>,
     pub(crate) span: Span<usize>,
-    /// Whether keys stand there that the section does not have.
+    /// The section contains keys that it does not have.
     pub(crate) has_strays: bool,
 }
 
@@ -22,19 +22,19 @@ impl Head {
         Self { path: path.into(), span, has_strays: false }
     }
 
-    /// The place at which something that is missing is reported.
+    /// Returns the place at which a missing key is reported.
     pub(crate) fn start(&self) -> Span<usize> {
         self.span.start..self.span.start + usize::from(!self.span.is_empty())
     }
 }
 
-/// A field of a section: its value as far as it is stated, with path and place.
+/// A field of a section: its value if stated, with path and place.
 #[derive(Clone, Debug)]
 pub(crate) struct Stated<T> {
-    /// The path of its section.
+    /// Path of its section.
     section: Arc<str>,
     key: &'static Key,
-    /// The place of its value; of the section where no valid one is stated.
+    /// Place of its value; that of the section without a valid value.
     span: Span<usize>,
     state: State<T>,
 }
@@ -42,7 +42,7 @@ pub(crate) struct Stated<T> {
 #[derive(Clone, Debug)]
 enum State<T> {
     Absent,
-    /// It is there, but its value was refused.
+    /// The key is present, but its value was refused.
     Refused,
     Given(T),
 }
@@ -71,12 +71,12 @@ impl<T> Stated<T> {
         (self.state, self.span) = (State::Given(value), span);
     }
 
-    /// Takes a value back that turned out to be no good.
+    /// Marks the value as refused after a later check.
     pub(crate) fn refuse(&mut self) {
         self.state = State::Refused;
     }
 
-    /// Takes a value away as if it had never been stated.
+    /// Removes a value as if it had never been stated.
     pub(crate) fn clear(&mut self) {
         self.state = State::Absent;
     }
@@ -97,24 +97,24 @@ impl<Q: Measure> Stated<Q> {
 /// A field without the type of its value.
 pub(crate) trait Field {
     fn name(&self) -> &'static str;
-    /// What is assumed where no valid value is stated, if its key says so.
+    /// Returns the assumption that replaces a missing value, if the key has one.
     fn note(&self) -> Option<Assumption>;
-    /// Its path in the file: `motion[2].speed`.
+    /// Returns its path in the file: `motion[2].speed`.
     fn path(&self) -> String;
     fn span(&self) -> Span<usize>;
-    /// Whether a valid value is stated.
+    /// Returns `true` if a valid value is stated.
     fn is_given(&self) -> bool;
-    /// Whether it is there, with a valid value or not.
+    /// Returns `true` if the key is present, with a valid value or not.
     fn is_written(&self) -> bool;
     fn read(&mut self, found: &Found<'_, '_>, reader: &mut Reader<'_>);
-    /// Whether its value is stated along the line of a mechanism.
+    /// Returns `true` if its value is stated along the line of a mechanism.
     fn is_of_a_line(&self) -> bool;
-    /// The value of a quantity in SI.
+    /// Returns the value of a quantity in SI.
     fn si(&self) -> Option<f64>;
     /// States a quantity by its value in SI.
     fn state(&mut self, si: f64, span: Span<usize>);
-    /// Puts another value, in SI, in the place of a quantity; `index` and `rest` lead to it within a list. `None` where no
-    /// quantity stands there.
+    /// Replaces the value of a quantity, in SI; `index` and `rest` lead to it within a list. `None` if there is no
+    /// quantity.
     fn set(&mut self, index: &[usize], rest: &str, si: f64) -> Option<()>;
 }
 

@@ -1,4 +1,4 @@
-//! What can be wrong with a table whose columns are keys of a project.
+//! Faults of a table whose columns are keys of a project.
 
 /// One fault of a table whose columns are keys.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -8,16 +8,16 @@ pub enum TabularFault {
         /// Path of the key.
         path: String,
     },
-    /// A heading that states a unit of what is measured in none.
+    /// A heading with a unit for a key without one.
     UnitOfNoQuantity {
         /// Path of the key.
         path: String,
-        /// The unit.
+        /// Unit.
         unit: String,
     },
     /// A heading that counts the entries of a list, in a table of which one heading counts from zero.
     CountsFromZero {
-        /// The key as it is written.
+        /// Key as written.
         path: String,
     },
     /// Two headings of a table with the same key.
@@ -25,11 +25,11 @@ pub enum TabularFault {
         /// Path of the key.
         path: String,
     },
-    /// A heading with an entry of a list that the project does not have.
+    /// A heading with an entry of a list that the project lacks.
     NoEntry {
         /// Path of the key.
         path: String,
-        /// How many entries it has.
+        /// Number of entries of the list.
         count: usize,
     },
     /// A cell of a table without a value.
@@ -37,65 +37,65 @@ pub enum TabularFault {
         /// Path of the key.
         path: String,
     },
-    /// A cell of a table with something else than a number.
+    /// A cell of a table whose value is not a number.
     NotANumber {
         /// Path of the key.
         path: String,
-        /// As written, shortened.
+        /// Value as written, shortened.
         written: String,
     },
-    /// A cell of a table with a number where a text belongs.
+    /// A cell of a table with a number for a key that needs a text.
     NoText {
         /// Path of the key.
         path: String,
-        /// As written.
+        /// Value as written.
         written: String,
     },
     /// A column of a table whose cells are neither numbers nor texts.
     CellType {
         /// Path of the key.
         path: String,
-        /// What stands there.
+        /// Type found.
         found: String,
     },
-    /// A line of a table with another number of cells than there are headings.
+    /// A line of a table whose number of cells differs from that of the headings.
     Ragged {
-        /// The line, counted from one.
+        /// Line number, from one.
         line: u64,
-        /// How many cells it has.
+        /// Number of cells.
         found: usize,
-        /// How many headings there are.
+        /// Number of headings.
         expected: usize,
     },
-    /// A line of a table in which a quoted cell does not end.
+    /// A line of a table with an unterminated quoted cell.
     OpenQuote {
-        /// The line, counted from one.
+        /// Line number, from one.
         line: u64,
     },
-    /// A number of a table with the other decimal sign than numbers before it.
+    /// A number of a table with another decimal mark than numbers before it.
     DecimalMixed {
         /// Path of the key.
         path: String,
-        /// As written, shortened.
+        /// Value as written, shortened.
         written: String,
-        /// Whether this one has a comma.
+        /// The value has a comma.
         has_comma: bool,
     },
     /// A line of a table that is too long.
     LongLine {
-        /// The line, counted from one.
+        /// Line number, from one.
         line: u64,
-        /// Bytes of the longest.
+        /// Largest number of bytes of a line.
         most: usize,
     },
-    /// A table without a row.
+    /// A table without rows.
     NoRows,
-    /// A table without a column.
+    /// A table without columns.
     NoColumns,
 }
 
 impl TabularFault {
-    /// The identifier used in data exchange.
+    /// Returns the identifier used in data exchange.
     #[must_use]
     pub const fn id(&self) -> &'static str {
         match self {

@@ -1,4 +1,4 @@
-//! Quantities with a tolerance: where they stand, and the project with other values in their place.
+//! Quantities with a tolerance: their paths, and the project with other values of them.
 
 use crate::read::Reader;
 use crate::recorded;
@@ -10,36 +10,36 @@ use quantities::Unit;
 use sizing::Axis;
 use std::ops::Range as Span;
 
-/// Most quantities of a file that may carry a tolerance.
+/// Largest number of quantities of a file with a tolerance.
 pub(crate) const TOLERANCES_MOST: usize = 64;
 
-/// Up to so many toleranced quantities every corner of their bands is looked at: 2¹⁰ of them.
+/// Largest number of toleranced quantities for which every corner of their bands is checked: 2¹⁰ of them.
 pub const ALL_CORNERS_MOST: usize = 10;
 
-/// A quantity of a project that may lie anywhere within nominal ± half-width.
+/// A quantity of a project with values in nominal ± half-width.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Tolerance {
-    /// Its key: `load.inertia`, `motion[2].speed`, `mechanism.table.points[1][3]`, `mechanism.turntable.bodies[1].mass`.
+    /// Key: `load.inertia`, `motion[2].speed`, `mechanism.table.points[1][3]`, `mechanism.turntable.bodies[1].mass`.
     pub path: String,
-    /// The value as written, in SI.
+    /// Nominal value in SI.
     pub nominal: f64,
     /// Half-width of the band, in SI, greater than zero.
     pub half_width: f64,
-    /// The unit in which the value is written.
+    /// Unit in which the value is written.
     pub unit: &'static Unit,
     /// Place of the half-width in the file, in bytes.
     pub span: Span<usize>,
 }
 
 impl Tolerance {
-    /// The value at a share of the half-width from nominal, −1 to 1; in SI.
+    /// Returns the value at a share of the half-width from nominal, −1 to 1; in SI.
     #[must_use]
     pub fn at(&self, share: f64) -> f64 {
         self.nominal + share * self.half_width
     }
 }
 
-/// The tolerances of one axis out of those of a file, under the keys that they have within the axis.
+/// Returns the tolerances of one axis of a file, under their keys within the axis.
 pub(crate) fn of_axis(all: &[Tolerance], index: Option<usize>) -> Vec<Tolerance> {
     let Some(index) = index else { return all.to_vec() };
     let prefix = format!("axis[{}].", index + 1);
@@ -50,7 +50,7 @@ pub(crate) fn of_axis(all: &[Tolerance], index: Option<usize>) -> Vec<Tolerance>
     all.iter().filter_map(inside).collect()
 }
 
-/// The signs of a corner: bit k says whether quantity k is at its upper end.
+/// Returns the sign of a quantity at a corner: bit k of the corner is set if quantity k is at its upper end.
 #[must_use]
 pub const fn sign(corner: usize, quantity: usize) -> f64 {
     if corner >> quantity & 1 == 1 { 1.0 } else { -1.0 }
@@ -90,7 +90,7 @@ pub(crate) fn hold(root: &AxisSection, tolerances: &[Tolerance], reader: &mut Re
         return;
     }
     let all = tolerances.len() <= ALL_CORNERS_MOST && recorded << tolerances.len() <= SAMPLES_BUILT_MOST;
-    // Of very many corners only the two at which everything is low or high.
+    // Of very many corners only the two with all quantities low or high.
     let corners = if all { 0..1 << tolerances.len() } else { 0..2 };
     for corner in corners {
         let end = |index: usize| if all { sign(corner, index) } else { sign(corner, 0) };
@@ -105,17 +105,17 @@ pub(crate) fn hold(root: &AxisSection, tolerances: &[Tolerance], reader: &mut Re
     }
 }
 
-/// Samples of recordings of which a motion is made, corner after corner: a third of a second.
+/// Largest number of samples of recordings for the motions of the corners: about a third of a second.
 const SAMPLES_BUILT_MOST: usize = 1 << 26;
 
-/// The fault of values within the tolerances at which there is no such axis.
+/// Returns the fault of values within the tolerances for which the axis is impossible.
 fn impossible(values: &[(&Tolerance, f64)], found: Option<Diagnostic>) -> (Fault, Option<Hint>) {
     let (why, hint) = found.map_or((None, None), |found| (Some(Box::new(found.fault)), found.hint));
     let named = |(tolerance, end): &(&Tolerance, f64)| (tolerance.path.clone(), tolerance.at(*end), tolerance.unit);
     (Fault::ImpossibleWithin { values: values.iter().map(named).collect(), why }, hint)
 }
 
-/// A project whose quantities can be given other values again and again, without reading the file anew.
+/// A project whose quantities can be varied repeatedly without reading the file again.
 #[derive(Clone, Debug)]
 pub struct Varied<'p> {
     project: &'p Project,
@@ -125,26 +125,27 @@ pub struct Varied<'p> {
     of_actuator: bool,
 }
 
-/// What other values make of a project; what they do not touch is `None`.
+/// Parts of a project with other values; `None` for the unaffected ones.
 #[derive(Debug)]
 pub struct Variant {
     /// Load and motion.
     pub axis: Axis,
-    /// What the actuator must have.
+    /// Requirements on the actuator.
     pub requirements: Option<Requirements>,
     /// The user's own actuator.
     pub actuator: Option<OwnActuator>,
 }
 
 impl<'p> Varied<'p> {
-    /// Its toleranced quantities; `None` for a project without tolerances.
+    /// Creates the variation of its toleranced quantities; `None` for a project without tolerances.
     #[must_use]
     pub fn new(project: &'p Project) -> Option<Self> {
         let paths = project.tolerances.iter().map(|tolerance| tolerance.path.as_str()).collect();
         (!project.tolerances.is_empty()).then(|| Self::over(project, paths))
     }
 
-    /// The quantities and plain numbers at some paths within the axis, all of which the project states.
+    /// Creates the variation of the quantities and plain numbers at some paths within the axis, all of which the
+    /// project states.
     #[must_use]
     pub fn over(project: &'p Project, paths: Vec<&'p str>) -> Self {
         let touches = |table: &str| paths.iter().any(|path| path.starts_with(table));
@@ -157,16 +158,16 @@ impl<'p> Varied<'p> {
         }
     }
 
-    /// The project as it is stated.
+    /// Returns the project as stated.
     #[must_use]
     pub const fn project(&self) -> &'p Project {
         self.project
     }
 
-    /// The project with one value, in SI, for each path in their order.
+    /// Builds the project with one value, in SI, for each path in their order.
     ///
     /// # Errors
-    /// Why it cannot be built: faults without a place in a file.
+    /// The reason why it cannot be built: faults without a place in a file.
     pub fn at(&mut self, values: &[f64]) -> Result<Variant, Vec<Diagnostic>> {
         for (path, value) in self.paths.iter().zip(values) {
             self.root.set(path, *value).ok_or_else(Vec::new)?;

@@ -1,4 +1,4 @@
-//! `[twin]`: what the simulation of an axis is to do, and measured values in the place of those of the model.
+//! `[twin]`: settings of the simulation of an axis, and measured values that replace those of the model.
 
 use crate::about::About;
 use crate::own::sourced;
@@ -13,16 +13,16 @@ use quantities::{
     ThermodynamicTemperature, Time, Torque, TorqueConstant, TorsionalStiffness, ViscousFriction, VoltageConstant,
 };
 
-/// The simulation as the project states it.
+/// Simulation as the project states it.
 #[derive(Clone, Debug, Default)]
 pub struct TwinInput {
-    /// Whether the project has the section.
+    /// The project has the section.
     pub stated: bool,
-    /// What happens.
+    /// Scenario.
     pub scenario: Scenario,
-    /// Which parts of the model count.
+    /// Active parts of the model.
     pub switches: Switches,
-    /// Parameters that are replaced, by their keys.
+    /// Replaced parameters, by key.
     pub replaced: Vec<(&'static str, Sourced<f64>)>,
     /// Stated gains: position, speed with time and filter, current with time.
     gains: [Option<f64>; 6],
@@ -30,7 +30,7 @@ pub struct TwinInput {
 }
 
 impl TwinInput {
-    /// Gains with those that are stated in their place.
+    /// Returns the gains with the stated ones in place of `usual`.
     #[must_use]
     pub fn gains(&self, usual: Gains) -> Gains {
         let [position, speed, speed_time, filter, current, current_time] = self.gains;
@@ -45,7 +45,7 @@ impl TwinInput {
         }
     }
 
-    /// The supervision with what is stated of it.
+    /// Returns the supervision limits with the stated ones in place of `usual`.
     #[must_use]
     pub fn limits(&self, usual: Limits) -> Limits {
         Limits { following_rad: self.following_rad.or(usual.following_rad), ..usual }
@@ -133,7 +133,7 @@ section! {
 }
 
 impl MeasuredSection {
-    /// What is stated, in SI by its key.
+    /// Returns the stated values in SI, by key.
     fn stated(&self) -> Vec<(&'static str, Sourced<f64>)> {
         let value = |field: &dyn Field| Some((field.name(), sourced(field, field.si()?)));
         self.fields().into_iter().filter_map(value).collect()
@@ -141,7 +141,7 @@ impl MeasuredSection {
 }
 
 impl TwinSection {
-    /// What the section states.
+    /// Returns the settings of the section.
     pub(crate) fn input(&self) -> TwinInput {
         let usual = Switches::default();
         let time = |stated: Option<Time>| stated.map(Measure::si);
@@ -182,7 +182,7 @@ mod tests {
     use super::*;
     use crate::section::Section;
 
-    /// What the section can replace the model has.
+    /// Requires that every value of the section is a parameter of the model.
     #[test]
     fn every_measured_value_is_a_parameter_of_the_twin() {
         let keys = ::twin::Parameters::keys();

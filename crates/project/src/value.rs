@@ -1,4 +1,4 @@
-//! The types whose values may stand behind a key.
+//! Types of the values of keys.
 
 use crate::Range;
 use crate::bodies::BodySection;
@@ -21,43 +21,43 @@ use toml::de::DeValue;
 /// A number in its unit.
 type Amount = Option<(f64, &'static Unit)>;
 
-/// What may stand behind a key.
+/// Value of a key.
 pub(crate) trait Value: Sized {
-    /// How it is written, unless its key says more.
+    /// Kind of the value, unless its key is more specific.
     const KIND: Kind;
 
-    /// Reads it; a fault is reported to the reader.
+    /// Reads the value; faults are reported to the reader.
     fn read(found: &Found<'_, '_>, reader: &mut Reader<'_>) -> Option<Self>;
 
-    /// The quantity with this value in SI; `None` for what is no quantity.
+    /// Returns the quantity with this value in SI; `None` for other types.
     fn of_si(_si: f64) -> Option<Self> {
         None
     }
 
-    /// The value of a quantity in SI; `None` of what is no quantity.
+    /// Returns the value of a quantity in SI; `None` for other types.
     fn as_si(&self) -> Option<f64> {
         None
     }
 
-    /// As [`Field::set`](crate::stated::Field::set).
+    /// Replaces the value like [`Field::set`](crate::stated::Field::set).
     fn set(&mut self, _index: &[usize], _rest: &str, si: f64) -> Option<()> {
         *self = Self::of_si(si)?;
         Some(())
     }
 
-    /// Whether it is stated along the line of a mechanism.
+    /// Returns `true` if it is stated along the line of a mechanism.
     fn is_of_a_line(&self) -> bool {
         false
     }
 
-    /// What is noted of it as an input besides the text: its number, if it is one. `None` where it notes itself, or its
-    /// parts.
+    /// Returns the number that is recorded with the text of an input, if it is one. `None` if the value records itself,
+    /// or its parts.
     fn noted(&self) -> Option<Amount> {
         None
     }
 }
 
-/// What a key may have for a value that is not stated, as it is written.
+/// A default of a key as written in a file.
 pub(crate) trait Written {
     fn written(&self) -> String;
 }
@@ -106,9 +106,9 @@ quantities! {
     TorsionalStiffness ViscousFriction VoltageConstant
 }
 
-/// A quantity of the rotation that may be stated along the line of a mechanism.
+/// A rotational quantity that may be stated along the line of a mechanism.
 pub(crate) trait Turning: Measure {
-    /// The quantity of the line.
+    /// Linear quantity.
     type Line: Measure;
 }
 
@@ -128,12 +128,12 @@ impl Turning for AngularJerk {
     type Line = Jerk;
 }
 
-/// A quantity of the rotation, or of the line of a linear mechanism.
+/// A rotational quantity, or a linear one of a linear mechanism.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Along<Q> {
-    /// Whether it is one of the line.
+    /// The value is linear.
     pub(crate) is_of_a_line: bool,
-    /// Its value in SI.
+    /// Value in SI.
     pub(crate) si: f64,
     turning: PhantomData<Q>,
 }
@@ -235,11 +235,11 @@ impl Value for Numbers {
 pub(crate) trait Choice: Sized {
     const WORDS: &'static [&'static str];
 
-    /// What a word means.
+    /// Returns the meaning of a word.
     fn of_word(word: &str) -> Option<Self>;
 }
 
-/// The words of a choice, each with what it means. Every variant stands here, or it does not compile.
+/// Maps the words of a choice to their values. A missing variant is a compile error.
 macro_rules! choices {
     ($($Choice:ty { $($Variant:ident = $word:literal),+ $(,)? })+) => {$(
         impl $crate::value::Choice for $Choice {
@@ -263,7 +263,7 @@ macro_rules! choices {
     )+};
 }
 
-/// The choices whose words are the identifiers of their values.
+/// Implements choices whose words are the identifiers of their values.
 macro_rules! choices_by_id {
     ($($Choice:ty),+) => {$(
         impl $crate::value::Choice for $Choice {
@@ -284,7 +284,7 @@ macro_rules! choices_by_id {
     )+};
 }
 
-/// Makes what is a [`Choice`] a [`Value`].
+/// Implements [`Value`] for a [`Choice`].
 macro_rules! choice {
     ($Choice:ty) => {
         impl $crate::value::Value for $Choice {
@@ -319,23 +319,23 @@ impl<W: Choice> Value for Choices<W> {
     }
 }
 
-/// What a row of quantities is.
+/// A row of quantities.
 pub(crate) trait Row: Copy {
     const COLUMNS: &'static [Column];
 
-    /// From what stands in its columns.
+    /// Creates the row from the cells of its columns.
     fn of(cells: &[Cell]) -> Option<Self>;
 
-    /// What stands in its columns.
+    /// Returns the cells of its columns.
     fn cells(&self) -> Vec<Cell>;
 
-    /// Whether it states something along the line of a mechanism.
+    /// Returns `true` if it states a linear quantity.
     fn is_of_a_line(&self) -> bool {
         false
     }
 }
 
-/// What a cell of a row measures, and its value in SI.
+/// Dimension of a cell of a row, and its value in SI.
 pub(crate) type Cell = (Dimension, f64);
 
 impl Row for TablePoint {
@@ -435,7 +435,7 @@ impl<S: OfKinds> Value for Tables<S> {
     }
 }
 
-/// A table, or an array of tables with more in them.
+/// A table, or an array of tables with additional keys.
 #[derive(Clone, Debug)]
 pub(crate) enum OneOrMany<A, B> {
     One(A),

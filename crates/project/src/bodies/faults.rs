@@ -1,4 +1,4 @@
-//! What can be wrong with a body as it is written.
+//! Faults of a body as written.
 
 use super::{BODY_SHAPES, BodySection, BodyShape, BodyTolerance, Keyed, Line};
 use crate::section::Fields;
@@ -15,18 +15,18 @@ const FAULTS_MOST: usize = 50;
 /// Longest excerpt of the text in a message, in characters.
 const EXCERPT_MOST: usize = 60;
 
-/// The faults of a text.
+/// Faults of a text.
 pub(super) struct Faults<'t> {
     text: &'t str,
     found: Vec<Diagnostic>,
     more: usize,
-    /// The tolerances of the bodies; `None` where none may stand.
+    /// Tolerances of the bodies; `None` if they are not allowed.
     pub(super) tolerances: Option<Vec<BodyTolerance>>,
-    /// The line that is being read, from zero, and where it begins.
+    /// Index of the line being read, from zero, and its offset.
     line: (usize, usize),
 }
 
-/// The fields that an error is about; empty where it is about the mass that is missing, or the whole body.
+/// Returns the fields that an error is about; empty for a missing mass, or the whole body.
 pub(crate) fn fields<'s>(error: &BodyError, body: &'s BodySection) -> Vec<&'s dyn Field> {
     match error {
         BodyError::DimensionOutOfRange { field, .. } => body.field(field).into_iter().collect(),
@@ -51,7 +51,7 @@ impl<'t> Faults<'t> {
         Self { tolerances: Some(Vec::new()), ..Self::new(text) }
     }
 
-    /// Says which line comes now.
+    /// Sets the line that is read next.
     pub(super) const fn begin(&mut self, index: usize, start: usize) {
         self.line = (index, start);
     }
@@ -60,7 +60,7 @@ impl<'t> Faults<'t> {
         self.found.is_empty()
     }
 
-    /// The faults in the order of the text.
+    /// Returns the faults in the order of the text.
     pub(super) fn take(&mut self) -> Vec<Diagnostic> {
         let mut found = std::mem::take(&mut self.found);
         found.sort_by_key(|fault| (fault.span.start, fault.span.end));
@@ -79,7 +79,7 @@ impl<'t> Faults<'t> {
         self.found.push(Diagnostic::at(self.text, span, fault, hint));
     }
 
-    /// "did you mean …", or the whole list where nothing is near.
+    /// Returns "did you mean …", or the whole list if no name is near.
     fn nearest(&self, written: &str, valid: &[&str]) -> Option<Hint> {
         if self.found.len() >= FAULTS_MOST {
             return None;
@@ -90,7 +90,7 @@ impl<'t> Faults<'t> {
         })
     }
 
-    /// The shape of a line.
+    /// Returns the shape of a line.
     pub(super) fn shape(&mut self, line: &Line<'_>) -> Option<&'static BodyShape> {
         let found = BODY_SHAPES.iter().find(|shape| shape.name == line.shape.to_lowercase());
         if found.is_some() {
@@ -111,12 +111,12 @@ impl<'t> Faults<'t> {
         None
     }
 
-    /// Text that belongs to no key.
+    /// Reports text that does not belong to a key.
     pub(super) fn stray(&mut self, (text, span): &(&str, Range<usize>)) {
         self.fault(span.clone(), Fault::NoKey { written: excerpt(text) }, Some(example("diameter=200mm")));
     }
 
-    /// A key that the shape does not have; gives the one that was probably meant.
+    /// Reports a key that the shape does not have; returns the one that was probably meant.
     pub(super) fn unknown_key<'n>(
         &mut self,
         pair: &Keyed<'_>,
@@ -147,7 +147,7 @@ impl<'t> Faults<'t> {
         self.fault(line.shape_span.clone(), fault, Some(example(&format!("{key}=50mm"))));
     }
 
-    /// A quantity in SI.
+    /// Returns a quantity in SI.
     pub(super) fn quantity(&mut self, pair: &Keyed<'_>, key: &'static str, dimension: Dimension) -> Option<f64> {
         let read = match self.tolerances {
             Some(_) => quantities::parse_toleranced(dimension, pair.value),
@@ -175,7 +175,7 @@ impl<'t> Faults<'t> {
         None
     }
 
-    /// A number of pieces; zero is left to the mechanics.
+    /// Returns a number of pieces; the mechanics check for zero.
     pub(super) fn count(&mut self, pair: &Keyed<'_>) -> Option<u32> {
         let plain = pair.value.bytes().all(|byte| byte.is_ascii_digit());
         let found = pair.value.parse().ok().filter(|_| plain);
@@ -186,7 +186,7 @@ impl<'t> Faults<'t> {
         found
     }
 
-    /// How a cylinder lies.
+    /// Returns the orientation of a cylinder.
     pub(super) fn axis(&mut self, pair: &Keyed<'_>) -> Option<Orientation> {
         let found = Orientation::of_word(pair.value);
         if found.is_none() {
@@ -196,13 +196,13 @@ impl<'t> Faults<'t> {
         found
     }
 
-    /// A body that cannot be.
+    /// Reports an impossible body.
     pub(super) fn body(&mut self, error: &BodyError, span: Range<usize>) {
         self.fault(span, Fault::Body(*error), None);
     }
 }
 
-/// The name that was probably meant.
+/// Returns the name that was probably meant.
 fn nearest_of<'n>(written: &str, valid: &[&'n str]) -> Option<&'n str> {
     let written = excerpt(written).to_lowercase();
     let akin = valid.iter().copied().find(|name| written.len() >= 3 && name.starts_with(written.as_str()));

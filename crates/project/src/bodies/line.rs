@@ -1,33 +1,33 @@
-//! One line split into its shape and its `key=value`, each with its place.
+//! One line split into its shape and its `key=value` pairs, each with its place.
 
 use std::ops::Range;
 
-/// One `key=value`.
+/// One `key=value` pair.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(super) struct Keyed<'t> {
     pub(super) key: &'t str,
     pub(super) key_span: Range<usize>,
     pub(super) value: &'t str,
-    /// Place of the value; of the key where the value is empty.
+    /// Place of the value; of the key if the value is empty.
     pub(super) value_span: Range<usize>,
 }
 
-/// The parts of one line; places are those in the whole text.
+/// Parts of one line; places are those in the whole text.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(super) struct Line<'t> {
     /// The whole line without space around it.
     pub(super) span: Range<usize>,
     /// The first word, empty if it is a key or the line is empty.
     pub(super) shape: &'t str,
-    /// Its place.
+    /// Place of the shape.
     pub(super) shape_span: Range<usize>,
     pub(super) pairs: Vec<Keyed<'t>>,
-    /// What stands between the shape and the first key.
+    /// Text between the shape and the first key.
     pub(super) stray: Option<(&'t str, Range<usize>)>,
 }
 
 impl<'t> Line<'t> {
-    /// Splits a line that begins at an offset of the text. A value reaches to the next key, so that it may hold
+    /// Splits a line that begins at an offset of the text. A value extends to the next key, so that it may contain
     /// spaces: `mass=0.6 kg distance=80 mm`.
     pub(super) fn split(offset: usize, text: &'t str) -> Self {
         let trimmed = text.trim();
@@ -75,12 +75,12 @@ impl<'t> Line<'t> {
         }
     }
 
-    /// Whether a key is written.
+    /// Returns `true` if a key is present.
     pub(super) fn has(&self, key: &str) -> bool {
         self.pairs.iter().any(|pair| pair.key == key)
     }
 
-    /// Place of the value of a key.
+    /// Returns the place of the value of a key.
     pub(super) fn value_of(&self, key: &str) -> Option<Range<usize>> {
         self.pairs.iter().find(|pair| pair.key == key).map(|pair| pair.value_span.clone())
     }

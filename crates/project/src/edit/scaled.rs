@@ -1,4 +1,4 @@
-//! A segment of the motion stretched in time and way: what is given of it is changed in proportion.
+//! A segment of the motion stretched in time and distance: its stated values are scaled.
 
 use crate::Range;
 use crate::edit::{Edit, EditFault, edit, written};
@@ -7,12 +7,12 @@ use crate::motion::{Segment, SegmentLaw};
 use crate::section::{OfKinds, Section};
 use ::motion::Law;
 
-/// Digits of what is written; more than a pointer in a picture resolves.
+/// Digits of a scaled value; more than a pointer in a picture resolves.
 const DIGITS: i32 = 6;
 
-/// The text with a segment that takes `time` times as long and goes `way` times as far.
+/// Returns the text with a segment scaled by `time` in its duration and by `way` in its distance.
 ///
-/// `path`: of the segment. Only what is stated is changed, and its unit, tolerance and remark stay.
+/// `path`: of the segment. Only stated values are changed; units, tolerances and comments are kept.
 ///
 /// # Errors
 /// [`EditFault`].
@@ -26,14 +26,14 @@ pub fn stretch(text: &str, path: &str, time: f64, way: f64) -> Result<String, Ed
         all.iter().find(|key| key.path == path).and_then(|key| key.value.as_deref())
     };
     let law = value(Segment::VARIANTS.by).ok_or(EditFault::Path)?;
-    // At constant speed the way follows from the time.
+    // At constant speed the distance follows from the time.
     let constant = SegmentLaw::of_id(law) == Some(SegmentLaw::Law(Law::Constant));
     let powers = |key: &Key| match key.stretches? {
         powers if !constant => Some(powers),
         (-1, _) => None,
         _ => Some((1, 0)),
     };
-    // With a distance its sign is the direction, and of all else the magnitude counts.
+    // With a distance, its sign is the direction, and the magnitudes of the other values apply.
     let is_way = |key: &Key| key.stretches == Some((0, 1));
     let directed = Segment::KEYS.iter().any(|key| is_way(key) && value(key.name).is_some());
     let mut changed = text.to_owned();
@@ -51,7 +51,7 @@ pub fn stretch(text: &str, path: &str, time: f64, way: f64) -> Result<String, Ed
     Ok(changed)
 }
 
-/// A quantity as it is written, its number times a factor; a tolerance in percent stays, one in a unit grows with it.
+/// Scales a quantity as written; a tolerance in percent is kept, one in a unit is scaled too.
 fn scaled(stated: &str, factor: f64) -> Option<String> {
     let is_number = |sign: char| sign.is_ascii_digit() || matches!(sign, '.' | '+' | '-');
     let stated = stated.trim();
@@ -71,7 +71,7 @@ fn scaled(stated: &str, factor: f64) -> Option<String> {
     }
 }
 
-/// A number with [`DIGITS`] digits, without trailing zeros.
+/// Writes a number with [`DIGITS`] digits, without trailing zeros.
 fn shown(number: f64) -> Option<String> {
     if !number.is_finite() {
         return None;

@@ -9,7 +9,7 @@ use mechanism::{MechanismKind, Rotor, RotorKind};
 use quantities::{Measure, Angle, Length, Mass, MomentOfInertia};
 
 section! {
-    /// An arm whose centre of mass lies beside the axis.
+    /// An arm whose centre of mass is off the axis.
     Arm, ArmName of About::Mechanism, MechanismName::Arm {
         inertia: MomentOfInertia => not_negative, needed;
         mass: Mass => not_negative, needed;

@@ -10,7 +10,7 @@ use mechanism::MechanismKind;
 use quantities::{Angle, Length, Mass, MomentOfInertia, Torque};
 
 section! {
-    /// A four-bar linkage whose crank goes round.
+    /// A four-bar linkage with a rotating crank.
     FourBar, FourBarName of About::Mechanism, MechanismName::FourBar {
         ground: Length => positive, needed, example("400 mm");
         crank: Length => positive, needed, example("100 mm");

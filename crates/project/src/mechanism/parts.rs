@@ -26,7 +26,7 @@ impl Friction {
 }
 
 section! {
-    /// Efficiencies of what lies between output and load.
+    /// Efficiencies between output and load.
     Losses, LossesName of About::Losses {
         efficiency: f64 = 1.0 => within(0.01, 1.0), example("0.9"), noted(Assumption::NoLosses);
         efficiency_back: f64 = 1.0 => within(0.0, 1.0), example("0.8"), noted(Assumption::LossesDoNotHelp);
@@ -34,7 +34,7 @@ section! {
 }
 
 section! {
-    /// A mass on a line, and what turns with the output.
+    /// A mass on a line, and the inertia that turns with the output.
     Slide, SlideName of About::Slide {
         mass: Mass => not_negative, needed;
         inertia: MomentOfInertia => not_negative;
@@ -65,13 +65,13 @@ section! {
 }
 
 section! {
-    /// A position that must be known.
+    /// A position that must be stated.
     StartAngle, StartAngleName of About::StartAngle {
         start_angle: Angle => needed;
     }
 }
 
-/// A drive that moves a slide in proportion to the angle.
+/// Builds a drive that moves a slide in proportion to the angle.
 pub(super) fn linear(section: &impl Fields, kind: LinearKind, travel_m_per_rad: f64) -> Option<MechanismKind> {
     let (slide, guide): (&Slide, &Guide) = (group(section)?, group(section)?);
     let counterweight: Option<&Counterweight> = group(section);

@@ -11,7 +11,7 @@ use crate::value::Rows;
 use mechanism::{MechanismKind, TablePoint};
 
 section! {
-    /// A mechanism that is known point by point.
+    /// A mechanism given by points.
     Table, TableName of About::Mechanism, MechanismName::Table {
         points: Rows<TablePoint> => needed,
             example("[[\"0 deg\", \"1.3 kg m^2\", \"5 N m\"], [\"90 deg\", \"1.6 kg m^2\", \"0 N m\"]]");

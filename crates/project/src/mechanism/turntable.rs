@@ -27,14 +27,14 @@ section! {
 }
 
 impl Turntable {
-    /// Whether the bodies can be known; a fault says why not.
+    /// Returns `true` if the bodies can be determined; otherwise reports the fault.
     fn knows_bodies(&self, reader: &mut Reader<'_>) -> bool {
         if self.bodies.is_written() && self.body.is_written() {
             reader.fault(self.bodies.span(), Fault::BodiesTwice, None);
             return false;
         }
         let some = self.bodies.is_given() || self.body.get().is_some_and(|all| !all.0.is_empty());
-        // What was refused is reported already.
+        // A refused value has been reported already.
         if !some && self.is_whole() && !reader.is_damaged() {
             let fault = Fault::MissingKey { path: self.body.path(), list: true };
             let hint = Hint::Example(format!("[[{}]] shape = \"disc\"", self.body.path()));
@@ -43,14 +43,14 @@ impl Turntable {
         some
     }
 
-    /// The place of what is wrong with a body; where nothing is written of it, that of its shape.
+    /// Returns the place of a fault of a body; if the faulty value is not written, that of its shape.
     fn place(&self, index: usize, error: &BodyError) -> Range<usize> {
         match self.body.get().and_then(|all| all.0.get(index)) {
             Some(body) => {
                 let named = fields(error, body).into_iter().find(|field| field.is_given());
                 named.map_or_else(|| body.shape.span(), Field::span)
             }
-            // The bodies as written are sound; with other values within their tolerance they need not be.
+            // The bodies as written are valid; with other values within their tolerances they may not be.
             None => self.bodies.span(),
         }
     }
