@@ -27,7 +27,7 @@ pub enum OperatingCondition {
 }
 
 impl OperatingCondition {
-    /// Lower limit of the static safety.
+    /// Returns the lower limit of the static safety.
     ///
     /// # Source
     /// cha-manual table 76.3
@@ -41,26 +41,26 @@ impl OperatingCondition {
     }
 }
 
-/// What the output bearing has to bear, and what is asked of it.
+/// Loads on the output bearing, and the requirements on it.
 #[derive(Clone, Debug, PartialEq)]
 pub struct BearingDuty {
-    /// Whether loads are known: where neither the user states any nor the mechanism describes them, no check is made.
+    /// Loads are known. If neither the user states any nor the mechanism describes them, no check is made.
     pub has_loads: bool,
     /// Forces on the flange in each segment of the motion, as the user states them.
     pub loads: Vec<FlangeLoad>,
-    /// Those that follow from the mechanism besides.
+    /// Additional loads that follow from the mechanism.
     pub derived: Option<DerivedLoads>,
     /// f_w: load factor of table 74.2.
     pub load_factor: Option<f64>,
     /// Operating condition, for the static safety.
     pub operating_condition: Option<OperatingCondition>,
-    /// Life required.
+    /// Required life.
     pub life_min: Option<Time>,
-    /// Tilt permitted.
+    /// Permissible tilt.
     pub tilt_max: Option<Angle>,
 }
 
-/// The motion in figures that no actuator changes.
+/// Characteristic values of the motion, independent of the actuator.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Moments {
     /// t_0: duration of the cycle.
@@ -81,7 +81,7 @@ pub struct Moments {
     pub inertia_max: MomentOfInertia,
     /// Largest magnitude of the torque of the load, without the actuator's own inertia.
     pub load_peak: Torque,
-    /// Instant at which it is first reached.
+    /// Instant at which the peak is first reached.
     pub load_peak_at: Time,
     /// Largest magnitude of the torque that holds the load without friction at any instant of the cycle.
     pub holding_torque: Torque,
@@ -110,67 +110,68 @@ impl Moments {
         }
     }
 
-    /// Whether the cycle ends where it began, up to a millionth of what it travels: a swing, not a rotation.
+    /// Returns `true` if the cycle ends at its start position, up to a millionth of its travel: a swing, not a
+    /// rotation.
     #[must_use]
     pub fn is_swing(&self) -> bool {
         self.angle_net.si().abs() <= 1e-6 * self.angle_travelled.si()
     }
 
-    /// n_av: mean of |n| over the cycle, pause included.
+    /// Returns n_av: mean of |n| over the cycle, pause included.
     #[must_use]
     pub fn speed_mean(&self) -> AngularVelocity {
         AngularVelocity::from_si(self.angle_travelled.si() / self.duration.si())
     }
 
-    /// ED: share of the cycle in motion.
+    /// Returns ED: share of the cycle in motion.
     #[must_use]
     pub fn duty_factor(&self) -> f64 {
         self.moving.si() / self.duration.si()
     }
 }
 
-/// A motion that takes a look at more instants than its answer may cost.
+/// A motion that needs more evaluation points than the cost limit allows.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct TooManyInstants {
     /// Index of the segment with most of them.
     pub segment: usize,
     /// Instants of the whole cycle.
     pub instants: f64,
-    /// So many are permitted.
+    /// Largest permissible number.
     pub most: f64,
 }
 
 /// Load and motion of one axis, with the moments of its cycle.
 #[derive(Clone, Debug)]
 pub struct Axis {
-    /// What is moved.
+    /// Mechanism with the load.
     pub mechanism: Mechanism,
-    /// How it is moved.
+    /// Motion.
     pub motion: Motion,
-    /// What each segment adds to the load.
+    /// Additional load in each segment.
     pub extras: Vec<Extra>,
     /// Ambient temperature, if the user stated one.
     pub ambient: Option<ThermodynamicTemperature>,
     /// Loads on the output bearing, if the user gave any.
     pub bearing: Option<BearingDuty>,
-    /// The DC link.
+    /// DC link.
     pub supply: Option<Supply>,
-    /// What else is asked.
+    /// Further requirements.
     pub asked: Asked,
     pub(crate) brake_times: Option<BrakeTimes>,
     pub(crate) moments: Moments,
     pub(crate) trace: Trace,
     pub(crate) held: OnceLock<Vec<Held>>,
-    /// J_L and T_L where the manual's equations describe the load.
+    /// J_L and T_L if the manual's equations describe the load.
     pub(crate) plain: Option<(MomentOfInertia, Torque)>,
-    /// Loads on the flange that were worked out for some bearing.
+    /// Loads on the flange that were computed for earlier bearings.
     pub(crate) flange_known: Known,
     pub(crate) swing_ranges: OnceLock<Vec<f64>>,
     pub(crate) rope_course: OnceLock<Option<RopeCourse>>,
 }
 
 impl Axis {
-    /// Lowest and highest position of the output over the cycle.
+    /// Returns the lowest and the highest position of the output over the cycle.
     #[must_use]
     pub fn span(&self) -> (Angle, Angle) {
         self.trace.span()
@@ -215,8 +216,8 @@ impl Axis {
         }
     }
 
-    /// The instants at which a motion under its load would be looked at, and the segment with most of them, where they are
-    /// more than can be: an axis is not made of such a motion.
+    /// Returns the number of evaluation points of a motion under its load, and the segment with most of them, if the
+    /// number exceeds the limit; an axis is not built from such a motion.
     #[must_use]
     pub fn too_many_instants(mechanism: &Mechanism, motion: &Motion) -> Option<TooManyInstants> {
         let found = trace::instants(mechanism, motion);
@@ -226,17 +227,18 @@ impl Axis {
         (instants > most).then_some(TooManyInstants { segment: *segment, instants, most })
     }
 
-    /// At how many instants its cycle is looked at: what one pass over it costs.
+    /// Returns the number of evaluation points of its cycle: the cost of one pass over it.
     #[must_use]
     pub fn instants(&self) -> usize {
         self.trace.instants()
     }
 
-    /// The samples of its long recordings, and their work: those under a load that depends on the position or has losses count twice,
-    /// more if the equations of the load take longer, and a little more if the loads on the flange follow from the mechanism.
+    /// Returns the number of samples of its long recordings, and their work: samples under a load that depends on the
+    /// position or has losses count twice, more if the equations of the load take longer, and a little more if the
+    /// loads on the flange follow from the mechanism.
     #[must_use]
     pub fn samples(&self) -> [usize; 2] {
-        /// Instants of the flange that take as long as a sample, for all bearings of the catalogue.
+        /// Number of evaluations of the flange that take as long as a sample, for all bearings of the catalogue.
         const A_SAMPLE: f64 = 32.0;
         let [samples, work] = self.trace.samples();
         let [_, on_flange] = self.flange_instants();
@@ -245,46 +247,46 @@ impl Axis {
         [samples, if samples == 0 { 0 } else { work + on_flange }]
     }
 
-    /// The ranges of the closed swings of a cycle \[rad\]; only the output bearing needs them.
+    /// Returns the ranges of the closed swings of a cycle \[rad\]; only the output bearing needs them.
     pub(crate) fn swing_ranges(&self) -> &[f64] {
         self.swing_ranges.get_or_init(|| crate::swings::swing_ranges(&self.motion))
     }
 
-    /// The tension of the ropes over the cycle; `None` where no rope holds anything.
+    /// Returns the tension of the ropes over the cycle; `None` if no rope holds a load.
     pub(crate) fn rope_course(&self) -> Option<&RopeCourse> {
         self.rope_course.get_or_init(|| RopeCourse::of(self)).as_ref()
     }
 
-    /// Whether so few instants make the cycle that judging an actuator costs microseconds.
+    /// Returns `true` if the cycle has so few instants that judging an actuator takes microseconds.
     #[must_use]
     pub fn is_short(&self) -> bool {
         self.trace.is_short()
     }
 
-    /// The integrals of the cycle.
+    /// Returns the integrals of the cycle.
     #[must_use]
     pub const fn moments(&self) -> &Moments {
         &self.moments
     }
 
-    /// What the supply gives at the motor terminals, rms; `None` where the project names no supply.
+    /// Returns the voltage of the supply at the motor terminals, rms; `None` if the project states no supply.
     #[must_use]
     pub fn terminal_voltage(&self) -> Option<ElectricPotential> {
         self.supply.as_ref().map(Supply::terminal_voltage)
     }
 
-    /// The speeds that the cycle holds; only gears of known stiffness need them.
+    /// Returns the speeds held in the cycle; only gears of known stiffness need them.
     pub(crate) fn held_speeds(&self) -> &[Held] {
         self.held.get_or_init(|| resonance::held_speeds(self))
     }
 
-    /// Cubic mean of the torque of the load over the angle travelled: (∫|T|³|ω| dt / ∫|ω| dt)^(1/3).
+    /// Returns the cubic mean of the torque of the load over the angle travelled: (∫|T|³|ω| dt / ∫|ω| dt)^(1/3).
     pub(crate) fn load_cubic_mean(&self) -> Torque {
         let travelled = self.trace.gram().travelled();
         Torque::from_si(if travelled > 0.0 { (self.trace.cubes() / travelled).cbrt() } else { 0.0 })
     }
 
-    /// What a cycle of a mechanism must come back to.
+    /// Returns the condition under which a cycle of a mechanism is closed.
     #[must_use]
     pub fn closing(mechanism: &Mechanism) -> Closing {
         match mechanism.endless() {
@@ -294,15 +296,15 @@ impl Axis {
         }
     }
 
-    /// J_L, T_L and the moves where the manual's equations describe the axis: a constant inertia, a friction that does
-    /// not depend on the speed, nothing else, and a cycle of the manual's moves only.
+    /// Returns J_L, T_L and the moves if the manual's equations describe the axis: a constant inertia, a friction
+    /// independent of the speed, no other loads, and a cycle of the manual's moves only.
     pub(crate) fn by_the_manual(&self) -> Option<(MomentOfInertia, Torque, &[ManualMove])> {
         let (inertia, friction) = self.plain?;
         Some((inertia, friction, self.motion.manual()?))
     }
 }
 
-/// J_L and T_L of a load that is a constant inertia with a friction that does not depend on the speed, and nothing else.
+/// Returns J_L and T_L of a load with a constant inertia, a friction independent of the speed, and no other torques.
 fn plain_load(mechanism: &Mechanism, extras: &[Extra]) -> Option<(MomentOfInertia, Torque)> {
     let plain = mechanism.is_constant_over_ramps()
         && mechanism.stage.is_none_or(|stage| stage.changes_nothing())

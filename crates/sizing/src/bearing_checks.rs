@@ -1,4 +1,4 @@
-//! The checks of the output bearing.
+//! Checks of the output bearing.
 
 use crate::axis::{Axis, BearingDuty};
 use crate::check::{Check, CheckId, Verdict};
@@ -15,27 +15,27 @@ use quantities::unit::{ARCMINUTE, HOUR, METRE, NEWTON, NEWTON_METRE, NEWTON_METR
 use quantities::{Angle, Force, Length, Measure, Time, Torque, Unit};
 use std::cell::OnceCell;
 
-/// The model of tilting moment, life, safety and tilt.
+/// Model of tilting moment, life, safety and tilt.
 const MODEL: Source = Source::Model { name: "output-bearing" };
 
-/// The model of the loads that follow from the mechanism.
+/// Model of the loads that follow from the mechanism.
 const DERIVED: Source = Source::Model { name: "flange-loads" };
 
-/// F_a ≤ F_A,dyn(max) alone, while the gear turns (table 55.1, footnote 4).
+/// Checks F_a ≤ F_A,dyn(max) alone, while the gear turns (table 55.1, footnote 4).
 pub(crate) fn axial(borne: &Borne<'_>, work: &mut Workings) -> Outcome {
     let limit = borne.bearing.axial_max.require("F_A_dyn_max")?;
     let names = ("F_a", Finding::AxialForceMax, "bearing.axial_force");
     force(CheckId::BearingAxial, borne, (names, |loads| loads.turning.axial), ("F_A_dyn_max", limit), work)
 }
 
-/// F_r ≤ F_R,dyn(max) alone, while the gear turns (table 55.1, footnote 4).
+/// Checks F_r ≤ F_R,dyn(max) alone, while the gear turns (table 55.1, footnote 4).
 pub(crate) fn radial(borne: &Borne<'_>, work: &mut Workings) -> Outcome {
     let limit = borne.bearing.radial_max.require("F_R_dyn_max")?;
     let names = ("F_r", Finding::RadialForceMax, "bearing.radial_force");
     force(CheckId::BearingRadial, borne, (names, |loads| loads.turning.radial), ("F_R_dyn_max", limit), work)
 }
 
-/// A bearing with what it bears: four checks look at the same loads.
+/// A bearing with its loads, shared by four checks.
 pub(crate) struct Borne<'a> {
     axis: &'a Axis,
     duty: &'a BearingDuty,
@@ -48,17 +48,17 @@ impl<'a> Borne<'a> {
         Self { axis, duty, bearing, loads: OnceCell::new() }
     }
 
-    /// The loads over the cycle, computed on first use.
+    /// Returns the loads over the cycle, computed on first use.
     fn loads(&self) -> &CycleLoads {
         self.loads.get_or_init(|| cycle_loads(self.axis, self.duty, self.bearing))
     }
 
-    /// The largest tilting moment of the cycle, at rest too.
+    /// Returns the largest tilting moment of the cycle, including rest.
     pub(crate) fn largest_moment(&self) -> Result<Peak, Missing> {
         Ok(self.known_moments()?.whole().moment)
     }
 
-    /// The loads, where the tilting moment is known.
+    /// Returns the loads if the tilting moment is known.
     fn known_moments(&self) -> Result<&CycleLoads, Missing> {
         self.bearing.offset.require("R")?;
         self.duty.moment_known(self.axis)?;
@@ -66,7 +66,8 @@ impl<'a> Borne<'a> {
     }
 }
 
-/// F_r, F_a and M: the largest loads on the flange over the whole cycle, at rest too; `None` where they are not known.
+/// Returns F_r, F_a and M: the largest loads on the flange over the whole cycle, including rest; `None` if they are
+/// unknown.
 #[must_use]
 pub fn largest_loads(axis: &Axis, bearing: &OutputBearing) -> Option<(Force, Force, Torque)> {
     let borne = Borne::of(axis, axis.bearing.as_ref()?, bearing);
@@ -74,7 +75,7 @@ pub fn largest_loads(axis: &Axis, bearing: &OutputBearing) -> Option<(Force, For
     Some((Force::from_si(radial.value), Force::from_si(axial.value), Torque::from_si(moment.value)))
 }
 
-/// The loads over the cycle; averages only where loads follow from the mechanism.
+/// Computes the loads over the cycle; averages only if loads follow from the mechanism.
 fn cycle_loads(axis: &Axis, duty: &BearingDuty, bearing: &OutputBearing) -> CycleLoads {
     let offset = bearing.offset.known().map_or_else(|| Length::from_si(0.0), |offset| offset.value);
     let exponent = bearing.kind.known().map_or(3.0, |kind| kind.value.life_exponent());
@@ -95,7 +96,7 @@ fn cycle_loads(axis: &Axis, duty: &BearingDuty, bearing: &OutputBearing) -> Cycl
     axis.derived_loads(offset, exponent).unwrap_or_else(|| axis.stated_loads(offset, exponent, stated))
 }
 
-/// The instant of a peak, where loads change within a segment.
+/// Returns the instant of a peak if loads change within a segment.
 fn instant(duty: &BearingDuty, peak: Peak) -> Option<Time> {
     duty.derived.as_ref().map(|_| Time::from_si(peak.at))
 }
@@ -103,7 +104,7 @@ fn instant(duty: &BearingDuty, peak: Peak) -> Option<Time> {
 /// Symbol, largest over the segments, and key of a force that the user states.
 type Names = (&'static str, Finding, &'static str);
 
-/// A force on the flange against the permissible one.
+/// Compares a force on the flange with the permissible one.
 fn force<Q: Measure>(
     id: CheckId,
     borne: &Borne<'_>,
@@ -129,12 +130,12 @@ fn force<Q: Measure>(
     .answer(Verdict::Fail))
 }
 
-/// Whether every segment carries the same.
+/// Returns `true` if every segment has the same loads.
 fn is_constant(duty: &BearingDuty) -> bool {
     duty.loads.windows(2).all(|pair| matches!(pair, [a, b] if a == b))
 }
 
-/// The workings of the largest force.
+/// Records the derivation of the largest force.
 fn largest_force(duty: &BearingDuty, (symbol, what, key): Names, value: f64, work: &mut Workings) {
     if !work.is_on() {
         return;
@@ -147,7 +148,7 @@ fn largest_force(duty: &BearingDuty, (symbol, what, key): Names, value: f64, wor
     work.value(symbol);
 }
 
-/// What the user gave, from the segment that `what` names where there are several.
+/// Records the value of the user, from the segment that `what` names if there are several.
 fn stated(
     constant: bool,
     (symbol, unit, value, key): (&'static str, &'static Unit, f64, &'static str),
@@ -161,8 +162,8 @@ fn stated(
     }
 }
 
-/// The workings of the tilting moment under one load, `M`: what the user gave, from the segment that `what` names where
-/// there are several.
+/// Records the derivation of the tilting moment under one load, `M`: the values of the user, from the segment that
+/// `what` names if there are several.
 fn load_moment(duty: &BearingDuty, load: &FlangeLoad, offset: &Sourced<Length>, what: Finding, work: &mut Workings) {
     let constant = is_constant(duty);
     for given in [
@@ -178,7 +179,7 @@ fn load_moment(duty: &BearingDuty, load: &FlangeLoad, offset: &Sourced<Length>, 
     work.formula("M", &NEWTON_METRE, moment, "F_r*(L_r + R) + F_a*L_a", &MODEL);
 }
 
-/// The workings of the largest tilting moment, `M`.
+/// Records the derivation of the largest tilting moment, `M`.
 pub(crate) fn explain_largest_moment(borne: &Borne<'_>, work: &mut Workings) {
     let (duty, bearing) = (borne.duty, borne.bearing);
     let Some(offset) = bearing.offset.known().filter(|_| work.is_on()) else { return };
@@ -190,7 +191,7 @@ pub(crate) fn explain_largest_moment(borne: &Borne<'_>, work: &mut Workings) {
     explain_stated_moment(borne, offset, |_| true, work);
 }
 
-/// The workings of the largest tilting moment of stated loads over the segments in a state of the gear, `M`.
+/// Records the derivation of the largest tilting moment of stated loads over the segments in a state of the gear, `M`.
 fn explain_stated_moment(
     borne: &Borne<'_>,
     offset: &Sourced<Length>,
@@ -206,19 +207,19 @@ fn explain_stated_moment(
     }
 }
 
-/// The averages of eq. 75.2 and 75.3 over the cycle.
+/// Averages of eq. 75.2 and 75.3 over the cycle.
 struct MeanLoad {
-    /// F_rav and F_aav; no distances.
+    /// F_rav and F_aav; without distances.
     load: FlangeLoad,
-    /// The averages of F_r (L_r + R) and of F_a L_a.
+    /// Averages of F_r (L_r + R) and of F_a L_a.
     moments: [f64; 2],
-    /// That of the moment of the mechanism.
+    /// Average of the moment of the mechanism.
     of_mechanism: f64,
 }
 
 impl MeanLoad {
-    /// F_r (L_r + R) and F_a L_a are averaged like the forces, so that with distances that do not change the moment is
-    /// F_rav (L_r + R) + F_aav L_a.
+    /// Averages F_r (L_r + R) and F_a L_a like the forces, so that with constant distances the moment is F_rav (L_r +
+    /// R) + F_aav L_a.
     fn of(axis: &Axis, duty: &BearingDuty, offset: Length, exponent: f64) -> Self {
         if let Some(found) = axis.derived_loads(offset, exponent) {
             let ([radial, axial], [of_mechanism, by_radial, by_axial]) = (found.means, found.mean_moments);
@@ -231,7 +232,7 @@ impl MeanLoad {
             };
             return Self { load, moments: [by_radial, by_axial], of_mechanism };
         }
-        // Segments one after the other often carry the same.
+        // Consecutive segments often have the same loads.
         let mut parts: Vec<(&FlangeLoad, f64)> = Vec::new();
         for (load, share) in duty.loads.iter().zip(axis.trace.shares()) {
             match parts.last_mut().filter(|(last, _)| *last == load) {
@@ -262,14 +263,14 @@ impl MeanLoad {
         Self { load, moments: [mean(&by_radial), mean(&by_axial)], of_mechanism: 0.0 }
     }
 
-    /// The tilting moment of the averages.
+    /// Returns the tilting moment of the averages.
     fn moment(&self) -> Torque {
         let [radial, axial] = self.moments;
         Torque::from_si(self.of_mechanism + radial + axial)
     }
 }
 
-/// The load of all segments in motion, where it is one.
+/// Returns the load of all segments in motion, if it is the same.
 fn only_load<'a>(axis: &Axis, duty: &'a BearingDuty) -> Option<&'a FlangeLoad> {
     if duty.derived.is_some() {
         return None;
@@ -279,8 +280,8 @@ fn only_load<'a>(axis: &Axis, duty: &'a BearingDuty) -> Option<&'a FlangeLoad> {
     moving.next().filter(|first| moving.all(|load| load == *first))
 }
 
-/// M ≤ M_dyn(max) while the gear turns (table 55.1, footnote 2): from the tilt that the gear allows, so it holds even where the life
-/// would allow more.
+/// Checks M ≤ M_dyn(max) while the gear turns (table 55.1, footnote 2): it follows from the permissible tilt of the
+/// gear, so it holds even if the life would allow more.
 pub(crate) fn tilting_moment(borne: &Borne<'_>, work: &mut Workings) -> Outcome {
     let id = CheckId::BearingTiltingMoment;
     let moment = borne.known_moments()?.turning.moment;
@@ -299,8 +300,8 @@ pub(crate) fn tilting_moment(borne: &Borne<'_>, work: &mut Workings) -> Outcome 
     Ok(Comparison { at, ..Comparison::with(id, &NEWTON_METRE, moment.value, MODEL, limit) }.answer(Verdict::Fail))
 }
 
-/// M_eq ≤ M_0(max) while the gear rests (table 55.1, footnote 3): M_0(max) holds for a tilting moment alone, so forces count as the
-/// moment that loads the bearing as they do (eq. 76.1, 76.2).
+/// Checks M_eq ≤ M_0(max) while the gear rests (table 55.1, footnote 3): M_0(max) holds for a tilting moment alone, so
+/// forces count as the moment with the equivalent load on the bearing (eq. 76.1, 76.2).
 pub(crate) fn static_moment(borne: &Borne<'_>, work: &mut Workings) -> Outcome {
     let id = CheckId::BearingStaticMoment;
     let loads = borne.known_moments()?;
@@ -325,7 +326,7 @@ pub(crate) fn static_moment(borne: &Borne<'_>, work: &mut Workings) -> Outcome {
     Ok(Comparison { at, ..Comparison::with(id, &NEWTON_METRE, equivalent, source, limit) }.answer(Verdict::Fail))
 }
 
-/// The largest forces without distances; their moment stands apart.
+/// Returns the largest forces without distances; their moment is separate.
 fn forces_alone(peaks: &Peaks) -> FlangeLoad {
     let none = Length::from_si(0.0);
     FlangeLoad {
@@ -336,7 +337,7 @@ fn forces_alone(peaks: &Peaks) -> FlangeLoad {
     }
 }
 
-/// L_10 ≥ the life required (eq. 74.1, 74.3).
+/// Checks L_10 ≥ the required life (eq. 74.1, 74.3).
 pub(crate) fn life(borne: &Borne<'_>, work: &mut Workings) -> Outcome {
     let Borne { axis, duty, bearing, .. } = *borne;
     let id = CheckId::BearingLife;
@@ -368,7 +369,7 @@ pub(crate) fn life(borne: &Borne<'_>, work: &mut Workings) -> Outcome {
             work.given("C", &NEWTON, rating);
             work.stated("f_w", &ONE, load_factor, "bearing.load_factor");
             workings::mean_speed(axis, work);
-            // Of a swing the manual writes the same with its angle and number a minute.
+            // For a swing the manual writes the equation with its angle and the number per minute.
             let source = if axis.moments().is_swing() { MODEL } else { equation("74.1") };
             work.formula("L_10", &HOUR, life.si(), "10^6/(60*n_av)*(C/(f_w*P_c))^B", &source);
             work.value("L_10");
@@ -388,8 +389,8 @@ pub(crate) fn life(borne: &Borne<'_>, work: &mut Workings) -> Outcome {
     Ok(check)
 }
 
-/// Small swings may fret the bearing, whatever its life by rolling is: a remark, and advice for a life that does
-/// not fail by itself.
+/// Adds a remark on small swings, which may fret the bearing independent of its rolling life, and advice if the life
+/// does not fail by itself.
 fn fretting(axis: &Axis, bearing: &OutputBearing, check: &mut Check) {
     let Some(least) = bearing.swing_min.known().map(|least| least.value) else { return };
     let (moments, small) = (axis.moments(), SmallSwings::of(axis, least));
@@ -412,7 +413,7 @@ fn fretting(axis: &Axis, bearing: &OutputBearing, check: &mut Check) {
 const EXPONENT: [CellRef; 2] =
     [CellRef::of_the_manual("74.5", "B", "bearing_type=C"), CellRef::of_the_manual("74.5", "B", "bearing_type=F")];
 
-/// Rows of table 75.4: factors x and y where the load is mostly radial, and elsewhere.
+/// Rows of table 75.4: factors x and y for a mostly radial load, and otherwise.
 const FACTORS: [[CellRef; 2]; 2] = {
     const RADIAL: &str = "F_aav/(F_rav + 2 M/d_p) ≤ 1,5";
     const AXIAL: &str = "F_aav/(F_rav + 2 M/d_p) > 1,5";
@@ -422,7 +423,7 @@ const FACTORS: [[CellRef; 2]; 2] = {
     ]
 };
 
-/// B of the bearing's type.
+/// Records B of the bearing's type.
 fn explain_exponent(kind: &Sourced<BearingType>, work: &mut Workings) {
     let [crossed, four] = &EXPONENT;
     let column = match kind.value {
@@ -432,7 +433,7 @@ fn explain_exponent(kind: &Sourced<BearingType>, work: &mut Workings) {
     work.figure("B", &ONE, kind.value.life_exponent(), &Source::Cell(column), kind.grade);
 }
 
-/// The workings of the averages, where the load changes: `F_rav`, `F_aav` and `M`.
+/// Records the derivation of the averages, if the load changes: `F_rav`, `F_aav` and `M`.
 fn explain_mean_load(mean: &MeanLoad, offset: &Sourced<Length>, derived: bool, work: &mut Workings) {
     let [radial, axial] = mean.moments;
     let (by_radial, by_axial) = (equation("75.2"), equation("75.3"));
@@ -456,7 +457,8 @@ fn explain_mean_load(mean: &MeanLoad, offset: &Sourced<Length>, derived: bool, w
     work.formula("M", &NEWTON_METRE, moment, text, &MODEL);
 }
 
-/// The workings of the dynamic equivalent load, `P_c`; `constant`: of the loads themselves, not of averages.
+/// Records the derivation of the dynamic equivalent load, `P_c`; `constant`: from the loads themselves, not from
+/// averages.
 fn explain_equivalent_load(
     mean: &MeanLoad,
     constant: bool,
@@ -473,8 +475,9 @@ fn explain_equivalent_load(
     work.formula("P_c", &NEWTON, equivalent.si(), text, &equation("75.1"));
 }
 
-/// f_s = C_0/P_0 ≥ the least of the operating condition (eq. 76.1, table 76.3), and of the size (table 55.1, footnote 3), of the largest F_r, F_a and M of the cycle
-/// taken together, as the maker's sister series does (docs/theory/output-bearing.md).
+/// Checks f_s = C_0/P_0 ≥ the minimum of the operating condition (eq. 76.1, table 76.3), and of the size (table 55.1,
+/// footnote 3), for the largest F_r, F_a and M of the cycle combined, as in the manufacturer's sister series
+/// (docs/theory/output-bearing.md).
 pub(crate) fn static_safety(borne: &Borne<'_>, work: &mut Workings) -> Outcome {
     let id = CheckId::BearingStatic;
     let (duty, bearing) = (borne.duty, borne.bearing);
@@ -502,7 +505,7 @@ pub(crate) fn static_safety(borne: &Borne<'_>, work: &mut Workings) -> Outcome {
         work.value("f_s");
     }
     let asked = duty.operating_condition.map(crate::axis::OperatingCondition::static_safety_min);
-    // What the table states for the size is the least, whatever the condition.
+    // The value of the table for the size is the minimum for any condition.
     let of_size = bearing.static_safety_min.known();
     match (asked, of_size.filter(|least| asked.is_some_and(|asked| least.value > asked))) {
         (Some(_), Some(least)) => {
@@ -518,7 +521,7 @@ pub(crate) fn static_safety(borne: &Borne<'_>, work: &mut Workings) -> Outcome {
     }
 }
 
-/// The workings of the largest loads of the cycle, each by itself: `F_r`, `F_a` and `M`.
+/// Records the derivation of the largest loads of the cycle, each by itself: `F_r`, `F_a` and `M`.
 fn explain_largest(largest: &Peaks, duty: &BearingDuty, work: &mut Workings) {
     let source = if duty.derived.is_some() { DERIVED } else { MODEL };
     let what = if duty.derived.is_some() { Finding::LargestOfMechanism } else { Finding::LargestOverSegments };
@@ -529,7 +532,7 @@ fn explain_largest(largest: &Peaks, duty: &BearingDuty, work: &mut Workings) {
     }
 }
 
-/// γ = M/K_B ≤ the tilt permitted (eq. 76.4).
+/// Checks γ = M/K_B ≤ the permissible tilt (eq. 76.4).
 pub(crate) fn tilt_angle(borne: &Borne<'_>, work: &mut Workings) -> Outcome {
     let id = CheckId::TiltAngle;
     let moment = Torque::from_si(borne.largest_moment()?.value);

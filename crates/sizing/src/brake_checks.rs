@@ -1,4 +1,4 @@
-//! The checks of the holding brake.
+//! Checks of the holding brake.
 
 use crate::axis::Axis;
 use crate::brake_times::brakings;
@@ -16,24 +16,24 @@ use quantities::unit::{
 };
 use quantities::{Measure, MomentOfInertia, Time};
 
-/// Below this share of the load's weight nothing hangs: rounding of an angle.
+/// Share of the weight below which the load counts as balanced: the rounding of an angle.
 const HANGING: f64 = 1e-9;
 
-/// What the axis and the actuator have to do with a brake.
+/// Relation of axis and actuator to a brake.
 enum Held {
-    /// The load hangs and nothing holds it in a dwell.
+    /// The load is under gravity or tension and not held in a dwell.
     Free,
-    /// There is no brake, and the motion is to be held by one.
+    /// The actuator has no brake, and the motion requires one.
     Absent,
-    /// There is no brake, and the load hangs.
+    /// The actuator has no brake, and the load is under gravity or tension.
     Unheld,
-    /// Neither has anything to do with a brake, or it is not known whether there is one.
+    /// No brake is involved, or it is unknown whether the actuator has one.
     Unconcerned,
-    /// The load hangs, and it is not known whether there is a brake.
+    /// The load is under gravity or tension, and it is unknown whether the actuator has a brake.
     NotPrinted,
-    /// There is a brake, and the torque that holds the load is not known.
+    /// The actuator has a brake, and the torque that holds the load is unknown.
     LoadNotKnown,
-    /// There is a brake.
+    /// The actuator has a brake.
     Braked,
 }
 
@@ -56,10 +56,10 @@ impl Held {
     }
 }
 
-/// What is missing where the torque that holds the load is not known.
+/// Missing datum if the torque that holds the load is unknown.
 const HOLDING_TORQUE: Missing = Missing { symbol: "mechanism.joint.holding_torque" };
 
-/// The torque that holds the load; none where there is no brake and none is required.
+/// Checks the torque that holds the load; `None` if the actuator has no brake and none is required.
 pub(crate) fn holding(case: &Case<'_>, work: &mut Workings) -> Option<Outcome> {
     let Case { axis, actuator, .. } = *case;
     Some(match Held::of(axis, actuator) {
@@ -77,7 +77,7 @@ pub(crate) fn holding(case: &Case<'_>, work: &mut Workings) -> Option<Outcome> {
     })
 }
 
-/// The stop by the brake alone; none where there is no brake or it is not known whether there is one.
+/// Checks the stop by the brake alone; `None` if the actuator has no brake or it is unknown.
 pub(crate) fn emergency(case: &Case<'_>, work: &mut Workings) -> Option<Outcome> {
     let Case { axis, actuator, .. } = *case;
     match Held::of(axis, actuator) {
@@ -87,7 +87,7 @@ pub(crate) fn emergency(case: &Case<'_>, work: &mut Workings) -> Option<Outcome>
     }
 }
 
-/// Nothing holds: the load stays only where friction at the output is at least what moves it.
+/// Compares the friction at the output with the torque that moves the load, which no brake holds.
 fn free(axis: &Axis, work: &mut Workings) -> Check {
     let friction = provenance::Sourced {
         value: axis.mechanism.coulomb_torque(),
@@ -111,19 +111,19 @@ fn free(axis: &Axis, work: &mut Workings) -> Check {
     .answer(Verdict::Fail)
 }
 
-/// The motion wants to be held by a brake that is not there.
+/// Returns the failed check of a motion that requires a brake which the actuator lacks.
 fn absent(axis: &Axis, work: &mut Workings) -> Check {
     Check { notes: Notes::fixed(&[Note::NoBrake]), ..without_brake(Verdict::Fail, project("motion.hold"), axis, work) }
 }
 
-/// The load hangs and there is no brake: in operation the motor holds it, without power nothing does. That is for the
-/// machine to solve, so it is advice.
+/// Returns the check of a load under gravity or tension without a brake: in operation the motor holds it, without power
+/// nothing does. The machine has to solve that, so the check is advice.
 fn unheld(axis: &Axis, work: &mut Workings) -> Check {
     let notes = Notes::fixed(&[Note::NothingHoldsWithoutPower]);
     Check { notes, ..without_brake(Verdict::Advice, Source::Model { name: "brake" }, axis, work) }
 }
 
-/// The torque that holds the load against none.
+/// Compares the torque that holds the load with a brake torque of zero.
 fn without_brake(verdict: Verdict, none: Source, axis: &Axis, work: &mut Workings) -> Check {
     holding_torque(axis, work);
     work.figure("T_Br", &NEWTON_METRE, 0.0, &none, Grade::Printed);
@@ -139,7 +139,7 @@ fn without_brake(verdict: Verdict, none: Source, axis: &Axis, work: &mut Working
     }
 }
 
-/// Notes the largest torque that holds the load, `T_hold`, as what the axis asks.
+/// Records the largest torque that holds the load, `T_hold`, as the requirement of the axis.
 fn holding_torque(axis: &Axis, work: &mut Workings) {
     find_holding_torque(axis, work);
     work.value("T_hold");
@@ -156,15 +156,15 @@ fn hangs(axis: &Axis) -> bool {
 }
 
 fn total_inertia(axis: &Axis, actuator: &Parameters) -> Result<MomentOfInertia, Missing> {
-    // The lightest load moves most while the brake closes.
-    // Of a joint only the largest inertia is stated.
+    // The lightest load moves most while the brake closes. For a joint only the largest inertia is stated.
     let joint = matches!(axis.mechanism.kind, mechanism::MechanismKind::Joint(_));
     let least = if joint { MomentOfInertia::from_si(0.0) } else { axis.trace.inertia().1 };
     Ok(actuator.inertia_out.require("J_out")?.value + least)
 }
 
-/// T_Br ≥ S times gravity, process and external torque at every instant, without the help of friction: the drive may fail
-/// at any. With a stated service life also the number of brakings; the tighter one of torque and number is reported.
+/// Checks T_Br ≥ S times gravity, process and external torque at every instant, without the help of friction: the drive
+/// may fail at any time. With a stated service life also the number of brakings; the check of torque or number with the
+/// higher utilisation is returned.
 fn held(axis: &Axis, actuator: &Parameters, brake: &Brake, work: &mut Workings) -> Outcome {
     let id = CheckId::BrakeHolding;
     let limit = brake.holding_torque.require("T_Br")?;
@@ -214,12 +214,12 @@ fn held(axis: &Axis, actuator: &Parameters, brake: &Brake, work: &mut Workings) 
     Ok(check)
 }
 
-/// Whether the first of two checks is nearer to its limit, or further beyond it.
+/// Returns `true` if the first of two checks has the higher utilisation.
 fn tighter(one: &Check, other: &Check) -> bool {
     one.utilisation.unwrap_or(0.0) > other.utilisation.unwrap_or(0.0)
 }
 
-/// Applications of the brake over the stated service life ≤ N_brakings.
+/// Checks the number of applications of the brake over the stated service life ≤ N_brakings.
 fn number_of_brakings(axis: &Axis, brake: &Brake, each_cycle: f64) -> Option<Check> {
     let (life, limit) = axis.asked.service_life.zip(brake.brakings_max.known()).filter(|_| each_cycle > 0.0)?;
     let count = each_cycle * life.si() / axis.moments().duration.si();
@@ -228,7 +228,7 @@ fn number_of_brakings(axis: &Axis, brake: &Brake, each_cycle: f64) -> Option<Che
     Some(Comparison::with(CheckId::BrakeHolding, &ONE, count, model, &most).answer(Verdict::Fail))
 }
 
-/// The workings of the number of brakings, `N`.
+/// Records the derivation of the number of brakings, `N`.
 fn explain_brakings(axis: &Axis, brake: &Brake, each_cycle: f64, work: &mut Workings) {
     let (Some(life), Some(limit)) = (axis.asked.service_life, brake.brakings_max.known()) else { return };
     let (model, cycle) = (Source::Model { name: "brake" }, axis.moments().duration.si());
@@ -241,7 +241,7 @@ fn explain_brakings(axis: &Axis, brake: &Brake, each_cycle: f64, work: &mut Work
     work.limit("N_brakings");
 }
 
-/// A stop from the peak speed by the brake alone, the load driving on: its angle, and how many of them.
+/// Checks a stop from the peak speed by the brake alone, under a driving load: its angle, and the number of stops.
 fn stop(axis: &Axis, actuator: &Parameters, brake: &Brake, work: &mut Workings) -> Outcome {
     let id = CheckId::BrakeEmergency;
     let holding = brake.holding_torque.require("T_Br")?;
@@ -282,7 +282,7 @@ fn stop(axis: &Axis, actuator: &Parameters, brake: &Brake, work: &mut Workings) 
         let key = "requirements.emergency_stops";
         let most = limit.clone().map(quantities::Ratio::from_si);
         let number = Comparison::with(id, &ONE, count, project(key), &most).answer(Verdict::Fail);
-        // The tighter one of angle and number is reported.
+        // The check of angle or number with the higher utilisation is returned.
         if check.verdict == Verdict::NotChecked || tighter(&number, &check) {
             check = number;
             work.stated("N_stops", &ONE, count, key);
@@ -302,7 +302,7 @@ fn stop(axis: &Axis, actuator: &Parameters, brake: &Brake, work: &mut Workings) 
     Ok(check)
 }
 
-/// The workings of the angle of a stop by the brake alone, `phi_stop`.
+/// Records the derivation of the angle of a stop by the brake alone, `phi_stop`.
 fn stop_angle(axis: &Axis, actuator: &Parameters, brake: &Brake, angle: f64, work: &mut Workings) {
     let (Some(torque), Some(closing)) = (brake.holding_torque.known(), brake.closing_time.known()) else { return };
     let source = Source::Model { name: "brake" };

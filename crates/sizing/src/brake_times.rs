@@ -1,11 +1,12 @@
-//! Dwells that the brake holds: what the motor must hold of them, how often the brake closes, how long it is open.
+//! Dwells held by the brake: the times in which the motor holds the load, the number of brakings, and the open time of
+//! the brake.
 
 use crate::axis::Axis;
 use motion::{Hold, Motion};
 use quantities::{Measure, Ratio, Time};
 use trace::Carried;
 
-/// How long the brake of an axis takes, the same for every candidate: the demand is worked out once.
+/// Switching times of the brake of an axis, equal for every candidate, so that the demand is computed once.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct BrakeTimes {
     /// t_c: time to close.
@@ -14,10 +15,11 @@ pub struct BrakeTimes {
     pub opening: Time,
 }
 
-/// Times at the beginning and at the end of a dwell in which the motor holds the load though the brake is to do so.
+/// Returns the times at the beginning and at the end of a dwell in which the motor holds the load although the brake is
+/// to hold it.
 ///
-/// t_c at the beginning, until the brake has closed, and t_o at the end, while it opens; the whole dwell if it is shorter
-/// than both together. Where the segment before or after is held by the brake too, the brake stays closed between them.
+/// t_c at the beginning, until the brake has closed, and t_o at the end, while it opens; the whole dwell if it is
+/// shorter than both. If the brake also holds the segment before or after, it stays closed between them.
 ///
 /// # Source
 /// docs/theory/brake.md
@@ -25,7 +27,7 @@ fn held_by_the_motor(motion: &Motion, segment: usize, times: &BrakeTimes) -> (f6
     let stretches = motion.stretches();
     let is_held = |index: usize| stretches.get(index).is_some_and(|stretch| stretch.hold == Hold::Brake);
     let last = stretches.len().saturating_sub(1);
-    // The cycle repeats: before its first segment comes its last.
+    // The cycle repeats: its first segment follows its last.
     let before = segment.checked_sub(1).unwrap_or(last);
     let after = if segment == last { 0 } else { segment + 1 };
     let alone = |neighbour: usize| neighbour == segment || !is_held(neighbour);
@@ -35,13 +37,13 @@ fn held_by_the_motor(motion: &Motion, segment: usize, times: &BrakeTimes) -> (f6
     if closing + opening >= duration { (duration, 0.0) } else { (closing, opening) }
 }
 
-/// How the motor carries the load in each segment at rest.
+/// Returns the holding times of the motor in each segment at rest.
 pub(crate) fn carried(motion: &Motion, times: Option<&BrakeTimes>) -> Vec<Carried> {
     (0..motion.stretches().len()).map(|segment| carried_in(motion, segment, times)).collect()
 }
 
-/// How the motor carries the load in a segment at rest: where the brake is to hold, until it has closed and while it opens;
-/// all the time where there is no brake.
+/// Returns the holding times of the motor in a segment at rest: until the brake has closed and while it opens; the
+/// whole segment without a brake.
 pub(crate) fn carried_in(motion: &Motion, segment: usize, times: Option<&BrakeTimes>) -> Carried {
     match (motion.stretches().get(segment).map_or(Hold::Motor, |stretch| stretch.hold), times) {
         (Hold::Brake, Some(times)) => {
@@ -53,16 +55,16 @@ pub(crate) fn carried_in(motion: &Motion, segment: usize, times: Option<&BrakeTi
     }
 }
 
-/// What the cycle asks of the brake.
+/// Duty of the brake in a cycle.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Brakings {
-    /// Times that the brake closes in one cycle.
+    /// Number of times that the brake closes in one cycle.
     pub(crate) each_cycle: f64,
-    /// The shortest dwell that is too short for the brake to close and to open again.
+    /// Shortest dwell that is too short for the brake to close and to open again.
     pub(crate) too_short: Option<Time>,
 }
 
-/// The brake closes once in each row of dwells that it holds, unless they are too short.
+/// Counts the brakings: the brake closes once in each sequence of dwells that it holds, unless they are too short.
 pub(crate) fn brakings(axis: &Axis) -> Brakings {
     let stretches = axis.motion.stretches();
     let mut found = Brakings { each_cycle: 0.0, too_short: None };
@@ -73,7 +75,7 @@ pub(crate) fn brakings(axis: &Axis) -> Brakings {
             let shorter = found.too_short.is_none_or(|shortest| stretch.duration.si() < shortest.si());
             found.too_short = if shorter { Some(stretch.duration) } else { found.too_short };
         }
-        // A brake that is switched off counts, however soon it is switched on again.
+        // A brake that is switched off counts, independent of how soon it is switched on again.
         if closing > 0.0 {
             found.each_cycle += 1.0;
         }
@@ -82,7 +84,7 @@ pub(crate) fn brakings(axis: &Axis) -> Brakings {
 }
 
 impl Axis {
-    /// Share of the cycle in which the brake is kept open and its coil draws current.
+    /// Returns the share of the cycle in which the brake is kept open and its coil draws current.
     ///
     /// s = 1 − Σ (t_d − t_o)/t_0 over the dwells t_d that the brake holds: the coil is without current from the beginning
     /// of such a dwell until the brake begins to open
@@ -93,7 +95,7 @@ impl Axis {
         let closed: f64 = stretches
             .filter(|(_, stretch)| stretch.hold == Hold::Brake)
             .map(|(index, stretch)| match held_by_the_motor(&self.motion, index, times) {
-                // Too short to close: the coil had better stay on.
+                // The dwell is too short to close the brake: the coil stays on.
                 (closing, opening) if closing + opening >= stretch.duration.si() => 0.0,
                 (_, opening) => stretch.duration.si() - opening,
             })

@@ -1,4 +1,4 @@
-//! The answer of one check.
+//! Result of one check.
 
 use crate::notes::{Note, Notes};
 use derivation::Step;
@@ -9,7 +9,7 @@ use quantities::{Measure, Time, Unit, identified};
 pub use crate::list::CheckId;
 
 identified! {
-    /// How a value must lie to its limit.
+    /// Required relation of a value to its limit.
     #[derive(Clone, Copy, Debug, PartialEq, Eq)]
     pub enum Direction {
         /// Value ≤ limit; the utilisation is value by limit.
@@ -20,7 +20,7 @@ identified! {
 }
 
 impl Direction {
-    /// Returns `true` if a value keeps a limit, which it does up to the rounding of both ([`numeric::AT_THE_LIMIT`]).
+    /// Returns `true` if a value keeps a limit, up to the rounding of both ([`numeric::AT_THE_LIMIT`]).
     #[must_use]
     pub fn keeps(self, value: f64, limit: f64) -> bool {
         match self {
@@ -29,7 +29,8 @@ impl Direction {
         }
     }
 
-    /// Returns value over limit or limit over value; what keeps the limit but for rounding uses all of it, not more.
+    /// Returns value over limit or limit over value; one that keeps the limit only up to rounding has a utilisation of
+    /// one.
     #[must_use]
     pub(crate) fn share(self, value: f64, limit: f64) -> f64 {
         let share = match self {
@@ -39,10 +40,10 @@ impl Direction {
         if self.keeps(value, limit) { share.min(1.0) } else { share }
     }
 
-    /// The sign between a value and its limit that is true: ≤, >, ≥ or <.
+    /// Returns the true relation between a value and its limit: ≤, >, ≥ or <.
     #[must_use]
     pub fn relation(self, passes: bool, value: f64, limit: f64) -> &'static str {
-        // What passes keeps its limit, also where it is at it but for rounding.
+        // A passed value keeps its limit, including one at the limit up to rounding.
         match self {
             Self::AtMost if passes || self.keeps(value.abs(), limit.abs()) => "≤",
             Self::AtMost => ">",
@@ -52,21 +53,21 @@ impl Direction {
     }
 }
 
-/// What the utilisation of a check says.
+/// Meaning of the utilisation of a check.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Margin {
-    /// A share of the limit: what is left is a margin that the ranking looks at.
+    /// A share of the limit: the rest is a margin used by the ranking.
     Share,
-    /// That of a recommendation, which the ranking leaves out.
+    /// A share of a recommendation, which the ranking ignores.
     Recommendation,
-    /// Of a class that is met or not, such as a voltage: there is nothing between.
+    /// A class that is met or not, such as a voltage, without intermediate values.
     Class,
-    /// Of a range with a limit at either end, in which a value has no share of a limit.
+    /// A range with a limit at either end, in which a value has no share of a limit.
     Range,
 }
 
 identified! {
-    /// The part of the actuator that a check is about.
+    /// Part of the actuator that a check is about.
     #[derive(Clone, Copy, Debug, PartialEq, Eq)]
     #[allow(missing_docs, reason = "the names say it")]
     pub enum Part {
@@ -83,14 +84,14 @@ identified! {
 }
 
 identified! {
-    /// The answer of a check.
+    /// Verdict of a check.
     #[derive(Clone, Copy, Debug, PartialEq, Eq)]
     pub enum Verdict {
         /// Inside the limit.
         Pass = "pass",
         /// Outside the limit.
         Fail = "fail",
-        /// Inside every limit, but a recommendation is broken.
+        /// Inside every limit, but a recommendation is violated.
         Advice = "advice",
         /// A datum is missing; see [`Check::missing`].
         NotChecked = "not_checked",
@@ -98,10 +99,10 @@ identified! {
 }
 
 identified! {
-    /// The verdict on an actuator as a whole, the best first.
+    /// Verdict on an actuator as a whole, best first.
     #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
     pub enum Fit {
-        /// Nothing speaks against it.
+        /// No check fails.
         Fits = "fits",
         /// No check fails, but one is beyond its limit within the band of an estimate, or beyond a rating of another gear: it
         /// fits if the estimate holds.
@@ -112,61 +113,62 @@ identified! {
 }
 
 impl Fit {
-    /// Returns `true` unless something speaks against it.
+    /// Returns `true` unless a check or requirement fails.
     #[must_use]
     pub const fn fits(self) -> bool {
         !matches!(self, Self::DoesNotFit)
     }
 }
 
-/// A number with the unit that people read it in.
+/// A number with its display unit.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Amount {
     /// Value in SI.
     pub si: f64,
-    /// Unit to show it in.
+    /// Display unit.
     pub unit: &'static Unit,
 }
 
 impl Amount {
-    /// The value in its unit.
+    /// Returns the value in its unit.
     #[must_use]
     pub fn value(&self) -> f64 {
         self.unit.from_si(self.si)
     }
 }
 
-/// The answer of one check, with everything needed to question it.
+/// Result of one check, with all that is needed to verify it.
 #[derive(Clone, Debug)]
 pub struct Check {
-    /// Which check.
+    /// Identifier of the check.
     pub id: CheckId,
-    /// Its answer.
+    /// Verdict.
     pub verdict: Verdict,
-    /// What the axis asks.
+    /// Value required by the axis.
     pub value: Option<Amount>,
-    /// What the actuator gives.
+    /// Limit of the actuator.
     pub limit: Option<Amount>,
     /// |value| / |limit|; for a recommendation the same ratio.
     pub utilisation: Option<f64>,
     /// Instant of the worst case within the cycle.
     pub at: Option<Time>,
-    /// The worst grade among the inputs.
+    /// Worst grade among the inputs.
     pub grade: Option<Grade>,
-    /// Where the value comes from.
+    /// Source of the value.
     pub value_source: Option<Source>,
-    /// Where the limit comes from.
+    /// Source of the limit.
     pub limit_source: Option<Source>,
-    /// Symbol of the datum that is missing.
+    /// Symbol of the missing datum.
     pub missing: Option<&'static str>,
     /// Remarks.
     pub notes: Notes,
-    /// How value and limit came about; empty unless an explanation is requested.
+    /// Derivation of value and limit; empty unless an explanation is requested.
     pub workings: Box<[Step]>,
 }
 
 impl Check {
-    /// How the value must lie to the limit. Of the two limits of a range the nearer one is compared.
+    /// Returns the required relation of the value to the limit. Of the two limits of a range the nearer one is
+    /// compared.
     #[must_use]
     pub fn direction(&self) -> Direction {
         match (self.id.margin(), self.value, self.limit) {
@@ -196,7 +198,8 @@ impl Check {
         self.verdict == Verdict::NotChecked && self.value.is_none()
     }
 
-    /// Utilisation by which checks are compared: infinite where a failing check has none, since its limit is zero or a range.
+    /// Returns the utilisation by which checks are compared: infinite for a failing check without one, whose limit is
+    /// zero or a range.
     #[must_use]
     pub fn severity(&self) -> f64 {
         match self.utilisation {
@@ -205,8 +208,9 @@ impl Check {
         }
     }
 
-    /// Value over the edge above which the check fails: its utilisation, of an estimate that by the upper edge of its band.
-    /// `None` where it has none, and where the limit is a rating of another gear, which rejects nothing.
+    /// Returns value over the edge above which the check fails: its utilisation; for an estimate, that by the upper edge
+    /// of its band. `None` without a utilisation, and for a limit that is a rating of another gear, which rejects no
+    /// actuator.
     #[must_use]
     pub fn share_of_failure(&self) -> Option<f64> {
         let is_advice_only = self.notes.contains(&Note::RatingOfInterchangeableGear)
@@ -223,9 +227,8 @@ impl Check {
         Some(share * widened.unwrap_or(1.0))
     }
 
-    /// The place of the check where checks are listed, the most important first: what fails, what is advised, what could not
-    /// be checked, what passes, what is shown without a limit; within each what has a margin before what has none, and the
-    /// larger utilisation first.
+    /// Returns the rank of the check in a list, the most important first: failed, advised, not checked, passed, shown
+    /// without a limit; within each, checks with a margin first, then the larger utilisation.
     #[must_use]
     pub fn importance(&self) -> impl Ord + use<> {
         let class = match self.verdict {
@@ -239,7 +242,7 @@ impl Check {
         (class, has_no_margin, std::cmp::Reverse(crate::rank::in_order(self.severity())))
     }
 
-    /// The sign between value and limit that is true: ≤, >, ≥ or <; none where one of them is missing.
+    /// Returns the true relation between value and limit: ≤, >, ≥ or <; `None` if one of them is missing.
     #[must_use]
     pub fn relation(&self) -> Option<&'static str> {
         Some(self.direction().relation(self.verdict == Verdict::Pass, self.value?.si, self.limit?.si))

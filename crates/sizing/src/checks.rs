@@ -1,4 +1,4 @@
-//! The checks of torque, speed, inertia and ambient temperature.
+//! Checks of torque, speed, inertia and ambient temperature.
 
 use crate::axis::Axis;
 use crate::check::{Amount, Check, CheckId, Verdict};
@@ -14,12 +14,12 @@ use provenance::{Grade, Missing, Source};
 use quantities::Measure;
 use quantities::unit::{DEGREE_CELSIUS, KILOGRAM_SQUARE_METRE, NEWTON_METRE, REVOLUTION_PER_MINUTE};
 
-/// The errata of the own inertia, which is part of every torque.
+/// Returns the errata of the own inertia, which is part of every torque.
 pub(crate) fn inertia_errata(actuator: &Parameters) -> &'static [&'static str] {
     actuator.inertia_out.known().map_or(&[], |known| known.errata)
 }
 
-/// Says that eq. 69.2 takes the braking torque from the accelerating time, where it does.
+/// Returns the remark that eq. 69.2 uses the accelerating time for the braking torque, if it does.
 pub(crate) fn braking_note(manual: Option<&ManualDemand>) -> Notes {
     match manual {
         Some(manual) if manual.braking_assumed => Notes::fixed(&[Note::BrakingTorqueAssumed]),
@@ -27,7 +27,7 @@ pub(crate) fn braking_note(manual: Option<&ManualDemand>) -> Notes {
     }
 }
 
-/// The manual's equation where it describes the axis and sees every braking torque, else the exact integral.
+/// Returns the manual's equation if it describes the axis and every braking torque, else the exact integral.
 pub(crate) fn demand_source(manual: Option<&ManualDemand>, number: &'static str) -> Source {
     match manual {
         Some(manual) if !manual.braking_assumed => equation(number),
@@ -35,7 +35,7 @@ pub(crate) fn demand_source(manual: Option<&ManualDemand>, number: &'static str)
     }
 }
 
-/// T_peak ≤ T_max (cha-manual 7.1: T_1 < T_max; glossary T_max: largest accelerating and braking torque).
+/// Checks T_peak ≤ T_max (cha-manual 7.1: T_1 < T_max; glossary T_max: largest accelerating and braking torque).
 pub(crate) fn peak_torque(case: &Case<'_>, work: &mut Workings) -> Outcome {
     let Case { axis, actuator, demand, manual, .. } = *case;
     let id = CheckId::PeakTorque;
@@ -67,7 +67,7 @@ pub(crate) fn peak_torque(case: &Case<'_>, work: &mut Workings) -> Outcome {
     .answer(Verdict::Fail))
 }
 
-/// n_peak ≤ n_mot,max / i, the exact quotient.
+/// Checks n_peak ≤ n_mot,max / i, the exact quotient.
 pub(crate) fn peak_speed(axis: &Axis, actuator: &Drivetrain, work: &mut Workings) -> Outcome {
     let id = CheckId::PeakSpeed;
     let limit = actuator::speed_max_with(actuator, work)?;
@@ -84,7 +84,7 @@ pub(crate) fn peak_speed(axis: &Axis, actuator: &Drivetrain, work: &mut Workings
     .answer(Verdict::Fail))
 }
 
-/// n_av ≤ n_N / i.
+/// Checks n_av ≤ n_N / i.
 pub(crate) fn mean_speed(axis: &Axis, actuator: &Drivetrain, work: &mut Workings) -> Outcome {
     let id = CheckId::MeanSpeed;
     let limit = actuator::speed_rated_out_with(actuator, work)?;
@@ -95,7 +95,7 @@ pub(crate) fn mean_speed(axis: &Axis, actuator: &Drivetrain, work: &mut Workings
     Ok(Comparison::with(id, &REVOLUTION_PER_MINUTE, value, equation("69.3"), &limit).answer(Verdict::Fail))
 }
 
-/// J_L ≤ k_J J_out is recommended for highly dynamic duty.
+/// Checks J_L ≤ k_J J_out, which is recommended for highly dynamic duty.
 pub(crate) fn inertia_ratio(case: &Case<'_>, work: &mut Workings) -> Outcome {
     let Case { axis, actuator, .. } = *case;
     let id = CheckId::InertiaRatio;
@@ -122,7 +122,7 @@ pub(crate) fn inertia_ratio(case: &Case<'_>, work: &mut Workings) -> Outcome {
     .answer(Verdict::Advice))
 }
 
-/// The stated ambient temperature against the range that the actuator's data hold for (tables 13.1 and 13.2).
+/// Compares the stated ambient temperature with the range for which the actuator's data hold (tables 13.1 and 13.2).
 pub(crate) fn ambient(axis: &Axis, actuator: &Drivetrain, work: &mut Workings) -> Outcome {
     let stated = axis.ambient.ok_or(Missing { symbol: "requirements.ambient" })?;
     let range = actuator.ambient_range.require("ambient_temperature_operation")?;

@@ -1,4 +1,4 @@
-//! Value against limit, and how both came about.
+//! Comparison of a value with a limit, and the derivation of both.
 
 use crate::check::{Amount, Check, CheckId, Direction, Verdict};
 use crate::notes::{Note, Notes};
@@ -7,15 +7,15 @@ use numeric::at_most;
 use provenance::{Grade, Missing, Source, Sourced};
 use quantities::{Measure, Time, Unit};
 
-/// What the project states, in the workings.
+/// Statements of the project in a derivation.
 pub(crate) trait Asking {
-    /// Notes the limit of a check, if the project states one.
+    /// Records the limit of a check, if the project states one.
     fn asked(&mut self, symbol: &'static str, unit: &'static Unit, limit: Option<f64>, id: CheckId);
 
-    /// What the project states by a key.
+    /// Records a value that the project states by a key.
     fn stated(&mut self, symbol: &'static str, unit: &'static Unit, value: f64, key: &'static str);
 
-    /// The limit of a key beside that of the check.
+    /// Records a limit of a key other than that of the check.
     fn asked_by(&mut self, symbol: &'static str, unit: &'static Unit, limit: f64, key: &'static str);
 }
 
@@ -36,7 +36,7 @@ impl Asking for Workings {
     }
 }
 
-/// What a check compares, before it is a [`Check`].
+/// Data of a check before it is a [`Check`].
 pub(crate) struct Comparison<'a> {
     pub(crate) id: CheckId,
     pub(crate) unit: &'static Unit,
@@ -50,7 +50,8 @@ pub(crate) struct Comparison<'a> {
     pub(crate) notes: Notes,
 }
 
-/// Edges of an estimate's band: up to the limit a value passes, above the upper edge it fails, between them it is advice.
+/// Edges of an estimate's band: up to the limit a value passes, above the upper edge it fails, between them it is
+/// advice.
 pub(crate) struct Edges {
     pub(crate) limit: f64,
     pub(crate) upper: f64,
@@ -63,7 +64,7 @@ impl Edges {
         Self { limit: factor * self.limit, upper: factor * self.upper, unit: self.unit }
     }
 
-    /// The remark on the upper edge, if there is a band.
+    /// Returns the remark on the upper edge, if there is a band.
     pub(crate) fn remark(&self) -> Option<Note> {
         let is_band = !at_most(self.upper, self.limit);
         is_band.then_some(Note::EstimatedUpTo(Amount { si: self.upper, unit: self.unit }))
@@ -71,7 +72,7 @@ impl Edges {
 }
 
 impl<'a> Comparison<'a> {
-    /// A value against a limit that is known with its source.
+    /// Compares a value with a known limit and its source.
     pub(crate) fn with<Q: Measure>(
         id: CheckId,
         unit: &'static Unit,
@@ -93,13 +94,14 @@ impl<'a> Comparison<'a> {
         }
     }
 
-    /// Pass up to and including the lower edge of a band, fail above its upper edge, advice between them.
+    /// Returns the check: pass up to and including the lower edge of a band, fail above its upper edge, advice between
+    /// them.
     pub(crate) fn between(mut self, edges: Edges) -> Check {
         let at_most = |edge: f64| Direction::AtMost.keeps(self.value.abs(), edge.abs());
         let (within, beyond) = (at_most(edges.limit), !at_most(edges.upper));
         self.limit = edges.limit;
         if let Some(remark) = edges.remark() {
-            // It may have been made for several actuators.
+            // The remark may have been added for several actuators.
             if !self.notes.contains(&remark) {
                 self.notes.push(remark);
             }
@@ -114,7 +116,7 @@ impl<'a> Comparison<'a> {
         check
     }
 
-    /// Pass up to and including the limit; `otherwise` beyond.
+    /// Returns the check: pass up to and including the limit; `otherwise` beyond.
     #[inline]
     pub(crate) fn answer(self, otherwise: Verdict) -> Check {
         let (value, limit) = (self.value.abs(), self.limit.abs());
@@ -142,7 +144,7 @@ pub(crate) fn not_checked(id: CheckId, missing: Missing) -> Check {
     Check { missing: Some(missing.symbol), ..unjudged(id) }
 }
 
-/// A check of which nothing is known yet.
+/// Creates a check without values.
 pub(crate) fn unjudged(id: CheckId) -> Check {
     Check {
         id,
@@ -160,8 +162,8 @@ pub(crate) fn unjudged(id: CheckId) -> Check {
     }
 }
 
-/// A value against the limit that the project states by the key of the check, in the direction of the check; without one
-/// the value is shown and not judged.
+/// Compares a value with the limit that the project states by the key of the check, in the direction of the check;
+/// without a limit the value is shown and not judged.
 pub(crate) fn against_asked(id: CheckId, unit: &'static Unit, value: f64, asked: Option<f64>, source: Source) -> Check {
     let direction = id.direction();
     let verdict = match asked {
@@ -185,7 +187,7 @@ pub(crate) fn against_asked(id: CheckId, unit: &'static Unit, value: f64, asked:
     }
 }
 
-/// Cites errata, each once.
+/// Cites errata without repetition.
 pub(crate) fn cite(notes: &mut Notes, errata: &'static [&'static str]) {
     for id in errata {
         let note = Note::Erratum(id);
@@ -195,7 +197,7 @@ pub(crate) fn cite(notes: &mut Notes, errata: &'static [&'static str]) {
     }
 }
 
-/// What the project states by a key.
+/// Returns the source of a statement of the project by its key.
 pub(crate) fn project(key: &'static str) -> Source {
     Source::Project { key: key.into() }
 }

@@ -1,4 +1,4 @@
-//! The cycle as time series, for pictures and tables: what is judged is the trace, this is how it looks.
+//! The cycle as time series for pictures and tables; the checks use the trace instead.
 
 use crate::axis::Axis;
 use crate::brake_times::carried_in;
@@ -11,19 +11,19 @@ use mechanism::{Extra, Output};
 use quantities::{Measure, Ratio, Time, Torque};
 use trace::Node;
 
-/// Samples in one piece of a law.
+/// Number of samples in one piece of a law.
 const PER_PIECE: u32 = 32;
 
-/// Samples within a window that is looked at by itself: more than a picture has columns.
+/// Number of samples within a window: more than a picture has columns.
 const PER_WINDOW: f64 = 1000.0;
 
-/// Samples in one piece, however small a part of it is looked at.
+/// Largest number of samples in one piece, for any window.
 const PER_PIECE_MOST: f64 = 16_384.0;
 
-/// Up to so many recorded intervals are seen one by one.
+/// Largest number of recorded intervals that are evaluated one by one.
 const SEEN_MOST: usize = 1 << 17;
 
-/// Of more than those so many groups of neighbours are seen: more than a picture has columns.
+/// Number of groups of adjacent intervals above that: more than a picture has columns.
 const GROUPS: usize = 1 << 14;
 
 /// One instant of the cycle.
@@ -43,9 +43,9 @@ pub struct Sample {
     pub current_a: Option<f64>,
     /// Electrical power at the motor terminals \[W\].
     pub power_w: Option<f64>,
-    /// Winding in the steady cycle \[K\].
+    /// Winding temperature in the steady cycle \[K\].
     pub winding_k: Option<f64>,
-    /// Housing in the steady cycle \[K\].
+    /// Housing temperature in the steady cycle \[K\].
     pub housing_k: Option<f64>,
     /// Overload integral in the steady cycle.
     pub overload: Option<f64>,
@@ -54,23 +54,24 @@ pub struct Sample {
 /// The cycle of an axis on one actuator.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Course {
-    /// The instants in their order; two of the same time where something jumps.
+    /// Instants in their order; two of equal time at a jump.
     pub samples: Vec<Sample>,
     /// Duration \[s\].
     pub duration_s: f64,
 }
 
 impl Course {
-    /// The cycle of an axis on an actuator, with every sample of its recordings; quantities whose data are not known are left
-    /// out.
+    /// Computes the cycle of an axis on an actuator, with every sample of its recordings; quantities with unknown data
+    /// are left out.
     #[must_use]
     pub fn of(axis: &Axis, actuator: &Parameters) -> Self {
         Self::sampled(axis, actuator, (&|_, _| PER_PIECE, &|_| 1))
     }
 
-    /// The same as a picture shows it, or as a picture of a time \[s\] alone does: with so many samples there that it shows no
-    /// corner which the law has not. Of long recordings neighbouring intervals are one group, of which the first and the last
-    /// instant and those with the smallest and the largest values are there; temperatures and overload are those of all.
+    /// Computes the cycle for a picture, or for a picture of a time window \[s\]: with so many samples there that the
+    /// picture shows no corners of its own. Adjacent intervals of long recordings form groups with their first and last
+    /// instant and those with the smallest and the largest values; temperatures and overload are computed from all
+    /// intervals.
     #[must_use]
     pub fn seen(axis: &Axis, actuator: &Parameters, window: Option<(f64, f64)>) -> Self {
         let is_outside = |start: f64, end: f64| window.is_some_and(|(from, until)| start > until || end < from);
@@ -94,19 +95,19 @@ impl Course {
         Self::sampled(axis, actuator, (&parts, &|start| if is_outside(start, start) { all } else { inside }))
     }
 
-    /// How many instants [`Course::of`] has at most, found without looking at them.
+    /// Returns an upper bound of the number of instants of [`Course::of`], without evaluating them.
     #[must_use]
     pub fn instants_most(axis: &Axis) -> usize {
         let of_piece = |piece: &motion::Piece| {
-            // A rest has two ends, and the brake closes and opens in it; elsewhere an instant is there twice where it turns round.
+            // A rest has two ends, and the brake closes and opens in it; elsewhere a reversal has two instants.
             if piece.is_rest() { 6 } else { PER_PIECE as usize + 1 + 2 * piece.reversals().len() }
         };
         let pieces = axis.motion.pieces().iter().map(of_piece).sum::<usize>();
         pieces + axis.motion.recordings().iter().map(|placed| 2 * placed.intervals()).sum::<usize>()
     }
 
-    /// `parts`: of a piece with its beginning and its duration \[s\]; `group`: how many recorded intervals from an instant on are
-    /// seen as one.
+    /// Samples the cycle; `parts`: number of parts of a piece by its beginning and its duration \[s\]; `group`: number
+    /// of recorded intervals from an instant on that form a group.
     fn sampled(axis: &Axis, actuator: &Parameters, fine: Fineness<'_>) -> Self {
         let inertia = actuator.inertia_out.known().map_or(0.0, |own| own.value.si());
         let stall = actuator.stall_current.known().map(|stall| stall.value.si());
@@ -139,29 +140,29 @@ impl Course {
     }
 }
 
-/// In how many parts a piece is looked at, by its beginning and its duration \[s\], and how many recorded intervals from an
-/// instant on are seen as one.
+/// Number of parts of a piece by its beginning and its duration \[s\], and number of recorded intervals from an instant
+/// on that form a group.
 type Fineness<'f> = (&'f dyn Fn(f64, f64) -> u32, &'f dyn Fn(f64) -> usize);
 
 /// Copper loss and friction \[W\] and the square of the current as a share of I_0.
 type Rates = [f64; 3];
 
-/// Instants on their way into a course.
+/// Buffer of the instants of a course.
 #[derive(Default)]
 struct Gathered {
     samples: Vec<Sample>,
-    /// From each sample to the next.
+    /// Means from each sample to the next.
     means: Vec<Rates>,
-    /// A group that is not complete.
+    /// Incomplete group.
     waiting: Vec<(Sample, Rates)>,
-    /// The instant before, whether it is kept or not \[s\].
+    /// Last instant, kept or not \[s\].
     before: Option<(f64, Rates)>,
-    /// ∫ dt since the sample kept last, and over how many gaps.
+    /// ∫ dt since the last kept sample, and the number of gaps.
     since: (Rates, usize),
 }
 
 impl Gathered {
-    /// Takes the next instant, which waits for the rest of its group or completes it.
+    /// Adds the next instant, which waits for the rest of its group or completes it.
     fn take(&mut self, sample: Sample, rates: Rates, waits: bool) {
         if !waits && self.waiting.is_empty() {
             return self.pass(&sample, &rates, true);
@@ -177,7 +178,7 @@ impl Gathered {
             let is_kept = kept.next_if_eq(&place).is_some();
             self.pass(sample, rates, is_kept);
         }
-        // Its memory serves the next group.
+        // The memory is reused for the next group.
         self.waiting = group;
         self.waiting.clear();
     }
@@ -203,7 +204,8 @@ impl Gathered {
     }
 }
 
-/// The places of the first and the last instant of a group and of those with the smallest and the largest values, in order.
+/// Returns the indices of the first and the last instant of a group and of those with the smallest and the largest
+/// values, in order.
 fn kept(group: &[(Sample, Rates)]) -> Vec<usize> {
     let signals: [fn(&Sample) -> f64; 6] = [
         |sample| sample.position_rad,
@@ -224,7 +226,7 @@ fn kept(group: &[(Sample, Rates)]) -> Vec<usize> {
     places
 }
 
-/// The pieces of the laws, sampled, and the samples of the recordings, in the order of time.
+/// Visits the samples of the pieces of the laws and of the recordings, in order of time.
 fn instants(axis: &Axis, (parts, group): Fineness<'_>, look: &mut impl FnMut(f64, &Node, bool)) {
     let none = Extra::none();
     let extra = |segment: usize| axis.extras.get(segment).unwrap_or(&none);
@@ -281,7 +283,7 @@ fn instants(axis: &Axis, (parts, group): Fineness<'_>, look: &mut impl FnMut(f64
         }
         instants.sort_by(f64::total_cmp);
         for (index, t) in instants.iter().enumerate() {
-            // On both sides of a reversal the direction is that of the neighbour away from it.
+            // On both sides of a reversal the direction is that of the adjacent instant away from it.
             let neighbour = |at: Option<usize>| at.and_then(|at| instants.get(at)).filter(|other| *other != t);
             let other = neighbour(index.checked_sub(1)).or_else(|| neighbour(Some(index + 1))).unwrap_or(t);
             let middle = 0.5 * (t + other);
@@ -307,7 +309,7 @@ fn instants(axis: &Axis, (parts, group): Fineness<'_>, look: &mut impl FnMut(f64
     }
 }
 
-/// Durations from one sample to the next, the last to the end with none.
+/// Returns the durations from one sample to the next; that of the last is zero.
 fn gaps(samples: &[Sample]) -> Vec<f64> {
     let next = samples.iter().skip(1).map(|sample| sample.time_s);
     let last = samples.last().map(|sample| sample.time_s);

@@ -1,4 +1,4 @@
-//! The checks of current and voltage.
+//! Checks of current and voltage.
 
 use crate::axis::Axis;
 use crate::check::{CheckId, Verdict};
@@ -21,11 +21,11 @@ use quantities::{AngularVelocity, ElectricCurrent, Measure, Power, Time};
 use std::cell::OnceCell;
 use trace::{Convex, Extent, Form, Node, Sought};
 
-/// Picks ω out of (α, T_L, σ, ω).
+/// Weights that select ω from (α, T_L, σ, ω).
 pub(crate) const SPEED: [f64; 4] = [0.0, 0.0, 0.0, 1.0];
 
-/// The motor current at every instant, in the two states between which the gear lives: as cold as the air when the cycle
-/// begins, and settled to the temperature that the losses of the cycle themselves bring about.
+/// Motor current at every instant in the two limiting states of the gear: at the ambient temperature when the cycle
+/// begins, and at the temperature that results from the losses of the repeated cycle.
 ///
 /// I = T/k_Tout + σ (I_s + K |n|), a weighted sum of (α, T_L, σ, ω) in either state
 pub(crate) struct Currents<'e> {
@@ -35,12 +35,12 @@ pub(crate) struct Currents<'e> {
     cold: &'e FrictionAt,
     /// Friction in the settled cycle.
     pub(crate) warm: FrictionAt,
-    /// The heat model and what it settles to; without one the warm state is the warmest that is printed.
+    /// Heat model and its settled state; without one the warm state is the warmest for which the manual states values.
     heat: Result<(&'e HeatModel, Settled), Missing>,
     pub(crate) grade: Grade,
-    /// How friction counts, and the errata of the inputs.
+    /// Remark on the friction, and the errata of the inputs.
     pub(crate) notes: Notes,
-    /// The instant of the largest current, found on first use.
+    /// Instant of the largest current, found on first use.
     peak: OnceCell<Node>,
 }
 
@@ -76,7 +76,7 @@ impl<'e> Currents<'e> {
         })
     }
 
-    /// The heat model with the state that the cycle settles to.
+    /// Returns the heat model with the settled state of the cycle.
     pub(crate) fn heat(&self) -> Result<(&HeatModel, &Settled), Missing> {
         match &self.heat {
             Ok((model, settled)) => Ok((model, settled)),
@@ -84,22 +84,22 @@ impl<'e> Currents<'e> {
         }
     }
 
-    /// Friction of a gear as cold as the air.
+    /// Returns the friction of a gear at the ambient temperature.
     pub(crate) const fn cold(&self) -> &FrictionAt {
         self.cold
     }
 
-    /// The current as a weighted sum of (α, T_L, σ, ω) for a friction.
+    /// Returns the current as a weighted sum of (α, T_L, σ, ω) for a friction.
     fn weights(&self, friction: &FrictionAt) -> [f64; 4] {
         self.motor.weights(self.inertia, friction)
     }
 
-    /// The current in the settled cycle as a weighted sum of (α, T_L, σ, ω).
+    /// Returns the current in the settled cycle as a weighted sum of (α, T_L, σ, ω).
     pub(crate) fn settled_weights(&self) -> [f64; 4] {
         self.weights(&self.warm)
     }
 
-    /// The output at an instant, with the torque of the own inertia.
+    /// Returns the operating point at an instant, with the torque of the own inertia.
     pub(crate) fn point(&self, node: &Node) -> OperatingPoint {
         OperatingPoint {
             torque_nm: self.inertia * node.acceleration_rad_s2 + node.load_nm,
@@ -108,7 +108,7 @@ impl<'e> Currents<'e> {
         }
     }
 
-    /// The current in the settled cycle at an instant \[A\].
+    /// Returns the current in the settled cycle at an instant \[A\].
     pub(crate) fn at(&self, node: &Node) -> f64 {
         self.in_state(node, &self.warm)
     }
@@ -117,51 +117,51 @@ impl<'e> Currents<'e> {
         self.motor.at(&self.point(node), friction)
     }
 
-    /// Of the two states the one with the larger current at an instant.
+    /// Returns the friction of the state with the larger current at an instant.
     pub(crate) fn larger(&self, node: &Node) -> &FrictionAt {
         let torque = self.point(node).torque_nm;
-        // Friction helps while braking: less of it requires more current.
+        // Friction helps while braking: less friction requires more current.
         let driving = self.in_state(node, self.cold).abs() >= self.in_state(node, &self.warm).abs();
         if driving || torque == 0.0 { self.cold } else { &self.warm }
     }
 
-    /// The larger current of the two states at an instant, signed \[A\].
+    /// Returns the larger current of the two states at an instant, signed \[A\].
     pub(crate) fn extreme(&self, node: &Node) -> f64 {
         self.in_state(node, self.larger(node))
     }
 
-    /// The instant of the largest current, in either state.
+    /// Returns the instant of the largest current in either state.
     pub(crate) fn peak(&self, axis: &Axis) -> Node {
         let bound = |extent: &Extent| self.bound(extent);
         *self.peak.get_or_init(|| axis.trace.largest(&Convex(bound, |node: &Node| self.extreme(node).abs())).1)
     }
 
-    /// Both losses at an instant of the settled cycle, if there is a heat model.
+    /// Returns both losses at an instant of the settled cycle, if there is a heat model.
     pub(crate) fn losses(&self, node: &Node) -> Option<Losses> {
         let (model, _) = self.heat().ok()?;
         Some(model.losses().at(&self.point(node), self.at(node), &self.warm))
     }
 
-    /// Friction loss as a form, for a voltage per friction current and output speed: k i (I_NLS σ + K ω) ω.
+    /// Returns the friction loss as a form, for a voltage per friction current and output speed: k i (I_NLS σ + K ω) ω.
     pub(crate) fn friction_form(&self, friction_vs: f64) -> Form {
         Form::product([0.0, 0.0, self.warm.starting.si(), self.warm.constant.si()], SPEED).scale(friction_vs)
     }
 
-    /// All currents of a block lie between these, in either state.
+    /// Returns bounds of the currents of a block in either state.
     fn range(&self, extent: &Extent) -> (f64, f64) {
         let of = |friction| extent.range(self.weights(friction));
         let (cold, warm) = (of(self.cold), of(&self.warm));
         (cold.0.min(warm.0), cold.1.max(warm.1))
     }
 
-    /// No current of a block of nodes is above this, in either state. Friction counts with the sign of the torque: where the load
-    /// drives it takes current off.
+    /// Returns an upper bound of the current of a block of nodes in either state. Friction has the sign of the torque:
+    /// a driving load reduces the current.
     pub(crate) fn bound(&self, extent: &Extent) -> f64 {
         let (low, high) = self.range(extent);
         high.max(-low)
     }
 
-    /// The workings of the current at an instant in one of the states; the result is `I`.
+    /// Records the derivation of the current at an instant in one of the states; the result is `I`.
     pub(crate) fn explain(&self, node: &Node, friction: &FrictionAt, actuator: &Parameters, work: &mut Workings) {
         if !work.is_on() {
             return;
@@ -182,7 +182,7 @@ impl<'e> Currents<'e> {
     }
 }
 
-/// Mean heat of the brake's coil; zero where there is no brake or its current is not known.
+/// Returns the mean heat of the brake's coil; zero without a brake or if its current is unknown.
 pub(crate) fn coil_loss(axis: &Axis, actuator: &Parameters) -> Power {
     match (actuator.brake.voltage.known(), actuator.brake.holding_current.known()) {
         (Some(voltage), Some(current)) => actuator::coil_power(voltage.value, current.value, axis.brake_open_share()),
@@ -190,7 +190,7 @@ pub(crate) fn coil_loss(axis: &Axis, actuator: &Parameters) -> Power {
     }
 }
 
-/// The means of the products of torque current, direction and speed over the cycle.
+/// Returns the means of the products of torque current, direction and speed over the cycle.
 fn loss_means(axis: &Axis, torque_current: [f64; 4]) -> LossMeans {
     let duration = axis.moments.duration.si();
     let gram = axis.trace.gram();
@@ -206,8 +206,8 @@ fn loss_means(axis: &Axis, torque_current: [f64; 4]) -> LossMeans {
     }
 }
 
-/// The motor's terminal voltage \[V\], the larger one of both states: while braking the larger current does not mean the
-/// larger voltage, for it lessens what the induced one needs.
+/// The motor's terminal voltage \[V\], the larger of both states: while braking the larger current does not imply the
+/// larger voltage, because it lowers the voltage needed against the induced one.
 struct Terminal<'a> {
     motor: &'a MotorVoltage,
     currents: &'a Currents<'a>,
@@ -219,7 +219,7 @@ impl Terminal<'_> {
         self.motor.at(AngularVelocity::from_si(node.speed_rad_s), current).si()
     }
 
-    /// Of both states the larger one.
+    /// Returns the larger value of the cold-gear and the warm-gear state.
     #[inline]
     fn larger(&self, of: impl Fn(&FrictionAt) -> f64) -> f64 {
         of(self.currents.cold).max(of(&self.currents.warm))
@@ -227,7 +227,7 @@ impl Terminal<'_> {
 }
 
 impl Sought for Terminal<'_> {
-    /// In current and in speed by themselves the voltage is convex: within bounds it is largest at a corner.
+    /// Bounds the voltage at the corners: it is convex in current and in speed separately, so that it is largest there.
     fn bound(&self, extent: &Extent) -> f64 {
         let ((low, high), (back, forth)) = (self.currents.range(extent), extent.speeds_rad_s);
         let at = |speed: f64, current: f64| {
@@ -251,19 +251,19 @@ impl Sought for Terminal<'_> {
     }
 }
 
-/// Of more corners than these a bound looks at the least that is permitted alone.
+/// Number of corners above which a bound uses only the least permissible current.
 const FEW: usize = 8;
 
-/// |I| over what is permitted at an instant: the printed limit or, where a curve is published, the current of its torque at
-/// that speed if that is larger.
+/// Ratio of |I| to the permissible current at an instant: the limit of the manual or, with a published curve, the
+/// current of its torque at that speed if that is larger.
 ///
-/// While the direction keeps, |I| is convex along a straight line and the current of a straight piece of the curve is
-/// straight: over it the ratio has its largest value at an end.
+/// While the direction is constant, |I| is convex along a straight line and the current of a straight piece of the
+/// curve is linear: the ratio is largest at an end of the piece.
 struct Overcurrent<'a> {
     currents: &'a Currents<'a>,
     printed: f64,
     curve: Option<&'a actuator::Curve>,
-    /// The states that count.
+    /// States to be checked.
     states: &'a [&'a FrictionAt],
     /// Speeds at which the limit has a corner.
     corners: Vec<f64>,
@@ -280,7 +280,7 @@ impl<'a> Overcurrent<'a> {
         let points = curve.map_or(&[][..], actuator::Curve::points);
         for (a, b) in points.iter().zip(points.iter().skip(1)) {
             corners.extend([a.speed.si(), b.speed.si()]);
-            // Where the curve's current falls below the printed limit.
+            // Speeds at which the curve's current falls below the limit of the manual.
             for friction in states {
                 let [from, to] =
                     [a, b].map(|p| currents.motor.of_torque(p.torque.si()) + friction.current(p.speed).si() - printed);
@@ -289,14 +289,14 @@ impl<'a> Overcurrent<'a> {
                 }
             }
         }
-        // Beyond its end the curve permits nothing.
+        // Beyond its end the curve permits no current.
         corners.extend(points.last().map(|end| end.speed.si().next_up()));
         corners.sort_by(f64::total_cmp);
         corners.dedup();
         Self { currents, printed, curve, states, corners }
     }
 
-    /// What is permitted at the speed of an instant \[A\].
+    /// Returns the permissible current at the speed of an instant \[A\].
     fn permitted(&self, node: &Node, friction: &FrictionAt) -> f64 {
         self.permitted_at(node.speed_rad_s, friction)
     }
@@ -307,7 +307,7 @@ impl<'a> Overcurrent<'a> {
         self.printed.max(self.currents.motor.of_torque(curve.at(speed).si()) + friction.current(speed).si())
     }
 
-    /// What is permitted at any speed between two, in either state \[A\].
+    /// Returns the least permissible current at any speed between two, in either state \[A\].
     fn least(&self, curve: &actuator::Curve, slower: f64, faster: f64) -> f64 {
         let [slower, faster] = [slower, faster].map(AngularVelocity::from_si);
         let torque = curve.least_between(slower, faster).si();
@@ -316,7 +316,7 @@ impl<'a> Overcurrent<'a> {
         self.printed.max(self.currents.motor.of_torque(torque) + running)
     }
 
-    /// The state with the larger value at an instant.
+    /// Returns the state with the larger value at an instant.
     fn state(&self, node: &Node) -> &'a FrictionAt {
         match *self.states {
             [only] => only,
@@ -330,8 +330,8 @@ impl<'a> Overcurrent<'a> {
 }
 
 impl Sought for Overcurrent<'_> {
-    /// The current of the largest torque over what is permitted, both straight over |ω| between the corners: largest at one of
-    /// them or at the slowest or the fastest instant.
+    /// Returns the current of the largest torque over the permissible one, both linear in |ω| between the corners:
+    /// largest at a corner or at the slowest or the fastest instant.
     fn bound(&self, extent: &Extent) -> f64 {
         let (back, forth) = extent.speeds_rad_s;
         let slowest = back.max(-forth).max(0.0);
@@ -339,7 +339,7 @@ impl Sought for Overcurrent<'_> {
         let first = self.corners.partition_point(|corner| *corner <= slowest);
         let end = self.corners.partition_point(|corner| *corner < fastest).max(first);
         let within = self.corners.get(first..end).unwrap_or_default();
-        // Of many corners the least that is permitted at any of them serves.
+        // Of many corners the least permissible current at any of them is used.
         let (within, least) = match self.curve {
             Some(curve) if within.len() > FEW => (&[][..], Some(self.least(curve, slowest, fastest))),
             _ => (within, None),
@@ -373,7 +373,7 @@ impl Sought for Overcurrent<'_> {
     }
 }
 
-/// U ≤ (U_DC/√2) · reserve: the motor's terminal voltage at every instant of the cycle, winding hot.
+/// Checks U ≤ (U_DC/√2) · reserve: the motor's terminal voltage at every instant of the cycle, winding hot.
 pub(crate) fn voltage(case: &Case<'_>, work: &mut Workings) -> Outcome {
     let Case { axis, actuator, electrics, currents, .. } = *case;
     let id = CheckId::Voltage;
@@ -412,16 +412,16 @@ pub(crate) fn voltage(case: &Case<'_>, work: &mut Workings) -> Outcome {
     .answer(Verdict::Fail))
 }
 
-/// I_peak ≤ I_max.
+/// Checks I_peak ≤ I_max.
 ///
-/// Both states count: what only the cold gear needs beyond I_max is advice, for the drive limits the current until the gear
-/// is warm. Where a short-time curve is published, the current of that curve is permitted too: the printed I_max is not
-/// below it in the maker's reckoning.
+/// Both states are checked: a current that exceeds I_max with the cold gear only is advice, because the drive limits
+/// the current until the gear is warm. With a published short-time curve, the current of that curve is permitted too:
+/// the stated I_max is not below it by the manufacturer's calculation.
 pub(crate) fn peak_current(case: &Case<'_>, work: &mut Workings) -> Outcome {
     current_check(case, (CheckId::PeakCurrent, "I_max", case.actuator.current_max.require("I_max")?), work)
 }
 
-/// I_peak ≤ I_E, at which demagnetisation begins, in both states.
+/// Checks I_peak ≤ I_E, at which demagnetisation begins, in both states.
 pub(crate) fn demagnetisation(case: &Case<'_>, work: &mut Workings) -> Outcome {
     let limit = case.actuator.current_demagnetisation.require("I_E")?;
     current_check(case, (CheckId::Demagnetisation, "I_E", limit), work)
@@ -442,9 +442,9 @@ fn current_check(
     let over = Overcurrent::of(currents, printed, published, &both);
     let node = if curve.is_some() { axis.trace.largest(&over).1 } else { currents.peak(axis) };
     let (current, most) = (currents.extreme(&node).abs(), over.permitted(&node, currents.larger(&node)));
-    // What the settled cycle asks beyond the limit no warm-up mends.
+    // An excess in the settled cycle does not disappear by warming up.
     let settled = || axis.trace.largest(&Overcurrent::of(currents, printed, published, &[&currents.warm])).0;
-    // Mostly the instant of the largest current shows it; only where it does not, the others are asked.
+    // Mostly the instant of the largest current decides; otherwise the others are evaluated.
     let may_be_cold_only = || at_most(over.ratio(&node, &currents.warm), 1.0) && at_most(settled(), 1.0);
     let by_cold_only =
         id == CheckId::PeakCurrent && !at_most(current, most) && currents.heat.is_ok() && may_be_cold_only();

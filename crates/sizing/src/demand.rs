@@ -1,4 +1,4 @@
-//! What an axis asks of an actuator: the manual's procedure and the exact integrals.
+//! Demand of an axis on an actuator: the manual's procedure and the exact integrals.
 
 use crate::axis::Axis;
 use motion::ManualMove;
@@ -6,26 +6,26 @@ use quantities::{AngularVelocity, Measure, MomentOfInertia, Time, Torque};
 use std::ops::Deref;
 use trace::TorqueWith;
 
-/// What an axis asks of one actuator, whose own inertia is part of it.
+/// Demand of an axis on one actuator, whose own inertia is part of it.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Demand {
     /// T_rms: effective torque over the cycle.
     pub torque_rms: Torque,
     /// T_peak: largest magnitude of the torque.
     pub torque_peak: Torque,
-    /// Instant at which it is first reached.
+    /// Instant at which the peak is first reached.
     pub torque_peak_at: Time,
     /// n_av: mean of |n| over the cycle.
     pub speed_mean: AngularVelocity,
     /// n_peak: largest |n|.
     pub speed_peak: AngularVelocity,
-    /// Instant at which it is first reached.
+    /// Instant at which the peak is first reached.
     pub speed_peak_at: Time,
     /// ED: share of the cycle in motion, 0 to 1.
     pub duty_factor: f64,
 }
 
-/// The three torques of one move by the manual's equations, in the direction of the move.
+/// Torques of one move by the manual's equations, in the direction of the move.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct MoveTorques {
     /// T_1: torque while accelerating.
@@ -36,7 +36,7 @@ pub struct MoveTorques {
     pub brake: Torque,
 }
 
-/// The torques of the moves of a cycle; of only one, as most cycles have, without memory of its own.
+/// Torques of the moves of a cycle; stored inline for a single move, the most common case.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Moves(Listed);
 
@@ -66,22 +66,22 @@ impl Deref for Moves {
     }
 }
 
-/// The demand by the manual's equations 69.1 to 69.4.
+/// Demand by the manual's equations 69.1 to 69.4.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ManualDemand {
-    /// The figures of the cycle.
+    /// Characteristic values of the cycle.
     pub demand: Demand,
-    /// The torques of each move.
+    /// Torques of each move.
     pub moves: Moves,
     /// Index of the move with the largest torque.
     pub governing: usize,
-    /// Whether eq. 69.2 takes the braking torque from a braking time that is not the accelerating time.
-    /// Then T_3, and with it T_rms, differ from the exact integral.
+    /// Eq. 69.2 uses an accelerating time that differs from the braking time. Then T_3, and with it T_rms, differ from
+    /// the exact integral.
     pub braking_assumed: bool,
 }
 
 impl Axis {
-    /// The demand by exact integrals of the motion.
+    /// Computes the demand by exact integrals of the motion.
     ///
     /// T_rms² = (J² G_αα + 2 J G_αT + G_TT) / t_0 with J = J_out
     ///
@@ -106,7 +106,7 @@ impl Axis {
         }
     }
 
-    /// The demand by the manual's procedure; `None` where its equations do not describe the axis.
+    /// Computes the demand by the manual's procedure; `None` if its equations do not describe the axis.
     ///
     /// T_1 = T_L + (2π/60) (J_out + J_L) n_2 / t_1, T_2 = T_L, T_3 = T_L − (T_1 − T_L),
     /// T_rms = √((T_1² t_1 + T_2² t_2 + T_3² t_3) / (t_1 + t_2 + t_3 + t_p)),
@@ -149,7 +149,7 @@ impl Axis {
             square_time += first * first * t1 + friction * friction * t2 + third * third * t3;
             speed_time += speed / 2.0 * t1 + speed * t2 + speed / 2.0 * t3;
             moving += t1 + t2 + t3;
-            // Equal inputs are meant here, not equal results.
+            // Equal inputs are compared here, not equal results.
             braking_assumed |= speed > 0.0 && t1 != t3;
             for (torque, at) in [(first, start), (friction, start + t1), (third, start + t1 + t2)] {
                 if torque.abs() > peak {

@@ -1,4 +1,4 @@
-//! The DC link, the drive, and every instant of the cycle against the torque-speed plane.
+//! Checks of the DC link, of the drive, and of every instant of the cycle against the torque-speed plane.
 
 use crate::axis::Axis;
 use crate::check::{CheckId, Verdict};
@@ -16,10 +16,10 @@ use quantities::unit::{AMPERE, NEWTON_METRE, REVOLUTION_PER_MINUTE, SECOND, VOLT
 use quantities::{AngularVelocity, ElectricPotential, Measure, Time, Torque, Unit};
 use trace::{Extent, Node, Panel, Sought};
 
-/// U_DC ≤ U_DCmax, the largest *stationary* voltage. What energy that comes back adds may pass it for a short time while
-/// braking (glossary of the manual), no source says how far and how long: with the rise that the project permits above
-/// U_DCmax the answer is advice; so it is where no brake resistor can be switched between supply and U_DCmax, and the project
-/// states no rise: then whatever comes back passes U_DCmax.
+/// Checks U_DC ≤ U_DCmax, the largest *stationary* voltage. Regenerated energy may raise the voltage above it for a
+/// short time while braking (glossary of the manual), and no source states by how much and how long: if the rise that
+/// the project permits exceeds U_DCmax the result is advice; also if no braking resistor can be switched between supply
+/// and U_DCmax and the project states no rise, because any regenerated energy then exceeds U_DCmax.
 pub(crate) fn dc_link(axis: &Axis, actuator: &Drivetrain, work: &mut Workings) -> Outcome {
     let (id, rise) = (CheckId::DcLink, axis.asked.dc_link_rise);
     let link = axis.supply.ok_or(Missing { symbol: "requirements.supply" })?;
@@ -27,7 +27,7 @@ pub(crate) fn dc_link(axis: &Axis, actuator: &Drivetrain, work: &mut Workings) -
     let (source, supply) = (link.source(), link.at(Edge::High));
     link.explain(Edge::High, work);
     let is_within = |voltage: ElectricPotential| at_most(voltage.si(), limit.value.si());
-    // A supply that is too high is the fault, whatever comes on top of it.
+    // A supply voltage that is too high is the fault, independent of the rise.
     let top = rise.map(|rise| supply + rise).filter(|top| is_within(supply) && !is_within(*top));
     let check = match (top, rise) {
         (Some(top), Some(rise)) => {
@@ -58,13 +58,13 @@ pub(crate) fn dc_link(axis: &Axis, actuator: &Drivetrain, work: &mut Workings) -
     Ok(check)
 }
 
-/// The share of the short-time torque at its speed needed at an instant; while braking, that of T_max.
+/// Required share of the short-time torque at the speed of an instant; while braking, of T_max.
 struct Share<'a> {
     inertia: f64,
     /// T_max \[Nm\]
     most: f64,
     short_time: &'a ShortTime<'a>,
-    /// Which edge of its band.
+    /// Selected edge of its band.
     edge: fn([Torque; 2]) -> Torque,
     corners: Vec<f64>,
 }
@@ -75,12 +75,12 @@ impl<'a> Share<'a> {
         Self { inertia, most, short_time, edge, corners: short_time.corners() }
     }
 
-    /// The same of the upper edge.
+    /// Selects the upper edge of the band.
     fn of_the_upper_edge(self) -> Self {
         Self { edge: |[_, upper]| upper, ..self }
     }
 
-    /// T \[Nm\]
+    /// Returns T \[Nm\].
     fn torque(&self, node: &Node) -> f64 {
         self.inertia * node.acceleration_rad_s2 + node.load_nm
     }
@@ -89,7 +89,7 @@ impl<'a> Share<'a> {
         self.torque(node) * node.direction < 0.0
     }
 
-    /// The limit at a speed.
+    /// Returns the limit at a speed.
     fn limit(&self, speed_rad_s: f64) -> Torque {
         (self.edge)(self.short_time.at(AngularVelocity::from_si(speed_rad_s)))
     }
@@ -125,8 +125,8 @@ impl Sought for Share<'_> {
 
 /// |T| ≤ short-time torque at the speed of every instant; while braking the voltage helps, and T_max is the limit.
 ///
-/// Where no short-time curve is published, what lies between the torque with a cold gear within I_max and the upper edge,
-/// which leaves I_max to its own check, is advice.
+/// Checks every instant against the short-time torque. Without a published short-time curve, a torque between that with
+/// a cold gear within I_max and the upper edge is advice; the upper edge leaves I_max to its own check.
 pub(crate) fn torque_speed_trace(case: &Case<'_>, work: &mut Workings) -> Outcome {
     let Case { axis, actuator, currents, .. } = *case;
     let id = CheckId::TorqueSpeedTrace;
@@ -153,7 +153,7 @@ pub(crate) fn torque_speed_trace(case: &Case<'_>, work: &mut Workings) -> Outcom
         short_time.limit(speed)
     };
     work.limit(if is_braking { "T_max" } else { "T_short" });
-    // Where the lower edge is exceeded the instant that counts may be another one for the upper edge.
+    // Beyond the lower edge, another instant may be decisive for the upper edge.
     let beyond = !at_most(found, 1.0) && !at_most(axis.trace.largest(&lower.of_the_upper_edge()).0, 1.0);
     let limit = curve.limit.value.si();
     let upper = if beyond { limit } else { curve.upper.si().max(torque) };
@@ -165,8 +165,8 @@ pub(crate) fn torque_speed_trace(case: &Case<'_>, work: &mut Workings) -> Outcom
     .between(edges))
 }
 
-/// The motor current against what the drive of the machine gives: its peak, its effective value over the cycle, and the
-/// longest time for which it is above the continuous current. The one that uses most of its limit is reported.
+/// Checks the motor current against the ratings of the drive of the machine: its peak, its effective value over the
+/// cycle, and the longest time above the continuous current. The check with the highest utilisation is returned.
 ///
 /// max |I| ≤ I_D,max, √(∫I² dt / t_0) ≤ I_D, and |I| > I_D for no longer than t_D at a stretch
 ///
@@ -176,10 +176,10 @@ pub(crate) fn torque_speed_trace(case: &Case<'_>, work: &mut Workings) -> Outcom
 /// # Source
 /// docs/theory/current.md
 /// # Valid
-/// All currents are rms values of a phase, as the manual states its own. The peak counts the gear as cold as the air and in
-/// the settled cycle, the others in the settled cycle; a cycle follows itself. Within its continuous effective value the drive
-/// is assumed to recover between two stretches: its own overload integral is not modelled. A stretch that begins and ends
-/// between two neighbouring nodes of a curved panel is not counted.
+/// All currents are rms values of a phase, as in the manual. The peak is evaluated with the gear at the ambient
+/// temperature and in the settled cycle, the others in the settled cycle; the cycle repeats. Within its continuous
+/// effective value the drive is assumed to recover between two overloads: its own overload integral is not modelled. An
+/// overload that begins and ends between two adjacent nodes of a curved panel is not counted.
 pub(crate) fn drive_current(case: &Case<'_>, work: &mut Workings) -> Outcome {
     let Case { axis, actuator, currents, .. } = *case;
     let (id, source) = (CheckId::DriveCurrent, Source::Model { name: "current" });
@@ -241,14 +241,14 @@ pub(crate) fn drive_current(case: &Case<'_>, work: &mut Workings) -> Outcome {
     .between(Edges { limit, upper: limit, unit }))
 }
 
-/// One of the quantities that a drive limits.
+/// A quantity that a drive limits.
 struct Driven {
     of: Of,
     value: f64,
     limit: f64,
 }
 
-/// Which quantity: the peak at an instant, the effective value, or the time above a current \[A\].
+/// Kind of quantity: the peak at an instant, the effective value, or the time above a current \[A\].
 #[derive(Clone, Copy)]
 enum Of {
     Peak(Node),
@@ -256,13 +256,13 @@ enum Of {
     Stretch(f64),
 }
 
-/// Parts of a cycle in their order, and for how long a current is above a level in them \[s\].
+/// Consecutive parts of a cycle, and the times in them with a current above a level \[s\].
 #[derive(Clone, Copy, Debug, PartialEq)]
 struct Above {
     duration: f64,
-    /// From the beginning on.
+    /// Time from the beginning.
     first: f64,
-    /// Until the end.
+    /// Time to the end.
     last: f64,
     most: f64,
 }
@@ -273,7 +273,7 @@ impl Above {
         Self { duration, first: above, last: above, most: above }
     }
 
-    /// Whether it is above all the time.
+    /// Returns `true` if the current is above the level all the time.
     fn all(&self) -> bool {
         self.first >= self.duration
     }
@@ -287,7 +287,7 @@ impl Above {
         }
     }
 
-    /// The same so many times, one after the other.
+    /// Repeats the parts `times` times.
     fn repeated(self, times: f64) -> Self {
         let duration = times * self.duration;
         if self.all() {
@@ -300,7 +300,7 @@ impl Above {
     }
 }
 
-/// The longest time for which the current of the settled cycle is above a level \[s\]; the cycle follows itself.
+/// Returns the longest time for which the current of the settled cycle is above a level \[s\]; the cycle repeats.
 fn longest_above(axis: &Axis, currents: &Currents<'_>, level: f64) -> f64 {
     let mut cycle = Above::part(0.0, false);
     for block in axis.trace.blocks() {
@@ -315,7 +315,8 @@ fn longest_above(axis: &Axis, currents: &Currents<'_>, level: f64) -> f64 {
     if cycle.all() { cycle.duration } else { cycle.most.max(cycle.last + cycle.first) }
 }
 
-/// The same of a panel: between neighbouring nodes, and where the current passes zero or the level.
+/// Returns the times above the level in a panel: between adjacent nodes, and where the current passes zero or the
+/// level.
 fn above_within(panel: &Panel<'_>, currents: &Currents<'_>, level: f64) -> Above {
     let [start, ..] = panel.nodes else { return Above::part(0.0, false) };
     let current = |share: f64| currents.at(&panel.at(share));
@@ -347,7 +348,7 @@ fn above_within(panel: &Panel<'_>, currents: &Currents<'_>, level: f64) -> Above
     found
 }
 
-/// So close to a zero it is searched, as a share of a panel.
+/// Tolerance of the search for a zero, as a share of a panel.
 const CLOSE: f64 = 1e-12;
 
 #[cfg(test)]

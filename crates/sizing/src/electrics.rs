@@ -1,4 +1,4 @@
-//! The laws of current, voltage and heat of a drivetrain, for every feedback and brake.
+//! Laws of current, voltage and heat of a drivetrain, for every feedback and brake.
 
 use crate::axis::Axis;
 use crate::comparison::Edges;
@@ -9,23 +9,23 @@ use provenance::{Grade, Missing};
 use quantities::Measure;
 use quantities::unit::NEWTON_METRE;
 
-/// The laws of a drivetrain for one axis, each with what is missing for it.
+/// Laws of a drivetrain for one axis, each with its missing datum otherwise.
 pub(crate) struct Electrics {
     pub(crate) current: Result<CurrentLaw, Missing>,
     pub(crate) heat: Result<HeatModel, Missing>,
     pub(crate) voltage: Result<MotorVoltage, Missing>,
     /// Continuous torque at the mean speed of the cycle.
     pub(crate) continuous: Result<ContinuousLimit, Missing>,
-    /// The remark on its band, if it has one.
+    /// Remark on its band, if it has one.
     pub(crate) estimated: Notes,
 }
 
-/// The edges of a continuous torque.
+/// Returns the edges of a continuous torque.
 pub(crate) fn edges(limit: &ContinuousLimit) -> Edges {
     Edges { limit: limit.limit.value.si(), upper: limit.upper.si(), unit: &NEWTON_METRE }
 }
 
-/// The motor current of a torque, with the friction of a gear as cold as the air.
+/// Motor current of a torque, with the friction of a gear at the ambient temperature.
 #[derive(Clone)]
 pub(crate) struct CurrentLaw {
     pub(crate) motor: MotorCurrent,
@@ -35,7 +35,7 @@ pub(crate) struct CurrentLaw {
     pub(crate) cold: FrictionAt,
     /// Friction of the warmest gear.
     pub(crate) warmest: FrictionAt,
-    /// By which factors friction may lie beside `cold` where that is extrapolated.
+    /// Factors between which friction may differ from `cold` if that is extrapolated.
     pub(crate) cold_band: Option<(f64, f64)>,
     pub(crate) grade: Grade,
     pub(crate) errata: &'static [&'static str],
@@ -47,7 +47,7 @@ impl Electrics {
         Self::with(axis, drivetrain, laws)
     }
 
-    /// With the laws of the drivetrain known.
+    /// Creates the electrics with the known laws of the drivetrain.
     pub(crate) fn with(
         axis: &Axis,
         drivetrain: &Drivetrain,
@@ -66,7 +66,7 @@ impl Electrics {
 }
 
 impl Electrics {
-    /// With nothing known: for checks that look at none of it.
+    /// Electrics without laws, for checks that use none of them.
     pub(crate) const UNKNOWN: Self = Self {
         current: Err(UNKNOWN),
         heat: Err(UNKNOWN),
@@ -83,11 +83,12 @@ impl CurrentLaw {
         let torque_constant = drivetrain.torque_constant_out.require("k_Tout")?;
         let motor = MotorCurrent::of(drivetrain)?;
         let law = NoLoadFriction::of(drivetrain)?;
-        // The temperature stated is that of the hottest day; a gear starts no warmer than the print has it.
+        // The stated temperature is that of the hottest day; a gear does not start warmer than the cold start of the
+        // manual.
         let start = law.cold_start();
         let cold = axis.ambient.filter(|air| air.si() < start.si()).unwrap_or(start);
         let cold_band = law.cold_band(cold)?;
-        // The grade shows a growth that is taken over from another maker's actuators.
+        // The grade shows a growth that is taken from another manufacturer's actuators.
         let growth = drivetrain.friction_cold_growth.known().filter(|growth| growth.grade == Grade::Assumed);
         let grade_of_the_cold = growth.filter(|_| cold_band.is_some()).map_or(Grade::Computed, |growth| growth.grade);
         Ok(Self {

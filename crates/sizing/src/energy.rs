@@ -1,4 +1,4 @@
-//! Power at the motor terminals over the cycle: what is taken, what is given back.
+//! Power at the motor terminals over the cycle: energy taken and energy regenerated.
 
 mod bent;
 mod cells;
@@ -21,10 +21,11 @@ use std::collections::BTreeMap;
 use std::ops::Range;
 use trace::{Block, Extent, Gram, Node, Panel, Ramps, Sought, Swept};
 
-/// A winding as cold as its resistance is printed for, 20 °C in kelvin: the least of the copper loss, so the most comes back.
+/// Winding temperature for which the resistance is stated, 20 °C in kelvin: the copper loss is least, so that the
+/// regenerated energy is largest.
 const COLD_WINDING: f64 = 293.15;
 
-/// Power at the motor terminals, winding cold, friction that of the settled cycle.
+/// Power at the motor terminals, with a cold winding and the friction of the settled cycle.
 pub(crate) struct CyclePower<'a> {
     currents: &'a Currents<'a>,
     motor: TerminalPower,
@@ -36,48 +37,48 @@ impl<'a> CyclePower<'a> {
         Ok(Self { currents, motor: TerminalPower::of(actuator, ThermodynamicTemperature::from_si(COLD_WINDING))? })
     }
 
-    /// Current at an instant within a time in which the load drives, or does not \[A\].
+    /// Returns the current at an instant of a time in which the load drives, or does not \[A\].
     fn current(&self, node: &Node, driven: bool) -> f64 {
         let [inertia, load, direction, speed] = self.weights(driven);
         inertia * node.acceleration_rad_s2 + load * node.load_nm + direction * node.direction + speed * node.speed_rad_s
     }
 
-    /// The current as a weighted sum of (α, T_L, σ, ω) where the load drives, or does not.
+    /// Returns the current as a weighted sum of (α, T_L, σ, ω) for a driving load, or otherwise.
     fn weights(&self, driven: bool) -> [f64; 4] {
         let [inertia, load, direction, speed] = self.currents.settled_weights();
         let passed = self.motor.passed(driven);
         [passed * inertia, passed * load, direction, speed]
     }
 
-    /// At an instant \[W\].
+    /// Returns the power at an instant \[W\].
     pub(crate) fn at(&self, node: &Node) -> f64 {
         self.with(node, self.currents.point(node).is_driven())
     }
 
-    /// At an instant within a time in which the load drives, or does not \[W\].
+    /// Returns the power at an instant of a time in which the load drives, or does not \[W\].
     fn with(&self, node: &Node, driven: bool) -> f64 {
         self.motor.with(self.current(node, driven), node.speed_rad_s)
     }
 
-    /// J_out α + T_L \[Nm\]
+    /// Returns J_out α + T_L \[Nm\].
     fn torque(&self, node: &Node) -> f64 {
         self.currents.point(node).torque_nm
     }
 
-    /// 1.5 R \[Ω\] and k_TM i [V/(rad/s)].
+    /// Returns 1.5 R \[Ω\] and k_TM i [V/(rad/s)].
     fn constants(&self) -> (f64, f64) {
         (self.motor.copper_ohm(), self.motor.constant_v_s_per_rad())
     }
 
-    /// Its integral over a time in which the load is only driven \[J\].
+    /// Returns the energy of a time in which the load does not drive \[J\].
     fn driving(&self, gram: &Gram) -> f64 {
         let weights = self.weights(false);
         let (r, k) = self.constants();
         r * gram.square(weights) + k * gram.product(weights, SPEED)
     }
 
-    /// Over a gap between two instants, torque and speed taken as straight in it: cut where the torque passes zero,
-    /// since friction counts otherwise there.
+    /// Visits a gap between two instants with linear torque and speed: cut where the torque passes zero, since friction
+    /// has another effect there.
     fn gap(&self, a: &Node, b: &Node, take: &mut impl FnMut(&Arc)) {
         let inertia = self.currents.inertia;
         let [from, to] = [a, b].map(|node| inertia * node.acceleration_rad_s2 + node.load_nm);
@@ -90,7 +91,7 @@ impl<'a> CyclePower<'a> {
         }
     }
 
-    /// Over a part of a gap with one sign of the torque: I and ω are straight there, so P is a parabola of time.
+    /// Visits a part of a gap with one sign of the torque: I and ω are linear there, so P is a parabola of time.
     fn arc(&self, a: &Node, b: &Node, torque: f64, take: &mut impl FnMut(&Arc)) {
         let braking = torque * a.direction < 0.0;
         let (i0, i1) = (self.current(a, braking), self.current(b, braking));
@@ -103,7 +104,7 @@ impl<'a> CyclePower<'a> {
     }
 }
 
-/// A parabola of the power over a time: P(u) = p_0 + p_1 u + p_2 u² with u from 0 to 1.
+/// Power as a parabola of time: P(u) = p_0 + p_1 u + p_2 u² with u from 0 to 1.
 struct Arc {
     /// Time \[s\].
     duration: f64,
@@ -112,19 +113,19 @@ struct Arc {
 }
 
 impl Arc {
-    /// P(u) \[W\]
+    /// Returns P(u) \[W\].
     fn at(&self, u: f64) -> f64 {
         let [p0, p1, p2] = self.power;
         p0 + u * (p1 + u * p2)
     }
 
-    /// ∫P dt from the beginning to u \[J\]
+    /// Returns ∫P dt from the beginning to u \[J\].
     fn energy(&self, u: f64) -> f64 {
         let [p0, p1, p2] = self.power;
         self.duration * u * (p0 + u * (p1 / 2.0 + u * p2 / 3.0))
     }
 
-    /// Where P passes zero within, in order.
+    /// Returns the zeros of P within the arc, in order.
     fn zeros(&self) -> [Option<f64>; 2] {
         let [p0, p1, p2] = self.power;
         let root = p1 * p1 - 4.0 * p2 * p0;
@@ -140,7 +141,7 @@ impl Arc {
         }
     }
 
-    /// The energy of each part with one sign of P, in order \[J\].
+    /// Visits the energy of each part with one sign of P, in order \[J\].
     fn parts(&self, mut take: impl FnMut(f64)) {
         let mut taken = 0.0;
         for u in self.zeros().into_iter().flatten().chain([1.0]) {
@@ -150,7 +151,7 @@ impl Arc {
         }
     }
 
-    /// The least power \[W\].
+    /// Returns the least power \[W\].
     fn least(&self) -> f64 {
         let [p0, p1, p2] = self.power;
         let ends = p0.min(self.at(1.0));
@@ -159,12 +160,12 @@ impl Arc {
     }
 }
 
-/// What a capacitor bank holds that gives out what the motor takes before the supply does.
+/// Energy in a capacitor bank that supplies the motor before the supply does.
 #[derive(Clone, Copy, Debug, Default)]
 struct Bank {
     /// Energy held \[J\].
     held: f64,
-    /// The most that it had to hold \[J\].
+    /// Largest energy held so far \[J\].
     most: f64,
 }
 
@@ -175,7 +176,7 @@ impl Bank {
     }
 }
 
-/// The energies of panels in which the signals are no straight lines. Those of a panel that has others like it are kept.
+/// Energies of panels with curved signals. Those of a panel that has repetitions are kept.
 #[derive(Debug, Default)]
 struct Passed {
     parts: Vec<f64>,
@@ -184,11 +185,12 @@ struct Passed {
 }
 
 impl Passed {
-    /// Goes through a panel, or finds what was found in one like it; the larger of `peak` and its largest power given back.
+    /// Evaluates a panel, or reuses the result of an equal one; returns the larger of `peak` and its largest
+    /// regenerated power.
     fn panel(&mut self, panel: &Panel<'_>, power: &CyclePower<'_>, peak: f64) -> f64 {
         let first = panel.like().filter(|like| like.has_others).map(|like| like.first);
         if let Some(known) = first.and_then(|first| self.kept.get(&first)) {
-            // Its largest power was counted with the first of them.
+            // The largest power was counted with the first of the equal panels.
             self.latest = known.clone();
             return peak;
         }
@@ -204,7 +206,7 @@ impl Passed {
         peak
     }
 
-    /// The energy of each part of the panel gone through last, in order \[J\].
+    /// Returns the energy of each part of the last panel, in order \[J\].
     fn latest(&self) -> &[f64] {
         self.parts.get(self.latest.clone()).unwrap_or_default()
     }
@@ -213,7 +215,7 @@ impl Passed {
 /// Regenerated energy below this share of the energy taken is not reported.
 const ROUNDING: f64 = 1e-12;
 
-/// What a cycle takes and gives back.
+/// Energy balance of a cycle.
 #[derive(Clone, Copy, Debug, Default)]
 struct Balance {
     /// ∫P dt over the cycle \[J\].
@@ -245,7 +247,7 @@ impl Balance {
         arc.parts(|taken| self.part(taken));
     }
 
-    /// Energy of a part in which the power has one sign.
+    /// Adds the energy of a part in which the power has one sign.
     fn part(&mut self, taken: f64) {
         self.whole += taken;
         self.back -= taken.min(0.0);
@@ -253,19 +255,19 @@ impl Balance {
     }
 }
 
-/// What the cycle takes and gives back with one actuator, on its way.
+/// Energy balance of a cycle with one actuator, while it is computed.
 struct Account<'a> {
     power: &'a CyclePower<'a>,
     with_bank: bool,
     balance: Balance,
     passed: Passed,
     sweep: Sweep,
-    /// Of each recording: whether it goes by cells, and is in the balance from the beginning.
+    /// For each recording, `true` if its cells are used and are already in the balance.
     by_cells: Vec<bool>,
 }
 
 impl<'a> Account<'a> {
-    /// With what a bank must hold or without: only that needs recordings in the order of time.
+    /// Begins the account with or without a capacitor bank; only a bank needs recordings in the order of time.
     fn of(axis: &Axis, power: &'a CyclePower<'a>) -> Self {
         let with_bank = axis.asked.dc_link_rise.is_some();
         let mut account = Self {
@@ -290,8 +292,8 @@ impl<'a> Account<'a> {
         account
     }
 
-    /// Whether a block is to be passed: not where its cells are in the balance, nor where the load is only driven, for the
-    /// power has one sign there and the block is taken as a whole.
+    /// Returns `true` if the panels of a block must be evaluated: not if its cells are already in the balance, nor if
+    /// the load does not drive in it, since the power then has one sign and the block is added as a whole.
     fn asks_for(&mut self, axis: &Axis, block: &Block) -> bool {
         if block.strip().and_then(|strip| self.by_cells.get(strip)).is_some_and(|cells| *cells) {
             return false;
@@ -305,9 +307,9 @@ impl<'a> Account<'a> {
         true
     }
 
-    /// Passes some intervals, but for what the power would be there if the load nowhere drove.
+    /// Adds some intervals, except the power that they would have without a driving load.
     fn ramps(&mut self, ramps: &[Ramps], extent: &Extent) {
-        // Most blocks lie below the largest power that is found already.
+        // Most blocks are below the largest power found so far.
         let with_peak = Returned(self.power).bound(extent) > self.balance.peak;
         let bank = self.with_bank.then_some(&mut self.balance.bank);
         let added = self.sweep.pass(ramps, with_peak, bank);
@@ -320,14 +322,14 @@ impl<'a> Account<'a> {
         self.balance.panel(panel, self.power, &mut self.passed);
     }
 
-    /// Passes a block whose panels follow upon each other several times.
+    /// Adds a block whose panels are repeated several times in a row.
     fn repeated(&mut self, axis: &Axis, block: &Block) {
         let before = self.balance;
         self.once(axis, block);
         if block.times > 1.0 {
             let Balance { whole, back, .. } = self.balance;
             let all = |before: f64, once: f64| before + block.times * (once - before);
-            // What the further periods do to the bank: from the second on each adds as much as the one before.
+            // Effect of further periods on the bank: from the second on each adds the same amount.
             let first = self.balance.bank.held;
             self.once(axis, block);
             let bank = &mut self.balance.bank;
@@ -340,7 +342,7 @@ impl<'a> Account<'a> {
     }
 
     fn once(&mut self, axis: &Axis, block: &Block) {
-        // Of what is passed as ramps.
+        // Moments of the part evaluated as ramps.
         let mut gram = block.gram;
         axis.trace.sweep(block, &mut |swept| match swept {
             Swept::Ramps(ramps) => self.ramps(ramps, &block.extent),
@@ -358,7 +360,7 @@ impl<'a> Account<'a> {
 
     fn close(self) -> Balance {
         let mut balance = self.balance;
-        // What is left of a sum that cancels is nothing that comes back.
+        // A cancellation error of the sum is no regenerated energy.
         if balance.back <= ROUNDING * balance.whole.abs() {
             (balance.back, balance.peak, balance.bank) = (0.0, 0.0, Bank::default());
         }
@@ -366,7 +368,7 @@ impl<'a> Account<'a> {
     }
 }
 
-/// What the cycle takes and gives back with one actuator.
+/// Computes the energy balance of a cycle with one actuator.
 fn balance(axis: &Axis, power: &CyclePower<'_>) -> Balance {
     let mut account = Account::of(axis, power);
     for block in axis.trace.blocks() {
@@ -377,12 +379,12 @@ fn balance(axis: &Axis, power: &CyclePower<'_>) -> Balance {
     account.close()
 }
 
-/// −P: what the motor gives back at an instant \[W\].
+/// Regenerated power −P at an instant \[W\].
 struct Returned<'a>(&'a CyclePower<'a>);
 
 impl Sought for Returned<'_> {
-    /// −P = −R I² − k ω I: the second largest at a corner, the first where |I| is least; whatever I is, no more than
-    /// (k ω)²/(4 R). While driving nothing comes back.
+    /// Bounds −P = −R I² − k ω I: the second term is largest at a corner, the first for the least |I|; for any I, at
+    /// most (k ω)²/(4 R). In motor operation no power is regenerated.
     fn bound(&self, extent: &Extent) -> f64 {
         let (low, high) = extent.range(self.0.weights(true));
         let (back, forth) = extent.speeds_rad_s;
@@ -411,12 +413,12 @@ impl Sought for Returned<'_> {
     }
 }
 
-/// Returns `true` if a datum is missing without which the regenerated energy is not known.
+/// Returns `true` if a datum is missing without which the regenerated energy is unknown.
 pub(crate) fn is_missing(actuator: &Parameters, currents: Result<&Currents, &Missing>) -> bool {
     CyclePower::of(actuator, currents).is_err()
 }
 
-/// Whether the power that comes back is surely below a share of its limit: by the bounds of the blocks alone.
+/// Returns `true` if the regenerated power is below a share of its limit by the bounds of the blocks alone.
 pub(crate) fn is_below(axis: &Axis, actuator: &Parameters, currents: Result<&Currents, &Missing>, share: f64) -> bool {
     let (Ok(power), Some(permitted)) = (CyclePower::of(actuator, currents), axis.asked.regeneration_power_max) else {
         return false;
@@ -426,10 +428,10 @@ pub(crate) fn is_below(axis: &Axis, actuator: &Parameters, currents: Result<&Cur
     most < share * permitted.si() * axis.moments.duration.si()
 }
 
-/// Mean power that the motor gives back over the cycle, winding cold.
+/// Checks the mean regenerated power over the cycle, winding cold.
 ///
-/// P = 1.5 R I² + k_TM I ω_mot at every instant; P < 0 is given back. Friction is in I, so it is taken off what the
-/// load returns. What is taken besides is the balance: E_mot = ∫P dt + E_reg.
+/// P = 1.5 R I² + k_TM I ω_mot at every instant; P < 0 is regenerated. Friction is part of I, so it reduces the
+/// regenerated power. The energy taken follows from the balance: E_mot = ∫P dt + E_reg.
 pub(crate) fn regeneration(case: &Case<'_>, work: &mut Workings) -> Outcome {
     let power = CyclePower::of(case.actuator, case.currents)?;
     let axis = case.axis;
@@ -451,7 +453,7 @@ pub(crate) fn regeneration(case: &Case<'_>, work: &mut Workings) -> Outcome {
     check.grade = Some(grade);
     let notes = &mut check.notes;
     if let (Some(rise), Some(supply)) = (axis.asked.dc_link_rise, axis.supply) {
-        // The lower the voltage, the less a capacitor holds within the same rise.
+        // At a lower voltage, a capacitor takes less energy within the same rise.
         let low = supply.least().si();
         let high = low + rise.si();
         notes.push(Note::Capacitor {

@@ -1,4 +1,4 @@
-//! The checks of the feedback: range, resolution, battery.
+//! Checks of the feedback: range, resolution, battery.
 
 use crate::axis::Axis;
 use crate::check::{Amount, Check, CheckId, Direction, Verdict};
@@ -11,7 +11,8 @@ use provenance::{Datum, Grade, Missing, Source};
 use quantities::unit::{ARCSECOND, HOUR, ONE, REVOLUTION, YEAR};
 use quantities::{Measure, Time};
 
-/// The feedback with the longer absolute range: that at the output, if there is one, also gives its turn.
+/// Returns the feedback with the longer absolute range: an encoder at the output, if there is one, also provides its
+/// turn.
 fn absolute(actuator: &Parameters) -> Option<(f64, &Feedback)> {
     [&actuator.feedback, &actuator.feedback_out]
         .into_iter()
@@ -19,8 +20,8 @@ fn absolute(actuator: &Parameters) -> Option<(f64, &Feedback)> {
         .max_by(|a, b| a.0.total_cmp(&b.0))
 }
 
-/// Travel ≤ absolute range in turns of the output; an axis that turns on and on leaves it unless N/i is a whole number.
-/// None where the position need not be absolute.
+/// Checks travel ≤ absolute range in turns of the output; an axis that rotates endlessly exceeds it unless N/i is a
+/// whole number. `None` if the position need not be absolute.
 pub(crate) fn range(case: &Case<'_>, work: &mut Workings) -> Option<Outcome> {
     (case.axis.asked.absolute != Some(false)).then(|| absolute_travel(case.axis, case.actuator, work))
 }
@@ -79,7 +80,7 @@ fn absolute_travel(axis: &Axis, actuator: &Parameters, work: &mut Workings) -> O
     Ok(check)
 }
 
-/// Step at the output ≤ the largest step permitted.
+/// Checks the step at the output ≤ the largest permissible step.
 pub(crate) fn resolution(case: &Case<'_>, work: &mut Workings) -> Outcome {
     let Case { axis, actuator, .. } = *case;
     let id = CheckId::FeedbackResolution;
@@ -99,8 +100,8 @@ pub(crate) fn resolution(case: &Case<'_>, work: &mut Workings) -> Outcome {
     Ok(check)
 }
 
-/// Life of the encoder's battery for the stated operation a day and storage before.
-/// None where the encoder has no battery.
+/// Checks the life of the encoder's battery for the stated operation per day and storage before it. `None` if the
+/// encoder has no battery.
 pub(crate) fn battery(case: &Case<'_>, work: &mut Workings) -> Option<Outcome> {
     let feedback = &case.actuator.feedback;
     feedback.buffered_by_battery.then(|| battery_life(case.axis, feedback, work))
@@ -132,7 +133,7 @@ fn battery_life(axis: &Axis, feedback: &Feedback, work: &mut Workings) -> Outcom
     Ok(check)
 }
 
-/// The workings of the absolute range in turns of the output, `N_out`.
+/// Records the derivation of the absolute range in turns of the output, `N_out`.
 fn absolute_range(feedback: &Feedback, actuator: &Parameters, limit: f64, work: &mut Workings) {
     let source = Source::Model { name: "feedback" };
     match feedback.turns_absolute.known() {

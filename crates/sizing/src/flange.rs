@@ -1,4 +1,4 @@
-//! The loads on the flange over the cycle: those that the user states for a segment, and those that follow from the
+//! Loads on the flange over the cycle: those that the user states for a segment, and those that follow from the
 //! mechanism at every instant.
 
 mod walk;
@@ -15,14 +15,13 @@ use walk::Walk;
 /// Loads that follow from the mechanism.
 #[derive(Clone, Debug, PartialEq)]
 pub struct DerivedLoads {
-    /// How the load sits on the flange.
+    /// Position of the load on the flange.
     pub mounting: Mounting,
-    /// The segments of the motion in which they act.
+    /// Segments of the motion in which they act.
     pub acts: Vec<bool>,
 }
 
-/// A largest value and the instant at which it is reached; loads that do not change within a segment have the instant at
-/// which the segment begins.
+/// A largest value and its instant; for loads that are constant within a segment, the start of the segment.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(crate) struct Peak {
     pub(crate) value: f64,
@@ -36,7 +35,7 @@ impl Peak {
         }
     }
 
-    /// The larger of two; of equal ones the earlier.
+    /// Returns the larger of two; of equal ones the earlier.
     fn or(self, other: Self) -> Self {
         match self.value.total_cmp(&other.value) {
             Ordering::Greater => self,
@@ -46,7 +45,7 @@ impl Peak {
     }
 }
 
-/// The largest F_r, F_a and M about the bearing's centre, each of any instant.
+/// Largest F_r, F_a and M about the bearing's centre, each at its own instant.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(crate) struct Peaks {
     pub(crate) radial: Peak,
@@ -62,21 +61,22 @@ impl Peaks {
     }
 }
 
-/// The loads over the cycle for one place of the bearing and one exponent of its life.
+/// Loads over the cycle for one position of the bearing and one exponent of its life.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(crate) struct CycleLoads {
-    /// While the gear turns.
+    /// Loads while the gear turns.
     pub(crate) turning: Peaks,
-    /// While it rests.
+    /// Loads while the gear rests.
     pub(crate) resting: Peaks,
     /// Averages of eq. 75.2 and 75.3: F_rav, F_aav \[N\].
     pub(crate) means: [f64; 2],
-    /// The same averages of the moment of the mechanism, and of F_r (L_r + R) and F_a L_a of what the user states \[Nm\].
+    /// Averages of eq. 75.2 and 75.3 of the moment of the mechanism, and of the stated F_r (L_r + R) and F_a L_a
+    /// \[Nm\].
     pub(crate) mean_moments: [f64; 3],
 }
 
 impl CycleLoads {
-    /// The largest loads of the whole cycle, at rest too.
+    /// Returns the largest loads of the whole cycle, including rest.
     pub(crate) fn whole(&self) -> Peaks {
         let (turning, resting) = (self.turning, self.resting);
         Peaks {
@@ -87,15 +87,15 @@ impl CycleLoads {
     }
 }
 
-/// What was worked out already.
+/// Results of earlier computations.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Known(Arc<Found>);
 
 #[derive(Debug, Default)]
 struct Found {
-    /// By R and B.
+    /// Loads by R and B.
     loads: Mutex<Vec<KnownLoads>>,
-    /// The instants within each piece of the motion at which the loads may have a corner or a step: for every R and B the same.
+    /// Instants within each piece of the motion at which the loads may have a corner or a step, independent of R and B.
     corners: OnceLock<Vec<Vec<f64>>>,
     states: OnceLock<Vec<States>>,
 }
@@ -107,12 +107,12 @@ pub(crate) struct States {
     pub(crate) rests: bool,
 }
 
-/// R and B bit by bit, and the loads for them.
+/// Bit patterns of R and B, and the loads for them.
 type KnownLoads = ([u64; 2], CycleLoads);
 
 impl Known {
     fn get(&self, key: [u64; 2], make: impl FnOnce() -> CycleLoads) -> CycleLoads {
-        // One thread works a pair out, the others wait for it rather than do the same.
+        // One thread computes the loads of a pair; the others wait for it rather than repeat the work.
         let mut known = self.0.loads.lock().unwrap_or_else(PoisonError::into_inner);
         if let Some((_, loads)) = known.iter().find(|(of, _)| *of == key) {
             return *loads;
@@ -124,7 +124,7 @@ impl Known {
 }
 
 impl BearingDuty {
-    /// What is missing before the forces on the flange are known.
+    /// Checks that the forces on the flange are known; otherwise returns the missing datum.
     pub(crate) fn forces_known(&self, axis: &Axis) -> Result<(), Missing> {
         if !self.has_loads {
             return Err(Missing { symbol: "bearing.radial_force" });
@@ -133,7 +133,7 @@ impl BearingDuty {
         missing.map_or(Ok(()), |symbol| Err(Missing { symbol }))
     }
 
-    /// What is missing before the tilting moment is known too.
+    /// Checks that the tilting moment is known too; otherwise returns the missing datum.
     pub(crate) fn moment_known(&self, axis: &Axis) -> Result<(), Missing> {
         self.forces_known(axis)?;
         let Some(derived) = &self.derived else { return Ok(()) };
@@ -144,12 +144,12 @@ impl BearingDuty {
 }
 
 impl Axis {
-    /// The loads on the flange over the cycle with those of the mechanism; `None` where none follow from it.
+    /// Returns the loads on the flange over the cycle including those of the mechanism; `None` if none follow from it.
     pub(crate) fn derived_loads(&self, offset: Length, exponent: f64) -> Option<CycleLoads> {
         let duty = self.bearing.as_ref()?;
         let derived = duty.derived.as_ref()?;
         if duty.forces_known(self).is_ok() && duty.moment_known(self).is_err() {
-            // Without the moment there is no life: the peaks of the forces are all, for every bearing alike.
+            // Without the moment there is no life: only the peaks of the forces are needed, equal for every bearing.
             let find = || Walk::of(self, duty, derived, Length::from_si(0.0), 3.0).only_forces().loads();
             return Some(self.flange_known.get([u64::MAX; 2], find));
         }
@@ -181,17 +181,18 @@ impl Axis {
         self.gear_states().iter().any(|state| state.rests)
     }
 
-    /// The loads on the flange over the cycle where only stated ones count, found once for each place of the bearing.
+    /// Returns the loads on the flange over the cycle if only stated ones apply, computed once for each position of the
+    /// bearing.
     pub(crate) fn stated_loads(&self, offset: Length, exponent: f64, find: impl FnOnce() -> CycleLoads) -> CycleLoads {
-        // A few loads are compared sooner than found again.
+        // Comparing a few loads is faster than a look-up.
         if self.bearing.as_ref().is_none_or(|duty| duty.loads.len() <= FEW) {
             return find();
         }
         self.flange_known.get([offset.si().to_bits(), exponent.to_bits()], find)
     }
 
-    /// The loads on the flange at instants over the cycle, for pictures: instant, F_r, F_a, and M for a place of the
-    /// bearing. Within a segment of constant loads only its ends are returned.
+    /// Returns the loads on the flange at instants over the cycle, for pictures: instant, F_r, F_a, and M for a
+    /// position of the bearing. Within a segment of constant loads only its ends are returned.
     #[must_use]
     pub fn flange_course(&self, offset: Option<Length>) -> Vec<FlangeSample> {
         let Some(duty) = self.bearing.as_ref().filter(|duty| duty.forces_known(self).is_ok()) else {
@@ -223,9 +224,9 @@ impl Axis {
 }
 
 impl Axis {
-    /// Number of instants at which the loads on the flange are found in one walk over the cycle, for one bearing: those of motion laws and
-    /// those of recordings, times [`mechanism::Mechanism::evaluation_cost`]; zero where none follow from the mechanism. Cuts at reversals
-    /// and changes of sign are not counted.
+    /// Returns the number of instants at which the loads on the flange are computed in one walk over the cycle, for one
+    /// bearing: those of motion laws and those of recordings, times [`mechanism::Mechanism::evaluation_cost`]; zero if
+    /// none follow from the mechanism. Cuts at reversals and changes of sign are not counted.
     #[must_use]
     pub fn flange_instants(&self) -> [f64; 2] {
         let Some(duty) = self.bearing.as_ref().filter(|duty| duty.forces_known(self).is_ok()) else { return [0.0; 2] };
@@ -255,10 +256,10 @@ fn is_rest(interval: &motion::Interval) -> bool {
     interval.speed_rad_s == [0.0; 2]
 }
 
-/// So many stated loads are few.
+/// Largest number of stated loads that are compared directly.
 const FEW: usize = 8;
 
-/// The loads on the flange at one instant.
+/// Loads on the flange at one instant.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct FlangeSample {
     /// Instant.
@@ -267,11 +268,11 @@ pub struct FlangeSample {
     pub radial: Force,
     /// F_a
     pub axial: Force,
-    /// M about the bearing's centre; `None` where it is not known.
+    /// M about the bearing's centre; `None` if unknown.
     pub moment: Option<Torque>,
 }
 
-/// The state of a piece.
+/// Returns the state of a piece.
 pub(crate) fn output(piece: &Piece, t: f64, direction: f64) -> Output {
     let state = piece.at(t);
     Output {

@@ -1,4 +1,4 @@
-//! The checks of the gear. It carries the torque of the load only: the rotor's inertia is on its other side.
+//! Checks of the gear. It transmits the torque of the load only: the rotor's inertia is on its other side.
 
 use crate::axis::Axis;
 use crate::bearing_checks::{self, Borne};
@@ -19,11 +19,11 @@ use quantities::unit::{
 };
 use quantities::{Angle, AngularVelocity, Measure, Ratio, Torque};
 
-/// The model of torsion, natural frequency, mean torque, collisions and life.
+/// Model of torsion, natural frequency, mean torque, collisions and life.
 const MODEL: Source = Source::Model { name: "gear" };
 
-/// The verdict beyond a rating of the gear. Only ratings of the actuator itself reject: those of the gear of another series or
-/// of another maker are advice.
+/// Returns the verdict beyond a rating of the gear. Only ratings of the actuator itself reject: those of the gear of
+/// another series or of another manufacturer are advice.
 pub(crate) const fn beyond(rating: &Source) -> Verdict {
     match rating {
         Source::Cell(_) | Source::Equation { .. } | Source::Project { .. } => Verdict::Fail,
@@ -31,7 +31,7 @@ pub(crate) const fn beyond(rating: &Source) -> Verdict {
     }
 }
 
-/// Says of which gear a rating is, if not of that of the actuator.
+/// Returns the remark on a rating of another gear than that of the actuator.
 const fn of_another_gear(rating: &Source) -> Notes {
     match rating {
         Source::Cell(_) | Source::Equation { .. } | Source::Project { .. } => Notes::NONE,
@@ -40,7 +40,7 @@ const fn of_another_gear(rating: &Source) -> Notes {
     }
 }
 
-/// i n_av ≤ n_in,av; only where a limit of the gear is published.
+/// Checks i n_av ≤ n_in,av; only if a limit of the gear is published.
 pub(crate) fn mean_input_speed(case: &Case<'_>, work: &mut Workings) -> Outcome {
     let Case { axis, actuator, .. } = *case;
     let id = CheckId::GearMeanInputSpeed;
@@ -58,15 +58,15 @@ pub(crate) fn mean_input_speed(case: &Case<'_>, work: &mut Workings) -> Outcome 
     .answer(beyond(&limit.source)))
 }
 
-/// The workings of the mean input speed, `n_in`.
+/// Records the derivation of the mean input speed, `n_in`.
 fn explain_input_speed(axis: &Axis, ratio: &Sourced<f64>, speed: f64, work: &mut Workings) {
     workings::mean_speed(axis, work);
     work.given_number("i", ratio);
     work.formula("n_in", &REVOLUTION_PER_MINUTE, speed, "i*n_av", &MODEL);
 }
 
-/// T_k ≤ T_M, and the number of collisions; only where a rating of the gear is published. Above the torque at which a
-/// cup-type gear of the same size ratchets it is against advice in any case.
+/// Checks T_k ≤ T_M, and the number of collisions; only if a rating of the gear is published. Above the ratcheting
+/// torque of a cup-type gear of the same size it is against advice in any case.
 pub(crate) fn collision(case: &Case<'_>, work: &mut Workings) -> Outcome {
     let Case { axis, actuator, .. } = *case;
     let (id, gear) = (CheckId::CollisionTorque, &actuator.gear);
@@ -96,7 +96,7 @@ pub(crate) fn collision(case: &Case<'_>, work: &mut Workings) -> Outcome {
     };
     let otherwise = beyond(&limit.source);
     let mut check = Comparison::with(id, &NEWTON_METRE, torque.si(), project(key), limit).answer(otherwise);
-    // At the peak speed a collision lasts for the most turns of the wave generator.
+    // At the peak speed a collision covers the largest number of turns of the wave generator.
     let stands = axis.asked.collision_time.zip(actuator.ratio.known()).zip(gear.collision_cycles.known());
     let permitted = stands.map(|((time, ratio), cycles)| {
         actuator::collision_count_max(cycles.value, axis.moments().speed_peak, ratio.value, time)
@@ -105,7 +105,7 @@ pub(crate) fn collision(case: &Case<'_>, work: &mut Workings) -> Outcome {
     if let (Some(count), Some(permitted)) = (axis.asked.collisions, permitted) {
         let most = Sourced { value: Ratio::from_si(permitted), source: MODEL, grade: limit.grade, errata: &[] };
         let number = Comparison::with(id, &ONE, count, project("requirements.collisions"), &most).answer(otherwise);
-        // The tighter one of torque and number is reported.
+        // The check of torque or number with the higher utilisation is returned.
         if number.utilisation > check.utilisation {
             check = number;
             explain_collisions(axis, actuator, (count, permitted), work);
@@ -124,7 +124,7 @@ pub(crate) fn collision(case: &Case<'_>, work: &mut Workings) -> Outcome {
     Ok(check)
 }
 
-/// The workings of the number of collisions, `N`, and of that which the gear stands, `N_k`.
+/// Records the derivation of the number of collisions, `N`, and of the permissible one, `N_k`.
 fn explain_collisions(axis: &Axis, actuator: &Parameters, (count, permitted): (f64, f64), work: &mut Workings) {
     let (Some(time), Some(ratio)) = (axis.asked.collision_time, actuator.ratio.known().filter(|_| work.is_on())) else {
         return;
@@ -140,7 +140,7 @@ fn explain_collisions(axis: &Axis, actuator: &Parameters, (count, permitted): (f
     work.limit("N_k");
 }
 
-/// Sum of all angular errors at the output, and its deviation at the lever arm.
+/// Checks the sum of all angular errors at the output, and its deviation at the lever arm.
 pub(crate) fn error_budget(case: &Case<'_>, work: &mut Workings) -> Outcome {
     let Case { axis, actuator, .. } = *case;
     let id = CheckId::ErrorBudget;
@@ -196,7 +196,7 @@ pub(crate) fn error_budget(case: &Case<'_>, work: &mut Workings) -> Outcome {
     Ok(check)
 }
 
-/// The workings of the sum of all angular errors, `phi_sum`: what is not known counts as nothing, and says so.
+/// Records the derivation of the sum of all angular errors, `phi_sum`: an unknown error counts as zero, with a remark.
 fn explain_budget(
     axis: &Axis,
     actuator: &Parameters,
@@ -262,7 +262,7 @@ fn explain_budget(
     }
 }
 
-/// The workings of the tilt of the flange, `gamma`.
+/// Records the derivation of the tilt of the flange, `gamma`.
 fn explain_tilt(axis: &Axis, actuator: &Parameters, case: &BudgetCase, work: &mut Workings) {
     let source = Source::Model { name: "error-budget" };
     let missing = |work: &mut Workings, symbol, unit| {
@@ -279,7 +279,7 @@ fn explain_tilt(axis: &Axis, actuator: &Parameters, case: &BudgetCase, work: &mu
     }
 }
 
-/// The workings of an angle of the feedback at the output.
+/// Records the derivation of an angle of the feedback at the output.
 fn explain_feedback(
     angle: &Datum<Angle>,
     feedback: &Feedback,
@@ -299,7 +299,7 @@ fn explain_feedback(
     }
 }
 
-/// T_av ≤ T_A; only where a rating of the gear is published.
+/// Checks T_av ≤ T_A; only if a rating of the gear is published.
 pub(crate) fn mean_torque(axis: &Axis, actuator: &Drivetrain, work: &mut Workings) -> Outcome {
     let id = CheckId::GearMeanTorque;
     let limit = actuator.gear.average_torque_max.require("T_A")?;
@@ -315,13 +315,13 @@ pub(crate) fn mean_torque(axis: &Axis, actuator: &Drivetrain, work: &mut Working
     .answer(beyond(&limit.source)))
 }
 
-/// The workings of the cubic mean torque, `T_av`.
+/// Records the derivation of the cubic mean torque, `T_av`.
 fn explain_mean_torque(mean: Torque, work: &mut Workings) {
     let what = Finding::CubicMeanTorque;
     work.found("T_av", &NEWTON_METRE, mean.si(), what, &MODEL, Grade::Computed);
 }
 
-/// L_10 of the wave-generator bearing against the life required.
+/// Checks L_10 of the wave-generator bearing against the required life.
 pub(crate) fn life(axis: &Axis, actuator: &Drivetrain, work: &mut Workings) -> Outcome {
     let id = CheckId::GearLife;
     let rated = actuator.gear.rated_torque.require("T_N")?;
@@ -338,7 +338,7 @@ pub(crate) fn life(axis: &Axis, actuator: &Drivetrain, work: &mut Workings) -> O
     }
     let law = LifeLaw::of(&actuator.gear)?;
     let life = law.l10_with(rated.value, mean, speed, work);
-    // Next to no load: the life is beyond every number.
+    // With almost no load the life is infinite.
     if !life.si().is_finite() {
         return Err(Missing { symbol: "gear_load" });
     }
@@ -351,7 +351,7 @@ pub(crate) fn life(axis: &Axis, actuator: &Drivetrain, work: &mut Workings) -> O
     Ok(check)
 }
 
-/// Torsion of the gear under the largest torque of the load.
+/// Checks the torsion of the gear under the largest torque of the load.
 pub(crate) fn torsion(axis: &Axis, actuator: &Drivetrain, work: &mut Workings) -> Outcome {
     let id = CheckId::Torsion;
     let curve = actuator.gear.torsion().ok_or(Missing { symbol: "K_1" })?;
@@ -370,8 +370,8 @@ pub(crate) fn torsion(axis: &Axis, actuator: &Drivetrain, work: &mut Workings) -
     Ok(check)
 }
 
-/// The workings of the torsion under the largest torque of the load, `phi`, by the equation of the region that it
-/// reaches.
+/// Records the derivation of the torsion under the largest torque of the load, `phi`, by the equation of the region
+/// that it reaches.
 fn explain_torsion(gear: &Gear, torque: Torque, work: &mut Workings) {
     let Some(curve) = gear.torsion().filter(|_| work.is_on()) else { return };
     let (angle, [k1, k2, k3]) = (curve.angle(torque).si(), &gear.stiffness);

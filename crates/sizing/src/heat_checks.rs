@@ -1,4 +1,4 @@
-//! The checks of heat: continuous torque, temperature of the winding, overload supervision.
+//! Checks of heat: continuous torque, temperature of the winding, overload supervision.
 
 use crate::axis::Axis;
 use crate::check::{CheckId, Verdict};
@@ -14,14 +14,14 @@ use quantities::Measure;
 use quantities::unit::{AMPERE, DEGREE_CELSIUS, KELVIN_DIFFERENCE, NEWTON_METRE, ONE, SECOND, WATT};
 use trace::{Form, Lag};
 
-/// Above this share of the winding's time constant a cycle is no longer short: the winding's temperature swings by
-/// more than a tenth of its rise, so the effective value alone says too little.
+/// Ratio of cycle to the winding's time constant above which a cycle is no longer short: the winding's temperature
+/// swings by more than a tenth of its rise, so that the effective value alone is not sufficient.
 const SHORT_CYCLE_SHARE: f64 = 0.2;
 
-/// The model of temperatures.
+/// Model of temperatures.
 const THERMAL: Source = Source::Model { name: "thermal" };
 
-/// T_rms ≤ continuous torque at n_av (cha-manual 7.1: the point (n_av, T_rms) inside the continuous zone).
+/// Checks T_rms ≤ continuous torque at n_av (cha-manual 7.1: the point (n_av, T_rms) inside the continuous zone).
 pub(crate) fn continuous_torque(case: &Case<'_>, work: &mut Workings) -> Outcome {
     let (compared, edges) = continuous_torques(case, work)?;
     work.limit("T_cont");
@@ -40,7 +40,7 @@ pub(crate) fn continuous_torques<'c>(case: &Case<'c>, work: &mut Workings) -> Re
     let demand = demand.ok_or(Missing { symbol: "J_out" })?;
     workings::mean_speed(axis, work);
     if work.is_on() {
-        // The same once more, for its workings.
+        // Computed again for its derivation.
         let _ = actuator::continuous_torque_with(actuator, electrics.heat.as_ref().ok(), demand.speed_mean, work);
     }
     let limit = electrics.continuous.as_ref().map_err(|missing| *missing)?;
@@ -64,13 +64,13 @@ pub(crate) fn continuous_torques<'c>(case: &Case<'c>, work: &mut Workings) -> Re
     Ok((Comparison { notes, ..compared }, edges))
 }
 
-/// What the published curves permit at the duty of the cycle.
+/// Returns the permissible values of the published curves at the duty of the cycle.
 fn published(axis: &Axis, actuator: &Parameters, currents: &Currents<'_>) -> Option<PublishedDuty> {
     let (model, _) = currents.heat().ok()?;
     actuator::published_duty(actuator, model, axis.moments.duty_factor(), axis.moments.speed_mean())
 }
 
-/// The two lags whose sum is a temperature above that of the air: each mode has its share of both losses.
+/// Returns the two lags whose sum is the temperature rise above the ambient: each mode has its share of both losses.
 fn temperature_lags(currents: &Currents<'_>, gains: Gains) -> Result<[Lag; 2], Missing> {
     let (model, _) = currents.heat()?;
     let copper = Form::square(currents.settled_weights()).scale(model.losses().copper_ohm());
@@ -84,10 +84,11 @@ fn temperature_lags(currents: &Currents<'_>, gains: Gains) -> Result<[Lag; 2], M
     ])
 }
 
-/// The winding stays below its warning threshold of 80 °C in the steady cycle, as far as the model can tell.
+/// Checks that the winding stays below its warning threshold of 80 °C in the steady cycle, within the accuracy of the
+/// model.
 ///
-/// ϑ_w − ϑ_a ≤ b (80 °C − ϑ_a) with b the lower edge of the band: pass; above the upper edge: fail; between them advice.
-/// Where curves are published the model is scaled to agree with them, and has no band.
+/// ϑ_w − ϑ_a ≤ b (80 °C − ϑ_a) with b the lower edge of the band: pass; above the upper edge: fail; between them
+/// advice. With published curves the model is scaled to agree with them, and has no band.
 pub(crate) fn thermal(case: &Case<'_>, work: &mut Workings) -> Outcome {
     let Case { axis, actuator, currents, .. } = *case;
     let id = CheckId::Thermal;
@@ -95,7 +96,7 @@ pub(crate) fn thermal(case: &Case<'_>, work: &mut Workings) -> Outcome {
     let (model, settled) = currents.heat()?;
     let lags = temperature_lags(currents, model.network().winding())?;
     let ambient = axis.ambient.unwrap_or_else(|| model.ambient_reference());
-    // The coil of an open brake warms the housing; its mean counts.
+    // The coil of an open brake heats the housing, on average.
     let coil = coil_loss(axis, actuator).si();
     let [_, r_ha] = model.network().resistances_k_per_w();
     let peak = axis.trace.peak_of_lags(&lags);
@@ -148,7 +149,7 @@ pub(crate) fn thermal(case: &Case<'_>, work: &mut Workings) -> Outcome {
         notes,
     }
     .between(Edges { limit: at(low), upper: at(high), unit: &DEGREE_CELSIUS });
-    // A temperature has no share of a limit; its rise above the air has.
+    // A temperature has no share of a limit; its rise above the ambient has.
     check.utilisation = (room > 0.0).then(|| {
         let share = rise / (low * room);
         if check.verdict == Verdict::Pass { share.min(1.0) } else { share }
@@ -156,10 +157,10 @@ pub(crate) fn thermal(case: &Case<'_>, work: &mut Workings) -> Outcome {
     Ok(check)
 }
 
-/// The first-order mean of (I/I_0)² with τ_w stays below one: what a drive's I²t supervision looks at.
+/// Checks that the first-order mean of (I/I_0)² with τ_w stays below one, as a drive's I²t supervision does.
 ///
-/// What the continuous curve permits at the mean speed this check permits too, with the friction of the cycle; above what
-/// the winding's heat permits it fails, between the two it is advice.
+/// A duty that the continuous curve permits at the mean speed passes, with the friction of the cycle; above the
+/// permissible heat of the winding it fails, between the two it is advice.
 pub(crate) fn overload(case: &Case<'_>, work: &mut Workings) -> Outcome {
     let Case { axis, actuator, electrics, currents, .. } = *case;
     let id = CheckId::OverloadI2t;

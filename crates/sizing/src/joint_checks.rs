@@ -1,4 +1,4 @@
-//! The checks of the screw joints and of the field of application.
+//! Checks of the bolted joints and of the field of application.
 
 use crate::axis::Axis;
 use crate::check::{Amount, Check, CheckId, Verdict};
@@ -13,20 +13,20 @@ use quantities::unit::{NEWTON_METRE, ONE};
 use quantities::{Measure, Time, Torque};
 use trace::{Convex, Extent, Node};
 
-/// The torque through the joint of the load against what its screws transmit.
+/// Compares the torque through the joint of the load with the torque that its screws transmit.
 pub(crate) fn load(case: &Case<'_>, work: &mut Workings) -> Outcome {
     let through = load_torque(case.axis, work);
     joint(CheckId::ScrewJointLoad, (&case.actuator.screw_joint_load, "transmissible_torque_load"), through, work)
 }
 
-/// The torque through the joint of the housing against what its screws transmit.
+/// Compares the torque through the joint of the housing with the torque that its screws transmit.
 pub(crate) fn housing(case: &Case<'_>, work: &mut Workings) -> Outcome {
     let through = housing_torque(case.axis, case.actuator, work)?;
     let joined = (&case.actuator.screw_joint_housing, "transmissible_torque_housing");
     joint(CheckId::ScrewJointHousing, joined, through, work)
 }
 
-/// The approvals that the field of application needs against those at hand: one is needed, none is at hand.
+/// Compares the approvals that the field of application needs with those available: one is needed, none is available.
 pub(crate) fn application(_: &Case<'_>, work: &mut Workings) -> Outcome {
     let key = "requirements.special_application";
     let source = project(key);
@@ -46,17 +46,17 @@ pub(crate) fn application(_: &Case<'_>, work: &mut Workings) -> Outcome {
     })
 }
 
-/// Torque through a joint, the instant of it, and its symbol in the workings.
+/// Torque through a joint, its instant, and its symbol in the derivation.
 type Through = (Torque, Option<Time>, &'static str);
 
-/// The torque of a collision where it is above that of the cycle: both joints carry it.
+/// Returns the torque of a collision if it is above that of the cycle: both joints carry it.
 fn collision(axis: &Axis, cycle: f64, work: &mut Workings) -> Option<Through> {
     let torque = axis.asked.collision_torque.filter(|torque| torque.si() > cycle)?;
     work.stated("T_k", &NEWTON_METRE, torque.si(), "requirements.collision_torque");
     Some((torque, None, "T_k"))
 }
 
-/// What passes through the joint of the load: the torque of the load. The rotor turns on the other side of it.
+/// Returns the torque through the joint of the load: the torque of the load. The rotor is on the other side of it.
 fn load_torque(axis: &Axis, work: &mut Workings) -> Through {
     let moments = axis.moments();
     if let Some(collision) = collision(axis, moments.load_peak.si(), work) {
@@ -67,19 +67,20 @@ fn load_torque(axis: &Axis, work: &mut Workings) -> Through {
     (moments.load_peak, Some(moments.load_peak_at), "T_j")
 }
 
-/// What passes through the joint of the housing.
+/// Returns the torque through the joint of the housing.
 ///
 /// T_j = |T_L| + (J_out/i) |α|
 ///
-/// The angular momentum of what turns inside is that of the rotor, J_out/i² times i ω, forwards or backwards with the
-/// output according to the build of the gear: the housing takes T_L and what changes it, in the worst case with the same
-/// sign.
+/// The angular momentum of the rotating inner parts is that of the rotor, J_out/i² times i ω, in or against the
+/// direction of the output depending on the design of the gear: the housing takes T_L and the change of that momentum,
+/// in the worst case with the same sign.
 ///
 /// # Source
 /// docs/theory/gear.md
 fn housing_torque(axis: &Axis, actuator: &Parameters, work: &mut Workings) -> Result<Through, Missing> {
     let own = actuator.inertia_out.require("J_out")?.value.si();
-    // Of an own actuator the ratio may not be known: without a gear the whole of J_out acts on the housing, the most.
+    // For an own actuator the ratio may be unknown: without a gear the whole of J_out acts on the housing, which is the
+    // maximum.
     let ratio = actuator.ratio.known();
     let inertia = own / ratio.map_or(1.0, |ratio| ratio.value);
     let bound = |extent: &Extent| extent.torque(inertia).max(extent.torque(-inertia));
@@ -102,7 +103,7 @@ fn housing_torque(axis: &Axis, actuator: &Parameters, work: &mut Workings) -> Re
     Ok((Torque::from_si(torque), Some(Time::from_si(node.time_s)), "T_j"))
 }
 
-/// The torque through a joint ≤ what its screws transmit by friction (table 79.1).
+/// Checks that the torque through a joint ≤ the torque that its screws transmit by friction (table 79.1).
 fn joint(
     id: CheckId,
     (joint, symbol): (&ScrewJoint, &'static str),

@@ -17,11 +17,11 @@ use std::sync::Arc;
 /// Result of judging one actuator for one axis: demand and checks.
 #[derive(Clone, Debug)]
 pub struct Judgement {
-    /// Demand by exact integrals, which the checks use. `None` if the own inertia is not known.
+    /// Demand by exact integrals, which the checks use. `None` if the own inertia is unknown.
     pub demand: Option<Demand>,
-    /// Demand by the manual's equations, shown beside it.
+    /// Demand by the manual's equations, shown for comparison.
     pub manual: Option<ManualDemand>,
-    /// Answers of the checks, in the order in which they are judged.
+    /// Results of the checks, in the order in which they are judged.
     pub checks: Vec<Check>,
 }
 
@@ -32,7 +32,7 @@ impl Judgement {
         self.fit().fits()
     }
 
-    /// Verdict by the checks alone.
+    /// Returns the verdict by the checks alone.
     #[must_use]
     pub fn fit(&self) -> Fit {
         if any_fails(&self.checks) {
@@ -56,8 +56,8 @@ impl Judgement {
         self.governing().filter(|check| check.verdict == Verdict::Fail)
     }
 
-    /// Utilisation of the governing check; infinite if it fails and has none, because its limit is zero or a range; zero if
-    /// no check has a margin.
+    /// Returns the utilisation of the governing check; infinite if it fails and has none, because its limit is zero or
+    /// a range; zero if no check has a margin.
     #[must_use]
     pub fn utilisation(&self) -> f64 {
         contenders(&self.checks).map(Check::severity).fold(0.0, f64::max)
@@ -82,7 +82,7 @@ pub fn governing(checks: &[Check]) -> Option<&Check> {
     last_of_equal(contenders(checks).map(|check| (check.severity(), check)), largest)
 }
 
-/// Checks among which the governing one is: those that fail; if none fails, those with a margin.
+/// Returns the checks among which the governing one is: those that fail; if none fails, those with a margin.
 fn contenders(checks: &[Check]) -> impl Iterator<Item = &Check> {
     let fails = any_fails(checks);
     checks.iter().filter(move |check| match fails {
@@ -129,8 +129,8 @@ pub fn judge(axis: &Axis, actuator: &Parameters, scope: Scope) -> Judgement {
     Judge::new(axis, scope, Depth::Complete).next(actuator, &mut |_, _| {})
 }
 
-/// Receives each check once, before it is returned, with the index of the move that governs by the manual: to
-/// name the sources of the project as its file names them.
+/// Callback for each check, called once before the check is returned, with the index of the move that governs by the
+/// manual; it names the sources of the project as its file does.
 pub type Naming<'n> = &'n mut dyn FnMut(&mut Check, usize);
 
 /// Judges one actuator after another for one axis.
@@ -220,7 +220,7 @@ struct Shared {
     drivetrain: Option<(Arc<Drivetrain>, Arc<Electrics>)>,
     /// Answers of [`SharedBy::Bearing`]: an equal output bearing.
     bearing: Option<OutputBearing>,
-    /// All answers: the same governing move, which their sources name.
+    /// Index of the governing move, which the sources of all stored answers name.
     governing: usize,
     answers: Vec<Check>,
 }

@@ -1,8 +1,8 @@
-//! What an axis demands, whether an actuator gives it, and which actuator of many gives it best.
+//! Demand of an axis, its comparison with an actuator, and the ranking of many actuators.
 //!
-//! [`Axis`] holds the load and the cycle with everything about them that does not depend on the actuator, so that
-//! judging one more candidate costs a few arithmetic operations per ramp. [`judge`] answers every check for one set
-//! of parameters; [`Judge`] goes through many and finds what neighbours share once; [`rank`] orders the judgements.
+//! [`Axis`] holds the load and the cycle with all that does not depend on the actuator, so that judging one more
+//! candidate costs a few arithmetic operations per ramp. [`judge`] answers every check for one set of parameters;
+//! [`Judge`] judges many and computes answers shared by adjacent ones once; [`rank`] orders the judgements.
 
 mod axis;
 mod bearing_checks;

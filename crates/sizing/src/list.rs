@@ -1,4 +1,4 @@
-//! The list of checks: what is the same for every answer of a check stands in its entry and nowhere else.
+//! List of checks: properties that are equal for every result of a check stand in its entry only.
 
 use crate::axis::Axis;
 use crate::bearing_checks::{self, Borne};
@@ -23,32 +23,33 @@ use derivation::Workings;
 use provenance::Missing;
 use quantities::{Acceleration, Angle, ElectricCurrent, ElectricPotential, Frequency, Length, Power, Time, Torque};
 
-/// What the project requires of the actuator beyond carrying the load; without a limit a value is shown and not judged.
+/// Requirements of the project on the actuator in addition to the load; without a limit a value is shown and not
+/// judged.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Asked {
-    /// Life required of the gear.
+    /// Required life of the gear.
     pub gear_life_min: Option<Time>,
-    /// Torsion of the gear permitted.
+    /// Permissible torsion of the gear.
     pub torsion_max: Option<Angle>,
-    /// Least first natural frequency.
+    /// Required first natural frequency.
     pub natural_frequency_min: Option<Frequency>,
-    /// Sum of all angular errors permitted at the output.
+    /// Permissible sum of all angular errors at the output.
     pub angle_error_max: Option<Angle>,
-    /// Distance from the axis at which an error is looked at.
+    /// Distance from the axis at which an error is evaluated.
     pub lever_arm: Option<Length>,
-    /// Deviation permitted there.
+    /// Permissible deviation at that distance.
     pub deviation_max: Option<Length>,
-    /// Angle permitted for a stop by the brake alone.
+    /// Permissible angle of a stop by the brake alone.
     pub stop_angle_max: Option<Angle>,
     /// Number of stops by the brake alone over the life of the axis.
     pub emergency_stops: Option<f64>,
-    /// Factor by which the brake must hold more than the load asks.
+    /// Factor between the required holding torque of the brake and the load.
     pub holding_safety: Option<f64>,
-    /// Time that the axis is in operation over its life.
+    /// Operating time of the axis over its life.
     pub service_life: Option<Time>,
-    /// Mean power that supply or brake resistor take back.
+    /// Mean power that the supply or a braking resistor can take.
     pub regeneration_power_max: Option<Power>,
-    /// Whether the position must be absolute over the whole travel.
+    /// The position must be absolute over the whole travel.
     pub absolute: Option<bool>,
     /// Largest step of the position at the output.
     pub resolution_max: Option<Angle>,
@@ -56,7 +57,7 @@ pub struct Asked {
     pub operation_per_day: Option<Time>,
     /// Storage before operation, for the battery.
     pub storage: Option<Time>,
-    /// Life required of the battery.
+    /// Required life of the battery.
     pub battery_life_min: Option<Time>,
     /// Largest torque of a collision.
     pub collision_torque: Option<Torque>,
@@ -64,9 +65,9 @@ pub struct Asked {
     pub collision_time: Option<Time>,
     /// Number of collisions over the life of the axis.
     pub collisions: Option<f64>,
-    /// Whether the position loop is closed over the encoder at the output.
+    /// The position loop is closed over the encoder at the output.
     pub loop_at_output: bool,
-    /// Rise of the DC link voltage that a capacitor bank may take.
+    /// Permissible rise of the DC link voltage at a capacitor bank.
     pub dc_link_rise: Option<ElectricPotential>,
     /// Altitude of the place of installation above sea level.
     pub altitude: Option<Length>,
@@ -84,17 +85,17 @@ pub struct Asked {
     pub shock: Option<Acceleration>,
     /// Mounting position.
     pub mounting: Option<MountingPosition>,
-    /// A field of application that needs the maker's approval.
+    /// Field of application that needs the manufacturer's approval.
     pub special_application: Option<SpecialApplication>,
-    /// Current that the drive gives without end, rms of a phase.
+    /// Continuous current of the drive, rms of a phase.
     pub drive_current_continuous: Option<ElectricCurrent>,
-    /// Current that the drive gives for a short time, rms of a phase.
+    /// Peak current of the drive, rms of a phase.
     pub drive_current_peak: Option<ElectricCurrent>,
-    /// For how long the drive gives more than its continuous current.
+    /// Time for which the drive can exceed its continuous current.
     pub drive_peak_time: Option<Time>,
 }
 
-/// Fields of application that need a risk assessment and the maker's approval.
+/// Fields of application that need a risk assessment and the manufacturer's approval.
 ///
 /// # Source
 /// cha-manual section 2.4
@@ -125,85 +126,85 @@ pub enum MountingPosition {
     Changing,
 }
 
-/// One actuator on one axis, with what several checks look at.
+/// One actuator on one axis, with the data that several checks use.
 pub(crate) struct Case<'c> {
     pub(crate) axis: &'c Axis,
     pub(crate) actuator: &'c Parameters,
-    /// The demand by exact integrals, if the own inertia is known.
+    /// Demand by exact integrals, if the own inertia is known.
     pub(crate) demand: Option<&'c Demand>,
-    /// The demand by the manual's equations, if they describe the axis.
+    /// Demand by the manual's equations, if they describe the axis.
     pub(crate) manual: Option<&'c ManualDemand>,
     pub(crate) electrics: &'c Electrics,
     pub(crate) currents: Result<&'c Currents<'c>, &'c Missing>,
-    /// The output bearing with its loads, if any are known.
+    /// Output bearing with its loads, if any are known.
     pub(crate) bearing: Option<&'c Borne<'c>>,
 }
 
-/// The function that answers a check, and which actuators share its answer.
+/// Function that answers a check, with the actuators that share its answer.
 #[derive(Clone, Copy)]
 pub(crate) enum Answer {
-    /// Each actuator has its own answer.
+    /// No part: a separate answer for each actuator.
     Actuator(fn(&Case<'_>, &mut Workings) -> Outcome),
-    /// As above; no answer where the check does not concern the actuator, such as one without a brake.
+    /// A separate answer for each actuator; `None` if the check does not apply to it, e.g. without a brake.
     Concerned(fn(&Case<'_>, &mut Workings) -> Option<Outcome>),
-    /// All actuators with the same drivetrain share the answer.
+    /// One answer for all actuators with the same drivetrain.
     Drivetrain(fn(&Axis, &Drivetrain, &mut Workings) -> Outcome),
-    /// All actuators with the same output bearing share the answer; none where no loads are known.
+    /// One answer for all actuators with the same output bearing; none if no loads are known.
     Bearing(fn(&Borne<'_>, &mut Workings) -> Outcome),
 }
 
-/// The part that actuators with the same answer of a check have in common.
+/// Part shared by the actuators with one answer of a check.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum SharedBy {
-    /// Each actuator has its own answer.
+    /// A separate answer for each actuator.
     Nothing,
-    /// The drivetrain.
+    /// Drivetrain.
     Drivetrain,
-    /// The output bearing.
+    /// Output bearing.
     Bearing,
 }
 
-/// The answer of a check, or the datum that it lacks.
+/// Result of a check, or the datum that it lacks.
 pub(crate) type Outcome = Result<Check, Missing>;
 
-/// When a check is judged. The stages follow each other, and within one the order is that of the list.
+/// Order of the checks: by stage, and within a stage by the list.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub(crate) enum Stage {
-    /// Without evaluating the cycle once more.
+    /// Checks that need no further evaluation of the cycle.
     First,
-    /// By the heat of the whole cycle.
+    /// Checks of the heat over the whole cycle.
     Heat,
-    /// By the energy of the whole cycle.
+    /// Checks of the energy over the whole cycle.
     Pass,
-    /// All others.
+    /// Other checks.
     Further,
 }
 
-/// What can mend a check that fails.
+/// Change that can make a failed check pass.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Mended {
-    /// A smaller load or another pace of the motion may.
+    /// A smaller load or a slower motion.
     LoadOrPace,
-    /// Another pace alone.
+    /// A slower motion only.
     Pace,
     /// Neither of them.
     Neither,
 }
 
-/// The role of the project in a check.
+/// Role of the project in a check.
 #[derive(Clone, Copy)]
 enum Requirement {
     /// The check is always made and its limit belongs to the actuator.
     None,
     /// The check is made only of an axis to which it applies.
     Case(fn(&Axis) -> bool),
-    /// The check is made only where the key is stated.
+    /// The check is made only if the key is stated.
     Switch(&'static str, fn(&Axis) -> bool),
     /// The key states the limit; without it the value is shown.
     Limit(&'static str, fn(&Axis) -> bool),
 }
 
-/// What there is to say of a check before it is answered.
+/// Properties of a check that are independent of its result.
 #[derive(Clone, Copy)]
 struct ListedCheck {
     id: &'static str,
@@ -219,7 +220,8 @@ struct ListedCheck {
 }
 
 impl ListedCheck {
-    /// A value at most its limit, with a margin, that a smaller load or another pace may mend.
+    /// Creates a check of a value at most its limit, with a margin, that a smaller load or a slower motion can make
+    /// pass.
     const fn new(id: &'static str, part: Part, stage: Stage, answer: Answer) -> Self {
         Self {
             id,
@@ -255,17 +257,18 @@ impl ListedCheck {
         Self { requirement: Requirement::Switch(key, stated), ..self }
     }
 
-    /// `stated`: whether the project limits the check, by the key or another one.
+    /// `stated`: returns `true` if the project limits the check, by the key or another one.
     const fn limited_by(self, key: &'static str, stated: fn(&Axis) -> bool) -> Self {
         Self { requirement: Requirement::Limit(key, stated), ..self }
     }
 
-    /// It looks at the feedback; what does not is the same for actuators that differ in it alone.
+    /// Marks a check of the feedback; other checks have equal answers for actuators that differ in it alone.
     const fn of_the_feedback(self) -> Self {
         Self { of_the_feedback: true, ..self }
     }
 
-    /// Value and limit are a turn or a speed of the output shaft, which a line behind it follows.
+    /// Marks a check whose value and limit are an angle or a speed of the output shaft, to which a linear axis behind
+    /// it is proportional.
     const fn of_the_output(self) -> Self {
         Self { turns: true, ..self }
     }
@@ -280,7 +283,7 @@ macro_rules! checks {
         }
 
         impl CheckId {
-            /// Every check.
+            /// Checks in the order of the list.
             pub const ALL: &[Self] = &[$(Self::$name),*];
 
             const fn entry(self) -> &'static ListedCheck {
@@ -311,29 +314,29 @@ checks! {
     PeakCurrent: ListedCheck::new("peak_current", Drive, First, Actuator(currents::peak_current));
     /// Peak motor current against I_E.
     Demagnetisation: ListedCheck::new("demagnetisation", Drive, First, Actuator(currents::demagnetisation));
-    /// Motor current against what the drive of the machine gives.
+    /// Motor current against the ratings of the drive of the machine.
     DriveCurrent: ListedCheck::new("drive_current", Drive, Heat, Actuator(electric_checks::drive_current))
         .only_with("drive.current_continuous", |Axis { asked, .. }| {
             asked.drive_current_continuous.is_some() || asked.drive_current_peak.is_some()
         });
-    /// Terminal voltage of the motor against what the DC link gives.
+    /// Terminal voltage of the motor against the voltage available from the DC link.
     Voltage: ListedCheck::new("voltage", Energy, First, Actuator(currents::voltage))
         .only_with("requirements.supply", |axis| axis.supply.is_some());
     /// Load inertia against three times the own inertia.
     InertiaRatio: ListedCheck::new("inertia_ratio", Drive, First, Actuator(checks::inertia_ratio))
         .margin(Margin::Recommendation);
-    /// Force that the motion takes off the ropes that hold the load, against the weight on them: they cannot push.
+    /// Force that the motion takes off the ropes that hold the load, against the weight on them: ropes cannot push.
     RopeTension: ListedCheck::new("rope_tension", Drive, First, OfDrivetrain(rope_checks::tension))
         .margin(Margin::Class).only_of(|axis| axis.mechanism.has_rope());
     /// Cubic mean torque against T_A.
     GearMeanTorque: ListedCheck::new("gear_mean_torque", Gear, First, OfDrivetrain(gear_checks::mean_torque));
-    /// Life of the wave-generator bearing against the life required.
+    /// Life of the wave-generator bearing against the required life.
     GearLife: ListedCheck::new("gear_life", Gear, First, OfDrivetrain(gear_checks::life))
         .at_least().limited_by("requirements.gear_life_min", |axis| axis.asked.gear_life_min.is_some());
-    /// Torsion of the gear under the largest torque against the torsion permitted.
+    /// Torsion of the gear under the largest torque against the permissible torsion.
     Torsion: ListedCheck::new("torsion", Gear, First, OfDrivetrain(gear_checks::torsion))
         .of_the_output().limited_by("requirements.torsion_max", |axis| axis.asked.torsion_max.is_some());
-    /// First natural frequency against the least required.
+    /// First natural frequency against the required minimum.
     NaturalFrequency: ListedCheck::new("natural_frequency", Gear, First, Actuator(resonance::natural_frequency))
         .at_least()
         .limited_by("requirements.natural_frequency_min", |axis| axis.asked.natural_frequency_min.is_some());
@@ -348,14 +351,14 @@ checks! {
     BearingStaticMoment:
         ListedCheck::new("bearing_static_moment", OutputBearing, First, Bearing(bearing_checks::static_moment))
         .only_of(Axis::gear_rests);
-    /// Life of the output bearing against the life required.
+    /// Life of the output bearing against the required life.
     BearingLife: ListedCheck::new("bearing_life", OutputBearing, First, Bearing(bearing_checks::life))
         .at_least().limited_by("requirements.bearing_life_min", |axis| limits_bearing(axis, |duty| duty.life_min.is_some()));
     /// Static safety of the output bearing against that of the operating condition.
     BearingStatic: ListedCheck::new("bearing_static", OutputBearing, First, Bearing(bearing_checks::static_safety))
         .at_least()
         .limited_by("bearing.operating_condition", |axis| limits_bearing(axis, |duty| duty.operating_condition.is_some()));
-    /// Tilt of the flange against the tilt permitted.
+    /// Tilt of the flange against the permissible tilt.
     TiltAngle: ListedCheck::new("tilt_angle", OutputBearing, First, Bearing(bearing_checks::tilt_angle))
         .limited_by("requirements.tilt_angle_max", |axis| limits_bearing(axis, |duty| duty.tilt_max.is_some()));
     /// Ambient temperature against the operating range.
@@ -399,10 +402,10 @@ checks! {
     /// Torque of a collision against T_M.
     CollisionTorque: ListedCheck::new("collision_torque", Gear, Further, Actuator(gear_checks::collision))
         .only_with("requirements.collision_torque", |axis| axis.asked.collision_torque.is_some());
-    /// Distance of the speeds that the cycle holds from those at which the wave generator excites the load.
+    /// Distance of the speeds held in the cycle from those at which the wave generator excites the load.
     ResonanceSpeed: ListedCheck::new("resonance_speed", Gear, Further, Actuator(resonance::resonance))
         .at_least().margin(Margin::Recommendation);
-    /// Sum of all angular errors against what is permitted.
+    /// Sum of all angular errors against the permissible one.
     ErrorBudget: ListedCheck::new("error_budget", Feedback, Further, Actuator(gear_checks::error_budget))
         .of_the_output().of_the_feedback()
         .limited_by("requirements.angle_error_max", |Axis { asked, .. }| {
@@ -417,60 +420,60 @@ checks! {
     DcLink: ListedCheck::new("dc_link", Energy, First, OfDrivetrain(electric_checks::dc_link))
         .margin(Margin::Class).mended_by(Mended::Neither)
         .only_with("requirements.supply", |axis| axis.supply.is_some());
-    /// Mean regenerated power against what supply or resistor take.
+    /// Mean regenerated power against the power that the supply or a resistor can take.
     Regeneration: ListedCheck::new("regeneration", Energy, Pass, Actuator(energy::regeneration))
         .limited_by("requirements.regeneration_power_max", |axis| axis.asked.regeneration_power_max.is_some());
     /// Travel against the absolute range of the feedback.
     FeedbackRange: ListedCheck::new("feedback_range", Feedback, Further, Concerned(feedback_checks::range))
         .of_the_output().of_the_feedback().limited_by("requirements.absolute", |axis| axis.asked.absolute == Some(true));
-    /// Step of the position at the output against the largest permitted.
+    /// Step of the position at the output against the largest permissible one.
     FeedbackResolution: ListedCheck::new("feedback_resolution", Feedback, Further, Actuator(feedback_checks::resolution))
         .mended_by(Mended::Neither).of_the_output().of_the_feedback()
         .limited_by("requirements.resolution_max", |axis| axis.asked.resolution_max.is_some());
-    /// Life of the encoder's battery against the life required.
+    /// Life of the encoder's battery against the required life.
     Battery: ListedCheck::new("battery", Feedback, Further, Concerned(feedback_checks::battery))
         .at_least().mended_by(Mended::Neither).of_the_feedback()
         .limited_by("requirements.battery_life_min", |axis| axis.asked.battery_life_min.is_some());
-    /// Peak torque against what the screws of the load transmit.
+    /// Peak torque against the torque that the screws of the load transmit.
     ScrewJointLoad: ListedCheck::new("screw_joint_load", Screws, Further, Actuator(joint_checks::load));
-    /// Peak torque against what the screws of the housing transmit.
+    /// Peak torque against the torque that the screws of the housing transmit.
     ScrewJointHousing: ListedCheck::new("screw_joint_housing", Screws, Further, Actuator(joint_checks::housing));
     /// Field of application against those that need approval.
     Application: ListedCheck::new("application", Drive, Further, Actuator(joint_checks::application))
         .only_with("requirements.special_application", |axis| axis.asked.special_application.is_some());
 }
 
-/// Whether the output bearing has a limit that the project states.
+/// Returns `true` if the project states a limit of the output bearing.
 fn limits_bearing(axis: &Axis, stated: fn(&crate::axis::BearingDuty) -> bool) -> bool {
     axis.bearing.as_ref().is_some_and(stated)
 }
 
 impl CheckId {
-    /// The identifier used in data exchange.
+    /// Returns the identifier used in data exchange.
     #[must_use]
     pub const fn id(self) -> &'static str {
         self.entry().id
     }
 
-    /// The part of the actuator that it is about.
+    /// Returns the part of the actuator that the check is about.
     #[must_use]
     pub const fn part(self) -> Part {
         self.entry().part
     }
 
-    /// How its value must lie to its limit; a range has two limits, see [`Check::direction`].
+    /// Returns the required relation of its value to its limit; a range has two limits, see [`Check::direction`].
     #[must_use]
     pub const fn direction(self) -> Direction {
         self.entry().direction
     }
 
-    /// What its utilisation says.
+    /// Returns the meaning of its utilisation.
     #[must_use]
     pub const fn margin(self) -> Margin {
         self.entry().margin
     }
 
-    /// Whether its utilisation is a margin that the ranking looks at.
+    /// Returns `true` if its utilisation is a margin used by the ranking.
     #[must_use]
     pub const fn has_margin(self) -> bool {
         match self.margin() {
@@ -479,35 +482,36 @@ impl CheckId {
         }
     }
 
-    /// Whether it can do no more than advise: what it compares with is a recommendation.
+    /// Returns `true` if it can at most advise, because its limit is a recommendation.
     #[must_use]
     pub const fn is_recommendation(self) -> bool {
         matches!(self.margin(), Margin::Recommendation)
     }
 
-    /// Whether value and limit are a turn or a speed of the output shaft, which a line behind it follows.
+    /// Returns `true` if value and limit are an angle or a speed of the output shaft, to which a linear axis behind it
+    /// is proportional.
     #[must_use]
     pub const fn is_of_the_output(self) -> bool {
         self.entry().turns
     }
 
-    /// Whether it looks at the feedback.
+    /// Returns `true` if it is a check of the feedback.
     pub(crate) const fn is_of_the_feedback(self) -> bool {
         self.entry().of_the_feedback
     }
 
-    /// Whether its answer depends neither on the load nor on the pace of the motion.
+    /// Returns `true` if its answer depends neither on the load nor on the pace of the motion.
     #[must_use]
     pub const fn is_of_the_place(self) -> bool {
         matches!(self.entry().mended, Mended::Neither)
     }
 
-    /// Whether its answer depends on the pace of the motion alone.
+    /// Returns `true` if its answer depends on the pace of the motion alone.
     pub(crate) const fn is_of_the_pace(self) -> bool {
         matches!(self.entry().mended, Mended::Pace)
     }
 
-    /// Its place among the answers.
+    /// Returns its place among the results.
     pub(crate) const fn place(self) -> (Stage, Self) {
         (self.entry().stage, self)
     }
@@ -528,7 +532,7 @@ impl CheckId {
         }
     }
 
-    /// Its answer in a case: not checked where a datum is missing, none where it does not concern the actuator.
+    /// Returns its result in a case: not checked if a datum is missing, `None` if it does not apply to the actuator.
     pub(crate) fn of(self, case: &Case<'_>, work: &mut Workings) -> Option<Check> {
         let found = match self.answer() {
             Answer::Actuator(answer) => answer(case, work),
@@ -539,7 +543,7 @@ impl CheckId {
         Some(found.unwrap_or_else(|missing| not_checked(self, missing)))
     }
 
-    /// The key of the project that states its limit or switches it on.
+    /// Returns the key of the project that states its limit or enables it.
     pub(crate) const fn key(self) -> Option<&'static str> {
         match self.entry().requirement {
             Requirement::None | Requirement::Case(_) => None,
@@ -553,7 +557,7 @@ impl CheckId {
         Self::ALL.iter().any(|id| matches!(id.entry().requirement, Requirement::Limit(known, _) if known == key))
     }
 
-    /// Whether an axis has this check.
+    /// Returns `true` if the check is made for an axis.
     pub(crate) fn is_made(self, axis: &Axis) -> bool {
         match self.entry().requirement {
             Requirement::None | Requirement::Limit(..) => true,
@@ -561,7 +565,8 @@ impl CheckId {
         }
     }
 
-    /// Whether it can fail or has a margin: neither a recommendation nor a value without the limit of the project.
+    /// Returns `true` if it can fail or has a margin: neither a recommendation nor a value without a limit of the
+    /// project.
     pub(crate) fn can_fail(self, axis: &Axis) -> bool {
         match self.entry().requirement {
             Requirement::None | Requirement::Case(_) | Requirement::Switch(..) => !self.is_recommendation(),

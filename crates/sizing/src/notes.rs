@@ -1,4 +1,4 @@
-//! What there is to remark about the answer of a check.
+//! Remarks on the result of a check.
 
 use crate::check::Amount;
 use actuator::Protection;
@@ -11,20 +11,20 @@ use std::fmt;
 use std::ops::Deref;
 use std::sync::Arc;
 
-/// What a reader must know about a check beyond its numbers.
+/// A remark on a check beyond its numbers.
 ///
-/// Of every candidate some are kept: what is longer than three numbers stands in a box.
+/// Some are stored for every candidate: variants larger than three numbers are boxed.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Note {
-    /// Friction counts with the gear as cold as the air and with the gear as warm as the cycle makes it, if that is known;
-    /// the larger current decides.
+    /// Friction is evaluated with the gear at the ambient temperature and, if known, at the temperature of the settled
+    /// cycle; the larger current decides.
     FrictionTemperatures {
-        /// Of the air.
+        /// Ambient temperature.
         cold: ThermodynamicTemperature,
-        /// Of the housing in the settled cycle.
+        /// Housing temperature in the settled cycle.
         settled: Option<ThermodynamicTemperature>,
     },
-    /// Below 20 °C friction is extrapolated; it may be so many times smaller or larger.
+    /// Friction is extrapolated below 20 °C; it may be smaller or larger by these factors.
     FrictionExtrapolated {
         /// Smallest factor.
         low: f64,
@@ -33,177 +33,179 @@ pub enum Note {
     },
     /// The limit is exceeded with a cold gear only.
     UntilWarm,
-    /// The limit is the lower edge of an estimate; the upper edge is this figure.
+    /// The limit is the lower edge of an estimate; this is the upper edge.
     EstimatedUpTo(Amount),
     /// The value lies between the edges of an estimate.
     InsideBand,
     /// The utilisation is that of the rise above this temperature.
     RiseAbove(ThermodynamicTemperature),
-    /// The cycle is not short against the winding's time constant; the effective value alone is not safe.
+    /// The cycle is not short compared with the winding's time constant; the effective value alone is not safe.
     CycleNotShort {
         /// Duration of the cycle.
         cycle: Time,
         /// Time constant of the winding.
         time_constant: Time,
     },
-    /// Eq. 69.2 takes the braking torque from the accelerating time; the exact integral decides.
+    /// Eq. 69.2 uses the accelerating time for the braking torque; the exact integral decides.
     BrakingTorqueAssumed,
     /// The recommendation holds for highly dynamic duty.
     RecommendationForHighDynamics {
-        /// Largest J_L/J_out recommended.
+        /// Largest recommended J_L/J_out.
         factor: f64,
     },
-    /// The axis swings by less than the bearing bears without fretting for want of lubrication.
+    /// The axis swings by less than the bearing bears without fretting for lack of lubrication.
     SwingTooSmall {
         /// Swing of the axis.
         swing: Angle,
         /// Least swing without fretting.
         least: Angle,
     },
-    /// Such swings among larger ones.
+    /// Small swings among larger ones.
     SmallSwings {
-        /// How many happen in one cycle.
+        /// Number in one cycle.
         count: usize,
-        /// The largest of them.
+        /// Largest of them.
         largest: Angle,
         /// Their share of the angle travelled.
         share: f64,
         /// Least swing without fretting.
         least: Angle,
     },
-    /// The gear's rating is that of an interchangeable gear of another maker with the same T_R: as a limit it rejects nothing.
+    /// The gear's rating is that of an interchangeable gear of another manufacturer with the same T_R: as a limit it
+    /// rejects no actuator.
     RatingOfInterchangeableGear,
-    /// The gear's rating is estimated from the stronger series of the same maker.
+    /// The gear's rating is estimated from the stronger series of the same manufacturer.
     RatingByStrongerGear,
-    /// The permissible loads hold one at a time; together the life and the static safety decide.
+    /// The permissible loads hold one at a time; for their combination the life and the static safety decide.
     LoadsOneAtATime,
     /// The winding's temperature is an estimate; from cold it reaches its warning threshold after this time.
     WarmUp(Time),
-    /// The largest temperature of the housing in the steady cycle.
+    /// Largest temperature of the housing in the steady cycle.
     Housing(ThermodynamicTemperature),
-    /// The load hangs: a built-in holding brake is no safety brake.
+    /// The load is under gravity or tension: a built-in holding brake is no safety brake.
     HangingLoad,
-    /// While the brake closes the load sags by this angle.
+    /// Angle by which the load sags while the brake closes.
     Sag(Angle),
     /// A stop by the brake alone from the peak speed.
     BrakeStop(Box<BrakeStop>),
-    /// The load drives harder than the brake holds.
+    /// The torque of the load exceeds that of the brake.
     BrakeDoesNotStop,
-    /// In a dwell nothing holds the load but its friction.
+    /// Only friction holds the load in a dwell.
     NothingHolds,
-    /// The load hangs and the actuator has no brake: without power nothing holds it.
+    /// The load is under gravity or tension and the actuator has no brake: without power nothing holds it.
     NothingHoldsWithoutPower,
-    /// Some dwells held by the brake are shorter than it takes to close and to open: the motor holds all of them.
+    /// Some dwells held by the brake are shorter than its closing and opening times: the motor holds these dwells
+    /// entirely.
     DwellTooShortForBrake {
-        /// The shortest of them.
+        /// Shortest of them.
         shortest: Time,
         /// t_c + t_o
         needed: Time,
     },
-    /// t_c and t_o of this brake are not printed: those printed for the larger sizes were taken.
+    /// t_c and t_o of this brake are not stated: those stated for the larger sizes are used.
     BrakeTimesAssumed,
-    /// How long the permitted applications of the brake at standstill last.
+    /// Time until the permissible number of applications of the brake at standstill is reached.
     BrakingsLast {
         /// Applications in one cycle.
         each_cycle: f64,
-        /// Operation until the permitted number is reached, if that is printed.
+        /// Operation until the permissible number is reached, if that is stated.
         lasts: Option<Time>,
     },
-    /// The duty does not fail, and a drive whose I²t supervision is set to I_0 trips all the same.
+    /// The duty does not fail, but a drive whose I²t supervision is set to I_0 trips.
     TripsAtStallCurrent(ElectricCurrent),
-    /// No threshold of a brake resistor lies between the largest voltage of the supply and U_DCmax.
+    /// No threshold of a braking resistor lies between the largest voltage of the supply and U_DCmax.
     NoChopperThreshold {
-        /// The largest voltage of the supply.
+        /// Largest voltage of the supply.
         supply: ElectricPotential,
         /// U_DCmax.
         limit: ElectricPotential,
     },
-    /// While energy comes back the DC link may rise above U_DCmax, for a short time only.
+    /// Regenerated energy may raise the DC link above U_DCmax, for a short time only.
     DcLinkRises {
-        /// Supply and rise together.
+        /// Supply voltage plus rise.
         to: ElectricPotential,
-        /// The rise that stays below U_DCmax.
+        /// Rise that stays below U_DCmax.
         free: ElectricPotential,
     },
     /// Torques at which a cup-type gear of the same size ratchets and buckles, for orientation.
     Ratcheting {
-        /// At this torque the teeth jump.
+        /// Torque at which the teeth jump.
         ratcheting: Torque,
-        /// At this torque the flexspline buckles, if published.
+        /// Torque at which the flexspline buckles, if published.
         buckling: Option<Torque>,
     },
     /// The motion requires a brake that the actuator does not have.
     NoBrake,
     /// Electrical energy of one cycle at the motor terminals.
     EnergyPerCycle {
-        /// Taken in.
+        /// Energy taken.
         motoring: Energy,
-        /// Given back.
+        /// Energy regenerated.
         regenerated: Energy,
-        /// Largest power given back.
+        /// Largest regenerated power.
         peak: Power,
     },
-    /// How many collisions of the stated duration the gear bears at the peak speed.
+    /// Number of collisions of the stated duration that the gear bears at the peak speed.
     CollisionsPermitted(f64),
-    /// The degrees of protection that are compared numeral by numeral.
+    /// Degrees of protection, compared numeral by numeral.
     Protection {
-        /// Stated by the project.
+        /// Degree that the project requires.
         required: Protection,
-        /// That of the actuator.
+        /// Degree of the actuator.
         printed: Protection,
     },
-    /// What a capacitor bank must have to take back what one cycle returns at a stretch.
+    /// Capacitor bank required to store the largest continuous amount of regenerated energy in one cycle.
     Capacitor {
-        /// Energy at a stretch.
+        /// Largest continuous amount of energy.
         energy: Energy,
         /// Capacitance for the rise of the DC link voltage.
         capacitance_f: f64,
     },
-    /// An axis that turns on and on loses its absolute reference where the count overflows.
+    /// An axis that rotates endlessly loses its absolute reference when the count overflows.
     ReferenceLost {
         /// Turns of the motor that the encoder distinguishes.
         turns: f64,
     },
-    /// The position is not absolute: it must be searched after each switching on.
+    /// The position is not absolute: the axis must be referenced after each power-on.
     NeedsReferencing,
-    /// The encoder with its battery should be exchanged after the first, must be after the second time.
+    /// Replacement of the encoder with its battery: recommended after the first time, required after the second.
     BatteryExchange {
-        /// Recommended.
+        /// Recommended time.
         recommended: Time,
-        /// At the latest.
+        /// Latest time.
         latest: Time,
     },
-    /// The field of application needs a risk assessment and the maker's approval (section 2.4).
+    /// The field of application needs a risk assessment and the manufacturer's approval (section 2.4).
     ApprovalNeeded,
     /// Output speeds at which the wave generator excites the load.
     ResonanceSpeeds(Box<ResonanceSpeeds>),
     /// First natural frequency of load and free rotor against each other.
     FreeRotor(Frequency),
-    /// The budget by root of squares, and at the lever arm if there is one.
+    /// Budget by root of squares, and at the lever arm if there is one.
     Budget(Box<Budget>),
-    /// Times for which a rope would be slack: the results of these instants do not hold.
+    /// Times with a slack rope: the results of these instants do not hold.
     RopeSlack(Box<RopeSlack>),
-    /// The limit is the safe side of an open contradiction in the print: the erratum.
+    /// The limit is the safe side of an open contradiction in the manual: the erratum.
     Erratum(&'static str),
 }
 
-/// Times for which a rope would be slack, from and to, rope by rope.
+/// Times with a slack rope, from and to, rope by rope.
 #[derive(Clone, Debug, PartialEq)]
 pub struct RopeSlack {
-    /// The rope with beginning and end of each.
+    /// Rope with beginning and end of each time.
     pub times: Vec<(Rope, Time, Time)>,
 }
 
 /// A stop by the brake alone from the peak speed.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct BrakeStop {
-    /// Angle until rest.
+    /// Angle until standstill.
     pub angle: Angle,
-    /// Time until rest.
+    /// Time until standstill.
     pub time: Time,
     /// Heat in the brake.
     pub energy: Energy,
-    /// How many such stops are permitted, if printed.
+    /// Permissible number of such stops, if stated.
     pub permitted: Option<f64>,
 }
 
@@ -211,55 +213,55 @@ pub struct BrakeStop {
 /// largest to that of the least inertia of the cycle.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ResonanceSpeeds {
-    /// The load swings alone.
+    /// Speeds for the load alone, with a blocked rotor.
     pub blocked: [(AngularVelocity, AngularVelocity); 3],
-    /// The rotor swings against it, if its inertia is known.
+    /// Speeds for rotor and load against each other, if the inertia of the rotor is known.
     pub free: Option<[(AngularVelocity, AngularVelocity); 3]>,
 }
 
-/// The sum of the angular errors, in other forms than in its check.
+/// Sum of the angular errors in other forms than in its check.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Budget {
     /// Root of the sum of squares.
     pub root_sum_square: Angle,
     /// Worst case at the lever arm.
     pub deviation: Option<Length>,
-    /// How many contributions are not known.
+    /// Number of unknown contributions.
     pub missing: usize,
 }
 
 impl Note {
-    /// Whether the remark cites an erratum.
+    /// Returns `true` if the remark cites an erratum.
     #[must_use]
     pub const fn is_erratum(&self) -> bool {
         matches!(self, Self::Erratum(_))
     }
 }
 
-/// Remarks of a check. Most are the same for every candidate, and what several checks remark is shared.
+/// Remarks of a check. Most are equal for every candidate, and remarks of several checks are shared.
 #[derive(Clone)]
 pub struct Notes(Held);
 
 #[derive(Clone)]
 enum Held {
-    /// The same for every candidate.
+    /// Remarks that are equal for every candidate.
     Fixed(&'static [Note]),
-    /// One with figures of a candidate, as most have.
+    /// One remark with values of a candidate, the most common case.
     One(Note),
-    /// Several with such figures.
+    /// Several remarks with values of a candidate.
     Found(Arc<[Note]>),
 }
 
 impl Notes {
-    /// None.
+    /// No remarks.
     pub(crate) const NONE: Self = Self::fixed(&[]);
 
-    /// Those that are the same for every candidate.
+    /// Creates remarks that are equal for every candidate.
     pub(crate) const fn fixed(notes: &'static [Note]) -> Self {
         Self(Held::Fixed(notes))
     }
 
-    /// Adds one.
+    /// Adds a remark.
     pub(crate) fn push(&mut self, note: Note) {
         self.0 = match &self[..] {
             [] => Held::One(note),
@@ -268,7 +270,7 @@ impl Notes {
         };
     }
 
-    /// Adds some.
+    /// Adds remarks.
     pub(crate) fn extend(&mut self, notes: impl IntoIterator<Item = Note>) {
         notes.into_iter().for_each(|note| self.push(note));
     }

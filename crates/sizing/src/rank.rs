@@ -1,26 +1,26 @@
-//! The order of the candidates.
+//! Order of the candidates.
 
 use crate::check::Fit;
 use crate::judge::Judgement;
 use std::cmp::Ordering;
 
-/// What the order looks at, besides the judgement.
+/// Data that the order uses.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Standing {
-    /// The verdict on the candidate: checks and requirements.
+    /// Verdict on the candidate: checks and requirements.
     pub fit: Fit,
-    /// Whether something holds the load without power, or nothing has to.
+    /// The load is held without power, or need not be.
     pub holds: bool,
     /// Frame size; the smaller is preferred.
     pub size: u16,
     /// Utilisation of the governing check, see [`Judgement::utilisation`].
     pub utilisation: f64,
-    /// Mass in kilograms, for ties; infinite if not known.
+    /// Mass \[kg\], for ties; infinite if unknown.
     pub mass_kg: f64,
 }
 
 impl Standing {
-    /// The standing of a judged candidate.
+    /// Returns the standing of a judged candidate.
     #[must_use]
     pub fn of(judgement: &Judgement, requirements_met: bool, size: u16, mass_kg: Option<f64>) -> Self {
         Self {
@@ -33,27 +33,27 @@ impl Standing {
     }
 }
 
-/// The stated rule: what fits before what does not; among what fits, what holds a hanging load without power before what does
-/// not, then what keeps within every limit before what lies inside
-/// the band of an estimate, whose utilisation is above one; then the smaller frame size; then the lower utilisation, that is
-/// the larger margin; then the lower mass. Among those that do not fit, the one whose governing check is exceeded least comes
-/// first, then the smaller frame size: what every check would pass misses by nothing.
+/// Compares by the stated rule: fitting before others; among fitting ones, those that hold a load under gravity or
+/// tension without power first, then those within every limit before those inside the band of an estimate, whose
+/// utilisation is above one; then the smaller frame size; then the lower utilisation, i.e. the larger margin; then the
+/// lower mass. Among those that do not fit, the one whose governing check is exceeded least comes first, then the
+/// smaller frame size; one that every check would pass has an excess of zero.
 ///
-/// Equal standings keep the order in which they came, the order of the catalogue.
+/// Equal standings keep their original order, that of the catalogue.
 #[must_use]
 pub fn rank(a: &Standing, b: &Standing) -> Ordering {
     RankKey::of(a).cmp(&RankKey::of(b))
 }
 
-/// The rule as what is compared one after the other: made once for each of many that are put in order.
+/// Sort key of the rule, computed once for each of many candidates.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub struct RankKey {
     unfit: bool,
-    /// Whether nothing holds a hanging load without power; the order of what does not fit takes no notice of it.
+    /// A load under gravity or tension is not held without power; ignored for candidates that do not fit.
     unheld: bool,
-    /// Whether it lies inside the band of an estimate.
+    /// The candidate is inside the band of an estimate.
     inside_band: bool,
-    /// By how much it misses; nothing of what fits.
+    /// Excess; zero for a fitting candidate.
     miss: u64,
     size: u16,
     utilisation: u64,
@@ -61,7 +61,7 @@ pub struct RankKey {
 }
 
 impl RankKey {
-    /// That of a candidate.
+    /// Returns the key of a candidate.
     #[must_use]
     pub fn of(standing: &Standing) -> Self {
         let Standing { fit, holds, size, utilisation, mass_kg } = *standing;
@@ -78,7 +78,7 @@ impl RankKey {
     }
 }
 
-/// A number in the order of [`f64::total_cmp`] as one that is compared at once.
+/// Returns an integer whose order is that of [`f64::total_cmp`].
 pub(crate) const fn in_order(value: f64) -> u64 {
     let bits = value.to_bits();
     let negative = bits >> 63 == 1;

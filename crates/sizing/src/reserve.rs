@@ -1,4 +1,4 @@
-//! How far an axis may be changed until an actuator just fits: load, payload, cycle time, ambient temperature.
+//! Permissible changes of an axis until an actuator just fits: load, payload, cycle time, ambient temperature.
 
 use crate::axis::Axis;
 use crate::brake_times::carried;
@@ -11,73 +11,75 @@ use quantities::unit::{DEGREE_CELSIUS, ONE, SECOND};
 use quantities::{Mass, Measure, ThermodynamicTemperature, Time, Unit};
 use std::cell::RefCell;
 
-/// How far one quantity may change, in the digits in which it is shown: with this value no check fails.
+/// Permissible change of one quantity, rounded to its displayed digits: with this value no check fails.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Reach<T> {
-    /// The value.
+    /// Value.
     pub value: T,
     /// Verdict of the checks with it: that an actuator fits, or that it fits if an estimate holds.
     pub fit: Fit,
 }
 
-/// The largest change of one quantity, all others as they are, with which no check of an actuator fails.
+/// Largest change of each quantity, with all others unchanged, for which no check of an actuator fails.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Reserve {
-    /// Factor on all inertias and masses of the load, payloads included; friction and process forces stay.
+    /// Factor on all inertias and masses of the load, payloads included; friction and process forces are unchanged.
     pub load_factor: Option<Reach<f64>>,
     /// Factor on the payloads of the segments alone, if there are any.
     pub payload_factor: Option<Reach<f64>>,
-    /// Shortest cycle: the whole motion, pauses too, run through faster or slower.
+    /// Shortest cycle time: the whole motion, dwells included, run faster or slower.
     pub cycle_time: Option<Reach<Time>>,
     /// Highest ambient temperature.
     pub ambient: Option<Reach<ThermodynamicTemperature>>,
-    /// What was not sought for its cost.
+    /// Changes that were not searched because of their cost.
     pub unsought: Option<Unsought>,
 }
 
-/// Changes of the load, and perhaps of the pace, that were not sought: each step would find the load of a long recording
-/// anew.
+/// Changes of the load, and possibly of the pace, that were not searched: each step would compute the load of a long
+/// recording again.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Unsought {
-    /// Whether the cycle time is among them; load and payloads always are.
+    /// The cycle time was not searched; load and payloads never were.
     pub pace: bool,
-    /// Work of each step in samples of a recording, more than is done without a deadline.
+    /// Work of each step in samples of a recording, above the limit without a deadline.
     pub samples: usize,
 }
 
-/// Samples whose load the steps of the search find again at most without a deadline: some forty
-/// steps, seventy with payloads, at 1.5 µs for a sample of noise under losses.
+/// Largest number of samples whose load the steps of the search compute again without a deadline: some forty steps,
+/// seventy with payloads, at 1.5 µs for a sample of noise under losses.
 pub const SAMPLES_ANEW: usize = 50_000;
 
-/// Work of an instant of a motion law, or of the loads on the flange, in samples whose load is found anew.
+/// Work of an instant of a motion law, or of the loads on the flange, in samples whose load is computed again.
 const AN_INSTANT: f64 = 0.25;
 
 /// Range of the factors.
 const FACTOR_MOST: f64 = 1e3;
 
-/// The search walks in steps of a tenth up to a factor of two, then in larger ones: so far off only the order of magnitude
-/// is of use. A gap narrower than a step between two regions that fit may be passed over.
+/// Steps of the search: a tenth up to a factor of two, then larger ones, since only the order of magnitude is useful
+/// there. A gap narrower than a step between two fitting regions may be missed.
 const STEPS: [(f64, f64); 3] = [(2.0, 1.1), (10.0, 1.25), (f64::INFINITY, 1.6)];
 
-/// To so much of a step the border is found: 2⁻³⁰, 10⁻⁹, far below the last digit that is shown.
+/// Tolerance of the border as a share of a step: 2⁻³⁰, 10⁻⁹, far below the last displayed digit.
 const NARROW: f64 = 1.0 / (1_u64 << 30) as f64;
 
-/// Digits of a value that is shown.
+/// Digits of a displayed value.
 const DIGITS: i32 = 4;
 
-/// So near to a digit, in steps of the last one, a border is that digit: far above the accuracy of the search.
+/// Distance, in steps of the last digit, within which a border is equal to that digit: far above the accuracy of the
+/// search.
 const AT_A_DIGIT: f64 = 1e-4;
 
-/// Steps of the last digit from a border in which what is shown is sought: one unless the border is narrower than the digit.
+/// Number of steps of the last digit from a border in which the displayed value is searched: one unless the fitting
+/// region is narrower than the digit.
 const TRIALS: u32 = 3;
 
-/// Ambient temperatures looked at, −20 °C to 80 °C, in kelvin.
+/// Range of ambient temperatures, −20 °C to 80 °C \[K\].
 const AMBIENT_RANGE: (f64, f64) = (253.15, 353.15);
 
-/// Step of the search, in kelvin.
+/// Step of the search \[K\].
 const AMBIENT_STEP: f64 = 5.0;
 
-/// Searches the reserves of an actuator for an axis, each on the same checks that judge it.
+/// Searches the reserves of an actuator for an axis, with the checks that judge it.
 ///
 /// Cost: a judgement for each step of the walk and some six more for each of the quantities where their excess is smooth, at
 /// most thirty-five, with the motion prepared anew for each.
@@ -86,11 +88,11 @@ pub fn reserve(axis: &Axis, actuator: &Parameters) -> Reserve {
     finished(reserve_watched(axis, actuator, usize::MAX, &Unwatched))
 }
 
-/// The same with cancellation; changes for which each step finds the load of more than `most` samples anew are
-/// not sought.
+/// Searches the reserves with cancellation; changes for which each step computes the load of more than `most` samples
+/// again are not searched.
 ///
 /// # Errors
-/// Where it was stopped.
+/// The reason of a cancellation.
 pub fn reserve_watched<W: Watch>(
     axis: &Axis,
     actuator: &Parameters,
@@ -119,19 +121,19 @@ pub fn reserve_watched<W: Watch>(
     };
     let carries = axis.extras.iter().any(|extra| extra.mass.si() > 0.0 || extra.inertia.si() > 0.0);
     if matches!(axis.mechanism.kind, mechanism::MechanismKind::Joint(_)) {
-        // Recorded torques say nothing about another load or another pace.
+        // Recorded torques do not apply to another load or another pace.
         return Ok(Reserve { ambient: ambient()?, ..Reserve::default() });
     }
     let now = judge(axis, actuator, Scope::Deciding);
     let fails = |of: fn(CheckId) -> bool| now.checks.iter().any(|check| check.verdict == Verdict::Fail && of(check.id));
     if fails(CheckId::is_of_the_place) {
-        // No load and no pace mends what hangs on neither.
+        // A failed check that depends on neither load nor pace cannot pass by changing them.
         return Ok(Reserve { ambient: ambient()?, ..Reserve::default() });
     }
     let here = excess(&now);
     let [other_load, other_pace] = axis.found_anew();
     let seeks = [other_load <= most, other_pace <= most];
-    // Too fast is too fast under any load and at any temperature.
+    // A speed that is too high is so under any load and at any temperature.
     let too_fast = fails(CheckId::is_of_the_pace);
     let of_loads = || match seeks {
         [true, _] if !too_fast => Ok((load.factor(here)?, if carries { payload.factor(here)? } else { None })),
@@ -144,16 +146,16 @@ pub fn reserve_watched<W: Watch>(
     };
     let cycle_time = || if seeks[1] { of_the_pace() } else { Ok(None) };
     let of_others = || Ok((cycle_time()?, if too_fast { None } else { ambient()? }));
-    // What changes with the pace changes with the load too.
+    // If a change of the pace is too expensive, so is one of the load.
     let unsought = (!seeks[0] && (!too_fast || !seeks[1])).then_some(Unsought { pace: !seeks[1], samples: other_load });
     let (loads, others): (Result<_, W::Stop>, Result<_, W::Stop>) = if axis.is_short() {
-        // Beginning a thread would take as long as the work.
+        // Starting a thread would take as long as the work.
         (of_loads(), of_others())
     } else {
         std::thread::scope(|scope| {
             let others = std::thread::Builder::new().spawn_scoped(scope, of_others).ok();
             let loads = of_loads();
-            // A thread that cannot be had, as in a browser, or could not finish leaves its part to this one.
+            // If no thread is available, as in a browser, or it could not finish, its part is done here.
             (loads, others.and_then(|others| others.join().ok()).unwrap_or_else(of_others))
         })
     };
@@ -161,35 +163,35 @@ pub fn reserve_watched<W: Watch>(
     Ok(Reserve { load_factor, payload_factor, cycle_time, ambient, unsought })
 }
 
-/// The judgements of an actuator under changes of one quantity.
+/// Judgements of an actuator under changes of one quantity.
 struct Search<F> {
-    /// The unit in which the quantity is shown.
+    /// Display unit of the quantity.
     unit: &'static Unit,
-    /// Whether larger values are beyond the border, or smaller ones.
+    /// Larger values are beyond the border; otherwise smaller ones.
     worse_above: bool,
     at: F,
 }
 
 impl<S, F: Fn(f64) -> Result<Judgement, S>> Search<F> {
-    /// The judgement with a value in SI.
+    /// Returns the judgement with a value in SI.
     fn judged(&self, si: f64) -> Result<Judgement, S> {
         (self.at)(si)
     }
 
-    /// The largest factor with which no check fails.
+    /// Returns the largest factor for which no check fails.
     fn factor(&self, here: f64) -> Result<Option<Reach<f64>>, S> {
         let border = largest(here, |factor| Ok(excess(&self.judged(factor)?)))?;
         border.map_or(Ok(None), |border| self.shown(border, |factor| factor))
     }
 
-    /// A border in the digits in which it is shown, on the side where no check fails, judged as it is shown.
+    /// Rounds a border to its displayed digits, on the side where no check fails, and judges the rounded value.
     fn shown<T>(&self, border: f64, of: impl Fn(f64) -> T) -> Result<Option<Reach<T>>, S> {
         let value = self.unit.from_si(border);
         let exponent = if value == 0.0 { 0.0 } else { value.abs().log10().floor() };
         let scale = 10_f64.powf(f64::from(DIGITS - 1) - exponent);
         let (exact, nearest) = (value * scale, (value * scale).round());
         let digits = match self.worse_above {
-            // The border is a digit, but for the accuracy of the search.
+            // The border is a digit within the accuracy of the search.
             _ if (exact - nearest).abs() < AT_A_DIGIT => nearest,
             true => exact.floor(),
             false => exact.ceil(),
@@ -206,10 +208,10 @@ impl<S, F: Fn(f64) -> Result<Judgement, S>> Search<F> {
     }
 }
 
-/// How near to failing an actuator is: above zero a check fails.
+/// Returns the distance of an actuator from failing: above zero a check fails.
 ///
-/// The largest share of the edges above which checks fail less one, as far as it agrees with the verdict. Where a limit of zero
-/// is exceeded beside others, their distance shows how near it is.
+/// The largest share of the edges above which checks fail, minus one, as far as it agrees with the verdict. If a limit
+/// of zero is exceeded among others, the distance of the others is used.
 fn excess(judgement: &Judgement) -> f64 {
     let most = |of: fn(&Check) -> bool| {
         let shares = judgement.checks.iter().filter(|check| of(check)).filter_map(Check::share_of_failure);
@@ -221,8 +223,9 @@ fn excess(judgement: &Judgement) -> f64 {
     most(|check| check.verdict == Verdict::Fail).map_or(f64::INFINITY, |excess| excess.max(f64::EPSILON))
 }
 
-/// The largest factor from which nothing fits any more, walking up from what fits or down from what does not; `None` if
-/// nothing near fits, or everything does. The excess `now` is that at a factor of one.
+/// Returns the largest factor beyond which the actuator does not fit, searched upwards from a fitting one or downwards
+/// from one that does not fit; `None` if no factor nearby fits, or all of them do. `now` is the excess at a factor of
+/// one.
 fn largest<S>(now: f64, excess: impl Fn(f64) -> Result<f64, S>) -> Result<Option<f64>, S> {
     let (mut factor, mut here) = (1.0, now);
     if here <= 0.0 {
@@ -249,14 +252,14 @@ fn largest<S>(now: f64, excess: impl Fn(f64) -> Result<f64, S>) -> Result<Option
     Ok(None)
 }
 
-/// The step of the search at a factor of one or more.
+/// Returns the step of the search at a factor of one or more.
 fn step(factor: f64) -> f64 {
     STEPS.iter().find(|(until, _)| factor < *until).map_or(1.1, |(_, step)| *step)
 }
 
 fn highest_ambient<S>(mut excess: impl FnMut(f64) -> Result<f64, S>) -> Result<Option<ThermodynamicTemperature>, S> {
     let (low, high) = AMBIENT_RANGE;
-    // From above: the highest region that fits.
+    // From above: the highest fitting region.
     let mut kelvin = high;
     let mut above = None;
     while kelvin >= low {
@@ -276,8 +279,9 @@ fn highest_ambient<S>(mut excess: impl FnMut(f64) -> Result<f64, S>) -> Result<O
 }
 
 impl Axis {
-    /// Work of a step with another load, and of one with another pace, in samples whose load is found anew: those of the recordings,
-    /// the instants of the motion laws, and the instants at which the loads on the flange follow from the mechanism.
+    /// Returns the work of a step with another load, and of one with another pace, in samples whose load is computed
+    /// again: those of the recordings, the instants of the motion laws, and the instants at which the loads on the
+    /// flange follow from the mechanism.
     fn found_anew(&self) -> [usize; 2] {
         let [recorded, _] = self.trace.samples();
         let kept = self.trace.instants().saturating_sub(recorded);
@@ -290,7 +294,7 @@ impl Axis {
         self.trace.found_anew().map(|samples| samples + instants)
     }
 
-    /// The same axis with other masses and inertias: a factor on those of the load and one on the payloads.
+    /// Returns the axis with other masses and inertias: a factor on those of the load and one on the payloads.
     fn with_load(&self, load: f64, payload: f64) -> Self {
         let extras = self
             .extras
@@ -304,12 +308,12 @@ impl Axis {
         self.changed(self.mechanism.with_masses(load), self.motion.clone(), extras)
     }
 
-    /// The same axis with its motion run through in another time.
+    /// Returns the axis with its motion run in another time.
     fn with_time(&self, factor: f64) -> Self {
         self.changed(self.mechanism.clone(), self.motion.stretched(factor), self.extras.clone())
     }
 
-    /// What is asked stays.
+    /// Returns the axis with another mechanism, motion or additional loads, and unchanged requirements.
     fn changed(&self, mechanism: mechanism::Mechanism, motion: motion::Motion, extras: Vec<mechanism::Extra>) -> Self {
         let trace = self.trace.changed(&mechanism, &motion, &extras, &carried(&motion, self.brake_times.as_ref()));
         let prepared = Self::with_trace(mechanism, motion, extras, trace);
@@ -355,7 +359,7 @@ mod tests {
         Axis::new(Mechanism::direct(MomentOfInertia::from_si(inertia), Torque::from_si(5.0)), motion, Vec::new())
     }
 
-    /// Only T_max = 105 Nm limits: (J_L + 0.5)·40 + 5 = 105 Nm at J_L = 2.0 kgm².
+    /// Returns an actuator limited by T_max = 105 Nm only: (J_L + 0.5)·40 + 5 = 105 Nm at J_L = 2.0 kgm².
     fn actuator() -> Parameters {
         Parameters {
             inertia_out: known(MomentOfInertia::from_si(0.5)),
@@ -383,7 +387,7 @@ mod tests {
         assert!(fits(factor) && !fits(factor + 0.001));
     }
 
-    /// Nine seconds of swinging, too many samples for their nodes to be kept.
+    /// Returns nine seconds of swinging, with too many samples for their nodes to be stored.
     fn recorded(with_torque: bool) -> Motion {
         let time_s: Vec<f64> = (0..9_001).map(|k| 1e-3 * f64::from(k)).collect();
         let speed: Vec<f64> = (0..9_001).map(|k| (f64::from(k) * std::f64::consts::PI / 1_000.0).sin()).collect();
@@ -398,7 +402,7 @@ mod tests {
         Motion::new(&[SegmentSpec::Recorded(recorded.into())], Some(Angle::from_si(0.0)), Closing::SingleMove).unwrap()
     }
 
-    /// An arm with the weight of 2 kg at 0.2 m.
+    /// Returns an arm with the weight of 2 kg at 0.2 m.
     fn arm(efficiency: f64) -> Mechanism {
         let rotor = mechanism::Rotor {
             kind: mechanism::RotorKind::Arm,
@@ -422,21 +426,21 @@ mod tests {
             let axis = Axis::new(mechanism.clone(), recorded(with_torque), Vec::new());
             finished(reserve_watched(&axis, &actuator(), most, &Unwatched))
         };
-        // A view of one survey shows every load and every pace.
+        // Views of one survey cover every load and every pace.
         let all = found(&arm(1.0), false, 0);
         assert!(all.load_factor.is_some() && all.cycle_time.is_some() && all.unsought.is_none(), "{all:?}");
-        // The recorded torque stays when the weight is another one.
+        // The recorded torque is unchanged by another weight.
         let some = found(&arm(1.0), true, 9_000);
         assert!(some.load_factor.is_none() && some.cycle_time.is_some(), "{some:?}");
         assert_eq!(some.unsought, Some(Unsought { pace: false, samples: 9_001 }));
-        // Losses change sides elsewhere.
+        // Losses change sides at other instants.
         let none = found(&arm(0.9), false, 9_000);
         assert!(none.load_factor.is_none() && none.cycle_time.is_none(), "{none:?}");
         assert_eq!(none.unsought, Some(Unsought { pace: true, samples: 9_001 }));
         assert_eq!(none.ambient, all.ambient);
     }
 
-    /// With a little less than no losses the search that finds each load anew ends where that by views does.
+    /// With losses close to zero the search that computes each load again agrees with the search by views.
     #[test]
     fn views_and_surveys_of_an_arm_have_the_same_reserves() {
         let reserves = |mechanism: &Mechanism| {
@@ -447,7 +451,7 @@ mod tests {
         assert_eq!(by_views, anew);
     }
 
-    /// Too fast: beside the speed the trace fails too, whose limit is zero there.
+    /// The speed is too high: the trace fails too, whose limit is zero there.
     #[test]
     fn what_is_too_fast_is_mended_by_another_pace_alone() {
         let slow = |most: f64| Parameters {
@@ -462,7 +466,7 @@ mod tests {
         let found = reserve(&axis(1.0), &slow(3.9));
         assert_eq!((found.load_factor, found.ambient), (None, None), "{found:?}");
         assert_eq!(found.cycle_time, reach(Time::from_si(1.334)), "1.3 s · 4.0/3.9 = 1.3333 s: {found:?}");
-        // The speed that is just not too high bounds the pace.
+        // The highest permissible speed limits the pace.
         let found = reserve(&axis(1.0), &slow(4.1));
         assert_eq!(found.cycle_time, reach(Time::from_si(1.269)), "1.3 s · 4.0/4.1 = 1.2683 s: {found:?}");
     }

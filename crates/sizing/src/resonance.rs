@@ -1,4 +1,4 @@
-//! The checks of oscillation: first natural frequency of the load on the gear, and the speeds that excite it.
+//! Checks of oscillation: first natural frequency of the load on the gear, and the speeds that excite it.
 
 use crate::axis::Axis;
 use crate::check::{Amount, Check, CheckId, Verdict};
@@ -17,7 +17,7 @@ use quantities::{AngularVelocity, Frequency, Measure, MomentOfInertia, Time, Tor
 
 const MODEL: Source = Source::Model { name: "gear" };
 
-/// A speed that the cycle holds, with what the load's inertia is meanwhile.
+/// A speed that the cycle holds, with the inertia of the load at that time.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Held {
     /// Instant from which it is held \[s\].
@@ -28,12 +28,12 @@ pub(crate) struct Held {
     inertia: (f64, f64),
 }
 
-/// Steps over one revolution in which J(q) is looked at: what lies between two of them differs by at most
-/// (2π/720)² |J''|/8, a hundred-thousandth of what J changes over a revolution.
+/// Steps over one revolution at which J(q) is evaluated: between two of them it differs by at most (2π/720)² |J''|/8, a
+/// hundred-thousandth of the change of J over a revolution.
 const STEPS: f64 = 720.0;
 
-/// The speeds that the cycle holds, each with the inertia of its own payload and positions; a speed held several times is
-/// listed once, at its first instant.
+/// Returns the speeds that the cycle holds, each with the inertia of its own payload and positions; a speed held
+/// several times is listed once, at its first instant.
 pub(crate) fn held_speeds(axis: &Axis) -> Vec<Held> {
     let mut held = each_held_speed(axis);
     let key = |held: &Held| [held.speed, held.inertia.0, held.inertia.1].map(f64::to_bits);
@@ -56,9 +56,9 @@ fn each_held_speed(axis: &Axis) -> Vec<Held> {
                 let here = inertia(q);
                 range = (range.0.min(here), range.1.max(here));
             };
-            // A load that depends on the position repeats after a turn or ends before a second one begins to matter.
+            // A load that depends on the position repeats after a turn or ends before a second one matters.
             let periodic = axis.mechanism.endless() == mechanism::Endless::EachRevolution;
-            // A stage lies between the output and what repeats.
+            // A stage lies between the output and the periodic load.
             let behind = axis.mechanism.stage_ratio();
             let turn = std::f64::consts::TAU * behind;
             let span = if periodic { (high - low).min(turn) } else { high - low };
@@ -76,7 +76,7 @@ fn each_held_speed(axis: &Axis) -> Vec<Held> {
     .collect()
 }
 
-/// How the rotor behaves while the load swings.
+/// Behaviour of the rotor while the load swings.
 #[derive(Clone, Copy, Debug, PartialEq)]
 enum Rotor {
     /// Held by a stiff position loop: the load swings alone.
@@ -93,7 +93,7 @@ fn frequency(stiffness: TorsionalStiffness, load: f64, rotor: Rotor) -> Frequenc
     }
 }
 
-/// First natural frequency of the load on the softest region of the gear, against the least that is asked.
+/// Compares the first natural frequency of the load on the softest region of the gear with the required minimum.
 pub(crate) fn natural_frequency(case: &Case<'_>, work: &mut Workings) -> Outcome {
     let Case { axis, actuator, .. } = *case;
     let id = CheckId::NaturalFrequency;
@@ -121,19 +121,19 @@ pub(crate) fn natural_frequency(case: &Case<'_>, work: &mut Workings) -> Outcome
     Ok(check)
 }
 
-/// J_out, where it is known and not zero.
+/// Returns J_out if it is known and not zero.
 fn own_inertia(actuator: &Parameters) -> Option<f64> {
     actuator.inertia_out.known().map(|own| own.value.si()).filter(|own| *own > 0.0)
 }
 
-/// Half width of the band around a resonance speed in which nothing should run for long: a tenth of the speed. Assumed;
-/// the model has no damping and knows no amplitude.
+/// Half width of the band around a resonance speed in which no speed should be held, as a share of that speed. Assumed;
+/// the model has no damping and no amplitudes.
 const RESONANCE_BAND: f64 = 0.1;
 
-/// The reported distance if no speed is held, or every resonance is further away.
+/// Reported distance if no speed is held, or every resonance is further away.
 const FAR_FROM_RESONANCE: f64 = 1.0;
 
-/// A region of stiffness with the rotor blocked or free, and the speeds it resonates at for one range of J_L.
+/// A region of stiffness with the rotor blocked or free, and its resonance speeds for one range of J_L.
 #[derive(Clone, Copy)]
 struct Line {
     region: usize,
@@ -143,13 +143,13 @@ struct Line {
 }
 
 impl Line {
-    /// Distance of a speed from the range, relative to its nearer end.
+    /// Returns the distance of a speed from the range, relative to its nearer end.
     fn distance(&self, speed: f64) -> f64 {
         (1.0 - speed / self.speeds.0).max(speed / self.speeds.1 - 1.0).clamp(0.0, FAR_FROM_RESONANCE)
     }
 }
 
-/// The resonances of a range of J_L in the three regions.
+/// Returns the resonances of a range of J_L in the three regions.
 fn lines(
     stiffness: &[&Sourced<TorsionalStiffness>; 3],
     ratio: f64,
@@ -163,9 +163,9 @@ fn lines(
     })
 }
 
-/// Distance of the speeds that the cycle holds from those at which the wave generator excites the load (2 i n/60 = f on
-/// each region of stiffness, with blocked and with free rotor), relative to the latter, each with the inertia that the
-/// load has meanwhile. To hold such a speed is against advice; to pass through is not.
+/// Checks the distance of the held speeds from those at which the wave generator excites the load (2 i n/60 = f on each
+/// region of stiffness, with blocked and with free rotor), relative to the latter, each with the inertia of the load at
+/// that time. Holding such a speed is against advice; passing it is not.
 pub(crate) fn resonance(case: &Case<'_>, work: &mut Workings) -> Outcome {
     let Case { axis, actuator, .. } = *case;
     let id = CheckId::ResonanceSpeed;
@@ -212,7 +212,7 @@ pub(crate) fn resonance(case: &Case<'_>, work: &mut Workings) -> Outcome {
     })
 }
 
-/// The resonance speeds over every inertia of the cycle.
+/// Returns the remark on the resonance speeds over every inertia of the cycle.
 fn speeds_note(axis: &Axis, stiffness: &[&Sourced<TorsionalStiffness>; 3], ratio: f64, own: Option<f64>) -> Note {
     let (largest, least) = axis.trace.inertia();
     let (largest, least) = (largest.si(), least.si());
@@ -226,7 +226,7 @@ fn speeds_note(axis: &Axis, stiffness: &[&Sourced<TorsionalStiffness>; 3], ratio
     Note::ResonanceSpeeds(Box::new(ResonanceSpeeds { blocked: speeds(Rotor::Blocked), free }))
 }
 
-/// The workings of the distance `d` from the resonance of a region that is nearest to what is held.
+/// Records the derivation of the distance `d` from the resonance of a region that is nearest to a held speed.
 fn explain_resonance(
     actuator: &Parameters,
     (ratio, stiffness): (&Sourced<f64>, &[&Sourced<TorsionalStiffness>; 3]),
@@ -277,8 +277,8 @@ fn explain_resonance(
     work.limit("d_min");
 }
 
-/// Of each region its symbol, and the formulas of the frequency with blocked and free rotor, for the largest and for the
-/// least J_L.
+/// Symbol of a region, and the formulas of the frequency with blocked and free rotor, for the largest and for the least
+/// J_L.
 type Formulas = (&'static str, [&'static str; 2], [&'static str; 2]);
 
 const FORMULAS: [Formulas; 3] = [

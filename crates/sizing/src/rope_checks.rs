@@ -19,9 +19,9 @@ const MODEL: Source = Source::Model { name: "mechanisms" };
 /// Tension of the ropes of a mechanism over the cycle.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct RopeCourse {
-    /// The instant at which the motion takes the largest share of what the rope bears at rest.
+    /// Instant at which the motion takes the largest share of the static load off the rope.
     worst: Instant,
-    /// The times for which a rope would be slack, of each rope in their order.
+    /// Times with a slack rope, of each rope in their order.
     slack: Vec<(Rope, Time, Time)>,
 }
 
@@ -35,12 +35,12 @@ struct Instant {
 }
 
 impl Instant {
-    /// Force that motion and process take off the rope \[N\].
+    /// Returns the force that motion and process take off the rope \[N\].
     fn taken_n(&self) -> f64 {
         self.weight_n - self.tension_n
     }
 
-    /// Share of the weight that is taken off; above one the rope is slack.
+    /// Returns the share of the weight that is taken off; above one the rope is slack.
     fn share(&self) -> f64 {
         if self.weight_n > 0.0 {
             self.taken_n() / self.weight_n
@@ -57,7 +57,7 @@ impl Instant {
     }
 }
 
-/// So many panels of a piece are evaluated, sixteen nodes each.
+/// Number of evaluated panels of a piece, sixteen nodes each.
 const PANELS: u32 = 8;
 
 impl RopeCourse {
@@ -84,7 +84,7 @@ impl RopeCourse {
     }
 }
 
-/// The course of one rope on its way.
+/// Course of one rope while it is computed.
 struct OfRope<'a> {
     axis: &'a Axis,
     rope: Rope,
@@ -110,7 +110,7 @@ impl OfRope<'_> {
         }
     }
 
-    /// Notes a time of slack; what follows the one before continues it.
+    /// Records a time with a slack rope; adjacent times are joined.
     fn add(&mut self, from: f64, to: f64) {
         let near = 1e-9 * self.axis.moments.duration.si().max(f64::MIN_POSITIVE);
         match self.slack.last_mut() {
@@ -167,7 +167,7 @@ impl OfRope<'_> {
                     if !instant.is_slack() {
                         continue;
                     }
-                    // Within an interval the tension is taken as straight.
+                    // Within an interval the tension is assumed to be linear.
                     let end = if other.is_slack() {
                         other.at_s
                     } else {
@@ -184,8 +184,8 @@ impl OfRope<'_> {
     }
 }
 
-/// What motion and process take off a rope is at most the weight on it, S ≥ 0: a rope pulls and cannot push. Beyond, the model of the
-/// axis does not hold.
+/// Checks that the force taken off a rope by motion and process is at most the weight on it, S ≥ 0: a rope pulls and
+/// cannot push. Beyond, the model of the axis does not hold.
 pub(crate) fn tension(axis: &Axis, _: &Drivetrain, work: &mut Workings) -> Outcome {
     let id = CheckId::RopeTension;
     let course = axis.rope_course().ok_or(Missing { symbol: "S" })?;

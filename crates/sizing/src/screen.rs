@@ -1,9 +1,10 @@
-//! Many axes and the whole catalogue: which actuators fit, and the best of them, without judging every one by every check.
+//! Many axes and the whole catalogue: the fitting actuators and the best of them, without judging each by every check.
 //!
-//! For most checks of most actuators two bounds of the utilisation are quick to find, above and below what the check itself finds
-//! ([`bounds`]). Where both lie on one side of the limit the verdict is decided; elsewhere the check itself is made. Only of the
-//! few actuators that may be the best the utilisation is found, by the checks whose bounds leave room for the largest. A verdict and a
-//! figure are always those of [`judge`](crate::judge()): a bound decides nothing within [`ROOM`](bounds::ROOM) of a limit.
+//! For most checks of most actuators a lower and an upper bound of the utilisation are quick to compute ([`bounds`]).
+//! If both are on one side of the limit the verdict is decided; otherwise the check itself is made. The utilisation is
+//! computed only for the few actuators that may be the best, by the checks whose bounds allow the largest value.
+//! Verdicts and values are always those of [`judge`](crate::judge()): a bound decides nothing within
+//! [`ROOM`](bounds::ROOM) of a limit.
 
 mod bounds;
 mod catalogue;
@@ -31,31 +32,32 @@ use std::sync::Arc;
 
 pub use catalogue::{Entrant, Screen};
 
-/// What is found of the actuators for one axis.
+/// Result of a screening for one axis.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Found {
-    /// How many fit within every limit.
+    /// Number of actuators that fit within every limit.
     pub fit: usize,
-    /// How many others fit if an estimate holds.
+    /// Number of further actuators that fit if an estimate holds.
     pub fit_if_estimate: usize,
-    /// The best of them.
+    /// Best of them.
     pub best: Option<Ranked>,
-    /// Where none fits, the one that misses by least, of those that meet what is required and are of the right class.
+    /// If none fits, the actuator with the smallest excess among those that meet the requirements and are of the right
+    /// class.
     pub miss: Option<Ranked>,
 }
 
-/// An actuator with what it is ranked by.
+/// An actuator with its ranking data.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Ranked {
-    /// Its place among the entrants.
+    /// Index among the entrants.
     pub entrant: usize,
     /// Utilisation of its governing check.
     pub utilisation: f64,
-    /// Its governing check.
+    /// Governing check.
     pub tightest: Option<CheckId>,
 }
 
-/// Judges one axis after the other.
+/// Judges one axis after another.
 pub struct Screening<'s> {
     screen: &'s Screen,
     conditions: Option<Conditions<'s>>,
@@ -63,7 +65,7 @@ pub struct Screening<'s> {
     bounds: Vec<Bounds>,
 }
 
-/// What speaks against a group of actuators.
+/// State of a group of actuators.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum State {
     Fits { holds: bool, is_inside_band: bool },
@@ -71,13 +73,14 @@ enum State {
 }
 
 impl<'s> Screening<'s> {
-    /// With nothing known of any axis.
+    /// Creates a screening without data of an axis.
     #[must_use]
     pub fn of(screen: &'s Screen) -> Self {
         Self { screen, conditions: None, figures: Figures::default(), bounds: Vec::new() }
     }
 
-    /// How many fit, and the best of them; `meets`: of each entrant whether it meets what is required besides the checks.
+    /// Returns the number of fitting actuators, and the best of them; `meets`: for each entrant, `true` if it meets the
+    /// requirements other than the checks.
     pub fn found(&mut self, axis: &Axis, meets: &[bool]) -> Found {
         let screen = self.screen;
         let known = self.conditions.take().filter(|known| known.are_of(screen, axis));
@@ -100,7 +103,7 @@ impl<'s> Screening<'s> {
     }
 }
 
-/// The checks that can fail and for which there are no bounds; those of the brake only where they may matter.
+/// Returns the checks that can fail and have no bounds; those of the brake only if they may matter.
 fn others(axis: &Axis) -> Vec<CheckId> {
     let no_brake = is_without_brake(axis);
     let no_loads = axis.bearing.as_ref().is_none_or(|duty| !duty.has_loads);
@@ -112,8 +115,8 @@ fn others(axis: &Axis) -> Vec<CheckId> {
     CheckId::ALL.iter().copied().filter(|id| id.is_made(axis) && id.can_fail(axis)).filter(is_other).collect()
 }
 
-/// Whether no check of the brake can fail, nor have a utilisation that counts: nothing hangs, no segment is held by a brake, and
-/// nothing is required of it.
+/// Returns `true` if no check of the brake can fail or have a relevant utilisation: the load is balanced, no segment is
+/// held by a brake, and there are no requirements on it.
 fn is_without_brake(axis: &Axis) -> bool {
     let asked = &axis.asked;
     let nothing_hangs = axis.moments().holding_torque.si() <= 0.0;
@@ -125,19 +128,19 @@ fn is_without_brake(axis: &Axis) -> bool {
         && asked.service_life.is_none()
 }
 
-/// The axis of a row.
+/// Axis of a row.
 struct Row<'r> {
     axis: &'r Axis,
     meets: &'r [bool],
     others: Vec<CheckId>,
-    /// Those that actuators with the same output bearing share, and what they found of each bearing.
+    /// Checks shared by actuators with the same output bearing, and their results for each bearing.
     of_bearing: Vec<CheckId>,
     borne: RefCell<Vec<Option<Arc<OfBearing>>>>,
     has_outline: bool,
     conditions: &'r Conditions<'r>,
 }
 
-/// A group that meets what is required: its place, and what is known of it.
+/// A group that meets the requirements: its index and its state.
 struct Open {
     four: usize,
     place: usize,
@@ -146,7 +149,7 @@ struct Open {
 }
 
 impl Open {
-    /// What comes first in the order of those that fit, see [`RankKey`].
+    /// Returns the class that decides the order of fitting groups first, see [`RankKey`].
     const fn class(&self) -> Option<Class> {
         match self.state {
             State::Fits { holds, is_inside_band } => Some((!holds, is_inside_band, self.size)),
@@ -155,10 +158,10 @@ impl Open {
     }
 }
 
-/// Whether nothing holds the load, whether it fits only if an estimate holds, and the frame size.
+/// Load not held, fits only if an estimate holds, and frame size.
 type Class = (bool, bool, u16);
 
-/// What the checks of an output bearing found.
+/// Results of the checks of an output bearing.
 #[derive(Debug, Default)]
 struct OfBearing {
     fails: bool,
@@ -185,7 +188,7 @@ impl Row<'_> {
                 open.push(Open { four, place, size: group.size, state });
             }
         }
-        // The best is one of those that come first by what costs nothing; the nearest miss is one of all.
+        // The best is in the class that comes first; the one with the smallest excess may be any.
         let first = open.iter().filter_map(Open::class).min();
         for open in open.iter().filter(|open| open.class() == first) {
             if let (Some(bounds), Some(four)) = (bounds.get_mut(open.four), self.conditions.fours.get(open.four)) {
@@ -199,7 +202,7 @@ impl Row<'_> {
         }
     }
 
-    /// A group with its bounds.
+    /// Returns a group with its bounds.
     fn group<'b>(&self, open: &Open, bounds: &'b [Bounds]) -> Option<(&Group, BoundsOfOne<'b>)> {
         let group = self.conditions.groups.get(4 * open.four + open.place)?;
         Some((group, bounds.get(open.four)?.of_one(open.place)))
@@ -209,13 +212,13 @@ impl Row<'_> {
         self.meets.get(entrant).copied().unwrap_or(false)
     }
 
-    /// The lightest member that meets what is required.
+    /// Returns the lightest member that meets the requirements.
     fn lightest<'g>(&self, group: &'g Group) -> Option<&'g Member> {
         let members = group.members.iter().filter(|member| self.meets(member.entrant));
         members.min_by(|a, b| a.mass_kg.total_cmp(&b.mass_kg).then(a.entrant.cmp(&b.entrant)))
     }
 
-    /// Whether a group fits, by its bounds and, where these leave it open, by the checks themselves.
+    /// Returns the state of a group, by its bounds and, if these are not sufficient, by the checks themselves.
     fn state(&self, group: &Group, bounds: BoundsOfOne<'_>) -> State {
         if bounds.fails() {
             return State::Fails;
@@ -254,7 +257,7 @@ impl Row<'_> {
         if fails { State::Fails } else { State::Fits { holds, is_inside_band } }
     }
 
-    /// What the checks of the output bearing found, made for the first actuator that has it.
+    /// Returns the results of the checks of the output bearing, made for the first actuator that has it.
     fn borne(&self, group: &Group) -> Option<Arc<OfBearing>> {
         let duty = self.axis.bearing.as_ref().filter(|_| !self.of_bearing.is_empty())?;
         let mut all = self.borne.borrow_mut();
@@ -278,7 +281,7 @@ impl Row<'_> {
         Judge::new(self.axis, Scope::Deciding, Depth::UntilRejected).next(actuator, &mut |_, _| {})
     }
 
-    /// The best of the groups that fit, with its best member; `first`: the class that comes first.
+    /// Returns the best of the fitting groups, with its best member; `first`: the class that comes first.
     fn best(&self, open: &[Open], bounds: &[Bounds], first: Class) -> Option<Ranked> {
         let (is_unheld, is_inside_band, size) = first;
         let fit = if is_inside_band { Fit::FitsIfEstimate } else { Fit::Fits };
@@ -308,7 +311,7 @@ impl Row<'_> {
         best.map(|(.., ranked)| ranked)
     }
 
-    /// The largest utilisation of a group that fits, by the checks whose bounds leave room for it.
+    /// Returns the largest utilisation of a fitting group, by the checks whose bounds allow it.
     fn utilisation(&self, group: &Group, bounds: BoundsOfOne<'_>) -> (f64, Option<CheckId>) {
         if bounds.is_unknown() {
             let judgement = self.judged(&group.representative);
@@ -327,7 +330,7 @@ impl Row<'_> {
         (largest, last_of_equal(shares, largest))
     }
 
-    /// Of the groups that do not fit the one that misses by least.
+    /// Returns the group with the smallest excess among those that do not fit.
     fn miss(&self, open: &[Open], bounds: &[Bounds]) -> Option<Ranked> {
         let key = |group: &Group, utilisation: f64, mass_kg: f64| {
             RankKey::of(&Standing { fit: Fit::DoesNotFit, holds: true, size: group.size, utilisation, mass_kg })
@@ -343,7 +346,7 @@ impl Row<'_> {
             if best.as_ref().is_some_and(|(key, ..)| least > *key) {
                 break;
             }
-            // The bound is below every check that fails, so every check is made.
+            // The bound is below every failing check, so every check is made.
             let judgement = judge(self.axis, &group.representative, Scope::Deciding);
             let is_elsewhere = |check: &Check| check.verdict == Verdict::Fail && check.id.is_of_the_place();
             if judgement.checks.iter().any(is_elsewhere) {
@@ -362,24 +365,24 @@ impl Row<'_> {
     }
 }
 
-/// The place of the first of the least ones.
+/// Returns the index of the first of the least ones.
 fn least_of<T>(all: &[T], key: impl Fn(&T) -> RankKey) -> Option<usize> {
     all.iter().enumerate().min_by_key(|(_, each)| key(each)).map(|(place, _)| place)
 }
 
-/// A check of an actuator, made as [`judge`](crate::judge()) makes it.
+/// Makes a check of an actuator as [`judge`](crate::judge()) does.
 fn checked(id: CheckId, case: &Case<'_>) -> Option<Check> {
     id.of(case, &mut Workings::off())
 }
 
-/// Whether a check looks at currents, voltages or heat.
+/// Returns `true` if a check uses currents, voltages or heat.
 fn is_electric(id: CheckId) -> bool {
     id.shared_by() == SharedBy::Nothing
         && !matches!(id, CheckId::PeakTorque | CheckId::ScrewJointLoad | CheckId::ScrewJointHousing)
 }
 
 impl Row<'_> {
-    /// What some checks of an actuator look at.
+    /// Provides the data that some checks of an actuator use.
     fn with_case(&self, group: &Group, ids: &[CheckId], look: impl FnOnce(&Case<'_>)) {
         let (axis, actuator) = (self.axis, &group.representative);
         let made;

@@ -1,4 +1,4 @@
-//! What a stage behind the actuator does to angles: torsion and errors at the mechanism.
+//! Effect of a stage behind the actuator on angles: torsion and errors at the mechanism.
 
 use crate::comparison::{Asking, project};
 use actuator::{Contribution, ErrorBudget, ErrorKind};
@@ -9,10 +9,10 @@ use quantities::unit::{ARCMINUTE, NEWTON_METRE, NEWTON_METRE_PER_RADIAN, ONE};
 use quantities::{Angle, Measure, Torque, TorsionalStiffness};
 use std::borrow::Cow;
 
-/// The model of the stage.
+/// Model of the stage.
 pub(crate) const MODEL: Source = Source::Model { name: "stage" };
 
-/// A stiffness of the gear with that of the stage in series, at the output of the actuator.
+/// Returns a stiffness of the gear with that of the stage in series, at the output of the actuator.
 pub(crate) fn in_series<'k>(
     mechanism: &Mechanism,
     gear: &'k Sourced<TorsionalStiffness>,
@@ -24,7 +24,7 @@ pub(crate) fn in_series<'k>(
     Cow::Owned(Sourced { value: series, source: MODEL, grade: gear.grade.worst(Grade::Computed), errata: gear.errata })
 }
 
-/// Torsion of the stage itself, at the mechanism.
+/// Returns the torsion of the stage itself, at the mechanism.
 ///
 /// φ_s = i_s T / K_s
 ///
@@ -38,8 +38,8 @@ fn own_torsion(stage: &Stage, torque: Torque) -> Angle {
     Angle::from_si(stage.stiffness.map_or(0.0, |stiffness| stage.ratio * torque.si().abs() / stiffness.si()))
 }
 
-/// Torsion at the mechanism under a torque: that of the gear seen through the ratio, and that of the stage. `phi_L` in the
-/// workings.
+/// Returns the torsion at the mechanism under a torque: that of the gear through the ratio, plus that of the stage.
+/// `phi_L` in the derivation.
 pub(crate) fn torsion(stage: &Stage, gear: Angle, torque: Torque, work: &mut Workings) -> Angle {
     let angle = Angle::from_si(gear.si() / stage.ratio) + own_torsion(stage, torque);
     ratio(stage, work);
@@ -62,8 +62,8 @@ fn stiffness(stage: &Stage, work: &mut Workings) {
     }
 }
 
-/// The budget at the output of the actuator becomes that at the mechanism: its errors through the ratio, without the tilt
-/// of the flange, and backlash and torsion of the stage.
+/// Converts the budget at the output of the actuator to that at the mechanism: its errors through the ratio, without
+/// the tilt of the flange, and with backlash and torsion of the stage.
 pub(crate) fn behind(stage: &Stage, budget: &mut ErrorBudget, torque: Torque) {
     budget.contributions.retain(|entry| entry.kind != ErrorKind::Tilt);
     budget.missing.retain(|kind| *kind != ErrorKind::Tilt);
@@ -82,14 +82,14 @@ pub(crate) fn behind(stage: &Stage, budget: &mut ErrorBudget, torque: Torque) {
     }
 }
 
-/// The sum of the errors at the output of the actuator, of a budget at the mechanism.
+/// Returns the sum of the errors at the output of the actuator, of a budget at the mechanism.
 pub(crate) fn before(stage: &Stage, budget: &ErrorBudget) -> Angle {
     let of_stage = |kind: ErrorKind| matches!(kind, ErrorKind::StageBacklash | ErrorKind::StageTorsion);
     let entries = budget.contributions.iter().filter(|entry| !of_stage(entry.kind));
     Angle::from_si(entries.map(|entry| entry.angle.value.si()).sum::<f64>() * stage.ratio)
 }
 
-/// The workings of the sum at the mechanism, `phi_sum`, from that at the output of the actuator, `phi_out`.
+/// Records the derivation of the sum at the mechanism, `phi_sum`, from that at the output of the actuator, `phi_out`.
 pub(crate) fn explain_budget(stage: &Stage, (worst, torque): (Angle, Torque), work: &mut Workings) {
     ratio(stage, work);
     let mut text = "phi_out/i_s";
@@ -127,8 +127,8 @@ mod tests {
         SegmentSpec::Move(Law::ModifiedSine, given)
     }
 
-    /// Mean square of the torque and its cubic mean over the travel, with losses on both sides of a stage, by plain sums over
-    /// many steps of the motion at the mechanism.
+    /// Compares mean square of the torque and its cubic mean over the travel, with losses on both sides of a stage,
+    /// with sums over many steps of the motion at the mechanism.
     #[test]
     fn a_lossy_stage_agrees_with_many_small_steps() {
         let rotor = Rotor {

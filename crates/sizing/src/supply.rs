@@ -1,4 +1,4 @@
-//! The DC link: stated, or behind a rectifier at the mains.
+//! The DC link: stated, or fed by a rectifier on the mains.
 
 use crate::comparison::project;
 use derivation::Workings;
@@ -7,32 +7,33 @@ use quantities::unit::{EFFECTIVE_VOLT, ONE, VOLT};
 use quantities::{EffectiveVoltage, ElectricPotential, Measure};
 use std::f64::consts::{PI, SQRT_2};
 
-/// The voltages that the DC link has, and how much of it the drive can use. Each check takes the edge that is worse for it.
+/// Voltages of the DC link, and the share of them that the drive can use. Each check uses the edge that is worse for
+/// it.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Supply {
-    /// Share of U_DC/√2 that the drive can give.
+    /// Share of U_DC/√2 that the drive can provide.
     pub reserve: f64,
-    /// What it follows from.
+    /// Origin of the voltage.
     pub from: SupplyFrom,
 }
 
-/// What the DC link follows from.
+/// Origin of the DC link voltage.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum SupplyFrom {
-    /// The project states it.
+    /// Voltage stated by the project.
     DcLink(ElectricPotential),
-    /// A rectifier without control.
+    /// An uncontrolled rectifier.
     Mains {
-        /// What feeds it.
+        /// Phases of the mains.
         phases: MainsPhases,
         /// U_mains between two lines.
         nominal: EffectiveVoltage,
-        /// d: by this share of it the mains vary.
+        /// d: deviation of the mains voltage as a share of it.
         deviation: f64,
     },
 }
 
-/// What feeds a rectifier.
+/// Phases that feed a rectifier.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum MainsPhases {
     /// One phase, between line and neutral: two pulses in a period.
@@ -41,20 +42,20 @@ pub enum MainsPhases {
     Three,
 }
 
-/// An edge of the DC link.
+/// An edge of the DC link voltage.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Edge {
-    /// Under load at the lowest mains.
+    /// Under load at the lowest mains voltage.
     Low,
-    /// Without load at the highest mains.
+    /// Without load at the highest mains voltage.
     High,
 }
 
 impl Supply {
-    /// U_DC at an edge.
+    /// Returns U_DC at an edge.
     ///
-    /// Of a bridge of diodes: U_DC = (3√2/π) U_mains (1 − d) under load of three phases, the mean of six pulses,
-    /// (2√2/π) U_mains (1 − d) of one phase, the mean of two, and √2 U_mains (1 + d) without load, where the capacitor holds
+    /// For a diode bridge: U_DC = (3√2/π) U_mains (1 − d) under load with three phases, the mean of six pulses, (2√2/π)
+    /// U_mains (1 − d) with one phase, the mean of two, and √2 U_mains (1 + d) without load, where the capacitor holds
     /// the peak.
     ///
     /// # Symbols
@@ -62,8 +63,8 @@ impl Supply {
     /// # Source
     /// docs/theory/voltage.md
     /// # Valid
-    /// A rectifier without control; the fall of voltage in choke, diodes and cables is not counted. Of one phase a
-    /// capacitor holds more than the mean, which is the least.
+    /// An uncontrolled rectifier; the voltage drop in choke, diodes and cables is neglected. With one phase a capacitor
+    /// holds more than the mean, which is the least value.
     pub(crate) fn at(&self, edge: Edge) -> ElectricPotential {
         match (self.from, edge) {
             (SupplyFrom::DcLink(stated), _) => stated,
@@ -80,19 +81,19 @@ impl Supply {
         }
     }
 
-    /// What the drive gives at the motor terminals at least, rms.
+    /// Returns the least voltage of the drive at the motor terminals, rms.
     #[must_use]
     pub fn terminal_voltage(&self) -> ElectricPotential {
         ElectricPotential::from_si(self.at(Edge::Low).si() / SQRT_2 * self.reserve)
     }
 
-    /// The least voltage of the DC link.
+    /// Returns the least voltage of the DC link.
     #[must_use]
     pub fn least(&self) -> ElectricPotential {
         self.at(Edge::Low)
     }
 
-    /// The DC link without load at nominal mains.
+    /// Returns the DC link voltage without load at nominal mains voltage.
     #[must_use]
     pub fn nominal(&self) -> ElectricPotential {
         match self.from {
@@ -101,13 +102,13 @@ impl Supply {
         }
     }
 
-    /// The largest voltage of the DC link that the supply alone gives.
+    /// Returns the largest voltage of the DC link from the supply alone.
     #[must_use]
     pub fn most(&self) -> ElectricPotential {
         self.at(Edge::High)
     }
 
-    /// The key that it follows from.
+    /// Returns the key that states the supply.
     pub(crate) const fn key(&self) -> &'static str {
         match self.from {
             SupplyFrom::DcLink(_) => "requirements.supply",
@@ -115,12 +116,12 @@ impl Supply {
         }
     }
 
-    /// The same as a source.
+    /// Returns the key as a source.
     pub(crate) fn source(&self) -> Source {
         project(self.key())
     }
 
-    /// That of the rectifier is assumed.
+    /// Returns the grade of the voltage; that of a rectifier is assumed.
     pub(crate) const fn grade(&self) -> Grade {
         match self.from {
             SupplyFrom::DcLink(_) => Grade::Printed,
@@ -128,7 +129,7 @@ impl Supply {
         }
     }
 
-    /// U_DC at an edge, derived.
+    /// Records the derivation of U_DC at an edge.
     pub(crate) fn explain(&self, edge: Edge, work: &mut Workings) {
         let found = self.at(edge).si();
         match self.from {
@@ -157,7 +158,7 @@ mod tests {
         Supply { reserve: 0.9, from: SupplyFrom::Mains { phases, nominal, deviation } }
     }
 
-    /// 230 V: peak 325.3 V; mean of two pulses 207.1 V (textbook values: 1.414 and 0.900 of it).
+    /// Compares with 230 V: peak 325.3 V; mean of two pulses 207.1 V (textbook values: 1.414 and 0.900 of it).
     #[test]
     fn a_rectifier_of_one_phase_gives_the_textbook_values() {
         let volts = |deviation, edge| mains(MainsPhases::Single, 230.0, deviation).at(edge).si();
@@ -165,7 +166,8 @@ mod tests {
         assert!((volts(0.1, Edge::High) - 357.80).abs() < 1e-2 && (volts(0.1, Edge::Low) - 186.37).abs() < 1e-2);
     }
 
-    /// 400 V ± 10 %: 486 V to 622 V; the peak of 400 V is 565.7 V, the mean of six pulses 540.2 V (textbook values).
+    /// Compares with 400 V ± 10 %: 486 V to 622 V; the peak of 400 V is 565.7 V, the mean of six pulses 540.2 V
+    /// (textbook values).
     #[test]
     fn a_rectifier_gives_the_textbook_values() {
         let mains = |deviation| mains(MainsPhases::Three, 400.0, deviation);

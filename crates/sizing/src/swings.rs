@@ -1,33 +1,33 @@
-//! Swings of the axis, counted as rainflow does: small ones keep the rolling elements of the bearing where no lubricant
-//! reaches them, however far the axis moves at other times.
+//! Swings of the axis by rainflow counting: small ones keep the rolling elements of the bearing away from the
+//! lubricant, independent of larger motion at other times.
 
 use crate::axis::Axis;
 use motion::Motion;
 use quantities::unit::DEGREE;
 use quantities::{Angle, Measure};
 
-/// Small swings are reported from this share of the angle travelled on.
+/// Share of the angle travelled from which small swings are reported.
 const SHARE_REPORTED: f64 = 0.1;
 
-/// Small swings are reported from this number per cycle on.
+/// Number per cycle from which small swings are reported.
 const COUNT_REPORTED: usize = 2;
 
-/// Within a recording smaller swings are taken for settling and noise.
+/// Range below which swings within a recording count as settling and noise \[deg\].
 const NOISE_DEG: f64 = 0.1;
 
-/// The swings of one cycle of the motion below the least one that its bearing bears without fretting.
+/// Swings of one cycle of the motion below the least one that its bearing bears without fretting.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(crate) struct SmallSwings {
-    /// How many there are, there and back each.
+    /// Number of swings, each back and forth.
     pub(crate) count: usize,
-    /// The largest of them.
+    /// Largest of them.
     pub(crate) largest: Angle,
     /// Their share of the angle travelled.
     pub(crate) share: f64,
 }
 
 impl SmallSwings {
-    /// The swings of an axis below `least`.
+    /// Returns the swings of an axis below `least`.
     pub(crate) fn of(axis: &Axis, least: Angle) -> Self {
         let mut found = Self::default();
         let (mut largest, mut travelled) = (0.0_f64, 0.0);
@@ -42,18 +42,18 @@ impl SmallSwings {
         Self { largest: Angle::from_si(largest), share: if all > 0.0 { travelled / all } else { 0.0 }, ..found }
     }
 
-    /// Whether they are worth a remark.
+    /// Returns `true` if they are to be reported.
     pub(crate) fn are_reported(&self) -> bool {
         self.count >= COUNT_REPORTED || self.share >= SHARE_REPORTED
     }
 }
 
-/// The ranges of all closed swings of one cycle of the motion \[rad\].
+/// Returns the ranges of all closed swings of one cycle of the motion \[rad\].
 pub(crate) fn swing_ranges(motion: &Motion) -> Vec<f64> {
     ranges(&turning_points(motion), motion.net().si())
 }
 
-/// The positions at which one cycle of the motion turns round, with its beginning and its end.
+/// Returns the positions at which one cycle of the motion reverses, with its beginning and its end.
 fn turning_points(motion: &Motion) -> Vec<f64> {
     let mut turns = Turns::default();
     let mut recordings = motion.recordings().iter().peekable();
@@ -78,14 +78,14 @@ fn turning_points(motion: &Motion) -> Vec<f64> {
     turns.points
 }
 
-/// Positions one after the other, reduced to those at which the axis turns round.
+/// Consecutive positions, reduced to those at which the axis reverses.
 #[derive(Debug, Default)]
 struct Turns {
     points: Vec<f64>,
 }
 
 impl Turns {
-    /// The next position; one that lies back by no more than `noise` is no turning point.
+    /// Adds the next position; one that goes back by no more than `noise` is no turning point.
     fn pass(&mut self, position: f64, noise: f64) {
         match self.points.as_mut_slice() {
             [] => self.points.push(position),
@@ -106,19 +106,19 @@ impl Turns {
     }
 }
 
-/// What rounding leaves where a position comes back \[rad\].
+/// Rounding error of a position that returns to its start \[rad\].
 const ROUNDING: f64 = 1e-9;
 
-/// The ranges of all closed swings of a motion that repeats, each there and back.
+/// Returns the ranges of all closed swings of a motion that repeats, each back and forth.
 ///
 /// # Source
 /// ASTM E1049, rainflow counting of a repeating history
 /// # Valid
-/// `net`: what each repetition adds to the position; a motion that turns on never closes its largest swing
+/// `net`: increment of the position by each repetition; a motion that rotates endlessly never closes its largest swing
 fn ranges(points: &[f64], net: f64) -> Vec<f64> {
     let mut open: Vec<f64> = Vec::with_capacity(points.len());
     let mut closed = Vec::new();
-    // What the first run leaves open is closed by the second, as in every later one.
+    // Swings left open by the first run are closed by the second, as in every later one.
     for run in [0.0, 1.0] {
         closed.clear();
         for point in points {
@@ -139,7 +139,7 @@ fn ranges(points: &[f64], net: f64) -> Vec<f64> {
     closed
 }
 
-/// Adds a point to a history of turning points: one that goes on in the same direction takes the place of the last.
+/// Adds a point to a history of turning points: one in the same direction replaces the last.
 fn turn(history: &mut Vec<f64>, point: f64) {
     match history.as_mut_slice() {
         [.., before, last] if (*last - *before) * (point - *last) >= 0.0 => *last = point,
@@ -160,7 +160,8 @@ mod tests {
         ranges
     }
 
-    /// The history of ASTM E1049-85, figures 6 and 7: repeated, it has the ranges 3, 4, 7 and 9, once each.
+    /// Compares with the history of ASTM E1049-85, figures 6 and 7: repeated, it has the ranges 3, 4, 7 and 9, once
+    /// each.
     #[test]
     fn the_history_of_the_standard() {
         let history = [-2.0, 1.0, -3.0, 5.0, -1.0, 3.0, -4.0, 4.0, -2.0];
@@ -173,7 +174,7 @@ mod tests {
         }
     }
 
-    /// Over a closed cycle twice the ranges make the whole way.
+    /// Compares twice the ranges with the distance over a closed cycle.
     #[test]
     fn all_swings_together_are_the_way() {
         let mut state = 7_u64;
@@ -190,7 +191,7 @@ mod tests {
 
     #[test]
     fn what_turns_on_swings_only_where_it_comes_back() {
-        // 60° forth, 2° back, over and over.
+        // 60° forth, 2° back, repeated.
         assert_eq!(sorted(ranges(&[0.0, 60.0, 58.0], 58.0)), [2.0]);
         assert!(ranges(&[0.0, 60.0], 60.0).is_empty());
     }

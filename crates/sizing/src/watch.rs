@@ -2,23 +2,23 @@
 
 use std::convert::Infallible;
 
-/// The caller's side of a long computation. Each long loop polls it before every step, and a step is short: one judgement of an actuator,
-/// or one cycle made anew, at the limits some tens of milliseconds.
+/// Caller's side of a long computation. Each long loop polls it before every step, and a step is short: one judgement
+/// of an actuator, or one cycle computed again, at the limits some tens of milliseconds.
 pub trait Watch: Sync {
-    /// Why the work does not go on.
+    /// Reason of a cancellation.
     type Stop: Send;
 
-    /// How many steps are to come, where that is known.
+    /// Announces the number of steps, if it is known.
     fn expect(&self, steps: usize);
 
-    /// Before a step.
+    /// Announces a step.
     ///
     /// # Errors
-    /// Where the work shall not go on.
+    /// The reason of a cancellation.
     fn step(&self) -> Result<(), Self::Stop>;
 }
 
-/// Never cancels: the work runs to its end.
+/// A watch that never cancels: the work runs to its end.
 #[derive(Clone, Copy, Debug)]
 pub struct Unwatched;
 
@@ -32,7 +32,7 @@ impl Watch for Unwatched {
     }
 }
 
-/// The result of work that cannot be cancelled.
+/// Returns the result of work that cannot be cancelled.
 pub fn finished<T>(result: Result<T, Infallible>) -> T {
     match result {
         Ok(found) => found,

@@ -1,4 +1,4 @@
-//! What several checks note of the axis in their workings.
+//! Parts of derivations that several checks share.
 
 use crate::axis::Axis;
 use crate::comparison::{Asking, equation, project};
@@ -12,15 +12,15 @@ use quantities::unit::{
 };
 use trace::{Node, TorqueWith};
 
-/// The model of the load and its motion.
+/// Model of the load and its motion.
 pub(crate) const DEMAND: Source = Source::Model { name: "demand" };
 
-/// J_out of the actuator.
+/// Records J_out of the actuator.
 pub(crate) fn own_inertia(actuator: &Parameters, work: &mut Workings) {
     work.known("J_out", &KILOGRAM_SQUARE_METRE, &actuator.inertia_out);
 }
 
-/// Where the inertia of the load is from.
+/// Returns the source of the inertia of the load.
 pub(crate) fn inertia_source(axis: &Axis) -> Source {
     match axis.by_the_manual() {
         Some(_) => project("load.inertia"),
@@ -28,7 +28,7 @@ pub(crate) fn inertia_source(axis: &Axis) -> Source {
     }
 }
 
-/// An instant: J_out, α and T_L there.
+/// Records an instant: J_out, α and T_L there.
 pub(crate) fn instant(node: &Node, actuator: &Parameters, work: &mut Workings) {
     own_inertia(actuator, work);
     work.figure("t", &SECOND, node.time_s, &DEMAND, Grade::Computed);
@@ -43,7 +43,7 @@ pub(crate) fn instant(node: &Node, actuator: &Parameters, work: &mut Workings) {
     work.found("T_L", &NEWTON_METRE, node.load_nm, Finding::TorqueOfLoadAt, &DEMAND, Grade::Computed);
 }
 
-/// The torque at an instant: α and T_L there, and `T` = J_out α + T_L.
+/// Records the torque at an instant: α and T_L there, and `T` = J_out α + T_L.
 pub(crate) fn torque_at(node: &Node, actuator: &Parameters, work: &mut Workings) {
     if !work.is_on() {
         return;
@@ -53,7 +53,7 @@ pub(crate) fn torque_at(node: &Node, actuator: &Parameters, work: &mut Workings)
     work.formula("T", &NEWTON_METRE, inertia * node.acceleration_rad_s2 + node.load_nm, "J_out*alpha + T_L", &DEMAND);
 }
 
-/// The largest torque, `T_peak`.
+/// Records the largest torque, `T_peak`.
 pub(crate) fn peak_torque(axis: &Axis, actuator: &Parameters, demand: &Demand, work: &mut Workings) {
     if !work.is_on() {
         return;
@@ -64,7 +64,7 @@ pub(crate) fn peak_torque(axis: &Axis, actuator: &Parameters, demand: &Demand, w
     work.formula("T_peak", &NEWTON_METRE, demand.torque_peak.si(), "abs(T)", &DEMAND);
 }
 
-/// The three torques of the governing move by the manual's equations.
+/// Records the three torques of the governing move by the manual's equations.
 pub(crate) fn manual_torques(axis: &Axis, actuator: &Parameters, manual: &ManualDemand, work: &mut Workings) {
     let found = axis.by_the_manual().and_then(|(inertia, friction, moves)| {
         Some((inertia, friction, moves.get(manual.governing)?, manual.moves.get(manual.governing)?))
@@ -81,7 +81,8 @@ pub(crate) fn manual_torques(axis: &Axis, actuator: &Parameters, manual: &Manual
     work.formula("T_3", &NEWTON_METRE, torques.brake.si(), "T_L - (T_1 - T_L)", &equation("69.2"));
 }
 
-/// The effective torque, `T_rms`: by the manual's equation for one move that it describes, else by the exact integral.
+/// Records the effective torque, `T_rms`: by the manual's equation for one move that it describes, else by the exact
+/// integral.
 pub(crate) fn effective_torque(
     axis: &Axis,
     actuator: &Parameters,
@@ -126,7 +127,7 @@ pub(crate) fn effective_torque(
     work.formula("T_rms", &NEWTON_METRE, demand.torque_rms.si(), text, &Source::Model { name: "moments" });
 }
 
-/// The mean speed, `n_av`.
+/// Records the mean speed, `n_av`.
 pub(crate) fn mean_speed(axis: &Axis, work: &mut Workings) {
     if !work.is_on() {
         return;

@@ -1,43 +1,44 @@
-//! Power over a panel in which the signals are no straight lines: cut where the torque or the power turns its sign.
+//! Power over a panel with curved signals: cut where the torque or the power changes its sign.
 
 use super::{CyclePower, Returned};
 use numeric::{highest, lobatto, root, vertex};
 use std::cell::OnceCell;
 use trace::{Node, Panel, Smooth, Sought};
 
-/// Nodes of the rule for a part of a panel: exact for the power of signals of the sixth degree, and of those of the second.
+/// Numbers of nodes of the rule for a part of a panel: exact for the power of signals of the sixth degree, and of those
+/// of the second.
 const NODES: [usize; 2] = [8, 4];
 
-/// Most nodes of a rule.
+/// Largest number of nodes of a rule.
 const MOST: usize = 16;
 
-/// A share of a panel up to which the place of a cut is sought: energy beside it is of second order in what is left.
+/// Tolerance of the position of a cut as a share of a panel: the error of the energy is of second order in it.
 const CLOSE: f64 = 1e-8;
 
-/// A way through one panel.
+/// One walk through a panel.
 pub(super) struct Walk<'a, 'p> {
     course: Course<'a, 'p>,
     /// Energy of each part in which the power has one sign, in order \[J\].
     parts: &'a mut Vec<f64>,
-    /// The largest power given back so far \[W\].
+    /// Largest regenerated power so far \[W\].
     peak: f64,
-    /// Where the part with one sign of torque and power began.
+    /// Start of the part with one sign of torque and power.
     from: f64,
-    /// Whether the load drives in it.
+    /// The load drives in that part.
     driven: bool,
 }
 
-/// Torque and power at any share of a panel: of one that has enough nodes as polynomials through what they are there.
+/// Torque and power at any position of a panel: with enough nodes as polynomials through their values.
 struct Course<'a, 'p> {
     panel: &'a Panel<'p>,
     power: &'a CyclePower<'a>,
     torque: OnceCell<Option<Smooth>>,
-    /// Where the load does not drive, and where it does.
+    /// Power if the load does not drive, and if it does.
     powers: [OnceCell<Option<Smooth>>; 2],
 }
 
 impl Course<'_, '_> {
-    /// The torque in the direction of the motion \[Nm\].
+    /// Returns the torque in the direction of the motion \[Nm\].
     fn along(&self, node: &Node) -> f64 {
         self.power.torque(node) * node.direction
     }
@@ -58,7 +59,7 @@ impl Course<'_, '_> {
         self.smooth(driven).map_or_else(node, |smooth| smooth.at(share))
     }
 
-    /// Half-way between a node and the next.
+    /// Returns the power half-way between a node and the next.
     fn middle(&self, place: usize, driven: bool) -> f64 {
         let node = || self.power.with(&self.panel.middle(place), driven);
         self.smooth(driven).map_or_else(node, |smooth| smooth.middle(place))
@@ -66,7 +67,7 @@ impl Course<'_, '_> {
 }
 
 impl<'a, 'p> Walk<'a, 'p> {
-    /// Adds the energies of the parts to those that are there; the larger of `peak` and the largest power given back.
+    /// Appends the energies of the parts; returns the larger of `peak` and the largest regenerated power.
     pub(super) fn through(panel: &'a Panel<'p>, power: &'a CyclePower<'a>, peak: f64, parts: &'a mut Vec<f64>) -> f64 {
         let course = Course { panel, power, torque: OnceCell::new(), powers: [OnceCell::new(), OnceCell::new()] };
         let rule = lobatto(panel.nodes.len());
@@ -74,7 +75,7 @@ impl<'a, 'p> Walk<'a, 'p> {
         along.iter_mut().zip(panel.nodes).for_each(|(along, node)| *along = course.along(node));
         let along = along.get(..panel.nodes.len()).unwrap_or_default();
         let driven = along.first().is_some_and(|along| *along < 0.0);
-        // Where nothing turns its sign the nodes of the panel themselves make its energy.
+        // Without a change of sign the nodes of the panel give its energy directly.
         let plain = along.iter().all(|along| *along >= 0.0)
             || (along.iter().all(|along| *along < 0.0) && panel.nodes.iter().all(|node| power.with(node, true) < 0.0));
         let mut walk = Walk { course, parts, peak, from: 0.0, driven };
@@ -99,7 +100,7 @@ impl<'a, 'p> Walk<'a, 'p> {
         }
     }
 
-    /// From one node to the next: share, instant and torque in the direction of the motion of either.
+    /// Walks from one node to the next: position, instant and torque in the direction of the motion of both.
     fn gap(&mut self, place: usize, (from, first, a): (f64, &Node, f64), (to, last, b): (f64, &Node, f64)) {
         let power = |node: &Node| self.course.power.with(node, true);
         if a * b < 0.0 {
@@ -115,14 +116,14 @@ impl<'a, 'p> Walk<'a, 'p> {
         }
     }
 
-    /// From one instant to another with one sign of the torque, with the power if the load drives; the number of the gap if
-    /// it is a whole one.
+    /// Walks from one instant to another with one sign of the torque, with the power for a driving load; `gap` is the
+    /// index of a complete gap.
     fn stretch(&mut self, (from, a): (f64, f64), (to, b): (f64, f64), gap: Option<usize>, driven: bool) {
         if driven != self.driven {
             self.close(from);
             self.driven = driven;
         }
-        // Where the load does not drive current and speed have one direction, and nothing comes back.
+        // If the load does not drive, current and speed have one direction, and no power is regenerated.
         if !driven {
             return;
         }
@@ -133,8 +134,8 @@ impl<'a, 'p> Walk<'a, 'p> {
             let zero = root(at, (from, a), (to, b), close);
             self.close(zero);
         } else {
-            // Between two ends of one sign the power may have the other one: looked for half-way, else at the vertex of the
-            // parabola through the three.
+            // Between two ends of one sign the power may have the other one: evaluated half-way, else at the vertex of
+            // the parabola through the three.
             let low = gap.map_or_else(|| at(middle), |place| self.course.middle(place, true));
             let towards = |s: f64, value: f64| (s, -a.signum() * value);
             let turned = Some((middle, low)).filter(|(_, value)| a * value < 0.0).or_else(|| {
@@ -148,7 +149,7 @@ impl<'a, 'p> Walk<'a, 'p> {
         }
     }
 
-    /// The part up to an instant.
+    /// Closes the part at an instant.
     fn close(&mut self, to: f64) {
         let (from, length) = (self.from, to - self.from);
         self.from = to;
@@ -175,7 +176,7 @@ impl<'a, 'p> Walk<'a, 'p> {
         }
     }
 
-    /// A part of some length by the power at the nodes of a rule.
+    /// Adds a part of some length by the power at the nodes of a rule.
     fn part(&mut self, (from, length): (f64, f64), rule: &[(f64, f64)], powers: impl Iterator<Item = f64>) {
         let mut back = [(0.0, 0.0); MOST];
         let mut taken = 0.0;
@@ -189,14 +190,14 @@ impl<'a, 'p> Walk<'a, 'p> {
         }
     }
 
-    /// Whether the bounds of the panel leave room for more than the largest power given back so far.
+    /// Returns `true` if the bounds of the panel allow more than the largest regenerated power so far.
     fn may_be_higher(&self) -> bool {
         let Course { panel, power, .. } = self.course;
         panel.extent().is_none_or(|extent| Returned(power).bound(extent) > self.peak)
     }
 
-    /// The largest power given back in a part: at one of the instants that are known, or where a parabola through it and its
-    /// neighbours is highest, found anew from the instants that are there.
+    /// Updates the largest regenerated power of a part: at one of the known instants, or at the vertex of a parabola
+    /// through it and its neighbours, recomputed from the nodes.
     fn look(&mut self, points: &[(f64, f64)]) {
         let Course { panel, power, .. } = self.course;
         let back = |s: f64| -power.with(&panel.at(s), self.driven);

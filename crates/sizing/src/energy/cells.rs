@@ -1,17 +1,18 @@
-//! Power over the cells of a recording, as wholes where torque and power keep their sign all through them.
+//! Power over the cells of a recording, as a whole if torque and power keep their sign in them.
 
 use super::{Balance, CyclePower, Passed};
 use crate::currents::SPEED;
 use trace::{Cell, Inside, Strip};
 
-/// Cells serve where they leave at most this part of the intervals to be passed one by one.
+/// Divisor of the number of intervals: cells are used if they leave at most this part to be evaluated one by one.
 const WORTHWHILE: usize = 16;
 
-/// Power of the cells of a recording: where torque and power keep their sign all through a cell its sums serve.
+/// Power of the cells of a recording: if torque and power keep their sign in a cell, its sums are used.
 pub(super) struct CellPower<'a> {
     power: &'a CyclePower<'a>,
     strip: &'a Strip,
-    /// Weights of torque, current driving, current driven and speed, in the signals of the cells.
+    /// Weights of torque, current in motor operation, current with a driving load and speed, in the signals of the
+    /// cells.
     torque: [f64; 4],
     driving: [f64; 4],
     driven: [f64; 4],
@@ -30,7 +31,7 @@ impl<'a> CellPower<'a> {
         }
     }
 
-    /// ∫P dt over a cell in which torque and power keep their sign \[J\].
+    /// Returns ∫P dt over a cell in which torque and power keep their sign \[J\].
     fn of_one_sign(&self, cell: &Cell) -> Option<f64> {
         let (low, high) = cell.extent.range(self.torque);
         let (back, forth) = cell.extent.direction;
@@ -52,8 +53,8 @@ impl<'a> CellPower<'a> {
         one_sign.then(|| self.energy(cell, self.driven))
     }
 
-    /// Whether the cells leave few intervals to be passed one by one; else all of them are passed more quickly in the order
-    /// of time, as they lie in the memory.
+    /// Returns `true` if the cells leave few intervals to be evaluated one by one; otherwise evaluating all of them in
+    /// the order of time, as they are stored, is faster.
     pub(super) fn serve(&self) -> bool {
         let mut left = self.strip.intervals() / WORTHWHILE;
         self.strip.root().is_some_and(|root| self.leaves_at_most(root, &mut left))
@@ -90,7 +91,7 @@ impl<'a> CellPower<'a> {
         }
     }
 
-    /// ∫P dt with one sign of the torque \[J\]
+    /// Returns ∫P dt with one sign of the torque \[J\].
     fn energy(&self, cell: &Cell, current: [f64; 4]) -> f64 {
         let (r, k) = self.power.constants();
         self.strip.stretch() * (r * cell.gram.square(current) + k * cell.gram.product(current, self.speed))

@@ -1,28 +1,28 @@
-//! Power over straight intervals of a recording, several side by side: what [`CyclePower::gap`] finds of one, without a
-//! branch.
+//! Power over straight intervals of a recording, four at a time: the result of [`CyclePower::gap`] for each, without
+//! branches.
 
 use super::{Bank, CyclePower};
 use trace::Ramps;
 use wide::f64x4;
 
-/// The same in all lanes.
+/// Returns a value in all lanes.
 const fn all(value: f64) -> f64x4 {
     f64x4::new([value; 4])
 }
 
-/// A signal that is a straight line over an interval: at its beginning and at its end.
+/// A signal that is linear over an interval: its values at the beginning and at the end.
 type Line = [f64x4; 2];
 
-/// A part of an interval, from one share of it to another; an empty one ends where it begins, or before.
+/// A part of an interval, between two shares of it; an empty one ends at its beginning, or before.
 type Part = [f64x4; 2];
 
-/// a f + b g
+/// Returns a f + b g.
 #[inline]
 fn sum((a, [f0, f1]): (f64x4, Line), (b, [g0, g1]): (f64x4, Line)) -> Line {
     [a * f0 + b * g0, a * f1 + b * g1]
 }
 
-/// The part in which a line lies below zero: its length is what of |f_0| + |f_1| is below.
+/// Returns the part in which a line lies below zero: its length is the share of |f_0| + |f_1| that is below.
 #[inline]
 fn below([f0, f1]: Line) -> Part {
     let under = f0.fast_min(f64x4::ZERO) + f1.fast_min(f64x4::ZERO);
@@ -31,7 +31,7 @@ fn below([f0, f1]: Line) -> Part {
     [from, from + length]
 }
 
-/// What two parts have in common.
+/// Returns the intersection of two parts.
 #[inline]
 fn common([a, b]: Part, [c, d]: Part) -> Part {
     [a.fast_max(c), b.fast_min(d)]
@@ -42,7 +42,8 @@ fn at([f0, f1]: Line, share: f64x4) -> f64x4 {
     f0 + (f1 - f0) * share
 }
 
-/// ∫f g over a part of the interval, whose duration is one: by its middle and what the product bends beside it.
+/// Returns ∫f g over a part of the interval, whose duration is one: the value at its middle plus the curvature of the
+/// product.
 #[inline]
 fn product(f: Line, g: Line, [from, to]: Part) -> f64x4 {
     let (length, middle) = ((to - from).fast_max(f64x4::ZERO), (from + to) * all(0.5));
@@ -50,10 +51,10 @@ fn product(f: Line, g: Line, [from, to]: Part) -> f64x4 {
     length * (at(f, middle) * at(g, middle) + bend * length * length * all(1.0 / 12.0))
 }
 
-/// A power that is summed up over straight intervals.
+/// Power summed over straight intervals.
 ///
-/// P = I V with V = 1.5 R I + k_TM i ω: of two straight lines, so the parts of its sign end at their zeros. Counted in the
-/// direction of the motion power comes back where the load drives, I is below zero and V above.
+/// P = I V with V = 1.5 R I + k_TM i ω: a product of two lines, so the parts of one sign end at their zeros. In the
+/// direction of the motion, power is regenerated if the load drives, I is below zero and V above.
 pub(super) struct Sweep {
     inertia: f64x4,
     /// Factor of the torque in the current while the load does not drive, and while it does [A/Nm].
@@ -67,10 +68,10 @@ pub(super) struct Sweep {
     constant: f64,
 }
 
-/// What some intervals add to a balance.
+/// Contribution of some intervals to a balance.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(super) struct Added {
-    /// ∫(P − P_0) dt where P_0 is the power if nowhere the load drove \[J\].
+    /// ∫(P − P_0) dt with P_0 the power without a driving load \[J\].
     pub(super) beside: f64,
     /// −∫P dt where P < 0 \[J\]
     pub(super) back: f64,
@@ -86,8 +87,8 @@ impl Sweep {
         Self { inertia, per_torque: [driving, driven], starting, per_speed, copper, constant }
     }
 
-    /// Passes some intervals. The largest regenerated power is computed on request; a bank takes the parts of each
-    /// interval in their order.
+    /// Evaluates some intervals. The largest regenerated power is computed on request; a bank receives the parts of
+    /// each interval in their order.
     pub(super) fn pass(&self, ramps: &[Ramps], with_peak: bool, bank: Option<&mut Bank>) -> Added {
         match (bank, with_peak) {
             (None, false) => self.each::<false>(ramps, None),
@@ -107,12 +108,12 @@ impl Sweep {
         Added { beside: beside.reduce_add(), back: back.reduce_add(), peak }
     }
 
-    /// What four of them add.
+    /// Returns the contribution of four intervals.
     #[inline]
     fn four<const PEAK: bool>(&self, ramps: &Ramps, bank: Option<&mut Bank>) -> [f64x4; 3] {
         let duration = f64x4::new(ramps.duration_s);
         let own = self.inertia * f64x4::new(ramps.acceleration_rad_s2);
-        // Torque, speed and current count in the direction of the motion; the power of two of them is the same.
+        // Torque, speed and current are taken in the direction of the motion; the power of two of them is the same.
         let sign = all(if ramps.direction < 0.0 { -1.0 } else { 1.0 });
         let torque = ramps.load_nm.map(|load| sign * (own + f64x4::new(load)));
         let speed = ramps.speed_rad_s.map(|speed| sign * f64x4::new(speed));
@@ -124,7 +125,8 @@ impl Sweep {
             let current = sum((all(factor), torque), (f64x4::ONE, friction));
             (current, sum((all(r), current), (all(k), speed)))
         };
-        // The load drives before the zero of the torque, behind it, all through or nowhere; at rest nothing does.
+        // The load drives before the zero of the torque, behind it, in the whole interval or not at all; at rest it
+        // does not.
         let braking = if ramps.direction == 0.0 { [f64x4::ONE; 2] } else { below(torque) };
         // With the factors a where it does and b elsewhere P − P_0 = (a − b) T (1.5 R ((a + b) T + 2 I_f) + k_TM i ω).
         let per_speed = all((driven - driving) * (2.0 * r * self.per_speed + k));
@@ -140,7 +142,7 @@ impl Sweep {
         let comes = to.simd_gt(from);
         let mut peak = f64x4::ZERO;
         if PEAK {
-            // The vertex of P lies half-way between the zeros; of a line there is none, and an end has the largest.
+            // The vertex of P lies half-way between the zeros; a line has none, and its largest value is at an end.
             let root = |[f0, f1]: Line| f0 / (f0 - f1);
             let bends = ((current[1] - current[0]) * (voltage[1] - voltage[0])).simd_ne(f64x4::ZERO);
             let vertex = bends.select(all(0.5) * (root(current) + root(voltage)), from).fast_max(from).fast_min(to);
@@ -173,7 +175,7 @@ mod tests {
     const CONSTANT: f64 = 14.0;
     const STARTING: f64 = 0.21;
     const PER_SPEED: f64 = 0.05;
-    /// Less is passed on while the load drives.
+    /// A driving load passes less torque on.
     const PER_TORQUE: [f64; 2] = [0.08, 0.05];
     const INERTIA: f64 = 0.3;
 
@@ -189,7 +191,8 @@ mod tests {
         }
     }
 
-    /// The instants of an interval, divided as finely as required: ∫(P − P_0) dt, −∫P dt where P < 0, the largest −P.
+    /// Evaluates the instants of an interval with the required resolution: ∫(P − P_0) dt, −∫P dt where P < 0, the
+    /// largest −P.
     fn brute(ramps: &Ramps, lane: usize, steps: u32, bank: &mut Bank) -> [f64; 3] {
         let (sigma, h) = (ramps.direction, ramps.duration_s[lane]);
         let step = h / f64::from(steps);
@@ -213,7 +216,7 @@ mod tests {
         found
     }
 
-    /// Every way in which torque and power may turn their sign within an interval, forwards, backwards and at rest.
+    /// Compares every order of sign changes of torque and power within an interval, forwards, backwards and at rest.
     #[test]
     fn intervals_side_by_side_are_those_taken_apart() {
         let torques: [f64; 9] = [-60.0, -12.0, -3.0, -0.4, 0.0, 0.4, 3.0, 12.0, 60.0];

@@ -8,36 +8,38 @@ use numeric::{highest, lobatto, roots};
 use quantities::{Force, Length, Measure, Time, Torque};
 use trace::kink_passes;
 
-/// A panel covers at most this angle of the load, less where the mechanism is not smooth over it: sixteen nodes integrate powers
-/// of what turns once a revolution to near the last bit.
+/// Largest angle of the load in a panel, less if the mechanism is not smooth over it: sixteen nodes integrate powers of
+/// a quantity with the period of a revolution to almost the last bit.
 const PANEL_ANGLE: f64 = std::f64::consts::FRAC_PI_6;
 
-/// A panel covers at most this phase of the harmonic of its law.
+/// Largest phase of the harmonic of its law in a panel.
 const PANEL_PHASE: f64 = std::f64::consts::FRAC_PI_4;
 
-/// So many panels of one piece at most, two thousand revolutions at changing speed. Beyond, a panel grows: up to a whole revolution
-/// sixteen nodes still integrate to 10⁻⁶, over several they are samples of what repeats, whose mean errs by some 10⁻³.
+/// Largest number of fine panels of one piece, two thousand revolutions at changing speed. Beyond, panels grow: up to a
+/// whole revolution sixteen nodes still integrate to 10⁻⁶, over several they are samples of a periodic quantity, whose
+/// mean has an error of some 10⁻³.
 const PANELS_FINE: f64 = 24_000.0;
 
-/// Maximum number of panels of one piece where the loads do not depend on the position or are a polynomial of it.
+/// Largest number of panels of one piece if the loads do not depend on the position or are a polynomial of it.
 const PANELS_OF_A_LAW: f64 = 64.0;
 
-/// So many panels of the intervals of a recording at most, beside one for each interval; beyond, they grow likewise.
+/// Largest number of panels of the intervals of a recording, in addition to one for each interval; beyond, they grow
+/// likewise.
 const PANELS_RECORDED: f64 = 200_000.0;
 
-/// Nodes of a panel.
+/// Number of nodes of a panel.
 pub(super) const NODES: usize = 16;
 
-/// An interval of a recording over which the load turns by less takes three nodes: Simpson's rule errs by less than 10⁻⁷.
+/// Angle of an interval of a recording below which three nodes suffice: the error of Simpson's rule is less than 10⁻⁷.
 const INTERVAL_ANGLE: f64 = 0.05;
 
-/// So many intervals of a recording are shown at most.
+/// Largest number of displayed intervals of a recording.
 const SAMPLES_SHOWN: usize = 20_000;
 
-/// To so much of it a largest value between two nodes is found.
+/// Relative tolerance of the search for a maximum between two nodes.
 const CLOSE: f64 = 1e-12;
 
-/// Averages under way: ∫|ω| x^B dt.
+/// Sums of the averages: ∫|ω| x^B dt.
 #[derive(Clone, Copy, Debug, Default)]
 struct Sums {
     travelled: f64,
@@ -55,7 +57,7 @@ pub(super) struct Walk<'a> {
     loads: CycleLoads,
     sums: Sums,
     pub(super) samples: Option<Vec<FlangeSample>>,
-    /// Whether neither moment nor averages are found.
+    /// Moment and averages are not computed.
     only_forces: bool,
 }
 
@@ -83,7 +85,7 @@ impl<'a> Walk<'a> {
         }
     }
 
-    /// The same without moments and averages.
+    /// Disables moments and averages.
     pub(super) fn only_forces(self) -> Self {
         Self { only_forces: true, ..self }
     }
@@ -122,7 +124,7 @@ impl<'a> Walk<'a> {
         }
     }
 
-    /// x^B; for the exponents of both types of bearing without logarithms.
+    /// Returns x^B; for the exponents of both types of bearing without logarithms.
     fn power(&self, x: f64) -> f64 {
         if self.exponent == 3.0 {
             x * x * x
@@ -146,7 +148,7 @@ impl<'a> Walk<'a> {
         ([forces.radial() + radial, forces.axial() + axial, moment + by_radial + by_axial], moment)
     }
 
-    /// What the user states for a segment: F_r, F_a, F_r (L_r + R), F_a L_a.
+    /// Returns the stated loads of a segment: F_r, F_a, F_r (L_r + R), F_a L_a.
     fn stated(&self, segment: usize) -> [f64; 4] {
         self.duty.loads.get(segment).map_or([0.0; 4], |load| {
             let (radial, axial) = (load.radial_force.si(), load.axial_force.si());
@@ -195,7 +197,7 @@ impl<'a> Walk<'a> {
         }
     }
 
-    /// Duration of one revolution of the load at the speed of the piece \[s\].
+    /// Returns the duration of one revolution of the load at the speed of the piece \[s\].
     pub(super) fn turn_s(&self, piece: &Piece) -> f64 {
         std::f64::consts::TAU * self.axis.mechanism.stage_ratio() / piece.speed_rad_s.abs()
     }
@@ -220,7 +222,7 @@ impl<'a> Walk<'a> {
         self.stretch(piece, rest, (1.0, parts_per_s), cuts.iter().map(|cut| cut + whole * turn));
     }
 
-    /// Panels between two instants of a piece, cut at those between them; each counts `times` over.
+    /// Evaluates the panels between two instants of a piece, cut at those between them; each counts `times` over.
     fn stretch(
         &mut self,
         piece: &Piece,
@@ -240,21 +242,22 @@ impl<'a> Walk<'a> {
         }
     }
 
-    /// Number of panels of a piece or a part of it that lasts so long.
+    /// Returns the number of panels of a piece or a part of it by its duration.
     pub(super) fn parts(&self, piece: &Piece, duration: f64) -> f64 {
         let [amplitude, frequency, _] = piece.harmonic;
         let phase = if amplitude == 0.0 { 0.0 } else { frequency * duration / PANEL_PHASE };
         let states = [0.0, 0.25, 0.5, 0.75, 1.0].map(|u| piece.at(u * piece.duration_s));
         let fastest = states.iter().map(|state| state.speed_rad_s.abs()).fold(0.0, f64::max);
         let angle = fastest * duration / self.axis.mechanism.stage_ratio();
-        // What does not depend on the position, or is a polynomial of it, is as smooth as the law, but for the corner where one of
-        // two bounds becomes the larger.
+        // Loads that do not depend on the position, or are a polynomial of it, are as smooth as the law, except for the
+        // corner where the larger of two bounds changes.
         let of_law = (angle / PANEL_ANGLE).min(PANELS_OF_A_LAW);
         let of_position = self.panel_angle(piece).map_or(0.0, |panel| (angle / panel).min(PANELS_FINE));
         phase.max(of_law).max(of_position).max(1.0).ceil()
     }
 
-    /// The angle of the mechanism that one panel covers, where the loads depend on the position and are no polynomial of it.
+    /// Returns the angle of the mechanism in one panel, if the loads depend on the position and are no polynomial of
+    /// it.
     fn panel_angle(&self, piece: &Piece) -> Option<f64> {
         let reversals = piece.reversals();
         let turns = [0.0, piece.duration_s].into_iter().chain(reversals).map(|t| piece.at(t).position_rad);
@@ -280,7 +283,7 @@ impl<'a> Walk<'a> {
         found
     }
 
-    /// Instants inside the piece at which a force along a line changes its sign.
+    /// Returns the instants inside the piece at which a force along a line changes its sign.
     fn switches(&self, piece: &Piece) -> Vec<f64> {
         let none = Extra::none();
         let extra = self.axis.extras.get(piece.segment).unwrap_or(&none);
@@ -311,11 +314,11 @@ impl<'a> Walk<'a> {
         mechanism.efficiency_driving != 1.0 || mechanism.stage.is_some() || !mechanism.kinks().is_empty()
     }
 
-    /// Panels between two instants of a piece that turns one way there; each counts `times` over.
+    /// Evaluates the panels between two instants of a piece with one direction of rotation; each counts `times` over.
     fn panels(&mut self, piece: &Piece, (from, to): (f64, f64), times: f64, count: f64) {
         let sense = piece.at(0.5 * (from + to)).speed_rad_s.signum();
         let length = (to - from) / count.max(1.0);
-        // At a kink or a step of the load each panel takes its own side.
+        // At a kink or a step of the load each panel uses its own side.
         let beside = if self.has_steps() { 1e-9 * (to - from) } else { 0.0 };
         let mut k = 0.0;
         while k < count.max(1.0) {
@@ -334,7 +337,7 @@ impl<'a> Walk<'a> {
         }
     }
 
-    /// Looks between the nodes around an inner largest one, where the parabola through three says that it may pay.
+    /// Searches between the nodes around an inner maximum if the parabola through three nodes indicates a larger value.
     fn peaks_between(&mut self, piece: &Piece, sense: f64, nodes: &[(f64, [f64; 3]); NODES]) {
         for which in 0..3 {
             for trio in nodes.windows(3) {
@@ -360,27 +363,27 @@ impl<'a> Walk<'a> {
         }
     }
 
-    /// The angle by which the mechanism turns in an interval \[rad\].
+    /// Returns the angle by which the mechanism turns in an interval \[rad\].
     fn turned(&self, interval: &motion::Interval) -> f64 {
         let [first, last] = interval.speed_rad_s;
         first.abs().max(last.abs()) * interval.duration_s / self.axis.mechanism.stage_ratio()
     }
 
-    /// The angle that a panel of a recording covers, of which every interval in so many is looked at \[rad\].
+    /// Returns the angle of a panel of a recording, of which one interval in `stride` is evaluated \[rad\].
     pub(super) fn recorded_panel(&self, placed: &motion::Placed, stride: usize) -> f64 {
         let intervals = (0..placed.intervals()).step_by(stride).filter_map(|index| placed.interval(index));
         let all: f64 = intervals.map(|interval| self.turned(&interval) / PANEL_ANGLE).sum();
         PANEL_ANGLE * (all / PANELS_RECORDED).max(1.0)
     }
 
-    /// Nodes of each panel of an interval, and their number.
+    /// Returns the nodes of each panel of an interval, and their number.
     pub(super) fn recorded_nodes(&self, interval: &motion::Interval, panel: f64) -> (usize, f64) {
         let angle = self.turned(interval);
         (if angle < INTERVAL_ANGLE { 3 } else { NODES }, (angle / panel).ceil().max(1.0))
     }
 
     fn recording(&mut self, placed: &motion::Placed) {
-        // A picture of a long recording needs no more instants than that.
+        // A picture of a long recording needs no more instants.
         let stride = if self.samples.is_some() { placed.intervals().div_ceil(SAMPLES_SHOWN).max(1) } else { 1 };
         let panel = self.recorded_panel(placed, stride);
         for interval in (0..placed.intervals()).step_by(stride).filter_map(|index| placed.interval(index)) {

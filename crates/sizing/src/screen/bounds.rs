@@ -1,4 +1,4 @@
-//! Bounds of the utilisation of each check, from few figures of the axis and of four actuators at a time.
+//! Bounds of the utilisation of each check, from few characteristic values of the axis and of four actuators at a time.
 
 use super::catalogue::Four;
 use super::figures::{Bound, Figures, OfDrive, all, torques};
@@ -6,7 +6,7 @@ use super::losses::{Means, decay_above, decay_below};
 use crate::check::CheckId;
 use wide::f64x4;
 
-/// The checks with bounds, in the order of their places in [`Bounds`].
+/// Checks with bounds, in the order of their bits in [`Bounds`].
 pub(super) const COVERED: [CheckId; COUNT] = [
     CheckId::PeakTorque,
     CheckId::PeakSpeed,
@@ -28,28 +28,28 @@ pub(super) const COVERED: [CheckId; COUNT] = [
 
 const COUNT: usize = 16;
 
-/// So near a limit a bound decides nothing: far above the rounding of the sums.
+/// Distance from a limit within which a bound decides nothing: far above the rounding of the sums.
 pub(super) const ROOM: f64 = 1e-6;
 
-/// Bounds of four actuators. Those below cost as much as those above and are found only where they count.
+/// Bounds of four actuators. The lower ones cost as much as the upper ones and are computed only if they matter.
 #[derive(Clone, Debug)]
 pub(super) struct Bounds {
-    /// Above the first something fails, below the second it does not.
+    /// Limits of the bounds: above the first a check fails, below the second it does not.
     limits: [f64x4; 2],
     room: f64,
     is_elsewhere: [bool; 4],
     is_unknown: [bool; 4],
     has_low: bool,
-    /// Whether it fails for sure.
+    /// Mask of the actuators that certainly fail.
     fails: f64x4,
-    /// Bit k: whether the check at place k is decided by itself only.
+    /// Bit k: the check at place k is decided only by the check itself.
     open: f64x4,
-    /// Bit k: whether the check at place k may be beyond its limit, if only within the band of an estimate.
+    /// Bit k: the check at place k may exceed its limit, at least within the band of an estimate.
     near: f64x4,
-    /// Below the utilisation of what fails for sure.
+    /// Lower bound of the utilisation of certainly failing checks.
     least_failing: f64x4,
     least: f64x4,
-    /// Above the utilisation of each check.
+    /// Upper bound of the utilisation of each check.
     high: [f64x4; COUNT],
     /// Mean of (J α + T_L)².
     square: f64x4,
@@ -57,7 +57,7 @@ pub(super) struct Bounds {
     constant: [f64x4; 2],
 }
 
-/// The bounds of one actuator.
+/// Bounds of one actuator.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct BoundsOfOne<'b> {
     of: &'b Bounds,
@@ -73,47 +73,48 @@ impl BoundsOfOne<'_> {
         all.get(self.place).copied().unwrap_or(true)
     }
 
-    /// Whether nothing is known: then the actuator is judged.
+    /// Returns `true` if no bounds are known: then the actuator is judged.
     pub(super) fn is_unknown(&self) -> bool {
         self.is(&self.of.is_unknown)
     }
 
-    /// Whether it fails for sure.
+    /// Returns `true` if it certainly fails.
     pub(super) fn fails(&self) -> bool {
         !self.is_unknown() && (self.is(&self.of.is_elsewhere) || self.own(&self.of.fails).to_bits() != 0)
     }
 
-    /// Whether it fails where neither load nor pace matter.
+    /// Returns `true` if it fails by a check that depends neither on load nor on pace.
     pub(super) fn is_of_another_place(&self) -> bool {
         !self.is_unknown() && self.is(&self.of.is_elsewhere)
     }
 
-    /// At most its utilisation.
+    /// Returns a lower bound of its utilisation.
     pub(super) fn least(&self) -> f64 {
         self.own(&self.of.least) * (1.0 - self.of.room)
     }
 
-    /// At most the utilisation of its governing check where it fails.
+    /// Returns a lower bound of the utilisation of its governing check if it fails.
     pub(super) fn least_failing(&self) -> f64 {
         self.own(&self.of.least_failing) * (1.0 - self.of.room)
     }
 
-    /// Returns `true` if a limit is exceeded for sure, if only within the band of an estimate.
+    /// Returns `true` if a limit is certainly exceeded, at least within the band of an estimate.
     pub(super) fn is_beyond_a_limit(&self) -> bool {
         self.of.has_low && self.least() > 1.0 + ROOM
     }
 
-    /// The checks that may be beyond their limit, if only within the band of an estimate; those left open among them.
+    /// Returns the checks that may exceed their limit, at least within the band of an estimate; including undecided
+    /// ones.
     pub(super) fn near(&self) -> Ids {
         Ids(self.own(&self.of.near).to_bits() | self.open().0)
     }
 
-    /// The checks that its bounds leave open.
+    /// Returns the checks that its bounds do not decide.
     pub(super) fn open(&self) -> Ids {
         Ids(self.own(&self.of.open).to_bits())
     }
 
-    /// The checks whose utilisation may be the largest.
+    /// Returns the checks whose utilisation may be the largest.
     pub(super) fn contenders(&self) -> Ids {
         let least = self.least();
         let may_be = |high: &f64x4| self.own(high) * (1.0 + self.of.room) >= least;
@@ -123,12 +124,12 @@ impl BoundsOfOne<'_> {
 }
 
 impl Bounds {
-    /// Of one of the four.
+    /// Returns the bounds of one of the four.
     pub(super) const fn of_one(&self, place: usize) -> BoundsOfOne<'_> {
         BoundsOfOne { of: self, place }
     }
 
-    /// Nothing is known.
+    /// Bounds without information.
     pub(super) const UNKNOWN: Self = Self {
         limits: [f64x4::ONE; 2],
         room: ROOM,
@@ -145,7 +146,7 @@ impl Bounds {
         constant: [f64x4::ZERO; 2],
     };
 
-    /// Takes those above, and where these leave something open those below.
+    /// Updates the upper bounds and, if they leave checks undecided, the lower bounds.
     pub(super) fn look(&mut self, figures: &Figures, four: &Four) {
         let of_drives = four.drives.map(|drive| figures.of_drive(drive));
         let above = f64x4::from(of_drives.map(|of_drive| of_drive.above));
@@ -167,32 +168,34 @@ impl Bounds {
         }
     }
 
-    /// A check whose utilisation is below this.
+    /// Records an upper bound of the utilisation of a check.
     #[inline]
     fn below(&mut self, at: usize, high: f64x4) {
         self.below_beside(at, high, high);
     }
 
-    /// A check whose utilisation is below the first, and its value by the edge above which it fails below the second.
+    /// Records an upper bound of the utilisation of a check, and one of its value relative to the edge above which it
+    /// fails.
     #[inline]
     fn below_beside(&mut self, at: usize, high: f64x4, most: f64x4) {
         if let Some(known) = self.high.get_mut(at) {
             *known = high;
         }
         let [_, below] = self.limits;
-        // Not a number is open too.
+        // NaN leaves the check undecided.
         let bit = all(f64::from_bits(1 << at));
         self.open |= !most.simd_lt(below) & bit;
         self.near |= !high.simd_lt(below) & bit;
     }
 
-    /// A check whose utilisation is above this.
+    /// Records a lower bound of the utilisation of a check.
     #[inline]
     fn above(&mut self, low: f64x4) {
         self.above_beside(low, low);
     }
 
-    /// The same, and its value by the edge above which it fails above the second.
+    /// Records a lower bound of the utilisation of a check, and one of its value relative to the edge above which it
+    /// fails.
     #[inline]
     fn above_beside(&mut self, low: f64x4, sure: f64x4) {
         let [above, _] = self.limits;
@@ -202,7 +205,7 @@ impl Bounds {
         self.fails |= fails;
     }
 
-    /// A check whose utilisation is known.
+    /// Records the known utilisation of a check.
     fn known(&mut self, at: usize, share: f64x4) {
         self.known_beside(at, [share; 2]);
     }
@@ -230,7 +233,7 @@ impl Bounds {
         self.heat_above(figures, four, of_drives);
     }
 
-    /// What is below the utilisations, unless it is known already.
+    /// Computes the lower bounds of the utilisations, unless they are known.
     pub(super) fn look_below(&mut self, figures: &Figures, four: &Four) {
         if self.has_low {
             return;
@@ -248,7 +251,7 @@ impl Bounds {
         self.above_beside(rise * share, rise * sure);
     }
 
-    /// What the screws bear.
+    /// Bounds the utilisation of the screws.
     fn joints(&mut self, figures: &Figures, four: &Four) {
         let load = all(figures.load_peak) * four.per_transmissible_load;
         self.above(load);
@@ -268,7 +271,7 @@ impl Bounds {
         for Bound { extent, .. } in &figures.bounds {
             let (least, most) = torques(extent, four.inertia);
             let ((back, forth), (slowest, fastest)) = (extent.direction, extent.speeds_rad_s);
-            // Of any friction between both, a sum of parts with the sign of the motion.
+            // For any friction between both, a sum of parts with the sign of the motion.
             let of = |direction: f64, speed: f64| {
                 let of = |counted: f64x4, constant: f64x4| all(direction) * counted + all(speed) * constant;
                 (of(cold, cold_k), of(warm, warm_k))
@@ -298,7 +301,7 @@ impl Bounds {
             let (s, w) = (all(*s), all(w.abs()));
             let most = cold + cold_k * w;
             low = low.fast_max((torque + s * most).abs());
-            // Of any friction between both.
+            // For any friction between both.
             let [least, most] = [warm + warm_k * w, most].map(|friction| s.abs() * friction);
             let braking = (torque * s).simd_lt(f64x4::ZERO);
             let magnitude = torque.abs();
@@ -315,8 +318,8 @@ impl Bounds {
         let ([warm_starting, warm, warm_k], [cool_starting, cool, cool_k]) = (four.warm_air, four.at_ambient);
         let coil = four.coil_w * all(figures.open_share);
         let [_, r_ha] = four.resistances;
-        // The losses fall as the housing warms: then two temperatures of which each is that of the losses of the other one
-        // hold the settled one between them.
+        // The losses fall as the housing warms: two temperatures, each resulting from the losses at the other, then
+        // enclose the settled one.
         let falls = four.is_steady & means.by_constant(four, warm, warm_k).simd_ge(f64x4::ZERO);
         let [least_k, most_k] = if falls.any() {
             let exponent = |constant: f64x4| {
@@ -346,7 +349,7 @@ impl Bounds {
         self.below(12, square * four.per_stalled * of_drive(|drive| drive.swing));
     }
 
-    /// Below the largest rise of the winding: its mean \[K\].
+    /// Returns a lower bound of the largest rise of the winding: its mean \[K\].
     fn rise_below(&self, figures: &Figures, four: &Four) -> f64x4 {
         let means = Means::of(figures, four, self.square);
         let ([starting, counted, _], [least_k, most_k]) = (four.warm_air, self.constant);
@@ -358,7 +361,8 @@ impl Bounds {
     }
 }
 
-/// The friction of the settled cycle is known to this share: the root of its equation is found to 10⁻¹⁰ of the temperature.
+/// Relative accuracy of the friction of the settled cycle: the root of its equation is found to 10⁻¹⁰ of the
+/// temperature.
 const SETTLED: f64 = 1e-7;
 
 /// Some of the covered checks.

@@ -1,4 +1,4 @@
-//! What of the actuators is the same for every axis, and what is the same for axes at one place.
+//! Data of the actuators that are equal for every axis, and for axes with equal ambient temperature and supply.
 
 use super::figures::all;
 use crate::axis::Axis;
@@ -11,25 +11,25 @@ use quantities::{AngularVelocity, ElectricPotential, Measure, ThermodynamicTempe
 use std::sync::Arc;
 use wide::f64x4;
 
-/// An actuator that is ranked.
+/// An actuator to be ranked.
 #[derive(Clone, Copy, Debug)]
 pub struct Entrant<'p> {
-    /// Its data.
+    /// Parameters.
     pub parameters: &'p Parameters,
-    /// Its frame size.
+    /// Frame size.
     pub size: u16,
-    /// Its mass in kilograms; infinite if not known.
+    /// Mass \[kg\]; infinite if unknown.
     pub mass_kg: f64,
 }
 
 /// Actuators that are ranked for many axes.
 pub struct Screen {
     drives: Vec<Option<Drive>>,
-    /// Different output bearings.
+    /// Number of different output bearings.
     pub(super) bearings: usize,
-    /// Those that differ in their feedback alone are one group.
+    /// Groups of actuators that differ in their feedback alone.
     groups: Vec<Group>,
-    /// Each by itself, for axes that limit what the feedback gives.
+    /// Groups of one actuator each, for axes that limit the feedback.
     singles: Vec<Group>,
 }
 
@@ -40,12 +40,12 @@ pub(super) struct Member {
     pub(super) mass_kg: f64,
 }
 
-/// Actuators with the same answers to every check.
+/// Actuators with equal answers to every check.
 pub(super) struct Group {
     pub(super) representative: Parameters,
     pub(super) members: Vec<Member>,
     pub(super) size: u16,
-    /// Its place among the drivetrains, and that of its output bearing among the bearings.
+    /// Index of its drivetrain; then that of its output bearing.
     pub(super) drive: usize,
     pub(super) bearing: usize,
     /// J_out \[kgm²\]
@@ -54,7 +54,7 @@ pub(super) struct Group {
     pub(super) coil_w: f64,
 }
 
-/// What a drivetrain is for every axis.
+/// Data of a drivetrain that are equal for every axis.
 pub(super) struct Drive {
     pub(super) drivetrain: Arc<Drivetrain>,
     pub(super) heat: HeatModel,
@@ -71,11 +71,11 @@ pub(super) struct Drive {
     /// I_max, I_E \[A\]
     pub(super) current_max: Option<f64>,
     pub(super) current_demagnetisation: Option<f64>,
-    /// Whether a published short-time curve may permit more than I_max.
+    /// A published short-time curve may permit more than I_max.
     pub(super) has_short_time_curve: bool,
-    /// Whether published curves scale the model of heat.
+    /// Published curves scale the model of heat.
     pub(super) has_curves: bool,
-    /// What it says of them, where all are published.
+    /// Result of the model on the published curves, if all of them are published.
     pub(super) published: Option<Published>,
     /// I_0 \[A\]
     pub(super) stall_current: f64,
@@ -83,10 +83,10 @@ pub(super) struct Drive {
     pub(super) average_torque_max: Option<Rating>,
     /// n_in,av [rad/s]
     pub(super) input_speed_mean_max: Option<Rating>,
-    /// What the screws transmit \[Nm\].
+    /// Torque that the screws transmit \[Nm\].
     pub(super) transmissible_load: Option<f64>,
     pub(super) transmissible_housing: Option<f64>,
-    /// Ambient temperature in operation \[K\], U_DCmax \[V\]
+    /// Permissible ambient temperature in operation \[K\], U_DCmax \[V\]
     pub(super) ambient_range: Option<(f64, f64)>,
     pub(super) dc_link_max: Option<f64>,
     pub(super) continuous: Continuous,
@@ -107,27 +107,27 @@ impl Rating {
     }
 }
 
-/// Least and largest rise of the winding that the model finds on published curves, as shares of the permitted rise.
+/// Least and largest rise of the winding that the model gives on published curves, as shares of the permissible rise.
 pub(super) struct Published {
-    /// On the continuous curve, on those of half and of a quarter duty.
+    /// Range on the continuous curve; then those on the curves of half and of a quarter duty.
     continuous: [f64; 2],
     half: [f64; 2],
     quarter: [f64; 2],
 }
 
-/// Steps of the speed at which the model is compared with published curves.
+/// Number of speed steps at which the model is compared with published curves.
 const PUBLISHED_STEPS: u32 = 256;
 
 impl Published {
-    /// Of the speeds between two steps nothing is proven; the range is wider by the largest change of a step, assumed, since
-    /// curves and model are smooth between corners.
+    /// Computes the ranges. For speeds between two steps there is no proof: the range is widened by the largest change
+    /// of a step, an assumption, since curves and model are smooth between corners.
     fn of(drivetrain: &Drivetrain, heat: &HeatModel) -> Option<Self> {
         let [half, quarter] = &drivetrain.s3_curves;
         let curves = [drivetrain.continuous_curve.known()?, half.known()?, quarter.known()?];
         let end = curves.iter().filter_map(|curve| curve.value.points().last()).map(|end| end.speed.si());
         let step = end.fold(0.0, f64::max) / f64::from(PUBLISHED_STEPS);
         let range = |duty: f64| {
-            // Beyond its end a curve counts as at it.
+            // Beyond its end a curve has the value of its end.
             let at = |place: u32| {
                 let speed = AngularVelocity::from_si(step * f64::from(place) * duty);
                 Some(actuator::published_duty(drivetrain, heat, duty, speed)?.rise_share)
@@ -141,29 +141,31 @@ impl Published {
         Some(Self { continuous: range(1.0)?, half: range(0.5)?, quarter: range(0.25)? })
     }
 
-    /// Bounds of the rise at a duty factor: between the curves next to it.
+    /// Returns bounds of the rise at a duty factor: between the curves next to it.
     pub(super) fn rise_shares(&self, duty: f64) -> [f64; 2] {
         let ([a, b], [c, d]) = if duty > 0.5 { (self.continuous, self.half) } else { (self.half, self.quarter) };
         [a.min(c), b.max(d)]
     }
 }
 
-/// Continuous torque over the mean speed: lower edge and upper edge at equal steps of the speed up to n_N/i, both falling.
+/// Continuous torque over the mean speed: lower edge and upper edge at equal steps of the speed up to n_N/i, both
+/// falling.
 pub(super) struct Continuous {
     step: f64,
     edges: Vec<[f64; 2]>,
-    /// By this share a value between two steps may lie beside them: none where the fall is proven.
+    /// Share by which a value between two steps may lie outside of them: zero if the fall is proven.
     beside: f64,
 }
 
 /// Steps of the speed.
 const STEPS: u32 = 512;
 
-/// What falls at every step and is not proven to fall between them may lie so much beside; assumed, since it is smooth.
+/// Share by which a value may lie outside of two steps between which the fall is not proven; assumed, since the curve
+/// is smooth.
 const BESIDE: f64 = 1e-3;
 
 impl Continuous {
-    /// `None` where they do not fall.
+    /// Returns `None` if the edges do not fall.
     fn of(drivetrain: &Drivetrain, heat: &HeatModel, rated: f64) -> Option<Self> {
         let (end, is_proven) = match drivetrain.continuous_curve.known() {
             Some(curve) => {
@@ -185,13 +187,13 @@ impl Continuous {
         falls.then_some(Self { step, edges, beside: if is_proven { 0.0 } else { BESIDE } })
     }
 
-    /// Bounds of the lower edge and of the upper edge at a speed, each the lower one first.
+    /// Returns bounds of the lower edge and of the upper edge at a speed, the lower bound of each first.
     #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a place of the table")]
     pub(super) fn at(&self, speed: f64) -> [[f64; 2]; 2] {
         let last = self.edges.len().saturating_sub(1);
         let place = ((speed / self.step).max(0.0) as usize).min(last);
         let edges = |place: usize| self.edges.get(place.min(last)).copied().unwrap_or([0.0; 2]);
-        // A place further on both sides: the quotient is rounded.
+        // One step further on both sides: the quotient is rounded.
         let ([above, upper_above], [below, upper_below]) = (edges(place.saturating_sub(1)), edges(place + 2));
         let wider = |[low, high]: [f64; 2]| [low * (1.0 - self.beside), high * (1.0 + self.beside)];
         [wider([below, above]), wider([upper_below, upper_above])]
@@ -199,7 +201,7 @@ impl Continuous {
 }
 
 impl Screen {
-    /// The actuators in the order of the catalogue.
+    /// Creates the screen of the actuators in the order of the catalogue.
     #[must_use]
     pub fn of(entrants: &[Entrant<'_>]) -> Self {
         let mut drives: Vec<(&Arc<Drivetrain>, Option<Drive>)> = Vec::new();
@@ -230,7 +232,7 @@ impl Screen {
         Self { drives: drives.into_iter().map(|(_, drive)| drive).collect(), bearings, groups, singles }
     }
 
-    /// The actuators whose answers are the same for an axis.
+    /// Returns the groups of actuators with equal answers for an axis.
     pub(super) fn groups(&self, axis: &Axis) -> &[Group] {
         let limits = |id: &CheckId| id.is_of_the_feedback() && id.is_made(axis) && id.can_fail(axis);
         if CheckId::ALL.iter().any(limits) { &self.singles } else { &self.groups }
@@ -256,7 +258,7 @@ impl Group {
         }
     }
 
-    /// Whether an actuator with the same drivetrain differs in its feedback alone.
+    /// Returns `true` if an actuator with the same drivetrain differs in its feedback alone.
     fn is_like(&self, other: &Parameters) -> bool {
         let own = &self.representative;
         own.inertia_out == other.inertia_out && own.brake == other.brake
@@ -268,7 +270,7 @@ fn si<Q: Measure>(datum: &Datum<Q>) -> Option<f64> {
 }
 
 impl Drive {
-    /// `None` where a datum that most checks need is not known.
+    /// Returns `None` if a datum that most checks need is unknown.
     fn of(drivetrain: &Arc<Drivetrain>) -> Option<Self> {
         let heat = HeatModel::of(drivetrain).ok()?;
         let speed_rated = actuator::speed_rated_out(drivetrain).ok()?.value.si();
@@ -302,7 +304,7 @@ impl Drive {
     }
 }
 
-/// A friction: counted part and growth with the speed, as current \[A\], [A/(rad/s)], and the starting current \[A\].
+/// Friction as current: static part and growth with the speed \[A\], [A/(rad/s)], and the starting current \[A\].
 #[derive(Clone, Copy, Debug, Default)]
 pub(super) struct Friction {
     pub(super) counted: f64,
@@ -316,10 +318,10 @@ impl Friction {
     }
 }
 
-/// What a drivetrain is at one place: ambient temperature and supply.
+/// Data of a drivetrain at one ambient temperature and supply.
 pub(super) struct Place<'p> {
     law: CurrentLaw,
-    /// Friction of a gear as cold as the air, of one as warm as the air of the cycle, and of the warmest.
+    /// Friction of a gear at the ambient temperature of a cold start, of one at that of the cycle, and of the warmest.
     pub(super) cold: Friction,
     pub(super) at_ambient: Friction,
     pub(super) warmest: Friction,
@@ -328,7 +330,7 @@ pub(super) struct Place<'p> {
     pub(super) short_time: Option<ShortTime<'p>>,
 }
 
-/// What the actuators are for axes with the same ambient temperature and supply.
+/// Data of the actuators for axes with equal ambient temperature and supply.
 pub(super) struct Conditions<'p> {
     ambient: Option<ThermodynamicTemperature>,
     pub(super) terminal: Option<ElectricPotential>,
@@ -339,8 +341,8 @@ pub(super) struct Conditions<'p> {
 }
 
 impl Place<'_> {
-    /// The laws of a drivetrain for an axis, as [`Electrics::of`] makes them; `is_limited`: with the continuous torque, which
-    /// only some checks look at.
+    /// Returns the laws of a drivetrain for an axis, as [`Electrics::of`] does; `is_limited`: with the continuous
+    /// torque, which only some checks use.
     pub(super) fn electrics(&self, axis: &Axis, drive: &Drive, is_limited: bool) -> Electrics {
         let missing = Missing { symbol: "U_M" };
         let laws = (Ok(self.law.clone()), Ok(drive.heat), drive.voltage.ok_or(missing));
@@ -378,7 +380,7 @@ impl<'p> Conditions<'p> {
         Self { ambient, terminal, drives, groups, fours, places }
     }
 
-    /// Whether they are those of an axis.
+    /// Returns `true` if they apply to an axis.
     pub(super) fn are_of(&self, screen: &Screen, axis: &Axis) -> bool {
         let bits = |value: Option<f64>| value.map(f64::to_bits);
         bits(self.ambient.map(Measure::si)) == bits(axis.ambient.map(Measure::si))
@@ -386,20 +388,20 @@ impl<'p> Conditions<'p> {
             && std::ptr::eq(self.groups, screen.groups(axis))
     }
 
-    /// Each drivetrain, where enough is known of it.
+    /// Iterates over the drivetrains, with `None` for those with insufficient data.
     pub(super) fn drives(&self) -> impl Iterator<Item = Option<(&'p Drive, &Place<'p>)>> {
         self.drives.iter().zip(&self.places).map(|(drive, place)| drive.as_ref().zip(place.as_ref()))
     }
 
-    /// One of them.
+    /// Returns one drivetrain.
     pub(super) fn drive(&self, place: usize) -> Option<(&'p Drive, &Place<'p>)> {
         self.drives.get(place)?.as_ref().zip(self.places.get(place)?.as_ref())
     }
 }
 
-/// Four groups at one place, each number in the lane of its group; the inverse of a limit that is not known is zero.
+/// Four groups under equal conditions, each number in the lane of its group; the inverse of an unknown limit is zero.
 pub(super) struct Four {
-    /// Places of the drivetrains.
+    /// Indices of the drivetrains.
     pub(super) drives: [usize; 4],
     pub(super) is_unknown: [bool; 4],
     /// J_out and J_out/i \[kgm²\]
@@ -410,25 +412,25 @@ pub(super) struct Four {
     pub(super) per_torque_max: f64x4,
     pub(super) per_speed_max: f64x4,
     pub(super) per_speed_rated: f64x4,
-    /// Of the limit, and of the limit where it rejects.
+    /// Inverse of the limit, and of the limit if it rejects.
     pub(super) per_average_torque_max: [f64x4; 2],
-    /// i over these.
+    /// i over the limit, and over the limit if it rejects.
     pub(super) per_input_speed_mean_max: [f64x4; 2],
     pub(super) per_transmissible_load: f64x4,
     pub(super) per_transmissible_housing: f64x4,
     pub(super) per_current_max: f64x4,
     pub(super) per_current_demagnetisation: f64x4,
-    /// One, or zero where a published short-time curve may permit more than I_max.
+    /// One, or zero if a published short-time curve may permit more than I_max.
     pub(super) without_curve: f64x4,
     /// 1/I_0²
     pub(super) per_stalled: f64x4,
-    /// I_s and K of a gear as cold as the air, and of the warmest.
+    /// I_s and K of a gear at the ambient temperature of a cold start, and of the warmest.
     pub(super) cold: [f64x4; 2],
     pub(super) warmest: [f64x4; 2],
-    /// I_NLS, I_s and K of a gear as warm as the air of the cycle, and of the warmest.
+    /// I_NLS, I_s and K of a gear at the ambient temperature of the cycle, and of the warmest.
     pub(super) at_ambient: [f64x4; 3],
     pub(super) warm_air: [f64x4; 3],
-    /// Whether I_NLS is the same in both, and K falls from one to the other.
+    /// I_NLS is equal in both, and K falls from one to the other.
     pub(super) is_steady: f64x4,
     /// Decay of K \[1/K\]
     pub(super) decay: f64x4,
@@ -437,7 +439,7 @@ pub(super) struct Four {
     /// R_wh, R_ha \[K/W\]
     pub(super) resistances: [f64x4; 2],
     pub(super) coil_w: f64x4,
-    /// One where the voltage is known, and p i, R, L and ψ.
+    /// One if the voltage is known, and p i, R, L and ψ.
     pub(super) has_voltage: f64x4,
     motor: [f64x4; 4],
 }
@@ -506,7 +508,8 @@ impl Four {
         }
     }
 
-    /// No terminal voltage at a speed and a current of at most these magnitudes is above this \[V\], see [`MotorVoltage::most`].
+    /// Returns an upper bound of the terminal voltage at a speed and a current of at most these magnitudes \[V\], see
+    /// [`MotorVoltage::most`].
     pub(super) fn voltage(&self, speed_rad_s: f64, current: f64x4) -> f64x4 {
         let [turns, resistance, inductance, flux] = self.motor;
         let (omega, i_q) = (turns * all(speed_rad_s), current * all(std::f64::consts::SQRT_2));
@@ -515,7 +518,8 @@ impl Four {
     }
 }
 
-/// Bounds of the largest over the mean of a lag of what is nowhere negative, in the steady cycle, and of the least over the mean.
+/// Returns bounds of maximum over mean, and of minimum over mean, of the lag of a nonnegative quantity in the steady
+/// cycle.
 ///
 /// λ/(1 − e^(−λ)) ≤ 1 + λ/2 + λ²/12, and λ less
 ///

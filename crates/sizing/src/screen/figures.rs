@@ -1,4 +1,4 @@
-//! What the bounds need of an axis, and of each drivetrain for it.
+//! Characteristic values of an axis for the bounds, and of each drivetrain for it.
 
 use super::bounds::ROOM;
 use super::catalogue::{Conditions, Drive, Place, swing};
@@ -8,17 +8,18 @@ use quantities::{AngularVelocity, Measure};
 use trace::{Extent, Outline};
 use wide::f64x4;
 
-/// The places of the checks that neither load nor pace can mend.
+/// Bits of the checks that depend neither on load nor on pace.
 const AMBIENT: u64 = 1 << 8;
 const DC_LINK: u64 = 1 << 9;
 
-/// The same where a signal is curved: what lies between its nodes is known to such a share.
+/// Distance from a limit within which a bound decides nothing if a signal is curved, whose values between nodes are
+/// known to this share.
 const ROOM_CURVED: f64 = 1e-3;
 
-/// So near an edge of the range of temperatures the check itself decides \[K\].
+/// Distance from an edge of the temperature range within which the check itself decides \[K\].
 const EDGE_K: f64 = 1e-6;
 
-/// One number for four actuators.
+/// Returns one number for four actuators.
 pub(super) const fn all(value: f64) -> f64x4 {
     f64x4::new([value; 4])
 }
@@ -31,7 +32,7 @@ pub(super) struct Bound {
     pub(super) load: f64,
 }
 
-/// Figures of an axis.
+/// Characteristic values of an axis.
 #[derive(Default)]
 pub(super) struct Figures {
     pub(super) outline: Outline,
@@ -54,7 +55,7 @@ pub(super) struct Figures {
 }
 
 impl Figures {
-    /// Those of an axis; whether there are any.
+    /// Computes the values of an axis; returns `true` if it has them.
     pub(super) fn take(&mut self, axis: &Axis, conditions: &Conditions<'_>) -> bool {
         if !axis.trace.outline(&mut self.outline) {
             return false;
@@ -95,13 +96,13 @@ impl Figures {
         self.of_drives.get(place).unwrap_or(&OfDrive::UNKNOWN)
     }
 
-    /// Below the largest |J α + T_L|.
+    /// Returns a lower bound of the largest |J α + T_L|.
     pub(super) fn torque_peak_low(&self, inertia: f64x4) -> f64x4 {
         let of = |low: f64x4, [a, t, ..]: &[f64; 4]| low.fast_max((inertia * all(*a) + all(*t)).abs());
         self.outline.nodes.iter().fold(f64x4::ZERO, of)
     }
 
-    /// Above it.
+    /// Returns an upper bound of the largest |J α + T_L|.
     pub(super) fn torque_peak_high(&self, inertia: f64x4) -> f64x4 {
         let of = |high: f64x4, Bound { extent, .. }: &Bound| {
             let (least, most) = torques(extent, inertia);
@@ -110,35 +111,36 @@ impl Figures {
         self.bounds.iter().fold(f64x4::ZERO, of)
     }
 
-    /// Mean of (J α + T_L)².
+    /// Returns the mean of (J α + T_L)².
     pub(super) fn torque_square(&self, inertia: f64x4) -> f64x4 {
         let [[aa, at, ..], [_, tt, ..], ..] = self.means;
         (inertia * (inertia * all(aa) + all(2.0 * at)) + all(tt)).fast_max(f64x4::ZERO)
     }
 }
 
-/// All J α + T_L lie between these; J is not negative.
+/// Returns bounds of J α + T_L; J is not negative.
 pub(super) fn torques(extent: &Extent, inertia: f64x4) -> (f64x4, f64x4) {
     let at = |acceleration: f64, load: f64| inertia * all(acceleration) + all(load);
     (at(extent.acceleration_rad_s2.0, extent.load_nm.0), at(extent.acceleration_rad_s2.1, extent.load_nm.1))
 }
 
-/// What the actuators of one drivetrain have in common for an axis.
+/// Values that the actuators of one drivetrain share for an axis.
 pub(super) struct OfDrive {
-    /// Of the continuous torque and of its upper edge the inverse of both bounds, each of the lower one first.
+    /// Inverses of both bounds of the continuous torque and of its upper edge, that of the lower bound first.
     pub(super) continuous: [[f64; 2]; 2],
-    /// Inverse of the least torque that is permitted for a short time up to the peak speed.
+    /// Inverse of the least permissible short-time torque up to the peak speed.
     pub(super) short_time: f64,
     /// Largest rise of the winding per mean of copper loss and of friction.
     pub(super) gains: [f64; 2],
-    /// What makes shares of bounds of the rise: of the permitted rise by its lower edge, below and above, and by its upper edge.
+    /// Factors that convert bounds of the rise to shares of the permissible rise: by its lower edge, below and above,
+    /// and by its upper edge.
     pub(super) rise: [[f64; 2]; 2],
-    /// Largest over mean of the supervision's lag.
+    /// Maximum over mean of the supervision's lag.
     pub(super) swing: f64,
-    /// Supply over what is permitted, where it is above.
+    /// Supply voltage over the permissible one, if it is above.
     pub(super) above: f64,
     pub(super) is_elsewhere: bool,
-    /// Checks of the place that decide themselves.
+    /// Bits of the ambient checks that are decided only by the check itself.
     pub(super) open: u64,
 }
 
@@ -193,7 +195,7 @@ impl OfDrive {
         [shares([1.0; 2], edge), shares([1.0; 2], upper)]
     }
 
-    /// Ambient temperature and supply, which neither load nor pace can mend.
+    /// Evaluates ambient temperature and supply, which depend neither on load nor on pace.
     fn place(&mut self, figures: &Figures, drive: &Drive) {
         if let (Some(air), Some((low, high))) = (figures.ambient, drive.ambient_range) {
             // The check itself decides at an edge of the range.

@@ -1,4 +1,4 @@
-//! The losses of four actuators as means over a cycle.
+//! Losses of four actuators as means over a cycle.
 
 use super::catalogue::Four;
 use super::figures::{Figures, all};
@@ -6,11 +6,11 @@ use wide::f64x4;
 
 /// Means over the cycle from which the losses follow for any friction.
 pub(super) struct Means {
-    /// Of I_T², I_T σ and I_T ω.
+    /// Means of I_T², I_T σ and I_T ω.
     square: f64x4,
     direction: f64x4,
     speed: f64x4,
-    /// Of σ², |ω| and ω².
+    /// Means of σ², |ω| and ω².
     moving: f64x4,
     travelled: f64x4,
     speed_square: f64x4,
@@ -30,7 +30,7 @@ impl Means {
         }
     }
 
-    /// Mean of I² = (I_T + I_s σ + K ω)², a convex parabola in I_s and in K.
+    /// Returns the mean of I² = (I_T + I_s σ + K ω)², a convex parabola in I_s and in K.
     pub(super) fn square(&self, counted: f64x4, constant: f64x4) -> f64x4 {
         let two = all(2.0);
         self.square
@@ -38,32 +38,32 @@ impl Means {
             + constant * (constant * self.speed_square + two * self.speed)
     }
 
-    /// The K at which it is least.
+    /// Returns the K at the minimum of the mean.
     pub(super) fn vertex(&self, counted: f64x4) -> f64x4 {
         let at_rest = self.speed_square.simd_eq(f64x4::ZERO);
         at_rest.select(f64x4::ZERO, -(self.speed + counted * self.travelled) / self.speed_square)
     }
 
-    /// Friction loss \[W\].
+    /// Returns the friction loss \[W\].
     pub(super) fn friction(&self, four: &Four, starting: f64x4, constant: f64x4) -> f64x4 {
         four.friction_v_s * (starting * self.travelled + constant * self.speed_square)
     }
 
-    /// Growth of both losses with K; it rises with K.
+    /// Returns the derivative of both losses with respect to K; it rises with K.
     pub(super) fn by_constant(&self, four: &Four, counted: f64x4, constant: f64x4) -> f64x4 {
         let of_square = self.speed + counted * self.travelled + constant * self.speed_square;
         all(2.0) * four.copper_ohm * of_square + four.friction_v_s * self.speed_square
     }
 }
 
-/// Below e^(−x): the eighth power of 1 − y + y²/2 − y³/6, y = x/8.
+/// Returns a lower bound of e^(−x): the eighth power of 1 − y + y²/2 − y³/6, y = x/8.
 pub(super) fn decay_below(x: f64x4) -> f64x4 {
     let y = x * all(0.125);
     let root = f64x4::ONE - y * (f64x4::ONE - y * (all(0.5) - y * all(1.0 / 6.0)));
     eighth_power(root.fast_max(f64x4::ZERO))
 }
 
-/// Above it: the same with y⁴/24.
+/// Returns an upper bound of e^(−x): the polynomial of [`decay_below`] with y⁴/24.
 pub(super) fn decay_above(x: f64x4) -> f64x4 {
     let y = x * all(0.125);
     let root = f64x4::ONE - y * (f64x4::ONE - y * (all(0.5) - y * (all(1.0 / 6.0) - y * all(1.0 / 24.0))));
