@@ -1,4 +1,4 @@
-//! What a user can rely on: exit codes, streams, JSON, refusals.
+//! Promises to users: exit codes, streams, JSON, refusals.
 #![allow(missing_docs, clippy::unwrap_used, clippy::panic, reason = "a test fails loudly")]
 
 mod run;
@@ -534,7 +534,8 @@ fn a_curve_has_a_picture_and_without_a_file_its_text() {
     assert!(run(&["curve", code, "--voltage", "400 V"]).out.contains("T Nm"));
 }
 
-/// As the guides show them; draw anew with `antrieb plot examples/EXAMPLE.toml --figure FIGURE --svg FILE --force`.
+/// Compares the figures with those of the guides; to draw them again: `antrieb plot examples/EXAMPLE.toml --figure
+/// FIGURE --svg FILE --force`.
 #[test]
 fn the_pictures_of_the_guide_are_what_the_tool_draws() {
     let mut pictures = vec![("indexing-table", "candidate_map", "candidate-map.svg".to_owned())];

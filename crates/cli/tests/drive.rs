@@ -45,7 +45,7 @@ impl Lines {
     }
 }
 
-/// Whether the other end has closed: nothing more comes.
+/// Returns `true` if the other end has closed the connection.
 fn is_closed(mut stream: TcpStream) -> bool {
     let mut rest = Vec::new();
     match stream.read_to_end(&mut rest) {
@@ -84,7 +84,7 @@ fn a_move_by_lines_is_the_same_in_every_run() {
     assert_eq!(course, moved());
 }
 
-/// In real time the clock moves the axis while no client says anything.
+/// Requires that the clock moves the axis in real time while no client sends anything.
 #[test]
 fn real_time_goes_on_by_itself() {
     let drive = Drive::new(&[]);

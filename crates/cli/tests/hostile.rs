@@ -148,7 +148,7 @@ fn the_encoding_that_was_guessed_is_reported() {
     assert!(String::from_utf8_lossy(&json.stdout).contains("\"encoding\": \"windows1252_guessed\""));
 }
 
-/// Nothing is left that steers a terminal but colours, and none of these by the user.
+/// Requires that no control sequence is left except colours, and none of the user.
 fn assert_seen(output: &Output, what: &str) {
     for stream in [&output.stdout, &output.stderr] {
         let text = String::from_utf8(stream.clone()).unwrap();

@@ -216,11 +216,11 @@ fn many_writers_of_one_file_leave_one_whole_file() {
     assert_eq!(names(here), ["axis.toml"]);
 }
 
-/// How a program is ended, and what became of its files.
+/// Way in which a program is ended, and the state of its files.
 struct Campaign {
     whole: [Vec<u8>; 2],
     folder: tempfile::TempDir,
-    /// How long a run takes that is not ended.
+    /// Duration of a run that is not interrupted.
     length: Duration,
 }
 
@@ -265,7 +265,7 @@ impl Campaign {
     }
 }
 
-/// As many runs as the variable says, for a campaign of hours; by default few.
+/// Number of runs from the environment variable, for a campaign of hours; few by default.
 fn runs(usual: usize) -> usize {
     std::env::var("ANTRIEB_SAVE_RUNS").ok().and_then(|runs| runs.parse().ok()).unwrap_or(usual)
 }

@@ -8,7 +8,7 @@ use run::{run, shown};
 use std::path::Path;
 use std::process::Command;
 
-/// What a decoder prints of a trace; `None` where there is no sigrok-cli, which CI has.
+/// Returns the output of a decoder for a trace; `None` without sigrok-cli, which CI has.
 fn decoded(vcd: &Path, decoder: &str, annotation: &str) -> Option<Vec<String>> {
     let output =
         Command::new("sigrok-cli").args(["-I", "vcd", "-i"]).arg(vcd).args(["-P", decoder, "-A", annotation]).output();

@@ -222,7 +222,7 @@ fn a_single_row_is_spoken_of_in_the_singular() {
     assert!(german.contains("best.csv: 1 Zeile\nein Antrieb ist geeignet: 1 Zeile (100,0 %)\n"), "{german}");
 }
 
-/// What `size` answers of a project with one axis, or of the axis that is named.
+/// Returns the answer of `size` for a project with one axis, or for the named axis.
 fn sized(file: &str, axis: Option<&str>) -> Value {
     let axis: Vec<&str> = axis.into_iter().flat_map(|name| ["--axis", name]).collect();
     let found = run(&[&["size", file, "--top", "1", "--json"], &axis[..]].concat());
@@ -230,8 +230,8 @@ fn sized(file: &str, axis: Option<&str>) -> Value {
     answer.get("axes").map_or(answer.clone(), |axes| axes[0].clone())
 }
 
-/// Each row of a table is answered as by `size` with the file edited by hand: figures of the surroundings, a load about which a
-/// recording moves, the second axis of several.
+/// Compares each row of a table with the answer of `size` to the file edited by hand: ambient data, a load moved by a
+/// recording, the second axis of several.
 #[test]
 fn a_row_has_the_digits_of_size_with_the_edited_file() {
     let folder = tempfile::tempdir().unwrap();
@@ -332,7 +332,7 @@ fn long_table(folder: &Path) -> String {
     put(folder, "tasks.csv", &text)
 }
 
-/// As many kills as the variable says, for a campaign of a night; by default few.
+/// Number of kills from the environment variable, for a campaign of a night; few by default.
 fn kills() -> usize {
     std::env::var("ANTRIEB_SWEEP_KILLS").ok().and_then(|kills| kills.parse().ok()).unwrap_or(6)
 }
@@ -411,7 +411,7 @@ fn runs_that_are_killed_at_any_moment_continue_with_the_same_bytes() {
     }
 }
 
-/// Of finished parts the remark says how many rows they have, also of the last, which is shorter.
+/// Requires that the remark states the rows of the finished parts, including the last, shorter one.
 #[test]
 fn parts_that_are_kept_are_counted() {
     let folder = tempfile::tempdir().unwrap();

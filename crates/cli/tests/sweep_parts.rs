@@ -1,4 +1,4 @@
-//! What `sweep` keeps beside its answers: only what it wrote is removed, and a run that continues is the same run.
+//! Files that `sweep` keeps next to its output: only its own are removed, and a continued run is the same run.
 #![cfg(unix)]
 #![allow(missing_docs, clippy::unwrap_used, clippy::indexing_slicing, reason = "a test fails loudly")]
 

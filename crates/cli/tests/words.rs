@@ -1,4 +1,4 @@
-//! What a user reads, word by word. Rewritten by `cargo xtask snapshots`, read by eye.
+//! Texts for users, word by word. Rewritten by `cargo xtask snapshots`, reviewed by eye.
 #![allow(missing_docs, clippy::unwrap_used, clippy::panic, reason = "a test fails loudly")]
 
 mod run;

@@ -1,4 +1,4 @@
-//! Every figure of every example: a picture that is whole, and points where the checks say.
+//! Every figure of every example: a complete picture, with points at the places of the checks.
 #![allow(clippy::unwrap_used, clippy::panic, clippy::indexing_slicing, reason = "a test fails loudly")]
 
 use figures::{By, Drawing, Figure, NoFigure, Picture, Size, Style, draw};
@@ -32,7 +32,7 @@ fn examples() -> Vec<Project> {
     paths.iter().flat_map(read).collect()
 }
 
-/// The best of the catalogue, with every check, and the project's own.
+/// Returns the best candidate of the catalogue, judged with every check, and that of the project.
 fn candidates(project: &Project) -> Vec<Candidate<'_>> {
     let best = questions::size(project).candidates.swap_remove(0);
     let questions::CandidateId::Code(code) = best.id else { panic!("a code") };
@@ -49,7 +49,7 @@ fn example(name: &str) -> Project {
     questions::read_all(&text, &ExampleFiles).unwrap().swap_remove(0)
 }
 
-/// The points of the markers of a class.
+/// Returns the points of the markers of a class.
 fn points(document: &Document<'_>, class: &str) -> Vec<(f64, f64)> {
     let has = |node: &Node<'_, '_>, class: &str| {
         node.attribute("class").is_some_and(|classes| classes.split(' ').any(|known| known == class))
@@ -103,7 +103,7 @@ fn every_figure_of_every_example_is_whole() {
                     let narrow = drawing.render(&narrow);
                     if figure != Figure::CandidateMap {
                         let hidden = narrow.hidden_labels();
-                        // Of a segment too short for its number nothing can be written.
+                        // A segment too short for its number has no label.
                         let segment = |label: &String| label.starts_with(|c: char| c.is_ascii_digit());
                         assert!(hidden.iter().all(segment), "{what} at 80 mm: {hidden:?}");
                     }
@@ -145,7 +145,7 @@ fn mean_and_peaks_stand_where_the_checks_say() {
             let speed = peaks.iter().map(|point| point.0.abs()).fold(0.0, f64::max);
             assert!(close(torque, NEWTON_METRE.from_si(value(CheckId::PeakTorque).unwrap())), "{what}: {torque}");
             assert!(close(speed, REVOLUTION_PER_MINUTE.from_si(value(CheckId::PeakSpeed).unwrap())), "{what}: {speed}");
-            // The marked peaks lie on the trace, up to what lies between two of its samples.
+            // The marked peaks lie on the trace, up to the difference between two of its samples.
             let course = questions::course(&project, &candidate);
             for (n, t) in peaks {
                 let near = course.samples.iter().any(|sample| {

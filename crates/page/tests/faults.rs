@@ -8,14 +8,14 @@ use questions::read_all;
 use shell::{InMemory, page, whole};
 use std::collections::BTreeSet;
 
-/// Where a fault is shown.
+/// Place at which a fault is shown.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 enum At {
-    /// At this field, named by its path.
+    /// Field, named by its path.
     Field(&'static str),
-    /// At the table or list of this path.
+    /// Table or list of this path.
     Table(&'static str),
-    /// At its line in the text.
+    /// Line in the text.
     Text,
 }
 use At::{Field, Table, Text};
@@ -25,31 +25,31 @@ const LOAD: &str = "[load]\ninertia = \"1.3 kg m^2\"\n";
 const MOVE: &str = "[[motion]]\nlaw = \"manual\"\nspeed = \"40 1/min\"\naccelerate = \"0.1 s\"\nrun = \"0.1 s\"\n\
     brake = \"0.1 s\"\npause = \"1 s\"\n";
 
-/// A rest, which every load takes.
+/// A dwell, which every load accepts.
 const REST: &str = "[[motion]]\nlaw = \"dwell\"\ntime = \"1 s\"\n";
 
-/// A project of a load and a motion.
+/// Returns a project of a load and a motion.
 fn with(load: &str, motion: &str) -> String {
     format!("{HEAD}{load}{motion}")
 }
 
-/// A good project with more behind it.
+/// Returns a valid project with more text behind it.
 fn more(rest: &str) -> String {
     format!("{HEAD}{LOAD}{MOVE}{rest}")
 }
 
-/// A project with this inertia.
+/// Returns a project with this inertia.
 fn inertia(value: &str) -> String {
     with(&format!("[load]\ninertia = {value}\n"), MOVE)
 }
 
-/// A project with these segments.
+/// Returns a project with these segments.
 fn segments(segments: &[&str]) -> String {
     let all: Vec<String> = segments.iter().map(|each| format!("[[motion]]\n{each}\n")).collect();
     with(LOAD, &all.concat())
 }
 
-/// A turntable with these bodies.
+/// Returns a turntable with these bodies.
 fn bodies(text: &str) -> String {
     with(&format!("[mechanism.turntable]\nbodies = [\"{text}\"]\n"), MOVE)
 }
@@ -57,7 +57,7 @@ fn bodies(text: &str) -> String {
 /// A cam table up to its points.
 const CAM: &str = "law = \"points\"\nspline = \"cubic\"\nends = \"rest\"\npoints = ";
 
-/// A motion from the recording that stands in the folder.
+/// Returns a motion from the recording in the folder.
 fn recorded(more: &str) -> String {
     segments(&[&format!("law = \"recorded\"\nfile = \"run.csv\"\n{more}")])
 }
@@ -160,7 +160,7 @@ fn element(path: &str) -> String {
     format!("f-{}", path.chars().map(sign).collect::<String>())
 }
 
-/// The text of HTML as people read it; what is set as of the file stands between grave accents in a message.
+/// Returns the text of HTML for readers; quotations of the file stand between grave accents in a message.
 fn plain(html: &str) -> String {
     html.replace("<code>", "`")
         .replace("</code>", "`")
@@ -267,6 +267,6 @@ const ELSEWHERE: [&str; 36] = [
     "impossible_within_tolerance", "no_tolerance", "too_many_tolerances", "too_many_entries", "more_faults", "file_too_large",
     // At the points of a cam table; a number that is not finite is refused where it is read.
     "points_not_finite", "points_uneven",
-    // Of no project file that the page opens.
+    // Faults that no project file on the page can have.
     "battery_operation_out_of_range", "battery_storage_out_of_range", "one_axis_only",
 ];

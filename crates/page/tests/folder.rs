@@ -1,4 +1,4 @@
-//! The folder from the page: what is opened, saved, noticed.
+//! The folder of the page: opening, saving, changes by others.
 #![allow(clippy::unwrap_used, clippy::panic, clippy::indexing_slicing, reason = "a test fails loudly")]
 
 mod shell;
@@ -52,11 +52,11 @@ fn what_another_has_saved_is_noticed_and_asked_about() {
     whole(&html);
     assert!(html.contains("differs from the one opened here") && html.contains("data-disk=\"load\""), "{html}");
     assert!(html.contains(&format!("data-disk=\"mine\" data-known=\"{second}\"")), "{html}");
-    // To load it: its text, and the version that is known from then on.
+    // Loads it: its text, and its version from then on.
     let text = folder.get("/text", "file=a.toml");
     assert_eq!(text.body, b"format = 1 # second\n");
     assert_eq!(version(&text).map(|version| format!("{version} a.toml")).as_deref(), Some(second.as_str()));
-    // To keep one's own version: the next save is based on the reported version.
+    // Keeps one's own version: the next save is based on the reported version.
     assert_eq!(save(&folder, "a.toml", "format = 1 # mine\n", &first).0, 409);
     assert_eq!(save(&folder, "a.toml", "format = 1 # mine\n", &second).0, 200);
     let _ = folder.0.borrow_mut().remove("a.toml");

@@ -1,4 +1,4 @@
-//! What moves in the page, from outside: work that ends early, ends that are pulled, windows of time, recordings.
+//! Dynamic parts of the page from outside: work that ends early, dragged ends, time windows, recordings.
 #![allow(clippy::unwrap_used, clippy::panic, clippy::indexing_slicing, reason = "a test fails loudly")]
 
 use page::{Call, Method, Reply, Shell, respond};
@@ -63,14 +63,14 @@ fn belt() -> String {
     template("belt", "axis.toml", Language::En).unwrap().text
 }
 
-/// The text of the project within the page.
+/// Returns the text of the project within the page.
 fn text_in(html: &str) -> String {
     let field = html.split("id=\"text\"").nth(1).unwrap();
     let inside = field.split_once('>').unwrap().1.split_once("</textarea>").unwrap().0;
     inside.replace("&quot;", "\"").replace("&amp;", "&")
 }
 
-/// A number of an attribute of the first plane of the cycle.
+/// Returns a number of an attribute of the first plane of the cycle.
 fn of_plane(html: &str, attribute: &str) -> f64 {
     let plane = html.split("id=\"plot-cycle\"").nth(1).unwrap().split("class=\"plane").nth(1).unwrap();
     let value = plane.split(&format!("{attribute}=\"")).nth(1).unwrap().split('"').next().unwrap();

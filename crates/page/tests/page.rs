@@ -1,4 +1,4 @@
-//! The page from outside: what a shell sends in, what it gets.
+//! The page from outside: calls of a shell, and its replies.
 #![allow(clippy::unwrap_used, clippy::panic, clippy::indexing_slicing, reason = "a test fails loudly")]
 
 mod shell;

@@ -1,4 +1,5 @@
-//! Parts that a browser shows are not sent again: put back in their places, the page is the one that would be sent whole.
+//! Parts that a browser shows are not sent again: with them put back in their places, the page equals the one sent as a
+//! whole.
 #![allow(clippy::unwrap_used, clippy::panic, clippy::indexing_slicing, reason = "a test fails loudly")]
 
 mod shell;
@@ -8,7 +9,7 @@ use quantities::Language;
 use questions::list::new::{template, template_kinds};
 use shell::{page, post};
 
-/// The parts of a page: identifier, digest, text.
+/// Returns the parts of a page: identifier, digest, text.
 fn parts(page: &str) -> Vec<(&str, &str, &str)> {
     let one = |(place, _): (usize, &str)| {
         let begin = page[..place].rfind('<').unwrap();
@@ -20,7 +21,7 @@ fn parts(page: &str) -> Vec<(&str, &str, &str)> {
     page.match_indices(" data-part=\"").map(one).collect()
 }
 
-/// The first element of a text, with what is inside.
+/// Returns the first element of a text with its content.
 fn element<'p>(text: &'p str, tag: &str) -> &'p str {
     let (open, close) = (format!("<{tag}"), format!("</{tag}>"));
     let mut deep = 0;
@@ -47,7 +48,7 @@ fn work(text: &str, kept: &str, change: (&str, &str)) -> Reply {
     post("/work", &[("text", text), ("good", text), ("path", change.0), ("value", change.1), ("parts", kept)])
 }
 
-/// What a browser makes of an answer: each part that is named alone is the one that it shows.
+/// Puts the parts that a browser shows back into an answer, as the browser does.
 fn whole_again(sent: &str, shown: &str) -> (String, usize) {
     let mut out = sent.to_owned();
     let mut named = 0;

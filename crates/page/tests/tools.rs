@@ -1,4 +1,5 @@
-//! The tools beside the project: each answers in both languages, its faults stand at its fields, a link opens it as it was.
+//! The tools next to the project: each answers in both languages, its faults are shown at its fields, a link restores
+//! it.
 #![allow(clippy::unwrap_used, clippy::panic, clippy::indexing_slicing, reason = "a test fails loudly")]
 
 mod shell;
@@ -22,7 +23,7 @@ const TOOLS: [&str; 14] = [
     "glossary",
 ];
 
-/// A tool with what is typed into it.
+/// Returns a tool with typed values.
 fn tool(name: &str, about: &str, fields: &[(&str, &str)]) -> String {
     let mut all = vec![("tool", name), ("asked", name), ("about", about)];
     all.extend(fields);
@@ -31,7 +32,7 @@ fn tool(name: &str, about: &str, fields: &[(&str, &str)]) -> String {
     html
 }
 
-/// What stands in the row of a field.
+/// Returns the row of a field.
 fn row<'h>(html: &'h str, field: &str) -> &'h str {
     let row = html.split(&format!("id=\"t-{field}\"")).nth(1).unwrap_or_else(|| panic!("no field {field}: {html}"));
     &row[..row.find("<label").unwrap_or(row.len())]
@@ -91,7 +92,7 @@ fn a_fault_stands_at_its_field_and_the_last_answer_is_marked_as_old() {
     assert!(row(&html, "bearing.radial_force").contains("class=\"fault\""), "{html}");
     let html = tool("mount", code, &[("t_bore", "K99")]);
     assert!(row(&html, "bore").contains("class=\"fault\""), "{html}");
-    // What was not typed yet is no fault.
+    // An empty field is no fault before the first entry.
     let fresh = page(&post("/tools", &[("tool", "upkeep"), ("about", code)]));
     assert!(!fresh.contains("class=\"fault\""), "{fresh}");
     assert!(row(&tool("upkeep", code, &[]), "delivered").contains("class=\"fault\""));
@@ -168,7 +169,7 @@ fn measured_values_are_judged_as_they_are_typed() {
     );
     let html = typed(&[("t_do", "add no_load[1]")]);
     assert!(html.contains("id=\"t-no_load[1].current\"") && html.contains("[[no_load]]"), "{html}");
-    // What is typed into the text itself counts before what stood in the fields.
+    // Entries in the text itself precede those of the fields.
     let fields = [("t_text", "format = 1\n[emf]\n"), ("t_was", text), ("t_winding.temperature", "22 degC")];
     let html = tool("record", code, &fields);
     assert!(!html.contains("22 degC") && row(&html, "emf.voltage_ll").contains("class=\"fault\""), "{html}");

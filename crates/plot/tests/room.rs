@@ -1,4 +1,4 @@
-//! What gives way where there is little room: never a symbol, a unit, a legend entry or a limit's label.
+//! Omissions in small pictures: never a symbol, a unit, a legend entry or the label of a limit.
 
 #![allow(clippy::unwrap_used, clippy::panic, reason = "helpers of tests may fail loudly too")]
 
@@ -15,7 +15,7 @@ fn texts(picture: &Picture) -> Vec<String> {
     picture.texts().iter().map(|text| text.text.clone()).collect()
 }
 
-/// Ends of every vertical dashed line: the borders of segments.
+/// Returns the ends of every vertical dashed line: the borders of segments.
 fn borders(picture: &Picture) -> Vec<(f64, f64, f64)> {
     let document = roxmltree::Document::parse(picture.svg()).unwrap();
     let lines = document.descendants().filter(|node| node.attribute("stroke-dasharray") == Some("3 2"));

@@ -1,6 +1,6 @@
-//! What is written into `python/antrieb` from the list of questions and the schema of the answers: functions and classes.
+//! Generates `python/antrieb` from the list of questions and the schema of the answers: functions and classes.
 //!
-//! It stands beside the library and does not link it: the library is one that an interpreter loads.
+//! It is separate from the library and does not link it: the library is one that an interpreter loads.
 
 #[path = "generated/functions.rs"]
 mod functions;
@@ -30,7 +30,7 @@ impl Schema {
     }
 }
 
-/// The files with their content.
+/// Returns the files with their content.
 fn files() -> [(&'static str, String); 2] {
     let schema = Schema::of_the_answers();
     [("answers.py", types::module(&schema)), ("questions.py", functions::module(&schema))]

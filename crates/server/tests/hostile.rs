@@ -1,4 +1,4 @@
-//! What is sent to harm: the server stays up, answers others, and says nothing that it did not promise.
+//! Hostile requests: the server stays up, answers others, and discloses nothing.
 #![allow(missing_docs, clippy::unwrap_used, clippy::indexing_slicing, clippy::panic, reason = "a test fails loudly")]
 
 use quantities::Language;
@@ -14,7 +14,7 @@ const PROJECT: &str = "format = 1\n[load]\ninertia = \"1.3 kg m^2\"\n[[motion]]\
 
 const RECORDED: &str = include_str!("../../../examples/robot-joint.toml");
 
-/// A server in a folder of its own, for as long as a test holds it.
+/// A server in its own folder that lives as long as its test.
 struct Up {
     address: SocketAddr,
     folder: tempfile::TempDir,
@@ -44,7 +44,7 @@ impl Up {
         Self { address, folder: outer, end: Some(end), thread: Some(thread) }
     }
 
-    /// The folder that is worked in.
+    /// Returns the working folder.
     fn work(&self) -> std::path::PathBuf {
         self.folder.path().join("work")
     }
@@ -56,10 +56,10 @@ impl Up {
         stream
     }
 
-    /// What comes back for these bytes.
+    /// Returns the reply to these bytes.
     fn raw(&self, bytes: &[u8]) -> String {
         let mut stream = self.connect();
-        // Who is turned away early need not read it all.
+        // A client that is rejected early need not read the whole reply.
         let _ = stream.write_all(bytes);
         let mut answer = Vec::new();
         let _ = stream.read_to_end(&mut answer);
@@ -91,7 +91,7 @@ impl Drop for Up {
     }
 }
 
-/// The status, 0 where the connection was closed without one.
+/// Returns the status; 0 if the connection was closed without one.
 fn status(answer: &str) -> u16 {
     let mut words = answer.split(' ');
     if words.next() != Some("HTTP/1.1") && !answer.starts_with("HTTP/1.0") {
@@ -100,7 +100,7 @@ fn status(answer: &str) -> u16 {
     words.next().and_then(|status| status.parse().ok()).unwrap_or_else(|| panic!("{answer}"))
 }
 
-/// Reported as a client error, or not answered.
+/// Requires a client error, or no answer.
 fn turned_away(answer: &str, what: &str) {
     let status = status(answer);
     assert!(status == 0 || (400..500).contains(&status), "{what}: {answer}");
@@ -270,7 +270,7 @@ fn half_sent_requests_hold_no_place() {
     }
 }
 
-/// Numbers that look like chance and are the same on every run.
+/// Pseudo-random numbers, the same on every run.
 struct Chance(u64);
 
 impl Chance {
@@ -391,7 +391,7 @@ fn a_project_opens_nothing_outside_of_the_folder() {
     up.is_up();
 }
 
-/// The status of an answer on a connection that stays.
+/// Returns the status of an answer on a persistent connection.
 fn next_status(reader: &mut BufReader<TcpStream>) -> u16 {
     let (mut line, mut first, mut length) = (String::new(), String::new(), 0);
     loop {

@@ -15,7 +15,7 @@ fn known<T>(value: T) -> Datum<T> {
     Datum::Known(Sourced { value, source: Source::Cell(&CELL), grade: Grade::Printed, errata: &[] })
 }
 
-/// An actuator with i = 100, J_out = 2 kgm² and a brake of 60 Nm.
+/// Returns an actuator with i = 100, J_out = 2 kgm² and a brake of 60 Nm.
 fn actuator() -> Parameters {
     let joint = || ScrewJoint { transmissible_torque: known(Torque::from_si(500.0)), ..ScrewJoint::default() };
     Parameters {
@@ -55,7 +55,7 @@ fn dwell(time: f64, hold: Hold) -> SegmentSpec {
     SegmentSpec::Dwell(Time::from_si(time), hold)
 }
 
-/// A load of 1 kgm² with friction 3 Nm that pulls with 39 Nm.
+/// Returns a load of 1 kgm² with friction 3 Nm and a constant torque of 39 Nm.
 fn axis(segments: &[SegmentSpec]) -> Axis {
     let load = Mechanism::direct(MomentOfInertia::from_si(1.0), Torque::from_si(3.0));
     let mut pull = Extra::none();
@@ -87,7 +87,7 @@ fn the_motor_holds_until_the_brake_has_closed_and_while_it_opens() {
     near(held(&[dwell(1.0, Hold::Brake)]), 0.18);
     near(held(&[dwell(0.05, Hold::Brake)]), 0.05);
     near(held(&[dwell(0.18, Hold::Brake)]), 0.18);
-    // Between two dwells that it holds the brake stays closed.
+    // Between two dwells that the brake holds it stays closed.
     near(held(&[dwell(0.6, Hold::Brake), dwell(0.4, Hold::Brake)]), 0.18);
     near(held(&[dwell(0.6, Hold::Brake), dwell(0.4, Hold::Motor)]), 0.58);
     // And over the seam of the cycle.

@@ -12,7 +12,7 @@ fn known<T>(value: T) -> Datum<T> {
     Datum::Known(Sourced { value, source: Source::Cell(&CELL), grade: Grade::Printed, errata: &[] })
 }
 
-/// J_out = 2 kgm², k_Tout = 10 Nm/A, I_s = 0.5 A and K = 0.1 A/(rad/s) at every temperature.
+/// Returns an actuator with J_out = 2 kgm², k_Tout = 10 Nm/A, I_s = 0.5 A and K = 0.1 A/(rad/s) at every temperature.
 fn actuator() -> Parameters {
     let constant = NoLoadCurrentConstant::from_si(0.1);
     Parameters {
@@ -31,7 +31,7 @@ fn actuator() -> Parameters {
     }
 }
 
-/// A load of 1 kgm² at 5 rad/s after 0.5 s with 10 rad/s², for 1 s, and back to rest in 0.5 s.
+/// Returns a load of 1 kgm² at 5 rad/s after 0.5 s with 10 rad/s², for 1 s, and back to rest in 0.5 s.
 ///
 /// T = 30 Nm, 0, −30 Nm, so that I = 3 + 0.5 + 0.1 ω: 3.5 to 4 A; 1 A; −3 + 0.5 + 0.1 ω: −2 to −2.5 A; 0 at rest.
 fn axis(pause: f64, drive: [Option<f64>; 3]) -> Axis {
@@ -57,7 +57,7 @@ fn check(axis: &Axis, actuator: &Parameters) -> Option<Check> {
     judge(axis, actuator, Scope::All).checks.iter().find(|check| check.id == CheckId::DriveCurrent).cloned()
 }
 
-/// Verdict, value and limit.
+/// Returns verdict, value and limit.
 fn judged(pause: f64, drive: [Option<f64>; 3]) -> (Verdict, f64, f64) {
     let check = check(&axis(pause, drive), &actuator()).unwrap();
     (check.verdict, check.value.unwrap().si, check.limit.unwrap().si)
@@ -115,7 +115,7 @@ fn the_longest_time_above_the_continuous_current_by_hand() {
     }
 }
 
-/// Of the peak at 4/8, the effective value at 1.627/1.7 and the time at 0.5/0.6 the effective value is reported.
+/// Compares the peak at 4/8, the effective value at 1.627/1.7 and the time at 0.5/0.6: the effective value is reported.
 #[test]
 fn the_one_nearest_to_its_limit_is_reported() {
     let (verdict, value, limit) = judged(2.0, [Some(1.7), Some(8.0), Some(0.6)]);

@@ -1,4 +1,4 @@
-//! The checks of the place of installation: altitude, degree of protection, humidity, vibration, shock, mounting position.
+//! Checks of the place of installation: altitude, degree of protection, humidity, vibration, shock, mounting position.
 
 use crate::axis::Axis;
 use crate::check::{Amount, Check, CheckId, Verdict};
@@ -13,17 +13,18 @@ use provenance::{Datum, Missing};
 use quantities::unit::{METRE, NEWTON_METRE, ONE, PERCENT, STANDARD_GRAVITY};
 use quantities::{Acceleration, Measure};
 
-/// Below the printed altitude the data hold. Above it, and where none is printed, the derating that the project states decides: the
-/// effective torque against the derated continuous torque.
+/// Checks the altitude. Below the stated limit of the manual the data hold. Above it, and if the manual states none, the
+/// derating that the project states decides: the effective torque against the derated continuous torque.
 ///
 /// H < H_max, or T_rms ≤ k_H T_cont
 ///
 /// # Symbols
-/// H altitude \[m\], H_max printed altitude \[m\], T_rms effective torque \[Nm\], T_cont continuous torque \[Nm\], k_H stated derating
+/// H altitude \[m\], H_max altitude limit of the manual \[m\], T_rms effective torque \[Nm\], T_cont continuous torque
+/// \[Nm\], k_H stated derating
 /// # Source
-/// cha-manual table 13.2 for the windings H and N; table 13.1 prints none for E. The manual prints no derating.
+/// cha-manual table 13.2 for the windings H and N; table 13.1 states none for E. The manual states no derating.
 /// # Errors
-/// Without a stated derating above H_max, or where H_max is not printed.
+/// When no derating is stated above H_max, or without H_max.
 pub(crate) fn altitude(case: &Case<'_>, work: &mut Workings) -> Outcome {
     let Case { axis, actuator, .. } = *case;
     let (id, key, derating) = (CheckId::Altitude, "requirements.altitude", "requirements.altitude_derating");
@@ -48,7 +49,7 @@ pub(crate) fn altitude(case: &Case<'_>, work: &mut Workings) -> Outcome {
     Ok(Comparison { id, limit_source: &source, ..compared }.between(edges))
 }
 
-/// The required degree of protection against the printed one, numeral by numeral.
+/// Compares the required degree of protection with that of the manual, numeral by numeral.
 pub(crate) fn protection(axis: &Axis, actuator: &Drivetrain, work: &mut Workings) -> Outcome {
     let (id, key) = (CheckId::Protection, "requirements.protection");
     let required = axis.asked.protection.ok_or(Missing { symbol: key })?;
@@ -77,7 +78,7 @@ pub(crate) fn protection(axis: &Axis, actuator: &Drivetrain, work: &mut Workings
     })
 }
 
-/// The stated relative humidity against the range that the actuator's data hold for: of its two ends that which is outside, else
+/// Compares the stated relative humidity with the range for which the actuator's data hold: the end that is outside, else
 /// the highest.
 pub(crate) fn humidity(axis: &Axis, actuator: &Drivetrain, work: &mut Workings) -> Outcome {
     let (least, most) = ("requirements.humidity_min", "requirements.humidity_max");
@@ -105,14 +106,14 @@ pub(crate) fn humidity(axis: &Axis, actuator: &Drivetrain, work: &mut Workings) 
     })
 }
 
-/// The stated vibration against the resistance of the actuator.
+/// Compares the stated vibration with the resistance of the actuator.
 pub(crate) fn vibration(axis: &Axis, actuator: &Drivetrain, work: &mut Workings) -> Outcome {
     let stated = (axis.asked.vibration, "requirements.vibration");
     let limit = (&actuator.environment.vibration_max, "vibration_resistance");
     resisted(CheckId::Vibration, stated, limit, ["a_vib", "a_vib_max"], work)
 }
 
-/// The stated shock against the resistance of the actuator.
+/// Compares the stated shock with the resistance of the actuator.
 pub(crate) fn shock(axis: &Axis, actuator: &Drivetrain, work: &mut Workings) -> Outcome {
     let stated = (axis.asked.shock, "requirements.shock");
     let limit = (&actuator.environment.shock_max, "shock_resistance");
@@ -135,7 +136,8 @@ fn resisted(
     Ok(Comparison::with(id, &STANDARD_GRAVITY, stated.si(), project(key), limit).answer(Verdict::Fail))
 }
 
-/// The mounting position: the manual neither restricts it nor says that any is permitted, so it is not checked.
+/// Returns the check of the mounting position, which is not checked: the manual neither restricts the position nor states
+/// that any is permitted.
 pub(crate) const fn mounting(_: &Axis, _: &Drivetrain, _: &mut Workings) -> Outcome {
     Err(Missing { symbol: "mounting_position" })
 }

@@ -15,7 +15,7 @@ fn in_g(value: f64) -> Acceleration {
     Acceleration::new_in(value, &STANDARD_GRAVITY)
 }
 
-/// The data of table 13.2.
+/// Returns an actuator with the data of table 13.2.
 fn actuator() -> Parameters {
     let environment = Environment {
         altitude_max: known(Length::from_si(1000.0)),
@@ -51,7 +51,7 @@ fn what_is_not_stated_is_not_checked_and_not_listed() {
     }
 }
 
-/// On both sides of each limit, at the limit, and of an actuator of which nothing is printed.
+/// Judges on both sides of each limit, at the limit, and for an actuator without values in the manual.
 #[test]
 fn each_limit_is_judged_on_both_sides() {
     type State = (CheckId, fn(&mut crate::Asked, f64), &'static [(f64, Verdict)]);

@@ -89,13 +89,13 @@ fn whole_revolutions_by_hand() {
         assert!((found.means[0] / (6.0 * (c * c + G * G).sqrt()) - 1.0).abs() < 1e-12, "{turns}: {found:?}");
         assert!((found.mean_moments[0] / (found.means[0] * 0.068) - 1.0).abs() < 1e-12);
         assert_eq!(found.turning.axial.value, 0.0);
-        // The largest force is where the mass hangs: θ = 270°, from 0.3 rad on.
+        // The largest force is at the lowest position of the mass: θ = 270°, from 0.3 rad on.
         let at = (1.5 * std::f64::consts::PI - 0.3) / (std::f64::consts::TAU / 0.9);
         assert!((found.turning.radial.at - at).abs() < 1e-6, "{} {at}", found.turning.radial.at);
     }
 }
 
-/// Means and peaks of a cycle by a plain sum over many steps, written apart from the walk.
+/// Returns means and peaks of a cycle by a plain sum over many steps, written independently of the walk.
 fn brute(axis: &Axis, offset: f64, exponent: f64, steps: u32) -> [f64; 6] {
     let (mut peaks, mut sums, mut travelled) = ([0.0_f64; 3], [0.0; 3], 0.0);
     let duty = axis.bearing.as_ref().unwrap();
@@ -215,7 +215,7 @@ fn without_mass_only_what_is_stated_remains() {
     assert!(close(found.turning.moment.value, 18.0) && found.mean_moments[0] == 0.0);
 }
 
-/// The same pair of bearing place and exponent is worked out once; a copy of the axis shares it.
+/// Requires that each pair of bearing position and exponent is computed once; a copy of the axis shares the result.
 #[test]
 fn what_is_known_is_not_worked_out_again() {
     let axis = axis(arm(6.0, 90.0), &[swing(150.0, 0.7)], Vec::new(), none());

@@ -365,10 +365,10 @@ checks! {
     Ambient: ListedCheck::new("ambient", Thermal, First, OfDrivetrain(checks::ambient))
         .margin(Margin::Range).mended_by(Mended::Neither)
         .only_with("requirements.ambient", |axis| axis.ambient.is_some());
-    /// Altitude of the place against the printed one, or the effective torque against the derated continuous torque.
+    /// Altitude of the place against that of the manual, or the effective torque against the derated continuous torque.
     Altitude: ListedCheck::new("altitude", Environment, First, Actuator(environment::altitude))
         .margin(Margin::Class).only_with("requirements.altitude", |axis| axis.asked.altitude.is_some());
-    /// Degree of protection required against the printed one.
+    /// Required degree of protection against that of the manual.
     Protection: ListedCheck::new("protection", Environment, First, OfDrivetrain(environment::protection))
         .margin(Margin::Class).mended_by(Mended::Neither)
         .only_with("requirements.protection", |axis| axis.asked.protection.is_some());

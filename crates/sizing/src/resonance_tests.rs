@@ -12,7 +12,7 @@ fn known<T>(value: T) -> Datum<T> {
     Datum::Known(Sourced { value, source: Source::Cell(&CELL), grade: Grade::Printed, errata: &[] })
 }
 
-/// The gear of the manual's example on a rotor of 3 kgm².
+/// Returns the gear of the manual's example with a rotor of 3 kgm².
 fn actuator() -> Parameters {
     Parameters {
         inertia_out: known(MomentOfInertia::from_si(3.0)),
@@ -42,7 +42,7 @@ fn check(axis: &Axis) -> Check {
     judged.checks.iter().find(|check| check.id == CheckId::ResonanceSpeed).unwrap().clone()
 }
 
-/// 2 i n/60 = f by hand.
+/// Returns the speed n of 2 i n/60 = f by hand.
 fn resonant(k: f64, inertia: f64) -> f64 {
     60.0 * (k / inertia).sqrt() / (2.0 * std::f64::consts::PI) / 200.0
 }

@@ -5,7 +5,7 @@ use mechanism::{Extra, Mechanism, Output};
 use motion::{Closing, Given, Law, Motion, SegmentSpec};
 use quantities::{Angle, AngularAcceleration, AngularJerk, AngularVelocity, Measure, MomentOfInertia, Time, Torque};
 
-/// Uniform numbers, the same in every run.
+/// Uniform pseudo-random numbers, the same in every run.
 struct Random(u64);
 
 impl Random {
@@ -14,7 +14,7 @@ impl Random {
         low + (high - low) * ((self.0 >> 11) as f64 / (1_u64 << 53) as f64)
     }
 
-    /// Over several powers of ten.
+    /// Returns a number over several powers of ten.
     fn scale(&mut self, low: f64, high: f64) -> f64 {
         self.within(low.ln(), high.ln()).exp()
     }
@@ -39,14 +39,14 @@ fn by_limits(law: Law, distance: f64, [speed, acceleration, jerk]: [f64; 3], end
     )
 }
 
-/// A pull to one side, the same in every segment.
+/// Returns a constant torque in one direction in every segment.
 fn pull(segments: usize) -> Vec<Extra> {
     let mut extra = Extra::none();
     extra.torque = Torque::from_si(-20.0);
     vec![extra; segments]
 }
 
-/// A load with friction that returns less than it takes.
+/// Returns a load with friction and losses.
 fn load() -> Mechanism {
     let mut load = Mechanism::direct(MomentOfInertia::from_si(0.3), Torque::from_si(5.0));
     load.efficiency_driving = 0.9;
@@ -54,7 +54,7 @@ fn load() -> Mechanism {
     load
 }
 
-/// T_peak of densely sampled pieces, the direction of each instant given by `direction` (piece, time in it).
+/// Returns T_peak of densely sampled pieces, with the direction of each instant from `direction` (piece, time in it).
 fn sampled(axis: &Axis, own: f64, mut direction: impl FnMut(&motion::Piece, f64) -> f64) -> f64 {
     let none = Extra::none();
     let mut peak = 0.0_f64;
@@ -95,7 +95,8 @@ fn a_move_that_ends_does_not_go_back() {
     assert!((peak - 15.0).abs() < 0.01, "{peak}");
 }
 
-/// From rest to rest every law keeps its direction to the end, so friction never changes sides.
+/// Requires that every law from rest to rest keeps its direction to the end, so that friction never changes its
+/// direction.
 #[test]
 fn moves_between_rests_keep_their_direction() {
     let mut random = Random(7);

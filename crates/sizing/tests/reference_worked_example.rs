@@ -78,7 +78,8 @@ fn the_printed_solution_is_met_within_its_rounding() {
     assert!(((3.0 * own.si()) - 3.19).abs() < 0.005, "3 J_out");
 }
 
-/// The same example for FHA-25C-50L in the English edition 12/2015 (V01, page 67): J_out = 0.86, computed 95.5, 35.6.
+/// Compares the same example for FHA-25C-50L in the English edition 12/2015 (V01, page 67): J_out = 0.86, computed
+/// 95.5, 35.6.
 #[test]
 fn the_older_example_with_another_inertia() {
     let (axis, _) = example();

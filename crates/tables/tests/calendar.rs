@@ -1,4 +1,4 @@
-//! The calendar file of a plan of upkeep.
+//! The calendar file of a maintenance plan.
 #![allow(missing_docs, clippy::unwrap_used, clippy::panic, reason = "a test fails loudly")]
 
 use quantities::Language;
@@ -19,12 +19,12 @@ fn calendar(delivered: &str, inspect: &str, name: Option<&str>) -> String {
     tables::calendar(&plan, &answer::upkeep(&plan, language), name, language)
 }
 
-/// Lines that go on in the next one are joined: RFC 5545, 3.1.
+/// Joins continued lines: RFC 5545, 3.1.
 fn unfolded(text: &str) -> Vec<String> {
     text.replace("\r\n ", "").lines().map(str::to_owned).collect()
 }
 
-/// Values of a property in the order of the events.
+/// Returns the values of a property in the order of the events.
 fn values(text: &str, property: &str) -> Vec<String> {
     let value = |line: String| line.strip_prefix(property).map(|rest| rest.trim_start_matches(':').to_owned());
     unfolded(text).into_iter().filter_map(value).collect()
@@ -64,7 +64,8 @@ fn each_event_has_an_identifier_of_its_own_that_stays() {
 #[test]
 fn a_series_repeats_and_a_date_does_not() {
     let text = calendar("2026-03-01", "6 months", None);
-    // Cleaning, cables, protective earth, screws, seals; two exchanges happen once. The storage has ended where the actuator is in service.
+    // Cleaning, cables, protective earth, screws, seals; two replacements happen once. The storage has ended when the
+    // actuator is in service.
     assert_eq!(values(&text, "RRULE"), vec!["FREQ=MONTHLY;INTERVAL=6"; 5]);
     assert_eq!(values(&text, "DTSTART;VALUE=DATE").len(), 7);
     assert_eq!(values(&calendar("2026-03-01", "90 d", None), "RRULE"), vec!["FREQ=DAILY;INTERVAL=90"; 5]);

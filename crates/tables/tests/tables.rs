@@ -122,7 +122,7 @@ fn names_and_units_are_the_same_in_both_languages() {
     assert_eq!(heads[0], heads[1]);
 }
 
-/// The records of a CSV, read by another hand.
+/// Reads the records of a CSV with an independent reader.
 fn records(text: &str) -> Vec<Vec<String>> {
     let mut reader = csv_core::ReaderBuilder::new().build();
     let (mut input, mut out, mut ends) = (text.as_bytes(), vec![0; text.len() + 8], vec![0; 256]);
@@ -162,7 +162,7 @@ fn csv_comes_back_as_it_was() {
                     match cell {
                         Cell::Number(number) => assert_eq!(field.parse::<f64>().unwrap(), *number),
                         other => {
-                            // An apostrophe says that what follows is text.
+                            // An apostrophe marks text.
                             let text = other.as_text().unwrap_or("");
                             let plain = field.strip_prefix('\'').filter(|rest| rest.starts_with(['=', '+', '-', '@']));
                             assert_eq!(plain.unwrap_or(field), text);
@@ -225,7 +225,7 @@ fn parquet_comes_back_as_it_was() {
     });
 }
 
-/// The course where no instant stands twice, which a recording demands.
+/// Returns the course with unique instants, which a recording requires.
 fn rising(course: &Table) -> Table {
     let mut rows: Vec<Vec<Cell>> = Vec::new();
     for row in course.rows.iter() {

@@ -24,7 +24,7 @@ pub(crate) fn run_with(arguments: &[&str], input: &[u8]) -> Run {
     run_as(arguments, input, "100")
 }
 
-/// On a terminal of so many columns.
+/// Runs on a terminal of `columns` columns.
 pub(crate) fn run_in(arguments: &[&str], columns: &str) -> Run {
     run_as(arguments, b"", columns)
 }
@@ -96,7 +96,7 @@ fn run_as(arguments: &[&str], input: &[u8], columns: &str) -> Run {
     }
 }
 
-/// Everything a user sees, for snapshots.
+/// Returns the whole output for a user, for snapshots.
 pub(crate) fn shown(arguments: &[&str]) -> String {
     let run = run(arguments);
     format!("$ antrieb {}\n{}--- stderr\n{}--- exit {}\n", arguments.join(" "), run.out, run.err, run.code)

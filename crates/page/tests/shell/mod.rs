@@ -1,4 +1,5 @@
-//! What tests of the page share: shells without a world or with a folder in memory, requests, and what a whole page is.
+//! Shared code of the page tests: shells without resources or with a folder in memory, requests, and checks of a whole
+//! page.
 #![allow(clippy::unwrap_used, clippy::panic, clippy::indexing_slicing, reason = "a test fails loudly")]
 #![allow(dead_code, unreachable_pub, reason = "each test takes what it needs")]
 
@@ -11,7 +12,7 @@ use std::collections::BTreeMap;
 #[allow(unused_imports, reason = "each test takes what it needs")]
 pub use testkit::html::whole;
 
-/// A shell without a world.
+/// A shell without resources.
 pub struct Alone;
 
 impl Shell for Alone {
@@ -49,7 +50,7 @@ pub fn page(reply: &Reply) -> String {
     String::from_utf8(reply.body.clone()).unwrap()
 }
 
-/// A folder in memory that keeps to what a folder promises.
+/// A folder in memory that keeps the promises of a working folder.
 #[derive(Default)]
 pub struct InMemory(pub RefCell<BTreeMap<String, Vec<u8>>>);
 
@@ -102,7 +103,7 @@ impl Shell for InMemory {
 }
 
 impl InMemory {
-    /// What it answers to a form.
+    /// Returns the reply to a form.
     pub fn post(&self, path: &str, fields: &[(&str, &str)]) -> Reply {
         let body = form(fields);
         let media = Some("application/x-www-form-urlencoded");
@@ -110,7 +111,7 @@ impl InMemory {
         respond(&call, self, &Patience::endless())
     }
 
-    /// What it answers to a query.
+    /// Returns the reply to a query.
     pub fn get(&self, path: &str, query: &str) -> Reply {
         let call = Call { method: Method::Get, path, query, media: None, body: &[], language: Language::En };
         respond(&call, self, &Patience::endless())

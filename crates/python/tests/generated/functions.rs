@@ -28,7 +28,7 @@ from antrieb._call import Lang, Path, Picture, Text, ask
 
 "#;
 
-/// Questions that the package has in another form under the same name: a sweep there takes tables, not files.
+/// Questions that the package has in another form under the same name: its sweep takes tables, not files.
 const REPLACED: [&str; 1] = ["sweep"];
 
 /// A parameter of a function.
@@ -40,23 +40,23 @@ struct Parameter {
     about: String,
 }
 
-/// What a function takes.
+/// Parameters of a function.
 #[derive(Clone)]
 struct Takes {
-    /// By place or by name.
+    /// Parameters by position or by name.
     first: Vec<Parameter>,
-    /// By name alone.
+    /// Parameters by name only.
     named: Vec<Parameter>,
 }
 
-/// A form of a function: what differs of its parameters, and what it returns.
+/// A form of a function: its differing parameters, and its return type.
 struct Form {
-    /// The parameters, each with its type, and whether it must be given.
+    /// Parameters with their type; `true` if required.
     by: Vec<(&'static str, String, bool)>,
     returns: String,
 }
 
-/// The module.
+/// Returns the module.
 pub(super) fn module(schema: &Schema) -> String {
     let mut out = HEAD.to_owned();
     let mut all: Vec<String> = Vec::new();
@@ -119,7 +119,7 @@ fn whole(entry: &Entry, schema: &Schema) -> String {
     out
 }
 
-/// The first line of a form.
+/// Returns the first line of a form.
 fn head(entry: &Entry, takes: &Takes, form: &Form) -> String {
     let mut takes = takes.clone();
     for (by, of, is_required) in &form.by {
@@ -167,7 +167,7 @@ fn returned(entry: &Entry) -> &'static str {
     }
 }
 
-/// The type of the record.
+/// Returns the type of the record.
 fn record_type(entry: &Entry, schema: &Schema) -> Option<String> {
     match entry.gives {
         Gives::Record(record) | Gives::RecordOr(record, _) => Some(
@@ -181,7 +181,7 @@ fn record_type(entry: &Entry, schema: &Schema) -> Option<String> {
     }
 }
 
-/// The forms of a function: of an axis that is named there is one answer, and the format says what comes.
+/// Returns the forms of a function: for a named axis there is one answer, and the format decides the return type.
 fn forms(entry: &Entry, schema: &Schema) -> Vec<Form> {
     let record = record_type(entry, schema).unwrap_or_default();
     match entry.gives {
@@ -207,7 +207,7 @@ fn forms(entry: &Entry, schema: &Schema) -> Vec<Form> {
     }
 }
 
-/// The forms of a record: of an axis that is named there is one.
+/// Returns the forms of a record: for a named axis there is one.
 fn forms_of_axes(entry: &Entry, record: String) -> Vec<Form> {
     match (one_of_several(&record), entry.arguments.iter().any(|each| each.name == "axis")) {
         (Some(one), true) => vec![
@@ -218,7 +218,7 @@ fn forms_of_axes(entry: &Entry, record: String) -> Vec<Form> {
     }
 }
 
-/// The media type of a format by its ending.
+/// Returns the media type of a format by its extension.
 fn of_ending(ending: &str, types: &[&'static str]) -> &'static str {
     let wanted = match ending {
         "csv" => media::CSV,
@@ -244,7 +244,7 @@ fn of_media(types: &[&str]) -> String {
     of.to_owned()
 }
 
-/// The answer of one axis, of one or several.
+/// Returns the answer of one axis, of one or several.
 fn one_of_several(record: &str) -> Option<String> {
     let (one, several) = record.split_once(" | ")?;
     let own = one.strip_prefix("answers.")?;
@@ -261,7 +261,7 @@ fn union<'t>(types: impl Iterator<Item = &'t str>) -> String {
     all.join(" | ")
 }
 
-/// What a function is about.
+/// Returns the parameters for the subject of a function.
 fn sources(reads: Reads) -> Vec<Parameter> {
     let text = |name: &str, about: &str| Parameter {
         name: name.to_owned(),
@@ -281,8 +281,8 @@ fn sources(reads: Reads) -> Vec<Parameter> {
     }
 }
 
-/// The parameters, in the order of the command line: by place a file without a name, the texts, what is required and the code;
-/// everything else by name, so that no value is taken for another argument.
+/// Returns the parameters in the order of the command line: by position a file without a name, the texts, required
+/// arguments and the code; the others by name, so that no value is taken for another argument.
 fn takes(entry: &Entry) -> Takes {
     let mut named = Vec::new();
     let is_before = |each: &Argument| {

@@ -1,24 +1,24 @@
 //! Names of Python for those of the list and of the schema, and texts as its strings.
 
-/// Names that Python keeps for itself, of those that occur.
+/// Reserved names of Python that occur.
 const KEPT: [&str; 35] = [
     "False", "None", "True", "and", "as", "assert", "async", "await", "break", "class", "continue", "def", "del",
     "elif", "else", "except", "finally", "for", "from", "global", "if", "import", "in", "is", "lambda", "nonlocal",
     "not", "or", "pass", "raise", "return", "try", "while", "with", "yield",
 ];
 
-/// A name of the list or of a field: `hours-per-day` is `hours_per_day`, `for` is `for_`.
+/// Returns the Python name of a name of the list or of a field: `hours-per-day` is `hours_per_day`, `for` is `for_`.
 pub(super) fn name(written: &str) -> String {
     let plain: String = written.chars().map(|sign| if sign.is_ascii_alphanumeric() { sign } else { '_' }).collect();
     if KEPT.contains(&plain.as_str()) { plain + "_" } else { plain }
 }
 
-/// The function of a command: `wiring --check` is `wiring_check`.
+/// Returns the function of a command: `wiring --check` is `wiring_check`.
 pub(super) fn function(command: &str) -> String {
     name(&command.replace(" --", " "))
 }
 
-/// The class of a record: `Axes_of_Sizing` is `AxesOfSizing`.
+/// Returns the class of a record: `Axes_of_Sizing` is `AxesOfSizing`.
 pub(super) fn class(definition: &str) -> String {
     let capital = |word: &str| {
         let mut signs = word.chars();
@@ -27,12 +27,12 @@ pub(super) fn class(definition: &str) -> String {
     definition.split('_').map(capital).collect()
 }
 
-/// A text within a string of three quotes.
+/// Escapes a text for a string of three quotes.
 pub(super) fn doc(text: &str) -> String {
     text.replace('\\', "\\\\").replace("\"\"\"", "\\\"\\\"\\\"")
 }
 
-/// A sentence: with a capital and a full stop.
+/// Returns a sentence with a capital and a full stop.
 pub(super) fn sentence(text: &str) -> String {
     let text = text.trim();
     let mut signs = text.chars();
@@ -43,12 +43,12 @@ pub(super) fn sentence(text: &str) -> String {
     whole
 }
 
-/// A string of Python.
+/// Returns a Python string.
 pub(super) fn quoted(text: &str) -> String {
     format!("\"{}\"", text.replace('\\', "\\\\").replace('"', "\\\""))
 }
 
-/// One of these strings.
+/// Returns the type of one of these strings.
 pub(super) fn literal<'w>(words: impl IntoIterator<Item = &'w str>) -> String {
     let words: Vec<String> = words.into_iter().map(quoted).collect();
     format!("Literal[{}]", words.join(", "))

@@ -20,7 +20,7 @@ from typing import Literal
 
 "#;
 
-/// The module.
+/// Returns the module.
 pub(super) fn module(schema: &Schema) -> String {
     let mut out = HEAD.to_owned();
     let mut all: Vec<String> = Vec::new();
@@ -59,7 +59,7 @@ pub(super) fn module(schema: &Schema) -> String {
     out
 }
 
-/// What needs no name of its own: a number, and the answer of one axis or several.
+/// Returns `true` for a definition that needs no name of its own: a number, and the answer of one axis or several.
 fn is_inlined(definition: &str) -> bool {
     definition == "Number" || definition.starts_with("Answered_for_")
 }
@@ -72,7 +72,7 @@ fn described(shape: &Value) -> Option<&str> {
     shape.get("description").and_then(Value::as_str)
 }
 
-/// A name for a set of words, a map or a choice.
+/// Returns a name for a set of words, a map or a choice.
 fn alias(definition: &str, shape: &Value, schema: &Schema) -> String {
     let mut out = format!("\n{} = {}\n", class(definition), of_shape(shape, schema, false));
     let mut about = described(shape).map(|text| vec![sentence(text)]).unwrap_or_default();
@@ -87,7 +87,7 @@ fn alias(definition: &str, shape: &Value, schema: &Schema) -> String {
     out
 }
 
-/// A record as a class.
+/// Returns a record as a class.
 fn record(definition: &str, shape: &Value, schema: &Schema) -> String {
     let empty = Map::new();
     let fields = shape.get("properties").and_then(Value::as_object).unwrap_or(&empty);
@@ -117,14 +117,14 @@ fn record(definition: &str, shape: &Value, schema: &Schema) -> String {
     out
 }
 
-/// The class of a record that answers about one axis and has nothing of this name itself.
+/// Returns the class of a record that answers about one axis and has no field of this name itself.
 fn one_axis(definition: &str, schema: &Schema) -> Option<String> {
     let has_several = schema.definitions.contains_key(&format!("Axes_of_{definition}"));
     let fields = schema.definitions.get(definition)?.get("properties")?;
     (has_several && fields.get("axes").is_none()).then(|| class(definition))
 }
 
-/// The type of a shape; `of_module` where it is used outside of the module of the answers.
+/// Returns the type of a shape; `of_module` for use outside of the module of the answers.
 pub(super) fn of_shape(shape: &Value, schema: &Schema, of_module: bool) -> String {
     let within = |shape: &Value| of_shape(shape, schema, of_module);
     let several = |shapes: &Value| {
@@ -136,7 +136,7 @@ pub(super) fn of_shape(shape: &Value, schema: &Schema, of_module: bool) -> Strin
                 }
             }
         }
-        // What may be nothing says so at its end.
+        // `None` comes last.
         types.sort_by_key(|each| each == "None");
         types.join(" | ")
     };

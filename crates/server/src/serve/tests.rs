@@ -7,7 +7,7 @@ use std::sync::{Mutex, PoisonError};
 use std::time::Instant;
 use tokio::sync::oneshot;
 
-/// A server for as long as a test holds it.
+/// A server that lives as long as its test.
 struct Up {
     address: SocketAddr,
     url: String,
@@ -129,7 +129,7 @@ fn work_that_nobody_waits_for_ends() {
     assert!(answer.starts_with("HTTP/1.1 503 ") && answer.contains("not answered within"), "{answer}");
     assert_eq!(waited(1), 1, "the time is over");
     drop(up_short);
-    // The client goes, long before the time is over.
+    // The client disconnects long before the time limit.
     let up_long =
         up(endless, Access::Anyone, Limits { answer_time: Duration::from_secs(60), computed: 1, ..Limits::default() });
     let mut stream = up_long.connect();
