@@ -57,7 +57,7 @@ fn answer(connection: &mut BufReader<TcpStream>) -> u16 {
     status.expect("a status")
 }
 
-/// How long the user waits for `/health` on a connection of its own.
+/// Time that the user waits for `/health` on a connection of its own.
 fn health(address: SocketAddr, token: &str) -> Duration {
     timed(|| {
         let mut stream = TcpStream::connect(address).expect("the server listens");

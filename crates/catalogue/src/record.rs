@@ -269,7 +269,7 @@ pub struct Document {
     pub id: &'static str,
     /// Short name under which texts cite it, in English; unique, and never part of another one.
     pub short: &'static str,
-    /// The same in German; empty if it is that in English.
+    /// Text in German; empty if it equals the English one.
     pub short_de: &'static str,
     /// Title.
     pub title: &'static str,

@@ -81,7 +81,7 @@ pub trait Files {
     /// for.
     ///
     /// # Errors
-    /// The error of the system, or [`Unopened`](crate::fault::Unopened).
+    /// The error of the system, or [`Unopened`](crate::Unopened).
     fn open(&self, name: &str) -> std::io::Result<Box<dyn Read>>;
 
     /// Returns its size in bytes, if that is known without reading it; a file that is too large is then not read at
