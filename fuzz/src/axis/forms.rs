@@ -91,7 +91,7 @@ pub(super) fn dossier(case: &Case<'_>, sizing: &Sizing<'_>, best: &Candidate<'_>
     super::texts(&serde_json::to_value(&found).unwrap_or_default());
     let figure = report::Diagram {
         place: report::DiagramPlace::Motion,
-        svg: String::new(),
+        svgs: vec![String::new()],
         caption: String::from("caption"),
         alternative_text: String::from("description"),
     };
