@@ -1,6 +1,6 @@
 //! Content of a report.
 
-use crate::{CitedErratum, Explained, Id, Inertia, Judgement, Number, Sizing};
+use crate::{CitedErratum, DataLine, Explained, Id, Inertia, Judgement, Number, Operation, Sizing};
 use schemars::JsonSchema;
 use serde::Serialize;
 use sizing::CheckId;
@@ -22,6 +22,10 @@ pub struct Dossier {
     pub inputs: Vec<InputTable>,
     /// Load on the flange.
     pub mechanism: Mechanism,
+    /// Cycle on the actuator, segment by segment; `null` if the inertia of the actuator is not known.
+    pub operation: Option<Operation>,
+    /// Printed data of the actuator; empty for one of the project.
+    pub data_sheet: Vec<DataLine>,
     /// Checks with their derivations.
     pub explained: Vec<Explained>,
     /// Missing data of checks that could not be made or have no limit.

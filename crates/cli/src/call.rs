@@ -166,6 +166,12 @@ impl Call<'_> {
         self.text(name).map(|text| bounded(name, text, self.language)).transpose()
     }
 
+    /// Returns the texts of an option that may be repeated, each as [`Call::label`].
+    pub(crate) fn labels(&self, name: &'static str) -> Result<Vec<String>, Unanswered> {
+        let texts = self.matches.try_get_many::<String>(name).ok().flatten().unwrap_or_default();
+        texts.map(|text| bounded(name, text, self.language)).collect()
+    }
+
     /// Returns `true` if an option is set.
     pub(crate) fn flag(&self, name: &str) -> bool {
         self.matches.try_get_one::<bool>(name).ok().flatten().copied().unwrap_or(false)

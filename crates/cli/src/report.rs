@@ -16,7 +16,7 @@ use questions::list::upkeep::UpkeepAsked;
 use questions::list::{Asked, Unanswered, report as args};
 use questions::texts::standing_text;
 use questions::{Candidate, CandidateId, Draw, Patience, Refusal, Rejected, Sizing, answer, chapter};
-use report::{AxisContent, Content, DiagramPlace, Settings};
+use report::{AxisContent, Change, Content, DiagramPlace, Settings};
 use std::borrow::Cow;
 use std::path::Path;
 use words::terminal;
@@ -135,9 +135,24 @@ fn settings(call: &Call<'_>) -> Result<Settings, Unanswered> {
         number: text("number")?,
         author: text("author")?,
         company: text("company")?,
+        customer: text("customer")?,
+        order: text("order")?,
+        changes: call.labels("change")?.iter().map(|text| change(text, call.language)).collect::<Result<_, _>>()?,
         pdf_a: call.flag("archive"),
         full: call.flag("full"),
     })
+}
+
+/// Parses a line of the list of changes: revision, day, author if stated, and content, between semicolons.
+fn change(text: &str, language: Language) -> Result<Change, Unanswered> {
+    let parts: Vec<String> = text.splitn(4, ';').map(|part| part.trim().to_owned()).collect();
+    match <[String; 4]>::try_from(parts) {
+        Ok([revision, date, author, text]) => Ok(Change { revision, date, author, text }),
+        Err(parts) => match <[String; 3]>::try_from(parts) {
+            Ok([revision, date, text]) => Ok(Change { revision, date, author: String::new(), text }),
+            Err(_) => Err(Unanswered::option("change", (terminal::not_a_change(&text, language), None))),
+        },
+    }
 }
 
 /// Returns the actuator of an axis, with its results as a record and as figures, computed in parallel. A thread that

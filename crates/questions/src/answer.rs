@@ -14,6 +14,7 @@ mod inputs;
 mod judged;
 mod motion;
 mod mount;
+mod operation;
 mod recorded;
 mod sheet;
 mod simulation;

@@ -9,10 +9,11 @@ mod demand;
 mod ends;
 mod inputs;
 pub(crate) mod laid_out;
+mod operation;
 mod origins;
 mod shown;
 
-use crate::{Content, Fault, Settings};
+use crate::{Change, Content, Fault, Settings};
 use axis::Axis;
 use serde::Serialize;
 use shown::Shown;
@@ -46,6 +47,9 @@ struct Head {
     number: String,
     author: String,
     company: String,
+    customer: String,
+    order: String,
+    changes: Vec<Change>,
     program: String,
     hash_project: String,
     hash_catalogue: String,
@@ -85,6 +89,9 @@ impl Document {
             number: settings.number.clone(),
             author: settings.author.clone(),
             company: settings.company.clone(),
+            customer: settings.customer.clone(),
+            order: settings.order.clone(),
+            changes: settings.changes.iter().map(|change| shown_change(change, &shown)).collect(),
             program: first.dossier.fingerprints.program.clone(),
             hash_project: checks::once(dossiers().map(|dossier| &dossier.fingerprints.project)).join(", "),
             hash_catalogue: first.dossier.fingerprints.catalogue.clone(),
@@ -104,6 +111,12 @@ impl Document {
             documents,
         })
     }
+}
+
+/// A change with its day as the language writes it; a day that is none of the calendar stays as given.
+fn shown_change(change: &Change, shown: &Shown) -> Change {
+    let date = read_date(&change.date).map_or_else(|_| change.date.clone(), |date| shown.date(date.year, date.month, date.day));
+    Change { date, ..change.clone() }
 }
 
 /// A date of the calendar, year, month, day.

@@ -150,10 +150,29 @@ pub struct Settings {
     pub author: String,
     /// Company or office.
     pub company: String,
+    /// Customer.
+    pub customer: String,
+    /// Number of the order.
+    pub order: String,
+    /// List of changes, the latest last.
+    pub changes: Vec<Change>,
     /// Whether the file is to be kept: PDF/A-2a. Tagged it is in any case.
     pub pdf_a: bool,
     /// With every derivation, the sources of every figure and every rejected code as appendices.
     pub full: bool,
+}
+
+/// A line of the list of changes.
+#[derive(Clone, Debug, Default, PartialEq, Eq, Serialize)]
+pub struct Change {
+    /// Revision that it led to.
+    pub revision: String,
+    /// Day, as given.
+    pub date: String,
+    /// Author of the change; empty where not stated.
+    pub author: String,
+    /// Content of the change.
+    pub text: String,
 }
 
 /// Why there is no report.

@@ -9,6 +9,7 @@ pub(crate) const FILES: &[(&str, &str)] = &[
     ("inputs.typ", include_str!("../template/inputs.typ")),
     ("mechanism.typ", include_str!("../template/mechanism.typ")),
     ("motion.typ", include_str!("../template/motion.typ")),
+    ("data-sheet.typ", include_str!("../template/data-sheet.typ")),
     ("checks.typ", include_str!("../template/checks.typ")),
     ("tolerances.typ", include_str!("../template/tolerances.typ")),
     ("alternatives.typ", include_str!("../template/alternatives.typ")),

@@ -115,7 +115,7 @@ impl Course {
         let currents = Currents::of(axis, actuator, &electrics);
         let power = CyclePower::of(actuator, currents.as_ref());
         let mut gathered = Gathered::default();
-        instants(axis, fine, &mut |position_rad, node, waits| {
+        instants(axis, fine, &mut |_, position_rad, node, waits| {
             let current = currents.as_ref().ok().map(|currents| currents.at(node));
             let losses = currents.as_ref().ok().and_then(|currents| currents.losses(node)).unwrap_or_default();
             let square = current.zip(stall).map_or(0.0, |(current, stall)| (current / stall).powi(2));
@@ -142,7 +142,7 @@ impl Course {
 
 /// Number of parts of a piece by its beginning and its duration \[s\], and number of recorded intervals from an instant
 /// on that form a group.
-type Fineness<'f> = (&'f dyn Fn(f64, f64) -> u32, &'f dyn Fn(f64) -> usize);
+pub(crate) type Fineness<'f> = (&'f dyn Fn(f64, f64) -> u32, &'f dyn Fn(f64) -> usize);
 
 /// Copper loss and friction \[W\] and the square of the current as a share of I_0.
 type Rates = [f64; 3];
@@ -226,12 +226,13 @@ fn kept(group: &[(Sample, Rates)]) -> Vec<usize> {
     places
 }
 
-/// Visits the samples of the pieces of the laws and of the recordings, in order of time.
-fn instants(axis: &Axis, (parts, group): Fineness<'_>, look: &mut impl FnMut(f64, &Node, bool)) {
+/// Visits the samples of the pieces of the laws and of the recordings, in order of time: index of the segment, position
+/// \[rad\], the instant, and whether it waits for the rest of its group.
+pub(crate) fn instants(axis: &Axis, (parts, group): Fineness<'_>, look: &mut impl FnMut(usize, f64, &Node, bool)) {
     let none = Extra::none();
     let extra = |segment: usize| axis.extras.get(segment).unwrap_or(&none);
     let mut recordings = axis.motion.recordings().iter().peekable();
-    let recorded = |placed: &motion::Placed, look: &mut dyn FnMut(f64, &Node, bool)| {
+    let recorded = |placed: &motion::Placed, look: &mut dyn FnMut(usize, f64, &Node, bool)| {
         let count = placed.intervals();
         let (mut left, mut is_group) = (0, false);
         for (index, interval) in (0..count).filter_map(|index| Some((index, placed.interval(index)?))) {
@@ -252,6 +253,7 @@ fn instants(axis: &Axis, (parts, group): Fineness<'_>, look: &mut impl FnMut(f64
                 let time = interval.start_s + u * interval.duration_s;
                 let load = axis.mechanism.torque(&output, &extra);
                 look(
+                    placed.segment,
                     position,
                     &Node {
                         time_s: time,
@@ -291,6 +293,7 @@ fn instants(axis: &Axis, (parts, group): Fineness<'_>, look: &mut impl FnMut(f64
             let held = rests && middle >= closing && middle <= opens && closing < opens;
             let load = if held { 0.0 } else { axis.mechanism.torque(&output, extra(piece.segment)) };
             look(
+                piece.segment,
                 output.position_rad,
                 &Node {
                     time_s: piece.start_s + t,

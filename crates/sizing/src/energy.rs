@@ -91,6 +91,11 @@ impl<'a> CyclePower<'a> {
         }
     }
 
+    /// Visits the energy of each part of a gap with one sign of the power, in order \[J\].
+    pub(crate) fn energies(&self, a: &Node, b: &Node, mut take: impl FnMut(f64)) {
+        self.gap(a, b, &mut |arc| arc.parts(&mut take));
+    }
+
     /// Visits a part of a gap with one sign of the torque: I and ω are linear there, so P is a parabola of time.
     fn arc(&self, a: &Node, b: &Node, torque: f64, take: &mut impl FnMut(&Arc)) {
         let braking = torque * a.direction < 0.0;

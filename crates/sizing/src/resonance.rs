@@ -199,10 +199,11 @@ pub(crate) fn resonance(case: &Case<'_>, work: &mut Workings) -> Outcome {
     };
     Ok(Check {
         verdict,
-        value: Some(Amount { si: value, unit: &PERCENT }),
-        limit: Some(Amount { si: RESONANCE_BAND, unit: &PERCENT }),
-        utilisation: (value > 0.0).then(|| RESONANCE_BAND / value),
-        at: nearest.map(|(_, held)| Time::from_si(held.start)),
+        // What lies apart of the speeds that are known says nothing about those of a recording.
+        value: (!open).then_some(Amount { si: value, unit: &PERCENT }),
+        limit: (!open).then_some(Amount { si: RESONANCE_BAND, unit: &PERCENT }),
+        utilisation: (value > 0.0 && !open).then(|| RESONANCE_BAND / value),
+        at: nearest.filter(|_| !open).map(|(_, held)| Time::from_si(held.start)),
         grade: Some(Grade::Assumed),
         value_source: Some(MODEL),
         limit_source: Some(MODEL),

@@ -420,6 +420,11 @@ texts! {
     number = "Document number" | "Dokumentnummer";
     author = "Author" | "Bearbeitet von";
     company = "Company or office" | "Firma oder Büro";
+    customer = "Customer" | "Kunde";
+    order = "Number of the order" | "Auftragsnummer";
+    change =
+        "Line of the list of changes, for example \"B; 2026-11-21; E. Example; longer stroke\"; may be repeated"
+        | "Zeile der Änderungsliste, zum Beispiel \"B; 2026-11-21; E. Beispiel; längerer Hub\"; mehrfach möglich";
     archive = "As PDF/A for archiving; requires --date" | "Als PDF/A zum Archivieren; erfordert --date";
     force = "Replace an existing file" | "Eine vorhandene Datei ersetzen";
     usage = "Usage" | "Aufruf";

@@ -27,6 +27,7 @@ mod mechanism_keys;
 mod motion;
 pub mod mounting;
 mod notes;
+pub mod operation;
 pub mod page;
 pub mod pages;
 pub mod pictures;

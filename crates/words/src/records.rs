@@ -13,6 +13,12 @@ texts! {
     screws_at_the_housing = "screws between housing and machine" | "Schrauben zwischen Gehäuse und Maschine";
     length_after_the_joined_part = "length to suit the clamped part" | "Länge nach dem verschraubten Bauteil";
     load = "load" | "Last";
+    mating_coupling_of(connector, kind) =
+        "mating coupling for {connector} {kind}" | "Kabelkupplung für {connector} {kind}";
+    cable_of(role) = "cable of the {role}" | "Leitung, {role}";
+    cable_to_choose(cable, goal, lengths) = "{cable}; for {goal}; length {lengths}" | "{cable}; für {goal}; Länge {lengths}";
+    length_code(letters) = "{letters} by the drive manufacturer" | "{letters} nach Angabe des Reglerherstellers";
+    by_choice = "as required" | "nach Bedarf";
     transmits_degreased(torque) = "transmits {torque} with degreased faces" | "überträgt {torque} bei entfetteten Flächen";
     no_such_erratum(text) =
         "there is no erratum, table or ordering code `{text}`"

@@ -89,6 +89,37 @@ texts! {
     number = "Document" | "Dokument";
     author = "Author" | "Bearbeitet von";
     company = "Company" | "Firma";
+    document_number = "Document number" | "Dokumentnummer";
+    customer = "Customer" | "Kunde";
+    order = "Order" | "Auftrag";
+    contents = "Contents" | "Inhalt";
+    changes = "Changes" | "Änderungen";
+    change = "Change" | "Änderung";
+    c_data = "Data of the selected actuator" | "Daten des gewählten Antriebs";
+    data_text =
+        "As printed, corrected where an erratum applies; the number in the last column is the table of the manual."
+        | "Angaben des Herstellers, mit Druckfehlern berichtigt; die letzte Spalte nennt die Tabelle der Anleitung.";
+    data_errata = "* Errata" | "* Druckfehler";
+    s_operation = "Load by segment" | "Belastung je Abschnitt";
+    operation_text =
+        "At the output shaft; current and power at the motor terminals, E_mot energy taken, E_reg energy returned. Deviation between the computed instants below 0.1 % of the maximum."
+        | "An der Abtriebswelle; Strom und Leistung an den Motorklemmen, E_mot aufgenommene, E_reg zurückgespeiste Energie. Abweichung zwischen den berechneten Zeitpunkten unter 0,1 % des Höchstwerts.";
+    whole_cycle = "Cycle" | "Zyklus";
+    s_motor = "Motor side and duty type" | "Motorseite und Betriebsart";
+    current_rms = "Effective motor current" | "Effektiver Motorstrom";
+    current_peak = "Peak motor current" | "Spitzenstrom des Motors";
+    motor_speed_peak = "Peak motor speed" | "Spitzendrehzahl des Motors";
+    motor_speed_mean = "Mean motor speed" | "Mittlere Drehzahl des Motors";
+    motor_torque_peak = "Peak motor torque" | "Spitzendrehmoment des Motors";
+    motor_torque_rms = "Effective motor torque" | "Effektives Drehmoment des Motors";
+    inertia_ratio = "Inertia ratio" | "Trägheitsverhältnis";
+    motor_text =
+        "Motor speed: output speed times ratio. Motor torque: motor torque constant times current, friction included."
+        | "Motordrehzahl: Abtriebsdrehzahl mal Untersetzung. Motordrehmoment: Drehmomentkonstante des Motors mal Strom, Reibung enthalten.";
+    duty_type = "Duty type" | "Betriebsart";
+    duty_text =
+        "derived from the cycle by IEC 60034-1, 4.2; the checks use the cycle itself"
+        | "aus dem Zyklus nach IEC 60034-1, 4.2 abgeleitet; die Nachweise verwenden den Zyklus selbst";
     unnamed = "Axis without name" | "Achse ohne Namen";
     own_actuator = "Actuator from the project, not from the catalogue" | "Antrieb aus dem Projekt, nicht aus dem Katalog";
     exceeded = "Limits exceeded" | "Überschrittene Grenzen";
@@ -159,7 +190,7 @@ texts! {
     fitting = "fit" | "geeignet";
     open_short = "Open" | "Offen";
     chosen = "selected" | "gewählt";
-    further = "Further failed checks" | "Weitere nicht erfüllte Nachweise";
+    further = "also:" | "ferner:";
     count = "Count" | "Anzahl";
     s_screws = "Screws" | "Schrauben";
     item = "Item" | "Pos.";

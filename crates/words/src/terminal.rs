@@ -267,6 +267,9 @@ texts! {
         "select one table with --table: {names}; or write the whole workbook with --out FILE.xlsx"
         | "eine Tabelle mit --table wählen: {names}; oder die ganze Arbeitsmappe mit --out DATEI.xlsx schreiben";
     report_without_axis = "a report requires at least one axis" | "ein Bericht erfordert mindestens eine Achse";
+    not_a_change(text) =
+        "`{text}` is no line of the list of changes: expected revision, date, author and text, separated by semicolons; the author may be omitted"
+        | "`{text}` ist keine Zeile der Änderungsliste: erwartet werden Revision, Datum, Name und Text, durch Semikolon getrennt; der Name darf fehlen";
     not_a_date(text) = "`{text}` is not a date" | "`{text}` ist kein Datum";
     archive_needs_a_date = "an archive file (PDF/A) requires a date" | "eine Archivdatei (PDF/A) erfordert ein Datum";
     report_not_typeset(message) =

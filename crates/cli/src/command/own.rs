@@ -34,8 +34,12 @@ fn title_page(command: Command, language: Language) -> Command {
         ("number", help::number(l)),
         ("author", help::author(l)),
         ("company", help::company(l)),
+        ("customer", help::customer(l)),
+        ("order", help::order(l)),
     ];
-    command.args(fields.map(|(name, help)| text(name, values::text(l), help))).arg(flag("archive", help::archive(l)))
+    let change = text("change", values::change(l), help::change(l)).action(ArgAction::Append);
+    let fields = fields.map(|(name, help)| text(name, values::text(l), help));
+    command.args(fields).arg(change).arg(flag("archive", help::archive(l)))
 }
 
 /// Accepts any name of a table: the list itself reports the valid ones.

@@ -4,12 +4,14 @@ use super::check::{check, explained};
 use super::errata::cited;
 use super::inputs::{inputs_of_axis, mechanism, tables};
 use super::judged::{judgement, sizing};
+use super::operation::{data_sheet, operation};
 use crate::fingerprint::{catalogue_fingerprint, project_fingerprint};
 use crate::mends::Mend;
 use crate::sizing_use::{Candidate, CandidateId, Sizing, by_importance};
 use crate::texts::{self, Rejections};
 use crate::tolerance::Assessment;
 use actuator::ScrewJoint;
+use installation::wiring::{CableLength, CableRole};
 use answers::{CheckCounts, Document, Dossier, ErratumUsed, Fingerprints, Id, Item, Missing, RejectionGroup};
 use order_code::Field;
 use project::Project;
@@ -19,7 +21,7 @@ use quantities::{Language, Measure, Unit, format_number};
 use sizing::{Check, Reserve};
 use words::{
     Counts, capitalised, check_missing, check_title, describe_token, document_note, document_title, records, short,
-    source_text, terms, unpadded,
+    source_text, terms, unpadded, wiring,
 };
 
 /// An axis with everything there is to tell of it and of the actuator chosen.
@@ -55,6 +57,12 @@ pub fn dossier(
         rejections: rejections(ranked, language),
         mechanism: mechanism(project, &inputs, language),
         inputs: tables(&inputs, language),
+        operation: sizing::Operation::of(&project.axis, chosen.parameters)
+            .map(|found| operation(&found, &chosen.judgement.checks, language)),
+        data_sheet: match &chosen.id {
+            CandidateId::Code(code) => data_sheet(code, language),
+            CandidateId::Own(_) => Vec::new(),
+        },
         explained: checks.iter().map(|check| explained(check, language)).collect(),
         missing: missing(chosen, language),
         // Nothing is ordered that does not fit.
@@ -166,7 +174,54 @@ fn bill_of_material(candidate: &Candidate<'_>, language: Language) -> Vec<Item> 
         let count = format_number(count.value, 0, language);
         add(count, format!("{}{class}", size.value), format!("{text}; {length}"), Some(source));
     }
+    if let CandidateId::Code(code) = &candidate.id
+        && let Some(found) = installation::wiring::wiring(code)
+    {
+        connected(&found, &mut add, language);
+    }
     rows
+}
+
+/// The couplings that mate with the connectors, and the cables that the manual lists, by what they go to.
+fn connected(
+    found: &installation::wiring::Wiring,
+    add: &mut impl FnMut(String, String, String, Option<String>),
+    language: Language,
+) {
+    let source = |cell: &'static catalogue::Cell| {
+        let place = source_text(&Source::Cell(&cell.place), language);
+        [place].into_iter().chain(cell.errata.iter().map(|id| (*id).to_owned())).collect::<Vec<_>>().join("; ")
+    };
+    for connector in &found.connectors {
+        let Some(number) = connector.mating else { continue };
+        let name = wiring::role_name(connector.role, language);
+        let text = capitalised(&records::mating_coupling_of(&name, &connector.kind.corrected, language));
+        add("1".into(), number.corrected.to_owned(), text, Some(source(number)));
+    }
+    if found.cables.is_empty() {
+        add("–".into(), "–".into(), capitalised(wiring::no_cables(language)), None);
+    }
+    let mut seen = Vec::new();
+    for cable in &found.cables {
+        if seen.contains(&(cable.goal, cable.role)) {
+            continue;
+        }
+        seen.push((cable.goal, cable.role));
+        let like = || found.cables.iter().filter(|each| (each.goal, each.role) == (cable.goal, cable.role));
+        let numbers: Vec<&str> = like().map(|each| each.number.corrected).collect();
+        let lengths = like().map(|each| match each.length {
+            CableLength::Metres(metres) => format!("{} m", format_number(metres, 0, language)),
+            CableLength::InNumber(letters) => records::length_code(&letters, language),
+        });
+        let lengths = lengths.collect::<Vec<_>>().join(", ");
+        let role = match cable.role {
+            CableRole::Set => capitalised(wiring::cable_role(cable.role, language)),
+            other => capitalised(&records::cable_of(&wiring::cable_role(other, language), language)),
+        };
+        let goal = wiring::cable_goal(cable.goal, language);
+        let text = records::cable_to_choose(&role, &goal, &lengths, language);
+        add(records::by_choice(language).to_owned(), numbers.join(", "), text, Some(source(cable.number)));
+    }
 }
 
 /// Both joints: number and size of the screws, circle, tightening torque and what the joint transmits.

@@ -29,6 +29,9 @@ pub(super) fn tables(inputs: &[Input], language: Language) -> Vec<InputTable> {
     let mut tables: Vec<InputTable> = Vec::new();
     for input in inputs {
         let (table, name) = input.path.rsplit_once('.').unwrap_or(("", &input.path));
+        // A body in a table of its own is a line of the mechanism, as one that is written in a line.
+        let body = table.rsplit_once(".body[");
+        let table = body.map_or(table, |(outer, _)| outer);
         let place = tables.iter().position(|known| known.key == table).unwrap_or_else(|| {
             tables.push(InputTable {
                 key: table.to_owned(),
@@ -39,6 +42,10 @@ pub(super) fn tables(inputs: &[Input], language: Language) -> Vec<InputTable> {
             tables.len() - 1
         });
         let Some(table) = tables.get_mut(place) else { continue };
+        if let Some((_, number)) = body {
+            body_part(&mut table.values, &format!("bodies[{number}"), (input, name), language);
+            continue;
+        }
         // `points[2][1]`: the values of a row stand on one line.
         let row = name.rfind("][").map(|end| &name[..=end]);
         let value = value(input, row.unwrap_or(name), language);
@@ -48,6 +55,25 @@ pub(super) fn tables(inputs: &[Input], language: Language) -> Vec<InputTable> {
         }
     }
     tables
+}
+
+/// Adds a key of a body to its line: the shape, or the quantity with its value.
+fn body_part(
+    values: &mut Vec<answers::Input>,
+    line: &str,
+    (input, name): (&Input, &str),
+    language: Language,
+) {
+    let value = value(input, line, language);
+    let text = match (name, value.tolerance) {
+        ("shape", _) => body(&input.written, language),
+        (_, None) => format!("{} {}", body_key(name, language).unwrap_or(name), value.text),
+        (_, Some(band)) => format!("{} {} {band}", body_key(name, language).unwrap_or(name), value.text),
+    };
+    match values.iter_mut().find(|known| known.name == line) {
+        Some(known) => known.text = format!("{}, {text}", known.text),
+        None => values.push(answers::Input { name: line.to_owned(), label: String::new(), text, tolerance: None }),
+    }
 }
 
 fn value(input: &Input, name: &str, language: Language) -> answers::Input {

@@ -6,6 +6,7 @@ use super::demand::{DemandTable, MotionTable};
 use super::figure_file;
 use super::inputs::{Inputs, Mechanism, groups};
 use super::laid_out::{LaidOut, laid_out};
+use super::operation::{DataSheet, Operation, data_sheet, operation};
 use super::origins::{Derived, Source, derived, sources};
 use super::shown::{Shown, tied};
 use crate::{AxisContent, Diagram, DiagramPlace};
@@ -26,6 +27,8 @@ pub(super) struct Axis {
     motion: MotionTable,
     single_move: bool,
     demand: DemandTable,
+    operation: Option<Operation>,
+    data_sheet: DataSheet,
     checks: Checks,
     tolerance: Option<Scatter>,
     alternatives: Alternatives,
@@ -161,6 +164,8 @@ impl Axis {
             motion: MotionTable::build(&judgement.motion, shown),
             single_move: dossier.single_move,
             demand: DemandTable::build(dossier, shown),
+            operation: operation(dossier, shown),
+            data_sheet: data_sheet(dossier),
             tolerance: judgement.tolerance.as_ref().map(|found| scatter(found, dossier, &titles, shown)),
             alternatives: Alternatives::build(dossier, &titles, full, shown),
             bill_of_material: dossier.bill_of_material.clone(),

@@ -122,6 +122,14 @@ pub fn settings() -> Settings {
         number: "AX-4711-02".to_owned(),
         author: "E. Example".to_owned(),
         company: "Example Engineering".to_owned(),
+        customer: "Example Machines".to_owned(),
+        order: "4711/26".to_owned(),
+        changes: vec![report::Change {
+            revision: "B".to_owned(),
+            date: "2026-11-21".to_owned(),
+            author: String::new(),
+            text: "longer stroke".to_owned(),
+        }],
         pdf_a: true,
         full: false,
     }

@@ -37,6 +37,7 @@ texts! {
     temperature = "TEMPERATURE" | "TEMPERATUR";
     term = "TERM" | "BEGRIFF";
     text = "TEXT";
+    change = "REVISION; DATE; AUTHOR; TEXT" | "REVISION; DATUM; NAME; TEXT";
     theme = "THEME" | "FARBEN";
     time = "TIME" | "ZEIT";
     torque = "TORQUE" | "MOMENT";

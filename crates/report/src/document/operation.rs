@@ -1,0 +1,112 @@
+//! The cycle on the chosen actuator by segments, the shaft of the motor, the duty type, and the printed data.
+
+use super::ends::Ends;
+use super::shown::{Shown, tied};
+use answers::{Dossier, Number, SegmentLoad};
+use serde::Serialize;
+use words::capitalised;
+
+/// The cycle on the actuator.
+#[derive(Serialize)]
+pub(super) struct Operation {
+    segments: Ends<LoadRow>,
+    cycle: LoadRow,
+    facts: Vec<OperationFact>,
+    duty: String,
+    duty_reason: String,
+}
+
+/// A segment, or the whole cycle.
+#[derive(Serialize)]
+struct LoadRow {
+    /// From 1; `None` for the whole cycle.
+    number: Option<usize>,
+    /// Duration, T_peak, T_rms, n_peak, I_peak, I_rms, P_peak, energy taken, energy returned; empty where not known.
+    values: [String; 9],
+}
+
+/// A quantity of the motor or of the inertias.
+#[derive(Serialize)]
+struct OperationFact {
+    /// Word of the template.
+    key: &'static str,
+    symbol: &'static str,
+    value: String,
+}
+
+/// A printed value.
+#[derive(Serialize)]
+pub(super) struct DataRow {
+    symbol: &'static str,
+    name: String,
+    value: String,
+    table: &'static str,
+    is_doubtful: bool,
+}
+
+/// The printed values with the errata that touch them.
+#[derive(Serialize)]
+pub(super) struct DataSheet {
+    rows: Vec<DataRow>,
+    errata: Vec<&'static str>,
+}
+
+fn row(number: Option<usize>, load: &SegmentLoad, shown: &Shown) -> LoadRow {
+    let text = |value: Option<Number>| value.map(|value| shown.number(value)).unwrap_or_default();
+    let values = [
+        Some(load.duration),
+        Some(load.torque_peak),
+        Some(load.torque_rms),
+        Some(load.speed_peak),
+        load.current_peak,
+        load.current_rms,
+        load.power_peak,
+        load.energy_taken,
+        load.energy_returned,
+    ];
+    LoadRow { number, values: values.map(text) }
+}
+
+pub(super) fn operation(dossier: &Dossier, shown: &Shown) -> Option<Operation> {
+    let found = dossier.operation.as_ref()?;
+    let segments = found.segments.iter().enumerate().map(|(place, load)| row(Some(place + 1), load, shown));
+    let mut facts = Vec::new();
+    let mut add = |key, symbol, value: Option<String>| {
+        facts.extend(value.map(|value| OperationFact { key, symbol, value }));
+    };
+    add("current_rms", "I_rms", found.cycle.current_rms.map(|value| shown.figure(value, "A")));
+    add("current_peak", "I_peak", found.cycle.current_peak.map(|value| shown.figure(value, "A")));
+    if let Some(motor) = &found.motor {
+        let torque = |value: Option<Number>| value.map(|value| shown.figure(value, "Nm"));
+        add("motor_speed_peak", "n_mot", Some(shown.figure(motor.speed_peak, "1/min")));
+        add("motor_speed_mean", "n_mot_av", Some(shown.figure(motor.speed_mean, "1/min")));
+        add("motor_torque_peak", "T_mot", torque(motor.torque_peak));
+        add("motor_torque_rms", "T_mot_rms", torque(motor.torque_rms));
+    }
+    let ratio = (found.inertia_own.0 > 0.0).then(|| shown.number(Number(found.inertia_load.0 / found.inertia_own.0)));
+    add("inertia_ratio", "J_L/J_out", ratio);
+    Some(Operation {
+        segments: Ends::of(segments, None),
+        cycle: row(None, &found.cycle, shown),
+        facts,
+        duty: format!("{}, {}", found.duty.id, found.duty.name),
+        duty_reason: capitalised(found.duty.reason),
+    })
+}
+
+pub(super) fn data_sheet(dossier: &Dossier) -> DataSheet {
+    let mut errata: Vec<&'static str> = Vec::new();
+    for id in dossier.data_sheet.iter().flat_map(|line| line.errata) {
+        if !errata.contains(id) {
+            errata.push(id);
+        }
+    }
+    let row = |line: &answers::DataLine| DataRow {
+        symbol: line.symbol,
+        name: capitalised(&line.name),
+        value: tied(format!("{} {}", line.value, line.unit).trim_end()),
+        table: line.table,
+        is_doubtful: !line.errata.is_empty(),
+    };
+    DataSheet { rows: dossier.data_sheet.iter().map(row).collect(), errata }
+}

@@ -1,0 +1,389 @@
+//! The cycle of an axis on one actuator, segment by segment: torque, speed, current, power and energy; the shaft of the motor; the
+//! duty type. Nothing here is judged.
+
+use crate::axis::Axis;
+use crate::course::instants;
+use crate::currents::Currents;
+use crate::electrics::Electrics;
+use crate::energy::CyclePower;
+use actuator::Parameters;
+use quantities::Measure;
+use trace::{Node, TorqueWith};
+
+/// Parts in which a piece of a law is looked at, at most.
+const PARTS_MOST: usize = 256;
+
+/// Parts in which a piece of a law is looked at, at least.
+const PARTS_LEAST: usize = 32;
+
+/// Instants of all laws together beyond which a piece is looked at in fewer parts.
+const INSTANTS: usize = 1 << 17;
+
+/// Share of the largest value below which a torque, a speed or a power counts as none.
+const NONE: f64 = 1e-9;
+
+/// Share of the squared torque in acceleration and braking below which starting counts as insignificant for the heat.
+const STARTING: f64 = 0.1;
+
+/// The cycle on one actuator.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Operation {
+    /// The segments of the motion in their order.
+    pub segments: Vec<SegmentLoad>,
+    /// The whole cycle: maxima and effective values are those of the checks.
+    pub cycle: SegmentLoad,
+    /// Shaft of the motor; `None` without a ratio.
+    pub motor: Option<MotorSide>,
+    /// J_L: largest inertia of the load at the output \[kg m²\].
+    pub inertia_load: f64,
+    /// J_out: inertia of the actuator at the output \[kg m²\].
+    pub inertia_own: f64,
+    /// Duty type that the cycle corresponds to.
+    pub duty: DutyType,
+}
+
+/// Load of the actuator within one segment.
+///
+/// # Symbols
+/// T torque at the output with that of J_out, n output speed, I motor current (rms of a phase), P power at the motor terminals
+/// # Source
+/// docs/theory/moments.md, docs/theory/current.md, docs/theory/energy.md
+/// # Valid
+/// Peak current: gear cold or settled, whichever is larger; the effective current and the energies: settled cycle, winding at
+/// 20 °C as in the check of the regenerated power. Between two of the 32 to 256 instants of a piece of a law, or of the samples of
+/// a recording, torque, speed and current are taken as straight: the deviation is below 0.1 % of the largest value. The maxima of
+/// the cycle are exact in the segment in which they occur.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct SegmentLoad {
+    /// Duration \[s\].
+    pub duration_s: f64,
+    /// max |T| \[Nm\]
+    pub torque_peak_nm: f64,
+    /// √(1/t ∫ T² dt) \[Nm\]
+    pub torque_rms_nm: f64,
+    /// max |ω| [rad/s]
+    pub speed_peak_rad_s: f64,
+    /// max |I| \[A\]; `None` where a datum of the current is not known.
+    pub current_peak_a: Option<f64>,
+    /// √(1/t ∫ I² dt) \[A\]
+    pub current_rms_a: Option<f64>,
+    /// max P \[W\]; `None` where a datum of the power is not known.
+    pub power_peak_w: Option<f64>,
+    /// ∫ P dt where P > 0 \[J\]
+    pub energy_taken_j: Option<f64>,
+    /// −∫ P dt where P < 0 \[J\]
+    pub energy_returned_j: Option<f64>,
+}
+
+/// Speed and torque at the shaft of the motor.
+///
+/// n_mot = i n, T_mot = k_TM I
+///
+/// # Source
+/// cha-manual tables of technical data: i, k_TM
+/// # Valid
+/// T_mot is the torque in the air gap, friction of motor and gear included.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct MotorSide {
+    /// i: reduction ratio.
+    pub ratio: f64,
+    /// Largest speed [rad/s].
+    pub speed_peak_rad_s: f64,
+    /// Mean of the magnitude of the speed [rad/s].
+    pub speed_mean_rad_s: f64,
+    /// Largest torque \[Nm\]; `None` where k_TM or the current is not known.
+    pub torque_peak_nm: Option<f64>,
+    /// Effective torque \[Nm\].
+    pub torque_rms_nm: Option<f64>,
+}
+
+/// Duty type to which the cycle corresponds.
+///
+/// # Source
+/// IEC 60034-1, 4.2
+/// # Valid
+/// The cycle repeats without end. Types S2, S9 and S10 describe no repeated cycle and are not assigned.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum DutyType {
+    /// S1: constant speed and torque without a rest.
+    Continuous,
+    /// S3: rests without current; acceleration and braking contribute less than a tenth of ∫ T² dt.
+    Intermittent,
+    /// S4: rests without current; acceleration contributes to the heat; no electric braking.
+    WithStarting,
+    /// S5: as S4, with electric braking.
+    WithBraking,
+    /// S6: no rest, constant speed, the torque changes.
+    ContinuousLoadChanges,
+    /// S7: no rest, starts and electric braking.
+    ContinuousWithBraking,
+    /// S8: no rest, the speed changes.
+    SpeedChanges,
+    /// S8: standstill in which the motor holds a torque, so that it is never without current.
+    HeldAtStandstill,
+}
+
+/// Sums over one segment.
+#[derive(Clone, Copy, Default)]
+struct Sums {
+    load: SegmentLoad,
+    torque_square: f64,
+    current_square: f64,
+    taken: f64,
+    returned: f64,
+    /// ∫ T² dt while the speed changes.
+    changing_square: f64,
+    /// ∫ |T ω| dt while the actuator is driven \[J\].
+    braked: f64,
+    /// ∫ |T ω| dt \[J\].
+    moved: f64,
+    /// Largest |T| at rest \[Nm\].
+    held_nm: f64,
+    slowest: Option<f64>,
+    torque_range: Option<[f64; 2]>,
+}
+
+/// ∫ x² dt over a straight line from `a` to `b`.
+fn square(a: f64, b: f64, duration: f64) -> f64 {
+    duration * (a * a + a * b + b * b) / 3.0
+}
+
+impl Operation {
+    /// The cycle of an axis on an actuator; `None` if J_out is not known.
+    #[must_use]
+    pub fn of(axis: &Axis, actuator: &Parameters) -> Option<Self> {
+        let inertia = actuator.inertia_out.known()?.value;
+        let demand = axis.demand(inertia);
+        let inertia = inertia.si();
+        let electrics = Electrics::of(axis, actuator);
+        let currents = Currents::of(axis, actuator, &electrics).ok();
+        let power = currents.as_ref().and_then(|currents| CyclePower::of(actuator, Ok(currents)).ok());
+        let walk = Walk { inertia, currents: currents.as_ref(), power: power.as_ref() };
+        let mut sums = walk.sums(axis);
+        let peak = currents.as_ref().map(|currents| currents.peak(axis));
+        let cycle = walk.cycle(axis, &mut sums, peak);
+        // A maximum of the cycle is exact in its segment too.
+        let torque = axis.trace.largest(&TorqueWith { inertia_kgm2: inertia }).1;
+        walk.see(axis, &mut sums, torque, |load, value| load.torque_peak_nm = load.torque_peak_nm.max(value));
+        if let (Some(node), Some(currents)) = (peak, &currents) {
+            let most = currents.extreme(&node).abs();
+            walk.see(axis, &mut sums, node, |load, _| {
+                load.current_peak_a = load.current_peak_a.map(|known| known.max(most));
+            });
+        }
+        let motor = actuator.ratio.known().map(|ratio| MotorSide {
+            ratio: ratio.value,
+            speed_peak_rad_s: ratio.value * demand.speed_peak.si(),
+            speed_mean_rad_s: ratio.value * demand.speed_mean.si(),
+            torque_peak_nm: actuator.torque_constant_motor.known().zip(cycle.current_peak_a).map(|(k, i)| k.value.si() * i),
+            torque_rms_nm: actuator.torque_constant_motor.known().zip(cycle.current_rms_a).map(|(k, i)| k.value.si() * i),
+        });
+        Some(Self {
+            cycle: SegmentLoad { torque_peak_nm: demand.torque_peak.si(), torque_rms_nm: demand.torque_rms.si(), ..cycle },
+            motor,
+            inertia_load: axis.moments.inertia_max.si(),
+            inertia_own: inertia,
+            duty: duty(axis, &sums),
+            segments: sums.into_iter().map(|sums| sums.load).collect(),
+        })
+    }
+}
+
+/// What is known of the actuator for the walk over the cycle.
+struct Walk<'w> {
+    inertia: f64,
+    currents: Option<&'w Currents<'w>>,
+    power: Option<&'w CyclePower<'w>>,
+}
+
+impl Walk<'_> {
+    fn torque(&self, node: &Node) -> f64 {
+        self.inertia * node.acceleration_rad_s2 + node.load_nm
+    }
+
+    /// The sums of every segment, its effective values among them.
+    fn sums(&self, axis: &Axis) -> Vec<Sums> {
+        let stretches = axis.motion.stretches();
+        let mut sums = vec![Sums::default(); stretches.len()];
+        let parts = (INSTANTS / axis.motion.pieces().len().max(1)).clamp(PARTS_LEAST, PARTS_MOST);
+        let parts = u32::try_from(parts).unwrap_or(1);
+        let mut before: Option<(usize, Node)> = None;
+        instants(axis, (&|_, _| parts, &|_| 1), &mut |segment, _, node, _| {
+            if let Some(sums) = sums.get_mut(segment) {
+                self.instant(sums, node);
+                if let Some((_, last)) = before.filter(|(of, last)| *of == segment && node.time_s > last.time_s) {
+                    self.gap(sums, &last, node);
+                }
+            }
+            before = Some((segment, *node));
+        });
+        for (sums, stretch) in sums.iter_mut().zip(stretches) {
+            let duration = stretch.duration.si();
+            let root = |square: f64| (square / duration).max(0.0).sqrt();
+            let load = &mut sums.load;
+            load.duration_s = duration;
+            load.torque_rms_nm = root(sums.torque_square);
+            load.current_rms_a = self.currents.map(|_| root(sums.current_square));
+            load.energy_taken_j = self.power.map(|_| sums.taken);
+            load.energy_returned_j = self.power.map(|_| sums.returned);
+        }
+        sums
+    }
+
+    fn instant(&self, sums: &mut Sums, node: &Node) {
+        let (torque, speed) = (self.torque(node), node.speed_rad_s.abs());
+        let load = &mut sums.load;
+        load.torque_peak_nm = load.torque_peak_nm.max(torque.abs());
+        load.speed_peak_rad_s = load.speed_peak_rad_s.max(speed);
+        let most = |known: Option<f64>, value: f64| Some(known.map_or(value, |known| known.max(value)));
+        if let Some(currents) = self.currents {
+            load.current_peak_a = most(load.current_peak_a, currents.extreme(node).abs());
+        }
+        if let Some(power) = self.power {
+            load.power_peak_w = most(load.power_peak_w, power.at(node).max(0.0));
+        }
+        sums.slowest = Some(sums.slowest.map_or(speed, |known| known.min(speed)));
+        let [low, high] = sums.torque_range.unwrap_or([torque; 2]);
+        sums.torque_range = Some([low.min(torque), high.max(torque)]);
+        if node.direction == 0.0 && node.speed_rad_s == 0.0 && node.acceleration_rad_s2 == 0.0 {
+            sums.held_nm = sums.held_nm.max(torque.abs());
+        }
+    }
+
+    fn gap(&self, sums: &mut Sums, a: &Node, b: &Node) {
+        let duration = b.time_s - a.time_s;
+        let [from, to] = [a, b].map(|node| self.torque(node));
+        let of_torque = square(from, to, duration);
+        sums.torque_square += of_torque;
+        if (b.speed_rad_s - a.speed_rad_s).abs() > 0.0 {
+            sums.changing_square += of_torque;
+        }
+        let power = 0.5 * (from * a.speed_rad_s + to * b.speed_rad_s) * duration;
+        sums.moved += power.abs();
+        sums.braked -= power.min(0.0);
+        if let Some(currents) = self.currents {
+            sums.current_square += square(currents.at(a), currents.at(b), duration);
+        }
+        if let Some(power) = self.power {
+            power.energies(a, b, |energy| {
+                sums.taken += energy.max(0.0);
+                sums.returned -= energy.min(0.0);
+            });
+        }
+    }
+
+    /// Maxima and sums of the whole cycle; the effective current by the integral of the whole cycle.
+    fn cycle(&self, axis: &Axis, sums: &mut [Sums], peak: Option<Node>) -> SegmentLoad {
+        let duration = axis.moments.duration.si();
+        let most = |of: fn(&SegmentLoad) -> Option<f64>| sums.iter().filter_map(|sums| of(&sums.load)).reduce(f64::max);
+        let sum = |of: fn(&SegmentLoad) -> Option<f64>| self.power.map(|_| sums.iter().filter_map(|sums| of(&sums.load)).sum());
+        SegmentLoad {
+            duration_s: duration,
+            torque_peak_nm: 0.0,
+            torque_rms_nm: 0.0,
+            speed_peak_rad_s: axis.moments.speed_peak.si(),
+            current_peak_a: self.currents.zip(peak).map(|(currents, node)| currents.extreme(&node).abs()),
+            current_rms_a: self
+                .currents
+                .map(|currents| (axis.trace.gram().square(currents.settled_weights()) / duration).max(0.0).sqrt()),
+            power_peak_w: most(|load| load.power_peak_w),
+            energy_taken_j: sum(|load| load.energy_taken_j),
+            energy_returned_j: sum(|load| load.energy_returned_j),
+        }
+    }
+
+    /// Enters the value of an instant into the segment in which it lies.
+    fn see(&self, axis: &Axis, sums: &mut [Sums], node: Node, mut enter: impl FnMut(&mut SegmentLoad, f64)) {
+        // An instant between two segments belongs to the one that comes nearer to the value.
+        let torque = self.torque(&node).abs();
+        let slack = 1e-9 * axis.moments.duration.si();
+        let touching = axis.motion.stretches().iter().zip(sums).filter(|(stretch, _)| {
+            let (start, end) = (stretch.start.si(), stretch.start.si() + stretch.duration.si());
+            node.time_s >= start - slack && node.time_s <= end + slack
+        });
+        if let Some((_, sums)) = touching.max_by(|(_, a), (_, b)| a.load.torque_peak_nm.total_cmp(&b.load.torque_peak_nm)) {
+            enter(&mut sums.load, torque);
+        }
+    }
+}
+
+/// The duty type of a cycle with these sums.
+fn duty(axis: &Axis, sums: &[Sums]) -> DutyType {
+    let sum = |of: fn(&Sums) -> f64| sums.iter().map(of).sum::<f64>();
+    let peak = sums.iter().map(|sums| sums.load.torque_peak_nm).fold(0.0, f64::max);
+    let fastest = axis.moments.speed_peak.si();
+    let slowest = sums.iter().filter_map(|sums| sums.slowest).fold(f64::INFINITY, f64::min);
+    let has_rest = axis.moments.moving.si() < axis.moments.duration.si() * (1.0 - NONE);
+    let holds = sums.iter().any(|sums| sums.held_nm > NONE * peak);
+    let brakes = sum(|sums| sums.braked) > NONE * sum(|sums| sums.moved);
+    if has_rest {
+        let starting = sum(|sums| sums.changing_square) / sum(|sums| sums.torque_square);
+        return match (holds, brakes) {
+            (true, _) => DutyType::HeldAtStandstill,
+            _ if starting < STARTING => DutyType::Intermittent,
+            (_, true) => DutyType::WithBraking,
+            (_, false) => DutyType::WithStarting,
+        };
+    }
+    if fastest - slowest > NONE * fastest {
+        let stops = slowest <= NONE * fastest;
+        return if stops && brakes { DutyType::ContinuousWithBraking } else { DutyType::SpeedChanges };
+    }
+    let ranges = || sums.iter().filter_map(|sums| sums.torque_range);
+    let low = ranges().map(|[low, _]| low).fold(f64::INFINITY, f64::min);
+    let high = ranges().map(|[_, high]| high).fold(f64::NEG_INFINITY, f64::max);
+    if high - low > NONE * peak { DutyType::ContinuousLoadChanges } else { DutyType::Continuous }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use mechanism::Mechanism;
+    use motion::{Closing, ManualMove, Motion, SegmentSpec};
+    use provenance::{CellRef, Datum, Grade, Source, Sourced};
+    use quantities::{AngularVelocity, MomentOfInertia, Time, Torque};
+
+    fn manual(run: f64, pause: f64) -> Axis {
+        let s = Time::from_si;
+        let only = SegmentSpec::Manual(ManualMove {
+            speed: AngularVelocity::from_si(4.0),
+            accelerate: s(0.1),
+            run: s(run),
+            brake: s(0.2),
+            pause: s(pause),
+        });
+        let motion = Motion::new(&[only], None, Closing::Speed).unwrap();
+        Axis::new(Mechanism::direct(MomentOfInertia::from_si(1.0), Torque::from_si(5.0)), motion, Vec::new())
+    }
+
+    fn actuator() -> Parameters {
+        const CELL: CellRef = CellRef::of_the_manual("54.1", "x", "");
+        let value = MomentOfInertia::from_si(0.5);
+        let known = Datum::Known(Sourced { value, source: Source::Cell(&CELL), grade: Grade::Printed, errata: &[] });
+        Parameters { inertia_out: known, ..Parameters::unknown() }
+    }
+
+    /// T = 1.5·40 + 5 = 65, 5, −1.5·20 + 5 = −25 Nm over 0.1, 0.3, 0.2 s.
+    #[test]
+    fn torques_of_a_move_by_hand() {
+        let found = Operation::of(&manual(0.3, 1.0), &actuator()).unwrap();
+        let [only] = &found.segments[..] else { panic!("{found:?}") };
+        let square = 65.0_f64.powi(2) * 0.1 + 25.0 * 0.3 + 625.0 * 0.2;
+        assert!((only.torque_peak_nm - 65.0).abs() < 1e-9);
+        assert!((only.torque_rms_nm - (square / 1.6).sqrt()).abs() < 1e-9, "{only:?}");
+        assert!((only.speed_peak_rad_s - 4.0).abs() < 1e-12);
+        assert!((found.cycle.torque_rms_nm - only.torque_rms_nm).abs() < 1e-9);
+        assert_eq!((only.current_peak_a, found.motor), (None, None));
+        assert!((found.inertia_load / found.inertia_own - 2.0).abs() < 1e-12);
+    }
+
+    #[test]
+    fn the_duty_type_follows_from_rest_and_braking() {
+        let of = |run, pause| Operation::of(&manual(run, pause), &actuator()).unwrap().duty;
+        assert_eq!(of(0.3, 1.0), DutyType::WithBraking);
+        assert_eq!(of(0.3, 0.0), DutyType::ContinuousWithBraking);
+        // 65²·0.1 + 25²·0.2 = 547.5 beside 25·t: a tenth from 197 s on.
+        assert_eq!(of(190.0, 1.0), DutyType::WithBraking);
+        assert_eq!(of(200.0, 1.0), DutyType::Intermittent);
+    }
+}
