@@ -115,7 +115,8 @@ impl Document {
 
 /// A change with its day as the language writes it; a day that is none of the calendar stays as given.
 fn shown_change(change: &Change, shown: &Shown) -> Change {
-    let date = read_date(&change.date).map_or_else(|_| change.date.clone(), |date| shown.date(date.year, date.month, date.day));
+    let date = read_date(&change.date)
+        .map_or_else(|_| change.date.clone(), |date| shown.date(date.year, date.month, date.day));
     Change { date, ..change.clone() }
 }
 

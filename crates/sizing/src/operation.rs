@@ -175,11 +175,23 @@ impl Operation {
             ratio: ratio.value,
             speed_peak_rad_s: ratio.value * demand.speed_peak.si(),
             speed_mean_rad_s: ratio.value * demand.speed_mean.si(),
-            torque_peak_nm: actuator.torque_constant_motor.known().zip(cycle.current_peak_a).map(|(k, i)| k.value.si() * i),
-            torque_rms_nm: actuator.torque_constant_motor.known().zip(cycle.current_rms_a).map(|(k, i)| k.value.si() * i),
+            torque_peak_nm: actuator
+                .torque_constant_motor
+                .known()
+                .zip(cycle.current_peak_a)
+                .map(|(k, i)| k.value.si() * i),
+            torque_rms_nm: actuator
+                .torque_constant_motor
+                .known()
+                .zip(cycle.current_rms_a)
+                .map(|(k, i)| k.value.si() * i),
         });
         Some(Self {
-            cycle: SegmentLoad { torque_peak_nm: demand.torque_peak.si(), torque_rms_nm: demand.torque_rms.si(), ..cycle },
+            cycle: SegmentLoad {
+                torque_peak_nm: demand.torque_peak.si(),
+                torque_rms_nm: demand.torque_rms.si(),
+                ..cycle
+            },
             motor,
             inertia_load: axis.moments.inertia_max.si(),
             inertia_own: inertia,
@@ -276,7 +288,9 @@ impl Walk<'_> {
     fn cycle(&self, axis: &Axis, sums: &mut [Sums], peak: Option<Node>) -> SegmentLoad {
         let duration = axis.moments.duration.si();
         let most = |of: fn(&SegmentLoad) -> Option<f64>| sums.iter().filter_map(|sums| of(&sums.load)).reduce(f64::max);
-        let sum = |of: fn(&SegmentLoad) -> Option<f64>| self.power.map(|_| sums.iter().filter_map(|sums| of(&sums.load)).sum());
+        let sum = |of: fn(&SegmentLoad) -> Option<f64>| {
+            self.power.map(|_| sums.iter().filter_map(|sums| of(&sums.load)).sum())
+        };
         SegmentLoad {
             duration_s: duration,
             torque_peak_nm: 0.0,
@@ -301,7 +315,9 @@ impl Walk<'_> {
             let (start, end) = (stretch.start.si(), stretch.start.si() + stretch.duration.si());
             node.time_s >= start - slack && node.time_s <= end + slack
         });
-        if let Some((_, sums)) = touching.max_by(|(_, a), (_, b)| a.load.torque_peak_nm.total_cmp(&b.load.torque_peak_nm)) {
+        if let Some((_, sums)) =
+            touching.max_by(|(_, a), (_, b)| a.load.torque_peak_nm.total_cmp(&b.load.torque_peak_nm))
+        {
             enter(&mut sums.load, torque);
         }
     }

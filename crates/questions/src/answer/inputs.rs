@@ -58,12 +58,7 @@ pub(super) fn tables(inputs: &[Input], language: Language) -> Vec<InputTable> {
 }
 
 /// Adds a key of a body to its line: the shape, or the quantity with its value.
-fn body_part(
-    values: &mut Vec<answers::Input>,
-    line: &str,
-    (input, name): (&Input, &str),
-    language: Language,
-) {
+fn body_part(values: &mut Vec<answers::Input>, line: &str, (input, name): (&Input, &str), language: Language) {
     let value = value(input, line, language);
     let text = match (name, value.tolerance) {
         ("shape", _) => body(&input.written, language),
@@ -234,6 +229,24 @@ mod tests {
         let labels: Vec<&str> =
             found.iter().flat_map(|table| &table.values).map(|value| value.label.as_str()).collect();
         assert!(labels.iter().all(|label| !label.contains([';', '('])), "{labels:?}");
+    }
+
+    #[test]
+    fn a_body_in_a_table_of_its_own_reads_as_one_in_a_line() {
+        let text = "format = 1\n[mechanism.turntable]\nfriction_torque = \"2 N m\"\n[[mechanism.turntable.body]]\n\
+            shape = \"disc\"\ndiameter = \"420 mm ± 1 mm\"\nlength = \"12 mm\"\ndensity = \"2700 kg/m^3\"\n\
+            [[mechanism.turntable.body]]\nshape = \"point\"\nmass = \"1.5 kg\"\ncount = 2\n";
+        let found = tables(&inputs_of_axis(text, 0), Language::De);
+        let lines: Vec<(&str, &str)> =
+            found.iter().flat_map(|table| &table.values).map(|each| (each.name.as_str(), each.text.as_str())).collect();
+        assert_eq!(
+            lines[1..],
+            [
+                ("bodies[1]", "Scheibe, Durchmesser 420 mm ± 1 mm, Länge 12 mm, Dichte 2700 kg/m³"),
+                ("bodies[2]", "Punktmasse, Masse 1,5 kg, Anzahl 2"),
+            ]
+        );
+        assert!(found.iter().all(|table| !table.key.contains("body")), "{found:?}");
     }
 
     #[test]

@@ -151,7 +151,11 @@ fn line(row: &SheetRow, symbol: &'static str, language: Language) -> DataLine {
     DataLine {
         symbol,
         name,
-        unit: if is_none { String::new() } else { Unit::of(cell.unit).map_or(cell.unit, |unit| unit.symbol).to_owned() },
+        unit: if is_none {
+            String::new()
+        } else {
+            Unit::of(cell.unit).map_or(cell.unit, |unit| unit.symbol).to_owned()
+        },
         value: if is_none { "–".to_owned() } else { value },
         table: cell.place.table,
         errata: cell.errata,
