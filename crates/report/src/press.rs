@@ -133,14 +133,14 @@ pub fn right_edges(content: &Content, settings: &Settings) -> Result<Vec<f64>, F
     Ok(edges)
 }
 
-/// How far down the content of every page reaches, head and foot lines left out, in points: the text ends at 782.
+/// How far down the content of every page reaches, head and foot lines left out, in points: the text ends at 785.
 ///
 /// # Errors
 /// As [`pdf`].
 #[doc(hidden)]
 pub fn page_fills(content: &Content, settings: &Settings) -> Result<Vec<f64>, Fault> {
     let document = typeset(content, settings)?;
-    let fills = document.pages().iter().map(|page| lowest(&page.frame, 0.0, 781.0)).collect();
+    let fills = document.pages().iter().map(|page| lowest(&page.frame, 0.0, 784.0)).collect();
     forget();
     Ok(fills)
 }
