@@ -167,6 +167,7 @@ impl Call<'_> {
     }
 
     /// Returns the texts of an option that may be repeated, each as [`Call::label`].
+    #[cfg(feature = "report")]
     pub(crate) fn labels(&self, name: &'static str) -> Result<Vec<String>, Unanswered> {
         let texts = self.matches.try_get_many::<String>(name).ok().flatten().unwrap_or_default();
         texts.map(|text| bounded(name, text, self.language)).collect()
