@@ -14,41 +14,41 @@ from typing import Literal
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Sizing:
-    """`size`: the catalogue judged for an axis."""
+    """`size`: judgement of the catalogue for an axis."""
 
     axis: str
     """Name of the axis."""
     verdict: Fit
-    """The verdict on the best, the project's own included."""
+    """Verdict on the best actuator, the project's own included."""
     answer: str | None = None
-    """The best ordering code; `null` if none fits."""
+    """Best ordering code; `null` if none fits."""
     judged: int
-    """How many actuators of the catalogue were judged."""
+    """Number of actuators of the catalogue judged."""
     fit: int
-    """How many of them fit within every limit, verdict `fits`."""
+    """Number of actuators that fit within every limit, verdict `fits`."""
     fit_if_estimate: int
-    """How many others fit if an estimate holds, verdict `fits_if_estimate`."""
+    """Number of further actuators that fit if an estimate holds, verdict `fits_if_estimate`."""
     fitting: int
-    """The sum of both."""
+    """Sum of `fit` and `fit_if_estimate`."""
     rule: str
-    """What the ranking goes by, in words."""
+    """Criterion of the ranking, as text."""
     ranking: list[Ranked]
-    """The best that fit, in the requested number."""
+    """Best fitting actuators, in the requested number."""
     rejected: list[Rejection]
-    """Those that do not fit, by what they miss by."""
+    """Actuators that do not fit, by smallest excess."""
     nearest_miss: str | None = None
-    """Of those that do not fit the one that misses by least, among those that meet every requirement and are of the right class of
-voltage and place; `null` where there is none."""
+    """Ordering code with the smallest excess among those that do not fit but meet every requirement and are of the
+right class of voltage and place; `null` if there is none."""
     own: Assessed | None = None
-    """The project's own actuator."""
+    """Project's own actuator."""
     would_fit_with: list[WouldFit] | None = None
-    """Where nothing fits: values of the gearing with which an actuator would, one change at a time."""
+    """Values of the gearing with which an actuator would fit, one change at a time; only if nothing fits."""
     assumptions: list[str]
-    """What was assumed, in words."""
+    """Assumptions, as text."""
     stage: Stage | None = None
-    """The stage between actuator and mechanism; only where the project has one."""
+    """Stage between actuator and mechanism; only if the project has one."""
     motion: Motion
-    """The motion as it came out."""
+    """Motion resulting from the project."""
 
     @property
     def axes(self) -> list[Sizing]:
@@ -58,44 +58,47 @@ voltage and place; `null` where there is none."""
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Ranked:
-    """An actuator that fits, with its place."""
+    """An actuator that fits, with its rank."""
 
     code: str | None = None
-    """Ordering code, of an actuator of the catalogue."""
+    """Ordering code of an actuator of the catalogue."""
     name: str | None = None
-    """Name, of the project's own actuator."""
+    """Name of the project's own actuator."""
     verdict: Fit
-    """The verdict on it."""
+    """Verdict on the actuator."""
     utilisation: float | None
-    """Utilisation of the governing check; 1 is the limit. `null` where it fails at a limit of zero or outside a range."""
+    """Utilisation of the governing check; 1 is the limit. `null` if it fails at a limit of zero or outside a range."""
     tightest: CheckId | None = None
-    """Id of the governing check: the failing one that is exceeded most; where none fails, the one with the highest utilisation.
+    """Id of the governing check: the failing one with the largest excess, else the one with the highest utilisation.
 `null` if no check has a limit."""
     mass_kg: float | None = None
-    """Mass in kg, the larger one where the print is in doubt."""
+    """Mass in kg, the larger one if the manual is in doubt."""
+    mass_errata: list[str]
+    """Ids of the errata that touch the mass."""
     on_request: list[str]
     """Names of the fields of the code that are on request only."""
     demand: Demand | None = None
     """Demand on the actuator; `null` without J_out."""
     checks: list[Check]
-    """Every check, in a fixed order."""
+    """The checks, in a fixed order."""
     objections: list[str]
-    """Requirements not met and rules broken, in words."""
+    """Requirements not met and rules violated, as text."""
     open_questions: int
-    """How many questions could not be answered for want of a datum: checks without a value, and requirements left open."""
+    """Number of questions that could not be answered because a datum is missing: checks without a value, and open
+requirements."""
     tolerance: Tolerance | None = None
-    """What the tolerances mean; only where the project has some."""
+    """Effect of the tolerances; only if the project has some."""
     rank: int
-    """Its place, from 1."""
+    """Rank, from 1."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Demand:
-    """The demand; where the manual's equations describe the axis, their figures with the exact integrals beside them."""
+    """The demand; if the manual's equations describe the axis, their figures together with the exact integrals."""
 
     mode: DemandMode
-    """`integral` where the manual's equations do not describe the axis: then the figures are those of the integrals, and
-the three torques, `moves` and `integral` are left out."""
+    """`integral` if the manual's equations do not describe the axis: then the figures are those of the integrals, and
+the three torques, `moves` and `integral` are omitted."""
     T_rms: float | None
     """Effective torque in Nm."""
     T_peak: float | None
@@ -107,36 +110,36 @@ the three torques, `moves` and `integral` are left out."""
     ED: float | None
     """Share of the cycle in which the axis moves, in %."""
     T_1: float | None = None
-    """While accelerating."""
+    """Torque during acceleration."""
     T_2: float | None = None
-    """While running."""
+    """Torque at constant speed."""
     T_3: float | None = None
-    """While braking."""
+    """Torque during deceleration."""
     units: Units
-    """The units of the figures."""
+    """Units of the figures."""
     moves: list[MoveTorques] | None = None
-    """With several moves only: the torques of each."""
+    """Torques of each move; only with several moves."""
     governing_move: int | None = None
-    """With several moves only: number of the move with the largest torque, from 1."""
+    """Number of the move with the largest torque, from 1; only with several moves."""
     integral: IntegralDemand | None = None
-    """The same figures by exact integration; checks use these."""
+    """Figures by exact integration, which the checks use."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class MoveTorques:
-    """The three torques of a move of the manual's form, in its direction, in Nm."""
+    """Torques in the three phases of a move of the manual's form, in its direction, in Nm."""
 
     T_1: float | None
-    """While accelerating."""
+    """Torque during acceleration."""
     T_2: float | None
-    """While running."""
+    """Torque at constant speed."""
     T_3: float | None
-    """While braking."""
+    """Torque during deceleration."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class IntegralDemand:
-    """The figures by exact integration."""
+    """Figures of the demand by exact integration."""
 
     T_rms: float | None
     """Effective torque in Nm."""
@@ -149,87 +152,88 @@ class IntegralDemand:
     ED: float | None
     """Share of the cycle in which the axis moves, in %."""
     mode: DemandMode
-    """Always `integral`."""
+    """`integral` in every case."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Check:
-    """The answer of one check."""
+    """Result of one check."""
 
     id: CheckId
-    """Which check."""
+    """Id of the check."""
     title: str
-    """Its name in words."""
+    """Name of the check."""
     verdict: Verdict
-    """What came out. `advice` also means: inside the band of an estimate."""
+    """Verdict of the check. `advice` also means: within the band of an estimate."""
     value: float | None = None
-    """What the axis asks; with `not_checked` it may still be there, when only the limit is missing."""
+    """Value demanded by the axis; may be present with `not_checked`, if only the limit is missing."""
     limit: float | None = None
-    """What the actuator gives or the project asks."""
+    """Limit of the actuator, or limit required by the project."""
     unit: str | None = None
-    """Unit of both: `Nm` `1/min` `A` `V` `W` `kgm^2` `N` `mm` `h` `a` `deg` `arcmin` `arcsec` `rev` `Hz` `degC` `1`."""
+    """Unit of value and limit: `Nm` `1/min` `A` `V` `W` `kgm^2` `N` `mm` `h` `a` `deg` `arcmin` `arcsec` `rev` `Hz`
+`degC` `1`."""
     direction: Direction
-    """How the value must lie to the limit."""
+    """Required relation of the value to the limit."""
     part: Part
-    """The part of the actuator that it is about."""
+    """Part of the actuator concerned."""
     utilisation: float | None = None
-    """Value/limit for `at_most`, limit/value for `at_least`; `null` where it makes no sense."""
+    """Value/limit for `at_most`, limit/value for `at_least`; `null` if it has no meaning."""
     margin: bool
-    """Whether the ranking looks at that utilisation: not of a recommendation nor of a class that is met or not."""
+    """`true` if the ranking uses this utilisation; `false` for a recommendation, and for a class that is met or not."""
     at: float | None = None
     """Instant of the worst case within the cycle, in s."""
     grade: Grade | None = None
-    """How far the figures can be trusted: the worst of all that went in."""
+    """Grade of the figures: the worst of all inputs."""
     source: str | None = None
     """Source of the limit, then of the value, joined by `; `."""
     sources: list[str]
-    """The same sources, each by itself."""
+    """The sources as a list."""
     missing: str | None = None
-    """Symbol of the datum that is missing, or the key of the project that would give the limit."""
+    """Symbol of the missing datum, or the project key that would set the limit."""
     notes: list[str]
-    """Remarks, in words."""
+    """Remarks, as text."""
     errata: list[str] | None = None
-    """Only where a value or limit rests on one: the ids of the errata, whose evidence stands in `notes`."""
+    """Ids of the errata that value or limit depend on; their evidence is in `notes`. Omitted if there are none."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Tolerance:
-    """What the tolerances of the project mean for an actuator."""
+    """Effect of the project's tolerances on an actuator."""
 
     samples: int
-    """How many samples were drawn."""
+    """Number of samples drawn."""
     seed: int
-    """With which seed."""
+    """Seed of the random numbers."""
     distribution: str
-    """Always `uniform`."""
+    """`uniform` in every case."""
     passes: int
-    """Samples with which nothing speaks against the actuator."""
+    """Number of samples with which the actuator fits."""
     impossible: int
-    """Samples with which there is no axis; none of them passes."""
+    """Number of samples without a valid axis; none of them passes."""
     share: float | None
     """Share of the samples that pass."""
     interval: list[float | None]
-    """Its 95 % interval, low and high."""
+    """95 % interval of the share, lower and upper end."""
     utilisation: Quantiles
-    """The highest utilisation over the samples."""
+    """Distribution of the highest utilisation over the samples."""
     worst_corner: WorstCorner
-    """The worst that was found."""
+    """Worst point found."""
     influence: list[Influence]
-    """What the utilisation hangs on, the largest share first; empty where it does not vary."""
+    """Influence of each quantity on the utilisation, the largest share first; empty if it does not vary."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Quantiles:
-    """Quantiles of the highest utilisation; `null` where it is infinite."""
+    """Quantiles of the highest utilisation; `null` for an infinite one."""
 
     p05: float | None
-    """5 %."""
+    """5 % quantile."""
     p50: float | None
-    """50 %."""
+    """50 % quantile."""
     p95: float | None
-    """95 %."""
+    """95 % quantile."""
     max: float | None
-    """The largest."""
+    """Largest value."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -237,17 +241,17 @@ class WorstCorner:
     """The worst point within the tolerances."""
 
     verdict: Fit
-    """Whether the actuator fits there."""
+    """Verdict at this point."""
     utilisation: float | None
-    """Its highest utilisation there."""
+    """Highest utilisation at this point."""
     check: CheckId | None = None
-    """The failing check that is exceeded most, else the tightest."""
+    """Id of the governing check: the failing one with the largest excess, else the one with the highest utilisation."""
     values: list[ToleratedValue]
-    """The value of each quantity there."""
+    """Value of each quantity at this point."""
     is_corner: bool
     """`false`: a sample inside the bands is worse than every corner, and this is the sample."""
     exhaustive: bool
-    """`true`: every corner was looked at; `false`: more than ten quantities, the corner was searched."""
+    """`true`: every corner was evaluated; `false`: more than ten quantities, the corner was searched."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -255,74 +259,78 @@ class ToleratedValue:
     """A quantity with a tolerance at some point."""
 
     quantity: str
-    """Its key."""
+    """Key of the quantity."""
     value: float | None
-    """Its value."""
+    """Value of the quantity."""
     unit: str
-    """The unit, as written."""
+    """Unit as written."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Influence:
-    """How much a quantity moves the utilisation."""
+    """Influence of a quantity on the utilisation."""
 
     quantity: str
-    """Its key."""
+    """Key of the quantity."""
     share: float | None
     """Share of the explained variance."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Rejection:
-    """Why a candidate is rejected, in short."""
+    """Summary of the reasons for a rejection."""
 
     code: str
-    """Its ordering code."""
+    """Ordering code of the rejected actuator."""
     check: CheckId | None = None
-    """Id of the governing check: the failing one that is exceeded most; `null` where only objections speak against it."""
+    """Id of the governing check: the failing one with the largest excess; `null` if only objections reject the
+actuator."""
     value: float | None = None
     """Value of that check."""
     limit: float | None = None
-    """Its limit."""
+    """Limit of that check."""
     unit: str | None = None
-    """Unit of both."""
+    """Unit of value and limit."""
     utilisation: float | None = None
-    """Its utilisation; `null` where the limit is zero or a range."""
+    """Utilisation of that check; `null` if the limit is zero or a range."""
     failing: list[CheckId]
-    """Ids of all failing checks, in the order of the checks."""
+    """Ids of the failing checks, in the order of the checks."""
     objections: list[str]
-    """Requirements not met and rules broken, in words."""
+    """Requirements not met and rules violated, as text."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Assessed:
-    """An actuator with what the tolerances of the project mean for it."""
+    """An actuator with the effect of the project's tolerances."""
 
     code: str | None = None
-    """Ordering code, of an actuator of the catalogue."""
+    """Ordering code of an actuator of the catalogue."""
     name: str | None = None
-    """Name, of the project's own actuator."""
+    """Name of the project's own actuator."""
     verdict: Fit
-    """The verdict on it."""
+    """Verdict on the actuator."""
     utilisation: float | None
-    """Utilisation of the governing check; 1 is the limit. `null` where it fails at a limit of zero or outside a range."""
+    """Utilisation of the governing check; 1 is the limit. `null` if it fails at a limit of zero or outside a range."""
     tightest: CheckId | None = None
-    """Id of the governing check: the failing one that is exceeded most; where none fails, the one with the highest utilisation.
+    """Id of the governing check: the failing one with the largest excess, else the one with the highest utilisation.
 `null` if no check has a limit."""
     mass_kg: float | None = None
-    """Mass in kg, the larger one where the print is in doubt."""
+    """Mass in kg, the larger one if the manual is in doubt."""
+    mass_errata: list[str]
+    """Ids of the errata that touch the mass."""
     on_request: list[str]
     """Names of the fields of the code that are on request only."""
     demand: Demand | None = None
     """Demand on the actuator; `null` without J_out."""
     checks: list[Check]
-    """Every check, in a fixed order."""
+    """The checks, in a fixed order."""
     objections: list[str]
-    """Requirements not met and rules broken, in words."""
+    """Requirements not met and rules violated, as text."""
     open_questions: int
-    """How many questions could not be answered for want of a datum: checks without a value, and requirements left open."""
+    """Number of questions that could not be answered because a datum is missing: checks without a value, and open
+requirements."""
     tolerance: Tolerance | None = None
-    """What the tolerances mean; only where the project has some."""
+    """Effect of the tolerances; only if the project has some."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -330,17 +338,17 @@ class WouldFit:
     """A value with which an actuator would fit."""
 
     key: str
-    """The key of the project."""
+    """Key of the project."""
     stated: bool
-    """Whether the project states it; else it would be added."""
+    """`true` if the project states the key; `false` if it would be added."""
     value: float | None
-    """The value of three digits nearest to the stated one with which an actuator fits."""
+    """Value of three digits nearest to the stated one with which an actuator fits."""
     unit: str
-    """Its unit; `1` for a ratio."""
+    """Unit of the value; `1` for a ratio."""
     code: str
-    """The best ordering code with it."""
+    """Best ordering code with this value."""
     verdict: Fit
-    """The verdict on it."""
+    """Verdict on this code."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -348,33 +356,33 @@ class Stage:
     """The stage between actuator and mechanism."""
 
     ratio: float | None
-    """Its ratio."""
+    """Ratio in use."""
     ratios: list[StageRatio]
-    """What each ratio of the project would give."""
+    """Results for each ratio of the project."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class StageRatio:
-    """What a ratio of the stage would give."""
+    """Result for a ratio of the stage."""
 
     ratio: float | None
-    """The ratio."""
+    """Ratio of the stage."""
     answer: str | None = None
-    """The best ordering code with it; `null` if none fits."""
+    """Best ordering code with this ratio; `null` if none fits."""
     utilisation: float | None
-    """Utilisation of the governing check of the best, or of the nearest miss."""
+    """Utilisation of the governing check of the best actuator, or of the one with the smallest excess."""
     fitting: int
-    """How many fit, if only by an estimate."""
+    """Number of actuators that fit, including those that depend on an estimate."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Motion:
-    """The motion: every segment with what was given and what followed from it."""
+    """The motion: every segment with its given and its resulting values."""
 
     units: Units
     """Units of time, distance, speed and acceleration; those of a linear axis are linear."""
     segments: list[Segment]
-    """The segments in their order."""
+    """Segments in their order."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -384,41 +392,41 @@ class Segment:
     law: str
     """Id of the law of motion."""
     name: str
-    """The law in words."""
+    """Name of the law."""
     start: float | None
-    """When it begins."""
+    """Start of the segment."""
     duration: float | None
-    """How long it takes."""
+    """Duration of the segment."""
     distance: float | None = None
-    """The way travelled, with its sign; left out for a dwell."""
+    """Distance travelled, with its sign; omitted for a dwell."""
     speed: float | None = None
-    """The largest speed."""
+    """Largest speed."""
     acceleration: float | None = None
-    """The largest acceleration."""
+    """Largest acceleration."""
     recording: Recording | None = None
-    """What was read from the file; only of a recorded segment."""
+    """Data read from the file; only for a recorded segment."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Recording:
-    """What was read from the file of a recorded segment."""
+    """Data read from the file of a recorded segment."""
 
     file: str
-    """Its name as the project has it."""
+    """Name of the file as in the project."""
     encoding: TextEncoding | None = None
-    """How its text was read; `null` of a format that is no text."""
+    """Encoding of the text; `null` for a format that is no text."""
     samples: int
-    """How many samples are used."""
+    """Number of samples used."""
     first_time: float | None
-    """The time that the first of them had in the file, in s."""
+    """Time of the first sample in the file, in s."""
     left_out_before: int
-    """How many samples before the cut were left out."""
+    """Number of samples left out before the window."""
     left_out_after: int
-    """How many samples after the cut were left out."""
+    """Number of samples left out after the window."""
     columns: list[RecordedColumn]
-    """The columns that were read."""
+    """Columns read."""
     unused: list[str]
-    """Names of columns that hold a quantity by name or unit, and are not used."""
+    """Names of columns that hold a quantity by name or unit but are not used."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -426,23 +434,23 @@ class RecordedColumn:
     """A column of a recording."""
 
     role: ColumnRole
-    """What it is."""
+    """Role of the column."""
     name: str
-    """What it is called in the file."""
+    """Name in the file."""
     unit: str
-    """Its unit."""
+    """Unit of the values."""
     unit_by: UnitBy
     """Source of the unit."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class AxesOfSizing:
-    """The answers of several axes."""
+    """Answers for several axes."""
 
     verdict: Fit
-    """The worst verdict of the axes."""
+    """Worst verdict of the axes."""
     axes: list[Sizing]
-    """The answer of each axis."""
+    """Answer for each axis."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -450,38 +458,41 @@ class Judgement:
     """`check`: one actuator, every check with its margin."""
 
     code: str | None = None
-    """Ordering code, of an actuator of the catalogue."""
+    """Ordering code of an actuator of the catalogue."""
     name: str | None = None
-    """Name, of the project's own actuator."""
+    """Name of the project's own actuator."""
     verdict: Fit
-    """The verdict on it."""
+    """Verdict on the actuator."""
     utilisation: float | None
-    """Utilisation of the governing check; 1 is the limit. `null` where it fails at a limit of zero or outside a range."""
+    """Utilisation of the governing check; 1 is the limit. `null` if it fails at a limit of zero or outside a range."""
     tightest: CheckId | None = None
-    """Id of the governing check: the failing one that is exceeded most; where none fails, the one with the highest utilisation.
+    """Id of the governing check: the failing one with the largest excess, else the one with the highest utilisation.
 `null` if no check has a limit."""
     mass_kg: float | None = None
-    """Mass in kg, the larger one where the print is in doubt."""
+    """Mass in kg, the larger one if the manual is in doubt."""
+    mass_errata: list[str]
+    """Ids of the errata that touch the mass."""
     on_request: list[str]
     """Names of the fields of the code that are on request only."""
     demand: Demand | None = None
     """Demand on the actuator; `null` without J_out."""
     checks: list[Check]
-    """Every check, in a fixed order."""
+    """The checks, in a fixed order."""
     objections: list[str]
-    """Requirements not met and rules broken, in words."""
+    """Requirements not met and rules violated, as text."""
     open_questions: int
-    """How many questions could not be answered for want of a datum: checks without a value, and requirements left open."""
+    """Number of questions that could not be answered because a datum is missing: checks without a value, and open
+requirements."""
     axis: str
     """Name of the axis."""
     motion: Motion
-    """The motion as it came out."""
+    """Motion resulting from the project."""
     reserve: Reserve
-    """How far one thing may be changed."""
+    """Reserves of the actuator."""
     tolerance: Tolerance | None = None
-    """What the tolerances of the project mean; only where it has some."""
+    """Effect of the tolerances of the project; only if it has some."""
     assumptions: list[str]
-    """What was assumed, in words."""
+    """Assumptions, as text."""
 
     @property
     def axes(self) -> list[Judgement]:
@@ -491,65 +502,65 @@ class Judgement:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Reserve:
-    """How far one thing may be changed, all others as they are, with the actuator still fitting (or with which it would fit);
-`null` where nothing within reach fits or everything does. Each value has four digits and is judged as it stands: with it no
-check fails, one step of the last digit further one does. The search walks in steps of 10 %, temperatures in steps of 5 K; a
-gap between two regions that fit is passed over where it is narrower."""
+    """Largest change of one quantity, all others unchanged, at which the actuator still fits (or would fit); `null` if
+nothing within reach fits or everything does. Each value has four digits and is judged as stated: with it no check
+fails, one step of the last digit further one does. The search proceeds in steps of 10 %, temperatures in steps of 5
+K; a narrower gap between two regions that fit is not detected."""
 
     limits: list[NeededLimit] | None = None
-    """Only limits of the project keep the actuator out, and these values of their keys, rounded to four digits on the side
-that suffices, all together would let it in."""
+    """Values of limits of the project, rounded to four digits on the sufficient side, with which the actuator would
+fit, all together; only if nothing but these limits rejects it."""
     load_factor: float | None = None
-    """On all masses and inertias."""
+    """Factor on all masses and moments of inertia."""
     payload_factor: float | None = None
-    """On the payloads of the segments."""
+    """Factor on the payloads of the segments."""
     cycle_time: float | None = None
-    """The whole motion run through faster or slower."""
+    """Duration of the whole motion, run faster or slower."""
     ambient: float | None = None
-    """The ambient temperature."""
+    """Ambient temperature."""
     units: Units
-    """Units of the latter two."""
+    """Units of cycle time and ambient temperature."""
     if_estimate: list[str]
-    """The fields above with whose value it fits only if an estimate holds, `fits_if_estimate`."""
+    """Names of the fields above whose value fits only if an estimate holds, `fits_if_estimate`."""
     not_sought: NotSought | None = None
-    """What was not sought because of what it costs; `null` where everything was."""
+    """Quantities not searched because of the cost; `null` if all were."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class NeededLimit:
-    """A limit of the project that would have to be another."""
+    """A limit of the project that would have to be changed."""
 
     key: str
-    """Its key."""
+    """Key of the limit."""
     value: float | None
-    """The value that suffices."""
+    """Sufficient value."""
     unit: str
-    """Its unit."""
+    """Unit of the value."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class NotSought:
-    """Changes that were not sought: each step of the search would find the load of a long recording anew."""
+    """Quantities not searched: each step of the search would compute the load of a long recording again."""
 
     quantities: list[str]
-    """The fields beside this one that are `null` for it."""
+    """Names of the neighbouring fields that are `null` for this reason."""
     samples: int
-    """Work of each search step: recorded samples whose load is found anew, with a quarter of the instants of motion laws and of the
-loads on the flange."""
+    """Work of each search step: recorded samples whose load is computed again, plus a quarter of the instants of
+motion laws and of the loads on the flange."""
     most: int
-    """Largest such work without `--deadline`."""
+    """Largest work permitted without `--deadline`."""
     text: str
-    """The same in words."""
+    """Reason as text."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class AxesOfJudgement:
-    """The answers of several axes."""
+    """Answers for several axes."""
 
     verdict: Fit
-    """The worst verdict of the axes."""
+    """Worst verdict of the axes."""
     axes: list[Judgement]
-    """The answer of each axis."""
+    """Answer for each axis."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -629,7 +640,7 @@ class Explanations:
     checks: list[Explained]
     """The requested checks."""
     assumptions: list[str]
-    """What was assumed, in words."""
+    """Assumptions, as text."""
 
     @property
     def axes(self) -> list[Explanations]:
@@ -642,155 +653,156 @@ class Explained:
     """A check with the derivation of its value and its limit."""
 
     id: CheckId
-    """Which check."""
+    """Id of the check."""
     title: str
-    """Its name in words."""
+    """Name of the check."""
     verdict: Verdict
-    """What came out. `advice` also means: inside the band of an estimate."""
+    """Verdict of the check. `advice` also means: within the band of an estimate."""
     value: float | None = None
-    """What the axis asks; with `not_checked` it may still be there, when only the limit is missing."""
+    """Value demanded by the axis; may be present with `not_checked`, if only the limit is missing."""
     limit: float | None = None
-    """What the actuator gives or the project asks."""
+    """Limit of the actuator, or limit required by the project."""
     unit: str | None = None
-    """Unit of both: `Nm` `1/min` `A` `V` `W` `kgm^2` `N` `mm` `h` `a` `deg` `arcmin` `arcsec` `rev` `Hz` `degC` `1`."""
+    """Unit of value and limit: `Nm` `1/min` `A` `V` `W` `kgm^2` `N` `mm` `h` `a` `deg` `arcmin` `arcsec` `rev` `Hz`
+`degC` `1`."""
     direction: Direction
-    """How the value must lie to the limit."""
+    """Required relation of the value to the limit."""
     part: Part
-    """The part of the actuator that it is about."""
+    """Part of the actuator concerned."""
     utilisation: float | None = None
-    """Value/limit for `at_most`, limit/value for `at_least`; `null` where it makes no sense."""
+    """Value/limit for `at_most`, limit/value for `at_least`; `null` if it has no meaning."""
     margin: bool
-    """Whether the ranking looks at that utilisation: not of a recommendation nor of a class that is met or not."""
+    """`true` if the ranking uses this utilisation; `false` for a recommendation, and for a class that is met or not."""
     at: float | None = None
     """Instant of the worst case within the cycle, in s."""
     grade: Grade | None = None
-    """How far the figures can be trusted: the worst of all that went in."""
+    """Grade of the figures: the worst of all inputs."""
     source: str | None = None
     """Source of the limit, then of the value, joined by `; `."""
     sources: list[str]
-    """The same sources, each by itself."""
+    """The sources as a list."""
     missing: str | None = None
-    """Symbol of the datum that is missing, or the key of the project that would give the limit."""
+    """Symbol of the missing datum, or the project key that would set the limit."""
     notes: list[str]
-    """Remarks, in words."""
+    """Remarks, as text."""
     errata: list[str] | None = None
-    """Only where a value or limit rests on one: the ids of the errata, whose evidence stands in `notes`."""
+    """Ids of the errata that value or limit depend on; their evidence is in `notes`. Omitted if there are none."""
     derivation: Derivation
-    """How its figures came about."""
+    """Derivation of its figures."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Derivation:
-    """Where both sides of a check come from."""
+    """Derivations of both sides of a check."""
 
     value: Node | None = None
-    """Of what the axis asks."""
+    """Derivation of the demanded value."""
     limit: Node | None = None
-    """Of what is permitted."""
+    """Derivation of the limit."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Node:
-    """A figure and how it came about."""
+    """A figure and its derivation."""
 
     symbol: str
-    """Its symbol."""
+    """Symbol of the figure."""
     term: str | None = None
-    """What the symbol means; left out where there is no term for it."""
+    """Meaning of the symbol; omitted if there is no term for it."""
     formula: str | None = None
-    """The formula, in symbols; left out for what was read and not computed."""
+    """Formula in symbols; omitted for a value that was read instead of computed."""
     figures: str | None = None
-    """The formula with its figures put in."""
+    """Formula with the values inserted."""
     value: float | None
-    """The result."""
+    """Result of the formula."""
     unit: str
-    """Its unit."""
+    """Unit of the result."""
     grade: Grade | None = None
-    """How far it can be trusted; `null` for the steps of a computation, which are as good as what went in."""
+    """Grade of the figure; `null` for the steps of a computation, which have the grade of their inputs."""
     source: str
-    """Where it stands: cell, equation, model or key."""
+    """Source of the figure: cell, equation, model or key."""
     errata: list[CitedErratum] | None = None
-    """The errata that it rests on; left out where there is none."""
+    """Errata that the figure depends on; omitted if there are none."""
     repeated: bool | None = None
-    """Whether it is derived above already; left out where not."""
+    """`true` if the figure is derived above already; omitted otherwise."""
     operands: list[Node] | None = None
-    """What went in; left out where nothing did."""
+    """Inputs of the figure; omitted if there are none."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class CitedErratum:
-    """An erratum that a figure rests on."""
+    """An erratum that a figure depends on."""
 
     id: str
-    """Its id."""
+    """Id of the erratum."""
     evidence: str
-    """What stands in print, what is used, and why."""
+    """Text of the manual, value used, and reason."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class AxesOfExplanations:
-    """The answers of several axes."""
+    """Answers for several axes."""
 
     verdict: Fit
-    """The worst verdict of the axes."""
+    """Worst verdict of the axes."""
     axes: list[Explanations]
-    """The answer of each axis."""
+    """Answer for each axis."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Simulation:
-    """`simulate`: what the digital twin of an axis does."""
+    """`simulate`: behaviour of the digital twin of an axis."""
 
     axis: str
     """Name of the axis."""
     code: str
     """Ordering code, or the name of the project's own actuator."""
     scenario: ScenarioId
-    """What happens."""
+    """Id of the scenario."""
     title: str
-    """The scenario in words."""
+    """Name of the scenario."""
     at: float | None = None
-    """When it happens \\[s\\]; `null`: the whole run is the scenario."""
+    """Instant of the event \\[s\\]; `null` if the whole run is the scenario."""
     reaction: Reaction
-    """How the drive reacts to a stop and to its own faults."""
+    """Reaction of the servo drive to a stop and to its own faults."""
     cycles: int
-    """Cycles that are run."""
+    """Number of cycles."""
     seed: int
     """Seed of phases and noise."""
     time: float | None
     """Simulated time \\[s\\]."""
     steps: int
-    """Steps of the solver."""
+    """Number of steps of the solver."""
     step: float | None
-    """One of them \\[µs\\]."""
+    """Duration of one step \\[µs\\]."""
     ambient: float | None
-    """Temperature of the air \\[°C\\]."""
+    """Ambient temperature \\[°C\\]."""
     start: list[float | None]
     """Temperatures of winding and housing at the start \\[°C\\]."""
     summary: Figures
-    """The run in figures."""
+    """Figures of the run."""
     averaged: Figures | None = None
-    """Operation over days by the mean losses of the cycle, in figures; `null` where no days are requested."""
+    """Figures of an operation over days with the mean losses of the cycle; `null` if no days are requested."""
     verdicts: list[SimulatedVerdict]
     """Figures with a limit."""
     events: list[SimulatedEvent]
-    """What happened, by time."""
+    """Events in chronological order."""
     encoder_failure: EncoderFailure | None = None
-    """How the encoder failed; `null`: it did not."""
+    """Failure of the encoder; `null` if there is none."""
     comparison: list[Compared]
-    """What the sizing said, what the twin shows, and why they differ; of the cycle alone."""
+    """Results of sizing and twin with the reason for the difference; for the cycle only."""
     loops: list[ControlLoop]
-    """The loops of the control, the innermost first."""
+    """Control loops, the innermost first."""
     gains: Figures
-    """The gains in use."""
+    """Gains in use."""
     gains_by_rule: bool
-    """Whether they follow from the rule; else the project states some."""
+    """`true` if the gains follow from the rule; `false` if the project states some."""
     parameters: list[ModelParameter]
-    """Every parameter of the model."""
+    """Parameters of the model."""
     notes: list[str]
-    """What was assumed or left out, in words."""
+    """Assumptions and omissions, as text."""
     trace: str | None = None
-    """The file that the course was written to; `null`: none."""
+    """File of the recorded signals; `null` if none was written."""
 
     @property
     def axes(self) -> list[Simulation]:
@@ -803,11 +815,11 @@ class Figure:
     """A figure with its unit."""
 
     title: str
-    """In words."""
+    """Name of the figure."""
     value: float | None = None
-    """The value; `null` where there is none."""
+    """Value; `null` if there is none."""
     unit: str
-    """Its unit."""
+    """Unit of the value."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -817,75 +829,75 @@ class SimulatedVerdict:
     id: str
     """Identifier."""
     title: str
-    """In words."""
+    """Name of the figure."""
     verdict: Verdict
-    """Whether the limit is kept."""
+    """Verdict on the limit."""
     value: float | None = None
-    """The value."""
+    """Value of the figure."""
     limit: float | None = None
-    """The largest permitted."""
+    """Largest permitted value."""
     unit: str
-    """Unit of both."""
+    """Unit of value and limit."""
     grade: Grade | None = None
-    """How far the limit can be trusted."""
+    """Grade of the limit."""
     source: str | None = None
-    """Where the limit is from."""
+    """Source of the limit."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class SimulatedEvent:
-    """Something that happened."""
+    """An event of the run."""
 
     time: float | None
-    """When \\[s\\]."""
+    """Instant \\[s\\]."""
     event: EventKind
-    """What."""
+    """Kind of event."""
     title: str
-    """In words."""
+    """Name of the event."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class EncoderFailure:
-    """An encoder that fails, and what the drive notices of it."""
+    """A failing encoder, and its detection by the servo drive."""
 
     failure: str
-    """What fails: a failure of the scenario, or `battery`."""
+    """Kind of failure: a failure of the scenario, or `battery`."""
     finding: str | None = None
-    """How the drive notices it; `null`: it does not."""
+    """Kind of detection by the servo drive; `null` if it is not detected."""
     after: float | None = None
-    """After which time \\[ms\\]."""
+    """Time until detection \\[ms\\]."""
     error: float | None
-    """The angle that is read less the true one, at the output, when it is noticed, else at the end \\[°\\]."""
+    """Measured minus true angle at the output, at detection, else at the end \\[°\\]."""
     title: str
-    """The whole in words."""
+    """Failure and detection as text."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Compared:
-    """A figure of the sizing beside that of the twin."""
+    """A figure of the sizing next to that of the twin."""
 
     id: CheckId
-    """The check of the sizing."""
+    """Id of the check of the sizing."""
     title: str
-    """In words."""
+    """Name of the check."""
     sizing: float | None
-    """What the sizing said."""
+    """Result of the sizing."""
     twin: float | None
-    """What the twin shows."""
+    """Result of the twin."""
     unit: str
-    """Unit of both."""
+    """Unit of both results."""
     why: str
-    """Why they differ, in words."""
+    """Reason for the difference, as text."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class ControlLoop:
-    """A loop with its margins."""
+    """A control loop with its margins."""
 
     id: Loop
-    """Which."""
+    """Id of the loop."""
     title: str
-    """In words."""
+    """Name of the loop."""
     crossover: float | None = None
     """Frequency at which the open loop has magnitude one \\[Hz\\]."""
     phase_margin: float | None = None
@@ -893,9 +905,9 @@ class ControlLoop:
     gain_margin: float | None = None
     """Gain margin \\[dB\\]."""
     bandwidth: float | None = None
-    """Frequency up to which it follows within 3 dB \\[Hz\\]."""
+    """Frequency up to which the loop follows within 3 dB \\[Hz\\]."""
     stable: bool
-    """Whether it is stable."""
+    """`true` if the loop is stable."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -903,25 +915,27 @@ class ModelParameter:
     """A parameter of the model."""
 
     key: str
-    """Its key."""
+    """Key of the parameter in the table `[twin.measured]`."""
+    title: str
+    """Name of the parameter."""
     value: float | None = None
-    """Its value; `null` where nothing is known."""
+    """Value; `null` if it is unknown."""
     unit: str
-    """Its unit."""
+    """Unit of the value."""
     grade: Grade | None = None
-    """How far it can be trusted."""
+    """Grade of the value."""
     source: str | None = None
-    """Where it is from."""
+    """Source of the value."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class AxesOfSimulation:
-    """The answers of several axes."""
+    """Answers for several axes."""
 
     verdict: Fit
-    """The worst verdict of the axes."""
+    """Worst verdict of the axes."""
     axes: list[Simulation]
-    """The answer of each axis."""
+    """Answer for each axis."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -1000,13 +1014,15 @@ class Comparison:
     candidates: list[Head]
     """The actuators, in the requested order."""
     better: int | None = None
-    """Index of the actuator that ranks best, from 0."""
+    """Index of the actuator with the best rank, from 0."""
     demand: list[DatumRow]
-    """The demand on each."""
+    """Demand on each actuator."""
     data: list[DatumRow]
-    """What each is."""
+    """Data of each actuator."""
+    errata: list[CitedErratum]
+    """Errata that touch the data."""
     checks: list[CheckRow]
-    """Check by check."""
+    """Comparison check by check."""
 
     @property
     def axes(self) -> list[Comparison]:
@@ -1021,77 +1037,79 @@ class Head:
     code: str
     """Ordering code, or name of the project's own actuator."""
     verdict: Fit
-    """Whether nothing speaks against it."""
+    """Verdict on the actuator."""
     utilisation: float | None
     """Utilisation of the governing check; 1 is the limit."""
     tightest: CheckId | None = None
-    """Id of the check that it belongs to."""
+    """Id of the governing check."""
     open_questions: int
-    """How many questions could not be answered for want of a datum."""
+    """Number of questions that could not be answered because a datum is missing."""
     objections: list[str]
-    """Requirements not met and rules broken, in words."""
+    """Requirements not met and rules violated, as text."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class DatumRow:
-    """A figure of each actuator."""
+    """A figure for each actuator."""
 
     symbol: str
-    """Its symbol."""
+    """Symbol of the figure."""
     unit: str
-    """Its unit."""
+    """Unit of the values."""
     values: list[float | None]
-    """One value for each actuator, `null` where there is none."""
+    """One value per actuator, `null` if it has none."""
+    errata: list[list[str]]
+    """Ids of the errata that touch the value of each actuator."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class CheckRow:
-    """A check of each actuator."""
+    """A check for each actuator."""
 
     id: CheckId
-    """Which check."""
+    """Id of the check."""
     title: str
-    """Its name in words."""
+    """Name of the check."""
     better: int | None = None
-    """Index of the actuator that does better, from 0; `null` where none does."""
+    """Index of the better actuator, from 0; `null` if none is better."""
     answers: list[Check | None]
-    """The answers, `null` where an actuator has no such check."""
+    """Results per actuator, `null` if an actuator has no such check."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class AxesOfComparison:
-    """The answers of several axes."""
+    """Answers for several axes."""
 
     verdict: Fit
-    """The worst verdict of the axes."""
+    """Worst verdict of the axes."""
     axes: list[Comparison]
-    """The answer of each axis."""
+    """Answer for each axis."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Difference:
-    """`diff`: what another revision of a project does to an actuator."""
+    """`diff`: effect of another revision of a project on an actuator."""
 
     axis: str
     """Name of the axis."""
     code: str
-    """The actuator."""
+    """Ordering code, or name of the project's own actuator."""
     verdict: Fit
-    """Whether it fits in the second project."""
+    """Verdict in the second project."""
     before: Head
-    """In the first project."""
+    """Result in the first project."""
     after: Head
-    """In the second project."""
+    """Result in the second project."""
     best_before: str | None = None
-    """The best ordering code for the first project."""
+    """Best ordering code for the first project."""
     best_after: str | None = None
-    """The best ordering code for the second project."""
+    """Best ordering code for the second project."""
     demand: list[DatumChange]
-    """The demand before and after."""
+    """Demand before and after."""
     checks: list[CheckChange]
-    """Check by check."""
+    """Comparison check by check."""
     inputs: list[InputChange]
-    """The values of the project files that differ."""
+    """Values of the project files that differ."""
 
     @property
     def axes(self) -> list[Difference]:
@@ -1104,13 +1122,13 @@ class DatumChange:
     """A figure before and after."""
 
     symbol: str
-    """Its symbol."""
+    """Symbol of the figure."""
     unit: str
-    """Its unit."""
+    """Unit of the values."""
     before: float | None = None
-    """In the first project."""
+    """Value in the first project."""
     after: float | None = None
-    """In the second project."""
+    """Value in the second project."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -1118,17 +1136,17 @@ class CheckChange:
     """A check before and after."""
 
     id: CheckId
-    """Which check."""
+    """Id of the check."""
     title: str
-    """Its name in words."""
+    """Name of the check."""
     changed: bool
-    """Whether anything about it is another."""
+    """`true` if any part of the result differs."""
     change: float | None = None
     """Difference of the utilisations."""
     before: Check | None = None
-    """In the first project."""
+    """Result in the first project."""
     after: Check | None = None
-    """In the second project."""
+    """Result in the second project."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -1136,21 +1154,21 @@ class InputChange:
     """A value that differs between two project files."""
 
     path: str
-    """Its key."""
+    """Key of the value."""
     old: str | None = None
-    """As written in the first file; `null` where it is not there."""
+    """Value as written in the first file; `null` if it is missing there."""
     new: str | None = None
-    """As written in the second file; `null` where it is not there."""
+    """Value as written in the second file; `null` if it is missing there."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class AxesOfDifference:
-    """The answers of several axes."""
+    """Answers for several axes."""
 
     verdict: Fit
-    """The worst verdict of the axes."""
+    """Worst verdict of the axes."""
     axes: list[Difference]
-    """The answer of each axis."""
+    """Answer for each axis."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -1158,15 +1176,15 @@ class Table:
     """`export --table`: one table of the results."""
 
     table: str
-    """Its name."""
+    """Name of the table."""
     title: str
-    """Its title."""
+    """Title of the table."""
     about: str
-    """What it holds."""
+    """Content of the table."""
     columns: list[TableColumn]
-    """What each column means."""
+    """Descriptions of the columns."""
     rows: list[TableRow]
-    """A record for each row, by the names of the columns."""
+    """One record per row, by the names of the columns."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -1174,15 +1192,15 @@ class TableColumn:
     """A column of a table."""
 
     name: str
-    """Its name in the rows."""
+    """Name of the column in the rows."""
     title: str
-    """Its heading."""
+    """Heading of the column."""
     kind: ColumnKind
-    """What it holds."""
+    """Type of the values."""
     unit: str | None = None
-    """Unit of its numbers; `null` for words, and where another column names the unit of each row."""
+    """Unit of the numbers; `null` for text, and if another column has the unit of each row."""
     about: str
-    """What it means and where it comes from."""
+    """Meaning and source of the values."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -1190,19 +1208,19 @@ class CodeReading:
     """`code parse`: a code with every field explained."""
 
     valid: bool
-    """Always `true`."""
+    """`true` in every such answer."""
     code: str
     """The canonical spelling."""
     canonical: bool
-    """Whether the text was written so."""
+    """`true` if the text was already in canonical spelling."""
     availability: Availability
-    """Whether it can be had without asking."""
+    """Availability of the code."""
     on_request: list[str]
     """Names of the fields that are on request only."""
     fields: list[CodeField]
-    """All nine fields, in their order."""
+    """The nine fields, in their order."""
     notes: list[str]
-    """What the manual's tables do not cover of it."""
+    """Remarks on data that the tables of the manual do not cover."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -1210,15 +1228,15 @@ class CodeField:
     """A field of a code."""
 
     field: Field
-    """Which field."""
+    """Id of the field."""
     name: str
-    """Its name."""
+    """Name of the field."""
     token: str
-    """What stands there; empty where it is left out."""
+    """Word of the field; empty if it is left out."""
     meaning: str
-    """What that means."""
+    """Meaning of the word."""
     span: list[int] | None = None
-    """Its place in the text given, in bytes: begin, and end without it; `null` where it is left out."""
+    """Place in the given text, in bytes: start and exclusive end; `null` if the field is left out."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -1226,21 +1244,21 @@ class ListedCode:
     """`code list`: a valid code."""
 
     code: str
-    """The code."""
+    """Ordering code."""
     availability: Availability
-    """Whether it can be had without asking."""
+    """Availability of the code."""
     on_request: list[str]
     """Names of the fields that are on request only."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Completion:
-    """`code complete`: what a partial code leaves open."""
+    """`code complete`: open fields of a partial code."""
 
     fields: list[OpenField]
-    """Each field but series and special design."""
+    """The fields except series and special design."""
     codes: list[ListedCode]
-    """The codes that result."""
+    """Resulting codes."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -1248,77 +1266,78 @@ class OpenField:
     """A field of a partial code."""
 
     field: Field
-    """Which field."""
+    """Id of the field."""
     name: str
-    """Its name."""
+    """Name of the field."""
     choices: list[Choice]
-    """What may stand there."""
+    """Permitted words."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Choice:
-    """What may stand at a field."""
+    """A permitted word of a field."""
 
     token: str
-    """The word; empty where the field may be left out."""
+    """Word; empty if the field may be left out."""
     availability: Availability
-    """Whether at least one code with it has this field without asking."""
+    """Availability of the field in at least one code with this word."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Sheet:
-    """`data`: every printed value of an actuator."""
+    """`data`: the values that the manual states for an actuator."""
 
     code: str
-    """The code."""
+    """Ordering code."""
     notes: list[str]
-    """What the tables do not cover of it, in words."""
+    """Remarks on data not covered by the tables, as text."""
     sections: list[SheetSection]
-    """One section for each printed table, in the order of the manual."""
+    """One section per table, in the order of the manual."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class SheetSection:
-    """The values of one printed table."""
+    """Values of one table of the manual."""
 
     table: str
     """Number of the table."""
     title: str
-    """Its title."""
+    """Title of the table."""
     values: list[SheetValue]
-    """Its values for this code."""
+    """Values for this code."""
     notices: list[SheetNote]
     """Notices on the table as a whole."""
     errata: list[str]
-    """Ids of the errata of the table that name no single cell."""
+    """Ids of the errata that concern the table instead of a single cell."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class SheetValue:
-    """A printed value."""
+    """A value stated in the manual."""
 
     symbol: str
     """Symbol in ASCII."""
     name: str
-    """The field's word for it."""
+    """Technical term."""
     condition: str
-    """Further distinction of the row."""
+    """Further condition of the row."""
     printed: str
-    """The text of the cell as printed."""
+    """Text of the cell in the manual."""
     value: TableCell
-    """The value after errata in the printed unit: a number or a text; `null` where none is printed, for this code."""
+    """Value after errata in the unit of the manual: a number or a text; `null` if the manual states none for this
+code."""
     unit: str
-    """The printed unit in ASCII; empty for pure numbers and texts."""
+    """Unit of the manual in ASCII; empty for pure numbers and texts."""
     table: str
     """Number of the table."""
     grade: Grade
-    """How far it can be trusted."""
+    """Grade of the value."""
     errata: list[str]
-    """Ids of the errata that touch it."""
+    """Ids of the errata that concern the value."""
     checks_use: float | None = None
-    """The value that checks take where it is not `value`."""
+    """Value used by checks if it is not `value`."""
     text: str | None = None
-    """The value of a text in the language of the answer; `null` for a number."""
+    """Text of the value in the language of the answer; `null` for a number."""
     notes: list[SheetNote]
     """Notes on the row."""
 
@@ -1328,33 +1347,33 @@ class SheetNote:
     """A note on a value or a table."""
 
     mark: str | None = None
-    """The mark as printed; `null` where it has none."""
+    """Mark in the manual; `null` if it has none."""
     by: NoteBy
-    """Who says so."""
+    """Author of the note."""
     text: str
-    """What it says, in our words."""
+    """Text of the note in the project's own words."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Wiring:
-    """`wiring`: what is connected where."""
+    """`wiring`: connections of an actuator."""
 
     code: str
-    """The code."""
+    """Ordering code."""
     connectors: list[Connector]
-    """Its connectors."""
+    """Connectors of the actuator."""
     cables: list[Cable]
-    """The cables that the manual lists for it."""
+    """Cables listed in the manual."""
     not_available: list[NotAvailable]
-    """What there is not for this code, or not in the manual."""
+    """Parts that do not exist for this code, or not in the manual."""
     notes: list[WiringNote]
-    """What the tables and their notes say besides."""
+    """Further statements of the tables and their notes."""
     rules: list[Fact]
-    """Rules and hazards, gravest first."""
+    """Rules and hazards, the gravest first."""
     voltage_drop: VoltageDrops | None = None
-    """Voltage lost on the wires; `null` unless a length was given."""
+    """Voltage drop on the wires; `null` unless a length was given."""
     errata: list[str]
-    """Ids of the errata that touch what is shown."""
+    """Ids of the errata that concern the data shown."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -1362,29 +1381,29 @@ class Connector:
     """A connector of the actuator."""
 
     role: ConnectorRole
-    """What it is for."""
+    """Purpose of the connector."""
     type: str
-    """Poles and thread as printed."""
+    """Poles and thread as in the manual."""
     poles: int
-    """Its poles."""
+    """Number of poles."""
     thread: str
-    """Its thread."""
+    """Thread."""
     exit: ConnectorExit | None = None
-    """Where it is: at the end of a cable, in the housing; `null` where that is not stated."""
+    """Location: at the end of a cable, in the housing; `null` if not stated."""
     material_number: str | None = None
-    """Material number of the mating coupling; `null` where none is printed."""
+    """Material number of the mating connector; `null` if the manual states none."""
     outer_diameter: str | None = None
-    """Outer diameter of the mating coupling as printed; `null` where none is."""
+    """Outer diameter of the mating connector as in the manual; `null` if it states none."""
     length: str | None = None
-    """Length of the mating coupling as printed; `null` where none is."""
+    """Length of the mating connector as in the manual; `null` if it states none."""
     unit: str
-    """Unit of the two."""
+    """Unit of diameter and length."""
     pins: list[ConnectorPin]
-    """Its pins; empty where they are not printed for this code."""
+    """Pins; empty if the manual states none for this code."""
     ambiguous: list[AmbiguousColour]
-    """Colours that several of its wires have: wire by pin."""
+    """Colours shared by several wires: identify the wire by its pin."""
     tables: list[str]
-    """Table of the connector, and of its pins."""
+    """Tables of the connector and of its pins."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -1392,35 +1411,35 @@ class ConnectorPin:
     """A pin of a connector."""
 
     pin: str
-    """Its number, or `PE`."""
+    """Number of the pin, or `PE`."""
     joined_with: str | None = None
-    """The pin that the print names in brackets: both belong to one wire."""
+    """Pin named in brackets in the manual: both belong to one wire."""
     signal: str
-    """The signal as printed; `-` where nothing is connected."""
+    """Signal as in the manual; `-` if nothing is connected."""
     connected: bool
-    """Whether something is connected."""
+    """`true` if a wire is connected."""
     group: SignalGroup | None = None
-    """Of which kind the signal is; `null` where nothing is connected."""
+    """Kind of the signal; `null` if nothing is connected."""
     colour: str | None = None
-    """Colour of the wire, in the requested language; `null` if none is printed."""
+    """Colour of the wire, in the requested language; `null` if the manual states none."""
     meaning: str
-    """What the signal is."""
+    """Meaning of the signal."""
     source: str
-    """The cell that prints it; of an empty field its table."""
+    """Cell that states the signal; for an empty field its table."""
     grade: Grade
-    """How far it can be trusted."""
+    """Grade of the statement."""
     errata: list[str]
-    """Ids of the errata that touch it."""
+    """Ids of the errata that concern the pin."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class AmbiguousColour:
-    """A colour that does not tell wires apart."""
+    """A colour shared by several wires."""
 
     colour: str
-    """The colour."""
+    """Name of the colour."""
     pins: list[str]
-    """The pins whose wires have it."""
+    """Pins whose wires have the colour."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -1428,65 +1447,65 @@ class Cable:
     """A cable."""
 
     role: CableRole
-    """What it connects."""
+    """Parts connected by the cable."""
     material_number: str
-    """Its material number."""
+    """Material number."""
     length_m: float | None = None
-    """Its length; `null` where the material number has it in letters of another maker."""
+    """Length; `null` if another manufacturer encodes it in letters of the material number."""
     length_code: str | None = None
-    """The letters of the material number that stand for the length; else `null`."""
+    """Letters of the material number that encode the length; else `null`."""
     for_: str
-    """What it goes to."""
+    """Device at the other end."""
     drive: CableFor
-    """The same as an id."""
+    """Id of that device."""
     table: str
-    """The table that prints it."""
+    """Table that lists the cable."""
     source: str
-    """The cell that prints it."""
+    """Cell that lists the cable."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class NotAvailable:
-    """What there is not."""
+    """A part that does not exist."""
 
     id: str
-    """Its id."""
+    """Id of the part."""
     text: str
-    """What there is not, and why."""
+    """Name of the part and reason."""
     table: str
-    """The table that shows it."""
+    """Table that shows it."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class WiringNote:
-    """What a table's notes say."""
+    """A statement of the notes of a table."""
 
     text: str
-    """What it says."""
+    """Text of the note."""
     by: NoteBy
-    """Who says so."""
+    """Author of the note."""
     table: str | None = None
-    """The table that it is about; `null`: several."""
+    """Table concerned; `null` for several."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Fact:
-    """A hazard, a rule or a limit, in our words."""
+    """A hazard, a rule or a limit, in the project's own words."""
 
     id: str
-    """Its id."""
+    """Id of the fact."""
     signal: Signal | None = None
     """Signal word of ISO 3864-2 and ANSI Z535.6; `null` for a plain statement."""
     step: Step | None = None
-    """When it matters; `null`: always."""
+    """Step of the work to which it applies; `null` if it always applies."""
     text: str
-    """What it says."""
+    """Text of the fact."""
     values: list[FactValue]
-    """The figures in it."""
+    """Figures in the text."""
     source: str
-    """Where it stands."""
+    """Source of the fact."""
     grade: Grade
-    """How far it can be trusted."""
+    """Grade of the fact."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -1494,143 +1513,144 @@ class FactValue:
     """A figure of a fact."""
 
     id: str | None = None
-    """Which of several; `null` for the only one."""
+    """Id among several figures; `null` for the only one."""
     number: float | None
-    """The figure."""
+    """Value of the figure."""
     unit: str
-    """Its unit in ASCII; empty for pure numbers."""
+    """Unit in ASCII; empty for pure numbers."""
     bound: Bound
-    """What it bounds."""
+    """Kind of bound."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class VoltageDrops:
-    """Voltage lost on the wires of a cable."""
+    """Voltage drop on the wires of a cable."""
 
     length_m: float | None
     """Length of the cable."""
     cross_section_mm2: float | None = None
-    """Cross-section of a wire; `null` where none was given."""
+    """Cross-section of a wire; `null` if none was given."""
     circuits: list[VoltageDrop]
     """The circuits."""
     assumptions: str
-    """What was assumed."""
+    """Assumptions, as text."""
     resistivity_source: str
-    """Where the resistivity of copper is from."""
+    """Source of the resistivity of copper."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class VoltageDrop:
-    """Voltage lost in one circuit, forth and back."""
+    """Voltage drop in one circuit, outward and return wire."""
 
     circuit: Circuit
-    """Which circuit."""
+    """Id of the circuit."""
     name: str
-    """Its name."""
+    """Name of the circuit."""
     current_a: float | None
-    """Its current."""
+    """Current."""
     current_source: str
-    """Where the current is from."""
+    """Source of the current."""
     nominal_v: float | None = None
-    """Voltage that the source has; `null` where none is printed."""
+    """Voltage of the supply; `null` if the manual states none."""
     least_v: float | None = None
-    """Least voltage at the load; `null` where none is printed."""
+    """Minimum voltage at the load; `null` if the manual states none."""
     voltage_source: str
-    """Where the voltages are from."""
+    """Source of the voltages."""
     loss_20_degc_v: float | None = None
-    """Loss at 20 °C; `null` without a cross-section."""
+    """Voltage drop at 20 °C; `null` without a cross-section."""
     loss_70_degc_v: float | None = None
-    """Loss at 70 °C; `null` without a cross-section."""
+    """Voltage drop at 70 °C; `null` without a cross-section."""
     needed_v: float | None = None
-    """Source voltage required for the least voltage at the load on a warm wire; `null` if not known."""
+    """Supply voltage required for the minimum voltage at the load on a warm wire; `null` if unknown."""
     cross_section_min_mm2: float | None = None
-    """Smallest cross-section at 70 °C; `null` where no limit is printed."""
+    """Smallest cross-section at 70 °C; `null` if the manual states no limit."""
     verdict: Verdict
-    """Whether it is enough."""
+    """Verdict on the minimum voltage."""
     reason: str
-    """Why it is not, or not checked; empty where it is enough."""
+    """Reason why it fails or is not checked; empty if it passes."""
     sense_lines: bool
-    """Whether the connector has sense lines."""
+    """`true` if the connector has sense lines."""
     grade: Grade
-    """How far the loss can be trusted."""
+    """Grade of the voltage drop."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class WiringCheck:
-    """`wiring --check`: a list of pins compared with the print."""
+    """`wiring --check`: comparison of a pin list with the manual."""
 
     code: str
-    """The code."""
+    """Ordering code."""
     agrees: bool
-    """Whether nothing but advice was found."""
+    """`true` if the findings are advice only."""
     rows: int
-    """Rows of the list."""
+    """Number of rows in the list."""
     agreeing: int
-    """Rows that agree with the print."""
+    """Number of rows that agree with the manual."""
     findings: list[WiringFinding]
-    """What is different, by line."""
+    """Differences by line."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class WiringFinding:
-    """A difference between list and print."""
+    """A difference between list and manual."""
 
     id: str
-    """Its id."""
+    """Id of the finding."""
     severity: Severity
-    """How grave it is."""
+    """Severity of the finding."""
     connector: ConnectorRole
-    """The connector."""
+    """Connector concerned."""
     line: int | None = None
-    """Line of the list; `null` where it is about what is not in it."""
+    """Line of the list; `null` if the finding concerns a missing entry."""
     pin: str | None = None
-    """The pin; `null` where it is about the connector."""
+    """Pin; `null` if the finding concerns the connector."""
     expected: str | None = None
-    """The printed value; `null` if the finding is about the connector or a pin that does not exist."""
+    """Value in the manual; `null` if the finding concerns the connector or a pin that does not exist."""
     message: str
-    """What is different."""
+    """Description of the difference."""
     action: str
-    """What to do."""
+    """Action to take."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Encoder:
-    """`encoder`: what the encoders of a code send at an angle."""
+    """`encoder`: output of the encoders of a code at an angle."""
 
     code: str
-    """The code."""
+    """Ordering code."""
     feedback: str
-    """The motor feedback."""
+    """Motor encoder."""
     seed: int | None = None
-    """Seed of the deviation; `null` where encoders see the true angle."""
+    """Seed of the deviation; `null` if encoders measure the true angle."""
     connector: ConnectorRole
-    """Its connector."""
+    """Connector of the encoder."""
     type_printed: str | None = None
-    """Its maker's name for it, as printed."""
+    """Manufacturer's name of the encoder, as in the manual."""
     shaft: EncoderShaft
-    """Its shaft."""
+    """Shaft of the encoder."""
     words: list[EncoderWord]
-    """The words that it sends; none where it has no serial interface."""
+    """Words sent; empty without a serial interface."""
     signals: dict[str, EncoderSignal]
-    """Its signals by name."""
+    """Signals by name."""
     carrier: EncoderCarrier | None = None
-    """Two periods of the excitation with the windings, while the shaft turns at its speed; `null` unless it is a resolver."""
+    """Two periods of the excitation with the windings, while the shaft turns at its speed; `null` unless it is a
+resolver."""
     table_of_pins: str | None = None
-    """The table of its pins."""
+    """Table of the pins."""
     output_encoder: EncoderState | None = None
-    """What the encoder at the output sends, option EC; `null` without it."""
+    """Output of the output encoder, option EC; `null` without it."""
     decoded: DecodedWord | None = None
-    """What `decode` reads; `null` where no word was given."""
+    """Result of `decode`; `null` if no word was given."""
     assumptions: list[EncoderAssumption]
-    """What the manual leaves open and the simulation takes."""
+    """Assumptions of the simulation on points that the manual leaves open."""
     notes: list[str]
-    """What is to be known about the position."""
+    """Remarks on the position."""
     rules: list[Fact]
-    """Rules of the manual on its direction and its battery."""
+    """Rules of the manual on direction and battery."""
     errata: list[str]
     """Errata that concern the data."""
     trace: str | None = None
-    """The file of the trace, where one was written."""
+    """File of the trace; `null` if none was written."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -1644,43 +1664,43 @@ class EncoderShaft:
     speed_per_min: float | None
     """Speed \\[1/min\\]."""
     seen_deg: float | None
-    """Angle that the encoder sees \\[deg\\]."""
+    """Angle measured by the encoder \\[deg\\]."""
     accuracy_arcsec: float | None = None
-    """Largest deviation to either side \\[arcsec\\]; `null` where none is printed."""
+    """Largest deviation to either side \\[arcsec\\]; `null` if the manual states none."""
     absolute_turns: int | None = None
-    """Turns after which the absolute position begins again; `null` without one."""
+    """Number of turns after which the absolute position repeats; `null` without one."""
     turns_valid: bool | None = None
-    """Whether the count of turns can be trusted; `null` where none is sent."""
+    """`true` if the count of turns is reliable; `null` if none is sent."""
     increments: int | None = None
-    """Whole steps since the zero: interpolated to 8 bit, or every edge; `null` for a resolver."""
+    """Whole steps since zero: interpolated to 8 bit, or every edge; `null` for a resolver."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class EncoderWord:
-    """A word."""
+    """A word of a serial interface."""
 
     name: str
-    """What it is: `endat_2_2_position`, `endat_2_1_position`, `ssi_position`."""
+    """Kind of word: `endat_2_2_position`, `endat_2_1_position`, `ssi_position`."""
     title: str
-    """The same in words."""
+    """Kind of word as text."""
     protocol: EncoderProtocol
-    """Its protocol."""
+    """Protocol of the word."""
     bits: str
-    """Its bits in the order sent."""
+    """Bits in the order sent."""
     crc: str | None = None
-    """Its check; `null` where it has none."""
+    """Checksum; `null` if it has none."""
     command: str | None = None
-    """Its mode command in the order sent; `null` where none is sent."""
+    """Mode command in the order sent; `null` if none is sent."""
     fields: list[WordField]
-    """Its fields in the order sent."""
+    """Fields in the order sent."""
     clocks_before: int
-    """Clock periods of a transmission before its first bit, in a trace."""
+    """Number of clock periods of a transmission before its first bit, in a trace."""
     clock_khz: float | None
     """Clock frequency of a trace \\[kHz\\]."""
     recovery_us: list[float | None]
-    """Time until data is at rest again behind the word, shortest and longest \\[us\\]."""
+    """Shortest and longest time until the data line is at rest again after the word \\[us\\]."""
     calculation_us: float | None = None
-    """Longest time until the position is ready \\[us\\]; `null` where none is known."""
+    """Longest time until the position is ready \\[us\\]; `null` if unknown."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -1688,51 +1708,52 @@ class WordField:
     """A field of a word."""
 
     name: str
-    """What it is: `start`, `error_1`, `error_2`, `position`, `turns`, `step`, `head`, `value`, `crc`, or a mode command."""
+    """Kind of field: `start`, `error_1`, `error_2`, `position`, `turns`, `step`, `head`, `value`, `crc`, or a mode
+command."""
     title: str
-    """The same in words."""
+    """Kind of field as text."""
     first: int
-    """Place of its first bit, from zero."""
+    """Index of the first bit, from zero."""
     bits: str
-    """Its bits in the order sent."""
+    """Bits in the order sent."""
     value: int
-    """Its value."""
+    """Value of the field."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class EncoderSignal:
-    """A signal."""
+    """A signal of an encoder."""
 
     meaning: str
-    """What it is."""
+    """Meaning of the signal."""
     pins: list[EncoderPin]
-    """Its pins, plus end first."""
+    """Pins, plus end first."""
     form: SignalForm
-    """How its value is meant."""
+    """Representation of the value."""
     value: float | None = None
-    """Its value; `null` where it does not follow the angle."""
+    """Value; `null` if it does not depend on the angle."""
     unit: str
-    """Unit of the value: `V`, or `1` for a level and a part of an amplitude."""
+    """Unit of the value: `V`, or `1` for a level and a fraction of an amplitude."""
     level_v: float | None = None
-    """Nominal level peak to peak \\[V\\]; `null` where none is printed."""
+    """Nominal level peak to peak \\[V\\]; `null` if the manual states none."""
     level_bounds_v: list[float | None] | None = None
-    """Lowest and highest level peak to peak \\[V\\]; `null` where no tolerance is printed."""
+    """Lowest and highest level peak to peak \\[V\\]; `null` if the manual states no tolerance."""
     periods_per_turn: int | None = None
-    """Periods in a turn; `null` where it does not follow the angle."""
+    """Periods per turn; `null` if it does not depend on the angle."""
     source: str
-    """Where it stands: the table of its level or its lines."""
+    """Source: the table of its level or its lines."""
     curve: EncoderCurve | None = None
-    """Its course over the angle; `null` where it does not follow the angle."""
+    """Values over the angle; `null` if it does not depend on the angle."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class EncoderPin:
-    """A pin."""
+    """A pin of a signal."""
 
     pin: str
-    """Its number."""
+    """Number of the pin."""
     signal: str
-    """The signal as printed."""
+    """Signal as in the manual."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -1740,9 +1761,9 @@ class EncoderCurve:
     """A signal over the angle of its shaft."""
 
     offset_deg: list[float | None]
-    """Angles from where the shaft stands \\[deg\\]."""
+    """Angles relative to the position of the shaft \\[deg\\]."""
     value: list[float | None]
-    """The values there."""
+    """Values at these angles."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -1763,72 +1784,73 @@ class EncoderCarrier:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class EncoderState:
-    """What one encoder sends."""
+    """Output of one encoder."""
 
     connector: ConnectorRole
-    """Its connector."""
+    """Connector of the encoder."""
     type_printed: str | None = None
-    """Its maker's name for it, as printed."""
+    """Manufacturer's name of the encoder, as in the manual."""
     shaft: EncoderShaft
-    """Its shaft."""
+    """Shaft of the encoder."""
     words: list[EncoderWord]
-    """The words that it sends; none where it has no serial interface."""
+    """Words sent; empty without a serial interface."""
     signals: dict[str, EncoderSignal]
-    """Its signals by name."""
+    """Signals by name."""
     carrier: EncoderCarrier | None = None
-    """Two periods of the excitation with the windings, while the shaft turns at its speed; `null` unless it is a resolver."""
+    """Two periods of the excitation with the windings, while the shaft turns at its speed; `null` unless it is a
+resolver."""
     table_of_pins: str | None = None
-    """The table of its pins."""
+    """Table of the pins."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class DecodedWord:
-    """A word that was read."""
+    """A decoded word."""
 
     name: str | None = None
-    """What it is by its length; `null` where no word of the encoder has it."""
+    """Kind of word by its length; `null` if no word of the encoder has it."""
     title: str | None = None
-    """The same in words."""
+    """Kind of word as text."""
     connector: ConnectorRole | None = None
-    """The connector of the encoder that sends such words."""
+    """Connector of the encoder that sends such words."""
     bits: str
-    """Its bits."""
+    """Bits of the word."""
     valid: bool
-    """Whether nothing is wrong with it."""
+    """`true` if the word has no fault."""
     fields: list[WordField]
-    """Its fields; none where its length is wrong."""
+    """Fields; empty if the length is wrong."""
     turns: int | None = None
-    """Turns; `null` where the word is wrong or no position."""
+    """Turns; `null` if the word is wrong or no position."""
     angle_deg: float | None = None
-    """Angle within the turn \\[deg\\]; `null` likewise."""
+    """Angle within the turn \\[deg\\]; `null` if the word is wrong or no position."""
     encoder_error: bool | None = None
-    """Whether the encoder reports an error; `null` where the word is wrong or has no error bit."""
+    """`true` if the encoder reports an error; `null` if the word is wrong or has no error bit."""
     faults: list[WordFault]
-    """What is wrong with it."""
+    """Faults of the word."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class WordFault:
-    """What is wrong with a word."""
+    """A fault of a word."""
 
     id: str
-    """What: `length`, `start`, `error_bits_alike`, `crc`, `command`, `encoder_error`."""
+    """Kind of fault: `length`, `start`, `error_bits_alike`, `crc`, `command`, `encoder_error`."""
     message: str
-    """The same in words."""
+    """Description of the fault."""
     hint: str | None = None
-    """What to look at."""
+    """Point to check."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class EncoderAssumption:
-    """What is taken where the manual says nothing."""
+    """An assumption on a point that the manual leaves open."""
 
     id: EncoderAssumed
-    """What."""
+    """Id of the assumption."""
     text: str
-    """The same in words, with what it rests on."""
+    """Assumption as text, with its basis."""
     grade: Grade
-    """How far it can be trusted."""
+    """Grade of the assumption."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -1836,9 +1858,9 @@ class Errata:
     """`errata`: the requested errata."""
 
     about: str | None = None
-    """What was asked about: a code, a table, an id; `null`: all."""
+    """Subject of the query: a code, a table, an id; `null` for all errata."""
     errata: list[Erratum]
-    """The errata, in the order of the data."""
+    """Errata in the order of the data."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -1846,101 +1868,102 @@ class Erratum:
     """One erratum."""
 
     id: str
-    """Its id."""
+    """Id of the erratum."""
     table: str | None = None
-    """The table concerned; `null` for one of the text."""
+    """Table concerned; `null` for an erratum of the text."""
     cell: ErratumCell | None = None
-    """The cell that it names; `null` where it is about the table or the text."""
+    """Cell concerned; `null` if it concerns the table or the text."""
     where: str
-    """The place in words."""
+    """Place as text."""
     kind: ErratumKind
-    """What is wrong, and with what."""
+    """Kind of the error."""
     status: ErratumStatus
-    """Whether the right value is proven."""
+    """Status of the correction."""
     recovered: str | None = None
-    """What the damaged text has, for kind `recovery`; else `null`."""
+    """Text in the damaged file, for kind `recovery`; else `null`."""
     printed: str
-    """What stands printed."""
+    """Value in the manual."""
     corrected: str
-    """What is right; equal to `printed` where the matter is open."""
+    """Correct value; equal to `printed` if the matter is open."""
     checks_use: str | None = None
-    """What checks use where the safe side is not `corrected`; else `null`."""
+    """Value used by checks if the safe side is not `corrected`; else `null`."""
     unit: str
-    """Unit of the three; empty for texts."""
+    """Unit of the three values; empty for texts."""
     evidence: str
-    """Why, with the figures."""
+    """Evidence with figures."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class ErratumCell:
-    """The cell that an erratum names."""
+    """The cell concerned by an erratum."""
 
     symbol: str
     """Symbol in ASCII."""
     drive: str
-    """The drive as the manual heads it; empty: all."""
+    """Drive as headed in the manual; empty for all drives."""
     feedback: str
-    """Feedback system; empty: all."""
+    """Feedback system; empty for all systems."""
     ratio: str
-    """Reduction ratio; empty: all."""
+    """Reduction ratio; empty for all ratios."""
     condition: str
-    """Further distinction of the row."""
+    """Further condition of the row."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class CatalogueCell:
-    """`catalogue export`: a printed cell in long form."""
+    """`catalogue export`: a cell in long form."""
 
     drive: str
-    """The drive as the manual heads it; empty where the cell holds for all."""
+    """Drive as headed in the manual; empty if the cell holds for all drives."""
     feedback: str
-    """Feedback system, several joined by ` / `; empty: every one of the drive."""
+    """Feedback system, several joined by ` / `; empty for every one of the drive."""
     ratio: str
-    """Reduction ratio, or `> 50`; empty: printed once for all ratios."""
+    """Reduction ratio, or `> 50`; empty if stated once for all ratios."""
     symbol: str
     """Symbol in ASCII."""
     condition: str
-    """Further distinction of the row."""
+    """Further condition of the row."""
     printed: str
-    """The text of the cell as printed."""
+    """Text of the cell in the manual."""
     value: TableCell
-    """The value after errata in the printed unit: a number or a text; `null` where none is printed."""
+    """Value after errata in the unit of the manual: a number or a text; `null` if the manual states none."""
     unit: str
-    """The printed unit in ASCII; empty for pure numbers and texts."""
+    """Unit of the manual in ASCII; empty for pure numbers and texts."""
     table: str
     """Number of the table, or its name in another document."""
     erratum: str
-    """Ids of the errata that touch it, joined by `;`."""
+    """Ids of the errata that concern the value, joined by `;`."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Torsion:
-    """`torsion`: the angle by which a gear yields under a torque."""
+    """`torsion`: twist angle of a gear under a torque."""
 
     code: str
     """Ordering code."""
     torque: float | None
-    """The torque."""
+    """Torque."""
     angle_rad: float | None
-    """The angle in rad."""
+    """Twist angle in rad."""
     angle_arcmin: float | None
-    """The same angle in arcmin."""
+    """Twist angle in arcmin."""
     region: int
-    """Which of the three straight pieces of the curve it lies on, from 1."""
+    """Number of the linear section of the curve in which the angle lies, from 1 to 3."""
     T_1: float | None
-    """End of the first piece."""
+    """End of the first section."""
     T_2: float | None
-    """End of the second piece."""
+    """End of the second section."""
     K: list[float | None]
-    """Stiffness of the three pieces."""
+    """Stiffness of the three sections."""
     hysteresis_loss: float | None = None
-    """Most that is lost by hysteresis after full torque to both sides; `null` where none is printed."""
+    """Maximum hysteresis loss after full torque in both directions; `null` if the manual states none."""
     lost_motion: float | None = None
-    """Most that is lost under a few per cent of the rated torque to both sides; `null` where none is printed."""
+    """Maximum lost motion under a few per cent of the rated torque in both directions; `null` if the manual states
+none."""
     units: Units
-    """Units of torque, stiffness and lost angles."""
+    """Units of torque, stiffness and angles."""
     source: str
-    """Where the curve is from."""
+    """Source of the curve."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -1954,83 +1977,83 @@ class DriveObject:
     type: str
     """Type of CiA 301: `UNSIGNED8`, `UNSIGNED16` or `UNSIGNED32`."""
     value: int
-    """The value to write."""
+    """Value to write."""
     unit: str
     """Unit of the value."""
     name: str
     """Name of the object in the profile."""
     exact: float | None
-    """The value before it was rounded."""
+    """Value before rounding."""
     rounding: str
-    """How it was rounded: `nearest` or `down`."""
+    """Direction of rounding: `nearest` or `down`."""
     grade: Grade
-    """How far it can be trusted."""
+    """Grade of the value."""
     source: str
-    """Where the figures stand, then the document that names the object."""
+    """Source of the figures, then the document that defines the object."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Commissioning:
-    """All that is known for the commissioning of a code."""
+    """Known values for the commissioning of a code."""
 
     code: str
-    """The code."""
+    """Ordering code."""
     for_: str
-    """Format of the values for the drive: `sinamics`, `plain`."""
+    """Format of the values for the servo drive: `sinamics`, `plain`."""
     hazards: list[Fact]
-    """Hazards and conditions, gravest first."""
+    """Hazards and conditions, the gravest first."""
     parameters: list[CommissionParameter]
-    """Every value that is known."""
+    """Known values."""
     gaps: list[CommissionGap]
-    """Values that a drive requires and no source states, with advice."""
+    """Values that a servo drive requires and no source states, with advice."""
     sinamics: list[DriveParameter]
-    """The parameters of a SINAMICS drive; empty for another form."""
+    """Parameters of a SINAMICS drive; empty for another format."""
     encoder: list[EncoderValue]
-    """What is printed about the encoders."""
+    """Values stated for the encoders."""
     commutation: list[str]
-    """How the angle between encoder and rotor is found, step by step."""
+    """Determination of the angle between encoder and rotor, step by step."""
     thresholds: list[SensorThreshold]
     """Thresholds of the temperature sensors in degrees and ohms."""
     overload: OverloadSupervision
-    """What the supervision of overload is set to."""
+    """Settings of the overload supervision."""
     lists: list[CommissionList]
-    """The check-lists: before power, first motion, after a day."""
+    """Checklists: before power, first motion, after a day."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class CommissionParameter:
-    """A value to enter in a drive."""
+    """A value to enter in a servo drive."""
 
     id: str
     """Identifier."""
     symbol: str
     """Symbol in ASCII."""
     name: str
-    """What it is."""
+    """Name of the value."""
     value: float | None
-    """Its value, not rounded."""
+    """Value without rounding."""
     unit: str
-    """Its unit."""
+    """Unit of the value."""
     conversion: str
-    """How it follows from what is printed."""
+    """Id of the conversion from the manual's value."""
     conversion_text: str
-    """The same in words."""
+    """Conversion as text."""
     grade: Grade
-    """How far it can be trusted."""
+    """Grade of the value."""
     source: str
-    """Where it stands."""
+    """Source of the value."""
     errata: list[str]
-    """Ids of the errata that touch it."""
+    """Ids of the errata that concern the value."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class CommissionGap:
-    """A value that a drive requires and no source states."""
+    """A value that a servo drive requires and no source states."""
 
     id: str
     """Identifier."""
     text: str
-    """What is missing, and what to do."""
+    """Missing value, and advice."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -2040,41 +2063,41 @@ class DriveParameter:
     number: str
     """Number with the index of the motor data set: `p350[0]`."""
     value: float | None
-    """Its value."""
+    """Value of the parameter."""
     unit: str
-    """Its unit; `1` for a pure number."""
+    """Unit of the value; `1` for a pure number."""
     name: str
-    """What it is."""
+    """Name of the parameter."""
     conversion_text: str
-    """How it follows from what is printed."""
+    """Conversion from the manual's value, as text."""
     grade: Grade
-    """How far it can be trusted."""
+    """Grade of the value."""
     source: str
-    """Where the figure stands, then the document that names the parameter."""
+    """Source of the figure, then the document that defines the parameter."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class EncoderValue:
-    """A printed value of an encoder."""
+    """A value stated for an encoder."""
 
     side: str
     """`motor` or `output`."""
     symbol: str
     """Symbol in ASCII."""
     name: str
-    """What it is."""
+    """Name of the value."""
     condition: str
     """Further distinction of the row."""
     value: TableCell
     """The value after errata: a number or a text."""
     text: str
-    """The same as it is shown."""
+    """Value as displayed."""
     unit: str
-    """Its unit; empty for pure numbers and texts."""
+    """Unit of the value; empty for pure numbers and texts."""
     table: str
     """Number of the table."""
     notes: list[str]
-    """Notes on it."""
+    """Notes on the value."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -2084,99 +2107,99 @@ class SensorThreshold:
     sensor: str
     """`kty` or `ptc`."""
     name: str
-    """What it is."""
+    """Name of the threshold."""
     temperature: float | None
-    """Temperature in degC, of the PTC that of the corner."""
+    """Temperature in degC; for the PTC that of the corner point."""
     resistance: float | None
     """Resistance in ohm."""
     bound: str
     """`typical`, `at_most` or `at_least`."""
     grade: Grade
-    """How far it can be trusted: that of the resistance."""
+    """Grade of the resistance."""
     source: str
-    """Where both stand."""
+    """Source of temperature and resistance."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class OverloadSupervision:
-    """What the supervision of overload is set to."""
+    """Settings of the overload supervision."""
 
     stall_current: float | None = None
     """Stall current in A rms, to which the overload factor refers."""
     time_constant: float | None = None
-    """Time constant of the winding in s, by the model of the house; the manual states none."""
+    """Time constant of the winding in s, from the project's model; the manual states none."""
     grade: Grade
-    """How far the time constant can be trusted."""
+    """Grade of the time constant."""
     trips: list[OverloadTrip]
-    """When a first-order supervision responds, from the cold."""
+    """Response times of a first-order supervision from the cold state."""
     text: str
-    """What this rests on, in words."""
+    """Basis of the values, as text."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class OverloadTrip:
-    """When the supervision of overload responds."""
+    """Response of the overload supervision."""
 
     factor: float | None
     """Overload factor I/I_0."""
     time: float | None
-    """Time in s."""
+    """Response time in s."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class CommissionList:
-    """A check-list."""
+    """A checklist."""
 
     step: Step
     """`before_power`, `first_motion` or `after_a_day`."""
     title: str
-    """Its title."""
+    """Title of the checklist."""
     entries: list[CommissionEntry]
-    """Its lines."""
+    """Entries of the checklist."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class CommissionEntry:
-    """A line of a check-list."""
+    """An entry of a checklist."""
 
     id: str
     """Identifier: of a fact, a value or a measurand."""
     signal: Signal | None = None
-    """Signal word; `null` where there is none."""
+    """Signal word; `null` if there is none."""
     text: str
-    """What is to be done, set or measured."""
+    """Action, setting or measurement."""
     expected: float | None = None
-    """What should come out; `null` for a line to tick."""
+    """Expected value; `null` for an entry to tick."""
     low: float | None = None
     """Lower edge of the band."""
     high: float | None = None
     """Upper edge of the band."""
     shown: str
-    """The same as it is shown; empty for a line to tick."""
+    """Expected value as displayed; empty for an entry to tick."""
     unit: str | None = None
-    """Unit of the figures; `null` for a line to tick."""
+    """Unit of the figures; `null` for an entry to tick."""
     field: bool
-    """Whether a measured value is to be written down."""
+    """`true` if a measured value is to be recorded."""
     grade: Grade
-    """How far it can be trusted."""
+    """Grade of the expected value."""
     source: str
-    """Where it stands."""
+    """Source of the entry."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Recorded:
-    """`commission --record`: what was measured, judged."""
+    """`commission --record`: measured values with their verdicts."""
 
     code: str
-    """The code."""
+    """Ordering code."""
     verdict: Fit
-    """Whether nothing is off; what was not measured does not count as passed."""
+    """Verdict on all measurements; a value not measured does not count as passed."""
     off: int
-    """How many measurements are off."""
+    """Number of measurements out of their band."""
     not_checked: int
-    """How many are not judged."""
+    """Number of measurements that are not judged."""
     measurements: list[RecordedValue]
-    """Each measurement."""
+    """The measurements."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -2184,17 +2207,17 @@ class RecordedValue:
     """One measurement with its verdict."""
 
     id: str
-    """What was measured."""
+    """Id of the measurand."""
     name: str
-    """The same in words."""
+    """Name of the measurand."""
     number: int | None = None
-    """Which of several, from 1."""
+    """Number of the measurement among several, from 1."""
     verdict: Verdict
-    """What comes out; `advice` is outside an estimated band."""
+    """Verdict of the measurement; `advice` is outside an estimated band."""
     value: float | None = None
-    """The measured value."""
+    """Measured value."""
     expected: float | None = None
-    """What it should be."""
+    """Expected value."""
     low: float | None = None
     """Lower edge of the band."""
     high: float | None = None
@@ -2202,17 +2225,17 @@ class RecordedValue:
     unit: str
     """Unit of the figures."""
     band: str | None = None
-    """What the band rests on: `printed`, `servo_motors`, `kty_data_sheet`, `din_44081`, `friction`, `ours`, `exact`."""
+    """Basis of the band: `printed`, `servo_motors`, `kty_data_sheet`, `din_44081`, `friction`, `ours`, `exact`."""
     remark: str
-    """The same in words, or why it is not judged."""
+    """Basis of the band as text, or the reason why it is not judged."""
     cause: str | None = None
-    """Identifier of the likely cause of what is off."""
+    """Identifier of the likely cause of the deviation."""
     cause_text: str | None = None
-    """The likely cause in words."""
+    """Likely cause as text."""
     grade: Grade | None = None
-    """How far the judgement can be trusted."""
+    """Grade of the judgement."""
     source: str
-    """Where what it is compared with stands."""
+    """Source of the expected value."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -2220,39 +2243,39 @@ class Inertia:
     """`inertia`: solid bodies about the axis."""
 
     bodies: list[Body]
-    """Body by body."""
+    """The bodies."""
     J: float | None
-    """Moment of inertia of all about the axis."""
+    """Moment of inertia of all bodies about the axis."""
     m: float | None
-    """Mass of all."""
+    """Mass of all bodies."""
     centre: Centre
-    """Centre of gravity of all."""
+    """Centre of gravity of all bodies."""
     T_gravity_max: float | None
-    """Largest torque of gravity if the axis lies horizontally."""
+    """Largest torque of gravity with a horizontal axis."""
     units: Units
-    """The units of the figures."""
+    """Units of the figures."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Body:
-    """One body, or several alike at equal angles."""
+    """One body, or several equal ones at equal angles."""
 
     shape: str
-    """Id of its shape."""
+    """Id of the shape."""
     count: int
-    """How many."""
+    """Number of equal bodies."""
     m: float | None
-    """Mass of one of them."""
+    """Mass of one body."""
     r: float | None
-    """Distance of the centre from the axis."""
+    """Distance of the body's centre from the axis."""
     angle: float | None
-    """Direction of the first."""
+    """Direction of the first body."""
     J_own: float | None
-    """Inertia of one of them about the own centre."""
+    """Moment of inertia of one body about its own centre."""
     J_steiner: float | None
-    """What the distance adds to that."""
+    """Parallel-axis (Steiner) share of the moment of inertia."""
     J: float | None
-    """Both together, of all of them."""
+    """Moment of inertia of all equal bodies about the axis."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -2262,7 +2285,7 @@ class Centre:
     r: float | None
     """Distance from the axis."""
     angle: float | None
-    """Direction."""
+    """Direction of the centre of gravity."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -2282,29 +2305,29 @@ class Curve:
     """One curve of the torque-speed plane."""
 
     kind: CurveKind
-    """Which duty."""
+    """Duty of the curve."""
     ED: float | None = None
-    """Duty factor of S3 in %; `null` of the others."""
+    """Duty factor of S3 in %; `null` for other duties."""
     title: str
-    """Its name in words."""
+    """Name of the curve."""
     voltage: float | None = None
-    """DC link voltage that it holds for; `null` where it holds for all."""
+    """DC link voltage of the curve; `null` if it holds for all voltages."""
     points: list[list[float | None]]
     """Speed and torque, by rising speed."""
     upper: list[list[float | None]] | None = None
-    """Upper edge of an estimate's band; `null` where there is none."""
+    """Upper edge of an estimate's band; `null` if there is none."""
     grade: Grade
-    """How far it can be trusted."""
+    """Grade of the curve."""
     source: str
-    """Where it is from."""
+    """Source of the curve."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Bearings:
-    """`bearing`: the output bearing of each size under the loads of the project."""
+    """`bearing`: output bearing of each size under the loads of the project."""
 
     sizes: list[BearingOfSize]
-    """Every size."""
+    """Results for every size."""
 
     @property
     def axes(self) -> list[Bearings]:
@@ -2314,82 +2337,82 @@ class Bearings:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class BearingOfSize:
-    """The output bearing of one size."""
+    """Output bearing of one size."""
 
     size: str
-    """The size."""
+    """Size of the actuator."""
     fits: bool
-    """Whether none of its checks fails."""
+    """`true` if none of the checks fails."""
     checks: list[Check]
-    """The checks of the bearing."""
+    """Checks of the bearing."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class AxesOfBearings:
-    """The answers of several axes."""
+    """Answers for several axes."""
 
     verdict: Fit
-    """The worst verdict of the axes."""
+    """Worst verdict of the axes."""
     axes: list[Bearings]
-    """The answer of each axis."""
+    """Answer for each axis."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Battery:
-    """`battery`: the life of the encoder's battery."""
+    """`battery`: life of the encoder's battery."""
 
     life: float | None
     """Life in `unit`."""
     exchange_recommended: float | None
-    """When it should be exchanged."""
+    """Recommended time of the replacement."""
     exchange_latest: float | None
-    """When it must be exchanged."""
+    """Latest time of the replacement."""
     capped: bool
-    """Whether the life is that of the cell, not of its charge."""
+    """`true` if the life is limited by the cell instead of its charge."""
     unit: str
-    """Unit of the three."""
+    """Unit of the three times."""
     grade: Grade
-    """How far the life can be trusted."""
+    """Grade of the life."""
     source: str
-    """Where it is from."""
+    """Source of the life."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Mount:
-    """`mount`: fits, tolerances, dimensions and screw joints of an actuator."""
+    """`mount`: fits, tolerances, dimensions and bolted joints of an actuator."""
 
     code: str
     """Ordering code."""
     verdict: Fit
-    """Whether no joint slips under torque alone."""
+    """Verdict on slipping of the joints under torque alone."""
     units: Units
     """Units of the figures, by field."""
     notes: list[str]
-    """What the tables do not cover of the code, and what the figures rest on, in words."""
+    """Remarks on data not covered by the tables, and on the basis of the figures, as text."""
     pilots: list[Pilot]
-    """The pilots with the bores over them, load first."""
+    """Pilots with their bores, load side first."""
     tolerances: list[MountValue]
     """Tolerances of the output flange."""
     dimensions: list[MountValue]
     """Dimensions, mass, mounting plate, degree of protection."""
     lifting_gear: bool | None = None
-    """Whether the mass requires lifting gear; `null` if no mass is printed for the code."""
+    """`true` if the mass requires lifting gear; `null` if the manual states no mass for the code."""
     joints: list[Joint]
-    """The screw joints, load first."""
+    """Bolted joints, load side first."""
     facts: list[Fact]
     """Requirements of the manual, in the order of a machine's life."""
     errata: list[CitedErratum]
-    """Errata of what stands above."""
+    """Errata of the values above."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Pilot:
-    """A pilot with the bore over it."""
+    """A pilot with its bore."""
 
     side: Side
-    """Which side."""
+    """Side of the actuator."""
     title: str
-    """The side in words."""
+    """Name of the side."""
     nominal: float | None
     """Nominal diameter."""
     zone: str
@@ -2399,9 +2422,9 @@ class Pilot:
     lower: float | None
     """Lower limit deviation of the pilot."""
     recommended: str
-    """Zone that the manual recommends for the bore."""
+    """Tolerance zone recommended by the manual for the bore."""
     bore: str | None = None
-    """Tolerance zone of the bore; `null` for limit deviations of one's own."""
+    """Tolerance zone of the bore; `null` for user-defined limit deviations."""
     bore_upper: float | None
     """Upper limit deviation of the bore."""
     bore_lower: float | None
@@ -2411,43 +2434,45 @@ class Pilot:
     clearance_max: float | None
     """Largest clearance."""
     off_centre_max: float | None
-    """By how much the part may sit off centre: half of the largest clearance, none with interference."""
+    """Largest offset of the part from the centre: half of the largest clearance, zero with interference."""
     fit: FitKind
-    """What the fit is."""
+    """Kind of fit."""
     fit_text: str
-    """The same in words."""
+    """Kind of fit as text."""
     grade: Grade
-    """How far the clearances can be trusted."""
+    """Grade of the clearances."""
     sources: list[str]
-    """Where the figures are from."""
+    """Sources of the figures."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class MountValue:
-    """A printed value."""
+    """A value stated in the manual."""
 
     symbol: str
     """Symbol in ASCII."""
     name: str
-    """The field's word for it."""
+    """Technical term."""
     value: TableCell
-    """The value; `null` where none is printed for the code."""
+    """Value; `null` if the manual states none for the code."""
     unit: str
-    """Its unit in ASCII; empty for texts."""
+    """Unit in ASCII; empty for texts."""
     grade: Grade | None = None
-    """How far it can be trusted; `null` without a value."""
+    """Grade of the value; `null` without a value."""
     source: str | None = None
-    """Where it is from; `null` without a value."""
+    """Source of the value; `null` without a value."""
+    errata: list[str]
+    """Ids of the errata that touch it."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Joint:
-    """A screw joint."""
+    """A bolted joint."""
 
     side: Side
-    """Which side."""
+    """Side of the actuator."""
     title: str
-    """The side in words."""
+    """Name of the side."""
     count: float | None = None
     """Number of screws."""
     size: str | None = None
@@ -2459,15 +2484,19 @@ class Joint:
     tightening_torque: float | None = None
     """Tightening torque of a screw."""
     transmissible_torque: float | None = None
-    """Torque that the joint transmits, faces degreased."""
+    """Torque transmitted by the joint with degreased faces."""
     friction: float | None = None
-    """Coefficient of friction that it holds for."""
+    """Friction coefficient assumed for this torque."""
     clamp_force: float | None = None
-    """Clamp force of a screw that it implies: estimated."""
+    """Clamp force per screw that follows from it: estimated."""
     source: str | None = None
-    """Where the printed values are from."""
+    """Source of the stated values."""
+    tightening_errata: list[str]
+    """Ids of the errata that touch the tightening torque."""
+    transmissible_errata: list[str]
+    """Ids of the errata that touch the torque that the joint transmits."""
     cases: list[JointCase]
-    """The joint under each load."""
+    """Results for each load."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -2475,95 +2504,99 @@ class JointCase:
     """A joint under a load."""
 
     case: LoadCase
-    """Which load."""
+    """Load case."""
     title: str
-    """The load in words."""
+    """Name of the load case."""
     torque: float | None = None
-    """The torque; `null` without one, or where none is known."""
+    """Torque; `null` without one, or if unknown."""
     torque_source: str | None = None
-    """Where the torque is from."""
+    """Source of the torque."""
+    torque_errata: list[str]
+    """Ids of the errata that touch the torque."""
     utilisation: float | None = None
     """Share of the transmissible torque, torque alone."""
     verdict: Verdict
     """Verdict on torque alone."""
     grade: Grade | None = None
-    """How far the share can be trusted."""
+    """Grade of the utilisation."""
     moment: float | None = None
-    """Tilting moment that acts with it."""
+    """Tilting moment acting at the same time."""
     moment_source: str | None = None
-    """Where the moment is from."""
+    """Source of the moment."""
+    moment_errata: list[str]
+    """Ids of the errata that touch the moment."""
     relieved: float | None = None
-    """Share of the clamp force that the screw relieved most loses: estimated."""
+    """Share of its clamp force lost by the screw relieved most: estimated."""
     utilisation_together: float | None = None
-    """Share of the friction left that torque and forces take: estimated; `null` where the joint opens."""
+    """Share of the remaining friction used by torque and forces: estimated; `null` if the joint opens."""
     verdict_together: Verdict
-    """Verdict on everything at once; `advice` where the estimate does not suffice."""
+    """Verdict on all loads together; `advice` if the estimate is not sufficient."""
     missing: str | None = None
-    """What is missing for a verdict, in words."""
+    """Missing data for a verdict, as text."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Upkeep:
-    """`upkeep`: what is to be done, and by when."""
+    """`upkeep`: maintenance tasks and their dates."""
 
     code: str
     """Ordering code."""
     verdict: Fit
-    """Whether the storage is within what is permitted."""
+    """Verdict on the storage against the permitted limits."""
     delivered: str
-    """Day of delivery, as `2026-03-01`."""
+    """Day of delivery, such as `2026-03-01`."""
     in_service: str
-    """Day on which service begins."""
+    """First day of service."""
     today: str | None = None
-    """Day that the plan is looked at from; `null`: not stated."""
+    """Reference day of the plan; `null` if not stated."""
     plan: list[Planned]
-    """The plan, by date."""
+    """Plan by date."""
     battery: Battery | None = None
-    """Life of the encoder's battery; `null` without one, or where the hours of operation are not stated."""
+    """Life of the encoder's battery; `null` without one, or if the hours of operation are not stated."""
     notes: list[str]
-    """What was assumed, and what the manual does not state, in words."""
+    """Assumptions, and points that the manual does not state, as text."""
     storage: list[Fact]
-    """Transport and storage."""
+    """Facts on transport and storage."""
     service: list[Fact]
-    """In service."""
+    """Facts on service."""
     shutdown: list[Fact]
-    """Shutting down, in the order of the steps."""
+    """Facts on shutdown, in the order of the steps."""
     disposal: list[Fact]
-    """Disposal."""
+    """Facts on disposal."""
     errata: list[CitedErratum]
-    """Errata of the text that the plan rests on."""
+    """Errata of the text that the plan depends on."""
     calendar: str | None = None
-    """The iCalendar file that the plan was written to; `null`: none."""
+    """ICalendar file of the plan; `null` if none was written."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Planned:
-    """A line of the plan."""
+    """A task of the plan."""
 
     task: Task
-    """What."""
+    """Id of the task."""
     title: str
-    """The task in words."""
+    """Name of the task."""
     rule: Rule
-    """How binding."""
+    """Binding force of the task."""
     rule_text: str
-    """The rule in words, with its interval."""
+    """Rule as text, with its interval."""
     interval: str | None = None
-    """Interval of a series, as ISO 8601 writes it: `P6M`, `P90D`."""
+    """Interval of a series in ISO 8601: `P6M`, `P90D`."""
     first: str
-    """The date; of a series the first."""
+    """Date; the first one of a series."""
     next: str
-    """Of a series the first date that is not before today, if today is stated."""
+    """First date of a series that is not before today, if today is stated."""
     passed: bool
-    """Whether it lies before today, if today is stated."""
+    """`true` if the date lies before today, if today is stated."""
     fact: str
-    """Id of the fact that it rests on."""
+    """Id of the fact that requires the task."""
     text: str
-    """What the fact says."""
+    """Text of the fact."""
     source: str
-    """Where the date is from."""
+    """Source of the date."""
     grade: Grade | None = None
-    """How far it can be trusted; `null` where it follows from an interval that the user states."""
+    """Grade of the date; `null` if it follows from an interval stated by the user."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -2571,11 +2604,12 @@ class Glossary:
     """Words and symbols, all or the requested ones."""
 
     words: list[GlossaryWord]
-    """Words of the product: one for one thing."""
+    """Terms of the product, one per thing."""
     terms: list[GlossaryTerm]
     """Symbols of the tables."""
     symbols: list[GlossarySymbol]
-    """Symbols of the derivations and of the values for a drive. One that means several things stands several times."""
+    """Symbols of the derivations and of the values for a servo drive. A symbol with several meanings has several
+entries."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -2601,7 +2635,7 @@ class GlossaryTerm:
     identifier: str
     """Long name, as in project files."""
     unit: str
-    """Unit of the print; empty for a bare number or a text."""
+    """Unit in the manual; empty for a pure number or a text."""
     en: str
     """English term."""
     de: str
@@ -2612,12 +2646,12 @@ class GlossaryTerm:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class GlossarySymbol:
-    """A symbol of the derivations that `explain` gives, or of the values that `commission` gives."""
+    """A symbol of the derivations of `explain`, or of the values of `commission`."""
 
     symbol: str
     """Symbol in ASCII."""
     shown: str
-    """Symbol as formulas show it."""
+    """Symbol as displayed in formulas."""
     en: str
     """English meaning."""
     de: str
@@ -2664,84 +2698,84 @@ class UnitRead:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Licences:
-    """The licence of the program and those of the work of others in it."""
+    """Licence of the program and of the third-party work in it."""
 
     texts: list[LicenceText]
-    """The program's own first."""
+    """Licence texts, the program's own first."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class LicenceText:
-    """A text as it stands in the repository."""
+    """A licence text as in the repository."""
 
     name: str
-    """Its file in the repository."""
+    """File in the repository."""
     text: str
-    """The whole of it, in Markdown where the name ends so."""
+    """Complete text, in Markdown if the name ends in `.md`."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class CommissionWritten:
-    """`commission --out`, `--checklist` or `--blank`: a file that was written."""
+    """`commission --out`, `--checklist` or `--blank`: a file written."""
 
     file: str
-    """Its path."""
+    """Path of the file."""
     code: str
-    """The code."""
+    """Ordering code."""
     bytes: int
-    """How many bytes it has."""
+    """Size of the file in bytes."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class FilesWritten:
-    """`new --out`: the files that were written."""
+    """`new --out`: the files written."""
 
     files: list[str]
-    """Their paths."""
+    """Paths of the files."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class ReportWritten:
-    """`report`: the file that was written."""
+    """`report`: the file written."""
 
     file: str
-    """Its path as given."""
+    """Path as given."""
     code: str | None = None
-    """Ordering code, or name of the project's own actuator; left out where the report is about several axes."""
+    """Ordering code, or name of the project's own actuator; omitted for several axes."""
     verdict: Fit
-    """Whether nothing speaks against it, or against any of several."""
+    """Verdict on the actuator, or the worst verdict of several."""
     axes: list[AxisWritten] | None = None
-    """With several axes only: each with its actuator."""
+    """Axes with their actuators; only with several axes."""
     bytes: int
-    """Size of the file."""
+    """Size of the file in bytes."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class AxisWritten:
-    """An axis in a file."""
+    """An axis in a report."""
 
     axis: str
-    """Its name."""
+    """Name of the axis."""
     code: str
     """Ordering code, or name of the project's own actuator."""
     verdict: Fit
-    """Whether nothing speaks against it."""
+    """Verdict on the actuator."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class ExportWritten:
-    """`export --out`: the file that was written."""
+    """`export --out`: the file written."""
 
     file: str
-    """Its path as given."""
+    """Path as given."""
     code: str
     """Ordering code, or name of the project's own actuator."""
     verdict: Fit
-    """Whether nothing speaks against it."""
+    """Verdict on the actuator."""
     tables: list[TableWritten]
-    """The tables in it."""
+    """Tables in the file."""
     left_out: list[TableWritten]
-    """Tables that it does not have, because they are too long for a sheet of a workbook."""
+    """Tables left out because they are too long for a sheet of a workbook."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -2749,49 +2783,49 @@ class TableWritten:
     """A table in a file."""
 
     name: str
-    """Its name."""
+    """Name of the table."""
     rows: int
-    """How many rows it has."""
+    """Number of rows."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class PlotWritten:
-    """`plot`: the picture that was written."""
+    """`plot`: the picture written."""
 
     figure: str
     """Id of the figure."""
     file: str | None = None
-    """The first of the files; `null` where it went to standard output."""
+    """Path of the first file; `null` for standard output."""
     files: list[str]
-    """All files."""
+    """Paths of the files."""
     width: float | None
     """Width of the picture."""
     height: float | None
     """Height of the picture."""
     units: Units
-    """Units of both."""
+    """Units of width and height."""
     title: str
-    """Its title."""
+    """Title of the picture."""
     caption: str
-    """The line below it."""
+    """Caption below the picture."""
     description: str
     """Description of the picture, for screen readers."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class CodeFaults:
-    """A code, or a partial code, that cannot be: written instead of the answer."""
+    """An invalid code or partial code: written instead of the answer."""
 
     valid: bool
-    """Always `false`."""
+    """`false` in every such answer."""
     text: str
-    """The text given."""
+    """Text as given."""
     errors: list[CodeFault]
-    """Every fault, in the order of the text."""
+    """Faults in the order of the text."""
     nearest: list[str]
-    """The nearest valid codes that the manual prints data for."""
+    """Nearest valid codes with data in the manual."""
     nearest_codes: list[ListedCode]
-    """The same with their availability."""
+    """Nearest valid codes with their availability."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -2799,74 +2833,74 @@ class CodeFault:
     """A fault of a code."""
 
     id: str
-    """Stable id of its kind: `code_rule` for a rule of a table, `code_spelling` for anything else."""
+    """Stable id of the kind of fault: `code_rule` for a rule of a table, `code_spelling` for anything else."""
     position: int
-    """Its place in characters, from 1."""
+    """Place in characters, from 1."""
     span: list[int]
-    """Its place in bytes: begin, and end without it."""
+    """Place in bytes: start and exclusive end."""
     text: str | None = None
-    """What stands there."""
+    """Text at this place."""
     message: str
-    """What is wrong, one sentence."""
+    """Description of the fault, one sentence."""
     hint: str | None = None
-    """What would be valid here; `null` where nothing is near."""
+    """Valid text at this place; `null` if nothing is similar."""
     table: str | None = None
-    """The ordering table whose rule is broken; `null` for a fault of the spelling."""
+    """Ordering table with the violated rule; `null` for a fault of the spelling."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Faults:
-    """Every fault that was found; a command that cannot answer writes this instead of its answer, and exits with 2."""
+    """Faults of a request; a command that cannot answer writes this record instead of its answer, and exits with 2."""
 
     errors: list[Fault]
-    """The faults, in the order of the file."""
+    """Faults in the order of the file."""
     nearest_codes: list[ListedCode] | None = None
-    """The nearest valid codes, where a wrong ordering code is among the faults."""
+    """Nearest valid codes, if one of the faults is a wrong ordering code."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Fault:
-    """One fault; id, option, file and place are left out where there is none."""
+    """One fault; id, option, file and place are omitted if there is none."""
 
     id: str | None = None
-    """Stable id of its kind."""
+    """Stable id of the kind of fault."""
     option: str | None = None
-    """The option of the command line that it is about."""
+    """Option of the command line concerned."""
     file: str | None = None
-    """The file that it is about."""
+    """File concerned."""
     line: int | None = None
     """Line, from 1."""
     column: int | None = None
     """Column in characters, from 1."""
     span: list[int] | None = None
-    """The offending part in bytes: begin, and end without it."""
+    """Offending part in bytes: start and exclusive end."""
     heading: str | None = None
-    """The heading of the column of a table that it is about."""
+    """Heading of the table column concerned."""
     row: int | None = None
-    """The row of the table, from 0."""
+    """Row of the table, from 0."""
     message: str
-    """What is wrong, one sentence."""
+    """Description of the fault, one sentence."""
     hint: str | None = None
-    """What was expected, or the nearest valid choice; `null` where nothing is near."""
+    """Expected text, or the nearest valid choice; `null` if nothing is similar."""
 
 
 Fit = Literal["fits", "fits_if_estimate", "does_not_fit"]
-"""Verdict on an actuator, or on the best of several; the best first.
+"""Verdict on an actuator, or on the best of several; best first.
 
-`fits`: Nothing speaks against it
+`fits`: No check fails, and no requirement or rule is violated
 
-`fits_if_estimate`: No check fails, but one is beyond its limit within the band of an estimate, with the verdict `advice`
+`fits_if_estimate`: No check fails, but one exceeds its limit within the band of an estimate, with the verdict `advice`
 
 `does_not_fit`: A check fails, or a requirement is not met"""
 
-CheckId = Literal["peak_torque", "peak_speed", "mean_speed", "continuous_torque", "peak_current", "demagnetisation", "drive_current", "voltage", "inertia_ratio", "rope_tension", "gear_mean_torque", "gear_life", "torsion", "natural_frequency", "bearing_axial", "bearing_radial", "bearing_tilting_moment", "bearing_static_moment", "bearing_life", "bearing_static", "tilt_angle", "ambient", "torque_speed_trace", "thermal", "overload_i2t", "gear_mean_input_speed", "collision_torque", "resonance_speed", "error_budget", "brake_holding", "brake_emergency", "dc_link", "regeneration", "feedback_range", "feedback_resolution", "battery", "screw_joint_load", "screw_joint_housing", "application"]
+CheckId = Literal["peak_torque", "peak_speed", "mean_speed", "continuous_torque", "peak_current", "demagnetisation", "drive_current", "voltage", "inertia_ratio", "rope_tension", "gear_mean_torque", "gear_life", "torsion", "natural_frequency", "bearing_axial", "bearing_radial", "bearing_tilting_moment", "bearing_static_moment", "bearing_life", "bearing_static", "tilt_angle", "ambient", "altitude", "protection", "humidity", "vibration", "shock", "mounting", "torque_speed_trace", "thermal", "overload_i2t", "gear_mean_input_speed", "collision_torque", "resonance_speed", "error_budget", "brake_holding", "brake_emergency", "dc_link", "regeneration", "feedback_range", "feedback_resolution", "battery", "screw_joint_load", "screw_joint_housing", "application"]
 
 DemandMode = Literal["manual", "integral"]
-"""How the figures of a demand were found.
+"""Method by which the figures of a demand are computed.
 
-`manual`: By the manual's equations 69.1 to 69.4
+`manual`: The manual's equations 69.1 to 69.4
 
-`integral`: By exact integration"""
+`integral`: Exact integration"""
 
 Units = dict[str, str]
 """The units of the figures, by symbol or field."""
@@ -2875,23 +2909,23 @@ Verdict = Literal["pass", "fail", "advice", "not_checked"]
 
 Direction = Literal["at_most", "at_least"]
 
-Part = Literal["drive", "thermal", "energy", "gear", "output_bearing", "brake", "feedback", "screws"]
+Part = Literal["drive", "thermal", "energy", "gear", "output_bearing", "brake", "feedback", "screws", "environment"]
 
 Grade = Literal["printed", "computed", "published", "estimated", "assumed"]
 
 TextEncoding = Literal["utf8", "utf16", "utf16_guessed", "windows1252_guessed"]
-"""How the text of a recording was read.
+"""Encoding of the text of a recording.
 
-`utf8`: UTF-8, which every byte of the header agrees to
+`utf8`: UTF-8; every byte of the header is valid
 
-`utf16`: UTF-16, as the mark at the beginning says
+`utf16`: UTF-16, stated by the byte order mark
 
 `utf16_guessed`: UTF-16, guessed from the zeros between the letters
 
-`windows1252_guessed`: Windows-1252, of which Latin-1 is a part: guessed, since the header is no UTF-8"""
+`windows1252_guessed`: Windows-1252, which includes Latin-1: guessed, since the header is no UTF-8"""
 
 ColumnRole = Literal["time", "position", "speed", "torque"]
-"""What a column of a recording is."""
+"""Role of a column in a recording."""
 
 UnitBy = Literal["header", "unit_row", "metadata", "values", "project"]
 """Source of the unit of a column.
@@ -2900,7 +2934,7 @@ UnitBy = Literal["header", "unit_row", "metadata", "values", "project"]
 
 `unit_row`: A row of units below the names
 
-`metadata`: The file's own metadata
+`metadata`: The metadata of the file
 
 `values`: The values of the column: clock times
 
@@ -2917,7 +2951,7 @@ EventKind = Literal["scenario", "ramp", "pulses_off", "brake_closes", "brake_clo
 Loop = Literal["current", "speed", "position"]
 
 ColumnKind = Literal["text", "number", "count", "word"]
-"""What a column holds.
+"""Type of the values of a column.
 
 `text`: Text
 
@@ -2931,29 +2965,29 @@ TableCell = float | str | None
 """A value of a table."""
 
 Availability = Literal["available", "on_request"]
-"""Whether a code can be ordered as it is.
+"""Availability of an ordering code.
 
-`available`: Yes
+`available`: Available without a request
 
-`on_request`: On request only"""
+`on_request`: Available on request only"""
 
 Field = Literal["series", "size", "ratio", "winding", "feedback", "brake", "option_1", "option_2", "special"]
 
 NoteBy = Literal["manual", "antrieb"]
-"""Who says what a note says.
+"""Author of a note.
 
 `manual`: The manual
 
-`antrieb`: Our own conclusion from the print"""
+`antrieb`: A conclusion of the project from the manual"""
 
 ConnectorRole = Literal["motor", "feedback", "output_encoder"]
 
 ConnectorExit = Literal["cable", "housing"]
-"""Where a connector is.
+"""Location of a connector.
 
-`cable`: At the end of a cable
+`cable`: Connector at the end of a cable
 
-`housing`: In the housing"""
+`housing`: Connector in the housing"""
 
 SignalGroup = Literal["phase", "protective_earth", "brake", "ptc", "kty", "supply", "sense", "incremental", "reference", "commutation", "serial", "resolver", "shield"]
 
@@ -2974,42 +3008,42 @@ Severity = Literal["danger", "fault", "advice"]
 EncoderProtocol = Literal["endat", "ssi"]
 
 SignalForm = Literal["voltage", "peak_voltage", "level", "share", "other"]
-"""How the value of a signal is meant.
+"""Representation of the value of a signal.
 
 `voltage`: A voltage between its pins
 
 `peak_voltage`: A voltage at the peak of the excitation
 
-`level`: One is high, zero low
+`level`: Logic level: one is high, zero low
 
-`share`: A part of the amplitude, which is not printed
+`share`: Fraction of the amplitude, which the manual does not state
 
-`other`: Clocked or alternating: it does not follow the angle"""
+`other`: Clocked or alternating signal, independent of the angle"""
 
 EncoderAssumed = Literal["order_of_tracks", "zero_of_tracks", "zero_of_commutation", "zero_of_position", "zero_of_output", "times_of_endat", "times_of_ssi", "carrier", "deviation", "battery_lost"]
 
 ErratumKind = Literal["recovery", "print_error", "contradiction", "rounding", "edition"]
-"""What is wrong, and with what.
+"""Kind of an erratum.
 
-`recovery`: The recovered text differs from the print
+`recovery`: The recovered text differs from the manual
 
-`print_error`: The print itself is wrong and its neighbours prove it
+`print_error`: The manual is wrong, as proven by neighbouring values
 
-`contradiction`: Two printed facts exclude each other and nothing decides
+`contradiction`: Two statements of the manual exclude each other, and nothing decides between them
 
 `rounding`: Rounded to the unsafe side or with false digits
 
-`edition`: Another edition prints otherwise"""
+`edition`: Another edition states a different value"""
 
 ErratumStatus = Literal["corrected", "flagged"]
-"""Whether an erratum is settled.
+"""Status of an erratum.
 
-`corrected`: The right value is proven and used
+`corrected`: The correct value is proven and used
 
-`flagged`: The print stays and is flagged"""
+`flagged`: The value of the manual stays and is flagged"""
 
 CommissionAnswer = list[DriveObject] | Commissioning
-"""`commission`: with `--for cia402` the list of objects, else the whole sheet."""
+"""`commission`: the list of objects with `--for cia402`, else the whole sheet."""
 
 CurveKind = Literal["continuous", "S3", "short_time"]
 """Duty of a curve.
@@ -3031,7 +3065,7 @@ Task = Literal["storage_end", "cleaning", "cables", "protective_earth", "screws"
 Rule = Literal["at_the_latest", "recommended", "estimated", "every", "every_at_most"]
 
 TableRow = dict[str, TableCell]
-"""A row: a value for each column."""
+"""A row with a value for each column."""
 
 __all__ = [
     "AmbiguousColour",
