@@ -49,15 +49,15 @@ const fn target(name: &'static str, ci_seconds: u32, memory_mb: u32, bytes: u32,
 }
 
 const TARGETS: [Target; 11] = [
-    target("code", 15, 64, 4096, 10_000_000),
-    target("encoder", 15, 64, 4096, 1_000_000),
-    target("quantity", 15, 64, 4096, 10_000_000),
+    target("code", 10, 64, 4096, 10_000_000),
+    target("encoder", 10, 64, 4096, 1_000_000),
+    target("quantity", 10, 64, 4096, 10_000_000),
     target("project", 20, 256, FILE_BYTES, 1_000_000),
     target("csv", 15, 256, FILE_BYTES, 1_000_000),
     Target { gate: Some("the footer"), ..target("parquet", 15, 256, FILE_BYTES, 200_000) },
-    target("packed", 15, 256, FILE_BYTES, 200_000),
-    target("run", 15, 256, FILE_BYTES, 100_000),
-    target("table", 15, 256, FILE_BYTES, 200_000),
+    target("packed", 10, 256, FILE_BYTES, 200_000),
+    target("run", 10, 256, FILE_BYTES, 100_000),
+    target("table", 10, 256, FILE_BYTES, 200_000),
     target("axis", 40, 512, FILE_BYTES, 10_000),
     target("request", 30, 512, FILE_BYTES, 10_000),
 ];

@@ -13,7 +13,7 @@ use quantities::{Language, Measure, format_number};
 use questions::texts::{fitting_text, percent, reason, standing_text};
 use questions::{Candidate, CandidateId, Fit, Sizing, Verdict};
 use std::collections::BTreeSet;
-use words::{capitalised, check_title, evidence_text, marked, page, ranking_rule, terminal, terms};
+use words::{capitalised, check_title, marked, page, ranking_rule, terminal, terms};
 
 /// Number of fitting actuators above the fold.
 const BEST_SHOWN: usize = 12;
@@ -250,7 +250,8 @@ fn row(state: &State, rank: Option<usize>, candidate: &Candidate<'_>, looked_at:
     };
     let [mass, length, bore] = sizes_of(candidate);
     let errata = candidate.parameters.mass.known().map_or(&[][..], |mass| mass.errata);
-    let doubted = errata.iter().map(|id| evidence_text(id, l)).collect::<Vec<_>>().join("; ");
+    // The ids alone: the text of an erratum in each row weighs more than the row.
+    let doubted = errata.join(", ");
     let tightest = candidate.governing().map(|check| capitalised(&check_title(check.id, l))).unwrap_or_default();
     let advice = candidate.judgement.checks.iter().filter(|check| check.verdict == Verdict::Advice).count();
     let open = candidate.open_questions();

@@ -61,7 +61,10 @@ fn a_calculator_answers_with_number_source_grade_and_picture() {
     let back = tool("torsion", code, &[("t_torque", ""), ("t_angle", "1 arcmin")]);
     assert!(back.contains("1.00 arcmin"), "{back}");
     let curve = tool("curve", code, &[("t_voltage", "220 V")]);
-    assert!(curve.contains("<svg") && curve.contains("published, CHA Engineering Data p. 39") && curve.contains("220 V"), "{curve}");
+    assert!(
+        curve.contains("<svg") && curve.contains("published, CHA Engineering Data p. 39") && curve.contains("220 V"),
+        "{curve}"
+    );
     let battery = tool("battery", "", &[("t_hours-per-day", "10"), ("t_storage", "1 a")]);
     assert!(battery.contains("Encoder battery:") && battery.contains("at the latest"), "{battery}");
     let inertia =

@@ -121,6 +121,7 @@ pub const MODULES: &[(&str, &[Text])] = &[
     ("help::values", help::values::TEXTS),
     ("mounting", mounting::TEXTS),
     ("page", page::TEXTS),
+    ("operation", operation::TEXTS),
     ("pages", pages::TEXTS),
     ("pictures", pictures::TEXTS),
     ("records", records::TEXTS),

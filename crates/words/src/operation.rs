@@ -1,5 +1,6 @@
 //! Words about the cycle on the chosen actuator: the duty types of IEC 60034-1.
 
+use crate::operation;
 use crate::texts::texts;
 use quantities::Language;
 use sizing::DutyType;
@@ -22,13 +23,13 @@ pub const fn duty_id(duty: DutyType) -> &'static str {
 #[must_use]
 pub const fn duty_name(duty: DutyType, language: Language) -> &'static str {
     match duty {
-        DutyType::Continuous => continuous(language),
-        DutyType::Intermittent => intermittent(language),
-        DutyType::WithStarting => intermittent_with_starting(language),
-        DutyType::WithBraking => intermittent_with_braking(language),
-        DutyType::ContinuousLoadChanges => continuous_load_changes(language),
-        DutyType::ContinuousWithBraking => continuous_with_braking(language),
-        DutyType::SpeedChanges | DutyType::HeldAtStandstill => speed_changes(language),
+        DutyType::Continuous => operation::continuous(language),
+        DutyType::Intermittent => operation::intermittent(language),
+        DutyType::WithStarting => operation::intermittent_with_starting(language),
+        DutyType::WithBraking => operation::intermittent_with_braking(language),
+        DutyType::ContinuousLoadChanges => operation::continuous_load_changes(language),
+        DutyType::ContinuousWithBraking => operation::continuous_with_braking(language),
+        DutyType::SpeedChanges | DutyType::HeldAtStandstill => operation::speed_changes(language),
     }
 }
 
@@ -36,14 +37,14 @@ pub const fn duty_name(duty: DutyType, language: Language) -> &'static str {
 #[must_use]
 pub const fn duty_reason(duty: DutyType, language: Language) -> &'static str {
     match duty {
-        DutyType::Continuous => because_continuous(language),
-        DutyType::Intermittent => because_intermittent(language),
-        DutyType::WithStarting => because_starting(language),
-        DutyType::WithBraking => because_braking(language),
-        DutyType::ContinuousLoadChanges => because_load_changes(language),
-        DutyType::ContinuousWithBraking => because_without_rest(language),
-        DutyType::SpeedChanges => because_speed_changes(language),
-        DutyType::HeldAtStandstill => because_held(language),
+        DutyType::Continuous => operation::because_continuous(language),
+        DutyType::Intermittent => operation::because_intermittent(language),
+        DutyType::WithStarting => operation::because_starting(language),
+        DutyType::WithBraking => operation::because_braking(language),
+        DutyType::ContinuousLoadChanges => operation::because_load_changes(language),
+        DutyType::ContinuousWithBraking => operation::because_without_rest(language),
+        DutyType::SpeedChanges => operation::because_speed_changes(language),
+        DutyType::HeldAtStandstill => operation::because_held(language),
     }
 }
 

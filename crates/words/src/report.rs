@@ -97,7 +97,7 @@ texts! {
     change = "Change" | "Änderung";
     c_data = "Data of the selected actuator" | "Daten des gewählten Antriebs";
     data_text =
-        "As printed, corrected where an erratum applies; the number in the last column is the table of the manual."
+        "Values of the manual, corrected where an erratum applies; the number in the last column is the table of the manual."
         | "Angaben des Herstellers, mit Druckfehlern berichtigt; die letzte Spalte nennt die Tabelle der Anleitung.";
     data_errata = "* Errata" | "* Druckfehler";
     s_operation = "Load by segment" | "Belastung je Abschnitt";
@@ -118,8 +118,8 @@ texts! {
         | "Motordrehzahl: Abtriebsdrehzahl mal Untersetzung. Motordrehmoment: Drehmomentkonstante des Motors mal Strom, Reibung enthalten.";
     duty_type = "Duty type" | "Betriebsart";
     duty_text =
-        "derived from the cycle by IEC 60034-1, 4.2; the checks use the cycle itself"
-        | "aus dem Zyklus nach IEC 60034-1, 4.2 abgeleitet; die Nachweise verwenden den Zyklus selbst";
+        "derived from the cycle according to IEC 60034-1; the checks use the cycle itself"
+        | "aus dem Zyklus nach IEC 60034-1 abgeleitet; die Nachweise verwenden den Zyklus selbst";
     unnamed = "Axis without name" | "Achse ohne Namen";
     own_actuator = "Actuator from the project, not from the catalogue" | "Antrieb aus dem Projekt, nicht aus dem Katalog";
     exceeded = "Limits exceeded" | "Überschrittene Grenzen";
