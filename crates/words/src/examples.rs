@@ -125,10 +125,7 @@ pub const EXAMPLE_TEXTS: &[(&str, &str)] = &[
     ("hub of steel", "Nabe aus Stahl"),
     ("seal and cable drag", "Dichtung und Kabelzug"),
     ("weight of table and parts", "Gewicht von Tisch und Werkstücken"),
-    (
-        "place of installation: coolant drips, presses stand nearby",
-        "Aufstellort: tropfendes Kühlmittel, Pressen in der Nähe",
-    ),
+    ("place of installation: coolant drips", "Aufstellort: tropfendes Kühlmittel"),
     ("where the parts sit", "Position der Werkstücke"),
     // tilting arm
     (
