@@ -18,7 +18,7 @@ const FOREIGN: [&[u8]; 8] = [
     b"\x04\x22\x4d\x18",
 ];
 
-/// What repeats behind a file: packed it is small, and read it is more than the file.
+/// Repeated bytes behind a file: small when packed, larger than the file when read.
 const REPEATED_MOST: u32 = 1 << 22;
 
 /// A recording, a run or a table in its packing: read or refused.
@@ -38,7 +38,7 @@ pub fn shown(data: &[u8]) -> String {
         .unwrap_or_default()
 }
 
-/// What reads the file.
+/// Reader of the file.
 #[derive(Clone, Copy, Debug, PartialEq)]
 enum Entry {
     Recording,

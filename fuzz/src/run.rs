@@ -36,7 +36,7 @@ impl Files for Only<'_> {
     }
 }
 
-/// What is identified is a number with a width, and a refusal has its reasons.
+/// Checks that each identified value is a number with a width and that a refusal has its reasons.
 pub(crate) fn hold(bytes: &[u8]) {
     let (patience, files) = (Patience::endless(), Only(bytes));
     let pairs = [("code", "CHA-25A-50-H-C1024"), ("trace", "run.csv")];

@@ -75,7 +75,7 @@ pub fn push(root: &Path, names: &[String]) -> Result<(), Error> {
 /// Runs every step of a night, or those named.
 ///
 /// # Errors
-/// The same as for [`push`].
+/// As [`push`].
 pub fn nightly(root: &Path, names: &[String]) -> Result<(), Error> {
     run(NIGHTLY, root, names)
 }

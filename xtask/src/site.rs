@@ -99,7 +99,7 @@ fn has_target(root: &Path) -> bool {
 mod tests {
     use super::*;
 
-    /// What is drawn while building is drawn from a seed, or two builds of the engine differ.
+    /// Requires a fixed seed for random numbers drawn while building: two builds of the engine are the same bytes.
     #[test]
     fn numbers_drawn_while_building_have_a_seed() {
         let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("..");

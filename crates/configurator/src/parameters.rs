@@ -191,7 +191,7 @@ fn ambient_range(winding: Winding) -> Datum<(ThermodynamicTemperature, Thermodyn
     }
 }
 
-/// What the table of general data of the winding prints about the place of installation.
+/// Returns the data about the place of installation in the table of general data of the winding.
 fn environment(winding: Winding) -> Environment {
     let cell = |symbol| winding_data(winding).and_then(|data| catalogue::table_cell(data.general, symbol));
     let humidity = cell("relative_humidity").and_then(|cell| match cell.value {

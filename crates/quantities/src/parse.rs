@@ -81,7 +81,7 @@ pub(crate) fn parse_at(expected: Dimension, text: &str, offset: usize) -> Result
 /// Parses a typed quantity.
 ///
 /// # Errors
-/// The same as for [`parse()`].
+/// As [`parse()`].
 pub fn parse_as<Q: Measure>(text: &str) -> Result<Q, QuantityError> {
     parse(Q::DIMENSION, text).map(|reading| Q::from_si(reading.si))
 }

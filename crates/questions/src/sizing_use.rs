@@ -178,7 +178,7 @@ pub fn size(project: &Project) -> Sizing<'_> {
     finished(size_watched(project, usize::MAX, Rejected::All, &Unwatched))
 }
 
-/// The same, but it can be cancelled; only the first `complete_count` are judged by every check, the others by those of a
+/// Judges and ranks like [`size`], but can be cancelled; only the first `complete_count` are judged by every check, the others by those of a
 /// ranking ([`Scope::Ranking`]), and those that are rejected as far as `rejected` states.
 ///
 /// # Errors

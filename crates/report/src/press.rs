@@ -133,7 +133,7 @@ pub fn right_edges(content: &Content, settings: &Settings) -> Result<Vec<f64>, F
     Ok(edges)
 }
 
-/// How far down the content of every page reaches, head and foot lines left out, in points: the text ends at 785.
+/// Returns the lower end of the content of every page, head and foot lines left out, in points: the text ends at 785.
 ///
 /// # Errors
 /// As [`pdf`].

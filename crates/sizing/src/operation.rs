@@ -201,7 +201,7 @@ impl Operation {
     }
 }
 
-/// What is known of the actuator for the walk over the cycle.
+/// Data of the actuator for the walk over the cycle.
 struct Walk<'w> {
     inertia: f64,
     currents: Option<&'w Currents<'w>>,

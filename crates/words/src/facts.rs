@@ -11,7 +11,7 @@ pub const fn fact_text(fact: &Fact, language: Language) -> &'static str {
     pick(language, fact.en, fact.de)
 }
 
-/// Where a fact stands: `CHA manual section 9.4`.
+/// Place of a fact in its document: `CHA manual section 9.4`.
 #[must_use]
 pub fn fact_source(fact: &Fact, language: Language) -> String {
     let (document, section) = (document_short(fact.document, language), fact.section);

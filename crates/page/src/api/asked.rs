@@ -15,7 +15,7 @@ const USUAL_NAME: &str = "stdin";
 /// Reads the question of a request.
 ///
 /// # Errors
-/// All faults of the query; a body without the two texts that the question reads.
+/// Every fault of the query; a body without the two texts that the question reads.
 pub(crate) fn put<'a>(
     entry: &Entry,
     call: &Call<'a>,

@@ -95,7 +95,7 @@ fn notes(mount: &Mount, asked: &MountAsked, axis: Option<&str>, language: Langua
     notes
 }
 
-/// What is in doubt, and what touches the figures that are shown.
+/// Doubtful data and errata of the values shown.
 fn errata(values: &[MountValue], joints: &[Joint], language: Language) -> Vec<CitedErratum> {
     let mut ids: Vec<&'static str> = ERRATA.to_vec();
     let of_joints = joints.iter().flat_map(|joint| {

@@ -137,7 +137,7 @@ struct Erratum {
 #[derive(Serialize)]
 struct Placed {
     place: DiagramPlace,
-    /// The same in several sizes, the highest first.
+    /// Files of the diagram, the highest first.
     files: Vec<String>,
     caption: String,
     alternative: String,

@@ -19,7 +19,7 @@ pub(super) struct Operation {
 /// A segment, or the whole cycle.
 #[derive(Serialize)]
 struct LoadRow {
-    /// From 1; `None` for the whole cycle.
+    /// Number of the segment from 1; `None` for the whole cycle.
     number: Option<usize>,
     /// Duration, T_peak, T_rms, n_peak, I_peak, I_rms, P_peak, energy taken, energy returned; empty where not known.
     values: [String; 9],

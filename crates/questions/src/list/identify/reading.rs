@@ -162,7 +162,7 @@ fn of_parquet(bytes: Vec<u8>, memory: &mut Memory, language: Language) -> Column
 /// Bytes that a row takes: its numbers and its line.
 const ROW_BYTES: u64 = 8 * (COLUMNS.len() as u64 + 1);
 
-/// So many rows are counted together.
+/// Number of rows that are counted together.
 const ROWS_COUNTED: usize = 4096;
 
 fn of_csv(file: impl Read, memory: &mut Memory, language: Language) -> Columns {
