@@ -195,15 +195,17 @@ fn make(path: &Path) -> Result<()> {
     let temporary = beside.join(left::name());
     Dir::make(&temporary)?;
     let marked = Dir::open(&temporary).and_then(|dir| put(&dir, MARK, written("").as_bytes()));
-    // Renaming replaces an empty folder only: if another run was faster it fails, and that run's folder is used.
+    // Renaming replaces an empty folder only. If another run was faster, its folder is looked at by the next attempt,
+    // even if it has been removed again by then.
     let placed = marked.and_then(|()| match path.symlink_metadata() {
         Ok(_) => Err(ErrorKind::AlreadyExists.into()),
         Err(_) => std::fs::rename(&temporary, path),
     });
-    if placed.is_err() {
+    placed.or_else(|error| {
         remove_left(&temporary);
-    }
-    placed.or_else(|error| if path.symlink_metadata().is_ok() { Ok(()) } else { Err(error) })
+        let is_taken = matches!(error.kind(), ErrorKind::AlreadyExists | ErrorKind::DirectoryNotEmpty);
+        if is_taken || path.symlink_metadata().is_ok() { Ok(()) } else { Err(error) }
+    })
 }
 
 /// Returns the file name of a part.
