@@ -100,6 +100,9 @@ impl Table<'_> {
     fn checked(&self, mut batches: Batches, mut head: Head, beside: disk::Beside) -> Result<(Sweep, u64), Unanswered> {
         let mut rows = 0;
         let unread = loop {
+            if head.is_enough() {
+                break None;
+            }
             match batches.next(self.language) {
                 Ok(Some(batch)) => {
                     head.check(&batch, rows);

@@ -89,6 +89,8 @@ struct Admitted {
     path: String,
     query: String,
     language: Language,
+    /// The request has the token, or none is needed.
+    has_token: bool,
 }
 
 /// A request with its complete head and body.
@@ -129,11 +131,16 @@ impl Desk {
         let (asked, headers) = (parts.uri.path().to_owned(), parts.headers.clone());
         let reply = match self.let_in(&parts) {
             Err(reply) => reply,
-            Ok(Admitted { path, query, language }) => {
-                let most = if path == page::RECORDING { self.limits.recording_bytes } else { self.limits.body_bytes };
+            Ok(Admitted { path, query, language, has_token }) => {
+                let most = match &*path {
+                    // A stranger takes none of the memory for bodies, nor of the time to send one.
+                    _ if !has_token => 0,
+                    page::RECORDING => self.limits.recording_bytes,
+                    _ => self.limits.body_bytes,
+                };
                 match read(body, most, &self.bodies, &self.limits).await {
                     Ok(body) => {
-                        place.busy();
+                        place.busy(has_token);
                         self.respond(Question { parts, path, query, body, language }).await
                     }
                     Err(why) => self.no_body(why, most, language),
@@ -156,17 +163,19 @@ impl Desk {
             Ok(()) => {}
         }
         let mut query = parts.uri.query().unwrap_or_default().to_owned();
+        let mut has_token = true;
         if let Some(token) = &self.token {
             let without = token.taken_from(&query);
             // Files that are the same for all clients need no token: the page loads them before it has one, and links
             // to them have none.
-            if without.is_none() && !token.is_in(&parts.headers) && !is_open_to_all(parts) {
+            has_token = without.is_some() || token.is_in(&parts.headers);
+            if !has_token && !is_open_to_all(parts) {
                 return Err(locked(parts, language));
             }
             query = without.unwrap_or(query);
         }
         match parts.method {
-            Method::GET | Method::HEAD | Method::POST => Ok(Admitted { path, query, language }),
+            Method::GET | Method::HEAD | Method::POST => Ok(Admitted { path, query, language, has_token }),
             _ => {
                 let valid = page::methods(&path);
                 let valid = if valid.is_empty() { &[page::Method::Get, page::Method::Post][..] } else { &valid };

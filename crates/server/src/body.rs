@@ -50,9 +50,9 @@ pub(crate) enum NoBody {
     Broken,
 }
 
-/// Reads a body of at most `most` bytes to its end.
+/// Reads a body of at most `most` bytes to its end; with 0 bytes none is awaited.
 pub(crate) async fn read(body: Incoming, most: usize, all: &Bodies, limits: &Limits) -> Result<Held, NoBody> {
-    if body.size_hint().lower() > most as u64 {
+    if body.size_hint().lower() > most as u64 || (most == 0 && !body.is_end_stream()) {
         return Err(NoBody::TooLarge);
     }
     let whole = pieces(body, all, most, limits.bodies_bytes);

@@ -250,10 +250,11 @@ impl IdleSlot {
         *place = Some(key);
     }
 
-    /// Marks the connection as busy: a request with the token is complete, and its answer is not interrupted.
-    pub(crate) fn busy(&self) {
+    /// Marks the connection as busy: a request is complete, and its answer is not interrupted. It belongs to the user if the request
+    /// `has_token`; a stranger who reads a file that is open to all remains one.
+    pub(crate) fn busy(&self, has_token: bool) {
         let (place, is_known) = &mut *self.state.lock().unwrap_or_else(PoisonError::into_inner);
-        *is_known = true;
+        *is_known |= has_token;
         if let Some(key) = place.take() {
             let _ = self.all.0.lock().unwrap_or_else(PoisonError::into_inner).all.remove(&key);
         }
@@ -273,7 +274,7 @@ impl IdleSlot {
 
 impl Drop for IdleSlot {
     fn drop(&mut self) {
-        self.busy();
+        self.busy(false);
     }
 }
 

@@ -48,6 +48,12 @@ impl Head {
         self.head.refuse_line(fault, row);
     }
 
+    /// Returns `true` if checking the rest of the table is pointless, because there are so many faults already.
+    #[must_use]
+    pub const fn is_enough(&self) -> bool {
+        self.head.is_enough()
+    }
+
     /// Adds the fault of a table without rows, if it has none.
     pub fn refuse_empty(&mut self, rows: u64) {
         self.head.refuse_empty(rows);

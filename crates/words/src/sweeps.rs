@@ -50,6 +50,9 @@ texts! {
     ending_of_a_table =
         "the file name of a table must end in .csv or .parquet" | "der Dateiname einer Tabelle muss auf .csv oder .parquet enden";
     unreadable(file, why) = "{file}: not readable as a table: {why}" | "{file}: als Tabelle nicht lesbar: {why}";
+    rest_unchecked(faults) =
+        "{faults}; the rest of the table was not checked"
+        | "{faults}; der Rest der Tabelle wurde nicht geprüft";
     too_many_rows(rows, most) =
         "the table has {rows} rows; at most {most} are evaluated here, more with `antrieb sweep`"
         | "die Tabelle hat {rows} Zeilen; hier werden höchstens {most} bewertet, mehr mit `antrieb sweep`";

@@ -37,7 +37,10 @@ pub fn table_faults(table: &str, found: &TableFaults, language: Language) -> Fau
     let mut errors: Vec<Fault> = found.listed.iter().map(fault).collect();
     if found.more > 0 {
         let more = project::Fault::More { count: found.more };
-        let message = words::fault_text(&more, language);
+        let mut message = words::fault_text(&more, language);
+        if found.is_enough() {
+            message = words::sweeps::rest_unchecked(&message, language);
+        }
         errors.push(Fault { id: Some(more.id()), file: file(), message, ..Fault::default() });
     }
     Faults::from(errors)

@@ -94,14 +94,17 @@ pub fn found(asked: &Asked<'_>) -> Result<SweepSummary, Unanswered> {
     let mut head = Head::read(text, projects, &headings, options);
     let mut columns: Columns = vec![Vec::new(); headings.len()];
     let mut rows = 0;
-    loop {
+    while !head.is_enough() {
         match lines.rows(ROWS_MOST) {
             Ok(None) => break,
             Ok(Some(part)) => {
                 let count = part.first().map_or(0, Vec::len) as u64;
                 head.check(&cells(&part), rows);
                 rows += count;
-                columns.iter_mut().zip(part).for_each(|(all, cells)| all.extend(cells));
+                // Of a table that is too long the rows are counted only.
+                if rows <= ROWS_MOST as u64 {
+                    columns.iter_mut().zip(part).for_each(|(all, cells)| all.extend(cells));
+                }
             }
             Err(Broken::Line(fault)) => {
                 head.refuse_line(fault, rows);

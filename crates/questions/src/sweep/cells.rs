@@ -43,8 +43,11 @@ pub struct TableFaults {
     pub more: usize,
 }
 
-/// So many faults are listed one by one.
+/// Number of faults listed one by one.
 const LISTED_MOST: usize = 50;
+
+/// Number of further faults after which the rest of a table is not checked, because it gives no new information: as in a recording.
+const COUNTED_MOST: usize = 10_000;
 
 impl TableFaults {
     /// Adds one.
@@ -54,6 +57,12 @@ impl TableFaults {
         } else {
             self.more += 1;
         }
+    }
+
+    /// Returns `true` if checking the rest of the table is pointless.
+    #[must_use]
+    pub const fn is_enough(&self) -> bool {
+        self.more >= COUNTED_MOST
     }
 
     /// Whether there is none.
@@ -95,7 +104,7 @@ impl Cells<'_> {
         self.len() == 0
     }
 
-    /// Adds what is wrong with them under a heading.
+    /// Adds what is wrong with them under a heading, until there are enough faults.
     pub(super) fn check(
         &self,
         column: &Column,
@@ -109,6 +118,9 @@ impl Cells<'_> {
             return faults.add(CellFault::of(&column.written, None, &(fault, None), language));
         }
         for row in 0..self.len() {
+            if faults.is_enough() {
+                return;
+            }
             let at = first_row + row as u64;
             let wrong = |fault| Some(CellFault::of(&column.written, Some(at), &(fault, None), language));
             let found = match column.cell(self, row, decimals.may_be_commas) {

@@ -99,6 +99,9 @@ impl Head {
     /// empty, are no numbers, or name nothing that there is.
     pub fn check(&mut self, cells: &[Cells<'_>], first_row: u64) {
         for (column, cells) in self.columns.iter().zip(cells) {
+            if self.faults.is_enough() {
+                return;
+            }
             if let Some(column) = column {
                 if let Cells::Texts(texts) = cells
                     && column.names_recordings()
@@ -117,6 +120,12 @@ impl Head {
     /// Adds that the row of this number is no row of the table.
     pub fn refuse_line(&mut self, fault: TabularFault, row: u64) {
         self.faults.add(CellFault::of("", Some(row), &(Fault::Tabular(fault), None), self.options.language));
+    }
+
+    /// Returns `true` if checking the rest of the table is pointless, because there are so many faults already.
+    #[must_use]
+    pub const fn is_enough(&self) -> bool {
+        self.faults.is_enough()
     }
 
     /// Adds that there is no row, where there is none.

@@ -131,6 +131,25 @@ fn every_example_with_seeded_values_is_answered_as_by_size() {
     );
 }
 
+/// A table is checked up to a number of faults, which its last sentence states; cells behind them are not looked at.
+#[test]
+fn a_table_that_is_wrong_throughout_is_not_checked_to_its_end() {
+    let sweep = sweep(MOVE, &["load.inertia [kg m^2]", "motion[1].time [ms]"]).unwrap();
+    let texts = |count: usize, text: &'static str| Cells::Texts(vec![Some(text.into()); count]);
+    let last = |faults: &TableFaults| {
+        crate::answer::table_faults("t.csv", faults, Language::default()).errors.last().unwrap().message.clone()
+    };
+    let mut faults = TableFaults::default();
+    sweep.check(&[texts(5_000, "x"), texts(5_000, "1")], 0, &mut faults);
+    assert_eq!((faults.listed.len(), faults.more, faults.is_enough()), (50, 4_950, false));
+    assert_eq!(last(&faults), "and 4950 more faults");
+    for first_row in [5_000, 45_000] {
+        sweep.check(&[texts(40_000, "1"), texts(40_000, "")], first_row, &mut faults);
+        assert_eq!((faults.more, faults.is_enough()), (10_000, true));
+    }
+    assert_eq!(last(&faults), "and 10000 more faults; the rest of the table was not checked");
+}
+
 /// Rows of each example.
 const ROWS: usize = 16;
 

@@ -248,12 +248,13 @@ fn a_connection_has_one_place_among_the_idle_ones() {
     let length = || all.0.lock().unwrap().all.len();
     let (stranger, user) = (IdleSlot::new(&all), IdleSlot::new(&all));
     for _ in 0..1000 {
+        stranger.busy(false);
         stranger.idle();
-        user.busy();
+        user.busy(true);
         user.idle();
     }
     assert_eq!(length(), 2);
-    user.busy();
+    user.busy(true);
     assert_eq!(length(), 1);
     user.idle();
     // The stranger goes first, however long the user is idle.
@@ -290,6 +291,42 @@ fn a_stranger_without_the_token_does_not_slow_the_user() {
     assert!(up.ask("GET /health", &bearer).starts_with("HTTP/1.1 200 "));
     assert!(begun.elapsed() < Duration::from_secs(1), "{:?}", begun.elapsed());
     drop(idle);
+}
+
+/// Bodies that a stranger sends to the files that are open to all, whole or in part, are not awaited and take no memory from those
+/// of the user.
+#[test]
+fn a_stranger_without_the_token_sends_no_body() {
+    let limits = Limits { bodies_bytes: 1 << 20, ..Limits::default() };
+    let up = up(repeats, Access::default(), limits);
+    let (_, token) = up.url.split_once("/?token=").unwrap();
+    let bearer = format!("authorization: Bearer {token}\r\ncontent-length: 1000\r\n\r\n{}", "x".repeat(1000));
+    let begun = Instant::now();
+    let mut held = Vec::new();
+    for (line, how) in ["GET", "HEAD"]
+        .iter()
+        .flat_map(|line| ["content-length: 1000000", "transfer-encoding: chunked"].map(|how| (line, how)))
+    {
+        for _ in 0..4 {
+            let mut stream = up.connect();
+            let head = format!("{line} /assets/enter.js HTTP/1.1\r\nhost: {}\r\n{how}\r\n\r\n", up.address);
+            let piece = if how.starts_with("transfer") {
+                format!("f4000\r\n{}", "x".repeat(0xf4000))
+            } else {
+                "x".repeat(999_999)
+            };
+            // The server may close while the body is sent.
+            let _ = stream.write_all(head.as_bytes()).and_then(|()| stream.write_all(piece.as_bytes()));
+            let mut answer = [0; 12];
+            if stream.read_exact(&mut answer).is_ok() {
+                assert_eq!(&answer, b"HTTP/1.1 413", "{line} {how}");
+            }
+            held.push(stream);
+        }
+        assert!(up.ask("POST /api/v1/size", &bearer).starts_with("HTTP/1.1 200 "), "{line} {how}");
+    }
+    assert!(begun.elapsed() < Duration::from_secs(5), "{:?}", begun.elapsed());
+    assert!(up.ask("GET /assets/enter.js", "").starts_with("HTTP/1.1 200 "), "without a body it is answered");
 }
 
 static BEGUN: AtomicUsize = AtomicUsize::new(0);
