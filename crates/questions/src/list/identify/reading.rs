@@ -183,7 +183,9 @@ fn of_csv(file: impl Read, memory: &mut Memory, language: Language) -> Columns {
             *values = Some(Vec::new());
         }
     }
-    while found.faults.len() < FAULTS_MOST {
+    // Where no column is known there is nothing to read below.
+    let is_of_run = places.iter().any(Option::is_some);
+    while is_of_run && found.faults.len() < FAULTS_MOST {
         if found.lines.len().is_multiple_of(ROWS_COUNTED) {
             let granted = memory.go_on().and_then(|()| memory.take(ROW_BYTES * ROWS_COUNTED as u64));
             if let Err(fault) = granted {
