@@ -216,7 +216,7 @@ pub(crate) fn by_size<Q: Measure>(code: &OrderCode, symbol: &str) -> Datum<Q> {
     parts::quantity_of(catalogue::size_cell(code.size, code.ratio, symbol))
 }
 
-/// Returns the gear data of tables 54.3 and 54.4, and the published ratings where they exist.
+/// Returns the gear data of tables 54.3 and 54.4, the published ratings where they exist, and the estimated rated torque.
 fn gear(code: &OrderCode) -> Gear {
     let data = SeriesData::of(code.series());
     // Ratings of the interchangeable gear with equal T_R, from another manufacturer's catalogue.
@@ -227,10 +227,7 @@ fn gear(code: &OrderCode) -> Gear {
         torque_1: by_size(code, "T_1"),
         torque_2: by_size(code, "T_2"),
         stiffness: [by_size(code, "K_1"), by_size(code, "K_2"), by_size(code, "K_3")],
-        rated_torque: match rating("T_N") {
-            Datum::NotPrinted => rated_by_the_stronger(code),
-            stated => stated,
-        },
+        rated_torque: rated_by_the_stronger(code),
         average_torque_max: rating("T_A"),
         collision_torque_max: rating("T_M"),
         collision_cycles: of_the_life(code, "collision_cycles", None, parts::number_of),
@@ -244,7 +241,8 @@ fn gear(code: &OrderCode) -> Gear {
     }
 }
 
-/// Rated torque of the gear, estimated from the stronger series of the same maker.
+/// Rated torque of the gear, estimated from the stronger series of the same maker at every size and ratio. The page of another
+/// maker that states one for sizes 14 to 32 is not read: a life below the required one rejects, and must not rest on it.
 ///
 /// T_N = T_N,stronger / 1.3
 ///
@@ -253,7 +251,8 @@ fn gear(code: &OrderCode) -> Gear {
 /// # Source
 /// docs/theory/gear.md; table gear-ratings-stronger and the calibration `stronger_gear_factor`
 /// # Valid
-/// Sizes and ratios of that table; where both series are published the quotient is 1.28 to 1.32.
+/// Sizes and ratios of that table; the repeated peak torques of both series, both of the maker, are in the same ratio
+/// within the printed digits.
 fn rated_by_the_stronger(code: &OrderCode) -> Datum<Torque> {
     let stronger: Datum<Torque> = published("gear-ratings-stronger", "T_N", code, code.ratio.as_str());
     match (stronger, family::number(code.series(), "", "stronger_gear_factor")) {

@@ -155,9 +155,26 @@ fn gear_ratings_exist_where_they_are_published() {
         let known = of(code).gear.rated_torque.known().map(|known| (known.value.si(), known.grade));
         known.map(|(value, grade)| (value.round(), grade))
     };
-    assert_eq!(rated("CHA-32A-120-H-C1024"), Some((137.0, Grade::Published)));
-    // T_N/1.3 of the stronger series, typed by hand in whole newton metres.
+    // T_N/1.3 of the stronger series, typed by hand in whole newton metres; that of another maker's page is nowhere used.
     for (code, torque) in [
+        ("CHA-14A-50-H-RES", 5.0),
+        ("CHA-14A-80-H-RES", 8.0),
+        ("CHA-14A-100-E-RES", 8.0),
+        ("CHA-17A-50-H-RES", 16.0),
+        ("CHA-17A-80-H-RES", 22.0),
+        ("CHA-17A-100-H-RES", 24.0),
+        ("CHA-20A-50-H-C1024", 25.0),
+        ("CHA-20A-80-H-C1024", 34.0),
+        ("CHA-20A-100-H-C1024", 40.0),
+        ("CHA-20A-120-H-C1024", 40.0),
+        ("CHA-25A-50-H-C1024", 39.0),
+        ("CHA-25A-80-H-C1024", 63.0),
+        ("CHA-25A-100-H-C1024", 67.0),
+        ("CHA-25A-120-H-C1024", 67.0),
+        ("CHA-32A-50-H-C1024", 76.0),
+        ("CHA-32A-80-H-C1024", 118.0),
+        ("CHA-32A-100-H-C1024", 137.0),
+        ("CHA-32A-120-H-C1024", 137.0),
         ("CHA-17A-120-H-RES", 24.0),
         ("CHA-20A-160-H-C1024", 40.0),
         ("CHA-25A-160-H-C1024", 67.0),
@@ -178,7 +195,15 @@ fn gear_ratings_exist_where_they_are_published() {
     ] {
         assert_eq!(rated(code), Some((torque, Grade::Estimated)), "{code}");
     }
-    assert_eq!(rated("CHA-50A-50-H-C1024"), None);
+    // Neither series has been seen with these.
+    let without = ["CHA-50A-50-H-C1024", "CHA-58A-50-H-C1024", "CHA-14A-30-H-RES", "CHA-17A-30-H-RES"];
+    for code in without.iter().chain(&["CHA-20A-30-H-C1024", "CHA-25A-30-H-C1024", "CHA-32A-30-H-C1024"]) {
+        assert_eq!(rated(code), None, "{code}");
+    }
+    for (code, _) in crate::all() {
+        let grade = parameters(code).and_then(|p| p.gear.rated_torque.known().map(|known| known.grade));
+        assert!(grade.is_none_or(|grade| grade == Grade::Estimated), "{code}");
+    }
     assert_eq!(of("CHA-40A-80-H-C1024").gear.input_speed_max, Datum::NotPrinted);
 }
 

@@ -81,6 +81,8 @@ pub(crate) fn recording(fault: &recording::Fault) -> &'static str {
         Fault::LineTooLong { .. } => "recording_line_too_long",
         Fault::QuoteOpen { .. } => "recording_quote_open",
         Fault::Ragged { .. } => "recording_ragged",
+        Fault::CommasTwice { .. } => "recording_commas_twice",
+        Fault::SpacesOnly => "recording_spaces_only",
         Fault::ColumnUnknown { .. } => "recording_column_unknown",
         Fault::ColumnTwice { .. } => "recording_column_twice",
         Fault::NoTable => "recording_no_table",
@@ -108,6 +110,7 @@ pub(crate) fn recording(fault: &recording::Fault) -> &'static str {
         Fault::SameTime { .. } => "recording_same_time",
         Fault::TooClose { .. } => "recording_times_too_close",
         Fault::Gap { .. } => "recording_gap",
+        Fault::TurnBegun { .. } => "recording_turn_begun",
         Fault::TooFewSamples { .. } => "recording_too_few_samples",
         Fault::TooManySamples { .. } => "recording_too_many_samples",
         Fault::Beyond { limit, .. } => match limit {

@@ -175,6 +175,8 @@ pub enum Assumption {
     UniformTolerances,
     /// The motor carries the load in a dwell without `hold`.
     MotorHolds,
+    /// A dwell behind a move with a payload states none: nothing is carried in it.
+    NoPayloadInDwell,
     /// The recorded torque is a process torque, added to the torque of the mechanism.
     RecordedTorqueAdds,
     /// Speed and acceleration are differences of a recorded position, not smoothed.
@@ -200,7 +202,7 @@ const STEPS: MadeUp = MadeUp {
 
 impl Assumption {
     /// Assumptions in their order, with example arguments.
-    pub const ALL: [Self; 45] = [
+    pub const ALL: [Self; 46] = [
         Self::NoFriction,
         Self::AmbientWithinRange,
         Self::CoolingPlate,
@@ -238,6 +240,7 @@ impl Assumption {
         Self::OrdinaryApplication,
         Self::UniformTolerances,
         Self::MotorHolds,
+        Self::NoPayloadInDwell,
         Self::RecordedTorqueAdds,
         Self::RecordedPositionDifferentiated,
         Self::RecordedRest(RestNoise { speed_rad_s: 1e-3, duration_s: 9.0 }),

@@ -2,7 +2,7 @@
 #![allow(clippy::unwrap_used, reason = "a test fails loudly")]
 
 use questions::{Check, Fit, check, size};
-use sizing::{CheckId, Verdict};
+use sizing::{CheckId, Note, Verdict};
 
 const AXIS: &str = "format = 1\n[load]\ninertia = \"0.05 kg m^2\"\n[[motion]]\nlaw = \"manual\"\nspeed = \"20 1/min\"\n\
     accelerate = \"0.2 s\"\nrun = \"0.5 s\"\nbrake = \"0.2 s\"\npause = \"0.5 s\"\n[requirements]\n";
@@ -66,6 +66,31 @@ fn above_the_printed_altitude_the_stated_derating_decides() {
     assert!(share > 0.15 && share < 1.0, "{share}");
     let (_, derated) = verdict(&format!("altitude = \"2500 m\"\naltitude_derating = {}", (0.5 * share).max(0.1)));
     assert_eq!(derated.verdict, Verdict::Fail);
+}
+
+/// Above the altitude of the manual every limit by heat says that it is not derated, and the check that derates that it does so alone.
+#[test]
+fn limits_that_are_not_derated_say_so() {
+    let by_heat = [CheckId::ContinuousTorque, CheckId::Thermal, CheckId::OverloadI2t];
+    let (e, h) = ("CHA-17A-50-E-RES", "CHA-25A-50-H-C1024");
+    for (code, keys, is_beyond) in [
+        (h, "", false),
+        (h, "altitude = \"999 m\"", false),
+        (h, "altitude = \"1000 m\"", true),
+        (h, "altitude = \"2500 m\"\naltitude_derating = 0.9", true),
+        (e, "altitude = \"500 m\"", true),
+    ] {
+        for id in by_heat {
+            let check = found(code, keys, id);
+            let limit = found(code, "", id).limit.map(|limit| limit.si);
+            assert_eq!(check.limit.map(|limit| limit.si), limit, "{code} {keys} {id:?}");
+            assert_eq!(check.notes.contains(&Note::NotDeratedForAltitude), is_beyond, "{code} {keys} {id:?}");
+        }
+        if keys.contains("altitude") {
+            let alone = found(code, keys, CheckId::Altitude).notes.contains(&Note::DeratesThisCheckOnly);
+            assert_eq!(alone, keys.contains("derating"), "{code} {keys}");
+        }
+    }
 }
 
 /// Of a condition that no winding meets nothing fits, of one that E does not print the others fit first; ranking and check agree.

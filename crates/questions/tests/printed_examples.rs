@@ -84,3 +84,44 @@ fn the_ball_screw_of_yaskawa() {
     );
     near(found, 0.43, 0.005);
 }
+
+/// Copley Xenus XTL, A.1, and Kollmorgen SERVOSTAR, app. D: E = ½ J ω² − 3/2 R_LL I² t_d − ½ T_F ω t_d with I = (J ω/t_d − T_F)/k_T, for
+/// 0.1 kgm² from 100 rad/s to rest in 0.5 s, k_T 1 Nm/A, R_LL 0.2 Ω: 440 J without friction and 401.4 J with 2 Nm. The formula deducts what
+/// the winding takes from the supply close to standstill, which is not regenerated: (3/2 R_LL I²)²/(2 k_T I ω) t_d more, 1.8 J and 1.312 J.
+/// Yaskawa Sigma-7, 12.8.6, has the same with E_S = J n²/182 and E_L = π/60 n T_L t_D, and the resistor's mean power E_K/T.
+#[test]
+fn the_energy_of_a_stop_of_copley_kollmorgen_and_yaskawa() {
+    for (friction, printed, more) in [(0.0, 440.0, 1.8), (2.0, 401.4, 1.312)] {
+        // k_EM of k_TM = k_T/i: √3 k_EM = k_TM · 2π · 1000/60.
+        let constant = 1.0 / 50.0 * 2.0 * std::f64::consts::PI * 1000.0 / 60.0 / 3.0_f64.sqrt();
+        let text = format!(
+            "format = 1\n[load]\ninertia = \"0.06 kg m^2\"\nfriction_torque = \"{friction} N m\"\n\
+             [[motion]]\nlaw = \"manual\"\nspeed = \"100 rad/s\"\naccelerate = \"0.5 s\"\nrun = \"0.5 s\"\nbrake = \"0.5 s\"\n\
+             pause = \"2.5 s\"\n[requirements]\nsupply = \"560 V\"\ndc_link_rise = \"60 V\"\n[actuator]\nname = \"own\"\nratio = 50\n\
+             inertia_out = \"0.04 kg m^2\"\ncurrent_max = \"90 A\"\ntorque_constant_out = \"1 N m/A\"\n\
+             voltage_constant_motor = \"{constant} V/1000 1/min\"\nresistance_ll = \"0.2 ohm\"\ninductance_ll = \"1 mH\"\n\
+             torque_constant_motor = \"0.02 N m/A\"\npole_pairs = 5\nno_load_starting_current = \"0 A\"\nno_load_current_constant_30 = \"0 A/min^-1\"\n\
+             no_load_current_constant_80 = \"0 A/min^-1\"\n"
+        );
+        let judgement = check_own(&read(&text).unwrap()).unwrap().judgement;
+        let found = judgement.checks.iter().find(|check| check.id == sizing::CheckId::Regeneration).unwrap();
+        let energy = found.notes.iter().find_map(|note| match note {
+            sizing::Note::EnergyPerCycle { regenerated, .. } => Some(regenerated.si()),
+            _ => None,
+        });
+        near(energy.unwrap(), printed + more, 0.001);
+        // The mean over the cycle of 4 s, for which a braking resistor is chosen.
+        near(found.value.unwrap().si, (printed + more) / 4.0, 0.001);
+        // A bank of capacitors takes it with E = ½ C (U_M² − U²).
+        let bank = found.notes.iter().find_map(|note| match note {
+            sizing::Note::Capacitor { capacitance_f, .. } => Some(*capacitance_f),
+            _ => None,
+        });
+        near(bank.unwrap(), 2.0 * (printed + more) / (620.0_f64.powi(2) - 560.0_f64.powi(2)), 1e-7);
+        // By the rounded constants of Yaskawa, 182 for 2 · 60² /(4π²) = 182.4.
+        let (speed, current) = (100.0 * 60.0 / std::f64::consts::TAU, 20.0 - friction);
+        let stored = 0.1 * speed * speed / 182.0;
+        let (lost, heat) = (std::f64::consts::PI / 60.0 * speed * friction * 0.5, 1.5 * 0.2 * current * current * 0.5);
+        near(energy.unwrap() / (stored - lost - heat + more), 1.0, 0.003);
+    }
+}

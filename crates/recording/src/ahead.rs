@@ -8,6 +8,7 @@ use crate::lines::Lines;
 use crate::names::is_usual_name;
 use crate::number::Decimals;
 use crate::series::Encoding;
+use crate::tools::Headers;
 use memchr::memchr;
 use quantities::Unit;
 use std::collections::VecDeque;
@@ -52,6 +53,7 @@ impl<R: Read> Ahead<R> {
         let (mut stated, mut bytes) = (None, 0);
         let mut found = None;
         let mut is_end = false;
+        let mut headers = Headers::default();
         while found.is_none() && !is_end && seen.len() < LINES_MOST && bytes < BYTES_MOST {
             match self.lines.advance() {
                 Ok(true) => {}
@@ -72,10 +74,19 @@ impl<R: Read> Ahead<R> {
                     continue;
                 }
                 bytes += line.len();
+                if headers.end_with(&line, seen.is_empty()) {
+                    seen.clear();
+                    continue;
+                }
                 seen.push((self.lines.number(), line));
             }
             // A row counts once the next one confirms it or the file ends.
+            if let Some((row, number, headings, delimiter)) = headers.scope(&seen) {
+                self.queue = std::iter::once((number, headings)).chain(seen.drain(row..)).collect();
+                return Ok(Some(Found { delimiter, is_missing: false }));
+            }
             let row = if is_end { seen.len().checked_sub(1) } else { seen.len().checked_sub(2) };
+            let row = row.filter(|_| is_end || headers.are_over());
             found = row.and_then(|row| heading_above(&seen, row, (stated, is_row)));
         }
         // Most columns may hold text.
@@ -136,12 +147,19 @@ fn stated_delimiter(line: &[u8]) -> Option<u8> {
     (key.eq_ignore_ascii_case(b"sep=") && [b';', b',', b'\t', b'|'].contains(&sign)).then_some(sign)
 }
 
-/// Returns the delimiter found in a line: `;`, else a tab, else `,`.
+/// Returns the delimiter found in a line: `;`, else a tab, else `,`, else `|`; `,` if there is none of them.
 pub(crate) fn delimiter(header: &[u8]) -> u8 {
-    [b';', b'\t'].into_iter().find(|sign| memchr(*sign, header).is_some()).unwrap_or(b',')
+    [b';', b'\t', b',', b'|'].into_iter().find(|sign| memchr(*sign, header).is_some()).unwrap_or(b',')
 }
 
-fn split(line: &[u8], delimiter: u8) -> Option<Vec<String>> {
+/// Returns `true` if a line consists of several numbers separated by spaces alone.
+pub(crate) fn is_spaced_row(line: &[u8]) -> bool {
+    let text = encoding::text(line);
+    let mut cells = text.split_ascii_whitespace();
+    text.trim().contains(' ') && cells.all(|cell| Decimals::is_number(cell) || is_clock(cell))
+}
+
+pub(crate) fn split(line: &[u8], delimiter: u8) -> Option<Vec<String>> {
     let cells = Cells::new(delimiter).try_all(line)?;
     Some(cells.iter().map(|cell| encoding::text(cell).trim().to_owned()).collect())
 }
@@ -171,7 +189,7 @@ type IsRow = fn(&[String]) -> bool;
 fn heading_above(seen: &[(u64, Vec<u8>)], row: usize, (stated, is_row): (Option<u8>, IsRow)) -> Option<(usize, Found)> {
     let line = |place: usize| seen.get(place).map(|(_, line)| line.as_slice());
     let above = row.checked_sub(1).and_then(line);
-    let usual = [above.map_or(b';', delimiter), b';', b'\t', b','];
+    let usual = [above.map_or(b';', delimiter), b';', b'\t', b',', b'|'];
     let signs = stated.map_or_else(|| usual.to_vec(), |sign| vec![sign]);
     signs.into_iter().find_map(|delimiter| {
         let cells = split(line(row)?, delimiter).filter(|cells| cells.len() > 1 && is_row(cells))?;

@@ -188,7 +188,15 @@ pub(crate) fn unused(headings: &[Heading], layout: &Layout, used: &[usize]) -> V
     };
     let looks = |heading: &Heading| {
         let is_wanted = |role: &Role| !layout.column(*role).unused;
-        let usual: Vec<Role> = Role::ALL.into_iter().filter(|role| heading.usual(*role).is_some()).collect();
+        let mut usual: Vec<Role> = Role::ALL.into_iter().filter(|role| heading.usual(*role).is_some()).collect();
+        if usual.is_empty() {
+            // `velocity_dps`, `Torque Reference [%]`: the word of a quantity, with a unit that is none of it or not known.
+            let (roles, is_other) = heading.named.words_of_quantities();
+            if is_other {
+                return true;
+            }
+            usual = roles;
+        }
         let states_unit = || [&heading.named.unit, &heading.below].into_iter().flatten().any(is_quantity);
         if usual.is_empty() { states_unit() } else { usual.iter().any(is_wanted) }
     };
@@ -239,7 +247,11 @@ fn proposed(headings: &[Heading], role: Role, is_used: impl Fn(usize) -> bool) -
         [one] => *one,
         _ => by_name()?,
     };
-    Some(NearColumn { role, column: excerpt(&found.written), has_unit: has_unit(&found) })
+    let shown = excerpt(&found.written);
+    // A shortened name names no column; its number does.
+    let place = headings.iter().position(|heading| std::ptr::eq(heading, found))?;
+    let column = if shown == found.written { shown } else { format!("#{}", place + 1) };
+    Some(NearColumn { role, column, has_unit: has_unit(&found) })
 }
 
 /// Number of leading columns that are searched for a proposal.

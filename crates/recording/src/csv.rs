@@ -1,6 +1,6 @@
 //! CSV reader for recordings.
 
-use crate::ahead::Ahead;
+use crate::ahead::{Ahead, is_spaced_row};
 use crate::clock::{Clock, is_clock};
 use crate::columns::{Heading, Pick, Picks, Said, decide, pick, unused};
 use crate::encoding;
@@ -30,7 +30,7 @@ pub fn read_csv(source: impl Read, layout: &Layout) -> Result<Recording, Vec<Fau
 ///
 /// The header is the line above the first rows of numbers; a row of units may stand in between. Comments (`#`), empty
 /// lines, lines about the file and `sep=;` before it are skipped. The header determines the delimiter: `;`, else a tab,
-/// else `,`. With `;`, a tab or quotes the numbers may have decimal commas, either all or none. A unit stands in the
+/// else `,`, else `|`. With `;`, a tab, `|` or quotes the numbers may have decimal commas, either all or none. A unit stands in the
 /// header (`q [deg]`), in a row of units below it, or in the layout; clock times need none and are counted from the
 /// first. Columns without a role may hold any text. Only the time is read of samples outside the window. A quoted cell
 /// must end in its line.
@@ -109,7 +109,7 @@ fn read(source: impl Read, layout: &Layout, memory: &mut Memory, faults: &mut Fa
     // Text of a file that is no table is not quoted in faults: it may be a note or a key.
     if !is_table && !faults.none() {
         *faults = Faults::default();
-        faults.push(Fault::NoTable);
+        faults.push(if is_spaced_row(lines.line()) { Fault::SpacesOnly } else { Fault::NoTable });
         return None;
     }
     if units.is_none() {
@@ -324,8 +324,20 @@ fn row(
         gather.time_failed();
         return true;
     };
+    // The last line of a scope.
+    if count == 1 && wanted.fields > 1 && line.trim_ascii() == b"EOF" {
+        return true;
+    }
     if count != wanted.fields {
-        faults.push(Fault::Ragged { line: number, found: count, expected: wanted.fields });
+        let (found, expected) = (count, wanted.fields);
+        let is_whole = |cell: &[u8]| cell.iter().all(|sign| sign.is_ascii_digit() || b"+- ".contains(sign));
+        let are_decimal = *decimals == Decimals::PointAlways
+            && (found == 2 * expected || gather.is_empty() && (expected..2 * expected).contains(&found))
+            && line.split(|sign| *sign == b',').all(is_whole);
+        faults.push(match are_decimal {
+            true => Fault::CommasTwice { line: number, found, expected },
+            false => Fault::Ragged { line: number, found, expected },
+        });
         gather.time_failed();
         return true;
     }

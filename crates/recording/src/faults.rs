@@ -5,7 +5,7 @@ use crate::layout::Role;
 use crate::limits::{Limit, SAMPLES_MAX};
 use crate::packed::Foreign;
 use crate::series::KnownBy;
-use quantities::{Dimension, Time, Unit, is_unseen};
+use quantities::{Angle, Dimension, Time, Unit, is_unseen};
 use std::fmt;
 use std::io::ErrorKind;
 use std::mem::Discriminant;
@@ -137,6 +137,16 @@ pub enum Fault {
         /// Cells in the header.
         expected: usize,
     },
+    /// A row of whole numbers has more cells than the header: commas that separate cells are decimal signs as well.
+    #[error("line {line}: {found} cells under a header of {expected}: commas are decimal signs as well")]
+    CommasTwice {
+        /// Line number.
+        line: u64,
+        /// Cells in the row.
+        found: usize,
+        /// Cells in the header.
+        expected: usize,
+    },
     /// A column named in the layout does not exist.
     #[error("no column is named \"{name}\"")]
     ColumnUnknown {
@@ -160,6 +170,9 @@ pub enum Fault {
     /// The file is no table: there is no number below the first line.
     #[error("no numbers stand under the first line")]
     NoTable,
+    /// The numbers of a row are separated by spaces alone.
+    #[error("the numbers are separated by spaces alone")]
+    SpacesOnly,
     /// No column of time is found.
     #[error("no column of time is found")]
     TimeMissing {
@@ -411,6 +424,16 @@ pub enum Fault {
         /// Maximum size.
         most: u64,
     },
+    /// The position of a turning axis begins anew after a full turn.
+    #[error("{at:?}: the position begins anew after a full turn")]
+    TurnBegun {
+        /// Place of the first sample of the new turn.
+        at: FileRow,
+        /// Jump from the sample before it.
+        jump: Angle,
+        /// There is a column of speed, which suffices.
+        has_speed: bool,
+    },
     /// A fault that occurs in many lines.
     #[error("{first}; {more} more like it")]
     Repeated {
@@ -441,10 +464,12 @@ impl Fault {
             | Self::TimesDiffer { column, .. }
             | Self::ThousandsGrouped { column, .. } => Some(column.clone()),
             Self::Ragged { .. }
+            | Self::CommasTwice { .. }
             | Self::QuoteOpen { .. }
             | Self::Backwards { .. }
             | Self::SameTime { .. }
             | Self::TooClose { .. }
+            | Self::TurnBegun { .. }
             | Self::Gap { .. } => None,
             _ => return None,
         };

@@ -7,8 +7,9 @@ use crate::layout::{Layout, Role};
 use crate::limits::{MAGNITUDE_MAX, Memory, SAMPLES_MAX, SAMPLES_MIN, STEP_MIN_S};
 use crate::number::{Bad, Tick};
 use crate::series::{Along, ColumnRead, Course, Recording, Series};
-use quantities::{Measure, Time, Unit};
+use quantities::{Angle, Measure, Time, Unit};
 use std::cmp::Ordering;
+use std::f64::consts::TAU;
 use std::sync::Arc;
 
 /// Treatment of a sample.
@@ -99,6 +100,11 @@ impl<'m> Gather<'m> {
             after: 0,
             sound: true,
         })
+    }
+
+    /// Returns `true` if no sample was kept yet.
+    pub(crate) const fn is_empty(&self) -> bool {
+        self.time_s.is_empty()
     }
 
     /// Returns `true` if only a part of the samples is requested.
@@ -259,6 +265,9 @@ impl<'m> Gather<'m> {
         if self.sound && !self.allow_gaps {
             self.check_gaps(faults);
         }
+        if self.sound {
+            self.check_turns(faults);
+        }
         if !faults.none() {
             return None;
         }
@@ -308,6 +317,24 @@ impl<'m> Gather<'m> {
             if step > GAP_FACTOR * median {
                 let at = self.place(self.number_of(index));
                 faults.push(Fault::Gap { at, length: Time::from_si(step), median: Time::from_si(median) });
+            }
+        }
+    }
+
+    /// Reports a position that begins anew after a full turn, as that of an axis that counts from 0° to 360°: a jump of a turn, but for
+    /// a step as between its neighbours.
+    fn check_turns(&self, faults: &mut Faults) {
+        const STEP_MOST: f64 = TAU / 12.0;
+        let of = |role: Role| self.channels.iter().find(|channel| channel.role == role);
+        let Some(position) = of(Role::Position).filter(|channel| Along::of(channel.unit) == Along::Turning) else { return };
+        for (index, values) in position.values.windows(4).enumerate() {
+            let [first, before, after, last] = values else { continue };
+            let jump = after - before;
+            let step = (before - first).abs().max((last - after).abs());
+            let beside = (jump.abs() - TAU).abs();
+            if step < STEP_MOST && beside <= 2.0 * step + 1e-3 * TAU {
+                let at = self.place(self.number_of(index + 2));
+                faults.push(Fault::TurnBegun { at, jump: Angle::from_si(jump), has_speed: of(Role::Speed).is_some() });
             }
         }
     }

@@ -66,7 +66,7 @@ impl Role {
     #[must_use]
     pub const fn names(self) -> &'static [&'static str] {
         match self {
-            Self::Time => &["time", "t", "zeit", "timestamp"],
+            Self::Time => &["time", "t", "zeit", "timestamp", "zeitstempel", "uhrzeit", "x_value"],
             Self::Position => &[
                 "position",
                 "pos",
@@ -80,6 +80,10 @@ impl Role {
                 "x",
                 "angularposition",
                 "linearposition",
+                "drehwinkel",
+                "winkellage",
+                "winkelposition",
+                "φ",
             ],
             Self::Speed => &[
                 "speed",
@@ -96,10 +100,23 @@ impl Role {
                 "angularvelocity",
                 "linearvelocity",
                 "angularspeed",
+                "winkelgeschwindigkeit",
+                "ω",
             ],
-            Self::Torque => {
-                &["torque", "tau", "m", "moment", "drehmoment", "force", "f", "kraft", "effort", "loadtorque"]
-            }
+            Self::Torque => &[
+                "torque",
+                "tau",
+                "m",
+                "moment",
+                "drehmoment",
+                "force",
+                "f",
+                "kraft",
+                "effort",
+                "loadtorque",
+                "lastmoment",
+                "lastdrehmoment",
+            ],
         }
     }
 

@@ -33,6 +33,7 @@ mod parquet;
 mod plain;
 mod records;
 mod series;
+mod tools;
 
 pub use csv::{Preview, preview_csv, read_csv, read_csv_within};
 pub use encoding::read_text;

@@ -1,7 +1,7 @@
 //! Names of columns in the notation of loggers: `time_s`, `Ist-Lage [mm]`, `Axis1.ActPos`.
 
 use crate::layout::Role;
-use quantities::Unit;
+use quantities::{Dimension, Unit};
 
 /// Words before or after the name of a quantity that mark it as measured.
 pub(crate) const MEASURED: &[&str] =
@@ -20,6 +20,22 @@ pub(crate) const COMMANDED: &[&str] = &[
     "target",
     "desired",
     "demand",
+];
+/// Words of quantities that a recording may hold and that have no role.
+const OTHERS: &[&str] = &[
+    "acceleration",
+    "beschleunigung",
+    "current",
+    "strom",
+    "load",
+    "last",
+    "power",
+    "leistung",
+    "voltage",
+    "spannung",
+    "temperature",
+    "temperatur",
+    "rpm",
 ];
 /// Words without meaning for the quantity.
 const FILLING: &[&str] = &["axis", "ax", "achse", "joint", "gelenk", "value", "val", "wert"];
@@ -72,6 +88,21 @@ impl Named {
         })
     }
 
+    /// Returns the roles of which a word of the name is a usual name, and `true` if it states another quantity: by a word, or by a unit
+    /// behind an underscore.
+    pub(crate) fn words_of_quantities(&self) -> (Vec<Role>, bool) {
+        if self.bare.len() > NAME_BYTES {
+            return (Vec::new(), false);
+        }
+        let words: Vec<String> = words(&self.bare).into_iter().flat_map(parted).collect();
+        let holds = |name: &&str| name.len() > 2 && words.iter().any(|word| word == *name);
+        let roles = Role::ALL.into_iter().filter(|role| role.names().iter().any(holds)).collect();
+        let unit = self.bare.rsplit_once(['_', ' ']).map_or(self.bare.as_str(), |(_, unit)| unit);
+        let is_other = OTHERS.iter().any(holds)
+            || Unit::of(unit).is_some_and(|unit| !matches!(unit.dimension, Dimension::Ratio | Dimension::Information));
+        (roles, is_other)
+    }
+
     /// Returns the certainty with which the name denotes the quantity of a role.
     pub(crate) fn sureness(&self, role: Role) -> Option<Sureness> {
         if self.bare.len() > NAME_BYTES {
@@ -90,7 +121,7 @@ impl Named {
             return None;
         }
         let own = self.bare.rsplit(['.', ':', '!', '|', '\\', '/']).find(|part| !part.trim().is_empty())?;
-        let words = words(own);
+        let words: Vec<String> = words(own).into_iter().flat_map(parted).collect();
         let is_commanded = words.iter().any(|word| COMMANDED.contains(&word.as_str()));
         let core: String = words
             .iter()
@@ -100,6 +131,26 @@ impl Named {
             .collect();
         is_name(&core).then_some(if is_commanded { Sureness::Commanded } else { Sureness::Measured })
     }
+}
+
+/// Splits a German compound into the quantity and the word about its measurement, `istlage`, `drehzahlsollwert`,
+/// `positionsistwert`; any other word stays whole.
+fn parted(word: String) -> Vec<String> {
+    let is_name = |text: &str| text.len() > 2 && Role::ALL.iter().any(|role| role.names().contains(&text));
+    let before = ["ist", "soll"].into_iter().find_map(|mark| {
+        let quantity = word.strip_prefix(mark).filter(|quantity| is_name(quantity))?;
+        Some(vec![mark.to_owned(), quantity.to_owned()])
+    });
+    let behind = || {
+        ["istwert", "sollwert"].into_iter().find_map(|mark| {
+            let quantity = word.strip_suffix(mark)?;
+            // Linking letters: `positions-`, `momenten-`.
+            let bare = ["", "s", "en"].into_iter().filter_map(|link| quantity.strip_suffix(link));
+            let quantity = bare.into_iter().find(|quantity| is_name(quantity))?;
+            Some(vec![quantity.to_owned(), mark.to_owned()])
+        })
+    };
+    before.or_else(behind).unwrap_or_else(|| vec![word.clone()])
 }
 
 /// Splits a name into the part outside and the text inside its brackets: the last brackets that read as a unit, else
@@ -319,6 +370,14 @@ mod tests {
             ("AngularPosition", Role::Position, Some(Plain)),
             ("Angular velocity", Role::Speed, Some(Measured)),
             ("FrictionTorque", Role::Torque, None),
+            ("Istlage", Role::Position, Some(Measured)),
+            ("Solldrehzahl", Role::Speed, Some(Commanded)),
+            ("Lageistwert", Role::Position, Some(Measured)),
+            ("Positionssollwert", Role::Position, Some(Commanded)),
+            ("Momentenistwert", Role::Torque, Some(Measured)),
+            ("Uhrzeit", Role::Time, Some(Plain)),
+            ("List", Role::Position, None),
+            ("istx", Role::Position, None),
             // Another quantity, or one at another place.
             ("position error", Role::Position, None),
             ("Motor position", Role::Position, None),

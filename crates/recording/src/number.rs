@@ -32,12 +32,12 @@ impl Decimals {
         if cell.is_empty() {
             return Err(Bad::Missing);
         }
-        let text = std::str::from_utf8(cell).map_err(|_| Bad::Unreadable)?;
+        let text = with_hyphen(std::str::from_utf8(cell).map_err(|_| Bad::Unreadable)?);
         if *self == Self::PointAlways {
-            return Ok(Cow::Borrowed(text));
+            return Ok(text);
         }
         let sign = match (text.contains('.'), text.contains(',')) {
-            (false, false) => return Ok(Cow::Borrowed(text)),
+            (false, false) => return Ok(text),
             (true, true) => return Err(Bad::Unreadable),
             (true, false) => Self::Point(line),
             (false, true) => Self::Comma(line),
@@ -51,7 +51,7 @@ impl Decimals {
         match (*self, sign) {
             (Self::Comma(decided), Self::Point(_)) | (Self::Point(decided), Self::Comma(_)) => Err(Bad::Mixed(decided)),
             (_, Self::Comma(_)) => Ok(Cow::Owned(text.replacen(',', ".", 1))),
-            _ => Ok(Cow::Borrowed(text)),
+            _ => Ok(text),
         }
     }
 
@@ -66,8 +66,14 @@ impl Decimals {
 
     /// Returns `true` if a cell looks like a number with either decimal sign.
     pub(crate) fn is_number(cell: &str) -> bool {
-        cell.trim().replacen(',', ".", 1).parse::<f64>().is_ok() || is_grouped(cell.trim())
+        let cell = with_hyphen(cell.trim());
+        cell.replacen(',', ".", 1).parse::<f64>().is_ok() || is_grouped(&cell)
     }
+}
+
+/// Returns a number with a hyphen for each minus sign `−` (U+2212), which spreadsheets of some countries write.
+fn with_hyphen(text: &str) -> Cow<'_, str> {
+    if text.contains('−') { Cow::Owned(text.replace('−', "-")) } else { Cow::Borrowed(text) }
 }
 
 /// Returns `true` if a text that is no number has unambiguous separators of thousands: `1.234,5`, `1,234.5`, `1'234`,

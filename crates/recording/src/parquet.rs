@@ -3,6 +3,7 @@
 //! Footer and page headers are read here, within fixed bounds; the library receives pages that are unpacked and
 //! checked, and decodes the values.
 
+mod arrow;
 mod footer;
 mod pages;
 mod streams;
@@ -22,7 +23,7 @@ use ::parquet::errors::ParquetError;
 use bytes::Bytes;
 use footer::{Chunk, Column, Footer, Logical};
 use pages::Pages;
-use quantities::Unit;
+use quantities::{Dimension, Unit};
 use quantities::unit::{MICROSECOND, MILLISECOND, NANOSECOND, SECOND};
 use std::sync::Arc;
 use std::sync::atomic::AtomicU64;
@@ -43,8 +44,8 @@ pub fn read_parquet(file: Bytes, layout: &Layout) -> Result<Recording, Vec<Fault
 /// Reads a recording from Parquet.
 ///
 /// Columns are recognised as in CSV. They hold floats, doubles, integers or decimals. A unit stands in the name
-/// (`q [deg]`), in the metadata of the file under `q.unit` or `unit:q`, or in the layout; a timestamp type states its unit
-/// itself. Row groups are read one after another, a few thousand rows at a time. The memory of the recording is taken
+/// (`q [deg]`), in the metadata of the file under `q.unit` or `unit:q`, or in the layout; a timestamp or a duration of
+/// Arrow states its unit itself. Row groups are read one after another, a few thousand rows at a time. The memory of the recording is taken
 /// from `memory`; the bytes of the file belong to the caller.
 ///
 /// # Errors
@@ -195,8 +196,11 @@ fn read(file: &Bytes, layout: &Layout, memory: &mut Memory, faults: &mut Faults)
             used.push(Used { index, name: excerpt(&heading.written), kind, column });
             continue;
         }
+        // A type of times says what its numbers are, also below a name such as `t [s]`.
+        let is_time = |text: &String| Unit::of_dimension(Dimension::Time, text).is_some();
+        let in_name = picked.unit.clone().filter(|text| kind.time.is_none() || !is_time(text));
         let said = [
-            picked.unit.clone().map(|text| (KnownBy::Header, Said::Text(text))),
+            in_name.map(|text| (KnownBy::Header, Said::Text(text))),
             kind.time.map(|unit| (KnownBy::Metadata, Said::Unit(unit))),
             metadata_unit(&footer, heading).map(|text| (KnownBy::Metadata, Said::Text(text))),
             layout.column(role).unit.map(|unit| (KnownBy::Layout, Said::Unit(unit))),
@@ -286,7 +290,7 @@ fn kind(column: &Column) -> Option<Holds> {
     match (column.physical, column.logical, column.converted) {
         (Type::FLOAT | Type::DOUBLE, Logical::Plain, ConvertedType::NONE) => Some(plain),
         (Type::INT32 | Type::INT64, Logical::Integer { signed }, _) => Some(Holds { unsigned: !signed, ..plain }),
-        (Type::INT32 | Type::INT64, Logical::Timestamp(unit), _) => time(unit),
+        (Type::INT32 | Type::INT64, Logical::Timestamp(unit) | Logical::Duration(unit), _) => time(unit),
         // Days and nanoseconds, as Spark and Impala write timestamps.
         (Type::INT96, Logical::Plain, _) => time(&NANOSECOND),
         (Type::INT32, Logical::Plain, ConvertedType::TIME_MILLIS) => time(&MILLISECOND),
@@ -310,6 +314,9 @@ fn kind(column: &Column) -> Option<Holds> {
 
 fn type_name(column: &Column) -> String {
     let repeated = if column.repeated { "LIST of " } else { "" };
+    if matches!(column.logical, Logical::Duration(_)) {
+        return format!("{repeated}DURATION");
+    }
     match column.converted {
         ConvertedType::NONE => format!("{repeated}{}", column.physical),
         converted => format!("{repeated}{} ({converted})", column.physical),

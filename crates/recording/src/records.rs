@@ -13,7 +13,7 @@ use std::io::Read;
 /// Rows of a table under its headings, read one after the other in a bounded buffer.
 ///
 /// The first line that is neither empty nor a comment (`#`) holds the headings and determines the delimiter: `;`, else
-/// a tab, else `,`; a line `sep=;` before it states it. The text is UTF-8, UTF-16 or Windows-1252.
+/// a tab, else `,`, else `|`; a line `sep=;` before it states it. The text is UTF-8, UTF-16 or Windows-1252.
 pub struct Records<R> {
     lines: Lines<R>,
     cells: Cells,
@@ -39,6 +39,10 @@ impl<R: Read> Records<R> {
             return Ok(records);
         }
         let mut sign = delimiter(records.lines.line());
+        // Of a single column no comma separates cells: decimal commas.
+        if sign == b',' && !records.lines.line().contains(&b',') {
+            sign = b';';
+        }
         if let Some(stated) = separator(records.lines.line()) {
             sign = stated;
             if !records.lines.advance()? {

@@ -337,9 +337,9 @@ fn many_different_faults_are_capped() {
 
 #[test]
 fn latin_1_and_utf_16_are_read() {
-    let text = "Zeit [s];Straße;φ;Winkel [°]\n0;ä;0;1,5\n1;ö;0;2,5\n2;ü;0;3,5\n";
+    let text = "Zeit [s];Straße;ψ;Winkel [°]\n0;ä;0;1,5\n1;ö;0;2,5\n2;ü;0;3,5\n";
     let expected = read_csv(text.as_bytes(), &Layout::default()).unwrap().course.position.unwrap();
-    let latin: Vec<u8> = text.replace('φ', "k").chars().map(|c| u8::try_from(u32::from(c)).unwrap()).collect();
+    let latin: Vec<u8> = text.replace('ψ', "k").chars().map(|c| u8::try_from(u32::from(c)).unwrap()).collect();
     assert!(std::str::from_utf8(&latin).is_err());
     let units: Vec<u16> = [0xfeff].into_iter().chain(text.encode_utf16()).collect();
     let little: Vec<u8> = units.iter().flat_map(|unit| unit.to_le_bytes()).collect();
@@ -484,13 +484,13 @@ fn several_columns_of_one_sureness_are_ambiguous() {
 
 #[test]
 fn a_near_miss_is_proposed() {
-    let found = faults("Zeitstempel,angel,M [Nm]\n0,0,1\n1,1,1\n2,2,1\n");
+    let found = faults("Zeitpunkt,angel,M [Nm]\n0,0,1\n1,1,1\n2,2,1\n");
     let [Fault::TimeMissing { near: time, .. }, Fault::CourseMissing { near: course, .. }] = found.as_slice() else {
         panic!("{found:?}")
     };
-    assert!(time.len() == 1 && time[0].column == "Zeitstempel" && !time[0].has_unit, "{time:?}");
+    assert!(time.len() == 1 && time[0].column == "Zeitpunkt" && !time[0].has_unit, "{time:?}");
     assert!(course[0].column == "angel" && course[0].role == Role::Position, "{course:?}");
-    let found = faults("Zeitstempel;Weg\nms;mm\n0;0\n1;1\n2;2\n");
+    let found = faults("Zeitpunkt;Weg\nms;mm\n0;0\n1;1\n2;2\n");
     let [Fault::TimeMissing { near, .. }] = found.as_slice() else { panic!("{found:?}") };
     assert!(near[0].has_unit, "the row of units states it");
     let found = faults("Channel 1 [ms],Channel 2 [deg]\n0,0\n1,1\n2,2\n");

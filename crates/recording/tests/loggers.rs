@@ -2,6 +2,7 @@
 
 #![allow(clippy::unwrap_used, clippy::panic, clippy::indexing_slicing, reason = "a test fails loudly")]
 
+use quantities::Measure;
 use quantities::unit::{DEGREE, DEGREE_PER_SECOND, RADIAN, RADIAN_PER_SECOND, SECOND};
 use recording::{
     ColumnSpec, Fault, FileRow, KnownBy, Layout, Memory, Recording, Role, preview_csv, read_csv, read_csv_within,
@@ -66,11 +67,74 @@ fn every_way_of_writing_gives_the_same_samples() {
         // One column of time next to each channel.
         "t [s],q [deg],t [s],M [Nm]\n0,0,0,1\n0.005,0.25,0.005,1\n0.010,1.5,0.010,1\n0.015,2,0.015,1\n",
         "t [msec],q [Deg]\n0,0\n5,0.25\n10,1.5\n15,2\n",
+        // German compounds, with the mark before or behind the quantity, and Greek letters.
+        "\u{feff}Zeitstempel [s];Istposition [°]\r\n0,000;0\r\n0,005;0,25\r\n0,010;1,5\r\n0,015;2\r\n",
+        "Uhrzeit;Istlage [Grad];Sollposition [Grad]\n10:30:20,000;0;0\n10:30:20,005;0,25;0\n10:30:20,010;1,5;0\n10:30:20,015;2;0\n",
+        "Zeit [ms];Lageistwert [°]\n0;0\n5;0,25\n10;1,5\n15;2\n",
+        "Zeit [ms];Positionsistwert [°];Positionssollwert [°]\n0;0;1\n5;0,25;1\n10;1,5;1\n15;2;1\n",
+        "Zeit in s;Drehwinkel in Grad\n0,000;0\n0,005;0,25\n0,010;1,5\n0,015;2\n",
+        "t/s;φ/°\n0,000;0\n0,005;0,25\n0,010;1,5\n0,015;2\n",
+        // Bars between the cells, aligned or not.
+        "t [s]|q [deg]\n0.000|0\n0.005|0.25\n0.010|1.5\n0.015|2\n",
+        "  t [ms] | q [deg] \n       0 |       0 \n       5 |    0,25 \n      10 |     1,5 \n      15 |       2 \n",
+        // Every cell in quotes, with a row of units; an index column; a delimiter at the end of each line; exponents.
+        "\"Zeit\";\"Winkel\"\n\"ms\";\"Grad\"\n\"0\";\"0,0\"\n\"5\";\"0,25\"\n\"10\";\"1,5\"\n\"15\";\"2\"\n",
+        ",t [s],q [deg]\n0,0.000,0\n1,0.005,0.25\n2,0.010,1.5\n3,0.015,2\n",
+        "t [s],q [deg],\n0.000,0,\n0.005,0.25,\n0.010,1.5,\n0.015,2,\n",
+        "time [us],pos [deg]\n0.0e+00,0.0E0\n5.0e+03,2.5E-1\n1.0e+04,1.5E0\n1.5e+04,2.0E0\n",
+        "Time,Position\n(ms),(deg)\n0,0\n5,0.25\n10,1.5\n15,2\n",
+        "t [s],q [deg]\r0.000,0\r0.005,0.25\r0.010,1.5\r0.015,2\r",
+        "MAIN.fbAxis[3].NcToPlc.ActPos [°];Time [ms]\n0;0\n0.25;5\n1.5;10\n2;15\n",
+        "t [ms],q [deg]\n0,0\n5,0.25\n10,1.5\n15,2\n# end of recording\n",
     ] {
         let recording = read(text);
         assert!(near(&recording.time_s, &times), "{text}: {:?}", recording.time_s);
         assert!(near(&degrees(&recording), &positions), "{text}: {:?}", degrees(&recording));
     }
+}
+
+/// Speeds and torques, in the units of inch-pound and technical papers, and with the minus sign of print.
+#[test]
+fn every_way_of_writing_gives_the_same_torques() {
+    for (heading, values) in [
+        ("M [Nm]", ["-1,5", "0", "3"]),
+        ("M [N·m]", ["−1,5", "0", "3"]),
+        ("Lastmoment [Nm]", ["−1,5E0", "0", "3,0E+0"]),
+        ("Drehmomentistwert [mNm]", ["-1500", "0", "3000"]),
+        ("Momentenistwert [Ncm]", ["-150", "0", "300"]),
+        // 1 lbf in = 0.112984829 N m, 1 ozf in a sixteenth of it, 1 kgf m = 9.80665 N m.
+        ("torque [lb·in]", ["-13,27611868699", "0", "26,55223737398"]),
+        ("torque [oz-in]", ["-212,41789899185", "0", "424,83579798370"]),
+        ("torque [ft-lb]", ["-1,10634322392", "0", "2,21268644783"]),
+        ("tau [kgf·m]", ["-0,15295743195", "0", "0,30591486389"]),
+        ("Moment [kp cm]", ["-15,295743194668", "0", "30,591486389337"]),
+    ] {
+        let rows: Vec<String> = values.iter().enumerate().map(|(at, value)| format!("{at};{at};{value}\n")).collect();
+        let text = format!("t [s];q [deg];{heading}\n{}", rows.concat());
+        let torque = read(&text).torque.unwrap();
+        assert!(near(&torque.values, &[-1.5, 0.0, 3.0]), "{text}: {:?}", torque.values);
+    }
+    for heading in ["Istdrehzahl [°/s]", "Drehzahlistwert [Grad/s]", "Winkelgeschwindigkeit [deg/s]", "ω/(°/s)"] {
+        let speed = read(&format!("t [s];{heading}\n0;0\n1;180\n2;−90\n")).course.speed.unwrap();
+        let turn = std::f64::consts::PI;
+        assert!(near(&speed.values, &[0.0, turn, -turn / 2.0]), "{heading}: {:?}", speed.values);
+    }
+}
+
+/// A table that is none by its delimiter is refused with that reason.
+#[test]
+fn a_delimiter_that_cannot_be_one_is_named() {
+    for text in ["t[s]   q[deg]\n0.000  0.0\n0.005  0.25\n", "0.000 0.0\n0.005 0.25\n0.010 1.5\n"] {
+        assert_eq!(faults(text), [Fault::SpacesOnly], "{text}");
+    }
+    let text = "t [s],q [deg],n [deg/s]\n0,000,0,000000,0,000000\n0,005,0,25,-1,0\n0,010,1,5,-2,0\n";
+    let twice = |line| Fault::CommasTwice { line, found: 6, expected: 3 };
+    assert_eq!(faults(text)[..3], [twice(2), twice(3), twice(4)]);
+    // Cells too many without that reason.
+    let text = "t [s],q [deg]\n0,0,a\n1,1\n2,2\n3,3\n";
+    assert_eq!(faults(text), [Fault::Ragged { line: 2, found: 3, expected: 2 }]);
+    let text = "t [s],q [deg]\n0.0,0.5,1.5\n1,1\n2,2\n3,3\n";
+    assert_eq!(faults(text), [Fault::Ragged { line: 2, found: 3, expected: 2 }]);
 }
 
 #[test]
@@ -219,4 +283,85 @@ fn reading_ends_where_nothing_new_is_to_be_found() {
     let given = std::cell::Cell::new(0);
     let mut memory = Memory::default().until(Some(Arc::new(AtomicBool::new(true))));
     assert_eq!(read_csv_within(Endless(&given), &Layout::default(), &mut memory).unwrap_err(), [Fault::Stopped]);
+}
+
+/// Files of tools with headers of their own: read with the units that they state, or refused for want of them.
+#[test]
+fn the_headers_of_tools_are_understood() {
+    let scope = |units: &str| {
+        format!(
+            "Name\tYT Scope Project\nFile\tC:\\axis.csv\nStarttime of export\t132959733843760000\tMontag, 2. Mai 2022\t15:56:24.376\n\n\n\
+             Name\tAxis 1.ActPos\tName\tAxis 1.ActVelo\nSymbolComment\t\tSymbolComment\t\nData-Type\tREAL64\tData-Type\tREAL64\n\
+             SampleTime[ms]\t2\tSampleTime[ms]\t2\nVariableSize\t8\tVariableSize\t8\nSymbolName\tMAIN.a\tSymbolName\tMAIN.b\n{units}\n\
+             Unit Offset\t0\tUnit Offset\t0\n\n0\t0,0\t0\t0,0\n5\t0,25\t5\t1,0\n10\t1,5\t10\t2,0\n15\t2,0\t15\t0,0\nEOF\n"
+        )
+    };
+    let recording = read(&scope("Unit\t° (Angle)\tUnit\t°/s (Angular velocity)"));
+    assert!(near(&recording.time_s, &[0.0, 0.005, 0.01, 0.015]), "{:?}", recording.time_s);
+    assert!(near(&degrees(&recording), &[0.0, 0.25, 1.5, 2.0]));
+    let names: Vec<&str> = recording.columns.iter().map(|column| column.name.as_str()).collect();
+    assert_eq!(names, ["Time [ms]", "Axis 1.ActPos [°]", "Axis 1.ActVelo [°/s]"]);
+    let found = faults(&scope("Unit\t(None)\tUnit\t(None)"));
+    assert!(
+        matches!(found.as_slice(), [Fault::UnitMissing { column, .. }, Fault::UnitMissing { .. }] if column == "Axis 1.ActPos"),
+        "{found:?}"
+    );
+    let labview = "LabVIEW Measurement\t\nWriter_Version\t2\nSeparator\tTab\nDecimal_Separator\t,\nX_Columns\tOne\n\
+         ***End_of_Header***\t\n\t\nChannels\t1\t\t\nSamples\t4\t\t\nY_Unit_Label\tdeg\t\t\nX_Dimension\tTime\t\t\n\
+         X0\t0,0E+0\t\t\nDelta_X\t0,005\t\t\n***End_of_Header***\t\t\t\nX_Value\tPosition\tComment\n\
+         0,000000\t0,0\t\n0,005000\t0,25\t\n0,010000\t1,5\t\n0,015000\t2,0\t\n";
+    let found = faults(labview);
+    assert!(found.iter().all(|fault| matches!(fault, Fault::UnitMissing { .. })) && found.len() == 2, "{found:?}");
+    let of = |unit| ColumnSpec { unit: Some(unit), ..ColumnSpec::default() };
+    let layout = Layout { time: of(&SECOND), position: of(&DEGREE), ..Layout::default() };
+    let recording = read_csv(labview.as_bytes(), &layout).unwrap();
+    assert!(near(&recording.time_s, &[0.0, 0.005, 0.01, 0.015]) && near(&degrees(&recording), &[0.0, 0.25, 1.5, 2.0]));
+}
+
+/// A position that counts from 0° to 360°, or from −180° to 180°, is no motion of a turn within one interval.
+#[test]
+fn a_position_that_begins_anew_after_a_turn_is_named() {
+    let text = |from: f64, speeds: bool, step: f64| {
+        let head = if speeds { "t [ms],q [deg],n [deg/s]\n" } else { "t [ms],q [deg]\n" };
+        let rows: String = (0..200)
+            .map(|k| {
+                let position = (f64::from(k) * step - from).rem_euclid(360.0) + from;
+                let speed = if speeds { format!(",{}", step * 500.0) } else { String::new() };
+                format!("{},{position:.5}{speed}\n", 2 * k)
+            })
+            .collect();
+        head.to_owned() + &rows
+    };
+    for from in [0.0, -180.0] {
+        for step in [-3.1, 2.0, 20.0] {
+            for speeds in [true, false] {
+                let found = faults(&text(from, speeds, step));
+                let first = match found.first() {
+                    Some(Fault::Repeated { first, .. }) => first,
+                    other => other.unwrap(),
+                };
+                let Fault::TurnBegun { has_speed, jump, .. } = first else { panic!("{found:?}") };
+                assert_eq!(*has_speed, speeds);
+                assert!((jump.in_unit(&DEGREE).abs() - 360.0).abs() <= step.abs() + 1e-3, "{jump:?}");
+            }
+        }
+    }
+    // Whole turns from sample to sample, or a turn that takes some samples, are motions.
+    for text in [
+        "t [s],q [deg]\n0,0\n1,360\n2,720\n3,1080\n4,1440\n".to_owned(),
+        "t [s],q [deg]\n0,0\n1,10\n2,130\n3,250\n4,360\n5,361\n".to_owned(),
+    ] {
+        assert!(read_csv(text.as_bytes(), &Layout::default()).is_ok(), "{text}");
+    }
+}
+
+/// The line that a message proposes can be written as it stands, however long a name is.
+#[test]
+fn a_column_with_a_long_name_is_proposed_by_its_number() {
+    let text = format!("t [s],{} [deg]\n0,0\n1,1\n2,2\n", "Antriebsachse_1.technologischer Wert nach dem Filter".repeat(2));
+    let found = faults(&text);
+    let [Fault::CourseMissing { near, .. }] = found.as_slice() else { panic!("{found:?}") };
+    assert_eq!(near[0].column, "#2");
+    let layout = Layout { position: named(&near[0].column), ..Layout::default() };
+    assert!(read_csv(text.as_bytes(), &layout).is_ok());
 }

@@ -156,3 +156,39 @@ fn a_truncated_file_is_refused() {
         }
     }
 }
+
+/// Parquet stores the durations of Arrow as plain integers; the schema of Arrow beside it says what they are.
+#[test]
+fn durations_state_their_unit() {
+    let files: [(&[u8], [f64; 4]); 6] = [
+        (include_bytes!("data/pyarrow_duration_s.parquet"), [0.0, 1.0, 2.0, 3.0]),
+        (include_bytes!("data/pyarrow_duration_ms.parquet"), [0.0, 0.005, 0.01, 0.015]),
+        (include_bytes!("data/pyarrow_duration_us.parquet"), [0.0, 0.005, 0.01, 0.015]),
+        (include_bytes!("data/pyarrow_duration_ns.parquet"), [0.0, 0.005, 0.01, 0.015]),
+        (include_bytes!("data/polars_duration.parquet"), [0.0, 0.005, 0.01, 0.015]),
+        (include_bytes!("data/pandas_timedelta.parquet"), [0.0, 0.005, 0.01, 0.015]),
+    ];
+    for (bytes, times) in files {
+        let recording = read(bytes, &Layout::default()).unwrap();
+        assert!(recording.time_s.iter().zip(times).all(|(found, time)| (found - time).abs() < 1e-12));
+        let time = recording.columns.iter().find(|column| column.role == Role::Time).unwrap();
+        assert_ne!(time.known_by, KnownBy::Layout);
+        // The unit that someone states must be that of the file.
+        let wrong = Layout {
+            time: ColumnSpec { unit: Some(&quantities::unit::MINUTE), ..ColumnSpec::default() },
+            ..Layout::default()
+        };
+        let found = read(bytes, &wrong).unwrap_err();
+        assert!(matches!(found.as_slice(), [Fault::UnitContradiction { .. }]), "{found:?}");
+        // In a table they are no bare integers.
+        let table = recording::Table::open(Box::new(Bytes::from_static(bytes)), Memory::default()).unwrap();
+        let time = table.columns().iter().find(|column| column.name == "time").unwrap();
+        assert_eq!(time.kind, recording::ValueKind::Other("DURATION".to_owned()));
+        // Every byte of the footer changed: another answer, or a fault, but an end.
+        for at in bytes.len().saturating_sub(700)..bytes.len() {
+            let mut changed = bytes.to_vec();
+            changed[at] ^= 0x55;
+            let _ = recording::read_parquet(Bytes::from(changed), &Layout::default());
+        }
+    }
+}

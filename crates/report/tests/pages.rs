@@ -18,8 +18,8 @@ macro_rules! examples {
             #[test]
             fn $test() {
                 let text = include_str!(concat!("../../../examples/", $file, ".toml"));
-                for language in Language::ALL {
-                    let content = samples::made(text, None, language, true);
+                for content in samples::made_in(text, None, &Language::ALL, true) {
+                    let language = content.language;
                     let axes = content.axes.len();
                     let most = if axes == 1 { MOST } else { 1 + MOST * axes };
                     let settings = Settings { full: false, pdf_a: false, ..samples::settings() };

@@ -2,7 +2,7 @@
 
 use crate::axis::Axis;
 use crate::brake_times::carried_in;
-use crate::currents::Currents;
+use crate::currents::{Currents, coil_loss};
 use crate::electrics::Electrics;
 use crate::energy::CyclePower;
 use crate::flange::output;
@@ -133,7 +133,7 @@ impl Course {
         });
         let Gathered { mut samples, means, .. } = gathered;
         if let Ok(currents) = &currents {
-            heat(&mut samples, &means, axis, currents);
+            heat(&mut samples, &means, (axis, actuator), currents);
             overload(&mut samples, &means, actuator);
         }
         Self { samples, duration_s: axis.motion.duration().si() }
@@ -319,8 +319,11 @@ fn gaps(samples: &[Sample]) -> Vec<f64> {
     samples.iter().zip(next.chain(last)).map(|(sample, next)| (next - sample.time_s).max(0.0)).collect()
 }
 
-fn heat(samples: &mut [Sample], means: &[Rates], axis: &Axis, currents: &Currents) {
+/// Enters the temperatures. The coil of an open brake heats the housing on average, as in the check.
+fn heat(samples: &mut [Sample], means: &[Rates], (axis, actuator): (&Axis, &Parameters), currents: &Currents) {
     let Ok((model, _)) = currents.heat() else { return };
+    let [_, r_ha] = model.network().resistances_k_per_w();
+    let of_coil = coil_loss(axis, actuator).si() * r_ha;
     let ambient = axis.ambient.unwrap_or_else(|| model.ambient_reference());
     let pieces: Vec<(Time, Losses)> = gaps(samples)
         .into_iter()
@@ -330,8 +333,8 @@ fn heat(samples: &mut [Sample], means: &[Rates], axis: &Axis, currents: &Current
         })
         .collect();
     for (sample, found) in samples.iter_mut().zip(model.network().course(&pieces, ambient)) {
-        sample.winding_k = Some(found.winding.si());
-        sample.housing_k = Some(found.housing.si());
+        sample.winding_k = Some(found.winding.si() + of_coil);
+        sample.housing_k = Some(found.housing.si() + of_coil);
     }
 }
 

@@ -46,7 +46,17 @@ pub(crate) fn altitude(case: &Case<'_>, work: &mut Workings) -> Outcome {
     work.limit("T_der");
     let source = project(derating);
     let edges = edges.scaled(factor);
-    Ok(Comparison { id, limit_source: &source, ..compared }.between(edges))
+    let mut notes = compared.notes;
+    notes.push(Note::DeratesThisCheckOnly);
+    Ok(Comparison { id, limit_source: &source, notes, ..compared }.between(edges))
+}
+
+/// Returns the remark that a limit by heat is not derated, if the manual states no data for the stated altitude: the
+/// derating is judged by [`altitude`] alone.
+pub(crate) fn not_derated(axis: &Axis, actuator: &Drivetrain) -> Option<Note> {
+    let stated = axis.asked.altitude?.si();
+    let printed = actuator.environment.altitude_max.known();
+    printed.is_none_or(|limit| at_least(stated, limit.value.si())).then_some(Note::NotDeratedForAltitude)
 }
 
 /// Compares the required degree of protection with that of the manual, numeral by numeral.

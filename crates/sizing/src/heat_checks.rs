@@ -4,6 +4,7 @@ use crate::axis::Axis;
 use crate::check::{CheckId, Verdict};
 use crate::comparison::{Comparison, Edges, cite, project};
 use crate::currents::{Currents, coil_loss};
+use crate::environment_checks;
 use crate::list::{Case, Outcome};
 use crate::notes::{Note, Notes};
 use crate::workings;
@@ -30,6 +31,7 @@ pub(crate) fn continuous_torque(case: &Case<'_>, work: &mut Workings) -> Outcome
     if notes.is_empty() {
         notes = case.electrics.estimated.clone();
     }
+    notes.extend(environment_checks::not_derated(case.axis, case.actuator));
     Ok(Comparison { notes, ..compared }.between(edges))
 }
 
@@ -136,6 +138,7 @@ pub(crate) fn thermal(case: &Case<'_>, work: &mut Workings) -> Outcome {
     let warm_up = model.network().warm_up_time(settled.losses, ambient, threshold);
     let mut notes = Notes::from([Note::RiseAbove(ambient), Note::Housing(settled.housing)]);
     notes.extend(warm_up.map(Note::WarmUp));
+    notes.extend(environment_checks::not_derated(axis, actuator));
     let mut check = Comparison {
         id,
         unit: &DEGREE_CELSIUS,
@@ -207,5 +210,6 @@ pub(crate) fn overload(case: &Case<'_>, work: &mut Workings) -> Outcome {
     if check.verdict != Verdict::Fail && peak.value > 1.0 {
         check.notes.push(Note::TripsAtStallCurrent(stall.value));
     }
+    check.notes.extend(environment_checks::not_derated(axis, actuator));
     Ok(check)
 }

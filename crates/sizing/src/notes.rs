@@ -76,6 +76,10 @@ pub enum Note {
     RatingOfInterchangeableGear,
     /// The gear's rating is estimated from the stronger series of the same manufacturer.
     RatingByStrongerGear,
+    /// The limit is not derated for the stated altitude, for which the manual states no data.
+    NotDeratedForAltitude,
+    /// The stated derating reduces the continuous torque of this check, and no other limit.
+    DeratesThisCheckOnly,
     /// The permissible loads hold one at a time; for their combination the life and the static safety decide.
     LoadsOneAtATime,
     /// The winding's temperature is an estimate; from cold it reaches its warning threshold after this time.

@@ -189,6 +189,7 @@ fn field(column: &TableColumn) -> Field {
         ValueKind::Other(name) if name.contains("TIME") || name.contains("INT96") => {
             DataType::Timestamp(TimeUnit::Nanosecond, None)
         }
+        ValueKind::Other(name) if name.contains("DURATION") => DataType::Duration(TimeUnit::Nanosecond),
         ValueKind::Other(name) if name.contains("DATE") => DataType::Date32,
         ValueKind::Other(_) => DataType::Binary,
     };

@@ -144,6 +144,10 @@ pub fn assumption_text(assumption: Assumption, language: Language) -> String {
             "no tilt of the axis given (axis_tilt): the flange faces upwards",
             "keine Neigung der Achse angegeben (axis_tilt): der Flansch zeigt nach oben",
         ),
+        Assumption::NoPayloadInDwell => (
+            "no payload given for a dwell that follows a move with one: nothing is carried in it; if the payload stays, state it in the dwell too (payload)",
+            "für eine Pause nach einer Bewegung mit Zusatzmasse ist keine angegeben: in ihr wird nichts getragen; bleibt die Zusatzmasse, ist sie auch in der Pause anzugeben (payload)",
+        ),
         Assumption::PayloadInertiaWeightless => (
             "the additional moment of inertia of a segment (payload_inertia) adds no weight to the flange loads",
             "das zusätzliche Massenträgheitsmoment eines Abschnitts (payload_inertia) geht nicht als Gewicht in die Flanschlasten ein",

@@ -53,6 +53,14 @@ pub fn note_text(note: &Note, language: Language) -> String {
             "gear rating estimated: rated torque of the manufacturer's stronger gear series divided by 1.3; the manual states none"
             | "Getriebewert geschätzt: Nenndrehmoment der stärkeren Getriebebaureihe des Herstellers geteilt durch 1,3; die Anleitung nennt keinen"
         ),
+        Note::NotDeratedForAltitude => said!(language =>
+            "not derated for the stated altitude; the derating is part of the check installation altitude"
+            | "für die angegebene Aufstellhöhe nicht gemindert; die Minderung gehört zum Nachweis Aufstellhöhe"
+        ),
+        Note::DeratesThisCheckOnly => said!(language =>
+            "the derating applies to the continuous torque in this check; continuous torque, winding temperature and overload I²t on their own are judged without it, and so is the twin"
+            | "die Minderung gilt für das Dauerdrehmoment in diesem Nachweis; die Nachweise Dauerdrehmoment, Wicklungstemperatur und Überlast I²t und der Zwilling rechnen ohne sie"
+        ),
         Note::Protection { required, printed } => said!(language =>
             "required {required}, stated {printed}, compared numeral by numeral; {printed} is achieved only with suitable mating connectors plugged in and undamaged shaft seals"
             | "gefordert {required}, angegeben {printed}, jede Kennziffer für sich verglichen; {printed} wird nur mit geeigneten, gesteckten Gegensteckern und unbeschädigten Wellendichtungen erreicht"

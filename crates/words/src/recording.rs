@@ -2,15 +2,17 @@
 
 mod beyond;
 mod foreign;
+mod headings;
 
 use crate::pick;
 use crate::texts::said;
 use beyond::{beyond, damage};
 use foreign::foreign;
-use quantities::unit::SECOND;
+use headings::{LIST_MOST, columns, columns_and_names, list, toml_text};
+use quantities::unit::{DEGREE, SECOND};
 use quantities::{Dimension, Language, Measure, Time, Unit, format_significant};
 use recording::{
-    Encoding, Fault, FileRow, GAP_FACTOR, KnownBy, Limit, MAGNITUDE_MAX, NearColumn, Role, STEP_MIN_S, Stamp,
+    Encoding, Fault, FileRow, GAP_FACTOR, KnownBy, Limit, MAGNITUDE_MAX, Role, STEP_MIN_S, Stamp,
 };
 
 /// What is wrong with a file of a recording, in one sentence.
@@ -35,6 +37,19 @@ pub fn table_text(found: &Fault, language: Language) -> String {
         }
         found => recording_text(found, language),
     }
+}
+
+/// A row with more or fewer cells than the header.
+fn ragged(line: u64, found: usize, expected: usize, language: Language) -> String {
+    if found == 1 {
+        return said!(language =>
+            "line {line}: 1 cell, the header has {expected}" | "Zeile {line}: 1 Zelle, die Kopfzeile hat {expected}"
+        );
+    }
+    said!(language =>
+        "line {line}: {found} cells, the header has {expected}"
+        | "Zeile {line}: {found} Zellen, die Kopfzeile hat {expected}"
+    )
 }
 
 /// What is wrong with a recording, and what to do about it.
@@ -69,12 +84,26 @@ pub(super) fn fault(fault: &Fault, language: Language) -> (String, Option<String
             ),
             None,
         ),
-        Fault::Ragged { line, found, expected } => (
+        Fault::Ragged { line, found, expected } => (ragged(*line, *found, *expected, language), None),
+        Fault::CommasTwice { line, found, expected } => (
             said!(language =>
-                "line {line}: {found} cells, the header has {expected}"
-                | "Zeile {line}: {found} Zellen, die Kopfzeile hat {expected}"
+                "{}: commas separate the cells and are decimal signs as well"
+                | "{}: Kommas trennen die Zellen und sind zugleich Dezimalzeichen", ragged(*line, *found, *expected, language)
             ),
-            None,
+            Some(said!(language =>
+                "export with ; or tabs between the cells, with decimal points, or with the numbers in quotes"
+                | "mit ; oder Tabulatoren zwischen den Zellen, mit Dezimalpunkten oder mit den Zahlen in Anführungszeichen ausgeben"
+            )),
+        ),
+        Fault::SpacesOnly => (
+            said!(language =>
+                "the numbers are separated by spaces alone, which also stand within headings"
+                | "die Zahlen sind nur durch Leerzeichen getrennt, die auch in Überschriften stehen"
+            ),
+            Some(said!(language =>
+                "export with ;, tabs or commas between the cells, in Python numpy.savetxt(…, delimiter=\",\", header=\"t [s],q [deg]\", comments=\"\")"
+                | "mit ;, Tabulatoren oder Kommas zwischen den Zellen ausgeben, in Python numpy.savetxt(…, delimiter=\",\", header=\"t [s],q [deg]\", comments=\"\")"
+            )),
         ),
         Fault::WindowReversed { from, to } => {
             let (from, to) = (seconds(*from, language), seconds(*to, language));
@@ -185,6 +214,25 @@ pub(super) fn fault(fault: &Fault, language: Language) -> (String, Option<String
                     | "die Spalte {} ist sowohl {first} als auch {second} zugeordnet", q(column)
                 ),
                 None,
+            )
+        }
+        Fault::TurnBegun { at, jump, has_speed } => {
+            let jump = format!("{}°", format_significant(jump.in_unit(&DEGREE), 4, language));
+            (
+                said!(language =>
+                    "{}: the position begins anew after a full turn, with a jump of {jump}"
+                    | "{}: die Position beginnt nach einer vollen Umdrehung von vorn, mit einem Sprung von {jump}", place(*at, language)
+                ),
+                Some(match has_speed {
+                    true => said!(language =>
+                        "export the position beyond full turns (no modulo), or use the speed alone: columns = {{ position = \"none\" }}"
+                        | "die Position über volle Umdrehungen hinweg ausgeben (ohne Modulo) oder nur die Drehzahl verwenden: columns = {{ position = \"none\" }}"
+                    ),
+                    false => said!(language =>
+                        "export the position beyond full turns (no modulo), or record the speed"
+                        | "die Position über volle Umdrehungen hinweg ausgeben (ohne Modulo) oder die Drehzahl aufzeichnen"
+                    ),
+                }),
             )
         }
         Fault::NoTable => (
@@ -471,62 +519,6 @@ fn valid_units(role: Role, language: Language) -> String {
     let expected: Vec<String> = role.dimensions().iter().map(units).collect();
     let expected = expected.join(pick(language, " or ", " oder "));
     said!(language => "expected {expected}" | "erwartet wird {expected}")
-}
-
-/// Names of columns that are listed.
-const LIST_MOST: usize = 20;
-
-/// The names of columns; more would only fill the screen.
-fn list(names: &[String], language: Language) -> String {
-    let mut list = names.iter().take(LIST_MOST).map(|name| quoted(name, language)).collect::<Vec<_>>().join(", ");
-    if names.len() > LIST_MOST {
-        list.push_str(", …");
-    }
-    list
-}
-
-fn columns(headers: &[String], language: Language) -> String {
-    let list = list(headers, language);
-    said!(language => "the columns are {list}" | "die Spalten sind {list}")
-}
-
-/// The lines that name the columns which were probably meant, or the columns and the names that are recognised.
-fn columns_and_names(
-    headers: &[String],
-    near: &[NearColumn],
-    keys: &str,
-    roles: &[Role],
-    language: Language,
-) -> String {
-    if !near.is_empty() {
-        let table = |pairs: Vec<String>| format!("{{ {} }}", pairs.join(", "));
-        let pair = |near: &NearColumn, value: &str| format!("{} = {}", role_key(near.role), toml_text(value));
-        let names = table(near.iter().map(|near| pair(near, &near.column)).collect());
-        // The unit is left open: nothing in the file says it.
-        let units: Vec<String> = near.iter().filter(|near| !near.has_unit).map(|near| pair(near, "…")).collect();
-        let units = if units.is_empty() { String::new() } else { format!("; units = {}", table(units)) };
-        let columns = columns(headers, language);
-        return said!(language =>
-            "{columns}; if these are the intended ones, state in the project: columns = {names}{units}"
-            | "{columns}; wenn diese gemeint sind, im Projekt angeben: columns = {names}{units}"
-        );
-    }
-    let names: Vec<&str> = roles.iter().flat_map(|role| role.names()).copied().collect();
-    let (columns, names) = (columns(headers, language), names.join(", "));
-    let keys_de = keys.replace(" or ", " oder ");
-    said!(language =>
-        "{columns}; recognised names: {names}; state any other name under {keys}"
-        | "{columns}; erkannte Namen: {names}; andere Namen unter {keys_de} angeben"
-    )
-}
-
-/// A text as TOML writes it.
-fn toml_text(text: &str) -> String {
-    if text.contains(['"', '\\']) && !text.contains('\'') {
-        format!("'{text}'")
-    } else {
-        format!("\"{}\"", text.replace('\\', "\\\\").replace('"', "\\\""))
-    }
 }
 
 #[cfg(test)]

@@ -138,6 +138,8 @@ fn notes() {
         Note::SmallSwings { count: 3, largest: q(0.05), share: 0.5, least: q(0.09) },
         Note::RatingOfInterchangeableGear,
         Note::RatingByStrongerGear,
+        Note::NotDeratedForAltitude,
+        Note::DeratesThisCheckOnly,
         Note::Protection {
             required: actuator::Protection { solids: 5, water: 4 },
             printed: actuator::Protection { solids: 6, water: 5 },
@@ -297,6 +299,10 @@ fn recording_faults() -> Vec<Fault> {
         recording::Fault::TimesDiffer { at: FileRow::Line(3), column: name(), numbers: [1, 3] },
         recording::Fault::Ambiguous { role: recording::Role::Time, columns: vec![name(), name()], numbers: vec![1, 3] },
         recording::Fault::Stopped,
+        recording::Fault::SpacesOnly,
+        recording::Fault::TurnBegun { at: FileRow::Line(3), jump: q(-6.2), has_speed: true },
+        recording::Fault::TurnBegun { at: FileRow::Line(3), jump: q(-6.2), has_speed: false },
+        recording::Fault::CommasTwice { line: 3, found: 4, expected: 2 },
     ];
     let foreign = recording::Foreign::ALL.map(|format| recording::Fault::Foreign { format });
     let made = beyond.into_iter().chain(damaged).chain(samples).chain(foreign);

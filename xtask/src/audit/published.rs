@@ -101,9 +101,10 @@ pub(super) fn gear_ratings(view: &View, tally: &mut Tally) {
     }
 }
 
-/// T_N of the gear of the CHA is that of the stronger series over 1.3, the calibration `stronger_gear_factor`
+/// T_N of an interchangeable gear and T_max of the CHA are T_N and T_R of the stronger series over 1.3, the calibration
+/// `stronger_gear_factor`
 ///
-/// Source: shg-shf-2uh-lw-catalogue and zd-shf-2uh.
+/// Source: shg-shf-2uh-lw-catalogue, zd-shf-2uh and the manual.
 /// Tolerance: the rounding of both values. Blamed: both.
 pub(super) fn stronger_gear(view: &View, tally: &mut Tally) {
     let factor = view.row("family", "stronger_gear_factor").find_map(AuditedCell::number);
@@ -124,6 +125,24 @@ pub(super) fn stronger_gear(view: &View, tally: &mut Tally) {
     }
     if seen == 0 {
         tally.absent("T_N of gear-ratings");
+    }
+    let mut maxima = 0;
+    for stronger in view.row("gear-ratings-stronger", "T_R").filter(|entry| !entry.text.is_empty()) {
+        for drive in catalogue::drives().iter().filter(|drive| drive.name.starts_with(stronger.cell.place.drive)) {
+            let maximum = view.drive(drive.name).at("T_max", stronger.cell.place.ratio);
+            let (Some(cell), Some(over), Some(factor)) = (maximum, stronger.span(), factor) else {
+                tally.absent(stronger.place());
+                continue;
+            };
+            maxima += 1;
+            let expected = over * factor.recip();
+            tally.compare(cell.span().is_some_and(|printed| printed.meets(expected)), &[cell, stronger], || {
+                format!("{} is {}, the stronger series gives {expected}", cell.place(), cell.text)
+            });
+        }
+    }
+    if maxima == 0 {
+        tally.absent("T_R of gear-ratings-stronger");
     }
 }
 
@@ -206,11 +225,16 @@ mod tests {
 
     #[test]
     fn a_changed_rating_of_the_stronger_gear_is_found() {
-        let altered =
-            View::with("gear-ratings-stronger", "90", |c| c.place.drive == "CHA-25A" && c.place.ratio == "100");
+        let altered = View::with("gear-ratings-stronger", "90", |c| {
+            c.place.symbol == "T_N" && c.place.drive == "CHA-25A" && c.place.ratio == "100"
+        });
         assert_eq!(findings_of(stronger_gear, &altered).len(), 1);
+        let altered = View::with("gear-ratings-stronger", "90", |c| {
+            c.place.symbol == "T_R" && c.place.drive == "CHA-20A" && c.place.ratio == "80"
+        });
+        assert!(!findings_of(stronger_gear, &altered).is_empty());
         let altered = View::with("family", "1,2", |c| c.place.symbol == "stronger_gear_factor");
-        assert!(findings_of(stronger_gear, &altered).len() > 10);
+        assert!(findings_of(stronger_gear, &altered).len() > 25);
     }
 
     #[test]

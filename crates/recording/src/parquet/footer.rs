@@ -1,12 +1,13 @@
 //! Footer of a Parquet file: schema, metadata and the position of the pages.
 
-use super::damaged;
+use super::{arrow, damaged};
 use super::thrift::{Broken, Stop, Thrift, ThriftType};
 use crate::faults::{Damage, Fault};
 use crate::limits::{COLUMNS_MAX, Limit, NESTING_MAX, PATH_BYTES_MAX, ROW_GROUPS_MAX, ROWS_MAX};
 use ::parquet::basic::{ConvertedType, Type};
 use quantities::Unit;
 use quantities::unit::{MICROSECOND, MILLISECOND, NANOSECOND};
+use std::collections::BTreeMap;
 use std::ops::Range;
 
 /// Magic bytes at the end of a file, and those of a file with an encrypted footer.
@@ -54,6 +55,14 @@ pub(super) struct Column {
     pub(super) scale: i64,
 }
 
+impl Column {
+    /// Returns `true` if the values are integers of which the types of Parquet say no more.
+    fn is_plain_integer(&self) -> bool {
+        let is_plain = matches!(self.logical, Logical::Plain | Logical::Integer { signed: true });
+        self.physical == Type::INT64 && is_plain && !self.repeated
+    }
+}
+
 /// Meaning of the values of a column.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Logical {
@@ -68,6 +77,8 @@ pub(super) enum Logical {
     Text,
     /// Times in this unit.
     Timestamp(&'static Unit),
+    /// Durations in this unit, by the schema of Arrow.
+    Duration(&'static Unit),
     /// Other data than numbers.
     Other,
 }
@@ -110,7 +121,7 @@ impl<'b> Footer<'b> {
     /// Parses a footer that follows `data` bytes of pages, with at most `rows_most` rows.
     pub(super) fn of(footer: &'b [u8], data: u64, rows_most: u64) -> Result<Self, Fault> {
         let mut read = Self { columns: Vec::new(), rows: 0, units: Vec::new(), groups: None, data, rows_most };
-        let mut has_schema = false;
+        let (mut has_schema, mut durations) = (false, Vec::new());
         let footer = Thrift::new(footer).structure(|thrift, id, kind| {
             match (id, kind) {
                 (2, ThriftType::List) => {
@@ -122,7 +133,7 @@ impl<'b> Footer<'b> {
                     read.groups = Some(thrift.clone());
                     thrift.skip(kind)?;
                 }
-                (5, ThriftType::List) => units(thrift, &mut read.units)?,
+                (5, ThriftType::List) => metadata(thrift, &mut read.units, &mut durations)?,
                 (8, ThriftType::Struct) => return Err(damaged(Damage::Encrypted).into()),
                 _ => thrift.skip(kind)?,
             }
@@ -133,6 +144,13 @@ impl<'b> Footer<'b> {
             return Err(damaged(Damage::Footer));
         }
         Limit::Rows.hold(read.rows, rows_most)?;
+        // Parquet has no type for them: plain integers.
+        let durations: BTreeMap<String, &'static Unit> = durations.into_iter().collect();
+        for column in read.columns.iter_mut().filter(|column| column.is_plain_integer()) {
+            if let Some(unit) = durations.get(&column.path) {
+                column.logical = Logical::Duration(unit);
+            }
+        }
         Ok(read)
     }
 
@@ -372,8 +390,12 @@ fn logical(thrift: &mut Thrift<'_>) -> Result<Logical, Stop> {
     Ok(found)
 }
 
-/// Parses units in the metadata: keys `q.unit` and `unit:q`.
-fn units(thrift: &mut Thrift<'_>, units: &mut Vec<(String, String)>) -> Result<(), Stop> {
+/// Parses units in the metadata, keys `q.unit` and `unit:q`, and the durations of the schema of Arrow.
+fn metadata(
+    thrift: &mut Thrift<'_>,
+    units: &mut Vec<(String, String)>,
+    durations: &mut Vec<(String, &'static Unit)>,
+) -> Result<(), Stop> {
     let (kind, count) = thrift.list()?;
     for _ in 0..count {
         if kind != ThriftType::Struct {
@@ -388,6 +410,9 @@ fn units(thrift: &mut Thrift<'_>, units: &mut Vec<(String, String)>) -> Result<(
             }
             Ok(())
         })?;
+        if key == b"ARROW:schema" && durations.is_empty() {
+            *durations = arrow::durations(value);
+        }
         let is_unit = key.ends_with(b".unit") || key.starts_with(b"unit:");
         if is_unit && key.len() <= PATH_BYTES_MAX + b".unit".len() && value.len() <= UNIT_BYTES_MAX {
             Limit::Columns.hold(units.len() as u64 + 1, 2 * COLUMNS_MAX as u64)?;

@@ -9,6 +9,7 @@ All hold the same motion, 200 samples at 1 kHz from t = 5 s: the angle 90 (1 - c
 """
 
 import csv
+import datetime
 
 import numpy as np
 import pandas as pd
@@ -77,3 +78,13 @@ with open("python_excel.csv", "w", newline="") as file:
 pd.DataFrame({"Zeit [ms]": 5000.0 + step, "Winkel [deg]": angle, "Drehmoment [Nm]": torque}).round(9).to_csv(
     "pandas_german.csv", sep=";", decimal=",", index=False, encoding="utf-8-sig"
 )
+
+# Durations: plain integers of Parquet, of which the schema of Arrow beside them says what they are.
+for unit, each in (("s", None), ("ms", 10**3), ("us", 10**6), ("ns", 10**9)):
+    ticks = [0, 1, 2, 3] if each is None else [int(each * k * 0.005) for k in range(4)]
+    held = {"time": pa.array(ticks, pa.duration(unit)), "q [deg]": [0.0, 0.25, 1.5, 2.0], "note": ["a"] * 4}
+    pq.write_table(pa.table(held), f"pyarrow_duration_{unit}.parquet", compression="none", use_dictionary=False)
+spans = [datetime.timedelta(milliseconds=5 * k) for k in range(4)]
+pl.DataFrame({"q [deg]": [0.0, 0.25, 1.5, 2.0], "time": spans}).write_parquet("polars_duration.parquet")
+index = pd.to_timedelta([0, 5, 10, 15], unit="ms").rename("time")
+pd.DataFrame({"q [deg]": [0.0, 0.25, 1.5, 2.0]}, index=index).to_parquet("pandas_timedelta.parquet")

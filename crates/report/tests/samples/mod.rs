@@ -66,22 +66,32 @@ pub fn content(sample: Sample) -> Content {
 
 /// The report of a project, with its pictures or without.
 pub fn made(text: &str, code: Option<&str>, language: Language, pictures: bool) -> Content {
+    made_in(text, code, &[language], pictures).remove(0)
+}
+
+/// The report of a project in several languages, all of one judgement.
+pub fn made_in(text: &str, code: Option<&str>, languages: &[Language], pictures: bool) -> Vec<Content> {
     let projects = questions::read_all(text, &Recordings).unwrap();
-    let axes = projects.iter().enumerate().map(|(place, project)| {
+    let mut contents: Vec<Content> =
+        languages.iter().map(|language| Content { language: *language, axes: Vec::new() }).collect();
+    for (place, project) in projects.iter().enumerate() {
         let ranked = questions::size(project);
         let code = code.map_or_else(|| ranked.candidates[0].id.to_string(), str::to_owned);
-        let code = questions::read_code(&code, language).unwrap().parsed.code;
+        let code = questions::read_code(&code, Language::En).unwrap().parsed.code;
         let chosen = questions::check(project, &code).unwrap();
         let reserve = questions::reserve_of(project, &chosen);
         let assessed = questions::assess(project, &[&chosen], Sampling::default());
         let patience = questions::Patience::endless();
         let mends = if ranked.fits() { Vec::new() } else { questions::list::size::mends(project, &patience).unwrap() };
-        let (text, program) = ((text, place, "antrieb of the tests"), (&reserve, assessed.first(), &mends[..]));
-        let dossier = questions::answer::dossier(project, &ranked, &chosen, program, text, language);
-        let figures = if pictures { figures_of(project, &ranked, &chosen, language) } else { Vec::new() };
-        AxisContent { dossier, figures, chapters: Vec::new() }
-    });
-    Content { language, axes: axes.collect() }
+        for content in &mut contents {
+            let language = content.language;
+            let (text, program) = ((text, place, "antrieb of the tests"), (&reserve, assessed.first(), &mends[..]));
+            let dossier = questions::answer::dossier(project, &ranked, &chosen, program, text, language);
+            let figures = if pictures { figures_of(project, &ranked, &chosen, language) } else { Vec::new() };
+            content.axes.push(AxisContent { dossier, figures, chapters: Vec::new() });
+        }
+    }
+    contents
 }
 
 fn figures_of(project: &Project, ranked: &Sizing<'_>, chosen: &Candidate<'_>, language: Language) -> Vec<Diagram> {

@@ -81,6 +81,12 @@ const NAMED: f64 = 0.06;
 /// Largest deviation of a torque constant from the tables, beyond its interval. A choice: measured joints are within.
 const CONSTANT: f64 = 0.15;
 
+/// Largest deviation of a torque constant that the scatter of magnets explains, if a known convention explains it as well.
+///
+/// # Source
+/// simodrive-611a, table 1-2: the voltage constant may be off by 7.5 %
+const SCATTER: f64 = 0.075;
+
 /// Smallest angle between the stated and the estimated weight that causes a doubt \[rad\].
 const OPPOSITE: f64 = 0.75 * PI;
 
@@ -159,6 +165,31 @@ fn nearest(value: f64, names: &[(f64, Misread)]) -> Option<Misread> {
     near.min_by(|a, b| off(a).total_cmp(&off(b))).map(|(_, misread)| *misread)
 }
 
+/// Returns the signal and the convention that a torque constant over that of the table, with its half width, speaks for. If the
+/// inertia over the stated one deviates as much, the torque has another unit and the current is right.
+fn of_constant(
+    value: f64,
+    half: f64,
+    names: &[(f64, Misread)],
+    inertia_share: Option<f64>,
+) -> Option<(Column, Misread)> {
+    let off = (value - 1.0).abs() - half;
+    let near = |(ratio, _): &&(f64, Misread)| (value - ratio).abs() < half;
+    let within = names.iter().find(|name| off > SCATTER && near(name)).map(|(_, misread)| *misread);
+    let misread = match nearest(value, names).or(within) {
+        Some(misread) if off > SCATTER => misread,
+        _ if off > CONSTANT => Misread::Other,
+        _ => return None,
+    };
+    let is_torque = inertia_share
+        .is_some_and(|share| (share - 1.0).abs() > NAMED && (share / value - 1.0).abs() < NAMED + half / value);
+    Some(match misread {
+        Misread::MotorShaft => (Column::Torque, misread),
+        _ if is_torque => (Column::Torque, Misread::Other),
+        _ => (Column::Current, misread),
+    })
+}
+
 /// Compares the estimates with the physically possible sign, and with project and tables.
 pub(super) fn of_estimates(stated: &Stated<'_>, extras: &[Extra], windows: &Windows, found: &mut Identification) {
     let of = |of| found.estimates.iter().find(|each| each.of == of).copied();
@@ -178,6 +209,10 @@ pub(super) fn of_estimates(stated: &Stated<'_>, extras: &[Extra], windows: &Wind
             doubts.extend(named.map(|misread| Doubt { column: column(misread), misread, value }));
         }
     }
+    let inertia_share = of(Identified::LoadInertia)
+        .filter(|inertia| inertia.is_known())
+        .zip(plain)
+        .map(|(inertia, plain)| inertia.value / plain.inertia_kgm2);
     // A reversed torque explains the signs of all estimates.
     let is_reversed = !doubts.is_empty();
     #[allow(clippy::cast_precision_loss, reason = "counts of windows")]
@@ -219,9 +254,7 @@ pub(super) fn of_estimates(stated: &Stated<'_>, extras: &[Extra], windows: &Wind
             if !is_reversed {
                 doubts.push(Doubt { column: Column::Current, misread: Misread::Reversed, value });
             }
-        } else if (value - 1.0).abs() - half > CONSTANT {
-            let misread = nearest(value, &names).unwrap_or(Misread::Other);
-            let column = if misread == Misread::MotorShaft { Column::Torque } else { Column::Current };
+        } else if let Some((column, misread)) = of_constant(value, half, &names, inertia_share) {
             doubts.push(Doubt { column, misread, value });
         }
         let least = 0.02 * mean(|window| window.current.abs());

@@ -1,0 +1,76 @@
+//! Headers of tools whose tables have no line of headings of their own: TwinCAT Scope lists the properties of each channel line by
+//! line, LabVIEW writes one header for the file and one for the table.
+
+use crate::ahead::{delimiter, split};
+use crate::clock::is_clock;
+use crate::number::Decimals;
+use quantities::Unit;
+
+/// First line of a LabVIEW measurement file.
+const LABVIEW: &[u8] = b"LabVIEW Measurement";
+/// Line at the end of each of its two headers.
+const HEADER_END: &[u8] = b"***End_of_Header***";
+
+/// Headers seen at the beginning of a file.
+#[derive(Debug, Default)]
+pub(crate) struct Headers {
+    /// Headers of LabVIEW that are still to end.
+    labview: u8,
+    is_scope: bool,
+}
+
+impl Headers {
+    /// Takes note of a line; returns `true` if the table begins behind it, or later.
+    pub(crate) fn end_with(&mut self, line: &[u8], is_first: bool) -> bool {
+        if is_first && line.trim_ascii_start().starts_with(LABVIEW) {
+            self.labview = 2;
+        }
+        self.is_scope |= [b"SymbolComment".as_slice(), b"Data-Type", b"SymbolName"]
+            .iter()
+            .any(|property| line.strip_prefix(*property).is_some_and(|rest| rest.starts_with(&[delimiter(line)])));
+        let ends = line.trim_ascii().starts_with(HEADER_END);
+        if ends {
+            self.labview = self.labview.saturating_sub(1);
+        }
+        ends
+    }
+
+    /// Returns `true` if the line of headings can be searched in the usual way.
+    pub(crate) const fn are_over(&self) -> bool {
+        self.labview == 0 && !self.is_scope
+    }
+
+    /// Returns the headings made from the properties of the channels of a scope: index of the first row, number of the line of the
+    /// names, headings and delimiter.
+    pub(crate) fn scope(&self, seen: &[(u64, Vec<u8>)]) -> Option<(usize, u64, Vec<u8>, u8)> {
+        let (last, (_, row)) = seen.iter().enumerate().next_back().filter(|_| self.is_scope)?;
+        let sign = delimiter(row);
+        let is_value = |cell: &String| Decimals::is_number(cell) || is_clock(cell);
+        let row = split(row, sign)?;
+        if row.len() < 2 || row.len() % 2 != 0 || !row.iter().all(is_value) {
+            return None;
+        }
+        let properties: Vec<(u64, Vec<String>)> = seen
+            .iter()
+            .filter_map(|(number, line)| Some((*number, split(line, sign)?)))
+            .filter(|(_, cells)| cells.len() == row.len())
+            .collect();
+        let of = |name: &str| {
+            let is_one = |cells: &[String]| cells.iter().step_by(2).all(|cell| cell == name);
+            properties.iter().rev().find(|(_, cells)| is_one(cells))
+        };
+        let (number, names) = of("Name")?;
+        let units = of("Unit").map(|(_, cells)| cells.as_slice()).unwrap_or_default();
+        let time = if of("SampleTime[ms]").is_some() { "Time [ms]" } else { "Time" };
+        let mut headings = Vec::new();
+        for place in (1..row.len()).step_by(2) {
+            let name = names.get(place)?;
+            // `° (Angle)`, or `(None)`.
+            let unit = units.get(place).and_then(|unit| unit.split(" (").next()).filter(|unit| Unit::of(unit).is_some());
+            headings.push(time.to_owned());
+            headings.push(unit.map_or_else(|| name.clone(), |unit| format!("{name} [{unit}]")));
+        }
+        let separator = char::from(sign).to_string();
+        Some((last, *number, headings.join(&separator).into_bytes(), sign))
+    }
+}

@@ -1,0 +1,62 @@
+//! Lines that list the columns of a file.
+
+use super::{quoted, role_key};
+use crate::texts::said;
+use quantities::Language;
+use recording::{NearColumn, Role};
+
+/// Names of columns that are listed.
+pub(super) const LIST_MOST: usize = 20;
+
+/// The names of columns; more would only fill the screen.
+pub(super) fn list(names: &[String], language: Language) -> String {
+    let mut list = names.iter().take(LIST_MOST).map(|name| quoted(name, language)).collect::<Vec<_>>().join(", ");
+    if names.len() > LIST_MOST {
+        list.push_str(", …");
+    }
+    list
+}
+
+pub(super) fn columns(headers: &[String], language: Language) -> String {
+    let list = list(headers, language);
+    said!(language => "the columns are {list}" | "die Spalten sind {list}")
+}
+
+/// The lines that name the columns which were probably meant, or the columns and the names that are recognised.
+pub(super) fn columns_and_names(
+    headers: &[String],
+    near: &[NearColumn],
+    keys: &str,
+    roles: &[Role],
+    language: Language,
+) -> String {
+    if !near.is_empty() {
+        let table = |pairs: Vec<String>| format!("{{ {} }}", pairs.join(", "));
+        let pair = |near: &NearColumn, value: &str| format!("{} = {}", role_key(near.role), toml_text(value));
+        let names = table(near.iter().map(|near| pair(near, &near.column)).collect());
+        // The unit is left open: nothing in the file says it.
+        let units: Vec<String> = near.iter().filter(|near| !near.has_unit).map(|near| pair(near, "…")).collect();
+        let units = if units.is_empty() { String::new() } else { format!("; units = {}", table(units)) };
+        let columns = columns(headers, language);
+        return said!(language =>
+            "{columns}; if these are the intended ones, state in the project: columns = {names}{units}"
+            | "{columns}; wenn diese gemeint sind, im Projekt angeben: columns = {names}{units}"
+        );
+    }
+    let names: Vec<&str> = roles.iter().flat_map(|role| role.names()).copied().collect();
+    let (columns, names) = (columns(headers, language), names.join(", "));
+    let keys_de = keys.replace(" or ", " oder ");
+    said!(language =>
+        "{columns}; recognised names: {names}; state any other name under {keys}"
+        | "{columns}; erkannte Namen: {names}; andere Namen unter {keys_de} angeben"
+    )
+}
+
+/// A text as TOML writes it.
+pub(super) fn toml_text(text: &str) -> String {
+    if text.contains(['"', '\\']) && !text.contains('\'') {
+        format!("'{text}'")
+    } else {
+        format!("\"{}\"", text.replace('\\', "\\\\").replace('"', "\\\""))
+    }
+}
