@@ -320,11 +320,6 @@ impl Segment {
         }
     }
 
-    /// Returns the payload and its inertia, whichever is larger in SI, to tell whether something is carried.
-    fn extra_payload_si(&self) -> f64 {
-        self.payload.or_zero().si().max(self.payload_inertia.or_zero().si())
-    }
-
     fn extra(&self, load: &Load) -> Extra {
         Extra {
             mass: self.payload.or_zero(),
@@ -595,13 +590,11 @@ pub(crate) fn assumptions(axis: &AxisSection, driven: Option<&dyn Driven>, found
     }
     let rests = |segment: &&Segment| segment.law.value() == Some(SegmentLaw::Dwell);
     found.extend(segments.iter().filter(rests).find_map(|segment| segment.hold.note()));
-    let carries = |segment: &Segment| segment.extra_payload_si() > 0.0;
-    let is_silent = |segment: &Segment| !segment.payload.is_given() && !segment.payload_inertia.is_given();
-    let pairs = segments.iter().zip(segments.iter().skip(1));
+    let carries = |one: &Segment| one.payload.or_zero().si() > 0.0 || one.payload_inertia.or_zero().si() > 0.0;
+    let is_silent = |one: &Segment| !one.payload.is_given() && !one.payload_inertia.is_given();
     // A cycle repeats: its first segment follows the last.
-    let around = segments.last().zip(segments.first()).filter(|_| !axis.single_move);
-    let mut pairs = pairs.chain(around);
-    if pairs.any(|(before, dwell)| rests(&dwell) && carries(before) && is_silent(dwell)) {
+    let next = segments.iter().skip(1).chain(segments.first().filter(|_| !axis.single_move));
+    if segments.iter().zip(next).any(|(before, dwell)| rests(&dwell) && carries(before) && is_silent(dwell)) {
         found.push(Assumption::NoPayloadInDwell);
     }
 }

@@ -326,7 +326,9 @@ impl<'m> Gather<'m> {
     fn check_turns(&self, faults: &mut Faults) {
         const STEP_MOST: f64 = TAU / 12.0;
         let of = |role: Role| self.channels.iter().find(|channel| channel.role == role);
-        let Some(position) = of(Role::Position).filter(|channel| Along::of(channel.unit) == Along::Turning) else { return };
+        let Some(position) = of(Role::Position).filter(|channel| Along::of(channel.unit) == Along::Turning) else {
+            return;
+        };
         for (index, values) in position.values.windows(4).enumerate() {
             let [first, before, after, last] = values else { continue };
             let jump = after - before;

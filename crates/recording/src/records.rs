@@ -249,6 +249,8 @@ mod tests {
         assert_eq!(numbers("# run\na,b\n0.5, -1.25e3\nx,3\n"), expected);
         assert_eq!(numbers("# run\na;b\n0,5;-1,25e3\n;3\n"), expected);
         assert_eq!(numbers("# run\na\tb\n0.5\t-1.25e3\nNaN\t3\n"), expected);
+        // A single column, in which no comma can separate cells.
+        assert_eq!(numbers("a\n0,5\n2\n"), [(2, vec![Some(0.5)]), (3, vec![Some(2.0)])]);
         // A point behind commas may separate thousands.
         assert_eq!(numbers("a;b\n0,5;1.234\n1e999;\n"), [(2, vec![Some(0.5), None]), (3, vec![None, None])]);
     }

@@ -66,7 +66,8 @@ impl Headers {
         for place in (1..row.len()).step_by(2) {
             let name = names.get(place)?;
             // `° (Angle)`, or `(None)`.
-            let unit = units.get(place).and_then(|unit| unit.split(" (").next()).filter(|unit| Unit::of(unit).is_some());
+            let unit =
+                units.get(place).and_then(|unit| unit.split(" (").next()).filter(|unit| Unit::of(unit).is_some());
             headings.push(time.to_owned());
             headings.push(unit.map_or_else(|| name.clone(), |unit| format!("{name} [{unit}]")));
         }

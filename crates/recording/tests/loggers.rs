@@ -358,7 +358,8 @@ fn a_position_that_begins_anew_after_a_turn_is_named() {
 /// The line that a message proposes can be written as it stands, however long a name is.
 #[test]
 fn a_column_with_a_long_name_is_proposed_by_its_number() {
-    let text = format!("t [s],{} [deg]\n0,0\n1,1\n2,2\n", "Antriebsachse_1.technologischer Wert nach dem Filter".repeat(2));
+    let text =
+        format!("t [s],{} [deg]\n0,0\n1,1\n2,2\n", "Antriebsachse_1.technologischer Wert nach dem Filter".repeat(2));
     let found = faults(&text);
     let [Fault::CourseMissing { near, .. }] = found.as_slice() else { panic!("{found:?}") };
     assert_eq!(near[0].column, "#2");

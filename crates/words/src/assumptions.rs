@@ -146,7 +146,7 @@ pub fn assumption_text(assumption: Assumption, language: Language) -> String {
         ),
         Assumption::NoPayloadInDwell => (
             "no payload given for a dwell that follows a move with one: nothing is carried in it; if the payload stays, state it in the dwell too (payload)",
-            "für eine Pause nach einer Bewegung mit Zusatzmasse ist keine angegeben: in ihr wird nichts getragen; bleibt die Zusatzmasse, ist sie auch in der Pause anzugeben (payload)",
+            "für eine Pause nach einer Bewegung mit Nutzlast ist keine angegeben: in ihr wird nichts getragen; bleibt die Nutzlast, ist sie auch in der Pause anzugeben (payload)",
         ),
         Assumption::PayloadInertiaWeightless => (
             "the additional moment of inertia of a segment (payload_inertia) adds no weight to the flange loads",

@@ -11,9 +11,7 @@ use foreign::foreign;
 use headings::{LIST_MOST, columns, columns_and_names, list, toml_text};
 use quantities::unit::{DEGREE, SECOND};
 use quantities::{Dimension, Language, Measure, Time, Unit, format_significant};
-use recording::{
-    Encoding, Fault, FileRow, GAP_FACTOR, KnownBy, Limit, MAGNITUDE_MAX, Role, STEP_MIN_S, Stamp,
-};
+use recording::{Encoding, Fault, FileRow, GAP_FACTOR, KnownBy, Limit, MAGNITUDE_MAX, Role, STEP_MIN_S, Stamp};
 
 /// What is wrong with a file of a recording, in one sentence.
 #[must_use]

@@ -1,7 +1,7 @@
 //! Footer of a Parquet file: schema, metadata and the position of the pages.
 
-use super::{arrow, damaged};
 use super::thrift::{Broken, Stop, Thrift, ThriftType};
+use super::{arrow, damaged};
 use crate::faults::{Damage, Fault};
 use crate::limits::{COLUMNS_MAX, Limit, NESTING_MAX, PATH_BYTES_MAX, ROW_GROUPS_MAX, ROWS_MAX};
 use ::parquet::basic::{ConvertedType, Type};
